@@ -1,0 +1,41 @@
+/** What the page is about, as plain data, and every way it can change. No DOM, no three.js, no wasm. */
+import type { Vec3, Vertices } from './hexahedron'
+
+/** jacdet of the map from [0,1]^3, or from [-1,1]^3 as finite element codes use it (an eighth). */
+export type ReferenceCube = 'unit' | 'biunit'
+
+/** How the faces are drawn: all opaque, see-through, or one face alone (0..5). */
+export type FaceDisplay = 'opaque' | 'see-through' | number
+
+export interface State {
+  readonly vertices: Vertices
+  /** The preset the element started from, by id; null when it came from elsewhere. */
+  readonly preset: string | null
+  /** What Reset goes back to. */
+  readonly start: Vertices
+  readonly selectedVertex: number
+  /** Vertices as they were when the running gesture began; null between gestures. */
+  readonly gestureStart: Vertices | null
+  readonly referenceCube: ReferenceCube
+  readonly faceDisplay: FaceDisplay
+  readonly canUndo: boolean
+  readonly canRedo: boolean
+}
+
+export type Action =
+  /** One vertex to a place. Inside a gesture it adds to that gesture's one undo step, outside it is a step of its own. */
+  | { readonly type: 'move-vertex'; readonly vertex: number; readonly to: Vec3 }
+  /** The whole element replaced: a preset, a link, the `vertices` property. `preset` is the preset's id if it is one. */
+  | { readonly type: 'set-vertices'; readonly vertices: Vertices; readonly preset: string | null }
+  /** A gesture is one undo step by intent: begin, any number of moves, then commit, or cancel to restore. */
+  | { readonly type: 'begin-gesture' }
+  | { readonly type: 'commit-gesture' }
+  | { readonly type: 'cancel-gesture' }
+  | { readonly type: 'undo' }
+  | { readonly type: 'redo' }
+  | { readonly type: 'reset' }
+  | { readonly type: 'select-vertex'; readonly vertex: number }
+  | { readonly type: 'show-reference-cube'; readonly referenceCube: ReferenceCube }
+  | { readonly type: 'show-faces'; readonly faceDisplay: FaceDisplay }
+
+export type Dispatch = (action: Action) => void

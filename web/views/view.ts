@@ -1,0 +1,34 @@
+/** The one contract between the element and its views: they receive a frame and draw it; they emit actions, nothing else. */
+import type { Report } from '../core/report'
+import type { Dispatch, State } from '../model/state'
+
+/** Something that keeps the page from its full work, as a sentence for people. */
+export interface Problem {
+  readonly code: 'core-failed' | 'no-webgl' | 'context-lost' | 'link-broken' | 'input-refused'
+  readonly message: string
+}
+
+/** One frame's truth. `report` belongs to `state.vertices`; it is null only while the core is loading or could not start. */
+export interface Frame {
+  readonly state: State
+  readonly report: Report | null
+  readonly problems: readonly Problem[]
+}
+
+export interface View {
+  readonly root: HTMLElement
+  /** Called once per animation frame in which state, report or problems changed. */
+  update(frame: Frame): void
+  dispose(): void
+}
+
+export interface ViewHost {
+  readonly dispatch: Dispatch
+  /** Raise a problem, or take it back by its code. */
+  raise(problem: Problem): void
+  clear(code: Problem['code']): void
+  /** Ask for an update although neither state nor report changed (the camera moved, the view was resized). */
+  requestFrame(): void
+}
+
+export type CreateView = (host: ViewHost) => View
