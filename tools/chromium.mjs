@@ -1,0 +1,21 @@
+// Finds the Chromium that the browser tests drive.
+
+import { existsSync } from 'node:fs'
+import { executable, onPath, run } from './run.mjs'
+
+const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable']
+const MAC_PATHS = ['Chromium.app/Contents/MacOS/Chromium', 'Google Chrome.app/Contents/MacOS/Google Chrome']
+
+/** The path of a Chromium that starts: on PATH, a macOS application, or the one Playwright downloaded. */
+export async function findChromium() {
+  const installed = [
+    ...NAMES.map(name => onPath(name)),
+    ...(process.platform === 'darwin' ? MAC_PATHS.map(path => executable(`/Applications/${path}`)) : []),
+  ]
+  for (const path of installed) {
+    // Ubuntu's chromium-browser is a script that says to use snap, so being there is not enough.
+    if (path && (await run(path, ['--version'])).status === 0) return path
+  }
+  const { chromium } = await import('@playwright/test')
+  return existsSync(chromium.executablePath()) ? chromium.executablePath() : undefined
+}

@@ -1,0 +1,98 @@
+// Child processes and failures as the tools in this folder share them. Plain Node: this runs before any package is installed.
+
+import { spawn } from 'node:child_process'
+import { accessSync, constants, statSync } from 'node:fs'
+import { delimiter, join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+
+export const root = fileURLToPath(new URL('..', import.meta.url)).replace(/[\\/]$/, '')
+
+/** A failure with a sentence on what to do; printed without a stack. */
+export class Failure extends Error {}
+
+const children = new Set()
+for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) {
+  process.on(signal, () => {
+    for (const child of children) child.kill(signal)
+    process.exit(128 + { SIGINT: 2, SIGTERM: 15, SIGHUP: 1 }[signal])
+  })
+}
+
+/**
+ * Runs a command without a terminal to ask questions on. `output`: 'capture' keeps both streams, 'show' passes them
+ * on, 'stderr' passes both on as standard error.
+ * Resolves to { status, stdout, text }: `text` is both streams as they came; status is 127 when it could not start.
+ */
+export function run(command, args, { cwd = root, env = process.env, output = 'capture' } = {}) {
+  const stdio = { capture: ['ignore', 'pipe', 'pipe'], show: ['ignore', 'inherit', 'inherit'], stderr: ['ignore', 2, 2] }
+  return new Promise(resolve => {
+    const child = spawn(command, args, { cwd, env, stdio: stdio[output] })
+    children.add(child)
+    let stdout = ''
+    let text = ''
+    child.stdout?.setEncoding('utf8').on('data', chunk => {
+      stdout += chunk
+      text += chunk
+    })
+    child.stderr?.setEncoding('utf8').on('data', chunk => {
+      text += chunk
+    })
+    child.on('error', error => {
+      children.delete(child)
+      resolve({ status: 127, stdout, text: text + error.message })
+    })
+    child.on('close', (code, signal) => {
+      children.delete(child)
+      resolve({ status: code ?? 1, stdout, text: signal ? `${text}\nended by ${signal}` : text })
+    })
+  })
+}
+
+/** Like `run`, captured; when the command fails throws a Failure with the tail of its output and the advice. */
+export async function must(command, args, advice, options) {
+  const result = await run(command, args, options)
+  if (result.status !== 0) throw new Failure(failedCommand([command, ...args], result, advice))
+  return result
+}
+
+export function failedCommand(command, { status, text }, advice) {
+  const tail = text.trimEnd().split('\n').slice(-20).join('\n')
+  return [`This command failed (status ${status}): ${command.join(' ')}`, tail, advice].filter(Boolean).join('\n')
+}
+
+/** The absolute path of an executable file, or undefined. */
+export function executable(path) {
+  try {
+    accessSync(path, constants.X_OK)
+    return statSync(path).isFile() ? path : undefined
+  } catch {
+    return undefined
+  }
+}
+
+/** The first of the names that is found on PATH, as an absolute path, or undefined. */
+export function onPath(...names) {
+  const folders = (process.env.PATH ?? '').split(delimiter).filter(Boolean)
+  for (const name of names) {
+    for (const folder of folders) {
+      const path = executable(join(folder, name))
+      if (path) return path
+    }
+  }
+  return undefined
+}
+
+/** Runs a tool's main and turns what it throws into a message and exit status 1. */
+export async function runMain(main) {
+  try {
+    process.exitCode = (await main()) ?? 0
+  } catch (error) {
+    process.stderr.write(`${error instanceof Failure ? error.message : error.stack}\n`)
+    process.exitCode = 1
+  }
+}
+
+/** True when the module is the script that node was started with. */
+export function isScript(url) {
+  return process.argv[1] !== undefined && fileURLToPath(url) === process.argv[1]
+}

@@ -1,0 +1,187 @@
+// Sets everything up that building, serving and testing need: npm packages, make, emcc, the wasm; for tests also a C
+// compiler and Chromium. Each step is quick when there is nothing to do, and either completes or leaves nothing behind.
+// Plain Node without dependencies: it installs them.
+
+import { createHash } from 'node:crypto'
+import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { findChromium } from './chromium.mjs'
+import { withLock } from './lock.mjs'
+import { executable, Failure, failedCommand, isScript, must, onPath, root, run, runMain } from './run.mjs'
+
+const NODE_LEAST = [20, 0]
+const EMSDK_VERSION = '4.0.10'
+const EMSDK_SOURCE = 'https://github.com/emscripten-core/emsdk.git'
+const EMSDK_FOLDER = join(root, '.emsdk')
+
+const steps = [
+  { name: 'node', run: checkNode },
+  { name: 'packages', run: installPackages },
+  { name: 'make', run: installMake },
+  { name: 'compiler', run: installCompiler, for: ['check', 'test'] },
+  { name: 'wasm', run: buildWasm },
+  { name: 'chromium', run: installChromium, for: ['test'] },
+]
+
+/**
+ * Runs the steps for a purpose: 'start', 'check' (and a C compiler), 'test' (and Chromium). `say` gets one line for
+ * each step that has something to do. Throws a Failure that says what to do.
+ */
+export async function setup({ purpose = 'start', say = line => process.stdout.write(`${line}\n`) } = {}) {
+  await withLock(join(root, '.setup-lock'), say, async () => {
+    for (const step of steps) {
+      if (step.for && !step.for.includes(purpose)) continue
+      await step.run(line => say(`setup: ${line}`))
+    }
+  })
+}
+
+function checkNode() {
+  const [major, minor] = process.versions.node.split('.').map(Number)
+  const [leastMajor, leastMinor] = NODE_LEAST
+  if (major > leastMajor || (major === leastMajor && minor >= leastMinor)) return
+  throw new Failure(
+    `Hexlens needs Node ${NODE_LEAST.join('.')} or later; this is ${process.version}. Install a later Node and repeat.`,
+  )
+}
+
+/** What the installed packages depend on: another lock file or another machine's binaries need another install. */
+function packagesStamp() {
+  const lock = readFileSync(join(root, 'package-lock.json'))
+  return `${createHash('sha256').update(lock).digest('hex')} ${process.platform} ${process.arch}\n`
+}
+
+async function installPackages(say) {
+  const stampFile = join(root, 'node_modules', '.hexlens-stamp')
+  const stamp = packagesStamp()
+  if (existsSync(stampFile) && readFileSync(stampFile, 'utf8') === stamp) return
+  say('installing the npm packages')
+  rmSync(stampFile, { force: true })
+  const npm = process.env.npm_execpath?.endsWith('.js') ? [process.execPath, process.env.npm_execpath] : ['npm']
+  const [command, ...args] = [...npm, 'ci', '--include=dev', '--ignore-scripts', '--no-audit', '--no-fund']
+  await must(
+    command,
+    [...args, '--loglevel=error'],
+    'Check that the npm registry can be reached (npm ping) and that this folder can be written, then repeat.',
+  )
+  writeFileSync(stampFile, stamp)
+}
+
+async function installMake(say) {
+  if (onPath('make')) return
+  await installSystemPackages(say, 'make', ['make'])
+}
+
+async function installCompiler(say) {
+  if (onPath('cc', 'gcc', 'clang')) return
+  await installSystemPackages(say, 'a C compiler', ['gcc', 'libc6-dev'])
+}
+
+async function buildWasm(say) {
+  let emcc = findEmcc()
+  const upToDate = await run('make', ['-C', 'wasm', '-q', 'wasm', `EMCC=${emcc?.path ?? 'emcc'}`])
+  if (upToDate.status === 0) return
+  emcc ??= await installEmcc(say)
+  say('building the wasm')
+  await must(
+    'make',
+    ['-C', 'wasm', 'wasm', `EMCC=${emcc.path}`],
+    `The wasm did not build with ${emcc.path}. If the C sources are untouched, try another emcc (3.1.6 or later).`,
+    { env: { ...process.env, ...emcc.env } },
+  )
+}
+
+/** An emcc that is there, with the environment it needs, or undefined. */
+function findEmcc() {
+  const path = onPath('emcc')
+  if (path) return { path, env: {} }
+  for (const folder of [process.env.EMSDK, EMSDK_FOLDER].filter(Boolean)) {
+    const emcc = executable(join(folder, 'upstream', 'emscripten', 'emcc'))
+    const config = join(folder, '.emscripten')
+    if (emcc && existsSync(config)) return { path: emcc, env: { EMSDK: folder, EM_CONFIG: config } }
+  }
+  return undefined
+}
+
+async function installEmcc(say) {
+  if (aptCommand()) await installSystemPackages(say, 'emcc', ['emscripten'])
+  else await installEmsdk(say)
+  const emcc = findEmcc()
+  if (emcc) return emcc
+  throw new Failure('emcc was installed but is not found. Put emcc on PATH or set EMSDK, then repeat.')
+}
+
+/** The official SDK into .emsdk, under another name until it is complete. */
+async function installEmsdk(say) {
+  const missing = ['git', 'python3'].filter(name => !onPath(name))
+  if (missing.length > 0) throw new Failure(installSentence('the emscripten SDK', missing))
+  say(`installing the emscripten SDK ${EMSDK_VERSION} into .emsdk (a few minutes, 300 MB to download)`)
+  const partial = `${EMSDK_FOLDER}-partial`
+  const advice = 'Check that the address can be reached, or install emcc yourself (on PATH or in $EMSDK), then repeat.'
+  rmSync(partial, { recursive: true, force: true })
+  rmSync(EMSDK_FOLDER, { recursive: true, force: true })
+  try {
+    await must('git', ['clone', '--quiet', '--depth', '1', '--branch', EMSDK_VERSION, EMSDK_SOURCE, partial], advice, {
+      env: { ...process.env, GIT_TERMINAL_PROMPT: '0' },
+    })
+    for (const verb of ['install', 'activate']) {
+      await must(join(partial, 'emsdk'), [verb, EMSDK_VERSION], advice, { cwd: partial })
+    }
+    renameSync(partial, EMSDK_FOLDER)
+  } finally {
+    rmSync(partial, { recursive: true, force: true })
+  }
+}
+
+async function installChromium(say) {
+  if (await findChromium()) return
+  if (aptCommand() && isDebian()) {
+    await installSystemPackages(say, 'Chromium', ['chromium'])
+  } else {
+    say('installing Chromium for the browser tests (playwright install)')
+    const withDependencies = aptCommand() ? ['--with-deps'] : []
+    await must(
+      process.execPath,
+      [join(root, 'node_modules/@playwright/test/cli.js'), 'install', ...withDependencies, 'chromium'],
+      'Install Chromium or Chrome yourself so that it is on PATH, then repeat.',
+    )
+  }
+  if (!(await findChromium())) {
+    throw new Failure('Chromium was installed but does not start. Put a working chromium on PATH, then repeat.')
+  }
+}
+
+function isDebian() {
+  return existsSync('/etc/os-release') && /^ID="?debian"?$/m.test(readFileSync('/etc/os-release', 'utf8'))
+}
+
+/** The words that run apt-get with the right to install and without questions, or undefined. */
+function aptCommand() {
+  const apt = onPath('apt-get')
+  if (!apt || process.platform !== 'linux') return undefined
+  const quiet = ['env', 'DEBIAN_FRONTEND=noninteractive', apt, '-q', '-y', '-o', 'DPkg::Lock::Timeout=120']
+  if (process.getuid() === 0) return quiet
+  return undefined
+}
+
+async function installSystemPackages(say, what, packages) {
+  const apt = aptCommand()
+  if (!apt) throw new Failure(installSentence(what, packages))
+  say(`installing ${what} (apt-get install ${packages.join(' ')})`)
+  const [command, ...args] = apt
+  const update = await run(command, [...args, 'update'])
+  const install = [...args, 'install', '--no-install-recommends', ...packages]
+  const result = await run(command, install)
+  if (result.status === 0) return
+  const outputs = { status: result.status, text: `${update.status === 0 ? '' : update.text}\n${result.text}` }
+  throw new Failure(failedCommand([command, ...install], outputs, `Install ${packages.join(', ')} yourself, then repeat.`))
+}
+
+function installSentence(what, packages) {
+  return `Hexlens needs ${what} (${packages.join(', ')}). Install it, then repeat.`
+}
+
+if (isScript(import.meta.url)) {
+  const purpose = process.argv.includes('test') ? 'test' : 'start'
+  await runMain(() => setup({ purpose }))
+}
