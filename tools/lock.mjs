@@ -1,9 +1,11 @@
 // One setup at a time: a second one waits for the first.
 
-import { readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { dirname } from 'node:path'
 
 /** Runs `work` while holding the lock file, which names the process that holds it. */
 export async function withLock(file, say, work) {
+  mkdirSync(dirname(file), { recursive: true })
   let said = false
   while (!acquire(file)) {
     if (!said) say('setup: waiting for another setup to end')

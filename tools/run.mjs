@@ -1,7 +1,7 @@
 // Child processes and failures as the tools in this folder share them. Plain Node: this runs before any package is installed.
 
 import { spawn } from 'node:child_process'
-import { accessSync, constants, statSync } from 'node:fs'
+import { accessSync, constants, realpathSync, statSync } from 'node:fs'
 import { delimiter, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 
@@ -11,10 +11,13 @@ export const root = fileURLToPath(new URL('..', import.meta.url)).replace(/[\\/]
 export class Failure extends Error {}
 
 const children = new Set()
-for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) {
+for (const [signal, status] of [
+  ['SIGINT', 130],
+  ['SIGTERM', 143],
+]) {
   process.on(signal, () => {
     for (const child of children) child.kill(signal)
-    process.exit(128 + { SIGINT: 2, SIGTERM: 15, SIGHUP: 1 }[signal])
+    process.exit(status)
   })
 }
 
@@ -24,7 +27,11 @@ for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) {
  * Resolves to { status, stdout, text }: `text` is both streams as they came; status is 127 when it could not start.
  */
 export function run(command, args, { cwd = root, env = process.env, output = 'capture' } = {}) {
-  const stdio = { capture: ['ignore', 'pipe', 'pipe'], show: ['ignore', 'inherit', 'inherit'], stderr: ['ignore', 2, 2] }
+  const stdio = {
+    capture: ['ignore', 'pipe', 'pipe'],
+    show: ['ignore', 'inherit', 'inherit'],
+    stderr: ['ignore', 2, 2],
+  }
   return new Promise(resolve => {
     const child = spawn(command, args, { cwd, env, stdio: stdio[output] })
     children.add(child)
@@ -55,9 +62,11 @@ export async function must(command, args, advice, options) {
   return result
 }
 
+/** What is printed of a failed command: its name, the ends of its output, what to do. */
 export function failedCommand(command, { status, text }, advice) {
-  const tail = text.trimEnd().split('\n').slice(-20).join('\n')
-  return [`This command failed (status ${status}): ${command.join(' ')}`, tail, advice].filter(Boolean).join('\n')
+  const lines = text.trim().split('\n')
+  const shown = lines.length > 30 ? [...lines.slice(0, 10), '[...]', ...lines.slice(-20)] : lines
+  return [`This command failed (status ${status}): ${command.join(' ')}`, ...shown, advice].filter(Boolean).join('\n')
 }
 
 /** The absolute path of an executable file, or undefined. */
@@ -94,5 +103,5 @@ export async function runMain(main) {
 
 /** True when the module is the script that node was started with. */
 export function isScript(url) {
-  return process.argv[1] !== undefined && fileURLToPath(url) === process.argv[1]
+  return process.argv[1] !== undefined && fileURLToPath(url) === realpathSync(process.argv[1])
 }

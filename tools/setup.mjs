@@ -5,6 +5,7 @@
 import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { parseArgs } from 'node:util'
 import { findChromium } from './chromium.mjs'
 import { withLock } from './lock.mjs'
 import { executable, Failure, failedCommand, isScript, must, onPath, root, run, runMain } from './run.mjs'
@@ -13,6 +14,9 @@ const NODE_LEAST = [20, 0]
 const EMSDK_VERSION = '4.0.10'
 const EMSDK_SOURCE = 'https://github.com/emscripten-core/emsdk.git'
 const EMSDK_FOLDER = join(root, '.emsdk')
+
+/** What a setup can be for: serving the page, formatter and linter (and a C compiler), tests (and Chromium). */
+const PURPOSES = ['start', 'check', 'test']
 
 const steps = [
   { name: 'node', run: checkNode },
@@ -23,12 +27,9 @@ const steps = [
   { name: 'chromium', run: installChromium, for: ['test'] },
 ]
 
-/**
- * Runs the steps for a purpose: 'start', 'check' (and a C compiler), 'test' (and Chromium). `say` gets one line for
- * each step that has something to do. Throws a Failure that says what to do.
- */
+/** Runs the steps for a purpose. `say` gets a line for each step that has something to do. Throws a Failure. */
 export async function setup({ purpose = 'start', say = line => process.stdout.write(`${line}\n`) } = {}) {
-  await withLock(join(root, '.setup-lock'), say, async () => {
+  await withLock(join(root, 'build', 'setup.lock'), say, async () => {
     for (const step of steps) {
       if (step.for && !step.for.includes(purpose)) continue
       await step.run(line => say(`setup: ${line}`))
@@ -69,12 +70,12 @@ async function installPackages(say) {
 
 async function installMake(say) {
   if (onPath('make')) return
-  await installSystemPackages(say, 'make', ['make'])
+  await installDebianPackages(say, 'make', ['make'])
 }
 
 async function installCompiler(say) {
   if (onPath('cc', 'gcc', 'clang')) return
-  await installSystemPackages(say, 'a C compiler', ['gcc', 'libc6-dev'])
+  await installDebianPackages(say, 'a C compiler', ['gcc', 'libc6-dev'])
 }
 
 async function buildWasm(say) {
@@ -104,7 +105,7 @@ function findEmcc() {
 }
 
 async function installEmcc(say) {
-  if (aptCommand()) await installSystemPackages(say, 'emcc', ['emscripten'])
+  if (await aptGet()) await installDebianPackages(say, 'emcc', ['emscripten'])
   else await installEmsdk(say)
   const emcc = findEmcc()
   if (emcc) return emcc
@@ -114,7 +115,7 @@ async function installEmcc(say) {
 /** The official SDK into .emsdk, under another name until it is complete. */
 async function installEmsdk(say) {
   const missing = ['git', 'python3'].filter(name => !onPath(name))
-  if (missing.length > 0) throw new Failure(installSentence('the emscripten SDK', missing))
+  if (missing.length > 0) throw new Failure(`Hexlens needs emcc, and its SDK needs more. ${installAdvice(missing)}`)
   say(`installing the emscripten SDK ${EMSDK_VERSION} into .emsdk (a few minutes, 300 MB to download)`)
   const partial = `${EMSDK_FOLDER}-partial`
   const advice = 'Check that the address can be reached, or install emcc yourself (on PATH or in $EMSDK), then repeat.'
@@ -135,11 +136,12 @@ async function installEmsdk(say) {
 
 async function installChromium(say) {
   if (await findChromium()) return
-  if (aptCommand() && isDebian()) {
-    await installSystemPackages(say, 'Chromium', ['chromium'])
+  const apt = await aptGet()
+  if (apt && isDebian()) {
+    await installDebianPackages(say, 'Chromium', ['chromium'])
   } else {
     say('installing Chromium for the browser tests (playwright install)')
-    const withDependencies = aptCommand() ? ['--with-deps'] : []
+    const withDependencies = apt ? ['--with-deps'] : []
     await must(
       process.execPath,
       [join(root, 'node_modules/@playwright/test/cli.js'), 'install', ...withDependencies, 'chromium'],
@@ -155,33 +157,52 @@ function isDebian() {
   return existsSync('/etc/os-release') && /^ID="?debian"?$/m.test(readFileSync('/etc/os-release', 'utf8'))
 }
 
-/** The words that run apt-get with the right to install and without questions, or undefined. */
-function aptCommand() {
-  const apt = onPath('apt-get')
-  if (!apt || process.platform !== 'linux') return undefined
-  const quiet = ['env', 'DEBIAN_FRONTEND=noninteractive', apt, '-q', '-y', '-o', 'DPkg::Lock::Timeout=120']
-  if (process.getuid() === 0) return quiet
-  return undefined
+/** The words that install Debian packages without a question, or undefined where that is not possible. */
+async function aptGet() {
+  const apt = process.platform === 'linux' && onPath('apt-get')
+  if (!apt) return undefined
+  const words = ['env', 'DEBIAN_FRONTEND=noninteractive', apt, '-q', '-y', '-o', 'DPkg::Lock::Timeout=120']
+  if (process.getuid() === 0) return words
+  const sudo = onPath('sudo')
+  return sudo && (await run(sudo, ['-n', 'true'])).status === 0 ? [sudo, '-n', ...words] : undefined
 }
 
-async function installSystemPackages(say, what, packages) {
-  const apt = aptCommand()
-  if (!apt) throw new Failure(installSentence(what, packages))
+let listsUpdated = false
+
+async function installDebianPackages(say, what, packages) {
+  const words = await aptGet()
+  if (!words) throw new Failure(`Hexlens needs ${what}. ${installAdvice(packages)}`)
   say(`installing ${what} (apt-get install ${packages.join(' ')})`)
-  const [command, ...args] = apt
-  const update = await run(command, [...args, 'update'])
-  const install = [...args, 'install', '--no-install-recommends', ...packages]
-  const result = await run(command, install)
-  if (result.status === 0) return
-  const outputs = { status: result.status, text: `${update.status === 0 ? '' : update.text}\n${result.text}` }
-  throw new Failure(failedCommand([command, ...install], outputs, `Install ${packages.join(', ')} yourself, then repeat.`))
+  const [command, ...options] = words
+  // A list that cannot be fetched matters only when a package is then not found: its message goes with that one.
+  const update = listsUpdated ? undefined : await run(command, [...options, 'update'])
+  listsUpdated = true
+  const install = [...options, 'install', '--no-install-recommends', ...packages]
+  const { status, text } = await run(command, install)
+  if (status === 0) return
+  const outputs = { status, text: update && update.status !== 0 ? `${update.text}\n${text}` : text }
+  throw new Failure(failedCommand([command, ...install], outputs, installAdvice(packages)))
 }
 
-function installSentence(what, packages) {
-  return `Hexlens needs ${what} (${packages.join(', ')}). Install it, then repeat.`
+const PACKAGE_MANAGERS = [
+  ['apt-get', 'sudo apt-get install'],
+  ['dnf', 'sudo dnf install'],
+  ['pacman', 'sudo pacman -S'],
+  ['zypper', 'sudo zypper install'],
+  ['apk', 'sudo apk add'],
+  ['brew', 'brew install'],
+]
+
+function installAdvice(packages) {
+  const install = PACKAGE_MANAGERS.find(([name]) => onPath(name))?.[1]
+  if (install) return `Run \`${install} ${packages.join(' ')}\`, then repeat.`
+  return `Install ${packages.join(', ')}, then repeat.`
 }
 
 if (isScript(import.meta.url)) {
-  const purpose = process.argv.includes('test') ? 'test' : 'start'
-  await runMain(() => setup({ purpose }))
+  await runMain(async () => {
+    const { values } = parseArgs({ options: { for: { type: 'string', default: 'start' } } })
+    if (!PURPOSES.includes(values.for)) throw new Failure(`--for takes one of: ${PURPOSES.join(', ')}.`)
+    await setup({ purpose: values.for })
+  })
 }
