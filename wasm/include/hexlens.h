@@ -1,0 +1,142 @@
+/*
+ * Hexlens: validity and boundary minimum of trilinear hexahedra. The whole public interface of the C core.
+ *
+ * A hexahedron is 24 doubles: eight vertices x, y, z in VTK_HEXAHEDRON order, at the reference coordinates
+ *   0 (0,0,0)  1 (1,0,0)  2 (1,1,0)  3 (0,1,0)  4 (0,0,1)  5 (1,0,1)  6 (1,1,1)  7 (0,1,1).
+ * Edges 0..11 are VTK's: 01 12 32 03, 45 56 76 47, 04 15 37 26. Faces 0..5 are -xi, +xi, -eta, +eta, -zeta, +zeta;
+ * on a face (s, t) are the two other reference coordinates in the order xi, eta, zeta.
+ *
+ * jacdet is det DF of the trilinear map F from [0,1]^3 (length^3; on [-1,1]^3 it is an eighth). Every jacdet handed
+ * out is its number times 2^exponent, with exponent 0 whenever all of them are normal doubles (or zero) as they are.
+ * No function allocates, keeps state or writes through its input; outputs may not overlap inputs. The arithmetic is
+ * IEEE double, + - * / and exact powers of two only. Formulas: docs/algorithm.md.
+ */
+#ifndef HEXLENS_H
+#define HEXLENS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  HL_COORDINATES = 24,
+  HL_VERTICES = 8,
+  HL_EDGES = 12,
+  HL_FACES = 6,
+  HL_BERNSTEIN = 27,
+  HL_FACE_BERNSTEIN = 9,
+  HL_QUARTIC = 5,
+  HL_MAX_ROOTS = 4,
+  HL_MAX_CANDIDATES = HL_VERTICES + HL_EDGES + HL_FACES * HL_MAX_ROOTS
+};
+
+/* A failure is a status, never a number. On failure the output is left as it was. */
+typedef enum hl_status {
+  HL_OK = 0,
+  HL_NOT_FINITE = 1,  /* a coordinate is NaN or infinite */
+  HL_OUTSIDE_CUBE = 2 /* a reference point is not in [0,1]^3 */
+} hl_status;
+
+typedef enum hl_kind { HL_VERTEX = 0, HL_EDGE = 1, HL_FACE = 2 } hl_kind;
+
+/* Algorithm 1 of the paper, without and with the Bernstein face bounds. Both give the same minimizer, bit for bit. */
+typedef enum hl_variant { HL_ROOTS = 0, HL_ROOTS_B = 1 } hl_variant;
+
+/* What became of a root t of P: a candidate; or a(t) <= 0; or s* outside (0,1). */
+typedef enum hl_root_fate { HL_ROOT_KEPT = 0, HL_ROOT_A_NOT_POSITIVE = 1, HL_ROOT_S_OUTSIDE = 2 } hl_root_fate;
+
+/* A boundary point that may be the minimizer. */
+typedef struct hl_candidate {
+  hl_kind kind;
+  int id;             /* vertex 0..7, edge 0..11 or face 0..5 */
+  double point[3];    /* xi, eta, zeta in [0,1] */
+  double position[3]; /* F(point), in the units of the vertices */
+  double value;       /* jacdet there */
+} hl_candidate;
+
+typedef struct hl_face_root {
+  double t; /* in (0,1) */
+  double a; /* a(t) of f = a s^2 + b s + c, a jacdet */
+  double s; /* -b/(2a); meaningful only where a > 0 */
+  hl_root_fate fate;
+} hl_face_root;
+
+typedef struct hl_face_report {
+  double bernstein[HL_FACE_BERNSTEIN]; /* [3*i + j], i in s, j in t */
+  double lower_bound;                  /* L_R, the least of the nine */
+  double running_minimum;              /* M before this face */
+  bool skipped_by_minimum_rule;        /* L_R >= M */
+  bool skipped_by_validity_rule;       /* L_R > 0 */
+  double quartic[HL_QUARTIC];          /* Bernstein coefficients of P on [0,1], times 2^quartic_exponent */
+  int quartic_exponent;
+  bool quartic_is_zero; /* |P| is within its own rounding error: the edges suffice */
+  int root_count;
+  hl_face_root roots[HL_MAX_ROOTS]; /* ascending in t */
+} hl_face_report;
+
+typedef struct hl_report {
+  bool valid;
+  int exponent;
+  hl_candidate minimizer;
+  hl_candidate maximizer;
+  double corner_minimum;
+  double edge_minimum;            /* over the twelve edges with their ends */
+  double bernstein[HL_BERNSTEIN]; /* [9*i + 3*j + k], i in xi, j in eta, k in zeta */
+  hl_face_report faces[HL_FACES];
+  int candidate_count;
+  hl_candidate candidates[HL_MAX_CANDIDATES]; /* vertices, then edges, then faces */
+} hl_report;
+
+typedef struct hl_minimum {
+  hl_candidate minimizer;
+  int exponent;
+} hl_minimum;
+
+/* DF at a point: component r of column c is columns[c][r] * 2^axis_exponent[r]; det DF is jacdet * 2^exponent. */
+typedef struct hl_jacobian {
+  double position[3];
+  double columns[3][3];
+  int axis_exponent[3];
+  double jacdet;
+  int exponent;
+} hl_jacobian;
+
+/* Everything about one hexahedron: all faces solved, whatever the rules would skip. */
+hl_status hl_analyze(const double vertices[HL_COORDINATES], hl_report *report);
+
+/* The least jacdet on the boundary and where it is attained, by Algorithm 1. */
+hl_status hl_boundary_minimum(const double vertices[HL_COORDINATES], hl_variant variant, hl_minimum *minimum);
+
+/* jacdet > 0 on the closed boundary, which decides the whole element (Knupp's conjecture, a theorem). Stops at the
+   first value <= 0. In doubles: within rounding of zero the verdict is that of the computed values. */
+hl_status hl_is_valid(const double vertices[HL_COORDINATES], bool *valid);
+
+/* The three columns dF/dxi, dF/deta, dF/dzeta and their determinant at a reference point of [0,1]^3. */
+hl_status hl_jacobian_at(const double vertices[HL_COORDINATES], const double point[3], hl_jacobian *jacobian);
+
+/* Roots in (0,1), ascending, of the polynomial of degree `degree` <= 4 with the given Bernstein coefficients on [0,1];
+   returns how many. A root of even multiplicity is given once. The zero polynomial has none. */
+int hl_unit_roots(const double *bernstein, int degree, double roots[HL_MAX_ROOTS]);
+
+/* Results as plain doubles in the order of the structs above, numbers and flags alike, lists cut to their counts: what
+   crosses the WebAssembly boundary and what parity tests compare. Each returns how many were written. */
+enum { HL_PACKED_CANDIDATE = 9, HL_PACKED_ROOT = 4 };
+enum { HL_PACKED_FACE = HL_FACE_BERNSTEIN + 4 + HL_QUARTIC + 3 + HL_MAX_ROOTS * HL_PACKED_ROOT };
+enum {
+  HL_PACKED_REPORT = 2 + 2 * HL_PACKED_CANDIDATE + 2 + HL_BERNSTEIN + HL_FACES * HL_PACKED_FACE + 1 +
+                     HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE,
+  HL_PACKED_MINIMUM = HL_PACKED_CANDIDATE + 1,
+  HL_PACKED_JACOBIAN = 17
+};
+size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]);
+size_t hl_pack_minimum(const hl_minimum *minimum, double packed[HL_PACKED_MINIMUM]);
+size_t hl_pack_jacobian(const hl_jacobian *jacobian, double packed[HL_PACKED_JACOBIAN]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,38 @@
+/* jacdet in Bernstein form on the hexahedron, its edges and its faces (docs/algorithm.md 3). */
+#ifndef HL_BERNSTEIN_H
+#define HL_BERNSTEIN_H
+
+#include "scaling.h"
+
+/* One rounding of the doubles: half the distance from 1 to the next double. */
+#define UNIT_ROUNDOFF 0x1p-53
+
+/* (1-t) p + t q for t in [0,1], never outside [p,q]: rounding must not carry a value below its Bernstein bound. */
+static inline double lerp(double p, double q, double t) {
+  double r = (1 - t) * p + t * q;
+  double low = p < q ? p : q, high = p < q ? q : p;
+  return r < low ? low : r > high ? high : r;
+}
+
+/* The quadratic with Bernstein coefficients q0, q1, q2. */
+static inline double quadratic_at(double q0, double q1, double q2, double t) {
+  return lerp(lerp(q0, q1, t), lerp(q1, q2, t), t);
+}
+
+static inline double smaller(double x, double y) { return y < x ? y : x; }
+
+static inline void cross(const double a[3], const double b[3], double out[3]) {
+  out[0] = a[1] * b[2] - a[2] * b[1];
+  out[1] = a[2] * b[0] - a[0] * b[2];
+  out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static inline double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* The 27 coefficients from 16 cross products and 28 dot products, in the scaled units of the edge vectors. */
+void jacdet_bernstein(const edge_vectors *edges, double bernstein[27]);
+
+/* The nine of one face, [3*i + j] with i in s, j in t. */
+void face_bernstein(const double bernstein[27], int face, double beta[9]);
+
+#endif

@@ -1,0 +1,42 @@
+/* What WebAssembly exports: one static input and one static output, so that no pointer but these two crosses. */
+#include "hexlens.h"
+
+#define EXPORT(name) __attribute__((export_name(#name)))
+
+static double input[HL_COORDINATES + 3]; /* the vertices, then a reference point */
+static double output[HL_PACKED_REPORT];
+
+EXPORT(input_address) double *input_address(void) { return input; }
+
+EXPORT(output_address) double *output_address(void) { return output; }
+
+EXPORT(output_length) int output_length(void) { return HL_PACKED_REPORT; }
+
+/* Each returns an hl_status; the answer is in the output, packed. */
+EXPORT(analyze) int analyze(void) {
+  static hl_report report;
+  hl_status status = hl_analyze(input, &report);
+  if (status == HL_OK) hl_pack_report(&report, output);
+  return (int)status;
+}
+
+EXPORT(boundary_minimum) int boundary_minimum(int variant) {
+  hl_minimum minimum;
+  hl_status status = hl_boundary_minimum(input, variant == HL_ROOTS ? HL_ROOTS : HL_ROOTS_B, &minimum);
+  if (status == HL_OK) hl_pack_minimum(&minimum, output);
+  return (int)status;
+}
+
+EXPORT(is_valid) int is_valid(void) {
+  bool valid = false;
+  hl_status status = hl_is_valid(input, &valid);
+  output[0] = valid;
+  return (int)status;
+}
+
+EXPORT(jacobian_at) int jacobian_at(void) {
+  hl_jacobian jacobian;
+  hl_status status = hl_jacobian_at(input, input + HL_COORDINATES, &jacobian);
+  if (status == HL_OK) hl_pack_jacobian(&jacobian, output);
+  return (int)status;
+}

@@ -1,0 +1,70 @@
+/* The report as a list of doubles, in the order of the structs of hexlens.h. web/core/unpack.ts reads the same order. */
+#include "hexlens.h"
+
+typedef struct cursor {
+  double *next;
+} cursor;
+
+static void put(cursor *c, double value) { *c->next++ = value; }
+
+static void put_all(cursor *c, const double *values, int count) {
+  for (int i = 0; i < count; ++i) put(c, values[i]);
+}
+
+static void put_candidate(cursor *c, const hl_candidate *candidate) {
+  put(c, candidate->kind);
+  put(c, candidate->id);
+  put_all(c, candidate->point, 3);
+  put_all(c, candidate->position, 3);
+  put(c, candidate->value);
+}
+
+static void put_face(cursor *c, const hl_face_report *face) {
+  put_all(c, face->bernstein, HL_FACE_BERNSTEIN);
+  put(c, face->lower_bound);
+  put(c, face->running_minimum);
+  put(c, face->skipped_by_minimum_rule);
+  put(c, face->skipped_by_validity_rule);
+  put_all(c, face->quartic, HL_QUARTIC);
+  put(c, face->quartic_exponent);
+  put(c, face->quartic_is_zero);
+  put(c, face->root_count);
+  for (int r = 0; r < face->root_count; ++r) {
+    put(c, face->roots[r].t);
+    put(c, face->roots[r].a);
+    put(c, face->roots[r].s);
+    put(c, face->roots[r].fate);
+  }
+}
+
+size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]) {
+  cursor c = {packed};
+  put(&c, report->valid);
+  put(&c, report->exponent);
+  put_candidate(&c, &report->minimizer);
+  put_candidate(&c, &report->maximizer);
+  put(&c, report->corner_minimum);
+  put(&c, report->edge_minimum);
+  put_all(&c, report->bernstein, HL_BERNSTEIN);
+  for (int f = 0; f < HL_FACES; ++f) put_face(&c, &report->faces[f]);
+  put(&c, report->candidate_count);
+  for (int i = 0; i < report->candidate_count; ++i) put_candidate(&c, &report->candidates[i]);
+  return (size_t)(c.next - packed);
+}
+
+size_t hl_pack_minimum(const hl_minimum *minimum, double packed[HL_PACKED_MINIMUM]) {
+  cursor c = {packed};
+  put_candidate(&c, &minimum->minimizer);
+  put(&c, minimum->exponent);
+  return (size_t)(c.next - packed);
+}
+
+size_t hl_pack_jacobian(const hl_jacobian *jacobian, double packed[HL_PACKED_JACOBIAN]) {
+  cursor c = {packed};
+  put_all(&c, jacobian->position, 3);
+  for (int column = 0; column < 3; ++column) put_all(&c, jacobian->columns[column], 3);
+  for (int r = 0; r < 3; ++r) put(&c, jacobian->axis_exponent[r]);
+  put(&c, jacobian->jacdet);
+  put(&c, jacobian->exponent);
+  return (size_t)(c.next - packed);
+}

@@ -1,0 +1,26 @@
+/* Which of the 27 Bernstein coefficients lie on which edge and face. The index of coefficient (i,j,k) is 9i + 3j + k. */
+#ifndef HL_TOPOLOGY_H
+#define HL_TOPOLOGY_H
+
+/* Reference coordinates of the vertices, 0 or 1. */
+static const unsigned char vertex_reference[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                                     {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+
+static const unsigned char axis_stride[3] = {9, 3, 1};
+
+/* An edge runs along `axis` from the vertex `from`; all twelve run in the direction of growing coordinate. */
+static const struct {
+  unsigned char axis, from;
+} edge_table[12] = {{0, 0}, {1, 1}, {0, 3}, {1, 0}, {0, 4}, {1, 5}, {0, 7}, {1, 4}, {2, 0}, {2, 1}, {2, 3}, {2, 2}};
+
+/* A face fixes `axis` at `side`; s and t are the other two axes in ascending order. */
+static const struct {
+  unsigned char axis, side, s, t;
+} face_table[6] = {{0, 0, 1, 2}, {0, 1, 1, 2}, {1, 0, 0, 2}, {1, 1, 0, 2}, {2, 0, 0, 1}, {2, 1, 0, 1}};
+
+static inline int vertex_index(int vertex) {
+  const unsigned char *r = vertex_reference[vertex];
+  return 18 * r[0] + 6 * r[1] + 2 * r[2];
+}
+
+#endif

@@ -1,0 +1,73 @@
+/** Loads the C core and is the only place that sees its memory. The contracts are those of wasm/include/hexlens.h. */
+import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import type { Core, CoreError, Result } from './report'
+import { Unpacker, unpackJacobian, unpackMinimum, unpackReport } from './unpack'
+
+interface CoreExports {
+  readonly memory: WebAssembly.Memory
+  readonly _initialize?: () => void
+  input_address(): number
+  output_address(): number
+  output_length(): number
+  analyze(): number
+  boundary_minimum(variant: number): number
+  is_valid(): number
+  jacobian_at(): number
+}
+
+/** Statuses of hexlens.h. */
+const HL_OK = 0
+const HL_NOT_FINITE = 1
+const HL_OUTSIDE_CUBE = 2
+const HL_ROOTS = 0
+const HL_ROOTS_B = 1
+
+function refusal(code: CoreError['code'], message: string): { ok: false; error: CoreError } {
+  return { ok: false, error: { code, message } }
+}
+
+function firstNotFinite(vertices: Vertices): string {
+  const at = vertices.findIndex(value => !Number.isFinite(value))
+  return at < 0 ? 'A coordinate' : `Vertex ${Math.floor(at / 3)} ${'xyz'[at % 3]}`
+}
+
+/**
+ * Compiles and starts the core from the bytes of hexlens.wasm. Rejects with the engine's own error when WebAssembly is
+ * missing, forbidden, or the bytes are not the core's. The functions of a Core never throw for any numbers given.
+ */
+export async function loadCore(bytes: BufferSource): Promise<Core> {
+  const { instance } = await WebAssembly.instantiate(bytes, {})
+  const wasm = instance.exports as unknown as CoreExports
+  wasm._initialize?.()
+  const input = new Float64Array(wasm.memory.buffer, wasm.input_address(), COORDINATE_COUNT + 3)
+  const output = new Float64Array(wasm.memory.buffer, wasm.output_address(), wasm.output_length())
+
+  function answer<T>(vertices: Vertices, point: Vec3 | null, run: () => number, read: () => T): Result<T> {
+    if (vertices.length !== COORDINATE_COUNT)
+      return refusal('wrong-count', `A hexahedron has ${COORDINATE_COUNT} coordinates, not ${vertices.length}.`)
+    input.set(vertices)
+    if (point) input.set(point, COORDINATE_COUNT)
+    const status = run()
+    if (status === HL_OK) return { ok: true, value: read() }
+    if (status === HL_OUTSIDE_CUBE) return refusal('outside-cube', 'The reference point is not in [0,1]³.')
+    if (status === HL_NOT_FINITE && point?.some(value => !Number.isFinite(value)))
+      return refusal('not-finite', 'The reference point is not a finite point.')
+    if (status === HL_NOT_FINITE) return refusal('not-finite', `${firstNotFinite(vertices)} is not a finite number.`)
+    throw new Error(`The core answered with an unknown status, ${status}.`)
+  }
+
+  return {
+    analyze: vertices =>
+      answer(vertices, null, wasm.analyze, () => unpackReport(new Unpacker(output), Object.freeze(vertices.slice()))),
+    isValid: vertices => answer(vertices, null, wasm.is_valid, () => output[0] !== 0),
+    boundaryMinimum: (vertices, variant) =>
+      answer(
+        vertices,
+        null,
+        () => wasm.boundary_minimum(variant === 'roots' ? HL_ROOTS : HL_ROOTS_B),
+        () => unpackMinimum(new Unpacker(output)),
+      ),
+    jacobian: (vertices, point) =>
+      answer(vertices, point, wasm.jacobian_at, () => unpackJacobian(new Unpacker(output), point)),
+  }
+}

@@ -1,0 +1,120 @@
+/** Reads packed results (wasm/src/pack.c) in the order they were written; the length is checked by the reader's caller. */
+import type { Vec3, Vertices } from '../model/hexahedron'
+import type { Candidate, CandidateKind, FaceReport, FaceRoot, JacobianReport, Report, RootFate } from './report'
+
+const KINDS: readonly CandidateKind[] = ['vertex', 'edge', 'face']
+const FATES: readonly RootFate[] = ['kept', 'a-not-positive', 's-outside']
+
+/** A cursor over a copy of the packed doubles. */
+export class Unpacker {
+  #at = 0
+  readonly #packed: Float64Array
+
+  constructor(packed: Float64Array) {
+    this.#packed = packed
+  }
+
+  number(): number {
+    if (this.#at >= this.#packed.length) throw new Error('The packed result ended early: wasm and TypeScript disagree.')
+    return this.#packed[this.#at++] as number
+  }
+
+  flag(): boolean {
+    return this.number() !== 0
+  }
+
+  numbers(count: number): number[] {
+    const list: number[] = []
+    for (let i = 0; i < count; ++i) list.push(this.number())
+    return list
+  }
+
+  vec3(): Vec3 {
+    return [this.number(), this.number(), this.number()]
+  }
+
+  oneOf<T>(names: readonly T[]): T {
+    const name = names[this.number()]
+    if (name === undefined) throw new Error('The packed result holds an unknown kind: wasm and TypeScript disagree.')
+    return name
+  }
+
+  list<T>(read: () => T): T[] {
+    const count = this.number()
+    const list: T[] = []
+    for (let i = 0; i < count; ++i) list.push(read())
+    return list
+  }
+
+  /** How many doubles were read. */
+  get length(): number {
+    return this.#at
+  }
+}
+
+function readCandidate(packed: Unpacker): Candidate {
+  return {
+    kind: packed.oneOf(KINDS),
+    id: packed.number(),
+    point: packed.vec3(),
+    position: packed.vec3(),
+    value: packed.number(),
+  }
+}
+
+function readRoot(packed: Unpacker): FaceRoot {
+  const [t, a, s] = packed.vec3()
+  const fate = packed.oneOf(FATES)
+  return { t, a, s: fate === 'a-not-positive' ? null : s, fate }
+}
+
+function readFace(packed: Unpacker, id: number): FaceReport {
+  return {
+    id,
+    bernstein: packed.numbers(9),
+    lowerBound: packed.number(),
+    runningMinimum: packed.number(),
+    skippedByMinimumRule: packed.flag(),
+    skippedByValidityRule: packed.flag(),
+    quartic: packed.numbers(5),
+    quarticExponent: packed.number(),
+    quarticIsZero: packed.flag(),
+    roots: packed.list(() => readRoot(packed)),
+  }
+}
+
+export function unpackReport(packed: Unpacker, vertices: Vertices): Report {
+  const valid = packed.flag()
+  const exponent = packed.number()
+  const minimizer = readCandidate(packed)
+  const maximizer = readCandidate(packed)
+  return {
+    vertices,
+    valid,
+    exponent,
+    boundaryMinimum: minimizer.value,
+    minimizer,
+    boundaryMaximum: maximizer.value,
+    maximizer,
+    cornerMinimum: packed.number(),
+    edgeMinimum: packed.number(),
+    bernstein: packed.numbers(27),
+    faces: [0, 1, 2, 3, 4, 5].map(face => readFace(packed, face)),
+    candidates: packed.list(() => readCandidate(packed)),
+  }
+}
+
+export function unpackMinimum(packed: Unpacker): { minimizer: Candidate; exponent: number } {
+  return { minimizer: readCandidate(packed), exponent: packed.number() }
+}
+
+export function unpackJacobian(packed: Unpacker, point: Vec3): JacobianReport {
+  return {
+    point,
+    position: packed.vec3(),
+    columns: [packed.vec3(), packed.vec3(), packed.vec3()],
+    axisExponents: packed.vec3(),
+    jacdet: packed.number(),
+    exponent: packed.number(),
+  }
+}
