@@ -29,6 +29,8 @@ export interface ViewHost {
   clear(code: Problem['code']): void
   /** Ask for an update although neither state nor report changed (the camera moved, the view was resized). */
   requestFrame(): void
+  /** The address that opens this very element again, vertices bit for bit. */
+  permalink(): string
 }
 
 export type CreateView = (host: ViewHost) => View

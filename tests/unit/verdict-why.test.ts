@@ -1,0 +1,95 @@
+import { describe, expect, it } from 'vitest'
+import type { Candidate, CandidateKind, Report } from '../../web/core/report'
+import { placeName, whySentence } from '../../web/views/verdict/why'
+
+const candidate = (kind: CandidateKind, id: number, value: number): Candidate => ({
+  kind,
+  id,
+  value,
+  point: [0, 0, 0],
+  position: [0, 0, 0],
+})
+
+/** A report as far as the sentence looks at one: the numbers follow from the candidates. */
+function reportOf(candidates: readonly Candidate[], boundaryMaximum = 1): Report {
+  const least = (kinds: readonly CandidateKind[]) =>
+    Math.min(...candidates.filter(c => kinds.includes(c.kind)).map(c => c.value))
+  const boundaryMinimum = least(['vertex', 'edge', 'face'])
+  return {
+    valid: boundaryMinimum > 0,
+    boundaryMinimum,
+    boundaryMaximum,
+    cornerMinimum: least(['vertex']),
+    edgeMinimum: least(['vertex', 'edge']),
+    candidates,
+  } as unknown as Report
+}
+
+const vertices = (value: (id: number) => number) =>
+  Array.from({ length: 8 }, (_, id) => candidate('vertex', id, value(id)))
+const positive = vertices(() => 1)
+
+describe('the sentence that says why', () => {
+  it('names the theorem for a valid element', () => {
+    expect(whySentence(reportOf(positive))).toBe(
+      'The jacdet is positive on all six faces, so it is positive everywhere (Knupp’s conjecture, now a theorem).',
+    )
+  })
+
+  it('names the vertices that are not positive, whatever the edges and faces do', () => {
+    const one = vertices(id => (id === 3 ? -1 : 1))
+    expect(whySentence(reportOf([...one, candidate('edge', 0, -2)]))).toBe('Vertex 3 is not positive.')
+    const two = vertices(id => (id === 3 || id === 7 ? -1 : 1))
+    expect(whySentence(reportOf(two))).toBe('Vertices 3 and 7 are not positive.')
+    const three = vertices(id => (id > 4 ? -1 : 1))
+    expect(whySentence(reportOf(three))).toBe('Vertices 5, 6 and 7 are not positive.')
+    expect(whySentence(reportOf(vertices(() => -1)))).toBe('None of the eight vertices is positive.')
+  })
+
+  it('names edges only when all vertices are positive', () => {
+    expect(whySentence(reportOf([...positive, candidate('edge', 0, -1), candidate('face', 2, -2)]))).toBe(
+      'All eight vertices are positive, yet edge 0–1 is not.',
+    )
+    expect(whySentence(reportOf([...positive, candidate('edge', 0, -1), candidate('edge', 11, -2)]))).toBe(
+      'All eight vertices are positive, yet edges 0–1 and 2–6 are not.',
+    )
+  })
+
+  it('names faces only when all vertices and edges are positive, each of them once', () => {
+    const twice = [...positive, candidate('edge', 0, 1), candidate('face', 4, -1), candidate('face', 4, -2)]
+    expect(whySentence(reportOf(twice))).toBe(
+      'All eight vertices and all twelve edges are positive, yet face −ζ is not.',
+    )
+    expect(whySentence(reportOf([...twice, candidate('face', 5, -2)]))).toBe(
+      'All eight vertices and all twelve edges are positive, yet faces −ζ and +ζ are not.',
+    )
+  })
+
+  it('tells an element inside out, a flat one and a touching one from the rest', () => {
+    expect(
+      whySentence(
+        reportOf(
+          vertices(() => -1),
+          -1,
+        ),
+      ),
+    ).toContain('the element is inside out')
+    expect(
+      whySentence(
+        reportOf(
+          vertices(() => 0),
+          0,
+        ),
+      ),
+    ).toContain('the element is flat')
+    expect(whySentence(reportOf([...positive, candidate('face', 4, 0)]))).toContain('must be strictly positive')
+  })
+})
+
+describe('the name of a place', () => {
+  it('has its preposition', () => {
+    expect(placeName('vertex', 3)).toBe('at vertex 3')
+    expect(placeName('edge', 2)).toBe('on edge 2–3')
+    expect(placeName('face', 5)).toBe('on face +ζ')
+  })
+})

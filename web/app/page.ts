@@ -1,0 +1,32 @@
+/** The page: `<hex-lens>` with what it shows kept in the address, so that reload, bookmark and a pasted link all work. */
+import '../element/hex-lens'
+import { historyStep } from '../element/shortcuts'
+import { decodePermalink } from '../model/permalink'
+
+const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
+
+function openLink(): void {
+  if (location.hash.length < 2) return
+  const link = decodePermalink(location.hash)
+  if (link.ok) {
+    lens.vertices = link.value
+    lens.clear('link-broken')
+  } else {
+    lens.raise({ code: 'link-broken', message: `${link.error.message} The element shown is not the link’s.` })
+  }
+}
+
+openLink()
+addEventListener('hashchange', openLink)
+lens.addEventListener('hex-change', () => {
+  history.replaceState(history.state, '', lens.permalink)
+  lens.clear('link-broken')
+})
+
+// With the focus nowhere, undo and redo can only mean the element.
+addEventListener('keydown', event => {
+  const step = event.target === document.body ? historyStep(event) : null
+  if (step === null) return
+  event.preventDefault()
+  lens[step]()
+})

@@ -1,0 +1,12 @@
+/** Why `element.vertices = …` was refused: `code` for programs, `message` for people. */
+export type HexLensErrorCode = 'wrong-count' | 'not-finite'
+
+export class HexLensError extends TypeError {
+  override readonly name = 'HexLensError'
+  readonly code: HexLensErrorCode
+
+  constructor(code: HexLensErrorCode, message: string) {
+    super(message)
+    this.code = code
+  }
+}

@@ -1,0 +1,217 @@
+/**
+ * `<hex-lens>`: one hexahedron and everything said about it. It owns the state, asks the core once a frame and hands
+ * one frame's truth to every view. Nothing is scheduled while nothing changes.
+ *
+ * `vertices`  24 finite numbers, VTK_HEXAHEDRON order, get (a copy) and set (any array-like; else HexLensError, state kept)
+ * `report`    what the core knows about exactly these vertices; null while there is no core
+ * `permalink` the address that opens this element again, bit for bit
+ * events      hex-input (live), hex-change (committed), hex-verdict (valid changed), hex-error (a problem was raised)
+ */
+import { firstPreset, presets } from '../content/presets'
+import type { Core, Report } from '../core/report'
+import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
+import { encodePermalink } from '../model/permalink'
+import type { Action } from '../model/state'
+import { createStore, type Store } from '../model/store'
+import type { Problem, View, ViewHost } from '../views/view'
+import { fetchCore } from './fetch-core'
+import css from './hex-lens.css?inline'
+import { HexLensError } from './hex-lens-error'
+import { parts } from './parts'
+import { historyStep } from './shortcuts'
+
+const styleSheets = [css, ...parts.map(part => part.styles)].map(styles => {
+  const sheet = new CSSStyleSheet()
+  sheet.replaceSync(styles)
+  return sheet
+})
+
+export class HexLens extends HTMLElement {
+  readonly #places: Readonly<Record<'head' | 'stage' | 'panel', HTMLElement>>
+  readonly #problems = new Map<Problem['code'], Problem>()
+  #store: Store = createStore(firstPreset.vertices, firstPreset.id)
+  #committed: Vertices = this.#store.state.vertices
+  #drawn: Vertices | null = null
+  #core: Core | null = null
+  #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
+  #toldValid: boolean | null = null
+  #views: readonly View[] = []
+  #frameRequest = 0
+
+  constructor() {
+    super()
+    const shadow = this.attachShadow({ mode: 'open' })
+    shadow.adoptedStyleSheets = styleSheets
+    this.#places = { head: place('head'), stage: place('stage'), panel: place('panel') }
+    const lens = place('lens')
+    lens.append(this.#places.head, this.#places.stage, this.#places.panel)
+    shadow.append(lens)
+    shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
+  }
+
+  connectedCallback(): void {
+    this.#views = parts.map(part => {
+      const view = part.create(this.#host)
+      this.#places[part.place].append(view.root)
+      return view
+    })
+    this.#schedule()
+    if (this.#core === null) void this.#start()
+  }
+
+  disconnectedCallback(): void {
+    cancelAnimationFrame(this.#frameRequest)
+    this.#frameRequest = 0
+    for (const view of this.#views) {
+      view.dispose()
+      view.root.remove()
+    }
+    this.#views = []
+  }
+
+  get vertices(): number[] {
+    return this.#store.state.vertices.slice()
+  }
+
+  set vertices(given: ArrayLike<number>) {
+    const vertices = checked(given)
+    const preset = presets.find(known => known.vertices.every((value, i) => Object.is(value, vertices[i])))?.id ?? null
+    if (this.#drawn === null) this.#begin(vertices, preset)
+    else this.#dispatch({ type: 'set-vertices', vertices, preset })
+  }
+
+  get report(): Report | null {
+    const { vertices } = this.#store.state
+    if (this.#core === null) return null
+    if (this.#analyzed?.vertices !== vertices) {
+      const result = this.#core.analyze(vertices)
+      this.#analyzed = result.ok ? { vertices, report: result.value } : null
+      if (!result.ok) this.raise({ code: 'core-failed', message: result.error.message })
+    }
+    return this.#analyzed?.report ?? null
+  }
+
+  get permalink(): string {
+    const address = new URL(document.location.href)
+    address.hash = encodePermalink(this.#store.state.vertices)
+    return address.href
+  }
+
+  undo(): void {
+    this.#dispatch({ type: 'undo' })
+  }
+
+  redo(): void {
+    this.#dispatch({ type: 'redo' })
+  }
+
+  raise(problem: Problem): void {
+    if (this.#problems.get(problem.code)?.message === problem.message) return
+    this.#problems.set(problem.code, problem)
+    this.#schedule()
+    this.#tell('hex-error', problem)
+  }
+
+  clear(code: Problem['code']): void {
+    if (this.#problems.delete(code)) this.#schedule()
+  }
+
+  readonly #host: ViewHost = {
+    dispatch: action => this.#dispatch(action),
+    raise: problem => this.raise(problem),
+    clear: code => this.clear(code),
+    requestFrame: () => this.#schedule(),
+    permalink: () => this.permalink,
+  }
+
+  /** What is set before the first frame is what the element starts from, not a step to undo. */
+  #begin(vertices: Vertices, preset: string | null): void {
+    this.#store = createStore(vertices, preset)
+    this.#committed = this.#store.state.vertices
+  }
+
+  #dispatch(action: Action): void {
+    const before = this.#store.state
+    this.#store.dispatch(action)
+    if (this.#store.state !== before) this.#schedule()
+  }
+
+  async #start(): Promise<void> {
+    try {
+      this.#core = await fetchCore()
+      this.clear('core-failed')
+      this.#schedule()
+    } catch (reason) {
+      const why = reason instanceof Error ? reason.message : String(reason)
+      this.raise({
+        code: 'core-failed',
+        message: `The WebAssembly core did not start, so there is no verdict (${why}). The vertices and the link still work.`,
+      })
+    }
+  }
+
+  #schedule(): void {
+    if (this.isConnected && this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(this.#draw)
+  }
+
+  readonly #draw = (): void => {
+    this.#frameRequest = 0
+    const report = this.report
+    const frame = { state: this.#store.state, report, problems: [...this.#problems.values()] }
+    for (const view of this.#views) {
+      try {
+        view.update(frame)
+      } catch (bug) {
+        reportError(bug) // one view's bug must not take the others' numbers away
+      }
+    }
+    const { vertices, gestureStart } = frame.state
+    const moved = this.#drawn !== null && this.#drawn !== vertices
+    this.#drawn = vertices
+    if (moved) this.#tell('hex-input')
+    if (report && report.valid !== this.#toldValid) {
+      this.#toldValid = report.valid
+      this.#tell('hex-verdict', { valid: report.valid })
+    }
+    if (gestureStart === null && this.#committed !== vertices) {
+      this.#committed = vertices
+      this.#tell('hex-change')
+    }
+  }
+
+  #onKeyDown(event: KeyboardEvent): void {
+    const step = historyStep(event)
+    const midEdit = this.#store.state.gestureStart !== null || (event.target as Element).matches('[aria-invalid]')
+    if (step === null || midEdit || event.defaultPrevented) return
+    event.preventDefault()
+    this.#dispatch({ type: step })
+  }
+
+  #tell(name: string, detail: unknown = null): void {
+    this.dispatchEvent(new CustomEvent(name, { bubbles: true, composed: true, detail }))
+  }
+}
+
+function place(name: string): HTMLElement {
+  const element = document.createElement('div')
+  element.className = name
+  return element
+}
+
+function checked(given: ArrayLike<number>): Vertices {
+  if (given?.length !== COORDINATE_COUNT) {
+    throw new HexLensError('wrong-count', `A hexahedron has 24 coordinates; ${given?.length ?? 'none'} were given.`)
+  }
+  const vertices = Array.from(given)
+  const bad = vertices.findIndex(value => !Number.isFinite(value))
+  if (bad >= 0) throw new HexLensError('not-finite', `Coordinate ${bad} is ${vertices[bad]}, not a finite number.`)
+  return vertices
+}
+
+if (!customElements.get('hex-lens')) customElements.define('hex-lens', HexLens)
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'hex-lens': HexLens
+  }
+}

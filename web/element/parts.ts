@@ -1,0 +1,23 @@
+/** What the element shows, in reading order. A new view is one entry here. */
+import { announcerStyles, createAnnouncer } from '../views/announcer/announcer'
+import { createProblems, problemsStyles } from '../views/problems/problems'
+import { createScene, sceneStyles } from '../views/scene/scene'
+import { createToolbar, toolbarStyles } from '../views/toolbar/toolbar'
+import { createVerdict, verdictStyles } from '../views/verdict/verdict'
+import { createVertices, verticesStyles } from '../views/vertices/vertices'
+import type { CreateView } from '../views/view'
+
+export interface Part {
+  readonly place: 'head' | 'stage' | 'panel'
+  readonly create: CreateView
+  readonly styles: string
+}
+
+export const parts: readonly Part[] = [
+  { place: 'head', create: createToolbar, styles: toolbarStyles },
+  { place: 'head', create: createProblems, styles: problemsStyles },
+  { place: 'stage', create: createScene, styles: sceneStyles },
+  { place: 'panel', create: createVerdict, styles: verdictStyles },
+  { place: 'panel', create: createVertices, styles: verticesStyles },
+  { place: 'panel', create: createAnnouncer, styles: announcerStyles },
+]

@@ -1,0 +1,87 @@
+/** The line above everything: which element this is, the way back and forth, and the link to it. */
+import { html, nothing, render } from 'lit-html'
+import { presets } from '../../content/presets'
+import type { State } from '../../model/state'
+import { copyText } from '../copy-text'
+import type { CreateView, Frame, View, ViewHost } from '../view'
+import css from './toolbar.css?inline'
+
+export const toolbarStyles = css
+
+/** The link that was copied or could not be; told for as long as it is the link to what is shown. */
+interface CopyOutcome {
+  readonly copied: boolean
+  readonly link: string
+}
+
+class ToolbarView implements View {
+  readonly root = document.createElement('div')
+  readonly #host: ViewHost
+  #outcome: CopyOutcome | null = null
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.root.className = 'toolbar'
+  }
+
+  update({ state }: Frame): void {
+    if (this.#outcome && this.#outcome.link !== this.#host.permalink()) this.#outcome = null
+    const shown = shownPreset(state)
+    render(
+      html`<span class="brand">Hexlens</span>
+        <label class="preset">
+          <span>Preset</span>
+          <select @change=${this.#onPreset}>
+            <option value="" hidden .selected=${shown === null}>Custom</option>
+            ${presets.map(
+              preset => html`<option value=${preset.id} .selected=${shown === preset.id}>${preset.title}</option>`,
+            )}
+          </select>
+        </label>
+        <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : nothing}</p>
+        <div class="actions">
+          <button type="button" ?disabled=${!state.canUndo} @click=${() => this.#host.dispatch({ type: 'undo' })}>
+            Undo
+          </button>
+          <button type="button" ?disabled=${!state.canRedo} @click=${() => this.#host.dispatch({ type: 'redo' })}>
+            Redo
+          </button>
+          <button type="button" @click=${() => this.#host.dispatch({ type: 'reset' })}>Reset</button>
+          <button type="button" @click=${this.#copyLink}>Copy link</button>
+        </div>
+        ${
+          this.#outcome?.copied === false
+            ? html`<div class="link" role="alert">
+                <label for="link">The browser did not let the link be copied. Here it is:</label>
+                <input id="link" readonly .value=${this.#outcome.link} @focus=${selectAll} />
+              </div>`
+            : nothing
+        }`,
+      this.root,
+    )
+  }
+
+  dispose(): void {}
+
+  readonly #onPreset = (event: Event): void => {
+    const preset = presets.find(({ id }) => id === (event.target as HTMLSelectElement).value)
+    if (preset) this.#host.dispatch({ type: 'set-vertices', vertices: preset.vertices, preset: preset.id })
+  }
+
+  readonly #copyLink = async (): Promise<void> => {
+    const link = this.#host.permalink()
+    this.#outcome = { copied: await copyText(link), link }
+    this.#host.requestFrame()
+  }
+}
+
+function selectAll(event: FocusEvent): void {
+  ;(event.target as HTMLInputElement).select()
+}
+
+/** The preset as long as the element is still what the preset says. */
+function shownPreset({ preset, vertices, start }: State): string | null {
+  return vertices.every((value, index) => Object.is(value, start[index])) ? preset : null
+}
+
+export const createToolbar: CreateView = host => new ToolbarView(host)

@@ -1,0 +1,88 @@
+/** The answer in words: valid or invalid, the boundary minimum and where it is attained, and why. */
+import { html, render, type TemplateResult } from 'lit-html'
+import type { Report } from '../../core/report'
+import { formatJacdet, formatPoint } from '../../model/decimal'
+import type { Vec3 } from '../../model/hexahedron'
+import type { ReferenceCube } from '../../model/state'
+import { copyText } from '../copy-text'
+import type { CreateView, Frame, View, ViewHost } from '../view'
+import css from './verdict.css?inline'
+import { placeName, whySentence } from './why'
+
+export const verdictStyles = css
+
+class VerdictView implements View {
+  readonly root = document.createElement('section')
+  readonly #host: ViewHost
+  /** The point last copied; told for as long as it is the one shown. */
+  #copied: Vec3 | null = null
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.root.className = 'verdict'
+    this.root.setAttribute('role', 'status')
+    this.root.setAttribute('aria-label', 'Verdict')
+    // The announcer speaks, at most once a second; this region is for reading at any time.
+    this.root.setAttribute('aria-live', 'off')
+  }
+
+  update({ state, report, problems }: Frame): void {
+    const failed = problems.some(problem => problem.code === 'core-failed')
+    render(report ? this.#verdict(report, state.referenceCube) : failed ? noVerdict : loading, this.root)
+  }
+
+  dispose(): void {}
+
+  #verdict(report: Report, cube: ReferenceCube): TemplateResult {
+    const { minimizer, valid } = report
+    const jacdet = (value: number) => signed(value, formatJacdet(value, report.exponent, cube))
+    return html`<div class="headline"
+        ><p class=${valid ? 'word valid' : 'word negative'}>${valid ? 'VALID' : 'INVALID'}</p>
+        <p class="minimum">min J = ${jacdet(report.boundaryMinimum)}</p></div
+      >
+      ${this.#place(`${placeName(minimizer.kind, minimizer.id)} at (ξ, η, ζ)`, minimizer.point, 'reference coordinates')}
+      ${this.#place('(x, y, z)', minimizer.position, 'physical coordinates')}
+      <p class="why">${whySentence(report)
+        .split(/(\d–\d)/)
+        .map(unbroken)}</p>
+      <dl>
+        <div><dt>Least vertex value</dt><dd>${jacdet(report.cornerMinimum)}</dd></div>
+        <div><dt>Least edge value</dt><dd>${jacdet(report.edgeMinimum)}</dd></div>
+      </dl>`
+  }
+
+  #place(name: string, point: Vec3, what: string): TemplateResult {
+    return html`<p class="place"
+      ><span>${name} = ${formatPoint(point)}</span>
+      <button type="button" aria-label=${`Copy ${what}`} @click=${(event: Event) => this.#copy(event, point)}>
+        ${this.#copied === point ? 'Copied' : 'Copy'}
+      </button></p
+    >`
+  }
+
+  /** The numbers in full, as a program reads them; where the clipboard is closed, the shown ones are selected instead. */
+  async #copy(event: Event, point: Vec3): Promise<void> {
+    const shown = (event.currentTarget as Element).previousElementSibling as Element
+    if (await copyText(point.join(', '))) {
+      this.#copied = point
+      this.#host.requestFrame()
+    } else getSelection()?.selectAllChildren(shown)
+  }
+}
+
+const loading = html`<p class="word">–</p>`
+
+const noVerdict = html`<p class="word">NO VERDICT</p>
+  <p class="why">The core that computes the jacdet could not be started, so nothing is said about this element.</p>`
+
+/** The name of an edge stays on one line: every second part is one. */
+function unbroken(part: string, index: number): TemplateResult | string {
+  return index % 2 === 1 ? html`<span class="name">${part}</span>` : part
+}
+
+/** A negative jacdet has its hue in prose too; its minus sign says the same. */
+function signed(value: number, text: string): TemplateResult | string {
+  return value < 0 ? html`<span class="negative">${text}</span>` : text
+}
+
+export const createVerdict: CreateView = host => new VerdictView(host)

@@ -1,0 +1,54 @@
+/** One plain sentence for why a report is valid or invalid: the first of vertices, edges and faces that fails. */
+import type { CandidateKind, Report } from '../../core/report'
+import { edgeVertices, faces, VERTEX_COUNT } from '../../model/hexahedron'
+
+/** "3", "0–1" or "−ζ". */
+export function partName(kind: CandidateKind, id: number): string {
+  if (kind === 'vertex') return String(id)
+  if (kind === 'edge') return edgeVertices[id]?.toSorted((a, b) => a - b).join('–') ?? ''
+  return faces[id]?.name ?? ''
+}
+
+/** "at vertex 3", "on edge 0–1" or "on face −ζ". */
+export function placeName(kind: CandidateKind, id: number): string {
+  return `${kind === 'vertex' ? 'at' : 'on'} ${kind} ${partName(kind, id)}`
+}
+
+export function whySentence(report: Report): string {
+  if (report.valid) {
+    return 'The jacdet is positive on all six faces, so it is positive everywhere (Knupp’s conjecture, now a theorem).'
+  }
+  if (report.boundaryMaximum < 0) {
+    return 'The jacdet is negative on the whole boundary: the element is inside out; another vertex order may be meant.'
+  }
+  if (report.boundaryMinimum === 0 && report.boundaryMaximum === 0) {
+    return 'The jacdet is zero on the whole boundary: the element is flat.'
+  }
+  if (report.boundaryMinimum === 0) {
+    return 'The minimum is zero: the jacdet touches zero, and a valid element must be strictly positive.'
+  }
+  if (report.cornerMinimum <= 0) return vertexSentence(notPositive(report, 'vertex'))
+  if (report.edgeMinimum <= 0) {
+    return `All eight vertices are positive, yet ${areNot('edge', notPositive(report, 'edge'))}.`
+  }
+  return `All eight vertices and all twelve edges are positive, yet ${areNot('face', notPositive(report, 'face'))}.`
+}
+
+function notPositive(report: Report, kind: CandidateKind): readonly string[] {
+  const ids = report.candidates.filter(c => c.kind === kind && c.value <= 0).map(c => c.id)
+  return [...new Set(ids)].sort((a, b) => a - b).map(id => partName(kind, id))
+}
+
+function vertexSentence(names: readonly string[]): string {
+  if (names.length === VERTEX_COUNT) return 'None of the eight vertices is positive.'
+  return names.length === 1 ? `Vertex ${names[0]} is not positive.` : `Vertices ${listed(names)} are not positive.`
+}
+
+function areNot(kind: CandidateKind, names: readonly string[]): string {
+  return names.length === 1 ? `${kind} ${names[0]} is not` : `${kind}s ${listed(names)} are not`
+}
+
+/** "1", "1 and 2", "1, 2 and 3". */
+function listed(names: readonly string[]): string {
+  return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
+}
