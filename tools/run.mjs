@@ -7,6 +7,9 @@ import { fileURLToPath } from 'node:url'
 
 export const root = fileURLToPath(new URL('..', import.meta.url)).replace(/[\\/]$/, '')
 
+export const biome = join(root, 'node_modules', '@biomejs', 'biome', 'bin', 'biome')
+export const tsc = join(root, 'node_modules', 'typescript', 'bin', 'tsc')
+
 /** A failure with a sentence on what to do; printed without a stack. */
 export class Failure extends Error {}
 
@@ -23,14 +26,14 @@ for (const [signal, status] of [
 
 /**
  * Runs a command without a terminal to ask questions on. `output`: 'capture' keeps both streams, 'show' passes them
- * on, 'stderr' passes both on as standard error.
+ * on, 'tee' does both.
  * Resolves to { status, stdout, text }: `text` is both streams as they came; status is 127 when it could not start.
  */
 export function run(command, args, { cwd = root, env = process.env, output = 'capture' } = {}) {
   const stdio = {
     capture: ['ignore', 'pipe', 'pipe'],
     show: ['ignore', 'inherit', 'inherit'],
-    stderr: ['ignore', 2, 2],
+    tee: ['ignore', 'pipe', 'pipe'],
   }
   return new Promise(resolve => {
     const child = spawn(command, args, { cwd, env, stdio: stdio[output] })
@@ -40,9 +43,11 @@ export function run(command, args, { cwd = root, env = process.env, output = 'ca
     child.stdout?.setEncoding('utf8').on('data', chunk => {
       stdout += chunk
       text += chunk
+      if (output === 'tee') process.stdout.write(chunk)
     })
     child.stderr?.setEncoding('utf8').on('data', chunk => {
       text += chunk
+      if (output === 'tee') process.stderr.write(chunk)
     })
     child.on('error', error => {
       children.delete(child)

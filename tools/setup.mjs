@@ -10,41 +10,51 @@ import { findChromium } from './chromium.mjs'
 import { withLock } from './lock.mjs'
 import { executable, Failure, failedCommand, isScript, must, onPath, root, run, runMain } from './run.mjs'
 
-const NODE_LEAST = [20, 0]
 const EMSDK_VERSION = '4.0.10'
 const EMSDK_SOURCE = 'https://github.com/emscripten-core/emsdk.git'
 const EMSDK_FOLDER = join(root, '.emsdk')
 
-/** What a setup can be for: serving the page, formatter and linter (and a C compiler), tests (and Chromium). */
+/** What a setup can be for: to build and serve; formatter, linter and C warnings; all tests. */
 const PURPOSES = ['start', 'check', 'test']
 
 const steps = [
-  { name: 'node', run: checkNode },
-  { name: 'packages', run: installPackages },
-  { name: 'make', run: installMake },
-  { name: 'compiler', run: installCompiler, for: ['check', 'test'] },
-  { name: 'wasm', run: buildWasm },
-  { name: 'chromium', run: installChromium, for: ['test'] },
+  { what: 'Node', isDone: nodeIsNewEnough, run: refuseNode },
+  { what: 'the npm packages', isDone: packagesAreCurrent, run: installPackages },
+  { what: 'make', isDone: () => onPath('make'), run: installMake },
+  { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'test'] },
+  { what: 'the wasm', isDone: wasmIsCurrent, run: buildWasm },
+  { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
 ]
 
-/** Runs the steps for a purpose. `say` gets a line for each step that has something to do. Throws a Failure. */
+/** Does what is missing for a purpose. `say` gets a line for each step with something to do. Throws a Failure. */
 export async function setup({ purpose = 'start', say = line => process.stdout.write(`${line}\n`) } = {}) {
+  const wanted = steps.filter(step => !step.for || step.for.includes(purpose))
+  if (await allDone(wanted)) return
   await withLock(join(root, 'build', 'setup.lock'), say, async () => {
-    for (const step of steps) {
-      if (step.for && !step.for.includes(purpose)) continue
+    for (const step of wanted) {
+      if (await step.isDone()) continue
       await step.run(line => say(`setup: ${line}`))
+      if (!(await step.isDone())) throw new Failure(`Setup went through, but ${step.what} cannot be found afterwards.`)
     }
   })
 }
 
-function checkNode() {
-  const [major, minor] = process.versions.node.split('.').map(Number)
-  const [leastMajor, leastMinor] = NODE_LEAST
-  if (major > leastMajor || (major === leastMajor && minor >= leastMinor)) return
-  throw new Failure(
-    `Hexlens needs Node ${NODE_LEAST.join('.')} or later; this is ${process.version}. Install a later Node and repeat.`,
-  )
+async function allDone(wanted) {
+  for (const step of wanted) if (!(await step.isDone())) return false
+  return true
 }
+
+/** The range of Vite 8. */
+function nodeIsNewEnough() {
+  const [major, minor] = process.versions.node.split('.').map(Number)
+  return major === 20 ? minor >= 19 : major === 22 ? minor >= 12 : major > 22
+}
+
+function refuseNode() {
+  throw new Failure(`Hexlens needs Node 20.19, 22.12 or later; this is ${process.version}. Install one, then repeat.`)
+}
+
+const packagesStampFile = join(root, 'node_modules', '.hexlens-stamp')
 
 /** What the installed packages depend on: another lock file or another machine's binaries need another install. */
 function packagesStamp() {
@@ -52,12 +62,13 @@ function packagesStamp() {
   return `${createHash('sha256').update(lock).digest('hex')} ${process.platform} ${process.arch}\n`
 }
 
+function packagesAreCurrent() {
+  return existsSync(packagesStampFile) && readFileSync(packagesStampFile, 'utf8') === packagesStamp()
+}
+
 async function installPackages(say) {
-  const stampFile = join(root, 'node_modules', '.hexlens-stamp')
-  const stamp = packagesStamp()
-  if (existsSync(stampFile) && readFileSync(stampFile, 'utf8') === stamp) return
   say('installing the npm packages')
-  rmSync(stampFile, { force: true })
+  rmSync(packagesStampFile, { force: true })
   const npm = process.env.npm_execpath?.endsWith('.js') ? [process.execPath, process.env.npm_execpath] : ['npm']
   const [command, ...args] = [...npm, 'ci', '--include=dev', '--ignore-scripts', '--no-audit', '--no-fund']
   await must(
@@ -65,29 +76,29 @@ async function installPackages(say) {
     [...args, '--loglevel=error'],
     'Check that the npm registry can be reached (npm ping) and that this folder can be written, then repeat.',
   )
-  writeFileSync(stampFile, stamp)
+  writeFileSync(packagesStampFile, packagesStamp())
 }
 
 async function installMake(say) {
-  if (onPath('make')) return
   await installDebianPackages(say, 'make', ['make'])
 }
 
 async function installCompiler(say) {
-  if (onPath('cc', 'gcc', 'clang')) return
   await installDebianPackages(say, 'a C compiler', ['gcc', 'libc6-dev'])
 }
 
+async function wasmIsCurrent() {
+  const emcc = findEmcc()?.path ?? 'emcc'
+  return (await run('make', ['-C', 'wasm', '-q', 'wasm', `EMCC=${emcc}`])).status === 0
+}
+
 async function buildWasm(say) {
-  let emcc = findEmcc()
-  const upToDate = await run('make', ['-C', 'wasm', '-q', 'wasm', `EMCC=${emcc?.path ?? 'emcc'}`])
-  if (upToDate.status === 0) return
-  emcc ??= await installEmcc(say)
+  const emcc = findEmcc() ?? (await installEmcc(say))
   say('building the wasm')
   await must(
     'make',
     ['-C', 'wasm', 'wasm', `EMCC=${emcc.path}`],
-    `The wasm did not build with ${emcc.path}. If the C sources are untouched, try another emcc (3.1.6 or later).`,
+    `The wasm did not build with ${emcc.path}. If the C sources are as released, try another emcc (3.1.6 or later).`,
     { env: { ...process.env, ...emcc.env } },
   )
 }
@@ -99,7 +110,7 @@ function findEmcc() {
   for (const folder of [process.env.EMSDK, EMSDK_FOLDER].filter(Boolean)) {
     const emcc = executable(join(folder, 'upstream', 'emscripten', 'emcc'))
     const config = join(folder, '.emscripten')
-    if (emcc && existsSync(config)) return { path: emcc, env: { EMSDK: folder, EM_CONFIG: config } }
+    if (emcc) return { path: emcc, env: existsSync(config) ? { EMSDK: folder, EM_CONFIG: config } : {} }
   }
   return undefined
 }
@@ -109,25 +120,25 @@ async function installEmcc(say) {
   else await installEmsdk(say)
   const emcc = findEmcc()
   if (emcc) return emcc
-  throw new Failure('emcc was installed but is not found. Put emcc on PATH or set EMSDK, then repeat.')
+  throw new Failure('emcc was installed but cannot be found. Put emcc on PATH or set EMSDK, then repeat.')
 }
 
 /** The official SDK into .emsdk, under another name until it is complete. */
 async function installEmsdk(say) {
-  const missing = ['git', 'python3'].filter(name => !onPath(name))
+  const missing = ['git', 'python3', 'xz'].filter(name => !onPath(name))
   if (missing.length > 0) throw new Failure(`Hexlens needs emcc, and its SDK needs more. ${installAdvice(missing)}`)
-  say(`installing the emscripten SDK ${EMSDK_VERSION} into .emsdk (a few minutes, 300 MB to download)`)
+  say(`installing the emscripten SDK ${EMSDK_VERSION} into .emsdk (some minutes)`)
   const partial = `${EMSDK_FOLDER}-partial`
   const advice = 'Check that the address can be reached, or install emcc yourself (on PATH or in $EMSDK), then repeat.'
   rmSync(partial, { recursive: true, force: true })
-  rmSync(EMSDK_FOLDER, { recursive: true, force: true })
   try {
-    await must('git', ['clone', '--quiet', '--depth', '1', '--branch', EMSDK_VERSION, EMSDK_SOURCE, partial], advice, {
+    await must('git', ['clone', '--quiet', '--depth=1', '--branch', EMSDK_VERSION, EMSDK_SOURCE, partial], advice, {
       env: { ...process.env, GIT_TERMINAL_PROMPT: '0' },
     })
     for (const verb of ['install', 'activate']) {
       await must(join(partial, 'emsdk'), [verb, EMSDK_VERSION], advice, { cwd: partial })
     }
+    rmSync(EMSDK_FOLDER, { recursive: true, force: true })
     renameSync(partial, EMSDK_FOLDER)
   } finally {
     rmSync(partial, { recursive: true, force: true })
@@ -135,22 +146,18 @@ async function installEmsdk(say) {
 }
 
 async function installChromium(say) {
-  if (await findChromium()) return
   const apt = await aptGet()
   if (apt && isDebian()) {
     await installDebianPackages(say, 'Chromium', ['chromium'])
-  } else {
-    say('installing Chromium for the browser tests (playwright install)')
-    const withDependencies = apt ? ['--with-deps'] : []
-    await must(
-      process.execPath,
-      [join(root, 'node_modules/@playwright/test/cli.js'), 'install', ...withDependencies, 'chromium'],
-      'Install Chromium or Chrome yourself so that it is on PATH, then repeat.',
-    )
+    return
   }
-  if (!(await findChromium())) {
-    throw new Failure('Chromium was installed but does not start. Put a working chromium on PATH, then repeat.')
-  }
+  say('installing Chromium for the browser tests (playwright install)')
+  const playwright = join(root, 'node_modules', '@playwright', 'test', 'cli.js')
+  await must(
+    process.execPath,
+    [playwright, 'install', '--no-shell', ...(apt ? ['--with-deps'] : []), 'chromium'],
+    'Check that the address can be reached, or install Chromium or Chrome yourself (on PATH), then repeat.',
+  )
 }
 
 function isDebian() {

@@ -1,0 +1,68 @@
+// npm run check: everything that is judged without running the tests. All checks run, then the failed ones are named.
+
+import { existsSync, readdirSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { unformattedC } from './c-format.mjs'
+import { biome, root, run, runMain, tsc } from './run.mjs'
+import { setup } from './setup.mjs'
+import { checkSizes } from './sizes.mjs'
+
+/** Each resolves to the lines of complaint, none when all is well, and may print. */
+const checks = [
+  {
+    name: 'formatter and linter (biome)',
+    complaints: () => output([process.execPath, biome, 'ci', '--error-on-warnings', '.']),
+  },
+  { name: 'C formatter', complaints: formatOfC },
+  { name: 'types (tsc)', complaints: () => output([process.execPath, tsc, '--pretty', 'false']) },
+  { name: 'C warnings', complaints: () => output(['make', '-C', 'wasm', '--no-print-directory', 'warnings']) },
+  { name: 'tests', complaints: nothingLeftOut },
+  { name: 'sizes', complaints: sizes },
+]
+
+await runMain(async () => {
+  await setup({ purpose: 'check' })
+  const failed = []
+  for (const { name, complaints } of checks) {
+    const lines = await complaints()
+    process.stdout.write(`check: ${name}: ${lines.length === 0 ? 'ok' : 'FAILED'}\n`)
+    for (const line of lines) process.stdout.write(`${line}\n`)
+    if (lines.length > 0) failed.push(name)
+  }
+  if (failed.length === 0) return 0
+  process.stdout.write(`check failed: ${failed.join(', ')}\n`)
+  return 1
+})
+
+async function output([command, ...args]) {
+  const { status, text } = await run(command, args)
+  return status === 0 ? [] : [...text.trimEnd().split('\n'), `(status ${status} of ${[command, ...args].join(' ')})`]
+}
+
+async function formatOfC() {
+  const names = await unformattedC()
+  return names.length === 0 ? [] : [...names, 'These are not formatted: npm run format']
+}
+
+/** Tests that are excepted from running, and test files that no suite picks up. */
+function nothingLeftOut() {
+  const files = ['web', 'tests']
+    .filter(folder => existsSync(join(root, folder)))
+    .flatMap(folder => readdirSync(join(root, folder), { recursive: true }).map(name => join(folder, name)))
+    .filter(name => /\.(test|spec)\.[cm]?[jt]sx?$/.test(name))
+  const excepted = /\b(?:test|it|describe|suite|bench)(?:\.\w+)*\.(?:only|skip|skipIf|runIf|todo|fixme|fail|fails)\b/
+  return files.flatMap(name => {
+    const isRun = /^tests\/.*\.test\.ts$/.test(name) || /^tests\/e2e\/.*\.spec\.ts$/.test(name)
+    const lines = readFileSync(join(root, name), 'utf8').split('\n')
+    return [
+      ...(isRun ? [] : [`${name}: no suite runs this file`]),
+      ...lines.flatMap((line, i) => (excepted.test(line) ? [`${name}:${i + 1}: ${line.trim()}`] : [])),
+    ]
+  })
+}
+
+async function sizes() {
+  const { table, exceeded } = await checkSizes()
+  process.stdout.write(`${table.join('\n')}\n`)
+  return exceeded ? ['A size is over its budget, or there is no wasm.'] : []
+}

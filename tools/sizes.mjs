@@ -1,0 +1,58 @@
+// What the page makes a browser load before it is live, against the budgets of the design.
+
+import { readFileSync } from 'node:fs'
+import { basename, join } from 'node:path'
+import { gzipSync } from 'node:zlib'
+import { buildPage } from './build.mjs'
+import { root } from './run.mjs'
+
+/** In bytes after gzip. */
+const BUDGETS = { wasm: 16_000, firstLoad: 230_000 }
+
+/** Builds the page and resolves to { table, exceeded }: lines to print, and whether a budget is exceeded. */
+export async function checkSizes() {
+  const folder = 'dist/check'
+  const { output } = await buildPage(folder)
+  const sizeOf = name => gzipSync(readFileSync(join(root, folder, name)), { level: 9 }).length
+  const files = firstLoad(output).map(name => ({ name, size: sizeOf(name) }))
+  const sum = list => list.reduce((total, { size }) => total + size, 0)
+  const checks = [
+    { what: 'wasm', size: sum(files.filter(({ name }) => name.endsWith('.wasm'))), budget: BUDGETS.wasm },
+    { what: 'first load', size: sum(files), budget: BUDGETS.firstLoad },
+  ]
+  return {
+    table: [
+      ...files.map(({ name, size }) => row(name, size)),
+      ...checks.map(({ what, size, budget }) => `${row(what, size)} of ${(budget / 1000).toFixed(1)} kB`),
+    ],
+    exceeded: checks.some(({ size, budget }) => size === 0 || size > budget),
+  }
+}
+
+function row(name, size) {
+  return `${name.padEnd(44)} ${(size / 1000).toFixed(1).padStart(6)} kB gzip`
+}
+
+/** The page, its entries with all they import at once, and the styles, wasm and worker files these name. */
+function firstLoad(output) {
+  const byName = new Map(output.map(file => [file.fileName, file]))
+  const loaded = new Set(output.filter(file => file.fileName.endsWith('.html')).map(file => file.fileName))
+  const queue = output.filter(file => file.type === 'chunk' && file.isEntry).map(file => file.fileName)
+  for (const name of queue) {
+    if (loaded.has(name)) continue
+    loaded.add(name)
+    const file = byName.get(name)
+    if (file?.type !== 'chunk') continue
+    queue.push(...file.imports, ...(file.viteMetadata?.importedCss ?? []))
+    for (const other of output) {
+      if (
+        other.type === 'asset' &&
+        /\.(wasm|js)$/.test(other.fileName) &&
+        file.code.includes(basename(other.fileName))
+      ) {
+        queue.push(other.fileName)
+      }
+    }
+  }
+  return [...loaded]
+}

@@ -1,0 +1,118 @@
+// npm test: sets up, runs the native, unit and browser tests and ends with the counts. --fast: without the browser and
+// the long native tests.
+
+import { mkdirSync, readFileSync, rmSync } from 'node:fs'
+import { createServer } from 'node:net'
+import { join, relative } from 'node:path'
+import { parseArgs } from 'node:util'
+import { Failure, root, run, runMain } from './run.mjs'
+import { setup } from './setup.mjs'
+
+const results = join(root, 'test-results', String(process.pid))
+
+const suites = [
+  { name: 'native', run: native },
+  { name: 'unit', run: unit },
+  { name: 'browser', run: browser, long: true },
+]
+
+await runMain(async () => {
+  const { fast } = readArguments()
+  const total = counts()
+  try {
+    await setup({ purpose: fast ? 'check' : 'test' })
+    mkdirSync(results, { recursive: true })
+    const lines = []
+    for (const suite of suites.filter(({ long }) => !(fast && long))) {
+      const result = await suite.run({ fast })
+      lines.push(`${suite.name}: ${sentence(result)}`)
+      for (const key of Object.keys(total)) total[key] += result[key]
+    }
+    process.stdout.write(`\n${lines.join('\n')}\n`)
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error
+    process.stdout.write(`${error.message}\n`)
+    total.failed += 1
+  }
+  process.stdout.write(`${sentence(total)}\n`)
+  if (total.failed > 0 || total.skipped > 0) return 1
+  rmSync(results, { recursive: true, force: true })
+  return 0
+})
+
+function readArguments() {
+  try {
+    return parseArgs({ options: { fast: { type: 'boolean', default: false } } }).values
+  } catch (error) {
+    throw new Failure(`${error.message}\nUsage: npm test, or npm run test:fast`)
+  }
+}
+
+function counts(passed = 0, failed = 0, skipped = 0) {
+  return { passed, failed, skipped }
+}
+
+function sentence({ passed, failed, skipped }) {
+  return `${passed} passed, ${failed} failed${skipped > 0 ? `, ${skipped} skipped` : ''}`
+}
+
+/** A suite that ended badly without a failed test, or that ran no test, counts as one failure. */
+function judged(result, status) {
+  const ranNone = result.passed + result.failed === 0
+  return result.failed === 0 && (status !== 0 || ranNone) ? { ...result, failed: 1 } : result
+}
+
+/** Every test program closes with a line `N passed, N failed`. */
+async function native({ fast }) {
+  const words = ['-C', 'wasm', '--no-print-directory', '-k', fast ? 'test-fast' : 'test']
+  const { status, stdout } = await run('make', words, { output: 'tee' })
+  const result = counts()
+  for (const [, passed, failed] of stdout.matchAll(/^(\d+) passed, (\d+) failed$/gm)) {
+    result.passed += Number(passed)
+    result.failed += Number(failed)
+  }
+  return judged(result, status)
+}
+
+async function unit() {
+  const file = join(results, 'unit.json')
+  const vitest = join(root, 'node_modules', 'vitest', 'vitest.mjs')
+  const reporters = ['--reporter=default', '--reporter=json', `--outputFile.json=${file}`]
+  const { status } = await run(process.execPath, [vitest, 'run', ...reporters], { output: 'show' })
+  const report = readJson(file)
+  if (!report) return judged(counts(), status)
+  // A file that cannot be loaded has no test to fail.
+  const brokenFiles = report.testResults.filter(f => f.status === 'failed' && f.assertionResults.length === 0)
+  const { numPassedTests, numFailedTests, numPendingTests, numTodoTests } = report
+  return judged(counts(numPassedTests, numFailedTests + brokenFiles.length, numPendingTests + numTodoTests), status)
+}
+
+async function browser() {
+  const port = await freePort()
+  const env = { ...process.env, HEXLENS_TEST_PORT: String(port), HEXLENS_TEST_RESULTS: relative(root, results) }
+  const playwright = join(root, 'node_modules', '@playwright', 'test', 'cli.js')
+  const { status } = await run(process.execPath, [playwright, 'test'], { output: 'show', env })
+  rmSync(join(root, 'dist', `test-${port}`), { recursive: true, force: true })
+  const report = readJson(join(results, 'browser.json'))
+  if (!report) return judged(counts(), status)
+  const { expected, unexpected, flaky, skipped } = report.stats
+  return judged(counts(expected, unexpected + flaky, skipped), status)
+}
+
+function readJson(file) {
+  try {
+    return JSON.parse(readFileSync(file, 'utf8'))
+  } catch {
+    return undefined
+  }
+}
+
+function freePort() {
+  return new Promise((resolve, reject) => {
+    const socket = createServer().on('error', reject)
+    socket.listen(0, '127.0.0.1', () => {
+      const { port } = socket.address()
+      socket.close(() => resolve(port))
+    })
+  })
+}
