@@ -39,6 +39,7 @@ bool is_normal_after_scaling(double x, int exponent) {
 }
 
 double times_power_of_two(double x, int exponent) {
+  if (x == 0) return x;
   /* In thirds no factor leaves the doubles, and what lies between x and a normal result is exact. */
   int third = exponent / 3;
   return x * power_of_two(third) * power_of_two(third) * power_of_two(exponent - 2 * third);

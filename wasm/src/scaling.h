@@ -15,7 +15,7 @@ typedef struct edge_vectors {
 
 bool all_finite(const double *values, int count);
 
-/* x * 2^exponent for |exponent| <= 3066; exact whenever it is a normal double. */
+/* x * 2^exponent, exact whenever it is a normal double. For x != 0, |exponent| <= 3066. */
 double times_power_of_two(double x, int exponent);
 
 /* x * 2^exponent is a normal double, or x is 0. */

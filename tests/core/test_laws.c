@@ -1,0 +1,240 @@
+/* Laws of the core on single elements: known elements, scaling, translation, symmetry, refusals, the sizes of the doubles. */
+#include "random.h"
+#include "reference.h"
+
+#include <string.h>
+
+static random_stream stream = {20260202};
+
+static const double paper_counterexample[24] = {0, 0, 0, 1, 0, 0, 0, 0, 0,  0,  1,  0,
+                                                0, 0, 1, 0, 0, 0, -1, -1, -1, 0, 0, 0};
+
+static hl_report analyzed(const double vertices[24]) {
+  hl_report report;
+  memset(&report, 0, sizeof report);
+  hl_status status = hl_analyze(vertices, &report);
+  CHECK(status == HL_OK, "status %d", (int)status);
+  return report;
+}
+
+static void unit_cube_is_one_everywhere(void) {
+  hl_report report = analyzed(unit_cube);
+  check_report(unit_cube, &report, "cube", 0);
+  CHECK(report.valid && report.minimizer.value == 1 && report.maximizer.value == 1, "jacdet is not 1");
+  for (int i = 0; i < 27; ++i) CHECK(report.bernstein[i] == 1, "coefficient %d is %g", i, report.bernstein[i]);
+  CHECK(report.candidate_count == 8, "%d candidates", report.candidate_count);
+  for (int f = 0; f < 6; ++f)
+    CHECK(report.faces[f].skipped_by_minimum_rule && report.faces[f].skipped_by_validity_rule && report.faces[f].quartic_is_zero,
+          "face %d", f);
+}
+
+static void paper_counterexample_has_boundary_minimum_zero(void) {
+  hl_report report = analyzed(paper_counterexample);
+  CHECK(!report.valid && report.minimizer.value == 0, "minimum %g", report.minimizer.value);
+  const double centre[3] = {0.5, 0.5, 0.5};
+  hl_jacobian jacobian;
+  CHECK(hl_jacobian_at(paper_counterexample, centre, &jacobian) == HL_OK && jacobian.jacdet == -0.25, "centre %g",
+        jacobian.jacdet);
+}
+
+/* Bernstein form, DF's columns and the definition agree inside the cube; the columns are differences of F. */
+static void bernstein_form_is_jacdet(void) {
+  for (long n = 0; n < 2000; ++n) {
+    double vertices[24];
+    random_hexahedron(&stream, 0.1 + random_unit(&stream), vertices);
+    hl_report report = analyzed(vertices);
+    check_report(vertices, &report, "random", n);
+    double point[3] = {random_unit(&stream), random_unit(&stream), random_unit(&stream)}, sum = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k) {
+          int at[3] = {i, j, k};
+          double weight = 1;
+          for (int axis = 0; axis < 3; ++axis) {
+            double x = point[axis], basis[3] = {(1 - x) * (1 - x), 2 * x * (1 - x), x * x};
+            weight *= basis[at[axis]];
+          }
+          sum += weight * report.bernstein[9 * i + 3 * j + k];
+        }
+    double exact = (double)reference_jacdet(vertices, point), error = 5 * value_error(vertices);
+    hl_jacobian jacobian;
+    CHECK(hl_jacobian_at(vertices, point, &jacobian) == HL_OK, "status");
+    CHECK(fabs(sum - exact) <= error, "%ld: Bernstein form %.17g, jacdet %.17g", n, sum, exact);
+    CHECK(fabs(jacobian.jacdet - exact) <= error, "%ld: det DF %.17g, jacdet %.17g", n, jacobian.jacdet, exact);
+
+    double low[3] = {point[0], 0, point[2]}, high[3] = {point[0], 1, point[2]};
+    hl_jacobian at_low, at_high;
+    hl_jacobian_at(vertices, low, &at_low);
+    hl_jacobian_at(vertices, high, &at_high);
+    for (int r = 0; r < 3; ++r)
+      CHECK(fabs(at_high.position[r] - at_low.position[r] - jacobian.columns[1][r]) < 64 * UNIT_ROUNDOFF * 10,
+            "%ld: the column dF/deta is not the difference of F", n);
+  }
+}
+
+static void scaling_by_powers_of_two_is_exact(void) {
+  for (long n = 0; n < 500; ++n) {
+    double vertices[24], scaled[24];
+    random_hexahedron(&stream, 0.5, vertices);
+    hl_report report = analyzed(vertices);
+    for (int exponent = -300; exponent <= 300; exponent += 60) {
+      for (int i = 0; i < 24; ++i) scaled[i] = ldexp(vertices[i], exponent);
+      hl_report other = analyzed(scaled);
+      CHECK(other.exponent == 0 && other.minimizer.value == ldexp(report.minimizer.value, 3 * exponent),
+            "%ld: 2^%d changes the minimum", n, exponent);
+      CHECK(!memcmp(other.minimizer.point, report.minimizer.point, sizeof report.minimizer.point), "%ld: place", n);
+    }
+  }
+}
+
+/* One axis a millionth or a million times the others: jacdet scales by the product, exactly. */
+static void scaling_of_one_axis_is_exact(void) {
+  for (long n = 0; n < 500; ++n) {
+    double vertices[24], scaled[24];
+    random_hexahedron(&stream, 0.5, vertices);
+    hl_report report = analyzed(vertices);
+    for (int i = 0; i < 24; ++i) scaled[i] = ldexp(vertices[i], i % 3 == 0 ? -530 : i % 3 == 1 ? 530 : 3);
+    hl_report other = analyzed(scaled);
+    CHECK(other.exponent == 0 && other.minimizer.value == 8 * report.minimizer.value, "%ld", n);
+  }
+}
+
+/* Sizes whose jacdet no double holds: mantissa and exponent carry it, and nothing else changes. */
+static void sizes_beyond_the_doubles(void) {
+  for (long n = 0; n < 200; ++n) {
+    double vertices[24], scaled[24];
+    random_hexahedron(&stream, 0.3, vertices);
+    hl_report report = analyzed(vertices);
+    for (int size = -1000; size <= 1000; size += 2000) {
+      for (int i = 0; i < 24; ++i) scaled[i] = ldexp(vertices[i], size);
+      hl_report other = analyzed(scaled);
+      CHECK(other.exponent != 0 && other.valid == report.valid, "%ld: 2^%d", n, size);
+      CHECK(ldexp(other.minimizer.value, other.exponent - 3 * size) == report.minimizer.value, "%ld: 2^%d", n, size);
+    }
+  }
+  double subnormal[24], huge[24];
+  for (int i = 0; i < 24; ++i) {
+    subnormal[i] = unit_cube[i] * 0x1p-1074;
+    huge[i] = unit_cube[i] != 0 ? 0x1.fffffffffffffp1023 : -0x1.fffffffffffffp1023;
+  }
+  hl_report small = analyzed(subnormal), large = analyzed(huge);
+  CHECK(small.valid && ldexp(small.minimizer.value, small.exponent + 3222) == 1, "the least doubles");
+  CHECK(large.valid && ldexp(large.minimizer.value, large.exponent - 3072) == pow(0x1.fffffffffffffp0, 3),
+        "the greatest doubles: %.17g 2^%d", large.minimizer.value, large.exponent);
+}
+
+static void translation_changes_nothing(void) {
+  for (long n = 0; n < 500; ++n) {
+    double vertices[24], moved[24];
+    for (int i = 0; i < 24; ++i) vertices[i] = unit_cube[i] + floor(256 * random_normal(&stream)) / 1024;
+    for (int i = 0; i < 24; ++i) moved[i] = vertices[i] + (double)(1 << 20) * (i % 3 - 1);
+    hl_report report = analyzed(vertices), other = analyzed(moved);
+    CHECK(report.candidate_count == other.candidate_count, "%ld: candidates", n);
+    for (int i = 0; i < report.candidate_count; ++i)
+      CHECK(report.candidates[i].value == other.candidates[i].value, "%ld: candidate %d", n, i);
+    for (int i = 0; i < 27; ++i) CHECK(report.bernstein[i] == other.bernstein[i], "%ld: coefficient %d", n, i);
+  }
+}
+
+/* The 48 symmetries of the cube: relabelled by a rotation the minimum stays, by a reflection jacdet is negated. */
+static void symmetries_of_the_cube(void) {
+  static const int permutations[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
+  for (long n = 0; n < 300; ++n) {
+    double vertices[24], relabelled[24];
+    random_hexahedron(&stream, 0.4, vertices);
+    hl_report report = analyzed(vertices);
+    double error = 2 * value_error(vertices);
+    for (int p = 0; p < 6; ++p)
+      for (int flips = 0; flips < 8; ++flips) {
+        for (int v = 0; v < 8; ++v) {
+          int corner[3], target = 0;
+          for (int axis = 0; axis < 3; ++axis) corner[axis] = reference_corner[v][permutations[p][axis]] ^ (flips >> axis & 1);
+          while (memcmp(reference_corner[target], corner, sizeof corner)) ++target;
+          memcpy(relabelled + 3 * v, vertices + 3 * target, 3 * sizeof(double));
+        }
+        bool reflected = (p >= 3) != ((flips & 1) != ((flips >> 1 & 1) != (flips >> 2 & 1)));
+        hl_report other = analyzed(relabelled);
+        double expected = reflected ? -report.maximizer.value : report.minimizer.value;
+        CHECK(fabs(other.minimizer.value - expected) <= error, "%ld: symmetry %d %d", n, p, flips);
+      }
+  }
+}
+
+static void refusals(void) {
+  hl_report report;
+  hl_minimum minimum;
+  hl_jacobian jacobian;
+  bool valid = true;
+  const double inside[3] = {0.5, 0.5, 0.5};
+  const double bad[3] = {NAN, INFINITY, -INFINITY};
+  for (int i = 0; i < 24; ++i)
+    for (int b = 0; b < 3; ++b) {
+      double vertices[24];
+      memcpy(vertices, unit_cube, sizeof vertices);
+      vertices[i] = bad[b];
+      memset(&report, 0x5a, sizeof report);
+      hl_report untouched = report;
+      CHECK(hl_analyze(vertices, &report) == HL_NOT_FINITE && !memcmp(&report, &untouched, sizeof report), "analyze %d", i);
+      CHECK(hl_boundary_minimum(vertices, HL_ROOTS, &minimum) == HL_NOT_FINITE, "minimum %d", i);
+      CHECK(hl_is_valid(vertices, &valid) == HL_NOT_FINITE && valid, "is_valid %d", i);
+      CHECK(hl_jacobian_at(vertices, inside, &jacobian) == HL_NOT_FINITE, "jacobian %d", i);
+    }
+  const double outside[3] = {0.5, 1.0000001, 0.5}, not_a_point[3] = {0.5, NAN, 0.5};
+  CHECK(hl_jacobian_at(unit_cube, outside, &jacobian) == HL_OUTSIDE_CUBE, "outside");
+  CHECK(hl_jacobian_at(unit_cube, not_a_point, &jacobian) == HL_NOT_FINITE, "not a point");
+}
+
+/* Collapsed elements: no exception, a minimum of exactly zero, and no minus zero anywhere. */
+static void collapsed_elements(void) {
+  double point[24] = {0}, line[24] = {0}, plane[24];
+  for (int v = 0; v < 8; ++v) {
+    line[3 * v] = v;
+    for (int r = 0; r < 3; ++r) plane[3 * v + r] = r == 2 ? 0 : unit_cube[3 * v + r] + 0.25 * v * r;
+  }
+  const double *elements[3] = {point, line, plane};
+  for (int i = 0; i < 3; ++i) {
+    hl_report report = analyzed(elements[i]);
+    CHECK(!report.valid && report.minimizer.value == 0 && !signbit(report.minimizer.value), "element %d", i);
+    for (int b = 0; b < 27; ++b) CHECK(report.bernstein[b] == 0 && !signbit(report.bernstein[b]), "element %d", i);
+  }
+}
+
+/* Doubles with any bits: a status, or finite numbers; never a hang. Meant for the sanitizers. */
+static void any_bits(void) {
+  for (long n = 0; n < 20000; ++n) {
+    double vertices[24];
+    for (int i = 0; i < 24; ++i) {
+      uint64_t bits = random_bits(&stream);
+      memcpy(&vertices[i], &bits, sizeof bits);
+      if (n % 2) vertices[i] = ldexp(vertices[i], -(int)(bits % 1500));
+      if (n % 3 == 0 && bits % 4 == 0) vertices[i] = 0;
+    }
+    hl_report report;
+    if (hl_analyze(vertices, &report) != HL_OK) continue;
+    double packed[HL_PACKED_REPORT];
+    size_t length = hl_pack_report(&report, packed);
+    CHECK(length <= HL_PACKED_REPORT, "%ld: packed length %zu", n, length);
+    for (size_t i = 0; i < length; ++i) CHECK(isfinite(packed[i]), "%ld: packed number %zu is %g", n, i, packed[i]);
+    bool valid;
+    hl_minimum with, without;
+    CHECK(hl_is_valid(vertices, &valid) == HL_OK && valid == report.valid, "%ld: is_valid", n);
+    hl_boundary_minimum(vertices, HL_ROOTS, &without);
+    hl_boundary_minimum(vertices, HL_ROOTS_B, &with);
+    CHECK(!memcmp(&with.minimizer.value, &without.minimizer.value, sizeof(double)), "%ld: Roots and Roots+B", n);
+  }
+}
+
+int main(void) {
+  RUN(unit_cube_is_one_everywhere);
+  RUN(paper_counterexample_has_boundary_minimum_zero);
+  RUN(bernstein_form_is_jacdet);
+  RUN(scaling_by_powers_of_two_is_exact);
+  RUN(scaling_of_one_axis_is_exact);
+  RUN(sizes_beyond_the_doubles);
+  RUN(translation_changes_nothing);
+  RUN(symmetries_of_the_cube);
+  RUN(refusals);
+  RUN(collapsed_elements);
+  RUN(any_bits);
+  return test_summary();
+}
