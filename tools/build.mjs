@@ -1,7 +1,8 @@
 // Builds the page. Vite is loaded late: these modules are read before the packages are installed.
 
 import { join } from 'node:path'
-import { isScript, root, runMain } from './run.mjs'
+import { stripVTControlCharacters } from 'node:util'
+import { Failure, isScript, root, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
 export const viteConfig = join(root, 'vite.config.ts')
@@ -9,7 +10,11 @@ export const viteConfig = join(root, 'vite.config.ts')
 /** Builds the page into a folder; resolves to what Vite wrote. */
 export async function buildPage(folder) {
   const { build } = await import('vite')
-  return build({ configFile: viteConfig, logLevel: 'warn', build: { outDir: join(root, folder) } })
+  try {
+    return await build({ configFile: viteConfig, logLevel: 'warn', build: { outDir: join(root, folder) } })
+  } catch (error) {
+    throw new Failure(`The page did not build: ${stripVTControlCharacters(error.message)}`)
+  }
 }
 
 if (isScript(import.meta.url)) {

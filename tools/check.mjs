@@ -3,7 +3,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { unformattedC } from './c-format.mjs'
-import { biome, root, run, runMain, tsc } from './run.mjs'
+import { biome, Failure, root, run, runMain, tsc } from './run.mjs'
 import { setup } from './setup.mjs'
 import { checkSizes } from './sizes.mjs'
 
@@ -11,7 +11,7 @@ import { checkSizes } from './sizes.mjs'
 const checks = [
   {
     name: 'formatter and linter (biome)',
-    complaints: () => output([process.execPath, biome, 'ci', '--error-on-warnings', '.']),
+    complaints: () => output([process.execPath, biome, 'ci', '--colors=off', '--error-on-warnings', '.']),
   },
   { name: 'C formatter', complaints: formatOfC },
   { name: 'types (tsc)', complaints: () => output([process.execPath, tsc, '--pretty', 'false']) },
@@ -24,7 +24,7 @@ await runMain(async () => {
   await setup({ purpose: 'check' })
   const failed = []
   for (const { name, complaints } of checks) {
-    const lines = await complaints()
+    const lines = await complaints().catch(linesOfFailure)
     process.stdout.write(`check: ${name}: ${lines.length === 0 ? 'ok' : 'FAILED'}\n`)
     for (const line of lines) process.stdout.write(`${line}\n`)
     if (lines.length > 0) failed.push(name)
@@ -33,6 +33,11 @@ await runMain(async () => {
   process.stdout.write(`check failed: ${failed.join(', ')}\n`)
   return 1
 })
+
+function linesOfFailure(error) {
+  if (!(error instanceof Failure)) throw error
+  return error.message.split('\n')
+}
 
 async function output([command, ...args]) {
   const { status, text } = await run(command, args)
@@ -45,7 +50,7 @@ async function formatOfC() {
 }
 
 /** Tests that are excepted from running, and test files that no suite picks up. */
-function nothingLeftOut() {
+async function nothingLeftOut() {
   const files = ['web', 'tests']
     .filter(folder => existsSync(join(root, folder)))
     .flatMap(folder => readdirSync(join(root, folder), { recursive: true }).map(name => join(folder, name)))
