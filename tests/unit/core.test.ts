@@ -1,0 +1,198 @@
+import { describe, expect, it } from 'vitest'
+import { loadCore } from '../../web/core/core'
+import type { Report } from '../../web/core/report'
+import { edgeVertices, faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
+import { cases, caseVertices, core, entry, randomHexahedron, randomSource, unitCube, wasmBytes } from './core-fixtures'
+
+function analyzed(vertices: readonly number[]): Report {
+  const result = core.analyze(vertices)
+  if (!result.ok) throw new Error(result.error.message)
+  return result.value
+}
+
+/** Families in which doubles lose digits by the nature of the input; exact arithmetic is what they wait for. */
+const ILL_CONDITIONED = new Set(['thin', 'aniso', 'scale', 'denormal', 'mixed', 'offset'])
+
+describe('the module', () => {
+  it('imports nothing and exports the memory and a handful of functions', () => {
+    const module = new WebAssembly.Module(wasmBytes)
+    expect(WebAssembly.Module.imports(module)).toEqual([])
+    expect(
+      WebAssembly.Module.exports(module)
+        .map(({ name }) => name)
+        .filter(name => !name.startsWith('__') && !name.startsWith('stack') && !name.startsWith('emscripten'))
+        .sort(),
+    ).toEqual(
+      [
+        '_initialize',
+        'analyze',
+        'boundary_minimum',
+        'input_address',
+        'is_valid',
+        'jacobian_at',
+        'memory',
+        'output_address',
+        'output_length',
+      ].sort(),
+    )
+  })
+
+  it('is refused when its bytes are not wasm', async () => {
+    await expect(loadCore(new Uint8Array([1, 2, 3]))).rejects.toThrow()
+  })
+})
+
+describe('the exact cases', () => {
+  for (const { name, family, vertices, answer } of cases.filter(({ family }) => !ILL_CONDITIONED.has(family)))
+    it(`${name} has its boundary minimum to 1e-12 of its scale`, () => {
+      const report = analyzed(vertices.flat())
+      const scale = Number(answer.scale)
+      const within = 1e-12 * scale
+      expect(report.exponent, family).toBe(0)
+      expect(Math.abs(report.boundaryMinimum - Number(answer.boundary_min))).toBeLessThanOrEqual(within)
+      expect(Math.abs(report.cornerMinimum - Number(answer.corner_min))).toBeLessThanOrEqual(within)
+      expect(Math.abs(report.edgeMinimum - Number(answer.edge_min))).toBeLessThanOrEqual(within)
+      if (Math.abs(Number(answer.boundary_min)) > within) expect(report.valid).toBe(answer.valid)
+    })
+
+  it('has answers for every one of the ill-conditioned, too', () => {
+    for (const { name, vertices } of cases.filter(({ family }) => ILL_CONDITIONED.has(family)))
+      expect(Number.isFinite(analyzed(vertices.flat()).boundaryMinimum), name).toBe(true)
+  })
+})
+
+describe('a report', () => {
+  it('agrees with the tables of the topology', () => {
+    const vertices = randomHexahedron(randomSource(7), 0.4)
+    const report = analyzed(vertices)
+    const at = ([i, j, k]: Vec3) => report.bernstein[18 * i + 6 * j + 2 * k]
+    for (const [v, reference] of vertexReference.entries()) {
+      expect(report.candidates[v]).toMatchObject({ kind: 'vertex', id: v, point: reference })
+      expect(report.candidates[v]?.value).toBe(at(reference))
+      expect(report.candidates[v]?.position).toEqual(vertices.slice(3 * v, 3 * v + 3))
+    }
+    for (const { id, bernstein } of report.faces) {
+      const corners = entry(faces, id).vertices.map(v => at(entry(vertexReference, v)))
+      expect([bernstein[0], bernstein[6], bernstein[2], bernstein[8]]).toEqual(corners)
+    }
+  })
+
+  it('places every candidate on what it names', () => {
+    const random = randomSource(8)
+    for (let n = 0; n < 500; ++n)
+      for (const { kind, id, point } of analyzed(randomHexahedron(random, 0.6)).candidates) {
+        if (kind === 'edge') {
+          const [from, to] = entry(edgeVertices, id).map(v => entry(vertexReference, v)) as [Vec3, Vec3]
+          for (const axis of [0, 1, 2] as const)
+            if (from[axis] === to[axis]) expect(point[axis]).toBe(from[axis])
+            else expect([from[axis], to[axis], point[axis] > 0 && point[axis] < 1]).toEqual([0, 1, true])
+        }
+        if (kind === 'face') {
+          const face = entry(faces, id)
+          expect(point[face.axis]).toBe(face.side)
+          for (const axis of [face.s, face.t]) expect(point[axis] > 0 && point[axis] < 1).toBe(true)
+        }
+      }
+  })
+
+  it('keeps one candidate for every root that was kept, and says why the others were dropped', () => {
+    const random = randomSource(9)
+    const fates = { kept: 0, 'a-not-positive': 0, 's-outside': 0 }
+    for (let n = 0; n < 500; ++n) {
+      const report = analyzed(randomHexahedron(random, 0.6))
+      for (const face of report.faces) {
+        const candidates = report.candidates.filter(({ kind, id }) => kind === 'face' && id === face.id)
+        expect(candidates.length).toBe(face.roots.filter(({ fate }) => fate === 'kept').length)
+        for (const { a, s, fate } of face.roots) {
+          ++fates[fate]
+          expect(s === null).toBe(fate === 'a-not-positive')
+          expect(a > 0).toBe(fate !== 'a-not-positive')
+          if (fate === 's-outside') expect(s !== null && s > 0 && s < 1).toBe(false)
+        }
+      }
+    }
+    expect(Math.min(...Object.values(fates))).toBeGreaterThan(50)
+  })
+
+  it('is its own copy: a later call changes nothing in it', () => {
+    const report = analyzed(unitCube)
+    const before = JSON.stringify(report)
+    analyzed(randomHexahedron(randomSource(1), 1))
+    expect(JSON.stringify(report)).toBe(before)
+  })
+
+  it('agrees with the two variants and the validity query', () => {
+    const random = randomSource(10)
+    for (let n = 0; n < 2000; ++n) {
+      const vertices = randomHexahedron(random, 0.1 + (n % 20) / 10)
+      const report = analyzed(vertices)
+      const minimum = { ok: true, value: { minimizer: report.minimizer, exponent: 0 } }
+      expect(core.boundaryMinimum(vertices, 'roots')).toEqual(minimum)
+      expect(core.boundaryMinimum(vertices, 'roots-b')).toEqual(minimum)
+      expect(core.isValid(vertices)).toEqual({ ok: true, value: report.valid })
+    }
+  })
+
+  it('hands on jacdets outside the doubles as number and exponent', () => {
+    for (const size of [2 ** -400, 2 ** 400]) {
+      const report = analyzed(unitCube.map(x => x * size))
+      expect(report.valid).toBe(true)
+      expect(report.boundaryMinimum > 0 && Number.isFinite(report.boundaryMinimum)).toBe(true)
+      expect(Math.log2(report.boundaryMinimum) + report.exponent).toBe(3 * Math.log2(size))
+    }
+  })
+})
+
+describe('the Jacobian at a point', () => {
+  it('has the columns of DF', () => {
+    const sheared = unitCube.map((x, i) => (i % 3 === 0 ? 2 * x + entry(unitCube, i + 1) : x))
+    const result = core.jacobian(sheared, [0.25, 0.5, 0.75])
+    expect(result).toEqual({
+      ok: true,
+      value: {
+        point: [0.25, 0.5, 0.75],
+        position: [1, 0.5, 0.75],
+        columns: [
+          [2, 0, 0],
+          [1, 1, 0],
+          [0, 0, 1],
+        ],
+        axisExponents: [0, 0, 0],
+        jacdet: 2,
+        exponent: 0,
+      },
+    })
+  })
+
+  it('is -1/4 at the centre of the paper’s counterexample, where the boundary has 0', () => {
+    const vertices = caseVertices('pub/nonstrict/paper')
+    expect(core.jacobian(vertices, [0.5, 0.5, 0.5])).toMatchObject({ ok: true, value: { jacdet: -0.25 } })
+    expect(analyzed(vertices).boundaryMinimum).toBe(0)
+  })
+})
+
+describe('a refusal', () => {
+  it('names the coordinate that is not finite', () => {
+    const vertices = unitCube.with(19, Number.NaN)
+    for (const result of [
+      core.analyze(vertices),
+      core.isValid(vertices),
+      core.boundaryMinimum(vertices, 'roots'),
+      core.jacobian(vertices, [0, 0, 0]),
+    ])
+      expect(result).toEqual({
+        ok: false,
+        error: { code: 'not-finite', message: 'Vertex 6 y is not a finite number.' },
+      })
+  })
+
+  it('counts', () => {
+    expect(core.analyze(unitCube.slice(1))).toMatchObject({ ok: false, error: { code: 'wrong-count' } })
+    expect(core.analyze([])).toMatchObject({ ok: false, error: { code: 'wrong-count' } })
+  })
+
+  it('keeps reference points inside the cube', () => {
+    expect(core.jacobian(unitCube, [0, 1.5, 0])).toMatchObject({ ok: false, error: { code: 'outside-cube' } })
+    expect(core.jacobian(unitCube, [0, Number.NaN, 0])).toMatchObject({ ok: false, error: { code: 'not-finite' } })
+  })
+})
