@@ -36,15 +36,12 @@ class VerdictView implements View {
   #verdict(report: Report, cube: ReferenceCube): TemplateResult {
     const { minimizer, valid } = report
     const jacdet = (value: number) => signed(value, formatJacdet(value, report.exponent, cube))
-    return html`<div class="headline"
-        ><p class=${valid ? 'word valid' : 'word negative'}>${valid ? 'VALID' : 'INVALID'}</p>
-        <p class="minimum">min J = ${jacdet(report.boundaryMinimum)}</p></div
-      >
+    return html`<div class="headline"><p class=${valid ? 'word valid' : 'word negative'}>${valid ? 'VALID' : 'INVALID'}</p>
+        <p class="minimum">min J = ${jacdet(report.boundaryMinimum)}</p>
+      </div>
       ${this.#place(`${placeName(minimizer.kind, minimizer.id)} at (ξ, η, ζ)`, minimizer.point, 'reference coordinates')}
       ${this.#place('(x, y, z)', minimizer.position, 'physical coordinates')}
-      <p class="why">${whySentence(report)
-        .split(/(\d–\d)/)
-        .map(unbroken)}</p>
+      <p class="why">${unbrokenNames(whySentence(report))}</p>
       <dl>
         <div><dt>Least vertex value</dt><dd>${jacdet(report.cornerMinimum)}</dd></div>
         <div><dt>Least edge value</dt><dd>${jacdet(report.edgeMinimum)}</dd></div>
@@ -52,12 +49,13 @@ class VerdictView implements View {
   }
 
   #place(name: string, point: Vec3, what: string): TemplateResult {
-    return html`<p class="place"
-      ><span>${name} = ${formatPoint(point)}</span>
-      <button type="button" aria-label=${`Copy ${what}`} @click=${(event: Event) => this.#copy(event, point)}>
-        ${this.#copied === point ? 'Copied' : 'Copy'}
-      </button></p
-    >`
+    const word = this.#copied === point ? 'Copied' : 'Copy'
+    return html`<p class="place">
+      <span>${name} = ${formatPoint(point)}</span>
+      <button type="button" aria-label=${`${word} ${what}`} @click=${(event: Event) => this.#copy(event, point)}>
+        ${word}
+      </button>
+    </p>`
   }
 
   /** The numbers in full, as a program reads them; where the clipboard is closed, the shown ones are selected instead. */
@@ -75,9 +73,9 @@ const loading = html`<p class="word">–</p>`
 const noVerdict = html`<p class="word">NO VERDICT</p>
   <p class="why">The core that computes the jacdet could not be started, so nothing is said about this element.</p>`
 
-/** The name of an edge stays on one line: every second part is one. */
-function unbroken(part: string, index: number): TemplateResult | string {
-  return index % 2 === 1 ? html`<span class="name">${part}</span>` : part
+/** The names of edges stay on one line each: every second part is one. */
+function unbrokenNames(sentence: string): (TemplateResult | string)[] {
+  return sentence.split(/(\d–\d)/).map((part, i) => (i % 2 === 1 ? html`<span class="name">${part}</span>` : part))
 }
 
 /** A negative jacdet has its hue in prose too; its minus sign says the same. */

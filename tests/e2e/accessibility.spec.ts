@@ -1,0 +1,49 @@
+import AxeBuilder from '@axe-core/playwright'
+import type { Page } from '@playwright/test'
+import { expect, test } from './lens'
+
+const phone = { width: 390, height: 844 }
+
+async function expectNothingFound(page: Page): Promise<void> {
+  const { violations } = await new AxeBuilder({ page }).analyze()
+  expect(
+    violations.map(({ id, nodes }) => `${id}: ${nodes.map(node => `${node.html} ${node.failureSummary}`).join('; ')}`),
+  ).toEqual([])
+}
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test.describe(`in the ${colorScheme} scheme`, () => {
+    test.use({ colorScheme })
+
+    test('axe finds nothing, valid or invalid, on a screen or a phone', async ({ lens, page }) => {
+      await lens.open()
+      await expectNothingFound(page)
+      await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1])
+      await expect(lens.verdict).toHaveText(/^VALID/)
+      await page.setViewportSize(phone)
+      await expectNothingFound(page)
+    })
+
+    test('axe finds nothing where something is wrong', async ({ lens, page }) => {
+      await lens.open('./#v1:broken')
+      await page.evaluate(() => {
+        Object.defineProperty(navigator, 'clipboard', { value: undefined })
+      })
+      await lens.button('Copy link').click()
+      await lens.field(2, 'y').fill('')
+      await expect(page.getByText('Vertex 2 y needs a finite number')).toBeVisible()
+      await expectNothingFound(page)
+    })
+  })
+}
+
+test.describe('without the core', () => {
+  test.use({ expectedErrors: /Failed to load resource/ })
+
+  test('axe finds nothing', async ({ lens, page }) => {
+    await page.route('**/*.wasm*', route => route.abort())
+    await page.goto('./')
+    await expect(lens.verdict).toHaveText(/^NO VERDICT/)
+    await expectNothingFound(page)
+  })
+})

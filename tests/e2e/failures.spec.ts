@@ -1,0 +1,100 @@
+import type { Route } from '@playwright/test'
+import { expect, test } from './lens'
+
+const blocked: Record<string, (route: Route) => Promise<void>> = {
+  'does not arrive': route => route.abort(),
+  'is not there': route => route.fulfill({ status: 404, body: 'no' }),
+  'is something else': route => route.fulfill({ contentType: 'application/wasm', body: '<!doctype html>' }),
+}
+
+test.describe('without the core', () => {
+  test.use({ expectedErrors: /Failed to load resource/ })
+
+  for (const [what, answer] of Object.entries(blocked)) {
+    test(`when the wasm ${what}, a sentence says so and the numbers, undo and the link still work`, async ({
+      lens,
+      page,
+    }) => {
+      await page.route('**/*.wasm*', answer)
+      await page.goto('./')
+      await expect(page.getByRole('alert').filter({ hasText: 'core did not start' })).toBeVisible()
+      await expect(lens.verdict).toHaveText(/^NO VERDICT/)
+      const before = await lens.vertices()
+      await lens.field(6, 'z').fill('0.5')
+      await lens.field(6, 'z').press('Enter')
+      await expect.poll(async () => (await lens.vertices())[20]).toBe(0.5)
+      await expect.poll(() => page.url()).toContain('#')
+      await lens.button('Undo').click()
+      await expect.poll(() => lens.vertices()).toEqual(before)
+      expect(await lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).report)).toBeNull()
+    })
+  }
+
+  test('a browser without WebAssembly says so too', async ({ lens, page }) => {
+    await page.addInitScript(() => {
+      Reflect.deleteProperty(globalThis, 'WebAssembly')
+    })
+    await page.goto('./')
+    await expect(lens.verdict).toHaveText(/^NO VERDICT/)
+    await expect(page.getByRole('alert').filter({ hasText: 'core did not start' })).toBeVisible()
+  })
+})
+
+test.describe('without WebGL', () => {
+  test.use({ expectedErrors: /WebGL/ })
+
+  test('a sentence stands for the picture, and the verdict follows what is typed', async ({ lens, page }) => {
+    await page.addInitScript(() => {
+      const getContext = HTMLCanvasElement.prototype.getContext as (kind: string, ...rest: unknown[]) => unknown
+      Object.assign(HTMLCanvasElement.prototype, {
+        getContext(this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+          return kind.startsWith('webgl') ? null : getContext.call(this, kind, ...rest)
+        },
+      })
+    })
+    await lens.open()
+    await expect(page.getByText(/WebGL/).first()).toBeVisible()
+    await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1])
+    await expect(lens.verdict).toHaveText(/^VALID/)
+    await lens.field(6, 'z').fill('-3')
+    await expect(lens.verdict).toHaveText(/^INVALID/)
+  })
+})
+
+test('a lost context is said, the numbers go on, and the picture comes back', async ({ lens, page }) => {
+  await lens.open()
+  const context = await lens.element.evaluateHandle(element => {
+    const canvas = (element.shadowRoot as ShadowRoot).querySelector('canvas') as HTMLCanvasElement
+    const gl = canvas.getContext('webgl2') as WebGL2RenderingContext
+    return { gl, loss: gl.getExtension('WEBGL_lose_context') as WEBGL_lose_context }
+  })
+  await context.evaluate(({ loss }) => loss.loseContext())
+  const sentence = page.getByRole('alert').filter({ hasText: /WebGL|context|picture|graphics/i })
+  await expect(sentence).toBeVisible()
+  await lens.field(6, 'z').fill('-3')
+  await expect(lens.verdict).toHaveText(/^INVALID/)
+  await context.evaluate(({ loss }) => loss.restoreContext())
+  await expect(sentence).toBeHidden()
+  await lens.field(6, 'z').fill('0.9')
+  await lens.nextFrame()
+  expect(await context.evaluate(({ gl }) => gl.isContextLost())).toBe(false)
+})
+
+test.describe('without scripts', () => {
+  test.use({ javaScriptEnabled: false })
+
+  test('the page says what it needs', async ({ page }) => {
+    await page.goto('./')
+    await expect(page.getByText('it needs JavaScript')).toBeVisible()
+  })
+})
+
+test.describe('when its script does not arrive', () => {
+  test.use({ expectedErrors: /Failed to load resource/ })
+
+  test('the page says so after a while', async ({ lens, page }) => {
+    await page.route('**/*.js', route => route.abort())
+    await page.goto('./')
+    await expect(lens.element.getByText('Hexlens could not start')).toBeVisible()
+  })
+})

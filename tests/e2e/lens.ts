@@ -1,0 +1,91 @@
+/** The page as a user has it: by roles and names. Every test also watches for what must never happen on the page. */
+import { test as base, expect, type Locator, type Page } from '@playwright/test'
+
+export class Lens {
+  readonly page: Page
+  readonly element: Locator
+  readonly verdict: Locator
+  readonly scene: Locator
+  readonly preset: Locator
+
+  constructor(page: Page) {
+    this.page = page
+    this.element = page.locator('hex-lens')
+    this.verdict = page.getByRole('status', { name: 'Verdict' })
+    this.scene = page.getByRole('application')
+    this.preset = page.getByRole('combobox', { name: 'Preset' })
+  }
+
+  async open(address = './'): Promise<void> {
+    await this.page.goto(address)
+    await expect(this.verdict).toHaveText(/^(VALID|INVALID)/)
+  }
+
+  field(vertex: number, axis: 'x' | 'y' | 'z'): Locator {
+    return this.page.getByRole('spinbutton', { name: `Vertex ${vertex} ${axis}` })
+  }
+
+  button(name: string): Locator {
+    return this.page.getByRole('button', { name, exact: true })
+  }
+
+  vertices(): Promise<number[]> {
+    return this.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).vertices)
+  }
+
+  /** Exactly, signs of zero included: JSON has no -0. */
+  bits(): Promise<string[]> {
+    return this.element.evaluate(element =>
+      Array.from(
+        new BigUint64Array(Float64Array.from((element as HTMLElementTagNameMap['hex-lens']).vertices).buffer),
+        String,
+      ),
+    )
+  }
+
+  async set(vertices: readonly number[]): Promise<void> {
+    const texts = vertices.map(value => (Object.is(value, -0) ? '-0' : String(value)))
+    await this.element.evaluate((element, given) => {
+      ;(element as HTMLElementTagNameMap['hex-lens']).vertices = given.map(Number)
+    }, texts)
+    await this.nextFrame()
+  }
+
+  /** After the element's own frame, if one was due. */
+  nextFrame(): Promise<void> {
+    return this.page.evaluate(
+      () => new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))),
+    )
+  }
+}
+
+/** Sentences in the console that a test provokes on purpose. */
+interface Expected {
+  expectedErrors: RegExp | null
+}
+
+export const test = base.extend<{ lens: Lens } & Expected>({
+  expectedErrors: [null, { option: true }],
+  lens: async ({ page, baseURL, expectedErrors }, use) => {
+    const complaints: string[] = []
+    page.on('pageerror', error => complaints.push(`exception: ${error.message}`))
+    page.on('console', message => {
+      if (message.type() === 'error' && !expectedErrors?.test(message.text()))
+        complaints.push(`console: ${message.text()}`)
+    })
+    page.on('request', request => {
+      const { protocol, origin } = new URL(request.url())
+      const own = origin === new URL(baseURL as string).origin
+      if (!own && protocol !== 'data:' && protocol !== 'blob:') complaints.push(`asks elsewhere: ${request.url()}`)
+    })
+    await page.addInitScript(() => {
+      addEventListener('securitypolicyviolation', event => {
+        console.error(`policy: ${event.violatedDirective} forbids ${event.blockedURI}`)
+      })
+    })
+    await use(new Lens(page))
+    expect(complaints).toEqual([])
+  },
+})
+
+export { expect }

@@ -1,0 +1,121 @@
+import { expect, test } from './lens'
+
+const awkward = [
+  0.1 + 0.2,
+  -0,
+  5e-324,
+  1.7976931348623157e308,
+  -1.7976931348623157e308,
+  1e-300,
+  2 ** -1074,
+  1 / 3,
+  -1e-17,
+  4.35,
+  0,
+  123456789.98765433,
+  2 ** 53 + 2,
+  -2.2250738585072014e-308,
+  1e21,
+  1e-7,
+  0.30000000000000004,
+  9.5367431640625e-7,
+  -0.1,
+  7,
+  1e22,
+  -3.5e-310,
+  2.5,
+  1e100,
+]
+const tiny = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1].map(x => x * 1e-300)
+
+test.use({ permissions: ['clipboard-read', 'clipboard-write'] })
+
+for (const [name, vertices] of Object.entries({ awkward, tiny })) {
+  test(`a copied link opens the ${name} doubles again, bit for bit`, async ({ lens, page, context }) => {
+    await lens.open()
+    await lens.set(vertices)
+    const bits = await lens.bits()
+    await lens.button('Copy link').click()
+    await expect(page.getByText('Link copied')).toBeVisible()
+    const link = await page.evaluate(() => navigator.clipboard.readText())
+
+    const other = await context.newPage()
+    await other.goto(link)
+    const opened = other.locator('hex-lens')
+    await expect(other.getByRole('status', { name: 'Verdict' })).toHaveText(/^(VALID|INVALID)/)
+    const again = await opened.evaluate(element =>
+      Array.from(
+        new BigUint64Array(Float64Array.from((element as HTMLElementTagNameMap['hex-lens']).vertices).buffer),
+        String,
+      ),
+    )
+    expect(again).toEqual(bits)
+    await expect(other.getByRole('button', { name: 'Undo' })).toBeDisabled()
+  })
+}
+
+test('the address follows what is committed, and a reload shows it again', async ({ lens, page }) => {
+  await lens.open()
+  const address = page.url()
+  await lens.field(6, 'z').fill('0.75')
+  await lens.field(6, 'z').press('Enter')
+  await expect.poll(() => page.url()).not.toBe(address)
+  const bits = await lens.bits()
+  await page.reload()
+  await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
+  expect(await lens.bits()).toEqual(bits)
+})
+
+test('a link pasted into the address bar of the open page is opened, and undone', async ({ lens, page }) => {
+  await lens.open()
+  const first = await lens.bits()
+  await lens.set(tiny)
+  const link = page.url()
+  await lens.button('Undo').click()
+  await expect.poll(() => lens.bits()).toEqual(first)
+  await page.evaluate(hash => {
+    location.hash = hash
+  }, new URL(link).hash)
+  await expect.poll(() => lens.vertices()).toEqual(tiny)
+  await expect(lens.verdict).toHaveText(/^VALID/)
+  await lens.button('Undo').click()
+  await expect.poll(() => lens.bits()).toEqual(first)
+})
+
+test('a broken link says so, keeps a working page, and is not overwritten before something changes', async ({
+  lens,
+  page,
+}) => {
+  await lens.open('./#v1:broken')
+  const sentence = page.getByRole('alert').filter({ hasText: /link/i })
+  await expect(sentence).toBeVisible()
+  expect(page.url()).toContain('#v1:broken')
+  const before = await lens.vertices()
+  await lens.field(0, 'x').fill('0.125')
+  await lens.field(0, 'x').press('Enter')
+  await expect.poll(() => lens.vertices()).not.toEqual(before)
+  await expect(sentence).toBeHidden()
+  expect(page.url()).not.toContain('broken')
+})
+
+test('a broken link pasted into an open page keeps the element shown', async ({ lens, page }) => {
+  await lens.open()
+  await lens.set(tiny)
+  await page.evaluate(() => {
+    location.hash = '#v1:broken'
+  })
+  await expect(page.getByRole('alert').filter({ hasText: /link/i })).toBeVisible()
+  expect(await lens.vertices()).toEqual(tiny)
+  await page.getByRole('button', { name: 'Dismiss' }).click()
+  await expect(page.getByRole('button', { name: 'Dismiss' })).toBeHidden()
+})
+
+test('where the clipboard is closed the link is shown to be copied by hand', async ({ lens, page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(navigator, 'clipboard', { value: undefined })
+  })
+  await lens.open()
+  await lens.set(tiny)
+  await lens.button('Copy link').click()
+  await expect(page.getByRole('textbox')).toHaveValue(page.url())
+})

@@ -1,0 +1,106 @@
+import { expect, test } from './lens'
+
+test('nothing is rendered while nothing changes', async ({ lens, page }) => {
+  await page.addInitScript(() => {
+    const counts = { frames: 0, draws: 0 }
+    Object.assign(globalThis, { counts })
+    const request = requestAnimationFrame
+    globalThis.requestAnimationFrame = callback => {
+      counts.frames++
+      return request.call(globalThis, callback)
+    }
+    for (const name of [
+      'drawArrays',
+      'drawElements',
+      'drawArraysInstanced',
+      'drawElementsInstanced',
+      'clear',
+    ] as const) {
+      const draw = WebGL2RenderingContext.prototype[name] as (...args: unknown[]) => void
+      Object.assign(WebGL2RenderingContext.prototype, {
+        [name](this: unknown, ...args: unknown[]) {
+          counts.draws++
+          draw.apply(this, args)
+        },
+      })
+    }
+  })
+  const counts = () =>
+    page.evaluate(() => ({ ...(globalThis as unknown as { counts: { frames: number; draws: number } }).counts }))
+  await lens.open()
+  await page.mouse.move(300, 300)
+  await page.waitForTimeout(1500)
+  const before = await counts()
+  expect(before.draws).toBeGreaterThan(0)
+  await page.waitForTimeout(1500)
+  expect(await counts()).toEqual(before)
+
+  await lens.field(3, 'x').fill('0.4')
+  await expect.poll(async () => (await counts()).draws).toBeGreaterThan(before.draws)
+})
+
+test('the built page carries a strict policy of its own', async ({ lens, page }) => {
+  await lens.open()
+  const policy = await page.locator('meta[http-equiv=Content-Security-Policy]').getAttribute('content')
+  expect(policy).toContain("default-src 'none'")
+  expect(policy).not.toContain('unsafe-inline')
+  expect(policy).not.toContain("'unsafe-eval'")
+  expect(policy).not.toMatch(/https?:|\*/)
+})
+
+test('the element speaks to the page that holds it', async ({ lens, page }) => {
+  await lens.open()
+  const told = await page.evaluate(async () => {
+    const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
+    const events: string[] = []
+    for (const name of ['hex-input', 'hex-change', 'hex-verdict'])
+      document.addEventListener(name, () => events.push(name))
+    const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
+    lens.vertices = new Float64Array(cube) as unknown as number[]
+    const atOnce = lens.report
+    const refusals: unknown[] = []
+    for (const wrong of [[1, 2, 3], cube.with(5, Number.NaN), cube.with(5, Number.POSITIVE_INFINITY), null]) {
+      try {
+        lens.vertices = wrong as number[]
+      } catch (error) {
+        refusals.push((error as { code: string }).code)
+      }
+    }
+    await new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve)))
+    return { events, refusals, atOnce, kept: lens.vertices, cube }
+  })
+  expect(told.events).toEqual(['hex-input', 'hex-verdict', 'hex-change'])
+  expect(told.refusals).toEqual(['wrong-count', 'not-finite', 'not-finite', 'wrong-count'])
+  expect(told.atOnce?.valid).toBe(true)
+  expect(told.atOnce?.boundaryMinimum).toBe(1)
+  expect(told.kept).toEqual(told.cube)
+})
+
+test('taken out of the page and put back, the element goes on as it was', async ({ lens, page }) => {
+  await lens.open()
+  await lens.field(0, 'x').fill('0.5')
+  await lens.field(0, 'x').press('Enter')
+  const before = await lens.vertices()
+  await page.evaluate(async () => {
+    const lens = document.querySelector('hex-lens') as HTMLElement
+    const parent = lens.parentElement as HTMLElement
+    lens.remove()
+    await new Promise(resolve => requestAnimationFrame(resolve))
+    parent.append(lens)
+  })
+  await expect(lens.verdict).toHaveCount(1)
+  await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
+  expect(await lens.vertices()).toEqual(before)
+  await lens.button('Undo').click()
+  await expect.poll(() => lens.vertices()).not.toEqual(before)
+})
+
+test('a change is said once, politely, a moment later', async ({ lens, page }) => {
+  await lens.open()
+  const said = page.locator('hex-lens .announcer')
+  await expect(said).toHaveText('')
+  await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1])
+  await lens.field(6, 'z').fill('1.5')
+  await expect(said).toHaveText(/^Vertex 6: 1, 1, 3\/2\. Minimum jacdet .* (at|on) (vertex|edge|face) \d+\. Valid\.$/)
+  await expect(said).toHaveAttribute('aria-live', 'polite')
+})
