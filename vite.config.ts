@@ -33,6 +33,7 @@ const securityPolicy: Plugin = {
 export default defineConfig({
   root: `${root}web/app`,
   base: './',
+  appType: 'mpa',
   publicDir: `${root}public`,
   cacheDir: `${root}node_modules/.vite`,
   plugins: [securityPolicy],
