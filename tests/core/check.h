@@ -10,8 +10,8 @@ static int tests_passed, tests_failed;
 static int checks_failed_in_test;
 
 /* Prints the first failures of a test with enough to replay them. */
-__attribute__((format(printf, 4, 5))) static inline void check_at(bool ok, const char *file, int line, const char *format,
-                                                                  ...) {
+__attribute__((format(printf, 4, 5))) static inline void check_at(bool ok, const char *file, int line,
+                                                                  const char *format, ...) {
   if (ok) return;
   if (++checks_failed_in_test > 5) return;
   va_list arguments;

@@ -63,8 +63,8 @@ static inline void check_report(const double vertices[24], const hl_report *repo
   for (int i = 0; i < report->candidate_count; ++i) {
     const hl_candidate *c = &report->candidates[i];
     long double exact = reference_jacdet(vertices, c->point);
-    CHECK(fabsl(exact - c->value) <= error, "%s %ld: candidate %d has %.17g, jacdet is %.17g", what, number, i, c->value,
-          (double)exact);
+    CHECK(fabsl(exact - c->value) <= error, "%s %ld: candidate %d has %.17g, jacdet is %.17g", what, number, i,
+          c->value, (double)exact);
     CHECK(c->value >= report->minimizer.value && c->value <= report->maximizer.value,
           "%s %ld: candidate %d outside minimum and maximum", what, number, i);
   }

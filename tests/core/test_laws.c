@@ -6,7 +6,7 @@
 
 static random_stream stream = {20260202};
 
-static const double paper_counterexample[24] = {0, 0, 0, 1, 0, 0, 0, 0, 0,  0,  1,  0,
+static const double paper_counterexample[24] = {0, 0, 0, 1, 0, 0, 0,  0,  0,  0, 1, 0,
                                                 0, 0, 1, 0, 0, 0, -1, -1, -1, 0, 0, 0};
 
 static hl_report analyzed(const double vertices[24]) {
@@ -24,7 +24,8 @@ static void unit_cube_is_one_everywhere(void) {
   for (int i = 0; i < 27; ++i) CHECK(report.bernstein[i] == 1, "coefficient %d is %g", i, report.bernstein[i]);
   CHECK(report.candidate_count == 8, "%d candidates", report.candidate_count);
   for (int f = 0; f < 6; ++f)
-    CHECK(report.faces[f].skipped_by_minimum_rule && report.faces[f].skipped_by_validity_rule && report.faces[f].quartic_is_zero,
+    CHECK(report.faces[f].skipped_by_minimum_rule && report.faces[f].skipped_by_validity_rule &&
+              report.faces[f].quartic_is_zero,
           "face %d", f);
 }
 
@@ -148,7 +149,8 @@ static void symmetries_of_the_cube(void) {
       for (int flips = 0; flips < 8; ++flips) {
         for (int v = 0; v < 8; ++v) {
           int corner[3], target = 0;
-          for (int axis = 0; axis < 3; ++axis) corner[axis] = reference_corner[v][permutations[p][axis]] ^ (flips >> axis & 1);
+          for (int axis = 0; axis < 3; ++axis)
+            corner[axis] = reference_corner[v][permutations[p][axis]] ^ (flips >> axis & 1);
           while (memcmp(reference_corner[target], corner, sizeof corner)) ++target;
           memcpy(relabelled + 3 * v, vertices + 3 * target, 3 * sizeof(double));
         }
@@ -174,7 +176,8 @@ static void refusals(void) {
       vertices[i] = bad[b];
       memset(&report, 0x5a, sizeof report);
       hl_report untouched = report;
-      CHECK(hl_analyze(vertices, &report) == HL_NOT_FINITE && !memcmp(&report, &untouched, sizeof report), "analyze %d", i);
+      CHECK(hl_analyze(vertices, &report) == HL_NOT_FINITE && !memcmp(&report, &untouched, sizeof report), "analyze %d",
+            i);
       CHECK(hl_boundary_minimum(vertices, HL_ROOTS, &minimum) == HL_NOT_FINITE, "minimum %d", i);
       CHECK(hl_is_valid(vertices, &valid) == HL_NOT_FINITE && valid, "is_valid %d", i);
       CHECK(hl_jacobian_at(vertices, inside, &jacobian) == HL_NOT_FINITE, "jacobian %d", i);

@@ -19,7 +19,8 @@ static polynomial times(polynomial a, polynomial b) {
   polynomial product = {{0}, a.degree + b.degree};
   for (int i = 0; i <= a.degree; ++i)
     for (int j = 0; j <= b.degree; ++j)
-      product.p[i + j] += binomial[a.degree][i] * a.p[i] * binomial[b.degree][j] * b.p[j] / binomial[product.degree][i + j];
+      product.p[i + j] +=
+          binomial[a.degree][i] * a.p[i] * binomial[b.degree][j] * b.p[j] / binomial[product.degree][i + j];
   return product;
 }
 
@@ -63,8 +64,8 @@ static int check_roots(const double *p, int degree, double roots[4], const char 
     CHECK(roots[r] > 0 && roots[r] < 1, "%s %ld: root %g outside", what, number, roots[r]);
     CHECK(r == 0 || roots[r] > roots[r - 1], "%s %ld: roots not ascending", what, number);
     long double before = value_at(p, degree, roots[r] - 0x1p-51), after = value_at(p, degree, roots[r] + 0x1p-51);
-    CHECK(fabsl(value_at(p, degree, roots[r])) <= noise || (before < 0) != (after < 0), "%s %ld: no root at %.17g", what,
-          number, roots[r]);
+    CHECK(fabsl(value_at(p, degree, roots[r])) <= noise || (before < 0) != (after < 0), "%s %ld: no root at %.17g",
+          what, number, roots[r]);
   }
   enum { SAMPLES = 257 };
   double last = 0;
@@ -116,7 +117,8 @@ static void known_simple_roots(void) {
       product = times(product, with_root(root[i]));
     }
     while (product.degree < 4 && random_bits(&stream) % 3)
-      product = times(product, with_root(random_bits(&stream) % 2 ? -0.2 - random_unit(&stream) : 1.2 + random_unit(&stream)));
+      product = times(product,
+                      with_root(random_bits(&stream) % 2 ? -0.2 - random_unit(&stream) : 1.2 + random_unit(&stream)));
     int degree = rounded(elevated(product, 4), p);
     int count = check_roots(p, degree, roots, "simple", n);
     CHECK(count == inside, "simple %ld: %d roots, not %d", n, count, inside);

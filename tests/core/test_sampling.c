@@ -18,10 +18,10 @@ static void sample_face(const double vertices[24], const hl_report *report, int 
       point[s] = (i + shift_s) / GRID;
       point[t] = (j + shift_t) / GRID;
       long double jacdet = reference_jacdet(vertices, point);
-      CHECK(jacdet >= report->minimizer.value - error, "%ld: jacdet %.17g at (%.17g, %.17g, %.17g), minimum %.17g", number,
-            (double)jacdet, point[0], point[1], point[2], report->minimizer.value);
-      CHECK(jacdet <= report->maximizer.value + error, "%ld: jacdet %.17g above the maximum %.17g", number, (double)jacdet,
-            report->maximizer.value);
+      CHECK(jacdet >= report->minimizer.value - error, "%ld: jacdet %.17g at (%.17g, %.17g, %.17g), minimum %.17g",
+            number, (double)jacdet, point[0], point[1], point[2], report->minimizer.value);
+      CHECK(jacdet <= report->maximizer.value + error, "%ld: jacdet %.17g above the maximum %.17g", number,
+            (double)jacdet, report->maximizer.value);
     }
 }
 

@@ -2,7 +2,6 @@
 #include "bernstein.h"
 #include "topology.h"
 
-
 /* Corners and the middles of xi- and eta-edges share the crosses U_jk x V_ik; the middles of zeta-edges need
    U_j0 x V_i1 + U_j1 x V_i0. Corners lie at index 18i + 6j + 2k, and a middle halfway between two of them. */
 static void corners_and_edges(const edge_vectors *e, double bernstein[27]) {

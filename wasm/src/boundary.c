@@ -22,10 +22,8 @@ static bool edge_candidate(const double bernstein[27], int edge, hl_candidate *c
   double r = fall / (fall + rise);
   if (!(r > 0 && r < 1)) return false;
   const unsigned char *start = vertex_reference[from];
-  *candidate = (hl_candidate){.kind = HL_EDGE,
-                              .id = edge,
-                              .point = {start[0], start[1], start[2]},
-                              .value = quadratic_at(q0, q1, q2, r)};
+  *candidate = (hl_candidate){
+      .kind = HL_EDGE, .id = edge, .point = {start[0], start[1], start[2]}, .value = quadratic_at(q0, q1, q2, r)};
   candidate->point[axis] = r;
   return true;
 }
@@ -60,7 +58,8 @@ static hl_candidate least_candidate(const double bernstein[27], hl_variant varia
     face_solution solution;
     solve_face(beta, &solution);
     for (int r = 0; r < solution.root_count; ++r)
-      if (solution.roots[r].fate == HL_ROOT_KEPT && solution.values[r] < least.value) least = face_candidate(f, &solution, r);
+      if (solution.roots[r].fate == HL_ROOT_KEPT && solution.values[r] < least.value)
+        least = face_candidate(f, &solution, r);
   }
   return least;
 }
@@ -73,7 +72,9 @@ static hl_candidate greatest_candidate(const double bernstein[27]) {
   return greatest;
 }
 
-static void append(hl_report *report, hl_candidate candidate) { report->candidates[report->candidate_count++] = candidate; }
+static void append(hl_report *report, hl_candidate candidate) {
+  report->candidates[report->candidate_count++] = candidate;
+}
 
 static double least_candidate_value(const hl_report *report) {
   double least = report->candidates[0].value;

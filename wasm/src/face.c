@@ -26,8 +26,10 @@ static void quartic_bernstein(const parabolas *f, double p[5]) {
   double da = a[1] - a[0];
 
   double ac[3] = {a[0] * dc[0], 0.5 * (a[0] * dc[1] + a[1] * dc[0]), a[1] * dc[1]};
-  double bb[4] = {b[0] * db[0], (2 * b[1] * db[0] + b[0] * db[1]) / 3, (b[2] * db[0] + 2 * b[1] * db[1]) / 3, b[2] * db[1]};
-  double g[4] = {ac[0] - 2 * bb[0], (ac[0] + 2 * ac[1]) / 3 - 2 * bb[1], (2 * ac[1] + ac[2]) / 3 - 2 * bb[2], ac[2] - 2 * bb[3]};
+  double bb[4] = {b[0] * db[0], (2 * b[1] * db[0] + b[0] * db[1]) / 3, (b[2] * db[0] + 2 * b[1] * db[1]) / 3,
+                  b[2] * db[1]};
+  double g[4] = {ac[0] - 2 * bb[0], (ac[0] + 2 * ac[1]) / 3 - 2 * bb[1], (2 * ac[1] + ac[2]) / 3 - 2 * bb[2],
+                 ac[2] - 2 * bb[3]};
   double square[5] = {b[0] * b[0], b[0] * b[1], (2 * b[1] * b[1] + b[0] * b[2]) / 3, b[1] * b[2], b[2] * b[2]};
 
   p[0] = 4 * (a[0] * g[0] + da * square[0]);
@@ -55,8 +57,8 @@ static double quartic_bound(double a, double b, double dc, double db, double da)
 /* How far a computed coefficient of P can be from the exact one: (17). */
 static double quartic_error(const parabolas *f) {
   const double u = UNIT_ROUNDOFF;
-  double a = greatest_magnitude(f->a, 2), b = greatest_magnitude(f->b, 3), dc = 4 * greatest_magnitude(f->c, 3), db = 4 * b,
-         da = 2 * a;
+  double a = greatest_magnitude(f->a, 2), b = greatest_magnitude(f->b, 3), dc = 4 * greatest_magnitude(f->c, 3),
+         db = 4 * b, da = 2 * a;
   double exact_at_most = quartic_bound(a + 1004 * u, b + 466 * u, dc + 932 * u, db + 2008 * u, da + 2152 * u);
   return 4 * (exact_at_most - quartic_bound(a, b, dc, db, da) + 32 * u * exact_at_most);
 }

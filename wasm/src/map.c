@@ -15,7 +15,7 @@ void map_point(const double vertices[24], const double point[3], double position
 
 /* A column is the bilinear mean of its four edge vectors over the two other coordinates, in ascending order. */
 static void columns_at(const edge_vectors *edges, const double point[3], double columns[3][3]) {
-  const double(*const families[3])[2][3] = {edges->u, edges->v, edges->w};
+  const double (*const families[3])[2][3] = {edges->u, edges->v, edges->w};
   for (int c = 0; c < 3; ++c) {
     double first = point[c == 0 ? 1 : 0], second = point[c == 2 ? 1 : 2];
     for (int r = 0; r < 3; ++r)

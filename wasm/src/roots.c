@@ -28,10 +28,8 @@ static double bracketed_root(const double *p, int degree, double low, double hig
   while (high - low > FINEST) {
     double slope, value = value_at(p, degree, t, &slope);
     if (value == 0) return t;
-    if (sign_of(value) == sign_low)
-      low = t;
-    else
-      high = t;
+    if (sign_of(value) == sign_low) low = t;
+    else high = t;
     double step = -value / slope, next = t + step;
     if (step < 0) step = -step;
     if (!(next > low && next < high && step <= 0.5 * last_step)) {

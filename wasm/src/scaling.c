@@ -74,7 +74,7 @@ void scaled_edge_vectors(const double vertices[24], edge_vectors *edges) {
     /* A difference of coordinates of 2^1023 and more may overflow: halve them first. */
     int halvings = extent >= power_of_two(GREATEST) ? 1 : 0;
     for (int i = 0; i < 8; ++i) p[i][axis] = halvings ? 0.5 * vertices[3 * i + axis] : vertices[3 * i + axis];
-    subtract_vertices((const double(*)[3])p, axis, edges);
+    subtract_vertices((const double (*)[3])p, axis, edges);
 
     double *const families[3] = {&edges->u[0][0][axis], &edges->v[0][0][axis], &edges->w[0][0][axis]};
     double greatest = 0;
