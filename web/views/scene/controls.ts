@@ -1,0 +1,65 @@
+/** The scene's few words and buttons: what the marks mean, how the faces are drawn, fit. */
+import type { Report } from '../../core/report'
+import { faces } from '../../model/hexahedron'
+import type { FaceDisplay } from '../../model/state'
+import { candidateShapes } from './marks'
+import { svg } from './svg'
+
+export interface ControlActions {
+  fit(): void
+  showFaces(faceDisplay: FaceDisplay): void
+}
+
+export class Controls {
+  readonly root = document.createElement('div')
+  readonly #faces = document.createElement('select')
+  readonly #legend = document.createElement('p')
+  readonly #kinds: Readonly<Record<'edge' | 'face', HTMLElement>> = {
+    edge: legendEntry('edge', 'edge candidate'),
+    face: legendEntry('face', 'face candidate'),
+  }
+
+  constructor(actions: ControlActions) {
+    this.root.className = 'scene-controls'
+    this.#legend.append(this.#kinds.edge, this.#kinds.face)
+    this.#faces.append(
+      option('opaque', 'All faces'),
+      option('see-through', 'See-through'),
+      ...faces.map((face, id) => option(String(id), `Face ${face.name} alone`)),
+    )
+    this.#faces.setAttribute('aria-label', 'Faces shown')
+    this.#faces.addEventListener('change', () => {
+      const { value } = this.#faces
+      actions.showFaces(value === 'opaque' || value === 'see-through' ? value : Number(value))
+    })
+    const fit = document.createElement('button')
+    fit.type = 'button'
+    fit.textContent = 'Fit'
+    fit.title = 'Bring the element into view (F)'
+    fit.addEventListener('click', () => actions.fit())
+    const choice = document.createElement('span')
+    choice.className = 'choice'
+    choice.append(this.#faces)
+    this.root.append(this.#legend, choice, fit)
+  }
+
+  update(faceDisplay: FaceDisplay, report: Report | null): void {
+    const value = String(faceDisplay)
+    if (this.#faces.value !== value) this.#faces.value = value
+    for (const kind of ['edge', 'face'] as const) {
+      this.#kinds[kind].hidden = !report?.candidates.some(candidate => candidate.kind === kind)
+    }
+  }
+}
+
+function option(value: string, text: string): HTMLOptionElement {
+  return new Option(text, value)
+}
+
+function legendEntry(kind: 'edge' | 'face', text: string): HTMLElement {
+  const entry = document.createElement('span')
+  const icon = svg('svg', { viewBox: '-6 -6 12 12', width: 12, height: 12, 'aria-hidden': 'true' })
+  icon.append(svg('path', { d: candidateShapes[kind] }))
+  entry.append(icon, text)
+  return entry
+}

@@ -1,0 +1,179 @@
+/**
+ * The WebGL part of the scene: one canvas, one mesh, one draw call a frame. It knows uniforms and the life of the context;
+ * what is shown, and when, is decided elsewhere.
+ */
+import { type BufferAttribute, LinearSRGBColorSpace, Mesh, Scene, WebGLRenderer } from 'three'
+import type { Report } from '../../core/report'
+import type { Vec3 } from '../../model/hexahedron'
+import type { FaceDisplay } from '../../model/state'
+import type { SceneCamera } from './camera'
+import { type ColourScale, RAMP_STEPS, type Ramp, type Theme } from './colour-map'
+import { facePoint } from './face-point'
+import {
+  createFacesGeometry,
+  FACE_INDICES,
+  FACE_TILES,
+  TILE_COUNT,
+  TILE_INDICES,
+  tiledIndices,
+  tileMiddle,
+} from './faces-geometry'
+import { createFacesMaterial, createFacesUniforms } from './faces-material'
+
+/** One picture: the vertices are in the view frame, the report is that of these vertices. */
+export interface Picture {
+  readonly vertices: readonly Vec3[]
+  readonly report: Report | null
+  readonly scale: ColourScale | null
+  readonly ramp: Ramp
+  readonly theme: Theme
+  readonly display: FaceDisplay
+  readonly camera: SceneCamera
+  readonly width: number
+  readonly height: number
+  readonly pixelRatio: number
+}
+
+export interface FacePainter {
+  readonly canvas: HTMLCanvasElement
+  paint(picture: Picture): void
+  /** Draw calls of the last picture. */
+  readonly drawCalls: number
+  dispose(): void
+}
+
+export interface ContextWatcher {
+  lost(): void
+  restored(): void
+}
+
+/** Null where the browser gives no WebGL2 context. */
+export function createFacePainter(watcher: ContextWatcher): FacePainter | null {
+  const canvas = document.createElement('canvas')
+  // Asked for here rather than by three, which would write to the console when there is none.
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: true, premultipliedAlpha: true })
+  if (context === null) return null
+  return new WebGLFacePainter(canvas, context, watcher)
+}
+
+class WebGLFacePainter implements FacePainter {
+  readonly canvas: HTMLCanvasElement
+  readonly #renderer: WebGLRenderer
+  readonly #watcher: ContextWatcher
+  readonly #uniforms = createFacesUniforms()
+  readonly #material = createFacesMaterial(this.#uniforms)
+  readonly #geometry = createFacesGeometry()
+  readonly #scene = new Scene()
+  readonly #inOrder = tiledIndices()
+  #sorted = false
+  #ramp: Ramp | null = null
+  #size = ''
+
+  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, watcher: ContextWatcher) {
+    this.canvas = canvas
+    this.#watcher = watcher
+    this.#renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true })
+    this.#renderer.outputColorSpace = LinearSRGBColorSpace
+    this.#renderer.setClearColor(0, 0)
+    const mesh = new Mesh(this.#geometry, this.#material)
+    mesh.frustumCulled = false
+    this.#scene.add(mesh)
+    canvas.addEventListener('webglcontextlost', this.#onLost)
+    canvas.addEventListener('webglcontextrestored', this.#onRestored)
+  }
+
+  get drawCalls(): number {
+    return this.#renderer.info.render.calls
+  }
+
+  paint(picture: Picture): void {
+    this.#resize(picture)
+    this.#writeUniforms(picture)
+    this.#chooseFaces(picture)
+    this.#renderer.render(this.#scene, picture.camera.three)
+  }
+
+  dispose(): void {
+    this.canvas.removeEventListener('webglcontextlost', this.#onLost)
+    this.canvas.removeEventListener('webglcontextrestored', this.#onRestored)
+    this.#geometry.dispose()
+    this.#material.dispose()
+    this.#renderer.dispose()
+    this.#renderer.forceContextLoss()
+  }
+
+  readonly #onLost = (event: Event): void => {
+    event.preventDefault() // or it would never be restored
+    this.#watcher.lost()
+  }
+
+  readonly #onRestored = (): void => this.#watcher.restored()
+
+  #resize({ width, height, pixelRatio }: Picture): void {
+    const size = `${width} ${height} ${pixelRatio}`
+    if (size === this.#size) return
+    this.#size = size
+    this.#renderer.setPixelRatio(pixelRatio)
+    this.#renderer.setSize(width, height, false)
+  }
+
+  #writeUniforms({ vertices, report, scale, ramp, theme, camera, pixelRatio, display }: Picture): void {
+    const uniforms = this.#uniforms
+    vertices.forEach((vertex, v) => {
+      uniforms.vertices.value[v]?.set(...vertex)
+    })
+    uniforms.bernstein.value.fill(0)
+    if (report && scale) {
+      report.faces.forEach((face, f) => {
+        face.bernstein.forEach((value, k) => {
+          uniforms.bernstein.value[9 * f + k] = value / scale.unit
+        })
+      })
+      uniforms.negativeExtent.value = scale.negativeExtent
+      uniforms.positiveExtent.value = scale.positiveExtent
+    }
+    if (ramp !== this.#ramp) {
+      this.#ramp = ramp
+      for (let i = 0; i <= RAMP_STEPS; i++) {
+        uniforms.negativeStops.value[i]?.fromArray(ramp.negative[i] as Vec3)
+        uniforms.positiveStops.value[i]?.fromArray(ramp.positive[i] as Vec3)
+      }
+      uniforms.ink.value.fromArray(theme.ink)
+      uniforms.paper.value.fromArray(theme.paper)
+    }
+    uniforms.eye.value.copy(camera.three.position)
+    uniforms.pixelRatio.value = pixelRatio
+    uniforms.seeThrough.value = display === 'see-through'
+  }
+
+  /** All faces, the farthest tiles first when they are see-through, or one alone. */
+  #chooseFaces({ display, vertices, camera }: Picture): void {
+    const seeThrough = display === 'see-through'
+    this.#material.transparent = seeThrough
+    this.#material.depthWrite = !seeThrough
+    if (typeof display === 'number') this.#geometry.setDrawRange(display * FACE_INDICES, FACE_INDICES)
+    else this.#geometry.setDrawRange(0, Infinity)
+    if (!seeThrough && !this.#sorted) return
+    this.#sorted = seeThrough
+    const index = this.#geometry.index as BufferAttribute
+    const indices = index.array as Uint16Array
+    if (seeThrough) {
+      farthestFirst(vertices, camera).forEach((tile, place) => {
+        indices.set(this.#inOrder.subarray(tile * TILE_INDICES, (tile + 1) * TILE_INDICES), place * TILE_INDICES)
+      })
+    } else {
+      indices.set(this.#inOrder)
+    }
+    index.needsUpdate = true
+  }
+}
+
+function farthestFirst(vertices: readonly Vec3[], camera: SceneCamera): Uint16Array {
+  const perFace = FACE_TILES * FACE_TILES
+  const depths = new Float64Array(TILE_COUNT)
+  for (let tile = 0; tile < TILE_COUNT; tile++) {
+    const [s, t] = tileMiddle(tile % perFace)
+    depths[tile] = camera.depth(facePoint(vertices, Math.floor(tile / perFace), s, t))
+  }
+  return Uint16Array.from(depths.keys()).sort((a, b) => (depths[b] as number) - (depths[a] as number))
+}

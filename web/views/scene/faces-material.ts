@@ -1,0 +1,182 @@
+/**
+ * The faces' shader: positions are bilinear in (s, t) of four of the eight vertices; jacdet is the biquadratic with the face's
+ * nine Bernstein coefficients, evaluated per pixel with its gradient. Every line (border, zero contour, level, hatch) is
+ * drawn at its distance in pixels, so its width is the same everywhere. No light falls on the colours.
+ */
+import { DoubleSide, GLSL3, RawShaderMaterial, Vector3 } from 'three'
+import { faces, VERTEX_COUNT } from '../../model/hexahedron'
+import { RAMP_STEPS } from './colour-map'
+
+const COEFFICIENT_COUNT = 9 * faces.length
+const STOPS = RAMP_STEPS + 1
+
+const faceVertices = faces.map(face => `ivec4(${face.vertices.join(', ')})`).join(', ')
+
+const shared = /* glsl */ `
+precision highp float;
+precision highp int;
+uniform vec3 vertices[${VERTEX_COUNT}];
+const ivec4 FACE_VERTICES[${faces.length}] = ivec4[](${faceVertices});
+`
+
+const vertexShader = /* glsl */ `${shared}
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+in vec3 facePoint;
+out vec2 st;
+flat out int face;
+
+// Coincident faces of a collapsed element are told apart by less than any depth the eye could see.
+const float FACE_BIAS = 2e-6;
+
+void main() {
+  st = facePoint.xy;
+  face = int(facePoint.z + 0.5);
+  ivec4 v = FACE_VERTICES[face];
+  vec3 at0 = mix(vertices[v.x], vertices[v.y], st.x);
+  vec3 at1 = mix(vertices[v.z], vertices[v.w], st.x);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(mix(at0, at1, st.y), 1.0);
+  gl_Position.z += FACE_BIAS * float(face) * gl_Position.w;
+}
+`
+
+const fragmentShader = /* glsl */ `${shared}
+in vec2 st;
+flat in int face;
+out vec4 fragment;
+
+uniform float bernstein[${COEFFICIENT_COUNT}];
+uniform float negativeExtent;
+uniform float positiveExtent;
+uniform vec3 negativeStops[${STOPS}];
+uniform vec3 positiveStops[${STOPS}];
+uniform vec3 ink;
+uniform vec3 paper;
+uniform vec3 eye;
+uniform float pixelRatio;
+uniform float hatchPeriod;
+uniform bool seeThrough;
+
+const float STEPS = ${RAMP_STEPS}.0;
+// Below this change per pixel single precision shows noise, not a contour.
+const float LEAST_SLOPE = 1e-6;
+
+float coverage(float distance, float halfWidth) {
+  return 1.0 - smoothstep(halfWidth - 0.5, halfWidth + 0.5, distance);
+}
+
+vec3 rampColour(float position) {
+  float along = min(abs(position), 1.0) * STEPS;
+  int i = min(int(along), int(STEPS) - 1);
+  float way = along - float(i);
+  return position < 0.0 ? mix(negativeStops[i], negativeStops[i + 1], way) : mix(positiveStops[i], positiveStops[i + 1], way);
+}
+
+// jacdet and its derivatives by s and t.
+vec3 jacdet(vec2 p) {
+  vec2 q = 1.0 - p;
+  vec3 bs = vec3(q.x * q.x, 2.0 * p.x * q.x, p.x * p.x);
+  vec3 bt = vec3(q.y * q.y, 2.0 * p.y * q.y, p.y * p.y);
+  vec3 ds = vec3(-2.0 * q.x, 2.0 * (q.x - p.x), 2.0 * p.x);
+  vec3 dt = vec3(-2.0 * q.y, 2.0 * (q.y - p.y), 2.0 * p.y);
+  int k = 9 * face;
+  mat3 b = mat3(bernstein[k], bernstein[k + 1], bernstein[k + 2],
+                bernstein[k + 3], bernstein[k + 4], bernstein[k + 5],
+                bernstein[k + 6], bernstein[k + 7], bernstein[k + 8]);
+  vec3 along = b * bs;
+  return vec3(dot(bt, along), dot(bt, b * ds), dot(dt, along));
+}
+
+// Zero where the surface turns away from the eye.
+float facing(vec2 p) {
+  ivec4 v = FACE_VERTICES[face];
+  vec3 at0 = mix(vertices[v.x], vertices[v.y], p.x);
+  vec3 at1 = mix(vertices[v.z], vertices[v.w], p.x);
+  vec3 byS = mix(vertices[v.y] - vertices[v.x], vertices[v.w] - vertices[v.z], p.y);
+  return dot(cross(byS, at1 - at0), mix(at0, at1, p.y) - eye);
+}
+
+void main() {
+  vec2 p = clamp(st, 0.0, 1.0);
+  vec2 sSlope = vec2(dFdx(st.x), dFdy(st.x));
+  vec2 tSlope = vec2(dFdx(st.y), dFdy(st.y));
+  float turned = facing(p);
+  vec2 turnedSlope = vec2(dFdx(turned), dFdy(turned));
+
+  vec3 f = jacdet(p);
+  float slope = length(f.y * sSlope + f.z * tSlope);
+  float extent = f.x < 0.0 ? negativeExtent : positiveExtent;
+  float position = clamp(f.x / extent, -1.0, 1.0);
+  vec3 colour = rampColour(position);
+
+  // A line on the colour takes whichever of ink and paper stands out from it.
+  vec3 dark = dot(ink, vec3(1.0)) < dot(paper, vec3(1.0)) ? ink : paper;
+  vec3 light = dark == ink ? paper : ink;
+  float brightness = dot(colour, vec3(0.2126, 0.7152, 0.0722));
+  vec3 tone = mix(light, dark, smoothstep(0.30, 0.35, brightness));
+
+  float zeroDistance = abs(f.x) / max(slope, 1e-20) / pixelRatio;
+  float zeroSeen = smoothstep(LEAST_SLOPE, 4.0 * LEAST_SLOPE, slope * pixelRatio);
+
+  float levels = abs(position) * STEPS;
+  float levelSpacing = extent / (STEPS * max(slope * pixelRatio, 1e-20));
+  float levelDistance = abs(levels - floor(levels + 0.5)) * levelSpacing;
+  float levelSeen = levels < 0.5 || levels > STEPS - 0.5 ? 0.0 : smoothstep(5.0, 12.0, levelSpacing) * zeroSeen;
+  float level = 0.16 * levelSeen * coverage(levelDistance * pixelRatio, 0.5 * pixelRatio);
+
+  float diagonal = (gl_FragCoord.x + gl_FragCoord.y) * 0.70710678 / pixelRatio;
+  float hatchDistance = abs(fract(diagonal / hatchPeriod) - 0.5) * hatchPeriod;
+  float hatch = f.x < 0.0 ? 0.5 * zeroSeen * coverage(hatchDistance * pixelRatio, 0.55 * pixelRatio) : 0.0;
+
+  colour = mix(colour, tone, max(level, hatch));
+
+  // Within the heavy line's casing nothing but the neutral lies beside it.
+  float casing = zeroSeen * coverage(zeroDistance * pixelRatio, 2.4 * pixelRatio);
+  float zero = zeroSeen * coverage(zeroDistance * pixelRatio, 1.15 * pixelRatio);
+  colour = mix(colour, positiveStops[0], casing);
+  colour = mix(colour, ink, zero);
+
+  vec2 toBorder = min(p, 1.0 - p) / max(vec2(length(sSlope), length(tSlope)), 1e-20);
+  float borderDistance = min(toBorder.x, toBorder.y);
+  float fold = coverage(abs(turned) / max(length(turnedSlope), 1e-20), 0.6 * pixelRatio);
+  float edge = coverage(borderDistance, 0.75 * pixelRatio);
+  colour = mix(colour, paper, 0.55 * coverage(borderDistance, 1.6 * pixelRatio));
+  colour = mix(colour, ink, max(edge, 0.7 * fold));
+
+  float alpha = 1.0;
+  if (seeThrough) alpha = max(f.x < 0.0 ? 0.82 : 0.3, max(max(0.9 * zero, 0.85 * edge), 0.5 * fold));
+  fragment = vec4(colour * alpha, alpha);
+}
+`
+
+/** Every uniform, owned by the material; written by the painter, which knows what they mean together. */
+export function createFacesUniforms() {
+  const stops = () => Array.from({ length: STOPS }, () => new Vector3())
+  return {
+    vertices: { value: Array.from({ length: VERTEX_COUNT }, () => new Vector3()) },
+    bernstein: { value: new Float32Array(COEFFICIENT_COUNT) },
+    negativeExtent: { value: 1 },
+    positiveExtent: { value: 1 },
+    negativeStops: { value: stops() },
+    positiveStops: { value: stops() },
+    ink: { value: new Vector3() },
+    paper: { value: new Vector3() },
+    eye: { value: new Vector3() },
+    pixelRatio: { value: 1 },
+    hatchPeriod: { value: 7 },
+    seeThrough: { value: false },
+  }
+}
+
+export type FacesUniforms = ReturnType<typeof createFacesUniforms>
+
+export function createFacesMaterial(uniforms: FacesUniforms): RawShaderMaterial {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader,
+    fragmentShader,
+    uniforms,
+    side: DoubleSide,
+    premultipliedAlpha: true,
+  })
+}

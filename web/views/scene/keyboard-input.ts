@@ -1,0 +1,158 @@
+/**
+ * The scene by keyboard alone. Moves go along coordinate axes, each arrow along the one nearest to it on the screen, so that
+ * they give readable numbers. A key held down is one gesture until it is released.
+ */
+import { VERTEX_COUNT, type Vec3, vertexOf } from '../../model/hexahedron'
+import type { FaceDisplay } from '../../model/state'
+import type { SceneCamera } from './camera'
+import { addDecimal, keyStep, lengthOf } from './snapping'
+import type { Stage } from './stage'
+import { at, extentOf, map3 } from './view-frame'
+
+/** Right, up, and towards the eye: which coordinate axis each stands for, and which way. */
+export interface AxisMove {
+  readonly axis: 0 | 1 | 2
+  readonly sign: 1 | -1
+}
+
+const ORDERS = [
+  [0, 1, 2],
+  [0, 2, 1],
+  [1, 0, 2],
+  [1, 2, 0],
+  [2, 0, 1],
+  [2, 1, 0],
+] as const
+
+/** Of the six ways to give right, up and towards an axis each, the one that agrees best with the screen. */
+export function axisMoves(viewAxes: readonly [Vec3, Vec3, Vec3]): readonly [AxisMove, AxisMove, AxisMove] {
+  const agreement = (order: readonly number[]) =>
+    order.reduce((sum, axis, k) => sum + Math.abs(at(viewAxes[k] as Vec3, axis)), 0)
+  const best = ORDERS.reduce((a, b) => (agreement(b) > agreement(a) ? b : a))
+  const move = (k: 0 | 1 | 2): AxisMove => ({ axis: best[k], sign: at(viewAxes[k], best[k]) < 0 ? -1 : 1 })
+  return [move(0), move(1), move(2)]
+}
+
+/** Which of right, up, towards a key moves along, and which way. */
+const MOVES: Readonly<Record<string, readonly [0 | 1 | 2, 1 | -1]>> = {
+  ArrowRight: [0, 1],
+  ArrowLeft: [0, -1],
+  ArrowUp: [1, 1],
+  ArrowDown: [1, -1],
+  PageDown: [2, 1],
+  PageUp: [2, -1],
+}
+
+/** One face after another, and all of them again. */
+export function nextDisplay(display: FaceDisplay, by: 1 | -1): FaceDisplay {
+  const at = typeof display === 'number' ? display : by > 0 ? -1 : 6
+  const next = at + by
+  return next < 0 || next > 5 ? 'opaque' : next
+}
+
+export const KEYBOARD_HELP =
+  'Keys 0 to 7, or [ and ], choose a vertex. Arrow keys move it along the coordinate axis nearest to that direction on the ' +
+  'screen, Page Up and Page Down along the third axis, away and nearer. Shift moves ten times as far, Alt a tenth. Escape while a ' +
+  'key is held takes the move back. A, D, W, S turn the view, plus and minus zoom, F fits, Home resets the view. T makes faces ' +
+  'see-through, comma and full stop show one face at a time.'
+
+export class KeyboardInput {
+  readonly #stage: Stage
+  readonly #held = new Set<string>()
+  #moving = false
+
+  constructor(stage: Stage) {
+    this.#stage = stage
+  }
+
+  onKeyDown(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey) return
+    if (this.#move(event) || this.#command(event)) event.preventDefault()
+  }
+
+  onKeyUp(event: KeyboardEvent): void {
+    if (this.#held.delete(event.key) && this.#held.size === 0) this.commit()
+  }
+
+  /** Ends the running gesture, if there is one: the key was released, or the focus went elsewhere. */
+  commit(): void {
+    this.#finish('commit-gesture')
+  }
+
+  #finish(how: 'commit-gesture' | 'cancel-gesture'): void {
+    this.#held.clear()
+    if (!this.#moving) return
+    this.#moving = false
+    this.#stage.latest.dispatch({ type: how })
+  }
+
+  #move({ key, shiftKey, altKey }: KeyboardEvent): boolean {
+    const move = MOVES[key]
+    const { latest, camera } = this.#stage
+    if (move === undefined || latest.state === null) return false
+    if (!this.#moving) {
+      this.#moving = true
+      latest.dispatch({ type: 'begin-gesture' })
+    }
+    this.#held.add(key)
+    const { vertices, selectedVertex, gestureStart } = latest.state
+    const from = vertexOf(vertices, selectedVertex)
+    const step = keyStep(extentOf(gestureStart ?? vertices))
+    const scale = (shiftKey ? 1 : 0) - (altKey ? 1 : 0)
+    const length = lengthOf({ ...step, exponent: Math.max(-323, step.exponent + scale) })
+    const to = moved(from, camera, move, length)
+    latest.dispatch({ type: 'move-vertex', vertex: selectedVertex, to })
+    return true
+  }
+
+  #command({ key, altKey }: KeyboardEvent): boolean {
+    const { latest } = this.#stage
+    if (latest.state === null || altKey) return false
+    const command = this.#commands[key.length === 1 ? key.toLowerCase() : key]
+    if (command) command()
+    else if (/^[0-7]$/.test(key)) this.#choose(Number(key))
+    else return false
+    return true
+  }
+
+  readonly #commands: Readonly<Record<string, () => void>> = {
+    '[': () => this.#chooseNext(-1),
+    ']': () => this.#chooseNext(1),
+    Escape: () => this.#finish('cancel-gesture'),
+    a: () => this.#stage.orbit(-1, 0),
+    d: () => this.#stage.orbit(1, 0),
+    w: () => this.#stage.orbit(0, 1),
+    s: () => this.#stage.orbit(0, -1),
+    '+': () => this.#stage.zoom(1.2),
+    '=': () => this.#stage.zoom(1.2),
+    '-': () => this.#stage.zoom(1 / 1.2),
+    f: () => this.#stage.fit(false),
+    Home: () => this.#stage.fit(true),
+    t: () => this.#show(this.#display === 'see-through' ? 'opaque' : 'see-through'),
+    '.': () => this.#show(nextDisplay(this.#display, 1)),
+    ',': () => this.#show(nextDisplay(this.#display, -1)),
+  }
+
+  get #display(): FaceDisplay {
+    return this.#stage.latest.state?.faceDisplay ?? 'opaque'
+  }
+
+  #show(faceDisplay: FaceDisplay): void {
+    this.#stage.latest.dispatch({ type: 'show-faces', faceDisplay })
+  }
+
+  #chooseNext(by: 1 | -1): void {
+    const selected = this.#stage.latest.state?.selectedVertex ?? 0
+    this.#choose((selected + by + VERTEX_COUNT) % VERTEX_COUNT)
+  }
+
+  #choose(vertex: number): void {
+    this.commit()
+    this.#stage.latest.dispatch({ type: 'select-vertex', vertex })
+  }
+}
+
+function moved(from: Vec3, camera: SceneCamera, [direction, way]: readonly [0 | 1 | 2, 1 | -1], length: number): Vec3 {
+  const { axis, sign } = axisMoves(camera.axes())[direction]
+  return map3(k => (k === axis ? addDecimal(at(from, k), sign * way * length) : at(from, k)))
+}

@@ -1,0 +1,142 @@
+/** Where a label goes: near what it names, out of the way of handles and other words, inside the view, and not jumping about. */
+
+export interface Point {
+  readonly x: number
+  readonly y: number
+}
+
+export interface Box {
+  readonly x: number
+  readonly y: number
+  readonly width: number
+  readonly height: number
+}
+
+export interface LabelRequest {
+  readonly anchor: Point
+  readonly width: number
+  readonly height: number
+  readonly bounds: Box
+  /** Discs of this radius around these points are taken, and so are the boxes. */
+  readonly points: readonly Point[]
+  readonly pointRadius: number
+  readonly boxes: readonly Box[]
+  /** What the label had better not cover, and away from whose middle it goes. */
+  readonly body: readonly Point[]
+  /** The place chosen last, kept unless another is clearly better. */
+  readonly previous: number | null
+}
+
+export interface LabelPlace {
+  readonly index: number
+  /** Middle of the label. */
+  readonly x: number
+  readonly y: number
+}
+
+const DIRECTIONS = 16
+const DISTANCES = [34, 56, 84, 120, 170]
+
+/** What each fault weighs, in pixels of distance from the anchor. */
+const WEIGHT = { outside: 40, point: 220, box: 400, body: 26, inwards: 22, stay: 60 }
+
+export function placeLabel(request: LabelRequest): LabelPlace {
+  const hull = convexHull(request.body)
+  const middle = meanOf(request.body)
+  let best: LabelPlace = { index: 0, ...request.anchor }
+  let least = Infinity
+  for (let index = 0; index < DIRECTIONS * DISTANCES.length; index++) {
+    const place = candidatePlace(request, index)
+    const cost = costOf(place, request, hull, middle) - (index === request.previous ? WEIGHT.stay : 0)
+    if (cost < least) {
+      least = cost
+      best = place
+    }
+  }
+  return best
+}
+
+/** The label's nearest side, not its middle, is at the distance. */
+function candidatePlace({ anchor, width, height }: LabelRequest, index: number): LabelPlace {
+  const angle = ((index % DIRECTIONS) * 2 * Math.PI) / DIRECTIONS
+  const distance = DISTANCES[Math.floor(index / DIRECTIONS)] as number
+  const [cos, sin] = [Math.cos(angle), Math.sin(angle)]
+  return {
+    index,
+    x: anchor.x + cos * distance + Math.sign(Math.round(cos * 100)) * (width / 2),
+    y: anchor.y + sin * distance + sin * (height / 2),
+  }
+}
+
+function costOf(place: LabelPlace, request: LabelRequest, hull: readonly Point[], middle: Point): number {
+  const { width, height, anchor, bounds } = request
+  const box = { x: place.x - width / 2, y: place.y - height / 2, width, height }
+  let cost = DISTANCES[Math.floor(place.index / DIRECTIONS)] as number
+  cost += WEIGHT.outside * outsideBy(box, bounds)
+  for (const point of request.points) {
+    const near = request.pointRadius - distanceToBox(point, box)
+    if (near > 0) cost += WEIGHT.point + near
+  }
+  for (const other of request.boxes) if (overlap(box, other)) cost += WEIGHT.box
+  for (const corner of cornersOf(box)) if (insideHull(corner, hull)) cost += WEIGHT.body
+  const [ax, ay] = [anchor.x - middle.x, anchor.y - middle.y]
+  const [bx, by] = [place.x - anchor.x, place.y - anchor.y]
+  const lengths = Math.hypot(ax, ay) * Math.hypot(bx, by)
+  if (lengths > 0) cost += WEIGHT.inwards * (1 - (ax * bx + ay * by) / lengths)
+  return cost
+}
+
+function outsideBy(box: Box, bounds: Box): number {
+  return (
+    Math.max(0, bounds.x - box.x) +
+    Math.max(0, bounds.y - box.y) +
+    Math.max(0, box.x + box.width - bounds.x - bounds.width) +
+    Math.max(0, box.y + box.height - bounds.y - bounds.height)
+  )
+}
+
+function distanceToBox(point: Point, box: Box): number {
+  const dx = Math.max(box.x - point.x, 0, point.x - box.x - box.width)
+  const dy = Math.max(box.y - point.y, 0, point.y - box.y - box.height)
+  return Math.hypot(dx, dy)
+}
+
+function overlap(a: Box, b: Box): boolean {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height
+}
+
+function cornersOf({ x, y, width, height }: Box): Point[] {
+  return [
+    { x, y },
+    { x: x + width, y },
+    { x, y: y + height },
+    { x: x + width, y: y + height },
+  ]
+}
+
+export function meanOf(points: readonly Point[]): Point {
+  const n = Math.max(points.length, 1)
+  return { x: points.reduce((sum, p) => sum + p.x, 0) / n, y: points.reduce((sum, p) => sum + p.y, 0) / n }
+}
+
+/** Andrew's monotone chain; counter-clockwise where y points up. */
+export function convexHull(points: readonly Point[]): Point[] {
+  const sorted = [...points].sort((a, b) => a.x - b.x || a.y - b.y)
+  const chain = (order: readonly Point[]): Point[] => {
+    const hull: Point[] = []
+    for (const point of order) {
+      while (hull.length > 1 && turn(hull.at(-2) as Point, hull.at(-1) as Point, point) <= 0) hull.pop()
+      hull.push(point)
+    }
+    return hull.slice(0, -1)
+  }
+  return [...chain(sorted), ...chain(sorted.reverse())]
+}
+
+function turn(a: Point, b: Point, c: Point): number {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
+}
+
+function insideHull(point: Point, hull: readonly Point[]): boolean {
+  return hull.length > 2 && hull.every((a, i) => turn(a, hull[(i + 1) % hull.length] as Point, point) > 0)
+}

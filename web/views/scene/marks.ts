@@ -1,0 +1,129 @@
+/** The minimizer with its value, and the candidates on edges and faces as small marks by kind. */
+import type { Candidate } from '../../core/report'
+import { formatJacdet } from '../../model/decimal'
+import { edgeVertices, faces } from '../../model/hexahedron'
+import type { ScreenPoint } from './camera'
+import { type Box, type LabelPlace, placeLabel } from './label-place'
+import type { OverlayPicture } from './overlay'
+import { moveTo, px, set, setText, show, svg } from './svg'
+import { toView } from './view-frame'
+
+/** Outlines about (0, 0); a vertex has its handle and needs none. */
+export const candidateShapes: Readonly<Record<'edge' | 'face', string>> = {
+  edge: 'M0 -4.6L4.6 0L0 4.6L-4.6 0Z',
+  face: 'M-3.4 -3.4H3.4V3.4H-3.4Z',
+}
+
+const RING = 9
+const HANDLE_RING = 12.5
+const LABEL_HEIGHT = 20
+const CHARACTER_WIDTH = 8.4
+const ELBOW = 14
+
+interface Mark {
+  readonly group: SVGGElement
+  readonly path: SVGPathElement
+  readonly title: SVGTitleElement
+}
+
+export class Marks {
+  readonly candidates = svg('g', { class: 'candidates' })
+  readonly minimizer = svg('g', { class: 'minimizer' })
+  readonly #pool: Mark[] = []
+  readonly #halo = svg('circle', { class: 'rim' })
+  readonly #ring = svg('circle', { class: 'ring' })
+  readonly #dot = svg('circle', { class: 'dot', r: 2 })
+  readonly #leader = svg('path', { class: 'leader' })
+  readonly #label = svg('text')
+  #place: LabelPlace | null = null
+
+  constructor() {
+    this.minimizer.append(this.#leader, this.#halo, this.#ring, this.#dot, this.#label)
+  }
+
+  update(picture: OverlayPicture): void {
+    const { report } = picture
+    show(this.minimizer, report !== null)
+    if (report === null) {
+      this.#updateCandidates([], picture)
+      return
+    }
+    const { minimizer } = report
+    const marked = report.candidates.filter(c => c.kind !== 'vertex' && !samePoint(c, minimizer))
+    this.#updateCandidates(marked, picture)
+    this.#updateMinimizer(minimizer, report.exponent, picture)
+  }
+
+  #updateCandidates(marked: readonly Candidate[], { frame, camera, report, state }: OverlayPicture): void {
+    while (this.#pool.length < marked.length) this.#pool.push(this.#createMark())
+    this.#pool.forEach(({ group, path, title }, i) => {
+      const candidate = marked[i]
+      const at = candidate && camera.project(toView(frame, candidate.position))
+      show(group, at !== undefined && at.depth > 0)
+      if (!candidate || !at) return
+      moveTo(group, at)
+      set(path, { d: candidateShapes[candidate.kind as 'edge' | 'face'] })
+      const value = formatJacdet(candidate.value, report?.exponent ?? 0, state.referenceCube)
+      setText(title, `Candidate ${placeName(candidate)}: J = ${value}`)
+    })
+  }
+
+  #createMark(): Mark {
+    const title = svg('title')
+    const path = svg('path')
+    const group = svg('g', {}, title, path)
+    this.candidates.append(group)
+    return { group, path, title }
+  }
+
+  #updateMinimizer(minimizer: Candidate, exponent: number, picture: OverlayPicture): void {
+    const { camera, frame, state } = picture
+    const at = camera.project(toView(frame, minimizer.position))
+    show(this.minimizer, at.depth > 0)
+    const radius = minimizer.kind === 'vertex' ? HANDLE_RING : RING
+    for (const circle of [this.#halo, this.#ring, this.#dot]) set(circle, { cx: px(at.x), cy: px(at.y) })
+    set(this.#halo, { r: radius })
+    set(this.#ring, { r: radius })
+    show(this.#dot, minimizer.kind !== 'vertex')
+    this.minimizer.classList.toggle('positive', minimizer.value > 0)
+    setText(this.#label, `min J = ${formatJacdet(minimizer.value, exponent, state.referenceCube)}`)
+    this.#placeLabel(at, radius, picture)
+  }
+
+  #placeLabel(at: ScreenPoint, radius: number, { camera, handles, taken }: OverlayPicture): void {
+    const width = CHARACTER_WIDTH * (this.#label.textContent ?? '').length + 8
+    const bounds: Box = { x: 10, y: 10, width: camera.width - 20, height: camera.height - 20 }
+    const place = placeLabel({
+      anchor: at,
+      width: width + ELBOW,
+      height: LABEL_HEIGHT,
+      bounds,
+      points: handles,
+      pointRadius: 26,
+      boxes: taken,
+      body: handles,
+      previous: this.#place?.index ?? null,
+    })
+    this.#place = place
+    const toRight = place.x >= at.x
+    const side = toRight ? 1 : -1
+    const near = place.x - (side * (width + ELBOW)) / 2
+    const elbow = near + side * ELBOW
+    const angle = Math.atan2(place.y - at.y, near - at.x)
+    const start = { x: at.x + Math.cos(angle) * radius, y: at.y + Math.sin(angle) * radius }
+    set(this.#leader, { d: `M${px(start.x)} ${px(start.y)}L${px(near)} ${px(place.y)}H${px(elbow)}` })
+    set(this.#label, {
+      x: px(elbow + side * 5),
+      y: px(place.y),
+      'text-anchor': toRight ? 'start' : 'end',
+    })
+  }
+}
+
+function samePoint(a: Candidate, b: Candidate): boolean {
+  return a.point.every((value, axis) => value === b.point[axis])
+}
+
+function placeName({ kind, id }: Candidate): string {
+  return kind === 'edge' ? `on edge ${edgeVertices[id]?.join('–')}` : `on face ${faces[id]?.name}`
+}

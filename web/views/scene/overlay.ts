@@ -1,0 +1,150 @@
+/** The crisp part of the scene, in SVG over the canvas: edges through the body, handles and their numbers, ghost, marks. */
+
+import type { Report } from '../../core/report'
+import { formatNumber } from '../../model/decimal'
+import { edgeVertices, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
+import type { State } from '../../model/state'
+import type { SceneCamera, ScreenPoint } from './camera'
+import { type Box, meanOf } from './label-place'
+import { Marks } from './marks'
+import { moveTo, px, set, setText, show, svg } from './svg'
+import { Triad } from './triad'
+import type { DragKeys } from './vertex-drag'
+import { at, map3, toView, type ViewFrame, verticesInView } from './view-frame'
+
+export interface OverlayPicture {
+  readonly state: State
+  readonly report: Report | null
+  readonly frame: ViewFrame
+  readonly camera: SceneCamera
+  readonly handles: readonly ScreenPoint[]
+  readonly drag: { readonly keys: DragKeys; readonly byTouch: boolean } | null
+  /** Where words of other parts of the scene are. */
+  readonly taken: readonly Box[]
+}
+
+/** From a handle's middle to the middle of its number. */
+const NUMBER_DISTANCE = 17
+
+interface Handle {
+  readonly group: SVGGElement
+  readonly number: SVGTextElement
+}
+
+export class Overlay {
+  readonly root = svg('svg', { class: 'scene-overlay', 'aria-hidden': 'true' })
+  readonly #edgeHalo = svg('path', { class: 'edge-halo' })
+  readonly #edges = svg('path', { class: 'edges' })
+  readonly #ghost = svg('path', { class: 'ghost' })
+  readonly #ghostHandle = svg('circle', { class: 'ghost', r: 6 })
+  readonly #axisLine = svg('path', { class: 'axis-line' })
+  readonly #handles: readonly Handle[] = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v))
+  readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
+  readonly #marks = new Marks()
+  readonly #triad = new Triad()
+
+  constructor() {
+    this.root.append(
+      this.#edgeHalo,
+      this.#edges,
+      this.#axisLine,
+      this.#ghost,
+      this.#ghostHandle,
+      this.#marks.candidates,
+      ...this.#handles.map(handle => handle.group),
+      this.#marks.minimizer,
+      this.#coordinates,
+      this.#triad.root,
+    )
+  }
+
+  showHover(vertex: number | null): void {
+    this.#handles.forEach((handle, v) => {
+      handle.group.classList.toggle('hovered', v === vertex)
+    })
+  }
+
+  update(picture: OverlayPicture): void {
+    const { camera, handles } = picture
+    set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
+    const edges = edgePath(edgeVertices, handles)
+    set(this.#edgeHalo, { d: edges })
+    set(this.#edges, { d: edges })
+    this.#updateHandles(picture)
+    this.#updateGhost(picture)
+    this.#updateDrag(picture)
+    this.#marks.update(picture)
+    this.#triad.update(camera)
+  }
+
+  #updateHandles({ handles, state }: OverlayPicture): void {
+    const middle = meanOf(handles)
+    handles.forEach((at, v) => {
+      const { group, number } = this.#handles[v] as Handle
+      show(group, at.depth > 0)
+      moveTo(group, at)
+      const [dx, dy] = [at.x - middle.x, at.y - middle.y]
+      const length = Math.hypot(dx, dy)
+      const [ux, uy] = length > 1 ? [dx / length, dy / length] : [0, -1]
+      set(number, { x: px(ux * NUMBER_DISTANCE), y: px(uy * NUMBER_DISTANCE) })
+      group.classList.toggle('selected', v === state.selectedVertex)
+    })
+    const selected = this.#handles[state.selectedVertex]?.group
+    // The selected handle is drawn over its neighbours.
+    if (selected && selected.nextSibling !== this.#marks.minimizer) this.#marks.minimizer.before(selected)
+  }
+
+  /** The edges of the vertex being moved as they were. */
+  #updateGhost({ state, frame, camera, handles }: OverlayPicture): void {
+    const { gestureStart, selectedVertex } = state
+    const moved = gestureStart !== null && gestureStart !== state.vertices
+    show(this.#ghost, moved)
+    show(this.#ghostHandle, moved)
+    if (!moved) return
+    const before = verticesInView(frame, gestureStart).map(point => camera.project(point))
+    const own = edgeVertices.filter(edge => edge.includes(selectedVertex))
+    set(this.#ghost, { d: edgePath(own, before) })
+    moveTo(this.#ghostHandle, before[selectedVertex] ?? (handles[selectedVertex] as ScreenPoint))
+  }
+
+  #updateDrag({ state, drag, handles, frame, camera }: OverlayPicture): void {
+    const busy = state.gestureStart !== null
+    show(this.#coordinates, busy)
+    show(this.#axisLine, busy && drag?.keys.axis != null)
+    if (!busy) return
+    const handle = handles[state.selectedVertex] as ScreenPoint
+    const position = vertexOf(state.vertices, state.selectedVertex)
+    setText(this.#coordinates, `(${position.map(formatNumber).join(', ')})`)
+    const width = 7.5 * (this.#coordinates.textContent?.length ?? 0)
+    const above = drag?.byTouch ? 52 : 30
+    set(this.#coordinates, {
+      x: px(clamp(handle.x, width / 2 + 8, camera.width - width / 2 - 8)),
+      y: px(handle.y - above < 12 ? handle.y + above : handle.y - above),
+    })
+    const axis = drag?.keys.axis
+    if (axis == null) return
+    const middle = toView(frame, position)
+    const ends = [-4, 4].map(way => camera.project(map3(k => at(middle, k) + (k === axis ? way : 0))))
+    set(this.#axisLine, { d: edgePath([[0, 1]], ends) })
+  }
+}
+
+function createHandle(vertex: number): Handle {
+  const number = svg('text', { 'text-anchor': 'middle' }, String(vertex))
+  const group = svg('g', { class: 'handle' }, svg('circle', { class: 'rim', r: 8.5 }), svg('circle', { r: 6 }), number)
+  return { group, number }
+}
+
+/** Lines between points in front of the eye. */
+function edgePath(edges: readonly (readonly [number, number])[], points: readonly ScreenPoint[]): string {
+  let path = ''
+  for (const [from, to] of edges) {
+    const [a, b] = [points[from], points[to]]
+    if (a && b && a.depth > 0 && b.depth > 0) path += `M${px(a.x)} ${px(a.y)}L${px(b.x)} ${px(b.y)}`
+  }
+  return path || 'M0 0'
+}
+
+function clamp(value: number, least: number, greatest: number): number {
+  return Math.max(least, Math.min(greatest, value))
+}

@@ -1,0 +1,23 @@
+/** Which handle is under the pointer: in screen space, so that hidden handles can be taken too. */
+import type { ScreenPoint } from './camera'
+
+/** CSS pixels from the middle of a handle. */
+export function pickRadius(pointerType: string): number {
+  return pointerType === 'touch' ? 22 : 12
+}
+
+/** Distances this close, in CSS pixels, are a tie. */
+const TIE = 0.5
+
+/** The index of the nearest handle within the radius, the front one of equally near ones; null if none is in reach. */
+export function pickHandle(handles: readonly ScreenPoint[], x: number, y: number, radius: number): number | null {
+  const distances = handles.map(handle => (handle.depth > 0 ? Math.hypot(handle.x - x, handle.y - y) : Infinity))
+  const least = Math.min(...distances)
+  if (!(least <= radius)) return null
+  let picked: number | null = null
+  handles.forEach(({ depth }, index) => {
+    if ((distances[index] as number) > Math.min(least + TIE, radius)) return
+    if (picked === null || depth < (handles[picked] as ScreenPoint).depth) picked = index
+  })
+  return picked
+}

@@ -1,0 +1,324 @@
+/**
+ * The element in physical space: faces coloured by jacdet in WebGL, and over them, in SVG, edges, handles, marks and words.
+ * Draws what a frame says and emits actions; one picture per update and none in between.
+ *
+ * Dragged coordinates are rounded to the power of ten at or below one pixel's length. Keys: see KEYBOARD_HELP; the digit on
+ * a handle chooses that handle.
+ */
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
+import type { Report } from '../../core/report'
+import type { Vertices } from '../../model/hexahedron'
+import type { State } from '../../model/state'
+import type { CreateView, Frame, View, ViewHost } from '../view'
+import { DEFAULT_DIRECTION, type Insets, SceneCamera, type ScreenPoint } from './camera'
+import { ColourBar } from './colour-bar'
+import { colourScaleOf, type Ramp, rampOf, type Theme } from './colour-map'
+import { Controls } from './controls'
+import { createFacePainter, type FacePainter } from './face-painter'
+import { KEYBOARD_HELP, KeyboardInput } from './keyboard-input'
+import type { Box } from './label-place'
+import { LatestState } from './latest-state'
+import { Overlay } from './overlay'
+import { PointerInput } from './pointer-input'
+import css from './scene.css?inline'
+import type { Stage } from './stage'
+import { ThemeReader } from './theme'
+import type { DragKeys } from './vertex-drag'
+import { frameOf, type ViewFrame, verticesInView } from './view-frame'
+
+export const sceneStyles = css
+
+/** More device pixels than this are not worth their time. */
+const MOST_PIXEL_RATIO = 2
+/** Below this width, in CSS pixels, the scene is laid out for a phone. */
+const NARROW = 560
+const ORBIT_STEP = Math.PI / 12
+
+const NO_WEBGL =
+  'This browser gives no WebGL2, so the faces are not coloured. Vertices can be moved all the same, and the verdict holds.'
+const CONTEXT_LOST =
+  'The graphics context was lost, so the faces are not coloured until the browser gives it back. Everything else goes on.'
+
+export interface SceneView extends View {
+  /** Pictures drawn so far, and draw calls of the last one: nothing is drawn while nothing changes. */
+  readonly framesDrawn: number
+  readonly drawCalls: number
+}
+
+class Scene implements SceneView, Stage {
+  readonly root = document.createElement('div')
+  readonly element = document.createElement('div')
+  readonly camera = new SceneCamera()
+  readonly latest: LatestState
+  framesDrawn = 0
+
+  readonly #host: ViewHost
+  readonly #painter: FacePainter | null
+  readonly #overlay = new Overlay()
+  readonly #colourBar: ColourBar
+  readonly #controls: Controls
+  readonly #orbit: OrbitControls
+  readonly #pointer: PointerInput
+  readonly #keyboard: KeyboardInput
+  readonly #themeReader: ThemeReader
+  readonly #listening = new AbortController()
+  readonly #resizes = new ResizeObserver(() => this.#host.requestFrame())
+  #theme: Theme | null = null
+  #ramp: Ramp | null = null
+  #contextLost = false
+  #width = 0
+  #height = 0
+  #frame: ViewFrame = { centre: [0, 0, 0], size: 1 }
+  #handles: readonly ScreenPoint[] = []
+  #shown: Frame | null = null
+  #framed: { readonly preset: string | null; readonly start: Vertices } | null = null
+  #drag: { readonly keys: DragKeys; readonly byTouch: boolean } | null = null
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.latest = new LatestState(host)
+    this.#painter = createFacePainter({ lost: () => this.#onContext(true), restored: () => this.#onContext(false) })
+    this.#colourBar = new ColourBar(referenceCube =>
+      this.latest.dispatch({ type: 'show-reference-cube', referenceCube }),
+    )
+    this.#controls = new Controls({
+      fit: () => this.fit(false),
+      showFaces: faceDisplay => this.latest.dispatch({ type: 'show-faces', faceDisplay }),
+    })
+    this.#build()
+    this.#themeReader = new ThemeReader(this.root)
+    this.#keyboard = new KeyboardInput(this)
+    this.#pointer = new PointerInput(this, () => this.#keyboard.commit())
+    this.#orbit = this.#createOrbit()
+    this.#listen()
+    if (this.#painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
+    else host.clear('no-webgl')
+  }
+
+  get drawCalls(): number {
+    return this.#painter?.drawCalls ?? 0
+  }
+
+  update(frame: Frame): void {
+    this.latest.receive(frame.state)
+    const resized = this.#resize()
+    if (this.#width === 0 || this.#height === 0) return
+    this.#readTheme()
+    this.#chooseFrame(frame, resized)
+    this.#shown = frame
+    this.#draw(frame)
+  }
+
+  dispose(): void {
+    this.#listening.abort()
+    this.#resizes.disconnect()
+    this.#keyboard.commit()
+    this.#pointer.dispose()
+    this.#orbit.dispose()
+    this.#painter?.dispose()
+  }
+
+  frame(): ViewFrame {
+    return this.#frame
+  }
+
+  handles(): readonly ScreenPoint[] {
+    return this.#handles
+  }
+
+  showHover(vertex: number | null): void {
+    this.#overlay.showHover(vertex)
+  }
+
+  showDrag(keys: DragKeys | null, byTouch: boolean): void {
+    this.#drag = keys && { keys, byTouch }
+    this.#host.requestFrame()
+  }
+
+  fit(toDefault: boolean): void {
+    const { state } = this.latest
+    if (state === null || this.#pointer.isDragging) return
+    this.#frame = frameOf(state.vertices)
+    this.#aim(state.vertices, toDefault)
+    this.#host.requestFrame()
+  }
+
+  orbit(right: number, up: number): void {
+    const { three } = this.camera
+    const eye = three.position.clone().sub(this.#orbit.target)
+    const distance = eye.length()
+    const azimuth = Math.atan2(eye.y, eye.x) + right * ORBIT_STEP
+    const most = Math.PI / 2 - 0.01
+    const elevation = Math.max(-most, Math.min(most, Math.asin(eye.z / distance) + up * ORBIT_STEP))
+    eye.set(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation))
+    three.position.copy(this.#orbit.target).addScaledVector(eye, distance)
+    this.#orbit.update()
+  }
+
+  zoom(factor: number): void {
+    const { three } = this.camera
+    three.position.sub(this.#orbit.target).divideScalar(factor).add(this.#orbit.target)
+    this.#orbit.update()
+  }
+
+  #build(): void {
+    this.root.className = 'scene'
+    const help = document.createElement('p')
+    help.id = 'scene-help'
+    help.className = 'scene-help'
+    help.textContent = KEYBOARD_HELP
+    this.element.className = 'scene-stage'
+    this.element.tabIndex = 0
+    this.element.dataset.cursor = 'orbit'
+    this.element.setAttribute('role', 'application')
+    this.element.setAttribute('aria-label', 'The hexahedron in space, eight vertices to move')
+    this.element.setAttribute('aria-describedby', help.id)
+    if (this.#painter) this.element.append(this.#painter.canvas)
+    this.element.append(this.#overlay.root)
+    this.root.append(this.element, this.#colourBar.root, this.#controls.root, help)
+    this.root.classList.toggle('unpainted', this.#painter === null)
+  }
+
+  #createOrbit(): OrbitControls {
+    const orbit = new OrbitControls(this.camera.three, this.element)
+    this.element.style.touchAction = '' // the style sheet decides; the controls would take the page's scroll
+    orbit.zoomToCursor = true
+    orbit.zoomSpeed = 1.6
+    orbit.minDistance = 0.05
+    orbit.maxDistance = 1000
+    orbit.addEventListener('change', () => this.#host.requestFrame())
+    return orbit
+  }
+
+  #listen(): void {
+    const { signal } = this.#listening
+    this.element.addEventListener('keydown', event => this.#onKey(event), { signal })
+    this.element.addEventListener('keyup', event => this.#onKey(event), { signal })
+    this.element.addEventListener('blur', () => this.#keyboard.commit(), { signal })
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#host.requestFrame(), { signal })
+    this.#resizes.observe(this.root)
+    this.#watchPixelRatio()
+  }
+
+  /** A media query for the present ratio, since there is no event for another one. */
+  #watchPixelRatio(): void {
+    const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
+    const onChange = () => {
+      this.#watchPixelRatio()
+      this.#host.requestFrame()
+    }
+    query.addEventListener('change', onChange, { once: true, signal: this.#listening.signal })
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    if (this.#pointer.isDragging) this.#pointer.onKey(event)
+    else if (event.type === 'keydown') this.#keyboard.onKeyDown(event)
+    else this.#keyboard.onKeyUp(event)
+  }
+
+  #onContext(lost: boolean): void {
+    this.#contextLost = lost
+    this.root.classList.toggle('unpainted', lost)
+    if (lost) this.#host.raise({ code: 'context-lost', message: CONTEXT_LOST })
+    else this.#host.clear('context-lost')
+    this.#host.requestFrame()
+  }
+
+  #resize(): boolean {
+    const { clientWidth: width, clientHeight: height } = this.element
+    if (width === this.#width && height === this.#height) return false
+    this.#width = width
+    this.#height = height
+    if (width > 0 && height > 0) this.camera.resize(width, height, this.#insets())
+    return true
+  }
+
+  #insets(): Insets {
+    return this.#width < NARROW
+      ? { top: 44, right: 40, bottom: 64, left: 40 }
+      : { top: 56, right: 132, bottom: 72, left: 72 }
+  }
+
+  get #barHeight(): number {
+    return Math.round(Math.max(90, Math.min(220, this.#height * 0.3)))
+  }
+
+  /** What words other than the overlay's stand on. */
+  #taken(): Box[] {
+    const bar = { x: this.#width - 140, y: 0, width: 140, height: this.#barHeight + 64 }
+    return [bar, { x: 0, y: this.#height - 48, width: this.#width, height: 48 }, { x: 0, y: 0, width: 84, height: 84 }]
+  }
+
+  #readTheme(): void {
+    const theme = this.#themeReader.read()
+    if (theme === this.#theme) return
+    this.#theme = theme
+    this.#ramp = rampOf(theme)
+  }
+
+  /** The view frame stays while vertices are moved; another element is brought into view. */
+  #chooseFrame({ state }: Frame, resized: boolean): void {
+    const another = this.#framed === null || this.#framed.preset !== state.preset || this.#framed.start !== state.start
+    const before = this.#shown?.state
+    const outside = before && before.vertices !== state.vertices && !before.gestureStart && !state.gestureStart
+    const firstSize = resized && this.#shown === null
+    if (another || firstSize || (outside && !this.#isInView(state))) {
+      this.#frame = frameOf(state.vertices)
+      this.#aim(state.vertices, another)
+    } else if (resized) {
+      this.#aim(state.vertices, false)
+    }
+    this.#framed = { preset: state.preset, start: state.start }
+  }
+
+  #isInView({ vertices }: State): boolean {
+    this.camera.three.updateMatrixWorld()
+    const points = verticesInView(this.#frame, vertices).map(point => this.camera.project(point))
+    const { width, height } = this.camera
+    const inside = points.every(
+      ({ x, y, depth }) =>
+        depth > 0 && x > -0.05 * width && x < 1.05 * width && y > -0.05 * height && y < 1.05 * height,
+    )
+    const spread = (of: (p: ScreenPoint) => number) => Math.max(...points.map(of)) - Math.min(...points.map(of))
+    return inside && Math.max(spread(p => p.x) / width, spread(p => p.y) / height) > 0.2
+  }
+
+  #aim(vertices: Vertices, toDefault: boolean): void {
+    const points = verticesInView(this.#frame, vertices)
+    const target = this.camera.fit(points, toDefault ? DEFAULT_DIRECTION : undefined)
+    this.#orbit.target.set(...target)
+    this.#orbit.update()
+  }
+
+  #draw({ state, report }: Frame): void {
+    const { camera } = this
+    const vertices = verticesInView(this.#frame, state.vertices)
+    camera.enclose(vertices)
+    this.#handles = vertices.map(point => camera.project(point))
+    const theme = this.#theme as Theme
+    const ramp = this.#ramp as Ramp
+    const scale = report && colourScaleOf(report.boundaryMinimum, report.boundaryMaximum)
+    if (this.#painter && !this.#contextLost) {
+      this.#painter.paint({
+        vertices,
+        report,
+        scale,
+        ramp,
+        theme,
+        display: state.faceDisplay,
+        camera,
+        width: this.#width,
+        height: this.#height,
+        pixelRatio: Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
+      })
+      this.framesDrawn++
+    }
+    const picture = { state, report, frame: this.#frame, camera, handles: this.#handles, drag: this.#drag }
+    this.#overlay.update({ ...picture, taken: this.#taken() })
+    this.#colourBar.update({ state, report, scale, ramp, height: this.#barHeight })
+    this.#controls.update(state.faceDisplay, report as Report | null)
+  }
+}
+
+export const createScene = (host: ViewHost): SceneView => new Scene(host)
+createScene satisfies CreateView

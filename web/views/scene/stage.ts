@@ -1,0 +1,24 @@
+/** What the pointer and keyboard inputs see of the scene: geometry to read, the state, and where to send actions. */
+import type { SceneCamera, ScreenPoint } from './camera'
+import type { LatestState } from './latest-state'
+import type { DragKeys } from './vertex-drag'
+import type { ViewFrame } from './view-frame'
+
+export interface Stage {
+  /** Takes focus, pointer and keys. */
+  readonly element: HTMLElement
+  readonly camera: SceneCamera
+  readonly latest: LatestState
+  frame(): ViewFrame
+  /** Where the eight vertices are on the screen. */
+  handles(): readonly ScreenPoint[]
+  /** The handle that a press would take, for feedback. */
+  showHover(vertex: number | null): void
+  /** What the running drag of the selected vertex is held to; null when none is running. */
+  showDrag(keys: DragKeys | null, byTouch: boolean): void
+  /** Everything in view again: along the same line of sight, or in the default view. */
+  fit(toDefault: boolean): void
+  /** Turns the view, in steps to the right and up. */
+  orbit(right: number, up: number): void
+  zoom(factor: number): void
+}

@@ -1,0 +1,36 @@
+/** Small helpers to make and move SVG elements; attributes only, since the page forbids style attributes. */
+
+const NAMESPACE = 'http://www.w3.org/2000/svg'
+
+export function svg<K extends keyof SVGElementTagNameMap>(
+  name: K,
+  attributes: Readonly<Record<string, string | number>> = {},
+  ...children: readonly (Node | string)[]
+): SVGElementTagNameMap[K] {
+  const element = document.createElementNS(NAMESPACE, name)
+  set(element, attributes)
+  element.append(...children)
+  return element
+}
+
+export function set(element: Element, attributes: Readonly<Record<string, string | number>>): void {
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value))
+}
+
+/** A tenth of a pixel is finer than the eye and keeps the markup short. */
+export function px(value: number): string {
+  return (Math.round(value * 10) / 10).toString()
+}
+
+export function moveTo(element: Element, { x, y }: { readonly x: number; readonly y: number }): void {
+  element.setAttribute('transform', `translate(${px(x)} ${px(y)})`)
+}
+
+export function show(element: Element, shown: boolean): void {
+  if (shown) element.removeAttribute('display')
+  else element.setAttribute('display', 'none')
+}
+
+export function setText(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text
+}

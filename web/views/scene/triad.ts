@@ -1,0 +1,31 @@
+/** The coordinate axes as the camera sees them, in a corner. */
+import type { SceneCamera } from './camera'
+import { px, set, svg } from './svg'
+import { at } from './view-frame'
+
+const LENGTH = 22
+const LETTERS = ['x', 'y', 'z'] as const
+
+export class Triad {
+  readonly root = svg('g', { class: 'triad', transform: 'translate(44 44)' })
+  readonly #axes = LETTERS.map(letter => ({
+    line: svg('path'),
+    text: svg('text', { 'text-anchor': 'middle' }, letter),
+  }))
+
+  constructor() {
+    for (const { line, text } of this.#axes) this.root.append(line, text)
+  }
+
+  update(camera: SceneCamera): void {
+    const [right, up] = camera.axes()
+    this.#axes.forEach(({ line, text }, axis) => {
+      const x = at(right, axis) * LENGTH
+      const y = -at(up, axis) * LENGTH
+      const length = Math.hypot(x, y)
+      set(line, { d: `M0 0L${px(x)} ${px(y)}` })
+      const beyond = length > 1 ? (length + 9) / length : 0
+      set(text, { x: px(x * beyond), y: px(y * beyond) })
+    })
+  }
+}

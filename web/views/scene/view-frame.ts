@@ -1,0 +1,82 @@
+/**
+ * The normalised frame everything is drawn in: physical coordinates (doubles of any size) minus a centre, divided by a
+ * size, so that a fitted element fills [-1,1]^3 and single precision suffices from 1e-300 to 1e300.
+ */
+import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf } from '../../model/hexahedron'
+
+export interface ViewFrame {
+  /** Middle of the bounding box, physical. */
+  readonly centre: Vec3
+  /** Half of the longest side of the bounding box, physical; 1 for eight equal points. */
+  readonly size: number
+}
+
+/** Differences of coordinates overflow beyond this half-extent, so they are taken of coordinates made smaller first. */
+const HUGE = 2 ** 1000
+const SHRINK = 2 ** -16
+
+/** Least and greatest coordinate of the vertices on one axis. */
+function range(vertices: Vertices, axis: number): [number, number] {
+  let least = Infinity
+  let greatest = -Infinity
+  for (let v = 0; v < VERTEX_COUNT; v++) {
+    const value = vertices[3 * v + axis] as number
+    least = Math.min(least, value)
+    greatest = Math.max(greatest, value)
+  }
+  return [least, greatest]
+}
+
+/** Sum of halves, unless halving a denormal would lose its last bit. */
+function middle(a: number, b: number): number {
+  const sum = a + b
+  return Number.isFinite(sum) ? sum / 2 : a / 2 + b / 2
+}
+
+function halfDifference(a: number, b: number): number {
+  const difference = b - a
+  return Number.isFinite(difference) ? difference / 2 || difference : b / 2 - a / 2
+}
+
+export function frameOf(vertices: Vertices): ViewFrame {
+  const ranges = [range(vertices, 0), range(vertices, 1), range(vertices, 2)] as const
+  const size = Math.max(...ranges.map(([least, greatest]) => halfDifference(least, greatest)))
+  const centre = ranges.map(([least, greatest]) => middle(least, greatest)) as unknown as Vec3
+  return { centre, size: size > 0 ? size : 1 }
+}
+
+/** The longest side of the bounding box; at most the greatest double. */
+export function extentOf(vertices: Vertices): number {
+  return Math.min(2 * frameOf(vertices).size, Number.MAX_VALUE)
+}
+
+export function toView(frame: ViewFrame, point: Vec3): Vec3 {
+  const shrink = frame.size > HUGE ? SHRINK : 1
+  return map3(axis => (at(point, axis) * shrink - at(frame.centre, axis) * shrink) / (frame.size * shrink))
+}
+
+/** Inverse of `toView`; what would overflow becomes the greatest double. */
+export function toPhysical(frame: ViewFrame, point: Vec3): Vec3 {
+  return map3(axis => finite(at(frame.centre, axis) + at(point, axis) * frame.size))
+}
+
+export function finite(value: number): number {
+  return Math.max(-Number.MAX_VALUE, Math.min(Number.MAX_VALUE, value))
+}
+
+export function vertexInView(frame: ViewFrame, vertices: Vertices, vertex: number): Vec3 {
+  return toView(frame, vertexOf(vertices, vertex))
+}
+
+/** All eight vertices in the frame. */
+export function verticesInView(frame: ViewFrame, vertices: Vertices): Vec3[] {
+  return Array.from({ length: VERTEX_COUNT }, (_, v) => vertexInView(frame, vertices, v))
+}
+
+export function at(point: Vec3, axis: number): number {
+  return point[axis] as number
+}
+
+export function map3(of: (axis: 0 | 1 | 2) => number): Vec3 {
+  return [of(0), of(1), of(2)]
+}
