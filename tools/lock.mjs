@@ -29,8 +29,9 @@ function acquire(file) {
   } catch (error) {
     if (error.code !== 'EEXIST') throw error
   }
-  if (!isHeld(file)) rmSync(file, { force: true })
-  return false
+  if (isHeld(file)) return false
+  rmSync(file, { force: true })
+  return acquire(file)
 }
 
 function isHeld(file) {

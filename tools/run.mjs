@@ -14,14 +14,27 @@ export const tsc = join(root, 'node_modules', 'typescript', 'bin', 'tsc')
 export class Failure extends Error {}
 
 const children = new Set()
+let endWith
+
+// A child that goes on alone would work against the next run, so it is waited for.
 for (const [signal, status] of [
   ['SIGINT', 130],
   ['SIGTERM', 143],
 ]) {
   process.on(signal, () => {
+    endWith = status
+    if (children.size === 0) process.exit(status)
     for (const child of children) child.kill(signal)
-    process.exit(status)
+    setTimeout(() => {
+      for (const child of children) child.kill('SIGKILL')
+      process.exit(status)
+    }, 5000)
   })
+}
+
+function ended(child) {
+  children.delete(child)
+  if (endWith !== undefined && children.size === 0) process.exit(endWith)
 }
 
 /**
@@ -50,11 +63,11 @@ export function run(command, args, { cwd = root, env = process.env, output = 'ca
       if (output === 'tee') process.stderr.write(chunk)
     })
     child.on('error', error => {
-      children.delete(child)
+      ended(child)
       resolve({ status: 127, stdout, text: text + error.message })
     })
     child.on('close', (code, signal) => {
-      children.delete(child)
+      ended(child)
       resolve({ status: code ?? 1, stdout, text: signal ? `${text}\nended by ${signal}` : text })
     })
   })

@@ -123,13 +123,14 @@ async function installEmcc(say) {
   throw new Failure('emcc was installed but cannot be found. Put emcc on PATH or set EMSDK, then repeat.')
 }
 
-/** The official SDK into .emsdk, under another name until it is complete. */
+/** The official SDK into .emsdk, elsewhere until it is complete. */
 async function installEmsdk(say) {
   const missing = ['git', 'python3', 'xz'].filter(name => !onPath(name))
   if (missing.length > 0) throw new Failure(`Hexlens needs emcc, and its SDK needs more. ${installAdvice(missing)}`)
   say(`installing the emscripten SDK ${EMSDK_VERSION} into .emsdk (some minutes)`)
-  const partial = `${EMSDK_FOLDER}-partial`
-  const advice = 'Check that the address can be reached, or install emcc yourself (on PATH or in $EMSDK), then repeat.'
+  const partial = join(root, 'build', 'emsdk-partial')
+  const byHand = onPath('apt-get') ? 'run `sudo apt-get install emscripten`' : 'install emcc (on PATH or in $EMSDK)'
+  const advice = `Check that the address can be reached, or ${byHand}, then repeat.`
   rmSync(partial, { recursive: true, force: true })
   try {
     await must('git', ['clone', '--quiet', '--depth=1', '--branch', EMSDK_VERSION, EMSDK_SOURCE, partial], advice, {
