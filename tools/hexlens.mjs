@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // The command line: runs web/cli/main.ts. Standard output is main's alone; a setup that is needed speaks on standard error.
 
-import { join } from 'node:path'
+import { importSource } from './import-source.mjs'
 import { root, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
@@ -13,9 +13,8 @@ process.stdout.on('error', error => {
 
 await runMain(async () => {
   await setup({ say: line => process.stderr.write(`${line}\n`) })
-  const { runnerImport } = await import('vite')
-  const { module } = await runnerImport(join(root, 'web/cli/main.ts'), { root, configFile: false, logLevel: 'silent' })
+  const { main } = await importSource('web/cli/main.ts')
   // npm runs scripts in the package's folder; file names are meant from where the user is.
   if (process.env.INIT_CWD && process.cwd() === root) process.chdir(process.env.INIT_CWD)
-  return module.main(process.argv.slice(2))
+  return main(process.argv.slice(2))
 })
