@@ -6,6 +6,9 @@
 /* Doubles below 1 are at most this far apart: a shorter bracket says nothing more about a weight 1-t. */
 #define FINEST UNIT_ROUNDOFF
 
+/* A cut d away from an extremum changes the value there by at most 24 d^2 max|p|, far below (18). */
+#define FINEST_CUT 0x1p-32
+
 /* de Casteljau makes three roundings a level (1-t, product, sum), each of at most max|p|: (18). */
 #define EVALUATION_ROUNDINGS 3
 
@@ -23,9 +26,9 @@ static double value_at(const double *p, int degree, double t, double *slope) {
 
 /* The one root between low and high, where the polynomial goes from sign `sign_low` to the other: Newton's step where
    it stays inside and at least halves, else bisection. Every bisection halves the bracket, so it ends. */
-static double bracketed_root(const double *p, int degree, double low, double high, int sign_low) {
+static double bracketed_root(const double *p, int degree, double low, double high, int sign_low, double finest) {
   double last_step = high - low, t = low + 0.5 * last_step;
-  while (high - low > FINEST) {
+  while (high - low > finest) {
     double slope, value = value_at(p, degree, t, &slope);
     if (value == 0) return t;
     if (sign_of(value) == sign_low) low = t;
@@ -36,7 +39,7 @@ static double bracketed_root(const double *p, int degree, double low, double hig
       next = low + 0.5 * (high - low);
       step = 0.5 * (high - low);
     }
-    if (step < 0.5 * FINEST) return next;
+    if (step < 0.5 * finest) return next;
     last_step = step;
     t = next;
   }
@@ -73,7 +76,7 @@ static int sign_at_extremum(const double *p, int degree, double t) {
   return value > error ? 1 : value < -error ? -1 : 0;
 }
 
-int hl_unit_roots(const double *bernstein, int degree, double roots[HL_MAX_ROOTS]) {
+static int unit_roots(const double *bernstein, int degree, double finest, double roots[HL_MAX_ROOTS]) {
   int changes = sign_changes(bernstein, degree); /* at least the number of roots (Descartes) */
   if (changes == 0) return 0;
 
@@ -82,7 +85,7 @@ int hl_unit_roots(const double *bernstein, int degree, double roots[HL_MAX_ROOTS
   if (changes > 1) {
     double derivative[HL_QUARTIC];
     for (int i = 0; i < degree; ++i) derivative[i] = bernstein[i + 1] - bernstein[i];
-    cut_count = hl_unit_roots(derivative, degree - 1, cuts);
+    cut_count = unit_roots(derivative, degree - 1, FINEST_CUT, cuts);
   }
   cuts[cut_count] = 1;
 
@@ -94,11 +97,15 @@ int hl_unit_roots(const double *bernstein, int degree, double roots[HL_MAX_ROOTS
       touched = cuts[c];
       continue;
     }
-    double root = next != sign ? bracketed_root(bernstein, degree, low, cuts[c], sign) : touched;
+    double root = next != sign ? bracketed_root(bernstein, degree, low, cuts[c], sign, finest) : touched;
     if (root > 0 && root < 1) roots[count++] = root;
     sign = next;
     low = cuts[c];
     touched = 0;
   }
   return count;
+}
+
+int hl_unit_roots(const double *bernstein, int degree, double roots[HL_MAX_ROOTS]) {
+  return unit_roots(bernstein, degree, FINEST, roots);
 }
