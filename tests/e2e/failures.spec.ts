@@ -85,7 +85,7 @@ test.describe('without scripts', () => {
 
   test('the page says what it needs', async ({ page }) => {
     await page.goto('./')
-    await expect(page.getByText('it needs JavaScript')).toBeVisible()
+    await expect(page.locator('noscript')).toBeVisible()
   })
 })
 

@@ -1,11 +1,11 @@
 /** One frame as a sentence to be heard: "Vertex 3: 1.25, 0.5, −1. Minimum jacdet −0.03 on face 2. Invalid." */
 import type { Report } from '../../core/report'
-import { formatDecimal, formatJacdet } from '../../model/decimal'
+import { formatJacdet, formatNumber } from '../../model/decimal'
 import { vertexOf } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 
 export function announcement(state: State, report: Report): string {
-  const vertex = vertexOf(state.vertices, state.selectedVertex).map(formatDecimal).join(', ')
+  const vertex = vertexOf(state.vertices, state.selectedVertex).map(formatNumber).join(', ')
   const { kind, id, value } = report.minimizer
   const minimum = formatJacdet(value, report.exponent, state.referenceCube)
   const at = kind === 'vertex' ? 'at' : 'on'
