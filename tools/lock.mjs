@@ -2,6 +2,7 @@
 
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname } from 'node:path'
+import { isAlive } from './run.mjs'
 
 /** Runs `work` while holding the lock file, which names the process that holds it. */
 export async function withLock(file, say, work) {
@@ -38,10 +39,8 @@ function isHeld(file) {
   try {
     const holder = Number(readFileSync(file, 'utf8'))
     // A file without a number yet is being written.
-    if (!holder) return true
-    process.kill(holder, 0)
-    return true
-  } catch (error) {
-    return error.code === 'EPERM'
+    return !holder || isAlive(holder)
+  } catch {
+    return false
   }
 }

@@ -109,6 +109,16 @@ export function onPath(...names) {
   return undefined
 }
 
+/** True while a process has this id. */
+export function isAlive(id) {
+  try {
+    process.kill(id, 0)
+    return true
+  } catch (error) {
+    return error.code === 'EPERM'
+  }
+}
+
 /** Runs a tool's main and turns what it throws into a message and exit status 1. */
 export async function runMain(main) {
   try {

@@ -1,14 +1,15 @@
 // npm test: sets up, runs the native, unit and browser tests and ends with the counts. --fast: without the browser and
 // the long native tests.
 
-import { mkdirSync, readFileSync, rmSync } from 'node:fs'
+import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { createServer } from 'node:net'
 import { join, relative } from 'node:path'
 import { parseArgs } from 'node:util'
-import { Failure, root, run, runMain } from './run.mjs'
+import { Failure, isAlive, root, run, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
-const results = join(root, 'test-results', String(process.pid))
+const allResults = join(root, 'test-results')
+const results = join(allResults, String(process.pid))
 
 const suites = [
   { name: 'native', run: native },
@@ -22,6 +23,7 @@ await runMain(async () => {
   try {
     await setup({ purpose: fast ? 'check' : 'test' })
     mkdirSync(results, { recursive: true })
+    removeOldResults()
     const lines = []
     for (const suite of suites.filter(({ long }) => !(fast && long))) {
       const result = await suite.run({ fast })
@@ -45,6 +47,13 @@ function readArguments() {
     return parseArgs({ options: { fast: { type: 'boolean', default: false } } }).values
   } catch (error) {
     throw new Failure(`${error.message}\nUsage: npm test, or npm run test:fast`)
+  }
+}
+
+/** Those of runs that are over: runs side by side leave each other alone. */
+function removeOldResults() {
+  for (const id of readdirSync(allResults).map(Number)) {
+    if (id && !isAlive(id)) rmSync(join(allResults, String(id)), { recursive: true, force: true })
   }
 }
 
