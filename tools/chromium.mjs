@@ -12,10 +12,13 @@ export async function findChromium() {
     ...NAMES.map(name => onPath(name)),
     ...(process.platform === 'darwin' ? MAC_PATHS.map(path => executable(`/Applications/${path}`)) : []),
   ]
-  for (const path of installed) {
-    // Ubuntu's chromium-browser is a script that says to use snap, so being there is not enough.
-    if (path && (await run(path, ['--version'])).status === 0) return path
-  }
+  // Being there is not enough: Ubuntu's chromium-browser is a script that says to use snap.
+  for (const path of installed) if (path && (await starts(path))) return path
   const { chromium } = await import('@playwright/test')
-  return existsSync(chromium.executablePath()) ? chromium.executablePath() : undefined
+  const downloaded = chromium.executablePath()
+  return existsSync(downloaded) && (await starts(downloaded)) ? downloaded : undefined
+}
+
+async function starts(path) {
+  return (await run(path, ['--version'])).status === 0
 }

@@ -159,6 +159,8 @@ async function installChromium(say) {
     [playwright, 'install', '--no-shell', ...(apt ? ['--with-deps'] : []), 'chromium'],
     'Check that the address can be reached, or install Chromium or Chrome yourself (on PATH), then repeat.',
   )
+  if (await findChromium()) return
+  throw new Failure(`Playwright's Chromium does not start here: it lacks libraries. ${installAdvice(['chromium'])}`)
 }
 
 function isDebian() {
