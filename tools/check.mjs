@@ -16,6 +16,7 @@ const checks = [
   { name: 'C formatter', complaints: formatOfC },
   { name: 'types (tsc)', complaints: () => output([process.execPath, tsc, '--pretty', 'false']) },
   { name: 'C warnings', complaints: () => output(['make', '-C', 'wasm', '--no-print-directory', 'warnings']) },
+  { name: 'lock file', complaints: addressesInLock },
   { name: 'tests', complaints: nothingLeftOut },
   { name: 'sizes', complaints: sizes },
 ]
@@ -47,6 +48,13 @@ async function output([command, ...args]) {
 async function formatOfC() {
   const names = await unformattedC()
   return names.length === 0 ? [] : [...names, 'These are not formatted: npm run format']
+}
+
+/** Where a package comes from is the installing machine's affair. */
+async function addressesInLock() {
+  const { packages } = JSON.parse(readFileSync(join(root, 'package-lock.json'), 'utf8'))
+  const named = Object.keys(packages).filter(name => packages[name].resolved !== undefined)
+  return named.length === 0 ? [] : [...named, 'Take out the addresses: npm install --omit-lockfile-registry-resolved']
 }
 
 /** Tests that are excepted from running, and test files that no suite picks up. */

@@ -9,7 +9,7 @@ export async function withLock(file, say, work) {
   mkdirSync(dirname(file), { recursive: true })
   let said = false
   while (!acquire(file)) {
-    if (!said) say('setup: waiting for another setup to end')
+    if (!said) say(`setup: waiting for another setup to end (if there is none, remove ${file})`)
     said = true
     await new Promise(resolve => setTimeout(resolve, 200))
   }
