@@ -1,0 +1,186 @@
+/**
+ * The state and its history. One store belongs to one element; dispatching is the only way to change it.
+ *
+ * A step is what one undo takes back: a change of the vertices outside a gesture, or a whole gesture. Changes are told by
+ * the bits, so that -0 and 0 differ; what changes nothing is no step and keeps the state object itself.
+ */
+import { COORDINATE_COUNT, faces, VERTEX_COUNT, type Vertices, withVertex } from './hexahedron'
+import type { Action, State } from './state'
+
+export interface Store {
+  /** The state now: a new object after every change, never mutated. */
+  readonly state: State
+  /**
+   * Applies one action. In short:
+   * - `begin-gesture` commits a gesture that still runs; commit and cancel without a gesture do nothing.
+   * - `undo` in a gesture that moved something takes back that gesture alone; in one that did not, the step before it.
+   * - `redo`, `reset` in a gesture cancel it first.
+   * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one.
+   *
+   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, no such face.
+   */
+  dispatch(action: Action): void
+}
+
+/** Undo steps kept; a page that animates an element for hours must not fill the memory. */
+export const HISTORY_LIMIT = 1000
+
+/** What undo and redo go between. */
+interface Snapshot {
+  readonly vertices: Vertices
+  readonly preset: string | null
+  readonly start: Vertices
+}
+
+type Shown = Pick<State, 'selectedVertex' | 'referenceCube' | 'faceDisplay'>
+
+/** A store that starts at these vertices, which are also what reset goes back to. Throws RangeError unless 24 finite numbers. */
+export function createStore(vertices: Vertices, preset: string | null): Store {
+  const start = accepted(vertices)
+  let present: Snapshot = { vertices: start, preset, start }
+  let past: readonly Snapshot[] = []
+  let future: readonly Snapshot[] = []
+  let gestureStart: Snapshot | null = null
+  let shown: Shown = { selectedVertex: 0, referenceCube: 'unit', faceDisplay: 'opaque' }
+  let state = currentState()
+
+  function currentState(): State {
+    const moved = gestureStart !== null && gestureStart.vertices !== present.vertices
+    return {
+      ...present,
+      ...shown,
+      gestureStart: gestureStart?.vertices ?? null,
+      canUndo: past.length > 0 || moved,
+      canRedo: future.length > 0,
+    }
+  }
+
+  function record(before: Snapshot): void {
+    past = [...past, before].slice(-HISTORY_LIMIT)
+    future = []
+  }
+
+  function change(next: Snapshot): void {
+    const before = present
+    present = next
+    if (gestureStart !== null) {
+      if (sameBits(next.vertices, gestureStart.vertices)) present = { ...next, vertices: gestureStart.vertices }
+    } else if (before.vertices !== next.vertices) record(before)
+  }
+
+  function commit(): void {
+    if (gestureStart !== null && gestureStart.vertices !== present.vertices) record(gestureStart)
+    gestureStart = null
+  }
+
+  /** Whether it took back anything. */
+  function cancel(): boolean {
+    if (gestureStart === null) return false
+    const moved = gestureStart.vertices !== present.vertices
+    present = gestureStart
+    gestureStart = null
+    return moved
+  }
+
+  function undo(): void {
+    const before = cancel() ? undefined : past.at(-1)
+    if (!before) return
+    past = past.slice(0, -1)
+    future = [...future, present]
+    present = before
+  }
+
+  function redo(): void {
+    cancel()
+    const after = future.at(-1)
+    if (!after) return
+    future = future.slice(0, -1)
+    past = [...past, present]
+    present = after
+  }
+
+  function apply(action: Action): void {
+    switch (action.type) {
+      case 'move-vertex': {
+        const moved = accepted(withVertex(present.vertices, checkedVertex(action.vertex), action.to))
+        change({ ...present, vertices: kept(present.vertices, moved) })
+        break
+      }
+      case 'set-vertices': {
+        const vertices = kept(present.vertices, accepted(action.vertices))
+        change({ vertices, preset: action.preset, start: vertices })
+        break
+      }
+      case 'begin-gesture':
+        commit()
+        gestureStart = present
+        break
+      case 'commit-gesture':
+        commit()
+        break
+      case 'cancel-gesture':
+        cancel()
+        break
+      case 'undo':
+        undo()
+        break
+      case 'redo':
+        redo()
+        break
+      case 'reset':
+        cancel()
+        change({ ...present, vertices: kept(present.vertices, present.start) })
+        break
+      case 'select-vertex':
+        shown = { ...shown, selectedVertex: checkedVertex(action.vertex) }
+        break
+      case 'show-reference-cube':
+        shown = { ...shown, referenceCube: action.referenceCube }
+        break
+      case 'show-faces':
+        if (typeof action.faceDisplay === 'number') checkIndex(action.faceDisplay, faces.length, 'face')
+        shown = { ...shown, faceDisplay: action.faceDisplay }
+        break
+    }
+  }
+
+  return {
+    get state() {
+      return state
+    },
+    dispatch(action) {
+      apply(action)
+      const next = currentState()
+      if (!sameState(state, next)) state = next
+    },
+  }
+}
+
+/** A copy of its own, so that nobody changes it behind the store's back. */
+function accepted(vertices: Vertices): Vertices {
+  if (vertices.length !== COORDINATE_COUNT || !vertices.every(Number.isFinite))
+    throw new RangeError(`A hexahedron is 24 finite numbers, not ${vertices.length} with ${vertices.join(', ')}.`)
+  return vertices.slice()
+}
+
+function checkedVertex(vertex: number): number {
+  return checkIndex(vertex, VERTEX_COUNT, 'vertex')
+}
+
+function checkIndex(index: number, count: number, what: string): number {
+  if (!Number.isInteger(index) || index < 0 || index >= count) throw new RangeError(`There is no ${what} ${index}.`)
+  return index
+}
+
+/** The old array where the new one says the same: identity then tells change. */
+function kept(before: Vertices, after: Vertices): Vertices {
+  return sameBits(before, after) ? before : after
+}
+
+function sameBits(a: Vertices, b: Vertices): boolean {
+  return a.every((value, i) => Object.is(value, b[i]))
+}
+
+function sameState(a: State, b: State): boolean {
+  return (Object.keys(a) as (keyof State)[]).every(key => Object.is(a[key], b[key]))
+}
