@@ -3,6 +3,7 @@ import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube, State } from '../../model/state'
 import { type ColourScale, cssColour, RAMP_STEPS, type Ramp, rampColour, rampPosition } from './colour-map'
+import { HATCH_PERIOD } from './faces-material'
 import { px, set, setText, show, svg } from './svg'
 
 const WIDTH = 14
@@ -67,10 +68,28 @@ export class ColourBar {
     const y = (value: number) => ((Math.max(top, bottom + 1) - rampPosition(scale, value)) / span) * height
     this.#updateRamp(ramp, Math.max(top, bottom + 1), bottom, y(0), height)
     const format = (value: number) => formatJacdet(value, exponent, state.referenceCube)
-    const places = spread([y(maximum), y(0), y(minimum)], [maximum !== 0, true, minimum !== 0 && minimum !== maximum])
-    place(this.#maximum, y(maximum), places[0], maximum === minimum ? format(maximum) : `max ${format(maximum)}`)
-    place(this.#zero, y(0), places[1], '0')
-    place(this.#minimum, y(minimum), places[2], `min ${format(minimum)}`)
+    const labels = [
+      { tick: this.#maximum, value: maximum, text: maximum === minimum ? format(maximum) : `max ${format(maximum)}` },
+      { tick: this.#zero, value: 0, text: '0' },
+      { tick: this.#minimum, value: minimum, text: `min ${format(minimum)}` },
+    ]
+    const shown = labels
+      .filter(
+        ({ tick, value }) => tick === this.#zero || (value !== 0 && !(tick === this.#minimum && value === maximum)),
+      )
+      .sort((a, b) => b.value - a.value)
+    const heights = shown.map(({ value }) => y(value))
+    const places = spreadLabels(
+      heights,
+      shown.findIndex(({ tick }) => tick === this.#zero),
+    )
+    for (const { tick } of labels) showTick(tick, false)
+    shown.forEach(({ tick, text }, i) => {
+      showTick(tick, true)
+      set(tick.line, { d: `M-3 ${px(heights[i] as number)}H${WIDTH}` })
+      set(tick.label, { y: px(places[i] as number) })
+      setText(tick.label, text)
+    })
     this.#minimum.label.classList.toggle('negative', minimum < 0)
     this.#maximum.label.classList.toggle('negative', maximum < 0)
     set(this.#svg, {
@@ -101,7 +120,7 @@ export class ColourBar {
     this.#gradient.replaceChildren(...stops)
     set(this.#clip, { y: px(zero), height: px(height - zero) })
     let lines = ''
-    for (let y = zero; y < height + WIDTH; y += 7 * Math.SQRT2) lines += `M0 ${px(y)}l${WIDTH} ${-WIDTH}`
+    for (let y = zero; y < height + WIDTH; y += HATCH_PERIOD * Math.SQRT2) lines += `M0 ${px(y)}l${WIDTH} ${-WIDTH}`
     set(this.#hatch, { d: lines || 'M0 0' })
     show(this.#hatch, bottom < 0)
   }
@@ -111,33 +130,19 @@ function createTick(name: string): Tick {
   return { line: svg('path', { class: name }), label: svg('text', { class: name, x: -8, 'text-anchor': 'end' }) }
 }
 
-function place({ line, label }: Tick, y: number, labelY: number | null, text: string): void {
-  show(label, labelY !== null)
-  show(line, labelY !== null)
-  if (labelY === null) return
-  set(line, { d: `M-3 ${px(y)}H${WIDTH}` })
-  set(label, { y: px(labelY) })
-  setText(label, text)
+function showTick({ line, label }: Tick, shown: boolean): void {
+  show(line, shown)
+  show(label, shown)
 }
 
-type Places = [number | null, number | null, number | null]
-
-/**
- * Heights of the three labels, top to bottom: each at its value, the outer ones moved away from zero where they would touch it.
- * `shown` says which there are; the zero is always there.
- */
-function spread(ys: readonly [number, number, number], shown: readonly [boolean, boolean, boolean]): Places {
-  const order = [0, 1, 2].filter(i => shown[i]).sort((a, b) => (ys[a] as number) - (ys[b] as number) || a - b)
-  const places: Places = [null, null, null]
-  const zeroAt = order.indexOf(1)
-  places[1] = ys[1]
-  for (let k = zeroAt - 1; k >= 0; k--) {
-    const below = places[order[k + 1] as number] as number
-    places[order[k] as 0 | 1 | 2] = Math.min(ys[order[k] as number] as number, below - LABEL_PITCH)
+/** Heights of labels, top to bottom: each at its own, moved away from the fixed one where they would touch. */
+export function spreadLabels(heights: readonly number[], fixed: number): number[] {
+  const places = heights.slice()
+  for (let i = fixed - 1; i >= 0; i--) {
+    places[i] = Math.min(heights[i] as number, (places[i + 1] as number) - LABEL_PITCH)
   }
-  for (let k = zeroAt + 1; k < order.length; k++) {
-    const above = places[order[k - 1] as number] as number
-    places[order[k] as 0 | 1 | 2] = Math.max(ys[order[k] as number] as number, above + LABEL_PITCH)
+  for (let i = fixed + 1; i < places.length; i++) {
+    places[i] = Math.max(heights[i] as number, (places[i - 1] as number) + LABEL_PITCH)
   }
   return places
 }

@@ -70,12 +70,12 @@ export function rampOf(theme: Theme): Ramp {
 
 /**
  * One side in OKLCH: lightness falls (on dark paper: rises) evenly from the neutral to the hue and a little beyond; chroma
- * rises ahead of it; pale tones lean towards orange or cyan, as in ColorBrewer's RdBu, which keeps them apart from grey.
+ * rises ahead of it; pale tones (not dark ones) lean towards orange or cyan, as in ColorBrewer's RdBu, away from grey.
  */
 function sideOf(neutral: Rgb, hue: Rgb): Rgb[] {
   const from = oklch(neutral)
   const to = oklch(hue)
-  const lean = leanOf(to.hue)
+  const lean = from.lightness > to.lightness ? leanOf(to.hue) : 0
   return Array.from({ length: RAMP_STEPS + 1 }, (_, step) => {
     const position = step / RAMP_STEPS
     if (step === 0) return neutral
@@ -87,8 +87,8 @@ function sideOf(neutral: Rgb, hue: Rgb): Rgb[] {
   })
 }
 
-const ORANGE = (60 * Math.PI) / 180
-const CYAN = (215 * Math.PI) / 180
+const ORANGE = (48 * Math.PI) / 180
+const CYAN = (229 * Math.PI) / 180
 const MOST_LEAN = (36 * Math.PI) / 180
 
 function leanOf(hue: number): number {

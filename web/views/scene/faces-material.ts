@@ -10,6 +10,9 @@ import { RAMP_STEPS } from './colour-map'
 const COEFFICIENT_COUNT = 9 * faces.length
 const STOPS = RAMP_STEPS + 1
 
+/** CSS pixels from stripe to stripe on the negative side. */
+export const HATCH_PERIOD = 8
+
 const faceVertices = faces.map(face => `ivec4(${face.vertices.join(', ')})`).join(', ')
 
 const shared = /* glsl */ `
@@ -124,11 +127,16 @@ void main() {
   float levelSeen = levels < 0.5 || levels > STEPS - 0.5 ? 0.0 : smoothstep(5.0, 12.0, levelSpacing) * zeroSeen;
   float level = 0.16 * levelSeen * coverage(levelDistance * pixelRatio, 0.5 * pixelRatio);
 
+  // A dark and a light stripe side by side: one of them stands out on any colour, and in grey.
   float diagonal = (gl_FragCoord.x + gl_FragCoord.y) * 0.70710678 / pixelRatio;
-  float hatchDistance = abs(fract(diagonal / hatchPeriod) - 0.5) * hatchPeriod;
-  float hatch = f.x < 0.0 ? 0.5 * zeroSeen * coverage(hatchDistance * pixelRatio, 0.55 * pixelRatio) : 0.0;
+  float across = (fract(diagonal / hatchPeriod) - 0.5) * hatchPeriod;
+  float hatchSeen = f.x < 0.0 ? zeroSeen : 0.0;
+  float darkStripe = 0.36 * hatchSeen * coverage(abs(across - 0.55) * pixelRatio, 0.55 * pixelRatio);
+  float lightStripe = 0.3 * hatchSeen * coverage(abs(across + 0.55) * pixelRatio, 0.55 * pixelRatio);
 
-  colour = mix(colour, tone, max(level, hatch));
+  colour = mix(colour, tone, level);
+  colour = mix(colour, light, lightStripe);
+  colour = mix(colour, dark, darkStripe);
 
   // Within the heavy line's casing nothing but the neutral lies beside it.
   float casing = zeroSeen * coverage(zeroDistance * pixelRatio, 2.4 * pixelRatio);
@@ -138,7 +146,7 @@ void main() {
 
   vec2 toBorder = min(p, 1.0 - p) / max(vec2(length(sSlope), length(tSlope)), 1e-20);
   float borderDistance = min(toBorder.x, toBorder.y);
-  float fold = coverage(abs(turned) / max(length(turnedSlope), 1e-20), 0.6 * pixelRatio);
+  float fold = coverage(abs(turned) / max(length(turnedSlope), 1e-20), 1.8 * pixelRatio);
   float edge = coverage(borderDistance, 0.75 * pixelRatio);
   colour = mix(colour, paper, 0.55 * coverage(borderDistance, 1.6 * pixelRatio));
   colour = mix(colour, ink, max(edge, 0.7 * fold));
@@ -163,7 +171,7 @@ export function createFacesUniforms() {
     paper: { value: new Vector3() },
     eye: { value: new Vector3() },
     pixelRatio: { value: 1 },
-    hatchPeriod: { value: 7 },
+    hatchPeriod: { value: HATCH_PERIOD },
     seeThrough: { value: false },
   }
 }

@@ -17,9 +17,9 @@ export interface LabelRequest {
   readonly width: number
   readonly height: number
   readonly bounds: Box
-  /** Discs of this radius around these points are taken, and so are the boxes. */
+  /** Handles and their numbers, as middles of discs not to be covered, and boxes that are taken. */
   readonly points: readonly Point[]
-  readonly pointRadius: number
+  readonly numbers: readonly Point[]
   readonly boxes: readonly Box[]
   /** What the label had better not cover, and away from whose middle it goes. */
   readonly body: readonly Point[]
@@ -38,7 +38,10 @@ const DIRECTIONS = 16
 const DISTANCES = [34, 56, 84, 120, 170]
 
 /** What each fault weighs, in pixels of distance from the anchor. */
-const WEIGHT = { outside: 40, point: 220, box: 400, body: 26, inwards: 22, stay: 60 }
+const WEIGHT = { outside: 40, point: 220, crossing: 90, box: 400, body: 22, inwards: 22, stay: 60 }
+
+const POINT_RADIUS = 12
+const NUMBER_RADIUS = 9
 
 export function placeLabel(request: LabelRequest): LabelPlace {
   const hull = convexHull(request.body)
@@ -73,10 +76,13 @@ function costOf(place: LabelPlace, request: LabelRequest, hull: readonly Point[]
   const box = { x: place.x - width / 2, y: place.y - height / 2, width, height }
   let cost = DISTANCES[Math.floor(place.index / DIRECTIONS)] as number
   cost += WEIGHT.outside * outsideBy(box, bounds)
-  for (const point of request.points) {
-    const near = request.pointRadius - distanceToBox(point, box)
+  for (const point of [...request.points, ...request.numbers]) {
+    const near = POINT_RADIUS - distanceToBox(point, box)
     if (near > 0) cost += WEIGHT.point + near
   }
+  const near = { x: place.x - (Math.sign(place.x - anchor.x) * width) / 2, y: place.y }
+  for (const number of request.numbers)
+    if (distanceToLine(number, anchor, near) < NUMBER_RADIUS) cost += WEIGHT.crossing
   for (const other of request.boxes) if (overlap(box, other)) cost += WEIGHT.box
   for (const corner of cornersOf(box)) if (insideHull(corner, hull)) cost += WEIGHT.body
   const [ax, ay] = [anchor.x - middle.x, anchor.y - middle.y]
@@ -99,6 +105,13 @@ function distanceToBox(point: Point, box: Box): number {
   const dx = Math.max(box.x - point.x, 0, point.x - box.x - box.width)
   const dy = Math.max(box.y - point.y, 0, point.y - box.y - box.height)
   return Math.hypot(dx, dy)
+}
+
+function distanceToLine(point: Point, from: Point, to: Point): number {
+  const [dx, dy] = [to.x - from.x, to.y - from.y]
+  const way = ((point.x - from.x) * dx + (point.y - from.y) * dy) / (dx * dx + dy * dy || 1)
+  const within = Math.max(0, Math.min(1, way))
+  return Math.hypot(from.x + dx * within - point.x, from.y + dy * within - point.y)
 }
 
 function overlap(a: Box, b: Box): boolean {

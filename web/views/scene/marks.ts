@@ -3,7 +3,7 @@ import type { Candidate } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { edgeVertices, faces } from '../../model/hexahedron'
 import type { ScreenPoint } from './camera'
-import { type Box, type LabelPlace, placeLabel } from './label-place'
+import { type Box, type LabelPlace, type Point, placeLabel } from './label-place'
 import type { OverlayPicture } from './overlay'
 import { moveTo, px, set, setText, show, svg } from './svg'
 import { toView } from './view-frame'
@@ -15,10 +15,15 @@ export const candidateShapes: Readonly<Record<'edge' | 'face', string>> = {
 }
 
 const RING = 9
-const HANDLE_RING = 12.5
+const HANDLE_RING = 12
 const LABEL_HEIGHT = 20
 const CHARACTER_WIDTH = 8.4
 const ELBOW = 14
+
+export interface MarksPicture extends OverlayPicture {
+  /** Where the vertex numbers are. */
+  readonly numbers: readonly Point[]
+}
 
 interface Mark {
   readonly group: SVGGElement
@@ -32,16 +37,17 @@ export class Marks {
   readonly #pool: Mark[] = []
   readonly #halo = svg('circle', { class: 'rim' })
   readonly #ring = svg('circle', { class: 'ring' })
-  readonly #dot = svg('circle', { class: 'dot', r: 2 })
+  readonly #core = svg('circle', { class: 'core', r: 5 })
+  readonly #dot = svg('circle', { class: 'dot', r: 3 })
   readonly #leader = svg('path', { class: 'leader' })
   readonly #label = svg('text')
   #place: LabelPlace | null = null
 
   constructor() {
-    this.minimizer.append(this.#leader, this.#halo, this.#ring, this.#dot, this.#label)
+    this.minimizer.append(this.#leader, this.#halo, this.#ring, this.#core, this.#dot, this.#label)
   }
 
-  update(picture: OverlayPicture): void {
+  update(picture: MarksPicture): void {
     const { report } = picture
     show(this.minimizer, report !== null)
     if (report === null) {
@@ -54,7 +60,7 @@ export class Marks {
     this.#updateMinimizer(minimizer, report.exponent, picture)
   }
 
-  #updateCandidates(marked: readonly Candidate[], { frame, camera, report, state }: OverlayPicture): void {
+  #updateCandidates(marked: readonly Candidate[], { frame, camera, report, state }: MarksPicture): void {
     while (this.#pool.length < marked.length) this.#pool.push(this.#createMark())
     this.#pool.forEach(({ group, path, title }, i) => {
       const candidate = marked[i]
@@ -76,21 +82,22 @@ export class Marks {
     return { group, path, title }
   }
 
-  #updateMinimizer(minimizer: Candidate, exponent: number, picture: OverlayPicture): void {
+  #updateMinimizer(minimizer: Candidate, exponent: number, picture: MarksPicture): void {
     const { camera, frame, state } = picture
     const at = camera.project(toView(frame, minimizer.position))
     show(this.minimizer, at.depth > 0)
     const radius = minimizer.kind === 'vertex' ? HANDLE_RING : RING
-    for (const circle of [this.#halo, this.#ring, this.#dot]) set(circle, { cx: px(at.x), cy: px(at.y) })
+    for (const circle of [this.#halo, this.#ring, this.#core, this.#dot]) set(circle, { cx: px(at.x), cy: px(at.y) })
     set(this.#halo, { r: radius })
     set(this.#ring, { r: radius })
+    show(this.#core, minimizer.kind !== 'vertex')
     show(this.#dot, minimizer.kind !== 'vertex')
     this.minimizer.classList.toggle('positive', minimizer.value > 0)
     setText(this.#label, `min J = ${formatJacdet(minimizer.value, exponent, state.referenceCube)}`)
     this.#placeLabel(at, radius, picture)
   }
 
-  #placeLabel(at: ScreenPoint, radius: number, { camera, handles, taken }: OverlayPicture): void {
+  #placeLabel(at: ScreenPoint, radius: number, { camera, handles, numbers, taken }: MarksPicture): void {
     const width = CHARACTER_WIDTH * (this.#label.textContent ?? '').length + 8
     const bounds: Box = { x: 10, y: 10, width: camera.width - 20, height: camera.height - 20 }
     const place = placeLabel({
@@ -99,7 +106,7 @@ export class Marks {
       height: LABEL_HEIGHT,
       bounds,
       points: handles,
-      pointRadius: 26,
+      numbers: numbers,
       boxes: taken,
       body: handles,
       previous: this.#place?.index ?? null,

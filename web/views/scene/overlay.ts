@@ -5,7 +5,7 @@ import { formatNumber } from '../../model/decimal'
 import { edgeVertices, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import type { SceneCamera, ScreenPoint } from './camera'
-import { type Box, meanOf } from './label-place'
+import { type Box, meanOf, type Point } from './label-place'
 import { Marks } from './marks'
 import { moveTo, px, set, setText, show, svg } from './svg'
 import { Triad } from './triad'
@@ -25,6 +25,8 @@ export interface OverlayPicture {
 
 /** From a handle's middle to the middle of its number. */
 const NUMBER_DISTANCE = 17
+/** The same where the minimizer's ring is around the handle. */
+const RINGED_NUMBER_DISTANCE = 24
 
 interface Handle {
   readonly group: SVGGElement
@@ -70,28 +72,33 @@ export class Overlay {
     const edges = edgePath(edgeVertices, handles)
     set(this.#edgeHalo, { d: edges })
     set(this.#edges, { d: edges })
-    this.#updateHandles(picture)
+    const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
     this.#updateDrag(picture)
-    this.#marks.update(picture)
+    this.#marks.update({ ...picture, numbers })
     this.#triad.update(camera)
   }
 
-  #updateHandles({ handles, state }: OverlayPicture): void {
+  /** Returns where the numbers are. */
+  #updateHandles({ handles, state, report }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
-    handles.forEach((at, v) => {
+    const ringed = report?.minimizer.kind === 'vertex' ? report.minimizer.id : null
+    const numbers = handles.map((at, v) => {
       const { group, number } = this.#handles[v] as Handle
       show(group, at.depth > 0)
       moveTo(group, at)
       const [dx, dy] = [at.x - middle.x, at.y - middle.y]
       const length = Math.hypot(dx, dy)
       const [ux, uy] = length > 1 ? [dx / length, dy / length] : [0, -1]
-      set(number, { x: px(ux * NUMBER_DISTANCE), y: px(uy * NUMBER_DISTANCE) })
+      const distance = v === ringed ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
+      set(number, { x: px(ux * distance), y: px(uy * distance) })
       group.classList.toggle('selected', v === state.selectedVertex)
+      return { x: at.x + ux * distance, y: at.y + uy * distance }
     })
     const selected = this.#handles[state.selectedVertex]?.group
     // The selected handle is drawn over its neighbours.
     if (selected && selected.nextSibling !== this.#marks.minimizer) this.#marks.minimizer.before(selected)
+    return numbers
   }
 
   /** The edges of the vertex being moved as they were. */
