@@ -1,13 +1,13 @@
-/** One frame as a sentence to be heard: "Vertex 3: 1.25, 0.5, −1. Minimum jacdet −0.03 on face 2. Invalid." */
+/** One frame as a sentence to be heard: "Vertex 3: 1.25, 0.5, -1. Minimum jacdet -0.03 on face 2. Invalid." */
 import type { Report } from '../../core/report'
-import { formatJacdet, formatNumber } from '../../model/decimal'
+import { speakJacdet, speakNumber } from '../../model/decimal'
 import { vertexOf } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 
 export function announcement(state: State, report: Report): string {
-  const vertex = vertexOf(state.vertices, state.selectedVertex).map(formatNumber).join(', ')
+  const vertex = vertexOf(state.vertices, state.selectedVertex).map(speakNumber).join(', ')
   const { kind, id, value } = report.minimizer
-  const minimum = formatJacdet(value, report.exponent, state.referenceCube)
+  const minimum = speakJacdet(value, report.exponent, state.referenceCube)
   const at = kind === 'vertex' ? 'at' : 'on'
   return `Vertex ${state.selectedVertex}: ${vertex}. Minimum jacdet ${minimum} ${at} ${kind} ${id}. ${report.valid ? 'Valid' : 'Invalid'}.`
 }

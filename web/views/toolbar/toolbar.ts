@@ -27,8 +27,6 @@ class ToolbarView implements View {
   update({ state }: Frame): void {
     if (this.#outcome && this.#outcome.link !== this.#host.permalink()) this.#outcome = null
     const shown = shownPreset(state)
-    // A running gesture is committed by the click itself: it takes the focus from where it runs.
-    const canUndo = state.canUndo || state.gestureStart !== null
     render(
       html`<span class="brand">Hexlens</span>
         <label class="preset">
@@ -42,7 +40,7 @@ class ToolbarView implements View {
         </label>
         <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : nothing}</p>
         <div class="actions">
-          <button type="button" ?disabled=${!canUndo} @click=${() => this.#host.dispatch({ type: 'undo' })}>
+          <button type="button" ?disabled=${!state.canUndo} @click=${() => this.#host.dispatch({ type: 'undo' })}>
             Undo
           </button>
           <button type="button" ?disabled=${!state.canRedo} @click=${() => this.#host.dispatch({ type: 'redo' })}>

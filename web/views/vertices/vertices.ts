@@ -2,6 +2,7 @@
 import { html, render } from 'lit-html'
 import { COORDINATE_COUNT, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
 import type { CreateView, Frame, View, ViewHost } from '../view'
+import { coordinateText, readCoordinate } from './coordinate-text'
 import css from './vertices.css?inline'
 
 export const verticesStyles = css
@@ -9,19 +10,8 @@ export const verticesStyles = css
 const axisNames = ['x', 'y', 'z'] as const
 
 /** "Vertex 6 z" for coordinate 20. */
-export function coordinateLabel(index: number): string {
+function coordinateLabel(index: number): string {
   return `Vertex ${Math.floor(index / 3)} ${axisNames[index % 3]}`
-}
-
-/** The shortest text that reads back as the same double, the sign of zero included. */
-export function coordinateText(value: number): string {
-  return Object.is(value, -0) ? '-0' : String(value)
-}
-
-/** What a field's text says, or null where it is not a finite number. */
-export function readCoordinate(text: string): number | null {
-  const value = text.trim() === '' ? Number.NaN : Number(text)
-  return Number.isFinite(value) ? value : null
 }
 
 const template = html`

@@ -1,0 +1,17 @@
+import { expect, it } from 'vitest'
+import type { Report } from '../../web/core/report'
+import { createStore } from '../../web/model/store'
+import { announcement } from '../../web/views/announcer/announcement'
+
+const vertices = [0, 0, 0, 1, 0, 0, 1, 1, 0, 1.25, 0.5, -1, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
+
+it('says the vertex, the minimum, its place and the verdict as they are heard', () => {
+  const store = createStore(vertices, null)
+  store.dispatch({ type: 'select-vertex', vertex: 3 })
+  const minimizer = { kind: 'face', id: 2, value: -0.03, point: [0, 0, 0], position: [0, 0, 0] } as const
+  const report = { minimizer, exponent: 0, valid: false } as unknown as Report
+  expect(announcement(store.state, report)).toBe('Vertex 3: 1.25, 0.5, -1. Minimum jacdet -0.03 on face 2. Invalid.')
+  store.dispatch({ type: 'show-reference-cube', referenceCube: 'biunit' })
+  const atVertex = { ...report, valid: true, minimizer: { ...minimizer, kind: 'vertex', value: 8 } } as Report
+  expect(announcement(store.state, atVertex)).toBe('Vertex 3: 1.25, 0.5, -1. Minimum jacdet 1 at vertex 2. Valid.')
+})
