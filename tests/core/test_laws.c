@@ -73,6 +73,39 @@ static void bernstein_form_is_jacdet(void) {
   }
 }
 
+/* P by its definition 4a^2c' - 2abb' + a'b^2 from the powers of s and t, against the reported Bernstein form. */
+static void quartic_is_its_definition(void) {
+  for (long n = 0; n < 2000; ++n) {
+    double vertices[24];
+    random_hexahedron(&stream, 0.1 + random_unit(&stream), vertices);
+    hl_report report = analyzed(vertices);
+    for (int f = 0; f < 6; ++f) {
+      const double *beta = report.faces[f].bernstein;
+      long double power[3][3], t = random_unit(&stream); /* power[m]: coefficients in t of the factor of s^m */
+      for (int j = 0; j < 3; ++j) {
+        power[0][j] = beta[j];
+        power[1][j] = 2 * ((long double)beta[3 + j] - beta[j]);
+        power[2][j] = (long double)beta[j] - 2 * (long double)beta[3 + j] + beta[6 + j];
+      }
+      long double value[3], slope[3], size = 0;
+      for (int m = 0; m < 3; ++m) {
+        long double *q = power[m];
+        value[m] = q[0] * (1 - t) * (1 - t) + 2 * q[1] * t * (1 - t) + q[2] * t * t;
+        slope[m] = 2 * ((q[1] - q[0]) * (1 - t) + (q[2] - q[1]) * t);
+        for (int j = 0; j < 3; ++j) size = fmaxl(size, fabsl(q[j]));
+      }
+      long double b = value[1], a = value[2];
+      long double exact = 4 * a * a * slope[0] - 2 * a * b * slope[1] + slope[2] * b * b;
+      const double *p = report.faces[f].quartic;
+      long double s = 1 - t, computed = p[0] * s * s * s * s + 4 * p[1] * s * s * s * t + 6 * p[2] * s * s * t * t +
+                                        4 * p[3] * s * t * t * t + p[4] * t * t * t * t;
+      CHECK(report.faces[f].quartic_exponent == 0, "%ld: exponent", n);
+      CHECK(fabsl(computed - exact) <= 200 * UNIT_ROUNDOFF * size * size * size,
+            "%ld face %d: P(%.17g) is %.17Lg, not %.17Lg", n, f, (double)t, exact, computed);
+    }
+  }
+}
+
 static void scaling_by_powers_of_two_is_exact(void) {
   for (long n = 0; n < 500; ++n) {
     double vertices[24], scaled[24];
@@ -231,6 +264,7 @@ int main(void) {
   RUN(unit_cube_is_one_everywhere);
   RUN(paper_counterexample_has_boundary_minimum_zero);
   RUN(bernstein_form_is_jacdet);
+  RUN(quartic_is_its_definition);
   RUN(scaling_by_powers_of_two_is_exact);
   RUN(scaling_of_one_axis_is_exact);
   RUN(sizes_beyond_the_doubles);
