@@ -19,6 +19,7 @@ export class Lens {
   async open(address = './'): Promise<void> {
     await this.page.goto(address)
     await expect(this.verdict).toHaveText(/^(VALID|INVALID)/)
+    await expect(this.scene).toBeVisible()
   }
 
   field(vertex: number, axis: 'x' | 'y' | 'z'): Locator {

@@ -17,7 +17,7 @@ import type { Problem, View, ViewHost } from '../views/view'
 import { fetchCore } from './fetch-core'
 import css from './hex-lens.css?inline'
 import { HexLensError } from './hex-lens-error'
-import { parts } from './parts'
+import { type Part, parts } from './parts'
 import { historyStep } from './shortcuts'
 
 const styleSheets = [css, ...parts.map(part => part.styles)].map(styles => {
@@ -25,6 +25,9 @@ const styleSheets = [css, ...parts.map(part => part.styles)].map(styles => {
   sheet.replaceSync(styles)
   return sheet
 })
+
+/** What a reader hardly notices; a page that stays empty for longer looks broken. */
+const PATIENCE_MS = 150
 
 export class HexLens extends HTMLElement {
   readonly #places: Readonly<Record<'head' | 'stage' | 'panel', HTMLElement>>
@@ -36,6 +39,8 @@ export class HexLens extends HTMLElement {
   #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
   #toldValid: boolean | null = null
   #views: readonly View[] = []
+  /** Parts to be made in the next frame, in the one after it, … */
+  #unmade: readonly (readonly Part[])[] = []
   #frameRequest = 0
 
   constructor() {
@@ -50,13 +55,9 @@ export class HexLens extends HTMLElement {
   }
 
   connectedCallback(): void {
-    this.#views = parts.map(part => {
-      const view = part.create(this.#host)
-      this.#places[part.place].append(view.root)
-      return view
-    })
-    this.#schedule()
+    this.#unmade = [parts.filter(part => !part.slow), parts.filter(part => part.slow)]
     if (this.#core === null) void this.#start()
+    else this.#schedule()
   }
 
   disconnectedCallback(): void {
@@ -67,6 +68,7 @@ export class HexLens extends HTMLElement {
       view.root.remove()
     }
     this.#views = []
+    this.#unmade = []
   }
 
   get vertices(): number[] {
@@ -136,7 +138,9 @@ export class HexLens extends HTMLElement {
     if (this.#store.state !== before) this.#schedule()
   }
 
+  /** The core comes before the first frame, unless it is slow to come. */
   async #start(): Promise<void> {
+    const slow = setTimeout(() => this.#schedule(), PATIENCE_MS)
     try {
       this.#core = await fetchCore()
       this.clear('core-failed')
@@ -147,6 +151,8 @@ export class HexLens extends HTMLElement {
         code: 'core-failed',
         message: `The WebAssembly core did not start, so there is no verdict (${why}). The vertices and the link still work.`,
       })
+    } finally {
+      clearTimeout(slow)
     }
   }
 
@@ -154,8 +160,21 @@ export class HexLens extends HTMLElement {
     if (this.isConnected && this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(this.#draw)
   }
 
+  /** Makes what is due in this frame. */
+  #make(): void {
+    const [due = [], ...later] = this.#unmade
+    const made = due.map(part => {
+      const view = part.create(this.#host)
+      this.#places[part.place].append(view.root)
+      return view
+    })
+    this.#views = [...this.#views, ...made]
+    this.#unmade = later
+  }
+
   readonly #draw = (): void => {
     this.#frameRequest = 0
+    this.#make()
     const report = this.report
     const frame = { state: this.#store.state, report, problems: [...this.#problems.values()] }
     for (const view of this.#views) {
@@ -165,6 +184,7 @@ export class HexLens extends HTMLElement {
         reportError(bug) // one view's bug must not take the others' numbers away
       }
     }
+    if (this.#unmade.length > 0) this.#schedule()
     const { vertices, gestureStart } = frame.state
     const moved = this.#drawn !== null && this.#drawn !== vertices
     this.#drawn = vertices

@@ -1,4 +1,4 @@
-/** What the element shows, in reading order. A new view is one entry here. */
+/** What the element shows. A new view is one entry here. */
 import { announcerStyles, createAnnouncer } from '../views/announcer/announcer'
 import { createProblems, problemsStyles } from '../views/problems/problems'
 import { createScene, sceneStyles } from '../views/scene/scene'
@@ -11,13 +11,15 @@ export interface Part {
   readonly place: 'head' | 'stage' | 'panel'
   readonly create: CreateView
   readonly styles: string
+  /** Slow to make, a WebGL context for one: it comes a frame after the numbers. */
+  readonly slow?: true
 }
 
 export const parts: readonly Part[] = [
   { place: 'head', create: createToolbar, styles: toolbarStyles },
   { place: 'head', create: createProblems, styles: problemsStyles },
-  { place: 'stage', create: createScene, styles: sceneStyles },
   { place: 'panel', create: createVerdict, styles: verdictStyles },
   { place: 'panel', create: createVertices, styles: verticesStyles },
   { place: 'panel', create: createAnnouncer, styles: announcerStyles },
+  { place: 'stage', create: createScene, styles: sceneStyles, slow: true },
 ]
