@@ -44,6 +44,9 @@ export default defineConfig({
     outDir: `${root}dist/app`,
     emptyOutDir: true,
     modulePreload: { polyfill: false },
+    // Sizes are judged by npm run check.
+    chunkSizeWarningLimit: 1000,
+    rolldownOptions: { checks: { bundlerTimings: false } },
     assetsInlineLimit: file => (file.endsWith('.wasm') ? false : undefined),
   },
 })
