@@ -6,21 +6,31 @@ import { type ColourScale, cssColour, RAMP_STEPS, type Ramp, rampColour, rampPos
 import { HATCH_PERIOD } from './faces-material'
 import { px, set, setText, show, svg } from './svg'
 
-const WIDTH = 14
-/** Labels closer than this, middle to middle, are moved apart. */
-const LABEL_PITCH = 15
-
 export interface ColourBarPicture {
   readonly state: State
   readonly report: Report | null
   readonly scale: ColourScale | null
   readonly ramp: Ramp
-  readonly height: number
+  /** Upright with the maximum on top, or lying with the maximum at the right. */
+  readonly upright: boolean
+  readonly length: number
 }
 
-interface Tick {
-  readonly line: SVGPathElement
-  readonly label: SVGTextElement
+const THICKNESS = 14
+const LABEL_HEIGHT = 15
+const LABEL_GAP = 10
+const CHARACTER_WIDTH = 7.4
+/** Room for labels beside an upright bar, and below a lying one. */
+const ROOM = { upright: 92, lying: 20 }
+/** Half a label's height sticks out at either end of an upright bar. */
+const OVERHANG = 9
+
+type Tick = 'maximum' | 'zero' | 'minimum'
+
+interface Label {
+  readonly tick: Tick
+  readonly value: number
+  readonly text: string
 }
 
 let bars = 0
@@ -32,12 +42,14 @@ export class ColourBar {
   readonly #gradient: SVGLinearGradientElement
   readonly #hatch: SVGPathElement
   readonly #bar: SVGRectElement
-  readonly #clip = svg('rect', { width: WIDTH })
-  readonly #maximum = createTick('tick maximum')
-  readonly #zero = createTick('tick zero')
-  readonly #minimum = createTick('tick minimum')
+  readonly #clip = svg('rect')
+  readonly #ticks: Readonly<Record<Tick, { readonly line: SVGPathElement; readonly label: SVGTextElement }>> = {
+    maximum: createTick('maximum'),
+    zero: createTick('zero'),
+    minimum: createTick('minimum'),
+  }
   #ramp: Ramp | null = null
-  #signs = ''
+  #layout = ''
 
   /** `toggleUnits` is told which reference cube the reader asked for. */
   constructor(toggleUnits: (referenceCube: ReferenceCube) => void) {
@@ -47,56 +59,32 @@ export class ColourBar {
     this.#title.addEventListener('click', () => {
       toggleUnits(this.#title.dataset.cube === 'unit' ? 'biunit' : 'unit')
     })
-    this.#gradient = svg('linearGradient', { id, x1: 0, x2: 0, y1: 0, y2: 1 })
-    this.#bar = svg('rect', { width: WIDTH, fill: `url(#${id})` })
+    this.#gradient = svg('linearGradient', { id })
+    this.#bar = svg('rect', { fill: `url(#${id})` })
     this.#hatch = svg('path', { class: 'hatch', 'clip-path': `url(#${id}-clip)` })
-    const clip = svg('clipPath', { id: `${id}-clip` }, this.#clip)
-    const scale = svg('g', { class: 'bar' }, this.#bar, this.#hatch)
-    this.#svg.append(svg('defs', {}, this.#gradient, clip), scale)
-    for (const { line, label } of [this.#maximum, this.#minimum, this.#zero]) this.#svg.append(line, label)
+    this.#svg.append(
+      svg('defs', {}, this.#gradient, svg('clipPath', { id: `${id}-clip` }, this.#clip)),
+      this.#bar,
+      this.#hatch,
+    )
+    for (const { line, label } of Object.values(this.#ticks)) this.#svg.append(line, label)
     this.root.append(this.#title, this.#svg)
   }
 
-  update({ state, report, scale, ramp, height }: ColourBarPicture): void {
+  update({ state, report, scale, ramp, upright, length }: ColourBarPicture): void {
     this.root.hidden = report === null
     if (report === null || scale === null) return
     this.#updateTitle(state.referenceCube)
     const { boundaryMinimum: minimum, boundaryMaximum: maximum, exponent } = report
-    const top = maximum > 0 ? 1 : 0
     const bottom = minimum < 0 ? -1 : 0
-    const span = Math.max(top - bottom, 1)
-    const y = (value: number) => ((Math.max(top, bottom + 1) - rampPosition(scale, value)) / span) * height
-    this.#updateRamp(ramp, Math.max(top, bottom + 1), bottom, y(0), height)
+    const top = maximum > 0 || bottom === 0 ? 1 : 0
+    const fromTop = (value: number) => ((top - rampPosition(scale, value)) / (top - bottom)) * length
+    this.#updateRamp(ramp, top, bottom, fromTop(0), upright, length)
     const format = (value: number) => formatJacdet(value, exponent, state.referenceCube)
-    const labels = [
-      { tick: this.#maximum, value: maximum, text: maximum === minimum ? format(maximum) : `max ${format(maximum)}` },
-      { tick: this.#zero, value: 0, text: '0' },
-      { tick: this.#minimum, value: minimum, text: `min ${format(minimum)}` },
-    ]
-    const shown = labels
-      .filter(
-        ({ tick, value }) => tick === this.#zero || (value !== 0 && !(tick === this.#minimum && value === maximum)),
-      )
-      .sort((a, b) => b.value - a.value)
-    const heights = shown.map(({ value }) => y(value))
-    const places = spreadLabels(
-      heights,
-      shown.findIndex(({ tick }) => tick === this.#zero),
-    )
-    for (const { tick } of labels) showTick(tick, false)
-    shown.forEach(({ tick, text }, i) => {
-      showTick(tick, true)
-      set(tick.line, { d: `M-3 ${px(heights[i] as number)}H${WIDTH}` })
-      set(tick.label, { y: px(places[i] as number) })
-      setText(tick.label, text)
-    })
-    this.#minimum.label.classList.toggle('negative', minimum < 0)
-    this.#maximum.label.classList.toggle('negative', maximum < 0)
+    const labels = labelsOf(minimum, maximum, format)
+    this.#updateTicks(labels, fromTop, upright, length)
     set(this.#svg, {
       'aria-label': `Colours of jacdet: maximum ${format(maximum)}, zero, minimum ${format(minimum)}`,
-      viewBox: `-92 -9 ${92 + WIDTH + 2} ${height + 18}`,
-      width: 92 + WIDTH + 2,
-      height: height + 18,
     })
   }
 
@@ -107,42 +95,88 @@ export class ColourBar {
     this.#title.title = cube === 'unit' ? 'Show jacdet on [−1,1]³, an eighth' : 'Show jacdet on [0,1]³, eight times'
   }
 
-  #updateRamp(ramp: Ramp, top: number, bottom: number, zero: number, height: number): void {
-    set(this.#bar, { height: px(height) })
-    const signs = `${top} ${bottom} ${height}`
-    if (ramp === this.#ramp && signs === this.#signs) return
+  #updateRamp(ramp: Ramp, top: number, bottom: number, zero: number, upright: boolean, length: number): void {
+    const layout = `${top} ${bottom} ${upright} ${length}`
+    if (ramp === this.#ramp && layout === this.#layout) return
     this.#ramp = ramp
-    this.#signs = signs
+    this.#layout = layout
+    const [width, height] = upright ? [THICKNESS, length] : [length, THICKNESS]
+    const box = upright
+      ? { x: -ROOM.upright, y: -OVERHANG, width: ROOM.upright + width, height: height + 2 * OVERHANG }
+      : { x: 0, y: 0, width, height: height + ROOM.lying }
+    set(this.#svg, { viewBox: `${box.x} ${box.y} ${box.width} ${box.height}`, width: box.width, height: box.height })
+    set(this.#bar, { width, height })
+    set(this.#gradient, upright ? { x1: 0, x2: 0, y1: 0, y2: 1 } : { x1: 1, x2: 0, y1: 0, y2: 0 })
     const steps = (top - bottom) * RAMP_STEPS
-    const stops = Array.from({ length: steps + 1 }, (_, i) =>
-      svg('stop', { offset: i / steps, 'stop-color': cssColour(rampColour(ramp, top - i / RAMP_STEPS)) }),
+    this.#gradient.replaceChildren(
+      ...Array.from({ length: steps + 1 }, (_, i) =>
+        svg('stop', { offset: i / steps, 'stop-color': cssColour(rampColour(ramp, top - i / RAMP_STEPS)) }),
+      ),
     )
-    this.#gradient.replaceChildren(...stops)
-    set(this.#clip, { y: px(zero), height: px(height - zero) })
+    const negative = upright ? { y: zero, width, height: length - zero } : { x: 0, y: 0, width: length - zero, height }
+    set(this.#clip, negative)
     let lines = ''
-    for (let y = zero; y < height + WIDTH; y += HATCH_PERIOD * Math.SQRT2) lines += `M0 ${px(y)}l${WIDTH} ${-WIDTH}`
-    set(this.#hatch, { d: lines || 'M0 0' })
+    for (let at = 0; at < length + THICKNESS; at += HATCH_PERIOD * Math.SQRT2) {
+      lines += upright ? `M0 ${px(length - at)}l${width} ${width}` : `M${px(at)} 0l${-height} ${height}`
+    }
+    set(this.#hatch, { d: lines })
     show(this.#hatch, bottom < 0)
   }
+
+  #updateTicks(labels: readonly Label[], fromTop: (value: number) => number, upright: boolean, length: number): void {
+    const heights = labels.map(({ value }) => fromTop(value))
+    const sizes = labels.map(({ text }) => (upright ? LABEL_HEIGHT : CHARACTER_WIDTH * text.length + LABEL_GAP))
+    const zero = labels.findIndex(({ tick }) => tick === 'zero')
+    const places = spreadLabels(heights, sizes, zero)
+    for (const [tick, { line, label }] of Object.entries(this.#ticks)) {
+      const i = labels.findIndex(shown => shown.tick === tick)
+      show(line, i >= 0)
+      show(label, i >= 0)
+      if (i < 0) continue
+      const { text, value } = labels[i] as Label
+      const [at, place] = [heights[i] as number, places[i] as number]
+      setText(label, text)
+      label.classList.toggle('negative', value < 0)
+      if (upright) {
+        set(line, { d: `M-3 ${px(at)}H${THICKNESS}` })
+        set(label, { x: -8, y: px(place), 'text-anchor': 'end' })
+      } else {
+        const half = (CHARACTER_WIDTH * text.length) / 2
+        set(line, { d: `M${px(length - at)} 0V${THICKNESS + 3}` })
+        set(label, {
+          x: px(Math.max(half, Math.min(length - half, length - place))),
+          y: THICKNESS + 12,
+          'text-anchor': 'middle',
+        })
+      }
+    }
+  }
 }
 
-function createTick(name: string): Tick {
-  return { line: svg('path', { class: name }), label: svg('text', { class: name, x: -8, 'text-anchor': 'end' }) }
+function createTick(name: Tick) {
+  return { line: svg('path', { class: `tick ${name}` }), label: svg('text', { class: `tick ${name}` }) }
 }
 
-function showTick({ line, label }: Tick, shown: boolean): void {
-  show(line, shown)
-  show(label, shown)
+/** From the greatest to the least; an extreme that is zero, or a minimum that equals the maximum, says nothing new. */
+function labelsOf(minimum: number, maximum: number, format: (value: number) => string): Label[] {
+  const labels: Label[] = [{ tick: 'zero', value: 0, text: '0' }]
+  if (maximum === minimum && maximum !== 0) labels.push({ tick: 'maximum', value: maximum, text: format(maximum) })
+  else {
+    if (maximum !== 0) labels.push({ tick: 'maximum', value: maximum, text: `max ${format(maximum)}` })
+    if (minimum !== 0) labels.push({ tick: 'minimum', value: minimum, text: `min ${format(minimum)}` })
+  }
+  return labels.sort((a, b) => b.value - a.value)
 }
 
-/** Heights of labels, top to bottom: each at its own, moved away from the fixed one where they would touch. */
-export function spreadLabels(heights: readonly number[], fixed: number): number[] {
-  const places = heights.slice()
+/** Middles of labels of these sizes, in order: each at its own, moved away from the fixed one where they would touch. */
+export function spreadLabels(middles: readonly number[], sizes: readonly number[], fixed: number): number[] {
+  const places = middles.slice()
+  const pitch = (i: number, j: number) => ((sizes[i] as number) + (sizes[j] as number)) / 2
   for (let i = fixed - 1; i >= 0; i--) {
-    places[i] = Math.min(heights[i] as number, (places[i + 1] as number) - LABEL_PITCH)
+    places[i] = Math.min(middles[i] as number, (places[i + 1] as number) - pitch(i, i + 1))
   }
   for (let i = fixed + 1; i < places.length; i++) {
-    places[i] = Math.max(heights[i] as number, (places[i - 1] as number) + LABEL_PITCH)
+    places[i] = Math.max(middles[i] as number, (places[i - 1] as number) + pitch(i - 1, i))
   }
   return places
 }

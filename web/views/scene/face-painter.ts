@@ -104,6 +104,9 @@ class WebGLFacePainter implements FacePainter {
 
   readonly #onLost = (event: Event): void => {
     event.preventDefault() // or it would never be restored
+    // What lay in the lost context is made anew when it is next drawn.
+    this.#geometry.dispose()
+    this.#material.dispose()
     this.#watcher.lost()
   }
 

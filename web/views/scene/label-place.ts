@@ -61,12 +61,12 @@ export function placeLabel(request: LabelRequest): LabelPlace {
 
 /** The label's nearest side, not its middle, is at the distance. */
 function candidatePlace({ anchor, width, height }: LabelRequest, index: number): LabelPlace {
-  const angle = ((index % DIRECTIONS) * 2 * Math.PI) / DIRECTIONS
+  const angle = (((index % DIRECTIONS) + 0.5) * 2 * Math.PI) / DIRECTIONS // never straight up: a leader needs a side
   const distance = DISTANCES[Math.floor(index / DIRECTIONS)] as number
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)]
   return {
     index,
-    x: anchor.x + cos * distance + Math.sign(Math.round(cos * 100)) * (width / 2),
+    x: anchor.x + cos * distance + Math.sign(cos) * (width / 2),
     y: anchor.y + sin * distance + sin * (height / 2),
   }
 }
@@ -114,7 +114,7 @@ function distanceToLine(point: Point, from: Point, to: Point): number {
   return Math.hypot(from.x + dx * within - point.x, from.y + dy * within - point.y)
 }
 
-function overlap(a: Box, b: Box): boolean {
+export function overlap(a: Box, b: Box): boolean {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height
 }
 

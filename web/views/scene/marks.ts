@@ -2,6 +2,7 @@
 import type { Candidate } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { edgeVertices, faces } from '../../model/hexahedron'
+import type { FaceDisplay } from '../../model/state'
 import type { ScreenPoint } from './camera'
 import { type Box, type LabelPlace, type Point, placeLabel } from './label-place'
 import type { OverlayPicture } from './overlay'
@@ -55,7 +56,10 @@ export class Marks {
       return
     }
     const { minimizer } = report
-    const marked = report.candidates.filter(c => c.kind !== 'vertex' && !samePoint(c, minimizer))
+    const { faceDisplay } = picture.state
+    const marked = report.candidates.filter(
+      c => c.kind !== 'vertex' && !samePoint(c, minimizer) && isOnFaces(c, faceDisplay),
+    )
     this.#updateCandidates(marked, picture)
     this.#updateMinimizer(minimizer, report.exponent, picture)
   }
@@ -129,6 +133,13 @@ export class Marks {
 
 function samePoint(a: Candidate, b: Candidate): boolean {
   return a.point.every((value, axis) => value === b.point[axis])
+}
+
+/** Whether a candidate lies on what is shown: one face alone has its own and those of its edges. */
+function isOnFaces({ kind, id }: Candidate, display: FaceDisplay): boolean {
+  const shown = typeof display === 'number' ? faces[display] : undefined
+  if (shown === undefined) return true
+  return kind === 'face' ? id === display : (edgeVertices[id] ?? []).every(v => shown.vertices.includes(v))
 }
 
 function placeName({ kind, id }: Candidate): string {

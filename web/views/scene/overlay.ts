@@ -5,7 +5,7 @@ import { formatNumber } from '../../model/decimal'
 import { edgeVertices, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import type { SceneCamera, ScreenPoint } from './camera'
-import { type Box, meanOf, type Point } from './label-place'
+import { type Box, meanOf, overlap, type Point } from './label-place'
 import { Marks } from './marks'
 import { moveTo, px, set, setText, show, svg } from './svg'
 import { Triad } from './triad'
@@ -23,6 +23,7 @@ export interface OverlayPicture {
   readonly taken: readonly Box[]
 }
 
+const COORDINATE_WIDTH = 7.5
 /** From a handle's middle to the middle of its number. */
 const NUMBER_DISTANCE = 17
 /** The same where the minimizer's ring is around the handle. */
@@ -37,6 +38,7 @@ export class Overlay {
   readonly root = svg('svg', { class: 'scene-overlay', 'aria-hidden': 'true' })
   readonly #edgeHalo = svg('path', { class: 'edge-halo' })
   readonly #edges = svg('path', { class: 'edges' })
+  readonly #ghostHalo = svg('path', { class: 'ghost-halo' })
   readonly #ghost = svg('path', { class: 'ghost' })
   readonly #ghostHandle = svg('circle', { class: 'ghost', r: 6 })
   readonly #axisLine = svg('path', { class: 'axis-line' })
@@ -50,6 +52,7 @@ export class Overlay {
       this.#edgeHalo,
       this.#edges,
       this.#axisLine,
+      this.#ghostHalo,
       this.#ghost,
       this.#ghostHandle,
       this.#marks.candidates,
@@ -105,16 +108,17 @@ export class Overlay {
   #updateGhost({ state, frame, camera, handles }: OverlayPicture): void {
     const { gestureStart, selectedVertex } = state
     const moved = gestureStart !== null && gestureStart !== state.vertices
-    show(this.#ghost, moved)
-    show(this.#ghostHandle, moved)
+    for (const part of [this.#ghostHalo, this.#ghost, this.#ghostHandle]) show(part, moved)
     if (!moved) return
     const before = verticesInView(frame, gestureStart).map(point => camera.project(point))
     const own = edgeVertices.filter(edge => edge.includes(selectedVertex))
-    set(this.#ghost, { d: edgePath(own, before) })
+    const path = edgePath(own, before)
+    set(this.#ghostHalo, { d: path })
+    set(this.#ghost, { d: path })
     moveTo(this.#ghostHandle, before[selectedVertex] ?? (handles[selectedVertex] as ScreenPoint))
   }
 
-  #updateDrag({ state, drag, handles, frame, camera }: OverlayPicture): void {
+  #updateDrag({ state, drag, handles, frame, camera, taken }: OverlayPicture): void {
     const busy = state.gestureStart !== null
     show(this.#coordinates, busy)
     show(this.#axisLine, busy && drag?.keys.axis != null)
@@ -122,12 +126,18 @@ export class Overlay {
     const handle = handles[state.selectedVertex] as ScreenPoint
     const position = vertexOf(state.vertices, state.selectedVertex)
     setText(this.#coordinates, `(${position.map(formatNumber).join(', ')})`)
-    const width = 7.5 * (this.#coordinates.textContent?.length ?? 0)
-    const above = drag?.byTouch ? 52 : 30
-    set(this.#coordinates, {
-      x: px(clamp(handle.x, width / 2 + 8, camera.width - width / 2 - 8)),
-      y: px(handle.y - above < 12 ? handle.y + above : handle.y - above),
-    })
+    const width = COORDINATE_WIDTH * (this.#coordinates.textContent?.length ?? 0)
+    const lift = drag?.byTouch ? 56 : 32
+    const x = clamp(handle.x, width / 2 + 8, camera.width - width / 2 - 8)
+    const beside = width / 2 + 28
+    const places = [
+      { x, y: handle.y - lift },
+      { x, y: handle.y + lift },
+      { x: handle.x - beside, y: handle.y },
+      { x: handle.x + beside, y: handle.y },
+    ]
+    const place = places.find(at => isFree(at, width, taken)) ?? (places[0] as Point)
+    set(this.#coordinates, { x: px(place.x), y: px(place.y) })
     const axis = drag?.keys.axis
     if (axis == null) return
     const middle = toView(frame, position)
@@ -150,6 +160,12 @@ function edgePath(edges: readonly (readonly [number, number])[], points: readonl
     if (a && b && a.depth > 0 && b.depth > 0) path += `M${px(a.x)} ${px(a.y)}L${px(b.x)} ${px(b.y)}`
   }
   return path || 'M0 0'
+}
+
+/** Whether a line of text with this middle keeps clear of what is taken. */
+function isFree({ x, y }: Point, width: number, taken: readonly Box[]): boolean {
+  const box = { x: x - width / 2, y: y - 10, width, height: 20 }
+  return box.x > 4 && box.y > 4 && !taken.some(other => overlap(box, other))
 }
 
 function clamp(value: number, least: number, greatest: number): number {

@@ -62,10 +62,12 @@ class Scene implements SceneView, Stage {
   readonly #keyboard: KeyboardInput
   readonly #themeReader: ThemeReader
   readonly #listening = new AbortController()
-  readonly #resizes = new ResizeObserver(() => this.#host.requestFrame())
+  readonly #resizes = new ResizeObserver(entries => this.#onResize(entries))
   #theme: Theme | null = null
   #ramp: Ramp | null = null
   #contextLost = false
+  /** As last observed, and as the camera knows it. */
+  #box = { width: 0, height: 0 }
   #width = 0
   #height = 0
   #frame: ViewFrame = { centre: [0, 0, 0], size: 1 }
@@ -86,7 +88,7 @@ class Scene implements SceneView, Stage {
       showFaces: faceDisplay => this.latest.dispatch({ type: 'show-faces', faceDisplay }),
     })
     this.#build()
-    this.#themeReader = new ThemeReader(this.root)
+    this.#themeReader = new ThemeReader(this.root, () => host.requestFrame())
     this.#keyboard = new KeyboardInput(this)
     this.#pointer = new PointerInput(this, () => this.#keyboard.commit())
     this.#orbit = this.#createOrbit()
@@ -115,6 +117,7 @@ class Scene implements SceneView, Stage {
     this.#keyboard.commit()
     this.#pointer.dispose()
     this.#orbit.dispose()
+    this.#themeReader.dispose()
     this.#painter?.dispose()
   }
 
@@ -195,7 +198,6 @@ class Scene implements SceneView, Stage {
     this.element.addEventListener('keydown', event => this.#onKey(event), { signal })
     this.element.addEventListener('keyup', event => this.#onKey(event), { signal })
     this.element.addEventListener('blur', () => this.#keyboard.commit(), { signal })
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#host.requestFrame(), { signal })
     this.#resizes.observe(this.root)
     this.#watchPixelRatio()
   }
@@ -224,29 +226,44 @@ class Scene implements SceneView, Stage {
     this.#host.requestFrame()
   }
 
+  #onResize(entries: readonly ResizeObserverEntry[]): void {
+    const { width, height } = (entries.at(-1) as ResizeObserverEntry).contentRect
+    this.#box = { width: Math.round(width), height: Math.round(height) }
+    this.#host.requestFrame()
+  }
+
   #resize(): boolean {
-    const { clientWidth: width, clientHeight: height } = this.element
+    const { width, height } = this.#box
     if (width === this.#width && height === this.#height) return false
     this.#width = width
     this.#height = height
+    this.root.classList.toggle('narrow', this.#isNarrow)
     if (width > 0 && height > 0) this.camera.resize(width, height, this.#insets())
     return true
   }
 
   #insets(): Insets {
-    return this.#width < NARROW
-      ? { top: 44, right: 40, bottom: 64, left: 40 }
-      : { top: 56, right: 132, bottom: 72, left: 72 }
+    return this.#isNarrow ? { top: 92, right: 36, bottom: 72, left: 36 } : { top: 56, right: 132, bottom: 72, left: 72 }
   }
 
-  get #barHeight(): number {
-    return Math.round(Math.max(90, Math.min(220, this.#height * 0.3)))
+  get #isNarrow(): boolean {
+    return this.#width < NARROW
+  }
+
+  get #barLength(): number {
+    const length = this.#isNarrow ? Math.min(200, this.#width - 210) : Math.min(220, this.#height * 0.3)
+    return Math.round(Math.max(90, length))
   }
 
   /** What words other than the overlay's stand on. */
   #taken(): Box[] {
-    const bar = { x: this.#width - 140, y: 0, width: 140, height: this.#barHeight + 64 }
-    return [bar, { x: 0, y: this.#height - 48, width: this.#width, height: 48 }, { x: 0, y: 0, width: 84, height: 84 }]
+    const { width, height } = this.camera
+    const bar = this.#isNarrow ? { width, height: 56 } : { width: 140, height: this.#barLength + 64 }
+    return [
+      { ...bar, x: width - bar.width, y: 0 },
+      { x: 0, y: height - 48, width, height: 48 },
+      { x: 0, y: 0, width: 84, height: 84 },
+    ]
   }
 
   #readTheme(): void {
@@ -315,7 +332,7 @@ class Scene implements SceneView, Stage {
     }
     const picture = { state, report, frame: this.#frame, camera, handles: this.#handles, drag: this.#drag }
     this.#overlay.update({ ...picture, taken: this.#taken() })
-    this.#colourBar.update({ state, report, scale, ramp, height: this.#barHeight })
+    this.#colourBar.update({ state, report, scale, ramp, upright: !this.#isNarrow, length: this.#barLength })
     this.#controls.update(state.faceDisplay, report as Report | null)
   }
 }

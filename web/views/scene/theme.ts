@@ -1,4 +1,4 @@
-/** The host's colours, read from the custom properties that style it. */
+/** The host's colours, read from the custom properties that style it, and news of when they may have changed. */
 import type { Rgb, Theme } from './colour-map'
 
 const PROPERTIES: Readonly<Record<keyof Theme, { readonly name: string; readonly fallback: Rgb }>> = {
@@ -9,29 +9,49 @@ const PROPERTIES: Readonly<Record<keyof Theme, { readonly name: string; readonly
   neutral: { name: '--hl-neutral', fallback: [0.965, 0.965, 0.957] },
 }
 
-/** Reads the theme and, through `key`, tells cheaply whether it is another one than before. */
+/**
+ * Holds the theme of an element in a shadow root. Reading styles makes the browser settle them, too dear for every frame of
+ * a drag, so it happens after a change of colour scheme, or of an attribute of the host or the document's root.
+ */
 export class ThemeReader {
   readonly #element: HTMLElement
-  #key = ''
+  readonly #onChange: () => void
+  readonly #darkness = matchMedia('(prefers-color-scheme: dark)')
+  readonly #attributes = new MutationObserver(() => this.#expire())
   #theme: Theme | null = null
 
-  constructor(element: HTMLElement) {
+  constructor(element: HTMLElement, onChange: () => void) {
     this.#element = element
+    this.#onChange = onChange
+    this.#darkness.addEventListener('change', this.#expire)
   }
 
-  /** The same object as before while no colour has changed. */
+  /** The same object as before while no colour may have changed. */
   read(): Theme {
-    const style = getComputedStyle(this.#element)
-    const texts = Object.values(PROPERTIES).map(({ name }) => style.getPropertyValue(name))
-    const key = texts.join()
-    if (this.#theme !== null && key === this.#key) return this.#theme
-    this.#key = key
-    const entries = Object.entries(PROPERTIES).map(([property, { fallback }], i) => [
-      property,
-      parseColour(texts[i] as string) ?? fallback,
-    ])
-    this.#theme = Object.fromEntries(entries) as unknown as Theme
+    this.#theme ??= this.#compute()
     return this.#theme
+  }
+
+  dispose(): void {
+    this.#darkness.removeEventListener('change', this.#expire)
+    this.#attributes.disconnect()
+  }
+
+  readonly #expire = (): void => {
+    this.#theme = null
+    this.#onChange()
+  }
+
+  #compute(): Theme {
+    const root = this.#element.getRootNode()
+    this.#attributes.observe(document.documentElement, { attributes: true })
+    if (root instanceof ShadowRoot) this.#attributes.observe(root.host, { attributes: true })
+    const style = getComputedStyle(this.#element)
+    const entries = Object.entries(PROPERTIES).map(([property, { name, fallback }]) => [
+      property,
+      parseColour(style.getPropertyValue(name)) ?? fallback,
+    ])
+    return Object.fromEntries(entries) as unknown as Theme
   }
 }
 
