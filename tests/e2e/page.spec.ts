@@ -95,6 +95,20 @@ test('taken out of the page and put back, the element goes on as it was', async 
   await expect.poll(() => lens.vertices()).not.toEqual(before)
 })
 
+test('two elements on a page do not disturb each other', async ({ lens, page }) => {
+  await lens.open()
+  await page.evaluate(() => {
+    const other = document.createElement('hex-lens')
+    other.vertices = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
+    document.querySelector('main')?.append(other)
+  })
+  await expect(page.getByRole('status', { name: 'Verdict' })).toHaveText([/^INVALID/, /^VALID/])
+  const second = page.locator('hex-lens').nth(1)
+  await second.getByRole('spinbutton', { name: 'Vertex 6 z' }).fill('-3')
+  await expect(second.getByRole('status')).toHaveText(/^INVALID/)
+  await expect(page.locator('hex-lens').first().getByRole('button', { name: 'Undo' })).toBeDisabled()
+})
+
 test('a change is said once, politely, a moment later', async ({ lens, page }) => {
   await lens.open()
   const said = page.locator('hex-lens .announcer')

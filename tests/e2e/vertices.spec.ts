@@ -137,3 +137,23 @@ test('Reset goes back to where the element started, and that too can be undone',
   await lens.button('Undo').click()
   await expect.poll(() => lens.vertices()).toEqual(moved)
 })
+
+test('the row with the focus, or else under the mouse, is the vertex that the picture’s keys move', async ({
+  lens,
+  page,
+}) => {
+  await lens.open()
+  const before = await lens.vertices()
+  await lens.field(5, 'x').focus()
+  await lens.nextFrame()
+  await lens.scene.focus()
+  await page.keyboard.press('ArrowRight')
+  await lens.nextFrame()
+  expect((await lens.vertices()).filter((_, i) => i < 15 || i > 17)).toEqual(before.filter((_, i) => i < 15 || i > 17))
+  expect(await lens.vertices()).not.toEqual(before)
+  await lens.field(2, 'y').hover()
+  await lens.nextFrame()
+  await page.keyboard.press('ArrowRight')
+  await lens.nextFrame()
+  expect((await lens.vertices()).slice(6, 9)).not.toEqual(before.slice(6, 9))
+})

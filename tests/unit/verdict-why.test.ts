@@ -87,9 +87,9 @@ describe('the sentence that says why', () => {
 })
 
 describe('the name of a place', () => {
-  it('has its preposition', () => {
-    expect(placeName('vertex', 3)).toBe('at vertex 3')
-    expect(placeName('edge', 2)).toBe('on edge 2–3')
-    expect(placeName('face', 5)).toBe('on face +ζ')
+  it('leads to the coordinates', () => {
+    expect(placeName({ kind: 'vertex', id: 3 })).toBe('at vertex 3,')
+    expect(placeName({ kind: 'edge', id: 2 })).toBe('on edge 2–3 at')
+    expect(placeName({ kind: 'face', id: 5 })).toBe('on face +ζ at')
   })
 })

@@ -39,7 +39,7 @@ class VerdictView implements View {
     return html`<div class="headline"><p class=${valid ? 'word valid' : 'word negative'}>${valid ? 'VALID' : 'INVALID'}</p>
         <p class="minimum">min J = ${jacdet(report.boundaryMinimum)}</p>
       </div>
-      ${this.#place(`${placeName(minimizer.kind, minimizer.id)} at (ξ, η, ζ)`, minimizer.point, 'reference coordinates')}
+      ${this.#place(`${placeName(minimizer)} (ξ, η, ζ)`, minimizer.point, 'reference coordinates')}
       ${this.#place('(x, y, z)', minimizer.position, 'physical coordinates')}
       <p class="why">${unbrokenNames(whySentence(report))}</p>
       <dl>

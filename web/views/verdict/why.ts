@@ -1,17 +1,17 @@
 /** One plain sentence for why a report is valid or invalid: the first of vertices, edges and faces that fails. */
-import type { CandidateKind, Report } from '../../core/report'
+import type { Candidate, CandidateKind, Report } from '../../core/report'
 import { edgeVertices, faces, VERTEX_COUNT } from '../../model/hexahedron'
 
 /** "3", "0–1" or "−ζ". */
-export function partName(kind: CandidateKind, id: number): string {
+function partName(kind: CandidateKind, id: number): string {
   if (kind === 'vertex') return String(id)
   if (kind === 'edge') return edgeVertices[id]?.toSorted((a, b) => a - b).join('–') ?? ''
   return faces[id]?.name ?? ''
 }
 
-/** "at vertex 3", "on edge 0–1" or "on face −ζ". */
-export function placeName(kind: CandidateKind, id: number): string {
-  return `${kind === 'vertex' ? 'at' : 'on'} ${kind} ${partName(kind, id)}`
+/** "at vertex 3,", "on edge 0–1 at" or "on face −ζ at": coordinates follow. */
+export function placeName({ kind, id }: Pick<Candidate, 'kind' | 'id'>): string {
+  return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${partName(kind, id)} at`
 }
 
 export function whySentence(report: Report): string {
