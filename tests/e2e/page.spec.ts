@@ -56,7 +56,7 @@ test('the element speaks to the page that holds it', async ({ lens, page }) => {
     for (const name of ['hex-input', 'hex-change', 'hex-verdict'])
       document.addEventListener(name, () => events.push(name))
     const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
-    lens.vertices = new Float64Array(cube) as unknown as number[]
+    lens.vertices = new Float64Array(cube)
     const atOnce = lens.report
     const refusals: unknown[] = []
     for (const wrong of [[1, 2, 3], cube.with(5, Number.NaN), cube.with(5, Number.POSITIVE_INFINITY), null]) {

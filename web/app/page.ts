@@ -6,12 +6,11 @@ import { decodePermalink } from '../model/permalink'
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 
 function openLink(): void {
-  if (location.hash.length < 2) return
   const link = decodePermalink(location.hash)
   if (link.ok) {
     lens.vertices = link.value
     lens.clear('link-broken')
-  } else {
+  } else if (link.error.code !== 'absent') {
     lens.raise({ code: 'link-broken', message: `${link.error.message} The element shown is not the link’s.` })
   }
 }
@@ -19,8 +18,8 @@ function openLink(): void {
 openLink()
 addEventListener('hashchange', openLink)
 lens.addEventListener('hex-change', () => {
-  history.replaceState(history.state, '', lens.permalink)
   lens.clear('link-broken')
+  history.replaceState(history.state, '', lens.permalink)
 })
 
 // With the focus nowhere, undo and redo can only mean the element.

@@ -5,6 +5,7 @@
  * `vertices`  24 finite numbers, VTK_HEXAHEDRON order, get (a copy) and set (any array-like; else HexLensError, state kept)
  * `report`    what the core knows about exactly these vertices; null while there is no core
  * `permalink` the address that opens this element again, bit for bit
+ * methods     undo, redo; raise and clear for what the page around it has to say about a problem
  * events      hex-input (live), hex-change (committed), hex-verdict (valid changed), hex-error (a problem was raised)
  */
 import { firstPreset, presets } from '../content/presets'
