@@ -1,0 +1,83 @@
+/** The command line: what it prints and with which exit status. tools/hexlens.mjs runs it. */
+import { readFile } from 'node:fs/promises'
+import { loadCore } from '../core/core'
+import type { Core } from '../core/report'
+import { asDouble, decimalOf } from '../model/decimal'
+import { MalformedInput, type NamedHexahedron, readHexahedra } from './read-hexahedra'
+
+const USAGE = `Usage: npm run -s hexlens -- analyze FILE.json
+
+Reads a JSON list of {"name", "vertices": [[x, y, z], ... 8 points in VTK_HEXAHEDRON order]} ("-": standard input) and
+prints a JSON list of {"name", "valid", "boundary_min", "minimizer", "corner_min", "edge_min"}, or of {"name", "error"}
+for what cannot be analysed, in the same order. jacdet is that of the map from [0,1]^3.
+`
+
+const OK = 0
+const REFUSED = 2
+
+/** Enough digits to tell every double from every other. */
+const DIGITS = 17
+
+export interface Streams {
+  readonly input: AsyncIterable<Buffer | string>
+  readonly output: { write(text: string): unknown }
+  readonly errors: { write(text: string): unknown }
+}
+
+const processStreams: Streams = { input: process.stdin, output: process.stdout, errors: process.stderr }
+
+/** Runs one command; resolves to the exit status: 0, or 2 for a wrong call or input. */
+export async function main(args: readonly string[], streams: Streams = processStreams): Promise<number> {
+  if (args.length === 1 && (args[0] === '--help' || args[0] === '-h')) {
+    streams.output.write(USAGE)
+    return OK
+  }
+  const [command, file, ...more] = args
+  if (command !== 'analyze' || file === undefined || more.length > 0) {
+    streams.errors.write(USAGE)
+    return REFUSED
+  }
+  try {
+    const hexahedra = readHexahedra(await readText(file, streams.input))
+    const core = await loadCore(await readFile(new URL('../../build/hexlens.wasm', import.meta.url)))
+    const lines = hexahedra.map(hexahedron => JSON.stringify(analysis(core, hexahedron)))
+    streams.output.write(lines.length === 0 ? '[]\n' : `[\n${lines.join(',\n')}\n]\n`)
+    return OK
+  } catch (error) {
+    if (!(error instanceof MalformedInput)) throw error
+    streams.errors.write(`hexlens: ${error.message}\n`)
+    return REFUSED
+  }
+}
+
+async function readText(file: string, input: Streams['input']): Promise<string> {
+  if (file !== '-') {
+    try {
+      return await readFile(file, 'utf8')
+    } catch (error) {
+      throw new MalformedInput(`The file ${file} cannot be read (${(error as NodeJS.ErrnoException).code}).`)
+    }
+  }
+  const chunks: Buffer[] = []
+  for await (const chunk of input) chunks.push(Buffer.from(chunk))
+  return Buffer.concat(chunks).toString('utf8')
+}
+
+function analysis(core: Core, { name, vertices }: NamedHexahedron): object {
+  const result = core.analyze(vertices)
+  if (!result.ok) return { name, error: result.error.message }
+  const { valid, exponent, boundaryMinimum, minimizer, cornerMinimum, edgeMinimum } = result.value
+  return {
+    name,
+    valid,
+    boundary_min: jsonNumber(boundaryMinimum, exponent),
+    minimizer: { kind: minimizer.kind, id: minimizer.id, point: minimizer.point },
+    corner_min: jsonNumber(cornerMinimum, exponent),
+    edge_min: jsonNumber(edgeMinimum, exponent),
+  }
+}
+
+/** A number that reads back bit for bit, or a decimal string where mantissa * 2^exponent is no double. */
+function jsonNumber(mantissa: number, exponent: number): number | string {
+  return asDouble(mantissa, exponent) ?? decimalOf(mantissa, exponent, DIGITS)
+}
