@@ -117,7 +117,7 @@ export class ColourBar {
     set(this.#clip, negative)
     let lines = ''
     for (let at = 0; at < length + THICKNESS; at += HATCH_PERIOD * Math.SQRT2) {
-      lines += upright ? `M0 ${px(length - at)}l${width} ${width}` : `M${px(at)} 0l${-height} ${height}`
+      lines += upright ? `M0 ${px(length - at)}l${width} ${width}` : `M${px(at - height)} 0l${height} ${height}`
     }
     set(this.#hatch, { d: lines })
     show(this.#hatch, bottom < 0)

@@ -59,7 +59,7 @@ function option(value: string, text: string): HTMLOptionElement {
 function legendEntry(kind: 'edge' | 'face', text: string): HTMLElement {
   const entry = document.createElement('span')
   const icon = svg('svg', { viewBox: '-6 -6 12 12', width: 12, height: 12, 'aria-hidden': 'true' })
-  icon.append(svg('path', { d: candidateShapes[kind] }))
+  icon.append(svg('path', { class: 'candidate', d: candidateShapes[kind] }))
   entry.append(icon, text)
   return entry
 }

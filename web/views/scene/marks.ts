@@ -39,9 +39,9 @@ export class Marks {
   readonly #halo = svg('circle', { class: 'rim' })
   readonly #ring = svg('circle', { class: 'ring' })
   readonly #core = svg('circle', { class: 'core', r: 5 })
-  readonly #dot = svg('circle', { class: 'dot', r: 3 })
+  readonly #dot = svg('circle', { class: 'pupil', r: 3 })
   readonly #leader = svg('path', { class: 'leader' })
-  readonly #label = svg('text')
+  readonly #label = svg('text', { class: 'value' })
   #place: LabelPlace | null = null
 
   constructor() {
@@ -80,7 +80,7 @@ export class Marks {
 
   #createMark(): Mark {
     const title = svg('title')
-    const path = svg('path')
+    const path = svg('path', { class: 'candidate' })
     const group = svg('g', {}, title, path)
     this.candidates.append(group)
     return { group, path, title }

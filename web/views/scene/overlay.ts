@@ -10,7 +10,7 @@ import { Marks } from './marks'
 import { moveTo, px, set, setText, show, svg } from './svg'
 import { Triad } from './triad'
 import type { DragKeys } from './vertex-drag'
-import { at, map3, toView, type ViewFrame, verticesInView } from './view-frame'
+import { at, map3, type ViewFrame, vertexInView, verticesInView } from './view-frame'
 
 export interface OverlayPicture {
   readonly state: State
@@ -77,8 +77,10 @@ export class Overlay {
     set(this.#edges, { d: edges })
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
-    this.#updateDrag(picture)
-    this.#marks.update({ ...picture, numbers })
+    this.#updateAxisLine(picture)
+    const coordinates = this.#updateCoordinates(picture)
+    const taken = coordinates ? [...picture.taken, coordinates] : picture.taken
+    this.#marks.update({ ...picture, taken, numbers })
     this.#triad.update(camera)
   }
 
@@ -118,11 +120,11 @@ export class Overlay {
     moveTo(this.#ghostHandle, before[selectedVertex] ?? (handles[selectedVertex] as ScreenPoint))
   }
 
-  #updateDrag({ state, drag, handles, frame, camera, taken }: OverlayPicture): void {
+  /** Where the vertex being moved is, in words. Returns the room they take. */
+  #updateCoordinates({ state, drag, handles, camera, taken }: OverlayPicture): Box | null {
     const busy = state.gestureStart !== null
     show(this.#coordinates, busy)
-    show(this.#axisLine, busy && drag?.keys.axis != null)
-    if (!busy) return
+    if (!busy) return null
     const handle = handles[state.selectedVertex] as ScreenPoint
     const position = vertexOf(state.vertices, state.selectedVertex)
     setText(this.#coordinates, `(${position.map(formatNumber).join(', ')})`)
@@ -130,25 +132,43 @@ export class Overlay {
     const lift = drag?.byTouch ? 56 : 32
     const x = clamp(handle.x, width / 2 + 8, camera.width - width / 2 - 8)
     const beside = width / 2 + 28
-    const places = [
-      { x, y: handle.y - lift },
-      { x, y: handle.y + lift },
-      { x: handle.x - beside, y: handle.y },
-      { x: handle.x + beside, y: handle.y },
-    ]
-    const place = places.find(at => isFree(at, width, taken)) ?? (places[0] as Point)
-    set(this.#coordinates, { x: px(place.x), y: px(place.y) })
-    const axis = drag?.keys.axis
-    if (axis == null) return
-    const middle = toView(frame, position)
+    const boxes = [
+      lineBox(x, handle.y - lift, width),
+      lineBox(x, handle.y + lift, width),
+      lineBox(handle.x - beside, handle.y, width),
+      lineBox(handle.x + beside, handle.y, width),
+    ] as const
+    const box =
+      boxes.find(place => place.x > 4 && place.y > 4 && !taken.some(other => overlap(place, other))) ?? boxes[0]
+    set(this.#coordinates, { x: px(box.x + box.width / 2), y: px(box.y + box.height / 2) })
+    return box
+  }
+
+  /** The axis that the vertex is held to. */
+  #updateAxisLine({ state, drag, frame, camera }: OverlayPicture): void {
+    const axis = drag?.keys.axis ?? null
+    show(this.#axisLine, axis !== null)
+    if (axis === null) return
+    const middle = vertexInView(frame, state.vertices, state.selectedVertex)
     const ends = [-4, 4].map(way => camera.project(map3(k => at(middle, k) + (k === axis ? way : 0))))
     set(this.#axisLine, { d: edgePath([[0, 1]], ends) })
   }
 }
 
+/** The box of a line of text with its middle at (x, y). */
+function lineBox(x: number, y: number, width: number): Box {
+  return { x: x - width / 2, y: y - 10, width, height: 20 }
+}
+
 function createHandle(vertex: number): Handle {
-  const number = svg('text', { 'text-anchor': 'middle' }, String(vertex))
-  const group = svg('g', { class: 'handle' }, svg('circle', { class: 'rim', r: 8.5 }), svg('circle', { r: 6 }), number)
+  const number = svg('text', { class: 'number', 'text-anchor': 'middle' }, String(vertex))
+  const group = svg(
+    'g',
+    { class: 'handle' },
+    svg('circle', { class: 'rim', r: 8.5 }),
+    svg('circle', { class: 'dot', r: 6 }),
+    number,
+  )
   return { group, number }
 }
 
@@ -160,12 +180,6 @@ function edgePath(edges: readonly (readonly [number, number])[], points: readonl
     if (a && b && a.depth > 0 && b.depth > 0) path += `M${px(a.x)} ${px(a.y)}L${px(b.x)} ${px(b.y)}`
   }
   return path || 'M0 0'
-}
-
-/** Whether a line of text with this middle keeps clear of what is taken. */
-function isFree({ x, y }: Point, width: number, taken: readonly Box[]): boolean {
-  const box = { x: x - width / 2, y: y - 10, width, height: 20 }
-  return box.x > 4 && box.y > 4 && !taken.some(other => overlap(box, other))
 }
 
 function clamp(value: number, least: number, greatest: number): number {

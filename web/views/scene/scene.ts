@@ -6,7 +6,6 @@
  * a handle chooses that handle.
  */
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
-import type { Report } from '../../core/report'
 import type { Vertices } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import type { CreateView, Frame, View, ViewHost } from '../view'
@@ -275,20 +274,23 @@ class Scene implements SceneView, Stage {
 
   /** The view frame stays while vertices are moved; another element is brought into view. */
   #chooseFrame({ state }: Frame, resized: boolean): void {
-    const another = this.#framed === null || this.#framed.preset !== state.preset || this.#framed.start !== state.start
+    const framed = this.#framed
     const before = this.#shown?.state
-    const outside = before && before.vertices !== state.vertices && !before.gestureStart && !state.gestureStart
-    const firstSize = resized && this.#shown === null
-    if (another || firstSize || (outside && !this.#isInView(state))) {
+    const another = framed === null || framed.preset !== state.preset || framed.start !== state.start
+    // A program that sets one element after another, none of them a preset, animates: the reader's view stays.
+    const animated = another && framed !== null && framed.preset === null && state.preset === null
+    const jumped = before && before.vertices !== state.vertices && !before.gestureStart && !state.gestureStart
+    this.#framed = { preset: state.preset, start: state.start }
+    if ((another && !animated) || (jumped && !this.#isInView(state, animated ? 0.4 : 0.2))) {
       this.#frame = frameOf(state.vertices)
-      this.#aim(state.vertices, another)
+      this.#aim(state.vertices, another && !animated)
     } else if (resized) {
       this.#aim(state.vertices, false)
     }
-    this.#framed = { preset: state.preset, start: state.start }
   }
 
-  #isInView({ vertices }: State): boolean {
+  /** Whether the element is all there, and spans at least a share of the scene. */
+  #isInView({ vertices }: State, share: number): boolean {
     this.camera.three.updateMatrixWorld()
     const points = verticesInView(this.#frame, vertices).map(point => this.camera.project(point))
     const { width, height } = this.camera
@@ -297,7 +299,7 @@ class Scene implements SceneView, Stage {
         depth > 0 && x > -0.05 * width && x < 1.05 * width && y > -0.05 * height && y < 1.05 * height,
     )
     const spread = (of: (p: ScreenPoint) => number) => Math.max(...points.map(of)) - Math.min(...points.map(of))
-    return inside && Math.max(spread(p => p.x) / width, spread(p => p.y) / height) > 0.2
+    return inside && Math.max(spread(p => p.x) / width, spread(p => p.y) / height) > share
   }
 
   #aim(vertices: Vertices, toDefault: boolean): void {
@@ -333,7 +335,7 @@ class Scene implements SceneView, Stage {
     const picture = { state, report, frame: this.#frame, camera, handles: this.#handles, drag: this.#drag }
     this.#overlay.update({ ...picture, taken: this.#taken() })
     this.#colourBar.update({ state, report, scale, ramp, upright: !this.#isNarrow, length: this.#barLength })
-    this.#controls.update(state.faceDisplay, report as Report | null)
+    this.#controls.update(state.faceDisplay, report)
   }
 }
 

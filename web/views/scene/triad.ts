@@ -9,8 +9,8 @@ const LETTERS = ['x', 'y', 'z'] as const
 export class Triad {
   readonly root = svg('g', { class: 'triad', transform: 'translate(44 44)' })
   readonly #axes = LETTERS.map(letter => ({
-    line: svg('path'),
-    text: svg('text', { 'text-anchor': 'middle' }, letter),
+    line: svg('path', { class: 'axis' }),
+    text: svg('text', { class: 'axis-name', 'text-anchor': 'middle' }, letter),
   }))
 
   constructor() {
