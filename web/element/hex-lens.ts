@@ -8,7 +8,7 @@
  * methods     undo, redo; raise and clear for what the page around it has to say about a problem
  * events      hex-input (live), hex-change (committed), hex-verdict (valid changed), hex-error (a problem was raised)
  */
-import { firstPreset, presets } from '../content/presets'
+import { presets, presetVertices } from '../content/presets'
 import type { Core, Report } from '../core/report'
 import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
@@ -33,7 +33,7 @@ const PATIENCE_MS = 150
 export class HexLens extends HTMLElement {
   readonly #places: Readonly<Record<'head' | 'stage' | 'panel', HTMLElement>>
   readonly #problems = new Map<Problem['code'], Problem>()
-  #store: Store = createStore(firstPreset.vertices, firstPreset.id)
+  #store: Store = createStore(presetVertices(presets[0]), presets[0].id)
   #committed: Vertices = this.#store.state.vertices
   #drawn: Vertices | null = null
   #core: Core | null = null
@@ -78,7 +78,7 @@ export class HexLens extends HTMLElement {
 
   set vertices(given: ArrayLike<number>) {
     const vertices = checked(given)
-    const preset = presets.find(known => known.vertices.every((value, i) => Object.is(value, vertices[i])))?.id ?? null
+    const preset = presetOf(vertices)
     if (this.#drawn === null) this.#begin(vertices, preset)
     else this.#dispatch({ type: 'set-vertices', vertices, preset })
   }
@@ -217,6 +217,12 @@ function place(name: string): HTMLElement {
   const element = document.createElement('div')
   element.className = name
   return element
+}
+
+/** The id of the preset that is these very numbers. */
+function presetOf(vertices: Vertices): string | null {
+  const isThis = (known: Vertices) => known.every((value, i) => Object.is(value, vertices[i]))
+  return presets.find(preset => preset.valid !== null && isThis(presetVertices(preset)))?.id ?? null
 }
 
 function checked(given: ArrayLike<number>): Vertices {

@@ -1,6 +1,6 @@
 /** The line above everything: which element this is, the way back and forth, and the link to it. */
-import { html, nothing, render } from 'lit-html'
-import { presets } from '../../content/presets'
+import { html, nothing, render, type TemplateResult } from 'lit-html'
+import { type Preset, presets, presetVertices } from '../../content/presets'
 import type { State } from '../../model/state'
 import { copyText } from '../copy-text'
 import type { CreateView, Frame, View, ViewHost } from '../view'
@@ -32,12 +32,13 @@ class ToolbarView implements View {
         <label class="preset">
           <span>Preset</span>
           <select @change=${this.#onPreset}>
-            <option value="" hidden .selected=${shown === null}>Custom</option>
+            <option value="" hidden .selected=${shown === undefined}>Custom</option>
             ${presets.map(
-              preset => html`<option value=${preset.id} .selected=${shown === preset.id}>${preset.title}</option>`,
+              preset => html`<option value=${preset.id} .selected=${shown === preset}>${preset.title}</option>`,
             )}
           </select>
         </label>
+        ${shown ? this.#about(shown) : nothing}
         <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : nothing}</p>
         <div class="actions">
           <button type="button" ?disabled=${!state.canUndo} @click=${() => this.#host.dispatch({ type: 'undo' })}>
@@ -63,9 +64,19 @@ class ToolbarView implements View {
 
   dispose(): void {}
 
+  #about(preset: Preset): TemplateResult {
+    const another = html`<button type="button" @click=${() => this.#open(preset)}>Another</button>`
+    return html`${preset.valid === null ? another : nothing}
+      <p class="note">${preset.note}</p>`
+  }
+
   readonly #onPreset = (event: Event): void => {
     const preset = presets.find(({ id }) => id === (event.target as HTMLSelectElement).value)
-    if (preset) this.#host.dispatch({ type: 'set-vertices', vertices: preset.vertices, preset: preset.id })
+    if (preset) this.#open(preset)
+  }
+
+  #open(preset: Preset): void {
+    this.#host.dispatch({ type: 'set-vertices', vertices: presetVertices(preset), preset: preset.id })
   }
 
   readonly #copyLink = async (): Promise<void> => {
@@ -79,9 +90,10 @@ function selectAll(event: FocusEvent): void {
   ;(event.target as HTMLInputElement).select()
 }
 
-/** The preset as long as the element is still what the preset says. */
-function shownPreset({ preset, vertices, start }: State): string | null {
-  return vertices.every((value, index) => Object.is(value, start[index])) ? preset : null
+/** The preset as long as the element is still what it started from. */
+function shownPreset({ preset, vertices, start }: State): Preset | undefined {
+  const isStart = vertices.every((value, index) => Object.is(value, start[index]))
+  return isStart ? presets.find(({ id }) => id === preset) : undefined
 }
 
 export const createToolbar: CreateView = host => new ToolbarView(host)
