@@ -4,6 +4,8 @@ export default defineConfig({
   test: {
     include: ['tests/**/*.test.ts'],
     environment: 'node',
+    // A guard against hanging, not a measurement: machines may be slow and busy.
+    testTimeout: 120_000,
     allowOnly: false,
   },
 })

@@ -1,0 +1,157 @@
+/** `analyze` as scripts meet it: the program itself on real files, and its streams in-process. */
+import { execFile } from 'node:child_process'
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { promisify } from 'node:util'
+import { afterAll, describe, expect, it } from 'vitest'
+import { main } from '../../web/cli/main'
+import { cases, core, unitCube } from './core-fixtures'
+
+const folder = mkdtempSync(join(tmpdir(), 'hexlens-'))
+afterAll(() => rmSync(folder, { recursive: true }))
+
+const cube = [0, 1, 2, 3, 4, 5, 6, 7].map(v => unitCube.slice(3 * v, 3 * v + 3))
+
+async function analyze(text: string, args: readonly string[] = ['analyze', '-']) {
+  let output = ''
+  let errors = ''
+  const status = await main(args, {
+    input: (async function* () {
+      // In two pieces, as a pipe may deliver it.
+      const bytes = Buffer.from(text)
+      yield bytes.subarray(0, bytes.length >> 1)
+      yield bytes.subarray(bytes.length >> 1)
+    })(),
+    output: { write: piece => (output += piece) },
+    errors: { write: piece => (errors += piece) },
+  })
+  return { status, output, errors }
+}
+
+async function answers(entries: unknown) {
+  const { status, output, errors } = await analyze(JSON.stringify(entries))
+  expect({ status, errors }).toEqual({ status: 0, errors: '' })
+  return JSON.parse(output)
+}
+
+describe('analyze', () => {
+  it('answers in order, with numbers that read back bit for bit', async () => {
+    const list = await answers(cases.map(({ name, vertices }) => ({ name, vertices, note: 'ignored' })))
+    expect(list.map(({ name }: { name: string }) => name)).toEqual(cases.map(({ name }) => name))
+    for (const [i, { vertices }] of cases.entries()) {
+      const result = core.analyze(vertices.flat())
+      if (!result.ok || result.value.exponent !== 0) continue
+      const { valid, boundaryMinimum, cornerMinimum, edgeMinimum, minimizer } = result.value
+      expect(list[i]).toEqual({
+        name: cases[i]?.name,
+        valid,
+        boundary_min: boundaryMinimum,
+        minimizer: { kind: minimizer.kind, id: minimizer.id, point: minimizer.point },
+        corner_min: cornerMinimum,
+        edge_min: edgeMinimum,
+      })
+    }
+  })
+
+  it('writes a value outside the doubles as a decimal of 17 digits', async () => {
+    const [huge, tiny] = await answers([
+      { name: 'huge', vertices: cube.map(point => point.map(x => x * 1e150)) },
+      { name: 'tiny', vertices: cube.map(point => point.map(x => x * 1e-310)) },
+    ])
+    expect(huge.boundary_min).toMatch(/^9\.9999999999999\d{3}e\+449$|^1\.0000000000000\d{3}e\+450$/)
+    expect(tiny.boundary_min).toMatch(/^9\.99999\d{11}e-931$|^1\.00000\d{11}e-930$/)
+    expect([huge.valid, tiny.valid]).toEqual([true, true])
+  })
+
+  it('puts an error in the place of what cannot be analysed', async () => {
+    const { status, output } = await analyze(
+      `[{"name":"a","vertices":${JSON.stringify(cube)}},{"name":"b","vertices":${JSON.stringify(cube).replace('1', '1e999')}}]`,
+    )
+    expect(status).toBe(0)
+    expect(JSON.parse(output)).toEqual([
+      expect.objectContaining({ name: 'a', valid: true, boundary_min: 1 }),
+      { name: 'b', error: 'Vertex 1 x is not a finite number.' },
+    ])
+  })
+
+  it('takes an empty list and a byte order mark', async () => {
+    expect(await analyze('\uFEFF[]')).toEqual({ status: 0, output: '[]\n', errors: '' })
+  })
+})
+
+describe('bad input gets one line that says which entry and why, and status 2', () => {
+  const bad: [string, string, RegExp][] = [
+    ['no JSON', '{"name":\n', /^hexlens: The input is not JSON: .+$/],
+    ['nothing', '', /not JSON/],
+    ['NaN', '[{"name":"a","vertices":[[NaN,0,0]]}]', /not JSON/],
+    ['not a list', '{"name":"a"}', /The input is an object, not a list/],
+    ['an entry of another kind', '[3]', /Entry 0: it is a number/],
+    ['no name', JSON.stringify([{ vertices: cube }]), /Entry 0: "name" is missing/],
+    ['no vertices', '[{"name":"a"}]', /Entry 0 \("a"\): "vertices" is missing/],
+    [
+      'seven vertices',
+      JSON.stringify([
+        { name: 'ok', vertices: cube },
+        { name: 'a', vertices: cube.slice(1) },
+      ]),
+      /Entry 1 \("a"\): it has 7 vertices, not 8/,
+    ],
+    [
+      'two coordinates',
+      JSON.stringify([{ name: 'a', vertices: cube.with(2, [0, 1]) }]),
+      /vertex 2 has 2 coordinates, not 3/,
+    ],
+    [
+      'a word',
+      JSON.stringify([{ name: 'a', vertices: cube.with(2, [0, 'x', 1] as never) }]),
+      /vertex 2 y is a string, not a number/,
+    ],
+    ['null', JSON.stringify([{ name: 'a', vertices: cube.with(2, [0, 1, null] as never) }]), /vertex 2 z is null/],
+    [
+      'a line break in a name',
+      JSON.stringify([{ name: 'a\nb', vertices: [] }]),
+      /Entry 0 \("a\\nb"\): it has 0 vertices/,
+    ],
+  ]
+  for (const [what, text, message] of bad)
+    it(what, async () => {
+      const { status, output, errors } = await analyze(text)
+      expect([status, output]).toEqual([2, ''])
+      expect(errors).toMatch(/^hexlens: [^\n]+\n$/)
+      expect(errors.trimEnd()).toMatch(message)
+    })
+
+  it('a missing file', async () => {
+    const { status, errors } = await analyze('', ['analyze', join(folder, 'none.json')])
+    expect(status).toBe(2)
+    expect(errors).toMatch(/^hexlens: The file .*none\.json cannot be read \(ENOENT\)\.\n$/)
+  })
+
+  it('a wrong call', async () => {
+    for (const args of [[], ['analyse', 'x'], ['analyze'], ['analyze', 'a', 'b']]) {
+      const { status, output, errors } = await analyze('', args)
+      expect([status, output]).toEqual([2, ''])
+      expect(errors).toMatch(/^Usage: /)
+    }
+    expect(await analyze('', ['--help'])).toMatchObject({ status: 0, errors: '' })
+  })
+})
+
+describe('the program', () => {
+  const program = fileURLToPath(new URL('../../tools/hexlens.mjs', import.meta.url))
+  const run = (args: string[]) => promisify(execFile)(process.execPath, [program, ...args], { maxBuffer: 2 ** 26 })
+
+  it('reads a file and prints nothing but the list, however long', async () => {
+    const file = join(folder, 'many.json')
+    const entries = Array.from({ length: 3000 }, (_, i) => ({ name: `cube ${i}`, vertices: cube }))
+    writeFileSync(file, JSON.stringify(entries))
+    const { stdout } = await run(['analyze', file])
+    expect(JSON.parse(stdout).length).toBe(3000)
+  })
+
+  it('ends with the status', async () => {
+    await expect(run(['analyze', join(folder, 'none.json')])).rejects.toMatchObject({ code: 2, stdout: '' })
+  })
+})
