@@ -51,7 +51,7 @@ class VerdictView implements View {
   #place(name: string, point: Vec3, what: string): TemplateResult {
     const word = this.#copied === point ? 'Copied' : 'Copy'
     return html`<p class="place">
-      <span>${name} = ${formatPoint(point)}</span>
+      <span>${name} = <span>${formatPoint(point)}</span></span>
       <button type="button" aria-label=${`${word} ${what}`} @click=${(event: Event) => this.#copy(event, point)}>
         ${word}
       </button>
