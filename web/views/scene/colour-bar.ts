@@ -81,7 +81,7 @@ export class ColourBar {
     const fromTop = (value: number) => ((top - rampPosition(scale, value)) / (top - bottom)) * length
     this.#updateRamp(ramp, top, bottom, fromTop(0), upright, length)
     const format = (value: number) => formatJacdet(value, exponent, state.referenceCube)
-    const labels = labelsOf(minimum, maximum, format)
+    const labels = labelsOf(minimum, maximum, format, upright)
     this.#updateTicks(labels, fromTop, upright, length)
     set(this.#svg, {
       'aria-label': `Colours of jacdet: maximum ${format(maximum)}, zero, minimum ${format(minimum)}`,
@@ -157,13 +157,16 @@ function createTick(name: Tick) {
   return { line: svg('path', { class: `tick ${name}` }), label: svg('text', { class: `tick ${name}` }) }
 }
 
-/** From the greatest to the least; an extreme that is zero, or a minimum that equals the maximum, says nothing new. */
-function labelsOf(minimum: number, maximum: number, format: (value: number) => string): Label[] {
+/**
+ * From the greatest to the least; an extreme that is zero, or a minimum that equals the maximum, says nothing new. A lying bar
+ * has room for the numbers only.
+ */
+function labelsOf(minimum: number, maximum: number, format: (value: number) => string, named: boolean): Label[] {
   const labels: Label[] = [{ tick: 'zero', value: 0, text: '0' }]
   if (maximum === minimum && maximum !== 0) labels.push({ tick: 'maximum', value: maximum, text: format(maximum) })
   else {
-    if (maximum !== 0) labels.push({ tick: 'maximum', value: maximum, text: `max ${format(maximum)}` })
-    if (minimum !== 0) labels.push({ tick: 'minimum', value: minimum, text: `min ${format(minimum)}` })
+    if (maximum !== 0) labels.push({ tick: 'maximum', value: maximum, text: (named ? 'max ' : '') + format(maximum) })
+    if (minimum !== 0) labels.push({ tick: 'minimum', value: minimum, text: (named ? 'min ' : '') + format(minimum) })
   }
   return labels.sort((a, b) => b.value - a.value)
 }

@@ -331,6 +331,7 @@ class Scene implements SceneView, Stage {
         pixelRatio: Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
       })
       this.framesDrawn++
+      this.root.dataset.frames = String(this.framesDrawn)
     }
     const picture = { state, report, frame: this.#frame, camera, handles: this.#handles, drag: this.#drag }
     this.#overlay.update({ ...picture, taken: this.#taken() })
