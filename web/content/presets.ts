@@ -19,7 +19,7 @@ export const presets: readonly [Preset, ...Preset[]] = [
   {
     id: 'looks-fine',
     title: 'Looks fine, is not',
-    note: 'All eight vertices are positive and nothing bulges, yet jacdet is negative along an edge of the top.',
+    note: 'A block like any other, and all eight vertices are positive; yet along two edges of its top jacdet is negative.',
     valid: false,
     points: [
       [0, -0.5, -0.5],
