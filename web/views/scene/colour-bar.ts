@@ -24,6 +24,8 @@ const CHARACTER_WIDTH = 7.4
 const ROOM = { upright: 92, lying: 20 }
 /** Half a label's height sticks out at either end of an upright bar. */
 const OVERHANG = 9
+/** How far a label may stick out at either end of a lying one. */
+const END_OVERHANG = 8
 
 type Tick = 'maximum' | 'zero' | 'minimum'
 
@@ -141,7 +143,7 @@ export class ColourBar {
         set(line, { d: `M-3 ${px(at)}H${THICKNESS}` })
         set(label, { x: -8, y: px(place), 'text-anchor': 'end' })
       } else {
-        const half = (CHARACTER_WIDTH * text.length) / 2
+        const half = (CHARACTER_WIDTH * text.length) / 2 - END_OVERHANG
         set(line, { d: `M${px(length - at)} 0V${THICKNESS + 3}` })
         set(label, {
           x: px(Math.max(half, Math.min(length - half, length - place))),

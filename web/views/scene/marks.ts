@@ -38,7 +38,7 @@ export class Marks {
   readonly #pool: Mark[] = []
   readonly #halo = svg('circle', { class: 'rim' })
   readonly #ring = svg('circle', { class: 'ring' })
-  readonly #core = svg('circle', { class: 'core', r: 5 })
+  readonly #core = svg('circle', { class: 'core', r: 7 })
   readonly #dot = svg('circle', { class: 'pupil', r: 3 })
   readonly #leader = svg('path', { class: 'leader' })
   readonly #label = svg('text', { class: 'value' })
