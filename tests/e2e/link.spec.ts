@@ -70,7 +70,7 @@ test('a link pasted into the address bar of the open page is opened, and undone'
   await lens.open()
   const first = await lens.bits()
   await lens.set(tiny)
-  const link = page.url()
+  const link = await page.evaluate(() => location.href)
   await lens.button('Undo').click()
   await expect.poll(() => lens.bits()).toEqual(first)
   await page.evaluate(hash => {

@@ -109,6 +109,7 @@ test('the keys for undo and redo work from anywhere, but not in the middle of ty
   const second = await lens.vertices()
   await page.keyboard.press('Control+z')
   await expect.poll(() => lens.vertices()).toEqual(first)
+  await expect(lens.field(1, 'x')).toHaveValue(String(first[3]))
   await page.keyboard.press('Control+Shift+z')
   await expect.poll(() => lens.vertices()).toEqual(second)
   await lens.field(1, 'x').blur()
@@ -117,7 +118,7 @@ test('the keys for undo and redo work from anywhere, but not in the middle of ty
   await page.keyboard.press('Control+y')
   await expect.poll(() => lens.vertices()).toEqual(second)
 
-  await lens.field(1, 'y').click()
+  await lens.field(1, 'y').press('End')
   await lens.field(1, 'y').pressSequentially('9')
   await page.keyboard.press('Control+z')
   await lens.nextFrame()
