@@ -1,7 +1,7 @@
 /**
  * The state and its history. One store belongs to one element; dispatching is the only way to change it.
  *
- * A step is what one undo takes back: a change of the vertices outside a gesture, or a whole gesture. Changes are told by
+ * A step is what one undo takes back: a change of vertices, preset or start outside a gesture, or a whole gesture. Changes are told by
  * the bits, so that -0 and 0 differ; what changes nothing is no step and keeps the state object itself.
  */
 import { COORDINATE_COUNT, faces, VERTEX_COUNT, type Vertices, withVertex } from './hexahedron'
@@ -45,7 +45,7 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
   let state = currentState()
 
   function currentState(): State {
-    const moved = gestureStart !== null && gestureStart.vertices !== present.vertices
+    const moved = gestureStart !== null && !sameSnapshot(gestureStart, present)
     return {
       ...present,
       ...shown,
@@ -63,20 +63,18 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
   function change(next: Snapshot): void {
     const before = present
     present = next
-    if (gestureStart !== null) {
-      if (sameBits(next.vertices, gestureStart.vertices)) present = { ...next, vertices: gestureStart.vertices }
-    } else if (before.vertices !== next.vertices) record(before)
+    if (gestureStart === null && !sameSnapshot(before, next)) record(before)
   }
 
   function commit(): void {
-    if (gestureStart !== null && gestureStart.vertices !== present.vertices) record(gestureStart)
+    if (gestureStart !== null && !sameSnapshot(gestureStart, present)) record(gestureStart)
     gestureStart = null
   }
 
   /** Whether it took back anything. */
   function cancel(): boolean {
     if (gestureStart === null) return false
-    const moved = gestureStart.vertices !== present.vertices
+    const moved = !sameSnapshot(gestureStart, present)
     present = gestureStart
     gestureStart = null
     return moved
@@ -108,7 +106,7 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
       }
       case 'set-vertices': {
         const vertices = kept(present.vertices, accepted(action.vertices))
-        change({ vertices, preset: action.preset, start: vertices })
+        change({ vertices, preset: action.preset, start: kept(present.start, vertices) })
         break
       }
       case 'begin-gesture':
@@ -179,6 +177,10 @@ function kept(before: Vertices, after: Vertices): Vertices {
 
 function sameBits(a: Vertices, b: Vertices): boolean {
   return a.every((value, i) => Object.is(value, b[i]))
+}
+
+function sameSnapshot(a: Snapshot, b: Snapshot): boolean {
+  return sameBits(a.vertices, b.vertices) && a.preset === b.preset && sameBits(a.start, b.start)
 }
 
 function sameState(a: State, b: State): boolean {

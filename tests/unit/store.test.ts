@@ -1,0 +1,158 @@
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { vertexOf } from '../../web/model/hexahedron'
+import type { Action } from '../../web/model/state'
+import { createStore, HISTORY_LIMIT } from '../../web/model/store'
+import { unitCube } from './core-fixtures'
+
+const other = unitCube.map(x => 2 * x)
+
+function store() {
+  return createStore(unitCube, 'cube')
+}
+
+function dispatched(...actions: Action[]) {
+  const target = store()
+  for (const action of actions) target.dispatch(action)
+  return target
+}
+
+const move = (x: number, vertex = 6): Action => ({ type: 'move-vertex', vertex, to: [x, 1, 1] })
+const begin: Action = { type: 'begin-gesture' }
+const commit: Action = { type: 'commit-gesture' }
+const cancel: Action = { type: 'cancel-gesture' }
+const undo: Action = { type: 'undo' }
+const redo: Action = { type: 'redo' }
+const reset: Action = { type: 'reset' }
+const set = (vertices: readonly number[], preset: string | null): Action => ({ type: 'set-vertices', vertices, preset })
+
+const xOf6 = (target: ReturnType<typeof store>) => vertexOf(target.state.vertices, 6)[0]
+
+describe('a gesture', () => {
+  it('is one step, however many moves it has', () => {
+    const target = dispatched(begin, move(2), move(3), move(4), commit)
+    expect([xOf6(target), target.state.gestureStart]).toEqual([4, null])
+    target.dispatch(undo)
+    expect([xOf6(target), target.state.canUndo, target.state.canRedo]).toEqual([1, false, true])
+    target.dispatch(redo)
+    expect(xOf6(target)).toBe(4)
+  })
+
+  it('that ends where it began is no step', () => {
+    expect(dispatched(begin, move(2), move(1), commit).state).toMatchObject({ canUndo: false, gestureStart: null })
+  })
+
+  it('cancelled restores bit for bit', () => {
+    const awkward = unitCube.with(0, -0).with(1, 0.1 + 0.2)
+    const target = createStore(awkward, null)
+    for (const action of [begin, move(2, 0), cancel]) target.dispatch(action)
+    expect(target.state.vertices.every((value, i) => Object.is(value, awkward[i]))).toBe(true)
+    expect(target.state.canUndo).toBe(false)
+  })
+
+  it('remembers where it began while it runs', () => {
+    expect(dispatched(begin, move(2)).state.gestureStart).toEqual(unitCube)
+  })
+
+  it('is taken back by undo, and ends by that', () => {
+    const target = dispatched(move(2), begin, move(3), undo)
+    expect([xOf6(target), target.state.gestureStart, target.state.canUndo]).toEqual([2, null, true])
+  })
+
+  it('begun within another commits that one', () => {
+    const target = dispatched(begin, move(2), begin, move(3), commit, undo)
+    expect(xOf6(target)).toBe(2)
+  })
+})
+
+describe('a step', () => {
+  it('outside a gesture is every move that changes a bit', () => {
+    expect(dispatched(move(1)).state.canUndo).toBe(false)
+    expect(dispatched({ type: 'move-vertex', vertex: 0, to: [-0, 0, 0] }).state.canUndo).toBe(true)
+  })
+
+  it('clears what could be redone; choosing and showing do not', () => {
+    const target = dispatched(
+      move(2),
+      undo,
+      { type: 'select-vertex', vertex: 3 },
+      { type: 'show-faces', faceDisplay: 2 },
+    )
+    expect(target.state).toMatchObject({ canRedo: true, selectedVertex: 3, faceDisplay: 2 })
+    target.dispatch(move(5))
+    expect(target.state.canRedo).toBe(false)
+  })
+
+  it('is kept for as many as the limit', () => {
+    const target = store()
+    for (let n = 0; n < HISTORY_LIMIT + 10; ++n) target.dispatch(move(2 + n))
+    for (let n = 0; n < HISTORY_LIMIT; ++n) target.dispatch(undo)
+    expect([xOf6(target), target.state.canUndo]).toEqual([11, false])
+  })
+})
+
+describe('another element', () => {
+  it('brings its own start and preset; undo brings back the earlier ones', () => {
+    const target = dispatched(move(3), set(other, 'other'), move(9))
+    target.dispatch(reset)
+    expect(target.state).toMatchObject({ vertices: other, preset: 'other', start: other })
+    for (const action of [undo, undo, undo]) target.dispatch(action)
+    expect(target.state).toMatchObject({ preset: 'cube', start: unitCube })
+    expect(xOf6(target)).toBe(3)
+  })
+
+  it('is reset as one step, and not at all when nothing moved', () => {
+    const target = dispatched(move(3), move(4), reset)
+    expect(target.state.vertices).toEqual(unitCube)
+    target.dispatch(undo)
+    expect(xOf6(target)).toBe(4)
+    expect(dispatched(reset).state.canUndo).toBe(false)
+  })
+})
+
+describe('the store', () => {
+  it('keeps the state object when nothing changes, and never mutates one', () => {
+    const target = store()
+    const before = target.state
+    const copy = structuredClone(before)
+    for (const action of [undo, redo, reset, commit, cancel, move(1)]) target.dispatch(action)
+    expect(target.state).toBe(before)
+    target.dispatch(move(7))
+    expect(target.state).not.toBe(before)
+    expect(before).toEqual(copy)
+  })
+
+  it('throws for what no caller may send', () => {
+    const target = store()
+    expect(() => createStore(unitCube.slice(1), null)).toThrow(RangeError)
+    expect(() => target.dispatch(move(Number.NaN))).toThrow(RangeError)
+    expect(() => target.dispatch(move(1, 8))).toThrow(RangeError)
+    expect(() => target.dispatch({ type: 'show-faces', faceDisplay: 6 })).toThrow(RangeError)
+    expect(target.state.vertices).toEqual(unitCube)
+  })
+
+  it('after any actions undoes all the way to the start and redoes all the way back', () => {
+    const action = fc.oneof(
+      fc.record({
+        type: fc.constant('move-vertex' as const),
+        vertex: fc.integer({ min: 0, max: 7 }),
+        to: fc.tuple(fc.integer({ min: 0, max: 2 }), fc.constant(0), fc.constant(1)),
+      }),
+      fc.constantFrom(begin, commit, cancel, undo, redo, reset, set(other, 'other'), set(unitCube, null)),
+    )
+    fc.assert(
+      fc.property(fc.array(action, { maxLength: 40 }), actions => {
+        const target = dispatched(...actions, commit)
+        const end = target.state
+        for (let n = 0; target.state.canUndo; ++n) {
+          expect(n).toBeLessThan(100)
+          target.dispatch(undo)
+        }
+        expect(target.state).toMatchObject({ vertices: unitCube, preset: 'cube', start: unitCube })
+        while (target.state.canRedo) target.dispatch(redo)
+        if (!end.canRedo) expect(target.state).toEqual(end)
+      }),
+      { seed: 20260608, numRuns: 1000 },
+    )
+  })
+})
