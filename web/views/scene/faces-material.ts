@@ -61,8 +61,9 @@ uniform float hatchPeriod;
 uniform bool seeThrough;
 
 const float STEPS = ${RAMP_STEPS}.0;
-// Below this change per pixel single precision shows noise, not a contour.
+// Below this change per pixel, and this value where nothing changes, single precision shows noise.
 const float LEAST_SLOPE = 1e-6;
+const float LEAST_VALUE = 1e-6;
 
 float coverage(float distance, float halfWidth) {
   return 1.0 - smoothstep(halfWidth - 0.5, halfWidth + 0.5, distance);
@@ -130,7 +131,7 @@ void main() {
   // A dark and a light stripe side by side: one of them stands out on any colour, and in grey.
   float diagonal = (gl_FragCoord.x + gl_FragCoord.y) * 0.70710678 / pixelRatio;
   float across = (fract(diagonal / hatchPeriod) - 0.5) * hatchPeriod;
-  float hatchSeen = f.x < 0.0 ? zeroSeen : 0.0;
+  float hatchSeen = f.x < 0.0 ? max(zeroSeen, smoothstep(LEAST_VALUE, 4.0 * LEAST_VALUE, -f.x)) : 0.0;
   float darkStripe = 0.36 * hatchSeen * coverage(abs(across - 0.55) * pixelRatio, 0.55 * pixelRatio);
   float lightStripe = 0.3 * hatchSeen * coverage(abs(across + 0.55) * pixelRatio, 0.55 * pixelRatio);
 
