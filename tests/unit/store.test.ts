@@ -38,8 +38,12 @@ describe('a gesture', () => {
     expect(xOf6(target)).toBe(4)
   })
 
-  it('that ends where it began is no step', () => {
-    expect(dispatched(begin, move(2), move(1), commit).state).toMatchObject({ canUndo: false, gestureStart: null })
+  it('that ends where it began is no step and leaves the very same vertices', () => {
+    const target = store()
+    const { vertices } = target.state
+    for (const action of [begin, move(2), move(1), commit]) target.dispatch(action)
+    expect(target.state).toMatchObject({ canUndo: false, gestureStart: null })
+    expect(target.state.vertices).toBe(vertices)
   })
 
   it('cancelled restores bit for bit', () => {

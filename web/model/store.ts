@@ -1,8 +1,9 @@
 /**
  * The state and its history. One store belongs to one element; dispatching is the only way to change it.
  *
- * A step is what one undo takes back: a change of vertices, preset or start outside a gesture, or a whole gesture. Changes are told by
- * the bits, so that -0 and 0 differ; what changes nothing is no step and keeps the state object itself.
+ * A step is what one undo takes back: a change of vertices, preset or start outside a gesture, or a whole gesture.
+ * Changes are told by the bits, so that -0 and 0 differ; what changes nothing is no step and keeps the state object itself,
+ * and a gesture that ends where it began gives back the `vertices` array it began with.
  */
 import { COORDINATE_COUNT, faces, VERTEX_COUNT, type Vertices, withVertex } from './hexahedron'
 import type { Action, State } from './state'
@@ -67,7 +68,9 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
   }
 
   function commit(): void {
-    if (gestureStart !== null && !sameSnapshot(gestureStart, present)) record(gestureStart)
+    if (gestureStart === null) return
+    if (sameSnapshot(gestureStart, present)) present = gestureStart
+    else record(gestureStart)
     gestureStart = null
   }
 
