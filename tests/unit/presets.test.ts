@@ -92,3 +92,10 @@ it('draws a random element anew each time, half of them valid', () => {
   const valid = draws.filter(vertices => report(vertices).valid).length
   expect(Math.abs(valid - 0.558 * draws.length)).toBeLessThan(4 * Math.sqrt(0.25 * draws.length))
 })
+
+it('never draws a coordinate that would read -0', () => {
+  const random = randomSource(12)
+  const draws = Array.from({ length: 4000 }, () => presetVertices(preset('random'), random))
+  expect(draws.flat().filter(x => x === 0).length).toBeGreaterThan(0)
+  expect(draws.flat().some(x => Object.is(x, -0))).toBe(false)
+})

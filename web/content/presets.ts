@@ -202,10 +202,10 @@ export const presets: readonly [Preset, ...Preset[]] = [
   },
 ]
 
-/** Normally distributed about x, to three decimals; Box and Muller's method, in which 1 - random() is never 0. */
+/** Normally distributed about x, to three decimals, never -0; Box and Muller's method, in which 1 - random() is never 0. */
 function moved(x: number, random: () => number): number {
   const normal = Math.sqrt(-2 * Math.log(1 - random())) * Math.cos(2 * Math.PI * random())
-  return Math.round(1000 * (x + 0.3 * normal)) / 1000
+  return Math.round(1000 * (x + 0.3 * normal)) / 1000 + 0
 }
 
 export function presetVertices({ points }: Preset, random: () => number = Math.random): Vertices {
