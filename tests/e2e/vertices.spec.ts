@@ -38,6 +38,24 @@ test('two fields filled in the same frame both count', async ({ lens }) => {
   expect((await lens.vertices()).slice(18, 21)).toEqual([0.25, 0.5, 0.75])
 })
 
+test('what is typed in the very frame of an undo changes that coordinate alone', async ({ lens }) => {
+  await lens.open()
+  const first = await lens.vertices()
+  await lens.field(6, 'x').fill('0.75')
+  await lens.field(6, 'x').press('Enter')
+  await lens.nextFrame()
+  await lens.element.evaluate(element => {
+    ;(element as HTMLElementTagNameMap['hex-lens']).undo()
+    const field = (element.shadowRoot as ShadowRoot).querySelectorAll<HTMLInputElement>('input[type=number]')[19]
+    if (field === undefined) throw new Error('There is no field of vertex 6 y.')
+    field.focus()
+    field.value = '0.625'
+    field.dispatchEvent(new InputEvent('input', { bubbles: true }))
+  })
+  await lens.nextFrame()
+  expect(await lens.vertices()).toEqual(first.with(19, 0.625))
+})
+
 test('Escape takes back what was typed', async ({ lens }) => {
   await lens.open()
   const before = await lens.vertices()
@@ -79,6 +97,42 @@ for (const [what, text] of Object.entries({
     expect((await lens.vertices())[16]).toBe(2)
   })
 }
+
+test('a text that is not one number is left out whole, in a sentence, and never makes another number', async ({
+  lens,
+  page,
+  context,
+}) => {
+  await lens.open()
+  await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+  const before = await lens.vertices()
+  const field = lens.field(2, 'y')
+  const paste = async (text: string) => {
+    await page.evaluate(copied => navigator.clipboard.writeText(copied), text)
+    await field.click()
+    await field.press('Control+a')
+    await field.press('Control+v')
+    await lens.nextFrame()
+  }
+  for (const text of ['0,25', '1/3', '[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]']) {
+    await paste(text)
+    await expect(page.getByText(`“${text.slice(0, 24)}`)).toBeVisible()
+    expect(await lens.vertices()).toEqual(before)
+  }
+  await paste('−3.5')
+  expect((await lens.vertices())[7]).toBe(-3.5)
+  await field.press('Escape')
+  expect(await lens.vertices()).toEqual(before)
+  await expect(page.getByText('was left out')).toBeHidden()
+
+  await field.press('Control+a')
+  await field.pressSequentially('0,25')
+  await expect(field).toHaveValue('0.25')
+  expect((await lens.vertices())[7]).toBe(0.25)
+  await field.press('Control+a')
+  await field.pressSequentially('1/')
+  await expect(page.getByText('“/” was left out')).toBeVisible()
+})
 
 test('the wheel over a field changes nothing', async ({ lens, page }) => {
   await lens.open()

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { coordinateText, readCoordinate } from '../../web/views/vertices/coordinate-text'
+import { coordinateText, fieldText, readCoordinate } from '../../web/views/vertices/coordinate-text'
 
 describe('a coordinate as text', () => {
   it('is the shortest that reads back as the same double', () => {
@@ -13,6 +13,25 @@ describe('a coordinate as text', () => {
   it('is refused unless it is a finite number', () => {
     for (const text of ['', ' ', '1e', '-', '1e999', '-1e999', 'NaN', 'Infinity', '1,5']) {
       expect(readCoordinate(text), text).toBeNull()
+    }
+  })
+})
+
+describe('a text for a number field', () => {
+  it('is taken with true minus signs and a comma typed as the decimal point', () => {
+    for (const [text, taken] of [
+      ['1.5e-3', '1.5e-3'],
+      [' −2.5\n', '-2.5'],
+      [',', '.'],
+      ['7', '7'],
+    ] as const) {
+      expect(fieldText(text), text).toBe(taken)
+    }
+  })
+
+  it('is refused where the field would drop a part of it', () => {
+    for (const text of ['0,25', '1,000.5', '1/3', '0.1 0.2', '[[0,0,0]]', 'x', ' ', '']) {
+      expect(fieldText(text), text).toBeNull()
     }
   })
 })

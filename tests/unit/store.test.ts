@@ -28,6 +28,20 @@ const set = (vertices: readonly number[], preset: string | null): Action => ({ t
 
 const xOf6 = (target: ReturnType<typeof store>) => vertexOf(target.state.vertices, 6)[0]
 
+describe('one coordinate moved', () => {
+  it('is a step like a vertex moved, and leaves the others as they are', () => {
+    const target = dispatched(move(2), { type: 'move-coordinate', index: 19, to: 0.5 })
+    expect(target.state.vertices).toEqual(unitCube.with(18, 2).with(19, 0.5))
+    target.dispatch(undo)
+    expect(target.state.vertices).toEqual(unitCube.with(18, 2))
+  })
+
+  it('is refused where there is none, or no number', () => {
+    expect(() => dispatched({ type: 'move-coordinate', index: 24, to: 0 })).toThrow(RangeError)
+    expect(() => dispatched({ type: 'move-coordinate', index: 0, to: Number.NaN })).toThrow(RangeError)
+  })
+})
+
 describe('a gesture', () => {
   it('is one step, however many moves it has', () => {
     const target = dispatched(begin, move(2), move(3), move(4), commit)

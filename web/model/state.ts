@@ -25,6 +25,8 @@ export interface State {
 export type Action =
   /** One vertex to a place. Inside a gesture it adds to that gesture's one undo step, outside it is a step of its own. */
   | { readonly type: 'move-vertex'; readonly vertex: number; readonly to: Vec3 }
+  /** One coordinate, `index` = 3 * vertex + axis, likewise; the vertex's other two stay as they are by then. */
+  | { readonly type: 'move-coordinate'; readonly index: number; readonly to: number }
   /** The whole element replaced: a preset, a link, the `vertices` property. `preset` is the preset's id if it is one. */
   | { readonly type: 'set-vertices'; readonly vertices: Vertices; readonly preset: string | null }
   /** A gesture is one undo step by intent: begin, any number of moves, then commit, or cancel to restore. */

@@ -18,7 +18,7 @@ export interface Store {
    * - `redo`, `reset` in a gesture cancel it first.
    * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one.
    *
-   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, no such face.
+   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate or face.
    */
   dispatch(action: Action): void
 }
@@ -104,6 +104,12 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
     switch (action.type) {
       case 'move-vertex': {
         const moved = accepted(withVertex(present.vertices, checkedVertex(action.vertex), action.to))
+        change({ ...present, vertices: kept(present.vertices, moved) })
+        break
+      }
+      case 'move-coordinate': {
+        const { index, to } = action
+        const moved = accepted(present.vertices.with(checkIndex(index, COORDINATE_COUNT, 'coordinate'), to))
         change({ ...present, vertices: kept(present.vertices, moved) })
         break
       }

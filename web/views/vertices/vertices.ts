@@ -1,11 +1,14 @@
 /** The 24 coordinates as editable numbers. Typing is the same as dragging: live, one undo step, Escape takes it back. */
 import { html, render } from 'lit-html'
-import { COORDINATE_COUNT, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
+import { COORDINATE_COUNT, VERTEX_COUNT } from '../../model/hexahedron'
 import type { CreateView, Frame, View, ViewHost } from '../view'
-import { coordinateText, readCoordinate } from './coordinate-text'
+import { coordinateText, fieldText, readCoordinate } from './coordinate-text'
 import css from './vertices.css?inline'
 
 export const verticesStyles = css
+
+/** Characters that surely fit a field; what is cut off may be the exponent. */
+const WIDTH = 11
 
 const axisNames = ['x', 'y', 'z'] as const
 
@@ -46,6 +49,11 @@ const template = html`
   <p class="refusal" id="vertices-refusal" aria-live="polite"></p>
 `
 
+interface LeftOut {
+  readonly index: number
+  readonly text: string
+}
+
 class VerticesView implements View {
   readonly root = document.createElement('section')
   readonly #host: ViewHost
@@ -53,6 +61,8 @@ class VerticesView implements View {
   readonly #rows: readonly HTMLTableRowElement[]
   readonly #refusal: HTMLElement
   readonly #refused = new Set<number>()
+  /** What the focused field last could not take. */
+  #leftOut: LeftOut | null = null
   /** As last seen in a frame, or as typed since. */
   readonly #values: number[] = new Array(COORDINATE_COUNT).fill(Number.NaN)
   #selected = -1
@@ -67,6 +77,7 @@ class VerticesView implements View {
     this.#inputs = [...this.root.querySelectorAll('input')]
     this.#rows = [...this.root.querySelectorAll<HTMLTableRowElement>('tr[data-vertex]')]
     this.#refusal = this.root.querySelector('.refusal') as HTMLElement
+    this.root.addEventListener('beforeinput', this.#onBeforeInput)
     this.root.addEventListener('input', this.#onInput)
     this.root.addEventListener('change', this.#commit)
     this.root.addEventListener('keydown', this.#onKeyDown)
@@ -99,7 +110,19 @@ class VerticesView implements View {
     const value = this.#values[index] as number
     const says = readCoordinate(input.value)
     if (this.#focused() !== input || says === null || !Object.is(says, value)) input.value = coordinateText(value)
+    input.title = input.value.length > WIDTH ? input.value : ''
     this.#accept(index)
+  }
+
+  /** A text that is not of one number is refused whole: what the browser would make of it is another number. */
+  readonly #onBeforeInput = (event: InputEvent): void => {
+    const text = event.data ?? event.dataTransfer?.getData('text/plain') ?? ''
+    const taken = fieldText(text)
+    if (text === '' || taken === text) return
+    event.preventDefault()
+    // The only way to insert that keeps the caret and the browser's own undo.
+    if (taken !== null) document.execCommand('insertText', false, taken)
+    else this.#leaveOut({ index: Number((event.target as HTMLInputElement).dataset.index), text })
   }
 
   readonly #onInput = (event: Event): void => {
@@ -118,8 +141,7 @@ class VerticesView implements View {
       this.#host.dispatch({ type: 'begin-gesture' })
     }
     this.#values[index] = value
-    const vertex = Math.floor(index / 3)
-    this.#host.dispatch({ type: 'move-vertex', vertex, to: vertexOf(this.#values, vertex) })
+    this.#host.dispatch({ type: 'move-coordinate', index, to: value })
   }
 
   readonly #commit = (): void => {
@@ -149,20 +171,27 @@ class VerticesView implements View {
     this.#sayRefused()
   }
 
+  #leaveOut(leftOut: LeftOut | null): void {
+    if (this.#leftOut === leftOut) return
+    this.#leftOut = leftOut
+    this.#sayRefused()
+  }
+
   #sayRefused(): void {
-    this.#refusal.textContent = [...this.#refused]
-      .map(
-        index =>
-          `${coordinateLabel(index)} needs a finite number; ${coordinateText(this.#values[index] as number)} is kept.`,
-      )
-      .join(' ')
+    const refused = [...this.#refused].map(
+      index =>
+        `${coordinateLabel(index)} needs a finite number; ${coordinateText(this.#values[index] as number)} is kept.`,
+    )
+    if (this.#leftOut !== null) refused.push(leftOutSentence(this.#leftOut))
+    this.#refusal.textContent = refused.join(' ')
   }
 
   readonly #onKeyDown = (event: KeyboardEvent): void => {
     if (event.key !== 'Escape' || !(event.target instanceof HTMLInputElement)) return
     const index = Number(event.target.dataset.index)
-    if (this.#edit === null && !this.#refused.has(index)) return
+    if (this.#edit === null && this.#leftOut === null && !this.#refused.has(index)) return
     event.stopPropagation()
+    this.#leaveOut(null)
     this.#cancel()
     event.target.value = coordinateText(this.#values[index] as number)
     this.#accept(index)
@@ -172,6 +201,7 @@ class VerticesView implements View {
 
   readonly #onFocusOut = (event: FocusEvent): void => {
     this.#commit()
+    this.#leaveOut(null)
     const input = event.target as HTMLInputElement
     const index = Number(input.dataset.index)
     if (!this.#refused.has(index)) input.value = coordinateText(this.#values[index] as number)
@@ -197,6 +227,11 @@ class VerticesView implements View {
   #focused(): Element | null {
     return this.root.querySelector('input:focus')
   }
+}
+
+function leftOutSentence({ index, text }: LeftOut): string {
+  const shown = text.length > 24 ? `${text.slice(0, 24)}…` : text
+  return `${coordinateLabel(index)} takes one number, like −1.5 or 2e-3; “${shown}” was left out.`
 }
 
 export const createVertices: CreateView = host => new VerticesView(host)
