@@ -11,6 +11,8 @@ it('says the vertex, the minimum, its place and the verdict as they are heard', 
   const minimizer = { kind: 'face', id: 2, value: -0.03, point: [0, 0, 0], position: [0, 0, 0] } as const
   const report = { minimizer, exponent: 0, valid: false } as unknown as Report
   expect(announcement(store.state, report)).toBe('Vertex 3: 1.25, 0.5, -1. Minimum jacdet -0.03 on face 2. Invalid.')
+  const onEdge = { ...report, minimizer: { ...minimizer, kind: 'edge', id: 6 } } as Report
+  expect(announcement(store.state, onEdge)).toContain('-0.03 on edge 6-7.')
   store.dispatch({ type: 'show-reference-cube', referenceCube: 'biunit' })
   const atVertex = { ...report, valid: true, minimizer: { ...minimizer, kind: 'vertex', value: 8 } } as Report
   expect(announcement(store.state, atVertex)).toBe('Vertex 3: 1.25, 0.5, -1. Minimum jacdet 1 at vertex 2. Valid.')

@@ -65,7 +65,7 @@ describe('the sentence that says why', () => {
     )
   })
 
-  it('tells an element inside out, a flat one and a touching one from the rest', () => {
+  it('tells an element inside out, a collapsed one and a touching one from the rest', () => {
     expect(
       whySentence(
         reportOf(
@@ -81,7 +81,7 @@ describe('the sentence that says why', () => {
           0,
         ),
       ),
-    ).toContain('the element is flat')
+    ).toContain('the element is collapsed')
     expect(whySentence(reportOf([...positive, candidate('face', 4, 0)]))).toContain('must be strictly positive')
   })
 })

@@ -61,6 +61,11 @@ export const faces: readonly FaceTopology[] = [
   { axis: 2, side: 1, s: 0, t: 1, vertices: [4, 5, 7, 6], name: '+ζ' },
 ]
 
+/** "4–7": an edge by its vertices, the lower one first. */
+export function edgeName(edge: number): string {
+  return edgeVertices[edge]?.toSorted((a, b) => a - b).join('–') ?? ''
+}
+
 /** The vertex's three coordinates. */
 export function vertexOf(vertices: Vertices, vertex: number): Vec3 {
   return [vertices[3 * vertex] as number, vertices[3 * vertex + 1] as number, vertices[3 * vertex + 2] as number]

@@ -1,7 +1,7 @@
 /** One frame as a sentence to be heard: "Vertex 3: 1.25, 0.5, -1. Minimum jacdet -0.03 on face 2. Invalid." */
 import type { Report } from '../../core/report'
 import { speakJacdet, speakNumber } from '../../model/decimal'
-import { vertexOf } from '../../model/hexahedron'
+import { edgeName, vertexOf } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 
 export function announcement(state: State, report: Report): string {
@@ -9,5 +9,6 @@ export function announcement(state: State, report: Report): string {
   const { kind, id, value } = report.minimizer
   const minimum = speakJacdet(value, report.exponent, state.referenceCube)
   const at = kind === 'vertex' ? 'at' : 'on'
-  return `Vertex ${state.selectedVertex}: ${vertex}. Minimum jacdet ${minimum} ${at} ${kind} ${id}. ${report.valid ? 'Valid' : 'Invalid'}.`
+  const name = kind === 'edge' ? edgeName(id).replace('–', '-') : id
+  return `Vertex ${state.selectedVertex}: ${vertex}. Minimum jacdet ${minimum} ${at} ${kind} ${name}. ${report.valid ? 'Valid' : 'Invalid'}.`
 }

@@ -1,7 +1,7 @@
 /** The minimizer with its value, and the candidates on edges and faces as small marks by kind. */
 import type { Candidate } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
-import { edgeVertices, faces } from '../../model/hexahedron'
+import { edgeName, edgeVertices, faces } from '../../model/hexahedron'
 import type { FaceDisplay } from '../../model/state'
 import type { ScreenPoint } from './camera'
 import { type Box, type LabelPlace, type Point, placeLabel } from './label-place'
@@ -143,5 +143,5 @@ function isOnFaces({ kind, id }: Candidate, display: FaceDisplay): boolean {
 }
 
 function placeName({ kind, id }: Candidate): string {
-  return kind === 'edge' ? `on edge ${edgeVertices[id]?.join('–')}` : `on face ${faces[id]?.name}`
+  return kind === 'edge' ? `on edge ${edgeName(id)}` : `on face ${faces[id]?.name}`
 }

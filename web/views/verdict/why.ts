@@ -1,11 +1,11 @@
 /** One plain sentence for why a report is valid or invalid: the first of vertices, edges and faces that fails. */
 import type { Candidate, CandidateKind, Report } from '../../core/report'
-import { edgeVertices, faces, VERTEX_COUNT } from '../../model/hexahedron'
+import { edgeName, faces, VERTEX_COUNT } from '../../model/hexahedron'
 
 /** "3", "0–1" or "−ζ". */
 function partName(kind: CandidateKind, id: number): string {
   if (kind === 'vertex') return String(id)
-  if (kind === 'edge') return edgeVertices[id]?.toSorted((a, b) => a - b).join('–') ?? ''
+  if (kind === 'edge') return edgeName(id)
   return faces[id]?.name ?? ''
 }
 
@@ -22,7 +22,7 @@ export function whySentence(report: Report): string {
     return 'The jacdet is negative on the whole boundary: the element is inside out; another vertex order may be meant.'
   }
   if (report.boundaryMinimum === 0 && report.boundaryMaximum === 0) {
-    return 'The jacdet is zero on the whole boundary: the element is flat.'
+    return 'The jacdet is zero on the whole boundary: the element is collapsed.'
   }
   if (report.boundaryMinimum === 0) {
     return 'The minimum is zero: the jacdet touches zero, and a valid element must be strictly positive.'
@@ -36,7 +36,8 @@ export function whySentence(report: Report): string {
 
 function notPositive(report: Report, kind: CandidateKind): readonly string[] {
   const ids = report.candidates.filter(c => c.kind === kind && c.value <= 0).map(c => c.id)
-  return [...new Set(ids)].sort((a, b) => a - b).map(id => partName(kind, id))
+  const names = [...new Set(ids)].sort((a, b) => a - b).map(id => partName(kind, id))
+  return kind === 'edge' ? names.sort() : names
 }
 
 function vertexSentence(names: readonly string[]): string {
