@@ -24,6 +24,17 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await expectNothingFound(page)
     })
 
+    test('axe finds nothing in the help, which fits a small phone', async ({ lens, page }) => {
+      await page.setViewportSize({ width: 360, height: 640 })
+      await lens.open()
+      await lens.button('Help').click()
+      const help = page.locator('hex-lens .scene-help')
+      await expect(help).toBeInViewport({ ratio: 1 })
+      const [shown, stage] = [await help.boundingBox(), await lens.scene.boundingBox()]
+      expect(shown?.y).toBeGreaterThanOrEqual(stage?.y as number)
+      await expectNothingFound(page)
+    })
+
     test('axe finds nothing where something is wrong', async ({ lens, page }) => {
       await lens.open('./#v1:broken')
       await page.evaluate(() => {

@@ -251,6 +251,69 @@ test('dragging and typing are the same thing', async ({ lens, page }) => {
   await expect.poll(() => lens.verdict.innerText()).toBe(verdict)
 })
 
+test('what is typed out of the picture brings the picture along once it is committed', async ({ lens, page }) => {
+  await lens.open()
+  for (const text of ['40', '1e308']) {
+    const before = await handleOf(lens, 0)
+    await lens.field(6, 'z').fill(text)
+    await lens.nextFrame()
+    expect(await handleOf(lens, 0)).toEqual(before)
+    await lens.field(6, 'z').press('Enter')
+    await lens.nextFrame()
+    const stage = await lens.scene.boundingBox()
+    const { x, y } = await handleOf(lens, 6)
+    expect(x).toBeGreaterThan(stage?.x as number)
+    expect(y).toBeGreaterThan(stage?.y as number)
+    await page.keyboard.press('Control+z')
+    await lens.button('Fit').click()
+    await lens.nextFrame()
+  }
+})
+
+test('vertices in one place share a label, and the chosen one of them is dragged', async ({ lens, page }) => {
+  await lens.open()
+  await lens.preset.selectOption({ label: 'Zero on the faces, negative inside' })
+  await lens.nextFrame()
+  const shared = page.locator('hex-lens .handle', { hasText: '0, 2, 5, 7' }).locator('circle').last()
+  await expect(shared).toBeVisible()
+  await lens.scene.focus()
+  await page.keyboard.press('5')
+  const before = await lens.vertices()
+  const box = await shared.boundingBox()
+  const { x, y } = { x: (box?.x ?? 0) + (box?.width ?? 0) / 2, y: (box?.y ?? 0) + (box?.height ?? 0) / 2 }
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await page.mouse.move(x - 20, y + 30, { steps: 3 })
+  await page.mouse.up()
+  await lens.nextFrame()
+  const moved = (await lens.vertices()).flatMap((value, i) => (value === before[i] ? [] : [Math.floor(i / 3)]))
+  expect([...new Set(moved)]).toEqual([5])
+})
+
+test('a pointer draws no focus frame, a key does', async ({ lens, page }) => {
+  await lens.open()
+  const frame = () => lens.scene.evaluate(element => getComputedStyle(element).outlineStyle)
+  const { x, y } = await handleOf(lens, 1)
+  await page.mouse.click(x, y)
+  await expect(lens.scene).toBeFocused()
+  expect(await frame()).toBe('none')
+  await page.keyboard.press('6')
+  expect(await frame()).toBe('solid')
+})
+
+test('the help is one key or one press away', async ({ lens, page }) => {
+  await lens.open()
+  const help = page.locator('hex-lens .scene-help')
+  await expect(help).toBeHidden()
+  await expect(lens.scene).toHaveAccessibleDescription(/Arrow keys move it/)
+  await lens.scene.focus()
+  await page.keyboard.press('?')
+  await expect(help).toBeVisible()
+  await expect(lens.button('Help')).toHaveAttribute('aria-expanded', 'true')
+  await lens.button('Help').click()
+  await expect(help).toBeHidden()
+})
+
 test('with the keyboard alone every vertex is chosen and moved', async ({ lens, page }) => {
   await lens.open()
   let tabs = 0

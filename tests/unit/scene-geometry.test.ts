@@ -36,6 +36,14 @@ describe('the view frame', () => {
     expect(extentOf(vertices)).toBe(Number.MAX_VALUE)
   })
 
+  it('keeps a vertex far out of the picture finite, and in its direction', () => {
+    for (const far of [1e30, 1e308, Number.MAX_VALUE]) {
+      const [x, y, z] = toView(frameOf(cube), [far, -far, 0.5])
+      expect(Number.isFinite(x) && x > 1e6).toBe(true)
+      expect([y, z]).toEqual([-x, 0])
+    }
+  })
+
   it('takes eight equal points', () => {
     const frame = frameOf(Array(24).fill(3))
     expect(toView(frame, [3, 3, 4])).toEqual([0, 0, 1])
@@ -78,14 +86,21 @@ describe('picking', () => {
   const at = (x: number, y: number, depth = 1) => ({ x, y, depth })
 
   it('takes the nearest handle in reach', () => {
-    expect(pickHandle([at(0, 0), at(10, 0), at(30, 0)], 8, 0, 12)).toBe(1)
-    expect(pickHandle([at(0, 0)], 12.1, 0, 12)).toBeNull()
-    expect(pickHandle([], 0, 0, 12)).toBeNull()
+    expect(pickHandle([at(0, 0), at(10, 0), at(30, 0)], { x: 8, y: 0 }, 12)).toBe(1)
+    expect(pickHandle([at(0, 0)], { x: 12.1, y: 0 }, 12)).toBeNull()
+    expect(pickHandle([], { x: 0, y: 0 }, 12)).toBeNull()
   })
 
   it('takes the front one of handles in one place, and none behind the eye', () => {
-    expect(pickHandle([at(5, 5, 4), at(5, 5, 3), at(5.2, 5, 2)], 5, 5, 12)).toBe(2)
-    expect(pickHandle([at(5, 5, -1), at(9, 5, 3)], 5, 5, 12)).toBe(1)
+    expect(pickHandle([at(5, 5, 4), at(5, 5, 3), at(5.2, 5, 2)], { x: 5, y: 5 }, 12)).toBe(2)
+    expect(pickHandle([at(5, 5, -1), at(9, 5, 3)], { x: 5, y: 5 }, 12)).toBe(1)
+  })
+
+  it('takes the selected one of vertices that coincide', () => {
+    const places = [at(5, 5, 3), at(5, 5, 3), at(5, 5, 3)]
+    expect(pickHandle(places, { x: 5, y: 5 }, 12)).toBe(0)
+    expect(pickHandle(places, { x: 5, y: 5 }, 12, 2)).toBe(2)
+    expect(pickHandle([at(5, 5, 2), ...places], { x: 5, y: 5 }, 12, 2)).toBe(0)
   })
 
   it('reaches farther for a finger', () => {

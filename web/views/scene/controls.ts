@@ -1,4 +1,4 @@
-/** The scene's few words and buttons: what the marks mean, how the faces are drawn, fit. */
+/** The scene's few words and buttons: what the marks mean, how the faces are drawn, fit, help. */
 import type { Report } from '../../core/report'
 import { faces } from '../../model/hexahedron'
 import type { FaceDisplay } from '../../model/state'
@@ -6,6 +6,7 @@ import { candidateShapes } from './marks'
 import { svg } from './svg'
 
 export interface ControlActions {
+  toggleHelp(): void
   fit(): void
   showFaces(faceDisplay: FaceDisplay): void
 }
@@ -13,6 +14,7 @@ export interface ControlActions {
 export class Controls {
   readonly root = document.createElement('div')
   readonly #faces = document.createElement('select')
+  readonly #help = document.createElement('button')
   readonly #legend = document.createElement('p')
   readonly #kinds: Readonly<Record<'edge' | 'face', HTMLElement>> = {
     edge: legendEntry('edge', 'edge candidate'),
@@ -40,7 +42,17 @@ export class Controls {
     const choice = document.createElement('span')
     choice.className = 'choice'
     choice.append(this.#faces)
-    this.root.append(this.#legend, choice, fit)
+    this.#help.type = 'button'
+    this.#help.textContent = 'Help'
+    this.#help.title = 'What keys and pointers do (?)'
+    this.#help.addEventListener('click', () => actions.toggleHelp())
+    this.showHelp(false)
+    this.root.append(this.#legend, choice, fit, this.#help)
+  }
+
+  /** Whether the help is on the screen. */
+  showHelp(shown: boolean): void {
+    this.#help.setAttribute('aria-expanded', String(shown))
   }
 
   update(faceDisplay: FaceDisplay, report: Report | null): void {

@@ -50,12 +50,6 @@ export function nextDisplay(display: FaceDisplay, by: 1 | -1): FaceDisplay {
   return next < 0 || next > 5 ? 'opaque' : next
 }
 
-export const KEYBOARD_HELP =
-  'Keys 0 to 7, or [ and ], choose a vertex. Arrow keys move it along the coordinate axis nearest to that direction on the ' +
-  'screen, Page Up and Page Down along the third axis, away and nearer. Shift moves ten times as far, Alt a tenth. Escape while a ' +
-  'key is held takes the move back. A, D, W, S turn the view, plus and minus zoom, F fits, Home resets the view. T makes faces ' +
-  'see-through, comma and full stop show one face at a time.'
-
 export class KeyboardInput {
   readonly #stage: Stage
   readonly #held = new Set<string>()
@@ -128,6 +122,7 @@ export class KeyboardInput {
     '-': () => this.#stage.zoom(1 / 1.2),
     f: () => this.#stage.fit(false),
     Home: () => this.#stage.fit(true),
+    '?': () => this.#stage.toggleHelp(),
     t: () => this.#show(this.#display === 'see-through' ? 'opaque' : 'see-through'),
     '.': () => this.#show(nextDisplay(this.#display, 1)),
     ',': () => this.#show(nextDisplay(this.#display, -1)),

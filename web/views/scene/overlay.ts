@@ -24,6 +24,9 @@ export interface OverlayPicture {
 }
 
 const COORDINATE_WIDTH = 7.5
+const DIGIT_WIDTH = 8
+/** Handles this close, in CSS pixels, are one to the eye. */
+const SAME_PLACE = 3
 /** From a handle's middle to the middle of its number. */
 const NUMBER_DISTANCE = 17
 /** The same where the minimizer's ring is around the handle. */
@@ -88,15 +91,19 @@ export class Overlay {
   #updateHandles({ handles, state, report }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
     const ringed = report?.minimizer.kind === 'vertex' ? report.minimizer.id : null
+    const texts = numberTexts(handles)
     const numbers = handles.map((at, v) => {
       const { group, number } = this.#handles[v] as Handle
+      const text = texts[v] as string
+      setText(number, text)
       show(group, at.depth > 0)
       moveTo(group, at)
       const [dx, dy] = [at.x - middle.x, at.y - middle.y]
       const length = Math.hypot(dx, dy)
       const [ux, uy] = length > 1 ? [dx / length, dy / length] : [0, -1]
       const distance = v === ringed ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
-      set(number, { x: px(ux * distance), y: px(uy * distance) })
+      const aside = distance + (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
+      set(number, { x: px(ux * aside), y: px(uy * distance) })
       group.classList.toggle('selected', v === state.selectedVertex)
       return { x: at.x + ux * distance, y: at.y + uy * distance }
     })
@@ -170,6 +177,12 @@ function createHandle(vertex: number): Handle {
     number,
   )
   return { group, number }
+}
+
+/** Numbers of handles in one place would hide each other: the first of them says them all, "2, 6". */
+export function numberTexts(handles: readonly ScreenPoint[]): readonly string[] {
+  const first = handles.map(({ x, y }) => handles.findIndex(other => Math.hypot(other.x - x, other.y - y) < SAME_PLACE))
+  return handles.map((_, v) => [...first.keys()].filter(other => first[other] === v).join(', '))
 }
 
 /** Lines between points in front of the eye. */

@@ -91,6 +91,7 @@ export class PointerInput {
       event.preventDefault()
       return
     }
+    this.#stage.element.dataset.pointed = '' // no frame about what a pointer focused
     this.#stage.element.focus({ preventScroll: true })
     const vertex = event.button === 0 && this.#orbiting.size === 0 ? this.#pick(event) : null
     if (vertex === null) {
@@ -201,10 +202,11 @@ export class PointerInput {
   }
 
   #pick(event: MouseEvent): number | null {
-    const { x, y } = this.#place(event)
+    const at = this.#place(event)
     const type = event instanceof PointerEvent ? event.pointerType : 'mouse'
     const handles = this.#stage.handles()
-    return handles.length === VERTEX_COUNT ? pickHandle(handles, x, y, pickRadius(type)) : null
+    if (handles.length !== VERTEX_COUNT) return null
+    return pickHandle(handles, at, pickRadius(type), this.#stage.latest.state?.selectedVertex)
   }
 
   #hover(vertex: number | null): void {

@@ -2,8 +2,8 @@
  * The element in physical space: faces coloured by jacdet in WebGL, and over them, in SVG, edges, handles, marks and words.
  * Draws what a frame says and emits actions; one picture per update and none in between.
  *
- * Dragged coordinates are rounded to the power of ten at or below one pixel's length. Keys: see KEYBOARD_HELP; the digit on
- * a handle chooses that handle.
+ * Dragged coordinates are rounded to the power of ten at or below one pixel's length. Keys: see help.ts; the digit on a
+ * handle chooses that handle.
  */
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
 import type { Vertices } from '../../model/hexahedron'
@@ -14,7 +14,8 @@ import { ColourBar } from './colour-bar'
 import { colourScaleOf, type Ramp, rampOf, type Theme } from './colour-map'
 import { Controls } from './controls'
 import { createFacePainter, type FacePainter } from './face-painter'
-import { KEYBOARD_HELP, KeyboardInput } from './keyboard-input'
+import { Help } from './help'
+import { KeyboardInput } from './keyboard-input'
 import type { Box } from './label-place'
 import { LatestState } from './latest-state'
 import { Overlay } from './overlay'
@@ -56,6 +57,7 @@ class Scene implements SceneView, Stage {
   readonly #overlay = new Overlay()
   readonly #colourBar: ColourBar
   readonly #controls: Controls
+  readonly #help = new Help('scene-help')
   readonly #orbit: OrbitControls
   readonly #pointer: PointerInput
   readonly #keyboard: KeyboardInput
@@ -72,6 +74,8 @@ class Scene implements SceneView, Stage {
   #frame: ViewFrame = { centre: [0, 0, 0], size: 1 }
   #handles: readonly ScreenPoint[] = []
   #shown: Frame | null = null
+  /** Whether the gesture last shown is of the pointer here, under which the picture must not move. */
+  #dragged = false
   #framed: { readonly preset: string | null; readonly start: Vertices } | null = null
   #drag: { readonly keys: DragKeys; readonly byTouch: boolean } | null = null
 
@@ -84,6 +88,7 @@ class Scene implements SceneView, Stage {
     )
     this.#controls = new Controls({
       fit: () => this.fit(false),
+      toggleHelp: () => this.toggleHelp(),
       showFaces: faceDisplay => this.latest.dispatch({ type: 'show-faces', faceDisplay }),
     })
     this.#build()
@@ -107,6 +112,7 @@ class Scene implements SceneView, Stage {
     this.#readTheme()
     this.#chooseFrame(frame, resized)
     this.#shown = frame
+    this.#dragged = this.#pointer.isDragging
     this.#draw(frame)
   }
 
@@ -163,21 +169,22 @@ class Scene implements SceneView, Stage {
     this.#orbit.update()
   }
 
+  toggleHelp(): void {
+    this.#help.toggle()
+    this.#controls.showHelp(this.#help.isShown)
+  }
+
   #build(): void {
     this.root.className = 'scene'
-    const help = document.createElement('p')
-    help.id = 'scene-help'
-    help.className = 'scene-help'
-    help.textContent = KEYBOARD_HELP
     this.element.className = 'scene-stage'
     this.element.tabIndex = 0
     this.element.dataset.cursor = 'orbit'
     this.element.setAttribute('role', 'application')
     this.element.setAttribute('aria-label', 'The hexahedron in space, eight vertices to move')
-    this.element.setAttribute('aria-describedby', help.id)
+    this.element.setAttribute('aria-describedby', this.#help.root.id)
     if (this.#painter) this.element.append(this.#painter.canvas)
     this.element.append(this.#overlay.root)
-    this.root.append(this.element, this.#colourBar.root, this.#controls.root, help)
+    this.root.append(this.element, this.#colourBar.root, this.#help.root, this.#controls.root)
     this.root.classList.toggle('unpainted', this.#painter === null)
   }
 
@@ -196,7 +203,7 @@ class Scene implements SceneView, Stage {
     const { signal } = this.#listening
     this.element.addEventListener('keydown', event => this.#onKey(event), { signal })
     this.element.addEventListener('keyup', event => this.#onKey(event), { signal })
-    this.element.addEventListener('blur', () => this.#keyboard.commit(), { signal })
+    this.element.addEventListener('blur', () => this.#onBlur(), { signal })
     this.#resizes.observe(this.root)
     this.#watchPixelRatio()
   }
@@ -213,8 +220,15 @@ class Scene implements SceneView, Stage {
 
   #onKey(event: KeyboardEvent): void {
     if (this.#pointer.isDragging) this.#pointer.onKey(event)
-    else if (event.type === 'keydown') this.#keyboard.onKeyDown(event)
-    else this.#keyboard.onKeyUp(event)
+    else if (event.type === 'keydown') {
+      delete this.element.dataset.pointed
+      this.#keyboard.onKeyDown(event)
+    } else this.#keyboard.onKeyUp(event)
+  }
+
+  #onBlur(): void {
+    delete this.element.dataset.pointed
+    this.#keyboard.commit()
   }
 
   #onContext(lost: boolean): void {
@@ -242,7 +256,7 @@ class Scene implements SceneView, Stage {
   }
 
   #insets(): Insets {
-    return this.#isNarrow ? { top: 92, right: 36, bottom: 72, left: 36 } : { top: 56, right: 132, bottom: 72, left: 72 }
+    return this.#isNarrow ? { top: 92, right: 36, bottom: 72, left: 36 } : { top: 56, right: 132, bottom: 72, left: 92 }
   }
 
   get #isNarrow(): boolean {
@@ -272,7 +286,7 @@ class Scene implements SceneView, Stage {
     this.#ramp = rampOf(theme)
   }
 
-  /** The view frame stays while vertices are moved; another element is brought into view. */
+  /** The view frame stays while vertices are moved; another element, or what was typed out of the picture, is brought into view. */
   #chooseFrame({ state }: Frame, resized: boolean): void {
     const framed = this.#framed
     const before = this.#shown?.state
@@ -280,10 +294,14 @@ class Scene implements SceneView, Stage {
     // A program that sets one element after another, none of them a preset, animates: the reader's view stays.
     const animated = another && framed !== null && framed.preset === null && state.preset === null
     const jumped = before && before.vertices !== state.vertices && !before.gestureStart && !state.gestureStart
+    const typed = before?.gestureStart && !state.gestureStart && !this.#dragged
     this.#framed = { preset: state.preset, start: state.start }
     if ((another && !animated) || (jumped && !this.#isInView(state, animated ? 0.4 : 0.2))) {
       this.#frame = frameOf(state.vertices)
       this.#aim(state.vertices, another && !animated)
+    } else if (typed && !this.#isInView(state, 0)) {
+      this.#frame = frameOf(state.vertices)
+      this.#aim(state.vertices, false)
     } else if (resized) {
       this.#aim(state.vertices, false)
     }

@@ -21,4 +21,6 @@ export interface Stage {
   /** Turns the view, in steps to the right and up. */
   orbit(right: number, up: number): void
   zoom(factor: number): void
+  /** Shows or hides what keys and pointers do. */
+  toggleHelp(): void
 }

@@ -50,9 +50,16 @@ export function extentOf(vertices: Vertices): number {
   return Math.min(2 * frameOf(vertices).size, Number.MAX_VALUE)
 }
 
+/** Beyond this there is nothing to see, and single precision and the products of matrices still hold it. */
+const FARTHEST = 1e9
+
+/** A point farther out than the picture can tell is drawn nearer, on the same line from the centre. */
 export function toView(frame: ViewFrame, point: Vec3): Vec3 {
   const shrink = frame.size > HUGE ? SHRINK : 1
-  return map3(axis => (at(point, axis) * shrink - at(frame.centre, axis) * shrink) / (frame.size * shrink))
+  const offset = map3(axis => finite(at(point, axis) * shrink - at(frame.centre, axis) * shrink))
+  const length = Math.max(...offset.map(Math.abs))
+  const size = frame.size * shrink
+  return map3(axis => (length / size > FARTHEST ? (at(offset, axis) / length) * FARTHEST : at(offset, axis) / size))
 }
 
 /** Inverse of `toView`; what would overflow becomes the greatest double. */

@@ -1,0 +1,46 @@
+/** What hands and keys do in the scene: the description of it for those who hear the page, and on request for everybody. */
+
+/** What is done, and what that does. Each is a sentence once joined. */
+const HELP: readonly (readonly [string, string])[] = [
+  ['Drag a handle', 'moves its vertex. With Shift in depth, with Alt on a grid, with X, Y or Z held along that axis'],
+  ['Drag elsewhere', 'turns the view. Ctrl and the wheel, or two fingers, zoom'],
+  ['0 to 7, or [ and ]', 'choose a vertex'],
+  ['Arrow keys', 'move it along the coordinate axis nearest to that direction on the screen'],
+  ['Page Up, Page Down', 'move it along the third axis, away and nearer'],
+  ['Shift, Alt', 'with these keys: ten times as far, a tenth'],
+  ['Escape', 'takes back the move while a key or the pointer is held'],
+  ['A, D, W, S', 'turn the view; plus and minus zoom, F fits, Home resets it'],
+  ['T', 'makes faces see-through; comma and full stop show one face at a time'],
+  ['?', 'shows and hides this help'],
+]
+
+export class Help {
+  readonly root = document.createElement('dl')
+
+  constructor(id: string) {
+    this.root.id = id
+    this.root.className = 'scene-help'
+    this.root.hidden = true
+    for (const [keys, effect] of HELP) this.root.append(entry(keys, effect))
+  }
+
+  get isShown(): boolean {
+    return !this.root.hidden
+  }
+
+  toggle(): void {
+    this.root.hidden = this.isShown
+  }
+}
+
+function entry(keys: string, effect: string): HTMLElement {
+  const [line, term, detail] = ['div', 'dt', 'dd'].map(name => document.createElement(name)) as [
+    HTMLElement,
+    HTMLElement,
+    HTMLElement,
+  ]
+  term.textContent = keys
+  detail.textContent = `${effect}.`
+  line.append(term, ' ', detail, ' ')
+  return line
+}
