@@ -106,6 +106,13 @@ test('a broken link pasted into an open page keeps the element shown', async ({ 
   })
   await expect(page.getByRole('alert').filter({ hasText: /link/i })).toBeVisible()
   expect(await lens.vertices()).toEqual(tiny)
+  await page.evaluate(() => {
+    location.hash = ''
+  })
+  await expect(page.getByRole('alert').filter({ hasText: /link/i })).toBeHidden()
+  await page.evaluate(() => {
+    location.hash = '#v1:broken'
+  })
   await page.getByRole('button', { name: 'Dismiss' }).click()
   await expect(page.getByRole('button', { name: 'Dismiss' })).toBeHidden()
 })

@@ -7,10 +7,10 @@ const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-le
 
 function openLink(): void {
   const link = decodePermalink(location.hash)
-  if (link.ok) {
-    lens.vertices = link.value
+  if (link.ok) lens.vertices = link.value
+  if (link.ok || link.error.code === 'absent') {
     lens.clear('link-broken')
-  } else if (link.error.code !== 'absent') {
+  } else {
     lens.raise({ code: 'link-broken', message: `${link.error.message} The element shown is not the link’s.` })
   }
 }
