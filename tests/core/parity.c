@@ -1,5 +1,5 @@
 /* Reads hexahedra as raw doubles, 24 each, from standard input and writes for each its status and its packed report,
-   minimum, validity and Jacobian as raw doubles: what tests/unit/parity.test.ts compares with the wasm's memory. */
+   minimum, verdict and Jacobian as raw doubles: what tests/unit/parity.test.ts compares with the wasm's memory. */
 #include "hexlens.h"
 
 #include <stdio.h>
@@ -21,10 +21,10 @@ int main(void) {
       hl_boundary_minimum(vertices, (hl_variant)variant, &minimum);
       write_doubles(packed, hl_pack_minimum(&minimum, packed));
     }
-    bool valid = false;
-    hl_is_valid(vertices, &valid);
-    double flag = valid;
-    write_doubles(&flag, 1);
+    hl_verdict verdict = HL_UNDECIDED;
+    hl_decide(vertices, &verdict);
+    double number = verdict;
+    write_doubles(&number, 1);
     hl_jacobian jacobian;
     hl_jacobian_at(vertices, point, &jacobian);
     write_doubles(packed, hl_pack_jacobian(&jacobian, packed));

@@ -20,7 +20,7 @@ static hl_report analyzed(const double vertices[24]) {
 static void unit_cube_is_one_everywhere(void) {
   hl_report report = analyzed(unit_cube);
   check_report(unit_cube, &report, "cube", 0);
-  CHECK(report.valid && report.minimizer.value == 1 && report.maximizer.value == 1, "jacdet is not 1");
+  CHECK(report.verdict == HL_VALID && report.minimizer.value == 1 && report.maximizer.value == 1, "jacdet is not 1");
   for (int i = 0; i < 27; ++i) CHECK(report.bernstein[i] == 1, "coefficient %d is %g", i, report.bernstein[i]);
   CHECK(report.candidate_count == 8, "%d candidates", report.candidate_count);
   for (int f = 0; f < 6; ++f)
@@ -31,7 +31,7 @@ static void unit_cube_is_one_everywhere(void) {
 
 static void paper_counterexample_has_boundary_minimum_zero(void) {
   hl_report report = analyzed(paper_counterexample);
-  CHECK(!report.valid && report.minimizer.value == 0, "minimum %g", report.minimizer.value);
+  CHECK(report.verdict == HL_UNDECIDED && report.minimizer.value == 0, "minimum %g", report.minimizer.value);
   const double centre[3] = {0.5, 0.5, 0.5};
   hl_jacobian jacobian;
   CHECK(hl_jacobian_at(paper_counterexample, centre, &jacobian) == HL_OK && jacobian.jacdet == -0.25, "centre %g",
@@ -142,7 +142,7 @@ static void sizes_beyond_the_doubles(void) {
     for (int size = -1000; size <= 1000; size += 2000) {
       for (int i = 0; i < 24; ++i) scaled[i] = ldexp(vertices[i], size);
       hl_report other = analyzed(scaled);
-      CHECK(other.exponent != 0 && other.valid == report.valid, "%ld: 2^%d", n, size);
+      CHECK(other.exponent != 0 && other.verdict == report.verdict, "%ld: 2^%d", n, size);
       CHECK(ldexp(other.minimizer.value, other.exponent - 3 * size) == report.minimizer.value, "%ld: 2^%d", n, size);
     }
   }
@@ -152,8 +152,8 @@ static void sizes_beyond_the_doubles(void) {
     huge[i] = unit_cube[i] != 0 ? 0x1.fffffffffffffp1023 : -0x1.fffffffffffffp1023;
   }
   hl_report small = analyzed(subnormal), large = analyzed(huge);
-  CHECK(small.valid && ldexp(small.minimizer.value, small.exponent + 3222) == 1, "the least doubles");
-  CHECK(large.valid && ldexp(large.minimizer.value, large.exponent - 3072) == pow(0x1.fffffffffffffp0, 3),
+  CHECK(small.verdict == HL_VALID && ldexp(small.minimizer.value, small.exponent + 3222) == 1, "the least doubles");
+  CHECK(large.verdict == HL_VALID && ldexp(large.minimizer.value, large.exponent - 3072) == pow(0x1.fffffffffffffp0, 3),
         "the greatest doubles: %.17g 2^%d", large.minimizer.value, large.exponent);
 }
 
@@ -199,7 +199,7 @@ static void refusals(void) {
   hl_report report;
   hl_minimum minimum;
   hl_jacobian jacobian;
-  bool valid = true;
+  hl_verdict verdict = HL_VALID;
   const double inside[3] = {0.5, 0.5, 0.5};
   const double bad[3] = {NAN, INFINITY, -INFINITY};
   for (int i = 0; i < 24; ++i)
@@ -212,7 +212,7 @@ static void refusals(void) {
       CHECK(hl_analyze(vertices, &report) == HL_NOT_FINITE && !memcmp(&report, &untouched, sizeof report), "analyze %d",
             i);
       CHECK(hl_boundary_minimum(vertices, HL_ROOTS, &minimum) == HL_NOT_FINITE, "minimum %d", i);
-      CHECK(hl_is_valid(vertices, &valid) == HL_NOT_FINITE && valid, "is_valid %d", i);
+      CHECK(hl_decide(vertices, &verdict) == HL_NOT_FINITE && verdict == HL_VALID, "decide %d", i);
       CHECK(hl_jacobian_at(vertices, inside, &jacobian) == HL_NOT_FINITE, "jacobian %d", i);
     }
   const double outside[3] = {0.5, 1.0000001, 0.5}, not_a_point[3] = {0.5, NAN, 0.5};
@@ -230,7 +230,8 @@ static void collapsed_elements(void) {
   const double *elements[3] = {point, line, plane};
   for (int i = 0; i < 3; ++i) {
     hl_report report = analyzed(elements[i]);
-    CHECK(!report.valid && report.minimizer.value == 0 && !signbit(report.minimizer.value), "element %d", i);
+    CHECK(report.verdict == HL_UNDECIDED && report.minimizer.value == 0 && !signbit(report.minimizer.value),
+          "element %d", i);
     for (int b = 0; b < 27; ++b) CHECK(report.bernstein[b] == 0 && !signbit(report.bernstein[b]), "element %d", i);
   }
 }
@@ -251,9 +252,10 @@ static void any_bits(void) {
     size_t length = hl_pack_report(&report, packed);
     CHECK(length <= HL_PACKED_REPORT, "%ld: packed length %zu", n, length);
     for (size_t i = 0; i < length; ++i) CHECK(isfinite(packed[i]), "%ld: packed number %zu is %g", n, i, packed[i]);
-    bool valid;
+    hl_verdict verdict;
     hl_minimum with, without;
-    CHECK(hl_is_valid(vertices, &valid) == HL_OK && valid == report.valid, "%ld: is_valid", n);
+    CHECK(hl_decide(vertices, &verdict) == HL_OK && (verdict == report.verdict || report.verdict == HL_UNDECIDED),
+          "%ld: decide", n);
     hl_boundary_minimum(vertices, HL_ROOTS, &without);
     hl_boundary_minimum(vertices, HL_ROOTS_B, &with);
     CHECK(!memcmp(&with.minimizer.value, &without.minimizer.value, sizeof(double)), "%ld: Roots and Roots+B", n);

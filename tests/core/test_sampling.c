@@ -1,5 +1,5 @@
 /* Random elements: no dense sample of the boundary is below the reported minimum beyond rounding, Roots and Roots+B agree
-   bit for bit, and the validity query with its early exits agrees with the sign of the minimum. */
+   bit for bit, and the verdict with its early exits agrees with the report. */
 #include "random.h"
 #include "reference.h"
 
@@ -43,9 +43,9 @@ static void the_variants_and_the_queries_agree(void) {
     random_hexahedron(&stream, 0.1 * (double)(1 + n % 20), vertices);
     hl_report report;
     hl_minimum with, without;
-    bool valid;
+    hl_verdict verdict;
     CHECK(hl_analyze(vertices, &report) == HL_OK && hl_boundary_minimum(vertices, HL_ROOTS, &without) == HL_OK &&
-              hl_boundary_minimum(vertices, HL_ROOTS_B, &with) == HL_OK && hl_is_valid(vertices, &valid) == HL_OK,
+              hl_boundary_minimum(vertices, HL_ROOTS_B, &with) == HL_OK && hl_decide(vertices, &verdict) == HL_OK,
           "%ld: status", n);
     const hl_candidate *minimizers[3] = {&report.minimizer, &without.minimizer, &with.minimizer};
     for (int i = 1; i < 3; ++i)
@@ -54,7 +54,7 @@ static void the_variants_and_the_queries_agree(void) {
                 !memcmp(minimizers[i]->point, minimizers[0]->point, sizeof minimizers[i]->point) &&
                 !memcmp(minimizers[i]->position, minimizers[0]->position, sizeof minimizers[i]->position),
             "%ld: %.17g against %.17g", n, minimizers[i]->value, minimizers[0]->value);
-    CHECK(valid == report.valid, "%ld: is_valid", n);
+    CHECK(verdict == report.verdict, "%ld: decide", n);
   }
 }
 

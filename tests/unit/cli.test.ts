@@ -43,7 +43,7 @@ describe('analyze', () => {
     for (const [i, { vertices }] of cases.entries()) {
       const result = core.analyze(vertices.flat())
       if (!result.ok || result.value.exponent !== 0) continue
-      const { valid, boundaryMinimum, cornerMinimum, edgeMinimum, minimizer } = result.value
+      const { valid, decidedBy, boundaryMinimum, cornerMinimum, edgeMinimum, minimizer } = result.value
       expect(list[i]).toEqual({
         name: cases[i]?.name,
         valid,
@@ -51,6 +51,7 @@ describe('analyze', () => {
         minimizer: { kind: minimizer.kind, id: minimizer.id, point: minimizer.point },
         corner_min: cornerMinimum,
         edge_min: edgeMinimum,
+        decided_by: decidedBy,
       })
     }
   })

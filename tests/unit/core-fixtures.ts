@@ -26,6 +26,11 @@ export const cases: readonly Case[] = JSON.parse(
   readFileSync(new URL('../vectors/public_cases.json', import.meta.url), 'utf8'),
 )
 
+/** Valid elements, proved by exact subdivision, that a subdivision which gives up past depth 4 rejects. */
+export const depthGuardCases: readonly Pick<Case, 'name' | 'vertices'>[] = JSON.parse(
+  readFileSync(new URL('../vectors/depth_guard_false_negatives.json', import.meta.url), 'utf8'),
+)
+
 for (const { name, vertices, bits } of cases) {
   const words = new BigUint64Array(new Float64Array(vertices.flat()).buffer)
   for (const [i, word] of words.entries())

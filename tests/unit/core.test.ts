@@ -28,7 +28,7 @@ describe('the module', () => {
         'analyze',
         'boundary_minimum',
         'input_address',
-        'is_valid',
+        'decide',
         'jacobian_at',
         'memory',
         'output_address',

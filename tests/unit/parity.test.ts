@@ -40,7 +40,7 @@ async function wasmAnswers(list: readonly number[][]): Promise<Float64Array> {
       wasm.boundary_minimum?.(variant)
       take(10)
     }
-    wasm.is_valid?.()
+    wasm.decide?.()
     take(1)
     wasm.jacobian_at?.()
     take(17)

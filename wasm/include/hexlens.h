@@ -40,6 +40,9 @@ typedef enum hl_status {
   HL_OUTSIDE_CUBE = 2 /* a reference point is not in [0,1]^3 */
 } hl_status;
 
+/* Certain, or left to exact arithmetic: touching minima, collapsed elements, changes of an ulp. Never wrong. */
+typedef enum hl_verdict { HL_UNDECIDED = 0, HL_VALID = 1, HL_INVALID = 2 } hl_verdict;
+
 typedef enum hl_kind { HL_VERTEX = 0, HL_EDGE = 1, HL_FACE = 2 } hl_kind;
 
 /* Algorithm 1 of the paper, without and with the Bernstein face bounds. Both give the same minimizer, bit for bit. */
@@ -78,7 +81,7 @@ typedef struct hl_face_report {
 } hl_face_report;
 
 typedef struct hl_report {
-  bool valid;
+  hl_verdict verdict;
   int exponent;
   hl_candidate minimizer;
   hl_candidate maximizer;
@@ -110,9 +113,9 @@ hl_status hl_analyze(const double vertices[HL_COORDINATES], hl_report *report);
 /* The least jacdet on the boundary and where it is attained, by Algorithm 1. */
 hl_status hl_boundary_minimum(const double vertices[HL_COORDINATES], hl_variant variant, hl_minimum *minimum);
 
-/* jacdet > 0 on the closed boundary, which decides the whole element (Knupp's conjecture, a theorem). Stops at the
-   first value <= 0. In doubles: within rounding of zero the verdict is that of the computed values. */
-hl_status hl_is_valid(const double vertices[HL_COORDINATES], bool *valid);
+/* Whether jacdet > 0 on the closed boundary, which decides the whole element (Knupp's conjecture, a theorem). Stops at the
+   first value that is certainly negative. */
+hl_status hl_decide(const double vertices[HL_COORDINATES], hl_verdict *verdict);
 
 /* The three columns dF/dxi, dF/deta, dF/dzeta and their determinant at a reference point of [0,1]^3. */
 hl_status hl_jacobian_at(const double vertices[HL_COORDINATES], const double point[3], hl_jacobian *jacobian);

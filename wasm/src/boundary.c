@@ -1,40 +1,12 @@
-/* Algorithm 1: vertices, then edges, then faces. Three queries walk the same candidates: the report takes all of them,
-   the minimum query and the validity query skip faces by their Bernstein bound: docs/algorithm.md 4 and 6. */
+/* Algorithm 1: vertices, then edges, then faces. The report takes all candidates, the minimum query may skip faces by their
+   Bernstein bound: docs/algorithm.md 4 and 6. */
 #include "bernstein.h"
+#include "candidates.h"
 #include "face.h"
+#include "filter.h"
 #include "hexlens.h"
 #include "map.h"
 #include "topology.h"
-
-static hl_candidate vertex_candidate(const double bernstein[27], int vertex) {
-  const unsigned char *r = vertex_reference[vertex];
-  return (hl_candidate){
-      .kind = HL_VERTEX, .id = vertex, .point = {r[0], r[1], r[2]}, .value = bernstein[vertex_index(vertex)]};
-}
-
-/* The vertex of an upward parabola strictly inside the edge: its middle coefficient is the least of the three, (9). */
-static bool edge_candidate(const double bernstein[27], int edge, hl_candidate *candidate) {
-  int axis = edge_table[edge].axis, from = edge_table[edge].from;
-  const double *q = bernstein + vertex_index(from);
-  double q0 = q[0], q1 = q[axis_stride[axis]], q2 = q[2 * axis_stride[axis]];
-  double fall = q0 - q1, rise = q2 - q1;
-  if (!(fall > 0 && rise > 0)) return false;
-  double r = fall / (fall + rise);
-  if (!(r > 0 && r < 1)) return false;
-  const unsigned char *start = vertex_reference[from];
-  *candidate = (hl_candidate){
-      .kind = HL_EDGE, .id = edge, .point = {start[0], start[1], start[2]}, .value = quadratic_at(q0, q1, q2, r)};
-  candidate->point[axis] = r;
-  return true;
-}
-
-static hl_candidate face_candidate(int face, const face_solution *solution, int root) {
-  hl_candidate candidate = {.kind = HL_FACE, .id = face, .value = solution->values[root]};
-  candidate.point[face_table[face].axis] = face_table[face].side;
-  candidate.point[face_table[face].s] = solution->roots[root].s;
-  candidate.point[face_table[face].t] = solution->roots[root].t;
-  return candidate;
-}
 
 static double least_of(const double *values, int count) {
   double least = values[0];
@@ -92,6 +64,7 @@ static void report_face(hl_report *report, int face) {
   face_solution solution;
   solve_face(out->bernstein, &solution);
   for (int i = 0; i < HL_QUARTIC; ++i) out->quartic[i] = solution.quartic[i];
+  out->quartic_exponent = solution.quartic_exponent;
   out->quartic_is_zero = solution.quartic_is_zero;
   out->root_count = solution.root_count;
   for (int r = 0; r < solution.root_count; ++r) {
@@ -163,12 +136,16 @@ hl_status hl_analyze(const double vertices[24], hl_report *report) {
     if (report->candidates[i].value < report->minimizer.value) report->minimizer = report->candidates[i];
   report->maximizer = greatest_candidate(report->bernstein);
   map_point(vertices, report->maximizer.point, report->maximizer.position);
-  report->valid = report->minimizer.value > 0;
+  report->verdict = filtered_verdict(report->bernstein);
+  /* A computed minimum that contradicts a certain verdict has lost its sign: exact arithmetic gives both. */
+  if (report->verdict == HL_VALID && !(report->minimizer.value > 0)) report->verdict = HL_UNDECIDED;
 
   int exponent = jacdet_exponent(&edges);
   report->exponent = exponent_left(report, exponent);
-  for (int f = 0; f < HL_FACES; ++f)
-    report->faces[f].quartic_exponent = scaled_back(report->faces[f].quartic, HL_QUARTIC, 3 * exponent);
+  for (int f = 0; f < HL_FACES; ++f) {
+    hl_face_report *face = &report->faces[f];
+    face->quartic_exponent = scaled_back(face->quartic, HL_QUARTIC, face->quartic_exponent + 3 * exponent);
+  }
   return HL_OK;
 }
 
@@ -184,31 +161,12 @@ hl_status hl_boundary_minimum(const double vertices[24], hl_variant variant, hl_
   return HL_OK;
 }
 
-/* The walk of least_candidate with the validity rule and an early exit. */
-static bool boundary_is_positive(const double bernstein[27]) {
-  for (int v = 0; v < HL_VERTICES; ++v)
-    if (!(bernstein[vertex_index(v)] > 0)) return false;
-  hl_candidate candidate;
-  for (int e = 0; e < HL_EDGES; ++e)
-    if (edge_candidate(bernstein, e, &candidate) && !(candidate.value > 0)) return false;
-  for (int f = 0; f < HL_FACES; ++f) {
-    double beta[HL_FACE_BERNSTEIN];
-    face_bernstein(bernstein, f, beta);
-    if (least_of(beta, HL_FACE_BERNSTEIN) > 0) continue;
-    face_solution solution;
-    solve_face(beta, &solution);
-    for (int r = 0; r < solution.root_count; ++r)
-      if (solution.roots[r].fate == HL_ROOT_KEPT && !(solution.values[r] > 0)) return false;
-  }
-  return true;
-}
-
-hl_status hl_is_valid(const double vertices[24], bool *valid) {
+hl_status hl_decide(const double vertices[24], hl_verdict *verdict) {
   if (!all_finite(vertices, HL_COORDINATES)) return HL_NOT_FINITE;
   edge_vectors edges;
   double bernstein[27];
   scaled_edge_vectors(vertices, &edges);
   jacdet_bernstein(&edges, bernstein);
-  *valid = boundary_is_positive(bernstein);
+  *verdict = filtered_verdict(bernstein);
   return HL_OK;
 }

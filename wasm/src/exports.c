@@ -27,10 +27,10 @@ EXPORT(boundary_minimum) int boundary_minimum(int variant) {
   return (int)status;
 }
 
-EXPORT(is_valid) int is_valid(void) {
-  bool valid = false;
-  hl_status status = hl_is_valid(input, &valid);
-  output[0] = valid;
+EXPORT(decide) int decide(void) {
+  hl_verdict verdict = HL_UNDECIDED;
+  hl_status status = hl_decide(input, &verdict);
+  output[0] = verdict;
   return (int)status;
 }
 

@@ -1,14 +1,10 @@
 /* The face's quartic P = 4a^2c' - 2abb' + a'b^2 in Bernstein form, and the points (s*(t), t) at its roots:
-   docs/algorithm.md (9) to (17). With b = 2B it is P/4 = a (ac' - 2BB') + a'B^2. */
+   docs/algorithm.md (10) to (18). With b = 2B it is P/4 = a (ac' - 2BB') + a'B^2. */
 #include "face.h"
 #include "bernstein.h"
+#include "scaling.h"
 
-/* a by its two ends, B and c by three Bernstein coefficients in t; N = a + B, so that s* = -B/a = -B/(N - B). */
-typedef struct parabolas {
-  double a[2], b[3], n[3], c[3];
-} parabolas;
-
-static void parabolas_in_s(const double beta[9], parabolas *f) {
+void parabolas_in_s(const double beta[9], parabolas *f) {
   for (int j = 0; j < 3; ++j) {
     f->b[j] = beta[3 + j] - beta[j];
     f->n[j] = beta[6 + j] - beta[3 + j];
@@ -16,6 +12,34 @@ static void parabolas_in_s(const double beta[9], parabolas *f) {
   }
   f->a[0] = f->n[0] - f->b[0];
   f->a[1] = f->n[2] - f->b[2];
+}
+
+double greatest_magnitude(const double *x, int count) {
+  double greatest = 0;
+  for (int i = 0; i < count; ++i) {
+    double magnitude = x[i] < 0 ? -x[i] : x[i];
+    if (magnitude > greatest) greatest = magnitude;
+  }
+  return greatest;
+}
+
+void quarter_discriminant(const parabolas *f, double d[5]) {
+  const double *a = f->a, *b = f->b, *c = f->c;
+  double ac[4] = {a[0] * c[0], (2 * a[0] * c[1] + a[1] * c[0]) / 3, (a[0] * c[2] + 2 * a[1] * c[1]) / 3, a[1] * c[2]};
+  d[0] = ac[0] - b[0] * b[0];
+  d[1] = 0.25 * (ac[0] + 3 * ac[1]) - b[0] * b[1];
+  d[2] = 0.5 * (ac[1] + ac[2]) - (2 * b[1] * b[1] + b[0] * b[2]) / 3;
+  d[3] = 0.25 * (3 * ac[2] + ac[3]) - b[1] * b[2];
+  d[4] = ac[3] - b[2] * b[2];
+}
+
+/* The face with its largest coefficient brought to [1/2, 1), so that its cubes do not underflow. Returns the exponent:
+   beta = unit * 2^exponent. */
+static int normalized_face(const double beta[9], double unit[9]) {
+  double greatest = greatest_magnitude(beta, HL_FACE_BERNSTEIN);
+  int exponent = greatest > 0 ? binary_exponent(greatest) : 0;
+  for (int i = 0; i < HL_FACE_BERNSTEIN; ++i) unit[i] = times_power_of_two(beta[i], -exponent);
+  return exponent;
 }
 
 /* Products of Bernstein forms, (13) to (16): coefficient i of the product is a mean of products of coefficients. */
@@ -39,27 +63,20 @@ static void quartic_bernstein(const parabolas *f, double p[5]) {
   p[4] = 4 * (a[1] * g[3] + da * square[4]);
 }
 
-static double greatest_magnitude(const double *x, int count) {
-  double greatest = 0;
-  for (int i = 0; i < count; ++i) {
-    double magnitude = x[i] < 0 ? -x[i] : x[i];
-    if (magnitude > greatest) greatest = magnitude;
-  }
-  return greatest;
-}
-
 /* |P|/4 is at most this for |a| <= a, |B| <= b, |c'| <= dc, |B'| <= db, |a'| <= da: a coefficient of a product of
    Bernstein forms is a mean of products of coefficients. */
 static double quartic_bound(double a, double b, double dc, double db, double da) {
   return a * a * dc + 2 * a * b * db + da * b * b;
 }
 
-/* How far a computed coefficient of P can be from the exact one: (17). */
-static double quartic_error(const parabolas *f) {
-  const double u = UNIT_ROUNDOFF;
+/* How far a computed coefficient of P can be from the exact one, (17). The factors are those of a face normalized by
+   2^-exponent, and the errors they bring along, from (8), are scaled alike. */
+static double quartic_error(const parabolas *f, int exponent) {
+  const double u = UNIT_ROUNDOFF, scaled_u = times_power_of_two(UNIT_ROUNDOFF, -exponent);
   double a = greatest_magnitude(f->a, 2), b = greatest_magnitude(f->b, 3), dc = 4 * greatest_magnitude(f->c, 3),
          db = 4 * b, da = 2 * a;
-  double exact_at_most = quartic_bound(a + 1004 * u, b + 466 * u, dc + 932 * u, db + 2008 * u, da + 2152 * u);
+  double exact_at_most = quartic_bound(a + 1004 * scaled_u, b + 466 * scaled_u, dc + 932 * scaled_u,
+                                       db + 2008 * scaled_u, da + 2152 * scaled_u);
   return 4 * (exact_at_most - quartic_bound(a, b, dc, db, da) + 32 * u * exact_at_most);
 }
 
@@ -78,17 +95,125 @@ static double face_value(const double beta[9], double s, double t) {
                       quadratic_at(beta[6], beta[7], beta[8], t), s);
 }
 
-void solve_face(const double beta[9], face_solution *solution) {
+typedef struct interval {
+  double from, to;
+} interval;
+
+/* B and N have two roots each at most, which cut [0,1] into five intervals at most. */
+enum { MAX_INTERVALS = 5 };
+
+static void sort_ascending(double *x, int count) {
+  for (int i = 1; i < count; ++i)
+    for (int j = i; j > 0 && x[j] < x[j - 1]; --j) {
+      double larger = x[j - 1];
+      x[j - 1] = x[j];
+      x[j] = larger;
+    }
+}
+
+/* Where in t the parabola's vertex lies inside the face, B < 0 < N: between roots of B and N. */
+static int inside_intervals(const parabolas *f, interval inside[MAX_INTERVALS]) {
+  double cuts[2 * HL_MAX_ROOTS];
+  int cut_count = hl_unit_roots(f->b, 2, cuts);
+  cut_count += hl_unit_roots(f->n, 2, cuts + cut_count);
+  sort_ascending(cuts, cut_count);
+  cuts[cut_count++] = 1;
+  int count = 0;
+  double from = 0;
+  for (int c = 0; c < cut_count; ++c) {
+    double middle = from + 0.5 * (cuts[c] - from);
+    if (quadratic_at(f->b[0], f->b[1], f->b[2], middle) < 0 && quadratic_at(f->n[0], f->n[1], f->n[2], middle) > 0)
+      inside[count++] = (interval){from, cuts[c]};
+    from = cuts[c];
+  }
+  return count;
+}
+
+/* The coefficients of the part of the face with t in the interval; the middle ones are the polar form at its ends. */
+static void restricted_face(const double beta[9], interval in, double part[9]) {
+  for (int i = 0; i < 3; ++i) {
+    const double *q = beta + 3 * i;
+    double first = lerp(q[0], q[1], in.from), second = lerp(q[1], q[2], in.from);
+    part[3 * i] = lerp(first, second, in.from);
+    part[3 * i + 1] = lerp(first, second, in.to);
+    part[3 * i + 2] = quadratic_at(q[0], q[1], q[2], in.to);
+  }
+}
+
+/* The roots of P in the interval, from P of that part of the face alone: its rounding errors are as small as a and B are
+   there, while those of P on [0,1] can hide a minimizer: (18). */
+static int roots_in(interval in, const double beta[9], double t[HL_MAX_ROOTS]) {
+  double part[9], unit[9], quartic[HL_QUARTIC];
   parabolas f;
-  parabolas_in_s(beta, &f);
+  restricted_face(beta, in, part);
+  normalized_face(part, unit);
+  parabolas_in_s(unit, &f);
+  quartic_bernstein(&f, quartic);
+  int count = hl_unit_roots(quartic, HL_QUARTIC - 1, t);
+  for (int r = 0; r < count; ++r) t[r] = lerp(in.from, in.to, t[r]);
+  return count;
+}
+
+/* Puts a root into its place in the ascending list. Where P is little but its rounding error, the intervals can yield
+   more roots than a quartic has: then the least values stay. */
+static void insert_root(face_solution *solution, hl_face_root root, double value) {
+  int at = solution->root_count;
+  if (at < HL_MAX_ROOTS) {
+    ++solution->root_count;
+  } else {
+    at = 0;
+    for (int r = 1; r < HL_MAX_ROOTS; ++r)
+      if (solution->values[r] > solution->values[at]) at = r;
+    if (value >= solution->values[at]) return;
+    for (; at + 1 < HL_MAX_ROOTS; ++at) {
+      solution->roots[at] = solution->roots[at + 1];
+      solution->values[at] = solution->values[at + 1];
+    }
+  }
+  for (; at > 0 && root.t < solution->roots[at - 1].t; --at) {
+    solution->roots[at] = solution->roots[at - 1];
+    solution->values[at] = solution->values[at - 1];
+  }
+  solution->roots[at] = root;
+  solution->values[at] = value;
+}
+
+/* The roots that are kept, from each interval where the vertex is inside. */
+static void keep_inside_roots(const double beta[9], const parabolas *f, face_solution *solution) {
+  interval inside[MAX_INTERVALS];
+  int interval_count = inside_intervals(f, inside);
+  for (int i = 0; i < interval_count; ++i) {
+    double t[HL_MAX_ROOTS];
+    int count = roots_in(inside[i], beta, t);
+    for (int r = 0; r < count; ++r) {
+      hl_face_root root = examined_root(f, t[r]);
+      if (root.fate == HL_ROOT_KEPT) insert_root(solution, root, face_value(beta, root.s, t[r]));
+    }
+  }
+}
+
+/* The roots of P on [0,1] that are dropped, as far as there is room. */
+static void add_dropped_roots(const parabolas *f, face_solution *solution) {
+  double t[HL_MAX_ROOTS];
+  int count = hl_unit_roots(solution->quartic, HL_QUARTIC - 1, t);
+  for (int r = 0; r < count && solution->root_count < HL_MAX_ROOTS; ++r) {
+    hl_face_root root = examined_root(f, t[r]);
+    if (root.fate != HL_ROOT_KEPT) insert_root(solution, root, 0);
+  }
+}
+
+void solve_face(const double beta[9], face_solution *solution) {
+  double unit[9];
+  parabolas f;
+  int exponent = normalized_face(beta, unit);
+  parabolas_in_s(unit, &f);
   quartic_bernstein(&f, solution->quartic);
   for (int i = 0; i < HL_QUARTIC; ++i) solution->quartic[i] += 0.0; /* -0 becomes 0 */
-  solution->quartic_is_zero = greatest_magnitude(solution->quartic, HL_QUARTIC) <= quartic_error(&f);
+  solution->quartic_exponent = 3 * exponent;
+  solution->quartic_is_zero = greatest_magnitude(solution->quartic, HL_QUARTIC) <= quartic_error(&f, exponent);
 
-  double t[HL_MAX_ROOTS];
-  solution->root_count = hl_unit_roots(solution->quartic, HL_QUARTIC - 1, t);
-  for (int r = 0; r < solution->root_count; ++r) {
-    solution->roots[r] = examined_root(&f, t[r]);
-    solution->values[r] = face_value(beta, solution->roots[r].s, t[r]);
-  }
+  solution->root_count = 0;
+  parabolas_in_s(beta, &f);
+  keep_inside_roots(beta, &f, solution);
+  add_dropped_roots(&f, solution);
 }

@@ -4,12 +4,26 @@
 
 #include "hexlens.h"
 
+/* f = a s^2 + 2B s + c as functions of t: a by its two ends, B and c by three Bernstein coefficients; N = a + B, so that
+   s* = -B/a = -B/(N - B). */
+typedef struct parabolas {
+  double a[2], b[3], n[3], c[3];
+} parabolas;
+
+void parabolas_in_s(const double beta[HL_FACE_BERNSTEIN], parabolas *f);
+
+/* ac - B^2 = D/4 in Bernstein form, degree 4: where B < 0 < N the parabola's least value is this over a. */
+void quarter_discriminant(const parabolas *f, double d[HL_QUARTIC]);
+
+double greatest_magnitude(const double *x, int count);
+
 typedef struct face_solution {
-  double quartic[HL_QUARTIC];
+  double quartic[HL_QUARTIC]; /* times 2^quartic_exponent, so that none is lost to underflow */
+  int quartic_exponent;
   bool quartic_is_zero;
   int root_count;
   hl_face_root roots[HL_MAX_ROOTS];
-  double values[HL_MAX_ROOTS]; /* f(s*, t); meaningful for the kept ones */
+  double values[HL_MAX_ROOTS]; /* f(s*, t) of the kept ones */
 } face_solution;
 
 /* Solve the face with Bernstein coefficients beta[3*i + j], i in s, j in t, in scaled units. */

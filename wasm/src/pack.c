@@ -39,7 +39,7 @@ static void put_face(cursor *c, const hl_face_report *face) {
 
 size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]) {
   cursor c = {packed};
-  put(&c, report->valid);
+  put(&c, report->verdict);
   put(&c, report->exponent);
   put_candidate(&c, &report->minimizer);
   put_candidate(&c, &report->maximizer);

@@ -6,10 +6,7 @@
 /* Doubles below 1 are at most this far apart: a shorter bracket says nothing more about a weight 1-t. */
 #define FINEST UNIT_ROUNDOFF
 
-/* A cut d away from an extremum changes the value there by at most 24 d^2 max|p|, far below (18). */
-#define FINEST_CUT 0x1p-32
-
-/* de Casteljau makes three roundings a level (1-t, product, sum), each of at most max|p|: (18). */
+/* de Casteljau makes three roundings a level (1-t, product, sum): (18). */
 #define EVALUATION_ROUNDINGS 3
 
 static int sign_of(double x) { return (x > 0) - (x < 0); }
@@ -26,9 +23,9 @@ static double value_at(const double *p, int degree, double t, double *slope) {
 
 /* The one root between low and high, where the polynomial goes from sign `sign_low` to the other: Newton's step where
    it stays inside and at least halves, else bisection. Every bisection halves the bracket, so it ends. */
-static double bracketed_root(const double *p, int degree, double low, double high, int sign_low, double finest) {
+static double bracketed_root(const double *p, int degree, double low, double high, int sign_low) {
   double last_step = high - low, t = low + 0.5 * last_step;
-  while (high - low > finest) {
+  while (high - low > FINEST) {
     double slope, value = value_at(p, degree, t, &slope);
     if (value == 0) return t;
     if (sign_of(value) == sign_low) low = t;
@@ -39,7 +36,7 @@ static double bracketed_root(const double *p, int degree, double low, double hig
       next = low + 0.5 * (high - low);
       step = 0.5 * (high - low);
     }
-    if (step < 0.5 * finest) return next;
+    if (step < 0.5 * FINEST) return next;
     last_step = step;
     t = next;
   }
@@ -66,17 +63,14 @@ static int inner_sign(const double *p, int degree, int from, int direction) {
 /* The sign at a root of the derivative; 0 where the value is within the rounding error of its evaluation (18), so that
    a root of even multiplicity is not lost. */
 static int sign_at_extremum(const double *p, int degree, double t) {
-  double greatest = 0, slope;
-  for (int i = 0; i <= degree; ++i) {
-    double magnitude = p[i] < 0 ? -p[i] : p[i];
-    if (magnitude > greatest) greatest = magnitude;
-  }
+  double magnitudes[HL_QUARTIC], slope;
+  for (int i = 0; i <= degree; ++i) magnitudes[i] = p[i] < 0 ? -p[i] : p[i];
   double value = value_at(p, degree, t, &slope);
-  double error = EVALUATION_ROUNDINGS * degree * UNIT_ROUNDOFF * greatest;
+  double error = EVALUATION_ROUNDINGS * degree * UNIT_ROUNDOFF * value_at(magnitudes, degree, t, &slope);
   return value > error ? 1 : value < -error ? -1 : 0;
 }
 
-static int unit_roots(const double *bernstein, int degree, double finest, double roots[HL_MAX_ROOTS]) {
+int hl_unit_roots(const double *bernstein, int degree, double roots[HL_MAX_ROOTS]) {
   int changes = sign_changes(bernstein, degree); /* at least the number of roots (Descartes) */
   if (changes == 0) return 0;
 
@@ -85,7 +79,7 @@ static int unit_roots(const double *bernstein, int degree, double finest, double
   if (changes > 1) {
     double derivative[HL_QUARTIC];
     for (int i = 0; i < degree; ++i) derivative[i] = bernstein[i + 1] - bernstein[i];
-    cut_count = unit_roots(derivative, degree - 1, FINEST_CUT, cuts);
+    cut_count = hl_unit_roots(derivative, degree - 1, cuts);
   }
   cuts[cut_count] = 1;
 
@@ -97,15 +91,11 @@ static int unit_roots(const double *bernstein, int degree, double finest, double
       touched = cuts[c];
       continue;
     }
-    double root = next != sign ? bracketed_root(bernstein, degree, low, cuts[c], sign, finest) : touched;
-    if (root > 0 && root < 1) roots[count++] = root;
+    double root = next != sign ? bracketed_root(bernstein, degree, low, cuts[c], sign) : touched;
+    if (root > (count > 0 ? roots[count - 1] : 0) && root < 1) roots[count++] = root;
     sign = next;
     low = cuts[c];
     touched = 0;
   }
   return count;
-}
-
-int hl_unit_roots(const double *bernstein, int degree, double roots[HL_MAX_ROOTS]) {
-  return unit_roots(bernstein, degree, FINEST, roots);
 }

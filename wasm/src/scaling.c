@@ -26,6 +26,8 @@ static int exponent_of(double x) {
   return exponent_of(x * power_of_two(64)) - 64; /* subnormal */
 }
 
+int binary_exponent(double x) { return exponent_of(x) + 1; }
+
 bool all_finite(const double *values, int count) {
   for (int i = 0; i < count; ++i)
     if ((bits_of(values[i]) >> 52 & 0x7ff) == 0x7ff) return false;
@@ -40,9 +42,10 @@ bool is_normal_after_scaling(double x, int exponent) {
 
 double times_power_of_two(double x, int exponent) {
   if (x == 0) return x;
-  /* In thirds no factor leaves the doubles, and what lies between x and a normal result is exact. */
-  int third = exponent / 3;
-  return x * power_of_two(third) * power_of_two(third) * power_of_two(exponent - 2 * third);
+  /* In quarters no factor leaves the doubles, and what lies between x and a normal result is exact. */
+  int quarter = exponent / 4;
+  double factor = power_of_two(quarter);
+  return x * factor * factor * factor * power_of_two(exponent - 3 * quarter);
 }
 
 int scaled_back(double *values, int count, int exponent) {
@@ -80,7 +83,7 @@ void scaled_edge_vectors(const double vertices[24], edge_vectors *edges) {
     double greatest = 0;
     for (int f = 0; f < 3; ++f)
       for (int e = 0; e < 4; ++e) greatest = larger_magnitude(greatest, families[f][3 * e]);
-    int exponent = greatest > 0 ? exponent_of(greatest) + 1 : 0;
+    int exponent = greatest > 0 ? binary_exponent(greatest) : 0;
     for (int f = 0; f < 3; ++f)
       for (int e = 0; e < 4; ++e) families[f][3 * e] = times_power_of_two(families[f][3 * e], -exponent);
     edges->axis_exponent[axis] = greatest > 0 ? exponent + halvings : 0;

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 /* The twelve edge vectors; component r of each is its number times 2^axis_exponent[r], and on each axis the largest
-   number is in [1/2, 1], or all are 0. */
+   number is in [1/2, 1), or all are 0. */
 typedef struct edge_vectors {
   double u[2][2][3]; /* u[j][k] = p_1jk - p_0jk */
   double v[2][2][3]; /* v[i][k] = p_i1k - p_i0k */
@@ -15,8 +15,11 @@ typedef struct edge_vectors {
 
 bool all_finite(const double *values, int count);
 
-/* x * 2^exponent, exact whenever it is a normal double. For x != 0, |exponent| <= 3066. */
+/* x * 2^exponent, exact whenever it is a normal double. For x != 0, |exponent| <= 4088. */
 double times_power_of_two(double x, int exponent);
+
+/* The e with |x| * 2^-e in [1/2, 1), for x != 0. */
+int binary_exponent(double x);
 
 /* x * 2^exponent is a normal double, or x is 0. */
 bool is_normal_after_scaling(double x, int exponent);

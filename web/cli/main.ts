@@ -8,8 +8,8 @@ import { MalformedInput, type NamedHexahedron, readHexahedra } from './read-hexa
 const USAGE = `Usage: npm run -s hexlens -- analyze FILE.json
 
 Reads a JSON list of {"name", "vertices": [[x, y, z], ... 8 points in VTK_HEXAHEDRON order]} ("-": standard input) and
-prints a JSON list of {"name", "valid", "boundary_min", "minimizer", "corner_min", "edge_min"}, or of {"name", "error"}
-for what cannot be analysed, in the same order. jacdet is that of the map from [0,1]^3.
+prints a JSON list of {"name", "valid", "boundary_min", "minimizer", "corner_min", "edge_min", "decided_by"}, or of
+{"name", "error"} for what cannot be analysed, in the same order. jacdet is that of the map from [0,1]^3.
 `
 
 const OK = 0
@@ -66,7 +66,7 @@ async function readText(file: string, input: Streams['input']): Promise<string> 
 function analysis(core: Core, { name, vertices }: NamedHexahedron): object {
   const result = core.analyze(vertices)
   if (!result.ok) return { name, error: result.error.message }
-  const { valid, exponent, boundaryMinimum, minimizer, cornerMinimum, edgeMinimum } = result.value
+  const { valid, decidedBy, exponent, boundaryMinimum, minimizer, cornerMinimum, edgeMinimum } = result.value
   return {
     name,
     valid,
@@ -74,6 +74,7 @@ function analysis(core: Core, { name, vertices }: NamedHexahedron): object {
     minimizer: { kind: minimizer.kind, id: minimizer.id, point: minimizer.point },
     corner_min: jsonNumber(cornerMinimum, exponent),
     edge_min: jsonNumber(edgeMinimum, exponent),
+    decided_by: decidedBy,
   }
 }
 

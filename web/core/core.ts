@@ -1,7 +1,9 @@
 /** Loads the C core and is the only place that sees its memory. The contracts are those of wasm/include/hexlens.h. */
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
-import type { Core, CoreError, Result } from './report'
-import { Unpacker, unpackJacobian, unpackMinimum, unpackReport } from './unpack'
+import { exactReport } from './exact/exact-report'
+import { exactBoundarySign } from './exact/exact-sign'
+import type { Core, CoreError, Report, Result } from './report'
+import { Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
 
 interface CoreExports {
   readonly memory: WebAssembly.Memory
@@ -11,7 +13,7 @@ interface CoreExports {
   output_length(): number
   analyze(): number
   boundary_minimum(variant: number): number
-  is_valid(): number
+  decide(): number
   jacobian_at(): number
 }
 
@@ -56,10 +58,29 @@ export async function loadCore(bytes: BufferSource): Promise<Core> {
     throw new Error(`The core answered with an unknown status, ${status}.`)
   }
 
+  const positionOf = (vertices: Vertices, point: Vec3): Vec3 => {
+    const result = answer(vertices, point, wasm.jacobian_at, () => unpackJacobian(new Unpacker(output), point))
+    if (!result.ok) throw new Error(result.error.message)
+    return result.value.position
+  }
+
+  function analyze(vertices: Vertices): Result<Report> {
+    const own = Object.freeze(vertices.slice())
+    const result = answer(own, null, wasm.analyze, () => unpackReport(new Unpacker(output), own))
+    if (!result.ok) return result
+    const { valid, ...rest } = result.value
+    if (valid !== null) return { ok: true, value: { ...rest, valid } }
+    return { ok: true, value: exactReport({ ...rest, valid: false }, point => positionOf(own, point)) }
+  }
+
+  function isValid(vertices: Vertices): Result<boolean> {
+    const result = answer(vertices, null, wasm.decide, () => unpackVerdict(new Unpacker(output)))
+    return result.ok ? { ok: true, value: result.value ?? exactBoundarySign(vertices) > 0 } : result
+  }
+
   return {
-    analyze: vertices =>
-      answer(vertices, null, wasm.analyze, () => unpackReport(new Unpacker(output), Object.freeze(vertices.slice()))),
-    isValid: vertices => answer(vertices, null, wasm.is_valid, () => output[0] !== 0),
+    analyze,
+    isValid,
     boundaryMinimum: (vertices, variant) =>
       answer(
         vertices,

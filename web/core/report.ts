@@ -59,7 +59,10 @@ export interface Report {
   readonly vertices: Vertices
   /** jacdet > 0 on the whole element, which by Knupp's conjecture (a theorem) its boundary decides. */
   readonly valid: boolean
+  /** Doubles with their error bounds, or, where those leave it open, exact arithmetic. Either way the verdict is certain. */
+  readonly decidedBy: 'filter' | 'exact'
   readonly exponent: number
+  /** Of the exact sign: 0 means exactly zero. */
   readonly boundaryMinimum: number
   readonly minimizer: Candidate
   readonly boundaryMaximum: number
@@ -99,8 +102,9 @@ export type Result<T> = { readonly ok: true; readonly value: T } | { readonly ok
 /** The C core as TypeScript sees it. */
 export interface Core {
   analyze(vertices: Vertices): Result<Report>
+  /** The certain verdict, without the report. */
   isValid(vertices: Vertices): Result<boolean>
-  /** Boundary minimum by Algorithm 1 with (`roots-b`) or without (`roots`) the Bernstein face bounds. */
+  /** Boundary minimum in doubles by Algorithm 1 with (`roots-b`) or without (`roots`) the Bernstein face bounds. */
   boundaryMinimum(vertices: Vertices, variant: 'roots' | 'roots-b'): Result<{ minimizer: Candidate; exponent: number }>
   /** `point` must lie in [0,1]^3. */
   jacobian(vertices: Vertices, point: Vec3): Result<JacobianReport>

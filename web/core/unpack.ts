@@ -3,6 +3,7 @@ import type { Vec3, Vertices } from '../model/hexahedron'
 import type { Candidate, CandidateKind, FaceReport, FaceRoot, JacobianReport, Report, RootFate } from './report'
 
 const KINDS: readonly CandidateKind[] = ['vertex', 'edge', 'face']
+const VERDICTS: readonly (boolean | null)[] = [null, true, false]
 const FATES: readonly RootFate[] = ['kept', 'a-not-positive', 's-outside']
 
 /** A cursor over a copy of the packed doubles. */
@@ -52,6 +53,11 @@ export class Unpacker {
   }
 }
 
+/** true, false, or null for what doubles leave open. */
+export function unpackVerdict(packed: Unpacker): boolean | null {
+  return packed.oneOf(VERDICTS)
+}
+
 function readCandidate(packed: Unpacker): Candidate {
   return {
     kind: packed.oneOf(KINDS),
@@ -83,14 +89,18 @@ function readFace(packed: Unpacker, id: number): FaceReport {
   }
 }
 
-export function unpackReport(packed: Unpacker, vertices: Vertices): Report {
-  const valid = packed.flag()
+/** A report as doubles leave it; null for a verdict that they leave open. */
+export type FilteredReport = Omit<Report, 'valid'> & { readonly valid: boolean | null }
+
+export function unpackReport(packed: Unpacker, vertices: Vertices): FilteredReport {
+  const valid = unpackVerdict(packed)
   const exponent = packed.number()
   const minimizer = readCandidate(packed)
   const maximizer = readCandidate(packed)
   return {
     vertices,
     valid,
+    decidedBy: 'filter',
     exponent,
     boundaryMinimum: minimizer.value,
     minimizer,

@@ -1,0 +1,104 @@
+/** jacdet's Bernstein coefficients as integers: the doubles as given are integers over powers of two, one for each axis. */
+import { edgeVertices, faces, type Vertices, vertexReference } from '../../model/hexahedron'
+
+export interface ExactJacdet {
+  /** Four times the 27 coefficients, over 2^exponent, `bernstein[9 * i + 3 * j + k]`; the cube's centre is left 0. */
+  readonly bernstein: readonly bigint[]
+  readonly exponent: number
+}
+
+/** integer * 2^exponent, exactly. */
+function integerOf(value: number): { integer: bigint; exponent: number } {
+  const bits = new DataView(new ArrayBuffer(8))
+  bits.setFloat64(0, value)
+  const word = bits.getBigUint64(0)
+  const biased = Number((word >> 52n) & 0x7ffn)
+  const fraction = word & 0xfffffffffffffn
+  const magnitude = biased === 0 ? fraction : fraction | 0x10000000000000n
+  return { integer: value < 0 ? -magnitude : magnitude, exponent: Math.max(biased, 1) - 1075 }
+}
+
+type Vector = readonly [bigint, bigint, bigint]
+
+function cross(a: Vector, b: Vector): Vector {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+function dot(a: Vector, b: Vector): bigint {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+function plus(a: Vector, b: Vector): Vector {
+  return [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/** The coordinates on one axis as integers over a common power of two. */
+function integersOnAxis(vertices: Vertices, axis: number): { values: bigint[]; exponent: number } {
+  const parts = vertexReference.map((_, v) => integerOf(vertices[3 * v + axis] as number))
+  const used = parts.filter(({ integer }) => integer !== 0n).map(({ exponent }) => exponent)
+  const exponent = used.length > 0 ? Math.min(...used) : 0
+  const values = parts.map(part => (part.integer === 0n ? 0n : part.integer << BigInt(part.exponent - exponent)))
+  return { values, exponent }
+}
+
+const at = (i: number, j: number, k: number) => 9 * i + 3 * j + k
+
+/** By docs/algorithm.md (3) to (7). */
+export function exactJacdet(vertices: Vertices): ExactJacdet {
+  const axes = [0, 1, 2].map(axis => integersOnAxis(vertices, axis))
+  const points = vertexReference.map((_, v) => axes.map(({ values }) => values[v]) as unknown as Vector)
+  const vectors = edgeVertices.map(([from, to]) => {
+    const [p, q] = [points[from], points[to]] as [Vector, Vector]
+    return [q[0] - p[0], q[1] - p[1], q[2] - p[2]] as const
+  })
+  const vector = (edge: number | undefined) => vectors[edge as number] as Vector
+  const u = (j: number, k: number) => vector([0, 4, 2, 6][2 * j + k])
+  const v = (i: number, k: number) => vector([3, 7, 1, 5][2 * i + k])
+  const w = (i: number, j: number) => vector([8, 10, 9, 11][2 * i + j])
+
+  const bernstein = Array<bigint>(27).fill(0n)
+  const add = (index: number, value: bigint) => {
+    bernstein[index] = (bernstein[index] as bigint) + value
+  }
+  for (const i of [0, 1])
+    for (const j of [0, 1]) {
+      for (const k of [0, 1]) {
+        const normal = cross(u(j, k), v(i, k))
+        add(at(2 * i, 2 * j, 2 * k), 4n * dot(normal, w(i, j)))
+        add(at(1, 2 * j, 2 * k), 2n * dot(normal, w(1 - i, j)))
+        add(at(2 * i, 1, 2 * k), 2n * dot(normal, w(i, 1 - j)))
+      }
+      add(at(2 * i, 2 * j, 1), 2n * dot(plus(cross(u(j, 0), v(i, 1)), cross(u(j, 1), v(i, 0))), w(i, j)))
+    }
+  for (const { axis, side, s, t } of faces) {
+    const stride = [9, 3, 1]
+    const [S, T] = [stride[s] as number, stride[t] as number]
+    const centre = 2 * side * (stride[axis] as number) + S + T
+    const total = (...offsets: number[]) =>
+      offsets.reduce((all, offset) => all + (bernstein[centre + offset] as bigint), 0n)
+    bernstein[centre] = (2n * total(-S, S, -T, T) - total(-S - T, S + T, T - S, S - T)) / 4n
+  }
+  return { bernstein, exponent: axes.reduce((all, { exponent }) => all + exponent, 0) }
+}
+
+/** A face's nine, `[3 * i + j]` with i in s, j in t. */
+export function exactFace({ bernstein }: ExactJacdet, face: number): bigint[] {
+  const { axis, side, s, t } = faces[face] as (typeof faces)[number]
+  const stride = [9, 3, 1] as const
+  const origin = 2 * side * stride[axis]
+  return [0, 1, 2].flatMap(i => [0, 1, 2].map(j => bernstein[origin + i * stride[s] + j * stride[t]] as bigint))
+}
+
+/** An edge's three, from its lower to its upper end. */
+export function exactEdge({ bernstein }: ExactJacdet, edge: number): [bigint, bigint, bigint] {
+  const [from, to] = (edgeVertices[edge] as readonly [number, number]).map(vertex => {
+    const [i, j, k] = vertexReference[vertex] as readonly [number, number, number]
+    return at(2 * i, 2 * j, 2 * k)
+  }) as [number, number]
+  return [from, (from + to) / 2, to].map(index => bernstein[index] as bigint) as [bigint, bigint, bigint]
+}
+
+export function exactVertex({ bernstein }: ExactJacdet, vertex: number): bigint {
+  const [i, j, k] = vertexReference[vertex] as readonly [number, number, number]
+  return bernstein[at(2 * i, 2 * j, 2 * k)] as bigint
+}

@@ -1,0 +1,253 @@
+/**
+ * Polynomials with integer coefficients, `p[i]` that of t^i, without leading zeros (the zero polynomial is empty), and their
+ * real roots: counted by Sturm's theorem, isolated and refined in dyadic rationals. Nothing here rounds.
+ */
+
+export type Polynomial = readonly bigint[]
+
+/** numerator / 2^shift. */
+export interface Dyadic {
+  readonly numerator: bigint
+  readonly shift: number
+}
+
+/** The one root in (low, high]; low = high for a root that is this very number. */
+export interface IsolatedRoot {
+  readonly low: Dyadic
+  readonly high: Dyadic
+}
+
+export const ZERO: Dyadic = { numerator: 0n, shift: 0 }
+export const ONE: Dyadic = { numerator: 1n, shift: 0 }
+
+export function polynomial(...coefficients: bigint[]): Polynomial {
+  let length = coefficients.length
+  while (length > 0 && coefficients[length - 1] === 0n) length--
+  return coefficients.slice(0, length)
+}
+
+const degree = (p: Polynomial) => p.length - 1
+const coefficient = (p: Polynomial, i: number) => p[i] ?? 0n
+const leading = (p: Polynomial) => p[p.length - 1] as bigint
+
+export function sum(p: Polynomial, q: Polynomial, factor = 1n): Polynomial {
+  const length = Math.max(p.length, q.length)
+  return polynomial(...Array.from({ length }, (_, i) => coefficient(p, i) + factor * coefficient(q, i)))
+}
+
+export function product(p: Polynomial, q: Polynomial): Polynomial {
+  if (p.length === 0 || q.length === 0) return []
+  const coefficients = Array<bigint>(p.length + q.length - 1).fill(0n)
+  for (const [i, a] of p.entries())
+    for (const [j, b] of q.entries()) coefficients[i + j] = (coefficients[i + j] as bigint) + a * b
+  return polynomial(...coefficients)
+}
+
+export function derivative(p: Polynomial): Polynomial {
+  return p.slice(1).map((a, i) => a * BigInt(i + 1))
+}
+
+/** p(t) * 2^(shift * degree): an integer of the value's sign. */
+function scaledValue(p: Polynomial, { numerator, shift }: Dyadic): bigint {
+  let value = 0n
+  for (let i = degree(p), power = 0; i >= 0; i--, power += shift)
+    value = value * numerator + (coefficient(p, i) << BigInt(power))
+  return value
+}
+
+/** p(t) * 2^(shift * over) for a p of degree at most `over`. */
+export function valueOver(p: Polynomial, at: Dyadic, over: number): bigint {
+  return p.length === 0 ? 0n : scaledValue(p, at) << BigInt(at.shift * (over - degree(p)))
+}
+
+export function signOf(value: bigint): -1 | 0 | 1 {
+  return value > 0n ? 1 : value < 0n ? -1 : 0
+}
+
+export function signAt(p: Polynomial, at: Dyadic): -1 | 0 | 1 {
+  return signOf(scaledValue(p, at))
+}
+
+export function midpoint(a: Dyadic, b: Dyadic): Dyadic {
+  const shift = Math.max(a.shift, b.shift)
+  const align = ({ numerator, shift: own }: Dyadic) => numerator << BigInt(shift - own)
+  return { numerator: align(a) + align(b), shift: shift + 1 }
+}
+
+function isBelow(a: Dyadic, b: Dyadic): boolean {
+  return a.numerator << BigInt(b.shift) < b.numerator << BigInt(a.shift)
+}
+
+function gcdOf(a: bigint, b: bigint): bigint {
+  while (b !== 0n) [a, b] = [b, a % b]
+  return a < 0n ? -a : a
+}
+
+/** Divided by the greatest common divisor of the coefficients; the sign stays. */
+function primitive(p: Polynomial): Polynomial {
+  const content = p.reduce(gcdOf, 0n)
+  return content > 1n ? p.map(a => a / content) : p
+}
+
+/** A positive multiple of p's remainder by q, primitive. */
+function remainder(p: Polynomial, q: Polynomial): Polynomial {
+  const lead = leading(q)
+  const positive = lead < 0n ? -lead : lead
+  let rest = p
+  while (rest.length >= q.length) {
+    const factor = lead < 0n ? -leading(rest) : leading(rest)
+    const shifted = [...Array<bigint>(rest.length - q.length).fill(0n), ...q.map(a => a * factor)]
+    rest = sum(
+      rest.map(a => a * positive),
+      shifted,
+      -1n,
+    )
+  }
+  return primitive(rest)
+}
+
+export function commonDivisor(p: Polynomial, q: Polynomial): Polynomial {
+  let [a, b] = [primitive(p), primitive(q)]
+  while (b.length > 0) [a, b] = [b, remainder(a, b)]
+  return a
+}
+
+/** Quotient of an exact division, up to a positive factor. */
+function quotient(p: Polynomial, q: Polynomial): Polynomial {
+  const lead = leading(q) < 0n ? -leading(q) : leading(q)
+  let rest = p
+  let result: Polynomial = []
+  while (rest.length >= q.length) {
+    const factor = leading(q) < 0n ? -leading(rest) : leading(rest)
+    const shift = Array<bigint>(rest.length - q.length).fill(0n)
+    result = sum(
+      result.map(a => a * lead),
+      [...shift, factor],
+    )
+    rest = sum(
+      rest.map(a => a * lead),
+      [...shift, ...q.map(a => a * factor)],
+      -1n,
+    )
+  }
+  return primitive(result)
+}
+
+/** The polynomial with the same roots, each once. */
+export function squareFree(p: Polynomial): Polynomial {
+  const common = commonDivisor(p, derivative(p))
+  return common.length > 1 ? quotient(p, common) : primitive(p)
+}
+
+/** Sturm's chain of a square-free polynomial. */
+function sturmChain(p: Polynomial): Polynomial[] {
+  const chain: Polynomial[] = [p, primitive(derivative(p))]
+  for (;;) {
+    const last = chain[chain.length - 1] as Polynomial
+    if (last.length <= 1) return chain.filter(q => q.length > 0)
+    chain.push(remainder(chain[chain.length - 2] as Polynomial, last).map(a => -a))
+  }
+}
+
+function signChanges(chain: readonly Polynomial[], at: Dyadic): number {
+  let changes = 0
+  let last = 0
+  for (const p of chain) {
+    const sign = signAt(p, at)
+    if (sign === 0) continue
+    if (last !== 0 && sign !== last) changes++
+    last = sign
+  }
+  return changes
+}
+
+/** How many roots a square-free polynomial has in (low, high]. */
+function countRoots(p: Polynomial, low: Dyadic, high: Dyadic): number {
+  if (p.length <= 1) return 0
+  const chain = sturmChain(p)
+  return signChanges(chain, low) - signChanges(chain, high)
+}
+
+/** The roots in (0,1) of a square-free polynomial, ascending, in disjoint intervals whose ends are no roots of it. */
+export function rootsInUnitInterval(p: Polynomial): IsolatedRoot[] {
+  if (p.length <= 1) return []
+  const chain = sturmChain(p)
+  const roots: IsolatedRoot[] = []
+  const look = (low: Dyadic, high: Dyadic, changesLow: number, changesHigh: number): void => {
+    const count = changesLow - changesHigh
+    if (count === 0) return
+    if (count === 1) {
+      const root = separated(p, low, high)
+      if (isBelow(root.low, ONE)) roots.push(root)
+      return
+    }
+    const middle = midpoint(low, high)
+    const changes = signChanges(chain, middle)
+    look(low, middle, changesLow, changes)
+    look(middle, high, changes, changesHigh)
+  }
+  look(ZERO, ONE, signChanges(chain, ZERO), signChanges(chain, ONE))
+  return roots
+}
+
+/** The one root in (low, high], with both ends moved off roots: off `low`, which may be another root, and off itself. */
+function separated(p: Polynomial, low: Dyadic, high: Dyadic): IsolatedRoot {
+  if (signAt(p, high) === 0) return { low: high, high }
+  let from = low
+  let to = high
+  while (signAt(p, from) === 0) {
+    const middle = midpoint(from, to)
+    const sign = signAt(p, middle)
+    if (sign === 0) return { low: middle, high: middle }
+    // The sign just above the root at `from` is the one opposite to that at `to`, for one root lies between.
+    if (sign === signAt(p, to)) to = middle
+    else from = middle
+  }
+  return { low: from, high: to }
+}
+
+/** The same root in half the interval. */
+export function refined(p: Polynomial, { low, high }: IsolatedRoot): IsolatedRoot {
+  if (low === high) return { low, high }
+  const middle = midpoint(low, high)
+  const sign = signAt(p, middle)
+  if (sign === 0) return { low: middle, high: middle }
+  return sign === signAt(p, high) ? { low, high: middle } : { low: middle, high }
+}
+
+/** The sign of q at a root of the square-free p. */
+export function signAtRoot(q: Polynomial, p: Polynomial, root: IsolatedRoot): -1 | 0 | 1 {
+  if (q.length === 0) return 0
+  if (root.low === root.high) return signAt(q, root.low)
+  const common = commonDivisor(p, q)
+  if (countRoots(squareFree(common), root.low, root.high) > 0) return 0
+  const simple = squareFree(q)
+  let place = root
+  while (place.low !== place.high && (countRoots(simple, place.low, place.high) > 0 || signAt(q, place.low) === 0))
+    place = refined(p, place)
+  return signAt(q, place.high)
+}
+
+/** Points of (0,1), one between every two neighbours among 0, the roots in it, and 1. */
+export function pointsBetween(p: Polynomial, roots: readonly IsolatedRoot[]): Dyadic[] {
+  const places = roots.map(root => {
+    let place = root
+    while (!(isBelow(ZERO, place.low) && isBelow(place.high, ONE))) place = refined(p, place)
+    return place
+  })
+  const above = [ZERO, ...places.map(({ high }) => high)]
+  const below = [...places.map(({ low }) => low), ONE]
+  return above.map((point, i) => midpoint(point, below[i] as Dyadic))
+}
+
+/** Whether p is negative on either side of its root, next to it. */
+export function isNegativeBeside(p: Polynomial, root: IsolatedRoot): boolean {
+  if (root.low !== root.high) return signAt(p, root.low) < 0 || signAt(p, root.high) < 0
+  let multiplicity = 0
+  let derived = p
+  do {
+    derived = derivative(derived)
+    multiplicity++
+  } while (signAt(derived, root.low) === 0)
+  return multiplicity % 2 === 1 || signAt(derived, root.low) < 0
+}

@@ -1,0 +1,47 @@
+/** Rational numbers of big integers, as far as the exact minimum needs them. */
+
+/** numerator / denominator, denominator > 0. */
+export interface Rational {
+  readonly numerator: bigint
+  readonly denominator: bigint
+}
+
+export function isLess(a: Rational, b: Rational): boolean {
+  return a.numerator * b.denominator < b.numerator * a.denominator
+}
+
+export function magnitude(value: bigint): bigint {
+  return value < 0n ? -value : value
+}
+
+export function bitLength(value: bigint): number {
+  return magnitude(value).toString(16).length * 4
+}
+
+/** Bits kept of a quotient: more than a double's 53, and a last one that says whether anything was cut off. */
+const QUOTIENT_BITS = 64
+
+/**
+ * The value * 2^exponent as mantissa * 2^(its own exponent), the mantissa correctly rounded. The exponent is 0 where that is
+ * a normal double.
+ */
+export function rounded(
+  { numerator, denominator }: Rational,
+  exponent: number,
+): { mantissa: number; exponent: number } {
+  if (numerator === 0n) return { mantissa: 0, exponent: 0 }
+  const shift = QUOTIENT_BITS + bitLength(denominator) - bitLength(numerator)
+  const dividend = shift >= 0 ? magnitude(numerator) << BigInt(shift) : magnitude(numerator)
+  const divisor = shift >= 0 ? denominator : denominator << BigInt(-shift)
+  const quotient = dividend / divisor
+  const sticky = quotient * divisor === dividend ? quotient : quotient | 1n
+  const size = (numerator < 0n ? -1 : 1) * Number(sticky)
+  const power = exponent - shift
+  const scaled = power > -960 && power < 950 ? size * 2 ** power : null
+  return scaled === null ? { mantissa: size, exponent: power } : { mantissa: scaled, exponent: 0 }
+}
+
+/** The double nearest to a value in [0,1], to 2^-64. */
+export function unitDouble({ numerator, denominator }: Rational): number {
+  return Number((numerator << 64n) / denominator) / 2 ** 64
+}
