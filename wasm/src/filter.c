@@ -1,11 +1,11 @@
 /* Certain verdicts in doubles: every comparison with zero is one with the error bound of what is compared,
-   docs/algorithm.md (8), (19) and (20). */
+   docs/algorithm.md (8) and (F1) to (F3). */
 #include "filter.h"
 #include "bernstein.h"
 #include "candidates.h"
 #include "face.h"
 
-/* In scaled units, (8) and (19): a corner, a value on an edge, a coefficient of a face, a value on a face. */
+/* In scaled units, (8) and (F1): a corner, a value on an edge, a coefficient of a face, a value on a face. */
 #define CORNER_ERROR (49 * UNIT_ROUNDOFF)
 #define EDGE_ERROR (96 * UNIT_ROUNDOFF)
 #define FACE_BERNSTEIN_ERROR (215 * UNIT_ROUNDOFF)
@@ -65,7 +65,7 @@ static bool face_is_positive(const double beta[9]) {
   double a = greatest_magnitude(f.a, 2), b = greatest_magnitude(f.b, 3), k = greatest_magnitude(f.c, 3);
   const double u = UNIT_ROUNDOFF;
   certificate_error error = {.b = 1400 * u,
-                             .d = u * (1 + 215 * a + 1004 * k + 932 * b + 64 * (a * k + b * b))}; /* (20) */
+                             .d = u * (1 + 215 * a + 1004 * k + 932 * b + 64 * (a * k + b * b))}; /* (F3) */
   return parabolas_are_positive(&c, error, MAX_HALVINGS);
 }
 

@@ -131,7 +131,7 @@ function innerRoots(beta: readonly bigint[], face: number): InnerRoot[] {
 
 /**
  * The value at (s*(t), t) for a t within 2^-bits of the root, or null while s* of such a t is not inside. Along s* the value
- * has slope P/(4a^2), and P vanishes at the root, so over a width w it changes by at most w^2 max|P'| / (4 min a^2), (19).
+ * has slope P/(4a^2), and P vanishes at the root, so over a width w it changes by at most w^2 max|P'| / (4 min a^2), (E1).
  */
 function faceCandidate(root: InnerRoot, bits: number): Enclosed | null {
   const { a, b, n, d } = root.parabolas
