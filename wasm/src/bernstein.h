@@ -21,6 +21,15 @@ static inline double quadratic_at(double q0, double q1, double q2, double t) {
 
 static inline double smaller(double x, double y) { return y < x ? y : x; }
 
+static inline double greatest_magnitude(const double *x, int count) {
+  double greatest = 0;
+  for (int i = 0; i < count; ++i) {
+    double magnitude = x[i] < 0 ? -x[i] : x[i];
+    if (magnitude > greatest) greatest = magnitude;
+  }
+  return greatest;
+}
+
 static inline void cross(const double a[3], const double b[3], double out[3]) {
   out[0] = a[1] * b[2] - a[2] * b[1];
   out[1] = a[2] * b[0] - a[0] * b[2];

@@ -28,10 +28,9 @@ static hl_candidate least_candidate(const double bernstein[27], hl_variant varia
     face_bernstein(bernstein, f, beta);
     if (variant == HL_ROOTS_B && least_of(beta, HL_FACE_BERNSTEIN) >= least.value) continue;
     face_solution solution;
-    solve_face(beta, &solution);
+    find_kept_roots(beta, &solution);
     for (int r = 0; r < solution.root_count; ++r)
-      if (solution.roots[r].fate == HL_ROOT_KEPT && solution.values[r] < least.value)
-        least = face_candidate(f, &solution, r);
+      if (solution.values[r] < least.value) least = face_candidate(f, &solution, r);
   }
   return least;
 }

@@ -1,5 +1,5 @@
 /* The face's quartic P = 4a^2c' - 2abb' + a'b^2 in Bernstein form, and the points (s*(t), t) at its roots:
-   docs/algorithm.md (10) to (18). With b = 2B it is P/4 = a (ac' - 2BB') + a'B^2. */
+   docs/algorithm.md (10) to (17). With b = 2B it is P/4 = a (ac' - 2BB') + a'B^2. */
 #include "face.h"
 #include "bernstein.h"
 #include "scaling.h"
@@ -12,15 +12,6 @@ void parabolas_in_s(const double beta[9], parabolas *f) {
   }
   f->a[0] = f->n[0] - f->b[0];
   f->a[1] = f->n[2] - f->b[2];
-}
-
-double greatest_magnitude(const double *x, int count) {
-  double greatest = 0;
-  for (int i = 0; i < count; ++i) {
-    double magnitude = x[i] < 0 ? -x[i] : x[i];
-    if (magnitude > greatest) greatest = magnitude;
-  }
-  return greatest;
 }
 
 void quarter_discriminant(const parabolas *f, double d[5]) {
@@ -141,7 +132,7 @@ static void restricted_face(const double beta[9], interval in, double part[9]) {
 }
 
 /* The roots of P in the interval, from P of that part of the face alone: its rounding errors are as small as a and B are
-   there, while those of P on [0,1] can hide a minimizer: (18). */
+   there, while those of P on [0,1] can hide a minimizer: docs/algorithm.md 4, "Small a and B". */
 static int roots_in(interval in, const double beta[9], double t[HL_MAX_ROOTS]) {
   double part[9], unit[9], quartic[HL_QUARTIC];
   parabolas f;
@@ -178,26 +169,30 @@ static void insert_root(face_solution *solution, hl_face_root root, double value
   solution->values[at] = value;
 }
 
-/* The roots that are kept, from each interval where the vertex is inside. */
-static void keep_inside_roots(const double beta[9], const parabolas *f, face_solution *solution) {
+void find_kept_roots(const double beta[9], face_solution *solution) {
+  parabolas f;
   interval inside[MAX_INTERVALS];
-  int interval_count = inside_intervals(f, inside);
+  parabolas_in_s(beta, &f);
+  int interval_count = inside_intervals(&f, inside);
+  solution->root_count = 0;
   for (int i = 0; i < interval_count; ++i) {
     double t[HL_MAX_ROOTS];
     int count = roots_in(inside[i], beta, t);
     for (int r = 0; r < count; ++r) {
-      hl_face_root root = examined_root(f, t[r]);
+      hl_face_root root = examined_root(&f, t[r]);
       if (root.fate == HL_ROOT_KEPT) insert_root(solution, root, face_value(beta, root.s, t[r]));
     }
   }
 }
 
 /* The roots of P on [0,1] that are dropped, as far as there is room. */
-static void add_dropped_roots(const parabolas *f, face_solution *solution) {
+static void add_dropped_roots(const double beta[9], face_solution *solution) {
+  parabolas f;
   double t[HL_MAX_ROOTS];
+  parabolas_in_s(beta, &f);
   int count = hl_unit_roots(solution->quartic, HL_QUARTIC - 1, t);
   for (int r = 0; r < count && solution->root_count < HL_MAX_ROOTS; ++r) {
-    hl_face_root root = examined_root(f, t[r]);
+    hl_face_root root = examined_root(&f, t[r]);
     if (root.fate != HL_ROOT_KEPT) insert_root(solution, root, 0);
   }
 }
@@ -211,9 +206,6 @@ void solve_face(const double beta[9], face_solution *solution) {
   for (int i = 0; i < HL_QUARTIC; ++i) solution->quartic[i] += 0.0; /* -0 becomes 0 */
   solution->quartic_exponent = 3 * exponent;
   solution->quartic_is_zero = greatest_magnitude(solution->quartic, HL_QUARTIC) <= quartic_error(&f, exponent);
-
-  solution->root_count = 0;
-  parabolas_in_s(beta, &f);
-  keep_inside_roots(beta, &f, solution);
-  add_dropped_roots(&f, solution);
+  find_kept_roots(beta, solution);
+  add_dropped_roots(beta, solution);
 }

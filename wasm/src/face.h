@@ -15,18 +15,21 @@ void parabolas_in_s(const double beta[HL_FACE_BERNSTEIN], parabolas *f);
 /* ac - B^2 = D/4 in Bernstein form, degree 4: where B < 0 < N the parabola's least value is this over a. */
 void quarter_discriminant(const parabolas *f, double d[HL_QUARTIC]);
 
-double greatest_magnitude(const double *x, int count);
-
 typedef struct face_solution {
-  double quartic[HL_QUARTIC]; /* times 2^quartic_exponent, so that none is lost to underflow */
-  int quartic_exponent;
-  bool quartic_is_zero;
   int root_count;
   hl_face_root roots[HL_MAX_ROOTS];
   double values[HL_MAX_ROOTS]; /* f(s*, t) of the kept ones */
+  double quartic[HL_QUARTIC];  /* times 2^quartic_exponent */
+  int quartic_exponent;
+  bool quartic_is_zero;
 } face_solution;
 
-/* Solve the face with Bernstein coefficients beta[3*i + j], i in s, j in t, in scaled units. */
+/* Both take a face's Bernstein coefficients beta[3*i + j], i in s, j in t, in scaled units. */
+
+/* The roots that are kept, with their values, and nothing else: all that the minimum needs. */
+void find_kept_roots(const double beta[HL_FACE_BERNSTEIN], face_solution *solution);
+
+/* All of it, the roots that are dropped among it. */
 void solve_face(const double beta[HL_FACE_BERNSTEIN], face_solution *solution);
 
 #endif

@@ -71,9 +71,9 @@ static bool face_is_positive(const double beta[9]) {
 
 static bool has_negative_candidate(const double beta[9]) {
   face_solution solution;
-  solve_face(beta, &solution);
+  find_kept_roots(beta, &solution);
   for (int r = 0; r < solution.root_count; ++r)
-    if (solution.roots[r].fate == HL_ROOT_KEPT && solution.values[r] < -FACE_ERROR) return true;
+    if (solution.values[r] < -FACE_ERROR) return true;
   return false;
 }
 
