@@ -2,7 +2,17 @@ import { describe, expect, it } from 'vitest'
 import { loadCore } from '../../web/core/core'
 import type { Report } from '../../web/core/report'
 import { edgeVertices, faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
-import { cases, caseVertices, core, entry, randomHexahedron, randomSource, unitCube, wasmBytes } from './core-fixtures'
+import {
+  cases,
+  caseVertices,
+  core,
+  depthGuardCases,
+  entry,
+  randomHexahedron,
+  randomSource,
+  unitCube,
+  wasmBytes,
+} from './core-fixtures'
 
 function analyzed(vertices: readonly number[]): Report {
   const result = core.analyze(vertices)
@@ -52,12 +62,64 @@ describe('the exact cases', () => {
       expect(Math.abs(report.boundaryMinimum - Number(answer.boundary_min))).toBeLessThanOrEqual(within)
       expect(Math.abs(report.cornerMinimum - Number(answer.corner_min))).toBeLessThanOrEqual(within)
       expect(Math.abs(report.edgeMinimum - Number(answer.edge_min))).toBeLessThanOrEqual(within)
-      if (Math.abs(Number(answer.boundary_min)) > within) expect(report.valid).toBe(answer.valid)
     })
 
-  it('has answers for every one of the ill-conditioned, too', () => {
-    for (const { name, vertices } of cases.filter(({ family }) => ILL_CONDITIONED.has(family)))
-      expect(Number.isFinite(analyzed(vertices.flat()).boundaryMinimum), name).toBe(true)
+  for (const { name, vertices, answer } of cases)
+    it(`${name} has the exact verdict, and a minimum of the exact sign`, () => {
+      const report = analyzed(vertices.flat())
+      expect(report.valid).toBe(answer.valid)
+      expect(Math.sign(report.boundaryMinimum)).toBe(answer.sign)
+      expect(core.isValid(vertices.flat())).toEqual({ ok: true, value: answer.valid })
+      expect(Math.min(...report.candidates.map(({ value }) => value))).toBe(report.boundaryMinimum)
+    })
+
+  it('take both ways: error bounds and exact arithmetic', () => {
+    const ways = cases.map(({ vertices }) => analyzed(vertices.flat()).decidedBy)
+    expect(Math.min(...(['filter', 'exact'] as const).map(way => ways.filter(w => w === way).length))).toBeGreaterThan(
+      30,
+    )
+  })
+
+  it('include the valid elements that a depth guard rejects', () => {
+    for (const { vertices } of depthGuardCases) expect(analyzed(vertices.flat()).valid).toBe(true)
+  })
+})
+
+describe('exact arithmetic', () => {
+  it('gives a collapsed element zeros, not their rounding errors', () => {
+    const random = randomSource(12)
+    const flat = Array.from({ length: 8 }, () => [random(), random()]).flatMap(([x = 0, y = 0]) => [
+      x,
+      y,
+      0.3 * x + 0.7 * y,
+    ])
+    const exactlyFlat = flat.map((x, i) => (i % 3 === 2 ? 0.25 : x))
+    const report = analyzed(exactlyFlat)
+    expect([report.valid, report.decidedBy, report.boundaryMinimum, report.boundaryMaximum]).toEqual([
+      false,
+      'exact',
+      0,
+      0,
+    ])
+    expect(report.faces.flatMap(({ bernstein }) => bernstein).every(value => value === 0)).toBe(true)
+    expect(analyzed(flat).decidedBy).toBe('exact')
+  })
+
+  it('tells apart two elements that differ in one bit', () => {
+    for (const family of ['touch_corner', 'touch_edge', 'touch_face'])
+      for (const [suffix, sign] of [
+        ['zero', 0],
+        ['plus_ulp', 1],
+        ['minus_ulp', -1],
+      ] as const) {
+        const report = analyzed(caseVertices(`pub/${family}/0_${suffix}`))
+        expect([report.decidedBy, Math.sign(report.boundaryMinimum)]).toEqual(['exact', sign])
+      }
+  })
+
+  it('keeps a minimum of 1 beside values of 1e600', () => {
+    const { valid, boundaryMinimum, exponent } = analyzed(caseVertices('pub/mixed/some_1e300_0'))
+    expect([valid, Math.log2(boundaryMinimum) + exponent]).toEqual([true, 0])
   })
 })
 

@@ -150,7 +150,7 @@ export class HexLens extends HTMLElement {
       const why = reason instanceof Error ? reason.message : String(reason)
       this.raise({
         code: 'core-failed',
-        message: `The WebAssembly core did not start, so there is no verdict (${why}). The vertices and the link still work.`,
+        message: `The WebAssembly core did not start, so there is no verdict (${why}). The vertices and the link still work; reload the page to try again.`,
       })
     } finally {
       clearTimeout(slow)

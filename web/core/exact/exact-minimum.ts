@@ -34,6 +34,8 @@ export interface ExactCandidate {
 
 export interface ExactBoundary {
   readonly sign: Sign
+  /** jacdet is zero everywhere on the boundary. */
+  readonly isCollapsed: boolean
   /** Vertices, then edges, then faces. */
   readonly candidates: readonly ExactCandidate[]
   /** The least of them; its mantissa is exactly 0 where the sign is. */
@@ -64,6 +66,7 @@ const ENCLOSURE_BITS = 60n
 
 export function exactBoundary(vertices: Vertices): ExactBoundary {
   const jacdet = exactJacdet(vertices)
+  const isCollapsed = jacdet.bernstein.every(coefficient => coefficient === 0n)
   const sign = exactBoundarySign(vertices)
   const fixed = [...vertexCandidates(jacdet), ...edgeCandidates(jacdet)]
   const roots = faces.flatMap((_, face) => innerRoots(exactFace(jacdet, face), face))
@@ -77,7 +80,7 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
       const touches = sign === 0 && !isLess(error, value)
       return { kind, id, point, ...rounded(touches ? NONE : value, jacdet.exponent - 2) }
     })
-    return { sign, candidates: shown, minimizer: shown[candidates.indexOf(least)] as ExactCandidate }
+    return { sign, isCollapsed, candidates: shown, minimizer: shown[candidates.indexOf(least)] as ExactCandidate }
   }
 }
 

@@ -8,11 +8,12 @@ const NORMAL = { least: -1022, greatest: 1023 }
 
 /**
  * `report` with its verdict, candidates and minima replaced by the exact ones; `positionOf` maps a reference point into
- * space. What else it holds stays as doubles computed it. The common exponent changes only where the exact values ask for
+ * space. What else it holds stays as doubles computed it, or is zero
+ * where jacdet is zero on the whole boundary. The common exponent changes only where the exact values ask for
  * another; should they span more than the doubles do, those too small become the least normal double of their sign.
  */
 export function exactReport(report: Report, positionOf: (point: Vec3) => Vec3): Report {
-  const { sign, candidates, minimizer } = exactBoundary(report.vertices)
+  const { sign, isCollapsed, candidates, minimizer } = exactBoundary(report.vertices)
   const exponent = commonExponent(candidates, report.exponent)
   const inUnits = (candidate: ExactCandidate): Candidate => {
     const { kind, id, point } = candidate
@@ -22,7 +23,7 @@ export function exactReport(report: Report, positionOf: (point: Vec3) => Vec3): 
   const leastOf = (...kinds: Candidate['kind'][]) =>
     Math.min(...candidates.filter(({ kind }) => kinds.includes(kind)).map(candidate => inUnitsOf(exponent, candidate)))
   return {
-    ...rescaled(report, report.exponent - exponent),
+    ...mapped(report, isCollapsed ? () => 0 : value => timesPowerOfTwo(value, report.exponent - exponent)),
     exponent,
     valid: sign > 0,
     decidedBy: 'exact',
@@ -62,22 +63,20 @@ function timesPowerOfTwo(value: number, exponent: number): number {
   return result * 2 ** rest
 }
 
-/** All jacdets times 2^shift. */
-function rescaled(report: Report, shift: number): Report {
-  if (shift === 0) return report
-  const scaled = (value: number) => timesPowerOfTwo(value, shift)
-  const scaledFace = (face: FaceReport): FaceReport => ({
+/** The report with another number for every jacdet that exact arithmetic does not replace. */
+function mapped(report: Report, map: (jacdet: number) => number): Report {
+  const mappedFace = (face: FaceReport): FaceReport => ({
     ...face,
-    bernstein: face.bernstein.map(scaled),
-    lowerBound: scaled(face.lowerBound),
-    runningMinimum: scaled(face.runningMinimum),
-    roots: face.roots.map(root => ({ ...root, a: scaled(root.a) })),
+    bernstein: face.bernstein.map(map),
+    lowerBound: map(face.lowerBound),
+    runningMinimum: map(face.runningMinimum),
+    roots: face.roots.map(root => ({ ...root, a: map(root.a) })),
   })
   return {
     ...report,
-    boundaryMaximum: scaled(report.boundaryMaximum),
-    maximizer: { ...report.maximizer, value: scaled(report.maximizer.value) },
-    bernstein: report.bernstein.map(scaled),
-    faces: report.faces.map(scaledFace),
+    boundaryMaximum: map(report.boundaryMaximum),
+    maximizer: { ...report.maximizer, value: map(report.maximizer.value) },
+    bernstein: report.bernstein.map(map),
+    faces: report.faces.map(mappedFace),
   }
 }

@@ -11,6 +11,11 @@ import { placeName, whySentence } from './why'
 
 export const verdictStyles = css
 
+const CERTAIN_BY: Readonly<Record<Report['decidedBy'], string>> = {
+  filter: 'error bounds',
+  exact: 'exact arithmetic',
+}
+
 class VerdictView implements View {
   readonly root = document.createElement('section')
   readonly #host: ViewHost
@@ -45,6 +50,7 @@ class VerdictView implements View {
       <dl>
         <div><dt>Least vertex value</dt><dd>${jacdet(report.cornerMinimum)}</dd></div>
         <div><dt>Least edge value</dt><dd>${jacdet(report.edgeMinimum)}</dd></div>
+        <div><dt>Certain by</dt><dd>${CERTAIN_BY[report.decidedBy]}</dd></div>
       </dl>`
   }
 

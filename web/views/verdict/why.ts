@@ -25,7 +25,7 @@ export function whySentence(report: Report): string {
     return 'The jacdet is zero on the whole boundary: the element is collapsed.'
   }
   if (report.boundaryMinimum === 0) {
-    return 'The minimum is zero: the jacdet touches zero, and a valid element must be strictly positive.'
+    return 'The minimum is exactly zero: the jacdet touches it, and a valid element must be strictly positive.'
   }
   if (report.cornerMinimum <= 0) return vertexSentence(notPositive(report, 'vertex'))
   if (report.edgeMinimum <= 0) {
