@@ -74,8 +74,10 @@ export class ColourBar {
   }
 
   update({ state, report, scale, ramp, upright, length }: ColourBarPicture): void {
-    this.root.hidden = report === null
-    if (report === null || scale === null) return
+    // A collapsed element has no colours to explain.
+    const hasColours = report !== null && (report.boundaryMinimum !== 0 || report.boundaryMaximum !== 0)
+    this.root.hidden = !hasColours
+    if (!hasColours || scale === null) return
     this.#updateTitle(state.referenceCube)
     const { boundaryMinimum: minimum, boundaryMaximum: maximum, exponent } = report
     const bottom = minimum < 0 ? -1 : 0
