@@ -236,7 +236,17 @@ static void collapsed_elements(void) {
   }
 }
 
-/* Doubles with any bits: a status, or finite numbers; never a hang. Meant for the sanitizers. */
+/* Coordinates from -2 to 2: collapsed edges, flat faces, P of any degree or 0, multiple roots, ties. */
+static void small_integers(void) {
+  for (long n = 0; n < 50000; ++n) {
+    double vertices[24];
+    for (int i = 0; i < 24; ++i) vertices[i] = (double)(random_bits(&stream) % 5) - 2;
+    hl_report report = analyzed(vertices);
+    check_report(vertices, &report, "integers", n);
+  }
+}
+
+/* Doubles with any bits: a status, or finite numbers and no minus zero; never a hang. Meant for the sanitizers. */
 static void any_bits(void) {
   for (long n = 0; n < 20000; ++n) {
     double vertices[24];
@@ -251,7 +261,9 @@ static void any_bits(void) {
     double packed[HL_PACKED_REPORT];
     size_t length = hl_pack_report(&report, packed);
     CHECK(length <= HL_PACKED_REPORT, "%ld: packed length %zu", n, length);
-    for (size_t i = 0; i < length; ++i) CHECK(isfinite(packed[i]), "%ld: packed number %zu is %g", n, i, packed[i]);
+    for (size_t i = 0; i < length; ++i)
+      CHECK(isfinite(packed[i]) && !(packed[i] == 0 && signbit(packed[i])), "%ld: packed number %zu is %g", n, i,
+            packed[i]);
     hl_verdict verdict;
     hl_minimum with, without;
     CHECK(hl_decide(vertices, &verdict) == HL_OK && (verdict == report.verdict || report.verdict == HL_UNDECIDED),
@@ -274,6 +286,7 @@ int main(void) {
   RUN(symmetries_of_the_cube);
   RUN(refusals);
   RUN(collapsed_elements);
+  RUN(small_integers);
   RUN(any_bits);
   return test_summary();
 }

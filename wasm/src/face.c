@@ -140,8 +140,12 @@ static int roots_in(interval in, const double beta[9], double t[HL_MAX_ROOTS]) {
   normalized_face(part, unit);
   parabolas_in_s(unit, &f);
   quartic_bernstein(&f, quartic);
-  int count = hl_unit_roots(quartic, HL_QUARTIC - 1, t);
-  for (int r = 0; r < count; ++r) t[r] = lerp(in.from, in.to, t[r]);
+  int found = hl_unit_roots(quartic, HL_QUARTIC - 1, t), count = 0;
+  for (int r = 0; r < found; ++r) {
+    double root =
+        lerp(in.from, in.to, t[r]); /* in a short interval rounding can bring it to an end or to its neighbour */
+    if (root > (count > 0 ? t[count - 1] : in.from) && root < in.to) t[count++] = root;
+  }
   return count;
 }
 
