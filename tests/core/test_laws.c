@@ -57,6 +57,8 @@ static void bernstein_form_is_jacdet(void) {
           }
           sum += weight * report.bernstein[9 * i + 3 * j + k];
         }
+    /* value_error is 431 u in scaled units. The cube's centre is off by at most 461 u, (12 * 55 + 8 * 49) / 4 from its terms
+       and 198 from their sums; coefficients are at most 30, and the weights and 27 terms add less than 35 * 30 u. */
     double exact = (double)reference_jacdet(vertices, point), error = 5 * value_error(vertices);
     hl_jacobian jacobian;
     CHECK(hl_jacobian_at(vertices, point, &jacobian) == HL_OK, "status");
@@ -67,8 +69,12 @@ static void bernstein_form_is_jacdet(void) {
     hl_jacobian at_low, at_high;
     hl_jacobian_at(vertices, low, &at_low);
     hl_jacobian_at(vertices, high, &at_high);
+    /* Each of the three is off by at most nine roundings of the vertices' size, three levels of three. */
+    double size = 0;
+    for (int i = 0; i < 24; ++i) size = fmax(size, fabs(vertices[i]));
     for (int r = 0; r < 3; ++r)
-      CHECK(fabs(at_high.position[r] - at_low.position[r] - jacobian.columns[1][r]) < 64 * UNIT_ROUNDOFF * 10,
+      CHECK(fabs(at_high.position[r] - at_low.position[r] - jacobian.columns[1][r]) <=
+                (9 + 9 + 18 + 3) * UNIT_ROUNDOFF * size,
             "%ld: the column dF/deta is not the difference of F", n);
   }
 }
@@ -100,6 +106,7 @@ static void quartic_is_its_definition(void) {
       long double s = 1 - t, computed = p[0] * s * s * s * s + 4 * p[1] * s * s * s * t + 6 * p[2] * s * s * t * t +
                                         4 * p[3] * s * t * t * t + p[4] * t * t * t * t;
       CHECK(report.faces[f].quartic_exponent == 0, "%ld: exponent", n);
+      /* The terms of P are at most 28 size^3, with 32 u of rounding (17) 896 u at worst; 200 u are enough here. */
       CHECK(fabsl(computed - exact) <= 200 * UNIT_ROUNDOFF * size * size * size,
             "%ld face %d: P(%.17g) is %.17Lg, not %.17Lg", n, f, (double)t, exact, computed);
     }

@@ -58,6 +58,7 @@ static double greatest_of(const double *p, int degree) {
    doubles; and wherever the polynomial changes sign beyond rounding there is a root between. */
 static int check_roots(const double *p, int degree, double roots[4], const char *what, long number) {
   int count = hl_unit_roots(p, degree, roots);
+  /* The core's evaluation is off by at most 12 u of the greatest (18); what is within that is no sign. */
   long double noise = 16 * UNIT_ROUNDOFF * greatest_of(p, degree);
   CHECK(count >= 0 && count <= degree, "%s %ld: %d roots of degree %d", what, number, count, degree);
   for (int r = 0; r < count; ++r) {

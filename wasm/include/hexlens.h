@@ -9,7 +9,8 @@
  * jacdet is det DF of the trilinear map F from [0,1]^3 (length^3; on [-1,1]^3 it is an eighth). Every jacdet handed
  * out is its number times 2^exponent, with exponent 0 whenever all of them are normal doubles (or zero) as they are.
  * No function allocates, keeps state or writes through its input; outputs may not overlap inputs. The arithmetic is
- * IEEE double, + - * / and exact powers of two only. Formulas: docs/algorithm.md.
+ * IEEE double, + - * / and exact powers of two only, rounded to nearest with subnormals kept, as C has it by default and
+ * WebAssembly always: the same bits everywhere. Formulas: docs/algorithm.md.
  */
 #ifndef HEXLENS_H
 #define HEXLENS_H
@@ -120,8 +121,9 @@ hl_status hl_decide(const double vertices[HL_COORDINATES], hl_verdict *verdict);
 /* The three columns dF/dxi, dF/deta, dF/dzeta and their determinant at a reference point of [0,1]^3. */
 hl_status hl_jacobian_at(const double vertices[HL_COORDINATES], const double point[3], hl_jacobian *jacobian);
 
-/* Roots in (0,1), ascending, of the polynomial of degree `degree` <= 4 with the given Bernstein coefficients on [0,1];
-   returns how many. A root of even multiplicity is given once. The zero polynomial has none. */
+/* Roots in (0,1), strictly ascending, of the polynomial of degree `degree` <= 4 with the given Bernstein coefficients on
+   [0,1], which are finite and of magnitude 2^1000 at most; returns how many. A root of even multiplicity is given once, one
+   within 2^-53 of an end or of another root perhaps not at all. The zero polynomial has none. */
 int hl_unit_roots(const double *bernstein, int degree, double roots[HL_MAX_ROOTS]);
 
 /* Results as plain doubles in the order of the structs above, numbers and flags alike, lists cut to their counts: what

@@ -4,6 +4,11 @@
 
 #include "scaling.h"
 
+#include <float.h>
+
+/* The error bounds and the same bits everywhere need every operation rounded to double at once. */
+_Static_assert(FLT_EVAL_METHOD == 0 && DBL_MANT_DIG == 53, "plain IEEE doubles");
+
 /* One rounding of the doubles: half the distance from 1 to the next double. */
 #define UNIT_ROUNDOFF 0x1p-53
 

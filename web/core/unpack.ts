@@ -1,4 +1,4 @@
-/** Reads packed results (wasm/src/pack.c) in the order they were written; the length is checked by the reader's caller. */
+/** Reads packed results (wasm/src/pack.c) in the order they were written. */
 import type { Vec3, Vertices } from '../model/hexahedron'
 import type { Candidate, CandidateKind, FaceReport, FaceRoot, JacobianReport, Report, RootFate } from './report'
 
@@ -6,7 +6,7 @@ const KINDS: readonly CandidateKind[] = ['vertex', 'edge', 'face']
 const VERDICTS: readonly (boolean | null)[] = [null, true, false]
 const FATES: readonly RootFate[] = ['kept', 'a-not-positive', 's-outside']
 
-/** A cursor over a copy of the packed doubles. */
+/** A cursor over the packed doubles in the core's memory; what it returns are copies. */
 export class Unpacker {
   #at = 0
   readonly #packed: Float64Array
@@ -45,11 +45,6 @@ export class Unpacker {
     const list: T[] = []
     for (let i = 0; i < count; ++i) list.push(read())
     return list
-  }
-
-  /** How many doubles were read. */
-  get length(): number {
-    return this.#at
   }
 }
 
