@@ -40,6 +40,8 @@ export interface ExactBoundary {
   readonly candidates: readonly ExactCandidate[]
   /** The least of them; its mantissa is exactly 0 where the sign is. */
   readonly minimizer: ExactCandidate
+  /** Faces whose Bernstein bound is no lower than the least vertex or edge value: their candidates are left out. */
+  readonly skippedFaces: readonly number[]
 }
 
 /** `value` and `error` are over four times the power of two of the ExactJacdet; the jacdet is in value + [-error, 0]. */
@@ -69,31 +71,57 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
   const isCollapsed = jacdet.bernstein.every(coefficient => coefficient === 0n)
   const sign = exactBoundarySign(vertices)
   const fixed = [...vertexCandidates(jacdet), ...edgeCandidates(jacdet)]
-  const roots = faces.flatMap((_, face) => innerRoots(exactFace(jacdet, face), face))
+  const leastFixed = leastOf(fixed).value
+  const isSkipped = (face: number) =>
+    exactFace(jacdet, face).every(numerator => !isLess({ numerator, denominator: 1n }, leastFixed))
+  const skippedFaces = faces.map((_, face) => face).filter(isSkipped)
+  const roots = faces.flatMap((_, face) =>
+    skippedFaces.includes(face) ? [] : innerRoots(exactFace(jacdet, face), face),
+  )
   for (let bits = 128; ; bits *= 2) {
     const enclosed = roots.map(root => faceCandidate(root, bits))
     const candidates = [...fixed, ...enclosed.filter(candidate => candidate !== null)]
-    const least = candidates.reduce((a, b) => (isLess(b.value, a.value) ? b : a))
+    const least = leastOf(candidates)
     const isSettled = enclosed.every(candidate => candidate !== null && isFine(candidate, least, jacdet, sign, bits))
     if (!isSettled) continue
     const shown = candidates.map(({ kind, id, point, value, error }) => {
       const touches = sign === 0 && !isLess(error, value)
       return { kind, id, point, ...rounded(touches ? NONE : value, jacdet.exponent - 2) }
     })
-    return { sign, isCollapsed, candidates: shown, minimizer: shown[candidates.indexOf(least)] as ExactCandidate }
+    const minimizer = shown[candidates.indexOf(least)] as ExactCandidate
+    return { sign, isCollapsed, candidates: shown, minimizer, skippedFaces }
   }
 }
 
-/** A zero that is touched is enclosed from above only; that it is reached is what the exact sign says. */
-function isFine({ error }: Enclosed, least: Enclosed, { bernstein }: ExactJacdet, sign: Sign, bits: number): boolean {
+function leastOf(candidates: readonly Enclosed[]): Enclosed {
+  return candidates.reduce((a, b) => (isLess(b.value, a.value) ? b : a))
+}
+
+/**
+ * Whether a candidate cannot be the minimizer, or is known well enough. A zero that is touched is enclosed from above only;
+ * that it is reached is what the exact sign says.
+ */
+function isFine(
+  { value, error }: Enclosed,
+  least: Enclosed,
+  { bernstein }: ExactJacdet,
+  sign: Sign,
+  bits: number,
+): boolean {
+  const lowest = {
+    numerator: value.numerator * error.denominator - error.numerator * value.denominator,
+    denominator: value.denominator * error.denominator,
+  }
+  if (!isLess(lowest, least.value)) return true
   const size =
     sign === 0
-      ? {
-          numerator: bernstein.reduce((a, b) => (magnitude(b) > a ? magnitude(b) : a), 0n),
-          denominator: 1n << BigInt(bits >> 1),
-        }
+      ? { numerator: greatestMagnitude(bernstein), denominator: 1n << BigInt(bits >> 1) }
       : { numerator: magnitude(least.value.numerator), denominator: least.value.denominator << ENCLOSURE_BITS }
   return !isLess(size, error)
+}
+
+function greatestMagnitude(values: readonly bigint[]): bigint {
+  return values.reduce((a, b) => (magnitude(b) > a ? magnitude(b) : a), 0n)
 }
 
 function vertexCandidates(jacdet: ExactJacdet): Enclosed[] {

@@ -3,6 +3,8 @@ import type { Vec3 } from '../../model/hexahedron'
 import type { Candidate, FaceReport, Report } from '../report'
 import { type ExactCandidate, exactBoundary } from './exact-minimum'
 
+const KINDS: readonly Candidate['kind'][] = ['vertex', 'edge', 'face']
+
 /** Powers of two that a normal double's leading digit can stand for. */
 const NORMAL = { least: -1022, greatest: 1023 }
 
@@ -13,21 +15,28 @@ const NORMAL = { least: -1022, greatest: 1023 }
  * another; should they span more than the doubles do, those too small become the least normal double of their sign.
  */
 export function exactReport(report: Report, positionOf: (point: Vec3) => Vec3): Report {
-  const { sign, isCollapsed, candidates, minimizer } = exactBoundary(report.vertices)
+  const { sign, isCollapsed, candidates, minimizer, skippedFaces } = exactBoundary(report.vertices)
   const exponent = commonExponent(candidates, report.exponent)
   const inUnits = (candidate: ExactCandidate): Candidate => {
     const { kind, id, point } = candidate
     return { kind, id, point, position: positionOf(point), value: inUnitsOf(exponent, candidate) }
   }
   const least = inUnits(minimizer)
+  const map = isCollapsed ? () => 0 : (value: number) => timesPowerOfTwo(value, report.exponent - exponent)
+  // By their exact bound these are no lower than the minimum, whatever rounding says.
+  const skipped = report.candidates
+    .filter(({ kind, id }) => kind === 'face' && skippedFaces.includes(id))
+    .map(candidate => ({ ...candidate, value: Math.max(map(candidate.value), least.value) }))
   const leastOf = (...kinds: Candidate['kind'][]) =>
     Math.min(...candidates.filter(({ kind }) => kinds.includes(kind)).map(candidate => inUnitsOf(exponent, candidate)))
   return {
-    ...mapped(report, isCollapsed ? () => 0 : value => timesPowerOfTwo(value, report.exponent - exponent)),
+    ...mapped(report, map),
     exponent,
     valid: sign > 0,
     decidedBy: 'exact',
-    candidates: candidates.map(inUnits),
+    candidates: [...candidates.map(inUnits), ...skipped].sort(
+      (a, b) => KINDS.indexOf(a.kind) - KINDS.indexOf(b.kind) || a.id - b.id,
+    ),
     minimizer: least,
     boundaryMinimum: least.value,
     cornerMinimum: leastOf('vertex'),

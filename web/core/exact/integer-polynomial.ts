@@ -78,43 +78,54 @@ function isBelow(a: Dyadic, b: Dyadic): boolean {
   return a.numerator << BigInt(b.shift) < b.numerator << BigInt(a.shift)
 }
 
-function gcdOf(a: bigint, b: bigint): bigint {
-  while (b !== 0n) [a, b] = [b, a % b]
-  return a < 0n ? -a : a
+function magnitude(value: bigint): bigint {
+  return value < 0n ? -value : value
 }
 
-/** Divided by the greatest common divisor of the coefficients; the sign stays. */
-function primitive(p: Polynomial): Polynomial {
-  const content = p.reduce(gcdOf, 0n)
-  return content > 1n ? p.map(a => a / content) : p
-}
-
-/** A positive multiple of p's remainder by q, primitive. */
-function remainder(p: Polynomial, q: Polynomial): Polynomial {
+/** p's pseudo-remainder by q: p times |leading(q)|^(degrees' difference + 1), a positive factor, less a multiple of q. */
+function pseudoRemainder(p: Polynomial, q: Polynomial): Polynomial {
   const lead = leading(q)
-  const positive = lead < 0n ? -lead : lead
   let rest = p
-  while (rest.length >= q.length) {
+  for (let steps = p.length - q.length + 1; steps > 0; steps--) {
+    const isReduced = rest.length === q.length + steps - 1
     const factor = lead < 0n ? -leading(rest) : leading(rest)
-    const shifted = [...Array<bigint>(rest.length - q.length).fill(0n), ...q.map(a => a * factor)]
-    rest = sum(
-      rest.map(a => a * positive),
-      shifted,
-      -1n,
-    )
+    const scaled = rest.map(a => a * magnitude(lead))
+    const shifted = isReduced ? [...Array<bigint>(steps - 1).fill(0n), ...q.map(a => a * factor)] : []
+    rest = sum(scaled, shifted, -1n)
   }
-  return primitive(rest)
+  return rest
 }
 
+/**
+ * p, q, and on with negated remainders, up to positive factors, until one is zero: Sturm's chain if q is p's derivative. Kept
+ * small by the divisors of the subresultant algorithm (Knuth, The Art of Computer Programming 2, 4.6.1, algorithm C), which
+ * are exact and save the greatest common divisors of huge coefficients.
+ */
+function remainderChain(p: Polynomial, q: Polynomial): Polynomial[] {
+  const chain = [p]
+  let [before, last] = [p, q]
+  let [g, h] = [1n, 1n]
+  while (last.length > 0) {
+    chain.push(last)
+    const difference = BigInt(before.length - last.length)
+    const divisor = g * h ** difference
+    const next = pseudoRemainder(before, last).map(a => -a / divisor)
+    g = magnitude(leading(last))
+    h = difference === 0n ? h : g ** difference / h ** (difference - 1n)
+    ;[before, last] = [last, next]
+  }
+  return chain
+}
+
+/** Where p has degree below q's, they change places: the divisor is the same. */
 export function commonDivisor(p: Polynomial, q: Polynomial): Polynomial {
-  let [a, b] = [primitive(p), primitive(q)]
-  while (b.length > 0) [a, b] = [b, remainder(a, b)]
-  return a
+  const [longer, shorter] = p.length >= q.length ? [p, q] : [q, p]
+  return longer.length === 0 ? [] : (remainderChain(longer, shorter).at(-1) as Polynomial)
 }
 
 /** Quotient of an exact division, up to a positive factor. */
 function quotient(p: Polynomial, q: Polynomial): Polynomial {
-  const lead = leading(q) < 0n ? -leading(q) : leading(q)
+  const lead = magnitude(leading(q))
   let rest = p
   let result: Polynomial = []
   while (rest.length >= q.length) {
@@ -130,23 +141,25 @@ function quotient(p: Polynomial, q: Polynomial): Polynomial {
       -1n,
     )
   }
-  return primitive(result)
+  return result
 }
 
 /** The polynomial with the same roots, each once. */
 export function squareFree(p: Polynomial): Polynomial {
-  const common = commonDivisor(p, derivative(p))
-  return common.length > 1 ? quotient(p, common) : primitive(p)
+  const common = sturmChain(p).at(-1) ?? []
+  return common.length > 1 ? quotient(p, common) : p
 }
 
-/** Sturm's chain of a square-free polynomial. */
+const chains = new WeakMap<Polynomial, Polynomial[]>()
+
+/** Sturm's chain, made once for each polynomial; its last is the greatest common divisor with the derivative. */
 function sturmChain(p: Polynomial): Polynomial[] {
-  const chain: Polynomial[] = [p, primitive(derivative(p))]
-  for (;;) {
-    const last = chain[chain.length - 1] as Polynomial
-    if (last.length <= 1) return chain.filter(q => q.length > 0)
-    chain.push(remainder(chain[chain.length - 2] as Polynomial, last).map(a => -a))
+  let chain = chains.get(p)
+  if (chain === undefined) {
+    chain = p.length === 0 ? [] : remainderChain(p, derivative(p))
+    chains.set(p, chain)
   }
+  return chain
 }
 
 function signChanges(chain: readonly Polynomial[], at: Dyadic): number {
