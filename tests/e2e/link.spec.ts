@@ -73,6 +73,7 @@ test('a link pasted into the address bar of the open page is opened, and undone'
   const link = await page.evaluate(() => location.href)
   await lens.button('Undo').click()
   await expect.poll(() => lens.bits()).toEqual(first)
+  await expect.poll(() => page.url()).not.toBe(link)
   await page.evaluate(hash => {
     location.hash = hash
   }, new URL(link).hash)

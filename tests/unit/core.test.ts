@@ -183,6 +183,10 @@ describe('a report', () => {
     expect(JSON.stringify(report)).toBe(before)
   })
 
+  it('is had for typed arrays, too', () => {
+    expect(core.analyze(Float64Array.from(unitCube) as unknown as number[])).toEqual(core.analyze(unitCube))
+  })
+
   it('agrees with the two variants and the validity query', () => {
     const random = randomSource(10)
     for (let n = 0; n < 2000; ++n) {

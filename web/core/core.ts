@@ -65,7 +65,7 @@ export async function loadCore(bytes: BufferSource): Promise<Core> {
   }
 
   function analyze(vertices: Vertices): Result<Report> {
-    const own = Object.freeze(vertices.slice())
+    const own = Object.freeze(Array.from(vertices))
     const result = answer(own, null, wasm.analyze, () => unpackReport(new Unpacker(output), own))
     if (!result.ok) return result
     const { valid, ...rest } = result.value
