@@ -2,7 +2,9 @@
 import { readFileSync } from 'node:fs'
 import { cpus } from 'node:os'
 import { loadCore } from '../../web/core/core'
-import { randomHexahedron, randomSource } from '../unit/core-fixtures'
+import { exactBoundary } from '../../web/core/exact/exact-minimum'
+import type { Core } from '../../web/core/report'
+import { cases, randomHexahedron, randomSource } from '../unit/core-fixtures'
 
 const ROUNDS = 15
 const ELEMENTS = 2000
@@ -41,4 +43,25 @@ export async function main(): Promise<void> {
   )
   for (const [name, values] of times) console.log(`${median(values).toFixed(2).padStart(8)} us  ${name}`)
   console.log(`${median(starts).toFixed(2).padStart(8)} ms  from the module's bytes to the first verdict`)
+  const undecided = cases
+    .map(({ vertices }) => vertices.flat())
+    .filter(hexahedron => decidedBy(core, hexahedron) === 'exact')
+  const exactTimes = undecided.map(hexahedron =>
+    median(
+      Array.from({ length: ROUNDS }, () => {
+        const begin = performance.now()
+        exactBoundary(hexahedron)
+        return performance.now() - begin
+      }),
+    ),
+  )
+  const worst = Math.max(...exactTimes)
+  console.log(
+    `${median(exactTimes).toFixed(2).padStart(8)} ms  exact arithmetic, an undecided hard case; the worst of ${undecided.length}: ${worst.toFixed(2)} ms`,
+  )
+}
+
+function decidedBy(core: Core, hexahedron: readonly number[]): string {
+  const result = core.analyze(hexahedron)
+  return result.ok ? result.value.decidedBy : 'refused'
 }

@@ -11,7 +11,7 @@ import {
   signAtRoot,
   squareFree,
 } from '../../web/core/exact/integer-polynomial'
-import { cases, depthGuardCases, entry, randomHexahedron, randomSource } from './core-fixtures'
+import { cases, caseVertices, core, depthGuardCases, entry, randomHexahedron, randomSource } from './core-fixtures'
 import { exactJacdet as jacdetAt } from './exact'
 
 /** n t - k: the factor with the root k/n. */
@@ -119,6 +119,32 @@ describe('the exact sign', () => {
       if (invalid.minimizer.kind === 'vertex') expect(jacdetAt(between(high), invalid.minimizer.point) <= 0n).toBe(true)
       expect(exactBoundary(valid).minimizer.mantissa).toBeGreaterThan(0)
     }
+  })
+
+  it('is what the filter says wherever the filter says anything', () => {
+    const random = randomSource(24)
+    const makers = [
+      () => randomHexahedron(random, 0.3),
+      () => randomHexahedron(random, 0.4).map(x => Math.round(4 * x) / 4),
+      () => randomHexahedron(random, 0.5).map(Math.round),
+      () => {
+        const family = entry(['corner', 'edge', 'face'], Math.floor(3 * random()))
+        const moved = Math.floor(24 * random())
+        const bits = Math.floor(5 * random()) - 2
+        return caseVertices(`pub/touch_${family}/0_zero`).map((x, i) => (i === moved ? x * (1 + bits * 2 ** -52) : x))
+      },
+    ]
+    const ways = { filter: 0, exact: 0 }
+    for (let n = 0; n < 4000; ++n) {
+      const hexahedron = entry(makers, n % makers.length)()
+      const result = core.analyze(hexahedron)
+      if (!result.ok) throw new Error(result.error.message)
+      const { valid, decidedBy, boundaryMinimum } = result.value
+      const sign = exactBoundarySign(hexahedron)
+      expect([valid, Math.sign(boundaryMinimum)], hexahedron.join()).toEqual([sign > 0, sign])
+      ++ways[decidedBy]
+    }
+    expect(Math.min(ways.filter, ways.exact)).toBeGreaterThan(200)
   })
 
   it('is negative only with a negative value at its minimizer', () => {
