@@ -38,7 +38,8 @@ class ToolbarView implements View {
             )}
           </select>
         </label>
-        ${shown ? this.#about(shown) : nothing}
+        ${shown?.valid === null ? this.#another(shown) : nothing}
+        <p class="note">${noteOf(state, shown)}</p>
         <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : nothing}</p>
         <div class="actions">
           <button type="button" ?disabled=${!state.canUndo} @click=${() => this.#host.dispatch({ type: 'undo' })}>
@@ -64,10 +65,8 @@ class ToolbarView implements View {
 
   dispose(): void {}
 
-  #about(preset: Preset): TemplateResult {
-    const another = html`<button type="button" @click=${() => this.#open(preset)}>Another</button>`
-    return html`${preset.valid === null ? another : nothing}
-      <p class="note">${preset.note}</p>`
+  #another(preset: Preset): TemplateResult {
+    return html`<button type="button" @click=${() => this.#open(preset)}>Another</button>`
   }
 
   readonly #onPreset = (event: Event): void => {
@@ -94,6 +93,12 @@ function selectAll(event: FocusEvent): void {
 function shownPreset({ preset, vertices, start }: State): Preset | undefined {
   const isStart = vertices.every((value, index) => Object.is(value, start[index]))
   return isStart ? presets.find(({ id }) => id === preset) : undefined
+}
+
+/** What the preset shows, or which one this was. */
+function noteOf({ preset }: State, shown: Preset | undefined): string {
+  const from = presets.find(({ id }) => id === preset)
+  return shown?.note ?? (from ? `Changed from “${from.title}”.` : '')
 }
 
 export const createToolbar: CreateView = host => new ToolbarView(host)
