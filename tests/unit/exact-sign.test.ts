@@ -7,7 +7,9 @@ import {
   type Polynomial,
   product,
   refined,
+  refinedTo,
   rootsInUnitInterval,
+  signAt,
   signAtRoot,
   squareFree,
 } from '../../web/core/exact/integer-polynomial'
@@ -48,6 +50,31 @@ describe('roots in (0,1)', () => {
     expect(signAtRoot([-1n, 3n], p, first)).toBe(0)
     expect(signAtRoot([-1n, 3n], p, second)).toBe(1)
     expect(signAtRoot([1n, -2n], p, first)).toBe(1)
+  })
+
+  it('are told from neighbours nearer than a stack is deep', () => {
+    const near = 2n ** 12000n
+    expect(rootsInUnitInterval(times([-1n, near], [-2n, near])).length).toBe(2)
+  })
+
+  it('are refined to any width, each in its own interval', () => {
+    const random = randomSource(24)
+    for (let n = 0; n < 100; ++n) {
+      const [k, m, j] = [1 + Math.floor(random() * 40), 1 + Math.floor(random() * 40), 1 + Math.floor(random() * 300)]
+      const p = squareFree(times([BigInt(-k), 0n, 1681n], [BigInt(-m), 0n, 0n, 3n << BigInt(j)], [-1n, 3n]))
+      const roots = rootsInUnitInterval(p)
+      for (const [i, root] of roots.entries()) {
+        const { low, high } = refinedTo(p, root, 1000)
+        const ends = [low, high].map(({ numerator, shift }) => numerator << BigInt(8192 - shift)) as [bigint, bigint]
+        expect(ends[1] - ends[0] <= 1n << 7192n).toBe(true)
+        if (ends[0] === ends[1]) expect(signAt(p, low)).toBe(0)
+        else expect(signAt(p, low) * signAt(p, high)).toBe(-1)
+        const before = [root.low, root.high].map(({ numerator, shift }) => numerator << BigInt(8192 - shift))
+        expect(ends[0] >= entry(before, 0) && ends[1] <= entry(before, 1)).toBe(true)
+        const next = roots[i + 1]
+        if (next) expect(ends[1] <= next.low.numerator << BigInt(8192 - next.low.shift)).toBe(true)
+      }
+    }
   })
 })
 

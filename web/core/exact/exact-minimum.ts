@@ -13,7 +13,7 @@ import {
   midpoint,
   type Polynomial,
   product,
-  refined,
+  refinedTo,
   rootsInUnitInterval,
   signAtRoot,
   squareFree,
@@ -166,8 +166,7 @@ function innerRoots(beta: readonly bigint[], face: number): InnerRoot[] {
  */
 function faceCandidate(root: InnerRoot, bits: number): Enclosed | null {
   const { a, b, n, d } = root.parabolas
-  while (root.place.low !== root.place.high && root.place.high.shift < bits)
-    root.place = refined(root.quartic, root.place)
+  root.place = refinedTo(root.quartic, root.place, bits)
   const { low, high } = root.place
   const t = low === high ? low : midpoint(low, high)
   const [atB, atN, atA] = [valueOver(b, t, 2), valueOver(n, t, 2), valueOver(a, t, 1)]

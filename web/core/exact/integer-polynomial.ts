@@ -186,20 +186,20 @@ export function rootsInUnitInterval(p: Polynomial): IsolatedRoot[] {
   if (p.length <= 1) return []
   const chain = sturmChain(p)
   const roots: IsolatedRoot[] = []
-  const look = (low: Dyadic, high: Dyadic, changesLow: number, changesHigh: number): void => {
-    const count = changesLow - changesHigh
-    if (count === 0) return
-    if (count === 1) {
+  // A list, not a recursion: roots can be nearer to each other than a stack is deep. The lowest interval is its last.
+  const intervals = [{ low: ZERO, high: ONE, below: signChanges(chain, ZERO), above: signChanges(chain, ONE) }]
+  for (let interval = intervals.pop(); interval; interval = intervals.pop()) {
+    const { low, high, below, above } = interval
+    if (below === above) continue
+    if (below - above === 1) {
       const root = separated(p, low, high)
       if (isBelow(root.low, ONE)) roots.push(root)
-      return
+      continue
     }
     const middle = midpoint(low, high)
     const changes = signChanges(chain, middle)
-    look(low, middle, changesLow, changes)
-    look(middle, high, changes, changesHigh)
+    intervals.push({ low: middle, high, below: changes, above }, { low, high: middle, below, above: changes })
   }
-  look(ZERO, ONE, signChanges(chain, ZERO), signChanges(chain, ONE))
   return roots
 }
 
@@ -228,6 +228,46 @@ export function refined(p: Polynomial, { low, high }: IsolatedRoot): IsolatedRoo
   return sign === signAt(p, high) ? { low, high: middle } : { low: middle, high }
 }
 
+/**
+ * The same root in an interval of width 2^-bits or less: quadratic interval refinement (Abbott, Quadratic interval refinement
+ * for real roots), bisection where the chord does not tell the part of the interval that has the root.
+ */
+export function refinedTo(p: Polynomial, root: IsolatedRoot, bits: number): IsolatedRoot {
+  let place = root
+  let step = 1
+  while (place.low !== place.high && isWider(place, bits)) {
+    const part = step > 1 ? partByChord(p, place, step) : null
+    place = part ?? refined(p, place)
+    step = part || step === 1 ? 2 * step : step >> 1
+  }
+  return place
+}
+
+function isWider({ low, high }: IsolatedRoot, bits: number): boolean {
+  const shift = BigInt(low.shift + high.shift)
+  const width = (high.numerator << BigInt(low.shift)) - (low.numerator << BigInt(high.shift))
+  return width << BigInt(bits) > 1n << shift
+}
+
+/** Of the interval's 2^step equal parts the one where the chord of p is zero, if it has the root. */
+function partByChord(p: Polynomial, { low, high }: IsolatedRoot, step: number): IsolatedRoot | null {
+  const own = Math.max(low.shift, high.shift)
+  const [from, to] = [low, high].map(({ numerator, shift }) => numerator << BigInt(own - shift)) as [bigint, bigint]
+  const [atFrom, atTo] = [from, to].map(numerator => magnitude(scaledValue(p, { numerator, shift: own }))) as [
+    bigint,
+    bigint,
+  ]
+  const first = (from << BigInt(step)) + (to - from) * ((atFrom << BigInt(step)) / (atFrom + atTo))
+  const part = {
+    low: { numerator: first, shift: own + step },
+    high: { numerator: first + to - from, shift: own + step },
+  }
+  const [below, above] = [signAt(p, part.low), signAt(p, part.high)]
+  if (below === 0) return { low: part.low, high: part.low }
+  if (above === 0) return { low: part.high, high: part.high }
+  return below === above ? null : part
+}
+
 /** The sign of q at a root of the square-free p. */
 export function signAtRoot(q: Polynomial, p: Polynomial, root: IsolatedRoot): -1 | 0 | 1 {
   if (q.length === 0) return 0
@@ -237,7 +277,7 @@ export function signAtRoot(q: Polynomial, p: Polynomial, root: IsolatedRoot): -1
   const simple = squareFree(q)
   let place = root
   while (place.low !== place.high && (countRoots(simple, place.low, place.high) > 0 || signAt(q, place.low) === 0))
-    place = refined(p, place)
+    place = refinedTo(p, place, 2 * Math.max(place.low.shift, place.high.shift) + 2)
   return signAt(q, place.high)
 }
 
