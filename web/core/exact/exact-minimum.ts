@@ -27,7 +27,10 @@ export interface ExactCandidate {
   readonly id: number
   /** Reference coordinates to 2^-64. */
   readonly point: Vec3
-  /** jacdet there is mantissa * 2^exponent, off by less than 2^-52 of itself or of the minimum. */
+  /**
+   * jacdet there is mantissa * 2^exponent: vertices, edges and the minimum to 2^-52 of themselves, another face candidate
+   * as far as shows that it is not the minimum.
+   */
   readonly mantissa: number
   readonly exponent: number
 }
@@ -88,7 +91,9 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
       const touches = sign === 0 && !isLess(error, value)
       return { kind, id, point, ...rounded(touches ? NONE : value, jacdet.exponent - 2) }
     })
-    const minimizer = shown[candidates.indexOf(least)] as ExactCandidate
+    // Of a touched zero's enclosure only the upper end is known, which another value may undercut.
+    const touched = sign === 0 ? shown.find(({ mantissa }) => mantissa === 0) : undefined
+    const minimizer = touched ?? (shown[candidates.indexOf(least)] as ExactCandidate)
     return { sign, isCollapsed, candidates: shown, minimizer, skippedFaces }
   }
 }
