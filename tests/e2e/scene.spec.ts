@@ -332,6 +332,25 @@ test('with the keyboard alone every vertex is chosen and moved', async ({ lens, 
   }
 })
 
+test('an arrow key in the very frame of an undo goes on from what the undo left', async ({ lens, page }) => {
+  await lens.open()
+  const first = await lens.vertices()
+  await lens.scene.focus()
+  await page.keyboard.press('6')
+  await page.keyboard.press('ArrowRight')
+  await lens.nextFrame()
+  const moved = await lens.vertices()
+  expect(moved).not.toEqual(first)
+  await lens.element.evaluate(element => {
+    ;(element as HTMLElementTagNameMap['hex-lens']).undo()
+    const scene = (element.shadowRoot as ShadowRoot).activeElement as HTMLElement
+    for (const type of ['keydown', 'keyup'])
+      scene.dispatchEvent(new KeyboardEvent(type, { key: 'ArrowRight', bubbles: true, composed: true }))
+  })
+  await lens.nextFrame()
+  expect(await lens.vertices()).toEqual(moved)
+})
+
 test.describe('with a finger', () => {
   test.use({ hasTouch: true, viewport: { width: 390, height: 844 } })
 

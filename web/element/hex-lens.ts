@@ -120,6 +120,7 @@ export class HexLens extends HTMLElement {
   }
 
   readonly #host: ViewHost = {
+    state: () => this.#store.state,
     dispatch: action => this.#dispatch(action),
     raise: problem => this.raise(problem),
     clear: code => this.clear(code),

@@ -23,6 +23,8 @@ export interface View {
 }
 
 export interface ViewHost {
+  /** The state now, which may be ahead of the last frame's: what the next action starts from. */
+  state(): State
   readonly dispatch: Dispatch
   /** Raise a problem, or take it back by its code. */
   raise(problem: Problem): void

@@ -77,31 +77,30 @@ export class KeyboardInput {
     this.#held.clear()
     if (!this.#moving) return
     this.#moving = false
-    this.#stage.latest.dispatch({ type: how })
+    this.#stage.host.dispatch({ type: how })
   }
 
   #move({ key, shiftKey, altKey }: KeyboardEvent): boolean {
     const move = MOVES[key]
-    const { latest, camera } = this.#stage
-    if (move === undefined || latest.state === null) return false
+    const { host, camera } = this.#stage
+    if (move === undefined) return false
     if (!this.#moving) {
       this.#moving = true
-      latest.dispatch({ type: 'begin-gesture' })
+      host.dispatch({ type: 'begin-gesture' })
     }
     this.#held.add(key)
-    const { vertices, selectedVertex, gestureStart } = latest.state
+    const { vertices, selectedVertex, gestureStart } = host.state()
     const from = vertexOf(vertices, selectedVertex)
     const step = keyStep(extentOf(gestureStart ?? vertices))
     const scale = (shiftKey ? 1 : 0) - (altKey ? 1 : 0)
     const length = lengthOf({ ...step, exponent: Math.max(-323, step.exponent + scale) })
     const to = moved(from, camera, move, length)
-    latest.dispatch({ type: 'move-vertex', vertex: selectedVertex, to })
+    host.dispatch({ type: 'move-vertex', vertex: selectedVertex, to })
     return true
   }
 
   #command({ key, altKey }: KeyboardEvent): boolean {
-    const { latest } = this.#stage
-    if (latest.state === null || altKey) return false
+    if (altKey) return false
     const command = this.#commands[key.length === 1 ? key.toLowerCase() : key]
     if (command) command()
     else if (/^[0-7]$/.test(key)) this.#choose(Number(key))
@@ -129,21 +128,20 @@ export class KeyboardInput {
   }
 
   get #display(): FaceDisplay {
-    return this.#stage.latest.state?.faceDisplay ?? 'opaque'
+    return this.#stage.host.state().faceDisplay
   }
 
   #show(faceDisplay: FaceDisplay): void {
-    this.#stage.latest.dispatch({ type: 'show-faces', faceDisplay })
+    this.#stage.host.dispatch({ type: 'show-faces', faceDisplay })
   }
 
   #chooseNext(by: 1 | -1): void {
-    const selected = this.#stage.latest.state?.selectedVertex ?? 0
-    this.#choose((selected + by + VERTEX_COUNT) % VERTEX_COUNT)
+    this.#choose((this.#stage.host.state().selectedVertex + by + VERTEX_COUNT) % VERTEX_COUNT)
   }
 
   #choose(vertex: number): void {
     this.commit()
-    this.#stage.latest.dispatch({ type: 'select-vertex', vertex })
+    this.#stage.host.dispatch({ type: 'select-vertex', vertex })
   }
 }
 

@@ -104,17 +104,16 @@ export class PointerInput {
   }
 
   #take(vertex: number, event: PointerEvent): void {
-    const { element, camera, latest } = this.#stage
+    const { element, camera, host } = this.#stage
     this.#commitKeys()
-    const { state } = latest
-    if (state === null) return
+    const { vertices } = host.state()
     const { x, y } = this.#place(event)
-    const position = vertexOf(state.vertices, vertex)
+    const position = vertexOf(vertices, vertex)
     const drag = new VertexDrag({
       camera,
       frame: this.#stage.frame(),
       position,
-      extent: extentOf(state.vertices),
+      extent: extentOf(vertices),
       x,
       y,
     })
@@ -122,7 +121,7 @@ export class PointerInput {
     this.#grip = { pointerId: event.pointerId, vertex, byTouch, drag, x, y, nowX: x, nowY: y, moving: false }
     this.#axis = null
     element.setPointerCapture(event.pointerId)
-    latest.dispatch({ type: 'select-vertex', vertex })
+    host.dispatch({ type: 'select-vertex', vertex })
     this.#hover(vertex)
     element.dataset.cursor = 'grabbing'
   }
@@ -142,7 +141,7 @@ export class PointerInput {
       const still = grip.byTouch ? STILL.touch : STILL.other
       if (Math.hypot(x - grip.x, y - grip.y) < still) return
       grip.moving = true
-      this.#stage.latest.dispatch({ type: 'begin-gesture' })
+      this.#stage.host.dispatch({ type: 'begin-gesture' })
     }
     this.#drag(event)
   }
@@ -153,7 +152,7 @@ export class PointerInput {
     const keys: DragKeys = { axis: this.#axis, depth: shiftKey, snap: altKey }
     const to = grip.drag.moveTo(grip.nowX, grip.nowY, keys)
     this.#stage.showDrag(keys, grip.byTouch)
-    this.#stage.latest.dispatch({ type: 'move-vertex', vertex: grip.vertex, to })
+    this.#stage.host.dispatch({ type: 'move-vertex', vertex: grip.vertex, to })
   }
 
   readonly #onUp = (event: PointerEvent): void => {
@@ -173,10 +172,10 @@ export class PointerInput {
     const grip = this.#grip
     if (grip === null) return
     this.#grip = null
-    const { element, latest } = this.#stage
+    const { element, host } = this.#stage
     if (element.hasPointerCapture(grip.pointerId)) element.releasePointerCapture(grip.pointerId)
     this.#stage.showDrag(null, false)
-    if (grip.moving) latest.dispatch({ type: how })
+    if (grip.moving) host.dispatch({ type: how })
     this.#hover(null)
   }
 
@@ -206,7 +205,7 @@ export class PointerInput {
     const type = event instanceof PointerEvent ? event.pointerType : 'mouse'
     const handles = this.#stage.handles()
     if (handles.length !== VERTEX_COUNT) return null
-    return pickHandle(handles, at, pickRadius(type), this.#stage.latest.state?.selectedVertex)
+    return pickHandle(handles, at, pickRadius(type), this.#stage.host.state().selectedVertex)
   }
 
   #hover(vertex: number | null): void {

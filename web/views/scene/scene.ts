@@ -17,7 +17,6 @@ import { createFacePainter, type FacePainter } from './face-painter'
 import { Help } from './help'
 import { KeyboardInput } from './keyboard-input'
 import type { Box } from './label-place'
-import { LatestState } from './latest-state'
 import { Overlay } from './overlay'
 import { PointerInput } from './pointer-input'
 import css from './scene.css?inline'
@@ -49,10 +48,9 @@ class Scene implements SceneView, Stage {
   readonly root = document.createElement('div')
   readonly element = document.createElement('div')
   readonly camera = new SceneCamera()
-  readonly latest: LatestState
+  readonly host: ViewHost
   framesDrawn = 0
 
-  readonly #host: ViewHost
   readonly #painter: FacePainter | null
   readonly #overlay = new Overlay()
   readonly #colourBar: ColourBar
@@ -80,16 +78,13 @@ class Scene implements SceneView, Stage {
   #drag: { readonly keys: DragKeys; readonly byTouch: boolean } | null = null
 
   constructor(host: ViewHost) {
-    this.#host = host
-    this.latest = new LatestState(host)
+    this.host = host
     this.#painter = createFacePainter({ lost: () => this.#onContext(true), restored: () => this.#onContext(false) })
-    this.#colourBar = new ColourBar(referenceCube =>
-      this.latest.dispatch({ type: 'show-reference-cube', referenceCube }),
-    )
+    this.#colourBar = new ColourBar(referenceCube => host.dispatch({ type: 'show-reference-cube', referenceCube }))
     this.#controls = new Controls({
       fit: () => this.fit(false),
       toggleHelp: () => this.toggleHelp(),
-      showFaces: faceDisplay => this.latest.dispatch({ type: 'show-faces', faceDisplay }),
+      showFaces: faceDisplay => host.dispatch({ type: 'show-faces', faceDisplay }),
     })
     this.#build()
     this.#themeReader = new ThemeReader(this.root, () => host.requestFrame())
@@ -106,7 +101,6 @@ class Scene implements SceneView, Stage {
   }
 
   update(frame: Frame): void {
-    this.latest.receive(frame.state)
     const resized = this.#resize()
     if (this.#width === 0 || this.#height === 0) return
     this.#readTheme()
@@ -140,15 +134,15 @@ class Scene implements SceneView, Stage {
 
   showDrag(keys: DragKeys | null, byTouch: boolean): void {
     this.#drag = keys && { keys, byTouch }
-    this.#host.requestFrame()
+    this.host.requestFrame()
   }
 
   fit(toDefault: boolean): void {
-    const { state } = this.latest
-    if (state === null || this.#pointer.isDragging) return
-    this.#frame = frameOf(state.vertices)
-    this.#aim(state.vertices, toDefault)
-    this.#host.requestFrame()
+    if (this.#pointer.isDragging) return
+    const { vertices } = this.host.state()
+    this.#frame = frameOf(vertices)
+    this.#aim(vertices, toDefault)
+    this.host.requestFrame()
   }
 
   orbit(right: number, up: number): void {
@@ -195,7 +189,7 @@ class Scene implements SceneView, Stage {
     orbit.zoomSpeed = 1.6
     orbit.minDistance = 0.05
     orbit.maxDistance = 1000
-    orbit.addEventListener('change', () => this.#host.requestFrame())
+    orbit.addEventListener('change', () => this.host.requestFrame())
     return orbit
   }
 
@@ -213,7 +207,7 @@ class Scene implements SceneView, Stage {
     const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
     const onChange = () => {
       this.#watchPixelRatio()
-      this.#host.requestFrame()
+      this.host.requestFrame()
     }
     query.addEventListener('change', onChange, { once: true, signal: this.#listening.signal })
   }
@@ -234,15 +228,15 @@ class Scene implements SceneView, Stage {
   #onContext(lost: boolean): void {
     this.#contextLost = lost
     this.root.classList.toggle('unpainted', lost)
-    if (lost) this.#host.raise({ code: 'context-lost', message: CONTEXT_LOST })
-    else this.#host.clear('context-lost')
-    this.#host.requestFrame()
+    if (lost) this.host.raise({ code: 'context-lost', message: CONTEXT_LOST })
+    else this.host.clear('context-lost')
+    this.host.requestFrame()
   }
 
   #onResize(entries: readonly ResizeObserverEntry[]): void {
     const { width, height } = (entries.at(-1) as ResizeObserverEntry).contentRect
     this.#box = { width: Math.round(width), height: Math.round(height) }
-    this.#host.requestFrame()
+    this.host.requestFrame()
   }
 
   #resize(): boolean {

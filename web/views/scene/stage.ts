@@ -1,6 +1,6 @@
 /** What the pointer and keyboard inputs see of the scene: geometry to read, the state, and where to send actions. */
+import type { ViewHost } from '../view'
 import type { SceneCamera, ScreenPoint } from './camera'
-import type { LatestState } from './latest-state'
 import type { DragKeys } from './vertex-drag'
 import type { ViewFrame } from './view-frame'
 
@@ -8,7 +8,7 @@ export interface Stage {
   /** Takes focus, pointer and keys. */
   readonly element: HTMLElement
   readonly camera: SceneCamera
-  readonly latest: LatestState
+  readonly host: Pick<ViewHost, 'state' | 'dispatch'>
   frame(): ViewFrame
   /** Where the eight vertices are on the screen. */
   handles(): readonly ScreenPoint[]
