@@ -39,7 +39,7 @@ class ToolbarView implements View {
           </select>
         </label>
         ${shown?.valid === null ? this.#another(shown) : nothing}
-        <p class="note">${noteOf(state, shown)}</p>
+        <p class="note" ?hidden=${state.preset === null}>${noteOf(state, shown)}</p>
         <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : nothing}</p>
         <div class="actions">
           <button type="button" ?disabled=${!state.canUndo} @click=${() => this.#host.dispatch({ type: 'undo' })}>
