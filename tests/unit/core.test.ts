@@ -36,8 +36,10 @@ describe('the module', () => {
       [
         '_initialize',
         'analyze',
+        'analyze_coefficients',
         'boundary_minimum',
         'input_address',
+        'input_length',
         'decide',
         'jacobian_at',
         'memory',

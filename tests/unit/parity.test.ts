@@ -6,6 +6,9 @@ import { cases, randomHexahedron, randomSource, unitCube, wasmBytes } from './co
 
 const POINT = [0.25, 0.625, 0.8125]
 
+/** By the order of wasm/src/pack.c: verdict, exponent, minimizer, error, volume minimum, checks, maximizer, two minima. */
+const BERNSTEIN_AT = 2 + 9 + 1 + 8 + 7 + 9 + 2
+
 function hexahedra(): number[][] {
   const random = randomSource(20260505)
   const list = cases.map(({ vertices }) => vertices.flat())
@@ -25,7 +28,7 @@ async function wasmAnswers(list: readonly number[][]): Promise<Float64Array> {
   const { instance } = await WebAssembly.instantiate(wasmBytes, {})
   const wasm = instance.exports as Record<string, CallableFunction> & { memory: WebAssembly.Memory }
   wasm._initialize?.()
-  const input = new Float64Array(wasm.memory.buffer, wasm.input_address?.(), 27)
+  const input = new Float64Array(wasm.memory.buffer, wasm.input_address?.(), wasm.input_length?.())
   const output = new Float64Array(wasm.memory.buffer, wasm.output_address?.(), wasm.output_length?.())
   const answers: number[] = []
   const take = (count: number) => answers.push(...output.subarray(0, count))
@@ -35,6 +38,7 @@ async function wasmAnswers(list: readonly number[][]): Promise<Float64Array> {
     const status = wasm.analyze?.() as number
     answers.push(status)
     if (status !== 0) continue
+    const bernstein = [...output.subarray(BERNSTEIN_AT, BERNSTEIN_AT + 27)]
     take(packedReportLength(output))
     for (const variant of [0, 1]) {
       wasm.boundary_minimum?.(variant)
@@ -42,15 +46,19 @@ async function wasmAnswers(list: readonly number[][]): Promise<Float64Array> {
     }
     wasm.decide?.()
     take(1)
+    input.set([...bernstein, -7, 2 ** -53, 0], 24)
+    wasm.analyze_coefficients?.()
+    take(packedReportLength(output))
+    input.set(POINT, 24)
     wasm.jacobian_at?.()
     take(17)
   }
   return new Float64Array(answers)
 }
 
-/** By the order of wasm/src/pack.c: lists are preceded by their counts. */
+/** Lists are preceded by their counts. */
 function packedReportLength(packed: Float64Array): number {
-  let at = 2 + 2 * 9 + 2 + 27
+  let at = BERNSTEIN_AT + 27
   for (let face = 0; face < 6; ++face) {
     at += 9 + 4 + 5 + 2
     at += 1 + 4 * (packed[at] as number)

@@ -31,6 +31,7 @@ enum {
   HL_FACE_BERNSTEIN = 9,
   HL_QUARTIC = 5,
   HL_MAX_ROOTS = 4,
+  HL_CHECKS = 7,
   HL_MAX_CANDIDATES = HL_VERTICES + HL_EDGES + HL_FACES * HL_MAX_ROOTS
 };
 
@@ -51,6 +52,19 @@ typedef enum hl_variant { HL_ROOTS = 0, HL_ROOTS_B = 1 } hl_variant;
 
 /* What became of a root t of P: a candidate; or a(t) <= 0; or s* outside (0,1). */
 typedef enum hl_root_fate { HL_ROOT_KEPT = 0, HL_ROOT_A_NOT_POSITIVE = 1, HL_ROOT_S_OUTSIDE = 2 } hl_root_fate;
+
+/* What other programs look at; each passes an element if its number is positive. The first, third to sixth are jacdets, the
+   second is between -1 and 1. */
+typedef enum hl_check {
+  HL_CHECK_CORNERS = 0, /* the least at the eight vertices */
+  HL_CHECK_CORNERS_AND_CENTRE =
+      1,                   /* the least scaled Jacobian there and at (1/2,1/2,1/2); 0 where a column of DF is 0 */
+  HL_CHECK_GAUSS_2 = 2,    /* the least at the 2x2x2 Gauss points */
+  HL_CHECK_GAUSS_3 = 3,    /* the least at the 3x3x3 Gauss points */
+  HL_CHECK_EDGES = 4,      /* the least on the twelve edges */
+  HL_CHECK_BERNSTEIN = 5,  /* the least of the Bernstein coefficients, which follow from 20 samples */
+  HL_CHECK_SUBDIVISION = 6 /* subdivision that gives up past depth 4: the number that ended it */
+} hl_check;
 
 /* A boundary point that may be the minimizer. */
 typedef struct hl_candidate {
@@ -81,10 +95,19 @@ typedef struct hl_face_report {
   hl_face_root roots[HL_MAX_ROOTS]; /* ascending in t */
 } hl_face_report;
 
+/* The least jacdet over the closed element is in [lower, upper]; at the point it is at most upper. */
+typedef struct hl_volume_minimum {
+  double lower, upper;
+  double point[3], position[3];
+} hl_volume_minimum;
+
 typedef struct hl_report {
-  hl_verdict verdict;
+  hl_verdict verdict; /* undecided also where the largest coefficient is too small for an accurate minimum */
   int exponent;
   hl_candidate minimizer;
+  double minimum_error; /* |minimizer.value - exact boundary minimum| is at most this; a jacdet */
+  hl_volume_minimum volume_minimum;
+  double checks[HL_CHECKS];
   hl_candidate maximizer;
   double corner_minimum;
   double edge_minimum;            /* over the twelve edges with their ends */
@@ -111,6 +134,12 @@ typedef struct hl_jacobian {
 /* Everything about one hexahedron: all faces solved, whatever the rules would skip. */
 hl_status hl_analyze(const double vertices[HL_COORDINATES], hl_report *report);
 
+/* As hl_analyze, from coefficients that are known better than doubles compute them: exact ones rounded, bernstein * 2^exponent,
+   each off by at most error * 2^exponent, the largest of magnitude in [1/2, 1) or all 0; the verdict as given. The exponent
+   is of magnitude 8000 at most. */
+hl_status hl_analyze_coefficients(const double vertices[HL_COORDINATES], const double bernstein[HL_BERNSTEIN],
+                                  int exponent, double error, hl_verdict verdict, hl_report *report);
+
 /* The least jacdet on the boundary and where it is attained, by Algorithm 1. */
 hl_status hl_boundary_minimum(const double vertices[HL_COORDINATES], hl_variant variant, hl_minimum *minimum);
 
@@ -128,11 +157,11 @@ int hl_unit_roots(const double *bernstein, int degree, double roots[HL_MAX_ROOTS
 
 /* Results as plain doubles in the order of the structs above, numbers and flags alike, lists cut to their counts: what
    crosses the WebAssembly boundary and what parity tests compare. Each returns how many were written. */
-enum { HL_PACKED_CANDIDATE = 9, HL_PACKED_ROOT = 4 };
+enum { HL_PACKED_CANDIDATE = 9, HL_PACKED_VOLUME_MINIMUM = 8, HL_PACKED_ROOT = 4 };
 enum { HL_PACKED_FACE = HL_FACE_BERNSTEIN + 4 + HL_QUARTIC + 3 + HL_MAX_ROOTS * HL_PACKED_ROOT };
 enum {
-  HL_PACKED_REPORT = 2 + 2 * HL_PACKED_CANDIDATE + 2 + HL_BERNSTEIN + HL_FACES * HL_PACKED_FACE + 1 +
-      HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE,
+  HL_PACKED_REPORT = 2 + 2 * HL_PACKED_CANDIDATE + 1 + HL_PACKED_VOLUME_MINIMUM + HL_CHECKS + 2 + HL_BERNSTEIN +
+      HL_FACES * HL_PACKED_FACE + 1 + HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE,
   HL_PACKED_MINIMUM = HL_PACKED_CANDIDATE + 1,
   HL_PACKED_JACOBIAN = 17
 };

@@ -57,6 +57,37 @@ void jacdet_bernstein(const edge_vectors *edges, double bernstein[27]) {
   for (int i = 0; i < 27; ++i) bernstein[i] += 0.0; /* -0 becomes 0 */
 }
 
+static double magnitude(double x) { return x < 0 ? -x : x; }
+
+/* |a| x |b| with plus signs. */
+static void absolute_cross(const double a[3], const double b[3], double out[3]) {
+  out[0] = magnitude(a[1] * b[2]) + magnitude(a[2] * b[1]);
+  out[1] = magnitude(a[2] * b[0]) + magnitude(a[0] * b[2]);
+  out[2] = magnitude(a[0] * b[1]) + magnitude(a[1] * b[0]);
+}
+
+static double absolute_dot(const double a[3], const double b[3]) {
+  return magnitude(a[0] * b[0]) + magnitude(a[1] * b[1]) + magnitude(a[2] * b[2]);
+}
+
+static double larger(double x, double y) { return y > x ? y : x; }
+
+double greatest_permanent(const edge_vectors *e) {
+  double greatest = 0;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      for (int k = 0; k < 2; ++k) {
+        double n[3];
+        absolute_cross(e->u[j][k], e->v[i][k], n);
+        greatest = larger(greatest, absolute_dot(n, e->w[i][j]));
+        greatest = larger(greatest, absolute_dot(n, e->w[1 - i][j]));
+        greatest = larger(greatest, absolute_dot(n, e->w[i][1 - j]));
+        absolute_cross(e->u[j][k], e->v[i][1 - k], n);
+        greatest = larger(greatest, absolute_dot(n, e->w[i][j]));
+      }
+  return greatest;
+}
+
 void face_bernstein(const double bernstein[27], int face, double beta[9]) {
   const double *origin = bernstein + 2 * face_table[face].side * axis_stride[face_table[face].axis];
   for (int i = 0; i < 3; ++i)

@@ -46,6 +46,10 @@ static inline double dot(const double a[3], const double b[3]) { return a[0] * b
 /* The 27 coefficients from 16 cross products and 28 dot products, in the scaled units of the edge vectors. */
 void jacdet_bernstein(const edge_vectors *edges, double bernstein[27]);
 
+/* The largest permanent of |U|, |V|, |W| among the determinants that the coefficients are made of: what their errors are
+   relative to, (8). */
+double greatest_permanent(const edge_vectors *edges);
+
 /* The nine of one face, [3*i + j] with i in s, j in t. */
 void face_bernstein(const double bernstein[27], int face, double beta[9]);
 

@@ -2,11 +2,27 @@
    Bernstein bound: docs/algorithm.md 4 and 6. */
 #include "bernstein.h"
 #include "candidates.h"
+#include "checks.h"
 #include "face.h"
 #include "filter.h"
 #include "hexlens.h"
 #include "map.h"
+#include "subdivision.h"
 #include "topology.h"
+#include "volume.h"
+
+/* What a computed coefficient can be off by on the faces and in the cube's centre, relative to the greatest permanent, and
+   what products that underflow add to it: (M1). */
+#define BOUNDARY_ERROR (36 * UNIT_ROUNDOFF)
+#define CENTRE_ERROR (100 * UNIT_ROUNDOFF)
+#define UNDERFLOW_ERROR 0x1p-1000
+
+/* In u max|bernstein|: a candidate's value, and how far a face can go below its candidates: docs/algorithm.md 4. */
+#define VALUE_ROUNDING 12
+#define MISSED_BY_QUARTIC 3000
+
+/* Coefficients that are all smaller than this part of the permanents have lost digits: exact arithmetic has them, (M3). */
+#define LEAST_PART_OF_PERMANENT 0x1p-5
 
 static double least_of(const double *values, int count) {
   double least = values[0];
@@ -72,9 +88,45 @@ static void report_face(hl_report *report, int face) {
   }
 }
 
+/* (M1): what the coefficients are off by, and on the faces that could hold the minimum what P can miss. */
+static double error_of_minimum(const hl_report *report, double coefficient_error) {
+  double unit = greatest_magnitude(report->bernstein, HL_BERNSTEIN), missed = VALUE_ROUNDING * unit;
+  for (int f = 0; f < HL_FACES; ++f) {
+    const hl_face_report *face = &report->faces[f];
+    if (face->lower_bound >= report->minimizer.value) continue;
+    double on_face = MISSED_BY_QUARTIC * greatest_magnitude(face->bernstein, HL_FACE_BERNSTEIN);
+    if (on_face > missed) missed = on_face;
+  }
+  return coefficient_error + missed * UNIT_ROUNDOFF;
+}
+
+/* The volume minimum is the boundary minimum unless the element is invalid (the paper's theorem). */
+static hl_volume_minimum volume_minimum_of(const hl_report *report, double coefficient_error) {
+  const hl_candidate *least = &report->minimizer;
+  if (report->verdict == HL_INVALID) return bracketed_volume_minimum(report->bernstein, coefficient_error, least);
+  return (hl_volume_minimum){.lower = least->value - report->minimum_error,
+                             .upper = least->value + report->minimum_error,
+                             .point = {least->point[0], least->point[1], least->point[2]}};
+}
+
+static void fill_checks(hl_report *report, const edge_vectors *edges, int exponent) {
+  report->checks[HL_CHECK_CORNERS] = report->corner_minimum;
+  report->checks[HL_CHECK_CORNERS_AND_CENTRE] = least_scaled_jacobian(edges, report->bernstein, exponent);
+  report->checks[HL_CHECK_GAUSS_2] = least_at_gauss_points(report->bernstein, 2);
+  report->checks[HL_CHECK_GAUSS_3] = least_at_gauss_points(report->bernstein, 3);
+  report->checks[HL_CHECK_EDGES] = report->edge_minimum;
+  report->checks[HL_CHECK_BERNSTEIN] = least_coefficient(report->bernstein);
+  report->checks[HL_CHECK_SUBDIVISION] = subdivision_to_depth_4(report->bernstein);
+}
+
 /* Calls `visit` on every jacdet of the report. */
 static void each_jacdet(hl_report *report, void (*visit)(double *jacdet, void *context), void *context) {
   visit(&report->minimizer.value, context);
+  visit(&report->minimum_error, context);
+  visit(&report->volume_minimum.lower, context);
+  visit(&report->volume_minimum.upper, context);
+  for (int i = 0; i < HL_CHECKS; ++i)
+    if (i != HL_CHECK_CORNERS_AND_CENTRE) visit(&report->checks[i], context);
   visit(&report->maximizer.value, context);
   visit(&report->corner_minimum, context);
   visit(&report->edge_minimum, context);
@@ -112,12 +164,22 @@ static int exponent_left(hl_report *report, int exponent) {
   return 0;
 }
 
-hl_status hl_analyze(const double vertices[24], hl_report *report) {
-  if (!all_finite(vertices, HL_COORDINATES)) return HL_NOT_FINITE;
-  edge_vectors edges;
-  scaled_edge_vectors(vertices, &edges);
-  jacdet_bernstein(&edges, report->bernstein);
+/* What doubles decide and know the minimum of as well. */
+static hl_verdict accurate_verdict(const hl_report *report, double permanent) {
+  if (greatest_magnitude(report->bernstein, HL_BERNSTEIN) < LEAST_PART_OF_PERMANENT * permanent) return HL_UNDECIDED;
+  hl_verdict verdict = filtered_verdict(report->bernstein);
+  /* A computed minimum that contradicts a certain verdict has lost its sign: exact arithmetic gives both. */
+  return verdict == HL_VALID && !(report->minimizer.value > 0) ? HL_UNDECIDED : verdict;
+}
 
+/* What the coefficients on the boundary and all of them are off by at most, and the exponent of them all. */
+typedef struct precision {
+  double boundary_error, error;
+  int exponent;
+} precision;
+
+/* From the coefficients in report->bernstein: faces, candidates, the least and the greatest of them. */
+static void find_candidates(const double vertices[24], hl_report *report) {
   report->candidate_count = 0;
   for (int v = 0; v < HL_VERTICES; ++v) append(report, vertex_candidate(report->bernstein, v));
   report->corner_minimum = least_candidate_value(report);
@@ -135,16 +197,45 @@ hl_status hl_analyze(const double vertices[24], hl_report *report) {
     if (report->candidates[i].value < report->minimizer.value) report->minimizer = report->candidates[i];
   report->maximizer = greatest_candidate(report->bernstein);
   map_point(vertices, report->maximizer.point, report->maximizer.position);
-  report->verdict = filtered_verdict(report->bernstein);
-  /* A computed minimum that contradicts a certain verdict has lost its sign: exact arithmetic gives both. */
-  if (report->verdict == HL_VALID && !(report->minimizer.value > 0)) report->verdict = HL_UNDECIDED;
+}
 
-  int exponent = jacdet_exponent(&edges);
-  report->exponent = exponent_left(report, exponent);
+/* What needs the verdict and how precise the coefficients are; then all values in their own units. */
+static void complete_report(const double vertices[24], const edge_vectors *edges, precision given, hl_report *report) {
+  report->minimum_error = error_of_minimum(report, given.boundary_error);
+  report->volume_minimum = volume_minimum_of(report, given.error);
+  map_point(vertices, report->volume_minimum.point, report->volume_minimum.position);
+  fill_checks(report, edges, given.exponent);
+  report->exponent = exponent_left(report, given.exponent);
   for (int f = 0; f < HL_FACES; ++f) {
     hl_face_report *face = &report->faces[f];
-    face->quartic_exponent = scaled_back(face->quartic, HL_QUARTIC, face->quartic_exponent + 3 * exponent);
+    face->quartic_exponent = scaled_back(face->quartic, HL_QUARTIC, face->quartic_exponent + 3 * given.exponent);
   }
+}
+
+hl_status hl_analyze(const double vertices[24], hl_report *report) {
+  if (!all_finite(vertices, HL_COORDINATES)) return HL_NOT_FINITE;
+  edge_vectors edges;
+  scaled_edge_vectors(vertices, &edges);
+  double permanent = greatest_permanent(&edges);
+  precision computed = {.boundary_error = BOUNDARY_ERROR * permanent + UNDERFLOW_ERROR,
+                        .error = CENTRE_ERROR * permanent + UNDERFLOW_ERROR,
+                        .exponent = jacdet_exponent(&edges)};
+  jacdet_bernstein(&edges, report->bernstein);
+  find_candidates(vertices, report);
+  report->verdict = accurate_verdict(report, permanent);
+  complete_report(vertices, &edges, computed, report);
+  return HL_OK;
+}
+
+hl_status hl_analyze_coefficients(const double vertices[24], const double bernstein[27], int exponent, double error,
+                                  hl_verdict verdict, hl_report *report) {
+  if (!all_finite(vertices, HL_COORDINATES) || !all_finite(bernstein, HL_BERNSTEIN)) return HL_NOT_FINITE;
+  edge_vectors edges;
+  scaled_edge_vectors(vertices, &edges);
+  for (int i = 0; i < HL_BERNSTEIN; ++i) report->bernstein[i] = bernstein[i];
+  find_candidates(vertices, report);
+  report->verdict = verdict;
+  complete_report(vertices, &edges, (precision){.boundary_error = error, .error = error, .exponent = exponent}, report);
   return HL_OK;
 }
 

@@ -3,10 +3,13 @@
 
 #define EXPORT(name) __attribute__((export_name(#name)))
 
-static double input[HL_COORDINATES + 3]; /* the vertices, then a reference point */
+/* The vertices, then a reference point, or coefficients with their exponent, error and verdict. */
+static double input[HL_COORDINATES + HL_BERNSTEIN + 3];
 static double output[HL_PACKED_REPORT];
 
 EXPORT(input_address) double *input_address(void) { return input; }
+
+EXPORT(input_length) int input_length(void) { return (int)(sizeof input / sizeof *input); }
 
 EXPORT(output_address) double *output_address(void) { return output; }
 
@@ -16,6 +19,15 @@ EXPORT(output_length) int output_length(void) { return HL_PACKED_REPORT; }
 EXPORT(analyze) int analyze(void) {
   static hl_report report;
   hl_status status = hl_analyze(input, &report);
+  if (status == HL_OK) hl_pack_report(&report, output);
+  return (int)status;
+}
+
+EXPORT(analyze_coefficients) int analyze_coefficients(void) {
+  static hl_report report;
+  const double *bernstein = input + HL_COORDINATES, *given = bernstein + HL_BERNSTEIN;
+  hl_status status = hl_analyze_coefficients(input, bernstein, (int)given[0], given[1],
+                                             given[2] != 0 ? HL_VALID : HL_INVALID, &report);
   if (status == HL_OK) hl_pack_report(&report, output);
   return (int)status;
 }

@@ -14,7 +14,7 @@ void map_point(const double vertices[24], const double point[3], double position
 }
 
 /* A column is the bilinear mean of its four edge vectors over the two other coordinates, in ascending order. */
-static void columns_at(const edge_vectors *edges, const double point[3], double columns[3][3]) {
+void jacobian_columns(const edge_vectors *edges, const double point[3], double columns[3][3]) {
   const double (*const families[3])[2][3] = {edges->u, edges->v, edges->w};
   for (int c = 0; c < 3; ++c) {
     double first = point[c == 0 ? 1 : 0], second = point[c == 2 ? 1 : 2];
@@ -32,7 +32,7 @@ hl_status hl_jacobian_at(const double vertices[24], const double point[3], hl_ja
   edge_vectors edges;
   double columns[3][3], normal[3];
   scaled_edge_vectors(vertices, &edges);
-  columns_at(&edges, point, columns);
+  jacobian_columns(&edges, point, columns);
   cross(columns[0], columns[1], normal);
   jacobian->jacdet = dot(normal, columns[2]) + 0.0;
   jacobian->exponent = scaled_back(&jacobian->jacdet, 1, jacdet_exponent(&edges));

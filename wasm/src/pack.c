@@ -42,6 +42,12 @@ size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]) 
   put(&c, report->verdict);
   put(&c, report->exponent);
   put_candidate(&c, &report->minimizer);
+  put(&c, report->minimum_error);
+  put(&c, report->volume_minimum.lower);
+  put(&c, report->volume_minimum.upper);
+  put_all(&c, report->volume_minimum.point, 3);
+  put_all(&c, report->volume_minimum.position, 3);
+  put_all(&c, report->checks, HL_CHECKS);
   put_candidate(&c, &report->maximizer);
   put(&c, report->corner_minimum);
   put(&c, report->edge_minimum);

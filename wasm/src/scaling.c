@@ -42,6 +42,7 @@ bool is_normal_after_scaling(double x, int exponent) {
 
 double times_power_of_two(double x, int exponent) {
   if (x == 0) return x;
+  if (exponent >= LEAST_NORMAL && exponent <= GREATEST) return x * power_of_two(exponent);
   /* In quarters no factor leaves the doubles, and what lies between x and a normal result is exact. */
   int quarter = exponent / 4;
   double factor = power_of_two(quarter);

@@ -18,6 +18,11 @@ static const struct {
   unsigned char axis, side, s, t;
 } face_table[6] = {{0, 0, 1, 2}, {0, 1, 1, 2}, {1, 0, 0, 2}, {1, 1, 0, 2}, {2, 0, 0, 1}, {2, 1, 0, 1}};
 
+/* The first of each of the nine rows of three coefficients along an axis. */
+static inline int first_of_row(int axis, int row) {
+  return axis == 0 ? row : axis == 1 ? 9 * (row / 3) + row % 3 : 3 * row;
+}
+
 static inline int vertex_index(int vertex) {
   const unsigned char *r = vertex_reference[vertex];
   return 18 * r[0] + 6 * r[1] + 2 * r[2];

@@ -1,5 +1,7 @@
 /** Loads the C core and is the only place that sees its memory. The contracts are those of wasm/include/hexlens.h. */
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import { roundedJacdet } from './exact/exact-jacdet'
+import { exactBoundary } from './exact/exact-minimum'
 import { exactReport } from './exact/exact-report'
 import { exactBoundarySign } from './exact/exact-sign'
 import type { Core, CoreError, Report, Result } from './report'
@@ -12,6 +14,8 @@ interface CoreExports {
   output_address(): number
   output_length(): number
   analyze(): number
+  analyze_coefficients(): number
+  input_length(): number
   boundary_minimum(variant: number): number
   decide(): number
   jacobian_at(): number
@@ -41,21 +45,31 @@ export async function loadCore(bytes: BufferSource): Promise<Core> {
   const { instance } = await WebAssembly.instantiate(bytes, {})
   const wasm = instance.exports as unknown as CoreExports
   wasm._initialize?.()
-  const input = new Float64Array(wasm.memory.buffer, wasm.input_address(), COORDINATE_COUNT + 3)
+  const input = new Float64Array(wasm.memory.buffer, wasm.input_address(), wasm.input_length())
   const output = new Float64Array(wasm.memory.buffer, wasm.output_address(), wasm.output_length())
 
-  function answer<T>(vertices: Vertices, point: Vec3 | null, run: () => number, read: () => T): Result<T> {
+  function answer<T>(vertices: Vertices, more: readonly number[], run: () => number, read: () => T): Result<T> {
     if (vertices.length !== COORDINATE_COUNT)
       return refusal('wrong-count', `A hexahedron has ${COORDINATE_COUNT} coordinates, not ${vertices.length}.`)
     input.set(vertices)
-    if (point) input.set(point, COORDINATE_COUNT)
+    input.set(more, COORDINATE_COUNT)
     const status = run()
     if (status === HL_OK) return { ok: true, value: read() }
     if (status === HL_OUTSIDE_CUBE) return refusal('outside-cube', 'The reference point is not in [0,1]³.')
-    if (status === HL_NOT_FINITE && point?.some(value => !Number.isFinite(value)))
+    if (status === HL_NOT_FINITE && more.some(value => !Number.isFinite(value)))
       return refusal('not-finite', 'The reference point is not a finite point.')
     if (status === HL_NOT_FINITE) return refusal('not-finite', `${firstNotFinite(vertices)} is not a finite number.`)
     throw new Error(`The core answered with an unknown status, ${status}.`)
+  }
+
+  /** What doubles leave open: coefficients and verdict from exact arithmetic, the rest from those coefficients. */
+  function analyzeExactly(vertices: Vertices): Report {
+    const boundary = exactBoundary(vertices)
+    const { bernstein, exponent, error } = roundedJacdet(boundary.jacdet)
+    const more = [...bernstein, exponent, error, boundary.sign > 0 ? 1 : 0]
+    const result = answer(vertices, more, wasm.analyze_coefficients, () => unpackReport(new Unpacker(output), vertices))
+    if (!result.ok) throw new Error(result.error.message)
+    return exactReport(result.value, boundary, point => positionOf(vertices, point))
   }
 
   const positionOf = (vertices: Vertices, point: Vec3): Vec3 => {
@@ -66,15 +80,15 @@ export async function loadCore(bytes: BufferSource): Promise<Core> {
 
   function analyze(vertices: Vertices): Result<Report> {
     const own = Object.freeze(Array.from(vertices))
-    const result = answer(own, null, wasm.analyze, () => unpackReport(new Unpacker(output), own))
+    const result = answer(own, [], wasm.analyze, () => unpackReport(new Unpacker(output), own))
     if (!result.ok) return result
     const { valid, ...rest } = result.value
     if (valid !== null) return { ok: true, value: { ...rest, valid } }
-    return { ok: true, value: exactReport({ ...rest, valid: false }, point => positionOf(own, point)) }
+    return { ok: true, value: analyzeExactly(own) }
   }
 
   function isValid(vertices: Vertices): Result<boolean> {
-    const result = answer(vertices, null, wasm.decide, () => unpackVerdict(new Unpacker(output)))
+    const result = answer(vertices, [], wasm.decide, () => unpackVerdict(new Unpacker(output)))
     return result.ok ? { ok: true, value: result.value ?? exactBoundarySign(vertices) > 0 } : result
   }
 
@@ -84,7 +98,7 @@ export async function loadCore(bytes: BufferSource): Promise<Core> {
     boundaryMinimum: (vertices, variant) =>
       answer(
         vertices,
-        null,
+        [],
         () => wasm.boundary_minimum(variant === 'roots' ? HL_ROOTS : HL_ROOTS_B),
         () => unpackMinimum(new Unpacker(output)),
       ),

@@ -55,6 +55,26 @@ export interface FaceReport {
   readonly roots: readonly FaceRoot[]
 }
 
+/** The least jacdet over the closed element, certain to be in [lower, upper]; times 2^exponent. */
+export interface VolumeMinimum {
+  readonly lower: number
+  readonly upper: number
+  /** jacdet is at most `upper` here. */
+  readonly point: Vec3
+  readonly position: Vec3
+}
+
+/** What other programs look at: web/core/checks.ts says who and how. */
+export type CheckId = 'corners' | 'corners-and-centre' | 'gauss-2' | 'gauss-3' | 'edges' | 'bernstein' | 'subdivision'
+
+export interface Check {
+  readonly id: CheckId
+  /** What it looks at; a jacdet, times 2^exponent, but for the scaled Jacobian, which is between -1 and 1. */
+  readonly value: number
+  /** value > 0: it takes the element for valid. */
+  readonly passes: boolean
+}
+
 export interface Report {
   readonly vertices: Vertices
   /** jacdet > 0 on the whole element, which by Knupp's conjecture (a theorem) its boundary decides. */
@@ -64,7 +84,12 @@ export interface Report {
   readonly exponent: number
   /** Of the exact sign: 0 means exactly zero. */
   readonly boundaryMinimum: number
+  /** |boundaryMinimum - the exact one| is at most this; times 2^exponent. */
+  readonly boundaryMinimumError: number
   readonly minimizer: Candidate
+  /** For a valid element the boundary minimum with its error; for an invalid one it may be lower. */
+  readonly volumeMinimum: VolumeMinimum
+  readonly checks: readonly Check[]
   readonly boundaryMaximum: number
   readonly maximizer: Candidate
   /** Least jacdet at the eight vertices, and on the twelve edges. */

@@ -1,10 +1,32 @@
 /** Reads packed results (wasm/src/pack.c) in the order they were written. */
 import type { Vec3, Vertices } from '../model/hexahedron'
-import type { Candidate, CandidateKind, FaceReport, FaceRoot, JacobianReport, Report, RootFate } from './report'
+import type {
+  Candidate,
+  CandidateKind,
+  Check,
+  CheckId,
+  FaceReport,
+  FaceRoot,
+  JacobianReport,
+  Report,
+  RootFate,
+  VolumeMinimum,
+} from './report'
 
 const KINDS: readonly CandidateKind[] = ['vertex', 'edge', 'face']
 const VERDICTS: readonly (boolean | null)[] = [null, true, false]
+const CHECKS: readonly CheckId[] = [
+  'corners',
+  'corners-and-centre',
+  'gauss-2',
+  'gauss-3',
+  'edges',
+  'bernstein',
+  'subdivision',
+]
 const FATES: readonly RootFate[] = ['kept', 'a-not-positive', 's-outside']
+
+const ENDED_EARLY = 'The packed result ended early: wasm and TypeScript disagree.'
 
 /** A cursor over the packed doubles in the core's memory; what it returns are copies. */
 export class Unpacker {
@@ -16,7 +38,7 @@ export class Unpacker {
   }
 
   number(): number {
-    if (this.#at >= this.#packed.length) throw new Error('The packed result ended early: wasm and TypeScript disagree.')
+    if (this.#at >= this.#packed.length) throw new Error(ENDED_EARLY)
     return this.#packed[this.#at++] as number
   }
 
@@ -25,8 +47,12 @@ export class Unpacker {
   }
 
   numbers(count: number): number[] {
+    const from = this.#at
+    this.#at += count
+    if (this.#at > this.#packed.length) throw new Error(ENDED_EARLY)
+    const packed = this.#packed
     const list: number[] = []
-    for (let i = 0; i < count; ++i) list.push(this.number())
+    for (let i = from; i < from + count; ++i) list.push(packed[i] as number)
     return list
   }
 
@@ -63,6 +89,14 @@ function readCandidate(packed: Unpacker): Candidate {
   }
 }
 
+function readVolumeMinimum(packed: Unpacker): VolumeMinimum {
+  return { lower: packed.number(), upper: packed.number(), point: packed.vec3(), position: packed.vec3() }
+}
+
+export function check(id: CheckId, value: number): Check {
+  return { id, value, passes: value > 0 }
+}
+
 function readRoot(packed: Unpacker): FaceRoot {
   const [t, a, s] = packed.vec3()
   const fate = packed.oneOf(FATES)
@@ -91,6 +125,9 @@ export function unpackReport(packed: Unpacker, vertices: Vertices): FilteredRepo
   const valid = unpackVerdict(packed)
   const exponent = packed.number()
   const minimizer = readCandidate(packed)
+  const boundaryMinimumError = packed.number()
+  const volumeMinimum = readVolumeMinimum(packed)
+  const checks = CHECKS.map(id => check(id, packed.number()))
   const maximizer = readCandidate(packed)
   return {
     vertices,
@@ -98,7 +135,10 @@ export function unpackReport(packed: Unpacker, vertices: Vertices): FilteredRepo
     decidedBy: 'filter',
     exponent,
     boundaryMinimum: minimizer.value,
+    boundaryMinimumError,
     minimizer,
+    volumeMinimum,
+    checks,
     boundaryMaximum: maximizer.value,
     maximizer,
     cornerMinimum: packed.number(),

@@ -1,5 +1,6 @@
 /** jacdet's Bernstein coefficients as integers: the doubles as given are integers over powers of two, one for each axis. */
 import { edgeVertices, faces, type Vertices, vertexReference } from '../../model/hexahedron'
+import { bitLength, rounded } from './rational'
 
 export interface ExactJacdet {
   /** Four times the 27 coefficients, over 2^exponent, `bernstein[9 * i + 3 * j + k]`; the cube's centre is left 0. */
@@ -79,6 +80,30 @@ export function exactJacdet(vertices: Vertices): ExactJacdet {
     bernstein[centre] = (2n * total(-S, S, -T, T) - total(-S - T, S + T, T - S, S - T)) / 4n
   }
   return { bernstein, exponent: axes.reduce((all, { exponent }) => all + exponent, 0) }
+}
+
+/**
+ * All 27, the cube's centre by docs/algorithm.md (7), as doubles times 2^exponent, the largest of magnitude in [1/2, 1);
+ * each is off by `error` at most, its rounding.
+ */
+export function roundedJacdet({ bernstein, exponent }: ExactJacdet) {
+  // Over 16, so that the centre is an integer too.
+  const sixteenths = bernstein.map(coefficient => 4n * coefficient)
+  const sumOf = (ones: number) =>
+    bernstein.reduce((all, coefficient, i) => (onesIn(i) === ones ? all + coefficient : all), 0n)
+  sixteenths[at(1, 1, 1)] = sumOf(1) - sumOf(0)
+  const bits = Math.max(...sixteenths.map(bitLength))
+  const unit = exponent - 4 + bits
+  const inUnit = (numerator: bigint) => {
+    const { mantissa, exponent: power } = rounded({ numerator, denominator: 1n }, -bits)
+    return power < -1000 ? 0 : mantissa * 2 ** power
+  }
+  return { bernstein: sixteenths.map(inUnit), exponent: bits === 0 ? 0 : unit, error: bits === 0 ? 0 : 2 ** -53 }
+}
+
+/** How many of its three indices are 1: none of a corner, one of an edge's middle. */
+function onesIn(index: number): number {
+  return [9, 3, 1].filter(stride => Math.floor(index / stride) % 3 === 1).length
 }
 
 /** A face's nine, `[3 * i + j]` with i in s, j in t. */

@@ -37,8 +37,7 @@ export interface ExactCandidate {
 
 export interface ExactBoundary {
   readonly sign: Sign
-  /** jacdet is zero everywhere on the boundary. */
-  readonly isCollapsed: boolean
+  readonly jacdet: ExactJacdet
   /** Vertices, then edges, then faces. */
   readonly candidates: readonly ExactCandidate[]
   /** The least of them; its mantissa is exactly 0 where the sign is. */
@@ -71,7 +70,6 @@ const ENCLOSURE_BITS = 60n
 
 export function exactBoundary(vertices: Vertices): ExactBoundary {
   const jacdet = exactJacdet(vertices)
-  const isCollapsed = jacdet.bernstein.every(coefficient => coefficient === 0n)
   const sign = exactBoundarySign(vertices)
   const fixed = [...vertexCandidates(jacdet), ...edgeCandidates(jacdet)]
   const leastFixed = leastOf(fixed).value
@@ -94,7 +92,7 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
     // Of a touched zero's enclosure only the upper end is known, which another value may undercut.
     const touched = sign === 0 ? shown.find(({ mantissa }) => mantissa === 0) : undefined
     const minimizer = touched ?? (shown[candidates.indexOf(least)] as ExactCandidate)
-    return { sign, isCollapsed, candidates: shown, minimizer, skippedFaces }
+    return { sign, jacdet, candidates: shown, minimizer, skippedFaces }
   }
 }
 

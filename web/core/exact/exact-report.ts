@@ -1,36 +1,54 @@
-/** The report of an element on which doubles do not decide: verdict and candidates from exact arithmetic. */
+/** The report of an element on which doubles do not decide: verdict, candidates and minima from exact arithmetic. */
 import type { Vec3 } from '../../model/hexahedron'
-import type { Candidate, FaceReport, Report } from '../report'
-import { type ExactCandidate, exactBoundary } from './exact-minimum'
+import type { Candidate, CheckId, FaceReport, Report, VolumeMinimum } from '../report'
+import { check, type FilteredReport } from '../unpack'
+import type { ExactBoundary, ExactCandidate } from './exact-minimum'
 
 const KINDS: readonly Candidate['kind'][] = ['vertex', 'edge', 'face']
 
 /** Powers of two that a normal double's leading digit can stand for. */
 const NORMAL = { least: -1022, greatest: 1023 }
+const LEAST_NORMAL = 2 ** NORMAL.least
+
+/** Relative error of the exact values: they are enclosed to 2^-60 and then rounded. */
+const VALUE_ERROR = 2 ** -52
 
 /**
- * `report` with its verdict, candidates and minima replaced by the exact ones; `positionOf` maps a reference point into
- * space. What else it holds stays as doubles computed it, or is zero
- * where jacdet is zero on the whole boundary. The common exponent changes only where the exact values ask for
+ * `report`, made from the exact coefficients rounded, with verdict, candidates and minima replaced by the exact ones;
+ * `positionOf` maps a reference point into space. The common exponent changes only where the exact values ask for
  * another; should they span more than the doubles do, those too small become the least normal double of their sign.
  */
-export function exactReport(report: Report, positionOf: (point: Vec3) => Vec3): Report {
-  const { sign, isCollapsed, candidates, minimizer, skippedFaces } = exactBoundary(report.vertices)
+export function exactReport(
+  report: FilteredReport,
+  { sign, candidates, minimizer, skippedFaces }: ExactBoundary,
+  positionOf: (point: Vec3) => Vec3,
+): Report {
   const exponent = commonExponent(candidates, report.exponent)
   const inUnits = (candidate: ExactCandidate): Candidate => {
     const { kind, id, point } = candidate
     return { kind, id, point, position: positionOf(point), value: inUnitsOf(exponent, candidate) }
   }
   const least = inUnits(minimizer)
-  const map = isCollapsed ? () => 0 : (value: number) => timesPowerOfTwo(value, report.exponent - exponent)
+  const boundaryMinimumError = errorOf(least.value)
+  const map = (value: number) => timesPowerOfTwo(value, report.exponent - exponent)
+  const inNewUnits = mapped(report, map)
   // By their exact bound these are no lower than the minimum, whatever rounding says.
-  const skipped = report.candidates
+  const skipped = inNewUnits.candidates
     .filter(({ kind, id }) => kind === 'face' && skippedFaces.includes(id))
-    .map(candidate => ({ ...candidate, value: Math.max(map(candidate.value), least.value) }))
+    .map(candidate => ({ ...candidate, value: Math.max(candidate.value, least.value) }))
   const leastOf = (...kinds: Candidate['kind'][]) =>
     Math.min(...candidates.filter(({ kind }) => kinds.includes(kind)).map(candidate => inUnitsOf(exponent, candidate)))
+  const cornerMinimum = leastOf('vertex')
+  const edgeMinimum = leastOf('vertex', 'edge')
+  const exactChecks: Partial<Record<CheckId, number>> = { corners: cornerMinimum, edges: edgeMinimum }
+  const onBoundary = {
+    lower: least.value - boundaryMinimumError,
+    upper: least.value + boundaryMinimumError,
+    point: least.point,
+    position: least.position,
+  }
   return {
-    ...mapped(report, map),
+    ...inNewUnits,
     exponent,
     valid: sign > 0,
     decidedBy: 'exact',
@@ -39,9 +57,24 @@ export function exactReport(report: Report, positionOf: (point: Vec3) => Vec3): 
     ),
     minimizer: least,
     boundaryMinimum: least.value,
-    cornerMinimum: leastOf('vertex'),
-    edgeMinimum: leastOf('vertex', 'edge'),
+    boundaryMinimumError,
+    volumeMinimum: sign > 0 ? onBoundary : tighter(inNewUnits.volumeMinimum, onBoundary),
+    cornerMinimum,
+    edgeMinimum,
+    checks: inNewUnits.checks.map(({ id, value }) => check(id, exactChecks[id] ?? value)),
   }
+}
+
+/** The bracket of the search inside, but for its upper end where the boundary reaches lower. */
+function tighter(inside: VolumeMinimum, onBoundary: VolumeMinimum): VolumeMinimum {
+  return onBoundary.upper <= inside.upper ? { ...onBoundary, lower: Math.min(inside.lower, onBoundary.lower) } : inside
+}
+
+/** A least normal double may stand for a smaller number, and a subnormal product may be rounded down. */
+function errorOf(value: number): number {
+  const error = VALUE_ERROR * Math.abs(value)
+  if (Math.abs(value) === LEAST_NORMAL) return LEAST_NORMAL
+  return error > 0 && error < LEAST_NORMAL ? error + Number.MIN_VALUE : error
 }
 
 function leadingPower({ mantissa, exponent }: ExactCandidate): number {
@@ -60,7 +93,7 @@ function commonExponent(candidates: readonly ExactCandidate[], given: number): n
 
 function inUnitsOf(unit: number, { mantissa, exponent }: ExactCandidate): number {
   const value = timesPowerOfTwo(mantissa, exponent - unit)
-  return mantissa !== 0 && Math.abs(value) < 2 ** NORMAL.least ? Math.sign(mantissa) * 2 ** NORMAL.least : value
+  return mantissa !== 0 && Math.abs(value) < LEAST_NORMAL ? Math.sign(mantissa) * LEAST_NORMAL : value
 }
 
 function timesPowerOfTwo(value: number, exponent: number): number {
@@ -72,8 +105,8 @@ function timesPowerOfTwo(value: number, exponent: number): number {
   return result * 2 ** rest
 }
 
-/** The report with another number for every jacdet that exact arithmetic does not replace. */
-function mapped(report: Report, map: (jacdet: number) => number): Report {
+/** The report with another number for every jacdet; where that is no longer exact, a bracket stays one. */
+function mapped(report: FilteredReport, map: (jacdet: number) => number): FilteredReport {
   const mappedFace = (face: FaceReport): FaceReport => ({
     ...face,
     bernstein: face.bernstein.map(map),
@@ -81,11 +114,23 @@ function mapped(report: Report, map: (jacdet: number) => number): Report {
     runningMinimum: map(face.runningMinimum),
     roots: face.roots.map(root => ({ ...root, a: map(root.a) })),
   })
+  const outward = (value: number, step: number) => {
+    const to = map(value)
+    return value !== 0 && Math.abs(to) < LEAST_NORMAL ? to + step : to
+  }
+  const { volumeMinimum } = report
   return {
     ...report,
     boundaryMaximum: map(report.boundaryMaximum),
     maximizer: { ...report.maximizer, value: map(report.maximizer.value) },
+    volumeMinimum: {
+      ...volumeMinimum,
+      lower: outward(volumeMinimum.lower, -Number.MIN_VALUE),
+      upper: outward(volumeMinimum.upper, Number.MIN_VALUE),
+    },
+    checks: report.checks.map(({ id, value }) => check(id, id === 'corners-and-centre' ? value : map(value))),
     bernstein: report.bernstein.map(map),
     faces: report.faces.map(mappedFace),
+    candidates: report.candidates.map(candidate => ({ ...candidate, value: map(candidate.value) })),
   }
 }

@@ -14,8 +14,11 @@ export function magnitude(value: bigint): bigint {
   return value < 0n ? -value : value
 }
 
+/** Of zero it is 0. */
 export function bitLength(value: bigint): number {
-  return magnitude(value).toString(16).length * 4
+  if (value === 0n) return 0
+  const digits = magnitude(value).toString(16)
+  return 4 * (digits.length - 1) + 32 - Math.clz32(Number.parseInt(digits.charAt(0), 16))
 }
 
 /** Bits kept of a quotient: more than a double's 53, and a last one that says whether anything was cut off. */

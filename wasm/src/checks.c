@@ -1,0 +1,110 @@
+#include "checks.h"
+#include "bernstein.h"
+#include "subdivision.h"
+#include "topology.h"
+
+/* A length is its number times 2^exponent. */
+typedef struct length {
+  double number;
+  int exponent;
+} length;
+
+/* Of a vector in the axes' own scales. Lengths need one scale; a component that underflows in it is nothing beside the others. */
+static length length_of(const double vector[3], const int axis_exponent[3]) {
+  const int *e = axis_exponent;
+  int common = e[0] > e[1] ? e[0] : e[1];
+  common = e[2] > common ? e[2] : common;
+  double v[3];
+  for (int r = 0; r < 3; ++r) v[r] = times_power_of_two(vector[r], e[r] - common);
+  double greatest = greatest_magnitude(v, 3);
+  if (!(greatest > 0)) return (length){0, 0};
+  int own = binary_exponent(greatest);
+  for (int r = 0; r < 3; ++r) v[r] = times_power_of_two(v[r], -own);
+  return (length){__builtin_sqrt(dot(v, v)), common + own};
+}
+
+/* At most 1, and not 0 however small unless jacdet is; 0 where a length is. */
+static double scaled_jacobian(double jacdet, int exponent, length u, length v, length w) {
+  const int least_exponent = -960;
+  double product = u.number * v.number * w.number;
+  if (jacdet == 0 || product == 0) return 0;
+  int own = binary_exponent(jacdet), power = exponent + own - (u.exponent + v.exponent + w.exponent);
+  double ratio = times_power_of_two(jacdet, -own) / product;
+  return times_power_of_two(ratio, power < least_exponent ? least_exponent : power);
+}
+
+static length length_at_centre(const double family[2][2][3], const int axis_exponent[3]) {
+  double sum[3];
+  for (int r = 0; r < 3; ++r) sum[r] = (family[0][0][r] + family[0][1][r]) + (family[1][0][r] + family[1][1][r]);
+  length l = length_of(sum, axis_exponent);
+  return (length){l.number, l.exponent - 2};
+}
+
+/* The value at the centre of the element: the mean of the coefficients with weights 1, 2, 1 on each axis. */
+static double value_at_centre(const double bernstein[27]) {
+  double sum = 0;
+  for (int i = 0; i < 27; ++i)
+    sum += bernstein[i] * ((i / 9 == 1 ? 2 : 1) * (i / 3 % 3 == 1 ? 2 : 1) * (i % 3 == 1 ? 2 : 1));
+  return sum / 64;
+}
+
+double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], int exponent) {
+  const int *e = edges->axis_exponent;
+  length u[2][2], v[2][2], w[2][2];
+  for (int m = 0; m < 2; ++m)
+    for (int n = 0; n < 2; ++n) {
+      u[m][n] = length_of(edges->u[m][n], e);
+      v[m][n] = length_of(edges->v[m][n], e);
+      w[m][n] = length_of(edges->w[m][n], e);
+    }
+  double least = scaled_jacobian(value_at_centre(bernstein), exponent, length_at_centre(edges->u, e),
+                                 length_at_centre(edges->v, e), length_at_centre(edges->w, e));
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      for (int k = 0; k < 2; ++k)
+        least = smaller(least, scaled_jacobian(bernstein[18 * i + 6 * j + 2 * k], exponent, u[j][k], v[i][k], w[i][j]));
+  return least;
+}
+
+/* Bernstein polynomials of degree 2 at the points of the Gauss rules on [0,1], (1 -+ 1/sqrt(3))/2 and (1 -+ sqrt(3/5))/2. */
+static const double gauss_basis[2][3][3] = {{{0.62200846792814621559, 0.33333333333333333333, 0.04465819873852045108},
+                                             {0.04465819873852045108, 0.33333333333333333333, 0.62200846792814621559}},
+                                            {{0.78729833462074168852, 0.2, 0.01270166537925831148},
+                                             {0.25, 0.5, 0.25},
+                                             {0.01270166537925831148, 0.2, 0.78729833462074168852}}};
+
+/* The coefficients become values, one axis after the other. */
+double least_at_gauss_points(const double bernstein[27], int points_per_axis) {
+  const double (*basis)[3] = gauss_basis[points_per_axis - 2];
+  double values[27];
+  for (int i = 0; i < 27; ++i) values[i] = bernstein[i];
+  for (int axis = 0; axis < 3; ++axis)
+    for (int row = 0; row < 9; ++row) {
+      int stride = axis_stride[axis];
+      double *q = values + first_of_row(axis, row), q0 = q[0], q1 = q[stride], q2 = q[2 * stride];
+      for (int p = 0; p < points_per_axis; ++p) q[p * stride] = basis[p][0] * q0 + basis[p][1] * q1 + basis[p][2] * q2;
+      if (points_per_axis == 2) q[2 * stride] = q[0]; /* of two points the first stands in the third's place too */
+    }
+  return least_coefficient(values);
+}
+
+enum { GIVES_UP_PAST = 4 };
+
+/* A part is accepted where all its coefficients are positive and rejected where a corner is not; else it is cut into eight, but
+   not at the last depth. The number is the least bound of the accepted, or what rejected. */
+static double subdivided(const double bernstein[27], int depth, int axis) {
+  if (axis == 0) {
+    double bound = least_coefficient(bernstein), corner = bernstein[0];
+    if (bound > 0) return bound;
+    for (int v = 1; v < 8; ++v) corner = smaller(corner, bernstein[vertex_index(v)]);
+    if (!(corner > 0)) return corner;
+    if (depth == GIVES_UP_PAST) return bound;
+  }
+  double lower[27], upper[27];
+  halve_along(bernstein, axis, lower, upper);
+  int next_depth = axis == 2 ? depth + 1 : depth, next_axis = axis == 2 ? 0 : axis + 1;
+  double below = subdivided(lower, next_depth, next_axis);
+  return below > 0 ? smaller(below, subdivided(upper, next_depth, next_axis)) : below;
+}
+
+double subdivision_to_depth_4(const double bernstein[27]) { return subdivided(bernstein, 0, 0); }

@@ -1,0 +1,15 @@
+/* What other programs would say of the same element: the numbers of hl_check (docs/algorithm.md 9). */
+#ifndef HL_CHECKS_H
+#define HL_CHECKS_H
+
+#include "scaling.h"
+
+/* The least scaled Jacobian, det DF over the product of its columns' lengths, at the vertices and the centre; det DF from
+   the coefficients, bernstein * 2^exponent. */
+double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], int exponent);
+
+/* From Bernstein coefficients, in their units. */
+double least_at_gauss_points(const double bernstein[27], int points_per_axis);
+double subdivision_to_depth_4(const double bernstein[27]);
+
+#endif
