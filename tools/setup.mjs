@@ -1,6 +1,6 @@
 // Sets everything up that building, serving and testing need: npm packages, make, emcc, the wasm; for tests also a C
-// compiler and Chromium. Each step is quick when there is nothing to do, and either completes or leaves nothing behind.
-// Plain Node without dependencies: it installs them.
+// compiler, a clang with libFuzzer, Python and Chromium. Each step is quick when there is nothing to do, and either
+// completes or leaves nothing behind. Plain Node without dependencies: it installs them.
 
 import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
@@ -23,6 +23,8 @@ const steps = [
   { what: 'make', isDone: () => onPath('make'), run: installMake },
   { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'test'] },
   { what: 'the wasm', isDone: wasmIsCurrent, run: buildWasm },
+  { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['test'] },
+  { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'test'] },
   { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
 ]
 
@@ -146,6 +148,50 @@ async function installEmsdk(say) {
   }
 }
 
+/** By linking a program: being there is not enough, for libFuzzer and the sanitizers are packages of their own. */
+async function clangLinksFuzzer() {
+  return (await run('make', ['-C', 'wasm', '-s', 'fuzz-compiler'])).status === 0
+}
+
+/** Where the names are not Debian's. */
+const FUZZER_PACKAGES = {
+  dnf: ['clang', 'compiler-rt'],
+  pacman: ['clang', 'compiler-rt'],
+  apk: ['clang', 'compiler-rt'],
+  brew: ['llvm'],
+}
+
+async function installFuzzer(say) {
+  const what = 'a clang that links libFuzzer (-fsanitize=fuzzer,address,undefined) for the native tests'
+  if (!(await aptGet())) {
+    const manager = packageManager()?.name
+    const packages = manager === 'apt-get' ? await debianFuzzerPackages() : (FUZZER_PACKAGES[manager] ?? ['clang'])
+    throw new Failure(`Hexlens needs ${what}. ${installAdvice(packages)}`)
+  }
+  if (!(await clangMajor())) await installDebianPackages(say, what, ['clang'])
+  if (!(await clangLinksFuzzer())) await installDebianPackages(say, what, await debianFuzzerPackages())
+}
+
+/** Compiler and runtime of one version: that of the clang that is there. */
+async function debianFuzzerPackages() {
+  const major = await clangMajor()
+  return major ? [`clang-${major}`, `libclang-rt-${major}-dev`] : ['clang']
+}
+
+async function clangMajor() {
+  const newestFirst = Array.from({ length: 14 }, (_, i) => `clang-${24 - i}`)
+  const clang = onPath('clang', ...newestFirst)
+  return clang && /clang version (\d+)/.exec((await run(clang, ['--version'])).text)?.[1]
+}
+
+async function pythonStarts() {
+  return (await run('python3', ['--version'])).status === 0
+}
+
+async function installPython(say) {
+  await installDebianPackages(say, 'python3', ['python3'])
+}
+
 async function installChromium(say) {
   const apt = await aptGet()
   if (apt && isDebian()) {
@@ -195,16 +241,20 @@ async function installDebianPackages(say, what, packages) {
 }
 
 const PACKAGE_MANAGERS = [
-  ['apt-get', 'sudo apt-get install'],
-  ['dnf', 'sudo dnf install'],
-  ['pacman', 'sudo pacman -S'],
-  ['zypper', 'sudo zypper install'],
-  ['apk', 'sudo apk add'],
-  ['brew', 'brew install'],
+  { name: 'apt-get', install: 'sudo apt-get install' },
+  { name: 'dnf', install: 'sudo dnf install' },
+  { name: 'pacman', install: 'sudo pacman -S' },
+  { name: 'zypper', install: 'sudo zypper install' },
+  { name: 'apk', install: 'sudo apk add' },
+  { name: 'brew', install: 'brew install' },
 ]
 
+function packageManager() {
+  return PACKAGE_MANAGERS.find(({ name }) => onPath(name))
+}
+
 function installAdvice(packages) {
-  const install = PACKAGE_MANAGERS.find(([name]) => onPath(name))?.[1]
+  const install = packageManager()?.install
   if (install) return `Run \`${install} ${packages.join(' ')}\`, then repeat.`
   return `Install ${packages.join(', ')}, then repeat.`
 }

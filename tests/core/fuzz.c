@@ -1,0 +1,507 @@
+/* A libFuzzer target: any 24 doubles, bent towards degenerate and nearly valid elements, through every function of
+   hexlens.h; a broken law prints the element and aborts. Sizes are compared in scaled units, docs/algorithm.md 2, in which
+   the largest edge component of each axis is in [1/2, 1). Made and run by `make -C wasm fuzz`. */
+#include "hexlens.h"
+#include "random.h"
+#include "reference.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The input; bytes that are missing are zero. */
+typedef struct fuzz_input {
+  double vertices[HL_COORDINATES];
+  double point[3];
+  uint8_t shapes[16]; /* pairs of a shape and its argument */
+} fuzz_input;
+
+/* What every law sees, and what is printed when one is broken. */
+static double element[HL_COORDINATES], place[3];
+static int unit_exponent; /* scaled units of jacdet are 2^unit_exponent */
+
+static void print_doubles(const char *what, const double *values, int count) {
+  fprintf(stderr, "%s:", what);
+  for (int i = 0; i < count; ++i) fprintf(stderr, "%s%a", i == 0 ? " " : ", ", values[i]);
+  fprintf(stderr, "\n");
+}
+
+#define LAW(condition, ...)                                                                                            \
+  do {                                                                                                                 \
+    if (condition) break;                                                                                              \
+    fprintf(stderr, "%s:%d: broken law: ", __FILE__, __LINE__);                                                        \
+    fprintf(stderr, __VA_ARGS__);                                                                                      \
+    fprintf(stderr, "\n");                                                                                             \
+    print_doubles("vertices", element, HL_COORDINATES);                                                                \
+    print_doubles("point", place, 3);                                                                                  \
+    abort();                                                                                                           \
+  } while (0)
+
+/* Shapes: what turns any doubles into elements near a border. */
+
+static void repeat_vertex(double *x, unsigned argument) {
+  memmove(x + 3 * (argument % 8), x + 3 * (argument / 8 % 8), 3 * sizeof(double));
+}
+
+static void swap_vertices(double *x, unsigned argument) {
+  for (int r = 0; r < 3; ++r) {
+    double *p = &x[3 * (argument % 8) + (unsigned)r], *q = &x[3 * (argument / 8 % 8) + (unsigned)r], kept = *p;
+    *p = *q;
+    *q = kept;
+  }
+}
+
+/* All in a plane of constant coordinate, or in one of two equal coordinates. */
+static void flatten(double *x, unsigned argument) {
+  for (int v = 0; v < 8; ++v) x[3 * v + (int)(argument % 3)] = argument & 128 ? x[argument / 3 % 3] : x[3 * v];
+}
+
+static void put_on_a_line(double *x, unsigned argument) {
+  for (int v = 2; v < 8; ++v)
+    for (int r = 0; r < 3; ++r) x[3 * v + r] = x[r] + (argument >> v & 1 ? v : 0.5) * (x[3 + r] - x[r]);
+}
+
+static void collapse(double *x, unsigned argument) {
+  for (int i = 0; i < 24; ++i) x[i] = x[3 * (argument % 8) + (unsigned)i % 3];
+}
+
+static void make_small_integers(double *x, unsigned argument) {
+  for (int i = 0; i < 24; ++i)
+    if (isfinite(x[i])) x[i] = fmod(rint(x[i]), 2 + argument % 8);
+}
+
+static void scale_axis(double *x, unsigned argument) {
+  for (int v = 0; v < 8; ++v)
+    x[3 * v + (int)(argument % 3)] = ldexp(x[3 * v + (int)(argument % 3)], 8 * (int)argument - 1024);
+}
+
+static void scale_all(double *x, unsigned argument) {
+  for (int i = 0; i < 24; ++i) x[i] = ldexp(x[i], 8 * (int)argument - 1024);
+}
+
+static void move_by_ulps(double *x, unsigned argument) {
+  uint64_t bits;
+  memcpy(&bits, &x[argument % 24], sizeof bits);
+  bits += argument / 24 - 5u;
+  memcpy(&x[argument % 24], &bits, sizeof bits);
+}
+
+/* Only the mantissas are kept: the cube's coordinates with displacements of up to 2 or down to 2^-60. */
+static void move_to_cube(double *x, unsigned argument) {
+  for (int i = 0; i < 24; ++i) {
+    int exponent;
+    if (isfinite(x[i]))
+      x[i] = unit_cube[i] + ldexp(frexp(x[i], &exponent), 1 - (int)(argument & 128 ? argument % 61 : argument % 4));
+  }
+}
+
+static void make_parallelepiped(double *x, unsigned argument) {
+  for (int v = 0; v < 8; ++v)
+    if (argument >> v & 1)
+      for (int r = 0; r < 3; ++r) {
+        double d[3] = {x[3 + r] - x[r], x[9 + r] - x[r], x[12 + r] - x[r]};
+        x[3 * v + r] =
+            x[r] + reference_corner[v][0] * d[0] + reference_corner[v][1] * d[1] + reference_corner[v][2] * d[2];
+      }
+}
+
+static void between(const double *from, const double *to, double t, double *x) {
+  for (int i = 0; i < 24; ++i) x[i] = (1 - t) * from[i] + t * to[i];
+}
+
+/* On the way from the cube to the element, where the certain verdict ends: the last valid one or the first that is not. */
+static void move_to_border(double *x, unsigned argument) {
+  double to[24], low = 0, high = 1;
+  memcpy(to, x, sizeof to);
+  for (int step = 0; step < 53; ++step) {
+    double middle = 0.5 * (low + high);
+    hl_verdict verdict = HL_UNDECIDED;
+    between(unit_cube, to, middle, x);
+    if (hl_decide(x, &verdict) == HL_OK && (argument & 2 ? verdict != HL_INVALID : verdict == HL_VALID)) low = middle;
+    else high = middle;
+  }
+  between(unit_cube, to, argument & 1 ? low : high, x);
+}
+
+static void leave(double *x, unsigned argument) { (void)x, (void)argument; }
+
+static void (*const shapes[])(double *x, unsigned argument) = {
+    leave,        repeat_vertex,       swap_vertices,       flatten,    put_on_a_line,
+    collapse,     scale_all,           make_small_integers, scale_axis, move_by_ulps,
+    move_to_cube, make_parallelepiped, move_to_border};
+
+enum { SHAPES = sizeof shapes / sizeof shapes[0] };
+
+/* Numbers with exponents. */
+
+static bool same_number(double x, int x_exponent, double y, int y_exponent) {
+  int ex, ey;
+  double mx = frexp(x, &ex), my = frexp(y, &ey);
+  return mx == my && (mx == 0 || ex + x_exponent == ey + y_exponent);
+}
+
+static bool is_normal_or_zero(double x, int exponent) {
+  int e;
+  return frexp(x, &e) == 0 || (e + exponent >= -1021 && e + exponent <= 1024);
+}
+
+static bool is_plain(double x) { return isfinite(x) && !(x == 0 && signbit(x)); }
+
+/* The sum over the axes of the exponents of the largest edge components. */
+static int element_exponent(void) {
+  int sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    bool found = false;
+    int greatest = 0;
+    for (int e = 0; e < HL_EDGES; ++e) {
+      double p = element[3 * reference_edge[e][0] + axis], q = element[3 * reference_edge[e][1] + axis];
+      bool overflows = !isfinite(q - p);
+      int exponent;
+      if (frexp(overflows ? 0.5 * q - 0.5 * p : q - p, &exponent) == 0) continue;
+      exponent += overflows;
+      if (!found || exponent > greatest) greatest = exponent;
+      found = true;
+    }
+    sum += greatest;
+  }
+  return sum;
+}
+
+static double in_scaled_units(double jacdet, int exponent) { return ldexp(jacdet, exponent - unit_exponent); }
+
+/* Laws. */
+
+static void is_in_bounding_box(const double position[3], const char *what) {
+  for (int r = 0; r < 3; ++r) {
+    double low = element[r], high = element[r];
+    for (int v = 1; v < 8; ++v) {
+      low = fmin(low, element[3 * v + r]);
+      high = fmax(high, element[3 * v + r]);
+    }
+    LAW(is_plain(position[r]) && position[r] >= low && position[r] <= high, "%s: position %a is outside", what,
+        position[r]);
+  }
+}
+
+static void is_in_its_place(const hl_candidate *c, const char *what) {
+  static const int counts[3] = {HL_VERTICES, HL_EDGES, HL_FACES};
+  LAW(c->kind <= HL_FACE && c->id >= 0 && c->id < counts[c->kind], "%s: kind %d, id %d", what, (int)c->kind, c->id);
+  LAW(is_plain(c->value), "%s: value %a", what, c->value);
+  is_in_bounding_box(c->position, what);
+  for (int axis = 0; axis < 3; ++axis) {
+    int from = 0, to = 1;
+    if (c->kind == HL_VERTEX) from = to = reference_corner[c->id][axis];
+    if (c->kind == HL_EDGE) {
+      from = reference_corner[reference_edge[c->id][0]][axis];
+      to = reference_corner[reference_edge[c->id][1]][axis];
+    }
+    if (c->kind == HL_FACE && c->id / 2 == axis) from = to = c->id % 2;
+    bool is_there = from == to ? c->point[axis] == from : c->point[axis] > 0 && c->point[axis] < 1;
+    LAW(is_plain(c->point[axis]) && is_there, "%s: kind %d, id %d at %a", what, (int)c->kind, c->id, c->point[axis]);
+  }
+}
+
+/* det DF has 8 roundings in each of its columns' components, of size 1, and 6 products of three with 5 roundings: at most
+   6 * (3 * 8 + 5) u < 200 u; a candidate's value is within the 448 u of (F1). */
+static const double point_value_error = (200 + 448) * UNIT_ROUNDOFF;
+
+static double jacdet_in_scaled_units(const double point[3]) {
+  hl_jacobian jacobian;
+  LAW(hl_jacobian_at(element, point, &jacobian) == HL_OK, "no jacobian at a point of the cube");
+  return in_scaled_units(jacobian.jacdet, jacobian.exponent);
+}
+
+static void has_its_value(const hl_candidate *c, int exponent) {
+  double value = in_scaled_units(c->value, exponent), expected = jacdet_in_scaled_units(c->point);
+  LAW(fabs(value - expected) <= point_value_error, "candidate of kind %d, id %d has %a, jacdet there is %a",
+      (int)c->kind, c->id, value, expected);
+}
+
+static void candidates_are_in_order(const hl_report *report) {
+  const hl_candidate *c = report->candidates;
+  LAW(report->candidate_count >= HL_VERTICES && report->candidate_count <= HL_MAX_CANDIDATES, "%d candidates",
+      report->candidate_count);
+  int of_kind[3] = {0}, kept = 0;
+  for (int i = 0; i < report->candidate_count; ++i) {
+    is_in_its_place(&c[i], "candidate");
+    has_its_value(&c[i], report->exponent);
+    ++of_kind[c[i].kind];
+    LAW(i == 0 || c[i].kind > c[i - 1].kind || (c[i].kind == c[i - 1].kind && c[i].id >= c[i - 1].id), "candidate %d",
+        i);
+  }
+  for (int f = 0; f < HL_FACES; ++f)
+    for (int r = 0; r < report->faces[f].root_count; ++r) kept += report->faces[f].roots[r].fate == HL_ROOT_KEPT;
+  LAW(of_kind[HL_VERTEX] == HL_VERTICES && of_kind[HL_EDGE] <= HL_EDGES && of_kind[HL_FACE] == kept,
+      "%d vertices, %d edges, %d face points of %d roots kept", of_kind[0], of_kind[1], of_kind[2], kept);
+}
+
+static void extremes_are_extreme(const hl_report *report) {
+  double corner = INFINITY, edge = INFINITY;
+  bool is_candidate = false;
+  is_in_its_place(&report->minimizer, "minimizer");
+  is_in_its_place(&report->maximizer, "maximizer");
+  has_its_value(&report->maximizer, report->exponent);
+  for (int i = 0; i < report->candidate_count; ++i) {
+    const hl_candidate *c = &report->candidates[i];
+    LAW(report->minimizer.value <= c->value, "candidate %d is below the minimum", i);
+    double above =
+        in_scaled_units(c->value, report->exponent) - in_scaled_units(report->maximizer.value, report->exponent);
+    LAW(above <= 2 * point_value_error, "candidate %d is above the maximum", i);
+    if (c->kind == HL_VERTEX) corner = fmin(corner, c->value);
+    if (c->kind != HL_FACE) edge = fmin(edge, c->value);
+    is_candidate = is_candidate ||
+                   (c->kind == report->minimizer.kind && c->id == report->minimizer.id &&
+                    c->value == report->minimizer.value && !memcmp(c->point, report->minimizer.point, sizeof c->point));
+  }
+  LAW(is_candidate, "the minimizer is none of the candidates");
+  LAW(report->corner_minimum == corner && report->edge_minimum == edge, "corner or edge minimum");
+}
+
+static void face_is_consistent(const hl_report *report, int f) {
+  const hl_face_report *face = &report->faces[f];
+  double least = INFINITY;
+  for (int i = 0; i < HL_FACE_BERNSTEIN; ++i) least = fmin(least, face->bernstein[i]);
+  LAW(face->lower_bound == least, "face %d: bound", f);
+  LAW(face->skipped_by_minimum_rule == (face->lower_bound >= face->running_minimum), "face %d: minimum rule", f);
+  LAW(face->skipped_by_validity_rule == (face->lower_bound > 0), "face %d: validity rule", f);
+  LAW(face->root_count >= 0 && face->root_count <= HL_MAX_ROOTS, "face %d: %d roots", f, face->root_count);
+  for (int r = 0; r < face->root_count; ++r) {
+    const hl_face_root *root = &face->roots[r];
+    LAW(root->t > 0 && root->t < 1 && (r == 0 || root->t > root[-1].t), "face %d: root %d at %a", f, r, root->t);
+    LAW((root->fate == HL_ROOT_A_NOT_POSITIVE) == !(root->a > 0), "face %d: root %d: a is %a", f, r, root->a);
+    LAW(root->fate != HL_ROOT_KEPT || (root->s > 0 && root->s < 1), "face %d: root %d: s is %a", f, r, root->s);
+  }
+  for (int i = 0; i < report->candidate_count; ++i)
+    if (report->candidates[i].kind == HL_FACE && report->candidates[i].id == f)
+      LAW(report->candidates[i].value >= face->lower_bound, "face %d: candidate below its bound", f);
+}
+
+/* The least candidate on a face is at most 3000 u max|beta| above its computed coefficients' least value, docs/algorithm.md
+   4, and those are within the 215 u of (8). Of a valid element the same holds inside. */
+static void nothing_is_below_the_minimum(const hl_report *report, const double inside[3]) {
+  double minimum = in_scaled_units(report->minimizer.value, report->exponent), greatest = 0;
+  for (int f = 0; f < HL_FACES; ++f) {
+    double largest = 0, point[3];
+    for (int i = 0; i < HL_FACE_BERNSTEIN; ++i)
+      largest = fmax(largest, fabs(in_scaled_units(report->faces[f].bernstein[i], report->exponent)));
+    greatest = fmax(greatest, largest);
+    memcpy(point, inside, sizeof point);
+    point[f / 2] = f % 2;
+    double value = jacdet_in_scaled_units(point);
+    LAW(value >= minimum - 3000 * UNIT_ROUNDOFF * largest - point_value_error, "face %d: %a is below the minimum %a", f,
+        value, minimum);
+  }
+  if (report->verdict != HL_VALID) return;
+  double value = jacdet_in_scaled_units(inside);
+  LAW(value >= minimum - 3000 * UNIT_ROUNDOFF * greatest - point_value_error, "valid, but %a is below the minimum %a",
+      value, minimum);
+}
+
+static void verdicts_agree(const hl_report *report) {
+  hl_verdict verdict = HL_UNDECIDED;
+  LAW(hl_decide(element, &verdict) == HL_OK, "decide refuses");
+  LAW(verdict == report->verdict || report->verdict == HL_UNDECIDED, "decide says %d, analyze %d", (int)verdict,
+      (int)report->verdict);
+  LAW(report->verdict != HL_VALID || report->minimizer.value > 0, "valid, but the minimum is %a",
+      report->minimizer.value);
+  LAW(verdict != HL_INVALID || report->minimizer.value < 0, "invalid, but the minimum is %a", report->minimizer.value);
+}
+
+static void minima_are_the_same(const hl_report *report) {
+  static double packed[2][HL_PACKED_MINIMUM];
+  hl_minimum minima[2];
+  memset(&minima[0], 0x5a, sizeof minima[0]);
+  memset(&minima[1], 0xa5, sizeof minima[1]);
+  for (int variant = HL_ROOTS; variant <= HL_ROOTS_B; ++variant) {
+    LAW(hl_boundary_minimum(element, (hl_variant)variant, &minima[variant]) == HL_OK, "minimum refuses");
+    LAW(hl_pack_minimum(&minima[variant], packed[variant]) == HL_PACKED_MINIMUM, "packed minimum");
+  }
+  LAW(!memcmp(packed[0], packed[1], sizeof packed[0]), "Roots and Roots+B differ");
+  const hl_minimum *m = &minima[0];
+  is_in_its_place(&m->minimizer, "minimum");
+  LAW(m->exponent == 0 || !is_normal_or_zero(m->minimizer.value, m->exponent), "minimum: exponent %d", m->exponent);
+  LAW(same_number(m->minimizer.value, m->exponent, report->minimizer.value, report->exponent) &&
+          m->minimizer.kind == report->minimizer.kind && m->minimizer.id == report->minimizer.id &&
+          !memcmp(m->minimizer.point, report->minimizer.point, sizeof m->minimizer.point),
+      "analyze has %a 2^%d, the boundary minimum is %a 2^%d", report->minimizer.value, report->exponent,
+      m->minimizer.value, m->exponent);
+}
+
+/* Plain numbers within the given space, and the same whatever the output held before. */
+static void report_is_packed(const hl_report *report) {
+  static double packed[HL_PACKED_REPORT], again[HL_PACKED_REPORT];
+  static hl_report other;
+  memset(&other, 0xa5, sizeof other);
+  LAW(hl_analyze(element, &other) == HL_OK, "analyze refuses the second time");
+  size_t length = hl_pack_report(report, packed), second = hl_pack_report(&other, again);
+  LAW(length <= HL_PACKED_REPORT, "%zu doubles for %d", length, (int)HL_PACKED_REPORT);
+  LAW(length == second && !memcmp(packed, again, length * sizeof(double)), "a report depends on what was there before");
+  for (size_t i = 0; i < length; ++i) LAW(is_plain(packed[i]), "packed number %zu is %a", i, packed[i]);
+}
+
+static void jacobian_is_plain(const double point[3]) {
+  static double packed[HL_PACKED_JACOBIAN];
+  hl_jacobian jacobian;
+  memset(&jacobian, 0x5a, sizeof jacobian);
+  LAW(hl_jacobian_at(element, point, &jacobian) == HL_OK, "jacobian refuses");
+  is_in_bounding_box(jacobian.position, "jacobian");
+  LAW(hl_pack_jacobian(&jacobian, packed) == HL_PACKED_JACOBIAN, "packed jacobian");
+  for (int i = 0; i < HL_PACKED_JACOBIAN; ++i) LAW(is_plain(packed[i]), "packed number %d is %a", i, packed[i]);
+  LAW(jacobian.exponent == 0 || !is_normal_or_zero(jacobian.jacdet, jacobian.exponent), "jacobian: exponent %d",
+      jacobian.exponent);
+}
+
+static hl_status expected_status(const double *point) {
+  for (int i = 0; i < 24; ++i)
+    if (!isfinite(element[i])) return HL_NOT_FINITE;
+  for (int axis = 0; point && axis < 3; ++axis)
+    if (!isfinite(point[axis])) return HL_NOT_FINITE;
+  for (int axis = 0; point && axis < 3; ++axis)
+    if (!(point[axis] >= 0 && point[axis] <= 1)) return HL_OUTSIDE_CUBE;
+  return HL_OK;
+}
+
+/* The right status from all four, and outputs as they were wherever it is a refusal. */
+static void refusals_leave_outputs(hl_report *report) {
+  static hl_report report_before;
+  hl_minimum minimum, minimum_before;
+  hl_jacobian jacobian, jacobian_before;
+  hl_verdict verdict = HL_VALID;
+  memset(report, 0x5a, sizeof *report);
+  memset(&minimum, 0x5a, sizeof minimum);
+  memset(&jacobian, 0x5a, sizeof jacobian);
+  memcpy(&report_before, report, sizeof report_before);
+  memcpy(&minimum_before, &minimum, sizeof minimum);
+  memcpy(&jacobian_before, &jacobian, sizeof jacobian);
+  hl_status status = expected_status(NULL), point_status = expected_status(place);
+  LAW(hl_analyze(element, report) == status, "analyze: not status %d", (int)status);
+  LAW(hl_decide(element, &verdict) == status, "decide: not status %d", (int)status);
+  LAW(hl_boundary_minimum(element, HL_ROOTS_B, &minimum) == status, "minimum: not status %d", (int)status);
+  LAW(hl_jacobian_at(element, place, &jacobian) == point_status, "jacobian: not status %d", (int)point_status);
+  LAW(point_status == HL_OK || !memcmp(&jacobian, &jacobian_before, sizeof jacobian), "jacobian: output touched");
+  if (status == HL_OK) return;
+  LAW(!memcmp(report, &report_before, sizeof report_before) && !memcmp(&minimum, &minimum_before, sizeof minimum) &&
+          verdict == HL_VALID,
+      "a refusal touches the output");
+}
+
+static long double bernstein_value(const double *p, int degree, long double t) {
+  long double level[HL_QUARTIC];
+  for (int i = 0; i <= degree; ++i) level[i] = p[i];
+  for (int n = degree; n > 0; --n)
+    for (int i = 0; i < n; ++i) level[i] = (1 - t) * level[i] + t * level[i + 1];
+  return level[0];
+}
+
+/* Ascending in (0,1), each a zero within rounding or at a change of sign, none missed where the sign changes. The core's
+   evaluation is off by at most 12 u of the greatest coefficient (18), this one's by no more; 2^-1068 is for subnormals. */
+static void roots_are_roots(const double *coefficients, int degree) {
+  double p[HL_QUARTIC], roots[HL_MAX_ROOTS], greatest = 0;
+  for (int i = 0; i <= degree; ++i) {
+    p[i] = isfinite(coefficients[i]) ? coefficients[i] : 0;
+    if (fabs(p[i]) > 0x1p1000) p[i] *= 0x1p-24;
+    greatest = fmax(greatest, fabs(p[i]));
+  }
+  int count = hl_unit_roots(p, degree, roots);
+  long double noise = 32 * UNIT_ROUNDOFF * (long double)greatest + 0x1p-1068L;
+  bool ok = count >= 0 && count <= degree;
+  for (int r = 0; ok && r < count; ++r) {
+    ok = roots[r] > 0 && roots[r] < 1 && (r == 0 || roots[r] > roots[r - 1]);
+    long double before = bernstein_value(p, degree, roots[r] - 0x1p-51L),
+                after = bernstein_value(p, degree, roots[r] + 0x1p-51L);
+    ok = ok && (fabsl(bernstein_value(p, degree, roots[r])) <= noise || (before < 0) != (after < 0));
+  }
+  enum { SAMPLES = 16 };
+  double last = 0;
+  long double last_value = 0;
+  for (int i = 0; ok && i <= SAMPLES; ++i) {
+    double t = (double)i / SAMPLES;
+    long double value = bernstein_value(p, degree, t);
+    if (fabsl(value) <= noise) continue;
+    bool found = last_value == 0 || (last_value < 0) == (value < 0);
+    for (int r = 0; r < count; ++r) found = found || (roots[r] >= last - 0x1p-51 && roots[r] <= t + 0x1p-51);
+    ok = found;
+    last = t;
+    last_value = value;
+  }
+  if (ok) return;
+  print_doubles("coefficients", p, degree + 1);
+  print_doubles("roots", roots, count >= 0 && count <= HL_MAX_ROOTS ? count : 0);
+  LAW(false, "%d roots of degree %d", count, degree);
+}
+
+static void check_all_laws(void) {
+  static hl_report report;
+  double given[HL_COORDINATES], inside[3];
+  memcpy(given, element, sizeof given);
+  for (int degree = 0; degree < HL_QUARTIC; ++degree) roots_are_roots(element + 4 * degree, degree);
+  refusals_leave_outputs(&report);
+  if (expected_status(NULL) != HL_OK) return;
+  unit_exponent = element_exponent();
+  for (int axis = 0; axis < 3; ++axis) {
+    uint64_t bits;
+    memcpy(&bits, &place[axis], sizeof bits);
+    inside[axis] = place[axis] >= 0 && place[axis] <= 1 ? fabs(place[axis]) : (double)(bits >> 11) * 0x1p-53;
+  }
+  candidates_are_in_order(&report);
+  extremes_are_extreme(&report);
+  for (int f = 0; f < HL_FACES; ++f) {
+    face_is_consistent(&report, f);
+    roots_are_roots(report.faces[f].quartic, HL_QUARTIC - 1);
+  }
+  verdicts_agree(&report);
+  minima_are_the_same(&report);
+  report_is_packed(&report);
+  jacobian_is_plain(inside);
+  nothing_is_below_the_minimum(&report, inside);
+  LAW(!memcmp(given, element, sizeof given), "the input was written to");
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
+  fuzz_input input;
+  memset(&input, 0, sizeof input);
+  if (size > 0) memcpy(&input, bytes, size < sizeof input ? size : sizeof input);
+  memcpy(element, input.vertices, sizeof element);
+  memcpy(place, input.point, sizeof place);
+  for (size_t i = 0; i + 1 < sizeof input.shapes; i += 2)
+    shapes[input.shapes[i] % SHAPES](element, input.shapes[i + 1]);
+  check_all_laws();
+  return 0;
+}
+
+/* Mutations of whole doubles and of shapes; half are libFuzzer's own, of bytes. */
+
+size_t LLVMFuzzerMutate(uint8_t *bytes, size_t size, size_t max_size);
+
+static double random_double(random_stream *stream, double old) {
+  static const double special[] = {
+      0,        -0.0,      1,         0.5,       -1,     2,   1e308,    -1e308,
+      0x1p1023, 0x1p-1022, 0x1p-1074, 0x1p-1030, 1e-300, NAN, INFINITY, 0x1.fffffffffffffp-1};
+  switch (random_bits(stream) % 6) {
+  case 0: return special[random_bits(stream) % (sizeof special / sizeof special[0])];
+  case 1: return -old;
+  case 2: return old * (1 + 0x1p-52 * (double)(random_bits(stream) % 9)) - old * 0x1p-50;
+  case 3: return ldexp(old, (int)(random_bits(stream) % 129) - 64);
+  case 4: return (double)(random_bits(stream) % 9) - 4;
+  default: return random_normal(stream);
+  }
+}
+
+size_t LLVMFuzzerCustomMutator(uint8_t *bytes, size_t size, size_t max_size, unsigned seed) {
+  random_stream stream = {seed};
+  if (max_size < sizeof(fuzz_input) || random_bits(&stream) % 2) return LLVMFuzzerMutate(bytes, size, max_size);
+  fuzz_input input;
+  memset(&input, 0, sizeof input);
+  memcpy(&input, bytes, size < sizeof input ? size : sizeof input);
+  if (size < sizeof input.vertices) random_hexahedron(&stream, random_unit(&stream), input.vertices);
+  for (uint64_t changes = 1 + random_bits(&stream) % 4; changes > 0; --changes) {
+    double *x = &input.vertices[random_bits(&stream) % HL_COORDINATES];
+    switch (random_bits(&stream) % 5) {
+    case 0: input.shapes[random_bits(&stream) % sizeof input.shapes] = (uint8_t)random_bits(&stream); break;
+    case 1: input.point[random_bits(&stream) % 3] = random_unit(&stream); break;
+    case 2: *x = input.vertices[random_bits(&stream) % HL_COORDINATES]; break;
+    default: *x = random_double(&stream, *x);
+    }
+  }
+  memcpy(bytes, &input, sizeof input);
+  return sizeof input;
+}
