@@ -3,14 +3,25 @@ import { readFile } from 'node:fs/promises'
 import { loadCore } from '../core/core'
 import type { Core } from '../core/report'
 import { asDouble, decimalOf } from '../model/decimal'
+import { certification } from './certificates'
 import { MalformedInput, type NamedHexahedron, readHexahedra } from './read-hexahedra'
 
 const USAGE = `Usage: npm run -s hexlens -- analyze FILE.json
+       npm run -s hexlens -- certify FILE.json
 
 Reads a JSON list of {"name", "vertices": [[x, y, z], ... 8 points in VTK_HEXAHEDRON order]} ("-": standard input) and
 prints a JSON list of {"name", "valid", "boundary_min", "minimizer", "corner_min", "edge_min", "decided_by"}, or of
 {"name", "error"} for what cannot be analysed, in the same order. jacdet is that of the map from [0,1]^3.
+
+certify prints {"name", "vertices", "valid", ...} with a proof: docs/certificates.md says which, and
+tests/certificates/check_certificates.py checks it.
 `
+
+/** What is printed of each element, by the command's name. */
+const commands = new Map([
+  ['analyze', analysis],
+  ['certify', certification],
+])
 
 const OK = 0
 const REFUSED = 2
@@ -32,15 +43,16 @@ export async function main(args: readonly string[], streams: Streams = processSt
     streams.output.write(USAGE)
     return OK
   }
-  const [command, file, ...more] = args
-  if (command !== 'analyze' || file === undefined || more.length > 0) {
+  const [name = '', file, ...more] = args
+  const command = commands.get(name)
+  if (command === undefined || file === undefined || more.length > 0) {
     streams.errors.write(USAGE)
     return REFUSED
   }
   try {
     const hexahedra = readHexahedra(await readText(file, streams.input))
     const core = await loadCore(await readFile(new URL('../../build/hexlens.wasm', import.meta.url)))
-    const lines = hexahedra.map(hexahedron => JSON.stringify(analysis(core, hexahedron)))
+    const lines = hexahedra.map(hexahedron => JSON.stringify(command(core, hexahedron)))
     streams.output.write(lines.length === 0 ? '[]\n' : `[\n${lines.join(',\n')}\n]\n`)
     return OK
   } catch (error) {
