@@ -7,6 +7,9 @@
 
 enum { HEXAHEDRA = 10000, GRID = 24 };
 
+/* The reference rounds 2^11 times finer, at most 64 times in a row. */
+#define LONG_DOUBLE_ERROR 0x1p-5
+
 static random_stream stream = {20260303};
 
 static void sample_face(const double vertices[24], const hl_report *report, int face, double error, long number) {
@@ -18,8 +21,9 @@ static void sample_face(const double vertices[24], const hl_report *report, int 
       point[s] = (i + shift_s) / GRID;
       point[t] = (j + shift_t) / GRID;
       long double jacdet = reference_jacdet(vertices, point);
-      CHECK(jacdet >= report->minimizer.value - error, "%ld: jacdet %.17g at (%.17g, %.17g, %.17g), minimum %.17g",
-            number, (double)jacdet, point[0], point[1], point[2], report->minimizer.value);
+      CHECK(jacdet >= report->minimizer.value - report->minimum_error - LONG_DOUBLE_ERROR * error,
+            "%ld: jacdet %.17g at (%.17g, %.17g, %.17g), minimum %.17g", number, (double)jacdet, point[0], point[1],
+            point[2], report->minimizer.value);
       CHECK(jacdet <= report->maximizer.value + error, "%ld: jacdet %.17g above the maximum %.17g", number,
             (double)jacdet, report->maximizer.value);
     }
@@ -54,7 +58,7 @@ static void the_variants_and_the_queries_agree(void) {
                 !memcmp(minimizers[i]->point, minimizers[0]->point, sizeof minimizers[i]->point) &&
                 !memcmp(minimizers[i]->position, minimizers[0]->position, sizeof minimizers[i]->position),
             "%ld: %.17g against %.17g", n, minimizers[i]->value, minimizers[0]->value);
-    CHECK(verdict == report.verdict, "%ld: decide", n);
+    CHECK(verdict == report.verdict || report.verdict == HL_UNDECIDED, "%ld: decide", n);
   }
 }
 

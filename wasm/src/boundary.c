@@ -21,7 +21,7 @@
 #define VALUE_ROUNDING 12
 #define MISSED_BY_QUARTIC 3000
 
-/* Coefficients that are all smaller than this part of the permanents have lost digits: exact arithmetic has them, (M3). */
+/* Coefficients that are all smaller than this part of the permanents have lost digits: exact arithmetic has them, (M2). */
 #define LEAST_PART_OF_PERMANENT 0x1p-5
 
 static double least_of(const double *values, int count) {

@@ -1,5 +1,5 @@
 /* Branch and bound: parts of the element in Bernstein form, bounded from below by their coefficients or by a convex
-   underestimator, and given up once the bound is no longer below the least value found: docs/algorithm.md 8, (V1) to (V4). */
+   underestimator, and settled once the bound is no longer below the least value found: docs/algorithm.md 8. */
 #include "volume.h"
 #include "bernstein.h"
 #include "subdivision.h"
@@ -14,10 +14,10 @@ enum { MAX_HALVINGS = 40, MAX_STACK = 3 * MAX_HALVINGS + 2 };
 /* Parts looked at before what is left is settled by its bounds as they are: no element may hang. */
 enum { WORK_LIMIT = 100000 };
 
-/* Rounding errors of bounds, in u max|bernstein|: (V2), (V3), (V4). */
-#define VALUE_ROUNDING 24
-#define CONVEX_BOUND_ROUNDING 512
+/* Rounding errors in u max|bernstein|: of a value (V2), of the Hessian with its factors (V5) and of a tangent plane (V6). */
+#define VALUE_ROUNDING 40
 #define HESSIAN_ROUNDING 1024
+#define TANGENT_ROUNDING 1024
 
 enum { NEWTON_STEPS = 4 };
 
@@ -152,7 +152,7 @@ static void solve(const factors *f, const double g[3], double x[3]) {
 
 static double clamped_to_unit(double t) { return t < 0 ? 0 : t > 1 ? 1 : t; }
 
-/* The least value over the part of the tangent plane at the convex underestimator's minimizer, or near it: (V3). */
+/* The least value over the part of the tangent plane at the convex underestimator's minimizer, or near it: (V6). */
 static double tangent_bound(search *s, const part *p, const factors *f, double alpha) {
   double t[3] = {0.5, 0.5, 0.5}, gradient[3], step[3], value = 0;
   for (int n = 0; n <= NEWTON_STEPS; ++n) {
@@ -168,14 +168,14 @@ static double tangent_bound(search *s, const part *p, const factors *f, double a
     for (int axis = 0; axis < 3; ++axis)
       if (p->width[axis] > 0) t[axis] = clamped_to_unit(t[axis] - step[axis]);
   }
-  double bound = value - CONVEX_BOUND_ROUNDING * UNIT_ROUNDOFF * s->unit;
+  double bound = value - TANGENT_ROUNDING * UNIT_ROUNDOFF * s->unit;
   for (int axis = 0; axis < 3; ++axis)
     if (p->width[axis] > 0) bound += smaller(-gradient[axis] * t[axis], gradient[axis] * (1 - t[axis]));
   return bound;
 }
 
 /* jacdet - alpha sum t(1-t) is convex on the part if the Hessian's centre, plus 2 alpha and less its radius, is positive
-   definite; tried with alpha = 0 and, for a valley whose floor is flat, with the radius: (V3). */
+   definite; tried with alpha = 0 and, for a valley whose floor is flat, with the radius: (V4), (V5). */
 static bool settled_by_convexity(search *s, const part *p) {
   double centre[3][3], radius = 0, row[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i)
@@ -279,7 +279,7 @@ hl_volume_minimum bracketed_volume_minimum(const double bernstein[27], double er
   double gradient[3], u = UNIT_ROUNDOFF * s.unit;
   double value = value_and_gradient(&whole, s.point, gradient);
   hl_volume_minimum minimum = {
-      .lower = s.lower - error - (2 * 3 * MAX_HALVINGS + VALUE_ROUNDING) * u,
+      .lower = s.lower - error - 2 * 3 * MAX_HALVINGS * u,
       .upper = value + error + VALUE_ROUNDING * u,
   };
   for (int axis = 0; axis < 3; ++axis) minimum.point[axis] = s.point[axis];
