@@ -43,15 +43,19 @@ describe('analyze', () => {
     for (const [i, { vertices }] of cases.entries()) {
       const result = core.analyze(vertices.flat())
       if (!result.ok || result.value.exponent !== 0) continue
-      const { valid, decidedBy, boundaryMinimum, cornerMinimum, edgeMinimum, minimizer } = result.value
+      const { valid, decidedBy, boundaryMinimum, cornerMinimum, edgeMinimum, minimizer, volumeMinimum } = result.value
       expect(list[i]).toEqual({
         name: cases[i]?.name,
         valid,
         boundary_min: boundaryMinimum,
+        boundary_min_error: result.value.boundaryMinimumError,
         minimizer: { kind: minimizer.kind, id: minimizer.id, point: minimizer.point },
         corner_min: cornerMinimum,
         edge_min: edgeMinimum,
+        volume_min: [volumeMinimum.lower, volumeMinimum.upper],
+        volume_minimizer: volumeMinimum.point,
         decided_by: decidedBy,
+        checks: Object.fromEntries(result.value.checks.map(({ id, value, passes }) => [id, { value, passes }])),
       })
     }
   })

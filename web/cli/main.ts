@@ -1,7 +1,7 @@
 /** The command line: what it prints and with which exit status. tools/hexlens.mjs runs it. */
 import { readFile } from 'node:fs/promises'
 import { loadCore } from '../core/core'
-import type { Core } from '../core/report'
+import type { Check, Core } from '../core/report'
 import { asDouble, decimalOf } from '../model/decimal'
 import { certification } from './certificates'
 import { MalformedInput, type NamedHexahedron, readHexahedra } from './read-hexahedra'
@@ -10,8 +10,9 @@ const USAGE = `Usage: npm run -s hexlens -- analyze FILE.json
        npm run -s hexlens -- certify FILE.json
 
 Reads a JSON list of {"name", "vertices": [[x, y, z], ... 8 points in VTK_HEXAHEDRON order]} ("-": standard input) and
-prints a JSON list of {"name", "valid", "boundary_min", "minimizer", "corner_min", "edge_min", "decided_by"}, or of
-{"name", "error"} for what cannot be analysed, in the same order. jacdet is that of the map from [0,1]^3.
+prints a JSON list of {"name", "valid", "boundary_min", "boundary_min_error", "minimizer", "corner_min", "edge_min",
+"volume_min": [lower, upper], "volume_minimizer", "decided_by", "checks"}, or of {"name", "error"} for what cannot be
+analysed, in the same order. jacdet is that of the map from [0,1]^3.
 
 certify prints {"name", "vertices", "valid", ...} with a proof: docs/certificates.md says which, and
 tests/certificates/check_certificates.py checks it.
@@ -78,16 +79,27 @@ async function readText(file: string, input: Streams['input']): Promise<string> 
 function analysis(core: Core, { name, vertices }: NamedHexahedron): object {
   const result = core.analyze(vertices)
   if (!result.ok) return { name, error: result.error.message }
-  const { valid, decidedBy, exponent, boundaryMinimum, minimizer, cornerMinimum, edgeMinimum } = result.value
+  const report = result.value
+  const { minimizer, volumeMinimum } = report
+  const jacdet = (value: number) => jsonNumber(value, report.exponent)
   return {
     name,
-    valid,
-    boundary_min: jsonNumber(boundaryMinimum, exponent),
+    valid: report.valid,
+    boundary_min: jacdet(report.boundaryMinimum),
+    boundary_min_error: jacdet(report.boundaryMinimumError),
     minimizer: { kind: minimizer.kind, id: minimizer.id, point: minimizer.point },
-    corner_min: jsonNumber(cornerMinimum, exponent),
-    edge_min: jsonNumber(edgeMinimum, exponent),
-    decided_by: decidedBy,
+    corner_min: jacdet(report.cornerMinimum),
+    edge_min: jacdet(report.edgeMinimum),
+    volume_min: [jacdet(volumeMinimum.lower), jacdet(volumeMinimum.upper)],
+    volume_minimizer: volumeMinimum.point,
+    decided_by: report.decidedBy,
+    checks: Object.fromEntries(report.checks.map(check => [check.id, checkJson(check, jacdet)])),
   }
+}
+
+/** A scaled Jacobian is a number as it is; the others are jacdets. */
+function checkJson({ id, value, passes }: Check, jacdet: (value: number) => number | string): object {
+  return { value: id === 'corners-and-centre' ? value : jacdet(value), passes }
 }
 
 /** A number that reads back bit for bit, or a decimal string where mantissa * 2^exponent is no double. */
