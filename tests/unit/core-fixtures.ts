@@ -18,6 +18,7 @@ export interface Case {
     readonly corner_min: string
     readonly edge_min: string
     readonly scale: string
+    readonly volume_min: { readonly lower: string; readonly upper: string }
   }
 }
 
