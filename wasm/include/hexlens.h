@@ -95,7 +95,8 @@ typedef struct hl_face_report {
   hl_face_root roots[HL_MAX_ROOTS]; /* ascending in t */
 } hl_face_report;
 
-/* The least jacdet over the closed element is in [lower, upper]; at the point it is at most upper. */
+/* The least jacdet over the closed element is in [lower, upper]; at the point it is at most upper. Of an undecided report it is
+   the bracket of the boundary minimum, which is all that holds for both verdicts. */
 typedef struct hl_volume_minimum {
   double lower, upper;
   double point[3], position[3];

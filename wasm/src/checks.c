@@ -3,41 +3,49 @@
 #include "subdivision.h"
 #include "topology.h"
 
-/* A length is its number times 2^exponent. */
-typedef struct length {
-  double number;
+/* A column of DF: its vector and its length, times 2^exponent. */
+typedef struct column {
+  double vector[3], length;
   int exponent;
-} length;
+} column;
 
-/* Of a vector in the axes' own scales. Lengths need one scale; a component that underflows in it is nothing beside the others. */
-static length length_of(const double vector[3], const int axis_exponent[3]) {
+/* From a vector in the axes' own scales. A length needs one scale; a component that underflows in it is nothing beside the
+   others. */
+static column column_of(const double vector[3], const int axis_exponent[3]) {
   const int *e = axis_exponent;
   int common = e[0] > e[1] ? e[0] : e[1];
   common = e[2] > common ? e[2] : common;
-  double v[3];
-  for (int r = 0; r < 3; ++r) v[r] = times_power_of_two(vector[r], e[r] - common);
-  double greatest = greatest_magnitude(v, 3);
-  if (!(greatest > 0)) return (length){0, 0};
+  column c = {.exponent = common};
+  for (int r = 0; r < 3; ++r) c.vector[r] = times_power_of_two(vector[r], e[r] - common);
+  double greatest = greatest_magnitude(c.vector, 3);
+  if (!(greatest > 0)) return c;
   int own = binary_exponent(greatest);
-  for (int r = 0; r < 3; ++r) v[r] = times_power_of_two(v[r], -own);
-  return (length){__builtin_sqrt(dot(v, v)), common + own};
+  for (int r = 0; r < 3; ++r) c.vector[r] = times_power_of_two(c.vector[r], -own);
+  c.length = __builtin_sqrt(dot(c.vector, c.vector));
+  c.exponent += own;
+  return c;
 }
 
-/* At most 1, and not 0 however small unless jacdet is; 0 where a length is. */
-static double scaled_jacobian(double jacdet, int exponent, length u, length v, length w) {
+/* jacdet over the product of the lengths: of its exact sign, and not 0 however small unless jacdet is. It is at most 1
+   (Hadamard) unless a column is nothing but the rounding errors of the edges whose mean it is; then what those columns give
+   is as good. 0 where a length is. */
+static double scaled_jacobian(double jacdet, int exponent, const column *u, const column *v, const column *w) {
   const int least_exponent = -960;
-  double product = u.number * v.number * w.number;
+  double product = u->length * v->length * w->length, normal[3];
   if (jacdet == 0 || product == 0) return 0;
-  int own = binary_exponent(jacdet), power = exponent + own - (u.exponent + v.exponent + w.exponent);
-  double ratio = times_power_of_two(jacdet, -own) / product;
-  return times_power_of_two(ratio, power < least_exponent ? least_exponent : power);
+  int own = binary_exponent(jacdet), power = exponent + own - (u->exponent + v->exponent + w->exponent);
+  double number = times_power_of_two(jacdet, -own) / product;
+  if (power <= 0 || (power == 1 && number <= 0.5 && number >= -0.5))
+    return times_power_of_two(number, power < least_exponent ? least_exponent : power);
+  cross(u->vector, v->vector, normal);
+  return dot(normal, w->vector) / product + 0.0;
 }
 
-static length length_at_centre(const double family[2][2][3], const int axis_exponent[3]) {
-  double sum[3];
-  for (int r = 0; r < 3; ++r) sum[r] = (family[0][0][r] + family[0][1][r]) + (family[1][0][r] + family[1][1][r]);
-  length l = length_of(sum, axis_exponent);
-  return (length){l.number, l.exponent - 2};
+static column column_at_centre(const double family[2][2][3], const int axis_exponent[3]) {
+  double mean[3];
+  for (int r = 0; r < 3; ++r)
+    mean[r] = 0.25 * ((family[0][0][r] + family[0][1][r]) + (family[1][0][r] + family[1][1][r]));
+  return column_of(mean, axis_exponent);
 }
 
 /* The value at the centre of the element: the mean of the coefficients with weights 1, 2, 1 on each axis. */
@@ -50,19 +58,21 @@ static double value_at_centre(const double bernstein[27]) {
 
 double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], int exponent) {
   const int *e = edges->axis_exponent;
-  length u[2][2], v[2][2], w[2][2];
+  column u[2][2], v[2][2], w[2][2],
+      centre[3] = {column_at_centre(edges->u, e), column_at_centre(edges->v, e), column_at_centre(edges->w, e)};
   for (int m = 0; m < 2; ++m)
     for (int n = 0; n < 2; ++n) {
-      u[m][n] = length_of(edges->u[m][n], e);
-      v[m][n] = length_of(edges->v[m][n], e);
-      w[m][n] = length_of(edges->w[m][n], e);
+      u[m][n] = column_of(edges->u[m][n], e);
+      v[m][n] = column_of(edges->v[m][n], e);
+      w[m][n] = column_of(edges->w[m][n], e);
     }
-  double least = scaled_jacobian(value_at_centre(bernstein), exponent, length_at_centre(edges->u, e),
-                                 length_at_centre(edges->v, e), length_at_centre(edges->w, e));
+  double least = scaled_jacobian(value_at_centre(bernstein), exponent, &centre[0], &centre[1], &centre[2]);
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
-      for (int k = 0; k < 2; ++k)
-        least = smaller(least, scaled_jacobian(bernstein[18 * i + 6 * j + 2 * k], exponent, u[j][k], v[i][k], w[i][j]));
+      for (int k = 0; k < 2; ++k) {
+        double jacdet = bernstein[18 * i + 6 * j + 2 * k];
+        least = smaller(least, scaled_jacobian(jacdet, exponent, &u[j][k], &v[i][k], &w[i][j]));
+      }
   return least;
 }
 
