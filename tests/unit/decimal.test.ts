@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest'
 import {
   asDouble,
   decimalOf,
+  formatBound,
   formatJacdet,
   formatNumber,
   formatPoint,
@@ -119,3 +120,56 @@ describe('fractions', () => {
     expect(formatPoint([0.5, 0, 0.41999])).toBe('(1/2, 0, 0.41999)')
   })
 })
+
+describe('bounds', () => {
+  it('have two digits, rounded up, on the cube and in the units of the number they belong to', () => {
+    expect([1.7448542610765116e-13, 1.5e-13, 0.0123, 9.91e-13, 5e-324].map(x => formatBound(x, 0, 'unit'))).toEqual([
+      '1.8×10⁻¹³',
+      '1.5×10⁻¹³',
+      '0.013',
+      '1×10⁻¹²',
+      '5×10⁻³²⁴',
+    ])
+    expect(formatBound(8e-13, 0, 'biunit')).toBe('1.1×10⁻¹³')
+    expect(formatBound(1, 2000, 'unit')).toBe('1.2×10⁶⁰²')
+  })
+
+  it('are never below what they bound, and hardly above it', () => {
+    fc.assert(
+      fc.property(fc.double({ min: 1e-300, max: 1e7, noNaN: true }), value => {
+        const shown = Number(plain(formatBound(value, 0, 'unit')))
+        expect(shown).toBeGreaterThanOrEqual(value)
+        expect(shown).toBeLessThanOrEqual(value * 1.1001)
+      }),
+      { seed: 5, numRuns: 2000 },
+    )
+  })
+
+  it('and a number rounded to a side is never beyond it', () => {
+    fc.assert(
+      fc.property(fc.double({ min: -1e300, max: 1e300, noNaN: true }), value => {
+        const [down, up] = (['down', 'up'] as const).map(side =>
+          Number(plain(formatJacdet(value + 1e-9, 0, 'unit', side))),
+        ) as [number, number]
+        expect(down).toBeLessThanOrEqual(value + 1e-9)
+        expect(up).toBeGreaterThanOrEqual(value + 1e-9)
+        expect(up - down).toBeLessThanOrEqual(1.1e-4 * Math.abs(value + 1e-9))
+      }),
+      { seed: 6, numRuns: 2000 },
+    )
+    expect(formatJacdet(-0.010653409, 0, 'unit', 'up')).toBe('−0.010653')
+    expect(formatJacdet(-0.010653409, 0, 'unit', 'down')).toBe('−0.010654')
+    expect(formatJacdet(0.9999999999, 0, 'unit', 'down')).toBe('0.99999')
+    expect(formatJacdet(-0.25, 0, 'unit', 'up')).toBe('−1/4')
+  })
+})
+
+/** As JavaScript reads it. */
+function plain(text: string): string {
+  const [mantissa, power] = text.split('×10')
+  const digits = [...(power ?? '')].map(digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(digit)).map(digit => (digit < 0 ? '-' : digit))
+  const decimal = mantissa?.includes('/')
+    ? String(Number(mantissa.split('/')[0]?.replace('−', '-')) / Number(mantissa.split('/')[1]))
+    : mantissa?.replace('−', '-')
+  return power === undefined ? (decimal as string) : `${decimal}e${digits.join('')}`
+}

@@ -1,6 +1,7 @@
 /**
  * Numbers as text, the same on the page and on the command line. A jacdet is a double times 2^exponent (see report.ts) and
- * may lie far outside the doubles, so every rounding here is of the exact value, in integers: half to even, no libm.
+ * may lie far outside the doubles, so every rounding here is of the exact value, in integers: half to even unless a side is
+ * named, no libm.
  */
 import type { Vec3 } from './hexahedron'
 import type { ReferenceCube } from './state'
@@ -13,6 +14,9 @@ interface Rounded {
   readonly power: number
 }
 
+/** Where a value goes that has more digits: to the nearest text, half to even, or never below or never above itself. */
+export type Rounding = 'nearest' | 'up' | 'down'
+
 /** |value| = integer * 2^exponent, exactly. */
 interface Binary {
   readonly integer: bigint
@@ -21,6 +25,8 @@ interface Binary {
 
 /** What a number on the page is rounded to, in significant digits, but never coarser than to an integer. */
 const SHOWN_DIGITS = 5
+/** Of a bound: it says how large an error may be, not where it is. */
+const BOUND_DIGITS = 2
 /** Powers of ten of the first digit that are written without an exponent. */
 const PLAIN_POWERS = { least: -4, most: 8 }
 
@@ -54,6 +60,11 @@ export function formatNumber(value: number): string {
   return shownText(value, 0)
 }
 
+/** A bound of an error, in the units of formatJacdet: two significant digits, rounded up, so that it still is one. */
+export function formatBound(value: number, exponent: number, cube: ReferenceCube): string {
+  return written(rounded(value, exponentOn(cube, exponent), BOUND_DIGITS, 'up'))
+}
+
 /** A number to be heard: formatNumber's digits in ASCII, "-0.02083" or "3.88e-12". */
 export function speakNumber(value: number): string {
   return spoken(formatNumber(value))
@@ -78,10 +89,15 @@ export function fractionOf(value: number): string | null {
 }
 
 /** A report's jacdet, value * 2^exponent, on the reference cube chosen: a fraction where it is one, else as formatNumber. */
-export function formatJacdet(value: number, exponent: number, cube: ReferenceCube): string {
+export function formatJacdet(
+  value: number,
+  exponent: number,
+  cube: ReferenceCube,
+  rounding: Rounding = 'nearest',
+): string {
   const power = exponentOn(cube, exponent)
   const double = asDouble(value, power)
-  return (double === null ? null : fractionOf(double)) ?? shownText(value, power)
+  return (double === null ? null : fractionOf(double)) ?? shownText(value, power, rounding)
 }
 
 /** A report's jacdet to be heard: always a decimal, as speakNumber. */
@@ -94,8 +110,11 @@ function exponentOn(cube: ReferenceCube, exponent: number): number {
   return cube === 'unit' ? exponent : exponent - 3
 }
 
-function shownText(mantissa: number, exponent: number): string {
-  const { negative, digits, power } = shownDigits(mantissa, exponent)
+function shownText(mantissa: number, exponent: number, rounding: Rounding = 'nearest'): string {
+  return written(shownDigits(mantissa, exponent, rounding))
+}
+
+function written({ negative, digits, power }: Rounded): string {
   const text = digits.replace(/0+$/, '')
   if (text === '') return '0'
   const sign = negative ? '−' : ''
@@ -109,10 +128,12 @@ function shownText(mantissa: number, exponent: number): string {
   return `${sign}${whole}${fraction ? `.${fraction}` : ''}`
 }
 
-function shownDigits(mantissa: number, exponent: number): Rounded {
-  const coarse = rounded(mantissa, exponent, SHOWN_DIGITS)
+function shownDigits(mantissa: number, exponent: number, rounding: Rounding): Rounded {
+  const coarse = rounded(mantissa, exponent, SHOWN_DIGITS, rounding)
   const toUnits = coarse.power + 1
-  return toUnits > SHOWN_DIGITS && coarse.power <= PLAIN_POWERS.most ? rounded(mantissa, exponent, toUnits) : coarse
+  return toUnits > SHOWN_DIGITS && coarse.power <= PLAIN_POWERS.most
+    ? rounded(mantissa, exponent, toUnits, rounding)
+    : coarse
 }
 
 function spoken(text: string): string {
@@ -124,7 +145,8 @@ function spoken(text: string): string {
 
 const SUPERSCRIPTS = '⁰¹²³⁴⁵⁶⁷⁸⁹'
 
-function superscript(power: number): string {
+/** "⁻¹²": an exponent to be read. */
+export function superscript(power: number): string {
   const digits = [...String(Math.abs(power))].map(digit => SUPERSCRIPTS[Number(digit)]).join('')
   return power < 0 ? `⁻${digits}` : digits
 }
@@ -133,7 +155,7 @@ function signed(integer: number): string {
   return integer < 0 ? `−${-integer}` : String(integer)
 }
 
-function rounded(mantissa: number, exponent: number, count: number): Rounded {
+function rounded(mantissa: number, exponent: number, count: number, rounding: Rounding = 'nearest'): Rounded {
   const binary = binaryOf(mantissa)
   const negative = mantissa < 0
   if (binary.integer === 0n) return { negative: false, digits: '', power: 0 }
@@ -150,8 +172,9 @@ function rounded(mantissa: number, exponent: number, count: number): Rounded {
   const scaled = numerator * tens(shift)
   const unit = denominator * tens(-shift)
   let digits = scaled / unit
-  const twice = 2n * (scaled % unit)
-  if (twice > unit || (twice === unit && (digits & 1n) === 1n)) digits++
+  const rest = scaled % unit
+  const isPastHalf = 2n * rest > unit || (2n * rest === unit && (digits & 1n) === 1n)
+  if (rounding === 'nearest' ? isPastHalf : rest > 0n && negative === (rounding === 'down')) digits++
   const text = String(digits)
   return text.length > count
     ? { negative, digits: text.slice(0, count), power: power + 1 }
