@@ -9,8 +9,12 @@ it('says the vertex, the minimum, its place and the verdict as they are heard', 
   const store = createStore(vertices, null)
   store.dispatch({ type: 'select-vertex', vertex: 3 })
   const minimizer = { kind: 'face', id: 2, value: -0.03, point: [0, 0, 0], position: [0, 0, 0] } as const
-  const report = { minimizer, exponent: 0, valid: false } as unknown as Report
+  const volumeMinimum = { lower: -0.03, upper: -0.03, point: [0, 0, 0], position: [0, 0, 0] } as const
+  const known = { boundaryMinimum: -0.03, boundaryMinimumError: 0, volumeMinimum }
+  const report = { ...known, minimizer, exponent: 0, valid: false } as unknown as Report
   expect(announcement(store.state, report)).toBe('Vertex 3: 1.25, 0.5, -1. Minimum jacdet -0.03 on face 2. Invalid.')
+  const lower = { ...report, volumeMinimum: { ...volumeMinimum, lower: -0.2501, upper: -0.2499 } } as Report
+  expect(announcement(store.state, lower)).toContain('Minimum jacdet -0.03 on face 2, -0.25 inside. Invalid.')
   const onEdge = { ...report, minimizer: { ...minimizer, kind: 'edge', id: 6 } } as Report
   expect(announcement(store.state, onEdge)).toContain('-0.03 on edge 6-7.')
   store.dispatch({ type: 'show-reference-cube', referenceCube: 'biunit' })

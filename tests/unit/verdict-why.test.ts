@@ -11,13 +11,15 @@ const candidate = (kind: CandidateKind, id: number, value: number): Candidate =>
 })
 
 /** A report as far as the sentence looks at one: the numbers follow from the candidates. */
-function reportOf(candidates: readonly Candidate[], boundaryMaximum = 1): Report {
+function reportOf(candidates: readonly Candidate[], boundaryMaximum = 1, inside = Number.POSITIVE_INFINITY): Report {
   const least = (kinds: readonly CandidateKind[]) =>
     Math.min(...candidates.filter(c => kinds.includes(c.kind)).map(c => c.value))
   const boundaryMinimum = least(['vertex', 'edge', 'face'])
   return {
     valid: boundaryMinimum > 0,
     boundaryMinimum,
+    boundaryMinimumError: 0,
+    volumeMinimum: { lower: inside, upper: inside },
     boundaryMaximum,
     cornerMinimum: least(['vertex']),
     edgeMinimum: least(['vertex', 'edge']),
@@ -83,6 +85,12 @@ describe('the sentence that says why', () => {
       ),
     ).toContain('the element is collapsed')
     expect(whySentence(reportOf([...positive, candidate('face', 4, 0)]))).toContain('must be strictly positive')
+  })
+
+  it('tells an element that is negative inside alone', () => {
+    expect(whySentence(reportOf([...positive, candidate('face', 4, 0)], 1, -0.25))).toContain('yet it is inside')
+    const negative = [...positive, candidate('face', 4, -1)]
+    expect(whySentence(reportOf(negative, 1, -2))).toBe(whySentence(reportOf(negative)))
   })
 })
 

@@ -3,12 +3,17 @@ import type { Report } from '../../core/report'
 import { speakJacdet, speakNumber } from '../../model/decimal'
 import { edgeName, vertexOf } from '../../model/hexahedron'
 import type { State } from '../../model/state'
+import { approximation, lowerInside } from '../inside'
 
 export function announcement(state: State, report: Report): string {
   const vertex = vertexOf(state.vertices, state.selectedVertex).map(speakNumber).join(', ')
   const { kind, id, value } = report.minimizer
   const minimum = speakJacdet(value, report.exponent, state.referenceCube)
+  const inside = lowerInside(report)
+  const lower = inside
+    ? `, ${speakJacdet(approximation(inside).value, report.exponent, state.referenceCube)} inside`
+    : ''
   const at = kind === 'vertex' ? 'at' : 'on'
   const name = kind === 'edge' ? edgeName(id).replace('–', '-') : id
-  return `Vertex ${state.selectedVertex}: ${vertex}. Minimum jacdet ${minimum} ${at} ${kind} ${name}. ${report.valid ? 'Valid' : 'Invalid'}.`
+  return `Vertex ${state.selectedVertex}: ${vertex}. Minimum jacdet ${minimum} ${at} ${kind} ${name}${lower}. ${report.valid ? 'Valid' : 'Invalid'}.`
 }

@@ -1,20 +1,19 @@
-/** The answer in words: valid or invalid, the boundary minimum and where it is attained, and why. */
+/** The answer in words: valid or invalid, the minimum with its error bound and its place, why, and how that is certain. */
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Report } from '../../core/report'
-import { formatJacdet, formatPoint } from '../../model/decimal'
+import { formatBound, formatJacdet, formatPoint } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
 import { copyText } from '../copy-text'
+import { approximation, lowerInside } from '../inside'
 import type { CreateView, Frame, View, ViewHost } from '../view'
+import { certainBy, noLowerInside } from './certainty'
 import css from './verdict.css?inline'
 import { placeName, whySentence } from './why'
 
 export const verdictStyles = css
 
-const CERTAIN_BY: Readonly<Record<Report['decidedBy'], string>> = {
-  filter: 'error bounds',
-  exact: 'exact arithmetic',
-}
+const BOUND_MEANS = 'The exact minimum is at most this far from the computed one, of which fewer digits are shown.'
 
 class VerdictView implements View {
   readonly root = document.createElement('section')
@@ -39,18 +38,26 @@ class VerdictView implements View {
   dispose(): void {}
 
   #verdict(report: Report, cube: ReferenceCube): TemplateResult {
-    const { minimizer, valid } = report
-    const jacdet = (value: number) => signed(value, formatJacdet(value, report.exponent, cube))
-    return html`<div class="headline"><p class=${valid ? 'word valid' : 'word negative'}>${valid ? 'VALID' : 'INVALID'}</p>
-        <p class="minimum">min J = ${jacdet(report.boundaryMinimum)}</p>
-      </div>
+    const { minimizer, valid, boundaryMinimum, boundaryMinimumError } = report
+    const inside = lowerInside(report)
+    const minimum = (value: number, error: number, where: string) => {
+      const jacdet = signed(value, formatJacdet(value, report.exponent, cube))
+      return html`<p class="minimum">min J = ${jacdet} ${bound(error, report.exponent, cube)} ${where && html`<span class="where">${where}</span>`}</p>`
+    }
+    return html`<p class=${valid ? 'word valid' : 'word negative'}>${valid ? 'VALID' : 'INVALID'}</p>
+      ${minimum(boundaryMinimum, boundaryMinimumError, inside ? 'on the boundary' : '')}
       ${this.#place(`${placeName(minimizer)} (ξ, η, ζ)`, minimizer.point, 'reference coordinates')}
       ${this.#place('(x, y, z)', minimizer.position, 'physical coordinates')}
+      ${
+        inside && [
+          minimum(approximation(inside).value, approximation(inside).error, 'inside'),
+          this.#place('at (ξ, η, ζ)', inside.point, 'reference coordinates of the minimum inside'),
+        ]
+      }
       <p class="why">${unbrokenNames(whySentence(report))}</p>
       <dl>
-        <div><dt>Least vertex value</dt><dd>${jacdet(report.cornerMinimum)}</dd></div>
-        <div><dt>Least edge value</dt><dd>${jacdet(report.edgeMinimum)}</dd></div>
-        <div><dt>Certain by</dt><dd>${CERTAIN_BY[report.decidedBy]}</dd></div>
+        ${!valid && !inside ? html`<div><dt>Inside</dt><dd>${noLowerInside(report, cube)}</dd></div>` : ''}
+        <div><dt>Certain by</dt><dd>${certainBy(report, cube)}</dd></div>
       </dl>`
   }
 
@@ -82,6 +89,12 @@ const noVerdict = html`<p class="word">NO VERDICT</p>
 /** The names of edges stay on one line each: every second part is one. */
 function unbrokenNames(sentence: string): (TemplateResult | string)[] {
   return sentence.split(/(\d–\d)/).map((part, i) => (i % 2 === 1 ? html`<span class="name">${part}</span>` : part))
+}
+
+/** "± 1.8×10⁻¹³"; nothing for an exact value. */
+function bound(error: number, exponent: number, cube: ReferenceCube): TemplateResult | string {
+  if (error === 0) return ''
+  return html`<span class="bound" title=${BOUND_MEANS}>±\u00a0${formatBound(error, exponent, cube)}</span>`
 }
 
 /** A negative jacdet has its hue in prose too; its minus sign says the same. */

@@ -1,6 +1,7 @@
 /** One plain sentence for why a report is valid or invalid: the first of vertices, edges and faces that fails. */
 import type { Candidate, CandidateKind, Report } from '../../core/report'
 import { edgeName, faces, VERTEX_COUNT } from '../../model/hexahedron'
+import { lowerInside } from '../inside'
 
 /** "3", "0–1" or "−ζ". */
 function partName(kind: CandidateKind, id: number): string {
@@ -17,6 +18,9 @@ export function placeName({ kind, id }: Pick<Candidate, 'kind' | 'id'>): string 
 export function whySentence(report: Report): string {
   if (report.valid) {
     return 'The jacdet is positive on all six faces, so it is positive everywhere (Knupp’s conjecture, now a theorem).'
+  }
+  if (report.boundaryMinimum === 0 && lowerInside(report)) {
+    return 'The jacdet is nowhere negative on the boundary, yet it is inside: the theorem needs a positive boundary, zero is not enough.'
   }
   if (report.boundaryMaximum < 0) {
     return 'The jacdet is negative on the whole boundary: the element is inside out; another vertex order may be meant.'
