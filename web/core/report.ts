@@ -64,7 +64,7 @@ export interface VolumeMinimum {
   readonly position: Vec3
 }
 
-/** What other programs look at: web/core/checks.ts says who and how. */
+/** What other programs look at: web/content/checks.ts says who and how. */
 export type CheckId = 'corners' | 'corners-and-centre' | 'gauss-2' | 'gauss-3' | 'edges' | 'bernstein' | 'subdivision'
 
 export interface Check {
