@@ -401,14 +401,29 @@ describe('one hundred tampered certificates', () => {
   ]
 
   const tampered: { what: string; text: string }[] = []
-  for (let n = 0; tampered.length < 98; ++n) {
+  for (let n = 0; tampered.length < 95; ++n) {
     const [what, from, change] = entry(tamperings, n % tamperings.length)
     const copy = structuredClone(oneOf(from))
     if (!change(copy)) continue
     const text = JSON.stringify(copy)
     if (tampered.every(other => other.text !== text)) tampered.push({ what, text })
   }
-  // jacdet = (1 - zeta/2)^2 is zero at zeta = 2 as it says, which is not in the cube.
+  const byHand = (what: string, certificate: object) => tampered.push({ what, text: JSON.stringify(certificate) })
+  const box = [0, 1, 2, 3, 4, 5, 6, 7].map(v => unitCube.slice(3 * v, 3 * v + 3))
+  byHand('a true value that is positive', {
+    name: 'cube',
+    vertices: box,
+    valid: false,
+    point: ['0', '0', '0'],
+    jacdet: '1',
+  })
+  // With the vertices of one zeta-edge across the diagonal jacdet is -1/4 on it and affine in xi and eta, of slopes 5/8.
+  const everywhere = (by: string) => Array.from({ length: 6 }, () => [{ t: ['0', '1'], by }])
+  const dented = (corner: number, to: number) =>
+    box.map(([x, y, z]) => (x === corner && y === corner ? [to, to, z] : [x, y, z]))
+  byHand('an edge at s = 0', { name: 'dent', vertices: dented(0, 5 / 8), valid: true, faces: everywhere('b') })
+  byHand('an edge at s = 1', { name: 'dent', vertices: dented(1, 3 / 8), valid: true, faces: everywhere('2a+b') })
+  // jacdet = (2 - zeta)^2 is zero at zeta = 2 as it says, which is not in the cube.
   const frustum = [
     [0, 0, 0],
     [2, 0, 0],
@@ -419,8 +434,13 @@ describe('one hundred tampered certificates', () => {
     [1, 1, 1],
     [0, 1, 1],
   ]
-  const outside = { name: 'frustum', vertices: frustum, valid: false, point: ['0', '0', '2'], jacdet: '0' }
-  tampered.push({ what: 'a true value outside the cube', text: JSON.stringify(outside) })
+  byHand('a true value outside', {
+    name: 'frustum',
+    vertices: frustum,
+    valid: false,
+    point: ['0', '0', '2'],
+    jacdet: '0',
+  })
   const huge = JSON.stringify(oneOf(all))
     .replace('"vertices":[[', '"vertices":[[1e999,')
     .replace(/(1e999,)[^,]*,/, '$1')
@@ -428,7 +448,7 @@ describe('one hundred tampered certificates', () => {
 
   it('of every kind are each refused, with a sentence', () => {
     expect(tampered.length).toBe(100)
-    expect(new Set(tampered.map(({ what }) => what)).size).toBe(tamperings.length + 2)
+    expect(new Set(tampered.map(({ what }) => what)).size).toBe(tamperings.length + 5)
     expect(checked(JSON.stringify(all))).toEqual(holding(all))
     const { status, output, errors } = checked(`[${tampered.map(({ text }) => text).join()}]`)
     expect([status, errors]).toEqual([1, ''])
