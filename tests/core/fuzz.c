@@ -202,7 +202,10 @@ static void is_in_its_place(const hl_candidate *c, const char *what) {
 
 /* det DF has 8 roundings in each of its columns' components, of size 1, and 6 products of three with 5 roundings: at most
    6 * (3 * 8 + 5) u < 200 u; a candidate's value is within the 448 u of (F1). */
-static const double point_value_error = (200 + 448) * UNIT_ROUNDOFF;
+static const double jacobian_error = 200 * UNIT_ROUNDOFF, point_value_error = (200 + 448) * UNIT_ROUNDOFF;
+
+/* Sums of coefficients with weights of sum 1 add their roundings to the coefficients' 461 u: 1000 u are enough. */
+static const double coefficient_slack = 1000 * UNIT_ROUNDOFF;
 
 static double jacdet_in_scaled_units(const double point[3]) {
   hl_jacobian jacobian;
@@ -275,25 +278,52 @@ static void face_is_consistent(const hl_report *report, int f) {
       LAW(report->candidates[i].value >= face->lower_bound, "face %d: candidate below its bound", f);
 }
 
-/* The least candidate on a face is at most 3000 u max|beta| above its computed coefficients' least value, docs/algorithm.md
-   4, and those are within the 215 u of (8). Of a valid element the same holds inside. */
+/* On the boundary, and inside of a valid element, beyond the error the minimum comes with. */
 static void nothing_is_below_the_minimum(const hl_report *report, const double inside[3]) {
-  double minimum = in_scaled_units(report->minimizer.value, report->exponent), greatest = 0;
+  double minimum = in_scaled_units(report->minimizer.value, report->exponent);
+  double least = minimum - in_scaled_units(report->minimum_error, report->exponent) - jacobian_error;
+  LAW(report->minimum_error >= 0, "error of the minimum %a", report->minimum_error);
   for (int f = 0; f < HL_FACES; ++f) {
-    double largest = 0, point[3];
-    for (int i = 0; i < HL_FACE_BERNSTEIN; ++i)
-      largest = fmax(largest, fabs(in_scaled_units(report->faces[f].bernstein[i], report->exponent)));
-    greatest = fmax(greatest, largest);
-    memcpy(point, inside, sizeof point);
+    double point[3] = {inside[0], inside[1], inside[2]};
     point[f / 2] = f % 2;
     double value = jacdet_in_scaled_units(point);
-    LAW(value >= minimum - 3000 * UNIT_ROUNDOFF * largest - point_value_error, "face %d: %a is below the minimum %a", f,
-        value, minimum);
+    LAW(value >= least, "face %d: %a is below the minimum %a", f, value, minimum);
   }
-  if (report->verdict != HL_VALID) return;
   double value = jacdet_in_scaled_units(inside);
-  LAW(value >= minimum - 3000 * UNIT_ROUNDOFF * greatest - point_value_error, "valid, but %a is below the minimum %a",
-      value, minimum);
+  LAW(report->verdict != HL_VALID || value >= least, "valid, but %a is below the minimum %a", value, minimum);
+}
+
+/* The minimum over the element is at most that over its boundary, and the same if it is valid. `slack`, in scaled units, is for
+   what jacdet at a point is off by, and the coefficients beyond the error they were given with. */
+static void volume_minimum_is_bracketed(const hl_report *report, const double inside[3], double slack) {
+  const hl_volume_minimum *volume = &report->volume_minimum;
+  double lower = in_scaled_units(volume->lower, report->exponent);
+  double upper = in_scaled_units(volume->upper, report->exponent);
+  double minimum = in_scaled_units(report->minimizer.value, report->exponent);
+  double error = in_scaled_units(report->minimum_error, report->exponent) + slack;
+  for (int axis = 0; axis < 3; ++axis)
+    LAW(volume->point[axis] >= 0 && volume->point[axis] <= 1, "volume minimum at %a", volume->point[axis]);
+  is_in_bounding_box(volume->position, "volume minimum");
+  LAW(volume->lower <= volume->upper, "volume minimum from %a to %a", lower, upper);
+  LAW(lower <= minimum + error, "volume minimum from %a, above the boundary's %a", lower, minimum);
+  LAW(report->verdict != HL_VALID || upper >= minimum - error, "valid, but the volume minimum is at most %a", upper);
+  double there = jacdet_in_scaled_units(volume->point), elsewhere = jacdet_in_scaled_units(inside);
+  LAW(there <= upper + slack, "volume minimum up to %a, but %a at its point", upper, there);
+  LAW(elsewhere >= lower - slack, "volume minimum from %a, but %a at a point", lower, elsewhere);
+  for (int check = HL_CHECK_GAUSS_2; check <= HL_CHECK_GAUSS_3; ++check) {
+    double least = in_scaled_units(report->checks[check], report->exponent);
+    LAW(least >= lower - coefficient_slack, "volume minimum from %a, but %a at a Gauss point", lower, least);
+  }
+}
+
+static void checks_are_what_they_say(const hl_report *report) {
+  const double *checks = report->checks;
+  double least = INFINITY, error = ldexp(coefficient_slack, unit_exponent - report->exponent);
+  for (int i = 0; i < HL_BERNSTEIN; ++i) least = fmin(least, report->bernstein[i]);
+  LAW(checks[HL_CHECK_CORNERS] == report->corner_minimum && checks[HL_CHECK_EDGES] == report->edge_minimum &&
+          checks[HL_CHECK_BERNSTEIN] == least,
+      "a check of corners, edges or coefficients is not their minimum");
+  LAW(checks[HL_CHECK_SUBDIVISION] >= least - error, "subdivision ends at %a", checks[HL_CHECK_SUBDIVISION]);
 }
 
 static void verdicts_agree(const hl_report *report) {
@@ -326,16 +356,46 @@ static void minima_are_the_same(const hl_report *report) {
       m->minimizer.value, m->exponent);
 }
 
-/* Plain numbers within the given space, and the same whatever the output held before. */
-static void report_is_packed(const hl_report *report) {
+/* Plain numbers within the given space. */
+static size_t packed_report(const hl_report *report, double packed[HL_PACKED_REPORT]) {
+  size_t length = hl_pack_report(report, packed);
+  LAW(length <= HL_PACKED_REPORT, "%zu doubles for %d", length, (int)HL_PACKED_REPORT);
+  for (size_t i = 0; i < length; ++i) LAW(is_plain(packed[i]), "packed number %zu is %a", i, packed[i]);
+  return length;
+}
+
+static void report_is_reproducible(const hl_report *report) {
   static double packed[HL_PACKED_REPORT], again[HL_PACKED_REPORT];
   static hl_report other;
   memset(&other, 0xa5, sizeof other);
   LAW(hl_analyze(element, &other) == HL_OK, "analyze refuses the second time");
-  size_t length = hl_pack_report(report, packed), second = hl_pack_report(&other, again);
-  LAW(length <= HL_PACKED_REPORT, "%zu doubles for %d", length, (int)HL_PACKED_REPORT);
+  size_t length = packed_report(report, packed), second = packed_report(&other, again);
   LAW(length == second && !memcmp(packed, again, length * sizeof(double)), "a report depends on what was there before");
-  for (size_t i = 0; i < length; ++i) LAW(is_plain(packed[i]), "packed number %zu is %a", i, packed[i]);
+}
+
+/* The report's own coefficients, normalized as they are wanted and taken for exact. */
+static void coefficients_give_the_same(const hl_report *report, const double inside[3]) {
+  static double packed[HL_PACKED_REPORT];
+  static hl_report other;
+  double bernstein[HL_BERNSTEIN], greatest = 0;
+  int exponent = 0;
+  for (int i = 0; i < HL_BERNSTEIN; ++i) greatest = fmax(greatest, fabs(report->bernstein[i]));
+  frexp(greatest, &exponent);
+  for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = ldexp(report->bernstein[i], -exponent) + 0.0;
+  memset(&other, 0xa5, sizeof other);
+  LAW(hl_analyze_coefficients(element, bernstein, report->exponent + exponent, UNIT_ROUNDOFF, HL_INVALID, &other) ==
+          HL_OK,
+      "coefficients refused");
+  packed_report(&other, packed);
+  is_in_its_place(&other.minimizer, "minimizer from coefficients");
+  /* In units of the greatest coefficient, both are off by the 3000 u of docs/algorithm.md 4 at most; where coefficients are
+     subnormal in scaled units, those of the report by some 2^-1074 besides. */
+  int unit = report->exponent + exponent;
+  double one = ldexp(other.minimizer.value, other.exponent - unit), two = ldexp(report->minimizer.value, -exponent);
+  LAW(other.verdict == HL_INVALID, "the verdict is not as given");
+  volume_minimum_is_bracketed(&other, inside, coefficient_slack);
+  LAW(fabs(one - two) <= 3000 * UNIT_ROUNDOFF + ldexp(1, unit_exponent - unit - 1062),
+      "from coefficients the minimum is %a, not %a", one, two);
 }
 
 static void jacobian_is_plain(const double point[3]) {
@@ -360,7 +420,7 @@ static hl_status expected_status(const double *point) {
   return HL_OK;
 }
 
-/* The right status from all four, and outputs as they were wherever it is a refusal. */
+/* The right status from all, and outputs as they were wherever it is a refusal. */
 static void refusals_leave_outputs(hl_report *report) {
   static hl_report report_before;
   hl_minimum minimum, minimum_before;
@@ -374,6 +434,11 @@ static void refusals_leave_outputs(hl_report *report) {
   memcpy(&jacobian_before, &jacobian, sizeof jacobian);
   hl_status status = expected_status(NULL), point_status = expected_status(place);
   LAW(hl_analyze(element, report) == status, "analyze: not status %d", (int)status);
+  const double no_coefficients[HL_BERNSTEIN] = {status == HL_OK ? NAN : 0};
+  hl_report untouched = report_before;
+  LAW(hl_analyze_coefficients(element, no_coefficients, 0, 0, HL_VALID, &untouched) == HL_NOT_FINITE &&
+          !memcmp(&untouched, &report_before, sizeof untouched),
+      "coefficients: not refused, or output touched");
   LAW(hl_decide(element, &verdict) == status, "decide: not status %d", (int)status);
   LAW(hl_boundary_minimum(element, HL_ROOTS_B, &minimum) == status, "minimum: not status %d", (int)status);
   LAW(hl_jacobian_at(element, place, &jacobian) == point_status, "jacobian: not status %d", (int)point_status);
@@ -450,9 +515,12 @@ static void check_all_laws(void) {
   }
   verdicts_agree(&report);
   minima_are_the_same(&report);
-  report_is_packed(&report);
+  report_is_reproducible(&report);
+  coefficients_give_the_same(&report, inside);
   jacobian_is_plain(inside);
   nothing_is_below_the_minimum(&report, inside);
+  if (report.verdict != HL_UNDECIDED) volume_minimum_is_bracketed(&report, inside, jacobian_error);
+  checks_are_what_they_say(&report);
   LAW(!memcmp(given, element, sizeof given), "the input was written to");
 }
 
