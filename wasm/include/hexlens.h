@@ -9,7 +9,7 @@
  * jacdet is det DF of the trilinear map F from [0,1]^3 (length^3; on [-1,1]^3 it is an eighth). Every jacdet handed
  * out is its number times 2^exponent, with exponent 0 whenever all of them are normal doubles (or zero) as they are.
  * No function allocates, keeps state or writes through its input; outputs may not overlap inputs. The arithmetic is
- * IEEE double, + - * / and exact powers of two only, rounded to nearest with subnormals kept, as C has it by default and
+ * IEEE double, + - * / sqrt and exact powers of two only, rounded to nearest with subnormals kept, as C has it by default and
  * WebAssembly always: the same bits everywhere. Formulas: docs/algorithm.md.
  */
 #ifndef HEXLENS_H
