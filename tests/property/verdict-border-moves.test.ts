@@ -1,0 +1,12 @@
+/** Part of the hexahedra on which verdicts are checked by certificates: the border met by moving one vertex. */
+import { describe, it } from 'vitest'
+import { CROSSING_SIZE } from './border'
+import { CROSSINGS, expectVerdictLawAtBorder, TIMEOUT } from './verdict-law'
+
+const COUNT = CROSSINGS.moves * CROSSING_SIZE
+
+describe('verdicts are certain and certified', () => {
+  it(`on ${COUNT} hexahedra where a moving vertex meets the border`, { timeout: TIMEOUT }, () =>
+    expectVerdictLawAtBorder(CROSSINGS.moves, 'vertex', 'coordinate'),
+  )
+})

@@ -1,0 +1,35 @@
+/** Half of the hexahedra on which verdicts are checked by certificates; the verdict-border tests have the other half. */
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { FAMILIES, type Family, families } from './hexahedra'
+import { replayed } from './replay'
+import { emptyTally, holdsVerdictLaw, TIMEOUT } from './verdict-law'
+
+const EACH = 10_000
+
+/** Those with exact zeros take longer. */
+const countOf = (family: Family) => (family === 'touched' ? 2000 : EACH)
+
+/** At least so many of each verdict, and decided by exact arithmetic. */
+const LEAST: Readonly<Record<Family, { valid: number; invalid: number; exact: number }>> = {
+  displaced: { valid: 1000, invalid: 1000, exact: 0 },
+  raw: { valid: 1000, invalid: 1000, exact: 5 },
+  scaled: { valid: 1000, invalid: 1000, exact: 0 },
+  'small-integers': { valid: 1000, invalid: 1000, exact: 100 },
+  degenerate: { valid: 1000, invalid: 1000, exact: 1000 },
+  touched: { valid: 40, invalid: 1000, exact: 600 },
+}
+
+describe('verdicts are certain and certified', () => {
+  for (const family of FAMILIES)
+    it(`on ${countOf(family)} hexahedra, ${family}`, { timeout: TIMEOUT }, () => {
+      const tally = emptyTally()
+      fc.assert(
+        fc.property(families[family], vertices => holdsVerdictLaw(vertices, tally)),
+        replayed(countOf(family)),
+      )
+      expect(tally.total).toBeGreaterThanOrEqual(countOf(family))
+      for (const [what, least] of Object.entries(LEAST[family]))
+        expect(tally[what as keyof (typeof LEAST)[Family]], what).toBeGreaterThanOrEqual(least)
+    })
+})
