@@ -323,6 +323,8 @@ static void checks_are_what_they_say(const hl_report *report) {
   LAW(checks[HL_CHECK_CORNERS] == report->corner_minimum && checks[HL_CHECK_EDGES] == report->edge_minimum &&
           checks[HL_CHECK_BERNSTEIN] == least,
       "a check of corners, edges or coefficients is not their minimum");
+  LAW(fabs(checks[HL_CHECK_CORNERS_AND_CENTRE]) <= 1 + 0x1p-48, "scaled Jacobian %a",
+      checks[HL_CHECK_CORNERS_AND_CENTRE]);
   LAW(checks[HL_CHECK_SUBDIVISION] >= least - error, "subdivision ends at %a", checks[HL_CHECK_SUBDIVISION]);
 }
 

@@ -30,13 +30,15 @@ static column column_of(const double vector[3], const int axis_exponent[3]) {
    (Hadamard) unless a column is nothing but the rounding errors of the edges whose mean it is; then what those columns give
    is as good. 0 where a length is. */
 static double scaled_jacobian(double jacdet, int exponent, const column *u, const column *v, const column *w) {
-  const int least_exponent = -960;
+  const int least_exponent = -960, greatest_exponent = 3; /* beyond, the ratio is above 2^4 / 2 / 3^1.5 > 1 */
   double product = u->length * v->length * w->length, normal[3];
   if (jacdet == 0 || product == 0) return 0;
   int own = binary_exponent(jacdet), power = exponent + own - (u->exponent + v->exponent + w->exponent);
-  double number = times_power_of_two(jacdet, -own) / product;
-  if (power <= 0 || (power == 1 && number <= 0.5 && number >= -0.5))
-    return times_power_of_two(number, power < least_exponent ? least_exponent : power);
+  if (power <= greatest_exponent) {
+    double number = times_power_of_two(jacdet, -own) / product;
+    double ratio = times_power_of_two(number, power < least_exponent ? least_exponent : power);
+    if (ratio <= 1 && ratio >= -1) return ratio;
+  }
   cross(u->vector, v->vector, normal);
   return dot(normal, w->vector) / product + 0.0;
 }
