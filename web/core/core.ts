@@ -1,5 +1,6 @@
 /** Loads the C core and is the only place that sees its memory. The contracts are those of wasm/include/hexlens.h. */
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import { type Certificate, certify } from './exact/certificate'
 import { roundedJacdet } from './exact/exact-jacdet'
 import { exactBoundary } from './exact/exact-minimum'
 import { exactReport } from './exact/exact-report'
@@ -92,9 +93,15 @@ export async function loadCore(bytes: BufferSource): Promise<Core> {
     return result.ok ? { ok: true, value: result.value ?? exactBoundarySign(vertices) > 0 } : result
   }
 
+  function certificate(vertices: Vertices): Result<Certificate> {
+    const result = isValid(vertices)
+    return result.ok ? { ok: true, value: certify(vertices) } : result
+  }
+
   return {
     analyze,
     isValid,
+    certificate,
     boundaryMinimum: (vertices, variant) =>
       answer(
         vertices,

@@ -5,6 +5,7 @@
  * times 2^exponent; `exponent` is 0 unless some value of this element lies outside the doubles' normal range.
  */
 import type { Vec3, Vertices } from '../model/hexahedron'
+import type { Certificate } from './exact/certificate'
 
 export type CandidateKind = 'vertex' | 'edge' | 'face'
 
@@ -131,6 +132,8 @@ export interface Core {
   isValid(vertices: Vertices): Result<boolean>
   /** Boundary minimum in doubles by Algorithm 1 with (`roots-b`) or without (`roots`) the Bernstein face bounds. */
   boundaryMinimum(vertices: Vertices, variant: 'roots' | 'roots-b'): Result<{ minimizer: Candidate; exponent: number }>
+  /** A proof of the verdict that anyone can check: docs/certificates.md. */
+  certificate(vertices: Vertices): Result<Certificate>
   /** `point` must lie in [0,1]^3. */
   jacobian(vertices: Vertices, point: Vec3): Result<JacobianReport>
 }
