@@ -14,7 +14,7 @@ import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import type { Action } from '../model/state'
 import { createStore, type Store } from '../model/store'
-import type { Problem, View, ViewHost } from '../views/view'
+import type { Problem, Proof, View, ViewHost } from '../views/view'
 import { fetchCore } from './fetch-core'
 import css from './hex-lens.css?inline'
 import { HexLensError } from './hex-lens-error'
@@ -38,6 +38,7 @@ export class HexLens extends HTMLElement {
   #drawn: Vertices | null = null
   #core: Core | null = null
   #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
+  #proof: Proof | null = null
   #toldValid: boolean | null = null
   #views: readonly View[] = []
   /** Parts to be made in the next frame, in the one after it, … */
@@ -174,11 +175,22 @@ export class HexLens extends HTMLElement {
     this.#unmade = later
   }
 
+  /** The proof follows the vertices between gestures; nothing is computed while it is closed. */
+  #prove(): void {
+    const { vertices, gestureStart, proofShown } = this.#store.state
+    if (!proofShown || this.#analyzed === null) this.#proof = null
+    else if (this.#core && this.#proof?.vertices !== vertices && (this.#proof === null || gestureStart === null)) {
+      const result = this.#core.certificate(vertices)
+      this.#proof = result.ok ? { vertices, certificate: result.value } : null
+    }
+  }
+
   readonly #draw = (): void => {
     this.#frameRequest = 0
     this.#make()
     const report = this.report
-    const frame = { state: this.#store.state, report, problems: [...this.#problems.values()] }
+    this.#prove()
+    const frame = { state: this.#store.state, report, proof: this.#proof, problems: [...this.#problems.values()] }
     for (const view of this.#views) {
       try {
         view.update(frame)

@@ -1,5 +1,6 @@
 /** What the element shows. A new view is one entry here. */
 import { announcerStyles, createAnnouncer } from '../views/announcer/announcer'
+import { certificateStyles, createCertificate } from '../views/certificate/certificate'
 import { checksStyles, createChecks } from '../views/checks/checks'
 import { createProblems, problemsStyles } from '../views/problems/problems'
 import { createScene, sceneStyles } from '../views/scene/scene'
@@ -20,6 +21,7 @@ export const parts: readonly Part[] = [
   { place: 'head', create: createToolbar, styles: toolbarStyles },
   { place: 'head', create: createProblems, styles: problemsStyles },
   { place: 'panel', create: createVerdict, styles: verdictStyles },
+  { place: 'panel', create: createCertificate, styles: certificateStyles },
   { place: 'panel', create: createChecks, styles: checksStyles },
   { place: 'panel', create: createVertices, styles: verticesStyles },
   { place: 'panel', create: createAnnouncer, styles: announcerStyles },

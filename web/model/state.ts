@@ -18,6 +18,8 @@ export interface State {
   readonly gestureStart: Vertices | null
   readonly referenceCube: ReferenceCube
   readonly faceDisplay: FaceDisplay
+  /** Whether the proof of the verdict is wanted. */
+  readonly proofShown: boolean
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
@@ -39,5 +41,6 @@ export type Action =
   | { readonly type: 'select-vertex'; readonly vertex: number }
   | { readonly type: 'show-reference-cube'; readonly referenceCube: ReferenceCube }
   | { readonly type: 'show-faces'; readonly faceDisplay: FaceDisplay }
+  | { readonly type: 'show-proof'; readonly proofShown: boolean }
 
 export type Dispatch = (action: Action) => void

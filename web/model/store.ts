@@ -33,7 +33,7 @@ interface Snapshot {
   readonly start: Vertices
 }
 
-type Shown = Pick<State, 'selectedVertex' | 'referenceCube' | 'faceDisplay'>
+type Shown = Pick<State, 'selectedVertex' | 'referenceCube' | 'faceDisplay' | 'proofShown'>
 
 /** A store that starts at these vertices, which are also what reset goes back to. Throws RangeError unless 24 finite numbers. */
 export function createStore(vertices: Vertices, preset: string | null): Store {
@@ -42,7 +42,7 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
   let past: readonly Snapshot[] = []
   let future: readonly Snapshot[] = []
   let gestureStart: Snapshot | null = null
-  let shown: Shown = { selectedVertex: 0, referenceCube: 'unit', faceDisplay: 'opaque' }
+  let shown: Shown = { selectedVertex: 0, referenceCube: 'unit', faceDisplay: 'opaque', proofShown: false }
   let state = currentState()
 
   function currentState(): State {
@@ -147,6 +147,9 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
       case 'show-faces':
         if (typeof action.faceDisplay === 'number') checkIndex(action.faceDisplay, faces.length, 'face')
         shown = { ...shown, faceDisplay: action.faceDisplay }
+        break
+      case 'show-proof':
+        shown = { ...shown, proofShown: action.proofShown }
         break
     }
   }

@@ -1,5 +1,7 @@
 /** The one contract between the element and its views: they receive a frame and draw it; they emit actions, nothing else. */
+import type { Certificate } from '../core/exact/certificate'
 import type { Report } from '../core/report'
+import type { Vertices } from '../model/hexahedron'
 import type { Dispatch, State } from '../model/state'
 
 /** Something that keeps the page from its full work, as a sentence for people. */
@@ -8,10 +10,18 @@ export interface Problem {
   readonly message: string
 }
 
+/** A certificate and what it is of: while a gesture runs, the element as it was before. */
+export interface Proof {
+  readonly vertices: Vertices
+  readonly certificate: Certificate
+}
+
 /** One frame's truth. `report` belongs to `state.vertices`; it is null only while the core is loading or could not start. */
 export interface Frame {
   readonly state: State
   readonly report: Report | null
+  /** Null unless `state.proofShown`, and where there is no report. */
+  readonly proof: Proof | null
   readonly problems: readonly Problem[]
 }
 

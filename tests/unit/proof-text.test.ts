@@ -1,0 +1,75 @@
+/** How a proof is shown: long numbers cut, neighbouring intervals taken together. */
+import { describe, expect, it } from 'vitest'
+import { type CertifiedInterval, certify } from '../../web/core/exact/certificate'
+import { createStore } from '../../web/model/store'
+import { fullText, rationalText, roundedText } from '../../web/views/certificate/rational-text'
+import { runsOf } from '../../web/views/certificate/runs'
+import { cases, core, depthGuardCases, entry, unitCube } from './core-fixtures'
+
+const rational = (numerator: bigint, denominator = 1n) => ({ numerator, denominator })
+
+describe('a rational number', () => {
+  it('is shown whole where it is short', () => {
+    expect([rational(0n), rational(-9n, 64n), rational(5n, 7n), rational(-4053n)].map(rationalText)).toEqual([
+      '0',
+      '−9/64',
+      '5/7',
+      '−4053',
+    ])
+    expect(roundedText(rational(-9n, 64n))).toBe('')
+  })
+
+  it('is cut in the middle where it is long, and then said rounded too', () => {
+    const long = rational(-(12345n * 10n ** 30n + 6789n), 1n << 160n)
+    expect(rationalText(long)).toBe('−1234…6789/2¹⁶⁰')
+    expect(roundedText(long)).toBe(' ≈ −8.4468×10⁻¹⁵')
+    expect(rationalText(rational(-39n, 1n << 60n))).toBe('−39/2⁶⁰')
+    expect(roundedText(rational(-39n, 1n << 60n))).toBe(' ≈ −3.3827×10⁻¹⁷')
+    expect(rationalText(rational(1n, 3n ** 40n))).toBe('1/1215…8801')
+    expect(fullText(rational(-39n, 1n << 60n))).toBe('-39/1152921504606846976')
+  })
+})
+
+describe('the intervals of a face', () => {
+  it('are taken together where neighbours have one reason, and none is lost', () => {
+    for (const { vertices } of [...cases, ...depthGuardCases]) {
+      const certificate = certify(vertices.flat())
+      if (!certificate.valid) continue
+      for (const intervals of certificate.faces) {
+        const runs = runsOf(intervals)
+        expect(runs.reduce((sum, { count }) => sum + count, 0)).toBe(intervals.length)
+        expect(runs[0]?.from).toEqual(intervals[0]?.from)
+        expect(runs.at(-1)?.to).toEqual(intervals.at(-1)?.to)
+        for (const [i, run] of runs.entries()) if (i > 0) expect(run.by).not.toBe(entry(runs, i - 1).by)
+      }
+    }
+    const half = rational(1n, 2n)
+    const two: CertifiedInterval[] = [
+      { from: rational(0n), to: half, by: 'b' },
+      { from: half, to: rational(1n), by: 'D' },
+    ]
+    expect(runsOf(two).map(({ by, count }) => [by, count])).toEqual([
+      ['b', 1],
+      ['D', 1],
+    ])
+  })
+})
+
+describe('asking for a proof', () => {
+  it('gives the certificate, or refuses what has no verdict', () => {
+    expect(core.certificate(unitCube)).toEqual({ ok: true, value: certify(unitCube) })
+    expect(core.certificate(unitCube.slice(1))).toMatchObject({ ok: false, error: { code: 'wrong-count' } })
+    expect(core.certificate(unitCube.with(3, Number.NaN))).toMatchObject({ ok: false, error: { code: 'not-finite' } })
+  })
+
+  it('is no step of history', () => {
+    const store = createStore(unitCube, null)
+    expect(store.state.proofShown).toBe(false)
+    store.dispatch({ type: 'show-proof', proofShown: true })
+    expect(store.state).toMatchObject({ proofShown: true, canUndo: false })
+    store.dispatch({ type: 'undo' })
+    expect(store.state.proofShown).toBe(true)
+    store.dispatch({ type: 'show-proof', proofShown: false })
+    expect(store.state.proofShown).toBe(false)
+  })
+})

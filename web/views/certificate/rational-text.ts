@@ -1,0 +1,41 @@
+/** Rational numbers, however long, as text to be read. */
+import { bitLength, magnitude, type Rational, rounded } from '../../core/exact/rational'
+import { formatJacdet, superscript } from '../../model/decimal'
+
+/** What is longer keeps its first and last digits. */
+const WHOLE_DIGITS = 12
+const KEPT_DIGITS = 4
+/** Powers of two up to this are denominators as they are. */
+const PLAIN_DENOMINATOR = 1n << 16n
+
+/** "−9/64", "39/2⁶⁰" or "−1419…0309/2¹⁶⁰": in lowest terms, cut in the middle where it is long. */
+export function rationalText({ numerator, denominator }: Rational): string {
+  const sign = numerator < 0n ? '−' : ''
+  const over = denominator === 1n ? '' : `/${denominatorText(denominator)}`
+  return `${sign}${abbreviated(magnitude(numerator))}${over}`
+}
+
+/** " ≈ −0.12141" where rationalText is no longer easily read, else nothing. */
+export function roundedText(rational: Rational): string {
+  const { numerator, denominator } = rational
+  if (rationalText(rational) === fullText(rational).replace('-', '−') || numerator === 0n) return ''
+  const { mantissa, exponent } = rounded({ numerator, denominator }, 0)
+  return ` ≈ ${formatJacdet(mantissa, exponent, 'unit')}`
+}
+
+/** "-9/64", every digit. */
+export function fullText({ numerator, denominator }: Rational): string {
+  return denominator === 1n ? `${numerator}` : `${numerator}/${denominator}`
+}
+
+function denominatorText(denominator: bigint): string {
+  const isPowerOfTwo = (denominator & (denominator - 1n)) === 0n
+  return isPowerOfTwo && denominator > PLAIN_DENOMINATOR
+    ? `2${superscript(bitLength(denominator) - 1)}`
+    : abbreviated(denominator)
+}
+
+function abbreviated(size: bigint): string {
+  const digits = String(size)
+  return digits.length <= WHOLE_DIGITS ? digits : `${digits.slice(0, KEPT_DIGITS)}…${digits.slice(-KEPT_DIGITS)}`
+}
