@@ -23,7 +23,7 @@ describe('how the verdict became certain', () => {
     for (const report of reports) {
       const words = certainBy(report, 'unit')
       if (report.decidedBy === 'exact') expect(words).toContain('exact arithmetic')
-      else if (report.valid) expect(words).toMatch(/^error bounds: J ≥ [^−]+ everywhere$/)
+      else if (report.valid) expect(words).toMatch(/^error bounds: all J ≥ [^−]+$/)
       else expect(words).toMatch(/^a witness: J ≤ −.+ there$/)
     }
   })

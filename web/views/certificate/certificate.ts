@@ -153,8 +153,9 @@ function validProof({ faces: intervals }: Valid): TemplateResult {
     runs.some(list => list.some(run => run.by === by)),
   )
   return html`<p>
-      On a face the jacdet is a(t) s² + b(t) s + c(t), with s and t in the order of ξ, η, ζ. On each interval of t it is positive at s = 0 and at
-      s = 1, and in between for the reason given.
+      On a face the jacdet is <span class="formula">a(t) s² + b(t) s + c(t)</span>, with s and t in the order of ξ, η, ζ. On each
+      interval of t it is positive at <span class="formula">s = 0</span> and <span class="formula">s = 1</span>, and in between for the
+      reason given.
     </p>
     <table aria-label="Intervals of each face">
       <thead>

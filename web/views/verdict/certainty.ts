@@ -7,8 +7,8 @@ import { roundedUp } from '../inside'
 /** Each number in it is rounded to the side on which the claim still holds. */
 export function certainBy(report: Report, cube: ReferenceCube): string {
   const { valid, decidedBy, exponent, boundaryMinimum, boundaryMinimumError, volumeMinimum } = report
-  if (decidedBy === 'exact') return 'exact arithmetic, as doubles leave it open'
-  if (valid) return `error bounds: J ≥ ${formatJacdet(volumeMinimum.lower, exponent, cube, 'down')} everywhere`
+  if (decidedBy === 'exact') return 'exact arithmetic, not doubles'
+  if (valid) return `error bounds: all J ≥ ${formatJacdet(volumeMinimum.lower, exponent, cube, 'down')}`
   const certainlyBelow = roundedUp(boundaryMinimum + boundaryMinimumError)
   return `a witness: J ≤ ${formatJacdet(certainlyBelow, exponent, cube, 'up')} there`
 }

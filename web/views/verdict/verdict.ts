@@ -40,17 +40,17 @@ class VerdictView implements View {
   #verdict(report: Report, cube: ReferenceCube): TemplateResult {
     const { minimizer, valid, boundaryMinimum, boundaryMinimumError } = report
     const inside = lowerInside(report)
-    const minimum = (value: number, error: number, where: string) => {
+    const minimum = (value: number, error: number, where: TemplateResult | null) => {
       const jacdet = signed(value, formatJacdet(value, report.exponent, cube))
       return html`<p class="minimum">min J = ${jacdet} ${bound(error, report.exponent, cube)} ${where && html`<span class="where">${where}</span>`}</p>`
     }
     return html`<p class=${valid ? 'word valid' : 'word negative'}>${valid ? 'VALID' : 'INVALID'}</p>
-      ${minimum(boundaryMinimum, boundaryMinimumError, inside ? 'on the boundary' : '')}
+      ${minimum(boundaryMinimum, boundaryMinimumError, inside && html`<span class="filler">on the </span>boundary`)}
       ${this.#place(`${placeName(minimizer)} (ξ, η, ζ)`, minimizer.point, 'reference coordinates')}
       ${this.#place('(x, y, z)', minimizer.position, 'physical coordinates')}
       ${
         inside && [
-          minimum(approximation(inside).value, approximation(inside).error, 'inside'),
+          minimum(approximation(inside).value, approximation(inside).error, html`inside`),
           this.#place('at (ξ, η, ζ)', inside.point, 'reference coordinates of the minimum inside'),
         ]
       }
