@@ -7,5 +7,7 @@ export default defineConfig({
     // A guard against hanging, not a measurement: machines may be slow and busy.
     testTimeout: 120_000,
     allowOnly: false,
+    // Of two cores vitest would leave one idle.
+    maxWorkers: '100%',
   },
 })

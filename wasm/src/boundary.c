@@ -119,48 +119,41 @@ static void fill_checks(hl_report *report, const edge_vectors *edges, int expone
   report->checks[HL_CHECK_SUBDIVISION] = subdivision_to_depth_4(report->bernstein);
 }
 
-/* Calls `visit` on every jacdet of the report. */
-static void each_jacdet(hl_report *report, void (*visit)(double *jacdet, void *context), void *context) {
-  visit(&report->minimizer.value, context);
-  visit(&report->minimum_error, context);
-  visit(&report->volume_minimum.lower, context);
-  visit(&report->volume_minimum.upper, context);
+enum {
+  MAX_JACDETS = 7 + HL_CHECKS + HL_BERNSTEIN + HL_MAX_CANDIDATES + HL_FACES * (HL_FACE_BERNSTEIN + 2 + HL_MAX_ROOTS)
+};
+
+/* Lists every jacdet of the report; returns how many there are. */
+static int list_jacdets(hl_report *report, double *list[MAX_JACDETS]) {
+  int count = 0;
+  list[count++] = &report->minimizer.value;
+  list[count++] = &report->minimum_error;
+  list[count++] = &report->volume_minimum.lower;
+  list[count++] = &report->volume_minimum.upper;
+  list[count++] = &report->maximizer.value;
+  list[count++] = &report->corner_minimum;
+  list[count++] = &report->edge_minimum;
   for (int i = 0; i < HL_CHECKS; ++i)
-    if (i != HL_CHECK_CORNERS_AND_CENTRE) visit(&report->checks[i], context);
-  visit(&report->maximizer.value, context);
-  visit(&report->corner_minimum, context);
-  visit(&report->edge_minimum, context);
-  for (int i = 0; i < HL_BERNSTEIN; ++i) visit(&report->bernstein[i], context);
-  for (int i = 0; i < report->candidate_count; ++i) visit(&report->candidates[i].value, context);
+    if (i != HL_CHECK_CORNERS_AND_CENTRE) list[count++] = &report->checks[i];
+  for (int i = 0; i < HL_BERNSTEIN; ++i) list[count++] = &report->bernstein[i];
+  for (int i = 0; i < report->candidate_count; ++i) list[count++] = &report->candidates[i].value;
   for (int f = 0; f < HL_FACES; ++f) {
     hl_face_report *face = &report->faces[f];
-    for (int i = 0; i < HL_FACE_BERNSTEIN; ++i) visit(&face->bernstein[i], context);
-    visit(&face->lower_bound, context);
-    visit(&face->running_minimum, context);
-    for (int r = 0; r < face->root_count; ++r) visit(&face->roots[r].a, context);
+    for (int i = 0; i < HL_FACE_BERNSTEIN; ++i) list[count++] = &face->bernstein[i];
+    list[count++] = &face->lower_bound;
+    list[count++] = &face->running_minimum;
+    for (int r = 0; r < face->root_count; ++r) list[count++] = &face->roots[r].a;
   }
-}
-
-typedef struct unscaling {
-  int exponent;
-  bool fits;
-} unscaling;
-
-static void check_fits(double *jacdet, void *context) {
-  unscaling *u = context;
-  if (!is_normal_after_scaling(*jacdet, u->exponent)) u->fits = false;
-}
-
-static void unscale(double *jacdet, void *context) {
-  *jacdet = times_power_of_two(*jacdet, ((const unscaling *)context)->exponent);
+  return count;
 }
 
 /* Multiplies the exponent into all values if that is exact for every one; returns the exponent that is left. */
 static int exponent_left(hl_report *report, int exponent) {
-  unscaling u = {exponent, true};
-  each_jacdet(report, check_fits, &u);
-  if (!u.fits) return exponent;
-  each_jacdet(report, unscale, &u);
+  double *jacdets[MAX_JACDETS];
+  int count = list_jacdets(report, jacdets);
+  for (int i = 0; i < count; ++i)
+    if (!is_normal_after_scaling(*jacdets[i], exponent)) return exponent;
+  for (int i = 0; i < count; ++i) *jacdets[i] = times_power_of_two(*jacdets[i], exponent);
   return 0;
 }
 

@@ -6,7 +6,7 @@ import { exactBoundary } from './exact/exact-minimum'
 import { exactReport } from './exact/exact-report'
 import { exactBoundarySign } from './exact/exact-sign'
 import type { Core, CoreError, Report, Result } from './report'
-import { Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
+import { isDecided, Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
 
 interface CoreExports {
   readonly memory: WebAssembly.Memory
@@ -83,9 +83,8 @@ export async function loadCore(bytes: BufferSource): Promise<Core> {
     const own = Object.freeze(Array.from(vertices))
     const result = answer(own, [], wasm.analyze, () => unpackReport(new Unpacker(output), own))
     if (!result.ok) return result
-    const { valid, ...rest } = result.value
-    if (valid !== null) return { ok: true, value: { ...rest, valid } }
-    return { ok: true, value: analyzeExactly(own) }
+    const report = result.value
+    return { ok: true, value: isDecided(report) ? report : analyzeExactly(own) }
   }
 
   function isValid(vertices: Vertices): Result<boolean> {

@@ -60,7 +60,7 @@ export interface FaceReport {
 export interface VolumeMinimum {
   readonly lower: number
   readonly upper: number
-  /** jacdet is at most `upper` here. */
+  /** jacdet is at most `upper` here, or at the point that these doubles are rounded from. */
   readonly point: Vec3
   readonly position: Vec3
 }

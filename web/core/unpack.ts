@@ -121,6 +121,10 @@ function readFace(packed: Unpacker, id: number): FaceReport {
 /** A report as doubles leave it; null for a verdict that they leave open. */
 export type FilteredReport = Omit<Report, 'valid'> & { readonly valid: boolean | null }
 
+export function isDecided(report: FilteredReport): report is Report {
+  return report.valid !== null
+}
+
 export function unpackReport(packed: Unpacker, vertices: Vertices): FilteredReport {
   const valid = unpackVerdict(packed)
   const exponent = packed.number()

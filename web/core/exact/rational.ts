@@ -44,7 +44,8 @@ export function rounded(
   return scaled === null ? { mantissa: size, exponent: power } : { mantissa: scaled, exponent: 0 }
 }
 
-/** The double nearest to a value in [0,1], to 2^-64. */
-export function unitDouble({ numerator, denominator }: Rational): number {
-  return Number((numerator << 64n) / denominator) / 2 ** 64
+/** The double nearest to a value in [0,1]; below 2^-1022 it may be 0. */
+export function unitDouble(value: Rational): number {
+  const { mantissa, exponent } = rounded(value, 0)
+  return mantissa * 2 ** exponent
 }
