@@ -7,7 +7,7 @@ import { certificateOf, checked } from './certificate-checker'
 import { cases, unitCube } from './core-fixtures'
 
 const cube = [0, 1, 2, 3, 4, 5, 6, 7].map(v => unitCube.slice(3 * v, 3 * v + 3))
-const face = [{ t: ['0', '1'], by: 'middle' }]
+const face = [{ t: ['0', '1'], by: 'b' }]
 
 async function certify(text: string, args: readonly string[] = ['certify', '-']) {
   let output = ''

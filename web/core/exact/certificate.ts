@@ -244,12 +244,12 @@ function certifiedIntervals(beta: readonly bigint[]): CertifiedInterval[] {
   return intervals
 }
 
-/** The first of (C3) to (C6) that shows in the signs of Bernstein coefficients, the cheap ones first. */
+/** The first of (C4), (C5), (C3) and (C6) that shows in the signs of Bernstein coefficients: simple reasons first. */
 function conditionOn([c, middle, end]: Rows): CertifiedInterval['by'] | null {
   if (!(isPositive(c) && isPositive(end))) return null
-  if (isPositive(middle)) return 'middle'
   if (middle.every((value, j) => value >= (c[j] as bigint))) return 'b'
   if (middle.every((value, j) => value >= (end[j] as bigint))) return '2a+b'
+  if (isPositive(middle)) return 'middle'
   const b = middle.map((value, j) => value - (c[j] as bigint)) as unknown as Row
   const a = end.map((value, j) => value - (middle[j] as bigint) - (b[j] as bigint)) as unknown as Row
   const squared = timesBernstein(b, b)
