@@ -186,6 +186,8 @@ static void extreme_coefficients(void) {
   CHECK(hl_unit_roots(zero, 4, roots) == 0, "the zero polynomial has roots");
   CHECK(hl_unit_roots(ends, 4, roots) == 0, "roots at 0 and 1 are not in (0,1)");
   CHECK(hl_unit_roots(touching_ends, 4, roots) == 2, "two roots between roots at the ends");
+  const double between_ends[5] = {0, -3, 6, 0, 0};
+  CHECK(hl_unit_roots(between_ends, 4, roots) == 1 && roots[0] == 0.25, "a root is lost to those at the ends");
   const double constant_p[5] = {3, 3, 3, 3, 3};
   CHECK(hl_unit_roots(constant_p, 4, roots) == 0, "a constant has roots");
   for (int exponent = -300; exponent <= 300; exponent += 50) {

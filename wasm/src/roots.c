@@ -40,11 +40,12 @@ static double bracketed_root(const double *p, int degree, double low, double hig
     double step = -value / slope, next = t + step;
     if (step < 0) step = -step;
     if (slope < 0) slope = -slope;
-    if (!(next >= low && next <= high && step <= 0.5 * last_step)) {
+    bool is_certain = curvature * step <= 0.25 * slope && curvature * step * step < 0.25 * FINEST * slope;
+    bool is_inside = next > low && next < high;
+    if (is_certain && (is_inside || next == t)) return next; /* t itself, where the step is lost in it */
+    if (!(is_inside && step <= 0.5 * last_step)) {
       next = low + 0.5 * (high - low);
       step = 0.5 * (high - low);
-    } else if (curvature * step <= 0.25 * slope && curvature * step * step < 0.25 * FINEST * slope) {
-      return next;
     }
     if (step < 0.5 * FINEST) return next;
     last_step = step;
