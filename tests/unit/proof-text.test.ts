@@ -22,9 +22,9 @@ describe('a rational number', () => {
   it('is cut in the middle where it is long, and then said rounded too', () => {
     const long = rational(-(12345n * 10n ** 30n + 6789n), 1n << 160n)
     expect(rationalText(long)).toBe('−1234…6789/2¹⁶⁰')
-    expect(roundedText(long)).toBe(' ≈ −8.4468×10⁻¹⁵')
+    expect(roundedText(long)).toBe('\u00a0≈\u00a0−8.4468×10⁻¹⁵')
     expect(rationalText(rational(-39n, 1n << 60n))).toBe('−39/2⁶⁰')
-    expect(roundedText(rational(-39n, 1n << 60n))).toBe(' ≈ −3.3827×10⁻¹⁷')
+    expect(roundedText(rational(-39n, 1n << 60n))).toBe('\u00a0≈\u00a0−3.3827×10⁻¹⁷')
     expect(rationalText(rational(1n, 3n ** 40n))).toBe('1/1215…8801')
     expect(fullText(rational(-39n, 1n << 60n))).toBe('-39/1152921504606846976')
   })

@@ -43,7 +43,7 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
   edges: {
     name: 'Twelve edges',
     usedBy: null,
-    looksAt: 'The least jacdet along the twelve edges, found exactly.',
+    looksAt: 'The least jacdet along the twelve edges, from the quadratic on each, not from samples.',
     unit: 'jacdet',
   },
   bernstein: {

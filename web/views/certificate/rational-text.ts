@@ -20,7 +20,7 @@ export function roundedText(rational: Rational): string {
   const { numerator, denominator } = rational
   if (rationalText(rational) === fullText(rational).replace('-', '−') || numerator === 0n) return ''
   const { mantissa, exponent } = rounded({ numerator, denominator }, 0)
-  return ` ≈ ${formatJacdet(mantissa, exponent, 'unit')}`
+  return `\u00a0≈\u00a0${formatJacdet(mantissa, exponent, 'unit')}`
 }
 
 /** "-9/64", every digit. */
