@@ -25,12 +25,12 @@ interface Reason {
 }
 
 const REASONS: Readonly<Record<CertifiedInterval['by'], Reason>> = {
+  b: { formula: 'b ≥ 0', because: 'in s it rises or is concave: nowhere below its lower end.' },
+  '2a+b': { formula: '2a + b ≤ 0', because: 'in s it falls or is concave: nowhere below its lower end.' },
   middle: {
     formula: 'c + b/2 > 0',
     because: 'with c and a + b + c these are the Bernstein coefficients in s, all positive.',
   },
-  b: { formula: 'b ≥ 0', because: 'in s it rises or is concave, and so is nowhere below both ends.' },
-  '2a+b': { formula: '2a + b ≤ 0', because: 'in s it falls or is concave, and so is nowhere below both ends.' },
   D: { formula: '4ac > b²', because: 'in s it is a parabola that never reaches zero.' },
 }
 
@@ -69,7 +69,7 @@ class CertificateView implements View {
         >
           ${proofShown ? 'Hide the proof' : 'Show the proof'}
         </button>
-        <span aria-live="polite">${isStale ? 'It follows when you let go.' : ''}</span>
+        <span aria-live="polite">${isStale ? 'It follows when this change is done.' : ''}</span>
       </p>
       <div id="proof" class=${isStale ? 'is-stale' : ''} ?hidden=${!proofShown}>${proof && this.#proof(proof, referenceCube)}</div>`
   }
