@@ -149,6 +149,23 @@ describe('the store', () => {
     expect(target.state.vertices).toEqual(unitCube)
   })
 
+  it('keeps panels, probe and face out of the history, and refuses a probe outside the cube', () => {
+    const target = dispatched(
+      { type: 'open-panel', panel: 'morph', isOpen: true },
+      { type: 'open-panel', panel: 'morph', isOpen: true },
+      { type: 'probe', point: [0, 0.5, 1] },
+      { type: 'select-face', face: 5 },
+    )
+    expect(target.state).toMatchObject({ openPanels: ['morph'], probe: [0, 0.5, 1], selectedFace: 5, canUndo: false })
+    const before = target.state
+    target.dispatch({ type: 'probe', point: [0, 0.5, 1] })
+    expect(target.state).toBe(before)
+    target.dispatch({ type: 'open-panel', panel: 'morph', isOpen: false })
+    expect(target.state.openPanels).toEqual([])
+    expect(() => target.dispatch({ type: 'probe', point: [0, 0.5, 1.5] })).toThrow(RangeError)
+    expect(() => target.dispatch({ type: 'select-face', face: 6 })).toThrow(RangeError)
+  })
+
   it('after any actions undoes all the way to the start and redoes all the way back', () => {
     const action = fc.oneof(
       fc.record({

@@ -9,7 +9,7 @@
  * events      hex-input (live), hex-change (committed), hex-verdict (valid changed), hex-error (a problem was raised)
  */
 import { presets, presetVertices } from '../content/presets'
-import type { Core, Report } from '../core/report'
+import type { Core, JacobianReport, Report } from '../core/report'
 import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import type { Action } from '../model/state'
@@ -185,12 +185,24 @@ export class HexLens extends HTMLElement {
     }
   }
 
+  #probed(): JacobianReport | null {
+    const { vertices, probe } = this.#store.state
+    const result = probe && this.#core?.jacobian(vertices, probe)
+    return result?.ok ? result.value : null
+  }
+
   readonly #draw = (): void => {
     this.#frameRequest = 0
     this.#make()
     const report = this.report
     this.#prove()
-    const frame = { state: this.#store.state, report, proof: this.#proof, problems: [...this.#problems.values()] }
+    const frame = {
+      state: this.#store.state,
+      report,
+      proof: this.#proof,
+      probe: report && this.#probed(),
+      problems: [...this.#problems.values()],
+    }
     for (const view of this.#views) {
       try {
         view.update(frame)

@@ -7,6 +7,10 @@ export type ReferenceCube = 'unit' | 'biunit'
 /** How the faces are drawn: all opaque, see-through, or one face alone (0..5). */
 export type FaceDisplay = 'opaque' | 'see-through' | number
 
+/** Panels below the first screen's; each is closed, and not even loaded, until it is asked for. */
+export const PANELS = ['face-maps', 'algorithm', 'inside', 'node-order', 'morph', 'paste', 'take-away'] as const
+export type PanelId = (typeof PANELS)[number]
+
 export interface State {
   readonly vertices: Vertices
   /** The preset the element started from, by id; null when it came from elsewhere. */
@@ -20,6 +24,11 @@ export interface State {
   readonly faceDisplay: FaceDisplay
   /** Whether the proof of the verdict is wanted. */
   readonly proofShown: boolean
+  readonly openPanels: readonly PanelId[]
+  /** A point (xi, eta, zeta) of [0,1]^3 that is pointed at, for every view to mark; null when none is. */
+  readonly probe: Vec3 | null
+  /** The face 0..5 that is looked at closely. */
+  readonly selectedFace: number
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
@@ -42,5 +51,8 @@ export type Action =
   | { readonly type: 'show-reference-cube'; readonly referenceCube: ReferenceCube }
   | { readonly type: 'show-faces'; readonly faceDisplay: FaceDisplay }
   | { readonly type: 'show-proof'; readonly proofShown: boolean }
+  | { readonly type: 'open-panel'; readonly panel: PanelId; readonly isOpen: boolean }
+  | { readonly type: 'probe'; readonly point: Vec3 | null }
+  | { readonly type: 'select-face'; readonly face: number }
 
 export type Dispatch = (action: Action) => void

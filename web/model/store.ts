@@ -5,8 +5,8 @@
  * Changes are told by the bits, so that -0 and 0 differ; what changes nothing is no step and keeps the state object itself,
  * and a gesture that ends where it began gives back the `vertices` array it began with.
  */
-import { COORDINATE_COUNT, faces, VERTEX_COUNT, type Vertices, withVertex } from './hexahedron'
-import type { Action, State } from './state'
+import { COORDINATE_COUNT, faces, VERTEX_COUNT, type Vec3, type Vertices, withVertex } from './hexahedron'
+import type { Action, PanelId, State } from './state'
 
 export interface Store {
   /** The state now: a new object after every change, never mutated. */
@@ -33,7 +33,17 @@ interface Snapshot {
   readonly start: Vertices
 }
 
-type Shown = Pick<State, 'selectedVertex' | 'referenceCube' | 'faceDisplay' | 'proofShown'>
+type Shown = Omit<State, keyof Snapshot | 'gestureStart' | 'canUndo' | 'canRedo'>
+
+const SHOWN_FIRST: Shown = {
+  selectedVertex: 0,
+  referenceCube: 'unit',
+  faceDisplay: 'opaque',
+  proofShown: false,
+  openPanels: [],
+  probe: null,
+  selectedFace: 0,
+}
 
 /** A store that starts at these vertices, which are also what reset goes back to. Throws RangeError unless 24 finite numbers. */
 export function createStore(vertices: Vertices, preset: string | null): Store {
@@ -42,7 +52,7 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
   let past: readonly Snapshot[] = []
   let future: readonly Snapshot[] = []
   let gestureStart: Snapshot | null = null
-  let shown: Shown = { selectedVertex: 0, referenceCube: 'unit', faceDisplay: 'opaque', proofShown: false }
+  let shown = SHOWN_FIRST
   let state = currentState()
 
   function currentState(): State {
@@ -151,6 +161,16 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
       case 'show-proof':
         shown = { ...shown, proofShown: action.proofShown }
         break
+      case 'open-panel':
+        shown = { ...shown, openPanels: withPanel(shown.openPanels, action.panel, action.isOpen) }
+        break
+      case 'probe':
+        if (action.point) checkInCube(action.point)
+        shown = { ...shown, probe: samePoint(shown.probe, action.point) ? shown.probe : action.point }
+        break
+      case 'select-face':
+        shown = { ...shown, selectedFace: checkIndex(action.face, faces.length, 'face') }
+        break
     }
   }
 
@@ -180,6 +200,19 @@ function checkedVertex(vertex: number): number {
 function checkIndex(index: number, count: number, what: string): number {
   if (!Number.isInteger(index) || index < 0 || index >= count) throw new RangeError(`There is no ${what} ${index}.`)
   return index
+}
+
+function checkInCube(point: Vec3): void {
+  if (!point.every(x => x >= 0 && x <= 1)) throw new RangeError(`(${point.join(', ')}) is not in [0,1]³.`)
+}
+
+function samePoint(a: Vec3 | null, b: Vec3 | null): boolean {
+  return a === b || (a !== null && b !== null && a.every((x, axis) => Object.is(x, b[axis])))
+}
+
+function withPanel(open: readonly PanelId[], panel: PanelId, isOpen: boolean): readonly PanelId[] {
+  if (open.includes(panel) === isOpen) return open
+  return isOpen ? [...open, panel] : open.filter(other => other !== panel)
 }
 
 /** The old array where the new one says the same: identity then tells change. */

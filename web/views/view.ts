@@ -1,6 +1,6 @@
 /** The one contract between the element and its views: they receive a frame and draw it; they emit actions, nothing else. */
 import type { Certificate } from '../core/exact/certificate'
-import type { Report } from '../core/report'
+import type { JacobianReport, Report } from '../core/report'
 import type { Vertices } from '../model/hexahedron'
 import type { Dispatch, State } from '../model/state'
 
@@ -22,6 +22,8 @@ export interface Frame {
   readonly report: Report | null
   /** Null unless `state.proofShown`, and where there is no report. */
   readonly proof: Proof | null
+  /** DF at `state.probe`; null where nothing is pointed at, or there is no report. */
+  readonly probe: JacobianReport | null
   readonly problems: readonly Problem[]
 }
 

@@ -1,0 +1,80 @@
+/** A panel that is closed at first: its heading is the button that opens it, and only then is its code loaded. */
+import type { PanelId } from '../model/state'
+import type { CreateView, Frame, View, ViewHost } from '../views/view'
+
+export interface PanelContent {
+  readonly create: CreateView
+  readonly styles: string
+}
+
+export function panel(id: PanelId, title: string, load: () => Promise<PanelContent>): CreateView {
+  return host => new Panel(host, id, title, load)
+}
+
+class Panel implements View {
+  readonly root = document.createElement('section')
+  readonly #host: ViewHost
+  readonly #id: PanelId
+  readonly #load: () => Promise<PanelContent>
+  readonly #button = document.createElement('button')
+  readonly #body = document.createElement('div')
+  #isOpen = false
+  #isLoading = false
+  #isDisposed = false
+  #view: View | null = null
+
+  constructor(host: ViewHost, id: PanelId, title: string, load: () => Promise<PanelContent>) {
+    this.#host = host
+    this.#id = id
+    this.#load = load
+    this.root.className = 'fold'
+    this.root.setAttribute('aria-label', title)
+    this.#button.type = 'button'
+    this.#button.textContent = title
+    this.#button.setAttribute('aria-expanded', 'false')
+    this.#button.setAttribute('aria-controls', `panel-${id}`)
+    this.#button.addEventListener('click', () =>
+      host.dispatch({ type: 'open-panel', panel: id, isOpen: !this.#isOpen }),
+    )
+    this.#body.id = `panel-${id}`
+    this.#body.hidden = true
+    const heading = document.createElement('h2')
+    heading.append(this.#button)
+    this.root.append(heading, this.#body)
+  }
+
+  update(frame: Frame): void {
+    this.#isOpen = frame.state.openPanels.includes(this.#id)
+    this.#button.setAttribute('aria-expanded', String(this.#isOpen))
+    this.#body.hidden = !this.#isOpen
+    if (!this.#isOpen) return
+    if (this.#view) this.#view.update(frame)
+    else if (!this.#isLoading) void this.#fill()
+  }
+
+  dispose(): void {
+    this.#isDisposed = true
+    this.#view?.dispose()
+  }
+
+  async #fill(): Promise<void> {
+    this.#isLoading = true
+    try {
+      const { create, styles } = await this.#load()
+      if (this.#isDisposed) return
+      this.#adopt(styles)
+      this.#view = create(this.#host)
+      this.#body.replaceChildren(this.#view.root)
+    } catch (reason) {
+      this.#body.textContent = `This panel could not be loaded (${reason instanceof Error ? reason.message : reason}). Reload the page to try again.`
+    }
+    this.#host.requestFrame()
+  }
+
+  #adopt(styles: string): void {
+    const sheet = new CSSStyleSheet()
+    sheet.replaceSync(styles)
+    const shadow = this.root.getRootNode() as ShadowRoot
+    shadow.adoptedStyleSheets = [...shadow.adoptedStyleSheets, sheet]
+  }
+}
