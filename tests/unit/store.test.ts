@@ -166,6 +166,17 @@ describe('the store', () => {
     expect(() => target.dispatch({ type: 'select-face', face: 6 })).toThrow(RangeError)
   })
 
+  it('keeps what is highlighted out of the history, and refuses a part that is not there', () => {
+    const target = dispatched({ type: 'highlight', part: { kind: 'edge', id: 11 } })
+    expect(target.state).toMatchObject({ highlight: { kind: 'edge', id: 11 }, canUndo: false })
+    const before = target.state
+    target.dispatch({ type: 'highlight', part: { kind: 'edge', id: 11 } })
+    expect(target.state).toBe(before)
+    expect(() => target.dispatch({ type: 'highlight', part: { kind: 'vertex', id: 8 } })).toThrow(RangeError)
+    target.dispatch({ type: 'highlight', part: null })
+    expect(target.state.highlight).toBeNull()
+  })
+
   it('after any actions undoes all the way to the start and redoes all the way back', () => {
     const action = fc.oneof(
       fc.record({

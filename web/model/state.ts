@@ -11,6 +11,12 @@ export type FaceDisplay = 'opaque' | 'see-through' | number
 export const PANELS = ['face-maps', 'algorithm', 'inside', 'node-order', 'morph', 'paste', 'take-away'] as const
 export type PanelId = (typeof PANELS)[number]
 
+/** A part of the element: vertex 0..7, edge 0..11 or face 0..5, by `kind`. */
+export interface ElementPart {
+  readonly kind: 'vertex' | 'edge' | 'face'
+  readonly id: number
+}
+
 export interface State {
   readonly vertices: Vertices
   /** The preset the element started from, by id; null when it came from elsewhere. */
@@ -29,6 +35,8 @@ export interface State {
   readonly probe: Vec3 | null
   /** The face 0..5 that is looked at closely. */
   readonly selectedFace: number
+  /** The part that is spoken of, for every view to mark; null when none is. */
+  readonly highlight: ElementPart | null
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
@@ -54,5 +62,6 @@ export type Action =
   | { readonly type: 'open-panel'; readonly panel: PanelId; readonly isOpen: boolean }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
   | { readonly type: 'select-face'; readonly face: number }
+  | { readonly type: 'highlight'; readonly part: ElementPart | null }
 
 export type Dispatch = (action: Action) => void

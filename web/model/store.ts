@@ -5,8 +5,8 @@
  * Changes are told by the bits, so that -0 and 0 differ; what changes nothing is no step and keeps the state object itself,
  * and a gesture that ends where it began gives back the `vertices` array it began with.
  */
-import { COORDINATE_COUNT, faces, VERTEX_COUNT, type Vec3, type Vertices, withVertex } from './hexahedron'
-import type { Action, PanelId, State } from './state'
+import { COORDINATE_COUNT, edgeVertices, faces, VERTEX_COUNT, type Vec3, type Vertices, withVertex } from './hexahedron'
+import type { Action, ElementPart, PanelId, State } from './state'
 
 export interface Store {
   /** The state now: a new object after every change, never mutated. */
@@ -43,6 +43,13 @@ const SHOWN_FIRST: Shown = {
   openPanels: [],
   probe: null,
   selectedFace: 0,
+  highlight: null,
+}
+
+const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
+  vertex: VERTEX_COUNT,
+  edge: edgeVertices.length,
+  face: faces.length,
 }
 
 /** A store that starts at these vertices, which are also what reset goes back to. Throws RangeError unless 24 finite numbers. */
@@ -171,6 +178,10 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
       case 'select-face':
         shown = { ...shown, selectedFace: checkIndex(action.face, faces.length, 'face') }
         break
+      case 'highlight':
+        if (action.part) checkIndex(action.part.id, PART_COUNTS[action.part.kind], action.part.kind)
+        shown = { ...shown, highlight: samePart(shown.highlight, action.part) ? shown.highlight : action.part }
+        break
     }
   }
 
@@ -208,6 +219,10 @@ function checkInCube(point: Vec3): void {
 
 function samePoint(a: Vec3 | null, b: Vec3 | null): boolean {
   return a === b || (a !== null && b !== null && a.every((x, axis) => Object.is(x, b[axis])))
+}
+
+function samePart(a: ElementPart | null, b: ElementPart | null): boolean {
+  return a === b || (a !== null && b !== null && a.kind === b.kind && a.id === b.id)
 }
 
 function withPanel(open: readonly PanelId[], panel: PanelId, isOpen: boolean): readonly PanelId[] {
