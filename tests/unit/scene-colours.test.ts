@@ -1,6 +1,5 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { spreadLabels } from '../../web/views/scene/colour-bar'
 import {
   colourScaleOf,
   luminance,
@@ -10,7 +9,8 @@ import {
   rampOf,
   rampPosition,
   type Theme,
-} from '../../web/views/scene/colour-map'
+} from '../../web/views/colour-map'
+import { spreadLabels } from '../../web/views/scene/colour-bar'
 
 const hex = (text: string): Rgb =>
   [1, 3, 5].map(at => Number.parseInt(text.slice(at, at + 2), 16) / 255) as unknown as Rgb

@@ -2,9 +2,16 @@
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube, State } from '../../model/state'
-import { type ColourScale, cssColour, RAMP_STEPS, type Ramp, rampColour, rampPosition } from './colour-map'
-import { HATCH_PERIOD } from './faces-material'
-import { px, set, setText, show, svg } from './svg'
+import {
+  type ColourScale,
+  cssColour,
+  HATCH_PERIOD,
+  RAMP_STEPS,
+  type Ramp,
+  rampColour,
+  rampPosition,
+} from '../colour-map'
+import { px, set, setText, show, svg } from '../svg'
 
 export interface ColourBarPicture {
   readonly state: State

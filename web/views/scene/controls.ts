@@ -2,8 +2,8 @@
 import type { Report } from '../../core/report'
 import { faces } from '../../model/hexahedron'
 import type { FaceDisplay } from '../../model/state'
-import { candidateShapes } from './marks'
-import { svg } from './svg'
+import { candidateShapes } from '../candidate-shapes'
+import { svg } from '../svg'
 
 export interface ControlActions {
   toggleHelp(): void

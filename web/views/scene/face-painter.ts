@@ -6,8 +6,8 @@ import { type BufferAttribute, LinearSRGBColorSpace, Mesh, Scene, WebGLRenderer 
 import type { Report } from '../../core/report'
 import type { Vec3 } from '../../model/hexahedron'
 import type { FaceDisplay } from '../../model/state'
+import { type ColourScale, RAMP_STEPS, type Ramp, type Theme } from '../colour-map'
 import type { SceneCamera } from './camera'
-import { type ColourScale, RAMP_STEPS, type Ramp, type Theme } from './colour-map'
 import { facePoint } from './face-point'
 import {
   createFacesGeometry,

@@ -5,13 +5,10 @@
  */
 import { DoubleSide, GLSL3, RawShaderMaterial, Vector3 } from 'three'
 import { faces, VERTEX_COUNT } from '../../model/hexahedron'
-import { RAMP_STEPS } from './colour-map'
+import { HATCH_PERIOD, RAMP_STEPS } from '../colour-map'
 
 const COEFFICIENT_COUNT = 9 * faces.length
 const STOPS = RAMP_STEPS + 1
-
-/** CSS pixels from stripe to stripe on the negative side. */
-export const HATCH_PERIOD = 8
 
 const faceVertices = faces.map(face => `ivec4(${face.vertices.join(', ')})`).join(', ')
 

@@ -3,17 +3,12 @@ import type { Candidate } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { edgeName, edgeVertices, faces } from '../../model/hexahedron'
 import type { FaceDisplay } from '../../model/state'
+import { candidateShapes } from '../candidate-shapes'
+import { moveTo, px, set, setText, show, svg } from '../svg'
 import type { ScreenPoint } from './camera'
 import { type Box, type LabelPlace, type Point, placeLabel } from './label-place'
 import type { OverlayPicture } from './overlay'
-import { moveTo, px, set, setText, show, svg } from './svg'
 import { toView } from './view-frame'
-
-/** Outlines about (0, 0); a vertex has its handle and needs none. */
-export const candidateShapes: Readonly<Record<'edge' | 'face', string>> = {
-  edge: 'M0 -4.6L4.6 0L0 4.6L-4.6 0Z',
-  face: 'M-3.4 -3.4H3.4V3.4H-3.4Z',
-}
 
 const RING = 9
 const HANDLE_RING = 12
@@ -72,7 +67,7 @@ export class Marks {
       show(group, at !== undefined && at.depth > 0)
       if (!candidate || !at) return
       moveTo(group, at)
-      set(path, { d: candidateShapes[candidate.kind as 'edge' | 'face'] })
+      set(path, { d: candidateShapes[candidate.kind] })
       const value = formatJacdet(candidate.value, report?.exponent ?? 0, state.referenceCube)
       setText(title, `Candidate ${placeName(candidate)}: J = ${value}`)
     })

@@ -1,6 +1,7 @@
 /** The coordinate axes as the camera sees them, in a corner. */
+
+import { px, set, svg } from '../svg'
 import type { SceneCamera } from './camera'
-import { px, set, svg } from './svg'
 import { at } from './view-frame'
 
 const LENGTH = 22

@@ -22,6 +22,9 @@ export interface Ramp {
 
 export const RAMP_STEPS = 8
 
+/** CSS pixels from stripe to stripe on the negative side. */
+export const HATCH_PERIOD = 8
+
 /** Where on its side the theme's own hue lies; beyond it the ramp goes on to a deeper tone. */
 const HUE_AT = 7 / RAMP_STEPS
 
