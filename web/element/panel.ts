@@ -1,4 +1,7 @@
-/** A panel that is closed at first: its heading is the button that opens it, and only then is its code loaded. */
+/**
+ * A panel that is closed at first: its heading is the button that opens it, and only then is its code loaded. While it is
+ * closed its view is not updated, but for the frame that closes it, in which the view can stop what it has going.
+ */
 import type { PanelId } from '../model/state'
 import type { CreateView, Frame, View, ViewHost } from '../views/view'
 
@@ -44,12 +47,13 @@ class Panel implements View {
   }
 
   update(frame: Frame): void {
+    const wasOpen = this.#isOpen
     this.#isOpen = frame.state.openPanels.includes(this.#id)
     this.#button.setAttribute('aria-expanded', String(this.#isOpen))
     this.#body.hidden = !this.#isOpen
-    if (!this.#isOpen) return
+    if (!this.#isOpen && !wasOpen) return
     if (this.#view) this.#view.update(frame)
-    else if (!this.#isLoading) void this.#fill()
+    else if (this.#isOpen && !this.#isLoading) void this.#fill()
   }
 
   dispose(): void {

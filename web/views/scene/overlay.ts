@@ -6,6 +6,7 @@ import { edgeVertices, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import { moveTo, px, set, setText, show, svg } from '../svg'
 import type { SceneCamera, ScreenPoint } from './camera'
+import { Highlight } from './highlight'
 import { type Box, meanOf, overlap, type Point } from './label-place'
 import { Marks } from './marks'
 import { Triad } from './triad'
@@ -29,7 +30,7 @@ const DIGIT_WIDTH = 8
 const SAME_PLACE = 3
 /** From a handle's middle to the middle of its number. */
 const NUMBER_DISTANCE = 17
-/** The same where the minimizer's ring is around the handle. */
+/** The same where a ring is around the handle: the minimizer's, or that of the vertex spoken of. */
 const RINGED_NUMBER_DISTANCE = 24
 
 interface Handle {
@@ -47,6 +48,7 @@ export class Overlay {
   readonly #axisLine = svg('path', { class: 'axis-line' })
   readonly #handles: readonly Handle[] = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v))
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
+  readonly #highlight = new Highlight()
   readonly #marks = new Marks()
   readonly #triad = new Triad()
 
@@ -54,6 +56,7 @@ export class Overlay {
     this.root.append(
       this.#edgeHalo,
       this.#edges,
+      this.#highlight.root,
       this.#axisLine,
       this.#ghostHalo,
       this.#ghost,
@@ -78,6 +81,7 @@ export class Overlay {
     const edges = edgePath(edgeVertices, handles)
     set(this.#edgeHalo, { d: edges })
     set(this.#edges, { d: edges })
+    this.#highlight.update(picture.state.highlight, handles)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
     this.#updateAxisLine(picture)
@@ -90,7 +94,7 @@ export class Overlay {
   /** Returns where the numbers are. */
   #updateHandles({ handles, state, report }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
-    const ringed = report?.minimizer.kind === 'vertex' ? report.minimizer.id : null
+    const ringed = [report?.minimizer, state.highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
     const texts = numberTexts(handles)
     const numbers = handles.map((at, v) => {
       const { group, number } = this.#handles[v] as Handle
@@ -101,7 +105,7 @@ export class Overlay {
       const [dx, dy] = [at.x - middle.x, at.y - middle.y]
       const length = Math.hypot(dx, dy)
       const [ux, uy] = length > 1 ? [dx / length, dy / length] : [0, -1]
-      const distance = v === ringed ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
+      const distance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
       const aside = distance + (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
       set(number, { x: px(ux * aside), y: px(uy * distance) })
       group.classList.toggle('selected', v === state.selectedVertex)
