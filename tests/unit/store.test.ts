@@ -166,6 +166,17 @@ describe('the store', () => {
     expect(() => target.dispatch({ type: 'select-face', face: 6 })).toThrow(RangeError)
   })
 
+  it('keeps the reference cube and linked cameras out of the history', () => {
+    const target = dispatched(
+      { type: 'show-reference', referenceShown: true },
+      { type: 'link-cameras', camerasLinked: true },
+    )
+    expect(target.state).toMatchObject({ referenceShown: true, camerasLinked: true, canUndo: false })
+    const before = target.state
+    target.dispatch({ type: 'show-reference', referenceShown: true })
+    expect(target.state).toBe(before)
+  })
+
   it('keeps what is highlighted out of the history, and refuses a part that is not there', () => {
     const target = dispatched({ type: 'highlight', part: { kind: 'edge', id: 11 } })
     expect(target.state).toMatchObject({ highlight: { kind: 'edge', id: 11 }, canUndo: false })

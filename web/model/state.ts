@@ -31,6 +31,10 @@ export interface State {
   /** Whether the proof of the verdict is wanted. */
   readonly proofShown: boolean
   readonly openPanels: readonly PanelId[]
+  /** Whether the reference cube stands beside the element. */
+  readonly referenceShown: boolean
+  /** Whether turning the element turns the reference cube, and the other way round. */
+  readonly camerasLinked: boolean
   /** A point (xi, eta, zeta) of [0,1]^3 that is pointed at, for every view to mark; null when none is. */
   readonly probe: Vec3 | null
   /** The face 0..5 that is looked at closely. */
@@ -60,6 +64,8 @@ export type Action =
   | { readonly type: 'show-faces'; readonly faceDisplay: FaceDisplay }
   | { readonly type: 'show-proof'; readonly proofShown: boolean }
   | { readonly type: 'open-panel'; readonly panel: PanelId; readonly isOpen: boolean }
+  | { readonly type: 'show-reference'; readonly referenceShown: boolean }
+  | { readonly type: 'link-cameras'; readonly camerasLinked: boolean }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
   | { readonly type: 'select-face'; readonly face: number }
   | { readonly type: 'highlight'; readonly part: ElementPart | null }

@@ -41,6 +41,8 @@ const SHOWN_FIRST: Shown = {
   faceDisplay: 'opaque',
   proofShown: false,
   openPanels: [],
+  referenceShown: false,
+  camerasLinked: false,
   probe: null,
   selectedFace: 0,
   highlight: null,
@@ -170,6 +172,12 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
         break
       case 'open-panel':
         shown = { ...shown, openPanels: withPanel(shown.openPanels, action.panel, action.isOpen) }
+        break
+      case 'show-reference':
+        shown = { ...shown, referenceShown: action.referenceShown }
+        break
+      case 'link-cameras':
+        shown = { ...shown, camerasLinked: action.camerasLinked }
         break
       case 'probe':
         if (action.point) checkInCube(action.point)
