@@ -8,6 +8,7 @@ import { createToolbar, toolbarStyles } from '../views/toolbar/toolbar'
 import { createVerdict, verdictStyles } from '../views/verdict/verdict'
 import { createVertices, verticesStyles } from '../views/vertices/vertices'
 import type { CreateView } from '../views/view'
+import { panel } from './panel'
 
 export interface Part {
   readonly place: 'head' | 'stage' | 'panel'
@@ -24,6 +25,11 @@ export const parts: readonly Part[] = [
   { place: 'panel', create: createCertificate, styles: certificateStyles },
   { place: 'panel', create: createChecks, styles: checksStyles },
   { place: 'panel', create: createVertices, styles: verticesStyles },
+  {
+    place: 'panel',
+    create: panel('algorithm', 'Algorithm 1, step by step', () => import('../views/algorithm/algorithm')),
+    styles: '',
+  },
   { place: 'panel', create: createAnnouncer, styles: announcerStyles },
   { place: 'stage', create: createScene, styles: sceneStyles, slow: true },
 ]

@@ -1,18 +1,12 @@
 /** One plain sentence for why a report is valid or invalid: the first of vertices, edges and faces that fails. */
 import type { Candidate, CandidateKind, Report } from '../../core/report'
-import { edgeName, faces, VERTEX_COUNT } from '../../model/hexahedron'
+import { VERTEX_COUNT } from '../../model/hexahedron'
 import { lowerInside } from '../inside'
-
-/** "3", "0–1" or "−ζ". */
-function partName(kind: CandidateKind, id: number): string {
-  if (kind === 'vertex') return String(id)
-  if (kind === 'edge') return edgeName(id)
-  return faces[id]?.name ?? ''
-}
+import { listed, partName } from '../part-name'
 
 /** "at vertex 3,", "on edge 0–1 at" or "on face −ζ at": coordinates follow. */
 export function placeName({ kind, id }: Pick<Candidate, 'kind' | 'id'>): string {
-  return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${partName(kind, id)} at`
+  return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${partName({ kind, id })} at`
 }
 
 export function whySentence(report: Report): string {
@@ -40,7 +34,7 @@ export function whySentence(report: Report): string {
 
 function notPositive(report: Report, kind: CandidateKind): readonly string[] {
   const ids = report.candidates.filter(c => c.kind === kind && c.value <= 0).map(c => c.id)
-  const names = [...new Set(ids)].sort((a, b) => a - b).map(id => partName(kind, id))
+  const names = [...new Set(ids)].sort((a, b) => a - b).map(id => partName({ kind, id }))
   return kind === 'edge' ? names.sort() : names
 }
 
@@ -51,9 +45,4 @@ function vertexSentence(names: readonly string[]): string {
 
 function areNot(kind: CandidateKind, names: readonly string[]): string {
   return names.length === 1 ? `${kind} ${names[0]} is not` : `${kind}s ${listed(names)} are not`
-}
-
-/** "1", "1 and 2", "1, 2 and 3". */
-function listed(names: readonly string[]): string {
-  return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
 }

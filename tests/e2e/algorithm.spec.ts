@@ -1,0 +1,164 @@
+import AxeBuilder from '@axe-core/playwright'
+import type { Page } from '@playwright/test'
+import { presets, presetVertices } from '../../web/content/presets'
+import { expect, type Lens, test } from './lens'
+
+const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
+
+async function openPanel({ page }: Lens): Promise<ReturnType<typeof partsOf>> {
+  await page.getByRole('button', { name: 'Algorithm 1, step by step', exact: true }).click()
+  const parts = partsOf(page)
+  await expect(parts.list).toBeVisible()
+  return parts
+}
+
+function partsOf(page: Page) {
+  const panel = page.getByRole('region', { name: 'Algorithm 1, step by step' })
+  const list = panel.getByRole('list', { name: 'All steps' })
+  return {
+    panel,
+    list,
+    current: list.locator('[aria-current=step]'),
+    sentence: panel.locator('.sentence'),
+    lit: page.locator('hex-lens .highlight:not([display])'),
+  }
+}
+
+test('each step says what it does and lights up its part of the element', async ({ lens, page }) => {
+  await lens.open()
+  await expect(partsOf(page).lit).toHaveCount(0)
+  const { panel, list, current, sentence, lit } = await openPanel(lens)
+  await expect(list.getByRole('button')).toHaveCount(26)
+  await expect(sentence).toHaveText(/^Vertex 0: J\s=\s1\/8, the first value, so M\s=\s1\/8\./)
+  await expect(lit).toHaveAttribute('data-part', 'vertex-0')
+  await lens.button('Forward').click()
+  await expect(current).toHaveText(/Vertex 1/)
+  await expect(lit).toHaveAttribute('data-part', 'vertex-1')
+  await list.getByRole('button', { name: /^Edge 6–7/ }).click()
+  await expect(sentence).toHaveText(/so M becomes −0\.010653\./)
+  await expect(lit).toHaveAttribute('data-part', 'edge-6')
+  await lens.button('Last').click()
+  await expect(sentence).toHaveText(/^Face \+ζ: .*the boundary minimum is −0\.010653\.$/)
+  await expect(lit).toHaveAttribute('data-part', 'face-5')
+  await expect(panel).toContainText('26 of 26')
+  await expect(lens.button('Forward')).toHaveAttribute('aria-disabled', 'true')
+  await lens.button('First').click()
+  await expect(current).toHaveText(/Vertex 0/)
+  await expect(lens.button('Undo')).toBeDisabled()
+})
+
+test('the arrows walk through the list, which is one stop of Tab', async ({ lens, page }) => {
+  await lens.open()
+  const { list, current } = await openPanel(lens)
+  await expect(list.locator('[tabindex="0"]')).toHaveCount(1)
+  await current.focus()
+  await page.keyboard.press('End')
+  await expect(current).toBeFocused()
+  await expect(current).toHaveText(/Face \+ζ/)
+  await page.keyboard.press('ArrowUp')
+  await expect(current).toHaveText(/Face −ζ/)
+  await expect(current).toBeFocused()
+  await expect(current).toBeInViewport()
+  await page.keyboard.press('Home')
+  await expect(current).toHaveText(/Vertex 0/)
+})
+
+test('either query and either variant can be followed', async ({ lens }) => {
+  await lens.open()
+  const { panel, list, sentence } = await openPanel(lens)
+  await expect(list.getByText('skipped')).not.toHaveCount(0)
+  await panel.getByRole('combobox', { name: 'by' }).selectOption('Roots')
+  await expect(list.getByText('skipped')).toHaveCount(0)
+  await panel.getByRole('combobox', { name: 'Find' }).selectOption('only whether it is valid')
+  await lens.button('Last').click()
+  await expect(list.getByRole('button')).toHaveCount(15)
+  await expect(sentence).toHaveText(/^Edge 6–7: .* is not positive\. The query stops here: the element is invalid\.$/)
+  await lens.set(cube)
+  await expect(list.getByRole('button')).toHaveCount(26)
+  await lens.button('Last').click()
+  await expect(sentence).toHaveText(/everything is positive: the element is valid\.$/)
+})
+
+test('playing goes on by itself, pauses at the end, and stops when the element changes', async ({ lens, page }) => {
+  await page.clock.install()
+  await lens.open()
+  const { current } = await openPanel(lens)
+  await lens.button('Play').click()
+  await page.clock.runFor(850)
+  await expect(current).toHaveText(/Vertex 1/)
+  await page.clock.runFor(850)
+  await expect(current).toHaveText(/Vertex 2/)
+  await lens.set(cube)
+  await page.clock.runFor(100)
+  await expect(lens.button('Play')).toBeVisible()
+  await page.clock.runFor(5000)
+  await expect(current).toHaveText(/Vertex 2/)
+  await lens.button('Last').click()
+  await lens.button('Back').click()
+  await page.clock.runFor(100)
+  await lens.button('Play').click()
+  await page.clock.runFor(2000)
+  await expect(current).toHaveText(/Face \+ζ/)
+  await expect(lens.button('Play')).toBeVisible()
+})
+
+test('there is nothing to play where less motion is asked for', async ({ lens, page }) => {
+  await lens.open()
+  await openPanel(lens)
+  await lens.button('Play').click()
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await expect(lens.button('Pause')).toHaveCount(0)
+  await expect(lens.button('Play')).toHaveCount(0)
+  await expect(lens.button('Forward')).toBeVisible()
+})
+
+test('closing the panel puts out the light and stops the play', async ({ lens }) => {
+  await lens.open()
+  const { panel, current, lit } = await openPanel(lens)
+  await lens.button('Play').click()
+  await panel.getByRole('button', { name: 'Algorithm 1, step by step' }).click()
+  await expect(lit).toHaveCount(0)
+  await lens.page.waitForTimeout(1000)
+  await panel.getByRole('button', { name: 'Algorithm 1, step by step' }).click()
+  await expect(current).toHaveText(/Vertex 0/)
+  await expect(lit).toHaveAttribute('data-part', 'vertex-0')
+  await expect(lens.button('Play')).toBeVisible()
+})
+
+test('the steps follow a change, and the reference cube', async ({ lens, page }) => {
+  await lens.open()
+  const { sentence } = await openPanel(lens)
+  await page.getByRole('button', { name: /\[0,1\]/ }).click()
+  await expect(sentence).toHaveText(/^Vertex 0: J\s=\s1\/64/)
+  await lens.set(cube)
+  await expect(sentence).toHaveText(/^Vertex 0: J\s=\s1\/8/)
+})
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test.describe(`in the ${colorScheme} scheme`, () => {
+    test.use({ colorScheme })
+
+    for (const [width, height] of [
+      [1280, 800],
+      [360, 740],
+    ] as const) {
+      test(`at ${width} pixels axe finds nothing in the open panel`, async ({ lens, page }) => {
+        await page.setViewportSize({ width, height })
+        await lens.open()
+        const { panel, list } = await openPanel(lens)
+        for (const preset of [presets[0], presets[4] ?? presets[0]]) {
+          await lens.set(presetVertices(preset))
+          await list.getByRole('button').nth(22).click()
+          const { violations } = await new AxeBuilder({ page }).analyze()
+          expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join('; ')}`)).toEqual([])
+        }
+        for (const target of await panel.getByRole('button').all()) {
+          const box = await target.boundingBox()
+          expect(Math.min(box?.width ?? 24, box?.height ?? 24)).toBeGreaterThanOrEqual(24)
+        }
+        const overflows = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth)
+        expect(overflows).toBe(false)
+      })
+    }
+  })
+}
