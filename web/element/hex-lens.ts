@@ -14,12 +14,13 @@ import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import type { Action } from '../model/state'
 import { createStore, type Store } from '../model/store'
-import type { Problem, Proof, View, ViewHost } from '../views/view'
+import type { Problem, Proof, TriedOrders, View, ViewHost } from '../views/view'
 import { fetchCore } from './fetch-core'
 import css from './hex-lens.css?inline'
 import { HexLensError } from './hex-lens-error'
 import { type Part, parts } from './parts'
 import { historyStep } from './shortcuts'
+import { triedOrders } from './tried-orders'
 
 const styleSheets = [css, ...parts.map(part => part.styles)].map(styles => {
   const sheet = new CSSStyleSheet()
@@ -39,6 +40,7 @@ export class HexLens extends HTMLElement {
   #core: Core | null = null
   #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
   #proof: Proof | null = null
+  #triedOrders: TriedOrders | null = null
   #toldValid: boolean | null = null
   #views: readonly View[] = []
   /** Parts to be made in the next frame, in the one after it, … */
@@ -185,6 +187,14 @@ export class HexLens extends HTMLElement {
     }
   }
 
+  /** Between gestures, like the proof; of invalid elements only. */
+  #tryOrders(): void {
+    const { vertices, gestureStart, openPanels } = this.#store.state
+    if (!openPanels.includes('node-order') || this.#analyzed === null) this.#triedOrders = null
+    else if (this.#core && gestureStart === null && this.#triedOrders?.vertices !== vertices)
+      this.#triedOrders = this.#analyzed.report.valid ? null : triedOrders(this.#core, vertices)
+  }
+
   #probed(): JacobianReport | null {
     const { vertices, probe } = this.#store.state
     const result = probe && this.#core?.jacobian(vertices, probe)
@@ -196,10 +206,12 @@ export class HexLens extends HTMLElement {
     this.#make()
     const report = this.report
     this.#prove()
+    this.#tryOrders()
     const frame = {
       state: this.#store.state,
       report,
       proof: this.#proof,
+      triedOrders: this.#triedOrders,
       probe: report && this.#probed(),
       problems: [...this.#problems.values()],
     }

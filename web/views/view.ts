@@ -1,4 +1,5 @@
 /** The one contract between the element and its views: they receive a frame and draw it; they emit actions, nothing else. */
+import type { NodeOrder } from '../content/node-orders'
 import type { Certificate } from '../core/exact/certificate'
 import type { JacobianReport, Report } from '../core/report'
 import type { Vertices } from '../model/hexahedron'
@@ -16,12 +17,33 @@ export interface Proof {
   readonly certificate: Certificate
 }
 
+/** The same eight points in another order, which is a valid element. */
+export interface HelpfulOrder {
+  /** Orders that differ by a rotation only; there is at least one. */
+  readonly orders: readonly NodeOrder[]
+  readonly vertices: Vertices
+  /** Its least jacdet, times 2^exponent. */
+  readonly boundaryMinimum: number
+  readonly exponent: number
+}
+
+/** What other orders make of an invalid element: while a gesture runs, of the element as it was before. */
+export interface TriedOrders {
+  readonly vertices: Vertices
+  /** How many orders were tried, rotations of each counted once. */
+  readonly count: number
+  /** The one with the greatest minimum first. */
+  readonly helpful: readonly HelpfulOrder[]
+}
+
 /** One frame's truth. `report` belongs to `state.vertices`; it is null only while the core is loading or could not start. */
 export interface Frame {
   readonly state: State
   readonly report: Report | null
   /** Null unless `state.proofShown`, and where there is no report. */
   readonly proof: Proof | null
+  /** Null unless the panel for it is open and the element is invalid. */
+  readonly triedOrders: TriedOrders | null
   /** DF at `state.probe`; null where nothing is pointed at, or there is no report. */
   readonly probe: JacobianReport | null
   readonly problems: readonly Problem[]
