@@ -42,6 +42,19 @@ describe('one coordinate moved', () => {
   })
 })
 
+describe('all vertices moved', () => {
+  it('are one step, or a gesture’s, and preset and start stay', () => {
+    const all = (vertices: readonly number[]): Action => ({ type: 'move-all', vertices })
+    const target = dispatched(all(other))
+    expect(target.state).toMatchObject({ vertices: other, preset: 'cube', start: unitCube })
+    for (const action of [begin, all(unitCube.with(0, 3)), all(unitCube), commit, undo]) target.dispatch(action)
+    expect(target.state).toMatchObject({ vertices: other, canUndo: true })
+    target.dispatch(undo)
+    expect(target.state).toMatchObject({ vertices: unitCube, canUndo: false })
+    expect(() => target.dispatch(all(other.slice(1)))).toThrow(RangeError)
+  })
+})
+
 describe('a gesture', () => {
   it('is one step, however many moves it has', () => {
     const target = dispatched(begin, move(2), move(3), move(4), commit)
@@ -186,6 +199,16 @@ describe('the store', () => {
     expect(() => target.dispatch({ type: 'highlight', part: { kind: 'vertex', id: 8 } })).toThrow(RangeError)
     target.dispatch({ type: 'highlight', part: null })
     expect(target.state.highlight).toBeNull()
+  })
+
+  it('keeps the ends of a way out of the history, and refuses what is no element', () => {
+    const target = dispatched({ type: 'keep-morph-end', end: 'morphA', vertices: other })
+    expect(target.state).toMatchObject({ morphA: other, morphB: null, canUndo: false })
+    target.dispatch({ type: 'keep-morph-end', end: 'morphB', vertices: unitCube })
+    expect(target.state.morphB).toBe(target.state.vertices)
+    target.dispatch({ type: 'keep-morph-end', end: 'morphA', vertices: null })
+    expect(target.state.morphA).toBeNull()
+    expect(() => target.dispatch({ type: 'keep-morph-end', end: 'morphB', vertices: [1] })).toThrow(RangeError)
   })
 
   it('after any actions undoes all the way to the start and redoes all the way back', () => {

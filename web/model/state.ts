@@ -41,6 +41,9 @@ export interface State {
   readonly selectedFace: number
   /** The part that is spoken of, for every view to mark; null when none is. */
   readonly highlight: ElementPart | null
+  /** Ends of a way between two elements, where they were kept: else it goes from `start` to `vertices`. */
+  readonly morphA: Vertices | null
+  readonly morphB: Vertices | null
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
@@ -50,6 +53,8 @@ export type Action =
   | { readonly type: 'move-vertex'; readonly vertex: number; readonly to: Vec3 }
   /** One coordinate, `index` = 3 * vertex + axis, likewise; the vertex's other two stay as they are by then. */
   | { readonly type: 'move-coordinate'; readonly index: number; readonly to: number }
+  /** All vertices, likewise; preset and start stay. */
+  | { readonly type: 'move-all'; readonly vertices: Vertices }
   /** The whole element replaced: a preset, a link, the `vertices` property. `preset` is the preset's id if it is one. */
   | { readonly type: 'set-vertices'; readonly vertices: Vertices; readonly preset: string | null }
   /** A gesture is one undo step by intent: begin, any number of moves, then commit, or cancel to restore. */
@@ -69,5 +74,7 @@ export type Action =
   | { readonly type: 'probe'; readonly point: Vec3 | null }
   | { readonly type: 'select-face'; readonly face: number }
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
+  /** Null lets the end follow the element again. */
+  | { readonly type: 'keep-morph-end'; readonly end: 'morphA' | 'morphB'; readonly vertices: Vertices | null }
 
 export type Dispatch = (action: Action) => void

@@ -46,6 +46,8 @@ const SHOWN_FIRST: Shown = {
   probe: null,
   selectedFace: 0,
   highlight: null,
+  morphA: null,
+  morphB: null,
 }
 
 const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
@@ -132,6 +134,9 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
         change({ ...present, vertices: kept(present.vertices, moved) })
         break
       }
+      case 'move-all':
+        change({ ...present, vertices: kept(present.vertices, accepted(action.vertices)) })
+        break
       case 'set-vertices': {
         const vertices = kept(present.vertices, accepted(action.vertices))
         change({ vertices, preset: action.preset, start: kept(present.start, vertices) })
@@ -189,6 +194,9 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
       case 'highlight':
         if (action.part) checkIndex(action.part.id, PART_COUNTS[action.part.kind], action.part.kind)
         shown = { ...shown, highlight: samePart(shown.highlight, action.part) ? shown.highlight : action.part }
+        break
+      case 'keep-morph-end':
+        shown = { ...shown, [action.end]: action.vertices && kept(present.vertices, accepted(action.vertices)) }
         break
     }
   }
