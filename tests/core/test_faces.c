@@ -78,7 +78,7 @@ static void check_hard_face(const double vertices[24], const char *what, long nu
     face.b[i] = beta[i];
     greatest = fmax(greatest, fabs(beta[i]));
   }
-  /* docs/algorithm.md 4 allows 3000 u of the largest coefficient, a worst case; 2 to 4 u is the most that was seen. */
+  /* docs/algorithm.md 4 allows 4000 u of the largest coefficient, a worst case; 2 to 4 u is the most that was seen. */
   double error = 16 * UNIT_ROUNDOFF * greatest, least = least_on_face(&report);
   CHECK(is_at_least(&face, least - error, 120), "%s %ld: the face is below %.17g by more than %.3g", what, number,
         least, error);

@@ -9,26 +9,26 @@ typedef struct column {
   int exponent;
 } column;
 
-/* From a vector in the axes' own scales. A length needs one scale; a component that underflows in it is nothing beside the
-   others. */
+/* From a vector in the axes' own scales; a length needs one, in which the largest component is in [1/2, 1). What underflows
+   then is nothing beside it. */
 static column column_of(const double vector[3], const int axis_exponent[3]) {
-  const int *e = axis_exponent;
-  int common = e[0] > e[1] ? e[0] : e[1];
-  common = e[2] > common ? e[2] : common;
-  column c = {.exponent = common};
-  for (int r = 0; r < 3; ++r) c.vector[r] = times_power_of_two(vector[r], e[r] - common);
-  double greatest = greatest_magnitude(c.vector, 3);
-  if (!(greatest > 0)) return c;
-  int own = binary_exponent(greatest);
-  for (int r = 0; r < 3; ++r) c.vector[r] = times_power_of_two(c.vector[r], -own);
+  column c = {.length = 0};
+  bool is_zero = true;
+  for (int r = 0; r < 3; ++r) {
+    if (vector[r] == 0) continue;
+    int exponent = binary_exponent(vector[r]) + axis_exponent[r];
+    if (is_zero || exponent > c.exponent) c.exponent = exponent;
+    is_zero = false;
+  }
+  if (is_zero) return c;
+  for (int r = 0; r < 3; ++r) c.vector[r] = times_power_of_two(vector[r], axis_exponent[r] - c.exponent);
   c.length = __builtin_sqrt(dot(c.vector, c.vector));
-  c.exponent += own;
   return c;
 }
 
-/* jacdet over the product of the lengths: of its exact sign, and not 0 however small unless jacdet is. It is at most 1
-   (Hadamard) unless a column is nothing but the rounding errors of the edges whose mean it is; then what those columns give
-   is as good. 0 where a length is. */
+/* jacdet over the product of the lengths: of its sign, and not 0 however small unless jacdet is. It is at most 1 (Hadamard)
+   unless a column is nothing but the rounding errors of the edges whose mean it is; then the size is what those columns
+   give. 0 where a length is. */
 static double scaled_jacobian(double jacdet, int exponent, const column *u, const column *v, const column *w) {
   const int least_exponent = -960, greatest_exponent = 3; /* beyond, the ratio is above 2^4 / 2 / 3^1.5 > 1 */
   double product = u->length * v->length * w->length, normal[3];
@@ -40,7 +40,10 @@ static double scaled_jacobian(double jacdet, int exponent, const column *u, cons
     if (ratio <= 1 && ratio >= -1) return ratio;
   }
   cross(u->vector, v->vector, normal);
-  return dot(normal, w->vector) / product + 0.0;
+  double size = dot(normal, w->vector) / product;
+  if (size < 0) size = -size;
+  if (size < 0x1p-960) size = 0x1p-960;
+  return jacdet > 0 ? size : -size;
 }
 
 static column column_at_centre(const double family[2][2][3], const int axis_exponent[3]) {
@@ -51,14 +54,14 @@ static column column_at_centre(const double family[2][2][3], const int axis_expo
 }
 
 /* The value at the centre of the element: the mean of the coefficients with weights 1, 2, 1 on each axis. */
-static double value_at_centre(const double bernstein[27]) {
+double value_at_centre(const double bernstein[27]) {
   double sum = 0;
   for (int i = 0; i < 27; ++i)
     sum += bernstein[i] * ((i / 9 == 1 ? 2 : 1) * (i / 3 % 3 == 1 ? 2 : 1) * (i % 3 == 1 ? 2 : 1));
   return sum / 64;
 }
 
-double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], int exponent) {
+double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], double value, int exponent) {
   const int *e = edges->axis_exponent;
   column u[2][2], v[2][2], w[2][2],
       centre[3] = {column_at_centre(edges->u, e), column_at_centre(edges->v, e), column_at_centre(edges->w, e)};
@@ -68,7 +71,7 @@ double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[2
       v[m][n] = column_of(edges->v[m][n], e);
       w[m][n] = column_of(edges->w[m][n], e);
     }
-  double least = scaled_jacobian(value_at_centre(bernstein), exponent, &centre[0], &centre[1], &centre[2]);
+  double least = scaled_jacobian(value, exponent, &centre[0], &centre[1], &centre[2]);
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       for (int k = 0; k < 2; ++k) {

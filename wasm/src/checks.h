@@ -5,10 +5,11 @@
 #include "scaling.h"
 
 /* The least scaled Jacobian, det DF over the product of its columns' lengths, at the vertices and the centre; det DF from
-   the coefficients, bernstein * 2^exponent. */
-double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], int exponent);
+   the coefficients and the value at the centre, times 2^exponent. */
+double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], double centre, int exponent);
 
 /* From Bernstein coefficients, in their units. */
+double value_at_centre(const double bernstein[27]);
 double least_at_gauss_points(const double bernstein[27], int points_per_axis);
 double subdivision_to_depth_4(const double bernstein[27]);
 

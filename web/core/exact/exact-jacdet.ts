@@ -6,7 +6,12 @@ export interface ExactJacdet {
   /** Four times the 27 coefficients, over 2^exponent, `bernstein[9 * i + 3 * j + k]`; the cube's centre is left 0. */
   readonly bernstein: readonly bigint[]
   readonly exponent: number
+  /** The twelve edge vectors; component r is its number times 2^axisExponents[r]. */
+  readonly edges: readonly IntegerVector[]
+  readonly axisExponents: readonly number[]
 }
+
+export type IntegerVector = readonly [bigint, bigint, bigint]
 
 /** integer * 2^exponent, exactly. */
 function integerOf(value: number): { integer: bigint; exponent: number } {
@@ -19,17 +24,15 @@ function integerOf(value: number): { integer: bigint; exponent: number } {
   return { integer: value < 0 ? -magnitude : magnitude, exponent: Math.max(biased, 1) - 1075 }
 }
 
-type Vector = readonly [bigint, bigint, bigint]
-
-function cross(a: Vector, b: Vector): Vector {
+function cross(a: IntegerVector, b: IntegerVector): IntegerVector {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-function dot(a: Vector, b: Vector): bigint {
+function dot(a: IntegerVector, b: IntegerVector): bigint {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-function plus(a: Vector, b: Vector): Vector {
+function plus(a: IntegerVector, b: IntegerVector): IntegerVector {
   return [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
@@ -47,12 +50,12 @@ const at = (i: number, j: number, k: number) => 9 * i + 3 * j + k
 /** By docs/algorithm.md (3) to (7). */
 export function exactJacdet(vertices: Vertices): ExactJacdet {
   const axes = [0, 1, 2].map(axis => integersOnAxis(vertices, axis))
-  const points = vertexReference.map((_, v) => axes.map(({ values }) => values[v]) as unknown as Vector)
+  const points = vertexReference.map((_, v) => axes.map(({ values }) => values[v]) as unknown as IntegerVector)
   const vectors = edgeVertices.map(([from, to]) => {
-    const [p, q] = [points[from], points[to]] as [Vector, Vector]
+    const [p, q] = [points[from], points[to]] as [IntegerVector, IntegerVector]
     return [q[0] - p[0], q[1] - p[1], q[2] - p[2]] as const
   })
-  const vector = (edge: number | undefined) => vectors[edge as number] as Vector
+  const vector = (edge: number | undefined) => vectors[edge as number] as IntegerVector
   const u = (j: number, k: number) => vector([0, 4, 2, 6][2 * j + k])
   const v = (i: number, k: number) => vector([3, 7, 1, 5][2 * i + k])
   const w = (i: number, j: number) => vector([8, 10, 9, 11][2 * i + j])
@@ -79,26 +82,36 @@ export function exactJacdet(vertices: Vertices): ExactJacdet {
       offsets.reduce((all, offset) => all + (bernstein[centre + offset] as bigint), 0n)
     bernstein[centre] = (2n * total(-S, S, -T, T) - total(-S - T, S + T, T - S, S - T)) / 4n
   }
-  return { bernstein, exponent: axes.reduce((all, { exponent }) => all + exponent, 0) }
+  const axisExponents = axes.map(({ exponent }) => exponent)
+  return { bernstein, exponent: axisExponents.reduce((a, b) => a + b), edges: vectors, axisExponents }
 }
 
-/**
- * All 27, the cube's centre by docs/algorithm.md (7), as doubles times 2^exponent, the largest of magnitude in [1/2, 1);
- * each is off by `error` at most, its rounding.
- */
-export function roundedJacdet({ bernstein, exponent }: ExactJacdet) {
-  // Over 16, so that the centre is an integer too.
-  const sixteenths = bernstein.map(coefficient => 4n * coefficient)
+/** Sixteen times the 27 coefficients, over 2^exponent: with the cube's centre by docs/algorithm.md (7). */
+export function sixteenths({ bernstein }: ExactJacdet): bigint[] {
   const sumOf = (ones: number) =>
     bernstein.reduce((all, coefficient, i) => (onesIn(i) === ones ? all + coefficient : all), 0n)
-  sixteenths[at(1, 1, 1)] = sumOf(1) - sumOf(0)
-  const bits = Math.max(...sixteenths.map(bitLength))
-  const unit = exponent - 4 + bits
+  return bernstein.map(coefficient => 4n * coefficient).with(at(1, 1, 1), sumOf(1) - sumOf(0))
+}
+
+/** A coefficient too small for the doubles beside the largest keeps its sign. */
+const LEAST_POWER = -1000
+
+/**
+ * All 27 as doubles times 2^exponent, the largest of magnitude in [1/2, 1); each is off by `error` at most, its rounding, and
+ * has its sign.
+ */
+export function roundedJacdet(jacdet: ExactJacdet) {
+  const coefficients = sixteenths(jacdet)
+  const bits = Math.max(...coefficients.map(bitLength))
   const inUnit = (numerator: bigint) => {
     const { mantissa, exponent: power } = rounded({ numerator, denominator: 1n }, -bits)
-    return power < -1000 ? 0 : mantissa * 2 ** power
+    return power < LEAST_POWER ? Math.sign(mantissa) * 2 ** LEAST_POWER : mantissa * 2 ** power
   }
-  return { bernstein: sixteenths.map(inUnit), exponent: bits === 0 ? 0 : unit, error: bits === 0 ? 0 : 2 ** -53 }
+  return {
+    bernstein: coefficients.map(inUnit),
+    exponent: bits === 0 ? 0 : jacdet.exponent - 4 + bits,
+    error: bits === 0 ? 0 : 2 ** -53,
+  }
 }
 
 /** How many of its three indices are 1: none of a corner, one of an edge's middle. */

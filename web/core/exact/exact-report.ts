@@ -1,7 +1,8 @@
 /** The report of an element on which doubles do not decide: verdict, candidates and minima from exact arithmetic. */
 import type { Vec3 } from '../../model/hexahedron'
-import type { Candidate, CheckId, FaceReport, Report, VolumeMinimum } from '../report'
+import type { Candidate, Check, FaceReport, Report, VolumeMinimum } from '../report'
 import { check, type FilteredReport } from '../unpack'
+import { exactChecks, type ScaledNumber } from './exact-checks'
 import type { ExactBoundary, ExactCandidate } from './exact-minimum'
 
 const KINDS: readonly Candidate['kind'][] = ['vertex', 'edge', 'face']
@@ -20,18 +21,17 @@ const VALUE_ERROR = 2 ** -52
  */
 export function exactReport(
   report: FilteredReport,
-  { sign, candidates, minimizer, skippedFaces }: ExactBoundary,
+  { sign, jacdet, candidates, minimizer, skippedFaces }: ExactBoundary,
   positionOf: (point: Vec3) => Vec3,
 ): Report {
-  const exponent = commonExponent(candidates, report.exponent)
+  const exponent = commonExponent(candidates, report)
   const inUnits = (candidate: ExactCandidate): Candidate => {
     const { kind, id, point } = candidate
     return { kind, id, point, position: positionOf(point), value: inUnitsOf(exponent, candidate) }
   }
   const least = inUnits(minimizer)
   const boundaryMinimumError = errorOf(least.value)
-  const map = (value: number) => timesPowerOfTwo(value, report.exponent - exponent)
-  const inNewUnits = mapped(report, map)
+  const inNewUnits = mapped(report, report.exponent - exponent)
   // By their exact bound these are no lower than the minimum, whatever rounding says.
   const skipped = inNewUnits.candidates
     .filter(({ kind, id }) => kind === 'face' && skippedFaces.includes(id))
@@ -40,7 +40,15 @@ export function exactReport(
     Math.min(...candidates.filter(({ kind }) => kinds.includes(kind)).map(candidate => inUnitsOf(exponent, candidate)))
   const cornerMinimum = leastOf('vertex')
   const edgeMinimum = leastOf('vertex', 'edge')
-  const exactChecks: Partial<Record<CheckId, number>> = { corners: cornerMinimum, edges: edgeMinimum }
+  const { jacdets, scaledJacobian } = exactChecks(jacdet)
+  const checkValue = ({ id, value }: Check): number => {
+    const number = jacdets[id]
+    if (number) return inUnitsOf(exponent, number)
+    if (id === 'corners') return cornerMinimum
+    if (id === 'edges') return edgeMinimum
+    if (id === 'corners-and-centre') return scaledJacobian
+    return sign > 0 ? value : Math.min(value, 0) // subdivision accepts by bounds, and so nothing that is invalid
+  }
   const onBoundary = {
     lower: least.value - boundaryMinimumError,
     upper: least.value + boundaryMinimumError,
@@ -61,7 +69,7 @@ export function exactReport(
     volumeMinimum: sign > 0 ? onBoundary : tighter(inNewUnits.volumeMinimum, onBoundary),
     cornerMinimum,
     edgeMinimum,
-    checks: inNewUnits.checks.map(({ id, value }) => check(id, exactChecks[id] ?? value)),
+    checks: inNewUnits.checks.map(given => check(given.id, checkValue(given))),
   }
 }
 
@@ -77,23 +85,32 @@ function errorOf(value: number): number {
   return error > 0 && error < LEAST_NORMAL ? error + Number.MIN_VALUE : error
 }
 
-function leadingPower({ mantissa, exponent }: ExactCandidate): number {
+function leadingPower({ mantissa, exponent }: ScaledNumber): number {
   return Math.floor(Math.log2(Math.abs(mantissa))) + exponent
 }
 
-function commonExponent(candidates: readonly ExactCandidate[], given: number): number {
+/** A root's a and the bracket's ends are at most 4 times the largest coefficient, and rounding. */
+const MARGIN_BITS = 4
+
+/** In which all of the candidates are normal doubles, if there is one; if there is none, no number of the report is too large. */
+function commonExponent(candidates: readonly ExactCandidate[], { bernstein, exponent }: FilteredReport): number {
   const powers = candidates.filter(({ mantissa }) => mantissa !== 0).map(leadingPower)
-  if (powers.length === 0) return given
-  const [least, greatest] = [Math.min(...powers), Math.max(...powers)]
+  if (powers.length === 0) return exponent
+  const largest = leadingPower({ mantissa: Math.max(...bernstein.map(Math.abs)), exponent }) + MARGIN_BITS
+  const [least, greatest] = [Math.min(...powers), Math.max(...powers, largest)]
   // One power to spare on each side for the rounding of the logarithm.
-  const fits = (exponent: number) => least - exponent > NORMAL.least && greatest - exponent < NORMAL.greatest
-  if (fits(given)) return given
+  const fits = (given: number) => least - given > NORMAL.least && greatest - given < NORMAL.greatest
+  if (fits(exponent)) return exponent
   return Math.max(greatest - NORMAL.greatest + 1, (least + greatest) >> 1)
 }
 
-function inUnitsOf(unit: number, { mantissa, exponent }: ExactCandidate): number {
-  const value = timesPowerOfTwo(mantissa, exponent - unit)
-  return mantissa !== 0 && Math.abs(value) < LEAST_NORMAL ? Math.sign(mantissa) * LEAST_NORMAL : value
+function inUnitsOf(unit: number, { mantissa, exponent }: ScaledNumber): number {
+  return inNormalRange(timesPowerOfTwo(mantissa, exponent - unit), mantissa)
+}
+
+/** What became too small is the least normal double of its sign. */
+function inNormalRange(value: number, before: number): number {
+  return before !== 0 && Math.abs(value) < LEAST_NORMAL ? Math.sign(before) * LEAST_NORMAL : value
 }
 
 function timesPowerOfTwo(value: number, exponent: number): number {
@@ -105,8 +122,9 @@ function timesPowerOfTwo(value: number, exponent: number): number {
   return result * 2 ** rest
 }
 
-/** The report with another number for every jacdet; where that is no longer exact, a bracket stays one. */
-function mapped(report: FilteredReport, map: (jacdet: number) => number): FilteredReport {
+/** The report in units of another power of two; a bracket stays one. */
+function mapped(report: FilteredReport, exponent: number): FilteredReport {
+  const map = (value: number) => inNormalRange(timesPowerOfTwo(value, exponent), value)
   const mappedFace = (face: FaceReport): FaceReport => ({
     ...face,
     bernstein: face.bernstein.map(map),
@@ -114,19 +132,16 @@ function mapped(report: FilteredReport, map: (jacdet: number) => number): Filter
     runningMinimum: map(face.runningMinimum),
     roots: face.roots.map(root => ({ ...root, a: map(root.a) })),
   })
-  const outward = (value: number, step: number) => {
-    const to = map(value)
-    return value !== 0 && Math.abs(to) < LEAST_NORMAL ? to + step : to
-  }
   const { volumeMinimum } = report
+  const [lower, upper] = [map(volumeMinimum.lower), map(volumeMinimum.upper)]
   return {
     ...report,
     boundaryMaximum: map(report.boundaryMaximum),
     maximizer: { ...report.maximizer, value: map(report.maximizer.value) },
     volumeMinimum: {
       ...volumeMinimum,
-      lower: outward(volumeMinimum.lower, -Number.MIN_VALUE),
-      upper: outward(volumeMinimum.upper, Number.MIN_VALUE),
+      lower: lower === LEAST_NORMAL ? 0 : lower,
+      upper: upper === -LEAST_NORMAL ? 0 : upper,
     },
     checks: report.checks.map(({ id, value }) => check(id, id === 'corners-and-centre' ? value : map(value))),
     bernstein: report.bernstein.map(map),
