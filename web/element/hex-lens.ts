@@ -10,6 +10,7 @@
  */
 import { presets, presetVertices } from '../content/presets'
 import type { Core, JacobianReport, Report } from '../core/report'
+import { type Morph, morphOf } from '../core/morph'
 import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import type { Action } from '../model/state'
@@ -43,6 +44,7 @@ export class HexLens extends HTMLElement {
   #triedOrders: TriedOrders | null = null
   #toldValid: boolean | null = null
   #views: readonly View[] = []
+  #morph: Morph | null = null
   /** Parts to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Part[])[] = []
   #frameRequest = 0
@@ -208,6 +210,15 @@ export class HexLens extends HTMLElement {
     this.#prove()
     this.#tryOrders()
     const frame = {
+  #morphed(): Morph | null {
+    const { vertices, start, morphA, morphB, gestureStart, openPanels } = this.#store.state
+    const [a, b] = [morphA ?? start, morphB ?? vertices]
+    if (!openPanels.includes('morph') || this.#core === null || this.#analyzed === null) this.#morph = null
+    else if (gestureStart === null && (this.#morph?.a !== a || this.#morph.b !== b))
+      this.#morph = morphOf(this.#core, a, b)
+    return this.#morph
+  }
+
       state: this.#store.state,
       report,
       proof: this.#proof,
@@ -226,6 +237,7 @@ export class HexLens extends HTMLElement {
     const { vertices, gestureStart } = frame.state
     const moved = this.#drawn !== null && this.#drawn !== vertices
     this.#drawn = vertices
+      morph: this.#morphed(),
     if (moved) this.#tell('hex-input')
     if (report && report.valid !== this.#toldValid) {
       this.#toldValid = report.valid

@@ -1,6 +1,7 @@
 /** The one contract between the element and its views: they receive a frame and draw it; they emit actions, nothing else. */
 import type { NodeOrder } from '../content/node-orders'
 import type { Certificate } from '../core/exact/certificate'
+import type { Morph } from '../core/morph'
 import type { JacobianReport, Report } from '../core/report'
 import type { Vertices } from '../model/hexahedron'
 import type { Dispatch, State } from '../model/state'
@@ -70,3 +71,5 @@ export interface ViewHost {
 }
 
 export type CreateView = (host: ViewHost) => View
+  /** Null unless its panel is open; while a gesture runs, the way as it was before. */
+  readonly morph: Morph | null
