@@ -1,7 +1,9 @@
 /** What the presets claim, in exact arithmetic where a point or an edge decides it. */
 import { describe, expect, it } from 'vitest'
+import { nodeOrders } from '../../web/content/node-orders'
 import { type Preset, presets, presetVertices } from '../../web/content/presets'
-import type { Vec3 } from '../../web/model/hexahedron'
+import { type Vec3, vertexReference } from '../../web/model/hexahedron'
+import { reordered } from '../../web/model/node-order'
 import { cases, caseVertices, core, randomSource } from './core-fixtures'
 import { edgesArePositive, exactJacdet, verticesArePositive } from './exact'
 
@@ -19,6 +21,7 @@ const claims: Record<
   touching: { witness: [0.5, 0.5, 0], value: 'zero', positive: 'edges' },
   'twisted-after': { witness: [0, 0, 0.5], value: 'negative', positive: 'vertices' },
   inverted: { witness: CENTRE, value: 'negative', positive: 'nothing' },
+  'wrong-order': { witness: [1, 1, 0], value: 'negative', positive: 'nothing' },
   wedge: { witness: [0, 1, 0], value: 'zero', positive: 'nothing' },
 }
 
@@ -80,6 +83,11 @@ describe('the presets of the paper and of the exact cases', () => {
     expect(report(counterexample).boundaryMinimum).toBe(0)
     expect(core.jacobian(counterexample, CENTRE)).toMatchObject({ value: { jacdet: -0.25 } })
     expect(report(presetVertices(preset('touching'))).boundaryMinimum).toBe(0)
+    const wrongOrder = presetVertices(preset('wrong-order'))
+    expect(vertexReference.filter(point => exactJacdet(wrongOrder, point) < 0n).length).toBe(4)
+    const lexicographic = nodeOrders.find(({ id }) => id === 'lexicographic')
+    const putRight = reordered(wrongOrder, lexicographic?.permutation ?? [])
+    expect(verticesArePositive(putRight) && edgesArePositive(putRight) && report(putRight).valid).toBe(true)
     const inverted = report(presetVertices(preset('inverted')))
     expect([inverted.boundaryMinimum, inverted.boundaryMaximum]).toEqual([-1, -1])
   })

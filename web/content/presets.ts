@@ -177,6 +177,22 @@ export const presets: readonly [Preset, ...Preset[]] = [
     ],
   },
   {
+    id: 'wrong-order',
+    title: 'Wrong node order',
+    note: 'A good block with its points in deal.II’s order instead of this page’s: jacdet is negative at four vertices until Node order puts them right.',
+    valid: false,
+    points: [
+      [0, 0, 0],
+      [1.25, 0, 0.125],
+      [0, 1, 0],
+      [1, 1.125, 0],
+      [0.125, 0, 1],
+      [1.25, 0.125, 1.25],
+      [0, 1.125, 1],
+      [1.125, 1, 1],
+    ],
+  },
+  {
     id: 'wedge',
     title: 'Collapsed to a wedge',
     note: 'Two edges of the top lie on the bottom: jacdet is zero along the sharp edge.',

@@ -30,6 +30,11 @@ export const parts: readonly Part[] = [
     create: panel('algorithm', 'Algorithm 1, step by step', () => import('../views/algorithm/algorithm')),
     styles: '',
   },
+  {
+    place: 'panel',
+    create: panel('node-order', 'Node order', () => import('../views/node-order/node-order')),
+    styles: '',
+  },
   { place: 'panel', create: createAnnouncer, styles: announcerStyles },
   { place: 'stage', create: createScene, styles: sceneStyles, slow: true },
 ]
