@@ -6,6 +6,7 @@ import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import type { Report } from '../../web/core/report'
 import type { Vec3 } from '../../web/model/hexahedron'
+import { numbersIn } from '../unit/core-fixtures'
 import { borderCrossing, CROSSING_SIZE, hexahedraOf } from './border'
 import { FAMILIES, families } from './hexahedra'
 import {
@@ -74,6 +75,7 @@ function greatest(values: readonly bigint[]): bigint {
 }
 
 function expectMinimumProved(report: Report): void {
+  expect(numbersIn(report).filter(value => !Number.isFinite(value))).toEqual([])
   const hex = integerHexahedron(report.vertices)
   const atHalves = jacdetAtHalves(hex)
   const faces = [0, 1, 2, 3, 4, 5].map(face => faceParabolas(atHalves, face))

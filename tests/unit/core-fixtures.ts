@@ -69,3 +69,13 @@ export function caseVertices(name: string): number[] {
   if (!found) throw new Error(`There is no case ${name}.`)
   return found.vertices.flat()
 }
+
+/** Every number in it, at any depth. */
+export function numbersIn(report: object): number[] {
+  const numbers: number[] = []
+  JSON.stringify(report, (_, value) => {
+    if (typeof value === 'number') numbers.push(value)
+    return value
+  })
+  return numbers
+}

@@ -8,6 +8,7 @@ import {
   core,
   depthGuardCases,
   entry,
+  numbersIn,
   randomHexahedron,
   randomSource,
   unitCube,
@@ -150,14 +151,6 @@ describe('exact arithmetic', () => {
   })
 
   it('hands on finite numbers only, whatever the sizes of candidates and coefficients', () => {
-    const numbersOf = (report: Report): number[] => {
-      const numbers: number[] = []
-      JSON.stringify(report, (_, value) => {
-        if (typeof value === 'number') numbers.push(value)
-        return value
-      })
-      return numbers
-    }
     const smallCandidates = [
       [0, 0, 0],
       [0, 0, 0],
@@ -181,7 +174,7 @@ describe('exact arithmetic', () => {
     for (const points of [smallCandidates, largeRoot]) {
       const report = analyzed(points.flat())
       expect([report.valid, report.decidedBy]).toEqual([false, 'exact'])
-      expect(numbersOf(report).filter(value => !Number.isFinite(value))).toEqual([])
+      expect(numbersIn(report).filter(value => !Number.isFinite(value))).toEqual([])
     }
   })
 
