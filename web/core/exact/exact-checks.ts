@@ -101,7 +101,7 @@ function lengthOf(vector: IntegerVector, axisExponents: readonly number[]): Scal
   const parts = vector.map((numerator, r) =>
     normalized(rounded({ numerator, denominator: 1n }, axisExponents[r] as number)),
   )
-  const exponent = Math.max(...parts.filter(({ mantissa }) => mantissa !== 0).map(part => part.exponent))
+  const exponent = Math.max(...parts.map(part => part.exponent))
   if (exponent === Number.NEGATIVE_INFINITY) return { mantissa: 0, exponent: 0 }
   // What underflows is nothing beside the largest.
   return { mantissa: Math.hypot(...parts.map(part => part.mantissa * 2 ** (part.exponent - exponent))), exponent }
@@ -115,9 +115,9 @@ function ratio(jacdet: ScaledNumber, lengths: readonly ScaledNumber[]): number {
   return (mantissa / product) * 2 ** Math.max(power, LEAST_POWER)
 }
 
-/** With a mantissa of magnitude from 1 to 2, but for rounding of the logarithm, or 0. */
+/** With a mantissa of magnitude from 1 to 2, but for rounding of the logarithm; 0 is 0 * 2^-Infinity. */
 function normalized({ mantissa, exponent }: ScaledNumber): ScaledNumber {
-  if (mantissa === 0) return { mantissa, exponent: 0 }
+  if (mantissa === 0) return { mantissa, exponent: Number.NEGATIVE_INFINITY }
   const power = Math.floor(Math.log2(Math.abs(mantissa)))
   return { mantissa: mantissa * 2 ** -power, exponent: exponent + power }
 }
