@@ -12,7 +12,7 @@ export class Lens {
     this.page = page
     this.element = page.locator('hex-lens')
     this.verdict = page.getByRole('status', { name: 'Verdict' })
-    this.scene = page.getByRole('application')
+    this.scene = page.getByRole('application', { name: /^The hexahedron/ })
     this.preset = page.getByRole('combobox', { name: 'Preset' })
   }
 

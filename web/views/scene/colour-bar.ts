@@ -1,5 +1,5 @@
 /** The colour bar: maximum, zero and minimum at their true places on the scene's own ramps, and the units, said once. */
-import type { Report } from '../../core/report'
+import type { JacobianReport, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube, State } from '../../model/state'
 import {
@@ -16,6 +16,7 @@ import { px, set, setText, show, svg } from '../svg'
 export interface ColourBarPicture {
   readonly state: State
   readonly report: Report | null
+  readonly probe: JacobianReport | null
   readonly scale: ColourScale | null
   readonly ramp: Ramp
   /** Upright with the maximum on top, or lying with the maximum at the right. */
@@ -29,6 +30,8 @@ const LABEL_GAP = 10
 const CHARACTER_WIDTH = 7.4
 /** Room for labels beside an upright bar, and below a lying one. */
 const ROOM = { upright: 92, lying: 20 }
+/** The mark of the value that is pointed at: across the bar, with its point on the side that has no labels. */
+const PROBE_MARK = 7
 /** Half a label's height sticks out at either end of an upright bar. */
 const OVERHANG = 9
 /** How far a label may stick out at either end of a lying one. */
@@ -57,6 +60,7 @@ export class ColourBar {
     zero: createTick('zero'),
     minimum: createTick('minimum'),
   }
+  readonly #probe = svg('g', { class: 'probe' }, svg('path', { class: 'halo' }), svg('path', { class: 'line' }))
   #ramp: Ramp | null = null
   #layout = ''
 
@@ -77,10 +81,11 @@ export class ColourBar {
       this.#hatch,
     )
     for (const { line, label } of Object.values(this.#ticks)) this.#svg.append(line, label)
+    this.#svg.append(this.#probe)
     this.root.append(this.#title, this.#svg)
   }
 
-  update({ state, report, scale, ramp, upright, length }: ColourBarPicture): void {
+  update({ state, report, probe, scale, ramp, upright, length }: ColourBarPicture): void {
     // A collapsed element has no colours to explain.
     const hasColours = report !== null && (report.boundaryMinimum !== 0 || report.boundaryMaximum !== 0)
     this.root.hidden = !hasColours
@@ -94,6 +99,7 @@ export class ColourBar {
     const format = (value: number) => formatJacdet(value, exponent, state.referenceCube)
     const labels = labelsOf(minimum, maximum, format, upright)
     this.#updateTicks(labels, fromTop, upright, length)
+    this.#updateProbe(probe && fromTop(timesPowerOfTwo(probe.jacdet, probe.exponent - exponent)), upright, length)
     set(this.#svg, {
       'aria-label': `Colours of jacdet: maximum ${format(maximum)}, zero, minimum ${format(minimum)}`,
     })
@@ -134,6 +140,16 @@ export class ColourBar {
     show(this.#hatch, bottom < 0)
   }
 
+  #updateProbe(fromTop: number | null, upright: boolean, length: number): void {
+    show(this.#probe, fromTop !== null)
+    if (fromTop === null) return
+    const [m, half] = [PROBE_MARK, PROBE_MARK * 0.6]
+    const path = upright
+      ? `M0 ${px(fromTop)}H${THICKNESS}l${m} ${-half}v${2 * half}l${-m} ${-half}`
+      : `M${px(length - fromTop)} ${THICKNESS}V0l${-half} ${-m}h${2 * half}l${-half} ${m}`
+    for (const part of this.#probe.children) set(part, { d: path })
+  }
+
   #updateTicks(labels: readonly Label[], fromTop: (value: number) => number, upright: boolean, length: number): void {
     const heights = labels.map(({ value }) => fromTop(value))
     const sizes = labels.map(({ text }) => (upright ? LABEL_HEIGHT : CHARACTER_WIDTH * text.length + LABEL_GAP))
@@ -162,6 +178,11 @@ export class ColourBar {
       }
     }
   }
+}
+
+/** A jacdet in the units of the report: what is too large or small for a double is at an end of the bar all the same. */
+function timesPowerOfTwo(value: number, power: number): number {
+  return value === 0 ? 0 : value * 2 ** power
 }
 
 function createTick(name: Tick) {

@@ -1,13 +1,14 @@
 /** The scene's few words and buttons: what the marks mean, how the faces are drawn, fit, help. */
 import type { Report } from '../../core/report'
 import { faces } from '../../model/hexahedron'
-import type { FaceDisplay } from '../../model/state'
+import type { FaceDisplay, State } from '../../model/state'
 import { candidateShapes } from '../candidate-shapes'
 import { svg } from '../svg'
 
 export interface ControlActions {
   toggleHelp(): void
   fit(): void
+  toggleReference(): void
   showFaces(faceDisplay: FaceDisplay): void
 }
 
@@ -15,6 +16,7 @@ export class Controls {
   readonly root = document.createElement('div')
   readonly #faces = document.createElement('select')
   readonly #help = document.createElement('button')
+  readonly #reference = document.createElement('button')
   readonly #legend = document.createElement('p')
   readonly #kinds: Readonly<Record<'edge' | 'face', HTMLElement>> = {
     edge: legendEntry('edge', 'edge candidate'),
@@ -47,7 +49,11 @@ export class Controls {
     this.#help.title = 'What keys and pointers do (?)'
     this.#help.addEventListener('click', () => actions.toggleHelp())
     this.showHelp(false)
-    this.root.append(this.#legend, choice, fit, this.#help)
+    this.#reference.type = 'button'
+    this.#reference.textContent = 'Reference cube'
+    this.#reference.title = 'The same colours in (ξ, η, ζ), beside the element (R)'
+    this.#reference.addEventListener('click', () => actions.toggleReference())
+    this.root.append(this.#legend, choice, this.#reference, fit, this.#help)
   }
 
   /** Whether the help is on the screen. */
@@ -55,7 +61,8 @@ export class Controls {
     this.#help.setAttribute('aria-expanded', String(shown))
   }
 
-  update(faceDisplay: FaceDisplay, report: Report | null): void {
+  update({ faceDisplay, referenceShown }: State, report: Report | null): void {
+    this.#reference.setAttribute('aria-pressed', String(referenceShown))
     const value = String(faceDisplay)
     if (this.#faces.value !== value) this.#faces.value = value
     for (const kind of ['edge', 'face'] as const) {

@@ -1,6 +1,6 @@
 /**
- * The WebGL part of the scene: one canvas, one mesh, one draw call a frame. It knows uniforms and the life of the context;
- * what is shown, and when, is decided elsewhere.
+ * The WebGL part of the scene: one canvas, one mesh, one draw call a region, and none for a picture that is already there. It
+ * knows uniforms and the life of the context; what is shown is decided elsewhere.
  */
 import { type BufferAttribute, LinearSRGBColorSpace, Mesh, Scene, WebGLRenderer } from 'three'
 import type { Report } from '../../core/report'
@@ -20,15 +20,23 @@ import {
 } from './faces-geometry'
 import { createFacesMaterial, createFacesUniforms } from './faces-material'
 
-/** One picture: the vertices are in the view frame, the report is that of these vertices. */
-export interface Picture {
+/** Part of the canvas, in CSS pixels from its top left, and what is drawn there: the vertices are in the view frame. */
+export interface Region {
+  readonly left: number
+  readonly top: number
   readonly vertices: readonly Vec3[]
+  /** It knows the region's width and height. */
+  readonly camera: SceneCamera
+}
+
+/** One picture: the same colours in every region. */
+export interface Picture {
   readonly report: Report | null
   readonly scale: ColourScale | null
   readonly ramp: Ramp
   readonly theme: Theme
   readonly display: FaceDisplay
-  readonly camera: SceneCamera
+  readonly regions: readonly Region[]
   readonly width: number
   readonly height: number
   readonly pixelRatio: number
@@ -36,7 +44,8 @@ export interface Picture {
 
 export interface FacePainter {
   readonly canvas: HTMLCanvasElement
-  paint(picture: Picture): void
+  /** False where nothing was to be drawn: the last picture was the same. */
+  paint(picture: Picture): boolean
   /** Draw calls of the last picture. */
   readonly drawCalls: number
   dispose(): void
@@ -68,6 +77,7 @@ class WebGLFacePainter implements FacePainter {
   #sorted = false
   #ramp: Ramp | null = null
   #size = ''
+  #painted: readonly unknown[] = []
 
   constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, watcher: ContextWatcher) {
     this.canvas = canvas
@@ -75,6 +85,8 @@ class WebGLFacePainter implements FacePainter {
     this.#renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true })
     this.#renderer.outputColorSpace = LinearSRGBColorSpace
     this.#renderer.setClearColor(0, 0)
+    this.#renderer.autoClear = false
+    this.#renderer.info.autoReset = false
     const mesh = new Mesh(this.#geometry, this.#material)
     mesh.frustumCulled = false
     this.#scene.add(mesh)
@@ -86,11 +98,28 @@ class WebGLFacePainter implements FacePainter {
     return this.#renderer.info.render.calls
   }
 
-  paint(picture: Picture): void {
+  paint(picture: Picture): boolean {
+    const contents = contentsOf(picture)
+    const painted = this.#painted
+    if (contents.length === painted.length && contents.every((value, i) => Object.is(value, painted[i]))) return false
+    this.#painted = contents
     this.#resize(picture)
-    this.#writeUniforms(picture)
-    this.#chooseFaces(picture)
-    this.#renderer.render(this.#scene, picture.camera.three)
+    this.#writeColours(picture)
+    this.#renderer.info.reset()
+    this.#renderer.clear()
+    for (const region of picture.regions) this.#paintRegion(region, picture)
+    return true
+  }
+
+  #paintRegion(region: Region, { display, height }: Picture): void {
+    const { left, top, camera } = region
+    this.#renderer.setViewport(left, height - top - camera.height, camera.width, camera.height)
+    region.vertices.forEach((vertex, v) => {
+      this.#uniforms.vertices.value[v]?.set(...vertex)
+    })
+    this.#uniforms.eye.value.copy(camera.three.position)
+    this.#chooseFaces(region, display)
+    this.#renderer.render(this.#scene, camera.three)
   }
 
   dispose(): void {
@@ -104,6 +133,7 @@ class WebGLFacePainter implements FacePainter {
 
   readonly #onLost = (event: Event): void => {
     event.preventDefault() // or it would never be restored
+    this.#painted = []
     // What lay in the lost context is made anew when it is next drawn.
     this.#geometry.dispose()
     this.#material.dispose()
@@ -120,11 +150,8 @@ class WebGLFacePainter implements FacePainter {
     this.#renderer.setSize(width, height, false)
   }
 
-  #writeUniforms({ vertices, report, scale, ramp, theme, camera, pixelRatio, display }: Picture): void {
+  #writeColours({ report, scale, ramp, theme, pixelRatio, display }: Picture): void {
     const uniforms = this.#uniforms
-    vertices.forEach((vertex, v) => {
-      uniforms.vertices.value[v]?.set(...vertex)
-    })
     uniforms.bernstein.value.fill(0)
     if (report && scale) {
       report.faces.forEach((face, f) => {
@@ -144,13 +171,12 @@ class WebGLFacePainter implements FacePainter {
       uniforms.ink.value.fromArray(theme.ink)
       uniforms.paper.value.fromArray(theme.paper)
     }
-    uniforms.eye.value.copy(camera.three.position)
     uniforms.pixelRatio.value = pixelRatio
     uniforms.seeThrough.value = display === 'see-through'
   }
 
   /** All faces, the farthest tiles first when they are see-through, or one alone. */
-  #chooseFaces({ display, vertices, camera }: Picture): void {
+  #chooseFaces({ vertices, camera }: Region, display: FaceDisplay): void {
     const seeThrough = display === 'see-through'
     this.#material.transparent = seeThrough
     this.#material.depthWrite = !seeThrough
@@ -169,6 +195,17 @@ class WebGLFacePainter implements FacePainter {
     }
     index.needsUpdate = true
   }
+}
+
+/** Everything that a picture depends on. The scale is the report's. */
+function contentsOf({ report, ramp, theme, display, regions, width, height, pixelRatio }: Picture): unknown[] {
+  const contents: unknown[] = [report, ramp, theme, display, width, height, pixelRatio]
+  for (const { left, top, vertices, camera } of regions) {
+    const { projectionMatrix, matrixWorld } = camera.three
+    contents.push(left, top, camera.width, camera.height, ...vertices.flat())
+    contents.push(...projectionMatrix.elements, ...matrixWorld.elements)
+  }
+  return contents
 }
 
 function farthestFirst(vertices: readonly Vec3[], camera: SceneCamera): Uint16Array {

@@ -5,13 +5,15 @@ const HELP: readonly (readonly [string, string])[] = [
   ['Drag a handle', 'moves its vertex. With Shift in depth, with Alt on a grid, with X, Y or Z held along that axis'],
   ['Drag elsewhere', 'turns the view. Ctrl and the wheel, or two fingers, zoom'],
   ['0 to 7, or [ and ]', 'choose a vertex'],
-  ['Arrow keys', 'move it along the coordinate axis nearest to that direction on the screen'],
-  ['Page Up, Page Down', 'move it along the third axis, away and nearer'],
+  ['Arrow keys', 'move it along the nearest coordinate axis'],
+  ['Page Up, Page Down', 'move it along the third axis'],
   ['Shift, Alt', 'with these keys: ten times as far, a tenth'],
-  ['Escape', 'takes back the move while a key or the pointer is held'],
+  ['Point at a face', 'or tap it, to read the Jacobian there'],
+  ['P', 'points at the minimizer, then at each candidate'],
+  ['Escape', 'takes back the move while a key or the pointer is held, else the point'],
   ['A, D, W, S', 'turn the view; plus and minus zoom, F fits, Home resets it'],
   ['T', 'makes faces see-through; comma and full stop show one face at a time'],
-  ['?', 'shows and hides this help'],
+  ['R, ?', 'show and hide the reference cube, this help'],
 ]
 
 export class Help {

@@ -43,6 +43,14 @@ const MOVES: Readonly<Record<string, readonly [0 | 1 | 2, 1 | -1]>> = {
   PageUp: [2, -1],
 }
 
+/** The way in which a key turns what cannot be moved. */
+const TURNS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowRight: [1, 0],
+  ArrowLeft: [-1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+}
+
 /** One face after another, and all of them again. */
 export function nextDisplay(display: FaceDisplay, by: 1 | -1): FaceDisplay {
   const at = typeof display === 'number' ? display : by > 0 ? -1 : 6
@@ -61,7 +69,8 @@ export class KeyboardInput {
 
   onKeyDown(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey) return
-    if (this.#move(event) || this.#command(event)) event.preventDefault()
+    const arrow = this.#stage.movesVertices ? this.#move(event) : this.#turn(event)
+    if (arrow || this.#command(event)) event.preventDefault()
   }
 
   onKeyUp(event: KeyboardEvent): void {
@@ -99,6 +108,12 @@ export class KeyboardInput {
     return true
   }
 
+  #turn({ key }: KeyboardEvent): boolean {
+    const turn = TURNS[key]
+    if (turn) this.#stage.orbit(...turn)
+    return turn !== undefined
+  }
+
   #command({ key, altKey }: KeyboardEvent): boolean {
     if (altKey) return false
     const command = this.#commands[key.length === 1 ? key.toLowerCase() : key]
@@ -111,7 +126,9 @@ export class KeyboardInput {
   readonly #commands: Readonly<Record<string, () => void>> = {
     '[': () => this.#chooseNext(-1),
     ']': () => this.#chooseNext(1),
-    Escape: () => this.#finish('cancel-gesture'),
+    Escape: () => this.#escape(),
+    p: () => this.#stage.probeNext(),
+    r: () => this.#stage.toggleReference(),
     a: () => this.#stage.orbit(-1, 0),
     d: () => this.#stage.orbit(1, 0),
     w: () => this.#stage.orbit(0, 1),
@@ -125,6 +142,11 @@ export class KeyboardInput {
     t: () => this.#show(this.#display === 'see-through' ? 'opaque' : 'see-through'),
     '.': () => this.#show(nextDisplay(this.#display, 1)),
     ',': () => this.#show(nextDisplay(this.#display, -1)),
+  }
+
+  #escape(): void {
+    if (this.#moving) this.#finish('cancel-gesture')
+    else this.#stage.host.dispatch({ type: 'probe', point: null })
   }
 
   get #display(): FaceDisplay {

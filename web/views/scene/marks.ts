@@ -8,6 +8,7 @@ import { moveTo, px, set, setText, show, svg } from '../svg'
 import type { ScreenPoint } from './camera'
 import { type Box, type LabelPlace, type Point, placeLabel } from './label-place'
 import type { OverlayPicture } from './overlay'
+import { samePoint } from './probe-candidates'
 import { toView } from './view-frame'
 
 const RING = 9
@@ -37,10 +38,14 @@ export class Marks {
   readonly #dot = svg('circle', { class: 'pupil', r: 3 })
   readonly #leader = svg('path', { class: 'leader' })
   readonly #label = svg('text', { class: 'value' })
+  readonly #isLabelled: boolean
   #place: LabelPlace | null = null
 
-  constructor() {
-    this.minimizer.append(this.#leader, this.#halo, this.#ring, this.#core, this.#dot, this.#label)
+  constructor(isLabelled: boolean) {
+    this.#isLabelled = isLabelled
+    this.minimizer.append(this.#halo, this.#ring, this.#core, this.#dot)
+    if (isLabelled) this.minimizer.append(this.#label)
+    if (isLabelled) this.minimizer.prepend(this.#leader)
   }
 
   update(picture: MarksPicture): void {
@@ -53,7 +58,7 @@ export class Marks {
     const { minimizer } = report
     const { faceDisplay } = picture.state
     const marked = report.candidates.filter(
-      c => c.kind !== 'vertex' && !samePoint(c, minimizer) && isOnFaces(c, faceDisplay),
+      c => c.kind !== 'vertex' && !samePoint(c.point, minimizer.point) && isOnFaces(c, faceDisplay),
     )
     this.#updateCandidates(marked, picture)
     this.#updateMinimizer(minimizer, report.exponent, picture)
@@ -92,6 +97,7 @@ export class Marks {
     show(this.#core, minimizer.kind !== 'vertex')
     show(this.#dot, minimizer.kind !== 'vertex')
     this.minimizer.classList.toggle('positive', minimizer.value > 0)
+    if (!this.#isLabelled) return
     setText(this.#label, `min J = ${formatJacdet(minimizer.value, exponent, state.referenceCube)}`)
     this.#placeLabel(at, radius, picture)
   }
@@ -124,10 +130,6 @@ export class Marks {
       'text-anchor': toRight ? 'start' : 'end',
     })
   }
-}
-
-function samePoint(a: Candidate, b: Candidate): boolean {
-  return a.point.every((value, axis) => value === b.point[axis])
 }
 
 /** Whether a candidate lies on what is shown: one face alone has its own and those of its edges. */

@@ -1,6 +1,6 @@
 /** The crisp part of the scene, in SVG over the canvas: edges through the body, handles and their numbers, ghost, marks. */
 
-import type { Report } from '../../core/report'
+import type { JacobianReport, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import { edgeVertices, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
 import type { State } from '../../model/state'
@@ -9,9 +9,16 @@ import type { SceneCamera, ScreenPoint } from './camera'
 import { Highlight } from './highlight'
 import { type Box, meanOf, overlap, type Point } from './label-place'
 import { Marks } from './marks'
-import { Triad } from './triad'
+import { ProbeMark } from './probe-mark'
+import { type AxisLetters, Triad } from './triad'
 import type { DragKeys } from './vertex-drag'
 import { at, map3, type ViewFrame, vertexInView, verticesInView } from './view-frame'
+
+export interface OverlayKind {
+  readonly letters: AxisLetters
+  /** Vertices that cannot be moved are dots, and the minimizer has no label. */
+  readonly isFixed: boolean
+}
 
 export interface OverlayPicture {
   readonly state: State
@@ -26,6 +33,9 @@ export interface OverlayPicture {
 
 const COORDINATE_WIDTH = 7.5
 const DIGIT_WIDTH = 8
+/** Of a handle, and of a vertex that cannot be moved. */
+const RADIUS = 6
+const FIXED_RADIUS = 3
 /** Handles this close, in CSS pixels, are one to the eye. */
 const SAME_PLACE = 3
 /** From a handle's middle to the middle of its number. */
@@ -46,13 +56,17 @@ export class Overlay {
   readonly #ghost = svg('path', { class: 'ghost' })
   readonly #ghostHandle = svg('circle', { class: 'ghost', r: 6 })
   readonly #axisLine = svg('path', { class: 'axis-line' })
-  readonly #handles: readonly Handle[] = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v))
+  readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
   readonly #highlight = new Highlight()
-  readonly #marks = new Marks()
-  readonly #triad = new Triad()
+  readonly #marks: Marks
+  readonly #triad: Triad
+  readonly #probe = new ProbeMark()
 
-  constructor() {
+  constructor({ letters, isFixed }: OverlayKind) {
+    this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v, isFixed ? FIXED_RADIUS : RADIUS))
+    this.#marks = new Marks(!isFixed)
+    this.#triad = new Triad(letters)
     this.root.append(
       this.#edgeHalo,
       this.#edges,
@@ -64,6 +78,7 @@ export class Overlay {
       this.#marks.candidates,
       ...this.#handles.map(handle => handle.group),
       this.#marks.minimizer,
+      this.#probe.root,
       this.#coordinates,
       this.#triad.root,
     )
@@ -75,6 +90,7 @@ export class Overlay {
     })
   }
 
+  /** All but the point that is pointed at. */
   update(picture: OverlayPicture): void {
     const { camera, handles } = picture
     set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
@@ -89,6 +105,10 @@ export class Overlay {
     const taken = coordinates ? [...picture.taken, coordinates] : picture.taken
     this.#marks.update({ ...picture, taken, numbers })
     this.#triad.update(camera)
+  }
+
+  updateProbe(probe: JacobianReport | null, frame: ViewFrame, camera: SceneCamera): void {
+    this.#probe.update(probe, frame, camera)
   }
 
   /** Returns where the numbers are. */
@@ -171,13 +191,13 @@ function lineBox(x: number, y: number, width: number): Box {
   return { x: x - width / 2, y: y - 10, width, height: 20 }
 }
 
-function createHandle(vertex: number): Handle {
+function createHandle(vertex: number, radius: number): Handle {
   const number = svg('text', { class: 'number', 'text-anchor': 'middle' }, String(vertex))
   const group = svg(
     'g',
     { class: 'handle' },
-    svg('circle', { class: 'rim', r: 8.5 }),
-    svg('circle', { class: 'dot', r: 6 }),
+    svg('circle', { class: 'rim', r: radius + 2.5 }),
+    svg('circle', { class: 'dot', r: radius }),
     number,
   )
   return { group, number }

@@ -5,33 +5,38 @@
  * Dragged coordinates are rounded to the power of ten at or below one pixel's length. Keys: see help.ts; the digit on a
  * handle chooses that handle.
  */
-import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
-import type { Vertices } from '../../model/hexahedron'
+import type { Candidate } from '../../core/report'
+import type { Vec3, Vertices } from '../../model/hexahedron'
 import type { State } from '../../model/state'
-import { colourScaleOf, type Ramp, rampOf, type Theme } from '../colour-map'
+import { type ColourScale, colourScaleOf, type Ramp, rampOf, type Theme } from '../colour-map'
 import { ThemeReader } from '../theme'
 import type { CreateView, Frame, View, ViewHost } from '../view'
-import { DEFAULT_DIRECTION, type Insets, SceneCamera, type ScreenPoint } from './camera'
+import type { ScreenPoint } from './camera'
 import { ColourBar } from './colour-bar'
 import { Controls } from './controls'
-import { createFacePainter, type FacePainter } from './face-painter'
+import { pointUnder } from './face-hit'
+import { createFacePainter, type FacePainter, type Region } from './face-painter'
 import { Help } from './help'
 import { KeyboardInput } from './keyboard-input'
-import type { Box } from './label-place'
-import { Overlay } from './overlay'
+import { type Layout, layoutOf } from './layout'
+import { Overlay, type OverlayPicture } from './overlay'
 import { PointerInput } from './pointer-input'
+import { nextCandidate, samePoint } from './probe-candidates'
+import { ProbeInput } from './probe-input'
+import { Readout, spokenProbe } from './readout'
+import { ReferenceCube } from './reference-cube'
 import css from './scene.css?inline'
 import type { Stage } from './stage'
 import type { DragKeys } from './vertex-drag'
 import { frameOf, type ViewFrame, verticesInView } from './view-frame'
+import { Viewpoint } from './viewpoint'
 
 export const sceneStyles = css
 
 /** More device pixels than this are not worth their time. */
 const MOST_PIXEL_RATIO = 2
-/** Below this width, in CSS pixels, the scene is laid out for a phone. */
-const NARROW = 560
-const ORBIT_STEP = Math.PI / 12
+/** From this width on, in CSS pixels, the reference cube stands beside the element, else below it. */
+const BESIDE = 640
 
 const NO_WEBGL =
   'This browser gives no WebGL2, so the faces are not coloured. Vertices can be moved all the same, and the verdict holds.'
@@ -47,35 +52,47 @@ export interface SceneView extends View {
 class Scene implements SceneView, Stage {
   readonly root = document.createElement('div')
   readonly element = document.createElement('div')
-  readonly camera = new SceneCamera()
   readonly host: ViewHost
+  readonly movesVertices = true
   framesDrawn = 0
 
   readonly #painter: FacePainter | null
-  readonly #overlay = new Overlay()
+  readonly #pane = document.createElement('div')
+  readonly #overlay = new Overlay({ letters: ['x', 'y', 'z'], isFixed: false })
+  readonly #readout = new Readout()
+  readonly #said = document.createElement('p')
   readonly #colourBar: ColourBar
   readonly #controls: Controls
   readonly #help = new Help('scene-help')
-  readonly #orbit: OrbitControls
+  readonly #viewpoint: Viewpoint
+  readonly #probe: ProbeInput
   readonly #pointer: PointerInput
   readonly #keyboard: KeyboardInput
   readonly #themeReader: ThemeReader
   readonly #listening = new AbortController()
-  readonly #resizes = new ResizeObserver(entries => this.#onResize(entries))
+  readonly #resizes = new ResizeObserver(() => this.#onResize())
   #theme: Theme | null = null
   #ramp: Ramp | null = null
   #contextLost = false
-  /** As last observed, and as the camera knows it. */
-  #box = { width: 0, height: 0 }
+  /** Made when it is first shown. */
+  #reference: ReferenceCube | null = null
+  #sizeMayDiffer = true
+  #canvas = { width: 0, height: 0 }
+  /** Of the element's own part, as the camera knows it. */
   #width = 0
   #height = 0
+  #layout: Layout = layoutOf(0, 0)
   #frame: ViewFrame = { centre: [0, 0, 0], size: 1 }
   #handles: readonly ScreenPoint[] = []
   #shown: Frame | null = null
   /** Whether the gesture last shown is of the pointer here, under which the picture must not move. */
   #dragged = false
   #framed: { readonly preset: string | null; readonly start: Vertices } | null = null
-  #drag: { readonly keys: DragKeys; readonly byTouch: boolean } | null = null
+  #drag: OverlayPicture['drag'] = null
+  #drawnDrag: OverlayPicture['drag'] = null
+  /** The candidate that a key pointed at, to be said in the next frame. */
+  #toSay: Candidate | null = null
+  #isFollowing = false
 
   constructor(host: ViewHost) {
     this.host = host
@@ -84,16 +101,22 @@ class Scene implements SceneView, Stage {
     this.#controls = new Controls({
       fit: () => this.fit(false),
       toggleHelp: () => this.toggleHelp(),
+      toggleReference: () => this.toggleReference(),
       showFaces: faceDisplay => host.dispatch({ type: 'show-faces', faceDisplay }),
     })
+    this.#viewpoint = new Viewpoint(this.element, () => this.#onTurn(this.#viewpoint, this.#reference?.viewpoint))
     this.#build()
     this.#themeReader = new ThemeReader(this.root, () => host.requestFrame())
     this.#keyboard = new KeyboardInput(this)
     this.#pointer = new PointerInput(this, () => this.#keyboard.commit())
-    this.#orbit = this.#createOrbit()
+    this.#probe = new ProbeInput(this)
     this.#listen()
     if (this.#painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
     else host.clear('no-webgl')
+  }
+
+  get camera() {
+    return this.#viewpoint.camera
   }
 
   get drawCalls(): number {
@@ -101,13 +124,16 @@ class Scene implements SceneView, Stage {
   }
 
   update(frame: Frame): void {
-    const resized = this.#resize()
+    const resized = this.#resize(frame.state)
     if (this.#width === 0 || this.#height === 0) return
     this.#readTheme()
     this.#chooseFrame(frame, resized)
+    this.#link(frame.state)
+    this.#probe.update()
+    this.#draw(frame)
+    this.#sayProbe(frame)
     this.#shown = frame
     this.#dragged = this.#pointer.isDragging
-    this.#draw(frame)
   }
 
   dispose(): void {
@@ -115,7 +141,9 @@ class Scene implements SceneView, Stage {
     this.#resizes.disconnect()
     this.#keyboard.commit()
     this.#pointer.dispose()
-    this.#orbit.dispose()
+    this.#probe.dispose()
+    this.#viewpoint.dispose()
+    this.#reference?.dispose()
     this.#themeReader.dispose()
     this.#painter?.dispose()
   }
@@ -132,8 +160,32 @@ class Scene implements SceneView, Stage {
     this.#overlay.showHover(vertex)
   }
 
+  pointAt(x: number, y: number): Vec3 | null {
+    const { camera } = this
+    const state = this.host.state()
+    const vertices = verticesInView(this.#frame, state.vertices)
+    return pointUnder({ camera, vertices, handles: this.#handles, state }, x, y)
+  }
+
+  probeNext(): void {
+    const report = this.#shown?.report
+    if (!report) return
+    const next = nextCandidate(report, this.host.state().probe)
+    this.#probe.letGo()
+    this.#reference?.letGo()
+    this.#toSay = next
+    this.host.dispatch({ type: 'probe', point: next.point })
+  }
+
+  toggleReference(): void {
+    const referenceShown = !this.host.state().referenceShown
+    if (!referenceShown && this.#reference?.element.matches(':focus')) this.element.focus()
+    this.host.dispatch({ type: 'show-reference', referenceShown })
+  }
+
   showDrag(keys: DragKeys | null, byTouch: boolean): void {
     this.#drag = keys && { keys, byTouch }
+    this.#probe.clear()
     this.host.requestFrame()
   }
 
@@ -146,21 +198,11 @@ class Scene implements SceneView, Stage {
   }
 
   orbit(right: number, up: number): void {
-    const { three } = this.camera
-    const eye = three.position.clone().sub(this.#orbit.target)
-    const distance = eye.length()
-    const azimuth = Math.atan2(eye.y, eye.x) + right * ORBIT_STEP
-    const most = Math.PI / 2 - 0.01
-    const elevation = Math.max(-most, Math.min(most, Math.asin(eye.z / distance) + up * ORBIT_STEP))
-    eye.set(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation))
-    three.position.copy(this.#orbit.target).addScaledVector(eye, distance)
-    this.#orbit.update()
+    this.#viewpoint.turn(right, up)
   }
 
   zoom(factor: number): void {
-    const { three } = this.camera
-    three.position.sub(this.#orbit.target).divideScalar(factor).add(this.#orbit.target)
-    this.#orbit.update()
+    this.#viewpoint.zoom(factor)
   }
 
   toggleHelp(): void {
@@ -176,21 +218,39 @@ class Scene implements SceneView, Stage {
     this.element.setAttribute('role', 'application')
     this.element.setAttribute('aria-label', 'The hexahedron in space, eight vertices to move')
     this.element.setAttribute('aria-describedby', this.#help.root.id)
-    if (this.#painter) this.element.append(this.#painter.canvas)
+    this.#overlay.root.append(this.#readout.root)
     this.element.append(this.#overlay.root)
-    this.root.append(this.element, this.#colourBar.root, this.#help.root, this.#controls.root)
+    this.#said.className = 'scene-said'
+    this.#said.setAttribute('aria-live', 'polite')
+    this.#pane.className = 'scene-pane'
+    this.#pane.append(this.element, this.#colourBar.root, this.#help.root, this.#controls.root, this.#said)
+    if (this.#painter) this.root.append(this.#painter.canvas)
+    this.root.append(this.#pane)
     this.root.classList.toggle('unpainted', this.#painter === null)
   }
 
-  #createOrbit(): OrbitControls {
-    const orbit = new OrbitControls(this.camera.three, this.element)
-    this.element.style.touchAction = '' // the style sheet decides; the controls would take the page's scroll
-    orbit.zoomToCursor = true
-    orbit.zoomSpeed = 1.6
-    orbit.minDistance = 0.05
-    orbit.maxDistance = 1000
-    orbit.addEventListener('change', () => this.host.requestFrame())
-    return orbit
+  /** The other view looks along the same line if they are linked. */
+  #onTurn(from: Viewpoint, to: Viewpoint | undefined): void {
+    const { referenceShown, camerasLinked } = this.host.state()
+    if (to && referenceShown && camerasLinked && !this.#isFollowing) {
+      this.#isFollowing = true
+      to.direction = from.direction
+      this.#isFollowing = false
+    }
+    this.host.requestFrame()
+  }
+
+  /** What has just been shown or linked looks along the element's line. */
+  #link({ referenceShown, camerasLinked }: State): void {
+    const before = this.#shown?.state
+    if (!referenceShown || !camerasLinked || (before?.referenceShown && before.camerasLinked)) return
+    this.#onTurn(this.#viewpoint, this.#reference?.viewpoint)
+  }
+
+  #createReference(): ReferenceCube {
+    const reference = new ReferenceCube(this, () => this.#onTurn(reference.viewpoint, this.#viewpoint))
+    this.root.append(reference.root)
+    return reference
   }
 
   #listen(): void {
@@ -233,44 +293,30 @@ class Scene implements SceneView, Stage {
     this.host.requestFrame()
   }
 
-  #onResize(entries: readonly ResizeObserverEntry[]): void {
-    const { width, height } = (entries.at(-1) as ResizeObserverEntry).contentRect
-    this.#box = { width: Math.round(width), height: Math.round(height) }
+  #onResize(): void {
+    this.#sizeMayDiffer = true
     this.host.requestFrame()
   }
 
-  #resize(): boolean {
-    const { width, height } = this.#box
+  /** Lays out the parts; whether the element's own part has another size than before. */
+  #resize({ referenceShown }: State): boolean {
+    const shownBefore = this.#shown?.state.referenceShown ?? false
+    if (!this.#sizeMayDiffer && referenceShown === shownBefore) return false
+    this.#sizeMayDiffer = false
+    const split = referenceShown ? (this.root.clientWidth >= BESIDE ? 'beside' : 'below') : 'none'
+    this.root.dataset.split = split
+    if (referenceShown) this.#reference ??= this.#createReference()
+    if (this.#reference) this.#reference.root.hidden = !referenceShown
+    this.#canvas = { width: this.root.clientWidth, height: this.root.clientHeight }
+    if (referenceShown) this.#reference?.resize()
+    const { offsetWidth: width, offsetHeight: height } = this.#pane
     if (width === this.#width && height === this.#height) return false
     this.#width = width
     this.#height = height
-    this.root.classList.toggle('narrow', this.#isNarrow)
-    if (width > 0 && height > 0) this.camera.resize(width, height, this.#insets())
+    this.#layout = layoutOf(width, height)
+    this.root.classList.toggle('narrow', this.#layout.isNarrow)
+    if (width > 0 && height > 0) this.camera.resize(width, height, this.#layout.insets)
     return true
-  }
-
-  #insets(): Insets {
-    return this.#isNarrow ? { top: 92, right: 36, bottom: 72, left: 36 } : { top: 56, right: 132, bottom: 72, left: 92 }
-  }
-
-  get #isNarrow(): boolean {
-    return this.#width < NARROW
-  }
-
-  get #barLength(): number {
-    const length = this.#isNarrow ? Math.min(200, this.#width - 210) : Math.min(220, this.#height * 0.3)
-    return Math.round(Math.max(90, length))
-  }
-
-  /** What words other than the overlay's stand on. */
-  #taken(): Box[] {
-    const { width, height } = this.camera
-    const bar = this.#isNarrow ? { width, height: 56 } : { width: 140, height: this.#barLength + 64 }
-    return [
-      { ...bar, x: width - bar.width, y: 0 },
-      { x: 0, y: height - 48, width, height: 48 },
-      { x: 0, y: 0, width: 84, height: 84 },
-    ]
   }
 
   #readTheme(): void {
@@ -315,40 +361,68 @@ class Scene implements SceneView, Stage {
   }
 
   #aim(vertices: Vertices, toDefault: boolean): void {
-    const points = verticesInView(this.#frame, vertices)
-    const target = this.camera.fit(points, toDefault ? DEFAULT_DIRECTION : undefined)
-    this.#orbit.target.set(...target)
-    this.#orbit.update()
+    this.#viewpoint.aim(verticesInView(this.#frame, vertices), toDefault)
   }
 
-  #draw({ state, report }: Frame): void {
+  /** Where only the probe has changed, nothing else is touched. */
+  #draw(frame: Frame): void {
     const { camera } = this
+    const { state, report, probe } = frame
     const vertices = verticesInView(this.#frame, state.vertices)
     camera.enclose(vertices)
     this.#handles = vertices.map(point => camera.project(point))
-    const theme = this.#theme as Theme
-    const ramp = this.#ramp as Ramp
+    const reference = state.referenceShown ? this.#reference : null
+    reference?.prepare()
     const scale = report && colourScaleOf(report.boundaryMinimum, report.boundaryMaximum)
-    if (this.#painter && !this.#contextLost) {
-      this.#painter.paint({
-        vertices,
-        report,
-        scale,
-        ramp,
-        theme,
-        display: state.faceDisplay,
-        camera,
-        width: this.#width,
-        height: this.#height,
-        pixelRatio: Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
-      })
-      this.framesDrawn++
-      this.root.dataset.frames = String(this.framesDrawn)
+    const ramp = this.#ramp as Ramp
+    const own = { left: 0, top: 0, vertices, camera }
+    if (this.#paint(frame, reference ? [own, reference.region] : [own], scale) || this.#differs(frame)) {
+      this.#drawnDrag = this.#drag
+      const picture = { state, report, frame: this.#frame, camera, handles: this.#handles, drag: this.#drag }
+      this.#overlay.update({ ...picture, taken: this.#layout.taken })
+      this.#controls.update(state, report)
+      reference?.update(frame)
     }
-    const picture = { state, report, frame: this.#frame, camera, handles: this.#handles, drag: this.#drag }
-    this.#overlay.update({ ...picture, taken: this.#taken() })
-    this.#colourBar.update({ state, report, scale, ramp, upright: !this.#isNarrow, length: this.#barLength })
-    this.#controls.update(state.faceDisplay, report)
+    const { isNarrow, barLength: length } = this.#layout
+    this.#colourBar.update({ state, report, probe, scale, ramp, upright: !isNarrow, length })
+    this.#overlay.updateProbe(probe, this.#frame, camera)
+    this.#readout.update(probe, state.referenceCube, isNarrow)
+    reference?.updateProbe(probe)
+  }
+
+  /** Whether there is another picture now; true where nobody can tell. */
+  #paint({ state, report }: Frame, regions: readonly Region[], scale: ColourScale | null): boolean {
+    if (this.#painter === null || this.#contextLost) return true
+    const painted = this.#painter.paint({
+      ...this.#canvas,
+      report,
+      scale,
+      ramp: this.#ramp as Ramp,
+      theme: this.#theme as Theme,
+      display: state.faceDisplay,
+      regions,
+      pixelRatio: Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
+    })
+    if (painted) this.framesDrawn++
+    this.root.dataset.frames = String(this.framesDrawn)
+    return painted
+  }
+
+  /** Whether a frame says more than that something else is pointed at. */
+  #differs({ state, report }: Frame): boolean {
+    const before = this.#shown
+    if (before === null || before.report !== report || this.#drag !== this.#drawnDrag) return true
+    const keys = Object.keys(state) as (keyof State)[]
+    return keys.some(key => key !== 'probe' && !Object.is(state[key], before.state[key]))
+  }
+
+  #sayProbe({ state, probe, report }: Frame): void {
+    const at = this.#toSay
+    this.#toSay = null
+    if (probe === null) this.#said.textContent = ''
+    else if (at !== null && report) {
+      this.#said.textContent = spokenProbe(probe, at, samePoint(at.point, report.minimizer.point), state.referenceCube)
+    }
   }
 }
 

@@ -1,4 +1,5 @@
 /** What the pointer and keyboard inputs see of the scene: geometry to read, the state, and where to send actions. */
+import type { Vec3 } from '../../model/hexahedron'
 import type { ViewHost } from '../view'
 import type { SceneCamera, ScreenPoint } from './camera'
 import type { DragKeys } from './vertex-drag'
@@ -9,9 +10,15 @@ export interface Stage {
   readonly element: HTMLElement
   readonly camera: SceneCamera
   readonly host: Pick<ViewHost, 'state' | 'dispatch'>
+  /** Whether vertices are moved here; else arrow keys turn the view. */
+  readonly movesVertices: boolean
   frame(): ViewFrame
-  /** Where the eight vertices are on the screen. */
+  /** Where the handles of the eight vertices are on the screen; none where they are not to be dragged. */
   handles(): readonly ScreenPoint[]
+  /** (xi, eta, zeta) of what is seen at a CSS pixel; null beside the element. */
+  pointAt(x: number, y: number): Vec3 | null
+  /** Points at the minimizer, or at the candidate after the one that is pointed at. */
+  probeNext(): void
   /** The handle that a press would take, for feedback. */
   showHover(vertex: number | null): void
   /** What the running drag of the selected vertex is held to; null when none is running. */
@@ -21,6 +28,8 @@ export interface Stage {
   /** Turns the view, in steps to the right and up. */
   orbit(right: number, up: number): void
   zoom(factor: number): void
+  /** Shows or hides the reference cube. */
+  toggleReference(): void
   /** Shows or hides what keys and pointers do. */
   toggleHelp(): void
 }

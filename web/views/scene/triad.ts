@@ -5,16 +5,17 @@ import type { SceneCamera } from './camera'
 import { at } from './view-frame'
 
 const LENGTH = 22
-const LETTERS = ['x', 'y', 'z'] as const
+export type AxisLetters = readonly [string, string, string]
 
 export class Triad {
   readonly root = svg('g', { class: 'triad', transform: 'translate(44 44)' })
-  readonly #axes = LETTERS.map(letter => ({
-    line: svg('path', { class: 'axis' }),
-    text: svg('text', { class: 'axis-name', 'text-anchor': 'middle' }, letter),
-  }))
+  readonly #axes: readonly { readonly line: SVGPathElement; readonly text: SVGTextElement }[]
 
-  constructor() {
+  constructor(letters: AxisLetters) {
+    this.#axes = letters.map(letter => ({
+      line: svg('path', { class: 'axis' }),
+      text: svg('text', { class: 'axis-name', 'text-anchor': 'middle' }, letter),
+    }))
     for (const { line, text } of this.#axes) this.root.append(line, text)
   }
 

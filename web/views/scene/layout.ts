@@ -1,0 +1,36 @@
+/** What goes where in the element's own part of the scene, in CSS pixels, by the room there is. */
+import type { Insets } from './camera'
+import type { Box } from './label-place'
+import { readoutBox } from './readout'
+
+export interface Layout {
+  /** Laid out for a phone: the colour bar lies. */
+  readonly isNarrow: boolean
+  /** Kept free of the fitted element. */
+  readonly insets: Insets
+  readonly barLength: number
+  /** What words other than the overlay's stand on. */
+  readonly taken: readonly Box[]
+}
+
+/** Below this width the scene is laid out for a phone. */
+const NARROW = 560
+const TRIAD = { x: 0, y: 0, width: 84, height: 84 }
+
+export function layoutOf(width: number, height: number): Layout {
+  const isNarrow = width < NARROW
+  const barLength = Math.round(Math.max(90, isNarrow ? Math.min(200, width - 210) : Math.min(220, height * 0.3)))
+  const bar = isNarrow ? { width, height: 56 } : { width: 140, height: barLength + 64 }
+  const controls = isNarrow ? 66 : 48
+  return {
+    isNarrow,
+    insets: isNarrow ? { top: 110, right: 36, bottom: 96, left: 36 } : { top: 64, right: 156, bottom: 72, left: 92 },
+    barLength,
+    taken: [
+      { ...bar, x: width - bar.width, y: 0 },
+      { x: 0, y: height - controls, width, height: controls },
+      TRIAD,
+      readoutBox(isNarrow),
+    ],
+  }
+}
