@@ -8,6 +8,7 @@ import {
   formatNumber,
   formatPoint,
   fractionOf,
+  jacdetInFull,
   speakJacdet,
   speakNumber,
 } from '../../web/model/decimal'
@@ -161,6 +162,14 @@ describe('bounds', () => {
     expect(formatJacdet(-0.010653409, 0, 'unit', 'down')).toBe('−0.010654')
     expect(formatJacdet(0.9999999999, 0, 'unit', 'down')).toBe('0.99999')
     expect(formatJacdet(-0.25, 0, 'unit', 'up')).toBe('−1/4')
+  })
+})
+
+describe('jacdetInFull', () => {
+  it('is the double itself on either cube, and a decimal where there is none', () => {
+    expect(jacdetInFull(-0.1, 0, 'unit')).toBe('-0.1')
+    expect(jacdetInFull(-0.1, 0, 'biunit')).toBe('-0.0125')
+    expect(jacdetInFull(1.5, 2000, 'unit')).toBe(decimalOf(1.5, 2000, 17))
   })
 })
 

@@ -380,7 +380,8 @@ U
       `*PART, NAME=${name}\n*NODE\n${rows(vertices)
         .map((point, i) => `${i + 1}, ${point.join(', ')}`)
         .join('\n')}\n*ELEMENT, TYPE=C3D8\n1, 1, 2, 3, 4, 5, 6, 7, 8\n*END PART\n`
-    expect(read(part('A', cube) + part('B', upper)).elements.map(({ vertices }) => vertices)).toEqual([cube, upper])
+    const { format, elements } = read(part('A', cube) + part('B', upper))
+    expect([format, ...elements.map(({ vertices }) => vertices)]).toEqual(['Abaqus', cube, upper])
   })
 
   test('refusals', () => {

@@ -1,5 +1,6 @@
 /** The page: `<hex-lens>` with what it shows kept in the address, so that reload, bookmark and a pasted link all work. */
 import '../element/hex-lens'
+import { onPaste } from '../element/offers'
 import { historyStep } from '../element/shortcuts'
 import { decodePermalink } from '../model/permalink'
 
@@ -22,10 +23,13 @@ lens.addEventListener('hex-change', () => {
   history.replaceState(history.state, '', lens.permalink)
 })
 
-// With the focus nowhere, undo and redo can only mean the element.
+// With the focus nowhere, undo, redo and paste can only mean the element.
 addEventListener('keydown', event => {
   const step = event.target === document.body ? historyStep(event) : null
   if (step === null) return
   event.preventDefault()
   lens[step]()
+})
+addEventListener('paste', event => {
+  if (event.target === document.body) onPaste(event, offer => lens.offer(offer))
 })

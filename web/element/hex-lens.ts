@@ -5,20 +5,22 @@
  * `vertices`  24 finite numbers, VTK_HEXAHEDRON order, get (a copy) and set (any array-like; else HexLensError, state kept)
  * `report`    what the core knows about exactly these vertices; null while there is no core
  * `permalink` the address that opens this element again, bit for bit
- * methods     undo, redo; raise and clear for what the page around it has to say about a problem
+ * methods     undo, redo; offer, for a text or a file with eight points in it;
+ *             raise and clear for what the page around it has to say about a problem
  * events      hex-input (live), hex-change (committed), hex-verdict (valid changed), hex-error (a problem was raised)
  */
 import { presets, presetVertices } from '../content/presets'
-import type { Core, JacobianReport, Report } from '../core/report'
 import { type Morph, morphOf } from '../core/morph'
+import type { Core, JacobianReport, Report } from '../core/report'
 import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import type { Action } from '../model/state'
 import { createStore, type Store } from '../model/store'
-import type { Problem, Proof, TriedOrders, View, ViewHost } from '../views/view'
+import type { Figure, Offer, Problem, Proof, TriedOrders, View, ViewHost } from '../views/view'
 import { fetchCore } from './fetch-core'
 import css from './hex-lens.css?inline'
 import { HexLensError } from './hex-lens-error'
+import { listenForOffers } from './offers'
 import { type Part, parts } from './parts'
 import { historyStep } from './shortcuts'
 import { triedOrders } from './tried-orders'
@@ -42,9 +44,10 @@ export class HexLens extends HTMLElement {
   #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
   #proof: Proof | null = null
   #triedOrders: TriedOrders | null = null
+  #offer: Offer | null = null
+  #morph: Morph | null = null
   #toldValid: boolean | null = null
   #views: readonly View[] = []
-  #morph: Morph | null = null
   /** Parts to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Part[])[] = []
   #frameRequest = 0
@@ -58,6 +61,7 @@ export class HexLens extends HTMLElement {
     lens.append(this.#places.head, this.#places.stage, this.#places.panel)
     shadow.append(lens)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
+    listenForOffers(shadow, lens, offer => this.offer(offer))
   }
 
   connectedCallback(): void {
@@ -75,6 +79,7 @@ export class HexLens extends HTMLElement {
     }
     this.#views = []
     this.#unmade = []
+    this.#offer = null
   }
 
   get vertices(): number[] {
@@ -113,6 +118,13 @@ export class HexLens extends HTMLElement {
     this.#dispatch({ type: 'redo' })
   }
 
+  /** The panel that reads it opens; what it finds becomes the element, as one step to undo. */
+  offer(offer: Offer): void {
+    this.#offer = offer
+    this.#dispatch({ type: 'open-panel', panel: 'paste', isOpen: true })
+    this.#schedule()
+  }
+
   raise(problem: Problem): void {
     if (this.#problems.get(problem.code)?.message === problem.message) return
     this.#problems.set(problem.code, problem)
@@ -131,6 +143,7 @@ export class HexLens extends HTMLElement {
     clear: code => this.clear(code),
     requestFrame: () => this.#schedule(),
     permalink: () => this.permalink,
+    figure: name => this.#views.reduce<Figure | null>((found, view) => found ?? view.figure?.(name) ?? null, null),
   }
 
   /** What is set before the first frame is what the element starts from, not a step to undo. */
@@ -197,6 +210,15 @@ export class HexLens extends HTMLElement {
       this.#triedOrders = this.#analyzed.report.valid ? null : triedOrders(this.#core, vertices)
   }
 
+  #morphed(): Morph | null {
+    const { vertices, start, morphA, morphB, gestureStart, openPanels } = this.#store.state
+    const [a, b] = [morphA ?? start, morphB ?? vertices]
+    if (!openPanels.includes('morph') || this.#core === null || this.#analyzed === null) this.#morph = null
+    else if (gestureStart === null && (this.#morph?.a !== a || this.#morph.b !== b))
+      this.#morph = morphOf(this.#core, a, b)
+    return this.#morph
+  }
+
   #probed(): JacobianReport | null {
     const { vertices, probe } = this.#store.state
     const result = probe && this.#core?.jacobian(vertices, probe)
@@ -210,20 +232,13 @@ export class HexLens extends HTMLElement {
     this.#prove()
     this.#tryOrders()
     const frame = {
-  #morphed(): Morph | null {
-    const { vertices, start, morphA, morphB, gestureStart, openPanels } = this.#store.state
-    const [a, b] = [morphA ?? start, morphB ?? vertices]
-    if (!openPanels.includes('morph') || this.#core === null || this.#analyzed === null) this.#morph = null
-    else if (gestureStart === null && (this.#morph?.a !== a || this.#morph.b !== b))
-      this.#morph = morphOf(this.#core, a, b)
-    return this.#morph
-  }
-
       state: this.#store.state,
       report,
       proof: this.#proof,
       triedOrders: this.#triedOrders,
       probe: report && this.#probed(),
+      offer: this.#offer,
+      morph: this.#morphed(),
       problems: [...this.#problems.values()],
     }
     for (const view of this.#views) {
@@ -237,7 +252,6 @@ export class HexLens extends HTMLElement {
     const { vertices, gestureStart } = frame.state
     const moved = this.#drawn !== null && this.#drawn !== vertices
     this.#drawn = vertices
-      morph: this.#morphed(),
     if (moved) this.#tell('hex-input')
     if (report && report.valid !== this.#toldValid) {
       this.#toldValid = report.valid

@@ -3,7 +3,7 @@
  * closed its view is not updated, but for the frame that closes it, in which the view can stop what it has going.
  */
 import type { PanelId } from '../model/state'
-import type { CreateView, Frame, View, ViewHost } from '../views/view'
+import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../views/view'
 
 export interface PanelContent {
   readonly create: CreateView
@@ -54,6 +54,10 @@ class Panel implements View {
     if (!this.#isOpen && !wasOpen) return
     if (this.#view) this.#view.update(frame)
     else if (this.#isOpen && !this.#isLoading) void this.#fill()
+  }
+
+  figure(name: FigureName): Figure | null {
+    return (this.#isOpen && this.#view?.figure?.(name)) || null
   }
 
   dispose(): void {

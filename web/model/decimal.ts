@@ -105,6 +105,13 @@ export function speakJacdet(value: number, exponent: number, cube: ReferenceCube
   return spoken(shownText(value, exponentOn(cube, exponent)))
 }
 
+/** A report's jacdet for a program: the shortest text of the double that it is, or 17 digits of what is no double. */
+export function jacdetInFull(value: number, exponent: number, cube: ReferenceCube): string {
+  const power = exponentOn(cube, exponent)
+  const double = asDouble(value, power)
+  return double === null ? decimalOf(value, power, 17) : String(double)
+}
+
 /** The map from [-1,1]^3 has an eighth of the jacdet. */
 function exponentOn(cube: ReferenceCube, exponent: number): number {
   return cube === 'unit' ? exponent : exponent - 3

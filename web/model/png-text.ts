@@ -1,5 +1,8 @@
 /** Text inside a PNG, as a tEXt chunk before the image data: PNG specification, sections 5.3 and 11.3.3. */
 
+/** The keyword of a picture's permalink fragment. */
+export const PNG_KEYWORD = 'hexlens'
+
 const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]
 /** Length, type and CRC of a chunk; its data lie between type and CRC. */
 const FRAME = 12

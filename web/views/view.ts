@@ -37,6 +37,40 @@ export interface TriedOrders {
   readonly helpful: readonly HelpfulOrder[]
 }
 
+/** What was pasted or dropped on the element; each is an object of its own. */
+export interface Offer {
+  readonly content: string | File
+}
+
+/** Parts that can be taken away as pictures. */
+export type FigureName = 'scene' | 'face-maps'
+
+/** A part's picture as it was on the screen, layer upon layer, in CSS pixels. */
+export interface Figure {
+  readonly width: number
+  readonly height: number
+  /** CSS colour of what lies under the layers. */
+  readonly background: string
+  readonly layers: readonly (PixelLayer | VectorLayer)[]
+}
+
+interface LayerBox {
+  readonly x: number
+  readonly y: number
+  readonly width: number
+  readonly height: number
+}
+
+export interface PixelLayer extends LayerBox {
+  /** Nobody else draws on it. */
+  readonly canvas: HTMLCanvasElement
+}
+
+export interface VectorLayer extends LayerBox {
+  /** An `svg` element with every style in its attributes. */
+  readonly markup: string
+}
+
 /** One frame's truth. `report` belongs to `state.vertices`; it is null only while the core is loading or could not start. */
 export interface Frame {
   readonly state: State
@@ -47,6 +81,10 @@ export interface Frame {
   readonly triedOrders: TriedOrders | null
   /** DF at `state.probe`; null where nothing is pointed at, or there is no report. */
   readonly probe: JacobianReport | null
+  /** The last thing pasted or dropped; null before the first. */
+  readonly offer: Offer | null
+  /** Null unless its panel is open; while a gesture runs, the way as it was before. */
+  readonly morph: Morph | null
   readonly problems: readonly Problem[]
 }
 
@@ -54,6 +92,8 @@ export interface View {
   readonly root: HTMLElement
   /** Called once per animation frame in which state, report or problems changed. */
   update(frame: Frame): void
+  /** The figure of that name if it is this view's and on the page now. */
+  figure?(name: FigureName): Figure | null
   dispose(): void
 }
 
@@ -68,8 +108,8 @@ export interface ViewHost {
   requestFrame(): void
   /** The address that opens this very element again, vertices bit for bit. */
   permalink(): string
+  /** A part's picture; null while that part is not on the page. */
+  figure(name: FigureName): Figure | null
 }
 
 export type CreateView = (host: ViewHost) => View
-  /** Null unless its panel is open; while a gesture runs, the way as it was before. */
-  readonly morph: Morph | null

@@ -2,8 +2,8 @@
 import { decimalText, pointsOf, type Writer } from './element'
 
 export const c: Writer = {
-  id: 'c',
   title: 'C',
+  note: 'array of hexadecimal floats, exact',
   extension: 'c',
   mediaType: 'text/x-c',
   write(vertices) {

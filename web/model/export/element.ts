@@ -3,9 +3,9 @@ import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf } from '../hexahedron'
 
 /** A text that an element can be taken away as. Reading it back gives the vertices bit for bit. */
 export interface Writer {
-  readonly id: string
-  /** On its button's line. */
   readonly title: string
+  /** What it is, in a few words beside the title. */
+  readonly note: string
   readonly extension: string
   readonly mediaType: string
   /** `name` is that of the element: letters, digits, hyphens. */

@@ -12,8 +12,8 @@ const QUADS = [
 ]
 
 export const obj: Writer = {
-  id: 'obj',
   title: 'OBJ',
+  note: 'points, and the corners of the faces',
   extension: 'obj',
   mediaType: 'model/obj',
   write(vertices, name) {

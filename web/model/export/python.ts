@@ -2,8 +2,8 @@
 import { decimalText, pointsOf, type Writer } from './element'
 
 export const python: Writer = {
-  id: 'python',
   title: 'Python',
+  note: 'NumPy array, exact',
   extension: 'py',
   mediaType: 'text/x-python',
   write(vertices) {

@@ -2,8 +2,8 @@
 import { decimalText, pointsOf, type Writer } from './element'
 
 export const vtk: Writer = {
-  id: 'vtk',
   title: 'VTK',
+  note: 'legacy file with one VTK_HEXAHEDRON',
   extension: 'vtk',
   mediaType: 'text/plain',
   write(vertices, name) {

@@ -13,7 +13,7 @@ type Section = 'nodes' | 'bricks' | 'others' | 'none'
 export const abaqus: Format = {
   name: 'Abaqus',
   read(text) {
-    if (!/^[ \t]*\*NODE\b(?!\s+\w)/im.test(text) || !/^[ \t]*\*ELEMENT\b(?!\s+\w)/im.test(text)) return null
+    if (!/^[ \t]*\*NODE\b(?![ \t]+\w)/im.test(text) || !/^[ \t]*\*ELEMENT\b(?![ \t]+\w)/im.test(text)) return null
     const mesh = new Mesh()
     const lines = new Scanner(text)
     let section: Section = 'none'

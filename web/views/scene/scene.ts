@@ -9,8 +9,9 @@ import type { Candidate } from '../../core/report'
 import type { Vec3, Vertices } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import { type ColourScale, colourScaleOf, type Ramp, rampOf, type Theme } from '../colour-map'
+import { figureOf } from '../figure'
 import { ThemeReader } from '../theme'
-import type { CreateView, Frame, View, ViewHost } from '../view'
+import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../view'
 import type { ScreenPoint } from './camera'
 import { ColourBar } from './colour-bar'
 import { Controls } from './controls'
@@ -35,6 +36,10 @@ export const sceneStyles = css
 
 /** More device pixels than this are not worth their time. */
 const MOST_PIXEL_RATIO = 2
+/** Of a figure: fine enough for paper, and no screen's, so that it is surely painted anew. */
+const FIGURE_PIXEL_RATIO = 3
+/** What belongs in a figure: not the controls, nor what is there for the pointer. */
+const FIGURE_PARTS = 'canvas, .scene-overlay, .scene-scale > *'
 /** From this width on, in CSS pixels, the reference cube stands beside the element, else below it. */
 const BESIDE = 640
 
@@ -74,6 +79,7 @@ class Scene implements SceneView, Stage {
   #theme: Theme | null = null
   #ramp: Ramp | null = null
   #contextLost = false
+  #isForFigure = false
   /** Made when it is first shown. */
   #reference: ReferenceCube | null = null
   #sizeMayDiffer = true
@@ -146,6 +152,15 @@ class Scene implements SceneView, Stage {
     this.#reference?.dispose()
     this.#themeReader.dispose()
     this.#painter?.dispose()
+  }
+
+  figure(name: FigureName): Figure | null {
+    if (name !== 'scene' || this.#shown === null) return null
+    this.#isForFigure = true
+    this.#draw(this.#shown)
+    this.#isForFigure = false
+    this.host.requestFrame()
+    return figureOf(this.root, this.root.querySelectorAll(FIGURE_PARTS))
   }
 
   frame(): ViewFrame {
@@ -401,7 +416,7 @@ class Scene implements SceneView, Stage {
       theme: this.#theme as Theme,
       display: state.faceDisplay,
       regions,
-      pixelRatio: Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
+      pixelRatio: this.#isForFigure ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
     })
     if (painted) this.framesDrawn++
     this.root.dataset.frames = String(this.framesDrawn)
