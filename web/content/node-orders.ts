@@ -35,14 +35,14 @@ export const nodeOrders: readonly NodeOrder[] = [
     name: 'Both the other way round',
     usedBy: 'Salome’s MED files',
     permutation: [0, 3, 2, 1, 4, 7, 6, 5],
-    says: 'Bottom and top go round the other way: the element is inside out.',
+    says: 'Bottom and top go round the other way, which turns the element inside out.',
   },
   {
     id: 'top-first',
     name: 'Top first',
     usedBy: 'AVS UCD',
     permutation: [4, 5, 6, 7, 0, 1, 2, 3],
-    says: 'The top comes before the bottom: the element is inside out.',
+    says: 'The top comes before the bottom, which turns it inside out as well.',
   },
   {
     id: 'top-backwards',

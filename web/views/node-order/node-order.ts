@@ -107,7 +107,7 @@ function triedList({ count }: TriedOrders): TemplateResult {
     <dl>
       ${nodeOrders.map(order => html`<div><dt>${order.name}${usedBy(order)}</dt><dd>${order.says}</dd></div>`)}
     </dl>
-    <p>Turning the element by one of the cube’s 24 rotations changes nothing, so each order stands for 24.</p>
+    <p>Turning the numbers by one of the cube’s 24 rotations changes nothing, so orders that differ by one are tried once.</p>
   </details>`
 }
 
