@@ -4,6 +4,7 @@ import { type Certificate, type CertifiedInterval, certificateJson } from '../..
 import { faces } from '../../model/hexahedron'
 import type { ReferenceCube, State } from '../../model/state'
 import { copyText } from '../copy-text'
+import { saveFile } from '../save-file'
 import type { CreateView, Frame, Proof, View, ViewHost } from '../view'
 import css from './certificate.css?inline'
 import { fullText, rationalText, roundedText } from './rational-text'
@@ -13,8 +14,6 @@ export const certificateStyles = css
 
 /** Runs of intervals shown of one face; the file has all. */
 const SHOWN_RUNS = 8
-/** An address of a file is given back once the browser has surely begun to save it. */
-const SAVED_MS = 10_000
 
 type Invalid = Extract<Certificate, { valid: false }>
 type Valid = Extract<Certificate, { valid: true }>
@@ -112,12 +111,7 @@ class CertificateView implements View {
 
   #download(proof: Proof): void {
     const { name, text } = this.#file(proof)
-    const address = URL.createObjectURL(new Blob([text], { type: 'application/json' }))
-    const link = document.createElement('a')
-    link.href = address
-    link.download = `${name}-certificate.json`
-    link.click()
-    setTimeout(() => URL.revokeObjectURL(address), SAVED_MS)
+    saveFile(`${name}-certificate.json`, text, 'application/json')
   }
 }
 

@@ -62,8 +62,8 @@ class PasteView implements View {
   #render(): void {
     render(
       html`<p>
-          Press Ctrl+V anywhere, drop a text or a file on this page, or use the box. All that has eight points in it will do, in
-          the vertex order of VTK.
+          Press Ctrl+V (⌘V), drop a text or a file anywhere on Hexlens, or use the box. All that has eight points in it will do,
+          in the vertex order of VTK.
         </p>
         <label for="paste-text">Text with eight points</label>
         <textarea id="paste-text" rows="5" spellcheck="false" autocomplete="off" autocapitalize="off"></textarea>

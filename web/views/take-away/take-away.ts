@@ -24,6 +24,8 @@ const FIGURE_PATIENCE_MS = 5000
 interface Row {
   readonly title: string
   readonly note: string
+  /** There is nothing to have while the core gives no report. */
+  readonly needsReport?: true
   /** A text, to copy and, where it has a file's name, to save. */
   readonly text?: () => string
   readonly file?: { readonly extension: string; readonly mediaType: string }
@@ -56,11 +58,13 @@ class TakeAwayView implements View {
       {
         title: 'Minimum',
         note: 'jacdet in all digits, on the cube chosen',
+        needsReport: true,
         text: () => (this.#report ? minimumText(this.#report, host.state().referenceCube) : ''),
       },
       {
         title: 'Report',
         note: 'JSON, every number of it',
+        needsReport: true,
         text: () => (this.#report ? reportJson(this.#report, this.#name, version) : ''),
         file: { extension: 'json', mediaType: 'application/json' },
       },
@@ -104,7 +108,7 @@ class TakeAwayView implements View {
     const button = (word: string, act: () => Promise<void>) => {
       const isDone = this.#done?.title === title && this.#done.message.startsWith(word === 'Copy' ? 'Copied' : 'Saved')
       const shown = isDone && word === 'Copy' ? 'Copied' : word
-      return html`<button type="button" ?disabled=${without} aria-label=${`${shown} ${title}`} @click=${act}>${shown}</button>`
+      return html`<button type="button" ?disabled=${without && row.needsReport} aria-label=${`${shown} ${title}`} @click=${act}>${shown}</button>`
     }
     return html`<li>
       <span>${title} <span class="note">${note}</span></span>
