@@ -27,6 +27,11 @@ export const parts: readonly Part[] = [
   { place: 'panel', create: createVertices, styles: verticesStyles },
   {
     place: 'panel',
+    create: panel('face-maps', 'Face maps', () => import('../views/face-maps/face-maps')),
+    styles: '',
+  },
+  {
+    place: 'panel',
     create: panel('algorithm', 'Algorithm 1, step by step', () => import('../views/algorithm/algorithm')),
     styles: '',
   },
