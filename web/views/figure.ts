@@ -51,7 +51,7 @@ function styledMarkup(part: SVGSVGElement, box: Box): string {
   shown?.forEach((original, i) => {
     const target = copied?.[i] as Element
     const style = getComputedStyle(original)
-    target.removeAttribute('class')
+    for (const attribute of ['class', 'tabindex']) target.removeAttribute(attribute)
     if (style.display === 'none') target.remove()
     else if (original instanceof SVGGraphicsElement) setStyles(target, style, original instanceof SVGTextElement)
   })

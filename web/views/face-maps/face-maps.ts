@@ -6,8 +6,9 @@ import { formatJacdet, formatPoint } from '../../model/decimal'
 import { type FaceTopology, faces, type Vec3 } from '../../model/hexahedron'
 import { candidateShapes } from '../candidate-shapes'
 import { colourScaleOf, rampOf, type Theme } from '../colour-map'
+import { figureOf } from '../figure'
 import { ThemeReader } from '../theme'
-import type { CreateView, Frame, View, ViewHost } from '../view'
+import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../view'
 import { boundsTable } from './bounds-table'
 import { FaceMap } from './face-map'
 import css from './face-maps.css?inline'
@@ -83,6 +84,11 @@ class FaceMapsView implements View {
     const { name } = faces[face.id] as FaceTopology
     const picture = { name, face, exponent: report.exponent, cube: state.referenceCube }
     this.#plots.update({ ...picture, polynomials: this.#polynomialsOf(face) }, t)
+  }
+
+  figure(name: FigureName): Figure | null {
+    if (name !== 'face-maps' || this.#report === null || this.#cell === 0) return null
+    return figureOf(this.#net, this.#net.querySelectorAll('canvas, .face-overlay'))
   }
 
   dispose(): void {

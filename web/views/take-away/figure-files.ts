@@ -1,15 +1,19 @@
 /** A figure as a file: vectors over an embedded picture of the coloured faces, or pixels alone. */
 import type { Figure, PixelLayer } from '../view'
 
+/** CSS pixels around an SVG: marks on the border of a figure reach beyond it. */
+const MARGIN = 12
+
 /** An SVG document that needs nothing else. The permalink fragment is in its description. */
 export function figureSvg(figure: Figure, title: string, fragment: string): string {
-  const { width, height, background } = figure
+  const [width, height] = [figure.width + 2 * MARGIN, figure.height + 2 * MARGIN]
+  const box = `x="${-MARGIN}" y="${-MARGIN}" width="${width}" height="${height}"`
   const layers = figure.layers.map(layer => ('markup' in layer ? layer.markup : imageOf(layer)))
   return [
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">`,
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="${-MARGIN} ${-MARGIN} ${width} ${height}">`,
     `<title>${escaped(title)}</title>`,
     `<desc>${escaped(fragment)}</desc>`,
-    `<rect width="100%" height="100%" fill="${escaped(background)}"/>`,
+    `<rect ${box} fill="${escaped(figure.background)}"/>`,
     ...layers,
     '</svg>',
     '',

@@ -53,7 +53,11 @@ class TakeAwayView implements View {
         note: 'the scene: lines and words over a picture of the faces',
         save: () => this.#saveSvg('scene'),
       },
-      { title: 'SVG of the face maps', note: 'likewise', save: () => this.#saveSvg('face-maps') },
+      {
+        title: 'SVG of the face maps',
+        note: 'the six faces unfolded, likewise',
+        save: () => this.#saveSvg('face-maps'),
+      },
       { title: 'Link', note: 'opens this very element', text: () => host.permalink() },
       {
         title: 'Minimum',
