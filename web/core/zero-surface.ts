@@ -184,13 +184,13 @@ function bit(mask: number, axis: number): number {
   return (mask >> axis) & 1
 }
 
+type Triple = readonly [Vec3, Vec3, Vec3]
+
 /** Whether the triangle of these edges' middles has its positive corners in front: true triangles may have no area. */
 function isInFront(...edges: readonly (readonly [number, number])[]): boolean {
-  const [p, q, r] = edges.map(([from, to]) => [0, 1, 2].map(axis => bit(from, axis) + bit(to, axis))) as [
-    Vec3,
-    Vec3,
-    Vec3,
-  ]
+  const [p, q, r] = edges.map(([from, to]) =>
+    [0, 1, 2].map(axis => bit(from, axis) + bit(to, axis)),
+  ) as unknown as Triple
   const [from, to] = edges[0] as readonly [number, number]
   const out = [0, 1, 2].map(axis => bit(to, axis) - bit(from, axis)) as unknown as Vec3
   const u = minus(q, p)

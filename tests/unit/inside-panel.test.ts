@@ -1,0 +1,63 @@
+import { describe, expect, it } from 'vitest'
+import { presets, presetVertices } from '../../web/content/presets'
+import { vertexReference } from '../../web/model/hexahedron'
+import { insideSentence } from '../../web/views/inside-panel/inside-words'
+import { along, hiddenVertex, turnedBy } from '../../web/views/inside-panel/turned-cube'
+import { curveOf, heightOf } from '../../web/views/morph/curve'
+import { core } from './core-fixtures'
+
+function reportOf(id: string) {
+  const preset = presets.find(candidate => candidate.id === id)
+  const result = preset && core.analyze(presetVertices(preset))
+  if (!result?.ok) throw new Error(`There is no report of ${id}.`)
+  return result.value
+}
+
+describe('what the boundary says of the inside', () => {
+  it('is enough where it is positive, and not where it is zero', () => {
+    expect(insideSentence(reportOf('cube'), 'unit')).toMatch(/nothing inside is lower/)
+    expect(insideSentence(reportOf('non-strict'), 'unit')).toMatch(/never below zero, yet inside it falls to −1\/4/)
+    expect(insideSentence(reportOf('non-strict'), 'biunit')).toMatch(/−1\/32/)
+    expect(insideSentence(reportOf('edge-negative'), 'unit')).toMatch(/^The boundary already shows/)
+  })
+})
+
+describe('the turned cube', () => {
+  it('is seen along three axes at right angles, and hides the vertex farthest from the eye', () => {
+    for (const degrees of [-180, -35, 0, 25, 90, 170]) {
+      const turned = turnedBy(degrees)
+      const { right, up, eye } = turned
+      const dot = (a: readonly number[], b: readonly number[]) => a.reduce((sum, x, i) => sum + x * (b[i] as number), 0)
+      for (const axis of [right, up, eye]) expect(dot(axis, axis)).toBeCloseTo(1, 12)
+      for (const [a, b] of [
+        [right, up],
+        [up, eye],
+        [eye, right],
+      ] as const)
+        expect(dot(a, b)).toBeCloseTo(0, 12)
+      const depths = vertexReference.map(point => along(eye, point))
+      expect(depths[hiddenVertex(turned)]).toBe(Math.min(...depths))
+      expect(vertexReference[hiddenVertex(turned)]?.[2]).toBe(0)
+    }
+  })
+})
+
+describe('the curve of a way', () => {
+  const sample = (tau: number, minimum: number, exponent = 0) => ({ tau, minimum, exponent, valid: minimum > 0 })
+
+  it('has zero at its height, whatever the exponents', () => {
+    const curve = curveOf({ samples: [sample(0, 3), sample(0.5, 1), sample(1, -2, -1)] })
+    expect(curve.zero).toBeCloseTo(0.25, 12)
+    expect(curve.points.map(({ height }) => height)).toEqual([1, 0.5, 0])
+    expect(heightOf(curve, 0.25)).toBeCloseTo(0.75, 12)
+    expect([heightOf(curve, 0), heightOf(curve, 1)]).toEqual([1, 0])
+  })
+
+  it('is on the side of its verdict, and finite for the largest and the smallest', () => {
+    const [first] = curveOf({ samples: [{ tau: 0, minimum: -1e-20, exponent: 0, valid: true }, sample(1, -1)] }).points
+    expect(first?.height).toBe(1)
+    const huge = curveOf({ samples: [sample(0, Number.MAX_VALUE), sample(1, -Number.MAX_VALUE)] })
+    expect([huge.zero, ...huge.points.map(({ height }) => height)]).toEqual([0.5, 1, 0])
+    expect(curveOf({ samples: [sample(0, 0), sample(1, 0)] }).zero).toBe(0)
+  })
+})
