@@ -37,7 +37,17 @@ export const parts: readonly Part[] = [
   },
   {
     place: 'panel',
+    create: panel('inside', 'Inside', () => import('../views/inside-panel/inside-panel')),
+    styles: '',
+  },
+  {
+    place: 'panel',
     create: panel('node-order', 'Node order', () => import('../views/node-order/node-order')),
+    styles: '',
+  },
+  {
+    place: 'panel',
+    create: panel('morph', 'Morph', () => import('../views/morph/morph')),
     styles: '',
   },
   { place: 'panel', create: createAnnouncer, styles: announcerStyles },
