@@ -17,7 +17,7 @@ async function middleOf(locator: Locator): Promise<{ x: number; y: number }> {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
 }
 
-/** Numbers of a text such as "(ξ, η, ζ) = (1/2, −0.25, 1)". */
+/** Numbers of a text such as "(1/2, −0.25, 1)". */
 function numbersOf(text: string): number[] {
   return [...text.replaceAll('−', '-').matchAll(/-?\d+(?:\.\d+)?(?:\/\d+)?/g)].map(([number]) => {
     const [numerator, denominator = 1] = number.split('/').map(Number) as [number, number?]
@@ -26,9 +26,13 @@ function numbersOf(text: string): number[] {
 }
 
 async function readout(page: Page): Promise<{ jacdet: number; reference: number[]; position: number[] }> {
-  const lines = await readoutOf(page).locator('text').allTextContents()
-  const [jacdet = [], reference = [], position = []] = lines.map(line => numbersOf(line.slice(line.indexOf('='))))
-  return { jacdet: jacdet[0] as number, reference, position }
+  const [jacdet = '', reference = '', position = ''] = await readoutOf(page).locator('text').allTextContents()
+  const pointOf = (line: string) => numbersOf(line.slice(line.lastIndexOf('(')))
+  return {
+    jacdet: numbersOf(jacdet.slice(jacdet.indexOf('=')))[0] as number,
+    reference: pointOf(reference),
+    position: pointOf(position),
+  }
 }
 
 type Vector = [number, number, number]

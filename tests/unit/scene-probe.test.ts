@@ -1,9 +1,12 @@
 import { describe, expect, it } from 'vitest'
+import type { Candidate, Report } from '../../web/core/report'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
 import { unitColumns } from '../../web/views/scene/arrows'
-import type { Ray } from '../../web/views/scene/camera'
-import { bernsteinRoots, hitFaces, referenceOf } from '../../web/views/scene/face-hit'
+import { DEFAULT_DIRECTION, type Ray, SceneCamera } from '../../web/views/scene/camera'
+import { bernsteinRoots, hitFaces, pointUnder, referenceOf } from '../../web/views/scene/face-hit'
 import { facePoint } from '../../web/views/scene/face-point'
+import { nextCandidate } from '../../web/views/scene/probe-candidates'
+import { frameOf, verticesInView } from '../../web/views/scene/view-frame'
 
 const cube = vertexReference
 const twisted: readonly Vec3[] = [
@@ -156,5 +159,42 @@ describe('the columns as arrows', () => {
       [0, 0, 0],
     ] as const
     expect(unitColumns({ columns, axisExponents: [0, 0, 0] })).toBeNull()
+  })
+})
+
+describe('what a pointer points at', () => {
+  const camera = new SceneCamera()
+  camera.resize(800, 600, { top: 0, right: 0, bottom: 0, left: 0 })
+  const vertices = verticesInView(frameOf(cube.flat()), cube.flat())
+  camera.fit(vertices, DEFAULT_DIRECTION)
+  camera.enclose(vertices)
+  const handles = vertices.map(point => camera.project(point))
+  const drawn = { camera, vertices, handles, state: { faceDisplay: 'opaque', selectedVertex: 0 } as const }
+
+  it('is a vertex where its handle is, else a face, to the thousandths that a pixel can tell', () => {
+    handles.forEach(({ x, y }, v) => {
+      expect(pointUnder(drawn, x + 5, y - 5)).toEqual(vertexReference[v])
+    })
+    const { x, y } = camera.project(facePoint(vertices, 2, 0.3141592, 0.7182818))
+    const [xi = 0, eta, zeta = 0] = pointUnder(drawn, x, y) ?? []
+    expect([xi, eta, zeta]).toEqual([0.314, 0, 0.718])
+    expect(pointUnder(drawn, 5, 5)).toBeNull()
+  })
+})
+
+describe('going through the candidates', () => {
+  const at = (id: number, point: Vec3) => ({ kind: 'vertex', id, point, position: point, value: id }) as Candidate
+  const candidates = vertexReference.map((point, v) => at(v, point))
+  const report = { candidates: [...candidates, at(9, [0, 0, 0])], minimizer: candidates[3] } as unknown as Report
+
+  it('begins with the minimizer, visits each point once, and begins again', () => {
+    const visited: number[] = []
+    let probe: Vec3 | null = [0.5, 0.5, 0.5]
+    for (let n = 0; n < 9; n++) {
+      const next: Candidate = nextCandidate(report, probe)
+      visited.push(next.id)
+      probe = next.point
+    }
+    expect(visited).toEqual([3, 0, 1, 2, 4, 5, 6, 7, 3])
   })
 })

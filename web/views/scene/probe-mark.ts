@@ -5,8 +5,9 @@ import { unitColumns } from './arrows'
 import type { SceneCamera, ScreenPoint } from './camera'
 import { at, map3, toView, type ViewFrame } from './view-frame'
 
-/** CSS pixels of the longest column, were it parallel to the screen. */
+/** CSS pixels of the longest column, were it parallel to the screen; in a low view this share of its height. */
 const LONGEST = 64
+const LONGEST_SHARE = 1 / 6
 /** Pixels of an arrow's head, and of the shortest arrow that has room for one. */
 const HEAD = 7
 const SHORTEST = 4
@@ -39,7 +40,7 @@ export class ProbeMark {
     if (probe === null || from === null || !isShown) return
     moveTo(this.#dot, middle)
     const columns = unitColumns(probe)
-    const length = LONGEST * camera.lengthPerPixel(middle.depth)
+    const length = Math.min(LONGEST, LONGEST_SHARE * camera.height) * camera.lengthPerPixel(middle.depth)
     this.#arrows.forEach(({ halo, line, letter }, k) => {
       const column = columns?.[k]
       const tip = column && camera.project(map3(axis => at(from, axis) + at(column, axis) * length))

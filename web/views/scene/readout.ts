@@ -9,7 +9,7 @@ import type { Box } from './label-place'
 /** Right of the triad; where there is little room, under the colour bar. */
 const PLACES = { wide: { x: 92, y: 18, lines: 3 }, narrow: { x: 92, y: 62, lines: 2 } } as const
 const LINE_HEIGHT = 17
-const WIDEST = 280
+const WIDEST = 260
 
 export class Readout {
   readonly root = svg('g', { class: 'readout' })
@@ -34,7 +34,7 @@ export class Readout {
     setText(this.#jacdet, `J${isNarrow ? formatPoint(probe.point) : ''} = ${jacdet}`)
     show(this.#reference, !isNarrow)
     setText(this.#reference, `(ξ, η, ζ) = ${formatPoint(probe.point)}`)
-    setText(this.#position, `(x, y, z) = ${formatPoint(probe.position)}`)
+    setText(this.#position, `${isNarrow ? 'at' : '(x, y, z) ='} ${formatPoint(probe.position)}`)
   }
 }
 

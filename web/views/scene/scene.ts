@@ -41,7 +41,7 @@ const FIGURE_PIXEL_RATIO = 3
 /** What belongs in a figure: not the controls, nor what is there for the pointer. */
 const FIGURE_PARTS = 'canvas, .scene-overlay, .scene-scale > *'
 /** From this width on, in CSS pixels, the reference cube stands beside the element, else below it. */
-const BESIDE = 640
+const BESIDE = 560
 
 const NO_WEBGL =
   'This browser gives no WebGL2, so the faces are not coloured. Vertices can be moved all the same, and the verdict holds.'
