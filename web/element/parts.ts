@@ -50,6 +50,16 @@ export const parts: readonly Part[] = [
     create: panel('morph', 'Morph', () => import('../views/morph/morph')),
     styles: '',
   },
+  {
+    place: 'panel',
+    create: panel('paste', 'Paste or drop', () => import('../views/paste/paste')),
+    styles: '',
+  },
+  {
+    place: 'panel',
+    create: panel('take-away', 'Take away', () => import('../views/take-away/take-away')),
+    styles: '',
+  },
   { place: 'panel', create: createAnnouncer, styles: announcerStyles },
   { place: 'stage', create: createScene, styles: sceneStyles, slow: true },
 ]
