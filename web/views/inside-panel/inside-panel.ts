@@ -37,6 +37,10 @@ class InsidePanel implements View {
   #turn = FIRST_TURN
   #side = 0
   #report: Report | null = null
+  /** Of the last frame: in the next one with the same, both pictures are brought up to date. */
+  #pictured: Report | null = null
+  #nextPicture: 'section' | 'surface' = 'section'
+  #isThere = false
   readonly #drawn = new Map<string, readonly unknown[]>()
 
   constructor(host: ViewHost) {
@@ -61,9 +65,18 @@ class InsidePanel implements View {
     const section = this.#section
     const least = Math.min(report.boundaryMinimum, report.volumeMinimum.upper)
     const scale = colourScaleOf(least, report.boundaryMaximum)
-    if (this.#side > 0) this.#map.update({ section, report, scale, theme, state, side: this.#side })
     const isMoving = state.gestureStart !== null
-    const isThere = this.#surface.update({ report, section, theme, isMoving, turn: this.#turn })
+    // While a gesture runs each of the two pictures is due every other frame, which keeps frames short.
+    const due = isMoving && report !== this.#pictured ? this.#nextPicture : null
+    if (this.#side > 0 && due !== 'surface')
+      this.#map.update({ section, report, scale, theme, state, side: this.#side })
+    if (due !== 'section') this.#isThere = this.#surface.update({ report, section, theme, isMoving, turn: this.#turn })
+    this.#pictured = report
+    if (due !== null) {
+      this.#nextPicture = due === 'section' ? 'surface' : 'section'
+      this.#host.requestFrame()
+    }
+    const isThere = this.#isThere
     this.#drawWords(frame, report, isThere)
   }
 
@@ -102,7 +115,8 @@ class InsidePanel implements View {
     const cube = state.referenceCube
     const section = this.#section
     if (this.#isNew('minima', report, cube)) render(minima(report, cube), this.#minima)
-    if (this.#isNew('controls', report, section)) {
+    const goal = minimizerOf(report)[section.axis]
+    if (this.#isNew('controls', goal === section.value, lowerInside(report) !== null, section)) {
       render(this.#controlsOf(report), this.#controls)
       const value = `${AXIS_NAMES[section.axis]} = ${formatNumber(section.value)}`
       this.#map.root.setAttribute('aria-label', `Map of jacdet on the section ${value}`)

@@ -28,7 +28,7 @@ export interface SectionPicture {
 export const AXIS_NAMES = ['ξ', 'η', 'ζ'] as const
 
 /** Pixels a side while a gesture runs, and the most to a CSS pixel when none does. */
-const GESTURE_SIZE = 112
+const GESTURE_SIZE = 80
 const MOST_PIXEL_RATIO = 2
 /** Places are looked at in steps of 1/200. */
 const GRID = 200

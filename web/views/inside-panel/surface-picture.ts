@@ -18,7 +18,7 @@ export interface SurfacePicture {
 }
 
 const CELLS = 20
-const GESTURE_CELLS = 8
+const GESTURE_CELLS = 6
 /** Size of the picture, in units of which one is about a CSS pixel, and of the cube's edges in it. */
 export const WIDTH = 320
 export const HEIGHT = 300
