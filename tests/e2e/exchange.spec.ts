@@ -1,8 +1,7 @@
 import { readFile } from 'node:fs/promises'
-import AxeBuilder from '@axe-core/playwright'
 import type { Locator, Page } from '@playwright/test'
 import { readElements } from '../../web/model/import/import'
-import { expect, test } from './lens'
+import { expect, expectAxeFindsNothing, SCHEMES_AND_WIDTHS, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 const upper = cube.map((value, i) => (i % 3 === 2 ? value + 1 : value))
@@ -245,39 +244,35 @@ test.describe('take away', () => {
   })
 })
 
-for (const colorScheme of ['light', 'dark'] as const) {
+for (const [colorScheme, width, height] of SCHEMES_AND_WIDTHS) {
   test.describe(`in the ${colorScheme} scheme`, () => {
     test.use({ colorScheme })
 
-    for (const [width, height] of [
-      [1280, 800],
-      [360, 740],
-    ] as const) {
-      test(`at ${width} pixels axe finds nothing in either panel, and both fit`, async ({ lens, page }) => {
-        await page.setViewportSize({ width, height })
-        await lens.open()
-        await lens.button('Take away').click()
-        await lens.button('Copy Python').click()
-        await pasteAnywhere(page, list)
-        await expect(page.getByRole('listbox', { name: 'Elements' })).toBeVisible()
-        await expectNothingFound(page)
-        for (const name of ['Paste or drop', 'Take away']) {
-          for (const target of await panelOf(page, name).getByRole('button').all()) {
-            const box = await target.boundingBox()
-            expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(24)
-          }
+    test(`at ${width} pixels axe finds nothing in either panel, and both fit`, async ({ lens, page }) => {
+      await page.setViewportSize({ width, height })
+      await lens.open()
+      await lens.button('Take away').click()
+      await lens.button('Copy Python').click()
+      await pasteAnywhere(page, list)
+      await expect(page.getByRole('listbox', { name: 'Elements' })).toBeVisible()
+      await expectAxeFindsNothing(page, '#panel-paste')
+      await expectAxeFindsNothing(page, '#panel-take-away')
+      for (const name of ['Paste or drop', 'Take away']) {
+        for (const target of await panelOf(page, name).getByRole('button').all()) {
+          const box = await target.boundingBox()
+          expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(24)
         }
-        const [scroll, client] = await page.evaluate(() => {
-          const { scrollWidth, clientWidth } = document.documentElement
-          return [scrollWidth, clientWidth]
-        })
-        expect(scroll).toBe(client)
-        await lens.button('Paste or drop').focus()
-        await pasteAnywhere(page, 'nothing')
-        await expect(panelOf(page, 'Paste or drop')).toContainText('0 numbers were found')
-        await expectNothingFound(page)
+      }
+      const [scroll, client] = await page.evaluate(() => {
+        const { scrollWidth, clientWidth } = document.documentElement
+        return [scrollWidth, clientWidth]
       })
-    }
+      expect(scroll).toBe(client)
+      await lens.button('Paste or drop').focus()
+      await pasteAnywhere(page, 'nothing')
+      await expect(panelOf(page, 'Paste or drop')).toContainText('0 numbers were found')
+      await expectAxeFindsNothing(page, '#panel-paste')
+    })
   })
 }
 
@@ -295,11 +290,4 @@ function blueShare(page: Page, png: Buffer): Promise<number> {
     for (let i = 0; i < data.length; i += 4) if ((data[i + 2] as number) > (data[i] as number) + 40) blue++
     return blue / 10_000
   }, png.toString('base64'))
-}
-
-async function expectNothingFound(page: Page): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).analyze()
-  expect(
-    violations.map(({ id, nodes }) => `${id}: ${nodes.map(node => `${node.html} ${node.failureSummary}`).join('; ')}`),
-  ).toEqual([])
 }

@@ -1,4 +1,3 @@
-import AxeBuilder from '@axe-core/playwright'
 import type { Locator, Page } from '@playwright/test'
 import { presets, presetVertices } from '../../web/content/presets'
 import type { Report } from '../../web/core/report'
@@ -7,7 +6,7 @@ import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
 import { colourScaleOf, type Rgb, rampColour, rampOf, rampPosition } from '../../web/views/colour-map'
 import { pointInCell } from '../../web/views/face-maps/net'
 import { core } from '../unit/core-fixtures'
-import { expect, type Lens, test } from './lens'
+import { expect, expectAxeFindsNothing, type Lens, SCHEMES_AND_WIDTHS, test } from './lens'
 
 /** No two vertices, edges or faces are alike. */
 const asymmetric = [
@@ -262,32 +261,20 @@ test('nothing is painted while nothing changes, and coarsely while a gesture run
   expect(await size()).toBe(sharp)
 })
 
-for (const colorScheme of ['light', 'dark'] as const) {
+for (const [colorScheme, width, height] of SCHEMES_AND_WIDTHS) {
   test.describe(`in the ${colorScheme} scheme`, () => {
     test.use({ colorScheme })
 
-    for (const [width, height] of [
-      [1280, 800],
-      [360, 740],
-    ] as const) {
-      test(`at ${width} pixels axe finds nothing in the open maps`, async ({ lens, page }) => {
-        await page.setViewportSize({ width, height })
-        await openMaps(lens, faceNegative)
-        await mapOf(page, '−ζ').click()
-        await expectNothingFound(page)
-        const [scroll, client] = await page.evaluate(() => [
-          document.documentElement.scrollWidth,
-          document.documentElement.clientWidth,
-        ])
-        expect(scroll).toBe(client)
-      })
-    }
+    test(`at ${width} pixels axe finds nothing in the open maps`, async ({ lens, page }) => {
+      await page.setViewportSize({ width, height })
+      await openMaps(lens, faceNegative)
+      await mapOf(page, '−ζ').click()
+      await expectAxeFindsNothing(page, '#panel-face-maps')
+      const [scroll, client] = await page.evaluate(() => [
+        document.documentElement.scrollWidth,
+        document.documentElement.clientWidth,
+      ])
+      expect(scroll).toBe(client)
+    })
   })
-}
-
-async function expectNothingFound(page: Page): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).analyze()
-  expect(
-    violations.map(({ id, nodes }) => `${id}: ${nodes.map(node => `${node.html} ${node.failureSummary}`).join('; ')}`),
-  ).toEqual([])
 }

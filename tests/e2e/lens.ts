@@ -1,4 +1,5 @@
 /** The page as a user has it: by roles and names. Every test also watches for what must never happen on the page. */
+import AxeBuilder from '@axe-core/playwright'
 import { test as base, expect, type Locator, type Page } from '@playwright/test'
 
 export class Lens {
@@ -90,3 +91,15 @@ export const test = base.extend<{ lens: Lens } & Expected>({
 })
 
 export { expect }
+
+/** Each scheme and each width once: contrast is the schemes', room the widths'. */
+export const SCHEMES_AND_WIDTHS = [
+  ['light', 1280, 800],
+  ['dark', 360, 740],
+] as const
+
+/** No violation of WCAG 2.2 AA in the element's part; the rest of the page is accessibility.spec.ts's. */
+export async function expectAxeFindsNothing(page: Page, part: string): Promise<void> {
+  const { violations } = await new AxeBuilder({ page }).include({ fromShadowDom: ['hex-lens', part] }).analyze()
+  expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join('; ')}`)).toEqual([])
+}

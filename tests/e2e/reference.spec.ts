@@ -1,7 +1,6 @@
-import AxeBuilder from '@axe-core/playwright'
 import type { Locator, Page } from '@playwright/test'
 import { type Vec3, vertexReference } from '../../web/model/hexahedron'
-import { expect, type Lens, test } from './lens'
+import { expect, expectAxeFindsNothing, type Lens, SCHEMES_AND_WIDTHS, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 /** Not the cube in any direction, so that (x, y, z) and (xi, eta, zeta) differ. */
@@ -225,51 +224,21 @@ test('each turns on its own, or both together; nothing in the cube moves a verte
   await expect(lens.scene).toBeFocused()
 })
 
-for (const colorScheme of ['light', 'dark'] as const) {
+for (const [colorScheme, width, height] of SCHEMES_AND_WIDTHS) {
   test.describe(`in the ${colorScheme} scheme`, () => {
     test.use({ colorScheme })
 
-    test('axe finds nothing, on a screen or a phone', async ({ lens, page }) => {
-      for (const viewport of [
-        { width: 960, height: 640 },
-        { width: 360, height: 740 },
-      ]) {
-        await page.setViewportSize(viewport)
-        await lens.open()
-        await toggleOf(lens).click()
-        await lens.scene.focus()
-        await page.keyboard.press('p')
-        await expect(readoutOf(page)).toBeVisible()
-        const { violations } = await new AxeBuilder({ page }).analyze()
-        expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(node => node.html).join('; ')}`)).toEqual([])
-        const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
-        expect(overflow).toBeLessThanOrEqual(0)
-        await expect(lens.button('Help')).toBeInViewport({ ratio: 1 })
-      }
+    test(`axe finds nothing at ${width} pixels`, async ({ lens, page }) => {
+      await page.setViewportSize({ width, height })
+      await lens.open()
+      await toggleOf(lens).click()
+      await lens.scene.focus()
+      await page.keyboard.press('p')
+      await expect(readoutOf(page)).toBeVisible()
+      await expectAxeFindsNothing(page, '.stage')
+      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
+      expect(overflow).toBeLessThanOrEqual(0)
+      await expect(lens.button('Help')).toBeInViewport({ ratio: 1 })
     })
   })
 }
-
-test.describe('with a finger', () => {
-  test.use({ hasTouch: true, viewport: { width: 390, height: 844 } })
-
-  test('a tap points at a face, a tap beside it at nothing', async ({ lens, page }) => {
-    await lens.open()
-    const { x, y } = await middleOf(lens.scene)
-    await page.touchscreen.tap(x - 20, y + 20)
-    await expect(readoutOf(page)).toBeVisible()
-    await expect(readoutOf(page).locator('.jacdet')).toHaveText(/^J\(.+\) = /)
-    const stage = await lens.scene.boundingBox()
-    await page.touchscreen.tap((stage?.x ?? 0) + 12, y + 40)
-    await expect(readoutOf(page)).toBeHidden()
-  })
-
-  test('the reference cube comes below an element that keeps its size', async ({ lens, page }) => {
-    await lens.open()
-    const before = await lens.scene.boundingBox()
-    await toggleOf(lens).tap()
-    const [own, other] = [await lens.scene.boundingBox(), await referenceOf(page).boundingBox()]
-    expect(Math.abs((own?.height ?? 0) - (before?.height ?? 0))).toBeLessThan(2)
-    expect(other?.y).toBeGreaterThanOrEqual((own?.y ?? 0) + (own?.height ?? 0))
-  })
-})
