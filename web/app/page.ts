@@ -1,4 +1,4 @@
-/** The page: `<hex-lens>` with what it shows kept in the address, so that reload, bookmark and a pasted link all work. */
+/** The page: `<hex-lens>` with what it shows kept in the address, so that reload, bookmark, Back and a pasted link all work. */
 import '../element/hex-lens'
 import { onPaste } from '../element/offers'
 import { historyStep } from '../element/shortcuts'
@@ -6,9 +6,13 @@ import { decodePermalink } from '../model/permalink'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 
+/** The preset that the address is about: another one is another page to go back from. */
+let preset: string | null = null
+
 function openLink(): void {
   const link = decodePermalink(location.hash)
   if (link.ok) lens.vertices = link.value
+  preset = lens.preset
   if (link.ok || link.error.code === 'absent') {
     lens.clear('link-broken')
   } else {
@@ -20,7 +24,9 @@ openLink()
 addEventListener('hashchange', openLink)
 lens.addEventListener('hex-change', () => {
   lens.clear('link-broken')
-  history.replaceState(history.state, '', lens.permalink)
+  if (lens.preset !== null && lens.preset !== preset) history.pushState(null, '', lens.permalink)
+  else history.replaceState(history.state, '', lens.permalink)
+  preset = lens.preset
 })
 
 // With the focus nowhere, undo, redo and paste can only mean the element.

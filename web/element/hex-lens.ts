@@ -3,6 +3,7 @@
  * one frame's truth to every view. Nothing is scheduled while nothing changes.
  *
  * `vertices`  24 finite numbers, VTK_HEXAHEDRON order, get (a copy) and set (any array-like; else HexLensError, state kept)
+ * `preset`    the id of the preset that the element started from, or null
  * `report`    what the core knows about exactly these vertices; null while there is no core
  * `permalink` the address that opens this element again, bit for bit
  * methods     undo, redo; offer, for a text or a file with eight points in it;
@@ -91,6 +92,10 @@ export class HexLens extends HTMLElement {
     const preset = presetOf(vertices)
     if (this.#drawn === null) this.#begin(vertices, preset)
     else this.#dispatch({ type: 'set-vertices', vertices, preset })
+  }
+
+  get preset(): string | null {
+    return this.#store.state.preset
   }
 
   get report(): Report | null {
