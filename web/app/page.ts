@@ -1,4 +1,5 @@
 /** The page: `<hex-lens>` with what it shows kept in the address, so that reload, bookmark, Back and a pasted link all work. */
+import { presets, presetVertices } from '../content/presets'
 import '../element/hex-lens'
 import { onPaste } from '../element/offers'
 import { historyStep } from '../element/shortcuts'
@@ -11,13 +12,14 @@ let preset: string | null = null
 
 function openLink(): void {
   const link = decodePermalink(location.hash)
-  if (link.ok) lens.vertices = link.value
-  preset = lens.preset
-  if (link.ok || link.error.code === 'absent') {
+  const vertices = link.ok ? link.value : link.error.code === 'absent' ? presetVertices(presets[0]) : null
+  if (vertices) {
+    lens.vertices = vertices
     lens.clear('link-broken')
-  } else {
+  } else if (!link.ok) {
     lens.raise({ code: 'link-broken', message: `${link.error.message} The element shown is not the link’s.` })
   }
+  preset = lens.preset
 }
 
 openLink()
