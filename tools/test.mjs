@@ -11,10 +11,13 @@ import { setup } from './setup.mjs'
 const allResults = join(root, 'test-results')
 const results = join(allResults, String(process.pid))
 
-const suites = [
-  { name: 'native', run: native },
-  { name: 'unit', run: unit },
-  { name: 'browser', run: browser, long: true },
+/** One stage after another; the suites of a stage side by side: the native tests use one core. */
+const stages = [
+  [
+    { name: 'native', run: native },
+    { name: 'unit', run: unit },
+  ],
+  [{ name: 'browser', run: browser, long: true }],
 ]
 
 await runMain(async () => {
@@ -25,10 +28,14 @@ await runMain(async () => {
     mkdirSync(results, { recursive: true })
     removeOldResults()
     const lines = []
-    for (const suite of suites.filter(({ long }) => !(fast && long))) {
-      const result = await suite.run({ fast })
-      lines.push(`${suite.name}: ${sentence(result)}`)
-      for (const key of Object.keys(total)) total[key] += result[key]
+    await buildNativeLibrary()
+    for (const stage of stages) {
+      const suites = stage.filter(({ long }) => !(fast && long))
+      const outcomes = await Promise.all(suites.map(suite => suite.run({ fast })))
+      for (const [i, result] of outcomes.entries()) {
+        lines.push(`${suites[i].name}: ${sentence(result)}`)
+        for (const key of Object.keys(total)) total[key] += result[key]
+      }
     }
     process.stdout.write(`\n${lines.join('\n')}\n`)
   } catch (error) {
@@ -71,10 +78,17 @@ function judged(result, status) {
   return result.failed === 0 && (status !== 0 || ranNone) ? { ...result, failed: 1 } : result
 }
 
+/** What both the native and the unit tests need: two makes side by side would write the same files. */
+async function buildNativeLibrary() {
+  const { status, text } = await run('make', ['-s', '-C', 'wasm', 'native', 'parity'])
+  if (status !== 0) throw new Failure(`The native library was not built.\n${text}`)
+}
+
 /** Every test program closes with a line `N passed, N failed`. */
 async function native({ fast }) {
   const words = ['-C', 'wasm', '--no-print-directory', '-k', fast ? 'test-fast' : 'test']
-  const { status, stdout } = await run('make', words, { output: 'tee' })
+  const { status, stdout, text } = await run('make', words)
+  process.stdout.write(text) // in one piece: the unit tests write too
   const result = counts()
   for (const [, passed, failed] of stdout.matchAll(/^(\d+) passed, (\d+) failed$/gm)) {
     result.passed += Number(passed)
