@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest'
 import { presets, presetVertices } from '../../web/content/presets'
-import { type Axis, axesOn, pointOn, sectionBernstein, valueInside } from '../../web/core/section'
+import { axesOn, pointOn, sectionBernstein, valueInside } from '../../web/core/section'
 import { type Surface, zeroSurface } from '../../web/core/zero-surface'
-import { faces, type Vec3 } from '../../web/model/hexahedron'
+import { type Axis, faces, type Vec3 } from '../../web/model/hexahedron'
 import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 
 function reportOf(vertices: readonly number[]) {

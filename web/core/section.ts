@@ -1,7 +1,5 @@
 /** The jacdet's 27 Bernstein coefficients on [0,1]^3, restricted to a section or evaluated. Drawn and read, never a verdict. */
-import { faces, type Vec3 } from '../model/hexahedron'
-
-export type Axis = 0 | 1 | 2
+import { type Axis, faces, type Vec3 } from '../model/hexahedron'
 
 /** Coefficients are `bernstein[9 * i + 3 * j + k]`, i in xi, j in eta, k in zeta. */
 const STRIDES = [9, 3, 1] as const

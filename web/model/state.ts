@@ -1,5 +1,5 @@
 /** What the page is about, as plain data, and every way it can change. No DOM, no three.js, no wasm. */
-import type { Vec3, Vertices } from './hexahedron'
+import type { Axis, Vec3, Vertices } from './hexahedron'
 
 /** jacdet of the map from [0,1]^3, or from [-1,1]^3 as finite element codes use it (an eighth). */
 export type ReferenceCube = 'unit' | 'biunit'
@@ -15,6 +15,45 @@ export type PanelId = (typeof PANELS)[number]
 export interface ElementPart {
   readonly kind: 'vertex' | 'edge' | 'face'
   readonly id: number
+}
+
+/** A section of the reference cube: xi, eta or zeta (axis 0, 1, 2) is `value`, in [0,1]. */
+export interface Section {
+  readonly axis: Axis
+  readonly value: number
+}
+
+/** What Algorithm 1 is asked: the boundary minimum, or only whether all of the boundary is positive. */
+export type Query = 'minimum' | 'validity'
+
+/** Whether a face's Bernstein bound is looked at before its quartic is solved (`roots-b`) or not (`roots`). */
+export type Variant = 'roots' | 'roots-b'
+
+/** Steps of Algorithm 1: 8 vertices, 12 edges, 6 faces. */
+export const STEP_COUNT = 26
+
+/** How Algorithm 1 is followed, and to which of its steps, or the last one where it ends before. */
+export interface Following {
+  readonly query: Query
+  readonly variant: Variant
+  /** 0..25. */
+  readonly step: number
+}
+
+/** How a picture in space is looked at, whatever its size on the screen. */
+export interface CameraView {
+  /** From what is looked at to the eye; of any length. */
+  readonly direction: Vec3
+  /** How many times nearer the eye is than where everything just fits in. */
+  readonly zoom: number
+  /** What the view turns about, away from where it is when everything just fits in, in halves of the longest side. */
+  readonly pan: Vec3
+}
+
+/** Of the element and of the reference cube; null is the default view. */
+export interface Cameras {
+  readonly camera: CameraView | null
+  readonly referenceCamera: CameraView | null
 }
 
 export interface State {
@@ -44,9 +83,16 @@ export interface State {
   /** Ends of a way between two elements, where they were kept: else it goes from `start` to `vertices`. */
   readonly morphA: Vertices | null
   readonly morphB: Vertices | null
+  /** The section of the Inside panel, and how far its cube is turned about the upright axis: degrees in [-180,180]. */
+  readonly section: Section
+  readonly insideTurn: number
+  readonly following: Following
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
+
+/** What outlives the page: all but what is under way, pointed at or spoken of, and the history. */
+export type LastingState = Omit<State, 'gestureStart' | 'probe' | 'highlight' | 'canUndo' | 'canRedo'>
 
 export type Action =
   /** One vertex to a place. Inside a gesture it adds to that gesture's one undo step, outside it is a step of its own. */
@@ -76,5 +122,10 @@ export type Action =
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
   /** Null lets the end follow the element again. */
   | { readonly type: 'keep-morph-end'; readonly end: 'morphA' | 'morphB'; readonly vertices: Vertices | null }
+  | { readonly type: 'show-section'; readonly section: Section }
+  | { readonly type: 'turn-inside'; readonly degrees: number }
+  | { readonly type: 'follow'; readonly following: Following }
+  /** Everything at once; what this changes of the element is one step to undo. */
+  | { readonly type: 'restore'; readonly state: LastingState }
 
 export type Dispatch = (action: Action) => void

@@ -1,17 +1,16 @@
 /** What is inside: the least jacdet there against the boundary's, a section that slides, and the surface jacdet = 0. */
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Report } from '../../core/report'
-import type { Axis } from '../../core/section'
 import { formatBound, formatJacdet, formatNumber, formatPoint } from '../../model/decimal'
-import type { Vec3 } from '../../model/hexahedron'
-import type { ReferenceCube } from '../../model/state'
+import type { Axis, Vec3 } from '../../model/hexahedron'
+import type { ReferenceCube, Section } from '../../model/state'
 import { colourScaleOf } from '../colour-map'
 import { approximation, lowerInside } from '../inside'
 import { ThemeReader } from '../theme'
 import type { CreateView, Frame, View, ViewHost } from '../view'
 import css from './inside-panel.css?inline'
 import { insideSentence } from './inside-words'
-import { AXIS_NAMES, type Section, SectionMap } from './section-map'
+import { AXIS_NAMES, SectionMap } from './section-map'
 import { SurfaceCanvas } from './surface-picture'
 
 export const styles = css
@@ -20,7 +19,6 @@ const LARGEST_SIDE = 340
 const MARGIN = 22
 const STEP = 0.01
 const KEYS = 'Arrow keys move the point looked at over the section, Escape takes it away.'
-const FIRST_TURN = 25
 
 class InsidePanel implements View {
   readonly root = document.createElement('div')
@@ -33,8 +31,6 @@ class InsidePanel implements View {
   readonly #figure = document.createElement('div')
   readonly #theme: ThemeReader
   readonly #resizes: ResizeObserver
-  #section: Section = { axis: 2, value: 0.5 }
-  #turn = FIRST_TURN
   #side = 0
   #report: Report | null = null
   /** Of the last frame: in the next one with the same, both pictures are brought up to date. */
@@ -62,7 +58,7 @@ class InsidePanel implements View {
     this.#report = report
     if (report === null || !state.openPanels.includes('inside')) return
     const theme = this.#theme.read()
-    const section = this.#section
+    const { section, insideTurn: turn } = state
     const least = Math.min(report.boundaryMinimum, report.volumeMinimum.upper)
     const scale = colourScaleOf(least, report.boundaryMaximum)
     const isMoving = state.gestureStart !== null
@@ -70,7 +66,7 @@ class InsidePanel implements View {
     const due = isMoving && report !== this.#pictured ? this.#nextPicture : null
     if (this.#side > 0 && due !== 'surface')
       this.#map.update({ section, report, scale, theme, state, side: this.#side })
-    if (due !== 'section') this.#isThere = this.#surface.update({ report, section, theme, isMoving, turn: this.#turn })
+    if (due !== 'section') this.#isThere = this.#surface.update({ report, section, theme, isMoving, turn })
     this.#pictured = report
     if (due !== null) {
       this.#nextPicture = due === 'section' ? 'surface' : 'section'
@@ -112,12 +108,11 @@ class InsidePanel implements View {
   }
 
   #drawWords({ state, probe }: Frame, report: Report, isThere: boolean): void {
-    const cube = state.referenceCube
-    const section = this.#section
+    const { referenceCube: cube, section, insideTurn } = state
     if (this.#isNew('minima', report, cube)) render(minima(report, cube), this.#minima)
     const goal = minimizerOf(report)[section.axis]
     if (this.#isNew('controls', goal === section.value, lowerInside(report) !== null, section)) {
-      render(this.#controlsOf(report), this.#controls)
+      render(this.#controlsOf(report, section), this.#controls)
       const value = `${AXIS_NAMES[section.axis]} = ${formatNumber(section.value)}`
       this.#map.root.setAttribute('aria-label', `Map of jacdet on the section ${value}`)
     }
@@ -128,17 +123,19 @@ class InsidePanel implements View {
         this.#readout,
       )
     }
-    if (this.#isNew('surface', isThere, this.#turn, lowerInside(report) !== null)) {
+    if (this.#isNew('surface', isThere, insideTurn, lowerInside(report) !== null)) {
       const label = isThere
         ? 'Surface jacdet = 0 in the reference cube'
         : 'The reference cube; jacdet is zero nowhere inside'
       this.#surface.canvas.setAttribute('aria-label', label)
-      render(this.#surfaceWords(isThere, lowerInside(report) !== null), this.#figure.lastElementChild as HTMLElement)
+      render(
+        this.#surfaceWords(isThere, lowerInside(report) !== null, insideTurn),
+        this.#figure.lastElementChild as HTMLElement,
+      )
     }
   }
 
-  #controlsOf(report: Report): TemplateResult {
-    const { axis, value } = this.#section
+  #controlsOf(report: Report, { axis, value }: Section): TemplateResult {
     const name = AXIS_NAMES[axis]
     const goal = minimizerOf(report)
     return html`<fieldset class="axes">
@@ -173,19 +170,18 @@ class InsidePanel implements View {
   }
 
   #show(section: Section): void {
-    this.#section = section
+    this.#host.dispatch({ type: 'show-section', section })
     this.#host.dispatch({ type: 'probe', point: null })
-    this.#host.requestFrame()
   }
 
   #goToMinimum(): void {
-    const { axis } = this.#section
+    const { axis } = this.#host.state().section
     if (this.#report) this.#show({ axis, value: minimizerOf(this.#report)[axis] })
     // The button is now disabled, and keys should not be lost with it.
     this.#controls.querySelector<HTMLElement>('input[type=range]')?.focus({ preventScroll: true })
   }
 
-  #surfaceWords(isThere: boolean, isLowerInside: boolean): TemplateResult {
+  #surfaceWords(isThere: boolean, isLowerInside: boolean, turn: number): TemplateResult {
     return html`<label class="slide"
         ><span>Turn</span
         ><input
@@ -193,9 +189,9 @@ class InsidePanel implements View {
           min="-180"
           max="180"
           step="5"
-          .value=${String(this.#turn)}
+          .value=${String(turn)}
           aria-label="Turn the cube"
-          aria-valuetext=${`${Math.round(this.#turn)}°`}
+          aria-valuetext=${`${Math.round(turn)}°`}
           @input=${(event: Event) => this.#turnTo((event.target as HTMLInputElement).valueAsNumber)}
       /></label>
       <p class="caption">
@@ -209,8 +205,7 @@ class InsidePanel implements View {
   }
 
   #turnTo(degrees: number): void {
-    this.#turn = degrees
-    this.#host.requestFrame()
+    this.#host.dispatch({ type: 'turn-inside', degrees })
   }
 
   #turnByPointer(): void {
@@ -218,7 +213,7 @@ class InsidePanel implements View {
     let from: { readonly id: number; readonly x: number; readonly turn: number } | null = null
     canvas.addEventListener('pointerdown', event => {
       if (event.button !== 0 || from) return
-      from = { id: event.pointerId, x: event.clientX, turn: this.#turn }
+      from = { id: event.pointerId, x: event.clientX, turn: this.#host.state().insideTurn }
       canvas.setPointerCapture(event.pointerId)
     })
     canvas.addEventListener('pointermove', event => {

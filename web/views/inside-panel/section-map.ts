@@ -1,19 +1,14 @@
 /** A section of the reference cube as a flat map of jacdet, with the minimizer, and the point that is looked at. */
 
 import type { Report } from '../../core/report'
-import { type Axis, axesOn, pointOn, sectionBernstein } from '../../core/section'
+import { axesOn, pointOn, sectionBernstein } from '../../core/section'
 import { formatJacdet } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
-import type { State } from '../../model/state'
+import type { Section, State } from '../../model/state'
 import { type ColourScale, rampOf, type Theme } from '../colour-map'
 import { type Palette, paintFace, paletteOf } from '../face-maps/face-raster'
 import { approximation, lowerInside } from '../inside'
 import { px, set, setText, show, svg } from '../svg'
-
-export interface Section {
-  readonly axis: Axis
-  readonly value: number
-}
 
 export interface SectionPicture {
   readonly section: Section

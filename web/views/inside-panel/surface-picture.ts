@@ -3,9 +3,10 @@ import type { Report } from '../../core/report'
 import { pointOn } from '../../core/section'
 import { type Surface, zeroSurface } from '../../core/zero-surface'
 import { edgeVertices, type Vec3, vertexReference } from '../../model/hexahedron'
+import type { Section } from '../../model/state'
 import { cssColour, type Rgb, type Theme } from '../colour-map'
 import { lowerInside } from '../inside'
-import { AXIS_NAMES, type Section } from './section-map'
+import { AXIS_NAMES } from './section-map'
 import { along, hiddenVertex, type Turned, turnedBy } from './turned-cube'
 
 export interface SurfacePicture {
