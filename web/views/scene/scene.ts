@@ -7,7 +7,7 @@
  */
 import type { Candidate } from '../../core/report'
 import type { Vec3, Vertices } from '../../model/hexahedron'
-import type { State } from '../../model/state'
+import type { Cameras, CameraView, State } from '../../model/state'
 import { type ColourScale, colourScaleOf, type Ramp, rampOf, type Theme } from '../colour-map'
 import { figureOf } from '../figure'
 import { ThemeReader } from '../theme'
@@ -91,6 +91,8 @@ class Scene implements SceneView, Stage {
   #frame: ViewFrame = { centre: [0, 0, 0], size: 1 }
   #handles: readonly ScreenPoint[] = []
   #shown: Frame | null = null
+  /** What was last asked for, and done. */
+  #asked: Cameras | null = null
   /** Whether the gesture last shown is of the pointer here, under which the picture must not move. */
   #dragged = false
   #framed: { readonly preset: string | null; readonly start: Vertices } | null = null
@@ -134,6 +136,7 @@ class Scene implements SceneView, Stage {
     if (this.#width === 0 || this.#height === 0) return
     this.#readTheme()
     this.#chooseFrame(frame, resized)
+    this.#look(frame)
     this.#link(frame.state)
     this.#probe.update()
     this.#draw(frame)
@@ -161,6 +164,14 @@ class Scene implements SceneView, Stage {
     this.#isForFigure = false
     this.host.requestFrame()
     return figureOf(this.root, this.root.querySelectorAll(FIGURE_PARTS))
+  }
+
+  cameras(): Cameras | null {
+    if (this.#shown === null) return null
+    return {
+      camera: this.#seen(this.#shown.state.vertices),
+      referenceCamera: this.#reference ? this.#reference.view() : (this.#asked?.referenceCamera ?? null),
+    }
   }
 
   frame(): ViewFrame {
@@ -264,6 +275,7 @@ class Scene implements SceneView, Stage {
 
   #createReference(): ReferenceCube {
     const reference = new ReferenceCube(this, () => this.#onTurn(reference.viewpoint, this.#viewpoint))
+    reference.look(this.#asked?.referenceCamera ?? null)
     this.root.append(reference.root)
     return reference
   }
@@ -313,10 +325,10 @@ class Scene implements SceneView, Stage {
     this.host.requestFrame()
   }
 
-  /** Lays out the parts; whether the element's own part has another size than before. */
-  #resize({ referenceShown }: State): boolean {
+  /** Lays out the parts. Where the element's own part has another size than before: how it was looked at; else null. */
+  #resize({ referenceShown }: State): { readonly camera: CameraView | null } | null {
     const shownBefore = this.#shown?.state.referenceShown ?? false
-    if (!this.#sizeMayDiffer && referenceShown === shownBefore) return false
+    if (!this.#sizeMayDiffer && referenceShown === shownBefore) return null
     this.#sizeMayDiffer = false
     const split = referenceShown ? (this.root.clientWidth >= BESIDE ? 'beside' : 'below') : 'none'
     this.root.dataset.split = split
@@ -325,13 +337,14 @@ class Scene implements SceneView, Stage {
     this.#canvas = { width: this.root.clientWidth, height: this.root.clientHeight }
     if (referenceShown) this.#reference?.resize()
     const { offsetWidth: width, offsetHeight: height } = this.#pane
-    if (width === this.#width && height === this.#height) return false
+    if (width === this.#width && height === this.#height) return null
+    const camera = this.#shown && this.#seen(this.#shown.state.vertices)
     this.#width = width
     this.#height = height
     this.#layout = layoutOf(width, height)
     this.root.classList.toggle('narrow', this.#layout.isNarrow)
     if (width > 0 && height > 0) this.camera.resize(width, height, this.#layout.insets)
-    return true
+    return { camera }
   }
 
   #readTheme(): void {
@@ -342,7 +355,7 @@ class Scene implements SceneView, Stage {
   }
 
   /** The view frame stays while vertices are moved; another element, or what was typed out of the picture, is brought into view. */
-  #chooseFrame({ state }: Frame, resized: boolean): void {
+  #chooseFrame({ state }: Frame, resized: { readonly camera: CameraView | null } | null): void {
     const framed = this.#framed
     const before = this.#shown?.state
     const another = framed === null || framed.preset !== state.preset || framed.start !== state.start
@@ -358,8 +371,27 @@ class Scene implements SceneView, Stage {
       this.#frame = frameOf(state.vertices)
       this.#aim(state.vertices, false)
     } else if (resized) {
-      this.#aim(state.vertices, false)
+      const points = verticesInView(this.#frame, state.vertices)
+      this.#viewpoint.look(points, this.#unit(state.vertices), resized.camera)
     }
+  }
+
+  /** As a program asked for it, once. */
+  #look({ state, cameras }: Frame): void {
+    if (cameras === null || cameras === this.#asked) return
+    this.#asked = cameras
+    this.#frame = frameOf(state.vertices)
+    this.#viewpoint.look(verticesInView(this.#frame, state.vertices), 1, cameras.camera)
+    this.#reference?.look(cameras.referenceCamera)
+  }
+
+  #seen(vertices: Vertices): CameraView | null {
+    return this.#viewpoint.seen(verticesInView(this.#frame, vertices), this.#unit(vertices))
+  }
+
+  /** Half of the longest side of these vertices, in the view frame. */
+  #unit(vertices: Vertices): number {
+    return frameOf(vertices).size / this.#frame.size
   }
 
   /** Whether the element is all there, and spans at least a share of the scene. */
