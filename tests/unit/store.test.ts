@@ -159,7 +159,19 @@ describe('the store', () => {
     expect(() => target.dispatch(move(Number.NaN))).toThrow(RangeError)
     expect(() => target.dispatch(move(1, 8))).toThrow(RangeError)
     expect(() => target.dispatch({ type: 'show-faces', faceDisplay: 6 })).toThrow(RangeError)
+    for (const value of [-0.1, 1.1, Number.NaN])
+      expect(() => target.dispatch({ type: 'show-section', section: { axis: 0, value } })).toThrow(RangeError)
     expect(target.state.vertices).toEqual(unitCube)
+  })
+
+  it('shows the inside while its panel is open, unless something else is chosen', () => {
+    const inside = (isOpen: boolean): Action => ({ type: 'open-panel', panel: 'inside', isOpen })
+    const target = dispatched(inside(true))
+    expect(target.state.faceDisplay).toBe('inside')
+    target.dispatch(inside(false))
+    expect(target.state.faceDisplay).toBe('opaque')
+    const chosen = dispatched(inside(true), { type: 'show-faces', faceDisplay: 2 }, inside(false))
+    expect(chosen.state.faceDisplay).toBe(2)
   })
 
   it('keeps panels, probe and face out of the history, and refuses a probe outside the cube', () => {

@@ -13,6 +13,7 @@
 import { presets, presetVertices } from '../content/presets'
 import { type Morph, morphOf } from '../core/morph'
 import type { Core, JacobianReport, Report } from '../core/report'
+import { type Surface, zeroSurface } from '../core/zero-surface'
 import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import type { Action } from '../model/state'
@@ -32,6 +33,10 @@ const styleSheets = [css, ...parts.map(part => part.styles)].map(styles => {
   return sheet
 })
 
+/** Cells of the grid along each axis from which the surface jacdet = 0 is made, between gestures and in one. */
+const SURFACE_CELLS = 24
+const GESTURE_SURFACE_CELLS = 8
+
 /** What a reader hardly notices; a page that stays empty for longer looks broken. */
 const PATIENCE_MS = 150
 
@@ -45,6 +50,7 @@ export class HexLens extends HTMLElement {
   #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
   #proof: Proof | null = null
   #triedOrders: TriedOrders | null = null
+  #zeroSurface: { readonly report: Report; readonly cells: number; readonly surface: Surface } | null = null
   #offer: Offer | null = null
   #morph: Morph | null = null
   #toldValid: boolean | null = null
@@ -215,6 +221,16 @@ export class HexLens extends HTMLElement {
       this.#triedOrders = this.#analyzed.report.valid ? null : triedOrders(this.#core, vertices)
   }
 
+  /** Coarser while a gesture runs; what is already finer stays. */
+  #surfaced(report: Report | null): Surface | null {
+    const { faceDisplay, gestureStart } = this.#store.state
+    if (faceDisplay !== 'inside' || report === null) return null
+    const cells = gestureStart === null ? SURFACE_CELLS : GESTURE_SURFACE_CELLS
+    if (this.#zeroSurface?.report !== report || this.#zeroSurface.cells < cells)
+      this.#zeroSurface = { report, cells, surface: zeroSurface(report.bernstein, cells) }
+    return this.#zeroSurface.surface
+  }
+
   #morphed(): Morph | null {
     const { vertices, start, morphA, morphB, gestureStart, openPanels } = this.#store.state
     const [a, b] = [morphA ?? start, morphB ?? vertices]
@@ -244,6 +260,7 @@ export class HexLens extends HTMLElement {
       probe: report && this.#probed(),
       offer: this.#offer,
       morph: this.#morphed(),
+      zeroSurface: this.#surfaced(report),
       problems: [...this.#problems.values()],
     }
     for (const view of this.#views) {

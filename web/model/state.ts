@@ -1,11 +1,11 @@
 /** What the page is about, as plain data, and every way it can change. No DOM, no three.js, no wasm. */
-import type { Vec3, Vertices } from './hexahedron'
+import type { Axis, Vec3, Vertices } from './hexahedron'
 
 /** jacdet of the map from [0,1]^3, or from [-1,1]^3 as finite element codes use it (an eighth). */
 export type ReferenceCube = 'unit' | 'biunit'
 
-/** How the faces are drawn: all opaque, see-through, or one face alone (0..5). */
-export type FaceDisplay = 'opaque' | 'see-through' | number
+/** How the faces are drawn: all opaque, see-through, hardly seen around what is inside, or one face alone (0..5). */
+export type FaceDisplay = 'opaque' | 'see-through' | 'inside' | number
 
 /** Panels below the first screen's; each is closed, and not even loaded, until it is asked for. */
 export const PANELS = ['face-maps', 'algorithm', 'inside', 'node-order', 'morph', 'paste', 'take-away'] as const
@@ -15,6 +15,12 @@ export type PanelId = (typeof PANELS)[number]
 export interface ElementPart {
   readonly kind: 'vertex' | 'edge' | 'face'
   readonly id: number
+}
+
+/** A section of the reference cube: xi, eta or zeta (axis 0, 1, 2) is `value`, in [0,1]. */
+export interface Section {
+  readonly axis: Axis
+  readonly value: number
 }
 
 export interface State {
@@ -44,6 +50,7 @@ export interface State {
   /** Ends of a way between two elements, where they were kept: else it goes from `start` to `vertices`. */
   readonly morphA: Vertices | null
   readonly morphB: Vertices | null
+  readonly section: Section
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
@@ -68,6 +75,7 @@ export type Action =
   | { readonly type: 'show-reference-cube'; readonly referenceCube: ReferenceCube }
   | { readonly type: 'show-faces'; readonly faceDisplay: FaceDisplay }
   | { readonly type: 'show-proof'; readonly proofShown: boolean }
+  /** Opening `inside` shows the inside in the scene, closing it the faces again. */
   | { readonly type: 'open-panel'; readonly panel: PanelId; readonly isOpen: boolean }
   | { readonly type: 'show-reference'; readonly referenceShown: boolean }
   | { readonly type: 'link-cameras'; readonly camerasLinked: boolean }
@@ -76,5 +84,6 @@ export type Action =
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
   /** Null lets the end follow the element again. */
   | { readonly type: 'keep-morph-end'; readonly end: 'morphA' | 'morphB'; readonly vertices: Vertices | null }
+  | { readonly type: 'show-section'; readonly section: Section }
 
 export type Dispatch = (action: Action) => void

@@ -6,7 +6,7 @@
  * and a gesture that ends where it began gives back the `vertices` array it began with.
  */
 import { COORDINATE_COUNT, edgeVertices, faces, VERTEX_COUNT, type Vec3, type Vertices, withVertex } from './hexahedron'
-import type { Action, ElementPart, PanelId, State } from './state'
+import type { Action, ElementPart, FaceDisplay, PanelId, State } from './state'
 
 export interface Store {
   /** The state now: a new object after every change, never mutated. */
@@ -48,6 +48,7 @@ const SHOWN_FIRST: Shown = {
   highlight: null,
   morphA: null,
   morphB: null,
+  section: { axis: 2, value: 0.5 },
 }
 
 const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
@@ -176,7 +177,11 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
         shown = { ...shown, proofShown: action.proofShown }
         break
       case 'open-panel':
-        shown = { ...shown, openPanels: withPanel(shown.openPanels, action.panel, action.isOpen) }
+        shown = {
+          ...shown,
+          openPanels: withPanel(shown.openPanels, action.panel, action.isOpen),
+          faceDisplay: action.panel === 'inside' ? withInside(shown.faceDisplay, action.isOpen) : shown.faceDisplay,
+        }
         break
       case 'show-reference':
         shown = { ...shown, referenceShown: action.referenceShown }
@@ -197,6 +202,10 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
         break
       case 'keep-morph-end':
         shown = { ...shown, [action.end]: action.vertices && kept(present.vertices, accepted(action.vertices)) }
+        break
+      case 'show-section':
+        checkWithin(action.section.value, 0, 1)
+        shown = { ...shown, section: action.section }
         break
     }
   }
@@ -229,6 +238,10 @@ function checkIndex(index: number, count: number, what: string): number {
   return index
 }
 
+function checkWithin(value: number, least: number, greatest: number): void {
+  if (!(value >= least && value <= greatest)) throw new RangeError(`${value} is not in [${least},${greatest}].`)
+}
+
 function checkInCube(point: Vec3): void {
   if (!point.every(x => x >= 0 && x <= 1)) throw new RangeError(`(${point.join(', ')}) is not in [0,1]³.`)
 }
@@ -239,6 +252,11 @@ function samePoint(a: Vec3 | null, b: Vec3 | null): boolean {
 
 function samePart(a: ElementPart | null, b: ElementPart | null): boolean {
   return a === b || (a !== null && b !== null && a.kind === b.kind && a.id === b.id)
+}
+
+function withInside(display: FaceDisplay, isShown: boolean): FaceDisplay {
+  if (isShown) return 'inside'
+  return display === 'inside' ? 'opaque' : display
 }
 
 function withPanel(open: readonly PanelId[], panel: PanelId, isOpen: boolean): readonly PanelId[] {

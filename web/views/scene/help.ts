@@ -12,7 +12,7 @@ const HELP: readonly (readonly [string, string])[] = [
   ['P', 'points at the minimizer, then at each candidate'],
   ['Escape', 'takes back the move while a key or the pointer is held, else the point'],
   ['A, D, W, S', 'turn the view; plus and minus zoom, F fits, Home resets it'],
-  ['T', 'makes faces see-through; comma and full stop show one face at a time'],
+  ['T, I', 'make faces see-through, show a section and what is inside; comma and full stop show one face at a time'],
   ['R, ?', 'show and hide the reference cube, this help'],
 ]
 

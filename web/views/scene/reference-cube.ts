@@ -214,6 +214,7 @@ export class ReferenceCube implements Stage {
     this.#reportHere = report && {
       ...report,
       minimizer: here(report.minimizer),
+      volumeMinimum: { ...report.volumeMinimum, position: report.volumeMinimum.point },
       candidates: report.candidates.map(here),
     }
     return this.#reportHere

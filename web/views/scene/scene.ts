@@ -10,6 +10,7 @@ import type { Vec3, Vertices } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import { type ColourScale, colourScaleOf, type Ramp, rampOf, type Theme } from '../colour-map'
 import { figureOf } from '../figure'
+import { colourScaleInside } from '../inside'
 import { ThemeReader } from '../theme'
 import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../view'
 import type { ScreenPoint } from './camera'
@@ -388,7 +389,9 @@ class Scene implements SceneView, Stage {
     this.#handles = vertices.map(point => camera.project(point))
     const reference = state.referenceShown ? this.#reference : null
     reference?.prepare()
-    const scale = report && colourScaleOf(report.boundaryMinimum, report.boundaryMaximum)
+    const isInside = state.faceDisplay === 'inside'
+    const scale =
+      report && (isInside ? colourScaleInside(report) : colourScaleOf(report.boundaryMinimum, report.boundaryMaximum))
     const ramp = this.#ramp as Ramp
     const own = { left: 0, top: 0, vertices, camera }
     if (this.#paint(frame, reference ? [own, reference.region] : [own], scale) || this.#differs(frame)) {
@@ -406,7 +409,7 @@ class Scene implements SceneView, Stage {
   }
 
   /** Whether there is another picture now; true where nobody can tell. */
-  #paint({ state, report }: Frame, regions: readonly Region[], scale: ColourScale | null): boolean {
+  #paint({ state, report, zeroSurface }: Frame, regions: readonly Region[], scale: ColourScale | null): boolean {
     if (this.#painter === null || this.#contextLost) return true
     const painted = this.#painter.paint({
       ...this.#canvas,
@@ -415,6 +418,8 @@ class Scene implements SceneView, Stage {
       ramp: this.#ramp as Ramp,
       theme: this.#theme as Theme,
       display: state.faceDisplay,
+      section: state.section,
+      zeroSurface,
       regions,
       pixelRatio: this.#isForFigure ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
     })
