@@ -17,6 +17,8 @@ import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import type { Action } from '../model/state'
 import { createStore, type Store } from '../model/store'
+import marks from '../views/marks.css?inline'
+import said from '../views/said.css?inline'
 import type { Figure, Offer, Problem, Proof, TriedOrders, View, ViewHost } from '../views/view'
 import { fetchCore } from './fetch-core'
 import css from './hex-lens.css?inline'
@@ -26,7 +28,7 @@ import { type Part, parts } from './parts'
 import { historyStep } from './shortcuts'
 import { triedOrders } from './tried-orders'
 
-const styleSheets = [css, ...parts.map(part => part.styles)].map(styles => {
+const styleSheets = [css, said, marks, ...parts.map(part => part.styles)].map(styles => {
   const sheet = new CSSStyleSheet()
   sheet.replaceSync(styles)
   return sheet

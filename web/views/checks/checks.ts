@@ -35,7 +35,7 @@ function template(report: Report, cube: ReferenceCube): TemplateResult {
   return html`<h2 id="checks-title">Who would notice?</h2>
     <table aria-labelledby="checks-title">
       <thead>
-        <tr><th scope="col"><span>Check</span></th><th scope="col">number</th><th scope="col">answer</th></tr>
+        <tr><th scope="col"><span class="said">Check</span></th><th scope="col">number</th><th scope="col">answer</th></tr>
       </thead>
       <tbody>
         ${report.checks.map(check => row(check, report, cube))}

@@ -80,7 +80,6 @@ class MorphView implements View {
   #slider(here: number | null, isValid: boolean, minimum: string): TemplateResult {
     const text = here === null ? 'not on the way' : `${here}, ${isValid ? 'valid' : 'invalid'}, minimum ${minimum}`
     return html`<label class="slide">
-        <span aria-hidden="true">A</span>
         <input
           type="range"
           min="0"
@@ -94,7 +93,6 @@ class MorphView implements View {
           @blur=${() => this.#commit()}
           @keydown=${(event: KeyboardEvent) => this.#onKey(event)}
         />
-        <span aria-hidden="true">B</span>
       </label>
       <p class="place">
         ${

@@ -50,7 +50,7 @@ let bars = 0
 export class ColourBar {
   readonly root = document.createElement('div')
   readonly #title = document.createElement('button')
-  readonly #svg = svg('svg', { role: 'img' })
+  readonly #svg = svg('svg', { class: 'lettered', role: 'img' })
   readonly #gradient: SVGLinearGradientElement
   readonly #hatch: SVGPathElement
   readonly #bar: SVGRectElement

@@ -49,7 +49,7 @@ interface Handle {
 }
 
 export class Overlay {
-  readonly root = svg('svg', { class: 'scene-overlay', 'aria-hidden': 'true' })
+  readonly root = svg('svg', { class: 'scene-overlay lettered', 'aria-hidden': 'true' })
   readonly #edgeHalo = svg('path', { class: 'edge-halo' })
   readonly #edges = svg('path', { class: 'edges' })
   readonly #ghostHalo = svg('path', { class: 'ghost-halo' })

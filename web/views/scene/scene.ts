@@ -235,7 +235,7 @@ class Scene implements SceneView, Stage {
     this.element.setAttribute('aria-describedby', this.#help.root.id)
     this.#overlay.root.append(this.#readout.root)
     this.element.append(this.#overlay.root)
-    this.#said.className = 'scene-said'
+    this.#said.className = 'said'
     this.#said.setAttribute('aria-live', 'polite')
     this.#pane.className = 'scene-pane'
     this.#pane.append(this.element, this.#colourBar.root, this.#help.root, this.#controls.root, this.#said)
