@@ -1,9 +1,9 @@
 /** Whether another node order makes a valid element of the same eight points: which, to look at and to use. */
 import { html, render, svg, type TemplateResult } from 'lit-html'
 import { type NodeOrder, nodeOrders } from '../../content/node-orders'
-import { formatJacdet } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import type { State } from '../../model/state'
+import { copyableJacdet } from '../copyable'
 import type { CreateView, Frame, HelpfulOrder, TriedOrders, View, ViewHost } from '../view'
 import css from './node-order.css?inline'
 import { wireframe } from './wireframe'
@@ -79,7 +79,7 @@ class NodeOrderView implements View {
           Preview
         </button>
         <button type="button" aria-label=${`Use this order: ${name}`} @click=${() => this.#use(helpful)}>Use this order</button>
-        <span>min J = ${formatJacdet(boundaryMinimum, exponent, state.referenceCube)}</span>
+        <span>min J = ${copyableJacdet(boundaryMinimum, exponent, state.referenceCube)}</span>
       </p>
       ${isOpen ? html`<div class="pictures">${picture(given, 'as it is', false)}${picture(vertices, name, true)}</div>` : ''}
     </li>`
