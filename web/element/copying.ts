@@ -5,7 +5,7 @@
  */
 import { copyText } from '../views/copy-text'
 
-const NUMBER = 'data.number'
+const NUMBER = 'data'
 const POINT = '[data-copies="point"]'
 const WAYS: Readonly<Record<string, 1 | -1>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }
 /** CSS pixels between what is copied and what is said of it, and to the border of the element. */

@@ -18,7 +18,7 @@ export function copyable(
   { isTabStop = true, means }: CopyableOptions = {},
 ): TemplateResult {
   const title = `Copy ${full}${means === undefined ? '' : `. ${means}`}`
-  return html`<data class="number" role="button" tabindex=${isTabStop ? 0 : -1} value=${full} title=${title}>${text}</data>`
+  return html`<data role="button" tabindex=${isTabStop ? 0 : -1} value=${full} title=${title}>${text}</data>`
 }
 
 /** A report's jacdet, value * 2^exponent; a negative one has its hue in prose too, and its minus sign says the same. */
