@@ -213,6 +213,25 @@ describe('the store', () => {
     expect(target.state.highlight).toBeNull()
   })
 
+  it('looks at another node order until the vertices change, and refuses what is none', () => {
+    const order = [0, 1, 3, 2, 4, 5, 7, 6]
+    const target = dispatched({ type: 'preview-order', order })
+    expect(target.state).toMatchObject({ previewedOrder: order, canUndo: false })
+    target.dispatch({ type: 'select-vertex', vertex: 5 })
+    expect(target.state.previewedOrder).toBe(order)
+    target.dispatch({ type: 'move-vertex', vertex: 5, to: [9, 9, 9] })
+    expect(target.state.previewedOrder).toBeNull()
+    target.dispatch({ type: 'preview-order', order })
+    target.dispatch({ type: 'undo' })
+    expect(target.state.previewedOrder).toBeNull()
+    for (const wrong of [
+      [0, 1, 2],
+      [0, 1, 2, 3, 4, 5, 6, 6],
+      [1, 2, 3, 4, 5, 6, 7, 8],
+    ])
+      expect(() => target.dispatch({ type: 'preview-order', order: wrong })).toThrow(RangeError)
+  })
+
   it('keeps the ends of a way out of the history, and refuses what is no element', () => {
     const target = dispatched({ type: 'keep-morph-end', end: 'morphA', vertices: other })
     expect(target.state).toMatchObject({ morphA: other, morphB: null, canUndo: false })

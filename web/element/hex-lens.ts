@@ -14,11 +14,15 @@ import { presets, presetVertices } from '../content/presets'
 import { type Morph, morphOf } from '../core/morph'
 import type { Core, JacobianReport, Report } from '../core/report'
 import { type Surface, zeroSurface } from '../core/zero-surface'
+import { jacdetInFull } from '../model/decimal'
 import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import type { Action } from '../model/state'
 import { createStore, type Store } from '../model/store'
+import marks from '../views/marks.css?inline'
+import said from '../views/said.css?inline'
 import type { Figure, Offer, Problem, Proof, TriedOrders, View, ViewHost } from '../views/view'
+import { Copying } from './copying'
 import { fetchCore } from './fetch-core'
 import css from './hex-lens.css?inline'
 import { HexLensError } from './hex-lens-error'
@@ -27,7 +31,7 @@ import { type Part, parts } from './parts'
 import { historyStep } from './shortcuts'
 import { triedOrders } from './tried-orders'
 
-const styleSheets = [css, ...parts.map(part => part.styles)].map(styles => {
+const styleSheets = [css, said, marks, ...parts.map(part => part.styles)].map(styles => {
   const sheet = new CSSStyleSheet()
   sheet.replaceSync(styles)
   return sheet
@@ -68,6 +72,7 @@ export class HexLens extends HTMLElement {
     lens.append(this.#places.head, this.#places.stage, this.#places.panel)
     shadow.append(lens)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
+    new Copying(lens, () => this.#pointInFull())
     listenForOffers(shadow, lens, offer => this.offer(offer))
   }
 
@@ -244,6 +249,14 @@ export class HexLens extends HTMLElement {
     const { vertices, probe } = this.#store.state
     const result = probe && this.#core?.jacobian(vertices, probe)
     return result?.ok ? result.value : null
+  }
+
+  /** Of what is pointed at: every number with all its digits. */
+  #pointInFull(): string | null {
+    const probe = this.#probed()
+    if (probe === null) return null
+    const jacdet = jacdetInFull(probe.jacdet, probe.exponent, this.#store.state.referenceCube)
+    return `jacdet = ${jacdet}, (xi, eta, zeta) = (${probe.point.join(', ')}), (x, y, z) = (${probe.position.join(', ')})`
   }
 
   readonly #draw = (): void => {

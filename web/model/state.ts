@@ -47,6 +47,8 @@ export interface State {
   readonly selectedFace: number
   /** The part that is spoken of, for every view to mark; null when none is. */
   readonly highlight: ElementPart | null
+  /** Another node order of these very vertices that is looked at: its vertex i is their vertex `previewedOrder[i]`. */
+  readonly previewedOrder: readonly number[] | null
   /** Ends of a way between two elements, where they were kept: else it goes from `start` to `vertices`. */
   readonly morphA: Vertices | null
   readonly morphB: Vertices | null
@@ -82,6 +84,8 @@ export type Action =
   | { readonly type: 'probe'; readonly point: Vec3 | null }
   | { readonly type: 'select-face'; readonly face: number }
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
+  /** Looked at until the vertices change. */
+  | { readonly type: 'preview-order'; readonly order: readonly number[] | null }
   /** Null lets the end follow the element again. */
   | { readonly type: 'keep-morph-end'; readonly end: 'morphA' | 'morphB'; readonly vertices: Vertices | null }
   | { readonly type: 'show-section'; readonly section: Section }

@@ -5,7 +5,16 @@
  * Changes are told by the bits, so that -0 and 0 differ; what changes nothing is no step and keeps the state object itself,
  * and a gesture that ends where it began gives back the `vertices` array it began with.
  */
-import { COORDINATE_COUNT, edgeVertices, faces, VERTEX_COUNT, type Vec3, type Vertices, withVertex } from './hexahedron'
+import {
+  COORDINATE_COUNT,
+  edgeVertices,
+  faces,
+  VERTEX_COUNT,
+  type Vec3,
+  type Vertices,
+  vertexReference,
+  withVertex,
+} from './hexahedron'
 import type { Action, ElementPart, FaceDisplay, PanelId, State } from './state'
 
 export interface Store {
@@ -46,6 +55,7 @@ const SHOWN_FIRST: Shown = {
   probe: null,
   selectedFace: 0,
   highlight: null,
+  previewedOrder: null,
   morphA: null,
   morphB: null,
   section: { axis: 2, value: 0.5 },
@@ -200,6 +210,9 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
         if (action.part) checkIndex(action.part.id, PART_COUNTS[action.part.kind], action.part.kind)
         shown = { ...shown, highlight: samePart(shown.highlight, action.part) ? shown.highlight : action.part }
         break
+      case 'preview-order':
+        shown = { ...shown, previewedOrder: action.order && checkedOrder(action.order) }
+        break
       case 'keep-morph-end':
         shown = { ...shown, [action.end]: action.vertices && kept(present.vertices, accepted(action.vertices)) }
         break
@@ -215,7 +228,9 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
       return state
     },
     dispatch(action) {
+      const { vertices } = present
       apply(action)
+      if (present.vertices !== vertices && shown.previewedOrder) shown = { ...shown, previewedOrder: null }
       const next = currentState()
       if (!sameState(state, next)) state = next
     },
@@ -240,6 +255,12 @@ function checkIndex(index: number, count: number, what: string): number {
 
 function checkWithin(value: number, least: number, greatest: number): void {
   if (!(value >= least && value <= greatest)) throw new RangeError(`${value} is not in [${least},${greatest}].`)
+}
+
+function checkedOrder(order: readonly number[]): readonly number[] {
+  const isOrder = order.length === VERTEX_COUNT && vertexReference.every((_, v) => order.includes(v))
+  if (!isOrder) throw new RangeError(`${order.join(', ')} is no order of eight vertices.`)
+  return order
 }
 
 function checkInCube(point: Vec3): void {

@@ -57,7 +57,7 @@ function leastShown(report: Report, { faceDisplay }: State): number {
 export class ColourBar {
   readonly root = document.createElement('div')
   readonly #title = document.createElement('button')
-  readonly #svg = svg('svg', { role: 'img' })
+  readonly #svg = svg('svg', { class: 'lettered', role: 'img' })
   readonly #gradient: SVGLinearGradientElement
   readonly #hatch: SVGPathElement
   readonly #bar: SVGRectElement

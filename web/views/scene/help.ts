@@ -10,6 +10,7 @@ const HELP: readonly (readonly [string, string])[] = [
   ['Shift, Alt', 'with these keys: ten times as far, a tenth'],
   ['Point at a face', 'or tap it, to read the Jacobian there'],
   ['P', 'points at the minimizer, then at each candidate'],
+  ['C', 'copies all digits of the point that is pointed at. Pressing any other number copies that one'],
   ['Escape', 'takes back the move while a key or the pointer is held, else the point'],
   ['A, D, W, S', 'turn the view; plus and minus zoom, F fits, Home resets it'],
   ['T, I', 'make faces see-through, show a section and what is inside; comma and full stop show one face at a time'],
