@@ -32,7 +32,7 @@ const state: fc.Arbitrary<State> = fc.record({
   selectedVertex: below(8),
   gestureStart: fc.constant(null),
   referenceCube: fc.constantFrom('unit', 'biunit'),
-  faceDisplay: fc.constantFrom<FaceDisplay[]>('opaque', 'see-through', 0, 1, 2, 3, 4, 5),
+  faceDisplay: fc.constantFrom<FaceDisplay[]>('opaque', 'see-through', 'inside', 0, 1, 2, 3, 4, 5),
   proofShown: fc.boolean(),
   openPanels: fc.shuffledSubarray([...PANELS]),
   referenceShown: fc.boolean(),
@@ -40,10 +40,10 @@ const state: fc.Arbitrary<State> = fc.record({
   probe: fc.constantFrom(null, [0, 0, 1] as const),
   selectedFace: below(6),
   highlight: fc.constantFrom(null, { kind: 'edge', id: 3 } as const),
+  previewedOrder: fc.constantFrom(null, [1, 0, 2, 3, 4, 5, 6, 7]),
   morphA: fc.option(vertices),
   morphB: fc.option(vertices),
   section: fc.record({ axis: fc.constantFrom(0, 1, 2), value: within(0, 1) }),
-  insideTurn: within(-180, 180),
   following: fc.record({
     query: fc.constantFrom('minimum', 'validity'),
     variant: fc.constantFrom('roots', 'roots-b'),
@@ -65,7 +65,7 @@ describe('a state', () => {
       fc.property(state, cameras, (given, looked) => {
         const text = JSON.stringify(stateDocument(given, looked))
         expect(fits(JSON.parse(text)), JSON.stringify(fits.errors)).toBe(true)
-        const { gestureStart, probe, highlight, canUndo, canRedo, ...lasting } = given
+        const { gestureStart, probe, highlight, previewedOrder, canUndo, canRedo, ...lasting } = given
         const back = read(JSON.parse(text))
         expect(back).toEqual({ state: lasting, cameras: looked })
       }),
@@ -79,7 +79,10 @@ describe('a state', () => {
       more: 'of later',
       openPanels: ['later', 'morph', 'morph'],
     })
-    const { gestureStart, probe, highlight, canUndo, canRedo, ...fresh } = createStore(unitCube, null).state
+    const { gestureStart, probe, highlight, previewedOrder, canUndo, canRedo, ...fresh } = createStore(
+      unitCube,
+      null,
+    ).state
     expect(state).toEqual({ ...fresh, openPanels: ['morph'] })
   })
 

@@ -6,6 +6,7 @@
  * `state`     everything that a reader would expect to come back, as plain data for JSON: see docs/state.schema.json
  * `preset`    the id of the preset that the element started from, or null
  * `report`    what the core knows about exactly these vertices; null while there is no core
+ * `complete`  whether all that is to be seen is on the page: panels and the scene come a moment after
  * `permalink` the address that opens this element again, bit for bit
  * methods     undo, redo; offer, for a text or a file with eight points in it;
  *             raise and clear for what the page around it has to say about a problem
@@ -14,25 +15,29 @@
 import { presets, presetVertices } from '../content/presets'
 import { type Morph, morphOf } from '../core/morph'
 import type { Core, JacobianReport, Report } from '../core/report'
+import { type Surface, zeroSurface } from '../core/zero-surface'
+import { jacdetInFull } from '../model/decimal'
 import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import type { Action, Cameras } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore, type Store } from '../model/store'
+import marks from '../views/marks.css?inline'
+import said from '../views/said.css?inline'
 import type { Figure, Offer, Problem, Proof, TriedOrders, View, ViewHost } from '../views/view'
+import { Copying } from './copying'
 import { fetchCore } from './fetch-core'
 import css from './hex-lens.css?inline'
 import { HexLensError } from './hex-lens-error'
 import { listenForOffers } from './offers'
 import { type Part, parts } from './parts'
 import { historyStep } from './shortcuts'
+import { adoptStyles } from './style-sheets'
 import { triedOrders } from './tried-orders'
 
-const styleSheets = [css, ...parts.map(part => part.styles)].map(styles => {
-  const sheet = new CSSStyleSheet()
-  sheet.replaceSync(styles)
-  return sheet
-})
+/** Cells of the grid along each axis from which the surface jacdet = 0 is made, between gestures and in one. */
+const SURFACE_CELLS = 24
+const GESTURE_SURFACE_CELLS = 8
 
 /** What a reader hardly notices; a page that stays empty for longer looks broken. */
 const PATIENCE_MS = 150
@@ -47,6 +52,7 @@ export class HexLens extends HTMLElement {
   #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
   #proof: Proof | null = null
   #triedOrders: TriedOrders | null = null
+  #zeroSurface: { readonly report: Report; readonly cells: number; readonly surface: Surface } | null = null
   #offer: Offer | null = null
   #cameras: Cameras | null = null
   #drawnCameras: Cameras | null = null
@@ -60,12 +66,13 @@ export class HexLens extends HTMLElement {
   constructor() {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
-    shadow.adoptedStyleSheets = styleSheets
+    adoptStyles(shadow, [css, said, marks, ...parts.map(part => part.styles)])
     this.#places = { head: place('head'), stage: place('stage'), panel: place('panel') }
     const lens = place('lens')
     lens.append(this.#places.head, this.#places.stage, this.#places.panel)
     shadow.append(lens)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
+    new Copying(lens, () => this.#pointInFull())
     listenForOffers(shadow, lens, offer => this.offer(offer))
   }
 
@@ -133,6 +140,12 @@ export class HexLens extends HTMLElement {
     const address = new URL(document.location.href)
     address.hash = encodePermalink(this.#store.state.vertices)
     return address.href
+  }
+
+  /** Whether all that is to be seen is there: panels come when they are opened. */
+  get complete(): boolean {
+    const isDrawn = this.#drawn !== null && this.#frameRequest === 0 && this.#unmade.length === 0
+    return isDrawn && !this.#views.some(view => view.isLoading)
   }
 
   undo(): void {
@@ -243,6 +256,16 @@ export class HexLens extends HTMLElement {
       this.#triedOrders = this.#analyzed.report.valid ? null : triedOrders(this.#core, vertices)
   }
 
+  /** Coarser while a gesture runs; what is already finer stays. */
+  #surfaced(report: Report | null): Surface | null {
+    const { faceDisplay, gestureStart } = this.#store.state
+    if (faceDisplay !== 'inside' || report === null) return null
+    const cells = gestureStart === null ? SURFACE_CELLS : GESTURE_SURFACE_CELLS
+    if (this.#zeroSurface?.report !== report || this.#zeroSurface.cells < cells)
+      this.#zeroSurface = { report, cells, surface: zeroSurface(report.bernstein, cells) }
+    return this.#zeroSurface.surface
+  }
+
   #morphed(): Morph | null {
     const { vertices, start, morphA, morphB, gestureStart, openPanels } = this.#store.state
     const [a, b] = [morphA ?? start, morphB ?? vertices]
@@ -256,6 +279,14 @@ export class HexLens extends HTMLElement {
     const { vertices, probe } = this.#store.state
     const result = probe && this.#core?.jacobian(vertices, probe)
     return result?.ok ? result.value : null
+  }
+
+  /** Of what is pointed at: every number with all its digits. */
+  #pointInFull(): string | null {
+    const probe = this.#probed()
+    if (probe === null) return null
+    const jacdet = jacdetInFull(probe.jacdet, probe.exponent, this.#store.state.referenceCube)
+    return `jacdet = ${jacdet}, (xi, eta, zeta) = (${probe.point.join(', ')}), (x, y, z) = (${probe.position.join(', ')})`
   }
 
   readonly #draw = (): void => {
@@ -273,6 +304,7 @@ export class HexLens extends HTMLElement {
       offer: this.#offer,
       cameras: this.#cameras,
       morph: this.#morphed(),
+      zeroSurface: this.#surfaced(report),
       problems: [...this.#problems.values()],
     }
     for (const view of this.#views) {

@@ -34,7 +34,7 @@ export type StateResult =
   | { readonly ok: false; readonly error: StateError }
 
 export function stateDocument(state: State, { camera, referenceCamera }: Cameras): StateDocument {
-  const { gestureStart, probe, highlight, canUndo, canRedo, ...lasting } = state
+  const { gestureStart, probe, highlight, previewedOrder, canUndo, canRedo, ...lasting } = state
   return {
     version: STATE_VERSION,
     ...lasting,
@@ -167,7 +167,7 @@ const readDocument: Reader<Read> = record<Read>(
     start: coordinates,
     selectedVertex: indexBelow(VERTEX_COUNT),
     referenceCube: oneOf('unit', 'biunit'),
-    faceDisplay: oneOf('opaque', 'see-through', ...faces.keys()),
+    faceDisplay: oneOf('opaque', 'see-through', 'inside', ...faces.keys()),
     proofShown: flag,
     openPanels: panels,
     referenceShown: flag,
@@ -176,7 +176,6 @@ const readDocument: Reader<Read> = record<Read>(
     morphA: orNull(coordinates),
     morphB: orNull(coordinates),
     section: record({ axis: oneOf(0, 1, 2), value: between(0, 1) }, {}),
-    insideTurn: between(-180, 180),
     following: record(
       { query: oneOf('minimum', 'validity'), variant: oneOf('roots', 'roots-b'), step: indexBelow(STEP_COUNT) },
       SHOWN_FIRST.following,

@@ -4,8 +4,8 @@ import type { Axis, Vec3, Vertices } from './hexahedron'
 /** jacdet of the map from [0,1]^3, or from [-1,1]^3 as finite element codes use it (an eighth). */
 export type ReferenceCube = 'unit' | 'biunit'
 
-/** How the faces are drawn: all opaque, see-through, or one face alone (0..5). */
-export type FaceDisplay = 'opaque' | 'see-through' | number
+/** How the faces are drawn: all opaque, see-through, hardly seen around what is inside, or one face alone (0..5). */
+export type FaceDisplay = 'opaque' | 'see-through' | 'inside' | number
 
 /** Panels below the first screen's; each is closed, and not even loaded, until it is asked for. */
 export const PANELS = ['face-maps', 'algorithm', 'inside', 'node-order', 'morph', 'paste', 'take-away'] as const
@@ -80,19 +80,22 @@ export interface State {
   readonly selectedFace: number
   /** The part that is spoken of, for every view to mark; null when none is. */
   readonly highlight: ElementPart | null
+  /** Another node order of these very vertices that is looked at: its vertex i is their vertex `previewedOrder[i]`. */
+  readonly previewedOrder: readonly number[] | null
   /** Ends of a way between two elements, where they were kept: else it goes from `start` to `vertices`. */
   readonly morphA: Vertices | null
   readonly morphB: Vertices | null
-  /** The section of the Inside panel, and how far its cube is turned about the upright axis: degrees in [-180,180]. */
   readonly section: Section
-  readonly insideTurn: number
   readonly following: Following
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
 
 /** What outlives the page: all but what is under way, pointed at or spoken of, and the history. */
-export type LastingState = Omit<State, 'gestureStart' | 'probe' | 'highlight' | 'canUndo' | 'canRedo'>
+export type LastingState = Omit<
+  State,
+  'gestureStart' | 'probe' | 'highlight' | 'previewedOrder' | 'canUndo' | 'canRedo'
+>
 
 export type Action =
   /** One vertex to a place. Inside a gesture it adds to that gesture's one undo step, outside it is a step of its own. */
@@ -114,16 +117,18 @@ export type Action =
   | { readonly type: 'show-reference-cube'; readonly referenceCube: ReferenceCube }
   | { readonly type: 'show-faces'; readonly faceDisplay: FaceDisplay }
   | { readonly type: 'show-proof'; readonly proofShown: boolean }
+  /** Opening `inside` shows the inside in the scene, closing it the faces again. */
   | { readonly type: 'open-panel'; readonly panel: PanelId; readonly isOpen: boolean }
   | { readonly type: 'show-reference'; readonly referenceShown: boolean }
   | { readonly type: 'link-cameras'; readonly camerasLinked: boolean }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
   | { readonly type: 'select-face'; readonly face: number }
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
+  /** Looked at until the vertices change. */
+  | { readonly type: 'preview-order'; readonly order: readonly number[] | null }
   /** Null lets the end follow the element again. */
   | { readonly type: 'keep-morph-end'; readonly end: 'morphA' | 'morphB'; readonly vertices: Vertices | null }
   | { readonly type: 'show-section'; readonly section: Section }
-  | { readonly type: 'turn-inside'; readonly degrees: number }
   | { readonly type: 'follow'; readonly following: Following }
   /** Everything at once; what this changes of the element is one step to undo. */
   | { readonly type: 'restore'; readonly state: LastingState }

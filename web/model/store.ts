@@ -5,8 +5,25 @@
  * Changes are told by the bits, so that -0 and 0 differ; what changes nothing is no step and keeps the state object itself,
  * and a gesture that ends where it began gives back the `vertices` array it began with.
  */
-import { COORDINATE_COUNT, edgeVertices, faces, VERTEX_COUNT, type Vec3, type Vertices, withVertex } from './hexahedron'
-import { type Action, type ElementPart, type LastingState, type PanelId, STEP_COUNT, type State } from './state'
+import {
+  COORDINATE_COUNT,
+  edgeVertices,
+  faces,
+  VERTEX_COUNT,
+  type Vec3,
+  type Vertices,
+  vertexReference,
+  withVertex,
+} from './hexahedron'
+import {
+  type Action,
+  type ElementPart,
+  type FaceDisplay,
+  type LastingState,
+  type PanelId,
+  STEP_COUNT,
+  type State,
+} from './state'
 
 export interface Store {
   /** The state now: a new object after every change, never mutated. */
@@ -19,8 +36,8 @@ export interface Store {
    * - `restore` cancels a gesture that still runs.
    * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one.
    *
-   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate, face or step, a
-   * place outside the reference cube, a turn beyond half a circle.
+   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate, face or step, no
+   * point of the reference cube, no order of vertices.
    */
   dispatch(action: Action): void
 }
@@ -49,10 +66,10 @@ export const SHOWN_FIRST: Shown = {
   probe: null,
   selectedFace: 0,
   highlight: null,
+  previewedOrder: null,
   morphA: null,
   morphB: null,
   section: { axis: 2, value: 0.5 },
-  insideTurn: 25,
   following: { query: 'minimum', variant: 'roots-b', step: 0 },
 }
 
@@ -185,7 +202,11 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
         shown = { ...shown, proofShown: action.proofShown }
         break
       case 'open-panel':
-        shown = { ...shown, openPanels: withPanel(shown.openPanels, action.panel, action.isOpen) }
+        shown = {
+          ...shown,
+          openPanels: withPanel(shown.openPanels, action.panel, action.isOpen),
+          faceDisplay: action.panel === 'inside' ? withInside(shown.faceDisplay, action.isOpen) : shown.faceDisplay,
+        }
         break
       case 'show-reference':
         shown = { ...shown, referenceShown: action.referenceShown }
@@ -204,16 +225,15 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
         if (action.part) checkIndex(action.part.id, PART_COUNTS[action.part.kind], action.part.kind)
         shown = { ...shown, highlight: samePart(shown.highlight, action.part) ? shown.highlight : action.part }
         break
+      case 'preview-order':
+        shown = { ...shown, previewedOrder: action.order && checkedOrder(action.order) }
+        break
       case 'keep-morph-end':
         shown = { ...shown, [action.end]: action.vertices && kept(present.vertices, accepted(action.vertices)) }
         break
       case 'show-section':
         checkWithin(action.section.value, 0, 1)
         shown = { ...shown, section: action.section }
-        break
-      case 'turn-inside':
-        checkWithin(action.degrees, -180, 180)
-        shown = { ...shown, insideTurn: action.degrees }
         break
       case 'follow':
         checkIndex(action.following.step, STEP_COUNT, 'step')
@@ -238,7 +258,9 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
       return state
     },
     dispatch(action) {
+      const { vertices } = present
       apply(action)
+      if (present.vertices !== vertices && shown.previewedOrder) shown = { ...shown, previewedOrder: null }
       const next = currentState()
       if (!sameState(state, next)) state = next
     },
@@ -265,6 +287,12 @@ function checkWithin(value: number, least: number, greatest: number): void {
   if (!(value >= least && value <= greatest)) throw new RangeError(`${value} is not in [${least},${greatest}].`)
 }
 
+function checkedOrder(order: readonly number[]): readonly number[] {
+  const isOrder = order.length === VERTEX_COUNT && vertexReference.every((_, v) => order.includes(v))
+  if (!isOrder) throw new RangeError(`${order.join(', ')} is no order of eight vertices.`)
+  return order
+}
+
 function checkInCube(point: Vec3): void {
   if (!point.every(x => x >= 0 && x <= 1)) throw new RangeError(`(${point.join(', ')}) is not in [0,1]³.`)
 }
@@ -275,6 +303,11 @@ function samePoint(a: Vec3 | null, b: Vec3 | null): boolean {
 
 function samePart(a: ElementPart | null, b: ElementPart | null): boolean {
   return a === b || (a !== null && b !== null && a.kind === b.kind && a.id === b.id)
+}
+
+function withInside(display: FaceDisplay, isShown: boolean): FaceDisplay {
+  if (isShown) return 'inside'
+  return display === 'inside' ? 'opaque' : display
 }
 
 function withPanel(open: readonly PanelId[], panel: PanelId, isOpen: boolean): readonly PanelId[] {

@@ -3,6 +3,7 @@ import type { NodeOrder } from '../content/node-orders'
 import type { Certificate } from '../core/exact/certificate'
 import type { Morph } from '../core/morph'
 import type { JacobianReport, Report } from '../core/report'
+import type { Surface } from '../core/zero-surface'
 import type { Vertices } from '../model/hexahedron'
 import type { Cameras, Dispatch, State } from '../model/state'
 
@@ -79,6 +80,8 @@ export interface Frame {
   readonly proof: Proof | null
   /** Null unless the panel for it is open and the element is invalid. */
   readonly triedOrders: TriedOrders | null
+  /** The surface jacdet = 0, coarser while a gesture runs; null unless the inside is shown. */
+  readonly zeroSurface: Surface | null
   /** DF at `state.probe`; null where nothing is pointed at, or there is no report. */
   readonly probe: JacobianReport | null
   /** The last thing pasted or dropped; null before the first. */
@@ -98,6 +101,8 @@ export interface View {
   figure?(name: FigureName): Figure | null
   /** How it looks at things now, if that is this view's; null before its first picture. */
   cameras?(): Cameras | null
+  /** Whether something of it is still to be loaded. */
+  readonly isLoading?: boolean
   dispose(): void
 }
 

@@ -2,6 +2,7 @@
 import { html, nothing, render, svg, type TemplateResult } from 'lit-html'
 import { type TraceStep, traceOf } from '../../core/trace'
 import { type ElementPart, type Following, type Query, STEP_COUNT, type Variant } from '../../model/state'
+import { copyableJacdet } from '../copyable'
 import { partTitle } from '../part-name'
 import type { CreateView, Frame, View, ViewHost } from '../view'
 import css from './algorithm.css?inline'
@@ -143,12 +144,12 @@ class AlgorithmView implements View {
     const { width, height } = PLOT
     const { path, marks, zero } = minimumPlot(this.#steps, STEP_COUNT, PLOT)
     const mark = marks[this.#at]
-    const m = jacdet(this.#current.after, shown)
+    const m = this.#current.after
     const ends = PHASES.map((_, i) => PHASES.slice(0, i + 1).reduce((a, b) => a + b) / STEP_COUNT)
     const [first, last] = [this.#steps[0]?.after ?? null, this.#steps.at(-1)?.after ?? null]
     const name = `M over the steps, from ${jacdet(first, shown)} down to ${jacdet(last, shown)}`
     return html`<figure>
-      <figcaption><span>M = ${signedNumbers(m)}</span></figcaption>
+      <figcaption><span>M = ${m === null ? '' : copyableJacdet(m, shown.report.exponent, shown.cube)}</span></figcaption>
       <svg viewBox="-4 -6 ${width + 8} ${height + 12}" role="img" aria-label=${name}>
         ${ends.slice(0, -1).map(share => svg`<path class="phase" d="M${share * width} -4V${height + 4}" />`)}
         ${zero === null ? nothing : svg`<path class="zero" d="M0 ${zero}H${width}" />`}

@@ -107,7 +107,7 @@ export class ReferenceCube implements Stage {
   update({ state, report }: Frame): void {
     this.#link.checked = state.camerasLinked
     this.#overlay.update({
-      state: { ...state, vertices: CUBE, gestureStart: null },
+      state: { ...state, vertices: CUBE, gestureStart: null, previewedOrder: null },
       report: this.#inCube(report),
       frame: FRAME,
       camera: this.camera,
@@ -228,6 +228,7 @@ export class ReferenceCube implements Stage {
     this.#reportHere = report && {
       ...report,
       minimizer: here(report.minimizer),
+      volumeMinimum: { ...report.volumeMinimum, position: report.volumeMinimum.point },
       candidates: report.candidates.map(here),
     }
     return this.#reportHere
