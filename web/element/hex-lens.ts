@@ -3,6 +3,7 @@
  * one frame's truth to every view. Nothing is scheduled while nothing changes.
  *
  * `vertices`  24 finite numbers, VTK_HEXAHEDRON order, get (a copy) and set (any array-like; else HexLensError, state kept)
+ * `state`     everything that a reader would expect to come back, as plain data for JSON: see docs/state.schema.json
  * `preset`    the id of the preset that the element started from, or null
  * `report`    what the core knows about exactly these vertices; null while there is no core
  * `permalink` the address that opens this element again, bit for bit
@@ -17,7 +18,8 @@ import { type Surface, zeroSurface } from '../core/zero-surface'
 import { jacdetInFull } from '../model/decimal'
 import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
-import type { Action } from '../model/state'
+import type { Action, Cameras } from '../model/state'
+import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore, type Store } from '../model/store'
 import marks from '../views/marks.css?inline'
 import said from '../views/said.css?inline'
@@ -56,6 +58,8 @@ export class HexLens extends HTMLElement {
   #triedOrders: TriedOrders | null = null
   #zeroSurface: { readonly report: Report; readonly cells: number; readonly surface: Surface } | null = null
   #offer: Offer | null = null
+  #cameras: Cameras | null = null
+  #drawnCameras: Cameras | null = null
   #morph: Morph | null = null
   #toldValid: boolean | null = null
   #views: readonly View[] = []
@@ -83,6 +87,7 @@ export class HexLens extends HTMLElement {
   }
 
   disconnectedCallback(): void {
+    this.#cameras = this.#camerasNow
     cancelAnimationFrame(this.#frameRequest)
     this.#frameRequest = 0
     for (const view of this.#views) {
@@ -103,6 +108,21 @@ export class HexLens extends HTMLElement {
     const preset = presetOf(vertices)
     if (this.#drawn === null) this.#begin(vertices, preset)
     else this.#dispatch({ type: 'set-vertices', vertices, preset })
+  }
+
+  get state(): StateDocument {
+    return stateDocument(this.#store.state, this.#camerasNow)
+  }
+
+  /** Throws HexLensError for what the schema does not let through. What it changes of the element is one step to undo. */
+  set state(given: StateDocument) {
+    const result = readState(given)
+    if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
+    const { state, cameras } = result.value
+    if (this.#drawn === null) this.#begin(state.vertices, state.preset, state.start)
+    this.#cameras = cameras
+    this.#store.dispatch({ type: 'restore', state })
+    this.#schedule()
   }
 
   get preset(): string | null {
@@ -163,9 +183,17 @@ export class HexLens extends HTMLElement {
   }
 
   /** What is set before the first frame is what the element starts from, not a step to undo. */
-  #begin(vertices: Vertices, preset: string | null): void {
-    this.#store = createStore(vertices, preset)
+  #begin(vertices: Vertices, preset: string | null, start = vertices): void {
+    this.#store = createStore(vertices, preset, start)
     this.#committed = this.#store.state.vertices
+  }
+
+  /** As the reader has turned them, or as they were asked for. */
+  get #camerasNow(): Cameras {
+    const isDrawn = this.#cameras === this.#drawnCameras
+    const views = isDrawn ? this.#views : []
+    const seen = views.reduce<Cameras | null>((found, view) => found ?? view.cameras?.() ?? null, null)
+    return seen ?? this.#cameras ?? { camera: null, referenceCamera: null }
   }
 
   #dispatch(action: Action): void {
@@ -272,6 +300,7 @@ export class HexLens extends HTMLElement {
       triedOrders: this.#triedOrders,
       probe: report && this.#probed(),
       offer: this.#offer,
+      cameras: this.#cameras,
       morph: this.#morphed(),
       zeroSurface: this.#surfaced(report),
       problems: [...this.#problems.values()],
@@ -287,6 +316,7 @@ export class HexLens extends HTMLElement {
     const { vertices, gestureStart } = frame.state
     const moved = this.#drawn !== null && this.#drawn !== vertices
     this.#drawn = vertices
+    this.#drawnCameras = frame.cameras
     if (moved) this.#tell('hex-input')
     if (report && report.valid !== this.#toldValid) {
       this.#toldValid = report.valid

@@ -23,6 +23,39 @@ export interface Section {
   readonly value: number
 }
 
+/** What Algorithm 1 is asked: the boundary minimum, or only whether all of the boundary is positive. */
+export type Query = 'minimum' | 'validity'
+
+/** Whether a face's Bernstein bound is looked at before its quartic is solved (`roots-b`) or not (`roots`). */
+export type Variant = 'roots' | 'roots-b'
+
+/** Steps of Algorithm 1: 8 vertices, 12 edges, 6 faces. */
+export const STEP_COUNT = 26
+
+/** How Algorithm 1 is followed, and to which of its steps, or the last one where it ends before. */
+export interface Following {
+  readonly query: Query
+  readonly variant: Variant
+  /** 0..25. */
+  readonly step: number
+}
+
+/** How a picture in space is looked at, whatever its size on the screen. */
+export interface CameraView {
+  /** From what is looked at to the eye; of any length. */
+  readonly direction: Vec3
+  /** How many times nearer the eye is than where everything just fits in. */
+  readonly zoom: number
+  /** What the view turns about, away from where it is when everything just fits in, in halves of the longest side. */
+  readonly pan: Vec3
+}
+
+/** Of the element and of the reference cube; null is the default view. */
+export interface Cameras {
+  readonly camera: CameraView | null
+  readonly referenceCamera: CameraView | null
+}
+
 export interface State {
   readonly vertices: Vertices
   /** The preset the element started from, by id; null when it came from elsewhere. */
@@ -53,9 +86,16 @@ export interface State {
   readonly morphA: Vertices | null
   readonly morphB: Vertices | null
   readonly section: Section
+  readonly following: Following
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
+
+/** What outlives the page: all but what is under way, pointed at or spoken of, and the history. */
+export type LastingState = Omit<
+  State,
+  'gestureStart' | 'probe' | 'highlight' | 'previewedOrder' | 'canUndo' | 'canRedo'
+>
 
 export type Action =
   /** One vertex to a place. Inside a gesture it adds to that gesture's one undo step, outside it is a step of its own. */
@@ -89,5 +129,8 @@ export type Action =
   /** Null lets the end follow the element again. */
   | { readonly type: 'keep-morph-end'; readonly end: 'morphA' | 'morphB'; readonly vertices: Vertices | null }
   | { readonly type: 'show-section'; readonly section: Section }
+  | { readonly type: 'follow'; readonly following: Following }
+  /** Everything at once; what this changes of the element is one step to undo. */
+  | { readonly type: 'restore'; readonly state: LastingState }
 
 export type Dispatch = (action: Action) => void

@@ -15,7 +15,15 @@ import {
   vertexReference,
   withVertex,
 } from './hexahedron'
-import type { Action, ElementPart, FaceDisplay, PanelId, State } from './state'
+import {
+  type Action,
+  type ElementPart,
+  type FaceDisplay,
+  type LastingState,
+  type PanelId,
+  STEP_COUNT,
+  type State,
+} from './state'
 
 export interface Store {
   /** The state now: a new object after every change, never mutated. */
@@ -25,9 +33,11 @@ export interface Store {
    * - `begin-gesture` commits a gesture that still runs; commit and cancel without a gesture do nothing.
    * - `undo` in a gesture that moved something takes back that gesture alone; in one that did not, the step before it.
    * - `redo`, `reset` in a gesture cancel it first.
+   * - `restore` cancels a gesture that still runs.
    * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one.
    *
-   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate or face.
+   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate, face or step, a
+   * place outside the reference cube, no order of eight vertices.
    */
   dispatch(action: Action): void
 }
@@ -44,7 +54,8 @@ interface Snapshot {
 
 type Shown = Omit<State, keyof Snapshot | 'gestureStart' | 'canUndo' | 'canRedo'>
 
-const SHOWN_FIRST: Shown = {
+/** What a new element shows. */
+export const SHOWN_FIRST: Shown = {
   selectedVertex: 0,
   referenceCube: 'unit',
   faceDisplay: 'opaque',
@@ -59,6 +70,7 @@ const SHOWN_FIRST: Shown = {
   morphA: null,
   morphB: null,
   section: { axis: 2, value: 0.5 },
+  following: { query: 'minimum', variant: 'roots-b', step: 0 },
 }
 
 const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
@@ -67,10 +79,13 @@ const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
   face: faces.length,
 }
 
-/** A store that starts at these vertices, which are also what reset goes back to. Throws RangeError unless 24 finite numbers. */
-export function createStore(vertices: Vertices, preset: string | null): Store {
-  const start = accepted(vertices)
-  let present: Snapshot = { vertices: start, preset, start }
+/**
+ * A store that starts at these vertices, which reset goes back to unless there is another `start`. Throws RangeError unless
+ * each is 24 finite numbers.
+ */
+export function createStore(vertices: Vertices, preset: string | null, start = vertices): Store {
+  const begin = accepted(start)
+  let present: Snapshot = { vertices: kept(begin, accepted(vertices)), preset, start: begin }
   let past: readonly Snapshot[] = []
   let future: readonly Snapshot[] = []
   let gestureStart: Snapshot | null = null
@@ -220,7 +235,22 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
         checkWithin(action.section.value, 0, 1)
         shown = { ...shown, section: action.section }
         break
+      case 'follow':
+        checkIndex(action.following.step, STEP_COUNT, 'step')
+        shown = { ...shown, following: action.following }
+        break
+      case 'restore':
+        cancel()
+        restore(action.state)
+        break
     }
+  }
+
+  /** What is shown was checked by the reader of the state. */
+  function restore({ vertices, preset, start, ...others }: LastingState): void {
+    const began = kept(present.start, accepted(start))
+    change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
+    shown = { ...shown, ...others, probe: null, previewedOrder: null }
   }
 
   return {

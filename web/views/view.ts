@@ -5,7 +5,7 @@ import type { Morph } from '../core/morph'
 import type { JacobianReport, Report } from '../core/report'
 import type { Surface } from '../core/zero-surface'
 import type { Vertices } from '../model/hexahedron'
-import type { Dispatch, State } from '../model/state'
+import type { Cameras, Dispatch, State } from '../model/state'
 
 /** Something that keeps the page from its full work, as a sentence for people. */
 export interface Problem {
@@ -86,6 +86,8 @@ export interface Frame {
   readonly probe: JacobianReport | null
   /** The last thing pasted or dropped; null before the first. */
   readonly offer: Offer | null
+  /** The views last asked for, from which the reader may have turned since; null before the first, each an object of its own. */
+  readonly cameras: Cameras | null
   /** Null unless its panel is open; while a gesture runs, the way as it was before. */
   readonly morph: Morph | null
   readonly problems: readonly Problem[]
@@ -97,6 +99,8 @@ export interface View {
   update(frame: Frame): void
   /** The figure of that name if it is this view's and on the page now. */
   figure?(name: FigureName): Figure | null
+  /** How it looks at things now, if that is this view's; null before its first picture. */
+  cameras?(): Cameras | null
   dispose(): void
 }
 

@@ -3,7 +3,7 @@
  * the picture, is brought into view.
  */
 import type { Vertices } from '../../model/hexahedron'
-import type { State } from '../../model/state'
+import type { CameraView, State } from '../../model/state'
 import type { ScreenPoint } from './camera'
 import { frameOf, type ViewFrame, verticesInView } from './view-frame'
 import type { Viewpoint } from './viewpoint'
@@ -12,7 +12,8 @@ import type { Viewpoint } from './viewpoint'
 export interface Change {
   /** Null before the first frame. */
   readonly before: State | null
-  readonly isResized: boolean
+  /** Null unless the picture has another size now: how the element was looked at. */
+  readonly resized: { readonly camera: CameraView | null } | null
   /** Whether a pointer in the scene moved the element: under it the picture must not move. */
   readonly isDragged: boolean
 }
@@ -33,7 +34,7 @@ export class Framing {
     return this.#frame
   }
 
-  choose(state: State, { before, isResized, isDragged }: Change): void {
+  choose(state: State, { before, resized, isDragged }: Change): void {
     const framed = this.#framed
     const another = framed === null || framed.preset !== state.preset || framed.start !== state.start
     // A program that sets one element after another, none of them a preset, animates: the reader's view stays.
@@ -45,13 +46,32 @@ export class Framing {
     if ((another && !animated) || (jumped && !this.#isInView(state, share)))
       this.fit(state.vertices, another && !animated)
     else if (typed && !this.#isInView(state, 0)) this.fit(state.vertices, false)
-    else if (isResized) this.#aim(state.vertices, false)
+    else if (resized) this.#lookAt(state.vertices, resized.camera)
   }
 
   /** Everything in view: along the same line of sight, or in the default view. */
   fit(vertices: Vertices, toDefault: boolean): void {
     this.#frame = frameOf(vertices)
     this.#aim(vertices, toDefault)
+  }
+
+  /** All of an element, seen so. */
+  look(vertices: Vertices, camera: CameraView | null): void {
+    this.#frame = frameOf(vertices)
+    this.#lookAt(vertices, camera)
+  }
+
+  seen(vertices: Vertices): CameraView | null {
+    return this.#viewpoint.seen(verticesInView(this.#frame, vertices), this.#unit(vertices))
+  }
+
+  #lookAt(vertices: Vertices, camera: CameraView | null): void {
+    this.#viewpoint.look(verticesInView(this.#frame, vertices), this.#unit(vertices), camera)
+  }
+
+  /** Half of the longest side of these vertices, in the view frame. */
+  #unit(vertices: Vertices): number {
+    return frameOf(vertices).size / this.#frame.size
   }
 
   #aim(vertices: Vertices, toDefault: boolean): void {

@@ -7,7 +7,7 @@
  */
 import type { Candidate } from '../../core/report'
 import type { Vec3 } from '../../model/hexahedron'
-import type { State } from '../../model/state'
+import type { Cameras, CameraView, State } from '../../model/state'
 import { type ColourScale, colourScaleOf, type Ramp, rampOf, type Theme } from '../colour-map'
 import { figureOf } from '../figure'
 import { colourScaleInside } from '../inside'
@@ -95,6 +95,8 @@ class Scene implements SceneView, Stage {
   #layout: Layout = layoutOf(0, 0)
   #handles: readonly ScreenPoint[] = []
   #shown: Frame | null = null
+  /** What was last asked for, and done. */
+  #asked: Cameras | null = null
   /** Whether the gesture last shown is of the pointer here, under which the picture must not move. */
   #dragged = false
   #drag: OverlayPicture['drag'] = null
@@ -134,11 +136,12 @@ class Scene implements SceneView, Stage {
   }
 
   update(frame: Frame): void {
-    const isResized = this.#resize(frame.state)
+    const resized = this.#resize(frame.state)
     if (this.#width === 0 || this.#height === 0) return
     this.#readTheme()
     const before = this.#shown?.state ?? null
-    this.#framing.choose(frame.state, { before, isResized, isDragged: this.#dragged })
+    this.#framing.choose(frame.state, { before, resized, isDragged: this.#dragged })
+    this.#look(frame)
     this.#links.join(frame.state, before)
     this.#probe.update()
     this.#draw(frame)
@@ -166,6 +169,14 @@ class Scene implements SceneView, Stage {
     this.#isForFigure = false
     this.host.requestFrame()
     return figureOf(this.root, this.root.querySelectorAll(FIGURE_PARTS))
+  }
+
+  cameras(): Cameras | null {
+    if (this.#shown === null) return null
+    return {
+      camera: this.#framing.seen(this.#shown.state.vertices),
+      referenceCamera: this.#reference ? this.#reference.view() : (this.#asked?.referenceCamera ?? null),
+    }
   }
 
   frame(): ViewFrame {
@@ -254,6 +265,7 @@ class Scene implements SceneView, Stage {
 
   #createReference(): ReferenceCube {
     const reference = new ReferenceCube(this, () => this.#onTurn(reference.viewpoint))
+    reference.look(this.#asked?.referenceCamera ?? null)
     this.#links.other = reference.viewpoint
     this.root.append(reference.root)
     return reference
@@ -304,10 +316,10 @@ class Scene implements SceneView, Stage {
     this.host.requestFrame()
   }
 
-  /** Lays out the parts; whether the element's own part has another size than before. */
-  #resize({ referenceShown }: State): boolean {
+  /** Lays out the parts. Where the element's own part has another size than before: how it was looked at; else null. */
+  #resize({ referenceShown }: State): { readonly camera: CameraView | null } | null {
     const shownBefore = this.#shown?.state.referenceShown ?? false
-    if (!this.#sizeMayDiffer && referenceShown === shownBefore) return false
+    if (!this.#sizeMayDiffer && referenceShown === shownBefore) return null
     this.#sizeMayDiffer = false
     const split = referenceShown ? (this.root.clientWidth >= BESIDE ? 'beside' : 'below') : 'none'
     this.root.dataset.split = split
@@ -316,13 +328,14 @@ class Scene implements SceneView, Stage {
     this.#canvas = { width: this.root.clientWidth, height: this.root.clientHeight }
     if (referenceShown) this.#reference?.resize()
     const { offsetWidth: width, offsetHeight: height } = this.#pane
-    if (width === this.#width && height === this.#height) return false
+    if (width === this.#width && height === this.#height) return null
+    const camera = this.#shown && this.#framing.seen(this.#shown.state.vertices)
     this.#width = width
     this.#height = height
     this.#layout = layoutOf(width, height)
     this.root.classList.toggle('narrow', this.#layout.isNarrow)
     if (width > 0 && height > 0) this.camera.resize(width, height, this.#layout.insets)
-    return true
+    return { camera }
   }
 
   #readTheme(): void {
@@ -330,6 +343,14 @@ class Scene implements SceneView, Stage {
     if (theme === this.#theme) return
     this.#theme = theme
     this.#ramp = rampOf(theme)
+  }
+
+  /** As a program asked for it, once. */
+  #look({ state, cameras }: Frame): void {
+    if (cameras === null || cameras === this.#asked) return
+    this.#asked = cameras
+    this.#framing.look(state.vertices, cameras.camera)
+    this.#reference?.look(cameras.referenceCamera)
   }
 
   /** Where only the probe has changed, nothing else is touched. */
