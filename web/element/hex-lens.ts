@@ -32,6 +32,7 @@ import { listenForOffers } from './offers'
 import { type Part, parts } from './parts'
 import { historyStep } from './shortcuts'
 import { triedOrders } from './tried-orders'
+import { Turns } from './turns'
 
 const styleSheets = [css, said, marks, ...parts.map(part => part.styles)].map(styles => {
   const sheet = new CSSStyleSheet()
@@ -66,6 +67,9 @@ export class HexLens extends HTMLElement {
   /** Parts to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Part[])[] = []
   #frameRequest = 0
+  /** Whether there is more to draw than what waits for its turn. */
+  #isNews = false
+  #turns = new Turns()
 
   constructor() {
     super()
@@ -95,6 +99,7 @@ export class HexLens extends HTMLElement {
       view.root.remove()
     }
     this.#views = []
+    this.#turns = new Turns()
     this.#unmade = []
     this.#offer = null
   }
@@ -221,6 +226,11 @@ export class HexLens extends HTMLElement {
   }
 
   #schedule(): void {
+    this.#isNews = true
+    this.#request()
+  }
+
+  #request(): void {
     if (this.isConnected && this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(this.#draw)
   }
 
@@ -289,6 +299,8 @@ export class HexLens extends HTMLElement {
 
   readonly #draw = (): void => {
     this.#frameRequest = 0
+    const isNews = this.#isNews
+    this.#isNews = false
     this.#make()
     const report = this.report
     this.#prove()
@@ -305,7 +317,7 @@ export class HexLens extends HTMLElement {
       zeroSurface: this.#surfaced(report),
       problems: [...this.#problems.values()],
     }
-    for (const view of this.#views) {
+    for (const view of this.#turns.due(this.#views, isNews, frame.state.gestureStart !== null)) {
       try {
         view.update(frame)
       } catch (bug) {
@@ -313,6 +325,7 @@ export class HexLens extends HTMLElement {
       }
     }
     if (this.#unmade.length > 0) this.#schedule()
+    else if (this.#turns.isWaiting) this.#request()
     const { vertices, gestureStart } = frame.state
     const moved = this.#drawn !== null && this.#drawn !== vertices
     this.#drawn = vertices

@@ -205,9 +205,11 @@ class WebGLFacePainter implements FacePainter {
 
   /** All faces, the farthest tiles first when they are see-through, or one alone. */
   #chooseFaces({ vertices, camera }: Region, display: FaceDisplay): void {
-    const seeThrough = display in OPACITY
-    this.#material.transparent = seeThrough
-    this.#material.depthWrite = !seeThrough
+    const isVeil = display in OPACITY
+    // Where faces are hardly seen their order is not.
+    const seeThrough = display === 'see-through'
+    this.#material.transparent = isVeil
+    this.#material.depthWrite = !isVeil
     if (typeof display === 'number') this.#geometry.setDrawRange(display * FACE_INDICES, FACE_INDICES)
     else this.#geometry.setDrawRange(0, Infinity)
     if (!seeThrough && !this.#sorted) return
