@@ -34,6 +34,7 @@ import { type Part, parts } from './parts'
 import { historyStep } from './shortcuts'
 import { adoptStyles } from './style-sheets'
 import { triedOrders } from './tried-orders'
+import { Turns } from './turns'
 
 /** Cells of the grid along each axis from which the surface jacdet = 0 is made, between gestures and in one. */
 const SURFACE_CELLS = 24
@@ -62,6 +63,9 @@ export class HexLens extends HTMLElement {
   /** Parts to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Part[])[] = []
   #frameRequest = 0
+  /** Whether there is more to draw than what waits for its turn. */
+  #isNews = false
+  #turns = new Turns()
 
   constructor() {
     super()
@@ -91,6 +95,7 @@ export class HexLens extends HTMLElement {
       view.root.remove()
     }
     this.#views = []
+    this.#turns = new Turns()
     this.#unmade = []
     this.#offer = null
   }
@@ -223,6 +228,11 @@ export class HexLens extends HTMLElement {
   }
 
   #schedule(): void {
+    this.#isNews = true
+    this.#request()
+  }
+
+  #request(): void {
     if (this.isConnected && this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(this.#draw)
   }
 
@@ -291,6 +301,8 @@ export class HexLens extends HTMLElement {
 
   readonly #draw = (): void => {
     this.#frameRequest = 0
+    const isNews = this.#isNews
+    this.#isNews = false
     this.#make()
     const report = this.report
     this.#prove()
@@ -307,7 +319,7 @@ export class HexLens extends HTMLElement {
       zeroSurface: this.#surfaced(report),
       problems: [...this.#problems.values()],
     }
-    for (const view of this.#views) {
+    for (const view of this.#turns.due(this.#views, isNews, frame.state.gestureStart !== null)) {
       try {
         view.update(frame)
       } catch (bug) {
@@ -315,6 +327,7 @@ export class HexLens extends HTMLElement {
       }
     }
     if (this.#unmade.length > 0) this.#schedule()
+    else if (this.#turns.isWaiting) this.#request()
     const { vertices, gestureStart } = frame.state
     const moved = this.#drawn !== null && this.#drawn !== vertices
     this.#drawn = vertices

@@ -36,8 +36,8 @@ export interface Store {
    * - `restore` cancels a gesture that still runs.
    * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one.
    *
-   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate, face or step, no
-   * point of the reference cube, no order of vertices.
+   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate, face or step, a
+   * place outside the reference cube, no order of eight vertices.
    */
   dispatch(action: Action): void
 }
@@ -250,7 +250,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
   function restore({ vertices, preset, start, ...others }: LastingState): void {
     const began = kept(present.start, accepted(start))
     change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
-    shown = { ...shown, ...others, probe: null }
+    shown = { ...shown, ...others, probe: null, previewedOrder: null }
   }
 
   return {

@@ -95,6 +95,8 @@ export interface Frame {
 
 export interface View {
   readonly root: HTMLElement
+  /** Whether, while a gesture runs, it may be brought up to date some frames later. */
+  readonly takesTurns?: boolean
   /** Called once per animation frame in which state, report or problems changed. */
   update(frame: Frame): void
   /** The figure of that name if it is this view's and on the page now. */

@@ -3,7 +3,7 @@
  * the picture, is brought into view.
  */
 import type { Vertices } from '../../model/hexahedron'
-import type { Cameras, CameraView, State } from '../../model/state'
+import type { CameraView, State } from '../../model/state'
 import type { ScreenPoint } from './camera'
 import { frameOf, type ViewFrame, verticesInView } from './view-frame'
 import type { Viewpoint } from './viewpoint'
@@ -12,7 +12,7 @@ import type { Viewpoint } from './viewpoint'
 export interface Change {
   /** Null before the first frame. */
   readonly before: State | null
-  /** How the element was looked at while the scene had another size. */
+  /** Null unless the picture has another size now: how the element was looked at. */
   readonly resized: { readonly camera: CameraView | null } | null
   /** Whether a pointer in the scene moved the element: under it the picture must not move. */
   readonly isDragged: boolean
@@ -25,8 +25,6 @@ export class Framing {
   readonly #viewpoint: Viewpoint
   #frame: ViewFrame = { centre: [0, 0, 0], size: 1 }
   #framed: { readonly preset: string | null; readonly start: Vertices } | null = null
-
-  #asked: Cameras | null = null
 
   constructor(viewpoint: Viewpoint) {
     this.#viewpoint = viewpoint
@@ -48,35 +46,32 @@ export class Framing {
     if ((another && !animated) || (jumped && !this.#isInView(state, share)))
       this.fit(state.vertices, another && !animated)
     else if (typed && !this.#isInView(state, 0)) this.fit(state.vertices, false)
-    else if (resized) this.#look(state.vertices, resized.camera)
-  }
-
-  /** As a program asked for it, once. */
-  ask({ vertices }: State, cameras: Cameras | null): void {
-    if (cameras === null || cameras === this.#asked) return
-    this.#asked = cameras
-    this.#frame = frameOf(vertices)
-    this.#look(vertices, cameras.camera)
-  }
-
-  /** How the vertices are looked at; null in the default view. */
-  seen(vertices: Vertices): CameraView | null {
-    return this.#viewpoint.seen(verticesInView(this.#frame, vertices), this.#unit(vertices))
-  }
-
-  #look(vertices: Vertices, view: CameraView | null): void {
-    this.#viewpoint.look(verticesInView(this.#frame, vertices), this.#unit(vertices), view)
-  }
-
-  /** Half of the longest side of these vertices, in the view frame. */
-  #unit(vertices: Vertices): number {
-    return frameOf(vertices).size / this.#frame.size
+    else if (resized) this.#lookAt(state.vertices, resized.camera)
   }
 
   /** Everything in view: along the same line of sight, or in the default view. */
   fit(vertices: Vertices, toDefault: boolean): void {
     this.#frame = frameOf(vertices)
     this.#aim(vertices, toDefault)
+  }
+
+  /** All of an element, seen so. */
+  look(vertices: Vertices, camera: CameraView | null): void {
+    this.#frame = frameOf(vertices)
+    this.#lookAt(vertices, camera)
+  }
+
+  seen(vertices: Vertices): CameraView | null {
+    return this.#viewpoint.seen(verticesInView(this.#frame, vertices), this.#unit(vertices))
+  }
+
+  #lookAt(vertices: Vertices, camera: CameraView | null): void {
+    this.#viewpoint.look(verticesInView(this.#frame, vertices), this.#unit(vertices), camera)
+  }
+
+  /** Half of the longest side of these vertices, in the view frame. */
+  #unit(vertices: Vertices): number {
+    return frameOf(vertices).size / this.#frame.size
   }
 
   #aim(vertices: Vertices, toDefault: boolean): void {

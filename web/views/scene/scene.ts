@@ -17,7 +17,8 @@ import type { ScreenPoint } from './camera'
 import { ColourBar } from './colour-bar'
 import { Controls } from './controls'
 import { pointUnder } from './face-hit'
-import { createFacePainter, type FacePainter, type Region } from './face-painter'
+import { createFacePainter, type FacePainter } from './face-painter'
+import type { Region } from './face-renderer'
 import { Framing } from './framing'
 import { Help } from './help'
 import { KeyboardInput } from './keyboard-input'
@@ -95,6 +96,8 @@ class Scene implements SceneView, Stage {
   #layout: Layout = layoutOf(0, 0)
   #handles: readonly ScreenPoint[] = []
   #shown: Frame | null = null
+  /** What was last asked for, and done. */
+  #asked: Cameras | null = null
   /** Whether the gesture last shown is of the pointer here, under which the picture must not move. */
   #dragged = false
   #drag: OverlayPicture['drag'] = null
@@ -123,6 +126,7 @@ class Scene implements SceneView, Stage {
     this.#listen()
     if (this.#painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
     else host.clear('no-webgl')
+    if (this.#painter?.isLost) this.#onContext(true)
   }
 
   get camera() {
@@ -134,12 +138,12 @@ class Scene implements SceneView, Stage {
   }
 
   update(frame: Frame): void {
-    const resized = this.#resize(frame)
+    const resized = this.#resize(frame.state)
     if (this.#width === 0 || this.#height === 0) return
     this.#readTheme()
     const before = this.#shown?.state ?? null
     this.#framing.choose(frame.state, { before, resized, isDragged: this.#dragged })
-    this.#ask(frame)
+    this.#look(frame)
     this.#links.join(frame.state, before)
     this.#probe.update()
     this.#draw(frame)
@@ -173,7 +177,7 @@ class Scene implements SceneView, Stage {
     if (this.#shown === null) return null
     return {
       camera: this.#framing.seen(this.#shown.state.vertices),
-      referenceCamera: this.#reference ? this.#reference.view() : (this.#shown.cameras?.referenceCamera ?? null),
+      referenceCamera: this.#reference ? this.#reference.view() : (this.#asked?.referenceCamera ?? null),
     }
   }
 
@@ -261,9 +265,9 @@ class Scene implements SceneView, Stage {
     this.host.requestFrame()
   }
 
-  #createReference({ cameras }: Frame): ReferenceCube {
+  #createReference(): ReferenceCube {
     const reference = new ReferenceCube(this, () => this.#onTurn(reference.viewpoint))
-    reference.look(cameras?.referenceCamera ?? null)
+    reference.look(this.#asked?.referenceCamera ?? null)
     this.#links.other = reference.viewpoint
     this.root.append(reference.root)
     return reference
@@ -315,14 +319,13 @@ class Scene implements SceneView, Stage {
   }
 
   /** Lays out the parts. Where the element's own part has another size than before: how it was looked at; else null. */
-  #resize(frame: Frame): { readonly camera: CameraView | null } | null {
-    const { referenceShown } = frame.state
+  #resize({ referenceShown }: State): { readonly camera: CameraView | null } | null {
     const shownBefore = this.#shown?.state.referenceShown ?? false
     if (!this.#sizeMayDiffer && referenceShown === shownBefore) return null
     this.#sizeMayDiffer = false
     const split = referenceShown ? (this.root.clientWidth >= BESIDE ? 'beside' : 'below') : 'none'
     this.root.dataset.split = split
-    if (referenceShown) this.#reference ??= this.#createReference(frame)
+    if (referenceShown) this.#reference ??= this.#createReference()
     if (this.#reference) this.#reference.root.hidden = !referenceShown
     this.#canvas = { width: this.root.clientWidth, height: this.root.clientHeight }
     if (referenceShown) this.#reference?.resize()
@@ -337,17 +340,19 @@ class Scene implements SceneView, Stage {
     return { camera }
   }
 
-  /** As a program asked for it, once. */
-  #ask({ state, cameras }: Frame): void {
-    this.#framing.ask(state, cameras)
-    if (cameras && cameras !== this.#shown?.cameras) this.#reference?.look(cameras.referenceCamera)
-  }
-
   #readTheme(): void {
     const theme = this.#themeReader.read()
     if (theme === this.#theme) return
     this.#theme = theme
     this.#ramp = rampOf(theme)
+  }
+
+  /** As a program asked for it, once. */
+  #look({ state, cameras }: Frame): void {
+    if (cameras === null || cameras === this.#asked) return
+    this.#asked = cameras
+    this.#framing.look(state.vertices, cameras.camera)
+    this.#reference?.look(cameras.referenceCamera)
   }
 
   /** Where only the probe has changed, nothing else is touched. */
