@@ -12,7 +12,12 @@ function sheetOf(styles: string): CSSStyleSheet {
   const known = sheets.get(styles)
   if (known) return known
   const sheet = new CSSStyleSheet()
-  sheet.replaceSync(styles)
+  sheet.replaceSync(inPixels(styles))
   sheets.set(styles, sheet)
   return sheet
+}
+
+/** How large a page's own text is does not concern the element: 1rem here are 16 pixels. */
+function inPixels(styles: string): string {
+  return styles.replace(/(\d*\.?\d+)rem\b/g, (_, number) => `${16 * Number(number)}px`)
 }

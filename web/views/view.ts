@@ -9,7 +9,7 @@ import type { Cameras, Dispatch, State } from '../model/state'
 
 /** Something that keeps the page from its full work, as a sentence for people. */
 export interface Problem {
-  readonly code: 'core-failed' | 'no-webgl' | 'context-lost' | 'link-broken' | 'input-refused'
+  readonly code: 'core-failed' | 'no-webgl' | 'context-lost' | 'link-broken' | 'input-refused' | `bad-${string}`
   readonly message: string
 }
 

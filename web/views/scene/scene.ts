@@ -62,7 +62,6 @@ class Scene implements SceneView, Stage {
   readonly root = document.createElement('div')
   readonly element = document.createElement('div')
   readonly host: ViewHost
-  readonly movesVertices = true
   framesDrawn = 0
 
   readonly #painter: FacePainter | null
@@ -133,11 +132,16 @@ class Scene implements SceneView, Stage {
     return this.#viewpoint.camera
   }
 
+  get movesVertices(): boolean {
+    return !this.host.state().isReadonly
+  }
+
   get drawCalls(): number {
     return this.#painter?.drawCalls ?? 0
   }
 
   update(frame: Frame): void {
+    this.#name(frame.state)
     const resized = this.#resize(frame.state)
     if (this.#width === 0 || this.#height === 0) return
     this.#readTheme()
@@ -186,7 +190,7 @@ class Scene implements SceneView, Stage {
   }
 
   handles(): readonly ScreenPoint[] {
-    return this.#handles
+    return this.movesVertices ? this.#handles : []
   }
 
   showHover(vertex: number | null): void {
@@ -247,7 +251,6 @@ class Scene implements SceneView, Stage {
     this.element.tabIndex = 0
     this.element.dataset.cursor = 'orbit'
     this.element.setAttribute('role', 'application')
-    this.element.setAttribute('aria-label', 'The hexahedron in space, eight vertices to move')
     this.element.setAttribute('aria-describedby', this.#help.root.id)
     this.#overlay.root.append(this.#readout.root)
     this.element.append(this.#overlay.root)
@@ -263,6 +266,12 @@ class Scene implements SceneView, Stage {
   #onTurn(from: Viewpoint): void {
     this.#links.follow(from)
     this.host.requestFrame()
+  }
+
+  #name({ isReadonly }: State): void {
+    if (isReadonly === this.#shown?.state.isReadonly) return
+    const name = isReadonly ? 'The hexahedron in space' : 'The hexahedron in space, eight vertices to move'
+    this.element.setAttribute('aria-label', name)
   }
 
   #createReference(): ReferenceCube {
@@ -336,6 +345,7 @@ class Scene implements SceneView, Stage {
     this.#height = height
     this.#layout = layoutOf(width, height)
     this.root.classList.toggle('narrow', this.#layout.isNarrow)
+    this.root.classList.toggle('low', this.#layout.isLow)
     if (width > 0 && height > 0) this.camera.resize(width, height, this.#layout.insets)
     return { camera }
   }
