@@ -99,6 +99,7 @@ test('two elements on a page do not disturb each other', async ({ lens, page }) 
   await lens.open()
   await page.evaluate(() => {
     const other = document.createElement('hex-lens')
+    other.views = 'all'
     other.vertices = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
     document.querySelector('main')?.append(other)
   })
