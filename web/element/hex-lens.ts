@@ -40,7 +40,7 @@ const styleSheets = [css, said, marks, ...parts.map(part => part.styles)].map(st
 const PATIENCE_MS = 150
 
 export class HexLens extends HTMLElement {
-  readonly #places: Readonly<Record<'head' | 'stage' | 'panel', HTMLElement>>
+  readonly #places: Readonly<Record<Part['place'], HTMLElement>>
   readonly #problems = new Map<Problem['code'], Problem>()
   #store: Store = createStore(presetVertices(presets[0]), presets[0].id)
   #committed: Vertices = this.#store.state.vertices
@@ -61,9 +61,11 @@ export class HexLens extends HTMLElement {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
     shadow.adoptedStyleSheets = styleSheets
-    this.#places = { head: place('head'), stage: place('stage'), panel: place('panel') }
-    const lens = place('lens')
-    lens.append(this.#places.head, this.#places.stage, this.#places.panel)
+    this.#places = { head: place('head'), stage: place('stage'), panel: place('panel'), folds: place('folds') }
+    const { head, stage, panel, folds } = this.#places
+    const [lens, side] = [place('lens'), place('side')]
+    side.append(panel, folds)
+    lens.append(head, stage, side)
     shadow.append(lens)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
     new Copying(lens, () => this.#pointInFull())

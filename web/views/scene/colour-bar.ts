@@ -12,6 +12,7 @@ import {
   rampPosition,
 } from '../colour-map'
 import { px, set, setText, show, svg } from '../svg'
+import { TEXT_SIZE } from './unit'
 
 export interface ColourBarPicture {
   readonly state: State
@@ -121,7 +122,11 @@ export class ColourBar {
     const box = upright
       ? { x: -ROOM.upright, y: -OVERHANG, width: ROOM.upright + width, height: height + 2 * OVERHANG }
       : { x: 0, y: 0, width, height: height + ROOM.lying }
-    set(this.#svg, { viewBox: `${box.x} ${box.y} ${box.width} ${box.height}`, width: box.width, height: box.height })
+    set(this.#svg, {
+      viewBox: `${box.x} ${box.y} ${box.width} ${box.height}`,
+      width: inText(box.width),
+      height: inText(box.height),
+    })
     set(this.#bar, { width, height })
     set(this.#gradient, upright ? { x1: 0, x2: 0, y1: 0, y2: 1 } : { x1: 1, x2: 0, y1: 0, y2: 0 })
     const steps = (top - bottom) * RAMP_STEPS
@@ -178,6 +183,11 @@ export class ColourBar {
       }
     }
   }
+}
+
+/** A length that grows with the text beside it. */
+function inText(units: number): string {
+  return `${units / TEXT_SIZE}em`
 }
 
 /** A jacdet in the units of the report: what is too large or small for a double is at an end of the bar all the same. */

@@ -30,6 +30,7 @@ import { Readout, spokenProbe } from './readout'
 import { ReferenceCube } from './reference-cube'
 import css from './scene.css?inline'
 import type { Stage } from './stage'
+import { placeIn, unitOf } from './unit'
 import type { DragKeys } from './vertex-drag'
 import { type ViewFrame, verticesInView } from './view-frame'
 import { Viewpoint } from './viewpoint'
@@ -42,7 +43,7 @@ const MOST_PIXEL_RATIO = 2
 const FIGURE_PIXEL_RATIO = 3
 /** What belongs in a figure: not the controls, nor what is there for the pointer. */
 const FIGURE_PARTS = 'canvas, .scene-overlay, .scene-scale > *'
-/** From this width on, in CSS pixels, the reference cube stands beside the element, else below it. */
+/** From this width on, in units, the reference cube stands beside the element, else below it. */
 const BESIDE = 560
 
 const NO_WEBGL =
@@ -87,6 +88,8 @@ class Scene implements SceneView, Stage {
   /** Made when it is first shown. */
   #reference: ReferenceCube | null = null
   #sizeMayDiffer = true
+  /** CSS pixels of one of the scene's own; the sizes below are in these. */
+  #unit = 1
   #canvas = { width: 0, height: 0 }
   /** Of the element's own part, as the camera knows it. */
   #width = 0
@@ -169,6 +172,10 @@ class Scene implements SceneView, Stage {
 
   frame(): ViewFrame {
     return this.#framing.frame
+  }
+
+  placeOf(event: MouseEvent) {
+    return placeIn(this.element, this.#unit, event)
   }
 
   handles(): readonly ScreenPoint[] {
@@ -308,13 +315,15 @@ class Scene implements SceneView, Stage {
     const shownBefore = this.#shown?.state.referenceShown ?? false
     if (!this.#sizeMayDiffer && referenceShown === shownBefore) return false
     this.#sizeMayDiffer = false
-    const split = referenceShown ? (this.root.clientWidth >= BESIDE ? 'beside' : 'below') : 'none'
+    this.#unit = unitOf(this.root)
+    const { clientWidth, clientHeight } = this.root
+    this.#canvas = { width: clientWidth / this.#unit, height: clientHeight / this.#unit }
+    const split = referenceShown ? (this.#canvas.width >= BESIDE ? 'beside' : 'below') : 'none'
     this.root.dataset.split = split
     if (referenceShown) this.#reference ??= this.#createReference()
     if (this.#reference) this.#reference.root.hidden = !referenceShown
-    this.#canvas = { width: this.root.clientWidth, height: this.root.clientHeight }
-    if (referenceShown) this.#reference?.resize()
-    const { offsetWidth: width, offsetHeight: height } = this.#pane
+    if (referenceShown) this.#reference?.resize(this.#unit)
+    const [width, height] = [this.#pane.offsetWidth / this.#unit, this.#pane.offsetHeight / this.#unit]
     if (width === this.#width && height === this.#height) return false
     this.#width = width
     this.#height = height
@@ -368,7 +377,7 @@ class Scene implements SceneView, Stage {
       theme: this.#theme as Theme,
       display: state.faceDisplay,
       regions,
-      pixelRatio: this.#isForFigure ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
+      pixelRatio: this.#unit * (this.#isForFigure ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO)),
     })
     if (painted) this.framesDrawn++
     this.root.dataset.frames = String(this.framesDrawn)
