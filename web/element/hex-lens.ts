@@ -27,10 +27,12 @@ import css from './hex-lens.css?inline'
 import { HexLensError } from './hex-lens-error'
 import { listenForOffers } from './offers'
 import { type Part, parts } from './parts'
+import { Printing } from './printing'
+import printingCss from './printing.css?inline'
 import { historyStep } from './shortcuts'
 import { triedOrders } from './tried-orders'
 
-const styleSheets = [css, said, marks, ...parts.map(part => part.styles)].map(styles => {
+const styleSheets = [css, said, marks, ...parts.map(part => part.styles), printingCss].map(styles => {
   const sheet = new CSSStyleSheet()
   sheet.replaceSync(styles)
   return sheet
@@ -56,6 +58,7 @@ export class HexLens extends HTMLElement {
   /** Parts to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Part[])[] = []
   #frameRequest = 0
+  #printing: Printing | null = null
 
   constructor() {
     super()
@@ -73,6 +76,7 @@ export class HexLens extends HTMLElement {
   }
 
   connectedCallback(): void {
+    this.#printing = new Printing(this, () => this.#drawAtOnce())
     this.#unmade = [parts.filter(part => !part.slow), parts.filter(part => part.slow)]
     if (this.#core === null) void this.#start()
     else this.#schedule()
@@ -81,6 +85,7 @@ export class HexLens extends HTMLElement {
   disconnectedCallback(): void {
     cancelAnimationFrame(this.#frameRequest)
     this.#frameRequest = 0
+    this.#printing?.dispose()
     for (const view of this.#views) {
       view.dispose()
       view.root.remove()
@@ -245,6 +250,11 @@ export class HexLens extends HTMLElement {
     return `jacdet = ${jacdet}, (xi, eta, zeta) = (${probe.point.join(', ')}), (x, y, z) = (${probe.position.join(', ')})`
   }
 
+  #drawAtOnce(): void {
+    cancelAnimationFrame(this.#frameRequest)
+    this.#draw()
+  }
+
   readonly #draw = (): void => {
     this.#frameRequest = 0
     this.#make()
@@ -260,6 +270,7 @@ export class HexLens extends HTMLElement {
       offer: this.#offer,
       morph: this.#morphed(),
       problems: [...this.#problems.values()],
+      isForPaper: this.#printing?.isOn ?? false,
     }
     for (const view of this.#views) {
       try {

@@ -70,6 +70,7 @@ export class ColourBar {
     const id = `scene-ramp-${++bars}`
     this.root.className = 'scene-scale'
     this.#title.type = 'button'
+    this.#title.className = 'on-paper'
     this.#title.addEventListener('click', () => {
       toggleUnits(this.#title.dataset.cube === 'unit' ? 'biunit' : 'unit')
     })

@@ -23,6 +23,7 @@ import { KeyboardInput } from './keyboard-input'
 import { type Layout, layoutOf } from './layout'
 import { LinkedViews } from './linked-views'
 import { Overlay, type OverlayPicture } from './overlay'
+import { PaperCopy } from './paper-copy'
 import { PointerInput } from './pointer-input'
 import { nextCandidate, samePoint } from './probe-candidates'
 import { ProbeInput } from './probe-input'
@@ -65,6 +66,7 @@ class Scene implements SceneView, Stage {
   framesDrawn = 0
 
   readonly #painter: FacePainter | null
+  readonly #paperCopy: PaperCopy | null
   readonly #pane = document.createElement('div')
   readonly #overlay = new Overlay({ letters: ['x', 'y', 'z'], isFixed: false })
   readonly #readout = new Readout()
@@ -123,6 +125,7 @@ class Scene implements SceneView, Stage {
     this.#pointer = new PointerInput(this, () => this.#keyboard.commit())
     this.#probe = new ProbeInput(this)
     this.#listen()
+    this.#paperCopy = this.#painter && new PaperCopy(this.#painter.canvas)
     if (this.#painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
     else host.clear('no-webgl')
   }
@@ -136,14 +139,20 @@ class Scene implements SceneView, Stage {
   }
 
   update(frame: Frame): void {
-    const isResized = this.#resize(frame.state)
+    const { state, isForPaper } = frame
+    const before = this.#shown?.state ?? null
+    const isOtherMedium = isForPaper !== (this.#shown?.isForPaper ?? false)
+    this.#sizeMayDiffer ||= isOtherMedium
+    const isResized = this.#resize(state)
     if (this.#width === 0 || this.#height === 0) return
     this.#readTheme()
-    const before = this.#shown?.state ?? null
-    this.#framing.choose(frame.state, { before, isResized, isDragged: this.#dragged })
-    this.#links.join(frame.state, before)
+    if (isForPaper) this.#framing.putOnPaper(state.vertices)
+    else if (isOtherMedium) this.#framing.leavePaper()
+    else this.#framing.choose(state, { before, isResized, isDragged: this.#dragged })
+    this.#links.join(state, before)
     this.#probe.update()
     this.#draw(frame)
+    this.#paperCopy?.update(isForPaper, this.framesDrawn)
     this.#sayProbe(frame)
     this.#shown = frame
     this.#dragged = this.#pointer.isDragging
@@ -367,7 +376,7 @@ class Scene implements SceneView, Stage {
   }
 
   /** Whether there is another picture now; true where nobody can tell. */
-  #paint({ state, report }: Frame, regions: readonly Region[], scale: ColourScale | null): boolean {
+  #paint({ state, report, isForPaper }: Frame, regions: readonly Region[], scale: ColourScale | null): boolean {
     if (this.#painter === null || this.#contextLost) return true
     const painted = this.#painter.paint({
       ...this.#canvas,
@@ -377,7 +386,9 @@ class Scene implements SceneView, Stage {
       theme: this.#theme as Theme,
       display: state.faceDisplay,
       regions,
-      pixelRatio: this.#unit * (this.#isForFigure ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO)),
+      pixelRatio:
+        this.#unit *
+        (this.#isForFigure || isForPaper ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO)),
     })
     if (painted) this.framesDrawn++
     this.root.dataset.frames = String(this.framesDrawn)

@@ -1,9 +1,16 @@
 /** A camera and the hands and keys that turn it. */
+
+import type { Vector3 } from 'three'
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
 import type { Vec3 } from '../../model/hexahedron'
 import { DEFAULT_DIRECTION, SceneCamera } from './camera'
 
 const ORBIT_STEP = Math.PI / 12
+
+export interface Pose {
+  readonly position: Vector3
+  readonly target: Vector3
+}
 
 export class Viewpoint {
   readonly camera = new SceneCamera()
@@ -32,6 +39,17 @@ export class Viewpoint {
     const { position } = this.camera.three
     const distance = position.distanceTo(target)
     position.set(x, y, z).multiplyScalar(distance).add(target)
+    this.#orbit.update()
+  }
+
+  /** Where the camera is and what it turns about, to come back to. */
+  get pose(): Pose {
+    return { position: this.camera.three.position.clone(), target: this.#orbit.target.clone() }
+  }
+
+  set pose({ position, target }: Pose) {
+    this.camera.three.position.copy(position)
+    this.#orbit.target.copy(target)
     this.#orbit.update()
   }
 
