@@ -9,10 +9,10 @@ const HELP: readonly (readonly [string, string])[] = [
   ['Page Up, Page Down', 'move it along the third axis'],
   ['Shift, Alt', 'with these keys: ten times as far, a tenth'],
   ['Point at a face', 'or tap it, to read the Jacobian there'],
-  ['P, C', 'point at the minimizer, then at each candidate; copy the point with all digits'],
+  ['P', 'goes through the candidates; C copies the point'],
   ['Escape', 'takes back the move while a key or the pointer is held, else the point'],
   ['A, D, W, S', 'turn the view; plus and minus zoom, F fits, Home resets it'],
-  ['T', 'makes faces see-through; comma and full stop show one face at a time'],
+  ['T', 'makes faces see-through; comma and dot show one'],
   ['R, ?', 'show and hide the reference cube, this help'],
 ]
 
