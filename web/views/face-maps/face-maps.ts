@@ -31,7 +31,7 @@ const MOST_PIXEL_RATIO = 3
 const GESTURE_SIZE = 80
 
 const KEYS = 'Arrow keys move the point looked at over this face, Escape takes it away, Enter shows the face’s quartic.'
-const HINT = 'Point at a map to read jacdet there, or move over it with the arrow keys.'
+const HINT = 'Point at a map to read jacdet there, or use the arrow keys.'
 
 class FaceMapsView implements View {
   readonly root = document.createElement('div')
