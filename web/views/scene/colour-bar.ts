@@ -10,6 +10,7 @@ import {
   type Ramp,
   rampColour,
   rampPosition,
+  rampValue,
 } from '../colour-map'
 import { px, set, setText, show, svg } from '../svg'
 import { TEXT_SIZE } from './unit'
@@ -26,6 +27,8 @@ export interface ColourBarPicture {
 }
 
 const THICKNESS = 14
+/** Thickness of what can be pointed at. */
+const LEAST_TARGET = 28
 const LABEL_HEIGHT = 15
 const LABEL_GAP = 10
 const CHARACTER_WIDTH = 7.4
@@ -61,12 +64,15 @@ export class ColourBar {
     zero: createTick('zero'),
     minimum: createTick('minimum'),
   }
+  /** What the pointer hits: the bar, and as much around it as a finger needs. */
+  readonly #target = svg('rect', { class: 'target' })
   readonly #probe = svg('g', { class: 'probe' }, svg('path', { class: 'halo' }), svg('path', { class: 'line' }))
   #ramp: Ramp | null = null
+  #shown: ColourBarPicture | null = null
   #layout = ''
 
-  /** `toggleUnits` is told which reference cube the reader asked for. */
-  constructor(toggleUnits: (referenceCube: ReferenceCube) => void) {
+  /** `toggleUnits` is told which reference cube the reader asked for, `look` which value is pointed at, or null. */
+  constructor(toggleUnits: (referenceCube: ReferenceCube) => void, look: (value: number | null) => void) {
     const id = `scene-ramp-${++bars}`
     this.root.className = 'scene-scale'
     this.#title.type = 'button'
@@ -83,19 +89,21 @@ export class ColourBar {
       this.#hatch,
     )
     for (const { line, label } of Object.values(this.#ticks)) this.#svg.append(line, label)
-    this.#svg.append(this.#probe)
+    this.#svg.append(this.#probe, this.#target)
+    this.#listen(look)
     this.root.append(this.#title, this.#svg)
   }
 
-  update({ state, report, probe, scale, ramp, upright, length }: ColourBarPicture): void {
+  update(picture: ColourBarPicture): void {
+    const { state, report, probe, scale, ramp, upright, length } = picture
+    this.#shown = picture
     // A collapsed element has no colours to explain.
     const hasColours = report !== null && (report.boundaryMinimum !== 0 || report.boundaryMaximum !== 0)
     this.root.hidden = !hasColours
     if (!hasColours || scale === null) return
     this.#updateTitle(state.referenceCube)
     const { boundaryMinimum: minimum, boundaryMaximum: maximum, exponent } = report
-    const bottom = minimum < 0 ? -1 : 0
-    const top = maximum > 0 || bottom === 0 ? 1 : 0
+    const [bottom, top] = endsOf(report)
     const fromTop = (value: number) => ((top - rampPosition(scale, value)) / (top - bottom)) * length
     this.#updateRamp(ramp, top, bottom, fromTop(0), upright, length)
     const format = (value: number) => formatJacdet(value, exponent, state.referenceCube)
@@ -105,6 +113,25 @@ export class ColourBar {
     set(this.#svg, {
       'aria-label': `Colours of jacdet: maximum ${format(maximum)}, zero, minimum ${format(minimum)}`,
     })
+  }
+
+  #listen(look: (value: number | null) => void): void {
+    const target = this.#target
+    const point = (event: PointerEvent) => look(this.#valueAt(event))
+    target.addEventListener('pointermove', point)
+    target.addEventListener('pointerdown', point)
+    target.addEventListener('pointerleave', event => {
+      if (event.pointerType !== 'touch') look(null)
+    })
+  }
+
+  #valueAt({ clientX, clientY }: PointerEvent): number | null {
+    const { report, scale, upright } = this.#shown ?? {}
+    if (!report || !scale) return null
+    const { left, top: upper, width, height } = this.#bar.getBoundingClientRect()
+    const fromTop = upright ? (clientY - upper) / height : 1 - (clientX - left) / width
+    const [bottom, top] = endsOf(report)
+    return rampValue(scale, top - Math.max(0, Math.min(1, fromTop)) * (top - bottom))
   }
 
   #updateTitle(cube: ReferenceCube): void {
@@ -129,6 +156,14 @@ export class ColourBar {
       height: inText(box.height),
     })
     set(this.#bar, { width, height })
+    const room = (LEAST_TARGET - THICKNESS) / 2
+    const [across, along] = upright ? ['x', 'y'] : ['y', 'x']
+    set(this.#target, {
+      [across]: -room,
+      [along]: 0,
+      width: upright ? LEAST_TARGET : width,
+      height: upright ? height : LEAST_TARGET,
+    })
     set(this.#gradient, upright ? { x1: 0, x2: 0, y1: 0, y2: 1 } : { x1: 1, x2: 0, y1: 0, y2: 0 })
     const steps = (top - bottom) * RAMP_STEPS
     this.#gradient.replaceChildren(
@@ -184,6 +219,12 @@ export class ColourBar {
       }
     }
   }
+}
+
+/** The ramp positions that the bar goes between: of signs that the element has. */
+function endsOf({ boundaryMinimum, boundaryMaximum }: Report): readonly [number, number] {
+  const bottom = boundaryMinimum < 0 ? -1 : 0
+  return [bottom, boundaryMaximum > 0 || bottom === 0 ? 1 : 0]
 }
 
 /** A length that grows with the text beside it. */

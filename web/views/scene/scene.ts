@@ -5,6 +5,7 @@
  * Dragged coordinates are rounded to the power of ten at or below one pixel's length. Keys: see help.ts; the digit on a
  * handle chooses that handle.
  */
+import { pointOfValue } from '../../core/point-of-value'
 import type { Candidate } from '../../core/report'
 import type { Vec3 } from '../../model/hexahedron'
 import type { State } from '../../model/state'
@@ -109,7 +110,10 @@ class Scene implements SceneView, Stage {
   constructor(host: ViewHost) {
     this.host = host
     this.#painter = createFacePainter({ lost: () => this.#onContext(true), restored: () => this.#onContext(false) })
-    this.#colourBar = new ColourBar(referenceCube => host.dispatch({ type: 'show-reference-cube', referenceCube }))
+    this.#colourBar = new ColourBar(
+      referenceCube => host.dispatch({ type: 'show-reference-cube', referenceCube }),
+      value => this.#lookAtValue(value),
+    )
     this.#controls = new Controls({
       fit: () => this.fit(false),
       toggleHelp: () => this.toggleHelp(),
@@ -210,6 +214,14 @@ class Scene implements SceneView, Stage {
     this.#reference?.letGo()
     this.#toSay = next
     this.host.dispatch({ type: 'probe', point: next.point })
+  }
+
+  #lookAtValue(value: number | null): void {
+    const report = this.#shown?.report
+    if (!report) return
+    this.#probe.letGo()
+    this.#reference?.letGo()
+    this.host.dispatch({ type: 'probe', point: value === null ? null : pointOfValue(report, value) })
   }
 
   toggleReference(): void {
