@@ -90,6 +90,15 @@ test('what is pointed at is marked, with its numbers and columns, and WebGL draw
   }
   await expect(page.locator('hex-lens .scene-scale .probe')).toBeVisible()
 
+  const bar = await middleOf(page.locator('hex-lens .scene-scale .target'))
+  await page.mouse.move(bar.x, bar.y)
+  await lens.nextFrame()
+  expect(await expectTrueReadout(lens)).not.toEqual(first)
+  const mark = await page.locator('hex-lens .scene-scale .probe .line').boundingBox()
+  expect(Math.abs((mark?.y ?? 0) + (mark?.height ?? 0) / 2 - bar.y)).toBeLessThan(2)
+  await page.mouse.move(x, y)
+  await lens.nextFrame()
+
   await page.mouse.move(x + 30, y + 10)
   await lens.nextFrame()
   expect(await expectTrueReadout(lens)).not.toEqual(first)

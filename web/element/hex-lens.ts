@@ -30,11 +30,13 @@ import css from './hex-lens.css?inline'
 import { HexLensError } from './hex-lens-error'
 import { listenForOffers } from './offers'
 import { type Part, parts } from './parts'
+import { Printing } from './printing'
+import printingCss from './printing.css?inline'
 import { historyStep } from './shortcuts'
 import { triedOrders } from './tried-orders'
 import { Turns } from './turns'
 
-const styleSheets = [css, said, marks, ...parts.map(part => part.styles)].map(styles => {
+const styleSheets = [css, said, marks, ...parts.map(part => part.styles), printingCss].map(styles => {
   const sheet = new CSSStyleSheet()
   sheet.replaceSync(styles)
   return sheet
@@ -48,7 +50,7 @@ const GESTURE_SURFACE_CELLS = 8
 const PATIENCE_MS = 150
 
 export class HexLens extends HTMLElement {
-  readonly #places: Readonly<Record<'head' | 'stage' | 'panel', HTMLElement>>
+  readonly #places: Readonly<Record<Part['place'], HTMLElement>>
   readonly #problems = new Map<Problem['code'], Problem>()
   #store: Store = createStore(presetVertices(presets[0]), presets[0].id)
   #committed: Vertices = this.#store.state.vertices
@@ -70,14 +72,17 @@ export class HexLens extends HTMLElement {
   /** Whether there is more to draw than what waits for its turn. */
   #isNews = false
   #turns = new Turns()
+  #printing: Printing | null = null
 
   constructor() {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
     shadow.adoptedStyleSheets = styleSheets
-    this.#places = { head: place('head'), stage: place('stage'), panel: place('panel') }
-    const lens = place('lens')
-    lens.append(this.#places.head, this.#places.stage, this.#places.panel)
+    this.#places = { head: place('head'), stage: place('stage'), panel: place('panel'), folds: place('folds') }
+    const { head, stage, panel, folds } = this.#places
+    const [lens, side] = [place('lens'), place('side')]
+    side.append(panel, folds)
+    lens.append(head, stage, side)
     shadow.append(lens)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
     new Copying(lens, () => this.#pointInFull())
@@ -85,6 +90,7 @@ export class HexLens extends HTMLElement {
   }
 
   connectedCallback(): void {
+    this.#printing = new Printing(this, () => this.#drawAtOnce())
     this.#unmade = [parts.filter(part => !part.slow), parts.filter(part => part.slow)]
     if (this.#core === null) void this.#start()
     else this.#schedule()
@@ -94,6 +100,7 @@ export class HexLens extends HTMLElement {
     this.#cameras = this.#camerasNow
     cancelAnimationFrame(this.#frameRequest)
     this.#frameRequest = 0
+    this.#printing?.dispose()
     for (const view of this.#views) {
       view.dispose()
       view.root.remove()
@@ -297,6 +304,12 @@ export class HexLens extends HTMLElement {
     return `jacdet = ${jacdet}, (xi, eta, zeta) = (${probe.point.join(', ')}), (x, y, z) = (${probe.position.join(', ')})`
   }
 
+  #drawAtOnce(): void {
+    cancelAnimationFrame(this.#frameRequest)
+    this.#isNews = true
+    this.#draw()
+  }
+
   readonly #draw = (): void => {
     this.#frameRequest = 0
     const isNews = this.#isNews
@@ -316,6 +329,7 @@ export class HexLens extends HTMLElement {
       morph: this.#morphed(),
       zeroSurface: this.#surfaced(report),
       problems: [...this.#problems.values()],
+      isForPaper: this.#printing?.isOn ?? false,
     }
     for (const view of this.#turns.due(this.#views, isNews, frame.state.gestureStart !== null)) {
       try {

@@ -11,7 +11,8 @@ import type { CreateView } from '../views/view'
 import { panel } from './panel'
 
 export interface Part {
-  readonly place: 'head' | 'stage' | 'panel'
+  /** `folds` are what is closed at first; they follow the panel, or stand beside it where there is room. */
+  readonly place: 'head' | 'stage' | 'panel' | 'folds'
   readonly create: CreateView
   readonly styles: string
   /** Slow to make, a WebGL context for one: it comes a frame after the numbers. */
@@ -26,37 +27,37 @@ export const parts: readonly Part[] = [
   { place: 'panel', create: createChecks, styles: checksStyles },
   { place: 'panel', create: createVertices, styles: verticesStyles },
   {
-    place: 'panel',
+    place: 'folds',
     create: panel('face-maps', 'Face maps', () => import('../views/face-maps/face-maps')),
     styles: '',
   },
   {
-    place: 'panel',
+    place: 'folds',
     create: panel('algorithm', 'Algorithm 1, step by step', () => import('../views/algorithm/algorithm')),
     styles: '',
   },
   {
-    place: 'panel',
+    place: 'folds',
     create: panel('inside', 'Inside', () => import('../views/inside-panel/inside-panel')),
     styles: '',
   },
   {
-    place: 'panel',
+    place: 'folds',
     create: panel('node-order', 'Node order', () => import('../views/node-order/node-order')),
     styles: '',
   },
   {
-    place: 'panel',
+    place: 'folds',
     create: panel('morph', 'Morph', () => import('../views/morph/morph')),
     styles: '',
   },
   {
-    place: 'panel',
+    place: 'folds',
     create: panel('paste', 'Paste or drop', () => import('../views/paste/paste')),
     styles: '',
   },
   {
-    place: 'panel',
+    place: 'folds',
     create: panel('take-away', 'Take away', () => import('../views/take-away/take-away')),
     styles: '',
   },

@@ -28,6 +28,7 @@ export class ThemeReader {
 
   /** The same object as before while no colour may have changed. */
   read(): Theme {
+    if (this.#attributes.takeRecords().length > 0) this.#theme = null
     this.#theme ??= this.#compute()
     return this.#theme
   }

@@ -101,14 +101,14 @@ class AlgorithmView implements View {
     return html`<p class="choices">
       <label>
         <span>Find</span>
-        <select @change=${(event: Event) => this.#choose({ query: chosen(event) as Query })}>
+        <select class="on-paper" @change=${(event: Event) => this.#choose({ query: chosen(event) as Query })}>
           <option value="minimum" ?selected=${query === 'minimum'}>the minimum</option>
           <option value="validity" ?selected=${query === 'validity'}>only whether it is valid</option>
         </select>
       </label>
       <label>
         <span>by</span>
-        <select @change=${(event: Event) => this.#choose({ variant: chosen(event) as Variant })}>
+        <select class="on-paper" @change=${(event: Event) => this.#choose({ variant: chosen(event) as Variant })}>
           <option value="roots-b" ?selected=${variant === 'roots-b'}>Roots+B</option>
           <option value="roots" ?selected=${variant === 'roots'}>Roots</option>
         </select>
@@ -128,7 +128,7 @@ class AlgorithmView implements View {
     return html`<li>
       <button
         type="button"
-        class="row"
+        class="row on-paper"
         tabindex=${isCurrent ? 0 : -1}
         aria-current=${isCurrent ? 'step' : nothing}
         @click=${() => this.#go(i)}

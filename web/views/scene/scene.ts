@@ -5,6 +5,7 @@
  * Dragged coordinates are rounded to the power of ten at or below one pixel's length. Keys: see help.ts; the digit on a
  * handle chooses that handle.
  */
+import { pointOfValue } from '../../core/point-of-value'
 import type { Candidate } from '../../core/report'
 import type { Vec3 } from '../../model/hexahedron'
 import type { Cameras, CameraView, State } from '../../model/state'
@@ -24,6 +25,7 @@ import { KeyboardInput } from './keyboard-input'
 import { type Layout, layoutOf } from './layout'
 import { LinkedViews } from './linked-views'
 import { Overlay, type OverlayPicture } from './overlay'
+import { PaperCopy } from './paper-copy'
 import { PointerInput } from './pointer-input'
 import { nextCandidate, samePoint } from './probe-candidates'
 import { ProbeInput } from './probe-input'
@@ -31,6 +33,7 @@ import { Readout, spokenProbe } from './readout'
 import { ReferenceCube } from './reference-cube'
 import css from './scene.css?inline'
 import type { Stage } from './stage'
+import { placeIn, unitOf } from './unit'
 import type { DragKeys } from './vertex-drag'
 import { type ViewFrame, verticesInView } from './view-frame'
 import { Viewpoint } from './viewpoint'
@@ -43,7 +46,7 @@ const MOST_PIXEL_RATIO = 2
 const FIGURE_PIXEL_RATIO = 3
 /** What belongs in a figure: not the controls, nor what is there for the pointer. */
 const FIGURE_PARTS = 'canvas, .scene-overlay, .scene-scale > *'
-/** From this width on, in CSS pixels, the reference cube stands beside the element, else below it. */
+/** From this width on, in units, the reference cube stands beside the element, else below it. */
 const BESIDE = 560
 
 const NO_WEBGL =
@@ -65,6 +68,7 @@ class Scene implements SceneView, Stage {
   framesDrawn = 0
 
   readonly #painter: FacePainter | null
+  readonly #paperCopy: PaperCopy | null
   readonly #pane = document.createElement('div')
   readonly #overlay = new Overlay({ letters: ['x', 'y', 'z'], isFixed: false })
   readonly #readout = new Readout()
@@ -88,6 +92,8 @@ class Scene implements SceneView, Stage {
   /** Made when it is first shown. */
   #reference: ReferenceCube | null = null
   #sizeMayDiffer = true
+  /** CSS pixels of one of the scene's own; the sizes below are in these. */
+  #unit = 1
   #canvas = { width: 0, height: 0 }
   /** Of the element's own part, as the camera knows it. */
   #width = 0
@@ -107,7 +113,10 @@ class Scene implements SceneView, Stage {
   constructor(host: ViewHost) {
     this.host = host
     this.#painter = createFacePainter({ lost: () => this.#onContext(true), restored: () => this.#onContext(false) })
-    this.#colourBar = new ColourBar(referenceCube => host.dispatch({ type: 'show-reference-cube', referenceCube }))
+    this.#colourBar = new ColourBar(
+      referenceCube => host.dispatch({ type: 'show-reference-cube', referenceCube }),
+      value => this.#lookAtValue(value),
+    )
     this.#controls = new Controls({
       fit: () => this.fit(false),
       toggleHelp: () => this.toggleHelp(),
@@ -123,6 +132,7 @@ class Scene implements SceneView, Stage {
     this.#pointer = new PointerInput(this, () => this.#keyboard.commit())
     this.#probe = new ProbeInput(this)
     this.#listen()
+    this.#paperCopy = this.#painter && new PaperCopy(this.#painter.canvas)
     if (this.#painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
     else host.clear('no-webgl')
   }
@@ -136,15 +146,21 @@ class Scene implements SceneView, Stage {
   }
 
   update(frame: Frame): void {
-    const resized = this.#resize(frame.state)
+    const { state, isForPaper } = frame
+    const before = this.#shown?.state ?? null
+    const isOtherMedium = isForPaper !== (this.#shown?.isForPaper ?? false)
+    this.#sizeMayDiffer ||= isOtherMedium
+    const resized = this.#resize(state)
     if (this.#width === 0 || this.#height === 0) return
     this.#readTheme()
-    const before = this.#shown?.state ?? null
-    this.#framing.choose(frame.state, { before, resized, isDragged: this.#dragged })
+    if (isForPaper) this.#framing.putOnPaper(state.vertices)
+    else if (isOtherMedium) this.#framing.leavePaper()
+    else this.#framing.choose(state, { before, resized, isDragged: this.#dragged })
     this.#look(frame)
-    this.#links.join(frame.state, before)
+    this.#links.join(state, before)
     this.#probe.update()
     this.#draw(frame)
+    this.#paperCopy?.update(isForPaper, this.framesDrawn)
     this.#sayProbe(frame)
     this.#shown = frame
     this.#dragged = this.#pointer.isDragging
@@ -183,6 +199,10 @@ class Scene implements SceneView, Stage {
     return this.#framing.frame
   }
 
+  placeOf(event: MouseEvent) {
+    return placeIn(this.element, this.#unit, event)
+  }
+
   handles(): readonly ScreenPoint[] {
     return this.#handles
   }
@@ -206,6 +226,14 @@ class Scene implements SceneView, Stage {
     this.#reference?.letGo()
     this.#toSay = next
     this.host.dispatch({ type: 'probe', point: next.point })
+  }
+
+  #lookAtValue(value: number | null): void {
+    const report = this.#shown?.report
+    if (!report) return
+    this.#probe.letGo()
+    this.#reference?.letGo()
+    this.host.dispatch({ type: 'probe', point: value === null ? null : pointOfValue(report, value) })
   }
 
   toggleReference(): void {
@@ -321,13 +349,15 @@ class Scene implements SceneView, Stage {
     const shownBefore = this.#shown?.state.referenceShown ?? false
     if (!this.#sizeMayDiffer && referenceShown === shownBefore) return null
     this.#sizeMayDiffer = false
-    const split = referenceShown ? (this.root.clientWidth >= BESIDE ? 'beside' : 'below') : 'none'
+    this.#unit = unitOf(this.root)
+    const { clientWidth, clientHeight } = this.root
+    this.#canvas = { width: clientWidth / this.#unit, height: clientHeight / this.#unit }
+    const split = referenceShown ? (this.#canvas.width >= BESIDE ? 'beside' : 'below') : 'none'
     this.root.dataset.split = split
     if (referenceShown) this.#reference ??= this.#createReference()
     if (this.#reference) this.#reference.root.hidden = !referenceShown
-    this.#canvas = { width: this.root.clientWidth, height: this.root.clientHeight }
-    if (referenceShown) this.#reference?.resize()
-    const { offsetWidth: width, offsetHeight: height } = this.#pane
+    if (referenceShown) this.#reference?.resize(this.#unit)
+    const [width, height] = [this.#pane.offsetWidth / this.#unit, this.#pane.offsetHeight / this.#unit]
     if (width === this.#width && height === this.#height) return null
     const camera = this.#shown && this.#framing.seen(this.#shown.state.vertices)
     this.#width = width
@@ -382,7 +412,11 @@ class Scene implements SceneView, Stage {
   }
 
   /** Whether there is another picture now; true where nobody can tell. */
-  #paint({ state, report, zeroSurface }: Frame, regions: readonly Region[], scale: ColourScale | null): boolean {
+  #paint(
+    { state, report, zeroSurface, isForPaper }: Frame,
+    regions: readonly Region[],
+    scale: ColourScale | null,
+  ): boolean {
     if (this.#painter === null || this.#contextLost) return true
     const painted = this.#painter.paint({
       ...this.#canvas,
@@ -394,7 +428,9 @@ class Scene implements SceneView, Stage {
       section: state.section,
       zeroSurface,
       regions,
-      pixelRatio: this.#isForFigure ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
+      pixelRatio:
+        this.#unit *
+        (this.#isForFigure || isForPaper ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO)),
     })
     if (painted) this.framesDrawn++
     this.root.dataset.frames = String(this.framesDrawn)
