@@ -39,6 +39,7 @@ test('on paper: black on white, what is open at its full length, nothing to pres
 
   await page.setViewportSize({ width: 688, height: 900 })
   await page.emulateMedia({ media: 'print' })
+  await expect(page.locator('hex-lens canvas.for-paper')).toBeAttached()
   const seen = await lens.element.evaluate(element => {
     const { color, backgroundColor } = getComputedStyle(element)
     const copy = element.shadowRoot?.querySelector<HTMLCanvasElement>('canvas.for-paper') as HTMLCanvasElement
