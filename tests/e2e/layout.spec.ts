@@ -1,5 +1,5 @@
-import type { Locator, Page } from '@playwright/test'
-import { expect, test } from './lens'
+import type { Locator } from '@playwright/test'
+import { expect, expectLargeTargets, sidewaysOverflow, test } from './lens'
 
 async function boxOf(locator: Locator) {
   const box = await locator.boundingBox()
@@ -7,47 +7,42 @@ async function boxOf(locator: Locator) {
   return box
 }
 
-const overflow = (page: Page) =>
-  page.evaluate(() => {
-    const { scrollWidth, clientWidth, scrollHeight, clientHeight } = document.documentElement
-    return { sideways: scrollWidth - clientWidth, down: scrollHeight - clientHeight }
-  })
-
-test('on a desktop the picture is largest, the verdict beside it, and the page does not scroll', async ({
-  lens,
-  page,
-}) => {
+test('the picture is largest, the verdict in view, and nothing scrolls sideways', async ({ lens, page }) => {
   await page.setViewportSize({ width: 1440, height: 900 })
   await lens.open()
-  const scene = await boxOf(lens.scene)
-  const verdict = await boxOf(lens.verdict)
-  expect(scene.width).toBeGreaterThan(900)
-  expect(scene.height).toBeGreaterThan(800)
-  expect(verdict.x).toBeGreaterThanOrEqual(scene.x + scene.width)
-  expect(await overflow(page)).toEqual({ sideways: 0, down: 0 })
-})
 
-for (const width of [360, 390, 768]) {
-  test(`at ${width} pixels the picture comes first, the verdict under it, the rest below`, async ({ lens, page }) => {
-    await page.setViewportSize({ width, height: 844 })
-    await lens.open()
+  await test.step('on a desktop the verdict is beside the picture, and the page does not scroll', async () => {
     const scene = await boxOf(lens.scene)
     const verdict = await boxOf(lens.verdict)
-    const vertices = await boxOf(page.getByRole('group', { name: 'Vertices' }))
-    expect(verdict.y).toBeGreaterThanOrEqual(scene.y + scene.height)
-    expect(verdict.y).toBeLessThan(844)
-    expect(vertices.y).toBeGreaterThanOrEqual(verdict.y + verdict.height)
-    expect((await overflow(page)).sideways).toBe(0)
-    await expect(lens.preset).toBeInViewport({ ratio: 1 })
-    await expect(lens.button('Copy link')).toBeInViewport({ ratio: 1 })
+    expect(scene.width).toBeGreaterThan(900)
+    expect(scene.height).toBeGreaterThan(800)
+    expect(verdict.x).toBeGreaterThanOrEqual(scene.x + scene.width)
+    expect(await sidewaysOverflow(page)).toBe(0)
+    const down = await page.evaluate(() => {
+      const { scrollHeight, clientHeight } = document.documentElement
+      return scrollHeight - clientHeight
+    })
+    expect(down).toBe(0)
   })
-}
 
-test('everything to press is at least 24 pixels each way', async ({ lens, page }) => {
-  await lens.open()
-  for (const target of await page.locator('hex-lens').locator('button, input, select').all()) {
-    if (!(await target.isVisible())) continue
-    const box = await boxOf(target)
-    expect(Math.min(box.width, box.height), await target.innerText()).toBeGreaterThanOrEqual(24)
-  }
+  for (const width of [360, 390, 768])
+    await test.step(`at ${width} pixels the picture comes first, the verdict under it, the rest below`, async () => {
+      await page.setViewportSize({ width, height: 844 })
+      await lens.nextFrame()
+      const scene = await boxOf(lens.scene)
+      const verdict = await boxOf(lens.verdict)
+      const vertices = await boxOf(page.getByRole('group', { name: 'Vertices' }))
+      expect(verdict.y).toBeGreaterThanOrEqual(scene.y + scene.height)
+      expect(verdict.y).toBeLessThan(844)
+      expect(vertices.y).toBeGreaterThanOrEqual(verdict.y + verdict.height)
+      expect(await sidewaysOverflow(page)).toBe(0)
+      await expect(lens.preset).toBeInViewport({ ratio: 1 })
+      await expect(lens.button('Copy link')).toBeInViewport({ ratio: 1 })
+    })
+
+  await test.step('everything to press is at least 24 pixels each way', async () => {
+    await page.setViewportSize({ width: 960, height: 640 })
+    await lens.nextFrame()
+    await expectLargeTargets(lens.element.locator('button, input, select'))
+  })
 })

@@ -220,14 +220,14 @@ class AlgorithmView implements View {
     this.#go(to)
   }
 
-  /** In the list, which scrolls by itself and never the page; the focus goes along if it is there. */
+  /** In the list, which scrolls by itself; the focus goes along if it is there, and only then the page. */
   #showCurrent(): void {
     const list = this.root.querySelector('ol') as HTMLOListElement
     const row = list.children[this.#at] as HTMLElement
     const [top, bottom] = [row.offsetTop, row.offsetTop + row.offsetHeight]
     if (top < list.scrollTop) list.scrollTop = top
     else if (bottom > list.scrollTop + list.clientHeight) list.scrollTop = bottom - list.clientHeight
-    if (list.querySelector(':focus')) row.querySelector('button')?.focus({ preventScroll: true })
+    if (list.querySelector(':focus')) row.querySelector('button')?.focus()
   }
 }
 
