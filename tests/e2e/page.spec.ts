@@ -51,7 +51,7 @@ test('the element among others, heard by people and by the page, taken out and p
     await expect(page.getByRole('status', { name: 'Verdict' })).toHaveText([/^INVALID/, /^VALID/])
     const second = page.locator('hex-lens').nth(1)
     await second.getByRole('spinbutton', { name: 'Vertex 6 z' }).fill('-3')
-    await expect(second.getByRole('status')).toHaveText(/^INVALID/)
+    await expect(second.getByRole('status', { name: 'Verdict' })).toHaveText(/^INVALID/)
     await expect(page.locator('hex-lens').first().getByRole('button', { name: 'Undo' })).toBeDisabled()
     await second.evaluate(element => element.remove())
   })

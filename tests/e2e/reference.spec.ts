@@ -81,7 +81,7 @@ test('what is pointed at, by keyboard or pointer, is marked with its numbers', a
       >
       return { minimizer, count: new Set(candidates.map(({ point }) => point.join())).size }
     })
-    const said = page.locator('hex-lens .scene-said')
+    const said = page.locator('hex-lens .scene-pane > .said')
     await lens.scene.focus()
     await page.keyboard.press('p')
     await expect(said).toHaveText(/^Minimum, edge 4-7: jacdet -0\.01065\d*\. xi 0, eta 0\.5909\d*, zeta 1\. x /)

@@ -17,6 +17,9 @@ const places = (lens: Lens) =>
     return boxes.flatMap(({ x, y }) => [x, y]).sort((a, b) => a - b)
   })
 
+// Wide enough for the panels to scroll by themselves.
+test.use({ viewport: { width: 960, height: 640 } })
+
 test('a reload, and Back after another preset, return to the same place', async ({ lens, page }) => {
   await lens.open()
   await lens.field(6, 'z').fill('0.3000000000000000444')
