@@ -2,7 +2,7 @@
 import { presets, presetVertices } from '../content/presets'
 import '../element/hex-lens'
 import { onPaste } from '../element/offers'
-import { historyStep } from '../element/shortcuts'
+import { asksForHelp, historyStep } from '../element/shortcuts'
 import { decodePermalink } from '../model/permalink'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
@@ -31,12 +31,13 @@ lens.addEventListener('hex-change', () => {
   preset = lens.preset
 })
 
-// With the focus nowhere, undo, redo and paste can only mean the element.
+// With the focus nowhere, undo, redo, help and paste can only mean the element.
 addEventListener('keydown', event => {
-  const step = event.target === document.body ? historyStep(event) : null
-  if (step === null) return
+  if (event.target !== document.body) return
+  const method = asksForHelp(event) ? 'toggleHelp' : historyStep(event)
+  if (method === null) return
   event.preventDefault()
-  lens[step]()
+  lens[method]()
 })
 addEventListener('paste', event => {
   if (event.target === document.body) onPaste(event, offer => lens.offer(offer))

@@ -46,6 +46,8 @@ export interface State {
   /** Ends of a way between two elements, where they were kept: else it goes from `start` to `vertices`. */
   readonly morphA: Vertices | null
   readonly morphB: Vertices | null
+  /** Whether the sheet of keys is on the screen. */
+  readonly helpShown: boolean
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
@@ -74,6 +76,7 @@ export type Action =
   | { readonly type: 'show-reference'; readonly referenceShown: boolean }
   | { readonly type: 'link-cameras'; readonly camerasLinked: boolean }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
+  | { readonly type: 'show-help'; readonly helpShown: boolean }
   | { readonly type: 'select-face'; readonly face: number }
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
   /** Looked at until the vertices change. */

@@ -58,6 +58,7 @@ const SHOWN_FIRST: Shown = {
   previewedOrder: null,
   morphA: null,
   morphB: null,
+  helpShown: false,
 }
 
 const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
@@ -193,6 +194,9 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
         break
       case 'link-cameras':
         shown = { ...shown, camerasLinked: action.camerasLinked }
+        break
+      case 'show-help':
+        shown = { ...shown, helpShown: action.helpShown }
         break
       case 'probe':
         if (action.point) checkInCube(action.point)
