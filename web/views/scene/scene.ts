@@ -105,7 +105,7 @@ class Scene implements SceneView, Stage {
     )
     this.#controls = new Controls({
       fit: () => this.fit(false),
-      toggleHelp: () => this.toggleHelp(),
+      toggleHelp: () => host.dispatch({ type: 'show-help', helpShown: !host.state().helpShown }),
       toggleReference: () => this.toggleReference(),
       orbit: (right, up) => this.orbit(right, up),
       zoom: factor => this.zoom(factor),
@@ -241,10 +241,6 @@ class Scene implements SceneView, Stage {
     this.#viewpoint.zoom(factor)
   }
 
-  toggleHelp(): void {
-    this.host.dispatch({ type: 'show-help', helpShown: !this.host.state().helpShown })
-  }
-
   #build(): void {
     this.root.className = 'scene'
     this.element.className = 'scene-stage'
@@ -255,7 +251,7 @@ class Scene implements SceneView, Stage {
     this.element.setAttribute('aria-describedby', this.#help.root.id)
     this.#overlay.root.append(this.#readout.root)
     this.element.append(this.#overlay.root)
-    this.#said.className = 'said'
+    this.#said.className = 'scene-said said'
     this.#said.setAttribute('aria-live', 'polite')
     this.#pane.className = 'scene-pane'
     this.#pane.append(this.element, this.#colourBar.root, this.#help.root, this.#controls.root, this.#said)
