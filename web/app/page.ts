@@ -2,7 +2,7 @@
 import { presets, presetVertices } from '../content/presets'
 import '../element/hex-lens'
 import { onPaste } from '../element/offers'
-import { asksForHelp, historyStep } from '../element/shortcuts'
+import { historyStep } from '../element/shortcuts'
 import { decodePermalink } from '../model/permalink'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
@@ -31,13 +31,12 @@ lens.addEventListener('hex-change', () => {
   preset = lens.preset
 })
 
-// With the focus nowhere, undo, redo, help and paste can only mean the element.
+// With the focus nowhere, undo, redo and paste can only mean the element. (A lone character must not mean anything there: WCAG 2.1.4.)
 addEventListener('keydown', event => {
-  if (event.target !== document.body) return
-  const method = asksForHelp(event) ? 'toggleHelp' : historyStep(event)
-  if (method === null) return
+  const step = event.target === document.body ? historyStep(event) : null
+  if (step === null) return
   event.preventDefault()
-  lens[method]()
+  lens[step]()
 })
 addEventListener('paste', event => {
   if (event.target === document.body) onPaste(event, offer => lens.offer(offer))

@@ -6,7 +6,7 @@
  * `preset`    the id of the preset that the element started from, or null
  * `report`    what the core knows about exactly these vertices; null while there is no core
  * `permalink` the address that opens this element again, bit for bit
- * methods     undo, redo, toggleHelp; offer, for a text or a file with eight points in it;
+ * methods     undo, redo; offer, for a text or a file with eight points in it;
  *             raise and clear for what the page around it has to say about a problem
  * events      hex-input (live), hex-change (committed), hex-verdict (valid changed), hex-error (a problem was raised)
  */
@@ -133,10 +133,6 @@ export class HexLens extends HTMLElement {
 
   redo(): void {
     this.#dispatch({ type: 'redo' })
-  }
-
-  toggleHelp(): void {
-    this.#dispatch({ type: 'show-help', helpShown: !this.#store.state.helpShown })
   }
 
   /** The panel that reads it opens; what it finds becomes the element, as one step to undo. */
@@ -301,7 +297,7 @@ export class HexLens extends HTMLElement {
   #onKeyDown(event: KeyboardEvent): void {
     if (asksForHelp(event)) {
       event.preventDefault()
-      this.toggleHelp()
+      this.#dispatch({ type: 'show-help', helpShown: !this.#store.state.helpShown })
     }
     const step = historyStep(event)
     const midEdit = this.#store.state.gestureStart !== null || (event.target as Element).matches('[aria-invalid]')
