@@ -46,3 +46,35 @@ test('the picture is largest, the verdict in view, and nothing scrolls sideways'
     await expectLargeTargets(lens.element.locator('button, input, select'))
   })
 })
+
+test('on a large screen what is opened stands beside the verdict, and all is larger', async ({ lens, page }) => {
+  await page.setViewportSize({ width: 2560, height: 1440 })
+  await lens.open()
+  await lens.button('Algorithm 1, step by step').click()
+  const panel = page.getByRole('region', { name: 'Algorithm 1, step by step' })
+  await expect(panel.getByRole('list', { name: 'All steps' })).toBeVisible()
+  const [scene, verdict, opened] = [await boxOf(lens.scene), await boxOf(lens.verdict), await boxOf(panel)]
+  expect(verdict.x).toBeGreaterThanOrEqual(scene.x + scene.width)
+  expect(opened.x).toBeGreaterThanOrEqual(verdict.x + verdict.width)
+  expect(scene.width).toBeGreaterThan(verdict.width + opened.width)
+  expect(await sidewaysOverflow(page)).toBe(0)
+  const sizeOf = (selector: string) =>
+    page
+      .locator(`hex-lens ${selector}`)
+      .first()
+      .evaluate(element => Number.parseFloat(getComputedStyle(element).fontSize))
+  expect(await sizeOf('.checks td')).toBeGreaterThan(14)
+  // Marks and words in the scene as well: its handles are 12 units wide, and dragging follows the pointer.
+  const handle = await boxOf(page.locator('hex-lens .handle .dot').first())
+  expect(handle.width).toBeGreaterThan(13)
+  const before = await lens.vertices()
+  await page.mouse.move(handle.x + handle.width / 2, handle.y + handle.height / 2)
+  await page.mouse.down()
+  await page.mouse.move(handle.x + handle.width / 2 + 40, handle.y + handle.height / 2 - 30, { steps: 2 })
+  await lens.nextFrame()
+  const after = await boxOf(page.locator('hex-lens .handle.selected .dot'))
+  await page.mouse.up()
+  expect(await lens.vertices()).not.toEqual(before)
+  expect(after.x - handle.x).toBeCloseTo(40, -1)
+  expect(after.y - handle.y).toBeCloseTo(-30, -1)
+})

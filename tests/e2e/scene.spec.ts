@@ -312,6 +312,32 @@ test('keys show where the focus is, and the help', async ({ lens, page }) => {
     await expect(lens.button('Help')).toHaveAttribute('aria-expanded', 'true')
     await lens.button('Help').click()
     await expect(help).toBeHidden()
+    await lens.button('Reset').press('?')
+    await expect(help).toBeVisible()
+  })
+
+  await test.step('without dragging or pinching the view is turned and zoomed', async () => {
+    await lens.button('Turn').click()
+    let before = await handleOf(lens, 6)
+    const moved = async () => {
+      await lens.nextFrame()
+      const now = await handleOf(lens, 6)
+      const by = { x: now.x - before.x, y: now.y - before.y }
+      before = now
+      return by
+    }
+    const ways: { x: number; y: number }[] = []
+    for (const name of ['Turn left', 'Turn right', 'Turn up', 'Turn down', 'Zoom in', 'Zoom out']) {
+      await lens.button(name).click()
+      ways.push(await moved())
+    }
+    for (const [there, back] of [ways.slice(0, 2), ways.slice(2, 4), ways.slice(4)]) {
+      expect(Math.hypot(there?.x ?? 0, there?.y ?? 0)).toBeGreaterThan(3)
+      expect(there?.x).toBeCloseTo(-(back?.x ?? 0), 0)
+      expect(there?.y).toBeCloseTo(-(back?.y ?? 0), 0)
+    }
+    await lens.button('Turn').click()
+    await expect(page.getByRole('group', { name: 'Turn and zoom' })).toBeHidden()
   })
 })
 

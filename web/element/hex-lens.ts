@@ -32,7 +32,7 @@ import { listenForOffers } from './offers'
 import { type Part, parts } from './parts'
 import { Printing } from './printing'
 import printingCss from './printing.css?inline'
-import { historyStep } from './shortcuts'
+import { asksForHelp, historyStep } from './shortcuts'
 import { triedOrders } from './tried-orders'
 import { Turns } from './turns'
 
@@ -356,6 +356,10 @@ export class HexLens extends HTMLElement {
   }
 
   #onKeyDown(event: KeyboardEvent): void {
+    if (asksForHelp(event)) {
+      event.preventDefault()
+      this.#dispatch({ type: 'show-help', helpShown: !this.#store.state.helpShown })
+    }
     const step = historyStep(event)
     const midEdit = this.#store.state.gestureStart !== null || (event.target as Element).matches('[aria-invalid]')
     if (step === null || midEdit || event.defaultPrevented) return

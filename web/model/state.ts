@@ -87,6 +87,8 @@ export interface State {
   readonly morphB: Vertices | null
   readonly section: Section
   readonly following: Following
+  /** Whether the sheet of keys is on the screen. */
+  readonly helpShown: boolean
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
@@ -94,7 +96,7 @@ export interface State {
 /** What outlives the page: all but what is under way, pointed at or spoken of, and the history. */
 export type LastingState = Omit<
   State,
-  'gestureStart' | 'probe' | 'highlight' | 'previewedOrder' | 'canUndo' | 'canRedo'
+  'gestureStart' | 'probe' | 'highlight' | 'previewedOrder' | 'helpShown' | 'canUndo' | 'canRedo'
 >
 
 export type Action =
@@ -122,6 +124,7 @@ export type Action =
   | { readonly type: 'show-reference'; readonly referenceShown: boolean }
   | { readonly type: 'link-cameras'; readonly camerasLinked: boolean }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
+  | { readonly type: 'show-help'; readonly helpShown: boolean }
   | { readonly type: 'select-face'; readonly face: number }
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
   /** Looked at until the vertices change. */

@@ -71,6 +71,7 @@ export const SHOWN_FIRST: Shown = {
   morphB: null,
   section: { axis: 2, value: 0.5 },
   following: { query: 'minimum', variant: 'roots-b', step: 0 },
+  helpShown: false,
 }
 
 const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
@@ -213,6 +214,9 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
         break
       case 'link-cameras':
         shown = { ...shown, camerasLinked: action.camerasLinked }
+        break
+      case 'show-help':
+        shown = { ...shown, helpShown: action.helpShown }
         break
       case 'probe':
         if (action.point) checkInCube(action.point)

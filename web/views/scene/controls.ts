@@ -10,13 +10,26 @@ export interface ControlActions {
   fit(): void
   toggleReference(): void
   showFaces(faceDisplay: FaceDisplay): void
+  /** In steps to the right and up. */
+  orbit(right: number, up: number): void
+  zoom(factor: number): void
 }
+
+/** One press at a time, for whom dragging and pinching are no way. */
+const TURNS: readonly (readonly [sign: string, name: string, act: (actions: ControlActions) => void])[] = [
+  ['←', 'Turn left', actions => actions.orbit(-1, 0)],
+  ['→', 'Turn right', actions => actions.orbit(1, 0)],
+  ['↑', 'Turn up', actions => actions.orbit(0, 1)],
+  ['↓', 'Turn down', actions => actions.orbit(0, -1)],
+  ['+', 'Zoom in', actions => actions.zoom(1.2)],
+  ['−', 'Zoom out', actions => actions.zoom(1 / 1.2)],
+]
 
 export class Controls {
   readonly root = document.createElement('div')
   readonly #faces = document.createElement('select')
-  readonly #help = document.createElement('button')
-  readonly #reference = document.createElement('button')
+  readonly #help: HTMLButtonElement
+  readonly #reference: HTMLButtonElement
   readonly #legend = document.createElement('p')
   readonly #kinds: Readonly<Record<'edge' | 'face', HTMLElement>> = {
     edge: legendEntry('edge', 'edge candidate'),
@@ -37,32 +50,35 @@ export class Controls {
       const { value } = this.#faces
       actions.showFaces(/^\d$/.test(value) ? Number(value) : (value as FaceDisplay))
     })
-    const fit = document.createElement('button')
-    fit.type = 'button'
-    fit.textContent = 'Fit'
-    fit.title = 'Bring the element into view (F)'
-    fit.addEventListener('click', () => actions.fit())
+    const fit = button('Fit', 'Bring the element into view (F)', () => actions.fit())
+    const turns = document.createElement('div')
+    turns.className = 'turns'
+    turns.id = 'scene-turns'
+    turns.hidden = true
+    turns.setAttribute('role', 'group')
+    turns.setAttribute('aria-label', 'Turn and zoom')
+    for (const [sign, name, act] of TURNS) {
+      const turn = button(sign, name, () => act(actions))
+      turn.setAttribute('aria-label', name)
+      turns.append(turn)
+    }
+    const turn = button('Turn', 'Turn and zoom by pressing buttons', () => {
+      turns.hidden = !turns.hidden
+      turn.setAttribute('aria-expanded', String(!turns.hidden))
+    })
+    turn.setAttribute('aria-expanded', 'false')
+    turn.setAttribute('aria-controls', turns.id)
     const choice = document.createElement('span')
     choice.className = 'choice'
     choice.append(this.#faces)
-    this.#help.type = 'button'
-    this.#help.textContent = 'Help'
-    this.#help.title = 'What keys and pointers do (?)'
-    this.#help.addEventListener('click', () => actions.toggleHelp())
-    this.showHelp(false)
-    this.#reference.type = 'button'
-    this.#reference.textContent = 'Reference cube'
-    this.#reference.title = 'The same colours in (ξ, η, ζ), beside the element (R)'
-    this.#reference.addEventListener('click', () => actions.toggleReference())
-    this.root.append(this.#legend, choice, this.#reference, fit, this.#help)
+    this.#help = button('Help', 'What keys and pointers do (?)', () => actions.toggleHelp())
+    const beside = 'The same colours in (ξ, η, ζ), beside the element (R)'
+    this.#reference = button('Reference cube', beside, () => actions.toggleReference())
+    this.root.append(this.#legend, turns, choice, this.#reference, turn, fit, this.#help)
   }
 
-  /** Whether the help is on the screen. */
-  showHelp(shown: boolean): void {
-    this.#help.setAttribute('aria-expanded', String(shown))
-  }
-
-  update({ faceDisplay, referenceShown }: State, report: Report | null): void {
+  update({ faceDisplay, referenceShown, helpShown }: State, report: Report | null): void {
+    this.#help.setAttribute('aria-expanded', String(helpShown))
     this.#reference.setAttribute('aria-pressed', String(referenceShown))
     const value = String(faceDisplay)
     if (this.#faces.value !== value) this.#faces.value = value
@@ -70,6 +86,15 @@ export class Controls {
       this.#kinds[kind].hidden = !report?.candidates.some(candidate => candidate.kind === kind)
     }
   }
+}
+
+function button(text: string, title: string, onClick: () => void): HTMLButtonElement {
+  const made = document.createElement('button')
+  made.type = 'button'
+  made.textContent = text
+  made.title = title
+  made.addEventListener('click', onClick)
+  return made
 }
 
 function option(value: string, text: string): HTMLOptionElement {

@@ -26,12 +26,8 @@ export class Help {
     for (const [keys, effect] of HELP) this.root.append(entry(keys, effect))
   }
 
-  get isShown(): boolean {
-    return !this.root.hidden
-  }
-
-  toggle(): void {
-    this.root.hidden = this.isShown
+  show(isShown: boolean): void {
+    this.root.hidden = !isShown
   }
 }
 

@@ -32,7 +32,7 @@ const HELP =
   'Drag or the arrow keys turn it, plus and minus zoom, F fits. Point at a face, or tap it, and the same point is marked in space. P points at the minimizer, then at one candidate after another.'
 
 /** What it has in common with the element's own scene. */
-type Shared = Pick<Stage, 'probeNext' | 'toggleHelp' | 'toggleReference'> & { readonly host: ViewHost }
+type Shared = Pick<Stage, 'probeNext' | 'toggleReference'> & { readonly host: ViewHost }
 
 export class ReferenceCube implements Stage {
   readonly root = document.createElement('div')
@@ -178,10 +178,6 @@ export class ReferenceCube implements Stage {
 
   toggleReference(): void {
     this.#shared.toggleReference()
-  }
-
-  toggleHelp(): void {
-    this.#shared.toggleHelp()
   }
 
   #build(): void {

@@ -22,32 +22,27 @@ import { createFacePainter, type FacePainter, type Region } from './face-painter
 import { Framing } from './framing'
 import { Help } from './help'
 import { KeyboardInput } from './keyboard-input'
-import { type Layout, layoutOf } from './layout'
 import { LinkedViews } from './linked-views'
 import { Overlay, type OverlayPicture } from './overlay'
 import { PaperCopy } from './paper-copy'
+import { pixelRatio, watchPixelRatio } from './pixel-ratio'
 import { PointerInput } from './pointer-input'
 import { nextCandidate, samePoint } from './probe-candidates'
 import { ProbeInput } from './probe-input'
 import { Readout, spokenProbe } from './readout'
 import { ReferenceCube } from './reference-cube'
+import { Room } from './room'
 import css from './scene.css?inline'
 import type { Stage } from './stage'
-import { placeIn, unitOf } from './unit'
+import { placeIn } from './unit'
 import type { DragKeys } from './vertex-drag'
 import { type ViewFrame, verticesInView } from './view-frame'
 import { Viewpoint } from './viewpoint'
 
 export const sceneStyles = css
 
-/** More device pixels than this are not worth their time. */
-const MOST_PIXEL_RATIO = 2
-/** Of a figure: fine enough for paper, and no screen's, so that it is surely painted anew. */
-const FIGURE_PIXEL_RATIO = 3
 /** What belongs in a figure: not the controls, nor what is there for the pointer. */
 const FIGURE_PARTS = 'canvas, .scene-overlay, .scene-scale > *'
-/** From this width on, in units, the reference cube stands beside the element, else below it. */
-const BESIDE = 560
 
 const NO_WEBGL =
   'This browser gives no WebGL2, so the faces are not coloured. Vertices can be moved all the same, and the verdict holds.'
@@ -70,6 +65,7 @@ class Scene implements SceneView, Stage {
   readonly #painter: FacePainter | null
   readonly #paperCopy: PaperCopy | null
   readonly #pane = document.createElement('div')
+  readonly #room = new Room(this.root, this.#pane)
   readonly #overlay = new Overlay({ letters: ['x', 'y', 'z'], isFixed: false })
   readonly #readout = new Readout()
   readonly #said = document.createElement('p')
@@ -92,13 +88,6 @@ class Scene implements SceneView, Stage {
   /** Made when it is first shown. */
   #reference: ReferenceCube | null = null
   #sizeMayDiffer = true
-  /** CSS pixels of one of the scene's own; the sizes below are in these. */
-  #unit = 1
-  #canvas = { width: 0, height: 0 }
-  /** Of the element's own part, as the camera knows it. */
-  #width = 0
-  #height = 0
-  #layout: Layout = layoutOf(0, 0)
   #handles: readonly ScreenPoint[] = []
   #shown: Frame | null = null
   /** What was last asked for, and done. */
@@ -119,8 +108,10 @@ class Scene implements SceneView, Stage {
     )
     this.#controls = new Controls({
       fit: () => this.fit(false),
-      toggleHelp: () => this.toggleHelp(),
+      toggleHelp: () => host.dispatch({ type: 'show-help', helpShown: !host.state().helpShown }),
       toggleReference: () => this.toggleReference(),
+      orbit: (right, up) => this.orbit(right, up),
+      zoom: factor => this.zoom(factor),
       showFaces: faceDisplay => host.dispatch({ type: 'show-faces', faceDisplay }),
     })
     this.#viewpoint = new Viewpoint(this.element, () => this.#onTurn(this.#viewpoint))
@@ -151,7 +142,7 @@ class Scene implements SceneView, Stage {
     const isOtherMedium = isForPaper !== (this.#shown?.isForPaper ?? false)
     this.#sizeMayDiffer ||= isOtherMedium
     const resized = this.#resize(state)
-    if (this.#width === 0 || this.#height === 0) return
+    if (this.#room.isEmpty) return
     this.#readTheme()
     if (isForPaper) this.#framing.putOnPaper(state.vertices)
     else if (isOtherMedium) this.#framing.leavePaper()
@@ -200,7 +191,7 @@ class Scene implements SceneView, Stage {
   }
 
   placeOf(event: MouseEvent) {
-    return placeIn(this.element, this.#unit, event)
+    return placeIn(this.element, this.#room.unit, event)
   }
 
   handles(): readonly ScreenPoint[] {
@@ -262,11 +253,6 @@ class Scene implements SceneView, Stage {
     this.#viewpoint.zoom(factor)
   }
 
-  toggleHelp(): void {
-    this.#help.toggle()
-    this.#controls.showHelp(this.#help.isShown)
-  }
-
   #build(): void {
     this.root.className = 'scene'
     this.element.className = 'scene-stage'
@@ -277,7 +263,7 @@ class Scene implements SceneView, Stage {
     this.element.setAttribute('aria-describedby', this.#help.root.id)
     this.#overlay.root.append(this.#readout.root)
     this.element.append(this.#overlay.root)
-    this.#said.className = 'said'
+    this.#said.className = 'scene-said said'
     this.#said.setAttribute('aria-live', 'polite')
     this.#pane.className = 'scene-pane'
     this.#pane.append(this.element, this.#colourBar.root, this.#help.root, this.#controls.root, this.#said)
@@ -305,17 +291,7 @@ class Scene implements SceneView, Stage {
     this.element.addEventListener('keyup', event => this.#onKey(event), { signal })
     this.element.addEventListener('blur', () => this.#onBlur(), { signal })
     this.#resizes.observe(this.root)
-    this.#watchPixelRatio()
-  }
-
-  /** A media query for the present ratio, since there is no event for another one. */
-  #watchPixelRatio(): void {
-    const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
-    const onChange = () => {
-      this.#watchPixelRatio()
-      this.host.requestFrame()
-    }
-    query.addEventListener('change', onChange, { once: true, signal: this.#listening.signal })
+    watchPixelRatio(() => this.host.requestFrame(), signal)
   }
 
   #onKey(event: KeyboardEvent): void {
@@ -349,23 +325,14 @@ class Scene implements SceneView, Stage {
     const shownBefore = this.#shown?.state.referenceShown ?? false
     if (!this.#sizeMayDiffer && referenceShown === shownBefore) return null
     this.#sizeMayDiffer = false
-    this.#unit = unitOf(this.root)
-    const { clientWidth, clientHeight } = this.root
-    this.#canvas = { width: clientWidth / this.#unit, height: clientHeight / this.#unit }
-    const split = referenceShown ? (this.#canvas.width >= BESIDE ? 'beside' : 'below') : 'none'
-    this.root.dataset.split = split
     if (referenceShown) this.#reference ??= this.#createReference()
     if (this.#reference) this.#reference.root.hidden = !referenceShown
-    if (referenceShown) this.#reference?.resize(this.#unit)
-    const [width, height] = [this.#pane.offsetWidth / this.#unit, this.#pane.offsetHeight / this.#unit]
-    if (width === this.#width && height === this.#height) return null
-    const camera = this.#shown && this.#framing.seen(this.#shown.state.vertices)
-    this.#width = width
-    this.#height = height
-    this.#layout = layoutOf(width, height)
-    this.root.classList.toggle('narrow', this.#layout.isNarrow)
-    if (width > 0 && height > 0) this.camera.resize(width, height, this.#layout.insets)
-    return { camera }
+    const before = this.#shown && this.#framing.seen(this.#shown.state.vertices)
+    const isResized = this.#room.measure(referenceShown)
+    if (referenceShown) this.#reference?.resize(this.#room.unit)
+    const { own, layout } = this.#room
+    if (isResized && !this.#room.isEmpty) this.camera.resize(own.width, own.height, layout.insets)
+    return isResized ? { camera: before } : null
   }
 
   #readTheme(): void {
@@ -400,11 +367,12 @@ class Scene implements SceneView, Stage {
     if (this.#paint(frame, reference ? [own, reference.region] : [own], scale) || this.#differs(frame)) {
       this.#drawnDrag = this.#drag
       const picture = { state, report, frame: this.#framing.frame, camera, handles: this.#handles, drag: this.#drag }
-      this.#overlay.update({ ...picture, taken: this.#layout.taken })
+      this.#overlay.update({ ...picture, taken: this.#room.layout.taken })
       this.#controls.update(state, report)
+      this.#help.show(state.helpShown)
       reference?.update(frame)
     }
-    const { isNarrow, barLength: length } = this.#layout
+    const { isNarrow, barLength: length } = this.#room.layout
     this.#colourBar.update({ state, report, probe, scale, ramp, upright: !isNarrow, length })
     this.#overlay.updateProbe(probe, this.#framing.frame, camera)
     this.#readout.update(probe, state.referenceCube, isNarrow)
@@ -419,7 +387,7 @@ class Scene implements SceneView, Stage {
   ): boolean {
     if (this.#painter === null || this.#contextLost) return true
     const painted = this.#painter.paint({
-      ...this.#canvas,
+      ...this.#room.whole,
       report,
       scale,
       ramp: this.#ramp as Ramp,
@@ -428,9 +396,7 @@ class Scene implements SceneView, Stage {
       section: state.section,
       zeroSurface,
       regions,
-      pixelRatio:
-        this.#unit *
-        (this.#isForFigure || isForPaper ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO)),
+      pixelRatio: this.#room.unit * pixelRatio(this.#isForFigure || isForPaper),
     })
     if (painted) this.framesDrawn++
     this.root.dataset.frames = String(this.framesDrawn)

@@ -32,6 +32,4 @@ export interface Stage {
   zoom(factor: number): void
   /** Shows or hides the reference cube. */
   toggleReference(): void
-  /** Shows or hides what keys and pointers do. */
-  toggleHelp(): void
 }
