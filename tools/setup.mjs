@@ -195,7 +195,7 @@ async function installPython(say) {
 async function installChromium(say) {
   const apt = await aptGet()
   if (apt && isDebian()) {
-    await installDebianPackages(say, 'Chromium', ['chromium'])
+    await installDebianPackages(say, 'Chromium', ['chromium-headless-shell'])
     return
   }
   say('installing Chromium for the browser tests (playwright install)')
