@@ -4,7 +4,7 @@
 
 import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
+import { dirname, join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { findChromium } from './chromium.mjs'
 import { withLock } from './lock.mjs'
@@ -22,7 +22,7 @@ const steps = [
   { what: 'the npm packages', isDone: packagesAreCurrent, run: installPackages },
   { what: 'make', isDone: () => onPath('make'), run: installMake },
   { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'test'] },
-  { what: 'the wasm', isDone: wasmIsCurrent, run: buildWasm },
+  { what: 'the wasm and its twin', isDone: wasmIsCurrent, run: buildWasm },
   { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['test'] },
   { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'test'] },
   { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
@@ -90,16 +90,16 @@ async function installCompiler(say) {
 }
 
 async function wasmIsCurrent() {
-  const emcc = findEmcc()?.path ?? 'emcc'
-  return (await run('make', ['-C', 'wasm', '-q', 'wasm', `EMCC=${emcc}`])).status === 0
+  return (await run('make', ['-C', 'wasm', '-q', 'wasm'])).status === 0
 }
 
 async function buildWasm(say) {
   const emcc = findEmcc() ?? (await installEmcc(say))
-  say('building the wasm')
+  const wasm2js = findWasm2js(emcc) ?? (await installWasm2js(say, emcc))
+  say('building the wasm and its twin')
   await must(
     'make',
-    ['-C', 'wasm', 'wasm', `EMCC=${emcc.path}`],
+    ['-C', 'wasm', 'wasm', `EMCC=${emcc.path}`, `WASM2JS=${wasm2js}`],
     `The wasm did not build with ${emcc.path}. If the C sources are as released, try another emcc (3.1.6 or later).`,
     { env: { ...process.env, ...emcc.env } },
   )
@@ -123,6 +123,18 @@ async function installEmcc(say) {
   const emcc = findEmcc()
   if (emcc) return emcc
   throw new Failure('emcc was installed but cannot be found. Put emcc on PATH or set EMSDK, then repeat.')
+}
+
+/** Of binaryen: the SDK has its own, Debian's emscripten depends on it. */
+function findWasm2js(emcc) {
+  return executable(join(dirname(emcc.path), '..', 'bin', 'wasm2js')) ?? onPath('wasm2js')
+}
+
+async function installWasm2js(say, emcc) {
+  await installDebianPackages(say, 'wasm2js', ['binaryen'])
+  const wasm2js = findWasm2js(emcc)
+  if (wasm2js) return wasm2js
+  throw new Failure(`wasm2js was installed but cannot be found. ${installAdvice(['binaryen'])}`)
 }
 
 /** The official SDK into .emsdk, elsewhere until it is complete. */

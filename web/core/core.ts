@@ -8,8 +8,9 @@ import { exactBoundarySign } from './exact/exact-sign'
 import type { Core, CoreError, Report, Result } from './report'
 import { isDecided, Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
 
-interface CoreExports {
-  readonly memory: WebAssembly.Memory
+/** What hexlens.wasm exports, and hexlens-twin.js, which wasm2js makes of it. */
+export interface CoreExports {
+  readonly memory: { readonly buffer: ArrayBuffer }
   readonly _initialize?: () => void
   input_address(): number
   output_address(): number
@@ -40,11 +41,15 @@ function firstNotFinite(vertices: Vertices): string {
 
 /**
  * Compiles and starts the core from the bytes of hexlens.wasm. Rejects with the engine's own error when WebAssembly is
- * missing, forbidden, or the bytes are not the core's. The functions of a Core never throw for any numbers given.
+ * missing, forbidden, or the bytes are not the core's.
  */
 export async function loadCore(bytes: BufferSource): Promise<Core> {
   const { instance } = await WebAssembly.instantiate(bytes, {})
-  const wasm = instance.exports as unknown as CoreExports
+  return coreOf(instance.exports as unknown as CoreExports)
+}
+
+/** Starts the core, compiled either way. The functions of a Core never throw for any numbers given. */
+export function coreOf(wasm: CoreExports): Core {
   wasm._initialize?.()
   const input = new Float64Array(wasm.memory.buffer, wasm.input_address(), wasm.input_length())
   const output = new Float64Array(wasm.memory.buffer, wasm.output_address(), wasm.output_length())
