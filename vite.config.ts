@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig, type Plugin } from 'vite'
+import { leanThree } from './tools/lean-three.mjs'
 
 const root = fileURLToPath(new URL('.', import.meta.url))
 
@@ -36,7 +37,7 @@ export default defineConfig({
   appType: 'mpa',
   publicDir: `${root}public`,
   cacheDir: `${root}node_modules/.vite`,
-  plugins: [securityPolicy],
+  plugins: [leanThree, securityPolicy],
   worker: { format: 'es' },
   server: { fs: { allow: [root] } },
   build: {
