@@ -6,8 +6,12 @@ const results = process.env.HEXLENS_TEST_RESULTS ?? 'test-results/browser'
 const executablePath = await findChromium()
 
 export default defineConfig({
-  testDir: 'tests/e2e',
-  testMatch: '**/*.spec.ts',
+  testDir: 'tests',
+  projects: [
+    { name: 'pack', testMatch: 'package/*.setup.ts' },
+    { name: 'page', testMatch: 'e2e/*.spec.ts' },
+    { name: 'package', testMatch: 'package/*.spec.ts', dependencies: ['pack'] },
+  ],
   outputDir: `${results}/playwright`,
   reporter: [['list'], ['json', { outputFile: `${results}/browser.json` }]],
   workers: 2,

@@ -1,7 +1,8 @@
-// Builds the page. Vite is loaded late: these modules are read before the packages are installed.
+// Builds the page and the package. Vite is loaded late: these modules are read before the packages are installed.
 
 import { join } from 'node:path'
 import { stripVTControlCharacters } from 'node:util'
+import { buildPackage } from './package.mjs'
 import { Failure, isScript, root, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
@@ -21,6 +22,7 @@ if (isScript(import.meta.url)) {
   await runMain(async () => {
     await setup()
     await buildPage('dist/app')
-    process.stdout.write('The page is in dist/app.\n')
+    await buildPackage('dist')
+    process.stdout.write('The page is in dist/app, the package’s scripts and types are in dist.\n')
   })
 }

@@ -1,24 +1,29 @@
-// What the page makes a browser load before it is live, against the budgets of the design.
+// What the page makes a browser load before it is live, and the one-file widget, against the budgets of the design.
 
 import { readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
 import { gzipSync } from 'node:zlib'
 import { buildPage } from './build.mjs'
+import { buildScripts } from './package.mjs'
 import { root } from './run.mjs'
 
 /** In bytes after gzip. */
-const BUDGETS = { wasm: 16_000, firstLoad: 230_000 }
+const BUDGETS = { wasm: 16_000, firstLoad: 230_000, widget: 190_000 }
 
-/** Builds the page and resolves to { table, exceeded }: lines to print, and whether a budget is exceeded. */
+const WIDGETS = ['hexlens.es.js', 'hexlens.iife.js']
+
+/** Builds page and scripts and resolves to { table, exceeded }: lines to print, and whether a budget is exceeded. */
 export async function checkSizes() {
   const folder = 'dist/check'
   const { output } = await buildPage(folder)
+  await buildScripts(join(root, folder))
   const sizeOf = name => gzipSync(readFileSync(join(root, folder, name)), { level: 9 }).length
   const files = firstLoad(output).map(name => ({ name, size: sizeOf(name) }))
   const sum = list => list.reduce((total, { size }) => total + size, 0)
   const checks = [
     { what: 'wasm', size: sum(files.filter(({ name }) => name.endsWith('.wasm'))), budget: BUDGETS.wasm },
     { what: 'first load', size: sum(files), budget: BUDGETS.firstLoad },
+    ...WIDGETS.map(name => ({ what: name, size: sizeOf(name), budget: BUDGETS.widget })),
   ]
   return {
     table: [
