@@ -1,8 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import { presets, presetVertices } from '../../web/content/presets'
-import { vertexReference } from '../../web/model/hexahedron'
 import { insideSentence } from '../../web/views/inside-panel/inside-words'
-import { along, hiddenVertex, turnedBy } from '../../web/views/inside-panel/turned-cube'
 import { curveOf, heightOf } from '../../web/views/morph/curve'
 import { core } from './core-fixtures'
 
@@ -19,26 +17,6 @@ describe('what the boundary says of the inside', () => {
     expect(insideSentence(reportOf('non-strict'), 'unit')).toMatch(/never below zero, yet inside it falls to −1\/4/)
     expect(insideSentence(reportOf('non-strict'), 'biunit')).toMatch(/−1\/32/)
     expect(insideSentence(reportOf('edge-negative'), 'unit')).toMatch(/^The boundary already shows/)
-  })
-})
-
-describe('the turned cube', () => {
-  it('is seen along three axes at right angles, and hides the vertex farthest from the eye', () => {
-    for (const degrees of [-180, -35, 0, 25, 90, 170]) {
-      const turned = turnedBy(degrees)
-      const { right, up, eye } = turned
-      const dot = (a: readonly number[], b: readonly number[]) => a.reduce((sum, x, i) => sum + x * (b[i] as number), 0)
-      for (const axis of [right, up, eye]) expect(dot(axis, axis)).toBeCloseTo(1, 12)
-      for (const [a, b] of [
-        [right, up],
-        [up, eye],
-        [eye, right],
-      ] as const)
-        expect(dot(a, b)).toBeCloseTo(0, 12)
-      const depths = vertexReference.map(point => along(eye, point))
-      expect(depths[hiddenVertex(turned)]).toBe(Math.min(...depths))
-      expect(vertexReference[hiddenVertex(turned)]?.[2]).toBe(0)
-    }
   })
 })
 

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest'
 import { presets, presetVertices } from '../../web/content/presets'
-import { type Axis, axesOn, pointOn, sectionBernstein, valueInside } from '../../web/core/section'
+import { axesOn, gradientInside, pointOn, sectionBernstein, valueInside } from '../../web/core/section'
 import { type Surface, zeroSurface } from '../../web/core/zero-surface'
-import { faces, type Vec3 } from '../../web/model/hexahedron'
+import { type Axis, faces, type Vec3 } from '../../web/model/hexahedron'
 import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 
 function reportOf(vertices: readonly number[]) {
@@ -56,6 +56,22 @@ describe('a section', () => {
         )
         expect(Math.abs(sum - jacdet)).toBeLessThan(1e-13 * largest(bernstein))
       }
+    }
+  })
+})
+
+describe('the gradient of jacdet', () => {
+  it('is the slope of its values, which a central difference gives exactly but for rounding', () => {
+    for (const { bernstein } of awkward) {
+      const point = [0, 1, 2].map(() => 0.1 + 0.8 * random()) as unknown as Vec3
+      // Along an axis jacdet is a parabola, whose central differences are its slopes.
+      const along = axes.map(axis => {
+        const beside = (way: number) => valueInside(bernstein, point.with(axis, point[axis] + way) as unknown as Vec3)
+        return (beside(2 ** -4) - beside(-(2 ** -4))) / 2 ** -3
+      })
+      gradientInside(bernstein, point).forEach((slope, axis) => {
+        expect(Math.abs(slope - (along[axis] as number))).toBeLessThan(1e-12 * largest(bernstein))
+      })
     }
   })
 })

@@ -4,7 +4,7 @@ import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
 import { unitColumns } from '../../web/views/scene/arrows'
 import { DEFAULT_DIRECTION, type Ray, SceneCamera } from '../../web/views/scene/camera'
 import { bernsteinRoots, hitFaces, pointUnder, referenceOf } from '../../web/views/scene/face-hit'
-import { facePoint } from '../../web/views/scene/face-point'
+import { facePoint, patchPoint, sectionCorners } from '../../web/views/scene/face-point'
 import { nextCandidate } from '../../web/views/scene/probe-candidates'
 import { frameOf, verticesInView } from '../../web/views/scene/view-frame'
 
@@ -169,7 +169,12 @@ describe('what a pointer points at', () => {
   camera.fit(vertices, DEFAULT_DIRECTION)
   camera.enclose(vertices)
   const handles = vertices.map(point => camera.project(point))
-  const drawn = { camera, vertices, handles, state: { faceDisplay: 'opaque', selectedVertex: 0 } as const }
+  const drawn = {
+    camera,
+    vertices,
+    handles,
+    state: { faceDisplay: 'opaque', section: { axis: 2, value: 0.5 }, selectedVertex: 0 } as const,
+  }
 
   it('is a vertex where its handle is, else a face, to the thousandths that a pixel can tell', () => {
     handles.forEach(({ x, y }, v) => {
@@ -179,6 +184,29 @@ describe('what a pointer points at', () => {
     const [xi = 0, eta, zeta = 0] = pointUnder(drawn, x, y) ?? []
     expect([xi, eta, zeta]).toEqual([0.314, 0, 0.718])
     expect(pointUnder(drawn, 5, 5)).toBeNull()
+  })
+})
+
+describe('what a pointer points at where the inside is shown', () => {
+  const camera = new SceneCamera()
+  camera.resize(800, 600, { top: 0, right: 0, bottom: 0, left: 0 })
+  const vertices = verticesInView(frameOf(twisted.flat()), twisted.flat())
+  camera.fit(vertices, DEFAULT_DIRECTION)
+  camera.enclose(vertices)
+  const handles = vertices.map(point => camera.project(point))
+
+  it('is a point of the section, through the faces before it', () => {
+    for (const axis of [0, 1, 2] as const) {
+      const section = { axis, value: 0.375 }
+      const state = { faceDisplay: 'inside', section, selectedVertex: 0 } as const
+      const corners = sectionCorners(vertices, section)
+      const { x, y } = camera.project(patchPoint(corners, 0.3, 0.6))
+      const point = pointUnder({ camera, vertices, handles, state }, x, y) as Vec3
+      expect(point[axis]).toBe(0.375)
+      const again = camera.project(patchPoint(corners, ...(point.toSpliced(axis, 1) as unknown as [number, number])))
+      expect(Math.hypot(again.x - x, again.y - y)).toBeLessThan(1)
+      expect(pointUnder({ camera, vertices, handles, state }, 5, 5)).toBeNull()
+    }
   })
 })
 

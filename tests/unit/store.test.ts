@@ -159,7 +159,19 @@ describe('the store', () => {
     expect(() => target.dispatch(move(Number.NaN))).toThrow(RangeError)
     expect(() => target.dispatch(move(1, 8))).toThrow(RangeError)
     expect(() => target.dispatch({ type: 'show-faces', faceDisplay: 6 })).toThrow(RangeError)
+    for (const value of [-0.1, 1.1, Number.NaN])
+      expect(() => target.dispatch({ type: 'show-section', section: { axis: 0, value } })).toThrow(RangeError)
     expect(target.state.vertices).toEqual(unitCube)
+  })
+
+  it('shows the inside while its panel is open, unless something else is chosen', () => {
+    const inside = (isOpen: boolean): Action => ({ type: 'open-panel', panel: 'inside', isOpen })
+    const target = dispatched(inside(true))
+    expect(target.state.faceDisplay).toBe('inside')
+    target.dispatch(inside(false))
+    expect(target.state.faceDisplay).toBe('opaque')
+    const chosen = dispatched(inside(true), { type: 'show-faces', faceDisplay: 2 }, inside(false))
+    expect(chosen.state.faceDisplay).toBe(2)
   })
 
   it('keeps panels, probe and face out of the history, and refuses a probe outside the cube', () => {
@@ -199,6 +211,25 @@ describe('the store', () => {
     expect(() => target.dispatch({ type: 'highlight', part: { kind: 'vertex', id: 8 } })).toThrow(RangeError)
     target.dispatch({ type: 'highlight', part: null })
     expect(target.state.highlight).toBeNull()
+  })
+
+  it('looks at another node order until the vertices change, and refuses what is none', () => {
+    const order = [0, 1, 3, 2, 4, 5, 7, 6]
+    const target = dispatched({ type: 'preview-order', order })
+    expect(target.state).toMatchObject({ previewedOrder: order, canUndo: false })
+    target.dispatch({ type: 'select-vertex', vertex: 5 })
+    expect(target.state.previewedOrder).toBe(order)
+    target.dispatch({ type: 'move-vertex', vertex: 5, to: [9, 9, 9] })
+    expect(target.state.previewedOrder).toBeNull()
+    target.dispatch({ type: 'preview-order', order })
+    target.dispatch({ type: 'undo' })
+    expect(target.state.previewedOrder).toBeNull()
+    for (const wrong of [
+      [0, 1, 2],
+      [0, 1, 2, 3, 4, 5, 6, 6],
+      [1, 2, 3, 4, 5, 6, 7, 8],
+    ])
+      expect(() => target.dispatch({ type: 'preview-order', order: wrong })).toThrow(RangeError)
   })
 
   it('keeps the ends of a way out of the history, and refuses what is no element', () => {

@@ -1,7 +1,5 @@
 /** The jacdet's 27 Bernstein coefficients on [0,1]^3, restricted to a section or evaluated. Drawn and read, never a verdict. */
-import { faces, type Vec3 } from '../model/hexahedron'
-
-export type Axis = 0 | 1 | 2
+import { type Axis, faces, type Vec3 } from '../model/hexahedron'
 
 /** Coefficients are `bernstein[9 * i + 3 * j + k]`, i in xi, j in eta, k in zeta. */
 const STRIDES = [9, 3, 1] as const
@@ -26,13 +24,30 @@ export function sectionBernstein(bernstein: readonly number[], axis: Axis, value
 
 /** The jacdet at a point of [0,1]^3, in doubles. */
 export function valueInside(bernstein: readonly number[], [xi, eta, zeta]: Vec3): number {
-  const [x0, x1, x2] = basis(xi)
-  const [y0, y1, y2] = basis(eta)
-  const [z0, z1, z2] = basis(zeta)
-  const along = (k: number) =>
-    z0 * (bernstein[k] as number) + z1 * (bernstein[k + 1] as number) + z2 * (bernstein[k + 2] as number)
-  const over = (k: number) => y0 * along(k) + y1 * along(k + 3) + y2 * along(k + 6)
-  return x0 * over(0) + x1 * over(9) + x2 * over(18)
+  return weighted(bernstein, [basis(xi), basis(eta), basis(zeta)])
+}
+
+/** The jacdet's derivatives by xi, eta and zeta at a point of [0,1]^3, in doubles. */
+export function gradientInside(bernstein: readonly number[], point: Vec3): Vec3 {
+  const bases = point.map(basis) as unknown as readonly [Vec3, Vec3, Vec3]
+  const slopes = point.map(slopeOfBasis) as unknown as readonly [Vec3, Vec3, Vec3]
+  const along = (axis: Axis) => weighted(bernstein, bases.with(axis, slopes[axis]) as unknown as typeof bases)
+  return [along(0), along(1), along(2)]
+}
+
+function weighted(bernstein: readonly number[], [x, y, z]: readonly [Vec3, Vec3, Vec3]): number {
+  let sum = 0
+  for (let i = 0; i < 3; i++) {
+    for (let j = 0; j < 3; j++) {
+      const row = 9 * i + 3 * j
+      const alongZ =
+        z[0] * (bernstein[row] as number) +
+        z[1] * (bernstein[row + 1] as number) +
+        z[2] * (bernstein[row + 2] as number)
+      sum += (x[i] as number) * (y[j] as number) * alongZ
+    }
+  }
+  return sum
 }
 
 /** The point of a section with these coordinates s and t. */
@@ -47,4 +62,8 @@ export function pointOn(axis: Axis, value: number, s: number, t: number): Vec3 {
 /** Bernstein polynomials of degree 2. */
 function basis(x: number): Vec3 {
   return [(1 - x) * (1 - x), 2 * x * (1 - x), x * x]
+}
+
+function slopeOfBasis(x: number): Vec3 {
+  return [2 * x - 2, 2 - 4 * x, 2 * x]
 }

@@ -3,13 +3,8 @@
  * what each adds to M, the least jacdet so far. The report holds every candidate, whatever a query would have skipped.
  */
 import { edgeVertices, faces, VERTEX_COUNT, type Vec3, vertexReference } from '../model/hexahedron'
+import type { Query, Variant } from '../model/state'
 import type { Candidate, CandidateKind, Report } from './report'
-
-/** What is asked: the boundary minimum, or only whether all of the boundary is positive. */
-export type Query = 'minimum' | 'validity'
-
-/** Whether a face's Bernstein bound is looked at before its quartic is solved (`roots-b`) or not (`roots`). */
-export type Variant = 'roots' | 'roots-b'
 
 /**
  * What came of a step. On an edge without candidate: its parabola is concave, no parabola, or its vertex is not strictly inside.

@@ -3,11 +3,13 @@
  * tetrahedra around its diagonal, and a vertex lies on each of their edges whose ends differ in sign. Drawn, never a verdict.
  */
 import type { Vec3 } from '../model/hexahedron'
-import { valueInside } from './section'
+import { gradientInside, valueInside } from './section'
 
 export interface Surface {
   /** (xi, eta, zeta) of each vertex, flat. */
   readonly points: Float64Array
+  /** The jacdet's derivatives by xi, eta and zeta there, relative to its largest coefficient. */
+  readonly gradients: Float64Array
   /** Three vertices each, counter-clockwise seen from where the jacdet is positive. */
   readonly triangles: Uint32Array
 }
@@ -40,7 +42,7 @@ export function zeroSurface(bernstein: readonly number[], cells: number): Surfac
   ).surface()
 }
 
-const EMPTY: Surface = { points: new Float64Array(), triangles: new Uint32Array() }
+const EMPTY: Surface = { points: new Float64Array(), gradients: new Float64Array(), triangles: new Uint32Array() }
 
 class Marcher {
   readonly #bernstein: readonly number[]
@@ -51,6 +53,7 @@ class Marcher {
   /** One more than the vertex on an edge, by the edge's lower end and its direction; 0 where there is none yet. */
   readonly #vertexOf: Uint32Array
   readonly #points: number[] = []
+  readonly #gradients: number[] = []
   readonly #triangles: number[] = []
 
   constructor(bernstein: readonly number[], cells: number) {
@@ -72,7 +75,11 @@ class Marcher {
         for (let k = 0; k < n; k++) this.#cell(((n + 1) * i + j) * (n + 1) + k)
       }
     }
-    return { points: Float64Array.from(this.#points), triangles: Uint32Array.from(this.#triangles) }
+    return {
+      points: Float64Array.from(this.#points),
+      gradients: Float64Array.from(this.#gradients),
+      triangles: Uint32Array.from(this.#triangles),
+    }
   }
 
   #cell(corner: number): void {
@@ -95,7 +102,9 @@ class Marcher {
     const known = this.#vertexOf[edge] as number
     if (known > 0) return known - 1
     const vertex = this.#points.length / 3
-    this.#points.push(...this.#zeroBetween(corner, negative, positive))
+    const point = this.#zeroBetween(corner, negative, positive)
+    this.#points.push(...point)
+    this.#gradients.push(...gradientInside(this.#bernstein, point))
     this.#vertexOf[edge] = vertex + 1
     return vertex
   }

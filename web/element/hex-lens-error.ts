@@ -1,5 +1,7 @@
-/** Why `element.vertices = …` was refused: `code` for programs, `message` for people. */
-export type HexLensErrorCode = 'wrong-count' | 'not-finite'
+import type { StateError } from '../model/state-document'
+
+/** Why `element.vertices = …` or `element.state = …` was refused: `code` for programs, `message` for people. */
+export type HexLensErrorCode = 'wrong-count' | 'not-finite' | StateError['code']
 
 export class HexLensError extends TypeError {
   override readonly name = 'HexLensError'

@@ -3,6 +3,7 @@
  * one frame's truth to every view. Nothing is scheduled while nothing changes.
  *
  * `vertices`  24 finite numbers, VTK_HEXAHEDRON order, get (a copy) and set (any array-like; else HexLensError, state kept)
+ * `state`     everything that a reader would expect to come back, as plain data for JSON: see docs/state.schema.json
  * `preset`    the id of the preset that the element started from, or null
  * `report`    what the core knows about exactly these vertices; null while there is no core
  * `permalink` the address that opens this element again, bit for bit
@@ -13,11 +14,17 @@
 import { presets, presetVertices } from '../content/presets'
 import { type Morph, morphOf } from '../core/morph'
 import type { Core, JacobianReport, Report } from '../core/report'
+import { type Surface, zeroSurface } from '../core/zero-surface'
+import { jacdetInFull } from '../model/decimal'
 import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
-import type { Action } from '../model/state'
+import type { Action, Cameras } from '../model/state'
+import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore, type Store } from '../model/store'
+import marks from '../views/marks.css?inline'
+import said from '../views/said.css?inline'
 import type { Figure, Offer, Problem, Proof, TriedOrders, View, ViewHost } from '../views/view'
+import { Copying } from './copying'
 import { fetchCore } from './fetch-core'
 import css from './hex-lens.css?inline'
 import { HexLensError } from './hex-lens-error'
@@ -25,12 +32,17 @@ import { listenForOffers } from './offers'
 import { type Part, parts } from './parts'
 import { historyStep } from './shortcuts'
 import { triedOrders } from './tried-orders'
+import { Turns } from './turns'
 
-const styleSheets = [css, ...parts.map(part => part.styles)].map(styles => {
+const styleSheets = [css, said, marks, ...parts.map(part => part.styles)].map(styles => {
   const sheet = new CSSStyleSheet()
   sheet.replaceSync(styles)
   return sheet
 })
+
+/** Cells of the grid along each axis from which the surface jacdet = 0 is made, between gestures and in one. */
+const SURFACE_CELLS = 24
+const GESTURE_SURFACE_CELLS = 8
 
 /** What a reader hardly notices; a page that stays empty for longer looks broken. */
 const PATIENCE_MS = 150
@@ -45,13 +57,19 @@ export class HexLens extends HTMLElement {
   #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
   #proof: Proof | null = null
   #triedOrders: TriedOrders | null = null
+  #zeroSurface: { readonly report: Report; readonly cells: number; readonly surface: Surface } | null = null
   #offer: Offer | null = null
+  #cameras: Cameras | null = null
+  #drawnCameras: Cameras | null = null
   #morph: Morph | null = null
   #toldValid: boolean | null = null
   #views: readonly View[] = []
   /** Parts to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Part[])[] = []
   #frameRequest = 0
+  /** Whether there is more to draw than what waits for its turn. */
+  #isNews = false
+  #turns = new Turns()
 
   constructor() {
     super()
@@ -62,6 +80,7 @@ export class HexLens extends HTMLElement {
     lens.append(this.#places.head, this.#places.stage, this.#places.panel)
     shadow.append(lens)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
+    new Copying(lens, () => this.#pointInFull())
     listenForOffers(shadow, lens, offer => this.offer(offer))
   }
 
@@ -72,6 +91,7 @@ export class HexLens extends HTMLElement {
   }
 
   disconnectedCallback(): void {
+    this.#cameras = this.#camerasNow
     cancelAnimationFrame(this.#frameRequest)
     this.#frameRequest = 0
     for (const view of this.#views) {
@@ -79,6 +99,7 @@ export class HexLens extends HTMLElement {
       view.root.remove()
     }
     this.#views = []
+    this.#turns = new Turns()
     this.#unmade = []
     this.#offer = null
   }
@@ -92,6 +113,21 @@ export class HexLens extends HTMLElement {
     const preset = presetOf(vertices)
     if (this.#drawn === null) this.#begin(vertices, preset)
     else this.#dispatch({ type: 'set-vertices', vertices, preset })
+  }
+
+  get state(): StateDocument {
+    return stateDocument(this.#store.state, this.#camerasNow)
+  }
+
+  /** Throws HexLensError for what the schema does not let through. What it changes of the element is one step to undo. */
+  set state(given: StateDocument) {
+    const result = readState(given)
+    if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
+    const { state, cameras } = result.value
+    if (this.#drawn === null) this.#begin(state.vertices, state.preset, state.start)
+    this.#cameras = cameras
+    this.#store.dispatch({ type: 'restore', state })
+    this.#schedule()
   }
 
   get preset(): string | null {
@@ -152,9 +188,17 @@ export class HexLens extends HTMLElement {
   }
 
   /** What is set before the first frame is what the element starts from, not a step to undo. */
-  #begin(vertices: Vertices, preset: string | null): void {
-    this.#store = createStore(vertices, preset)
+  #begin(vertices: Vertices, preset: string | null, start = vertices): void {
+    this.#store = createStore(vertices, preset, start)
     this.#committed = this.#store.state.vertices
+  }
+
+  /** As the reader has turned them, or as they were asked for. */
+  get #camerasNow(): Cameras {
+    const isDrawn = this.#cameras === this.#drawnCameras
+    const views = isDrawn ? this.#views : []
+    const seen = views.reduce<Cameras | null>((found, view) => found ?? view.cameras?.() ?? null, null)
+    return seen ?? this.#cameras ?? { camera: null, referenceCamera: null }
   }
 
   #dispatch(action: Action): void {
@@ -182,6 +226,11 @@ export class HexLens extends HTMLElement {
   }
 
   #schedule(): void {
+    this.#isNews = true
+    this.#request()
+  }
+
+  #request(): void {
     if (this.isConnected && this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(this.#draw)
   }
 
@@ -215,6 +264,16 @@ export class HexLens extends HTMLElement {
       this.#triedOrders = this.#analyzed.report.valid ? null : triedOrders(this.#core, vertices)
   }
 
+  /** Coarser while a gesture runs; what is already finer stays. */
+  #surfaced(report: Report | null): Surface | null {
+    const { faceDisplay, gestureStart } = this.#store.state
+    if (faceDisplay !== 'inside' || report === null) return null
+    const cells = gestureStart === null ? SURFACE_CELLS : GESTURE_SURFACE_CELLS
+    if (this.#zeroSurface?.report !== report || this.#zeroSurface.cells < cells)
+      this.#zeroSurface = { report, cells, surface: zeroSurface(report.bernstein, cells) }
+    return this.#zeroSurface.surface
+  }
+
   #morphed(): Morph | null {
     const { vertices, start, morphA, morphB, gestureStart, openPanels } = this.#store.state
     const [a, b] = [morphA ?? start, morphB ?? vertices]
@@ -230,8 +289,18 @@ export class HexLens extends HTMLElement {
     return result?.ok ? result.value : null
   }
 
+  /** Of what is pointed at: every number with all its digits. */
+  #pointInFull(): string | null {
+    const probe = this.#probed()
+    if (probe === null) return null
+    const jacdet = jacdetInFull(probe.jacdet, probe.exponent, this.#store.state.referenceCube)
+    return `jacdet = ${jacdet}, (xi, eta, zeta) = (${probe.point.join(', ')}), (x, y, z) = (${probe.position.join(', ')})`
+  }
+
   readonly #draw = (): void => {
     this.#frameRequest = 0
+    const isNews = this.#isNews
+    this.#isNews = false
     this.#make()
     const report = this.report
     this.#prove()
@@ -243,10 +312,12 @@ export class HexLens extends HTMLElement {
       triedOrders: this.#triedOrders,
       probe: report && this.#probed(),
       offer: this.#offer,
+      cameras: this.#cameras,
       morph: this.#morphed(),
+      zeroSurface: this.#surfaced(report),
       problems: [...this.#problems.values()],
     }
-    for (const view of this.#views) {
+    for (const view of this.#turns.due(this.#views, isNews, frame.state.gestureStart !== null)) {
       try {
         view.update(frame)
       } catch (bug) {
@@ -254,9 +325,11 @@ export class HexLens extends HTMLElement {
       }
     }
     if (this.#unmade.length > 0) this.#schedule()
+    else if (this.#turns.isWaiting) this.#request()
     const { vertices, gestureStart } = frame.state
     const moved = this.#drawn !== null && this.#drawn !== vertices
     this.#drawn = vertices
+    this.#drawnCameras = frame.cameras
     if (moved) this.#tell('hex-input')
     if (report && report.valid !== this.#toldValid) {
       this.#toldValid = report.valid

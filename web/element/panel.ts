@@ -46,6 +46,10 @@ class Panel implements View {
     this.root.append(heading, this.#body)
   }
 
+  get takesTurns(): boolean {
+    return this.#isOpen
+  }
+
   update(frame: Frame): void {
     const wasOpen = this.#isOpen
     this.#isOpen = frame.state.openPanels.includes(this.#id)

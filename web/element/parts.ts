@@ -1,5 +1,5 @@
 /** What the element shows. A new view is one entry here. */
-import { announcerStyles, createAnnouncer } from '../views/announcer/announcer'
+import { createAnnouncer } from '../views/announcer/announcer'
 import { certificateStyles, createCertificate } from '../views/certificate/certificate'
 import { checksStyles, createChecks } from '../views/checks/checks'
 import { createProblems, problemsStyles } from '../views/problems/problems'
@@ -60,6 +60,6 @@ export const parts: readonly Part[] = [
     create: panel('take-away', 'Take away', () => import('../views/take-away/take-away')),
     styles: '',
   },
-  { place: 'panel', create: createAnnouncer, styles: announcerStyles },
+  { place: 'panel', create: createAnnouncer, styles: '' },
   { place: 'stage', create: createScene, styles: sceneStyles, slow: true },
 ]

@@ -5,6 +5,9 @@
 
 export type Vec3 = readonly [number, number, number]
 
+/** xi, eta, zeta, or x, y, z. */
+export type Axis = 0 | 1 | 2
+
 /** Eight vertices x, y, z in VTK_HEXAHEDRON order, flat: `vertices[3 * v + axis]`. Always 24 finite doubles once accepted. */
 export type Vertices = readonly number[]
 

@@ -1,11 +1,11 @@
 /** What the page is about, as plain data, and every way it can change. No DOM, no three.js, no wasm. */
-import type { Vec3, Vertices } from './hexahedron'
+import type { Axis, Vec3, Vertices } from './hexahedron'
 
 /** jacdet of the map from [0,1]^3, or from [-1,1]^3 as finite element codes use it (an eighth). */
 export type ReferenceCube = 'unit' | 'biunit'
 
-/** How the faces are drawn: all opaque, see-through, or one face alone (0..5). */
-export type FaceDisplay = 'opaque' | 'see-through' | number
+/** How the faces are drawn: all opaque, see-through, hardly seen around what is inside, or one face alone (0..5). */
+export type FaceDisplay = 'opaque' | 'see-through' | 'inside' | number
 
 /** Panels below the first screen's; each is closed, and not even loaded, until it is asked for. */
 export const PANELS = ['face-maps', 'algorithm', 'inside', 'node-order', 'morph', 'paste', 'take-away'] as const
@@ -15,6 +15,45 @@ export type PanelId = (typeof PANELS)[number]
 export interface ElementPart {
   readonly kind: 'vertex' | 'edge' | 'face'
   readonly id: number
+}
+
+/** A section of the reference cube: xi, eta or zeta (axis 0, 1, 2) is `value`, in [0,1]. */
+export interface Section {
+  readonly axis: Axis
+  readonly value: number
+}
+
+/** What Algorithm 1 is asked: the boundary minimum, or only whether all of the boundary is positive. */
+export type Query = 'minimum' | 'validity'
+
+/** Whether a face's Bernstein bound is looked at before its quartic is solved (`roots-b`) or not (`roots`). */
+export type Variant = 'roots' | 'roots-b'
+
+/** Steps of Algorithm 1: 8 vertices, 12 edges, 6 faces. */
+export const STEP_COUNT = 26
+
+/** How Algorithm 1 is followed, and to which of its steps, or the last one where it ends before. */
+export interface Following {
+  readonly query: Query
+  readonly variant: Variant
+  /** 0..25. */
+  readonly step: number
+}
+
+/** How a picture in space is looked at, whatever its size on the screen. */
+export interface CameraView {
+  /** From what is looked at to the eye; of any length. */
+  readonly direction: Vec3
+  /** How many times nearer the eye is than where everything just fits in. */
+  readonly zoom: number
+  /** What the view turns about, away from where it is when everything just fits in, in halves of the longest side. */
+  readonly pan: Vec3
+}
+
+/** Of the element and of the reference cube; null is the default view. */
+export interface Cameras {
+  readonly camera: CameraView | null
+  readonly referenceCamera: CameraView | null
 }
 
 export interface State {
@@ -41,12 +80,22 @@ export interface State {
   readonly selectedFace: number
   /** The part that is spoken of, for every view to mark; null when none is. */
   readonly highlight: ElementPart | null
+  /** Another node order of these very vertices that is looked at: its vertex i is their vertex `previewedOrder[i]`. */
+  readonly previewedOrder: readonly number[] | null
   /** Ends of a way between two elements, where they were kept: else it goes from `start` to `vertices`. */
   readonly morphA: Vertices | null
   readonly morphB: Vertices | null
+  readonly section: Section
+  readonly following: Following
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
+
+/** What outlives the page: all but what is under way, pointed at or spoken of, and the history. */
+export type LastingState = Omit<
+  State,
+  'gestureStart' | 'probe' | 'highlight' | 'previewedOrder' | 'canUndo' | 'canRedo'
+>
 
 export type Action =
   /** One vertex to a place. Inside a gesture it adds to that gesture's one undo step, outside it is a step of its own. */
@@ -68,13 +117,20 @@ export type Action =
   | { readonly type: 'show-reference-cube'; readonly referenceCube: ReferenceCube }
   | { readonly type: 'show-faces'; readonly faceDisplay: FaceDisplay }
   | { readonly type: 'show-proof'; readonly proofShown: boolean }
+  /** Opening `inside` shows the inside in the scene, closing it the faces again. */
   | { readonly type: 'open-panel'; readonly panel: PanelId; readonly isOpen: boolean }
   | { readonly type: 'show-reference'; readonly referenceShown: boolean }
   | { readonly type: 'link-cameras'; readonly camerasLinked: boolean }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
   | { readonly type: 'select-face'; readonly face: number }
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
+  /** Looked at until the vertices change. */
+  | { readonly type: 'preview-order'; readonly order: readonly number[] | null }
   /** Null lets the end follow the element again. */
   | { readonly type: 'keep-morph-end'; readonly end: 'morphA' | 'morphB'; readonly vertices: Vertices | null }
+  | { readonly type: 'show-section'; readonly section: Section }
+  | { readonly type: 'follow'; readonly following: Following }
+  /** Everything at once; what this changes of the element is one step to undo. */
+  | { readonly type: 'restore'; readonly state: LastingState }
 
 export type Dispatch = (action: Action) => void

@@ -5,8 +5,25 @@
  * Changes are told by the bits, so that -0 and 0 differ; what changes nothing is no step and keeps the state object itself,
  * and a gesture that ends where it began gives back the `vertices` array it began with.
  */
-import { COORDINATE_COUNT, edgeVertices, faces, VERTEX_COUNT, type Vec3, type Vertices, withVertex } from './hexahedron'
-import type { Action, ElementPart, PanelId, State } from './state'
+import {
+  COORDINATE_COUNT,
+  edgeVertices,
+  faces,
+  VERTEX_COUNT,
+  type Vec3,
+  type Vertices,
+  vertexReference,
+  withVertex,
+} from './hexahedron'
+import {
+  type Action,
+  type ElementPart,
+  type FaceDisplay,
+  type LastingState,
+  type PanelId,
+  STEP_COUNT,
+  type State,
+} from './state'
 
 export interface Store {
   /** The state now: a new object after every change, never mutated. */
@@ -16,9 +33,11 @@ export interface Store {
    * - `begin-gesture` commits a gesture that still runs; commit and cancel without a gesture do nothing.
    * - `undo` in a gesture that moved something takes back that gesture alone; in one that did not, the step before it.
    * - `redo`, `reset` in a gesture cancel it first.
+   * - `restore` cancels a gesture that still runs.
    * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one.
    *
-   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate or face.
+   * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate, face or step, a
+   * place outside the reference cube, no order of eight vertices.
    */
   dispatch(action: Action): void
 }
@@ -35,7 +54,8 @@ interface Snapshot {
 
 type Shown = Omit<State, keyof Snapshot | 'gestureStart' | 'canUndo' | 'canRedo'>
 
-const SHOWN_FIRST: Shown = {
+/** What a new element shows. */
+export const SHOWN_FIRST: Shown = {
   selectedVertex: 0,
   referenceCube: 'unit',
   faceDisplay: 'opaque',
@@ -46,8 +66,11 @@ const SHOWN_FIRST: Shown = {
   probe: null,
   selectedFace: 0,
   highlight: null,
+  previewedOrder: null,
   morphA: null,
   morphB: null,
+  section: { axis: 2, value: 0.5 },
+  following: { query: 'minimum', variant: 'roots-b', step: 0 },
 }
 
 const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
@@ -56,10 +79,13 @@ const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
   face: faces.length,
 }
 
-/** A store that starts at these vertices, which are also what reset goes back to. Throws RangeError unless 24 finite numbers. */
-export function createStore(vertices: Vertices, preset: string | null): Store {
-  const start = accepted(vertices)
-  let present: Snapshot = { vertices: start, preset, start }
+/**
+ * A store that starts at these vertices, which reset goes back to unless there is another `start`. Throws RangeError unless
+ * each is 24 finite numbers.
+ */
+export function createStore(vertices: Vertices, preset: string | null, start = vertices): Store {
+  const begin = accepted(start)
+  let present: Snapshot = { vertices: kept(begin, accepted(vertices)), preset, start: begin }
   let past: readonly Snapshot[] = []
   let future: readonly Snapshot[] = []
   let gestureStart: Snapshot | null = null
@@ -176,7 +202,11 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
         shown = { ...shown, proofShown: action.proofShown }
         break
       case 'open-panel':
-        shown = { ...shown, openPanels: withPanel(shown.openPanels, action.panel, action.isOpen) }
+        shown = {
+          ...shown,
+          openPanels: withPanel(shown.openPanels, action.panel, action.isOpen),
+          faceDisplay: action.panel === 'inside' ? withInside(shown.faceDisplay, action.isOpen) : shown.faceDisplay,
+        }
         break
       case 'show-reference':
         shown = { ...shown, referenceShown: action.referenceShown }
@@ -195,10 +225,32 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
         if (action.part) checkIndex(action.part.id, PART_COUNTS[action.part.kind], action.part.kind)
         shown = { ...shown, highlight: samePart(shown.highlight, action.part) ? shown.highlight : action.part }
         break
+      case 'preview-order':
+        shown = { ...shown, previewedOrder: action.order && checkedOrder(action.order) }
+        break
       case 'keep-morph-end':
         shown = { ...shown, [action.end]: action.vertices && kept(present.vertices, accepted(action.vertices)) }
         break
+      case 'show-section':
+        checkWithin(action.section.value, 0, 1)
+        shown = { ...shown, section: action.section }
+        break
+      case 'follow':
+        checkIndex(action.following.step, STEP_COUNT, 'step')
+        shown = { ...shown, following: action.following }
+        break
+      case 'restore':
+        cancel()
+        restore(action.state)
+        break
     }
+  }
+
+  /** What is shown was checked by the reader of the state. */
+  function restore({ vertices, preset, start, ...others }: LastingState): void {
+    const began = kept(present.start, accepted(start))
+    change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
+    shown = { ...shown, ...others, probe: null, previewedOrder: null }
   }
 
   return {
@@ -206,7 +258,9 @@ export function createStore(vertices: Vertices, preset: string | null): Store {
       return state
     },
     dispatch(action) {
+      const { vertices } = present
       apply(action)
+      if (present.vertices !== vertices && shown.previewedOrder) shown = { ...shown, previewedOrder: null }
       const next = currentState()
       if (!sameState(state, next)) state = next
     },
@@ -229,6 +283,16 @@ function checkIndex(index: number, count: number, what: string): number {
   return index
 }
 
+function checkWithin(value: number, least: number, greatest: number): void {
+  if (!(value >= least && value <= greatest)) throw new RangeError(`${value} is not in [${least},${greatest}].`)
+}
+
+function checkedOrder(order: readonly number[]): readonly number[] {
+  const isOrder = order.length === VERTEX_COUNT && vertexReference.every((_, v) => order.includes(v))
+  if (!isOrder) throw new RangeError(`${order.join(', ')} is no order of eight vertices.`)
+  return order
+}
+
 function checkInCube(point: Vec3): void {
   if (!point.every(x => x >= 0 && x <= 1)) throw new RangeError(`(${point.join(', ')}) is not in [0,1]³.`)
 }
@@ -239,6 +303,11 @@ function samePoint(a: Vec3 | null, b: Vec3 | null): boolean {
 
 function samePart(a: ElementPart | null, b: ElementPart | null): boolean {
   return a === b || (a !== null && b !== null && a.kind === b.kind && a.id === b.id)
+}
+
+function withInside(display: FaceDisplay, isShown: boolean): FaceDisplay {
+  if (isShown) return 'inside'
+  return display === 'inside' ? 'opaque' : display
 }
 
 function withPanel(open: readonly PanelId[], panel: PanelId, isOpen: boolean): readonly PanelId[] {

@@ -1,10 +1,16 @@
 /** What an element has inside that its boundary does not show. */
 import type { Report, VolumeMinimum } from '../core/report'
+import { type ColourScale, colourScaleOf } from './colour-map'
 
 /** The volume minimum where it is certainly below the boundary's: of an invalid element only, by the theorem. */
 export function lowerInside(report: Report): VolumeMinimum | null {
   const { boundaryMinimum, boundaryMinimumError, volumeMinimum } = report
   return volumeMinimum.upper < boundaryMinimum - boundaryMinimumError ? volumeMinimum : null
+}
+
+/** Colours down to the least jacdet of the whole element. */
+export function colourScaleInside(report: Report): ColourScale {
+  return colourScaleOf(lowerInside(report)?.upper ?? report.boundaryMinimum, report.boundaryMaximum)
 }
 
 /** A number and how far the exact one may be from it, both times the report's 2^exponent. */

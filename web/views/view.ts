@@ -3,8 +3,9 @@ import type { NodeOrder } from '../content/node-orders'
 import type { Certificate } from '../core/exact/certificate'
 import type { Morph } from '../core/morph'
 import type { JacobianReport, Report } from '../core/report'
+import type { Surface } from '../core/zero-surface'
 import type { Vertices } from '../model/hexahedron'
-import type { Dispatch, State } from '../model/state'
+import type { Cameras, Dispatch, State } from '../model/state'
 
 /** Something that keeps the page from its full work, as a sentence for people. */
 export interface Problem {
@@ -79,10 +80,14 @@ export interface Frame {
   readonly proof: Proof | null
   /** Null unless the panel for it is open and the element is invalid. */
   readonly triedOrders: TriedOrders | null
+  /** The surface jacdet = 0, coarser while a gesture runs; null unless the inside is shown. */
+  readonly zeroSurface: Surface | null
   /** DF at `state.probe`; null where nothing is pointed at, or there is no report. */
   readonly probe: JacobianReport | null
   /** The last thing pasted or dropped; null before the first. */
   readonly offer: Offer | null
+  /** The views last asked for, from which the reader may have turned since; null before the first, each an object of its own. */
+  readonly cameras: Cameras | null
   /** Null unless its panel is open; while a gesture runs, the way as it was before. */
   readonly morph: Morph | null
   readonly problems: readonly Problem[]
@@ -90,10 +95,14 @@ export interface Frame {
 
 export interface View {
   readonly root: HTMLElement
+  /** Whether, while a gesture runs, it may be brought up to date some frames later. */
+  readonly takesTurns?: boolean
   /** Called once per animation frame in which state, report or problems changed. */
   update(frame: Frame): void
   /** The figure of that name if it is this view's and on the page now. */
   figure?(name: FigureName): Figure | null
+  /** How it looks at things now, if that is this view's; null before its first picture. */
+  cameras?(): Cameras | null
   dispose(): void
 }
 

@@ -1,7 +1,8 @@
 /** Algorithm 1, followed step by step: what each looks at, what becomes of M, and what is skipped and why. */
 import { html, nothing, render, svg, type TemplateResult } from 'lit-html'
-import { type Query, type TraceStep, traceOf, type Variant } from '../../core/trace'
-import type { ElementPart } from '../../model/state'
+import { type TraceStep, traceOf } from '../../core/trace'
+import { type ElementPart, type Following, type Query, STEP_COUNT, type Variant } from '../../model/state'
+import { copyableJacdet } from '../copyable'
 import { partTitle } from '../part-name'
 import type { CreateView, Frame, View, ViewHost } from '../view'
 import css from './algorithm.css?inline'
@@ -13,7 +14,6 @@ export const styles = css
 const STEP_MS = 800
 /** Vertices, edges and faces. */
 const PHASES = [8, 12, 6]
-const STEP_COUNT = 26
 const PLOT = { width: 312, height: 44 }
 
 class AlgorithmView implements View {
@@ -21,8 +21,7 @@ class AlgorithmView implements View {
   readonly #host: ViewHost
   readonly #lessMotion = matchMedia('(prefers-reduced-motion: reduce)')
   readonly #listening = new AbortController()
-  #query: Query = 'minimum'
-  #variant: Variant = 'roots-b'
+  /** Which of the steps is shown. */
   #at = 0
   #timer: ReturnType<typeof setTimeout> | undefined
   #steps: readonly TraceStep[] = []
@@ -47,17 +46,18 @@ class AlgorithmView implements View {
       return
     }
     if (this.#drawn[0] !== report) this.#pause()
-    const drawn = [report, state.referenceCube, this.#query, this.#variant, this.#at, this.#timer, this.#said]
+    const drawn = [report, state.referenceCube, state.following, this.#timer, this.#said]
     if (drawn.every((value, i) => value === this.#drawn[i]) && this.#lit !== null) return
-    const shown = { report, cube: state.referenceCube, query: this.#query, variant: this.#variant }
+    const { query, variant, step } = state.following
+    const shown = { report, cube: state.referenceCube, query, variant }
     this.#shown = shown
     this.#steps = traceOf(report, shown)
-    this.#at = Math.min(this.#at, this.#steps.length - 1)
+    const before = this.#at
+    this.#at = Math.min(step, this.#steps.length - 1)
     this.#light(this.#current)
     render(this.#template(shown), this.root)
-    const moved = this.#drawn[4] !== this.#at
-    this.#drawn = drawn.with(4, this.#at)
-    if (moved) this.#showCurrent()
+    if (this.#drawn.length === 0 || before !== this.#at) this.#showCurrent()
+    this.#drawn = drawn
   }
 
   dispose(): void {
@@ -76,7 +76,7 @@ class AlgorithmView implements View {
 
   #template(shown: TraceShown): TemplateResult {
     const step = this.#current
-    return html`${this.#choices()}
+    return html`${this.#choices(shown)}
       <p class="sentence">${signedNumbers(stepSentence(step, shown))} ${this.#isLast ? html`<span>${signedNumbers(answerSentence(step, shown))}</span>` : ''}</p>
       <p class="said" aria-live="polite">${this.#said}</p>
       <div class="go" role="group" aria-label="Steps">
@@ -97,23 +97,23 @@ class AlgorithmView implements View {
       </ol>`
   }
 
-  #choices(): TemplateResult {
+  #choices({ query, variant }: TraceShown): TemplateResult {
     return html`<p class="choices">
       <label>
         <span>Find</span>
         <select @change=${(event: Event) => this.#choose({ query: chosen(event) as Query })}>
-          <option value="minimum" ?selected=${this.#query === 'minimum'}>the minimum</option>
-          <option value="validity" ?selected=${this.#query === 'validity'}>only whether it is valid</option>
+          <option value="minimum" ?selected=${query === 'minimum'}>the minimum</option>
+          <option value="validity" ?selected=${query === 'validity'}>only whether it is valid</option>
         </select>
       </label>
       <label>
         <span>by</span>
         <select @change=${(event: Event) => this.#choose({ variant: chosen(event) as Variant })}>
-          <option value="roots-b" ?selected=${this.#variant === 'roots-b'}>Roots+B</option>
-          <option value="roots" ?selected=${this.#variant === 'roots'}>Roots</option>
+          <option value="roots-b" ?selected=${variant === 'roots-b'}>Roots+B</option>
+          <option value="roots" ?selected=${variant === 'roots'}>Roots</option>
         </select>
       </label>
-      <span class="means">${this.#variant === 'roots' ? 'Every face’s quartic is solved.' : 'Faces that their Bernstein bounds rule out are skipped.'}</span>
+      <span class="means">${variant === 'roots' ? 'Every face’s quartic is solved.' : 'Faces that their Bernstein bounds rule out are skipped.'}</span>
     </p>`
   }
 
@@ -144,12 +144,12 @@ class AlgorithmView implements View {
     const { width, height } = PLOT
     const { path, marks, zero } = minimumPlot(this.#steps, STEP_COUNT, PLOT)
     const mark = marks[this.#at]
-    const m = jacdet(this.#current.after, shown)
+    const m = this.#current.after
     const ends = PHASES.map((_, i) => PHASES.slice(0, i + 1).reduce((a, b) => a + b) / STEP_COUNT)
     const [first, last] = [this.#steps[0]?.after ?? null, this.#steps.at(-1)?.after ?? null]
     const name = `M over the steps, from ${jacdet(first, shown)} down to ${jacdet(last, shown)}`
     return html`<figure>
-      <figcaption><span>M = ${signedNumbers(m)}</span></figcaption>
+      <figcaption><span>M = ${m === null ? '' : copyableJacdet(m, shown.report.exponent, shown.cube)}</span></figcaption>
       <svg viewBox="-4 -6 ${width + 8} ${height + 12}" role="img" aria-label=${name}>
         ${ends.slice(0, -1).map(share => svg`<path class="phase" d="M${share * width} -4V${height + 4}" />`)}
         ${zero === null ? nothing : svg`<path class="zero" d="M0 ${zero}H${width}" />`}
@@ -166,26 +166,28 @@ class AlgorithmView implements View {
     this.#host.requestFrame()
   }
 
-  #choose(choice: { readonly query?: Query; readonly variant?: Variant }): void {
+  #choose(choice: Partial<Following>): void {
     this.#pause()
-    this.#query = choice.query ?? this.#query
-    this.#variant = choice.variant ?? this.#variant
     this.#said = ''
-    this.#host.requestFrame()
+    this.#follow(choice)
   }
 
   /** Where the reader goes, in contrast to where playing has come. */
   #go(to: number): void {
     this.#pause()
-    this.#at = Math.max(0, Math.min(this.#steps.length - 1, to))
-    if (this.#shown) this.#said = stepSentence(this.#current, this.#shown)
-    this.#host.requestFrame()
+    const step = Math.max(0, Math.min(this.#steps.length - 1, to))
+    if (this.#shown) this.#said = stepSentence(this.#steps[step] as TraceStep, this.#shown)
+    this.#follow({ step })
+  }
+
+  #follow(change: Partial<Following>): void {
+    this.#host.dispatch({ type: 'follow', following: { ...this.#host.state().following, ...change } })
   }
 
   #toggle(): void {
     if (this.#timer !== undefined) this.#pause()
     else {
-      if (this.#isLast) this.#at = 0
+      if (this.#isLast) this.#follow({ step: 0 })
       this.#said = ''
       this.#timer = setTimeout(() => this.#advance(), STEP_MS)
     }
@@ -193,9 +195,10 @@ class AlgorithmView implements View {
   }
 
   #advance(): void {
-    this.#at++
-    this.#timer = this.#isLast ? undefined : setTimeout(() => this.#advance(), STEP_MS)
-    this.#host.requestFrame()
+    const step = this.#at + 1
+    const isLast = step >= this.#steps.length - 1
+    this.#timer = isLast ? undefined : setTimeout(() => this.#advance(), STEP_MS)
+    this.#follow({ step })
   }
 
   #pause(): void {

@@ -1,9 +1,6 @@
 /** Says what changed to those who do not see it: a polite live region, at most one sentence a second, the latest one. */
 import type { CreateView, Frame, View } from '../view'
 import { announcement } from './announcement'
-import css from './announcer.css?inline'
-
-export const announcerStyles = css
 
 const PAUSE_MS = 1000
 
@@ -14,7 +11,7 @@ class AnnouncerView implements View {
   #timer: ReturnType<typeof setTimeout> | undefined
 
   constructor() {
-    this.root.className = 'announcer'
+    this.root.className = 'announcer said'
     this.root.setAttribute('aria-live', 'polite')
   }
 

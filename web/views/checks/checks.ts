@@ -2,8 +2,9 @@
 import { html, render, type TemplateResult } from 'lit-html'
 import { checks as descriptions } from '../../content/checks'
 import type { Check, Report } from '../../core/report'
-import { formatJacdet, formatNumber } from '../../model/decimal'
+import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
+import { copyable, copyableJacdet } from '../copyable'
 import type { CreateView, Frame, View } from '../view'
 import css from './checks.css?inline'
 
@@ -35,10 +36,10 @@ function template(report: Report, cube: ReferenceCube): TemplateResult {
   return html`<h2 id="checks-title">Who would notice?</h2>
     <table aria-labelledby="checks-title">
       <thead>
-        <tr><th scope="col"><span>Check</span></th><th scope="col">number</th><th scope="col">answer</th></tr>
+        <tr><th scope="col"><span class="said">Check</span></th><th scope="col">number</th><th scope="col">answer</th></tr>
       </thead>
       <tbody>
-        ${report.checks.map(check => row(check, report, cube))}
+        ${report.checks.map((check, i) => row(check, report, cube, i === 0))}
       </tbody>
     </table>
     <details>
@@ -49,13 +50,21 @@ function template(report: Report, cube: ReferenceCube): TemplateResult {
     </details>`
 }
 
-function row({ id, value, passes }: Check, { valid, exponent }: Report, cube: ReferenceCube): TemplateResult {
+function row(
+  { id, value, passes }: Check,
+  { valid, exponent }: Report,
+  cube: ReferenceCube,
+  isTabStop: boolean,
+): TemplateResult {
   const { name, usedBy, unit } = descriptions[id]
-  const number = unit === 'none' ? formatNumber(value) : formatJacdet(value, exponent, cube)
+  const number =
+    unit === 'none'
+      ? copyable(formatNumber(value), String(value), { isTabStop })
+      : copyableJacdet(value, exponent, cube, { isTabStop })
   const agrees = passes === valid
   return html`<tr class=${agrees ? '' : 'is-wrong'}>
     <th scope="row"><span>${name}</span>${usedBy ? html` <span class="by">${usedBy}</span>` : ''}</th>
-    <td class=${value < 0 ? 'negative' : ''}>${number}</td>
+    <td>${number}</td>
     <td>
       ${passes ? 'passes it' : 'rejects it'}<span class="said">, ${agrees ? 'agrees' : 'wrong'}</span>
       <span class="mark" aria-hidden="true">${agrees ? '✓' : '✗'}</span>

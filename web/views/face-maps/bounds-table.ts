@@ -1,21 +1,21 @@
 /** Per face: its Bernstein lower bound, and whether that bound or the quartic settles it. */
 import { html, type TemplateResult } from 'lit-html'
 import type { FaceReport, Report } from '../../core/report'
-import { formatJacdet } from '../../model/decimal'
 import { faces } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
+import { copyableJacdet } from '../copyable'
 
 export function boundsTable(
   { faces: reports, exponent }: Report,
   cube: ReferenceCube,
   selected: number,
 ): TemplateResult {
-  const number = (value: number) =>
-    html`<td class=${value < 0 ? 'negative' : ''}>${formatJacdet(value, exponent, cube)}</td>`
+  const number = (value: number, isTabStop: boolean) =>
+    html`<td>${copyableJacdet(value, exponent, cube, { isTabStop })}</td>`
   const row = ({ id, lowerBound, runningMinimum, skippedByValidityRule, skippedByMinimumRule }: FaceReport) =>
     html`<tr class=${id === selected ? 'is-selected' : ''}>
       <th scope="row">${faces[id]?.name}</th>
-      ${number(lowerBound)}${number(runningMinimum)}
+      ${number(lowerBound, id === 0)}${number(runningMinimum, false)}
       <td>${settledBy(skippedByValidityRule)}</td>
       <td>${settledBy(skippedByMinimumRule)}</td>
     </tr>`

@@ -15,14 +15,18 @@ export interface FaceRaster {
   readonly pixelRatio: number
 }
 
-/** Colours of positions on the ramps, finely sampled, and those of lines. */
+/** Colours of positions on the ramps from -1 to 1, finely sampled, and what lies over them, made when it is first needed. */
 export interface Palette {
-  /** RGBA as one little-endian number each, from -1 to 1. */
+  /** RGBA as one little-endian number each. */
   readonly packed: Uint32Array
   /** The same as red, green, blue in [0,255]. */
   readonly components: Float64Array
   /** Whether a line on the colour has to be light. */
   readonly isDim: Uint8Array
+  /** `packed` under a level's line, by the line's share in steps. */
+  readonly levelled: (Uint32Array | undefined)[]
+  /** The negative half of `packed` under the hatch, by the coverages of both stripes in steps. */
+  readonly hatched: (Uint32Array | undefined)[]
   readonly ink: Rgb
   readonly light: Rgb
   readonly dark: Rgb
@@ -32,14 +36,19 @@ export interface Palette {
 /** Finer than a step of an 8-bit colour. */
 const SAMPLES = 1024
 
+/** Steps of the share of what lies over a colour: each is less than two steps of an 8-bit colour. */
+const SHARE_STEPS = 32
+
 /** CSS pixels: half widths of the zero line and of the neutral around it, and of a level's line. */
 const ZERO = 0.95
 const CASING = 2.1
 const LEVEL = 0.5
 const LEVEL_STRENGTH = 0.22
+const DARK_STRENGTH = 0.36
+const LIGHT_STRENGTH = 0.3
 /** Levels nearer than this, in CSS pixels, are not drawn, and from the second on in full. */
 const LEVEL_ROOM = [4, 8] as const
-/** As in the scene: below this change per pixel nothing is said to change. */
+/** As in the scene: below this change per CSS pixel nothing is said to change. */
 const LEAST_SLOPE = 1e-6
 const LEAST_VALUE = 1e-6
 
@@ -61,6 +70,8 @@ export function paletteOf(ramp: Ramp, theme: Theme): Palette {
     packed,
     components,
     isDim,
+    levelled: [],
+    hatched: [],
     ink,
     light: inkIsDark ? paper : ink,
     dark: inkIsDark ? ink : paper,
@@ -81,9 +92,10 @@ export function paintFace(
   const casingReach = (CASING * pixelRatio + 0.5) ** 2
   const levelReach = (LEVEL * pixelRatio + 0.5) ** 2
   const steepest = (LEVEL_ROOM[0] * pixelRatio) ** -2
+  const flattest = (4 * LEAST_SLOPE) ** 2 / pixelRatio ** 2
   const toSample = SAMPLES / RAMP_STEPS
   const blender = new Blender(palette, cell, size, pixelRatio)
-  const { onStripe } = blender
+  const { stripes } = blender
   const middle = size - 1
   const sStep = cell.sToLeft ? -perPixel : perPixel
   const sFirst = cell.sToLeft ? 1 - perPixel / 2 : perPixel / 2
@@ -107,13 +119,14 @@ export function paintFace(
       const sample = value < 0 ? SAMPLES - fromZero : SAMPLES + fromZero
       const offLevel = level - ((level + 0.5) | 0)
       const levelSlope = slopeSquared * steps * steps
-      const isLined =
-        value * value < casingReach * slopeSquared ||
-        (offLevel * offLevel < levelReach * levelSlope && levelSlope < steepest)
-      const isDrawnOn = isLined || (value < 0 && onStripe[middle + x - y] === 1)
-      pixels[y * size + x] = isDrawnOn
-        ? blender.at(middle + x - y, sample, value, level, slopeSquared, steps)
-        : (packed[sample] as number)
+      const isLevel = offLevel * offLevel < levelReach * levelSlope && levelSlope < steepest
+      const stripe = value < 0 ? stripes[middle + x - y] : undefined
+      let colour: number
+      if (slopeSquared < flattest || value * value < casingReach * slopeSquared || (isLevel && stripe))
+        colour = blender.at(middle + x - y, sample, value, level, slopeSquared, steps)
+      else if (isLevel) colour = blender.onLevel(sample, level, Math.sqrt(slopeSquared), steps)
+      else colour = (stripe ?? packed)[sample] as number
+      pixels[y * size + x] = colour
     }
   }
 }
@@ -122,24 +135,37 @@ export function paintFace(
 class Blender {
   readonly #palette: Palette
   readonly #ratio: number
-  /** The hatch by size - 1 + x - y: whether there is any, and its coverages. */
-  readonly onStripe: Uint8Array
+  /** The negative colours under the hatch by size - 1 + x - y; undefined where there is no stripe. */
+  readonly stripes: readonly (Uint32Array | undefined)[]
   readonly #darkStripe: Float64Array
   readonly #lightStripe: Float64Array
 
   constructor(palette: Palette, { column, row }: NetCell, size: number, ratio: number) {
     this.#palette = palette
     this.#ratio = ratio
-    this.onStripe = new Uint8Array(2 * size - 1)
     this.#darkStripe = new Float64Array(2 * size - 1)
     this.#lightStripe = new Float64Array(2 * size - 1)
     for (let i = 0; i < 2 * size - 1; i++) {
       // The pattern is the net's, so that it goes on from cell to cell.
       const across = acrossStripe(((column - row) * size + i + 1 - size) / ratio)
-      this.#darkStripe[i] = 0.36 * coverage(Math.abs(across - 0.55) * ratio, 0.55 * ratio)
-      this.#lightStripe[i] = 0.3 * coverage(Math.abs(across + 0.55) * ratio, 0.55 * ratio)
-      this.onStripe[i] = this.#darkStripe[i] || this.#lightStripe[i] ? 1 : 0
+      this.#darkStripe[i] = DARK_STRENGTH * coverage(Math.abs(across - 0.55) * ratio, 0.55 * ratio)
+      this.#lightStripe[i] = LIGHT_STRENGTH * coverage(Math.abs(across + 0.55) * ratio, 0.55 * ratio)
     }
+    this.stripes = Array.from(this.#darkStripe, (dark, i) => hatchedColours(palette, dark, this.#lightStripe[i] ?? 0))
+  }
+
+  /** Where nothing but a level's line lies over the colour. */
+  onLevel(sample: number, level: number, slopePerPixel: number, steps: number): number {
+    const share = this.#levelShare(level, slopePerPixel, steps)
+    return levelledColours(this.#palette, (share * (SHARE_STEPS / LEVEL_STRENGTH) + 0.5) | 0)[sample] as number
+  }
+
+  #levelShare(level: number, slopePerPixel: number, steps: number): number {
+    if (level < 0.5 || level > RAMP_STEPS - 0.5) return 0
+    const room = 1 / (Math.abs(steps) * slopePerPixel)
+    const distance = Math.abs(level - Math.round(level)) * room
+    const strength = LEVEL_STRENGTH * smoothstep(LEVEL_ROOM[0], LEVEL_ROOM[1], room / this.#ratio)
+    return strength * coverage(distance, LEVEL * this.#ratio)
   }
 
   /** What is laid over a colour takes its share of the weights of all that is below. */
@@ -148,17 +174,9 @@ class Blender {
     const ratio = this.#ratio
     const slopePerPixel = Math.sqrt(slopeSquared)
     const seen = smoothstep(LEAST_SLOPE, 4 * LEAST_SLOPE, slopePerPixel * ratio)
-    let [below, ofDark, ofLight] = [1, 0, 0]
-
-    if (seen > 0 && level >= 0.5 && level <= RAMP_STEPS - 0.5) {
-      const room = 1 / (Math.abs(steps) * slopePerPixel)
-      const distance = Math.abs(level - Math.round(level)) * room
-      const strength = LEVEL_STRENGTH * seen * smoothstep(LEVEL_ROOM[0], LEVEL_ROOM[1], room / ratio)
-      const share = strength * coverage(distance, LEVEL * ratio)
-      below = 1 - share
-      if (isDim[sample] === 1) ofLight = share
-      else ofDark = share
-    }
+    const share = seen > 0 ? seen * this.#levelShare(level, slopePerPixel, steps) : 0
+    let below = 1 - share
+    let [ofDark, ofLight] = isDim[sample] === 1 ? [0, share] : [share, 0]
     if (value < 0) {
       const hatched = seen === 1 ? 1 : Math.max(seen, smoothstep(LEAST_VALUE, 4 * LEAST_VALUE, -value))
       const lightShare = hatched * (this.#lightStripe[diagonal] as number)
@@ -194,6 +212,46 @@ class Blender {
         zero * ink[2],
     )
   }
+}
+
+function levelledColours(palette: Palette, steps: number): Uint32Array {
+  const known = palette.levelled[steps]
+  if (known) return known
+  const share = (steps / SHARE_STEPS) * LEVEL_STRENGTH
+  const { packed, isDim, dark, light } = palette
+  const colours = packed.map((_, sample) => mixed(palette, sample, isDim[sample] === 1 ? light : dark, share))
+  palette.levelled[steps] = colours
+  return colours
+}
+
+/** Undefined where both stripes are less than half a step. */
+function hatchedColours(palette: Palette, darkShare: number, lightShare: number): Uint32Array | undefined {
+  const darkSteps = Math.round((darkShare / DARK_STRENGTH) * SHARE_STEPS)
+  const lightSteps = Math.round((lightShare / LIGHT_STRENGTH) * SHARE_STEPS)
+  if (darkSteps + lightSteps === 0) return undefined
+  const index = darkSteps * (SHARE_STEPS + 1) + lightSteps
+  const known = palette.hatched[index]
+  if (known) return known
+  const dark = (darkSteps / SHARE_STEPS) * DARK_STRENGTH
+  const light = (lightSteps / SHARE_STEPS) * LIGHT_STRENGTH
+  // Both as one colour over the ramp's: the dark stripe lies over the light one.
+  const share = 1 - (1 - dark) * (1 - light)
+  const over = palette.dark.map((of, k) => (of * dark + (palette.light[k] as number) * light * (1 - dark)) / share)
+  const colours = palette.packed
+    .subarray(0, SAMPLES + 1)
+    .map((_, sample) => mixed(palette, sample, over as unknown as Rgb, share))
+  palette.hatched[index] = colours
+  return colours
+}
+
+/** The colour of a sample under another one, of which there is a share. */
+function mixed({ components }: Palette, sample: number, over: Rgb, share: number): number {
+  const [r, g, b] = over.map((of, k) => (1 - share) * (components[3 * sample + k] as number) + share * of) as [
+    number,
+    number,
+    number,
+  ]
+  return pack(r, g, b)
 }
 
 function acrossStripe(along: number): number {

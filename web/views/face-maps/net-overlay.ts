@@ -27,7 +27,7 @@ const NUMBER_DISTANCE = 9
 const RING = 7.5
 
 export class NetOverlay {
-  readonly root = svg('svg', { class: 'face-overlay' })
+  readonly root = svg('svg', { class: 'face-overlay lettered' })
   readonly #cells = netCells.map(() => svg('rect', { class: 'cell' }))
   readonly #selected = svg('rect', { class: 'selected' })
   readonly #names = faces.map(({ name }) => svg('text', { class: 'name' }, name))

@@ -1,14 +1,15 @@
 /** The selected face's quartic in words: whether it was needed, and what became of each of its roots. */
 import { html, type TemplateResult } from 'lit-html'
 import type { FaceReport, FaceRoot, Report } from '../../core/report'
-import { formatJacdet, formatNumber } from '../../model/decimal'
+import { formatNumber } from '../../model/decimal'
 import { faces } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
+import { copyable, copyableJacdet } from '../copyable'
 
 const COUNTS = ['no root', 'one root', 'two roots', 'three roots', 'four roots']
 
 export function quarticWords(report: Report, face: FaceReport, cube: ReferenceCube): TemplateResult {
-  const number = (value: number) => formatJacdet(value, report.exponent, cube)
+  const number = (value: number) => copyableJacdet(value, report.exponent, cube)
   return html`<h3>Quartic of face ${faces[face.id]?.name}</h3>
     <p>${needOf(face, number)} ${rootsSentence(face)}</p>
     ${
@@ -20,15 +21,18 @@ export function quarticWords(report: Report, face: FaceReport, cube: ReferenceCu
     }`
 }
 
-function needOf(face: FaceReport, number: (value: number) => string): string {
+type Numbers = (value: number) => TemplateResult
+
+function needOf(face: FaceReport, number: Numbers): TemplateResult {
   const bound = number(face.lowerBound)
   const { skippedByValidityRule: isPositive, skippedByMinimumRule: isSkipped } = face
-  if (isPositive && isSkipped) return `Its bound ${bound} alone settles this face; its quartic is shown all the same.`
+  if (isPositive && isSkipped)
+    return html`Its bound ${bound} alone settles this face; its quartic is shown all the same.`
   if (isPositive)
-    return `Its bound ${bound} shows it positive, but lies below ${number(face.runningMinimum)}, the least found before: for the minimum the quartic is needed.`
+    return html`Its bound ${bound} shows it positive, but lies below ${number(face.runningMinimum)}, the least found before: for the minimum the quartic is needed.`
   if (isSkipped)
-    return `Its bound ${bound} is not below the least found before, so this face holds no lower minimum; its quartic is shown all the same.`
-  return `Its bound ${bound} settles nothing: the quartic is needed.`
+    return html`Its bound ${bound} is not below the least found before, so this face holds no lower minimum; its quartic is shown all the same.`
+  return html`Its bound ${bound} settles nothing: the quartic is needed.`
 }
 
 function rootsSentence({ quarticIsZero, roots }: FaceReport): string {
@@ -41,10 +45,11 @@ function rootsSentence({ quarticIsZero, roots }: FaceReport): string {
   return `P cannot be told from zero; where it is zero, the least value is found on an edge (a lemma of the paper).${end}`
 }
 
-export function rootText({ t, a, s, fate }: FaceRoot, number: (value: number) => string): string {
-  const at = `t = ${formatNumber(t)}: `
-  if (s === null) return `${at}dropped, a = ${number(a)} ≤ 0: concave in s, or straight`
-  if (fate === 'kept') return `${at}kept, a = ${number(a)} > 0 and s* = ${formatNumber(s)} inside`
+function rootText({ t, a, s, fate }: FaceRoot, number: Numbers): TemplateResult {
+  const plain = (value: number) => copyable(formatNumber(value), String(value))
+  const at = html`t = ${plain(t)}: `
+  if (s === null) return html`${at}dropped, a = ${number(a)} ≤ 0: concave in s, or straight`
+  if (fate === 'kept') return html`${at}kept, a = ${number(a)} > 0 and s* = ${plain(s)} inside`
   const where = s === 0 || s === 1 ? 'on an edge' : 'outside the face'
-  return `${at}dropped, s* = ${formatNumber(s)} ${where}`
+  return html`${at}dropped, s* = ${plain(s)} ${where}`
 }

@@ -1,18 +1,15 @@
-/** What is inside: the least jacdet there against the boundary's, a section that slides, and the surface jacdet = 0. */
+/** What is inside: the least jacdet there against the boundary's, and a section that slides, here flat and in the scene in its place. */
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Report } from '../../core/report'
-import type { Axis } from '../../core/section'
 import { formatBound, formatJacdet, formatNumber, formatPoint } from '../../model/decimal'
-import type { Vec3 } from '../../model/hexahedron'
-import type { ReferenceCube } from '../../model/state'
-import { colourScaleOf } from '../colour-map'
+import type { Axis, Vec3 } from '../../model/hexahedron'
+import type { ReferenceCube, Section, State } from '../../model/state'
 import { approximation, lowerInside } from '../inside'
 import { ThemeReader } from '../theme'
 import type { CreateView, Frame, View, ViewHost } from '../view'
 import css from './inside-panel.css?inline'
 import { insideSentence } from './inside-words'
-import { AXIS_NAMES, type Section, SectionMap } from './section-map'
-import { SurfaceCanvas } from './surface-picture'
+import { AXIS_NAMES, SectionMap } from './section-map'
 
 export const styles = css
 
@@ -20,7 +17,6 @@ const LARGEST_SIDE = 340
 const MARGIN = 22
 const STEP = 0.01
 const KEYS = 'Arrow keys move the point looked at over the section, Escape takes it away.'
-const FIRST_TURN = 25
 
 class InsidePanel implements View {
   readonly root = document.createElement('div')
@@ -29,18 +25,11 @@ class InsidePanel implements View {
   readonly #controls = document.createElement('div')
   readonly #map: SectionMap
   readonly #readout = document.createElement('p')
-  readonly #surface = new SurfaceCanvas()
-  readonly #figure = document.createElement('div')
+  readonly #places = document.createElement('div')
   readonly #theme: ThemeReader
   readonly #resizes: ResizeObserver
-  #section: Section = { axis: 2, value: 0.5 }
-  #turn = FIRST_TURN
   #side = 0
   #report: Report | null = null
-  /** Of the last frame: in the next one with the same, both pictures are brought up to date. */
-  #pictured: Report | null = null
-  #nextPicture: 'section' | 'surface' = 'section'
-  #isThere = false
   readonly #drawn = new Map<string, readonly unknown[]>()
 
   constructor(host: ViewHost) {
@@ -62,22 +51,8 @@ class InsidePanel implements View {
     this.#report = report
     if (report === null || !state.openPanels.includes('inside')) return
     const theme = this.#theme.read()
-    const section = this.#section
-    const least = Math.min(report.boundaryMinimum, report.volumeMinimum.upper)
-    const scale = colourScaleOf(least, report.boundaryMaximum)
-    const isMoving = state.gestureStart !== null
-    // While a gesture runs each of the two pictures is due every other frame, which keeps frames short.
-    const due = isMoving && report !== this.#pictured ? this.#nextPicture : null
-    if (this.#side > 0 && due !== 'surface')
-      this.#map.update({ section, report, scale, theme, state, side: this.#side })
-    if (due !== 'section') this.#isThere = this.#surface.update({ report, section, theme, isMoving, turn: this.#turn })
-    this.#pictured = report
-    if (due !== null) {
-      this.#nextPicture = due === 'section' ? 'surface' : 'section'
-      this.#host.requestFrame()
-    }
-    const isThere = this.#isThere
-    this.#drawWords(frame, report, isThere)
+    if (this.#side > 0) this.#map.update({ report, theme, state, side: this.#side })
+    this.#drawWords(frame, report)
   }
 
   dispose(): void {
@@ -88,11 +63,6 @@ class InsidePanel implements View {
   #build(): void {
     this.root.className = 'inside'
     this.#readout.className = 'readout'
-    this.#surface.canvas.setAttribute('role', 'img')
-    this.#figure.className = 'surface'
-    const words = document.createElement('div')
-    this.#figure.append(this.#surface.canvas, words)
-    this.#turnByPointer()
     const keys = document.createElement('span')
     keys.id = 'section-keys'
     keys.className = 'said'
@@ -100,7 +70,7 @@ class InsidePanel implements View {
     this.#map.root.setAttribute('aria-describedby', keys.id)
     this.#map.root.addEventListener('focus', () => this.#readout.setAttribute('aria-live', 'polite'))
     this.#map.root.addEventListener('blur', () => this.#readout.setAttribute('aria-live', 'off'))
-    this.root.append(this.#minima, this.#controls, this.#map.root, keys, this.#readout, this.#figure)
+    this.root.append(this.#minima, this.#places, this.#controls, this.#map.root, keys, this.#readout)
   }
 
   /** Whether any of it is new since the last time, and remembers it. */
@@ -111,13 +81,12 @@ class InsidePanel implements View {
     return true
   }
 
-  #drawWords({ state, probe }: Frame, report: Report, isThere: boolean): void {
-    const cube = state.referenceCube
-    const section = this.#section
+  #drawWords({ state, probe, zeroSurface }: Frame, report: Report): void {
+    const { referenceCube: cube, section } = state
     if (this.#isNew('minima', report, cube)) render(minima(report, cube), this.#minima)
     const goal = minimizerOf(report)[section.axis]
     if (this.#isNew('controls', goal === section.value, lowerInside(report) !== null, section)) {
-      render(this.#controlsOf(report), this.#controls)
+      render(this.#controlsOf(report, section), this.#controls)
       const value = `${AXIS_NAMES[section.axis]} = ${formatNumber(section.value)}`
       this.#map.root.setAttribute('aria-label', `Map of jacdet on the section ${value}`)
     }
@@ -128,17 +97,37 @@ class InsidePanel implements View {
         this.#readout,
       )
     }
-    if (this.#isNew('surface', isThere, this.#turn, lowerInside(report) !== null)) {
-      const label = isThere
-        ? 'Surface jacdet = 0 in the reference cube'
-        : 'The reference cube; jacdet is zero nowhere inside'
-      this.#surface.canvas.setAttribute('aria-label', label)
-      render(this.#surfaceWords(isThere, lowerInside(report) !== null), this.#figure.lastElementChild as HTMLElement)
-    }
+    const isThere = zeroSurface && zeroSurface.triangles.length > 0
+    if (this.#isNew('places', state.faceDisplay === 'inside', state.referenceShown, isThere))
+      render(this.#placesOf(state, isThere), this.#places)
   }
 
-  #controlsOf(report: Report): TemplateResult {
-    const { axis, value } = this.#section
+  /** Where else the inside is shown. */
+  #placesOf({ faceDisplay, referenceShown }: State, isThere: boolean | null): TemplateResult {
+    const isInScene = faceDisplay === 'inside'
+    const show = (event: Event) => (event.target as HTMLInputElement).checked
+    return html`<fieldset class="places">
+        <legend>Shown in space</legend>
+        <label
+          ><input
+            type="checkbox"
+            .checked=${isInScene}
+            @change=${(event: Event) =>
+              this.#host.dispatch({ type: 'show-faces', faceDisplay: show(event) ? 'inside' : 'opaque' })}
+          />in the element</label
+        >
+        <label
+          ><input
+            type="checkbox"
+            .checked=${referenceShown}
+            @change=${(event: Event) => this.#host.dispatch({ type: 'show-reference', referenceShown: show(event) })}
+          />and in the reference cube</label
+        >
+      </fieldset>
+      <p class="caption">${surfaceWords(isThere)}</p>`
+  }
+
+  #controlsOf(report: Report, { axis, value }: Section): TemplateResult {
     const name = AXIS_NAMES[axis]
     const goal = minimizerOf(report)
     return html`<fieldset class="axes">
@@ -173,65 +162,23 @@ class InsidePanel implements View {
   }
 
   #show(section: Section): void {
-    this.#section = section
+    this.#host.dispatch({ type: 'show-section', section })
     this.#host.dispatch({ type: 'probe', point: null })
-    this.#host.requestFrame()
   }
 
   #goToMinimum(): void {
-    const { axis } = this.#section
+    const { axis } = this.#host.state().section
     if (this.#report) this.#show({ axis, value: minimizerOf(this.#report)[axis] })
     // The button is now disabled, and keys should not be lost with it.
     this.#controls.querySelector<HTMLElement>('input[type=range]')?.focus({ preventScroll: true })
   }
+}
 
-  #surfaceWords(isThere: boolean, isLowerInside: boolean): TemplateResult {
-    return html`<label class="slide"
-        ><span>Turn</span
-        ><input
-          type="range"
-          min="-180"
-          max="180"
-          step="5"
-          .value=${String(this.#turn)}
-          aria-label="Turn the cube"
-          aria-valuetext=${`${Math.round(this.#turn)}°`}
-          @input=${(event: Event) => this.#turnTo((event.target as HTMLInputElement).valueAsNumber)}
-      /></label>
-      <p class="caption">
-        ${isThere ? 'The surface J = 0, skin of the negative part.' : 'J is zero nowhere inside: there is no surface J = 0.'}
-      </p>
-      <p class="legend">
-        <span><i class="ring"></i>minimum on the boundary</span>
-        ${isLowerInside ? html`<span><i class="ring full"></i>minimum inside</span>` : ''}
-        <span><i class="outline"></i>section</span>
-      </p>`
-  }
-
-  #turnTo(degrees: number): void {
-    this.#turn = degrees
-    this.#host.requestFrame()
-  }
-
-  #turnByPointer(): void {
-    const { canvas } = this.#surface
-    let from: { readonly id: number; readonly x: number; readonly turn: number } | null = null
-    canvas.addEventListener('pointerdown', event => {
-      if (event.button !== 0 || from) return
-      from = { id: event.pointerId, x: event.clientX, turn: this.#turn }
-      canvas.setPointerCapture(event.pointerId)
-    })
-    canvas.addEventListener('pointermove', event => {
-      if (event.pointerId !== from?.id) return
-      const turn = from.turn - ((event.clientX - from.x) / canvas.clientWidth) * 180
-      this.#turnTo(((((turn + 180) % 360) + 360) % 360) - 180)
-    })
-    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
-      canvas.addEventListener(end, event => {
-        if (event.pointerId === from?.id) from = null
-      })
-    }
-  }
+function surfaceWords(isThere: boolean | null): string {
+  if (isThere === null) return 'The section, and the surface where J is zero, can be shown in space.'
+  return isThere
+    ? 'In red the surface J = 0, skin of the negative part; the section cuts through both.'
+    : 'J is zero nowhere inside: there is no surface J = 0.'
 }
 
 function minimizerOf(report: Report): Vec3 {

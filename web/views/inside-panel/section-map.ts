@@ -1,24 +1,17 @@
 /** A section of the reference cube as a flat map of jacdet, with the minimizer, and the point that is looked at. */
 
 import type { Report } from '../../core/report'
-import { type Axis, axesOn, pointOn, sectionBernstein } from '../../core/section'
+import { axesOn, pointOn, sectionBernstein } from '../../core/section'
 import { formatJacdet } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
-import type { State } from '../../model/state'
-import { type ColourScale, rampOf, type Theme } from '../colour-map'
+import type { Section, State } from '../../model/state'
+import { rampOf, type Theme } from '../colour-map'
 import { type Palette, paintFace, paletteOf } from '../face-maps/face-raster'
-import { approximation, lowerInside } from '../inside'
+import { approximation, colourScaleInside, lowerInside } from '../inside'
 import { px, set, setText, show, svg } from '../svg'
 
-export interface Section {
-  readonly axis: Axis
-  readonly value: number
-}
-
 export interface SectionPicture {
-  readonly section: Section
   readonly report: Report
-  readonly scale: ColourScale
   readonly theme: Theme
   readonly state: State
   /** CSS pixels a side. */
@@ -72,7 +65,8 @@ export class SectionMap {
     this.#listen()
   }
 
-  update({ section, report, scale, theme, state, side }: SectionPicture): void {
+  update({ report, theme, state, side }: SectionPicture): void {
+    const { section } = state
     this.#section = section
     this.#probe = state.probe
     const isMoving = state.gestureStart !== null
@@ -80,12 +74,12 @@ export class SectionMap {
     if (drawn.every((value, i) => value === this.#drawn[i])) return
     const isPainted = drawn.slice(0, 5).every((value, i) => value === this.#drawn[i])
     this.#drawn = drawn
-    if (!isPainted) this.#paint(section, report, scale, theme, side, isMoving)
+    if (!isPainted) this.#paint(section, report, theme, side, isMoving)
     this.#layOut(section, side)
     this.#mark(section, report, state, side)
   }
 
-  #paint(section: Section, report: Report, scale: ColourScale, theme: Theme, side: number, isMoving: boolean): void {
+  #paint(section: Section, report: Report, theme: Theme, side: number, isMoving: boolean): void {
     if (this.#palette?.theme !== theme) this.#palette = { theme, palette: paletteOf(rampOf(theme), theme) }
     const sharp = Math.round(side * Math.min(devicePixelRatio, MOST_PIXEL_RATIO))
     const size = isMoving ? Math.min(sharp, GESTURE_SIZE) : sharp
@@ -96,6 +90,7 @@ export class SectionMap {
     }
     const { palette } = this.#palette
     const bernstein = sectionBernstein(report.bernstein, section.axis, section.value)
+    const scale = colourScaleInside(report)
     const pixels = new Uint32Array(this.#image.data.buffer)
     paintFace(pixels, { bernstein, cell: CELL, scale, palette, size, pixelRatio: size / side })
     this.#context?.putImageData(this.#image, 0, 0)

@@ -1,10 +1,12 @@
 /** The way between two elements: the boundary minimum along it, and the doubles at which the verdict changes. */
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Morph } from '../../core/morph'
+import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import { elementAt, placeOnWay } from '../../model/morph'
-import type { State } from '../../model/state'
+import type { ReferenceCube, State } from '../../model/state'
+import { copyable, copyableJacdet } from '../copyable'
 import type { CreateView, Frame, View, ViewHost } from '../view'
 import css from './morph.css?inline'
 import { MorphGraph } from './morph-graph'
@@ -49,10 +51,7 @@ class MorphView implements View {
     if (drawn.every((value, i) => value === this.#drawn[i])) return
     this.#drawn = drawn
     render(this.#endsOf(state), this.#ends)
-    render(
-      this.#slider(here, report.valid, formatJacdet(report.boundaryMinimum, report.exponent, state.referenceCube)),
-      this.#slide,
-    )
+    render(this.#slider(here, report, state.referenceCube), this.#slide)
     render(this.#crossings(morph, here), this.#words)
   }
 
@@ -77,10 +76,11 @@ class MorphView implements View {
       }`
   }
 
-  #slider(here: number | null, isValid: boolean, minimum: string): TemplateResult {
+  #slider(here: number | null, report: Report, cube: ReferenceCube): TemplateResult {
+    const { valid: isValid, boundaryMinimum, exponent } = report
+    const minimum = formatJacdet(boundaryMinimum, exponent, cube)
     const text = here === null ? 'not on the way' : `${here}, ${isValid ? 'valid' : 'invalid'}, minimum ${minimum}`
     return html`<label class="slide">
-        <span aria-hidden="true">A</span>
         <input
           type="range"
           min="0"
@@ -94,13 +94,13 @@ class MorphView implements View {
           @blur=${() => this.#commit()}
           @keydown=${(event: KeyboardEvent) => this.#onKey(event)}
         />
-        <span aria-hidden="true">B</span>
       </label>
       <p class="place">
         ${
           here === null
             ? 'The element is not on the way from A to B; the slider puts it there.'
-            : html`τ = <b>${here}</b> <span>${isValid ? 'valid' : 'invalid'}, min J = ${minimum}</span>`
+            : html`τ = <b>${copyable(String(here), String(here))}</b>
+              <span class="says">${isValid ? 'valid' : 'invalid'}, min J = ${copyableJacdet(boundaryMinimum, exponent, cube)}</span>`
         }
       </p>`
   }
@@ -139,7 +139,7 @@ class MorphView implements View {
           ${name}
         </button>
       </th>
-      <td>τ = ${tau}</td>
+      <td>τ = ${copyable(String(tau), String(tau))}</td>
     </tr>`
   }
 

@@ -1,9 +1,9 @@
 /** Whether another node order makes a valid element of the same eight points: which, to look at and to use. */
 import { html, render, svg, type TemplateResult } from 'lit-html'
 import { type NodeOrder, nodeOrders } from '../../content/node-orders'
-import { formatJacdet } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
-import type { ReferenceCube } from '../../model/state'
+import type { State } from '../../model/state'
+import { copyableJacdet } from '../copyable'
 import type { CreateView, Frame, HelpfulOrder, TriedOrders, View, ViewHost } from '../view'
 import css from './node-order.css?inline'
 import { wireframe } from './wireframe'
@@ -13,8 +13,6 @@ export const styles = css
 class NodeOrderView implements View {
   readonly root = document.createElement('div')
   readonly #host: ViewHost
-  /** The order looked at, of the element it was chosen for. */
-  #previewed: { readonly vertices: Vertices; readonly id: string } | null = null
   #used: { readonly vertices: Vertices; readonly name: string } | null = null
   #drawn: readonly unknown[] = []
 
@@ -24,19 +22,22 @@ class NodeOrderView implements View {
   }
 
   update({ state, report, triedOrders }: Frame): void {
+    if (!state.openPanels.includes('node-order')) this.#preview(null)
     const isStale = triedOrders?.vertices !== state.vertices
     const isValid = report?.valid ?? null
-    const drawn = [isValid, triedOrders, isStale, state.referenceCube, this.#previewed, this.#used, state.start]
+    const drawn = [isValid, triedOrders, isStale, state.referenceCube, state.previewedOrder, this.#used, state.start]
     if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
     this.#drawn = drawn
-    render(this.#template(isValid, isStale ? null : triedOrders, state.referenceCube), this.root)
+    render(this.#template(isValid, isStale ? null : triedOrders, state), this.root)
   }
 
-  dispose(): void {}
+  dispose(): void {
+    this.#preview(null)
+  }
 
-  #template(isValid: boolean | null, tried: TriedOrders | null, cube: ReferenceCube): TemplateResult {
+  #template(isValid: boolean | null, tried: TriedOrders | null, state: State): TemplateResult {
     return html`<p tabindex="-1" class="answer">${this.#answer(isValid, tried)}</p>
-      ${isValid === false && tried ? [this.#list(tried, cube), triedList(tried)] : ''}`
+      ${isValid === false && tried ? [this.#list(tried, state), triedList(tried)] : ''}`
   }
 
   #answer(isValid: boolean | null, tried: TriedOrders | null): string {
@@ -55,16 +56,16 @@ class NodeOrderView implements View {
       : `Of ${count} other orders of the same eight points, ${helpful.length} make it valid:`
   }
 
-  #list({ vertices, helpful }: TriedOrders, cube: ReferenceCube): TemplateResult {
+  #list({ vertices, helpful }: TriedOrders, state: State): TemplateResult {
     return html`<ul>
-      ${helpful.map(order => this.#order(order, vertices, cube))}
+      ${helpful.map(order => this.#order(order, vertices, state))}
     </ul>`
   }
 
-  #order(helpful: HelpfulOrder, given: Vertices, cube: ReferenceCube): TemplateResult {
+  #order(helpful: HelpfulOrder, given: Vertices, state: State): TemplateResult {
     const { orders, vertices, boundaryMinimum, exponent } = helpful
-    const { id, name } = orders[0] as NodeOrder
-    const isOpen = this.#previewed?.vertices === given && this.#previewed.id === id
+    const { name, permutation } = orders[0] as NodeOrder
+    const isOpen = state.previewedOrder === permutation
     return html`<li>
       <p class="names">${orders.map(order => html`<span><strong>${order.name}</strong>${usedBy(order)}</span>`)}</p>
       <p class="says">${orders.map(order => order.says).join(' ')}</p>
@@ -73,20 +74,19 @@ class NodeOrderView implements View {
           type="button"
           aria-label=${`Preview ${name}`}
           aria-expanded=${isOpen}
-          @click=${() => this.#preview(isOpen ? null : { vertices: given, id })}
+          @click=${() => this.#preview(isOpen ? null : permutation)}
         >
           Preview
         </button>
         <button type="button" aria-label=${`Use this order: ${name}`} @click=${() => this.#use(helpful)}>Use this order</button>
-        <span>min J = ${formatJacdet(boundaryMinimum, exponent, cube)}</span>
+        <span>min J = ${copyableJacdet(boundaryMinimum, exponent, state.referenceCube)}</span>
       </p>
       ${isOpen ? html`<div class="pictures">${picture(given, 'as it is', false)}${picture(vertices, name, true)}</div>` : ''}
     </li>`
   }
 
-  #preview(previewed: { readonly vertices: Vertices; readonly id: string } | null): void {
-    this.#previewed = previewed
-    this.#host.requestFrame()
+  #preview(order: readonly number[] | null): void {
+    this.#host.dispatch({ type: 'preview-order', order })
   }
 
   /** One step to undo. The button goes, so the focus moves to the sentence that says what happened. */

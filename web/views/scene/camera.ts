@@ -116,20 +116,15 @@ export class SceneCamera {
   }
 
   /**
-   * Moves the camera so that all points just fill what the insets leave free, looking along the same line or from the
-   * given direction. Returns the point to orbit about.
+   * Where the camera has to be so that all points just fill what the insets leave free, looking along the same line, and the
+   * point to orbit about.
    *
    * With x right, y up, z towards the eye and tan_x the half-width of the view at distance 1, a point is within the right
    * border iff x + z tan_x <= eye_x + eye_z tan_x, and within the left one iff -x + z tan_x <= -eye_x + eye_z tan_x. The
    * greatest left-hand sides R and L give the least eye_z = (R + L) / (2 tan_x) and eye_x = (R - L) / 2.
    */
-  fit(points: readonly Vec3[], from?: Vec3): Vec3 {
-    const { three } = this
-    if (from) {
-      three.position.set(...from)
-      three.lookAt(0, 0, 0)
-    }
-    three.updateMatrixWorld()
+  fitted(points: readonly Vec3[]): { readonly eye: Vec3; readonly target: Vec3; readonly distance: number } {
+    this.three.updateMatrixWorld()
     const [right, up, back] = this.axes()
     const { top, right: insetRight, bottom, left } = this.#insets
     const half = Math.tan((FIELD_OF_VIEW * Math.PI) / 360)
@@ -144,7 +139,17 @@ export class SceneCamera {
     const eyeZ = Math.max((r + l) / (2 * tanX), (u + d) / (2 * tanY), nearest + 0.05)
     const eye = map3(axis => at(right, axis) * ((r - l) / 2) + at(up, axis) * ((u - d) / 2) + at(back, axis) * eyeZ)
     const distance = eyeZ - (nearest + farthest) / 2
-    const target = map3(axis => at(eye, axis) - at(back, axis) * distance)
+    return { eye, target: map3(axis => at(eye, axis) - at(back, axis) * distance), distance }
+  }
+
+  /** Fits all points, looking along the same line or from the given direction. Returns the point to orbit about. */
+  fit(points: readonly Vec3[], from?: Vec3): Vec3 {
+    const { three } = this
+    if (from) {
+      three.position.set(...from)
+      three.lookAt(0, 0, 0)
+    }
+    const { eye, target } = this.fitted(points)
     three.position.set(...eye)
     three.updateMatrixWorld()
     return target

@@ -11,6 +11,7 @@ import {
   rampColour,
   rampPosition,
 } from '../colour-map'
+import { approximation, lowerInside } from '../inside'
 import { px, set, setText, show, svg } from '../svg'
 
 export interface ColourBarPicture {
@@ -47,10 +48,16 @@ interface Label {
 
 let bars = 0
 
+/** Of the boundary, or of the whole element where its inside is shown. */
+function leastShown(report: Report, { faceDisplay }: State): number {
+  const inside = faceDisplay === 'inside' ? lowerInside(report) : null
+  return inside ? approximation(inside).value : report.boundaryMinimum
+}
+
 export class ColourBar {
   readonly root = document.createElement('div')
   readonly #title = document.createElement('button')
-  readonly #svg = svg('svg', { role: 'img' })
+  readonly #svg = svg('svg', { class: 'lettered', role: 'img' })
   readonly #gradient: SVGLinearGradientElement
   readonly #hatch: SVGPathElement
   readonly #bar: SVGRectElement
@@ -91,7 +98,8 @@ export class ColourBar {
     this.root.hidden = !hasColours
     if (!hasColours || scale === null) return
     this.#updateTitle(state.referenceCube)
-    const { boundaryMinimum: minimum, boundaryMaximum: maximum, exponent } = report
+    const { boundaryMaximum: maximum, exponent } = report
+    const minimum = leastShown(report, state)
     const bottom = minimum < 0 ? -1 : 0
     const top = maximum > 0 || bottom === 0 ? 1 : 0
     const fromTop = (value: number) => ((top - rampPosition(scale, value)) / (top - bottom)) * length

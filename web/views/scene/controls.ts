@@ -29,12 +29,13 @@ export class Controls {
     this.#faces.append(
       option('opaque', 'All faces'),
       option('see-through', 'See-through'),
+      option('inside', 'Inside'),
       ...faces.map((face, id) => option(String(id), `Face ${face.name} alone`)),
     )
     this.#faces.setAttribute('aria-label', 'Faces shown')
     this.#faces.addEventListener('change', () => {
       const { value } = this.#faces
-      actions.showFaces(value === 'opaque' || value === 'see-through' ? value : Number(value))
+      actions.showFaces(/^\d$/.test(value) ? Number(value) : (value as FaceDisplay))
     })
     const fit = document.createElement('button')
     fit.type = 'button'

@@ -1,17 +1,21 @@
-/** Which point of the faces a line of sight meets first. */
+/** Which point of the faces, or of the section, a line of sight meets first. */
+import { pointOn } from '../../core/section'
 import { type FaceTopology, faces, type Vec3, vertexReference } from '../../model/hexahedron'
 import type { FaceDisplay, State } from '../../model/state'
 import { dot, type Ray, type SceneCamera, type ScreenPoint } from './camera'
-import { facePoint } from './face-point'
+import { type Corners, faceCorners, patchPoint, sectionCorners } from './face-point'
 import { pickHandle, pickRadius } from './picking'
 import { at, map3 } from './view-frame'
 
-export interface FaceHit {
-  readonly face: number
+export interface PatchHit {
   readonly s: number
   readonly t: number
   /** Along the ray, from its origin. */
   readonly distance: number
+}
+
+export interface FaceHit extends PatchHit {
+  readonly face: number
 }
 
 /** What this little outside a face still meets it, so that no line of sight slips between two; far less than a pixel. */
@@ -26,8 +30,8 @@ export function hitFaces(vertices: readonly Vec3[], display: FaceDisplay, ray: R
   let first: FaceHit | null = null
   for (let face = 0; face < faces.length; face++) {
     if (typeof display === 'number' && face !== display) continue
-    for (const hit of hitsOf(vertices, face, ray)) {
-      if (first === null || hit.distance < first.distance - COINCIDENT) first = hit
+    for (const hit of hitsOf(faceCorners(vertices, face), ray)) {
+      if (first === null || hit.distance < first.distance - COINCIDENT) first = { face, ...hit }
     }
   }
   return first
@@ -38,22 +42,34 @@ export interface Drawn {
   readonly camera: SceneCamera
   readonly vertices: readonly Vec3[]
   readonly handles: readonly ScreenPoint[]
-  readonly state: Pick<State, 'faceDisplay' | 'selectedVertex'>
+  readonly state: Pick<State, 'faceDisplay' | 'section' | 'selectedVertex'>
 }
 
 /**
- * (xi, eta, zeta) of what a pointer at a CSS pixel points at: the vertex whose handle is there, or else the first point of a face,
- * its coordinates to the power of ten at or below the share of the element that is one pixel.
+ * (xi, eta, zeta) of what a pointer at a CSS pixel points at: the vertex whose handle is there, or else the first point of a face (of
+ * the section where the inside is shown), its coordinates to the power of ten at or below the share of the element that is one pixel.
  */
 export function pointUnder({ camera, vertices, handles, state }: Drawn, x: number, y: number): Vec3 | null {
   const vertex = pickHandle(handles, { x, y }, pickRadius('mouse'), state.selectedVertex)
   if (vertex !== null) return vertexReference[vertex] as Vec3
   const ray = camera.ray(x, y)
-  const hit = hitFaces(vertices, state.faceDisplay, ray)
+  const { faceDisplay, section } = state
+  const isInside = faceDisplay === 'inside'
+  const hit = isInside ? nearest(hitsOf(sectionCorners(vertices, section), ray)) : hitFaces(vertices, faceDisplay, ray)
   if (hit === null) return null
   const depth = -hit.distance * dot(ray.direction, camera.axes()[2])
   const steps = 10 ** Math.max(0, Math.ceil(Math.log10(ELEMENT_SIZE / camera.lengthPerPixel(depth))))
-  return map3(axis => Math.round(at(referenceOf(hit), axis) * steps) / steps)
+  const rounded = (x: number) => Math.round(x * steps) / steps
+  const [s, t] = [rounded(hit.s), rounded(hit.t)]
+  return isFaceHit(hit) ? referenceOf({ face: hit.face, s, t }) : pointOn(section.axis, section.value, s, t)
+}
+
+function isFaceHit(hit: PatchHit | FaceHit): hit is FaceHit {
+  return 'face' in hit
+}
+
+function nearest(hits: readonly PatchHit[]): PatchHit | null {
+  return hits.reduce<PatchHit | null>((first, hit) => (first && first.distance <= hit.distance ? first : hit), null)
 }
 
 /** (xi, eta, zeta) of a point of a face. */
@@ -63,16 +79,16 @@ export function referenceOf({ face, s, t }: Pick<FaceHit, 'face' | 's' | 't'>): 
 }
 
 /**
- * Every point of a bilinear face on a ray, at most two. In the plane across the ray, with the ray as its origin, the lines of
+ * Every point of a bilinear patch on a ray, at most two. In the plane across the ray, with the ray as its origin, the lines of
  * constant s run from A(s) to B(s), both linear in s. One of them passes through the origin iff A(s) x B(s) = 0, a quadratic in s.
  */
-function hitsOf(vertices: readonly Vec3[], face: number, ray: Ray): FaceHit[] {
+function hitsOf(corners: Corners, ray: Ray): PatchHit[] {
   const [u, v] = across(ray.direction)
-  const [a0, a1, b0, b1] = (faces[face] as FaceTopology).vertices.map((vertex): Point2 => {
-    const offset = map3(axis => at(vertices[vertex] as Vec3, axis) - at(ray.origin, axis))
+  const [a0, a1, b0, b1] = corners.map((corner): Point2 => {
+    const offset = map3(axis => at(corner, axis) - at(ray.origin, axis))
     return [dot(offset, u), dot(offset, v)]
   }) as [Point2, Point2, Point2, Point2]
-  const hits: FaceHit[] = []
+  const hits: PatchHit[] = []
   for (const root of bernsteinRoots(cross(a0, b0), (cross(a0, b1) + cross(a1, b0)) / 2, cross(a1, b1))) {
     const a = mix(a0, a1, root)
     const b = mix(b0, b1, root)
@@ -80,12 +96,12 @@ function hitsOf(vertices: readonly Vec3[], face: number, ray: Ray): FaceHit[] {
     const s = onFace(root)
     const tOn = onFace(t)
     if (s === null || tOn === null) continue
-    const point = facePoint(vertices, face, s, tOn)
+    const point = patchPoint(corners, s, tOn)
     const distance = dot(
       map3(axis => at(point, axis) - at(ray.origin, axis)),
       ray.direction,
     )
-    if (distance > 0) hits.push({ face, s, t: tOn, distance })
+    if (distance > 0) hits.push({ s, t: tOn, distance })
   }
   return hits
 }

@@ -1,6 +1,12 @@
-/** The static grid of the six faces: (s, t, face) at every grid point, and indices face by face, tile by tile. */
+/**
+ * The static grids of the six faces and of the section, which is one face more: (s, t, face) at every grid point, and the indices of the
+ * faces face by face, tile by tile.
+ */
 import { BufferAttribute, BufferGeometry } from 'three'
 import { faces } from '../../model/hexahedron'
+
+/** The section's number among the faces. */
+export const SECTION = faces.length
 
 /** Quads along each side of a face; a bilinear patch bends so little that 32 chords are within a pixel of it. */
 export const FACE_QUADS = 32
@@ -18,10 +24,10 @@ export function tileMiddle(tileOfFace: number): readonly [number, number] {
 }
 
 /** Indices in the order of faces, and of tiles in a face. */
-export function tiledIndices(): Uint16Array {
+export function tiledIndices(count: number = faces.length): Uint16Array {
   const side = FACE_QUADS + 1
   const indices: number[] = []
-  for (let face = 0; face < faces.length; face++) {
+  for (let face = 0; face < count; face++) {
     for (let tile = 0; tile < FACE_TILES * FACE_TILES; tile++) {
       const i0 = Math.floor(tile / FACE_TILES) * QUADS_PER_TILE
       const j0 = (tile % FACE_TILES) * QUADS_PER_TILE
@@ -37,12 +43,20 @@ export function tiledIndices(): Uint16Array {
 }
 
 export function createFacesGeometry(): BufferGeometry {
+  return gridsOf(0, faces.length)
+}
+
+export function createSectionGeometry(): BufferGeometry {
+  return gridsOf(SECTION, 1)
+}
+
+function gridsOf(first: number, count: number): BufferGeometry {
   const side = FACE_QUADS + 1
   const points: number[] = []
-  for (let face = 0; face < faces.length; face++)
+  for (let face = first; face < first + count; face++)
     for (let i = 0; i < side; i++) for (let j = 0; j < side; j++) points.push(i / FACE_QUADS, j / FACE_QUADS, face)
   const geometry = new BufferGeometry()
   geometry.setAttribute('facePoint', new BufferAttribute(Float32Array.from(points), 3))
-  geometry.setIndex(new BufferAttribute(tiledIndices(), 1))
+  geometry.setIndex(new BufferAttribute(tiledIndices(count), 1))
   return geometry
 }

@@ -1,22 +1,29 @@
 /**
- * The faces' shader: positions are bilinear in (s, t) of four of the eight vertices; jacdet is the biquadratic with the face's
+ * The shader of the faces and of the section: positions are bilinear in (s, t) of four of the vertices, the section's own behind the
+ * element's eight; jacdet is the biquadratic with the face's
  * nine Bernstein coefficients, evaluated per pixel with its gradient. Every line (border, zero contour, level, hatch) is
  * drawn at its distance in pixels, so its width is the same everywhere. No light falls on the colours.
  */
 import { DoubleSide, GLSL3, RawShaderMaterial, Vector3 } from 'three'
 import { faces, VERTEX_COUNT } from '../../model/hexahedron'
 import { HATCH_PERIOD, RAMP_STEPS } from '../colour-map'
+import { SECTION } from './faces-geometry'
 
-const COEFFICIENT_COUNT = 9 * faces.length
+const FACE_COUNT = faces.length + 1
+const COEFFICIENT_COUNT = 9 * FACE_COUNT
+const CORNER_COUNT = VERTEX_COUNT + 4
 const STOPS = RAMP_STEPS + 1
 
-const faceVertices = faces.map(face => `ivec4(${face.vertices.join(', ')})`).join(', ')
+const sectionVertices = [0, 1, 2, 3].map(k => VERTEX_COUNT + k)
+const faceVertices = [...faces.map(face => face.vertices), sectionVertices]
+  .map(vertices => `ivec4(${vertices.join(', ')})`)
+  .join(', ')
 
 const shared = /* glsl */ `
 precision highp float;
 precision highp int;
-uniform vec3 vertices[${VERTEX_COUNT}];
-const ivec4 FACE_VERTICES[${faces.length}] = ivec4[](${faceVertices});
+uniform vec3 vertices[${CORNER_COUNT}];
+const ivec4 FACE_VERTICES[${FACE_COUNT}] = ivec4[](${faceVertices});
 `
 
 const vertexShader = /* glsl */ `${shared}
@@ -55,7 +62,8 @@ uniform vec3 paper;
 uniform vec3 eye;
 uniform float pixelRatio;
 uniform float hatchPeriod;
-uniform bool seeThrough;
+// Of faces, where positive, where negative, and of lines on them; the section hides what is behind it.
+uniform vec3 opacity;
 
 const float STEPS = ${RAMP_STEPS}.0;
 // Below this change per pixel, and this value where nothing changes, single precision shows noise.
@@ -149,8 +157,8 @@ void main() {
   colour = mix(colour, paper, 0.55 * coverage(borderDistance, 1.6 * pixelRatio));
   colour = mix(colour, ink, max(edge, 0.7 * fold));
 
-  float alpha = 1.0;
-  if (seeThrough) alpha = max(f.x < 0.0 ? 0.82 : 0.3, max(max(0.9 * zero, 0.85 * edge), 0.5 * fold));
+  float lines = opacity.z * max(max(0.9 * zero, 0.85 * edge), 0.5 * fold);
+  float alpha = face == ${SECTION} ? 1.0 : max(f.x < 0.0 ? opacity.y : opacity.x, lines);
   fragment = vec4(colour * alpha, alpha);
 }
 `
@@ -159,7 +167,7 @@ void main() {
 export function createFacesUniforms() {
   const stops = () => Array.from({ length: STOPS }, () => new Vector3())
   return {
-    vertices: { value: Array.from({ length: VERTEX_COUNT }, () => new Vector3()) },
+    vertices: { value: Array.from({ length: CORNER_COUNT }, () => new Vector3()) },
     bernstein: { value: new Float32Array(COEFFICIENT_COUNT) },
     negativeExtent: { value: 1 },
     positiveExtent: { value: 1 },
@@ -170,7 +178,7 @@ export function createFacesUniforms() {
     eye: { value: new Vector3() },
     pixelRatio: { value: 1 },
     hatchPeriod: { value: HATCH_PERIOD },
-    seeThrough: { value: false },
+    opacity: { value: new Vector3(1, 1, 1) },
   }
 }
 

@@ -10,9 +10,10 @@ const HELP: readonly (readonly [string, string])[] = [
   ['Shift, Alt', 'with these keys: ten times as far, a tenth'],
   ['Point at a face', 'or tap it, to read the Jacobian there'],
   ['P', 'points at the minimizer, then at each candidate'],
+  ['C', 'copies all digits of the point that is pointed at. Pressing any other number copies that one'],
   ['Escape', 'takes back the move while a key or the pointer is held, else the point'],
   ['A, D, W, S', 'turn the view; plus and minus zoom, F fits, Home resets it'],
-  ['T', 'makes faces see-through; comma and full stop show one face at a time'],
+  ['T, I', 'make faces see-through, show a section and what is inside; comma and full stop show one face at a time'],
   ['R, ?', 'show and hide the reference cube, this help'],
 ]
 

@@ -140,6 +140,7 @@ export class KeyboardInput {
     Home: () => this.#stage.fit(true),
     '?': () => this.#stage.toggleHelp(),
     t: () => this.#show(this.#display === 'see-through' ? 'opaque' : 'see-through'),
+    i: () => this.#show(this.#display === 'inside' ? 'opaque' : 'inside'),
     '.': () => this.#show(nextDisplay(this.#display, 1)),
     ',': () => this.#show(nextDisplay(this.#display, -1)),
   }

@@ -1,9 +1,13 @@
-/** The minimizer with its value, and the candidates on edges and faces as small marks by kind. */
-import type { Candidate } from '../../core/report'
+/**
+ * The minimizer with its value, and the candidates on edges and faces as small marks by kind. Where the inside is shown, the value and
+ * its mark are those of the least jacdet of the whole element, and a ring stays on the boundary's.
+ */
+import type { Candidate, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
-import { edgeName, edgeVertices, faces } from '../../model/hexahedron'
+import { edgeName, edgeVertices, faces, type Vec3 } from '../../model/hexahedron'
 import type { FaceDisplay } from '../../model/state'
 import { candidateShapes } from '../candidate-shapes'
+import { approximation, lowerInside } from '../inside'
 import { moveTo, px, set, setText, show, svg } from '../svg'
 import type { ScreenPoint } from './camera'
 import { type Box, type LabelPlace, type Point, placeLabel } from './label-place'
@@ -28,6 +32,14 @@ interface Mark {
   readonly title: SVGTitleElement
 }
 
+/** What is marked as the least, and in which words. */
+interface Least {
+  readonly words: string
+  readonly value: number
+  readonly position: Vec3
+  readonly isVertex: boolean
+}
+
 export class Marks {
   readonly candidates = svg('g', { class: 'candidates' })
   readonly minimizer = svg('g', { class: 'minimizer' })
@@ -38,12 +50,14 @@ export class Marks {
   readonly #dot = svg('circle', { class: 'pupil', r: 3 })
   readonly #leader = svg('path', { class: 'leader' })
   readonly #label = svg('text', { class: 'value' })
+  /** On the boundary's minimizer, where another point has the label. */
+  readonly #second = svg('circle', { class: 'second', r: RING })
   readonly #isLabelled: boolean
   #place: LabelPlace | null = null
 
   constructor(isLabelled: boolean) {
     this.#isLabelled = isLabelled
-    this.minimizer.append(this.#halo, this.#ring, this.#core, this.#dot)
+    this.minimizer.append(this.#second, this.#halo, this.#ring, this.#core, this.#dot)
     if (isLabelled) this.minimizer.append(this.#label)
     if (isLabelled) this.minimizer.prepend(this.#leader)
   }
@@ -57,11 +71,15 @@ export class Marks {
     }
     const { minimizer } = report
     const { faceDisplay } = picture.state
+    const inside = faceDisplay === 'inside' ? lowerInside(report) : null
     const marked = report.candidates.filter(
       c => c.kind !== 'vertex' && !samePoint(c.point, minimizer.point) && isOnFaces(c, faceDisplay),
     )
     this.#updateCandidates(marked, picture)
-    this.#updateMinimizer(minimizer, report.exponent, picture)
+    this.#updateLeast(inside ? leastInside(inside) : leastOnBoundary(report), report.exponent, picture)
+    const second = inside && picture.camera.project(toView(picture.frame, minimizer.position))
+    show(this.#second, second !== null && second.depth > 0)
+    if (second) set(this.#second, { cx: px(second.x), cy: px(second.y) })
   }
 
   #updateCandidates(marked: readonly Candidate[], { frame, camera, report, state }: MarksPicture): void {
@@ -86,19 +104,19 @@ export class Marks {
     return { group, path, title }
   }
 
-  #updateMinimizer(minimizer: Candidate, exponent: number, picture: MarksPicture): void {
+  #updateLeast({ words, value, position, isVertex }: Least, exponent: number, picture: MarksPicture): void {
     const { camera, frame, state } = picture
-    const at = camera.project(toView(frame, minimizer.position))
+    const at = camera.project(toView(frame, position))
     show(this.minimizer, at.depth > 0)
-    const radius = minimizer.kind === 'vertex' ? HANDLE_RING : RING
+    const radius = isVertex ? HANDLE_RING : RING
     for (const circle of [this.#halo, this.#ring, this.#core, this.#dot]) set(circle, { cx: px(at.x), cy: px(at.y) })
     set(this.#halo, { r: radius })
     set(this.#ring, { r: radius })
-    show(this.#core, minimizer.kind !== 'vertex')
-    show(this.#dot, minimizer.kind !== 'vertex')
-    this.minimizer.classList.toggle('positive', minimizer.value > 0)
+    show(this.#core, !isVertex)
+    show(this.#dot, !isVertex)
+    this.minimizer.classList.toggle('positive', value > 0)
     if (!this.#isLabelled) return
-    setText(this.#label, `min J = ${formatJacdet(minimizer.value, exponent, state.referenceCube)}`)
+    setText(this.#label, `${words} = ${formatJacdet(value, exponent, state.referenceCube)}`)
     this.#placeLabel(at, radius, picture)
   }
 
@@ -130,6 +148,15 @@ export class Marks {
       'text-anchor': toRight ? 'start' : 'end',
     })
   }
+}
+
+function leastOnBoundary({ minimizer }: Report): Least {
+  const { value, position, kind } = minimizer
+  return { words: 'min J', value, position, isVertex: kind === 'vertex' }
+}
+
+function leastInside(inside: Report['volumeMinimum']): Least {
+  return { words: 'min J inside', value: approximation(inside).value, position: inside.position, isVertex: false }
 }
 
 /** Whether a candidate lies on what is shown: one face alone has its own and those of its edges. */

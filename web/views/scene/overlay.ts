@@ -49,7 +49,7 @@ interface Handle {
 }
 
 export class Overlay {
-  readonly root = svg('svg', { class: 'scene-overlay', 'aria-hidden': 'true' })
+  readonly root = svg('svg', { class: 'scene-overlay lettered', 'aria-hidden': 'true' })
   readonly #edgeHalo = svg('path', { class: 'edge-halo' })
   readonly #edges = svg('path', { class: 'edges' })
   readonly #ghostHalo = svg('path', { class: 'ghost-halo' })
@@ -115,7 +115,7 @@ export class Overlay {
   #updateHandles({ handles, state, report }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
     const ringed = [report?.minimizer, state.highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
-    const texts = numberTexts(handles)
+    const texts = numberTexts(handles, state.previewedOrder)
     const numbers = handles.map((at, v) => {
       const { group, number } = this.#handles[v] as Handle
       const text = texts[v] as string
@@ -137,18 +137,26 @@ export class Overlay {
     return numbers
   }
 
-  /** The edges of the vertex being moved as they were. */
+  /** The edges of the vertex being moved as they were, or all edges of an order that is looked at. */
   #updateGhost({ state, frame, camera, handles }: OverlayPicture): void {
-    const { gestureStart, selectedVertex } = state
+    const { gestureStart, selectedVertex, previewedOrder } = state
     const moved = gestureStart !== null && gestureStart !== state.vertices
-    for (const part of [this.#ghostHalo, this.#ghost, this.#ghostHandle]) show(part, moved)
-    if (!moved) return
-    const before = verticesInView(frame, gestureStart).map(point => camera.project(point))
-    const own = edgeVertices.filter(edge => edge.includes(selectedVertex))
-    const path = edgePath(own, before)
+    for (const part of [this.#ghostHalo, this.#ghost]) show(part, moved || previewedOrder !== null)
+    show(this.#ghostHandle, moved)
+    if (moved) {
+      const before = verticesInView(frame, gestureStart).map(point => camera.project(point))
+      const own = edgeVertices.filter(edge => edge.includes(selectedVertex))
+      this.#drawGhost(edgePath(own, before))
+      moveTo(this.#ghostHandle, before[selectedVertex] as ScreenPoint)
+    } else if (previewedOrder !== null) {
+      const inOrder = previewedOrder.map(v => handles[v] as ScreenPoint)
+      this.#drawGhost(edgePath(edgeVertices, inOrder))
+    }
+  }
+
+  #drawGhost(path: string): void {
     set(this.#ghostHalo, { d: path })
     set(this.#ghost, { d: path })
-    moveTo(this.#ghostHandle, before[selectedVertex] ?? (handles[selectedVertex] as ScreenPoint))
   }
 
   /** Where the vertex being moved is, in words. Returns the room they take. */
@@ -203,10 +211,19 @@ function createHandle(vertex: number, radius: number): Handle {
   return { group, number }
 }
 
-/** Numbers of handles in one place would hide each other: the first of them says them all, "2, 6". */
-export function numberTexts(handles: readonly ScreenPoint[]): readonly string[] {
+/**
+ * Numbers of handles in one place would hide each other: the first of them says them all, "2, 6". Where another order is
+ * looked at that gives a vertex another number, it says both, "2 → 3".
+ */
+export function numberTexts(handles: readonly ScreenPoint[], order: readonly number[] | null): readonly string[] {
   const first = handles.map(({ x, y }) => handles.findIndex(other => Math.hypot(other.x - x, other.y - y) < SAME_PLACE))
-  return handles.map((_, v) => [...first.keys()].filter(other => first[other] === v).join(', '))
+  const name = (v: number) => (order === null || order[v] === v ? `${v}` : `${v} → ${order.indexOf(v)}`)
+  return handles.map((_, v) =>
+    [...first.keys()]
+      .filter(other => first[other] === v)
+      .map(name)
+      .join(', '),
+  )
 }
 
 /** Lines between points in front of the eye. */

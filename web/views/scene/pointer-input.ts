@@ -2,10 +2,10 @@
  * Mouse, pen and touch on the handles. One pointer at a time, captured; what is not on a handle goes on to the orbit controls,
  * which never hear of a pointer that drags. A drag is one gesture: release commits, Escape and pointercancel restore.
  */
-import { VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
+import { type Axis, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
 import { pickHandle, pickRadius } from './picking'
 import type { Stage } from './stage'
-import { type Axis, type DragKeys, VertexDrag } from './vertex-drag'
+import { type DragKeys, VertexDrag } from './vertex-drag'
 import { extentOf } from './view-frame'
 
 /** Pixels a pressed pointer may tremble before it drags. */

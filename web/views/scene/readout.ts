@@ -18,7 +18,10 @@ export class Readout {
   readonly #position = svg('text')
 
   constructor() {
+    this.root.dataset.copies = 'point'
     this.root.append(this.#jacdet, this.#reference, this.#position)
+    // Pressing the words is no tap on the scene, which would point elsewhere.
+    this.root.addEventListener('pointerdown', event => event.stopPropagation())
   }
 
   update(probe: JacobianReport | null, cube: ReferenceCube, isNarrow: boolean): void {

@@ -4,6 +4,7 @@
  */
 import type { Candidate, JacobianReport, Report } from '../../core/report'
 import { type Vec3, vertexReference } from '../../model/hexahedron'
+import type { CameraView } from '../../model/state'
 import type { Frame, ViewHost } from '../view'
 import type { ScreenPoint } from './camera'
 import { pointUnder } from './face-hit'
@@ -48,7 +49,9 @@ export class ReferenceCube implements Stage {
   #corners: readonly ScreenPoint[] = []
   #left = 0
   #top = 0
-  #isAimed = false
+  /** To be looked at so once it has a size; null is the default view. */
+  #asked: CameraView | null = null
+  #hasSize = false
   /** The report last shown, and the same with candidates where they are in the cube. */
   #report: Report | null = null
   #reportHere: Report | null = null
@@ -76,11 +79,22 @@ export class ReferenceCube implements Stage {
   /** To the box that it is laid out in. */
   resize(): void {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.root
+    const view = this.view()
     this.#left = offsetLeft
     this.#top = offsetTop
     this.camera.resize(Math.max(offsetWidth, 1), Math.max(offsetHeight, 1), INSETS)
-    this.viewpoint.aim(CORNERS, !this.#isAimed)
-    this.#isAimed = true
+    this.#hasSize = true
+    this.look(view)
+  }
+
+  /** How it is looked at; null in the default view. */
+  view(): CameraView | null {
+    return this.#hasSize ? this.viewpoint.seen(CORNERS, 1) : this.#asked
+  }
+
+  look(view: CameraView | null): void {
+    this.#asked = view
+    if (this.#hasSize) this.viewpoint.look(CORNERS, 1, view)
   }
 
   /** Before the picture is painted. */
@@ -93,7 +107,7 @@ export class ReferenceCube implements Stage {
   update({ state, report }: Frame): void {
     this.#link.checked = state.camerasLinked
     this.#overlay.update({
-      state: { ...state, vertices: CUBE, gestureStart: null },
+      state: { ...state, vertices: CUBE, gestureStart: null, previewedOrder: null },
       report: this.#inCube(report),
       frame: FRAME,
       camera: this.camera,
@@ -214,6 +228,7 @@ export class ReferenceCube implements Stage {
     this.#reportHere = report && {
       ...report,
       minimizer: here(report.minimizer),
+      volumeMinimum: { ...report.volumeMinimum, position: report.volumeMinimum.point },
       candidates: report.candidates.map(here),
     }
     return this.#reportHere

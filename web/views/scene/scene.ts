@@ -6,10 +6,11 @@
  * handle chooses that handle.
  */
 import type { Candidate } from '../../core/report'
-import type { Vec3, Vertices } from '../../model/hexahedron'
-import type { State } from '../../model/state'
+import type { Vec3 } from '../../model/hexahedron'
+import type { Cameras, CameraView, State } from '../../model/state'
 import { type ColourScale, colourScaleOf, type Ramp, rampOf, type Theme } from '../colour-map'
 import { figureOf } from '../figure'
+import { colourScaleInside } from '../inside'
 import { ThemeReader } from '../theme'
 import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../view'
 import type { ScreenPoint } from './camera'
@@ -17,9 +18,11 @@ import { ColourBar } from './colour-bar'
 import { Controls } from './controls'
 import { pointUnder } from './face-hit'
 import { createFacePainter, type FacePainter, type Region } from './face-painter'
+import { Framing } from './framing'
 import { Help } from './help'
 import { KeyboardInput } from './keyboard-input'
 import { type Layout, layoutOf } from './layout'
+import { LinkedViews } from './linked-views'
 import { Overlay, type OverlayPicture } from './overlay'
 import { PointerInput } from './pointer-input'
 import { nextCandidate, samePoint } from './probe-candidates'
@@ -29,7 +32,7 @@ import { ReferenceCube } from './reference-cube'
 import css from './scene.css?inline'
 import type { Stage } from './stage'
 import type { DragKeys } from './vertex-drag'
-import { frameOf, type ViewFrame, verticesInView } from './view-frame'
+import { type ViewFrame, verticesInView } from './view-frame'
 import { Viewpoint } from './viewpoint'
 
 export const sceneStyles = css
@@ -70,6 +73,8 @@ class Scene implements SceneView, Stage {
   readonly #controls: Controls
   readonly #help = new Help('scene-help')
   readonly #viewpoint: Viewpoint
+  readonly #framing: Framing
+  readonly #links: LinkedViews
   readonly #probe: ProbeInput
   readonly #pointer: PointerInput
   readonly #keyboard: KeyboardInput
@@ -88,17 +93,16 @@ class Scene implements SceneView, Stage {
   #width = 0
   #height = 0
   #layout: Layout = layoutOf(0, 0)
-  #frame: ViewFrame = { centre: [0, 0, 0], size: 1 }
   #handles: readonly ScreenPoint[] = []
   #shown: Frame | null = null
+  /** What was last asked for, and done. */
+  #asked: Cameras | null = null
   /** Whether the gesture last shown is of the pointer here, under which the picture must not move. */
   #dragged = false
-  #framed: { readonly preset: string | null; readonly start: Vertices } | null = null
   #drag: OverlayPicture['drag'] = null
   #drawnDrag: OverlayPicture['drag'] = null
   /** The candidate that a key pointed at, to be said in the next frame. */
   #toSay: Candidate | null = null
-  #isFollowing = false
 
   constructor(host: ViewHost) {
     this.host = host
@@ -110,7 +114,9 @@ class Scene implements SceneView, Stage {
       toggleReference: () => this.toggleReference(),
       showFaces: faceDisplay => host.dispatch({ type: 'show-faces', faceDisplay }),
     })
-    this.#viewpoint = new Viewpoint(this.element, () => this.#onTurn(this.#viewpoint, this.#reference?.viewpoint))
+    this.#viewpoint = new Viewpoint(this.element, () => this.#onTurn(this.#viewpoint))
+    this.#framing = new Framing(this.#viewpoint)
+    this.#links = new LinkedViews(this.#viewpoint, () => host.state())
     this.#build()
     this.#themeReader = new ThemeReader(this.root, () => host.requestFrame())
     this.#keyboard = new KeyboardInput(this)
@@ -133,8 +139,10 @@ class Scene implements SceneView, Stage {
     const resized = this.#resize(frame.state)
     if (this.#width === 0 || this.#height === 0) return
     this.#readTheme()
-    this.#chooseFrame(frame, resized)
-    this.#link(frame.state)
+    const before = this.#shown?.state ?? null
+    this.#framing.choose(frame.state, { before, resized, isDragged: this.#dragged })
+    this.#look(frame)
+    this.#links.join(frame.state, before)
     this.#probe.update()
     this.#draw(frame)
     this.#sayProbe(frame)
@@ -163,8 +171,16 @@ class Scene implements SceneView, Stage {
     return figureOf(this.root, this.root.querySelectorAll(FIGURE_PARTS))
   }
 
+  cameras(): Cameras | null {
+    if (this.#shown === null) return null
+    return {
+      camera: this.#framing.seen(this.#shown.state.vertices),
+      referenceCamera: this.#reference ? this.#reference.view() : (this.#asked?.referenceCamera ?? null),
+    }
+  }
+
   frame(): ViewFrame {
-    return this.#frame
+    return this.#framing.frame
   }
 
   handles(): readonly ScreenPoint[] {
@@ -178,7 +194,7 @@ class Scene implements SceneView, Stage {
   pointAt(x: number, y: number): Vec3 | null {
     const { camera } = this
     const state = this.host.state()
-    const vertices = verticesInView(this.#frame, state.vertices)
+    const vertices = verticesInView(this.#framing.frame, state.vertices)
     return pointUnder({ camera, vertices, handles: this.#handles, state }, x, y)
   }
 
@@ -206,9 +222,7 @@ class Scene implements SceneView, Stage {
 
   fit(toDefault: boolean): void {
     if (this.#pointer.isDragging) return
-    const { vertices } = this.host.state()
-    this.#frame = frameOf(vertices)
-    this.#aim(vertices, toDefault)
+    this.#framing.fit(this.host.state().vertices, toDefault)
     this.host.requestFrame()
   }
 
@@ -235,7 +249,7 @@ class Scene implements SceneView, Stage {
     this.element.setAttribute('aria-describedby', this.#help.root.id)
     this.#overlay.root.append(this.#readout.root)
     this.element.append(this.#overlay.root)
-    this.#said.className = 'scene-said'
+    this.#said.className = 'said'
     this.#said.setAttribute('aria-live', 'polite')
     this.#pane.className = 'scene-pane'
     this.#pane.append(this.element, this.#colourBar.root, this.#help.root, this.#controls.root, this.#said)
@@ -244,26 +258,15 @@ class Scene implements SceneView, Stage {
     this.root.classList.toggle('unpainted', this.#painter === null)
   }
 
-  /** The other view looks along the same line if they are linked. */
-  #onTurn(from: Viewpoint, to: Viewpoint | undefined): void {
-    const { referenceShown, camerasLinked } = this.host.state()
-    if (to && referenceShown && camerasLinked && !this.#isFollowing) {
-      this.#isFollowing = true
-      to.direction = from.direction
-      this.#isFollowing = false
-    }
+  #onTurn(from: Viewpoint): void {
+    this.#links.follow(from)
     this.host.requestFrame()
   }
 
-  /** What has just been shown or linked looks along the element's line. */
-  #link({ referenceShown, camerasLinked }: State): void {
-    const before = this.#shown?.state
-    if (!referenceShown || !camerasLinked || (before?.referenceShown && before.camerasLinked)) return
-    this.#onTurn(this.#viewpoint, this.#reference?.viewpoint)
-  }
-
   #createReference(): ReferenceCube {
-    const reference = new ReferenceCube(this, () => this.#onTurn(reference.viewpoint, this.#viewpoint))
+    const reference = new ReferenceCube(this, () => this.#onTurn(reference.viewpoint))
+    reference.look(this.#asked?.referenceCamera ?? null)
+    this.#links.other = reference.viewpoint
     this.root.append(reference.root)
     return reference
   }
@@ -313,10 +316,10 @@ class Scene implements SceneView, Stage {
     this.host.requestFrame()
   }
 
-  /** Lays out the parts; whether the element's own part has another size than before. */
-  #resize({ referenceShown }: State): boolean {
+  /** Lays out the parts. Where the element's own part has another size than before: how it was looked at; else null. */
+  #resize({ referenceShown }: State): { readonly camera: CameraView | null } | null {
     const shownBefore = this.#shown?.state.referenceShown ?? false
-    if (!this.#sizeMayDiffer && referenceShown === shownBefore) return false
+    if (!this.#sizeMayDiffer && referenceShown === shownBefore) return null
     this.#sizeMayDiffer = false
     const split = referenceShown ? (this.root.clientWidth >= BESIDE ? 'beside' : 'below') : 'none'
     this.root.dataset.split = split
@@ -325,13 +328,14 @@ class Scene implements SceneView, Stage {
     this.#canvas = { width: this.root.clientWidth, height: this.root.clientHeight }
     if (referenceShown) this.#reference?.resize()
     const { offsetWidth: width, offsetHeight: height } = this.#pane
-    if (width === this.#width && height === this.#height) return false
+    if (width === this.#width && height === this.#height) return null
+    const camera = this.#shown && this.#framing.seen(this.#shown.state.vertices)
     this.#width = width
     this.#height = height
     this.#layout = layoutOf(width, height)
     this.root.classList.toggle('narrow', this.#layout.isNarrow)
     if (width > 0 && height > 0) this.camera.resize(width, height, this.#layout.insets)
-    return true
+    return { camera }
   }
 
   #readTheme(): void {
@@ -341,72 +345,44 @@ class Scene implements SceneView, Stage {
     this.#ramp = rampOf(theme)
   }
 
-  /** The view frame stays while vertices are moved; another element, or what was typed out of the picture, is brought into view. */
-  #chooseFrame({ state }: Frame, resized: boolean): void {
-    const framed = this.#framed
-    const before = this.#shown?.state
-    const another = framed === null || framed.preset !== state.preset || framed.start !== state.start
-    // A program that sets one element after another, none of them a preset, animates: the reader's view stays.
-    const animated = another && framed !== null && framed.preset === null && state.preset === null
-    const jumped = before && before.vertices !== state.vertices && !before.gestureStart && !state.gestureStart
-    const typed = before?.gestureStart && !state.gestureStart && !this.#dragged
-    this.#framed = { preset: state.preset, start: state.start }
-    if ((another && !animated) || (jumped && !this.#isInView(state, animated ? 0.4 : 0.2))) {
-      this.#frame = frameOf(state.vertices)
-      this.#aim(state.vertices, another && !animated)
-    } else if (typed && !this.#isInView(state, 0)) {
-      this.#frame = frameOf(state.vertices)
-      this.#aim(state.vertices, false)
-    } else if (resized) {
-      this.#aim(state.vertices, false)
-    }
-  }
-
-  /** Whether the element is all there, and spans at least a share of the scene. */
-  #isInView({ vertices }: State, share: number): boolean {
-    this.camera.three.updateMatrixWorld()
-    const points = verticesInView(this.#frame, vertices).map(point => this.camera.project(point))
-    const { width, height } = this.camera
-    const inside = points.every(
-      ({ x, y, depth }) =>
-        depth > 0 && x > -0.05 * width && x < 1.05 * width && y > -0.05 * height && y < 1.05 * height,
-    )
-    const spread = (of: (p: ScreenPoint) => number) => Math.max(...points.map(of)) - Math.min(...points.map(of))
-    return inside && Math.max(spread(p => p.x) / width, spread(p => p.y) / height) > share
-  }
-
-  #aim(vertices: Vertices, toDefault: boolean): void {
-    this.#viewpoint.aim(verticesInView(this.#frame, vertices), toDefault)
+  /** As a program asked for it, once. */
+  #look({ state, cameras }: Frame): void {
+    if (cameras === null || cameras === this.#asked) return
+    this.#asked = cameras
+    this.#framing.look(state.vertices, cameras.camera)
+    this.#reference?.look(cameras.referenceCamera)
   }
 
   /** Where only the probe has changed, nothing else is touched. */
   #draw(frame: Frame): void {
     const { camera } = this
     const { state, report, probe } = frame
-    const vertices = verticesInView(this.#frame, state.vertices)
+    const vertices = verticesInView(this.#framing.frame, state.vertices)
     camera.enclose(vertices)
     this.#handles = vertices.map(point => camera.project(point))
     const reference = state.referenceShown ? this.#reference : null
     reference?.prepare()
-    const scale = report && colourScaleOf(report.boundaryMinimum, report.boundaryMaximum)
+    const isInside = state.faceDisplay === 'inside'
+    const scale =
+      report && (isInside ? colourScaleInside(report) : colourScaleOf(report.boundaryMinimum, report.boundaryMaximum))
     const ramp = this.#ramp as Ramp
     const own = { left: 0, top: 0, vertices, camera }
     if (this.#paint(frame, reference ? [own, reference.region] : [own], scale) || this.#differs(frame)) {
       this.#drawnDrag = this.#drag
-      const picture = { state, report, frame: this.#frame, camera, handles: this.#handles, drag: this.#drag }
+      const picture = { state, report, frame: this.#framing.frame, camera, handles: this.#handles, drag: this.#drag }
       this.#overlay.update({ ...picture, taken: this.#layout.taken })
       this.#controls.update(state, report)
       reference?.update(frame)
     }
     const { isNarrow, barLength: length } = this.#layout
     this.#colourBar.update({ state, report, probe, scale, ramp, upright: !isNarrow, length })
-    this.#overlay.updateProbe(probe, this.#frame, camera)
+    this.#overlay.updateProbe(probe, this.#framing.frame, camera)
     this.#readout.update(probe, state.referenceCube, isNarrow)
     reference?.updateProbe(probe)
   }
 
   /** Whether there is another picture now; true where nobody can tell. */
-  #paint({ state, report }: Frame, regions: readonly Region[], scale: ColourScale | null): boolean {
+  #paint({ state, report, zeroSurface }: Frame, regions: readonly Region[], scale: ColourScale | null): boolean {
     if (this.#painter === null || this.#contextLost) return true
     const painted = this.#painter.paint({
       ...this.#canvas,
@@ -415,6 +391,8 @@ class Scene implements SceneView, Stage {
       ramp: this.#ramp as Ramp,
       theme: this.#theme as Theme,
       display: state.faceDisplay,
+      section: state.section,
+      zeroSurface,
       regions,
       pixelRatio: this.#isForFigure ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
     })

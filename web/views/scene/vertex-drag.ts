@@ -2,12 +2,10 @@
  * The geometry of dragging one vertex, from pointer positions to coordinates: in the plane parallel to the screen through the
  * vertex, in depth along the line of sight, or along one axis; rounded to what a pixel can tell, or to a grid.
  */
-import type { Vec3 } from '../../model/hexahedron'
+import type { Axis, Vec3 } from '../../model/hexahedron'
 import { dot, type SceneCamera } from './camera'
 import { gridStep, lengthOf, roundingStep, roundTo, type Step } from './snapping'
 import { at, finite, map3, toView, type ViewFrame } from './view-frame'
-
-export type Axis = 0 | 1 | 2
 
 /** What is held down while dragging. */
 export interface DragKeys {

@@ -1,9 +1,17 @@
 /** A camera and the hands and keys that turn it. */
+import { Vector3 } from 'three'
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
 import type { Vec3 } from '../../model/hexahedron'
+import type { CameraView } from '../../model/state'
 import { DEFAULT_DIRECTION, SceneCamera } from './camera'
+import { at, map3 } from './view-frame'
 
 const ORBIT_STEP = Math.PI / 12
+/** Nobody sees more of a picture that is thousands of pixels wide. */
+const DECIMALS = 6
+/** Beyond this there is next to nothing to see. */
+const FAR = 1000
+const FITTED: CameraView = { direction: rounded(DEFAULT_DIRECTION), zoom: 1, pan: [0, 0, 0] }
 
 export class Viewpoint {
   readonly camera = new SceneCamera()
@@ -57,6 +65,35 @@ export class Viewpoint {
     this.#orbit.update()
   }
 
+  /** How the points are looked at, with half of the element's longest side as `unit`; null in the default view. */
+  seen(points: readonly Vec3[], unit: number): CameraView | null {
+    const fitted = this.camera.fitted(points)
+    const { target } = this.#orbit
+    const pan = target
+      .clone()
+      .sub(scratch.set(...fitted.target))
+      .divideScalar(unit)
+    const zoom = fitted.distance / this.camera.three.position.distanceTo(target)
+    const direction = rounded(this.direction)
+    // What has gone far out of sight is brought back into view.
+    if (!(zoom >= 1 / FAR && zoom <= FAR && pan.length() <= FAR)) return { ...FITTED, direction }
+    const view: CameraView = { direction, zoom: decimal(zoom), pan: rounded([pan.x, pan.y, pan.z]) }
+    return isFitted(view) ? null : view
+  }
+
+  /** Looks at the points so. */
+  look(points: readonly Vec3[], unit: number, view: CameraView | null): void {
+    const { position } = this.camera.three
+    const { target } = this.#orbit
+    target.set(...this.camera.fit(points, view?.direction ?? DEFAULT_DIRECTION))
+    if (view) {
+      scratch.set(...map3(axis => at(view.pan, axis) * unit))
+      position.sub(target).divideScalar(view.zoom).add(target).add(scratch)
+      target.add(scratch)
+    }
+    this.#orbit.update()
+  }
+
   dispose(): void {
     this.#orbit.dispose()
   }
@@ -64,4 +101,20 @@ export class Viewpoint {
 
 function clamped(value: number, most: number): number {
   return Math.max(-most, Math.min(most, value))
+}
+
+const scratch = new Vector3()
+
+function isFitted(view: CameraView): boolean {
+  const numbers = ({ direction, zoom, pan }: CameraView) => [...direction, zoom, ...pan]
+  return numbers(view).every((value, i) => value === numbers(FITTED)[i])
+}
+
+function rounded([x, y, z]: Vec3): Vec3 {
+  return [decimal(x), decimal(y), decimal(z)]
+}
+
+/** Plus zero, never minus. */
+function decimal(value: number): number {
+  return Number(value.toFixed(DECIMALS)) + 0
 }

@@ -1,0 +1,178 @@
+import { readFileSync } from 'node:fs'
+import Ajv2020 from 'ajv/dist/2020.js'
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import type { Vertices } from '../../web/model/hexahedron'
+import { type Cameras, type CameraView, type FaceDisplay, PANELS, type State } from '../../web/model/state'
+import { readState, stateDocument } from '../../web/model/state-document'
+import { createStore } from '../../web/model/store'
+import { unitCube } from './core-fixtures'
+
+const schema = JSON.parse(readFileSync(new URL('../../docs/state.schema.json', import.meta.url), 'utf8'))
+const fits = new Ajv2020({ allErrors: true, strictTypes: false }).compile(schema)
+
+const double = fc.double({ noNaN: true, noDefaultInfinity: true })
+const vertices: fc.Arbitrary<Vertices> = fc.array(fc.oneof(double, fc.constantFrom(0, -0)), {
+  minLength: 24,
+  maxLength: 24,
+})
+/** Never -0, which JSON does not keep. */
+const within = (min: number, max: number) => fc.double({ min, max, noNaN: true }).map(x => x + 0)
+const below = (count: number) => fc.integer({ min: 0, max: count - 1 })
+const camera: fc.Arbitrary<CameraView> = fc.record({
+  direction: fc.tuple(within(-1, 1), within(-1, 1), fc.constantFrom(-1, 1)),
+  zoom: within(0.01, 100),
+  pan: fc.tuple(within(-9, 9), within(-9, 9), within(-9, 9)),
+})
+const cameras: fc.Arbitrary<Cameras> = fc.record({ camera: fc.option(camera), referenceCamera: fc.option(camera) })
+const state: fc.Arbitrary<State> = fc.record({
+  vertices,
+  preset: fc.option(fc.string()),
+  start: vertices,
+  selectedVertex: below(8),
+  gestureStart: fc.constant(null),
+  referenceCube: fc.constantFrom('unit', 'biunit'),
+  faceDisplay: fc.constantFrom<FaceDisplay[]>('opaque', 'see-through', 'inside', 0, 1, 2, 3, 4, 5),
+  proofShown: fc.boolean(),
+  openPanels: fc.shuffledSubarray([...PANELS]),
+  referenceShown: fc.boolean(),
+  camerasLinked: fc.boolean(),
+  probe: fc.constantFrom(null, [0, 0, 1] as const),
+  selectedFace: below(6),
+  highlight: fc.constantFrom(null, { kind: 'edge', id: 3 } as const),
+  previewedOrder: fc.constantFrom(null, [1, 0, 3, 2, 5, 4, 7, 6]),
+  morphA: fc.option(vertices),
+  morphB: fc.option(vertices),
+  section: fc.record({ axis: fc.constantFrom(0, 1, 2), value: within(0, 1) }),
+  following: fc.record({
+    query: fc.constantFrom('minimum', 'validity'),
+    variant: fc.constantFrom('roots', 'roots-b'),
+    step: below(26),
+  }),
+  canUndo: fc.boolean(),
+  canRedo: fc.boolean(),
+})
+
+function read(given: unknown) {
+  const result = readState(given)
+  if (!result.ok) throw new Error(result.error.message)
+  return result.value
+}
+
+describe('a state', () => {
+  it('fits the schema, and through JSON every bit of it comes back', () => {
+    fc.assert(
+      fc.property(state, cameras, (given, looked) => {
+        const text = JSON.stringify(stateDocument(given, looked))
+        expect(fits(JSON.parse(text)), JSON.stringify(fits.errors)).toBe(true)
+        const { gestureStart, probe, highlight, previewedOrder, canUndo, canRedo, ...lasting } = given
+        const back = read(JSON.parse(text))
+        expect(back).toEqual({ state: lasting, cameras: looked })
+      }),
+    )
+  })
+
+  it('written by hand needs a version and vertices, and means a new element in all the rest', () => {
+    const { state } = read({
+      version: 1,
+      vertices: unitCube,
+      more: 'of later',
+      openPanels: ['later', 'morph', 'morph'],
+    })
+    const { gestureStart, probe, highlight, previewedOrder, canUndo, canRedo, ...fresh } = createStore(
+      unitCube,
+      null,
+    ).state
+    expect(state).toEqual({ ...fresh, openPanels: ['morph'] })
+  })
+
+  it('of a later version is refused as that, of none as malformed', () => {
+    for (const version of [2, 7, 1.5]) {
+      const result = readState({ version, vertices: unitCube })
+      expect(result).toMatchObject({ ok: false, error: { code: 'unknown-version' } })
+    }
+    for (const given of [{ vertices: unitCube }, { version: '1', vertices: unitCube }, { version: 0 }, null, 'x', []]) {
+      expect(readState(given)).toMatchObject({ ok: false, error: { code: 'malformed-state' } })
+    }
+  })
+
+  it('is read where the schema lets it through, and refused with a sentence that names the key where it does not', () => {
+    const whole = stateDocument(createStore(unitCube, 'cube').state, {
+      camera: { direction: [1, 0, 0], zoom: 2, pan: [0, 0, 0] },
+      referenceCamera: null,
+    })
+    const odd = [
+      undefined,
+      null,
+      true,
+      0,
+      -0,
+      1,
+      -1,
+      5,
+      6,
+      8,
+      25,
+      26,
+      0.5,
+      181,
+      1e-9,
+      Infinity,
+      Number.NaN,
+      '',
+      '-0',
+      'unit',
+      [],
+      {},
+    ]
+    const lists = [
+      [1, 2, 3],
+      [0, 0, 0],
+      [1e-7, 0, 0],
+      [0, 0, 2000],
+      ['morph'],
+      [3],
+      unitCube.with(3, Infinity),
+      unitCube.slice(1),
+    ]
+    const counts = { read: 0, refused: 0 }
+    for (const path of pathsOf(whole)) {
+      for (const value of [...odd, ...lists, unitCube]) {
+        const given = changed(whole, path, value)
+        const result = readState(given)
+        expect(result.ok, `${path.join('.')} = ${JSON.stringify(value)}`).toBe(fits(given))
+        counts[result.ok ? 'read' : 'refused']++
+        if (!result.ok && result.error.code === 'malformed-state') expect(result.error.message).toContain(path[0])
+      }
+    }
+    expect(Math.min(counts.read, counts.refused)).toBeGreaterThan(100)
+  })
+
+  it('that a store takes on is one step to undo, and none where the element is the same', () => {
+    const store = createStore(unitCube, 'cube')
+    const { state } = read({ version: 1, vertices: unitCube.with(0, -0), preset: 'other', openPanels: ['inside'] })
+    store.dispatch({ type: 'restore', state })
+    expect(store.state).toMatchObject({ preset: 'other', openPanels: ['inside'], canUndo: true })
+    store.dispatch({ type: 'undo' })
+    expect(store.state).toMatchObject({ preset: 'cube', openPanels: ['inside'], canUndo: false })
+    const { vertices } = store.state
+    store.dispatch({ type: 'restore', state: { ...store.state, vertices: unitCube.slice(), selectedVertex: 4 } })
+    expect(store.state).toMatchObject({ selectedVertex: 4, canUndo: false })
+    expect(store.state.vertices).toBe(vertices)
+  })
+})
+
+/** Every key of the document, and every key and first entry within. */
+function pathsOf(value: unknown, path: readonly string[] = []): string[][] {
+  if (typeof value !== 'object' || value === null) return []
+  const keys = Array.isArray(value) ? ['0'] : Object.keys(value)
+  return keys.flatMap(key => [[...path, key], ...pathsOf((value as Record<string, unknown>)[key], [...path, key])])
+}
+
+function changed(whole: object, [key, ...rest]: readonly string[], value: unknown): object {
+  const before = whole as Record<string, unknown>
+  const after = rest.length === 0 ? value : changed(before[key as string] as object, rest, value)
+  if (Array.isArray(whole)) return Object.assign([...whole], { [key as string]: after })
+  const { [key as string]: _, ...others } = before
+  return after === undefined ? others : { ...others, [key as string]: after }
+}

@@ -1,0 +1,87 @@
+/**
+ * Pressing a number copies all its digits (`web/views/copyable.ts` makes such numbers) and says so beside it; C, or pressing
+ * its words in the scene, copies those of the point that is pointed at. Where the clipboard is closed the digits stand there
+ * selected instead. In a table arrow keys go from one number to the next.
+ */
+import { copyText } from '../views/copy-text'
+
+const NUMBER = 'data'
+const POINT = '[data-copies="point"]'
+const WAYS: Readonly<Record<string, 1 | -1>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }
+/** CSS pixels between what is copied and what is said of it, and to the border of the element. */
+const GAP = 4
+
+export class Copying {
+  readonly #lens: HTMLElement
+  readonly #point: () => string | null
+  readonly #told = document.createElement('p')
+
+  /** `lens` holds all numbers and gets what is said of them; `point` is the text of what is pointed at, null for nothing. */
+  constructor(lens: HTMLElement, point: () => string | null) {
+    this.#lens = lens
+    this.#point = point
+    this.#told.className = 'copied'
+    this.#told.setAttribute('role', 'status')
+    lens.append(this.#told)
+    lens.addEventListener('click', event => this.#onClick(event))
+    lens.addEventListener('keydown', event => this.#onKeyDown(event))
+    lens.addEventListener('focusout', () => this.#hide())
+    lens.addEventListener('scroll', () => this.#hide(), { capture: true, passive: true })
+  }
+
+  #onClick(event: MouseEvent): void {
+    const target = event.target as Element
+    const number = target.closest<HTMLDataElement>(NUMBER)
+    // Who selects a part of it wants what is seen.
+    if (number && getSelection()?.type !== 'Range') void this.#copy(number.value, number)
+    else if (target.closest(POINT)) this.#copyPoint(target)
+  }
+
+  #onKeyDown(event: KeyboardEvent): void {
+    const { key } = event
+    const target = event.target as Element
+    if (key === 'Escape') this.#hide()
+    if (event.ctrlKey || event.metaKey || event.altKey || target.matches('input, textarea, select')) return
+    const number = target.closest<HTMLDataElement>(NUMBER)
+    const way = WAYS[key]
+    if (key === 'c' || key === 'C') this.#copyPoint(target)
+    else if (number && (key === 'Enter' || key === ' ')) void this.#copy(number.value, number)
+    else if (!number || way === undefined || !goOn(number, way)) return
+    event.preventDefault()
+  }
+
+  #copyPoint(at: Element): void {
+    const text = this.#point()
+    if (text !== null) void this.#copy(text, at)
+  }
+
+  async #copy(text: string, at: Element): Promise<void> {
+    const isCopied = await copyText(text)
+    const digits = document.createElement('span')
+    digits.textContent = text
+    this.#told.replaceChildren(isCopied ? 'Copied ' : 'Copying is not allowed here: ', digits)
+    this.#place(at)
+    if (!isCopied) getSelection()?.selectAllChildren(digits)
+  }
+
+  /** Under what was copied, within the element. */
+  #place(at: Element): void {
+    const told = this.#told
+    const frame = this.#lens.getBoundingClientRect()
+    const { left, bottom } = at.getBoundingClientRect()
+    const within = (from: number, room: number) => `${Math.max(GAP, Math.min(room - GAP, from))}px`
+    told.style.left = within(left - frame.left, frame.width - told.offsetWidth)
+    told.style.top = within(bottom - frame.top + GAP, frame.height - told.offsetHeight)
+  }
+
+  #hide(): void {
+    this.#told.replaceChildren()
+  }
+}
+
+/** False where there is no table to go on in. */
+function goOn(number: HTMLElement, way: 1 | -1): boolean {
+  const numbers = [...(number.closest('table')?.querySelectorAll<HTMLElement>(NUMBER) ?? [])]
+  numbers[numbers.indexOf(number) + way]?.focus()
+  return numbers.length > 0
+}

@@ -1,0 +1,37 @@
+/** Numbers as they are read, with all their digits to copy: the element listens for a press of any of them (`copying.ts`). */
+import { html, type TemplateResult } from 'lit-html'
+import { formatJacdet, formatPoint, jacdetInFull } from '../model/decimal'
+import type { Vec3 } from '../model/hexahedron'
+import type { ReferenceCube } from '../model/state'
+
+export interface CopyableOptions {
+  /** In a table only its first number is a stop of the Tab key; arrow keys go from one to the next. */
+  readonly isTabStop?: boolean
+  /** Told besides the digits to those who point at it. */
+  readonly means?: string
+}
+
+/** `full` is what a program reads. */
+export function copyable(
+  text: string,
+  full: string,
+  { isTabStop = true, means }: CopyableOptions = {},
+): TemplateResult {
+  const title = `Copy ${full}${means === undefined ? '' : `. ${means}`}`
+  return html`<data role="button" tabindex=${isTabStop ? 0 : -1} value=${full} title=${title}>${text}</data>`
+}
+
+/** A report's jacdet, value * 2^exponent; a negative one has its hue in prose too, and its minus sign says the same. */
+export function copyableJacdet(
+  value: number,
+  exponent: number,
+  cube: ReferenceCube,
+  options?: CopyableOptions,
+): TemplateResult {
+  const number = copyable(formatJacdet(value, exponent, cube), jacdetInFull(value, exponent, cube), options)
+  return value < 0 ? html`<span class="negative">${number}</span>` : number
+}
+
+export function copyablePoint(point: Vec3): TemplateResult {
+  return copyable(formatPoint(point), point.join(', '))
+}
