@@ -1,5 +1,6 @@
 // A Vite plugin: three.js without what a mesh with a shader of its own never reaches. WebGLRenderer carries the shaders of every
-// built-in material with it (lights, shadows, environments, textures), and XR; a bundler cannot see that nothing asks for them.
+// built-in material with it (lights, shadows, environments, textures), and XR, Mesh what finds a ray's triangle; a bundler cannot see
+// that nothing asks for them.
 // Only for builds, whose tests then run on it; `npm run dev` has three.js as it is.
 
 import { existsSync } from 'node:fs'
@@ -11,7 +12,16 @@ const source = join(root, 'node_modules', 'three', 'src')
 /** What stands for a module of three/src: as much of it as WebGLRenderer calls when it draws a RawShaderMaterial. */
 const standIns = {
   'math/FrustumArray.js': 'export class FrustumArray {}',
-  'math/Triangle.js': 'export class Triangle {}',
+  'objects/Mesh.js': `
+    import { Object3D } from '../core/Object3D.js'
+    export class Mesh extends Object3D {
+      isMesh = true
+      constructor(geometry, material) {
+        super()
+        this.geometry = geometry
+        this.material = material
+      }
+    }`,
   'renderers/shaders/DFGLUTData.js': 'export const getDFGLUT = () => null',
   'renderers/shaders/ShaderChunk.js': 'export const ShaderChunk = {}',
   'renderers/shaders/ShaderLib.js': 'export const ShaderLib = {}',
@@ -84,6 +94,10 @@ const standIns = {
   'renderers/webgl/WebGLUniformsGroups.js': `
     export class WebGLUniformsGroups {
       dispose() {}
+    }`,
+  'renderers/webgl/WebGLUtils.js': `
+    export class WebGLUtils {
+      convert() {}
     }`,
   'renderers/webxr/WebXRManager.js': `
     export class WebXRManager {

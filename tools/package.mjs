@@ -2,6 +2,7 @@
 
 import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname, join, resolve } from 'node:path'
+import { deflateSync } from 'node:zlib'
 import { leanThree } from './lean-three.mjs'
 import { Failure, must, root, tsc } from './run.mjs'
 
@@ -9,6 +10,7 @@ const source = path => join(root, 'web', path)
 
 const BANNER = '/*! Hexlens, MIT; with three.js, MIT, and lit-html, BSD-3-Clause: licences.txt */'
 
+const WASM = 'virtual:hexlens.wasm.deflated'
 const TWIN = './hexlens.twin.js'
 
 /** What is another in one file. */
@@ -23,9 +25,16 @@ const insideOneFile = {
   enforce: 'pre',
   async resolveId(id, importer) {
     if (id.endsWith('/hexlens-twin.js')) return { id: TWIN, external: true }
+    if (id === WASM) return id
     if (!id.startsWith('.')) return null
     const resolved = await this.resolve(id, importer, { skipSelf: true })
     return insides[resolved?.id] ?? null
+  },
+  /** Deflated before it is text: text of other bytes hardly compresses when the file is sent. */
+  load(id) {
+    if (id !== WASM) return null
+    const deflated = deflateSync(readFileSync(join(root, 'build', 'hexlens.wasm')), { level: 9 })
+    return `export default '${deflated.toString('base64')}'`
   },
 }
 
