@@ -10,8 +10,8 @@ import {
   rampPosition,
   type Theme,
 } from '../../web/views/colour-map'
-import { paintFace, paletteOf } from '../../web/views/face-maps/face-raster'
 import { netCells, pointInCell } from '../../web/views/face-maps/net'
+import { paintFace, paletteOf } from '../../web/views/face-raster'
 import { core, randomHexahedron, randomSource } from './core-fixtures'
 
 const hex = (text: string): Rgb =>
@@ -40,8 +40,8 @@ function jacdetAt(report: Report, point: readonly [number, number, number]): num
   return result.value.jacdet
 }
 
-function painted(report: Report, face: number, pixelRatio = 1): Uint32Array {
-  const pixels = new Uint32Array(SIZE * SIZE)
+function painted(report: Report, face: number, pixelRatio = 1): Int32Array {
+  const pixels = new Int32Array(SIZE * SIZE)
   paintFace(pixels, {
     bernstein: report.faces[face]?.bernstein ?? [],
     cell: netCells[face] as (typeof netCells)[number],

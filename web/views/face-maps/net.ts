@@ -2,19 +2,12 @@
  * The cube unfolded: its side faces in a row, seen from outside with zeta upwards, the top and the bottom above and below −η. Places
  * are in cells from the net's upper left, x to the right and y down.
  */
+
 import { edgeVertices, type FaceTopology, faces, type Vec3, vertexReference } from '../../model/hexahedron'
+import type { MapCell } from '../face-raster'
 
 export const NET_COLUMNS = 4
 export const NET_ROWS = 3
-
-export interface NetCell {
-  readonly column: number
-  readonly row: number
-  /** s grows to the left; else to the right. */
-  readonly sToLeft: boolean
-  /** t grows downwards; else upwards. */
-  readonly tDown: boolean
-}
 
 export interface Place {
   readonly x: number
@@ -22,7 +15,7 @@ export interface Place {
 }
 
 /** By face. */
-export const netCells: readonly NetCell[] = [
+export const netCells: readonly MapCell[] = [
   { column: 0, row: 1, sToLeft: true, tDown: false },
   { column: 2, row: 1, sToLeft: false, tDown: false },
   { column: 1, row: 1, sToLeft: false, tDown: false },
@@ -33,7 +26,7 @@ export const netCells: readonly NetCell[] = [
 
 /** A place in the face's own cell, from its upper left, as a point of [0,1]^3. */
 export function pointInCell(face: number, x: number, y: number): Vec3 {
-  const { sToLeft, tDown } = netCells[face] as NetCell
+  const { sToLeft, tDown } = netCells[face] as MapCell
   return facePoint(face, sToLeft ? 1 - x : x, tDown ? y : 1 - y)
 }
 
@@ -54,7 +47,7 @@ export function isOnFace(face: number, point: Vec3): boolean {
 /** Where a point of the face is in the net. */
 export function placeOnFace(face: number, point: Vec3): Place {
   const { s, t } = faces[face] as FaceTopology
-  const { column, row, sToLeft, tDown } = netCells[face] as NetCell
+  const { column, row, sToLeft, tDown } = netCells[face] as MapCell
   return { x: column + (sToLeft ? 1 - point[s] : point[s]), y: row + (tDown ? point[t] : 1 - point[t]) }
 }
 

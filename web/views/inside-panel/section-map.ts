@@ -6,7 +6,7 @@ import { formatJacdet } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { Section, State } from '../../model/state'
 import { rampOf, type Theme } from '../colour-map'
-import { type Palette, paintFace, paletteOf } from '../face-maps/face-raster'
+import { type Palette, paintFace, paletteOf } from '../face-raster'
 import { approximation, colourScaleInside, lowerInside } from '../inside'
 import { px, set, setText, show, svg } from '../svg'
 
@@ -91,7 +91,7 @@ export class SectionMap {
     const { palette } = this.#palette
     const bernstein = sectionBernstein(report.bernstein, section.axis, section.value)
     const scale = colourScaleInside(report)
-    const pixels = new Uint32Array(this.#image.data.buffer)
+    const pixels = new Int32Array(this.#image.data.buffer)
     paintFace(pixels, { bernstein, cell: CELL, scale, palette, size, pixelRatio: size / side })
     this.#context?.putImageData(this.#image, 0, 0)
   }

@@ -49,8 +49,10 @@ export function placeLabel(request: LabelRequest): LabelPlace {
   let best: LabelPlace = { index: 0, ...request.anchor }
   let least = Infinity
   for (let index = 0; index < DIRECTIONS * DISTANCES.length; index++) {
+    const bonus = index === request.previous ? WEIGHT.stay : 0
+    if (distanceOf(index) - bonus >= least) continue // its faults would only add to that
     const place = candidatePlace(request, index)
-    const cost = costOf(place, request, hull, middle) - (index === request.previous ? WEIGHT.stay : 0)
+    const cost = costOf(place, request, hull, middle) - bonus
     if (cost < least) {
       least = cost
       best = place
@@ -59,10 +61,14 @@ export function placeLabel(request: LabelRequest): LabelPlace {
   return best
 }
 
+function distanceOf(index: number): number {
+  return DISTANCES[Math.floor(index / DIRECTIONS)] as number
+}
+
 /** The label's nearest side, not its middle, is at the distance. */
 function candidatePlace({ anchor, width, height }: LabelRequest, index: number): LabelPlace {
   const angle = (((index % DIRECTIONS) + 0.5) * 2 * Math.PI) / DIRECTIONS // never straight up: a leader needs a side
-  const distance = DISTANCES[Math.floor(index / DIRECTIONS)] as number
+  const distance = distanceOf(index)
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)]
   return {
     index,
@@ -74,11 +80,13 @@ function candidatePlace({ anchor, width, height }: LabelRequest, index: number):
 function costOf(place: LabelPlace, request: LabelRequest, hull: readonly Point[], middle: Point): number {
   const { width, height, anchor, bounds } = request
   const box = { x: place.x - width / 2, y: place.y - height / 2, width, height }
-  let cost = DISTANCES[Math.floor(place.index / DIRECTIONS)] as number
+  let cost = distanceOf(place.index)
   cost += WEIGHT.outside * outsideBy(box, bounds)
-  for (const point of [...request.points, ...request.numbers]) {
-    const near = POINT_RADIUS - distanceToBox(point, box)
-    if (near > 0) cost += WEIGHT.point + near
+  for (const points of [request.points, request.numbers]) {
+    for (const point of points) {
+      const near = POINT_RADIUS - distanceToBox(point, box)
+      if (near > 0) cost += WEIGHT.point + near
+    }
   }
   const near = { x: place.x - (Math.sign(place.x - anchor.x) * width) / 2, y: place.y }
   for (const number of request.numbers)

@@ -2,12 +2,21 @@
  * One face as pixels: the biquadratic of its nine Bernstein coefficients at every pixel, coloured, hatched and contoured as
  * in the scene's shader, each line at its distance in pixels.
  */
-import { type ColourScale, HATCH_PERIOD, RAMP_STEPS, type Ramp, type Rgb, rampColour, type Theme } from '../colour-map'
-import type { NetCell } from './net'
+import { type ColourScale, HATCH_PERIOD, RAMP_STEPS, type Ramp, type Rgb, rampColour, type Theme } from './colour-map'
+
+/** Where a face lies in a pattern of squares, and how. */
+export interface MapCell {
+  readonly column: number
+  readonly row: number
+  /** s grows to the left; else to the right. */
+  readonly sToLeft: boolean
+  /** t grows downwards; else upwards. */
+  readonly tDown: boolean
+}
 
 export interface FaceRaster {
   readonly bernstein: readonly number[]
-  readonly cell: NetCell
+  readonly cell: MapCell
   readonly scale: ColourScale
   readonly palette: Palette
   /** Device pixels a side, and of one CSS pixel. */
@@ -17,16 +26,16 @@ export interface FaceRaster {
 
 /** Colours of positions on the ramps from -1 to 1, finely sampled, and what lies over them, made when it is first needed. */
 export interface Palette {
-  /** RGBA as one little-endian number each. */
-  readonly packed: Uint32Array
+  /** RGBA as one little-endian number each, signed: engines keep such numbers out of the heap. */
+  readonly packed: Int32Array
   /** The same as red, green, blue in [0,255]. */
   readonly components: Float64Array
   /** Whether a line on the colour has to be light. */
   readonly isDim: Uint8Array
   /** `packed` under a level's line, by the line's share in steps. */
-  readonly levelled: (Uint32Array | undefined)[]
+  readonly levelled: (Int32Array | undefined)[]
   /** The negative half of `packed` under the hatch, by the coverages of both stripes in steps. */
-  readonly hatched: (Uint32Array | undefined)[]
+  readonly hatched: (Int32Array | undefined)[]
   readonly ink: Rgb
   readonly light: Rgb
   readonly dark: Rgb
@@ -54,7 +63,7 @@ const LEAST_VALUE = 1e-6
 
 export function paletteOf(ramp: Ramp, theme: Theme): Palette {
   const count = 2 * SAMPLES + 1
-  const packed = new Uint32Array(count)
+  const packed = new Int32Array(count)
   const components = new Float64Array(3 * count)
   const isDim = new Uint8Array(count)
   for (let i = 0; i < count; i++) {
@@ -80,10 +89,7 @@ export function paletteOf(ramp: Ramp, theme: Theme): Palette {
 }
 
 /** Fills `pixels`, size² of them, rows from the top. */
-export function paintFace(
-  pixels: Uint32Array,
-  { bernstein, cell, scale, palette, size, pixelRatio }: FaceRaster,
-): void {
+export function paintFace(pixels: Int32Array, { bernstein, cell, scale, palette, size, pixelRatio }: FaceRaster): void {
   const { packed } = palette
   const perPixel = 1 / size
   const beta = bernstein.map(value => value / scale.unit)
@@ -136,11 +142,11 @@ class Blender {
   readonly #palette: Palette
   readonly #ratio: number
   /** The negative colours under the hatch by size - 1 + x - y; undefined where there is no stripe. */
-  readonly stripes: readonly (Uint32Array | undefined)[]
+  readonly stripes: readonly (Int32Array | undefined)[]
   readonly #darkStripe: Float64Array
   readonly #lightStripe: Float64Array
 
-  constructor(palette: Palette, { column, row }: NetCell, size: number, ratio: number) {
+  constructor(palette: Palette, { column, row }: MapCell, size: number, ratio: number) {
     this.#palette = palette
     this.#ratio = ratio
     this.#darkStripe = new Float64Array(2 * size - 1)
@@ -214,7 +220,7 @@ class Blender {
   }
 }
 
-function levelledColours(palette: Palette, steps: number): Uint32Array {
+function levelledColours(palette: Palette, steps: number): Int32Array {
   const known = palette.levelled[steps]
   if (known) return known
   const share = (steps / SHARE_STEPS) * LEVEL_STRENGTH
@@ -225,7 +231,7 @@ function levelledColours(palette: Palette, steps: number): Uint32Array {
 }
 
 /** Undefined where both stripes are less than half a step. */
-function hatchedColours(palette: Palette, darkShare: number, lightShare: number): Uint32Array | undefined {
+function hatchedColours(palette: Palette, darkShare: number, lightShare: number): Int32Array | undefined {
   const darkSteps = Math.round((darkShare / DARK_STRENGTH) * SHARE_STEPS)
   const lightSteps = Math.round((lightShare / LIGHT_STRENGTH) * SHARE_STEPS)
   if (darkSteps + lightSteps === 0) return undefined
