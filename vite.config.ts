@@ -47,7 +47,10 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     // Sizes are judged by npm run check.
     chunkSizeWarningLimit: 1000,
-    rolldownOptions: { checks: { bundlerTimings: false } },
+    rolldownOptions: {
+      input: { index: `${root}web/app/index.html`, embed: `${root}web/app/embed.html` },
+      checks: { bundlerTimings: false },
+    },
     assetsInlineLimit: file => (file.endsWith('.wasm') ? false : undefined),
   },
 })

@@ -1,5 +1,6 @@
 // Builds the page and the package. Vite is loaded late: these modules are read before the packages are installed.
 
+import { copyFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { stripVTControlCharacters } from 'node:util'
 import { buildPackage } from './package.mjs'
@@ -7,6 +8,9 @@ import { Failure, isScript, root, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
 export const viteConfig = join(root, 'vite.config.ts')
+
+/** The Python package carries it. */
+const ANYWIDGET = 'hexlens.anywidget.js'
 
 /** Builds the page into a folder; resolves to what Vite wrote. */
 export async function buildPage(folder) {
@@ -23,6 +27,7 @@ if (isScript(import.meta.url)) {
     await setup()
     await buildPage('dist/app')
     await buildPackage('dist')
+    copyFileSync(join(root, 'dist', ANYWIDGET), join(root, 'python', 'hexlens', ANYWIDGET))
     process.stdout.write('The page is in dist/app, the package’s scripts and types are in dist.\n')
   })
 }

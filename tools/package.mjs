@@ -38,11 +38,14 @@ const insideOneFile = {
   },
 }
 
-/** lit-html notes its version in a global, to warn of a second copy: a guest leaves nothing behind. */
-const noGlobals = {
-  name: 'hexlens-no-globals',
+/** lit-html as it runs on a server too, and without the global in which it notes its version: a guest leaves nothing behind. */
+const litHtml = join(root, 'node_modules', 'lit-html', 'node', 'lit-html.js')
+const modestLit = {
+  name: 'hexlens-modest-lit',
+  enforce: 'pre',
+  resolveId: id => (id === 'lit-html' ? litHtml : null),
   transform(code, id) {
-    if (!id.endsWith('/lit-html/lit-html.js')) return null
+    if (id !== litHtml) return null
     const mended = code.replace(/,\(\w+\.litHtmlVersions\?\?=\[\]\)\.push\("[^"]*"\)/, '')
     if (mended === code) throw new Failure('This lit-html notes its version in another way: mend tools/package.mjs.')
     return { code: mended, map: null }
@@ -69,15 +72,21 @@ const nodeOutside = {
 const ours = path => join(root, 'web', 'package', path)
 
 const bundles = [
-  { file: 'hexlens.es.js', format: 'es', entry: ours('hexlens.ts'), plugins: [insideOneFile, noGlobals, leanThree] },
-  { file: 'hexlens.iife.js', format: 'iife', entry: ours('script.ts'), plugins: [insideOneFile, noGlobals, leanThree] },
+  { file: 'hexlens.es.js', format: 'es', entry: ours('hexlens.ts'), plugins: [insideOneFile, modestLit, leanThree] },
+  { file: 'hexlens.iife.js', format: 'iife', entry: ours('script.ts'), plugins: [insideOneFile, modestLit, leanThree] },
   {
     file: 'hexlens.three.js',
     format: 'es',
     entry: ours('hexlens.ts'),
-    plugins: [insideOneFile, noGlobals, threeOutside],
+    plugins: [insideOneFile, modestLit, threeOutside],
   },
   { file: 'hexlens.core.js', format: 'es', entry: ours('core.ts'), plugins: [insideOneFile] },
+  {
+    file: 'hexlens.anywidget.js',
+    format: 'es',
+    entry: ours('anywidget.ts'),
+    plugins: [insideOneFile, modestLit, leanThree],
+  },
   { file: 'hexlens.cli.js', format: 'es', entry: ours('cli.ts'), plugins: [insideOneFile, nodeOutside] },
   { file: 'hexlens.twin.js', format: 'es', entry: join(root, 'build', 'hexlens-twin.js'), plugins: [] },
 ]

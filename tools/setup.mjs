@@ -25,6 +25,7 @@ const steps = [
   { what: 'the wasm and its twin', isDone: wasmIsCurrent, run: buildWasm },
   { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['test'] },
   { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'test'] },
+  { what: 'the documentation tools', isDone: hostsAreCurrent, run: installHosts, for: ['test'] },
   { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
 ]
 
@@ -202,6 +203,31 @@ async function pythonStarts() {
 
 async function installPython(say) {
   await installDebianPackages(say, 'python3', ['python3'])
+}
+
+/** Sphinx, MkDocs and JupyterLab, in which the tests embed the element. */
+const hosts = join(root, 'build', 'hosts')
+const hostsStampFile = join(hosts, 'hexlens-stamp')
+const requirements = join(root, 'tests', 'package', 'requirements.txt')
+
+function hostsAreCurrent() {
+  return existsSync(hostsStampFile) && readFileSync(hostsStampFile, 'utf8') === readFileSync(requirements, 'utf8')
+}
+
+async function installHosts(say) {
+  say('installing the documentation tools of tests/package/requirements.txt into build/hosts')
+  rmSync(hosts, { recursive: true, force: true })
+  const venv = ['-m', 'venv', hosts]
+  // On Debian it is a package of its own.
+  if ((await run('python3', venv)).status !== 0) {
+    await installDebianPackages(say, 'python3 -m venv', ['python3-venv'])
+    await must('python3', venv, 'Install what python3 needs to make a virtual environment, then repeat.')
+  }
+  const python = join(hosts, 'bin', 'python')
+  const advice = 'Check that the Python package index can be reached (Python 3.11 or later is needed), then repeat.'
+  await must(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', 'uv'], advice)
+  await must(join(hosts, 'bin', 'uv'), ['pip', 'install', '--quiet', '--python', python, '-r', requirements], advice)
+  writeFileSync(hostsStampFile, readFileSync(requirements, 'utf8'))
 }
 
 async function installChromium(say) {

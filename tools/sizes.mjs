@@ -38,11 +38,13 @@ function row(name, size) {
   return `${name.padEnd(44)} ${(size / 1000).toFixed(1).padStart(6)} kB gzip`
 }
 
-/** The page, its entries with all they import at once, and the styles, wasm and worker files these name. */
+/** The page, its entry with all that it imports at once, and the styles, wasm and worker files these name. */
 function firstLoad(output) {
   const byName = new Map(output.map(file => [file.fileName, file]))
-  const loaded = new Set(output.filter(file => file.fileName.endsWith('.html')).map(file => file.fileName))
-  const queue = output.filter(file => file.type === 'chunk' && file.isEntry).map(file => file.fileName)
+  const loaded = new Set(['index.html'])
+  const queue = output
+    .filter(file => file.isEntry && file.facadeModuleId.endsWith('index.html'))
+    .map(file => file.fileName)
   for (const name of queue) {
     if (loaded.has(name)) continue
     loaded.add(name)

@@ -25,6 +25,10 @@ async function serve(folder: string): Promise<{ origin: string; close(): Promise
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname)
     const file = join(folder, normalize(path), path.endsWith('/') ? 'index.html' : '')
+    if (path === '/favicon.ico') {
+      response.writeHead(204).end()
+      return
+    }
     if (!statSync(file, { throwIfNoEntry: false })?.isFile()) {
       response.writeHead(404).end()
       return
