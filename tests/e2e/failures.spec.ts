@@ -1,5 +1,5 @@
 import type { Page, Route } from '@playwright/test'
-import { expect, type Lens, test } from './lens'
+import { expect, type Lens, test, watchContexts } from './lens'
 
 const answers: Record<string, (route: Route) => Promise<void>> = {
   'does not arrive': route => route.abort(),
@@ -79,12 +79,14 @@ test.describe('without WebGL', () => {
 
   test('a sentence stands for the picture, and the verdict follows what is typed', async ({ lens, page }) => {
     await page.addInitScript(() => {
-      const getContext = HTMLCanvasElement.prototype.getContext as (kind: string, ...rest: unknown[]) => unknown
-      Object.assign(HTMLCanvasElement.prototype, {
-        getContext(this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
-          return kind.startsWith('webgl') ? null : getContext.call(this, kind, ...rest)
-        },
-      })
+      for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
+        const getContext = prototype.getContext as (kind: string, ...rest: unknown[]) => unknown
+        Object.assign(prototype, {
+          getContext(this: unknown, kind: string, ...rest: unknown[]) {
+            return kind.startsWith('webgl') ? null : getContext.call(this, kind, ...rest)
+          },
+        })
+      }
     })
     await lens.open()
     await expect(page.getByText(/WebGL/).first()).toBeVisible()
@@ -96,10 +98,10 @@ test.describe('without WebGL', () => {
 })
 
 test('a lost context is said, the numbers go on, and the picture comes back', async ({ lens, page }) => {
+  await watchContexts(page)
   await lens.open()
-  const context = await lens.element.evaluateHandle(element => {
-    const canvas = (element.shadowRoot as ShadowRoot).querySelector('canvas') as HTMLCanvasElement
-    const gl = canvas.getContext('webgl2') as WebGL2RenderingContext
+  const context = await page.evaluateHandle(() => {
+    const gl = (globalThis as unknown as { contexts: WebGL2RenderingContext[] }).contexts[0] as WebGL2RenderingContext
     return { gl, loss: gl.getExtension('WEBGL_lose_context') as WEBGL_lose_context }
   })
   await context.evaluate(({ loss }) => loss.loseContext())

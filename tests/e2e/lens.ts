@@ -61,6 +61,24 @@ export class Lens {
   }
 }
 
+/** Keeps every WebGL context that the page makes, in `globalThis.contexts`. */
+export async function watchContexts(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const contexts: unknown[] = []
+    Object.assign(globalThis, { contexts })
+    for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
+      const getContext = prototype.getContext as (kind: string, ...rest: unknown[]) => unknown
+      Object.assign(prototype, {
+        getContext(this: unknown, kind: string, ...rest: unknown[]) {
+          const context = getContext.call(this, kind, ...rest)
+          if (kind.startsWith('webgl') && context && !contexts.includes(context)) contexts.push(context)
+          return context
+        },
+      })
+    }
+  })
+}
+
 /** Sentences in the console that a test provokes on purpose. */
 interface Expected {
   expectedErrors: RegExp | null

@@ -73,7 +73,6 @@ async function lookAfterFrames(lens: Lens): Promise<void> {
     const lens = element as HTMLElementTagNameMap['hex-lens']
     const root = element.shadowRoot as ShadowRoot
     const canvas = root.querySelector('canvas') as HTMLCanvasElement
-    const gl = canvas.getContext('webgl2') as WebGL2RenderingContext
     const { watched } = globalThis as unknown as { watched: Watched }
     let last = ''
     watched.afterFrame = time => {
@@ -81,9 +80,11 @@ async function lookAfterFrames(lens: Lens): Promise<void> {
       const ring = root.querySelector('.minimizer .ring') as SVGCircleElement
       if (lens.vertices.join() === last || lens.report === null) return
       last = lens.vertices.join()
-      const { drawingBufferWidth: width, drawingBufferHeight: height } = gl
-      const pixels = new Uint8Array(4 * width * height)
-      gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels)
+      const { width, height } = canvas
+      const copy = Object.assign(document.createElement('canvas'), { width, height })
+      const context = copy.getContext('2d') as CanvasRenderingContext2D
+      context.drawImage(canvas, 0, 0)
+      const pixels = context.getImageData(0, 0, width, height).data
       watched.seen.push({
         frame: time,
         vertices: lens.vertices,
@@ -137,12 +138,12 @@ function coloursOf(seen: Seen): { negative: number; positive: number; red: numbe
 
 /** The least difference between the map's colour for a value and the picture within a few pixels of a place. */
 function differenceAt(seen: Seen, { x, y }: Point, colour: Rgb): number {
-  const { width, height, ratio } = seen
+  const { width, ratio } = seen
   const pixels = Buffer.from(seen.pixels, 'base64')
   let least = Number.POSITIVE_INFINITY
   for (let dy = -6; dy <= 6; dy++) {
     for (let dx = -6; dx <= 6; dx++) {
-      const i = 4 * ((height - 1 - Math.round(y * ratio) + dy) * width + Math.round(x * ratio) + dx)
+      const i = 4 * ((Math.round(y * ratio) + dy) * width + Math.round(x * ratio) + dx)
       if (pixels[i + 3] !== 255) continue
       least = Math.min(least, distance([0, 1, 2].map(c => (pixels[i + c] as number) / 255) as unknown as Rgb, colour))
     }

@@ -3,7 +3,7 @@ import Ajv2020 from 'ajv/dist/2020.js'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import type { Vertices } from '../../web/model/hexahedron'
-import { type Cameras, type CameraView, type FaceDisplay, PANELS, type State } from '../../web/model/state'
+import { CONTROLS, type Cameras, type CameraView, type FaceDisplay, PANELS, type State } from '../../web/model/state'
 import { readState, stateDocument } from '../../web/model/state-document'
 import { createStore } from '../../web/model/store'
 import { unitCube } from './core-fixtures'
@@ -49,6 +49,8 @@ const state: fc.Arbitrary<State> = fc.record({
     variant: fc.constantFrom('roots', 'roots-b'),
     step: below(26),
   }),
+  isReadonly: fc.boolean(),
+  controls: fc.constantFrom(CONTROLS, []),
   canUndo: fc.boolean(),
   canRedo: fc.boolean(),
 })
@@ -65,7 +67,8 @@ describe('a state', () => {
       fc.property(state, cameras, (given, looked) => {
         const text = JSON.stringify(stateDocument(given, looked))
         expect(fits(JSON.parse(text)), JSON.stringify(fits.errors)).toBe(true)
-        const { gestureStart, probe, highlight, previewedOrder, canUndo, canRedo, ...lasting } = given
+        const { gestureStart, probe, highlight, previewedOrder, isReadonly, controls, canUndo, canRedo, ...lasting } =
+          given
         const back = read(JSON.parse(text))
         expect(back).toEqual({ state: lasting, cameras: looked })
       }),
@@ -79,10 +82,8 @@ describe('a state', () => {
       more: 'of later',
       openPanels: ['later', 'morph', 'morph'],
     })
-    const { gestureStart, probe, highlight, previewedOrder, canUndo, canRedo, ...fresh } = createStore(
-      unitCube,
-      null,
-    ).state
+    const { gestureStart, probe, highlight, previewedOrder, isReadonly, controls, canUndo, canRedo, ...fresh } =
+      createStore(unitCube, null).state
     expect(state).toEqual({ ...fresh, openPanels: ['morph'] })
   })
 

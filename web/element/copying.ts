@@ -69,9 +69,10 @@ export class Copying {
     const told = this.#told
     const frame = this.#lens.getBoundingClientRect()
     const { left, bottom } = at.getBoundingClientRect()
-    const within = (from: number, room: number) => `${Math.max(GAP, Math.min(room - GAP, from))}px`
+    const within = (from: number, room: number, scrolled = 0) =>
+      `${Math.max(GAP, Math.min(room - GAP, from)) + scrolled}px`
     told.style.left = within(left - frame.left, frame.width - told.offsetWidth)
-    told.style.top = within(bottom - frame.top + GAP, frame.height - told.offsetHeight)
+    told.style.top = within(bottom - frame.top + GAP, frame.height - told.offsetHeight, this.#lens.scrollTop)
   }
 
   #hide(): void {

@@ -1,7 +1,13 @@
 import type { StateError } from '../model/state-document'
 
-/** Why `element.vertices = …` or `element.state = …` was refused: `code` for programs, `message` for people. */
-export type HexLensErrorCode = 'wrong-count' | 'not-finite' | StateError['code']
+/** Why something given to an element was refused: `code` for programs, `message` for people. */
+export type HexLensErrorCode =
+  | 'wrong-count'
+  | 'not-finite'
+  | 'bad-attribute'
+  | 'no-core'
+  | 'no-picture'
+  | StateError['code']
 
 export class HexLensError extends TypeError {
   override readonly name = 'HexLensError'

@@ -1,92 +1,108 @@
 /**
  * `<hex-lens>`: one hexahedron and everything said about it. It owns the state, asks the core once a frame and hands
- * one frame's truth to every view. Nothing is scheduled while nothing changes.
+ * one frame's truth to every view. Nothing is scheduled while nothing changes, nothing is drawn while nobody sees it.
+ * docs/element.md lists attributes, properties, methods, events, slots, parts and custom properties.
  *
- * `vertices`  24 finite numbers, VTK_HEXAHEDRON order, get (a copy) and set (any array-like; else HexLensError, state kept)
- * `state`     everything that a reader would expect to come back, as plain data for JSON: see docs/state.schema.json
- * `preset`    the id of the preset that the element started from, or null
- * `report`    what the core knows about exactly these vertices; null while there is no core
- * `permalink` the address that opens this element again, bit for bit
- * methods     undo, redo; offer, for a text or a file with eight points in it;
- *             raise and clear for what the page around it has to say about a problem
- * events      hex-input (live), hex-change (committed), hex-verdict (valid changed), hex-error (a problem was raised)
+ * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `offer` takes a text
+ * or a file with eight points in it; `raise` and `clear` are for what the page has to say about a problem.
  */
-import { presets, presetVertices } from '../content/presets'
-import { type Morph, morphOf } from '../core/morph'
-import type { Core, JacobianReport, Report } from '../core/report'
-import { type Surface, zeroSurface } from '../core/zero-surface'
+import { type Preset, presets, presetVertices } from '../content/presets'
+import type { Report } from '../core/report'
 import { jacdetInFull } from '../model/decimal'
-import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
+import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
-import type { Action, Cameras } from '../model/state'
+import type { Action, Cameras, State } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore, type Store } from '../model/store'
-import marks from '../views/marks.css?inline'
-import said from '../views/said.css?inline'
-import type { Figure, Offer, Problem, Proof, TriedOrders, View, ViewHost } from '../views/view'
+import type { Figure, FigureName, Offer, Problem, ViewHost } from '../views/view'
+import { Answers } from './answers'
+import {
+  type AttributeName,
+  type Attributes,
+  attributeNames,
+  checkedVertices,
+  readAttribute,
+  readVertices,
+  verticesText,
+} from './attributes'
 import { Copying } from './copying'
 import { fetchCore } from './fetch-core'
-import css from './hex-lens.css?inline'
 import { HexLensError } from './hex-lens-error'
 import { listenForOffers } from './offers'
 import { type Part, parts } from './parts'
+import { ReflectingElement } from './reflecting-element'
 import { historyStep } from './shortcuts'
-import { triedOrders } from './tried-orders'
-import { Turns } from './turns'
-
-const styleSheets = [css, said, marks, ...parts.map(part => part.styles)].map(styles => {
-  const sheet = new CSSStyleSheet()
-  sheet.replaceSync(styles)
-  return sheet
-})
-
-/** Cells of the grid along each axis from which the surface jacdet = 0 is made, between gestures and in one. */
-const SURFACE_CELLS = 24
-const GESTURE_SURFACE_CELLS = 8
+import { Show } from './show'
 
 /** What a reader hardly notices; a page that stays empty for longer looks broken. */
 const PATIENCE_MS = 150
 
-export class HexLens extends HTMLElement {
-  readonly #places: Readonly<Record<'head' | 'stage' | 'panel', HTMLElement>>
+/** What a reader may not do to an element that is only to be read. */
+const CHANGES: ReadonlySet<Action['type']> = new Set([
+  'move-vertex',
+  'move-coordinate',
+  'move-all',
+  'set-vertices',
+  'begin-gesture',
+  'undo',
+  'redo',
+  'reset',
+])
+
+/** Properties that a page may have set on the element before its script came. */
+const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'theme', 'poster', 'label', 'readOnly']
+
+export class HexLens extends ReflectingElement {
+  static readonly observedAttributes = attributeNames
+
+  readonly #host: ViewHost = {
+    state: () => this.#store.state,
+    dispatch: action => this.#dispatchOfReader(action),
+    raise: problem => this.raise(problem),
+    clear: code => this.clear(code),
+    requestFrame: () => this.#schedule(),
+    permalink: () => this.permalink,
+    figure: name => this.#show.figure(name),
+  }
+  readonly #show: Show
+  readonly #answers = new Answers(message => this.raise({ code: 'core-failed', message }))
   readonly #problems = new Map<Problem['code'], Problem>()
   #store: Store = createStore(presetVertices(presets[0]), presets[0].id)
   #committed: Vertices = this.#store.state.vertices
   #drawn: Vertices | null = null
-  #core: Core | null = null
-  #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
-  #proof: Proof | null = null
-  #triedOrders: TriedOrders | null = null
-  #zeroSurface: { readonly report: Report; readonly cells: number; readonly surface: Surface } | null = null
+  /** Names of parts, as the attribute last said them. */
+  #viewNames: readonly string[] = readAttribute('views', null)
   #offer: Offer | null = null
   #cameras: Cameras | null = null
   #drawnCameras: Cameras | null = null
-  #morph: Morph | null = null
   #toldValid: boolean | null = null
-  #views: readonly View[] = []
-  /** Parts to be made in the next frame, in the one after it, … */
-  #unmade: readonly (readonly Part[])[] = []
   #frameRequest = 0
   /** Whether there is more to draw than what waits for its turn. */
   #isNews = false
-  #turns = new Turns()
+  #visibility: IntersectionObserver | null = null
+  #isInView = false
+  /** Pictures asked for, which are drawn although nobody sees them. */
+  #picturesDue = 0
+  #isReflecting = false
 
   constructor() {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
-    shadow.adoptedStyleSheets = styleSheets
-    this.#places = { head: place('head'), stage: place('stage'), panel: place('panel') }
-    const lens = place('lens')
-    lens.append(this.#places.head, this.#places.stage, this.#places.panel)
-    shadow.append(lens)
+    this.#show = new Show(shadow, this.#host)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
-    new Copying(lens, () => this.#pointInFull())
-    listenForOffers(shadow, lens, offer => this.offer(offer))
+    new Copying(this.#show.lens, () => this.#pointInFull())
+    listenForOffers(shadow, this.#show.lens, {
+      isWelcome: () => this.#shownParts.some(part => part.name === 'paste'),
+      take: offer => this.offer(offer),
+    })
   }
 
   connectedCallback(): void {
-    this.#unmade = [parts.filter(part => !part.slow), parts.filter(part => part.slow)]
-    if (this.#core === null) void this.#start()
+    for (const name of EARLY) this.#adopt(name)
+    this.#show.begin(this.#shownParts)
+    this.#visibility = new IntersectionObserver(entries => this.#onVisibility(entries))
+    this.#visibility.observe(this)
+    if (this.#answers.core === null) void this.#start()
     else this.#schedule()
   }
 
@@ -94,25 +110,31 @@ export class HexLens extends HTMLElement {
     this.#cameras = this.#camerasNow
     cancelAnimationFrame(this.#frameRequest)
     this.#frameRequest = 0
-    for (const view of this.#views) {
-      view.dispose()
-      view.root.remove()
-    }
-    this.#views = []
-    this.#turns = new Turns()
-    this.#unmade = []
+    this.#visibility?.disconnect()
+    this.#isInView = false
+    this.#show.end()
     this.#offer = null
+  }
+
+  attributeChangedCallback(name: AttributeName): void {
+    if (this.#isReflecting) return
+    try {
+      this.#take(name)
+      this.clear(`bad-${name}`)
+    } catch (reason) {
+      if (!(reason instanceof HexLensError)) throw reason
+      this.raise({ code: `bad-${name}`, message: reason.message })
+    }
   }
 
   get vertices(): number[] {
     return this.#store.state.vertices.slice()
   }
 
-  set vertices(given: ArrayLike<number>) {
-    const vertices = checked(given)
-    const preset = presetOf(vertices)
-    if (this.#drawn === null) this.#begin(vertices, preset)
-    else this.#dispatch({ type: 'set-vertices', vertices, preset })
+  /** Any array-like of 24 finite numbers, or a text with them. Throws HexLensError for anything else. */
+  set vertices(given: ArrayLike<number> | string) {
+    const vertices = typeof given === 'string' ? readVertices(given) : checkedVertices(given)
+    this.#setVertices(vertices, presetOf(vertices))
   }
 
   get state(): StateDocument {
@@ -134,15 +156,14 @@ export class HexLens extends HTMLElement {
     return this.#store.state.preset
   }
 
+  /** Throws HexLensError unless there is such a preset. */
+  set preset(id: string | null) {
+    const preset = readAttribute('preset', id)
+    if (preset) this.#setVertices(presetVertices(preset), preset.id)
+  }
+
   get report(): Report | null {
-    const { vertices } = this.#store.state
-    if (this.#core === null) return null
-    if (this.#analyzed?.vertices !== vertices) {
-      const result = this.#core.analyze(vertices)
-      this.#analyzed = result.ok ? { vertices, report: result.value } : null
-      if (!result.ok) this.raise({ code: 'core-failed', message: result.error.message })
-    }
-    return this.#analyzed?.report ?? null
+    return this.#answers.report(this.#store.state.vertices)
   }
 
   get permalink(): string {
@@ -151,12 +172,43 @@ export class HexLens extends HTMLElement {
     return address.href
   }
 
+  /** Whether all that is to be seen is there: views are made when the element is seen, panels come when they are opened. */
+  get complete(): boolean {
+    return this.#isSeen && this.#drawn !== null && this.#frameRequest === 0 && this.#show.isComplete
+  }
+
   undo(): void {
     this.#dispatch({ type: 'undo' })
   }
 
   redo(): void {
     this.#dispatch({ type: 'redo' })
+  }
+
+  /** What the core says of any 24 numbers, by default of the element's own. Rejects with HexLensError. */
+  async analyze(given: ArrayLike<number> = this.#store.state.vertices): Promise<Report> {
+    const vertices = checkedVertices(given)
+    const core = await fetchCore().catch(reason => {
+      throw new HexLensError(
+        'no-core',
+        `The core did not start (${reason instanceof Error ? reason.message : reason}).`,
+      )
+    })
+    const result = core.analyze(vertices)
+    if (!result.ok) throw new HexLensError('no-core', result.error.message)
+    return result.value
+  }
+
+  /** The scene as it is, with the vertices inside: dropped on an element it opens them. Rejects with HexLensError. */
+  async toPNG(): Promise<Blob> {
+    const [{ pngOf }, figure] = await Promise.all([import('./pictures'), this.#figure('scene')])
+    return pngOf(figure, this.#store.state.vertices)
+  }
+
+  /** The scene, or the face maps where they are open, as a document that needs nothing else. Rejects with HexLensError. */
+  async toSVG(name: FigureName = 'scene'): Promise<string> {
+    const [{ svgOf }, figure] = await Promise.all([import('./pictures'), this.#figure(name)])
+    return svgOf(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
   }
 
   /** The panel that reads it opens; what it finds becomes the element, as one step to undo. */
@@ -177,27 +229,88 @@ export class HexLens extends HTMLElement {
     if (this.#problems.delete(code)) this.#schedule()
   }
 
-  readonly #host: ViewHost = {
-    state: () => this.#store.state,
-    dispatch: action => this.#dispatch(action),
-    raise: problem => this.raise(problem),
-    clear: code => this.clear(code),
-    requestFrame: () => this.#schedule(),
-    permalink: () => this.permalink,
-    figure: name => this.#views.reduce<Figure | null>((found, view) => found ?? view.figure?.(name) ?? null, null),
+  /** A property set before the class was there hides the class's own. */
+  #adopt(name: string): void {
+    const early = Object.getOwnPropertyDescriptor(this, name)
+    if (early === undefined) return
+    Reflect.deleteProperty(this, name)
+    Reflect.set(this, name, early.value)
+  }
+
+  /** What an attribute says is done. Throws HexLensError, with nothing changed. */
+  #take(name: AttributeName): void {
+    const takes: { readonly [Name in AttributeName]: (value: Attributes[Name]) => void } = {
+      vertices: vertices => this.#takeElement(vertices, null),
+      preset: preset => this.#takeElement(null, preset),
+      views: names => this.#showParts(names),
+      controls: controls => this.#dispatch({ type: 'offer-controls', controls }),
+      camera: camera => {
+        this.#cameras = { camera, referenceCamera: this.#camerasNow.referenceCamera }
+        this.#schedule()
+      },
+      theme: () => {}, // the style sheet does it
+      readonly: isReadonly => {
+        this.#dispatch({ type: 'hold', isReadonly })
+        this.#showParts(this.#viewNames)
+      },
+      poster: poster => this.#show.setPoster(poster),
+      label: label => this.#show.setLabel(label),
+    }
+    const take = takes[name] as (value: unknown) => void
+    take(readAttribute(name, this.getAttribute(name)))
+  }
+
+  /** Before the first frame both attributes say what the element starts from, in whichever order they come. */
+  #takeElement(vertices: Vertices | null, preset: Preset | null): void {
+    if (this.#drawn === null) {
+      const own = vertices ?? this.#understood('vertices')
+      const from = preset ?? this.#understood('preset')
+      const start = from && from.valid !== null ? presetVertices(from) : own
+      const first = own ?? (from && presetVertices(from))
+      if (first) this.#begin(first, from?.id ?? presetOf(first), start ?? first)
+    } else if (vertices) this.#setVertices(vertices, presetOf(vertices))
+    else if (preset) this.#setVertices(presetVertices(preset), preset.id)
+  }
+
+  /** What an attribute says; null where that is nothing, or nothing to be understood. */
+  #understood<Name extends AttributeName>(name: Name): Attributes[Name] | null {
+    try {
+      return readAttribute(name, this.getAttribute(name))
+    } catch {
+      return null // it is complained about in its own turn
+    }
+  }
+
+  get #shownParts(): readonly Part[] {
+    const isHeld = this.#store.state.isReadonly
+    return parts.filter(part => part.always || (this.#viewNames.includes(part.name) && !(isHeld && part.changes)))
+  }
+
+  #showParts(names: readonly string[]): void {
+    this.#viewNames = names
+    if (!this.isConnected) return
+    this.#cameras = this.#camerasNow
+    this.#show.begin(this.#shownParts)
+    this.#schedule()
+  }
+
+  #setVertices(vertices: Vertices, preset: string | null): void {
+    if (this.#drawn === null) this.#begin(vertices, preset, vertices)
+    else this.#dispatch({ type: 'set-vertices', vertices, preset })
   }
 
   /** What is set before the first frame is what the element starts from, not a step to undo. */
-  #begin(vertices: Vertices, preset: string | null, start = vertices): void {
+  #begin(vertices: Vertices, preset: string | null, start: Vertices): void {
+    const { isReadonly, controls } = this.#store.state
     this.#store = createStore(vertices, preset, start)
+    this.#store.dispatch({ type: 'hold', isReadonly })
+    this.#store.dispatch({ type: 'offer-controls', controls })
     this.#committed = this.#store.state.vertices
   }
 
   /** As the reader has turned them, or as they were asked for. */
   get #camerasNow(): Cameras {
-    const isDrawn = this.#cameras === this.#drawnCameras
-    const views = isDrawn ? this.#views : []
-    const seen = views.reduce<Cameras | null>((found, view) => found ?? view.cameras?.() ?? null, null)
+    const seen = this.#cameras === this.#drawnCameras ? this.#show.cameras() : null
     return seen ?? this.#cameras ?? { camera: null, referenceCamera: null }
   }
 
@@ -207,11 +320,15 @@ export class HexLens extends HTMLElement {
     if (this.#store.state !== before) this.#schedule()
   }
 
+  #dispatchOfReader(action: Action): void {
+    if (!(this.#store.state.isReadonly && CHANGES.has(action.type))) this.#dispatch(action)
+  }
+
   /** The core comes before the first frame, unless it is slow to come. */
   async #start(): Promise<void> {
     const slow = setTimeout(() => this.#schedule(), PATIENCE_MS)
     try {
-      this.#core = await fetchCore()
+      this.#answers.core = await fetchCore()
       this.clear('core-failed')
       this.#schedule()
     } catch (reason) {
@@ -225,111 +342,46 @@ export class HexLens extends HTMLElement {
     }
   }
 
+  get #isSeen(): boolean {
+    return this.#isInView || this.#picturesDue > 0
+  }
+
+  #onVisibility(entries: readonly IntersectionObserverEntry[]): void {
+    this.#isInView = entries.at(-1)?.isIntersecting ?? false
+    if (this.#isInView) this.#schedule()
+  }
+
   #schedule(): void {
     this.#isNews = true
     this.#request()
   }
 
   #request(): void {
-    if (this.isConnected && this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(this.#draw)
+    if (this.isConnected && this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(this.#onFrame)
   }
 
-  /** Makes what is due in this frame. */
-  #make(): void {
-    const [due = [], ...later] = this.#unmade
-    const made = due.map(part => {
-      const view = part.create(this.#host)
-      this.#places[part.place].append(view.root)
-      return view
-    })
-    this.#views = [...this.#views, ...made]
-    this.#unmade = later
-  }
-
-  /** The proof follows the vertices between gestures; nothing is computed while it is closed. */
-  #prove(): void {
-    const { vertices, gestureStart, proofShown } = this.#store.state
-    if (!proofShown || this.#analyzed === null) this.#proof = null
-    else if (this.#core && this.#proof?.vertices !== vertices && (this.#proof === null || gestureStart === null)) {
-      const result = this.#core.certificate(vertices)
-      this.#proof = result.ok ? { vertices, certificate: result.value } : null
-    }
-  }
-
-  /** Between gestures, like the proof; of invalid elements only. */
-  #tryOrders(): void {
-    const { vertices, gestureStart, openPanels } = this.#store.state
-    if (!openPanels.includes('node-order') || this.#analyzed === null) this.#triedOrders = null
-    else if (this.#core && gestureStart === null && this.#triedOrders?.vertices !== vertices)
-      this.#triedOrders = this.#analyzed.report.valid ? null : triedOrders(this.#core, vertices)
-  }
-
-  /** Coarser while a gesture runs; what is already finer stays. */
-  #surfaced(report: Report | null): Surface | null {
-    const { faceDisplay, gestureStart } = this.#store.state
-    if (faceDisplay !== 'inside' || report === null) return null
-    const cells = gestureStart === null ? SURFACE_CELLS : GESTURE_SURFACE_CELLS
-    if (this.#zeroSurface?.report !== report || this.#zeroSurface.cells < cells)
-      this.#zeroSurface = { report, cells, surface: zeroSurface(report.bernstein, cells) }
-    return this.#zeroSurface.surface
-  }
-
-  #morphed(): Morph | null {
-    const { vertices, start, morphA, morphB, gestureStart, openPanels } = this.#store.state
-    const [a, b] = [morphA ?? start, morphB ?? vertices]
-    if (!openPanels.includes('morph') || this.#core === null || this.#analyzed === null) this.#morph = null
-    else if (gestureStart === null && (this.#morph?.a !== a || this.#morph.b !== b))
-      this.#morph = morphOf(this.#core, a, b)
-    return this.#morph
-  }
-
-  #probed(): JacobianReport | null {
-    const { vertices, probe } = this.#store.state
-    const result = probe && this.#core?.jacobian(vertices, probe)
-    return result?.ok ? result.value : null
-  }
-
-  /** Of what is pointed at: every number with all its digits. */
-  #pointInFull(): string | null {
-    const probe = this.#probed()
-    if (probe === null) return null
-    const jacdet = jacdetInFull(probe.jacdet, probe.exponent, this.#store.state.referenceCube)
-    return `jacdet = ${jacdet}, (xi, eta, zeta) = (${probe.point.join(', ')}), (x, y, z) = (${probe.position.join(', ')})`
-  }
-
-  readonly #draw = (): void => {
+  readonly #onFrame = (time: number): void => {
     this.#frameRequest = 0
     const isNews = this.#isNews
     this.#isNews = false
-    this.#make()
-    const report = this.report
-    this.#prove()
-    this.#tryOrders()
-    const frame = {
-      state: this.#store.state,
-      report,
-      proof: this.#proof,
-      triedOrders: this.#triedOrders,
-      probe: report && this.#probed(),
-      offer: this.#offer,
-      cameras: this.#cameras,
-      morph: this.#morphed(),
-      zeroSurface: this.#surfaced(report),
-      problems: [...this.#problems.values()],
-    }
-    for (const view of this.#turns.due(this.#views, isNews, frame.state.gestureStart !== null)) {
-      try {
-        view.update(frame)
-      } catch (bug) {
-        reportError(bug) // one view's bug must not take the others' numbers away
-      }
-    }
-    if (this.#unmade.length > 0) this.#schedule()
-    else if (this.#turns.isWaiting) this.#request()
-    const { vertices, gestureStart } = frame.state
+    const { state } = this.#store
+    if (this.#isSeen) this.#draw(state, isNews, time)
+    this.#tellChanges(state)
+  }
+
+  #draw(state: State, isNews: boolean, time: number): void {
+    const problems = [...this.#problems.values()]
+    const frame = { state, ...this.#answers.of(state), offer: this.#offer, cameras: this.#cameras, problems }
+    this.#show.draw(frame, isNews, time)
+    this.#drawnCameras = frame.cameras
+    if (this.#show.isWaiting) this.#request()
+  }
+
+  /** To the page, seen or not. */
+  #tellChanges({ vertices, gestureStart }: State): void {
+    const report = this.#answers.report(vertices)
     const moved = this.#drawn !== null && this.#drawn !== vertices
     this.#drawn = vertices
-    this.#drawnCameras = frame.cameras
     if (moved) this.#tell('hex-input')
     if (report && report.valid !== this.#toldValid) {
       this.#toldValid = report.valid
@@ -337,8 +389,43 @@ export class HexLens extends HTMLElement {
     }
     if (gestureStart === null && this.#committed !== vertices) {
       this.#committed = vertices
+      this.#reflect()
       this.#tell('hex-change')
     }
+  }
+
+  /** The attributes say what is there now. */
+  #reflect(): void {
+    const { vertices, preset } = this.#store.state
+    this.#isReflecting = true
+    this.setAttribute('vertices', verticesText(vertices))
+    if (preset === null) this.removeAttribute('preset')
+    else this.setAttribute('preset', preset)
+    this.#isReflecting = false
+    for (const name of ['vertices', 'preset'] as const) this.clear(`bad-${name}`)
+  }
+
+  async #figure(name: FigureName): Promise<Figure> {
+    this.#picturesDue++
+    this.#schedule()
+    try {
+      await fetchCore().catch(() => {}) // without it there are lines, and they are drawn
+      while (this.isConnected && !this.complete) await new Promise(requestAnimationFrame)
+      const figure = this.#show.figure(name)
+      if (figure === null) throw new HexLensError('no-picture', `There is no picture of the ${name} on the page.`)
+      return figure
+    } finally {
+      this.#picturesDue--
+    }
+  }
+
+  /** Of what is pointed at: every number with all its digits. */
+  #pointInFull(): string | null {
+    const { state } = this.#store
+    const probe = this.#answers.probed(state)
+    if (probe === null) return null
+    const jacdet = jacdetInFull(probe.jacdet, probe.exponent, state.referenceCube)
+    return `jacdet = ${jacdet}, (xi, eta, zeta) = (${probe.point.join(', ')}), (x, y, z) = (${probe.position.join(', ')})`
   }
 
   #onKeyDown(event: KeyboardEvent): void {
@@ -346,18 +433,12 @@ export class HexLens extends HTMLElement {
     const midEdit = this.#store.state.gestureStart !== null || (event.target as Element).matches('[aria-invalid]')
     if (step === null || midEdit || event.defaultPrevented) return
     event.preventDefault()
-    this.#dispatch({ type: step })
+    this.#dispatchOfReader({ type: step })
   }
 
   #tell(name: string, detail: unknown = null): void {
     this.dispatchEvent(new CustomEvent(name, { bubbles: true, composed: true, detail }))
   }
-}
-
-function place(name: string): HTMLElement {
-  const element = document.createElement('div')
-  element.className = name
-  return element
 }
 
 /** The id of the preset that is these very numbers. */
@@ -366,17 +447,8 @@ function presetOf(vertices: Vertices): string | null {
   return presets.find(preset => preset.valid !== null && isThis(presetVertices(preset)))?.id ?? null
 }
 
-function checked(given: ArrayLike<number>): Vertices {
-  if (given?.length !== COORDINATE_COUNT) {
-    throw new HexLensError('wrong-count', `A hexahedron has 24 coordinates; ${given?.length ?? 'none'} were given.`)
-  }
-  const vertices = Array.from(given)
-  const bad = vertices.findIndex(value => !Number.isFinite(value))
-  if (bad >= 0) throw new HexLensError('not-finite', `Coordinate ${bad} is ${vertices[bad]}, not a finite number.`)
-  return vertices
-}
-
-if (!customElements.get('hex-lens')) customElements.define('hex-lens', HexLens)
+// On a server there is nothing to define it in; on a page a second copy of this script leaves the first one's alone.
+if (globalThis.customElements && !customElements.get('hex-lens')) customElements.define('hex-lens', HexLens)
 
 declare global {
   interface HTMLElementTagNameMap {

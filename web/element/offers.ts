@@ -9,11 +9,19 @@ export function offerOf(transfer: DataTransfer | null): Offer | null {
   return text === '' ? null : { content: text }
 }
 
-export function listenForOffers(shadow: ShadowRoot, lens: HTMLElement, take: (offer: Offer) => void): void {
-  shadow.addEventListener('paste', event => onPaste(event as ClipboardEvent, take))
+export interface Taker {
+  /** Whether anything is taken at all. */
+  isWelcome(): boolean
+  take(offer: Offer): void
+}
+
+export function listenForOffers(shadow: ShadowRoot, lens: HTMLElement, { isWelcome, take }: Taker): void {
+  shadow.addEventListener('paste', event => {
+    if (isWelcome()) onPaste(event as ClipboardEvent, take)
+  })
   shadow.addEventListener('dragover', event => {
     const { dataTransfer } = event as DragEvent
-    const isOurs = takesDrop(event as DragEvent)
+    const isOurs = isWelcome() && takesDrop(event as DragEvent)
     lens.classList.toggle('is-drop-target', isOurs)
     if (!isOurs || !dataTransfer) return
     event.preventDefault()
@@ -24,7 +32,7 @@ export function listenForOffers(shadow: ShadowRoot, lens: HTMLElement, take: (of
   shadow.addEventListener('dragend', leave)
   shadow.addEventListener('drop', event => {
     leave()
-    const offer = takesDrop(event as DragEvent) ? offerOf((event as DragEvent).dataTransfer) : null
+    const offer = isWelcome() && takesDrop(event as DragEvent) ? offerOf((event as DragEvent).dataTransfer) : null
     if (offer === null) return
     event.preventDefault()
     take(offer)

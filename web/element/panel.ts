@@ -4,6 +4,7 @@
  */
 import type { PanelId } from '../model/state'
 import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../views/view'
+import { adoptStyles } from './style-sheets'
 
 export interface PanelContent {
   readonly create: CreateView
@@ -16,13 +17,14 @@ export function panel(id: PanelId, title: string, load: () => Promise<PanelConte
 
 class Panel implements View {
   readonly root = document.createElement('section')
+  isLoading = false
   readonly #host: ViewHost
   readonly #id: PanelId
   readonly #load: () => Promise<PanelContent>
   readonly #button = document.createElement('button')
   readonly #body = document.createElement('div')
   #isOpen = false
-  #isLoading = false
+  #isAsked = false
   #isDisposed = false
   #view: View | null = null
 
@@ -57,7 +59,7 @@ class Panel implements View {
     this.#body.hidden = !this.#isOpen
     if (!this.#isOpen && !wasOpen) return
     if (this.#view) this.#view.update(frame)
-    else if (this.#isOpen && !this.#isLoading) void this.#fill()
+    else if (this.#isOpen && !this.#isAsked) void this.#fill()
   }
 
   figure(name: FigureName): Figure | null {
@@ -70,23 +72,18 @@ class Panel implements View {
   }
 
   async #fill(): Promise<void> {
-    this.#isLoading = true
+    this.#isAsked = true
+    this.isLoading = true
     try {
       const { create, styles } = await this.#load()
       if (this.#isDisposed) return
-      this.#adopt(styles)
+      adoptStyles(this.root.getRootNode() as ShadowRoot, [styles])
       this.#view = create(this.#host)
       this.#body.replaceChildren(this.#view.root)
     } catch (reason) {
       this.#body.textContent = `This panel could not be loaded (${reason instanceof Error ? reason.message : reason}). Reload the page to try again.`
     }
+    this.isLoading = false
     this.#host.requestFrame()
-  }
-
-  #adopt(styles: string): void {
-    const sheet = new CSSStyleSheet()
-    sheet.replaceSync(styles)
-    const shadow = this.root.getRootNode() as ShadowRoot
-    shadow.adoptedStyleSheets = [...shadow.adoptedStyleSheets, sheet]
   }
 }

@@ -1,4 +1,4 @@
-/** What the element shows. A new view is one entry here. */
+/** What the element can show. A new view is one entry here. */
 import { createAnnouncer } from '../views/announcer/announcer'
 import { certificateStyles, createCertificate } from '../views/certificate/certificate'
 import { checksStyles, createChecks } from '../views/checks/checks'
@@ -11,55 +11,71 @@ import type { CreateView } from '../views/view'
 import { panel } from './panel'
 
 export interface Part {
+  /** In the attribute `views`, and as a CSS part. */
+  readonly name: string
   readonly place: 'head' | 'stage' | 'panel'
   readonly create: CreateView
   readonly styles: string
   /** Slow to make, a WebGL context for one: it comes a frame after the numbers. */
   readonly slow?: true
+  /** Shown whatever the attribute says. */
+  readonly always?: true
+  /** Left out where the element cannot be changed. */
+  readonly changes?: true
 }
 
 export const parts: readonly Part[] = [
-  { place: 'head', create: createToolbar, styles: toolbarStyles },
-  { place: 'head', create: createProblems, styles: problemsStyles },
-  { place: 'panel', create: createVerdict, styles: verdictStyles },
-  { place: 'panel', create: createCertificate, styles: certificateStyles },
-  { place: 'panel', create: createChecks, styles: checksStyles },
-  { place: 'panel', create: createVertices, styles: verticesStyles },
+  { name: 'toolbar', place: 'head', create: createToolbar, styles: toolbarStyles },
+  { name: 'problems', place: 'head', create: createProblems, styles: problemsStyles, always: true },
+  { name: 'announcer', place: 'head', create: createAnnouncer, styles: '', always: true },
+  { name: 'verdict', place: 'panel', create: createVerdict, styles: verdictStyles },
+  { name: 'proof', place: 'panel', create: createCertificate, styles: certificateStyles },
+  { name: 'checks', place: 'panel', create: createChecks, styles: checksStyles },
+  { name: 'vertices', place: 'panel', create: createVertices, styles: verticesStyles },
   {
+    name: 'face-maps',
     place: 'panel',
     create: panel('face-maps', 'Face maps', () => import('../views/face-maps/face-maps')),
     styles: '',
   },
   {
+    name: 'algorithm',
     place: 'panel',
     create: panel('algorithm', 'Algorithm 1, step by step', () => import('../views/algorithm/algorithm')),
     styles: '',
   },
   {
+    name: 'inside',
     place: 'panel',
     create: panel('inside', 'Inside', () => import('../views/inside-panel/inside-panel')),
     styles: '',
   },
   {
+    name: 'node-order',
     place: 'panel',
     create: panel('node-order', 'Node order', () => import('../views/node-order/node-order')),
     styles: '',
+    changes: true,
   },
   {
+    name: 'morph',
     place: 'panel',
     create: panel('morph', 'Morph', () => import('../views/morph/morph')),
     styles: '',
+    changes: true,
   },
   {
+    name: 'paste',
     place: 'panel',
     create: panel('paste', 'Paste or drop', () => import('../views/paste/paste')),
     styles: '',
+    changes: true,
   },
   {
+    name: 'take-away',
     place: 'panel',
     create: panel('take-away', 'Take away', () => import('../views/take-away/take-away')),
     styles: '',
   },
-  { place: 'panel', create: createAnnouncer, styles: '' },
-  { place: 'stage', create: createScene, styles: sceneStyles, slow: true },
+  { name: 'scene', place: 'stage', create: createScene, styles: sceneStyles, slow: true },
 ]

@@ -40,6 +40,10 @@ export interface Following {
   readonly step: number
 }
 
+/** Buttons of the scene that an author may leave out. */
+export const CONTROLS = ['faces', 'reference', 'fit', 'help'] as const
+export type Control = (typeof CONTROLS)[number]
+
 /** How a picture in space is looked at, whatever its size on the screen. */
 export interface CameraView {
   /** From what is looked at to the eye; of any length. */
@@ -87,14 +91,17 @@ export interface State {
   readonly morphB: Vertices | null
   readonly section: Section
   readonly following: Following
+  /** Whether the reader may only look. */
+  readonly isReadonly: boolean
+  readonly controls: readonly Control[]
   readonly canUndo: boolean
   readonly canRedo: boolean
 }
 
-/** What outlives the page: all but what is under way, pointed at or spoken of, and the history. */
+/** What outlives the page: all but what is under way, pointed at or spoken of, the history, and what an author allows. */
 export type LastingState = Omit<
   State,
-  'gestureStart' | 'probe' | 'highlight' | 'previewedOrder' | 'canUndo' | 'canRedo'
+  'gestureStart' | 'probe' | 'highlight' | 'previewedOrder' | 'isReadonly' | 'controls' | 'canUndo' | 'canRedo'
 >
 
 export type Action =
@@ -130,6 +137,8 @@ export type Action =
   | { readonly type: 'keep-morph-end'; readonly end: 'morphA' | 'morphB'; readonly vertices: Vertices | null }
   | { readonly type: 'show-section'; readonly section: Section }
   | { readonly type: 'follow'; readonly following: Following }
+  | { readonly type: 'hold'; readonly isReadonly: boolean }
+  | { readonly type: 'offer-controls'; readonly controls: readonly Control[] }
   /** Everything at once; what this changes of the element is one step to undo. */
   | { readonly type: 'restore'; readonly state: LastingState }
 

@@ -17,6 +17,7 @@ import {
 } from './hexahedron'
 import {
   type Action,
+  CONTROLS,
   type ElementPart,
   type FaceDisplay,
   type LastingState,
@@ -71,6 +72,8 @@ export const SHOWN_FIRST: Shown = {
   morphB: null,
   section: { axis: 2, value: 0.5 },
   following: { query: 'minimum', variant: 'roots-b', step: 0 },
+  isReadonly: false,
+  controls: CONTROLS,
 }
 
 const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
@@ -238,6 +241,12 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
       case 'follow':
         checkIndex(action.following.step, STEP_COUNT, 'step')
         shown = { ...shown, following: action.following }
+        break
+      case 'hold':
+        shown = { ...shown, isReadonly: action.isReadonly }
+        break
+      case 'offer-controls':
+        shown = { ...shown, controls: action.controls }
         break
       case 'restore':
         cancel()

@@ -25,8 +25,12 @@ export function figureOf(root: HTMLElement, parts: Iterable<Element>): Figure {
     const box = { x: left - frame.left, y: top - frame.top, width, height }
     return isShown ? [layerOf(part, box)] : []
   })
-  const host = (root.getRootNode() as Partial<ShadowRoot>).host ?? root
-  return { width: frame.width, height: frame.height, background: getComputedStyle(host).backgroundColor, layers }
+  return {
+    width: frame.width,
+    height: frame.height,
+    background: getComputedStyle(root.closest('.lens') ?? root).backgroundColor,
+    layers,
+  }
 }
 
 type Box = Pick<PixelLayer, 'x' | 'y' | 'width' | 'height'>

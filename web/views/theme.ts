@@ -19,6 +19,7 @@ export class ThemeReader {
   readonly #darkness = matchMedia('(prefers-color-scheme: dark)')
   readonly #attributes = new MutationObserver(() => this.#expire())
   #theme: Theme | null = null
+  #isExpired = true
 
   constructor(element: HTMLElement, onChange: () => void) {
     this.#element = element
@@ -26,10 +27,14 @@ export class ThemeReader {
     this.#darkness.addEventListener('change', this.#expire)
   }
 
-  /** The same object as before while no colour may have changed. */
+  /** The same object as before while no colour has changed. */
   read(): Theme {
-    this.#theme ??= this.#compute()
-    return this.#theme
+    if (this.#isExpired) {
+      this.#isExpired = false
+      const theme = this.#compute()
+      if (!sameTheme(theme, this.#theme)) this.#theme = theme
+    }
+    return this.#theme as Theme
   }
 
   dispose(): void {
@@ -38,7 +43,7 @@ export class ThemeReader {
   }
 
   readonly #expire = (): void => {
-    this.#theme = null
+    this.#isExpired = true
     this.#onChange()
   }
 
@@ -53,6 +58,11 @@ export class ThemeReader {
     ])
     return Object.fromEntries(entries) as unknown as Theme
   }
+}
+
+function sameTheme(a: Theme, b: Theme | null): boolean {
+  const colours = Object.keys(a) as (keyof Theme)[]
+  return b !== null && colours.every(colour => a[colour].every((value, i) => value === b[colour][i]))
 }
 
 let pixel: CanvasRenderingContext2D | null | undefined

@@ -9,7 +9,7 @@ import type { Cameras, Dispatch, State } from '../model/state'
 
 /** Something that keeps the page from its full work, as a sentence for people. */
 export interface Problem {
-  readonly code: 'core-failed' | 'no-webgl' | 'context-lost' | 'link-broken' | 'input-refused'
+  readonly code: 'core-failed' | 'no-webgl' | 'context-lost' | 'link-broken' | 'input-refused' | `bad-${string}`
   readonly message: string
 }
 
@@ -103,6 +103,8 @@ export interface View {
   figure?(name: FigureName): Figure | null
   /** How it looks at things now, if that is this view's; null before its first picture. */
   cameras?(): Cameras | null
+  /** Whether something of it is still to be loaded. */
+  readonly isLoading?: boolean
   dispose(): void
 }
 

@@ -17,6 +17,8 @@ export class Controls {
   readonly #faces = document.createElement('select')
   readonly #help = document.createElement('button')
   readonly #reference = document.createElement('button')
+  readonly #fit = document.createElement('button')
+  readonly #choice = document.createElement('span')
   readonly #legend = document.createElement('p')
   readonly #kinds: Readonly<Record<'edge' | 'face', HTMLElement>> = {
     edge: legendEntry('edge', 'edge candidate'),
@@ -37,14 +39,12 @@ export class Controls {
       const { value } = this.#faces
       actions.showFaces(/^\d$/.test(value) ? Number(value) : (value as FaceDisplay))
     })
-    const fit = document.createElement('button')
-    fit.type = 'button'
-    fit.textContent = 'Fit'
-    fit.title = 'Bring the element into view (F)'
-    fit.addEventListener('click', () => actions.fit())
-    const choice = document.createElement('span')
-    choice.className = 'choice'
-    choice.append(this.#faces)
+    this.#fit.type = 'button'
+    this.#fit.textContent = 'Fit'
+    this.#fit.title = 'Bring the element into view (F)'
+    this.#fit.addEventListener('click', () => actions.fit())
+    this.#choice.className = 'choice'
+    this.#choice.append(this.#faces)
     this.#help.type = 'button'
     this.#help.textContent = 'Help'
     this.#help.title = 'What keys and pointers do (?)'
@@ -54,7 +54,7 @@ export class Controls {
     this.#reference.textContent = 'Reference cube'
     this.#reference.title = 'The same colours in (ξ, η, ζ), beside the element (R)'
     this.#reference.addEventListener('click', () => actions.toggleReference())
-    this.root.append(this.#legend, choice, this.#reference, fit, this.#help)
+    this.root.append(this.#legend, this.#choice, this.#reference, this.#fit, this.#help)
   }
 
   /** Whether the help is on the screen. */
@@ -62,7 +62,11 @@ export class Controls {
     this.#help.setAttribute('aria-expanded', String(shown))
   }
 
-  update({ faceDisplay, referenceShown }: State, report: Report | null): void {
+  update({ faceDisplay, referenceShown, controls }: State, report: Report | null): void {
+    this.#choice.hidden = !controls.includes('faces')
+    this.#reference.hidden = !controls.includes('reference')
+    this.#fit.hidden = !controls.includes('fit')
+    this.#help.hidden = !controls.includes('help')
     this.#reference.setAttribute('aria-pressed', String(referenceShown))
     const value = String(faceDisplay)
     if (this.#faces.value !== value) this.#faces.value = value

@@ -6,6 +6,8 @@ import { readoutBox } from './readout'
 export interface Layout {
   /** Laid out for a phone: the colour bar lies. */
   readonly isNarrow: boolean
+  /** Too low for the words that say what the marks mean. */
+  readonly isLow: boolean
   /** Kept free of the fitted element. */
   readonly insets: Insets
   readonly barLength: number
@@ -15,16 +17,20 @@ export interface Layout {
 
 /** Below this width the scene is laid out for a phone. */
 const NARROW = 560
+/** Below this height what is not the element makes way for it. */
+const LOW = 340
 const TRIAD = { x: 0, y: 0, width: 84, height: 84 }
 
 export function layoutOf(width: number, height: number): Layout {
   const isNarrow = width < NARROW
+  const isLow = height < LOW
   const barLength = Math.round(Math.max(90, isNarrow ? Math.min(200, width - 210) : Math.min(220, height * 0.3)))
   const bar = isNarrow ? { width, height: 56 } : { width: 140, height: barLength + 64 }
-  const controls = isNarrow ? 66 : 48
+  const controls = isNarrow && !isLow ? 66 : 44
   return {
     isNarrow,
-    insets: isNarrow ? { top: 110, right: 36, bottom: 96, left: 36 } : { top: 64, right: 156, bottom: 72, left: 92 },
+    isLow,
+    insets: insetsOf(isNarrow, isLow),
     barLength,
     taken: [
       { ...bar, x: width - bar.width, y: 0 },
@@ -33,4 +39,10 @@ export function layoutOf(width: number, height: number): Layout {
       readoutBox(isNarrow),
     ],
   }
+}
+
+function insetsOf(isNarrow: boolean, isLow: boolean): Insets {
+  if (isLow)
+    return isNarrow ? { top: 76, right: 36, bottom: 60, left: 36 } : { top: 44, right: 156, bottom: 60, left: 92 }
+  return isNarrow ? { top: 110, right: 36, bottom: 96, left: 36 } : { top: 64, right: 156, bottom: 72, left: 92 }
 }

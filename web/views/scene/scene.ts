@@ -17,7 +17,8 @@ import type { ScreenPoint } from './camera'
 import { ColourBar } from './colour-bar'
 import { Controls } from './controls'
 import { pointUnder } from './face-hit'
-import { createFacePainter, type FacePainter, type Region } from './face-painter'
+import { createFacePainter, type FacePainter } from './face-painter'
+import type { Region } from './face-renderer'
 import { Framing } from './framing'
 import { Help } from './help'
 import { KeyboardInput } from './keyboard-input'
@@ -61,7 +62,6 @@ class Scene implements SceneView, Stage {
   readonly root = document.createElement('div')
   readonly element = document.createElement('div')
   readonly host: ViewHost
-  readonly movesVertices = true
   framesDrawn = 0
 
   readonly #painter: FacePainter | null
@@ -125,10 +125,15 @@ class Scene implements SceneView, Stage {
     this.#listen()
     if (this.#painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
     else host.clear('no-webgl')
+    if (this.#painter?.isLost) this.#onContext(true)
   }
 
   get camera() {
     return this.#viewpoint.camera
+  }
+
+  get movesVertices(): boolean {
+    return !this.host.state().isReadonly
   }
 
   get drawCalls(): number {
@@ -136,6 +141,7 @@ class Scene implements SceneView, Stage {
   }
 
   update(frame: Frame): void {
+    this.#name(frame.state)
     const resized = this.#resize(frame.state)
     if (this.#width === 0 || this.#height === 0) return
     this.#readTheme()
@@ -184,7 +190,7 @@ class Scene implements SceneView, Stage {
   }
 
   handles(): readonly ScreenPoint[] {
-    return this.#handles
+    return this.movesVertices ? this.#handles : []
   }
 
   showHover(vertex: number | null): void {
@@ -245,7 +251,6 @@ class Scene implements SceneView, Stage {
     this.element.tabIndex = 0
     this.element.dataset.cursor = 'orbit'
     this.element.setAttribute('role', 'application')
-    this.element.setAttribute('aria-label', 'The hexahedron in space, eight vertices to move')
     this.element.setAttribute('aria-describedby', this.#help.root.id)
     this.#overlay.root.append(this.#readout.root)
     this.element.append(this.#overlay.root)
@@ -261,6 +266,12 @@ class Scene implements SceneView, Stage {
   #onTurn(from: Viewpoint): void {
     this.#links.follow(from)
     this.host.requestFrame()
+  }
+
+  #name({ isReadonly }: State): void {
+    if (isReadonly === this.#shown?.state.isReadonly) return
+    const name = isReadonly ? 'The hexahedron in space' : 'The hexahedron in space, eight vertices to move'
+    this.element.setAttribute('aria-label', name)
   }
 
   #createReference(): ReferenceCube {
@@ -334,6 +345,7 @@ class Scene implements SceneView, Stage {
     this.#height = height
     this.#layout = layoutOf(width, height)
     this.root.classList.toggle('narrow', this.#layout.isNarrow)
+    this.root.classList.toggle('low', this.#layout.isLow)
     if (width > 0 && height > 0) this.camera.resize(width, height, this.#layout.insets)
     return { camera }
   }

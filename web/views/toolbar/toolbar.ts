@@ -31,24 +31,24 @@ class ToolbarView implements View {
       html`<span class="brand">Hexlens</span>
         <label class="preset">
           <span>Preset</span>
-          <select @change=${this.#onPreset}>
+          <select ?disabled=${state.isReadonly} @change=${this.#onPreset}>
             <option value="" hidden .selected=${shown === undefined}>Custom</option>
             ${presets.map(
               preset => html`<option value=${preset.id} .selected=${shown === preset}>${preset.title}</option>`,
             )}
           </select>
         </label>
-        ${shown?.valid === null ? this.#another(shown) : nothing}
+        ${shown?.valid === null && !state.isReadonly ? this.#another(shown) : nothing}
         <p class="note" ?hidden=${state.preset === null}>${noteOf(state, shown)}</p>
         <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : nothing}</p>
         <div class="actions">
-          <button type="button" ?disabled=${!state.canUndo} @click=${() => this.#host.dispatch({ type: 'undo' })}>
+          <button type="button" ?disabled=${!state.canUndo || state.isReadonly} @click=${() => this.#host.dispatch({ type: 'undo' })}>
             Undo
           </button>
-          <button type="button" ?disabled=${!state.canRedo} @click=${() => this.#host.dispatch({ type: 'redo' })}>
+          <button type="button" ?disabled=${!state.canRedo || state.isReadonly} @click=${() => this.#host.dispatch({ type: 'redo' })}>
             Redo
           </button>
-          <button type="button" @click=${() => this.#host.dispatch({ type: 'reset' })}>Reset</button>
+          <button type="button" ?disabled=${state.isReadonly} @click=${() => this.#host.dispatch({ type: 'reset' })}>Reset</button>
           <button type="button" @click=${this.#copyLink}>Copy link</button>
         </div>
         ${

@@ -88,6 +88,8 @@ class VerticesView implements View {
   }
 
   update({ state }: Frame): void {
+    if (state.isReadonly !== this.#inputs[0]?.readOnly)
+      for (const input of this.#inputs) input.readOnly = state.isReadonly
     state.vertices.forEach((value, index) => {
       if (Object.is(value, this.#values[index])) return
       this.#values[index] = value

@@ -1,0 +1,133 @@
+/** The attributes of `<hex-lens>`: what each may say, and in which sentence it is refused. */
+import { type Preset, presets } from '../content/presets'
+import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import { type CameraView, CONTROLS, type Control } from '../model/state'
+import { HexLensError } from './hex-lens-error'
+import { parts } from './parts'
+
+export interface Attributes {
+  readonly vertices: Vertices | null
+  readonly preset: Preset | null
+  /** Names of parts. */
+  readonly views: readonly string[]
+  readonly controls: readonly Control[]
+  readonly camera: CameraView | null
+  readonly theme: Theme
+  readonly readonly: boolean
+  readonly poster: string | null
+  readonly label: string | null
+}
+
+export type AttributeName = keyof Attributes
+export type Theme = (typeof THEMES)[number]
+
+const THEMES = ['auto', 'light', 'dark'] as const
+const VIEWS = parts.filter(part => !part.always).map(part => part.name)
+const FIRST_VIEWS = ['scene', 'verdict']
+const DECIMAL = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i
+/** As far as the reader can turn; and as much nearer or farther than all in view as a state may say. */
+const MOST_ELEVATION = 90
+const ZOOMS = [0.001, 1000] as const
+
+/** What an attribute says; null is one that is not there. Throws HexLensError. */
+type Read<T> = (text: string | null) => T
+
+const readers: { readonly [Name in AttributeName]: Read<Attributes[Name]> } = {
+  vertices: text => (text === null ? null : readVertices(text)),
+  preset: text => (text === null ? null : readPreset(text)),
+  views: text => (text === null ? FIRST_VIEWS : words('views', text, VIEWS)),
+  controls: text => (text === null ? CONTROLS : words('controls', text, CONTROLS)),
+  camera: text => (text === null ? null : readCamera(text)),
+  theme: text => oneOf('theme', text ?? 'auto', THEMES),
+  readonly: text => text !== null,
+  poster: text => text,
+  label: text => text,
+}
+
+export const attributeNames = Object.keys(readers) as AttributeName[]
+
+export function readAttribute<Name extends AttributeName>(name: Name, text: string | null): Attributes[Name] {
+  return readers[name](text)
+}
+
+/** As the attribute `vertices` says them, bit for bit. */
+export function verticesText(vertices: Vertices): string {
+  const points = Array.from({ length: COORDINATE_COUNT / 3 }, (_, v) => vertices.slice(3 * v, 3 * v + 3))
+  return points.map(point => point.map(x => (Object.is(x, -0) ? '-0' : String(x))).join(' ')).join(', ')
+}
+
+/** 24 numbers; commas, brackets and white space stand between them. */
+export function readVertices(text: string): Vertices {
+  const numbers = text.split(/[\s,;()[\]]+/).filter(part => part !== '')
+  const bad = numbers.find(number => !DECIMAL.test(number))
+  if (bad !== undefined) throw refusal('vertices', `“${shortened(bad)}” is not a number`)
+  return checkedVertices(numbers.map(Number))
+}
+
+/** A copy. Throws HexLensError unless given 24 finite numbers. */
+export function checkedVertices(given: ArrayLike<number> | null | undefined): Vertices {
+  if (given?.length !== COORDINATE_COUNT)
+    throw new HexLensError('wrong-count', `A hexahedron has 24 coordinates; ${given?.length ?? 'none'} were given.`)
+  const vertices = Array.from(given)
+  const bad = vertices.findIndex(value => !Number.isFinite(value))
+  if (bad >= 0) throw new HexLensError('not-finite', `Coordinate ${bad} is ${vertices[bad]}, not a finite number.`)
+  return vertices
+}
+
+function readPreset(text: string): Preset {
+  const preset = presets.find(({ id }) => id === text.trim())
+  const known = presets.map(({ id }) => id).join(', ')
+  if (!preset) throw refusal('preset', `“${shortened(text)}” is none of ${known}`)
+  return preset
+}
+
+/** Azimuth and elevation in degrees, and how much nearer than all in view. */
+function readCamera(text: string): CameraView {
+  const numbers = text
+    .trim()
+    .split(/[\s,]+/)
+    .map(part => part.replace(/(deg|°)$/, ''))
+  const [azimuth, elevation, zoom] = numbers.map(Number) as [number, number, number?]
+  const isRight =
+    numbers.every(number => DECIMAL.test(number)) &&
+    (numbers.length === 2 || numbers.length === 3) &&
+    Number.isFinite(azimuth) &&
+    Math.abs(elevation) <= MOST_ELEVATION &&
+    (zoom === undefined || (zoom >= ZOOMS[0] && zoom <= ZOOMS[1]))
+  if (!isRight) {
+    const form = 'azimuth and elevation in degrees and a zoom, such as “-58 24 1.5”'
+    throw refusal('camera', `“${shortened(text)}” is not ${form}`)
+  }
+  return { direction: direction(azimuth, elevation), zoom: zoom ?? 1, pan: [0, 0, 0] }
+}
+
+function direction(azimuthDegrees: number, elevationDegrees: number): Vec3 {
+  const [azimuth, elevation] = [azimuthDegrees, elevationDegrees].map(angle => (angle * Math.PI) / 180) as [
+    number,
+    number,
+  ]
+  const across = Math.cos(elevation)
+  return [across * Math.cos(azimuth), across * Math.sin(azimuth), Math.sin(elevation)]
+}
+
+/** A list of words, `all` or `none`. */
+function words<Word extends string>(name: AttributeName, text: string, known: readonly Word[]): readonly Word[] {
+  const given = text.split(/[\s,]+/).filter(word => word !== '')
+  if (given.length === 1 && given[0] === 'all') return known
+  if (given.length === 1 && given[0] === 'none') return []
+  return given.map(word => oneOf(name, word, known, ', all or none'))
+}
+
+function oneOf<Word extends string>(name: AttributeName, text: string, known: readonly Word[], more = ''): Word {
+  const word = known.find(each => each === text.trim())
+  if (word === undefined) throw refusal(name, `“${shortened(text)}” is none of ${known.join(', ')}${more}`)
+  return word
+}
+
+function refusal(name: AttributeName, why: string): HexLensError {
+  return new HexLensError('bad-attribute', `The attribute ${name} is not understood: ${why}.`)
+}
+
+function shortened(text: string): string {
+  return text.length > 40 ? `${text.slice(0, 40)}…` : text
+}

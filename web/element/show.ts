@@ -1,0 +1,135 @@
+/**
+ * What is seen of an element: the tree in its shadow root and the views in it. The views are made when the element is first seen, the
+ * slow ones a frame later, and no two elements of a page make theirs in the same frame.
+ */
+import type { Cameras } from '../model/state'
+import marks from '../views/marks.css?inline'
+import said from '../views/said.css?inline'
+import type { Figure, FigureName, Frame, View, ViewHost } from '../views/view'
+import css from './hex-lens.css?inline'
+import { type Part, parts } from './parts'
+import { adoptStyles } from './style-sheets'
+import { Turns } from './turns'
+
+/** When an element last made views: all frames at one time are one frame of the page. */
+let madeAt = -1
+
+export class Show {
+  /** Around all that is the element's own. */
+  readonly lens = place('lens')
+  readonly #host: ViewHost
+  readonly #places = { head: place('head'), stage: place('stage'), panel: place('panel', 'panels') }
+  /** The poster, and what stands between the tags, until there is something better. */
+  readonly #before = place('before', 'fallback')
+  readonly #poster = document.createElement('img')
+  #views: readonly View[] = []
+  /** Parts to be made in the next frame, in the one after it, … */
+  #unmade: readonly (readonly Part[])[] = []
+  #turns = new Turns()
+
+  constructor(shadow: ShadowRoot, host: ViewHost) {
+    this.#host = host
+    adoptStyles(shadow, [css, said, marks, ...parts.map(part => part.styles)])
+    const { head, stage, panel } = this.#places
+    const frame = place('frame')
+    const caption = place('caption')
+    this.#poster.alt = ''
+    this.#poster.hidden = true
+    this.#poster.part.add('poster')
+    this.#before.append(this.#poster, document.createElement('slot'))
+    caption.append(Object.assign(document.createElement('slot'), { name: 'caption' }))
+    this.lens.append(head, stage, panel)
+    frame.append(this.lens, this.#before, caption)
+    shadow.append(frame)
+  }
+
+  /** Whether everything is made and up to date. */
+  get isComplete(): boolean {
+    return this.#unmade.length === 0 && !this.#turns.isWaiting && !this.#views.some(view => view.isLoading)
+  }
+
+  /** Whether a frame is due although nothing is new. */
+  get isWaiting(): boolean {
+    return this.#unmade.length > 0 || this.#turns.isWaiting
+  }
+
+  begin(shown: readonly Part[]): void {
+    this.end()
+    this.#unmade = [shown.filter(part => !part.slow), shown.filter(part => part.slow)]
+    const panels = shown.filter(part => part.place === 'panel')
+    this.lens.classList.toggle('has-panel', panels.length > 0)
+    this.lens.classList.toggle('has-line', panels.length === 1 && panels[0]?.name === 'verdict')
+    this.lens.classList.toggle(
+      'has-stage',
+      shown.some(part => part.place === 'stage'),
+    )
+  }
+
+  end(): void {
+    for (const view of this.#views) {
+      view.dispose()
+      view.root.remove()
+    }
+    this.#views = []
+    this.#unmade = []
+    this.#turns = new Turns()
+  }
+
+  setPoster(address: string | null): void {
+    this.#poster.hidden = address === null
+    if (address === null) this.#poster.removeAttribute('src')
+    else this.#poster.src = address
+  }
+
+  setLabel(label: string | null): void {
+    if (label === null) for (const name of ['role', 'aria-label']) this.lens.removeAttribute(name)
+    else {
+      this.lens.setAttribute('role', 'group')
+      this.lens.setAttribute('aria-label', label)
+    }
+  }
+
+  /** `isNews` says whether there is anything new since the last frame, `time` is the frame's. */
+  draw(frame: Frame, isNews: boolean, time: number): void {
+    const isMade = this.#make(time)
+    for (const view of this.#turns.due(this.#views, isNews || isMade, frame.state.gestureStart !== null)) {
+      try {
+        view.update(frame)
+      } catch (bug) {
+        reportError(bug) // one view's bug must not take the others' numbers away
+      }
+    }
+    this.#before.hidden = this.#unmade.length === 0
+  }
+
+  cameras(): Cameras | null {
+    return this.#views.reduce<Cameras | null>((found, view) => found ?? view.cameras?.() ?? null, null)
+  }
+
+  figure(name: FigureName): Figure | null {
+    return this.#views.reduce<Figure | null>((found, view) => found ?? view.figure?.(name) ?? null, null)
+  }
+
+  /** Makes what is due in this frame, unless another element has made its own in it. */
+  #make(time: number): boolean {
+    if (this.#unmade.length === 0 || madeAt === time) return false
+    madeAt = time
+    const [due = [], ...later] = this.#unmade
+    const made = due.map(part => {
+      const view = part.create(this.#host)
+      view.root.part.add(part.name)
+      this.#places[part.place].append(view.root)
+      return view
+    })
+    this.#views = [...this.#views, ...made]
+    this.#unmade = later
+    return true
+  }
+}
+
+function place(name: string, part = name): HTMLElement {
+  const element = document.createElement('div')
+  element.className = name
+  element.part.add(part)
+  return element
+}

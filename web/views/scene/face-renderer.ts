@@ -1,0 +1,258 @@
+/**
+ * The one WebGL context of the page, for every scene on it, since browsers give a page few: one mesh, one draw call a region. It
+ * knows uniforms and the life of the context. Each picture is handed on before the next one is drawn.
+ */
+import { type BufferAttribute, LinearSRGBColorSpace, Mesh, Scene, Vector3, WebGLRenderer } from 'three'
+import type { Report } from '../../core/report'
+import { sectionBernstein } from '../../core/section'
+import type { Surface } from '../../core/zero-surface'
+import type { Vec3 } from '../../model/hexahedron'
+import type { FaceDisplay, Section } from '../../model/state'
+import { type ColourScale, RAMP_STEPS, type Ramp, type Theme } from '../colour-map'
+import type { SceneCamera } from './camera'
+import { type Corners, faceCorners, facePoint, patchPoint, sectionCorners } from './face-point'
+import {
+  createFacesGeometry,
+  createSectionGeometry,
+  FACE_INDICES,
+  FACE_TILES,
+  SECTION,
+  TILE_COUNT,
+  TILE_INDICES,
+  tiledIndices,
+  tileMiddle,
+} from './faces-geometry'
+import { createFacesMaterial, createFacesUniforms } from './faces-material'
+import { ZeroSurfaceMesh } from './zero-surface-mesh'
+
+/** Part of the canvas, in CSS pixels from its top left, and what is drawn there: the vertices are in the view frame. */
+export interface Region {
+  readonly left: number
+  readonly top: number
+  readonly vertices: readonly Vec3[]
+  /** It knows the region's width and height. */
+  readonly camera: SceneCamera
+}
+
+/** One picture: the same colours in every region. */
+export interface Picture {
+  readonly report: Report | null
+  readonly scale: ColourScale | null
+  readonly ramp: Ramp
+  readonly theme: Theme
+  readonly display: FaceDisplay
+  /** What is shown inside, where `display` says so. */
+  readonly section: Section
+  readonly zeroSurface: Surface | null
+  readonly regions: readonly Region[]
+  readonly width: number
+  readonly height: number
+  readonly pixelRatio: number
+}
+
+export interface ContextWatcher {
+  lost(): void
+  restored(): void
+}
+
+/** Where pictures are drawn: not on the page. */
+type Drawing = OffscreenCanvas | HTMLCanvasElement
+
+/** Of faces where positive, where negative, and of lines on them, in the displays that one can look through. */
+const OPACITY: Readonly<Record<string, Vec3>> = { 'see-through': [0.3, 0.82, 1], inside: [0.08, 0.2, 0.45] }
+const OPAQUE: Vec3 = [1, 1, 1]
+
+let shared: FaceRenderer | null = null
+
+/** Null where the browser gives no WebGL2 context; a later call then asks again. */
+export function faceRenderer(): FaceRenderer | null {
+  shared ??= create()
+  return shared
+}
+
+/** The context is asked for here rather than by three, which would write to the console when there is none. */
+function create(): FaceRenderer | null {
+  const attributes = { antialias: true, alpha: true, premultipliedAlpha: true }
+  for (const canvas of drawings()) {
+    const context = canvas.getContext('webgl2', attributes) as WebGL2RenderingContext | null
+    if (context) return new FaceRenderer(canvas, context)
+  }
+  return null
+}
+
+/** The first one whose pictures reach the page without being read back, where the browser has it. */
+function* drawings(): Generator<Drawing> {
+  if ('OffscreenCanvas' in globalThis) yield new OffscreenCanvas(1, 1)
+  yield document.createElement('canvas')
+}
+
+export class FaceRenderer {
+  readonly canvas: Drawing
+  readonly #renderer: WebGLRenderer
+  readonly #watchers = new Set<ContextWatcher>()
+  readonly #uniforms = createFacesUniforms()
+  readonly #material = createFacesMaterial(this.#uniforms)
+  readonly #geometry = createFacesGeometry()
+  readonly #sectionMaterial = createFacesMaterial(this.#uniforms)
+  readonly #section = new Mesh(createSectionGeometry(), this.#sectionMaterial)
+  readonly #zeroSurface = new ZeroSurfaceMesh(this.#uniforms)
+  readonly #scene = new Scene()
+  readonly #inOrder = tiledIndices()
+  isLost = false
+  #sorted = false
+  #ramp: Ramp | null = null
+  #size = ''
+
+  constructor(canvas: Drawing, context: WebGL2RenderingContext) {
+    this.canvas = canvas
+    this.#renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true })
+    this.#renderer.outputColorSpace = LinearSRGBColorSpace
+    this.#renderer.setClearColor(0, 0)
+    this.#renderer.autoClear = false
+    this.#renderer.info.autoReset = false
+    const mesh = new Mesh(this.#geometry, this.#material)
+    mesh.frustumCulled = false
+    this.#section.frustumCulled = false
+    this.#scene.add(this.#section, this.#zeroSurface.mesh, mesh)
+    canvas.addEventListener('webglcontextlost', this.#onLost)
+    canvas.addEventListener('webglcontextrestored', this.#onRestored)
+  }
+
+  /** Told of the context's loss and return, until it leaves. */
+  join(watcher: ContextWatcher): void {
+    this.#watchers.add(watcher)
+  }
+
+  /** The last one to leave lets go of the memory for pictures; the context and its programs stay, for who may come. */
+  leave(watcher: ContextWatcher): void {
+    this.#watchers.delete(watcher)
+    if (this.#watchers.size === 0) this.#resize({ width: 1, height: 1, pixelRatio: 1 })
+  }
+
+  /** On `canvas`, which then has the picture's size in pixels. Returns the number of draw calls. */
+  draw(picture: Picture): number {
+    this.#resize(picture)
+    this.#writeColours(picture)
+    this.#renderer.info.reset()
+    this.#renderer.clear()
+    for (const region of picture.regions) this.#drawRegion(region, picture)
+    return this.#renderer.info.render.calls
+  }
+
+  #drawRegion(region: Region, { display, section, height }: Picture): void {
+    const { left, top, camera } = region
+    const corners = sectionCorners(region.vertices, section)
+    this.#renderer.setViewport(left, height - top - camera.height, camera.width, camera.height)
+    ;[...region.vertices, ...corners].forEach((vertex, v) => {
+      this.#uniforms.vertices.value[v]?.set(...vertex)
+    })
+    this.#uniforms.eye.value.copy(camera.three.position)
+    this.#zeroSurface.cut(section, sideSeen(region, corners, section))
+    this.#chooseFaces(region, display)
+    this.#renderer.render(this.#scene, camera.three)
+  }
+
+  readonly #onLost = (event: Event): void => {
+    event.preventDefault() // or it would never be restored
+    this.isLost = true
+    this.#release()
+    for (const watcher of this.#watchers) watcher.lost()
+  }
+
+  /** What lay in the context is made anew when it is next drawn. */
+  #release(): void {
+    this.#geometry.dispose()
+    this.#material.dispose()
+    this.#section.geometry.dispose()
+    this.#sectionMaterial.dispose()
+    this.#zeroSurface.dispose()
+  }
+
+  readonly #onRestored = (): void => {
+    this.isLost = false
+    for (const watcher of this.#watchers) watcher.restored()
+  }
+
+  #resize({ width, height, pixelRatio }: Pick<Picture, 'width' | 'height' | 'pixelRatio'>): void {
+    const size = `${width} ${height} ${pixelRatio}`
+    if (size === this.#size) return
+    this.#size = size
+    if (pixelRatio !== this.#renderer.getPixelRatio()) this.#renderer.setPixelRatio(pixelRatio)
+    this.#renderer.setSize(width, height, false)
+  }
+
+  #writeColours({ report, scale, ramp, theme, pixelRatio, display, section, zeroSurface }: Picture): void {
+    const uniforms = this.#uniforms
+    uniforms.bernstein.value.fill(0)
+    if (report && scale) {
+      const write = (face: number, bernstein: readonly number[]) =>
+        bernstein.forEach((value, k) => {
+          uniforms.bernstein.value[9 * face + k] = value / scale.unit
+        })
+      for (const { id, bernstein } of report.faces) write(id, bernstein)
+      write(SECTION, sectionBernstein(report.bernstein, section.axis, section.value))
+      uniforms.negativeExtent.value = scale.negativeExtent
+      uniforms.positiveExtent.value = scale.positiveExtent
+    }
+    if (ramp !== this.#ramp) {
+      this.#ramp = ramp
+      for (let i = 0; i <= RAMP_STEPS; i++) {
+        uniforms.negativeStops.value[i]?.fromArray(ramp.negative[i] as Vec3)
+        uniforms.positiveStops.value[i]?.fromArray(ramp.positive[i] as Vec3)
+      }
+      uniforms.ink.value.fromArray(theme.ink)
+      uniforms.paper.value.fromArray(theme.paper)
+      this.#zeroSurface.colour(theme)
+    }
+    uniforms.pixelRatio.value = pixelRatio
+    uniforms.opacity.value.set(...(OPACITY[display] ?? OPAQUE))
+    this.#section.visible = display === 'inside'
+    this.#zeroSurface.update(display === 'inside' ? zeroSurface : null)
+  }
+
+  /** All faces, the farthest tiles first when they are see-through, or one alone. */
+  #chooseFaces({ vertices, camera }: Region, display: FaceDisplay): void {
+    const isVeil = display in OPACITY
+    // Where faces are hardly seen their order is not.
+    const seeThrough = display === 'see-through'
+    this.#material.transparent = isVeil
+    this.#material.depthWrite = !isVeil
+    if (typeof display === 'number') this.#geometry.setDrawRange(display * FACE_INDICES, FACE_INDICES)
+    else this.#geometry.setDrawRange(0, Infinity)
+    if (!seeThrough && !this.#sorted) return
+    this.#sorted = seeThrough
+    const index = this.#geometry.index as BufferAttribute
+    const indices = index.array as Uint16Array
+    if (seeThrough) {
+      farthestFirst(vertices, camera).forEach((tile, place) => {
+        indices.set(this.#inOrder.subarray(tile * TILE_INDICES, (tile + 1) * TILE_INDICES), place * TILE_INDICES)
+      })
+    } else {
+      indices.set(this.#inOrder)
+    }
+    index.needsUpdate = true
+  }
+}
+
+/** On which side of the section the eye is. */
+function sideSeen({ vertices, camera }: Region, corners: Corners, { axis }: Section): 'above' | 'below' {
+  const [a, b, c] = corners.map(corner => new Vector3(...corner)) as [Vector3, Vector3, Vector3]
+  const normal = b.sub(a).cross(c.sub(a))
+  const [below, above] = [0, 1].map(side => patchPoint(faceCorners(vertices, 2 * axis + side), 0.5, 0.5)) as [
+    Vec3,
+    Vec3,
+  ]
+  const up = new Vector3(...above).sub(new Vector3(...below))
+  const toEye = camera.three.position.clone().sub(a)
+  return normal.dot(up) * normal.dot(toEye) >= 0 ? 'above' : 'below'
+}
+
+function farthestFirst(vertices: readonly Vec3[], camera: SceneCamera): Uint16Array {
+  const perFace = FACE_TILES * FACE_TILES
+  const depths = new Float64Array(TILE_COUNT)
+  for (let tile = 0; tile < TILE_COUNT; tile++) {
+    const [s, t] = tileMiddle(tile % perFace)
+    depths[tile] = camera.depth(facePoint(vertices, Math.floor(tile / perFace), s, t))
+  }
+  return Uint16Array.from(depths.keys()).sort((a, b) => (depths[b] as number) - (depths[a] as number))
+}
