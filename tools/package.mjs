@@ -30,6 +30,17 @@ const insideOneFile = {
     const resolved = await this.resolve(id, importer, { skipSelf: true })
     return insides[resolved?.id] ?? null
   },
+  /** What is loaded on demand is there already: as plain imports the modules share one scope, which is smaller. */
+  transform(code, id) {
+    if (!id.startsWith(source('')) || !code.includes('import(')) return null
+    const hoisted = []
+    const mended = code.replace(/import\((['"])(\.[^'"]+)\1\)/g, (dynamic, quote, name) => {
+      if (name.endsWith('hexlens-twin.js')) return dynamic
+      hoisted.push(`import * as inside${hoisted.length} from ${quote}${name}${quote}`)
+      return `Promise.resolve(inside${hoisted.length - 1})`
+    })
+    return { code: `${hoisted.join('\n')}\n${mended}`, map: null }
+  },
   /** Deflated before it is text: text of other bytes hardly compresses when the file is sent. */
   load(id) {
     if (id !== WASM) return null
