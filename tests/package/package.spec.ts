@@ -18,7 +18,7 @@ function node(...args: string[]): string {
 }
 
 const element = (script: string, head = '') =>
-  `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Elsewhere</title><link rel="icon" href="data:,">${head}${script}</head><body><main><h1>Elsewhere</h1><hex-lens></hex-lens></main></body></html>`
+  `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Elsewhere</title><link rel="icon" href="data:,">${head}${script}</head><body><main><h1>Elsewhere</h1><hex-lens views="all"></hex-lens></main></body></html>`
 
 /** Each panel is asked for and shown: all of them are in the one file. */
 async function openEveryPanel(lens: Lens): Promise<void> {

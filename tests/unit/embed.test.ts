@@ -1,7 +1,8 @@
 /** What docs/embedding.md tells authors to write is what "Copy embed" gives them. */
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
-import { attributesOf, verticesText } from '../../web/model/embed/embed'
+import { parts } from '../../web/element/parts'
+import { attributesOf, cameraText, embeddableViews, verticesText } from '../../web/model/embed/embed'
 import { hosts } from '../../web/model/embed/hosts'
 import { documented } from './embed-fixture'
 
@@ -39,4 +40,14 @@ it('what a label says does not end its attribute, and what an element has by its
   expect(html?.text).not.toContain('views=')
   expect(html?.text).toMatch(/^ {2}theme="dark"\n {2}readonly$/m)
   expect(attributesOf({ ...documented, views: [] })).toContainEqual(['views', 'none'])
+})
+
+it('every part can be chosen, but for what is always there and the panel that asks', () => {
+  const chosen = parts.filter(part => !part.always && part.name !== 'embed').map(({ name }) => name)
+  expect(embeddableViews.map(({ name }) => name).toSorted()).toEqual(chosen.toSorted())
+})
+
+it('a view is said as azimuth, elevation and zoom', () => {
+  expect(cameraText({ direction: [1, -1, Math.SQRT2], zoom: 1.23456, pan: [0, 0, 0] })).toBe('-45 45 1.23')
+  expect(cameraText({ direction: [0, 0, 2], zoom: 1, pan: [0, 0, 0] })).toBe('0 90 1')
 })

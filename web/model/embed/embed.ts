@@ -1,12 +1,34 @@
 /** What is embedded elsewhere: an element and how it is shown there, and its markup, which the hosts' snippets share. */
 import { pointsOf } from '../export/element'
 import type { Vertices } from '../hexahedron'
+import type { CameraView } from '../state'
+
+/** As the element's attribute names them. */
+export const THEMES = ['auto', 'light', 'dark'] as const
+export type ThemeName = (typeof THEMES)[number]
+
+/** Names of parts in the attribute `views`, in the order in which they are shown. */
+export const embeddableViews = [
+  { name: 'scene', title: 'Scene' },
+  { name: 'verdict', title: 'Verdict' },
+  { name: 'proof', title: 'Proof' },
+  { name: 'checks', title: 'Who would notice' },
+  { name: 'vertices', title: 'Vertices' },
+  { name: 'face-maps', title: 'Face maps' },
+  { name: 'algorithm', title: 'Algorithm 1' },
+  { name: 'inside', title: 'Inside' },
+  { name: 'node-order', title: 'Node order' },
+  { name: 'morph', title: 'Morph' },
+  { name: 'paste', title: 'Paste or drop' },
+  { name: 'take-away', title: 'Take away' },
+  { name: 'toolbar', title: 'Presets, undo' },
+] as const
 
 export interface Embed {
   readonly vertices: Vertices
   /** Names of parts, `scene` and `verdict` for two. */
   readonly views: readonly string[]
-  readonly theme: 'auto' | 'light' | 'dark'
+  readonly theme: ThemeName
   readonly readonly: boolean
   /** Azimuth, elevation, zoom as the attribute says them; null is the default view. */
   readonly camera: string | null
@@ -43,6 +65,13 @@ export function elementMarkup(embed: Embed, style: string): string {
     `  <a href="${escaped(embed.link)}"><img src="${escaped(embed.poster)}" alt="${escaped(embed.label)}" /></a>`,
     '</hex-lens>',
   ].join('\n')
+}
+
+/** Azimuth and elevation in whole tenths of a degree, and the zoom, as the attribute says them. */
+export function cameraText({ direction: [x, y, z], zoom }: CameraView): string {
+  const degrees = (radians: number) => Number(((radians * 180) / Math.PI).toFixed(1))
+  const elevation = Math.atan2(z, Math.hypot(x, y))
+  return `${degrees(Math.atan2(y, x))} ${degrees(elevation)} ${Number(zoom.toPrecision(3))}`
 }
 
 /** Points with commas between, each number the shortest decimal that reads back as the same double. */

@@ -14,6 +14,8 @@ export interface Snippet {
 export interface Host {
   readonly id: string
   readonly title: string
+  /** It cannot be had where the tests run. */
+  readonly untested?: true
   /** Once for a site: what is to be copied where, and the lines that load it. */
   readonly setup: readonly Snippet[]
   /** For each element. */
@@ -44,7 +46,7 @@ function inStatic(embed: Embed): Embed {
   return { ...embed, poster: `_static/${embed.poster}` }
 }
 
-export const hosts: readonly Host[] = [
+export const hosts: readonly [Host, ...Host[]] = [
   {
     id: 'html',
     title: 'HTML',
@@ -131,6 +133,7 @@ export const hosts: readonly Host[] = [
   {
     id: 'quarto',
     title: 'Quarto',
+    untested: true,
     setup: [
       {
         place: 'at the top of the page, page.qmd',
