@@ -15,6 +15,7 @@ test('the lines for each host follow the element and the choices, and so does th
   const panel = panelOf(page)
   const lines = () => panel.locator('pre').allInnerTexts()
   const preview = previewOf(page)
+  await preview.scrollIntoViewIfNeeded()
   await expect(preview.getByRole('status', { name: 'Verdict' })).toHaveText(/^INVALID/)
   await expect(panel.getByRole('textbox')).toHaveValue('An invalid hexahedron')
 
@@ -66,6 +67,7 @@ test('the view of the preview is kept, and its picture saved', async ({ lens, pa
   await page.getByRole('button', { name: 'Copy embed', exact: true }).click()
   const panel = panelOf(page)
   const scene = previewOf(page).getByRole('application')
+  await previewOf(page).scrollIntoViewIfNeeded()
   await expect(scene).toBeVisible()
   await scene.focus()
   await page.keyboard.press('Shift+ArrowLeft')
@@ -92,6 +94,7 @@ for (const [colorScheme, width, height] of SCHEMES_AND_WIDTHS) {
       await page.setViewportSize({ width, height })
       await lens.open()
       await page.getByRole('button', { name: 'Copy embed', exact: true }).click()
+      await previewOf(page).scrollIntoViewIfNeeded()
       await expect(previewOf(page).getByRole('application')).toBeVisible()
       await expectAxeFindsNothing(page, '#panel-embed')
       const [scroll, client] = await page.evaluate(() => {
