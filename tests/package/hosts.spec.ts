@@ -61,13 +61,13 @@ test('an iframe, as high as what it shows', async ({ page }) => {
   const height = () => content.evaluate(element => Math.ceil(element.getBoundingClientRect().height))
   await expect.poll(async () => (await page.locator('iframe').boundingBox())?.height).toBe(await height())
   const before = await height()
-  await frame.getByRole('button', { name: 'Scaled Jacobian' }).or(frame.getByRole('combobox').first()).first().focus()
   await page.setViewportSize({ width: 420, height: 640 })
   await expect.poll(height).not.toBe(before)
   await expect.poll(async () => (await page.locator('iframe').boundingBox())?.height).toBe(await height())
 })
 
 test('Sphinx, in reStructuredText and in MyST', async ({ lens }) => {
+  test.setTimeout(120_000)
   const folder = site('sphinx', '_static')
   const [, rst] = snippetsOf('Sphinx') as [string, string]
   const [conf, myst] = snippetsOf('MyST in Sphinx') as [string, string]

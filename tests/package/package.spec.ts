@@ -154,5 +154,6 @@ test('the page works under any path', async ({ lens }) => {
   cpSync(join(elsewhere, dist, 'app'), join(elsewhere, 'some/where/else'), { recursive: true })
   await lens.open('some/where/else/')
   await expect(lens.verdict).toHaveText(/^INVALID/)
-  await openEveryPanel(lens)
+  await lens.button('Take away').click()
+  await expect(lens.button('Copy Python')).toBeVisible()
 })

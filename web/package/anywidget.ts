@@ -23,6 +23,7 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
     if (typeof value === 'string' && value !== '') lens.setAttribute(name, value)
   }
   if (model.get('readonly') === true) lens.setAttribute('readonly', '')
+  lens.style.width = '100%'
   lens.style.height = `${model.get('height')}px`
 
   const toLens = () => {

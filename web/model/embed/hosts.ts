@@ -22,7 +22,7 @@ export interface Host {
   place(embed: Embed): Snippet
 }
 
-const CSS_HEIGHT = ({ height }: Embed) => `style="height: ${height}px"`
+const STYLE = ({ height }: Embed) => `style="width: 100%; height: ${height}px"`
 
 function indented(text: string, by: string): string {
   return text.replace(/^(?=.)/gm, by)
@@ -32,7 +32,7 @@ function indented(text: string, by: string): string {
 const html = (place: string) => (embed: Embed) => ({
   place,
   language: 'html',
-  text: elementMarkup(embed, CSS_HEIGHT(embed)),
+  text: elementMarkup(embed, STYLE(embed)),
 })
 
 const sphinxSetup: Snippet = {
@@ -95,7 +95,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     place: embed => ({
       place: 'in a page, index.rst',
       language: 'rst',
-      text: `.. raw:: html\n\n${indented(elementMarkup(inStatic(embed), CSS_HEIGHT(embed)), '   ')}`,
+      text: `.. raw:: html\n\n${indented(elementMarkup(inStatic(embed), STYLE(embed)), '   ')}`,
     }),
   },
   {
@@ -105,7 +105,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     place: embed => ({
       place: 'in a page, index.md',
       language: 'markdown',
-      text: `\`\`\`{raw} html\n${elementMarkup(inStatic(embed), CSS_HEIGHT(embed))}\n\`\`\``,
+      text: `\`\`\`{raw} html\n${elementMarkup(inStatic(embed), STYLE(embed))}\n\`\`\``,
     }),
   },
   {
@@ -117,7 +117,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     place: embed => ({
       place: 'in a page, index.md',
       language: 'markdown',
-      text: `<div>\n${elementMarkup(embed, CSS_HEIGHT(embed))}\n</div>`,
+      text: `<div>\n${elementMarkup(embed, STYLE(embed))}\n</div>`,
     }),
   },
   {
@@ -127,7 +127,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     place: embed => ({
       place: 'in the page',
       language: 'mdx',
-      text: elementMarkup(embed, `style={{ height: ${embed.height} }}`),
+      text: elementMarkup(embed, `style={{ width: '100%', height: ${embed.height} }}`),
     }),
   },
   {
@@ -152,7 +152,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     place: embed => ({
       place: 'in the page',
       language: 'markdown',
-      text: `\`\`\`{=html}\n${elementMarkup(embed, CSS_HEIGHT(embed))}\n\`\`\``,
+      text: `\`\`\`{=html}\n${elementMarkup(embed, STYLE(embed))}\n\`\`\``,
     }),
   },
   {
