@@ -3,6 +3,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { unformattedC } from './c-format.mjs'
+import { elementReference } from './element-reference.mjs'
 import { biome, Failure, root, run, runMain, tsc } from './run.mjs'
 import { setup } from './setup.mjs'
 import { checkSizes } from './sizes.mjs'
@@ -16,6 +17,7 @@ const checks = [
   { name: 'C formatter', complaints: formatOfC },
   { name: 'types (tsc)', complaints: () => output([process.execPath, tsc, '--pretty', 'false']) },
   { name: 'C warnings', complaints: () => output(['make', '-C', 'wasm', '--no-print-directory', 'warnings']) },
+  { name: 'element reference', complaints: staleReference },
   { name: 'lock file', complaints: addressesInLock },
   { name: 'tests', complaints: nothingLeftOut },
   { name: 'sizes', complaints: sizes },
@@ -48,6 +50,11 @@ async function output([command, ...args]) {
 async function formatOfC() {
   const names = await unformattedC()
   return names.length === 0 ? [] : [...names, 'These are not formatted: npm run format']
+}
+
+async function staleReference() {
+  const names = elementReference({ check: true })
+  return names.length === 0 ? [] : [...names, 'These are not as web/element/interface.json says: npm run reference']
 }
 
 /** Where a package comes from is the installing machine's affair. */

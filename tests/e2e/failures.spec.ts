@@ -77,7 +77,10 @@ async function expectTwinDecides(lens: Lens, page: Page): Promise<void> {
 test.describe('without WebGL', () => {
   test.use({ expectedErrors: /WebGL/ })
 
-  test('a sentence stands for the picture, and the verdict follows what is typed', async ({ lens, page }) => {
+  test('a sentence says so, a flat drawing has the colours and signs, and the verdict follows what is typed', async ({
+    lens,
+    page,
+  }) => {
     await page.addInitScript(() => {
       for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
         const getContext = prototype.getContext as (kind: string, ...rest: unknown[]) => unknown
@@ -92,8 +95,16 @@ test.describe('without WebGL', () => {
     await expect(page.getByText(/WebGL/).first()).toBeVisible()
     await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1])
     await expect(lens.verdict).toHaveText(/^VALID/)
+    const tiles = page.locator('hex-lens .scene-flat > path:not([display])')
+    const hatched = page.locator('hex-lens .scene-flat > path[fill^=url]:not([display])')
+    await expect(tiles).toHaveCount(600)
+    await expect(hatched).toHaveCount(0)
     await lens.field(6, 'z').fill('-3')
     await expect(lens.verdict).toHaveText(/^INVALID/)
+    await expect(hatched).not.toHaveCount(0)
+    const picture = await lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).toSVG())
+    expect(picture.match(/<path [^>]*fill="url\(#scene-flat/g)?.length).toBe(await hatched.count())
+    expect(picture).not.toContain('<image')
   })
 })
 

@@ -99,11 +99,13 @@ test('two elements on a page do not disturb each other', async ({ lens, page }) 
   await lens.open()
   await page.evaluate(() => {
     const other = document.createElement('hex-lens')
+    other.views = 'all'
     other.vertices = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
     document.querySelector('main')?.append(other)
   })
-  await expect(page.getByRole('status', { name: 'Verdict' })).toHaveText([/^INVALID/, /^VALID/])
   const second = page.locator('hex-lens').nth(1)
+  await second.scrollIntoViewIfNeeded()
+  await expect(page.getByRole('status', { name: 'Verdict' })).toHaveText([/^INVALID/, /^VALID/])
   await second.getByRole('spinbutton', { name: 'Vertex 6 z' }).fill('-3')
   await expect(second.getByRole('status')).toHaveText(/^INVALID/)
   await expect(page.locator('hex-lens').first().getByRole('button', { name: 'Undo' })).toBeDisabled()

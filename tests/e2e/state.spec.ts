@@ -91,6 +91,7 @@ test('a state is data: set on another element it is the same there, and one that
     })
     const camera = { direction: [3, 0, 4], zoom: 2, pan: [0, 0, 0.5] }
     const other = document.createElement('hex-lens')
+    other.views = 'all'
     other.state = { ...JSON.parse(text), camera }
     lens.parentElement?.append(other)
     const before = other.state

@@ -10,7 +10,9 @@ test('the package is packed and installs elsewhere', async () => {
   const staging = join(elsewhere, 'staging')
   rmSync(elsewhere, { recursive: true, force: true })
   mkdirSync(staging, { recursive: true })
-  for (const name of ['package.json', 'README.md', 'LICENSE']) copyFileSync(join(root, name), join(staging, name))
+  mkdirSync(join(staging, 'docs'))
+  for (const name of ['package.json', 'README.md', 'LICENSE', 'custom-elements.json', 'docs/state.schema.json'])
+    copyFileSync(join(root, name), join(staging, name))
   await buildPackage(join(staging, 'dist'))
   cpSync(join(root, `dist/test-${process.env.HEXLENS_TEST_PORT ?? 41735}`), join(staging, 'dist/app'), {
     recursive: true,
@@ -29,6 +31,7 @@ test('the package is packed and installs elsewhere', async () => {
       'dist/hexlens.iife.js',
       'dist/hexlens.twin.js',
       'dist/app/index.html',
+      'custom-elements.json',
     ]),
   )
   expect(installed.filter(name => name.startsWith('web') || name.startsWith('tests'))).toEqual([])

@@ -5,7 +5,7 @@
 import { type ContextWatcher, type FaceRenderer, faceRenderer, type Picture } from './face-renderer'
 
 export interface FacePainter {
-  readonly canvas: HTMLCanvasElement
+  readonly root: HTMLCanvasElement | SVGSVGElement
   /** Whether the context is lost at present: nothing can be painted. */
   readonly isLost: boolean
   /** False where nothing was to be drawn: the last picture was the same. */
@@ -22,7 +22,7 @@ export function createFacePainter(watcher: ContextWatcher): FacePainter | null {
 }
 
 class CopyingFacePainter implements FacePainter, ContextWatcher {
-  readonly canvas = document.createElement('canvas')
+  readonly root = document.createElement('canvas')
   drawCalls = 0
   readonly #renderer: FaceRenderer
   readonly #watcher: ContextWatcher
@@ -32,7 +32,7 @@ class CopyingFacePainter implements FacePainter, ContextWatcher {
   constructor(renderer: FaceRenderer, watcher: ContextWatcher) {
     this.#renderer = renderer
     this.#watcher = watcher
-    this.#copy = copier(renderer.canvas, this.canvas)
+    this.#copy = copier(renderer.canvas, this.root)
     renderer.join(this)
   }
 
@@ -86,7 +86,7 @@ function copier(from: OffscreenCanvas | HTMLCanvasElement, to: HTMLCanvasElement
 }
 
 /** Everything that a picture depends on. The scale is the report's. */
-function contentsOf(picture: Picture): unknown[] {
+export function contentsOf(picture: Picture): unknown[] {
   const { report, ramp, theme, display, section, zeroSurface, regions, width, height, pixelRatio } = picture
   const inside = display === 'inside' ? [section.axis, section.value, zeroSurface] : []
   const contents: unknown[] = [report, ramp, theme, display, ...inside, width, height, pixelRatio]

@@ -59,7 +59,7 @@ export interface ContextWatcher {
 type Drawing = OffscreenCanvas | HTMLCanvasElement
 
 /** Of faces where positive, where negative, and of lines on them, in the displays that one can look through. */
-const OPACITY: Readonly<Record<string, Vec3>> = { 'see-through': [0.3, 0.82, 1], inside: [0.08, 0.2, 0.45] }
+export const OPACITY: Readonly<Record<string, Vec3>> = { 'see-through': [0.3, 0.82, 1], inside: [0.08, 0.2, 0.45] }
 const OPAQUE: Vec3 = [1, 1, 1]
 
 let shared: FaceRenderer | null = null

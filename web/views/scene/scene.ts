@@ -19,6 +19,7 @@ import { Controls } from './controls'
 import { pointUnder } from './face-hit'
 import { createFacePainter, type FacePainter } from './face-painter'
 import type { Region } from './face-renderer'
+import { FlatPainter } from './flat-painter'
 import { Framing } from './framing'
 import { Help } from './help'
 import { KeyboardInput } from './keyboard-input'
@@ -43,12 +44,12 @@ const MOST_PIXEL_RATIO = 2
 /** Of a figure: fine enough for paper, and no screen's, so that it is surely painted anew. */
 const FIGURE_PIXEL_RATIO = 3
 /** What belongs in a figure: not the controls, nor what is there for the pointer. */
-const FIGURE_PARTS = 'canvas, .scene-overlay, .scene-scale > *'
+const FIGURE_PARTS = 'canvas, .scene-flat, .scene-overlay, .scene-scale > *'
 /** From this width on, in CSS pixels, the reference cube stands beside the element, else below it. */
 const BESIDE = 560
 
 const NO_WEBGL =
-  'This browser gives no WebGL2, so the faces are not coloured. Vertices can be moved all the same, and the verdict holds.'
+  'This browser gives no WebGL2, so the faces are coloured in coarse tiles. Everything else is as it should be, and the verdict holds.'
 const CONTEXT_LOST =
   'The graphics context was lost, so the faces are not coloured until the browser gives it back. Everything else goes on.'
 
@@ -64,7 +65,7 @@ class Scene implements SceneView, Stage {
   readonly host: ViewHost
   framesDrawn = 0
 
-  readonly #painter: FacePainter | null
+  readonly #painter: FacePainter
   readonly #pane = document.createElement('div')
   readonly #overlay = new Overlay({ letters: ['x', 'y', 'z'], isFixed: false })
   readonly #readout = new Readout()
@@ -106,7 +107,9 @@ class Scene implements SceneView, Stage {
 
   constructor(host: ViewHost) {
     this.host = host
-    this.#painter = createFacePainter({ lost: () => this.#onContext(true), restored: () => this.#onContext(false) })
+    const context = { lost: () => this.#onContext(true), restored: () => this.#onContext(false) }
+    const painter = createFacePainter(context)
+    this.#painter = painter ?? new FlatPainter()
     this.#colourBar = new ColourBar(referenceCube => host.dispatch({ type: 'show-reference-cube', referenceCube }))
     this.#controls = new Controls({
       fit: () => this.fit(false),
@@ -123,9 +126,9 @@ class Scene implements SceneView, Stage {
     this.#pointer = new PointerInput(this, () => this.#keyboard.commit())
     this.#probe = new ProbeInput(this)
     this.#listen()
-    if (this.#painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
+    if (painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
     else host.clear('no-webgl')
-    if (this.#painter?.isLost) this.#onContext(true)
+    if (this.#painter.isLost) this.#onContext(true)
   }
 
   get camera() {
@@ -137,7 +140,7 @@ class Scene implements SceneView, Stage {
   }
 
   get drawCalls(): number {
-    return this.#painter?.drawCalls ?? 0
+    return this.#painter.drawCalls
   }
 
   update(frame: Frame): void {
@@ -165,7 +168,7 @@ class Scene implements SceneView, Stage {
     this.#viewpoint.dispose()
     this.#reference?.dispose()
     this.#themeReader.dispose()
-    this.#painter?.dispose()
+    this.#painter.dispose()
   }
 
   figure(name: FigureName): Figure | null {
@@ -258,9 +261,7 @@ class Scene implements SceneView, Stage {
     this.#said.setAttribute('aria-live', 'polite')
     this.#pane.className = 'scene-pane'
     this.#pane.append(this.element, this.#colourBar.root, this.#help.root, this.#controls.root, this.#said)
-    if (this.#painter) this.root.append(this.#painter.canvas)
-    this.root.append(this.#pane)
-    this.root.classList.toggle('unpainted', this.#painter === null)
+    this.root.append(this.#painter.root, this.#pane)
   }
 
   #onTurn(from: Viewpoint): void {
@@ -395,7 +396,7 @@ class Scene implements SceneView, Stage {
 
   /** Whether there is another picture now; true where nobody can tell. */
   #paint({ state, report, zeroSurface }: Frame, regions: readonly Region[], scale: ColourScale | null): boolean {
-    if (this.#painter === null || this.#contextLost) return true
+    if (this.#contextLost) return true
     const painted = this.#painter.paint({
       ...this.#canvas,
       report,

@@ -1,0 +1,55 @@
+/** The table that docs/element.md and custom-elements.json are written from, against the element itself. */
+import { readFileSync } from 'node:fs'
+import { describe, expect, it } from 'vitest'
+import { attributeNames } from '../../web/element/attributes'
+import { HexLens } from '../../web/element/hex-lens'
+import { parts } from '../../web/element/parts'
+
+const read = (path: string) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8')
+const table = JSON.parse(read('web/element/interface.json'))
+const names = (key: string) => (table[key] as { name: string }[]).map(({ name }) => name)
+
+/** Of the class, or of what it extends. */
+function descriptorOf(name: string): PropertyDescriptor | undefined {
+  const chain = [HexLens.prototype, Object.getPrototypeOf(HexLens.prototype)]
+  return chain.map(each => Object.getOwnPropertyDescriptor(each, name)).find(found => found !== undefined)
+}
+
+describe('the table of the element’s interface', () => {
+  it('has the attributes that are observed', () => {
+    expect(names('attributes').sort()).toEqual([...attributeNames].sort())
+  })
+
+  it('has properties and methods that are there, and no more writable than it says', () => {
+    for (const { name, readonly = false } of table.properties) {
+      const { get, set } = descriptorOf(name) ?? {}
+      expect([name, typeof get, set === undefined]).toEqual([name, 'function', readonly])
+    }
+    for (const { name } of table.methods) expect([name, typeof descriptorOf(name)?.value]).toEqual([name, 'function'])
+  })
+
+  it('has the events that are told', () => {
+    const told = [...read('web/element/hex-lens.ts').matchAll(/#tell\('([\w-]+)'/g)].map(match => match[1])
+    expect([...new Set(told)].sort()).toEqual(names('events').sort())
+  })
+
+  it('has a CSS part of every view, and says each that can be chosen', () => {
+    const views = parts.map(part => part.name)
+    expect(names('parts')).toEqual(expect.arrayContaining(views))
+    const { text } = table.attributes.find(({ name }: { name: string }) => name === 'views')
+    for (const { name, always } of parts) if (!always) expect(text).toContain(`\`${name}\``)
+    const own = [...read('web/element/show.ts').matchAll(/place\('(\w+)'(?:, '(\w+)')?\)/g)].map(
+      match => match[2] ?? match[1],
+    )
+    expect(names('parts')).toEqual(expect.arrayContaining(own.filter(name => name !== 'frame')))
+  })
+
+  it('has the slots and the custom properties of the style sheet', () => {
+    const styles = read('web/element/hex-lens.css')
+    const used = new Set([...styles.matchAll(/--hl-[\w-]+/g)].map(([name]) => name))
+    used.delete('--hl-scheme') // follows the attribute theme
+    expect(names('customProperties').sort()).toEqual([...used].sort())
+    expect(names('slots')).toEqual(['', 'caption'])
+    expect(read('web/element/show.ts')).toContain("name: 'caption'")
+  })
+})
