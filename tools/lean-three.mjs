@@ -110,6 +110,9 @@ const standIns = {
     }`,
 }
 
+/** Scenes as JSON, which every class of three.js writes and reads: methods of a class, as its sources are indented. */
+const JSON_METHODS = /\n\t(?:static )?(?:toJSON|fromJSON)\([^\n]*\) \{\n[\s\S]*?\n\t\}\n/g
+
 export const leanThree = {
   name: 'hexlens-lean-three',
   apply: 'build',
@@ -121,6 +124,9 @@ export const leanThree = {
   /** By its sources: the file that three.js is published as is one piece. */
   resolveId(id) {
     return id === 'three' ? join(source, 'Three.js') : null
+  },
+  transform(code, id) {
+    return id.startsWith(source) ? { code: code.replace(JSON_METHODS, '\n'), map: null } : null
   },
   load(id) {
     return id.startsWith(source) ? standIns[id.slice(source.length + 1)] : null

@@ -70,7 +70,8 @@ test('the view of the preview is kept, and its picture saved', async ({ lens, pa
   await previewOf(page).scrollIntoViewIfNeeded()
   await expect(scene).toBeVisible()
   await scene.focus()
-  await page.keyboard.press('Shift+ArrowLeft')
+  await page.keyboard.press('a')
+  await lens.nextFrame()
   const address = page.url()
   await previewOf(page).evaluate(element => {
     const preview = element as HTMLElementTagNameMap['hex-lens']
