@@ -69,9 +69,6 @@ test('the view of the preview is kept, and its picture saved', async ({ lens, pa
   const scene = previewOf(page).getByRole('application')
   await previewOf(page).scrollIntoViewIfNeeded()
   await expect(scene).toBeVisible()
-  await scene.focus()
-  await page.keyboard.press('a')
-  await lens.nextFrame()
   const address = page.url()
   await previewOf(page).evaluate(element => {
     const preview = element as HTMLElementTagNameMap['hex-lens']
@@ -79,6 +76,9 @@ test('the view of the preview is kept, and its picture saved', async ({ lens, pa
   })
   await lens.nextFrame()
   expect(page.url()).toBe(address)
+  await scene.focus()
+  await page.keyboard.press('a')
+  await lens.nextFrame()
   await panel.getByRole('button', { name: 'Keep this view' }).click()
   await expect(panel.locator('pre').last()).toContainText(/camera="-?[\d.]+ -?[\d.]+ [\d.]+"/)
   const download = page.waitForEvent('download')

@@ -25,7 +25,7 @@ for (const { name, verdicts, decimals } of pages) {
       await element.scrollIntoViewIfNeeded()
       await expect(element.getByRole('status', { name: 'Verdict' })).toHaveText(verdicts[i] ? /^VALID/ : /^INVALID/)
     }
-    const claims = await page.locator('data').evaluateAll(list =>
+    const claims = await page.locator('data[data-of]').evaluateAll(list =>
       list.map(claim => {
         const element = claim.closest('section')?.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
         const path = claim.getAttribute('data-of') as string

@@ -115,7 +115,7 @@ test('from file:// one script is all there is', async ({ page }) => {
 test.describe('under a strict policy', () => {
   test.use({ expectedErrors: /violates the following|policy: script-src forbids wasm-eval/ })
 
-  test('the one module runs, with its twin beside it', async ({ lens, page }) => {
+  test('the one module runs, and the core in a worker, with the twin beside them', async ({ lens, page }) => {
     const policy = "default-src 'none'; script-src 'self'; img-src data: blob:"
     write(
       'policy.html',
@@ -128,6 +128,21 @@ test.describe('under a strict policy', () => {
     await lens.open('policy.html')
     expect((await twin).ok()).toBe(true)
     await expect(lens.verdict).toHaveText(/^INVALID/)
+    write(
+      'worker.js',
+      `import { loadCore } from './${dist}/hexlens.core.js'
+       addEventListener('message', async ({ data }) => postMessage((await loadCore()).analyze(data).value))`,
+    )
+    const [inWorker, inElement] = await lens.element.evaluate(async element => {
+      const { report, vertices } = element as HTMLElementTagNameMap['hex-lens']
+      const worker = new Worker('worker.js', { type: 'module' })
+      const answer = new Promise(resolve => {
+        worker.onmessage = ({ data }) => resolve(data)
+      })
+      worker.postMessage(vertices)
+      return [await answer, report]
+    })
+    expect(inWorker).toEqual(inElement)
   })
 })
 
