@@ -3,7 +3,8 @@
 import { existsSync } from 'node:fs'
 import { executable, onPath, run } from './run.mjs'
 
-const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable']
+/** The shell first: the same engine at half the processor time, without the browser's own windows. */
+const NAMES = ['chromium-headless-shell', 'chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable']
 const MAC_PATHS = ['Chromium.app/Contents/MacOS/Chromium', 'Google Chrome.app/Contents/MacOS/Google Chrome']
 
 /** The path of a Chromium that starts: on PATH, a macOS application, or the one Playwright downloaded. */

@@ -233,7 +233,7 @@ async function installHosts(say) {
 async function installChromium(say) {
   const apt = await aptGet()
   if (apt && isDebian()) {
-    await installDebianPackages(say, 'Chromium', ['chromium'])
+    await installDebianPackages(say, 'Chromium', ['chromium-headless-shell'])
     return
   }
   say('installing Chromium for the browser tests (playwright install)')

@@ -1,49 +1,47 @@
-import AxeBuilder from '@axe-core/playwright'
-import type { Page } from '@playwright/test'
-import { expect, test } from './lens'
+import { expect, expectAxeFindsNothing, test } from './lens'
 
 const phone = { width: 390, height: 844 }
-
-async function expectNothingFound(page: Page): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).analyze()
-  expect(
-    violations.map(({ id, nodes }) => `${id}: ${nodes.map(node => `${node.html} ${node.failureSummary}`).join('; ')}`),
-  ).toEqual([])
-}
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test.describe(`in the ${colorScheme} scheme`, () => {
     test.use({ colorScheme })
 
-    test('axe finds nothing, valid or invalid, on a screen or a phone', async ({ lens, page }) => {
+    test('axe finds nothing, valid or invalid, on a screen or a phone, in the help, where something is wrong', async ({
+      lens,
+      page,
+    }) => {
       await lens.open()
-      await expectNothingFound(page)
-      await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1])
-      await expect(lens.verdict).toHaveText(/^VALID/)
-      await page.setViewportSize(phone)
-      await expectNothingFound(page)
-    })
+      await test.step('invalid, on a screen', () => expectAxeFindsNothing(page))
 
-    test('axe finds nothing in the help, which fits a small phone', async ({ lens, page }) => {
-      await page.setViewportSize({ width: 360, height: 640 })
-      await lens.open()
-      await lens.button('Help').click()
-      const help = page.locator('hex-lens .scene-help')
-      await expect(help).toBeInViewport({ ratio: 1 })
-      const [shown, stage] = [await help.boundingBox(), await lens.scene.boundingBox()]
-      expect(shown?.y).toBeGreaterThanOrEqual(stage?.y as number)
-      await expectNothingFound(page)
-    })
-
-    test('axe finds nothing where something is wrong', async ({ lens, page }) => {
-      await lens.open('./#v1:broken')
-      await page.evaluate(() => {
-        Object.defineProperty(navigator, 'clipboard', { value: undefined })
+      await test.step('valid, on a phone', async () => {
+        await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1])
+        await expect(lens.verdict).toHaveText(/^VALID/)
+        await page.setViewportSize(phone)
+        await expectAxeFindsNothing(page)
       })
-      await lens.button('Copy link').click()
-      await lens.field(2, 'y').fill('')
-      await expect(page.getByText('Vertex 2 y needs a finite number')).toBeVisible()
-      await expectNothingFound(page)
+
+      await test.step('in the help, which fits a small phone', async () => {
+        await page.setViewportSize({ width: 360, height: 640 })
+        await lens.button('Help').click()
+        const help = page.locator('hex-lens .scene-help')
+        await expect(help).toBeInViewport({ ratio: 1 })
+        const [shown, stage] = [await help.boundingBox(), await lens.scene.boundingBox()]
+        expect(shown?.y).toBeGreaterThanOrEqual(stage?.y as number)
+        await expectAxeFindsNothing(page)
+        await lens.button('Help').click()
+      })
+
+      await test.step('where something is wrong', async () => {
+        await page.evaluate(() => {
+          location.hash = '#v1:broken'
+          Object.defineProperty(navigator, 'clipboard', { value: undefined })
+        })
+        await expect(page.getByRole('alert').filter({ hasText: /link/i })).toBeVisible()
+        await lens.button('Copy link').click()
+        await lens.field(2, 'y').fill('')
+        await expect(page.getByText('Vertex 2 y needs a finite number')).toBeVisible()
+        await expectAxeFindsNothing(page)
+      })
     })
   })
 }
@@ -55,6 +53,6 @@ test.describe('without the core', () => {
     await page.route('**/*.wasm*', route => route.abort())
     await page.goto('./')
     await expect(lens.verdict).toHaveText(/^NO VERDICT/)
-    await expectNothingFound(page)
+    await expectAxeFindsNothing(page)
   })
 })

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test'
 import { presets, presetVertices } from '../../web/content/presets'
-import { expect, expectAxeFindsNothing, type Lens, SCHEMES_AND_WIDTHS, test } from './lens'
+import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, type Lens, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 
@@ -23,59 +23,90 @@ function partsOf(page: Page) {
   }
 }
 
-test('each step says what it does and lights up its part of the element', async ({ lens, page }) => {
+test('the steps are followed by buttons, by keys, by changes; what runs stops', async ({ lens, page }) => {
   await lens.open()
-  await expect(partsOf(page).lit).toHaveCount(0)
-  const { panel, list, current, sentence, lit } = await openPanel(lens)
-  await expect(list.getByRole('button')).toHaveCount(26)
-  await expect(sentence).toHaveText(/^Vertex 0: J\s=\s1\/8, the first value, so M\s=\s1\/8\./)
-  await expect(lit).toHaveAttribute('data-part', 'vertex-0')
-  await lens.button('Forward').click()
-  await expect(current).toHaveText(/Vertex 1/)
-  await expect(lit).toHaveAttribute('data-part', 'vertex-1')
-  await list.getByRole('button', { name: /^Edge 6–7/ }).click()
-  await expect(sentence).toHaveText(/so M becomes −0\.010653\./)
-  await expect(lit).toHaveAttribute('data-part', 'edge-6')
-  await lens.button('Last').click()
-  await expect(sentence).toHaveText(/^Face \+ζ: .*the boundary minimum is −0\.010653\.$/)
-  await expect(lit).toHaveAttribute('data-part', 'face-5')
-  await expect(panel).toContainText('26 of 26')
-  await expect(lens.button('Forward')).toHaveAttribute('aria-disabled', 'true')
-  await lens.button('First').click()
-  await expect(current).toHaveText(/Vertex 0/)
-  await expect(lens.button('Undo')).toBeDisabled()
-})
 
-test('the arrows walk through the list, which is one stop of Tab', async ({ lens, page }) => {
-  await lens.open()
-  const { list, current } = await openPanel(lens)
-  await expect(list.locator('[tabindex="0"]')).toHaveCount(1)
-  await current.focus()
-  await page.keyboard.press('End')
-  await expect(current).toBeFocused()
-  await expect(current).toHaveText(/Face \+ζ/)
-  await page.keyboard.press('ArrowUp')
-  await expect(current).toHaveText(/Face −ζ/)
-  await expect(current).toBeFocused()
-  await expect(current).toBeInViewport()
-  await page.keyboard.press('Home')
-  await expect(current).toHaveText(/Vertex 0/)
-})
+  await test.step('each step says what it does and lights up its part of the element', async () => {
+    await expect(partsOf(page).lit).toHaveCount(0)
+    const { panel, list, current, sentence, lit } = await openPanel(lens)
+    await expect(list.getByRole('button')).toHaveCount(26)
+    await expect(sentence).toHaveText(/^Vertex 0: J\s=\s1\/8, the first value, so M\s=\s1\/8\./)
+    await expect(lit).toHaveAttribute('data-part', 'vertex-0')
+    await lens.button('Forward').click()
+    await expect(current).toHaveText(/Vertex 1/)
+    await expect(lit).toHaveAttribute('data-part', 'vertex-1')
+    await list.getByRole('button', { name: /^Edge 6–7/ }).click()
+    await expect(sentence).toHaveText(/so M becomes −0\.010653\./)
+    await expect(lit).toHaveAttribute('data-part', 'edge-6')
+    await lens.button('Last').click()
+    await expect(sentence).toHaveText(/^Face \+ζ: .*the boundary minimum is −0\.010653\.$/)
+    await expect(lit).toHaveAttribute('data-part', 'face-5')
+    await expect(panel).toContainText('26 of 26')
+    await expect(lens.button('Forward')).toHaveAttribute('aria-disabled', 'true')
+    await lens.button('First').click()
+    await expect(current).toHaveText(/Vertex 0/)
+    await expect(lens.button('Undo')).toBeDisabled()
+  })
 
-test('either query and either variant can be followed', async ({ lens }) => {
-  await lens.open()
-  const { panel, list, sentence } = await openPanel(lens)
-  await expect(list.getByText('skipped')).not.toHaveCount(0)
-  await panel.getByRole('combobox', { name: 'by' }).selectOption('Roots')
-  await expect(list.getByText('skipped')).toHaveCount(0)
-  await panel.getByRole('combobox', { name: 'Find' }).selectOption('only whether it is valid')
-  await lens.button('Last').click()
-  await expect(list.getByRole('button')).toHaveCount(15)
-  await expect(sentence).toHaveText(/^Edge 6–7: .* is not positive\. The query stops here: the element is invalid\.$/)
-  await lens.set(cube)
-  await expect(list.getByRole('button')).toHaveCount(26)
-  await lens.button('Last').click()
-  await expect(sentence).toHaveText(/everything is positive: the element is valid\.$/)
+  await test.step('the arrows walk through the list, which is one stop of Tab', async () => {
+    const { list, current } = partsOf(page)
+    await expect(list.locator('[tabindex="0"]')).toHaveCount(1)
+    await current.focus()
+    await page.keyboard.press('End')
+    await expect(current).toBeFocused()
+    await expect(current).toHaveText(/Face \+ζ/)
+    await page.keyboard.press('ArrowUp')
+    await expect(current).toHaveText(/Face −ζ/)
+    await expect(current).toBeFocused()
+    await expect(current).toBeInViewport()
+    await page.keyboard.press('Home')
+    await expect(current).toHaveText(/Vertex 0/)
+  })
+
+  await test.step('closing the panel puts out the light and stops the play', async () => {
+    const { panel, current, lit } = partsOf(page)
+    await lens.button('Play').click()
+    await panel.getByRole('button', { name: 'Algorithm 1, step by step' }).click()
+    await expect(lit).toHaveCount(0)
+    await lens.page.waitForTimeout(1000)
+    await panel.getByRole('button', { name: 'Algorithm 1, step by step' }).click()
+    await expect(current).toHaveText(/Vertex 0/)
+    await expect(lit).toHaveAttribute('data-part', 'vertex-0')
+    await expect(lens.button('Play')).toBeVisible()
+  })
+
+  await test.step('the steps follow a change, and the reference cube', async () => {
+    const { sentence } = partsOf(page)
+    await page.getByRole('button', { name: /\[0,1\]/ }).click()
+    await expect(sentence).toHaveText(/^Vertex 0: J\s=\s1\/64/)
+    await lens.set(cube)
+    await expect(sentence).toHaveText(/^Vertex 0: J\s=\s1\/8/)
+  })
+
+  await test.step('either query and either variant can be followed', async () => {
+    await lens.set(presetVertices(presets[0]))
+    const { panel, list, sentence } = partsOf(page)
+    await expect(list.getByText('skipped')).not.toHaveCount(0)
+    await panel.getByRole('combobox', { name: 'by' }).selectOption('Roots')
+    await expect(list.getByText('skipped')).toHaveCount(0)
+    await panel.getByRole('combobox', { name: 'Find' }).selectOption('only whether it is valid')
+    await lens.button('Last').click()
+    await expect(list.getByRole('button')).toHaveCount(15)
+    await expect(sentence).toHaveText(/^Edge 6–7: .* is not positive\. The query stops here: the element is invalid\.$/)
+    await lens.set(cube)
+    await expect(list.getByRole('button')).toHaveCount(26)
+    await lens.button('Last').click()
+    await expect(sentence).toHaveText(/everything is positive: the element is valid\.$/)
+  })
+
+  await test.step('there is nothing to play where less motion is asked for', async () => {
+    await lens.button('First').click()
+    await lens.button('Play').click()
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await expect(lens.button('Pause')).toHaveCount(0)
+    await expect(lens.button('Play')).toHaveCount(0)
+    await expect(lens.button('Forward')).toBeVisible()
+  })
 })
 
 test('playing goes on by itself, pauses at the end, and stops when the element changes', async ({ lens, page }) => {
@@ -101,57 +132,15 @@ test('playing goes on by itself, pauses at the end, and stops when the element c
   await expect(lens.button('Play')).toBeVisible()
 })
 
-test('there is nothing to play where less motion is asked for', async ({ lens, page }) => {
+test('axe finds nothing in the open panel, which fits', async ({ lens }) => {
   await lens.open()
-  await openPanel(lens)
-  await lens.button('Play').click()
-  await page.emulateMedia({ reducedMotion: 'reduce' })
-  await expect(lens.button('Pause')).toHaveCount(0)
-  await expect(lens.button('Play')).toHaveCount(0)
-  await expect(lens.button('Forward')).toBeVisible()
-})
-
-test('closing the panel puts out the light and stops the play', async ({ lens }) => {
-  await lens.open()
-  const { panel, current, lit } = await openPanel(lens)
-  await lens.button('Play').click()
-  await panel.getByRole('button', { name: 'Algorithm 1, step by step' }).click()
-  await expect(lit).toHaveCount(0)
-  await lens.page.waitForTimeout(1000)
-  await panel.getByRole('button', { name: 'Algorithm 1, step by step' }).click()
-  await expect(current).toHaveText(/Vertex 0/)
-  await expect(lit).toHaveAttribute('data-part', 'vertex-0')
-  await expect(lens.button('Play')).toBeVisible()
-})
-
-test('the steps follow a change, and the reference cube', async ({ lens, page }) => {
-  await lens.open()
-  const { sentence } = await openPanel(lens)
-  await page.getByRole('button', { name: /\[0,1\]/ }).click()
-  await expect(sentence).toHaveText(/^Vertex 0: J\s=\s1\/64/)
-  await lens.set(cube)
-  await expect(sentence).toHaveText(/^Vertex 0: J\s=\s1\/8/)
-})
-
-for (const [colorScheme, width, height] of SCHEMES_AND_WIDTHS) {
-  test.describe(`in the ${colorScheme} scheme`, () => {
-    test.use({ colorScheme })
-
-    test(`at ${width} pixels axe finds nothing in the open panel`, async ({ lens, page }) => {
-      await page.setViewportSize({ width, height })
-      await lens.open()
-      const { panel, list } = await openPanel(lens)
-      for (const preset of [presets[0], presets[4] ?? presets[0]]) {
-        await lens.set(presetVertices(preset))
-        await list.getByRole('button').nth(22).click()
-        await expectAxeFindsNothing(page, '#panel-algorithm')
-      }
-      for (const target of await panel.getByRole('button').all()) {
-        const box = await target.boundingBox()
-        expect(Math.min(box?.width ?? 24, box?.height ?? 24)).toBeGreaterThanOrEqual(24)
-      }
-      const overflows = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth)
-      expect(overflows).toBe(false)
-    })
+  const { panel, list } = await openPanel(lens)
+  await inSchemesAndWidths(lens, async () => {
+    for (const preset of [presets[0], presets[4] ?? presets[0]]) {
+      await lens.set(presetVertices(preset))
+      await list.getByRole('button').nth(22).click()
+      await expectAxeFindsNothing(lens.page, '#panel-algorithm')
+    }
+    await expectLargeTargets(panel.getByRole('button'))
   })
-}
+})

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises'
 import type { Locator, Page } from '@playwright/test'
 import { readElements } from '../../web/model/import/import'
-import { expect, expectAxeFindsNothing, SCHEMES_AND_WIDTHS, test } from './lens'
+import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, sidewaysOverflow, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 const upper = cube.map((value, i) => (i % 3 === 2 ? value + 1 : value))
@@ -58,15 +58,79 @@ test.describe('paste', () => {
     expect(await lens.vertices()).toEqual(cube)
   })
 
-  test('with the focus in the element too, but not in a text field of it', async ({ lens, page }) => {
+  test('from the clipboard, of several elements, from a box, a file or a drop', async ({ lens, page }) => {
     await lens.open()
-    await lens.scene.focus()
-    await pasteAnywhere(page, cube.join(' '))
-    await expect.poll(() => lens.vertices()).toEqual(cube)
-    await lens.field(0, 'x').focus()
-    await pasteAnywhere(page, upper.join(' '))
-    await expect(page.getByText(/was left out/)).toBeVisible()
-    expect(await lens.vertices()).toEqual(cube)
+
+    await test.step('where nothing is found, it says what was seen, and nothing changes', async () => {
+      const before = await lens.bits()
+      await pasteAnywhere(page, cube.slice(1).join(' '))
+      const panel = panelOf(page, 'Paste or drop')
+      await expect(panel).toContainText('23 numbers were found; an element needs 24. The element is as it was.')
+      await expect(panel).toContainText(/Looked for: .*Abaqus/)
+      await expect(panel.getByText('23 numbers')).toBeInViewport()
+      await pasteAnywhere(page, cube.join(' ').replace('1', '1e999'))
+      await expect(panel).toContainText('1e999 is too large')
+      expect(await lens.bits()).toEqual(before)
+      await expect(lens.button('Undo')).toBeDisabled()
+    })
+
+    await test.step('with the focus in the element too, but not in a text field of it', async () => {
+      await lens.scene.focus()
+      await pasteAnywhere(page, cube.join(' '))
+      await expect.poll(() => lens.vertices()).toEqual(cube)
+      await lens.field(0, 'x').focus()
+      await pasteAnywhere(page, upper.join(' '))
+      await expect(page.getByText(/was left out/)).toBeVisible()
+      expect(await lens.vertices()).toEqual(cube)
+    })
+
+    await test.step('of several elements one is chosen, by keyboard alone', async () => {
+      await lens.scene.focus()
+      const before = await lens.bits()
+      await pasteAnywhere(page, list)
+      const choice = page.getByRole('listbox', { name: 'Elements' })
+      await expect(choice).toBeFocused()
+      await expect(choice.getByRole('option')).toHaveText([
+        /^lower: \(0, 0, 0\), \(1, 0, 0\), …$/,
+        /^upper: \(0, 0, 1\)/,
+      ])
+      await expect(panelOf(page, 'Paste or drop')).toContainText('2 elements were found, read as JSON. Which one?')
+      expect(await lens.bits()).toEqual(before)
+      await page.keyboard.press('ArrowDown')
+      await page.keyboard.press('Enter')
+      await expect(panelOf(page, 'Paste or drop')).toContainText('Shown: upper.')
+      expect(await lens.vertices()).toEqual(upper)
+      await lens.button('Undo').click()
+      expect(await lens.bits()).toEqual(before)
+    })
+
+    await test.step('the box, a file, and the promise that nothing leaves', async () => {
+      const panel = panelOf(page, 'Paste or drop')
+      await expect(panel).toContainText('Nothing that is pasted, dropped or typed here leaves the browser.')
+      await panel.getByRole('textbox', { name: 'Text with eight points' }).fill(cube.map(x => `${x}.0D+00`).join('\n'))
+      await lens.button('Read it').click()
+      await expect.poll(() => lens.vertices()).toEqual(cube)
+      const chooser = page.waitForEvent('filechooser')
+      await lens.button('Open a file').click()
+      await (await chooser).setFiles({
+        name: 'a.json',
+        mimeType: 'application/json',
+        buffer: Buffer.from(JSON.stringify(upper)),
+      })
+      await expect.poll(() => lens.vertices()).toEqual(upper)
+    })
+
+    await test.step('a text or a file that is dropped on the element', async () => {
+      await drop(lens.scene, { text: cube.join(' ') })
+      await expect.poll(() => lens.vertices()).toEqual(cube)
+      const text = `*NODE\n${cube.map((x, i) => (i % 3 === 0 ? `${i / 3 + 1}, ${x}, ${cube[i + 1]}, ${(cube[i + 2] ?? 0) + 1}\n` : '')).join('')}*ELEMENT, TYPE=C3D8\n1, 1, 2, 3, 4, 5, 6, 7, 8\n`
+      await drop(lens.verdict, { name: 'a.inp', base64: Buffer.from(text).toString('base64') })
+      await expect(panelOf(page, 'Paste or drop')).toContainText('Read as Abaqus.')
+      expect(await lens.vertices()).toEqual(upper)
+      await drop(lens.scene, { name: 'a.bin', base64: Buffer.from([0, 1, 2, 0]).toString('base64') })
+      await expect(panelOf(page, 'Paste or drop')).toContainText('This file is binary')
+      expect(await lens.vertices()).toEqual(upper)
+    })
   })
 
   test('in a page around the element a paste elsewhere is that page’s', async ({ lens, page }) => {
@@ -82,68 +146,6 @@ test.describe('paste', () => {
     await lens.nextFrame()
     expect(await lens.bits()).toEqual(before)
     await expect(page.getByRole('button', { name: 'Paste or drop' })).toHaveAttribute('aria-expanded', 'false')
-  })
-
-  test('of several elements one is chosen, by keyboard alone', async ({ lens, page }) => {
-    await lens.open()
-    const before = await lens.bits()
-    await pasteAnywhere(page, list)
-    const choice = page.getByRole('listbox', { name: 'Elements' })
-    await expect(choice).toBeFocused()
-    await expect(choice.getByRole('option')).toHaveText([/^lower: \(0, 0, 0\), \(1, 0, 0\), …$/, /^upper: \(0, 0, 1\)/])
-    await expect(panelOf(page, 'Paste or drop')).toContainText('2 elements were found, read as JSON. Which one?')
-    expect(await lens.bits()).toEqual(before)
-    await page.keyboard.press('ArrowDown')
-    await page.keyboard.press('Enter')
-    await expect(panelOf(page, 'Paste or drop')).toContainText('Shown: upper.')
-    expect(await lens.vertices()).toEqual(upper)
-    await lens.button('Undo').click()
-    expect(await lens.bits()).toEqual(before)
-  })
-
-  test('where nothing is found, it says what was seen, and nothing changes', async ({ lens, page }) => {
-    await lens.open()
-    const before = await lens.bits()
-    await pasteAnywhere(page, cube.slice(1).join(' '))
-    const panel = panelOf(page, 'Paste or drop')
-    await expect(panel).toContainText('23 numbers were found; an element needs 24. The element is as it was.')
-    await expect(panel).toContainText(/Looked for: .*Abaqus/)
-    await expect(panel.getByText('23 numbers')).toBeInViewport()
-    await pasteAnywhere(page, cube.join(' ').replace('1', '1e999'))
-    await expect(panel).toContainText('1e999 is too large')
-    expect(await lens.bits()).toEqual(before)
-    await expect(lens.button('Undo')).toBeDisabled()
-  })
-
-  test('the box, a file, and the promise that nothing leaves', async ({ lens, page }) => {
-    await lens.open()
-    await lens.button('Paste or drop').click()
-    const panel = panelOf(page, 'Paste or drop')
-    await expect(panel).toContainText('Nothing that is pasted, dropped or typed here leaves the browser.')
-    await panel.getByRole('textbox', { name: 'Text with eight points' }).fill(cube.map(x => `${x}.0D+00`).join('\n'))
-    await lens.button('Read it').click()
-    await expect.poll(() => lens.vertices()).toEqual(cube)
-    const chooser = page.waitForEvent('filechooser')
-    await lens.button('Open a file').click()
-    await (await chooser).setFiles({
-      name: 'a.json',
-      mimeType: 'application/json',
-      buffer: Buffer.from(JSON.stringify(upper)),
-    })
-    await expect.poll(() => lens.vertices()).toEqual(upper)
-  })
-
-  test('a text or a file that is dropped on the element', async ({ lens, page }) => {
-    await lens.open()
-    await drop(lens.scene, { text: cube.join(' ') })
-    await expect.poll(() => lens.vertices()).toEqual(cube)
-    const text = `*NODE\n${cube.map((x, i) => (i % 3 === 0 ? `${i / 3 + 1}, ${x}, ${cube[i + 1]}, ${(cube[i + 2] ?? 0) + 1}\n` : '')).join('')}*ELEMENT, TYPE=C3D8\n1, 1, 2, 3, 4, 5, 6, 7, 8\n`
-    await drop(lens.verdict, { name: 'a.inp', base64: Buffer.from(text).toString('base64') })
-    await expect(panelOf(page, 'Paste or drop')).toContainText('Read as Abaqus.')
-    expect(await lens.vertices()).toEqual(upper)
-    await drop(lens.scene, { name: 'a.bin', base64: Buffer.from([0, 1, 2, 0]).toString('base64') })
-    await expect(panelOf(page, 'Paste or drop')).toContainText('This file is binary')
-    expect(await lens.vertices()).toEqual(upper)
   })
 
   test('a large mesh is read beside the page, and its first thousand elements are listed', async ({ lens, page }) => {
@@ -163,118 +165,107 @@ test.describe('take away', () => {
   /** Signs of zero and a subnormal: what a sloppy round trip loses. */
   const hard = cube.with(0, -0).with(4, 5e-324).with(8, 0.1).with(12, -0)
 
-  test('a PNG that is dropped again restores the element bit for bit', async ({ lens, page }) => {
+  test('a PNG and texts restore the element bit for bit', async ({ lens, page }) => {
     await lens.open()
-    await lens.set(hard)
-    const before = await lens.bits()
-    await lens.button('Take away').click()
-    const { name, bytes } = await downloaded(page, 'Download PNG')
-    expect(name).toBe('hexahedron.png')
-    expect(await blueShare(page, bytes)).toBeGreaterThan(0.02)
-    await lens.set(upper)
-    await drop(lens.scene, { name, base64: bytes.toString('base64') })
-    await expect(panelOf(page, 'Paste or drop')).toContainText('Read as a picture from here.')
-    expect(await lens.bits()).toEqual(before)
-  })
 
-  test('the face maps come as an SVG too, also while their panel is still closed', async ({ lens, page }) => {
-    await lens.open()
-    await lens.button('Take away').click()
-    const { name, bytes } = await downloaded(page, 'Download SVG of the face maps')
-    expect(name).toBe('looks-fine-face-maps.svg')
-    const text = bytes.toString('utf8')
-    expect(text.match(/<image /g)).toHaveLength(6)
-    for (const face of ['−ξ', '+ξ', '−η', '+η', '−ζ', '+ζ']) expect(text).toContain(`>${face}</text>`)
-    await expect(lens.button('Face maps')).toHaveAttribute('aria-expanded', 'true')
-  })
+    await test.step('a PNG that is dropped again restores the element bit for bit', async () => {
+      await lens.set(hard)
+      const before = await lens.bits()
+      await lens.button('Take away').click()
+      const { name, bytes } = await downloaded(page, 'Download PNG')
+      expect(name).toBe('hexahedron.png')
+      expect(await blueShare(page, bytes)).toBeGreaterThan(0.02)
+      await lens.set(upper)
+      await drop(lens.scene, { name, base64: bytes.toString('base64') })
+      await expect(panelOf(page, 'Paste or drop')).toContainText('Read as a picture from here.')
+      expect(await lens.bits()).toEqual(before)
+    })
 
-  test('an SVG is a whole document of its own: vectors over one picture', async ({ lens, page }) => {
-    await lens.open()
-    await lens.button('Take away').click()
-    const { name, bytes } = await downloaded(page, 'Download SVG')
-    expect(name).toBe('looks-fine.svg')
-    const seen = await page.evaluate(text => {
-      const document = new DOMParser().parseFromString(text, 'image/svg+xml')
-      return {
-        error: document.querySelector('parsererror')?.textContent ?? null,
-        images: Array.from(document.querySelectorAll('image'), image => image.getAttribute('href')?.slice(0, 22)),
-        texts: Array.from(document.querySelectorAll('text'), text => text.textContent),
-        classes: document.querySelectorAll('[class], style').length,
+    await test.step('texts are copied and saved alike, and read back bit for bit', async () => {
+      await lens.set(hard)
+      const before = await lens.vertices()
+      for (const [title, file] of [
+        ['Report', 'hexahedron.json'],
+        ['Python', 'hexahedron.py'],
+        ['C', 'hexahedron.c'],
+        ['VTK', 'hexahedron.vtk'],
+        ['OBJ', 'hexahedron.obj'],
+      ] as const) {
+        await lens.button(`Copy ${title}`).click()
+        await expect(lens.button(`Copied ${title}`)).toBeVisible()
+        const copied = await page.evaluate(() => navigator.clipboard.readText())
+        const saved = await downloaded(page, `Download ${title}`)
+        expect(saved.name).toBe(file)
+        expect(saved.bytes.toString('utf8')).toBe(copied)
+        const read = readElements(copied)
+        expect(read.ok && read.reading.elements[0]?.vertices).toEqual(before)
       }
-    }, bytes.toString('utf8'))
-    expect(seen).toMatchObject({ error: null, images: ['data:image/png;base64,'], classes: 0 })
-    expect(seen.texts).toEqual(expect.arrayContaining(['min J = −0.010653', '7', 'jacdet on [0,1]³']))
+      await lens.button('Copy BibTeX').click()
+      await expect(lens.button('Copied BibTeX')).toBeVisible()
+      expect(await page.evaluate(() => navigator.clipboard.readText())).toContain(
+        'title = {Validating Hexahedra through their Boundaries}',
+      )
+      await lens.button('Copy Minimum').click()
+      await expect(lens.button('Copied Minimum')).toBeVisible()
+      const minimum = await lens.element.evaluate(
+        element => (element as HTMLElementTagNameMap['hex-lens']).report?.boundaryMinimum,
+      )
+      expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(String(minimum))
+      await lens.button('Copy Link').click()
+      await expect(lens.button('Copied Link')).toBeVisible()
+      expect(await page.evaluate(() => navigator.clipboard.readText())).toContain('#v=1&vertices=-0,0,0,1,5e-324,')
+    })
   })
 
-  test('texts are copied and saved alike, and read back bit for bit', async ({ lens, page }) => {
+  test('an SVG of the scene and one of the face maps are whole documents', async ({ lens, page }) => {
     await lens.open()
-    await lens.set(hard)
-    const before = await lens.vertices()
-    await lens.button('Take away').click()
-    for (const [title, file] of [
-      ['Report', 'hexahedron.json'],
-      ['Python', 'hexahedron.py'],
-      ['C', 'hexahedron.c'],
-      ['VTK', 'hexahedron.vtk'],
-      ['OBJ', 'hexahedron.obj'],
-    ] as const) {
-      await lens.button(`Copy ${title}`).click()
-      await expect(lens.button(`Copied ${title}`)).toBeVisible()
-      const copied = await page.evaluate(() => navigator.clipboard.readText())
-      const saved = await downloaded(page, `Download ${title}`)
-      expect(saved.name).toBe(file)
-      expect(saved.bytes.toString('utf8')).toBe(copied)
-      const read = readElements(copied)
-      expect(read.ok && read.reading.elements[0]?.vertices).toEqual(before)
-    }
-    await lens.button('Copy BibTeX').click()
-    await expect(lens.button('Copied BibTeX')).toBeVisible()
-    expect(await page.evaluate(() => navigator.clipboard.readText())).toContain(
-      'title = {Validating Hexahedra through their Boundaries}',
-    )
-    await lens.button('Copy Minimum').click()
-    await expect(lens.button('Copied Minimum')).toBeVisible()
-    const minimum = await lens.element.evaluate(
-      element => (element as HTMLElementTagNameMap['hex-lens']).report?.boundaryMinimum,
-    )
-    expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(String(minimum))
-    await lens.button('Copy Link').click()
-    await expect(lens.button('Copied Link')).toBeVisible()
-    expect(await page.evaluate(() => navigator.clipboard.readText())).toContain('#v=1&vertices=-0,0,0,1,5e-324,')
+
+    await test.step('an SVG is a whole document of its own: vectors over one picture', async () => {
+      await lens.button('Take away').click()
+      const { name, bytes } = await downloaded(page, 'Download SVG')
+      expect(name).toBe('looks-fine.svg')
+      const seen = await page.evaluate(text => {
+        const document = new DOMParser().parseFromString(text, 'image/svg+xml')
+        return {
+          error: document.querySelector('parsererror')?.textContent ?? null,
+          images: Array.from(document.querySelectorAll('image'), image => image.getAttribute('href')?.slice(0, 22)),
+          texts: Array.from(document.querySelectorAll('text'), text => text.textContent),
+          classes: document.querySelectorAll('[class], style').length,
+        }
+      }, bytes.toString('utf8'))
+      expect(seen).toMatchObject({ error: null, images: ['data:image/png;base64,'], classes: 0 })
+      expect(seen.texts).toEqual(expect.arrayContaining(['min J = −0.010653', '7', 'jacdet on [0,1]³']))
+    })
+
+    await test.step('the face maps come as an SVG too, also while their panel is still closed', async () => {
+      const { name, bytes } = await downloaded(page, 'Download SVG of the face maps')
+      expect(name).toBe('looks-fine-face-maps.svg')
+      const text = bytes.toString('utf8')
+      expect(text.match(/<image /g)).toHaveLength(6)
+      for (const face of ['−ξ', '+ξ', '−η', '+η', '−ζ', '+ζ']) expect(text).toContain(`>${face}</text>`)
+      await expect(lens.button('Face maps')).toHaveAttribute('aria-expanded', 'true')
+    })
   })
 })
 
-for (const [colorScheme, width, height] of SCHEMES_AND_WIDTHS) {
-  test.describe(`in the ${colorScheme} scheme`, () => {
-    test.use({ colorScheme })
-
-    test(`at ${width} pixels axe finds nothing in either panel, and both fit`, async ({ lens, page }) => {
-      await page.setViewportSize({ width, height })
-      await lens.open()
-      await lens.button('Take away').click()
-      await lens.button('Copy Python').click()
-      await pasteAnywhere(page, list)
-      await expect(page.getByRole('listbox', { name: 'Elements' })).toBeVisible()
-      await expectAxeFindsNothing(page, '#panel-paste')
-      await expectAxeFindsNothing(page, '#panel-take-away')
-      for (const name of ['Paste or drop', 'Take away']) {
-        for (const target of await panelOf(page, name).getByRole('button').all()) {
-          const box = await target.boundingBox()
-          expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(24)
-        }
-      }
-      const [scroll, client] = await page.evaluate(() => {
-        const { scrollWidth, clientWidth } = document.documentElement
-        return [scrollWidth, clientWidth]
-      })
-      expect(scroll).toBe(client)
-      await lens.button('Paste or drop').focus()
-      await pasteAnywhere(page, 'nothing')
-      await expect(panelOf(page, 'Paste or drop')).toContainText('0 numbers were found')
-      await expectAxeFindsNothing(page, '#panel-paste')
-    })
+test('axe finds nothing in either panel, and both fit', async ({ lens, page }) => {
+  await lens.open()
+  await lens.button('Take away').click()
+  await lens.button('Copy Python').click()
+  await inSchemesAndWidths(lens, async () => {
+    await lens.button('Take away').focus()
+    await pasteAnywhere(page, list)
+    await expect(page.getByRole('listbox', { name: 'Elements' })).toBeVisible()
+    await expectAxeFindsNothing(page, '#panel-paste')
+    await expectAxeFindsNothing(page, '#panel-take-away')
+    for (const name of ['Paste or drop', 'Take away']) await expectLargeTargets(panelOf(page, name).getByRole('button'))
+    expect(await sidewaysOverflow(page)).toBe(0)
+    await lens.button('Paste or drop').focus()
+    await pasteAnywhere(page, 'nothing')
+    await expect(panelOf(page, 'Paste or drop')).toContainText('0 numbers were found')
+    await expectAxeFindsNothing(page, '#panel-paste')
   })
-}
+})
 
 /** The share of pixels that are clearly blue: faces where jacdet is positive. */
 function blueShare(page: Page, png: Buffer): Promise<number> {

@@ -116,8 +116,47 @@ export const SCHEMES_AND_WIDTHS = [
   ['dark', 360, 740],
 ] as const
 
-/** No violation of WCAG 2.2 AA in the element's part; the rest of the page is accessibility.spec.ts's. */
-export async function expectAxeFindsNothing(page: Page, part: string): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).include({ fromShadowDom: ['hex-lens', part] }).analyze()
-  expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join('; ')}`)).toEqual([])
+/** By how many pixels the page can be scrolled sideways. */
+export function sidewaysOverflow(page: Page): Promise<number> {
+  return page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)
+}
+
+/** Looks at one open page in each scheme and width, where nothing may be wider than the page. */
+export async function inSchemesAndWidths(lens: Lens, look: () => Promise<void>): Promise<void> {
+  for (const [colorScheme, width, height] of SCHEMES_AND_WIDTHS)
+    await test.step(`in the ${colorScheme} scheme at ${width} pixels`, async () => {
+      await lens.page.emulateMedia({ colorScheme })
+      await lens.page.setViewportSize({ width, height })
+      await lens.nextFrame()
+      await look()
+      expect(await sidewaysOverflow(lens.page)).toBe(0)
+    })
+}
+
+/**
+ * Every visible one of the targets, and there is one, is at least 24 pixels each way. Numbers to copy stand in lines of text, which WCAG
+ * exempts; that they have room around them is axe's to see.
+ */
+export async function expectLargeTargets(targets: Locator): Promise<void> {
+  const sizes = await targets.evaluateAll(elements =>
+    elements
+      .filter(element => element.checkVisibility() && !element.matches('data'))
+      .map(element => {
+        const { width, height } = element.getBoundingClientRect()
+        return { element: element.outerHTML.slice(0, 200), size: Math.min(width, height) }
+      }),
+  )
+  expect(sizes).not.toEqual([])
+  expect(sizes.filter(({ size }) => size < 24)).toEqual([])
+}
+
+/** No violation of WCAG 2.2 AA on the page, or in a part of the element. */
+export async function expectAxeFindsNothing(page: Page, part?: string): Promise<void> {
+  // For a page of one frame: the mode for many opens a page of its own for each look. Of WCAG 2.2's own rules axe looks at none unless asked.
+  const builder = new AxeBuilder({ page }).setLegacyMode().options({ rules: { 'target-size': { enabled: true } } })
+  if (part !== undefined) builder.include({ fromShadowDom: ['hex-lens', part] })
+  const { violations } = await builder.analyze()
+  expect(
+    violations.map(({ id, nodes }) => `${id}: ${nodes.map(node => `${node.html} ${node.failureSummary}`).join('; ')}`),
+  ).toEqual([])
 }

@@ -1,4 +1,4 @@
-import { expect, test } from './lens'
+import { expect, Lens, test } from './lens'
 
 const awkward = [
   0.1 + 0.2,
@@ -30,57 +30,80 @@ const tiny = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 
 
 test.use({ permissions: ['clipboard-read', 'clipboard-write'] })
 
-for (const [name, vertices] of Object.entries({ awkward, tiny })) {
-  test(`a copied link opens the ${name} doubles again, bit for bit`, async ({ lens, page, context }) => {
-    await lens.open()
-    await lens.set(vertices)
-    const bits = await lens.bits()
-    await lens.button('Copy link').click()
-    await expect(page.getByText('Link copied')).toBeVisible()
-    const link = await page.evaluate(() => navigator.clipboard.readText())
-
-    const other = await context.newPage()
-    await other.goto(link)
-    const opened = other.locator('hex-lens')
-    await expect(other.getByRole('status', { name: 'Verdict' })).toHaveText(/^(VALID|INVALID)/)
-    const again = await opened.evaluate(element =>
-      Array.from(
-        new BigUint64Array(Float64Array.from((element as HTMLElementTagNameMap['hex-lens']).vertices).buffer),
-        String,
-      ),
-    )
-    expect(again).toEqual(bits)
-    await expect(other.getByRole('button', { name: 'Undo' })).toBeDisabled()
-  })
-}
-
-test('the address follows what is committed, and a reload shows it again', async ({ lens, page }) => {
+test('a copied link opens the doubles again, bit for bit', async ({ lens, page, context }) => {
   await lens.open()
-  const address = page.url()
-  await lens.field(6, 'z').fill('0.75')
-  await lens.field(6, 'z').press('Enter')
-  await expect.poll(() => page.url()).not.toBe(address)
-  const bits = await lens.bits()
-  await page.reload()
-  await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
-  expect(await lens.bits()).toEqual(bits)
+  for (const [name, vertices] of Object.entries({ awkward, tiny }))
+    await test.step(name, async () => {
+      await lens.set(vertices)
+      const bits = await lens.bits()
+      await lens.button('Copy link').click()
+      await expect(page.getByText('Link copied')).toBeVisible()
+      const link = await page.evaluate(() => navigator.clipboard.readText())
+
+      const other = new Lens(await context.newPage())
+      await other.open(link)
+      expect(await other.bits()).toEqual(bits)
+      await expect(other.button('Undo')).toBeDisabled()
+      await other.page.close()
+    })
 })
 
-test('a link pasted into the address bar of the open page is opened, and undone', async ({ lens, page }) => {
+test('the address is the element: as it changes, when another is pasted, after a reload', async ({ lens, page }) => {
   await lens.open()
-  const first = await lens.bits()
-  await lens.set(tiny)
-  const link = await page.evaluate(() => location.href)
-  await lens.button('Undo').click()
-  await expect.poll(() => lens.bits()).toEqual(first)
-  await expect.poll(() => page.url()).not.toBe(link)
-  await page.evaluate(hash => {
-    location.hash = hash
-  }, new URL(link).hash)
-  await expect.poll(() => lens.vertices()).toEqual(tiny)
-  await expect(lens.verdict).toHaveText(/^VALID/)
-  await lens.button('Undo').click()
-  await expect.poll(() => lens.bits()).toEqual(first)
+
+  await test.step('a link pasted into the address bar of the open page is opened, and undone', async () => {
+    const first = await lens.bits()
+    await lens.set(tiny)
+    const link = await page.evaluate(() => location.href)
+    await lens.button('Undo').click()
+    await expect.poll(() => lens.bits()).toEqual(first)
+    await expect.poll(() => page.url()).not.toBe(link)
+    await page.evaluate(hash => {
+      location.hash = hash
+    }, new URL(link).hash)
+    await expect.poll(() => lens.vertices()).toEqual(tiny)
+    await expect(lens.verdict).toHaveText(/^VALID/)
+    await lens.button('Undo').click()
+    await expect.poll(() => lens.bits()).toEqual(first)
+  })
+
+  await test.step('a broken link pasted into an open page keeps the element shown', async () => {
+    await lens.set(tiny)
+    await page.evaluate(() => {
+      location.hash = '#v1:broken'
+    })
+    await expect(page.getByRole('alert').filter({ hasText: /link/i })).toBeVisible()
+    expect(await lens.vertices()).toEqual(tiny)
+    await page.evaluate(() => {
+      location.hash = ''
+    })
+    await expect(page.getByRole('alert').filter({ hasText: /link/i })).toBeHidden()
+    await page.evaluate(() => {
+      location.hash = '#v1:broken'
+    })
+    await page.getByRole('button', { name: 'Dismiss' }).click()
+    await expect(page.getByRole('button', { name: 'Dismiss' })).toBeHidden()
+  })
+
+  await test.step('the address follows what is committed, and a reload shows it again', async () => {
+    const address = page.url()
+    await lens.field(6, 'z').fill('0.75')
+    await lens.field(6, 'z').press('Enter')
+    await expect.poll(() => page.url()).not.toBe(address)
+    const bits = await lens.bits()
+    await page.reload()
+    await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
+    expect(await lens.bits()).toEqual(bits)
+  })
+
+  await test.step('where the clipboard is closed the link is shown to be copied by hand', async () => {
+    await page.evaluate(() => {
+      Object.defineProperty(navigator, 'clipboard', { value: undefined })
+    })
+    await lens.set(tiny)
+    await lens.button('Copy link').click()
+    await expect(page.getByRole('textbox')).toHaveValue(page.url())
+  })
 })
 
 test('a broken link says so, keeps a working page, and is not overwritten before something changes', async ({
@@ -97,35 +120,6 @@ test('a broken link says so, keeps a working page, and is not overwritten before
   await expect.poll(() => lens.vertices()).not.toEqual(before)
   await expect(sentence).toBeHidden()
   expect(page.url()).not.toContain('broken')
-})
-
-test('a broken link pasted into an open page keeps the element shown', async ({ lens, page }) => {
-  await lens.open()
-  await lens.set(tiny)
-  await page.evaluate(() => {
-    location.hash = '#v1:broken'
-  })
-  await expect(page.getByRole('alert').filter({ hasText: /link/i })).toBeVisible()
-  expect(await lens.vertices()).toEqual(tiny)
-  await page.evaluate(() => {
-    location.hash = ''
-  })
-  await expect(page.getByRole('alert').filter({ hasText: /link/i })).toBeHidden()
-  await page.evaluate(() => {
-    location.hash = '#v1:broken'
-  })
-  await page.getByRole('button', { name: 'Dismiss' }).click()
-  await expect(page.getByRole('button', { name: 'Dismiss' })).toBeHidden()
-})
-
-test('where the clipboard is closed the link is shown to be copied by hand', async ({ lens, page }) => {
-  await page.addInitScript(() => {
-    Object.defineProperty(navigator, 'clipboard', { value: undefined })
-  })
-  await lens.open()
-  await lens.set(tiny)
-  await lens.button('Copy link').click()
-  await expect(page.getByRole('textbox')).toHaveValue(page.url())
 })
 
 test('Back and Forward step through the presets, and a reload stays', async ({ lens, page }) => {

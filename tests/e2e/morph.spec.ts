@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test'
 import { presets, presetVertices } from '../../web/content/presets'
 import { elementAt } from '../../web/model/morph'
-import { expect, expectAxeFindsNothing, type Lens, SCHEMES_AND_WIDTHS, test } from './lens'
+import { expect, expectAxeFindsNothing, inSchemesAndWidths, type Lens, test } from './lens'
 
 const cube = presetVertices(presets.find(({ id }) => id === 'cube') ?? presets[0])
 const looksFine = presetVertices(presets[0])
@@ -24,79 +24,75 @@ async function shownTau(page: Page, row: string): Promise<number> {
   return Number(/τ = ([\d.e-]+)/.exec(text ?? '')?.[1])
 }
 
-test('the last valid and the first invalid are neighbouring doubles', async ({ lens, page }) => {
+test('between two elements the verdict changes between neighbouring doubles, and a slide is one step to undo', async ({
+  lens,
+  page,
+}) => {
   await openMorph(lens, page)
-  const [valid, invalid] = [await shownTau(page, 'Last valid'), await shownTau(page, 'First invalid')]
-  expect(valid).toBeLessThan(invalid)
-  expect([valid, invalid]).toContain((valid + invalid) / 2)
-  await lens.button('Last valid').click()
-  await expect(lens.verdict).toHaveText(/^VALID/)
-  expect(await lens.vertices()).toEqual(elementAt(cube, looksFine, valid))
-  await expect(lens.button('Last valid')).toHaveAttribute('aria-pressed', 'true')
-  await lens.button('First invalid').click()
-  await expect(lens.verdict).toHaveText(/^INVALID/)
-  expect(await lens.vertices()).toEqual(elementAt(cube, looksFine, invalid))
-  await expect(panelOf(page)).toContainText(`τ = ${invalid} invalid`)
-  await expect(page.getByRole('img', { name: /^Boundary minimum from A, 1, to B, −/ })).toHaveAccessibleName(
-    new RegExp(`the verdict changes at tau ${valid.toFixed(3)}$`),
-  )
-})
 
-test('a slide is one step to undo, by pointer and by keys; preset and start stay', async ({ lens, page }) => {
-  await openMorph(lens, page)
-  const slider = sliderOf(page)
-  await expect(slider).toHaveValue('1')
-  await slider.scrollIntoViewIfNeeded()
-  const { x, y, width, height } = (await slider.boundingBox()) as {
-    x: number
-    y: number
-    width: number
-    height: number
-  }
-  await page.mouse.move(x + width - 8, y + height / 2)
-  await page.mouse.down()
-  for (const way of [0.8, 0.6, 0.4, 0.25]) await page.mouse.move(x + width * way, y + height / 2)
-  await page.mouse.up()
-  await expect(lens.verdict).toHaveText(/^VALID/)
-  expect(Number(await slider.inputValue())).toBeLessThan(0.4)
-  await lens.button('Undo').click()
-  await expect(slider).toHaveValue('1')
-  expect(await lens.vertices()).toEqual(looksFine)
-  await slider.focus()
-  await page.keyboard.press('Home')
-  await expect(slider).toHaveValue('0')
-  expect(await lens.vertices()).toEqual(cube)
-  await page.keyboard.press('ArrowRight')
-  await expect(panelOf(page)).toContainText('τ = 0.001')
-  await lens.button('Undo').click()
-  await expect.poll(() => lens.vertices()).toEqual(cube)
-  await lens.button('Reset').click()
-  await expect.poll(() => lens.vertices()).toEqual(looksFine)
-})
-
-test('the ends are kept while the element is elsewhere, and forgotten on request', async ({ lens, page }) => {
-  await openMorph(lens, page)
-  await sliderOf(page).focus()
-  await page.keyboard.press('Home')
-  await lens.field(6, 'z').fill('1.5')
-  await lens.field(6, 'z').press('Enter')
-  await expect(panelOf(page)).toContainText('The element is not on the way from A to B')
-  await lens.button('Keep as B').click()
-  await expect(panelOf(page)).toContainText('the verdict was not seen to change')
-  await lens.button('Forget both').click()
-  await expect(lens.button('Forget both')).toHaveCount(0)
-  await expect(page.getByRole('button', { name: 'First invalid' })).toBeVisible()
-})
-
-for (const [colorScheme, width, height] of SCHEMES_AND_WIDTHS) {
-  test.describe(`in the ${colorScheme} scheme`, () => {
-    test.use({ colorScheme })
-    test(`axe finds nothing in the open panel, and it fits ${width} pixels`, async ({ lens, page }) => {
-      await openMorph(lens, page)
-      await page.setViewportSize({ width, height })
-      await lens.nextFrame()
-      await expectAxeFindsNothing(page, '#panel-morph')
-      expect(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)).toBe(true)
-    })
+  await test.step('a slide is one step to undo, by pointer and by keys; preset and start stay', async () => {
+    const slider = sliderOf(page)
+    await expect(slider).toHaveValue('1')
+    await slider.scrollIntoViewIfNeeded()
+    const { x, y, width, height } = (await slider.boundingBox()) as {
+      x: number
+      y: number
+      width: number
+      height: number
+    }
+    await page.mouse.move(x + width - 8, y + height / 2)
+    await page.mouse.down()
+    for (const way of [0.8, 0.6, 0.4, 0.25]) await page.mouse.move(x + width * way, y + height / 2)
+    await page.mouse.up()
+    await expect(lens.verdict).toHaveText(/^VALID/)
+    expect(Number(await slider.inputValue())).toBeLessThan(0.4)
+    await lens.button('Undo').click()
+    await expect(slider).toHaveValue('1')
+    expect(await lens.vertices()).toEqual(looksFine)
+    await slider.focus()
+    await page.keyboard.press('Home')
+    await expect(slider).toHaveValue('0')
+    expect(await lens.vertices()).toEqual(cube)
+    await page.keyboard.press('ArrowRight')
+    await expect(panelOf(page)).toContainText('τ = 0.001')
+    await lens.button('Undo').click()
+    await expect.poll(() => lens.vertices()).toEqual(cube)
+    await lens.button('Reset').click()
+    await expect.poll(() => lens.vertices()).toEqual(looksFine)
   })
-}
+
+  await test.step('the last valid and the first invalid are neighbouring doubles', async () => {
+    const [valid, invalid] = [await shownTau(page, 'Last valid'), await shownTau(page, 'First invalid')]
+    expect(valid).toBeLessThan(invalid)
+    expect([valid, invalid]).toContain((valid + invalid) / 2)
+    await lens.button('Last valid').click()
+    await expect(lens.verdict).toHaveText(/^VALID/)
+    expect(await lens.vertices()).toEqual(elementAt(cube, looksFine, valid))
+    await expect(lens.button('Last valid')).toHaveAttribute('aria-pressed', 'true')
+    await lens.button('First invalid').click()
+    await expect(lens.verdict).toHaveText(/^INVALID/)
+    expect(await lens.vertices()).toEqual(elementAt(cube, looksFine, invalid))
+    await expect(panelOf(page)).toContainText(`τ = ${invalid} invalid`)
+    await expect(page.getByRole('img', { name: /^Boundary minimum from A, 1, to B, −/ })).toHaveAccessibleName(
+      new RegExp(`the verdict changes at tau ${valid.toFixed(3)}$`),
+    )
+  })
+
+  await test.step('the ends are kept while the element is elsewhere, and forgotten on request', async () => {
+    await sliderOf(page).focus()
+    await page.keyboard.press('Home')
+    await lens.field(6, 'z').fill('1.5')
+    await lens.field(6, 'z').press('Enter')
+    await expect(panelOf(page)).toContainText('The element is not on the way from A to B')
+    await lens.button('Keep as B').click()
+    await expect(panelOf(page)).toContainText('the verdict was not seen to change')
+    await lens.button('Forget both').click()
+    await expect(lens.button('Forget both')).toHaveCount(0)
+    await expect(page.getByRole('button', { name: 'First invalid' })).toBeVisible()
+  })
+})
+
+test('axe finds nothing in the open panel, which fits', async ({ lens, page }) => {
+  await openMorph(lens, page)
+  await inSchemesAndWidths(lens, () => expectAxeFindsNothing(page, '#panel-morph'))
+})

@@ -1,34 +1,35 @@
 import { presets, presetVertices } from '../../web/content/presets'
 import { expect, test } from './lens'
 
-test('the first screen shows an element that looks fine and is not', async ({ lens }) => {
+test('every preset gets the verdict it claims, and the first looks fine and is not', async ({ lens }) => {
   await lens.open()
-  await expect(lens.verdict).toHaveText(/^INVALID/)
-  await expect(lens.verdict).toContainText(/All eight vertices .* positive, yet (edge|face)/)
-  await expect(lens.preset).toHaveValue(/.+/)
-})
 
-test('every preset gets the verdict it claims, and an edited one is called by no preset’s name', async ({ lens }) => {
-  await lens.open()
-  for (const preset of presets) {
-    await lens.preset.selectOption({ label: preset.title })
-    await lens.nextFrame()
-    if (preset.valid !== null) expect(await lens.vertices()).toEqual(presetVertices(preset))
-    await expect(lens.verdict).toHaveText(
-      preset.valid === null ? /^(VALID|INVALID)/ : preset.valid ? /^VALID/ : /^INVALID/,
-    )
-  }
-  await lens.field(0, 'x').fill('0.123')
-  await expect(lens.preset.locator('option:checked')).toHaveText('Custom')
-})
+  await test.step('the first screen shows an element that looks fine and is not', async () => {
+    await expect(lens.verdict).toHaveText(/^INVALID/)
+    await expect(lens.verdict).toContainText(/All eight vertices .* positive, yet (edge|face)/)
+    await expect(lens.preset).toHaveValue(/.+/)
+  })
 
-test('a random element is another one each time, each a step to undo', async ({ lens }) => {
-  await lens.open()
-  await lens.preset.selectOption({ label: 'Random' })
-  await expect(lens.button('Another')).toBeVisible()
-  const one = await lens.vertices()
-  await lens.button('Another').click()
-  await expect.poll(() => lens.vertices()).not.toEqual(one)
-  await lens.button('Undo').click()
-  await expect.poll(() => lens.vertices()).toEqual(one)
+  await test.step('a random element is another one each time, each a step to undo', async () => {
+    await lens.preset.selectOption({ label: 'Random' })
+    await expect(lens.button('Another')).toBeVisible()
+    const one = await lens.vertices()
+    await lens.button('Another').click()
+    await expect.poll(() => lens.vertices()).not.toEqual(one)
+    await lens.button('Undo').click()
+    await expect.poll(() => lens.vertices()).toEqual(one)
+  })
+
+  await test.step('every preset gets the verdict it claims, and an edited one is called by no preset’s name', async () => {
+    for (const preset of presets) {
+      await lens.preset.selectOption({ label: preset.title })
+      await lens.nextFrame()
+      if (preset.valid !== null) expect(await lens.vertices()).toEqual(presetVertices(preset))
+      await expect(lens.verdict).toHaveText(
+        preset.valid === null ? /^(VALID|INVALID)/ : preset.valid ? /^VALID/ : /^INVALID/,
+      )
+    }
+    await lens.field(0, 'x').fill('0.123')
+    await expect(lens.preset.locator('option:checked')).toHaveText('Custom')
+  })
 })

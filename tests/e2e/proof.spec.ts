@@ -3,135 +3,120 @@ import type { Page } from '@playwright/test'
 import { presets, presetVertices } from '../../web/content/presets'
 import { certificateJson, certify } from '../../web/core/exact/certificate'
 import { runsOf } from '../../web/views/certificate/runs'
-import { expect, expectAxeFindsNothing, SCHEMES_AND_WIDTHS, test } from './lens'
+import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, sidewaysOverflow, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 const depthGuard = presetVertices(presets.find(({ id }) => id === 'depth-guard') ?? presets[0])
 
 const proofOf = (page: Page) => page.getByRole('group', { name: 'Proof' })
 
-test('the proof is closed at first, and opening it is no step to undo', async ({ lens, page }) => {
+test('the proof opens, follows the element, and names intervals and reasons', async ({ lens, page }) => {
   await lens.open()
-  const proof = proofOf(page)
-  const show = lens.button('Show the proof')
-  await expect(show).toHaveAttribute('aria-expanded', 'false')
-  await expect(proof).not.toContainText('exactly')
-  await show.focus()
-  await page.keyboard.press('Enter')
-  await expect(lens.button('Hide the proof')).toBeFocused()
-  await expect(lens.button('Hide the proof')).toHaveAttribute('aria-expanded', 'true')
-  await expect(proof).toContainText(
-    /At \(ξ, η, ζ\) = \(1\/2, 1, 1\) the jacdet is exactly −1\/128,\s+which is not positive/,
-  )
-  await expect(lens.button('Undo')).toBeDisabled()
-  await page.keyboard.press('Space')
-  await expect(proof.getByRole('button', { name: 'Download' })).toBeHidden()
-})
 
-test('of a valid element it names intervals and reasons of all six faces, and the theorem', async ({ lens, page }) => {
-  await lens.open()
-  await lens.button('Show the proof').click()
-  await lens.set(depthGuard)
-  const table = page.getByRole('table', { name: 'Intervals of each face' })
-  await expect(table.getByRole('rowheader')).toHaveText(['−ξ', '+ξ', '−η', '+η', '−ζ', '+ζ'])
-  const certificate = certify(depthGuard)
-  const runs = certificate.valid ? certificate.faces.flatMap(runsOf) : []
-  expect(runs.length).toBeGreaterThan(6)
-  const rows = runs.map(
-    ({ count }) => new RegExp(` to [\\d/]+\\s*${count}\\s*(b ≥ 0|2a \\+ b ≤ 0|c \\+ b/2 > 0|4ac > b²)`),
-  )
-  await expect(table.locator('tbody tr')).toHaveText(rows)
-  await expect(proofOf(page)).toContainText('Knupp’s conjecture, now a theorem')
-  await lens.set(cube)
-  await expect(table.locator('tbody tr').filter({ hasText: '0 to 1' })).toHaveCount(6)
-})
-
-test('it follows the element, and during a gesture waits for its end', async ({ lens, page }) => {
-  await lens.open()
-  await lens.set(cube)
-  await lens.button('Show the proof').click()
-  const proof = proofOf(page)
-  await expect(proof).toContainText('Knupp’s conjecture')
-  await lens.field(6, 'z').fill('-3')
-  await expect(lens.verdict).toHaveText(/^INVALID/)
-  await expect(proof).toContainText('It follows when this change is done.')
-  await expect(proof).toContainText('Knupp’s conjecture')
-  await lens.field(6, 'z').press('Enter')
-  await lens.field(6, 'z').blur()
-  await expect(proof).toContainText('which is not positive')
-  await expect(proof).not.toContainText('It follows when this change is done.')
-  await lens.button('Undo').click()
-  await expect(proof).toContainText('Knupp’s conjecture')
-})
-
-test('the value follows the reference cube, the file does not', async ({ lens, page, context }) => {
-  await context.grantPermissions(['clipboard-read', 'clipboard-write'])
-  await lens.open()
-  await lens.button('Show the proof').click()
-  await page.getByRole('button', { name: /\[0,1\]/ }).click()
-  const proof = proofOf(page)
-  await expect(proof).toContainText('exactly −1/1024')
-  await expect(proof).toContainText('eight times this')
-  await lens.button('Copy point and value').click()
-  await expect(lens.button('Copied')).toBeVisible()
-  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe('(1/2, 1, 1), -1/128')
-})
-
-test('what is copied or downloaded is what the checker takes, a list of this element', async ({
-  lens,
-  page,
-  context,
-}) => {
-  await context.grantPermissions(['clipboard-read', 'clipboard-write'])
-  await lens.open()
-  await lens.button('Show the proof').click()
-  const saved = async () => {
-    const download = page.waitForEvent('download')
-    await lens.button('Download').click()
-    const file = await download
-    return { name: file.suggestedFilename(), text: await readFile(await file.path(), 'utf8') }
-  }
-  for (const [name, vertices] of [
-    ['looks-fine', presetVertices(presets[0])],
-    ['hexahedron', depthGuard.with(0, 2)],
-  ] as const) {
-    await lens.set(vertices)
-    await lens.button('Copy JSON').click()
-    await expect(lens.button('Copied')).toBeVisible()
-    const copied = await page.evaluate(() => navigator.clipboard.readText())
-    expect(JSON.parse(copied)).toEqual([certificateJson(name, vertices, certify(vertices))])
-    expect(await saved()).toEqual({ name: `${name}-certificate.json`, text: copied })
-  }
-})
-
-for (const [colorScheme, width, height] of SCHEMES_AND_WIDTHS) {
-  test.describe(`in the ${colorScheme} scheme`, () => {
-    test.use({ colorScheme })
-
-    test(`at ${width} pixels axe finds nothing in an open proof, also in one that waits`, async ({ lens, page }) => {
-      await page.setViewportSize({ width, height })
-      await lens.open()
-      await lens.button('Show the proof').click()
-      await page.getByText('What each looks at').click()
-      for (const vertices of [presetVertices(presets[0]), depthGuard]) {
-        await lens.set(vertices)
-        await lens.field(0, 'x').fill('0.1')
-        await expect(proofOf(page)).toContainText('It follows when this change is done.')
-        await expectAxeFindsNothing(page, '.certificate')
-        await lens.field(0, 'x').blur()
-        await expect(proofOf(page)).not.toContainText('It follows when this change is done.')
-        await expectAxeFindsNothing(page, '.certificate')
-        const { scrollWidth, clientWidth } = await page.evaluate(() => {
-          const { scrollWidth, clientWidth } = document.documentElement
-          return { scrollWidth, clientWidth }
-        })
-        expect(scrollWidth).toBe(clientWidth)
-      }
-      await expectAxeFindsNothing(page, '.checks')
-      for (const target of await proofOf(page).getByRole('button').all()) {
-        const box = await target.boundingBox()
-        expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(24)
-      }
-    })
+  await test.step('the proof is closed at first, and opening it is no step to undo', async () => {
+    const proof = proofOf(page)
+    const show = lens.button('Show the proof')
+    await expect(show).toHaveAttribute('aria-expanded', 'false')
+    await expect(proof).not.toContainText('exactly')
+    await show.focus()
+    await page.keyboard.press('Enter')
+    await expect(lens.button('Hide the proof')).toBeFocused()
+    await expect(lens.button('Hide the proof')).toHaveAttribute('aria-expanded', 'true')
+    await expect(proof).toContainText(
+      /At \(ξ, η, ζ\) = \(1\/2, 1, 1\) the jacdet is exactly −1\/128,\s+which is not positive/,
+    )
+    await expect(lens.button('Undo')).toBeDisabled()
+    await page.keyboard.press('Space')
+    await expect(proof.getByRole('button', { name: 'Download' })).toBeHidden()
   })
-}
+
+  await test.step('it follows the element, and during a gesture waits for its end', async () => {
+    await lens.set(cube)
+    await lens.button('Show the proof').click()
+    const proof = proofOf(page)
+    await expect(proof).toContainText('Knupp’s conjecture')
+    await lens.field(6, 'z').fill('-3')
+    await expect(lens.verdict).toHaveText(/^INVALID/)
+    await expect(proof).toContainText('It follows when this change is done.')
+    await expect(proof).toContainText('Knupp’s conjecture')
+    await lens.field(6, 'z').press('Enter')
+    await lens.field(6, 'z').blur()
+    await expect(proof).toContainText('which is not positive')
+    await expect(proof).not.toContainText('It follows when this change is done.')
+    await lens.button('Undo').click()
+    await expect(proof).toContainText('Knupp’s conjecture')
+  })
+
+  await test.step('of a valid element it names intervals and reasons of all six faces, and the theorem', async () => {
+    await lens.set(depthGuard)
+    const table = page.getByRole('table', { name: 'Intervals of each face' })
+    await expect(table.getByRole('rowheader')).toHaveText(['−ξ', '+ξ', '−η', '+η', '−ζ', '+ζ'])
+    const certificate = certify(depthGuard)
+    const runs = certificate.valid ? certificate.faces.flatMap(runsOf) : []
+    expect(runs.length).toBeGreaterThan(6)
+    const rows = runs.map(
+      ({ count }) => new RegExp(` to [\\d/]+\\s*${count}\\s*(b ≥ 0|2a \\+ b ≤ 0|c \\+ b/2 > 0|4ac > b²)`),
+    )
+    await expect(table.locator('tbody tr')).toHaveText(rows)
+    await expect(proofOf(page)).toContainText('Knupp’s conjecture, now a theorem')
+    await lens.set(cube)
+    await expect(table.locator('tbody tr').filter({ hasText: '0 to 1' })).toHaveCount(6)
+  })
+})
+
+test('what is copied or downloaded is what the checker takes', async ({ lens, page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+  await lens.open()
+
+  await test.step('what is copied or downloaded is what the checker takes, a list of this element', async () => {
+    await lens.button('Show the proof').click()
+    const saved = async () => {
+      const download = page.waitForEvent('download')
+      await lens.button('Download').click()
+      const file = await download
+      return { name: file.suggestedFilename(), text: await readFile(await file.path(), 'utf8') }
+    }
+    for (const [name, vertices] of [
+      ['looks-fine', presetVertices(presets[0])],
+      ['hexahedron', depthGuard.with(0, 2)],
+    ] as const) {
+      await lens.set(vertices)
+      await lens.button('Copy JSON').click()
+      await expect(lens.button('Copied')).toBeVisible()
+      const copied = await page.evaluate(() => navigator.clipboard.readText())
+      expect(JSON.parse(copied)).toEqual([certificateJson(name, vertices, certify(vertices))])
+      expect(await saved()).toEqual({ name: `${name}-certificate.json`, text: copied })
+    }
+  })
+
+  await test.step('the value follows the reference cube, the file does not', async () => {
+    await lens.set(presetVertices(presets[0]))
+    await page.getByRole('button', { name: /\[0,1\]/ }).click()
+    const proof = proofOf(page)
+    await expect(proof).toContainText('exactly −1/1024')
+    await expect(proof).toContainText('eight times this')
+    await lens.button('Copy point and value').click()
+    await expect(lens.button('Copied')).toBeVisible()
+    expect(await page.evaluate(() => navigator.clipboard.readText())).toBe('(1/2, 1, 1), -1/128')
+  })
+})
+
+test('axe finds nothing in an open proof, also in one that waits', async ({ lens, page }) => {
+  await lens.open()
+  await lens.button('Show the proof').click()
+  await page.getByText('What each looks at').click()
+  await inSchemesAndWidths(lens, async () => {
+    for (const vertices of [presetVertices(presets[0]), depthGuard]) {
+      await lens.set(vertices)
+      await lens.field(0, 'x').fill('0.1')
+      await expect(proofOf(page)).toContainText('It follows when this change is done.')
+      await expectAxeFindsNothing(page, '.certificate')
+      await lens.field(0, 'x').blur()
+      await expect(proofOf(page)).not.toContainText('It follows when this change is done.')
+      await expectAxeFindsNothing(page, '.certificate')
+      expect(await sidewaysOverflow(page)).toBe(0)
+    }
+    await expectAxeFindsNothing(page, '.checks')
+    await expectLargeTargets(proofOf(page).getByRole('button'))
+  })
+})

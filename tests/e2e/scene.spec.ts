@@ -194,162 +194,191 @@ test('one frame moves the vertex, the colours, the minimizer and the verdict, on
   await page.mouse.up()
 })
 
-test('a drag is one step to undo and to redo', async ({ lens, page }) => {
+test('a drag moves a vertex as typing does, in one step; Escape takes it back', async ({ lens, page }) => {
   await lens.open()
-  await lens.set(cube)
-  const handle = await handleOf(lens, 6)
-  await page.mouse.move(handle.x, handle.y)
-  await page.mouse.down()
-  for (let step = 1; step <= 5; step++) {
-    await page.mouse.move(handle.x + 10 * step, handle.y - 4 * step)
-    await lens.nextFrame()
-  }
-  await page.mouse.up()
-  await lens.nextFrame()
-  const moved = await lens.vertices()
-  expect(moved).not.toEqual(cube)
-  await lens.button('Undo').click()
-  await expect.poll(() => lens.vertices()).toEqual(cube)
-  await lens.button('Redo').click()
-  await expect.poll(() => lens.vertices()).toEqual(moved)
-})
 
-test('Escape in the middle of a drag puts the vertex back and leaves nothing to undo', async ({ lens, page }) => {
-  await lens.open()
-  const before = await lens.vertices()
-  const handle = await handleOf(lens, 5)
-  await page.mouse.move(handle.x, handle.y)
-  await page.mouse.down()
-  await page.mouse.move(handle.x + 40, handle.y + 30, { steps: 3 })
-  await lens.nextFrame()
-  expect(await lens.vertices()).not.toEqual(before)
-  await page.keyboard.press('Escape')
-  await page.mouse.move(handle.x + 80, handle.y + 60)
-  await page.mouse.up()
-  await lens.nextFrame()
-  expect(await lens.vertices()).toEqual(before)
-  await expect(lens.button('Undo')).toBeDisabled()
-})
-
-test('dragging and typing are the same thing', async ({ lens, page }) => {
-  await lens.open()
-  await lens.set(cube)
-  const handle = await handleOf(lens, 6)
-  await page.mouse.move(handle.x, handle.y)
-  await page.mouse.down()
-  await page.mouse.move(handle.x + 30, handle.y - 20, { steps: 2 })
-  await page.mouse.up()
-  await lens.nextFrame()
-  const dragged = (await lens.vertices()).slice(18, 21)
-  const verdict = await lens.verdict.innerText()
-  expect(dragged).not.toEqual([1, 1, 1])
-  await expect(lens.field(6, 'z')).toHaveValue(String(dragged[2]))
-  await lens.set(cube)
-  for (const [axis, value] of (['x', 'y', 'z'] as const).map((axis, i) => [axis, dragged[i]] as const)) {
-    await lens.field(6, axis).fill(String(value))
-  }
-  await expect.poll(async () => (await lens.vertices()).slice(18, 21)).toEqual(dragged)
-  await expect.poll(() => lens.verdict.innerText()).toBe(verdict)
-})
-
-test('what is typed out of the picture brings the picture along once it is committed', async ({ lens, page }) => {
-  await lens.open()
-  for (const text of ['40', '1e308']) {
-    const before = await handleOf(lens, 0)
-    await lens.field(6, 'z').fill(text)
-    await lens.nextFrame()
-    expect(await handleOf(lens, 0)).toEqual(before)
-    await lens.field(6, 'z').press('Enter')
-    await lens.nextFrame()
-    const stage = await lens.scene.boundingBox()
-    const { x, y } = await handleOf(lens, 6)
-    expect(x).toBeGreaterThan(stage?.x as number)
-    expect(y).toBeGreaterThan(stage?.y as number)
-    await page.keyboard.press('Control+z')
-    await lens.button('Fit').click()
-    await lens.nextFrame()
-  }
-})
-
-test('vertices in one place share a label, and the chosen one of them is dragged', async ({ lens, page }) => {
-  await lens.open()
-  await lens.preset.selectOption({ label: 'Zero on the faces, negative inside' })
-  await lens.nextFrame()
-  const shared = page.locator('hex-lens .handle', { hasText: '0, 2, 5, 7' }).locator('circle').last()
-  await expect(shared).toBeVisible()
-  await lens.scene.focus()
-  await page.keyboard.press('5')
-  const before = await lens.vertices()
-  const box = await shared.boundingBox()
-  const { x, y } = { x: (box?.x ?? 0) + (box?.width ?? 0) / 2, y: (box?.y ?? 0) + (box?.height ?? 0) / 2 }
-  await page.mouse.move(x, y)
-  await page.mouse.down()
-  await page.mouse.move(x - 20, y + 30, { steps: 3 })
-  await page.mouse.up()
-  await lens.nextFrame()
-  const moved = (await lens.vertices()).flatMap((value, i) => (value === before[i] ? [] : [Math.floor(i / 3)]))
-  expect([...new Set(moved)]).toEqual([5])
-})
-
-test('a pointer draws no focus frame, a key does', async ({ lens, page }) => {
-  await lens.open()
-  const frame = () => lens.scene.evaluate(element => getComputedStyle(element).outlineStyle)
-  const { x, y } = await handleOf(lens, 1)
-  await page.mouse.click(x, y)
-  await expect(lens.scene).toBeFocused()
-  expect(await frame()).toBe('none')
-  await page.keyboard.press('6')
-  expect(await frame()).toBe('solid')
-})
-
-test('the help is one key or one press away', async ({ lens, page }) => {
-  await lens.open()
-  const help = page.locator('hex-lens .scene-help')
-  await expect(help).toBeHidden()
-  await expect(lens.scene).toHaveAccessibleDescription(/Arrow keys move it/)
-  await lens.scene.focus()
-  await page.keyboard.press('?')
-  await expect(help).toBeVisible()
-  await expect(lens.button('Help')).toHaveAttribute('aria-expanded', 'true')
-  await lens.button('Help').click()
-  await expect(help).toBeHidden()
-})
-
-test('with the keyboard alone every vertex is chosen and moved', async ({ lens, page }) => {
-  await lens.open()
-  let tabs = 0
-  while (!(await lens.scene.evaluate(scene => scene.matches(':focus')))) {
-    expect(++tabs).toBeLessThan(12)
-    await page.keyboard.press('Tab')
-  }
-  for (let vertex = 0; vertex < 8; vertex++) {
+  await test.step('Escape in the middle of a drag puts the vertex back and leaves nothing to undo', async () => {
     const before = await lens.vertices()
-    await page.keyboard.press(String(vertex))
-    for (const key of ['ArrowRight', 'ArrowUp', 'PageDown']) await page.keyboard.press(key)
+    const handle = await handleOf(lens, 5)
+    await page.mouse.move(handle.x, handle.y)
+    await page.mouse.down()
+    await page.mouse.move(handle.x + 40, handle.y + 30, { steps: 3 })
     await lens.nextFrame()
-    const after = await lens.vertices()
-    const changed = after.flatMap((value, i) => (value === before[i] ? [] : [i]))
-    expect(changed).toEqual([3 * vertex, 3 * vertex + 1, 3 * vertex + 2])
-  }
+    expect(await lens.vertices()).not.toEqual(before)
+    await page.keyboard.press('Escape')
+    await page.mouse.move(handle.x + 80, handle.y + 60)
+    await page.mouse.up()
+    await lens.nextFrame()
+    expect(await lens.vertices()).toEqual(before)
+    await expect(lens.button('Undo')).toBeDisabled()
+  })
+
+  await test.step('a drag is one step to undo and to redo', async () => {
+    await lens.set(cube)
+    const handle = await handleOf(lens, 6)
+    await page.mouse.move(handle.x, handle.y)
+    await page.mouse.down()
+    for (let step = 1; step <= 5; step++) {
+      await page.mouse.move(handle.x + 10 * step, handle.y - 4 * step)
+      await lens.nextFrame()
+    }
+    await page.mouse.up()
+    await lens.nextFrame()
+    const moved = await lens.vertices()
+    expect(moved).not.toEqual(cube)
+    await lens.button('Undo').click()
+    await expect.poll(() => lens.vertices()).toEqual(cube)
+    await lens.button('Redo').click()
+    await expect.poll(() => lens.vertices()).toEqual(moved)
+  })
+
+  await test.step('dragging and typing are the same thing', async () => {
+    await lens.set(cube)
+    const handle = await handleOf(lens, 6)
+    await page.mouse.move(handle.x, handle.y)
+    await page.mouse.down()
+    await page.mouse.move(handle.x + 30, handle.y - 20, { steps: 2 })
+    await page.mouse.up()
+    await lens.nextFrame()
+    const dragged = (await lens.vertices()).slice(18, 21)
+    const verdict = await lens.verdict.innerText()
+    expect(dragged).not.toEqual([1, 1, 1])
+    await expect(lens.field(6, 'z')).toHaveValue(String(dragged[2]))
+    await lens.set(cube)
+    for (const [axis, value] of (['x', 'y', 'z'] as const).map((axis, i) => [axis, dragged[i]] as const)) {
+      await lens.field(6, axis).fill(String(value))
+    }
+    await expect.poll(async () => (await lens.vertices()).slice(18, 21)).toEqual(dragged)
+    await expect.poll(() => lens.verdict.innerText()).toBe(verdict)
+  })
+
+  await test.step('what is typed out of the picture brings the picture along once it is committed', async () => {
+    for (const text of ['40', '1e308']) {
+      const before = await handleOf(lens, 0)
+      await lens.field(6, 'z').fill(text)
+      await lens.nextFrame()
+      expect(await handleOf(lens, 0)).toEqual(before)
+      await lens.field(6, 'z').press('Enter')
+      await lens.nextFrame()
+      const stage = await lens.scene.boundingBox()
+      const { x, y } = await handleOf(lens, 6)
+      expect(x).toBeGreaterThan(stage?.x as number)
+      expect(y).toBeGreaterThan(stage?.y as number)
+      await page.keyboard.press('Control+z')
+      await lens.button('Fit').click()
+      await lens.nextFrame()
+    }
+  })
+
+  await test.step('vertices in one place share a label, and the chosen one of them is dragged', async () => {
+    await lens.preset.selectOption({ label: 'Zero on the faces, negative inside' })
+    await lens.nextFrame()
+    const shared = page.locator('hex-lens .handle', { hasText: '0, 2, 5, 7' }).locator('circle').last()
+    await expect(shared).toBeVisible()
+    await lens.scene.focus()
+    await page.keyboard.press('5')
+    const before = await lens.vertices()
+    const box = await shared.boundingBox()
+    const { x, y } = { x: (box?.x ?? 0) + (box?.width ?? 0) / 2, y: (box?.y ?? 0) + (box?.height ?? 0) / 2 }
+    await page.mouse.move(x, y)
+    await page.mouse.down()
+    await page.mouse.move(x - 20, y + 30, { steps: 3 })
+    await page.mouse.up()
+    await lens.nextFrame()
+    const moved = (await lens.vertices()).flatMap((value, i) => (value === before[i] ? [] : [Math.floor(i / 3)]))
+    expect([...new Set(moved)]).toEqual([5])
+  })
 })
 
-test('an arrow key in the very frame of an undo goes on from what the undo left', async ({ lens, page }) => {
+test('keys show where the focus is, and the help', async ({ lens, page }) => {
   await lens.open()
-  const first = await lens.vertices()
-  await lens.scene.focus()
-  await page.keyboard.press('6')
-  await page.keyboard.press('ArrowRight')
-  await lens.nextFrame()
-  const moved = await lens.vertices()
-  expect(moved).not.toEqual(first)
-  await lens.element.evaluate(element => {
-    ;(element as HTMLElementTagNameMap['hex-lens']).undo()
-    const scene = (element.shadowRoot as ShadowRoot).activeElement as HTMLElement
-    for (const type of ['keydown', 'keyup'])
-      scene.dispatchEvent(new KeyboardEvent(type, { key: 'ArrowRight', bubbles: true, composed: true }))
+
+  await test.step('a pointer draws no focus frame, a key does', async () => {
+    const frame = () => lens.scene.evaluate(element => getComputedStyle(element).outlineStyle)
+    const { x, y } = await handleOf(lens, 1)
+    await page.mouse.click(x, y)
+    await expect(lens.scene).toBeFocused()
+    expect(await frame()).toBe('none')
+    await page.keyboard.press('6')
+    expect(await frame()).toBe('solid')
   })
-  await lens.nextFrame()
-  expect(await lens.vertices()).toEqual(moved)
+
+  await test.step('the help is one key or one press away', async () => {
+    const help = page.locator('hex-lens .scene-help')
+    await expect(help).toBeHidden()
+    await expect(lens.scene).toHaveAccessibleDescription(/Arrow keys move it/)
+    await lens.scene.focus()
+    await page.keyboard.press('?')
+    await expect(help).toBeVisible()
+    await expect(lens.button('Help')).toHaveAttribute('aria-expanded', 'true')
+    await lens.button('Help').click()
+    await expect(help).toBeHidden()
+    await lens.button('Reset').press('?')
+    await expect(help).toBeVisible()
+  })
+
+  await test.step('without dragging or pinching the view is turned and zoomed', async () => {
+    await lens.button('Turn').click()
+    let before = await handleOf(lens, 6)
+    const moved = async () => {
+      await lens.nextFrame()
+      const now = await handleOf(lens, 6)
+      const by = { x: now.x - before.x, y: now.y - before.y }
+      before = now
+      return by
+    }
+    const ways: { x: number; y: number }[] = []
+    for (const name of ['Turn left', 'Turn right', 'Turn up', 'Turn down', 'Zoom in', 'Zoom out']) {
+      await lens.button(name).click()
+      ways.push(await moved())
+    }
+    for (const [there, back] of [ways.slice(0, 2), ways.slice(2, 4), ways.slice(4)]) {
+      expect(Math.hypot(there?.x ?? 0, there?.y ?? 0)).toBeGreaterThan(3)
+      expect(there?.x).toBeCloseTo(-(back?.x ?? 0), 0)
+      expect(there?.y).toBeCloseTo(-(back?.y ?? 0), 0)
+    }
+    await lens.button('Turn').click()
+    await expect(page.getByRole('group', { name: 'Turn and zoom' })).toBeHidden()
+  })
+})
+
+test('with the keyboard alone vertices are chosen and moved', async ({ lens, page }) => {
+  await lens.open()
+
+  await test.step('with the keyboard alone every vertex is chosen and moved', async () => {
+    let tabs = 0
+    while (!(await lens.scene.evaluate(scene => scene.matches(':focus')))) {
+      expect(++tabs).toBeLessThan(12)
+      await page.keyboard.press('Tab')
+    }
+    for (let vertex = 0; vertex < 8; vertex++) {
+      const before = await lens.vertices()
+      await page.keyboard.press(String(vertex))
+      for (const key of ['ArrowRight', 'ArrowUp', 'PageDown']) await page.keyboard.press(key)
+      await lens.nextFrame()
+      const after = await lens.vertices()
+      const changed = after.flatMap((value, i) => (value === before[i] ? [] : [i]))
+      expect(changed).toEqual([3 * vertex, 3 * vertex + 1, 3 * vertex + 2])
+    }
+  })
+
+  await test.step('an arrow key in the very frame of an undo goes on from what the undo left', async () => {
+    const first = await lens.vertices()
+    await lens.scene.focus()
+    await page.keyboard.press('6')
+    await page.keyboard.press('ArrowRight')
+    await lens.nextFrame()
+    const moved = await lens.vertices()
+    expect(moved).not.toEqual(first)
+    await lens.element.evaluate(element => {
+      ;(element as HTMLElementTagNameMap['hex-lens']).undo()
+      const scene = (element.shadowRoot as ShadowRoot).activeElement as HTMLElement
+      for (const type of ['keydown', 'keyup'])
+        scene.dispatchEvent(new KeyboardEvent(type, { key: 'ArrowRight', bubbles: true, composed: true }))
+    })
+    await lens.nextFrame()
+    expect(await lens.vertices()).toEqual(moved)
+  })
 })
 
 test.describe('with a finger', () => {

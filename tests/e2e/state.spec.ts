@@ -7,7 +7,7 @@ const stateOf = (lens: Lens) => lens.element.evaluate(element => (element as Ele
 const scrolls = (lens: Lens) =>
   lens.element.evaluate(element => ({
     page: document.documentElement.scrollTop,
-    panels: element.shadowRoot?.querySelector('.panel')?.scrollTop,
+    panels: element.shadowRoot?.querySelector('.side')?.scrollTop,
   }))
 
 /** Where the vertices are on the screen, in the element and in the reference cube; the one chosen is drawn last. */
@@ -16,6 +16,9 @@ const places = (lens: Lens) =>
     const boxes = handles.map(handle => handle.getBoundingClientRect())
     return boxes.flatMap(({ x, y }) => [x, y]).sort((a, b) => a - b)
   })
+
+// Wide enough for the panels to scroll by themselves.
+test.use({ viewport: { width: 960, height: 640 } })
 
 test('a reload, and Back after another preset, return to the same place', async ({ lens, page }) => {
   await lens.open()
@@ -30,7 +33,7 @@ test('a reload, and Back after another preset, return to the same place', async 
   for (const name of ['Inside', 'Algorithm 1, step by step']) await lens.button(name).click()
   await page.getByRole('slider', { name: 'Section at ζ' }).fill('0.83')
   for (const _ of Array(9)) await lens.button('Forward').click()
-  await page.locator('hex-lens .panel').evaluate(panel => panel.scrollTo({ top: 777 }))
+  await page.locator('hex-lens .side').evaluate(side => side.scrollTo({ top: 777 }))
   await lens.nextFrame()
   const [state, scroll, picture, address] = [await stateOf(lens), await scrolls(lens), await places(lens), page.url()]
   expect(state).toMatchObject({

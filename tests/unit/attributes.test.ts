@@ -47,7 +47,7 @@ describe('the attribute vertices', () => {
 describe('the other attributes', () => {
   it('have a meaning where they are not there', () => {
     expect(readAttribute('views', null)).toEqual(['scene', 'verdict'])
-    expect(readAttribute('controls', null)).toEqual(['faces', 'reference', 'fit', 'help'])
+    expect(readAttribute('controls', null)).toEqual(['faces', 'reference', 'turn', 'fit', 'help'])
     expect(readAttribute('theme', null)).toBe('auto')
     expect([readAttribute('readonly', null), readAttribute('readonly', '')]).toEqual([false, true])
     for (const name of ['vertices', 'preset', 'camera', 'poster', 'label'] as const)

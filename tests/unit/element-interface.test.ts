@@ -41,11 +41,11 @@ describe('the table of the element’s interface', () => {
     const own = [...read('web/element/show.ts').matchAll(/place\('(\w+)'(?:, '(\w+)')?\)/g)].map(
       match => match[2] ?? match[1],
     )
-    expect(names('parts')).toEqual(expect.arrayContaining(own.filter(name => name !== 'frame')))
+    expect(names('parts')).toEqual(expect.arrayContaining(own))
   })
 
   it('has the slots and the custom properties of the style sheet', () => {
-    const styles = read('web/element/hex-lens.css')
+    const styles = read('web/element/hex-lens.css') + read('web/element/style-sheets.ts')
     const used = new Set([...styles.matchAll(/--hl-[\w-]+/g)].map(([name]) => name))
     used.delete('--hl-scheme') // follows the attribute theme
     expect(names('customProperties').sort()).toEqual([...used].sort())

@@ -40,6 +40,7 @@ const state: fc.Arbitrary<State> = fc.record({
   probe: fc.constantFrom(null, [0, 0, 1] as const),
   selectedFace: below(6),
   highlight: fc.constantFrom(null, { kind: 'edge', id: 3 } as const),
+  helpShown: fc.boolean(),
   previewedOrder: fc.constantFrom(null, [1, 0, 3, 2, 5, 4, 7, 6]),
   morphA: fc.option(vertices),
   morphB: fc.option(vertices),
@@ -67,8 +68,18 @@ describe('a state', () => {
       fc.property(state, cameras, (given, looked) => {
         const text = JSON.stringify(stateDocument(given, looked))
         expect(fits(JSON.parse(text)), JSON.stringify(fits.errors)).toBe(true)
-        const { gestureStart, probe, highlight, previewedOrder, isReadonly, controls, canUndo, canRedo, ...lasting } =
-          given
+        const {
+          gestureStart,
+          probe,
+          highlight,
+          previewedOrder,
+          helpShown,
+          isReadonly,
+          controls,
+          canUndo,
+          canRedo,
+          ...lasting
+        } = given
         const back = read(JSON.parse(text))
         expect(back).toEqual({ state: lasting, cameras: looked })
       }),
@@ -82,8 +93,18 @@ describe('a state', () => {
       more: 'of later',
       openPanels: ['later', 'morph', 'morph'],
     })
-    const { gestureStart, probe, highlight, previewedOrder, isReadonly, controls, canUndo, canRedo, ...fresh } =
-      createStore(unitCube, null).state
+    const {
+      gestureStart,
+      probe,
+      highlight,
+      previewedOrder,
+      helpShown,
+      isReadonly,
+      controls,
+      canUndo,
+      canRedo,
+      ...fresh
+    } = createStore(unitCube, null).state
     expect(state).toEqual({ ...fresh, openPanels: ['morph'] })
   })
 

@@ -78,7 +78,7 @@ lens.addEventListener('hex-change', () => {
   settle()
 })
 
-// With the focus nowhere, undo, redo and paste can only mean the element.
+// With the focus nowhere, undo, redo and paste can only mean the element. (A lone character must not mean anything there: WCAG 2.1.4.)
 addEventListener('keydown', event => {
   const step = event.target === document.body ? historyStep(event) : null
   if (step === null) return

@@ -6,8 +6,8 @@ import type { StateDocument } from '../model/state-document'
 
 export interface Place {
   readonly state: StateDocument
-  /** Pixels from the top: the page, and the panels where they scroll by themselves. */
-  readonly scroll: { readonly page: number; readonly panels: number }
+  /** Pixels from the top: of the page, and of what scrolls by itself beside the scene. */
+  readonly scroll: readonly number[]
 }
 
 const KEY = 'hexlens-places'

@@ -7,13 +7,11 @@ type Scroll = Place['scroll']
 const OF_THE_READER = ['wheel', 'touchstart', 'pointerdown', 'keydown'] as const
 
 export function scrollOf(lens: Lens): Scroll {
-  const [page, panels] = scrollers(lens).map(scroller => scroller?.scrollTop ?? 0) as [number, number]
-  return { page, panels }
+  return scrollers(lens).map(scroller => scroller?.scrollTop ?? 0)
 }
 
 /** Until everything is there that was on the page; what the reader does ends it. */
-export function scrollTo(lens: Lens, { page, panels }: Scroll): void {
-  const goals = [page, panels]
+export function scrollTo(lens: Lens, goals: Scroll): void {
   const ended = new AbortController()
   const { signal } = ended
   for (const type of OF_THE_READER)
@@ -22,7 +20,7 @@ export function scrollTo(lens: Lens, { page, panels }: Scroll): void {
   const step = () => {
     if (signal.aborted) return
     for (const [i, scroller] of scrollers(lens).entries()) {
-      if (scroller) scroller.scrollTop = goals[i] as number
+      if (scroller) scroller.scrollTop = goals[i] ?? 0
     }
     // What has just been drawn may ask for another frame when it learns its size.
     if (lens.complete && wasComplete) ended.abort()
@@ -33,5 +31,6 @@ export function scrollTo(lens: Lens, { page, panels }: Scroll): void {
 }
 
 function scrollers(lens: Lens): (Element | null)[] {
-  return [document.scrollingElement, lens.shadowRoot?.querySelector('.panel') ?? null]
+  const inside = ['.side', '.panel', '.folds'].map(place => lens.shadowRoot?.querySelector(place) ?? null)
+  return [document.scrollingElement, ...inside]
 }

@@ -14,7 +14,7 @@ import { encodePermalink } from '../model/permalink'
 import type { Action, Cameras, State } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore, type Store } from '../model/store'
-import type { Figure, FigureName, Offer, Problem, ViewHost } from '../views/view'
+import type { Figure, FigureName, Frame, Offer, Problem, ViewHost } from '../views/view'
 import { Answers } from './answers'
 import {
   type AttributeName,
@@ -30,8 +30,9 @@ import { fetchCore } from './fetch-core'
 import { HexLensError } from './hex-lens-error'
 import { listenForOffers } from './offers'
 import { type Part, parts } from './parts'
+import { Printing } from './printing'
 import { ReflectingElement } from './reflecting-element'
-import { historyStep } from './shortcuts'
+import { asksForHelp, historyStep } from './shortcuts'
 import { Show } from './show'
 
 /** What a reader hardly notices; a page that stays empty for longer looks broken. */
@@ -80,6 +81,7 @@ export class HexLens extends ReflectingElement {
   /** Whether there is more to draw than what waits for its turn. */
   #isNews = false
   #visibility: IntersectionObserver | null = null
+  #printing: Printing | null = null
   #isInView = false
   /** Pictures asked for, which are drawn although nobody sees them. */
   #picturesDue = 0
@@ -100,6 +102,7 @@ export class HexLens extends ReflectingElement {
   connectedCallback(): void {
     for (const name of EARLY) this.#adopt(name)
     this.#show.begin(this.#shownParts)
+    this.#printing = new Printing(this, () => this.#drawAtOnce())
     this.#visibility = new IntersectionObserver(entries => this.#onVisibility(entries))
     this.#visibility.observe(this)
     if (this.#answers.core === null) void this.#start()
@@ -111,6 +114,7 @@ export class HexLens extends ReflectingElement {
     cancelAnimationFrame(this.#frameRequest)
     this.#frameRequest = 0
     this.#visibility?.disconnect()
+    this.#printing?.dispose()
     this.#isInView = false
     this.#show.end()
     this.#offer = null
@@ -342,8 +346,13 @@ export class HexLens extends ReflectingElement {
     }
   }
 
+  get #isForPaper(): boolean {
+    return this.#printing?.isOn ?? false
+  }
+
+  /** Paper shows what is far down the page, too. */
   get #isSeen(): boolean {
-    return this.#isInView || this.#picturesDue > 0
+    return this.#isInView || this.#picturesDue > 0 || this.#isForPaper
   }
 
   #onVisibility(entries: readonly IntersectionObserverEntry[]): void {
@@ -369,9 +378,24 @@ export class HexLens extends ReflectingElement {
     this.#tellChanges(state)
   }
 
+  /** Before the pages are made: every view of it, in this very moment. */
+  #drawAtOnce(): void {
+    cancelAnimationFrame(this.#frameRequest)
+    do {
+      this.#isNews = true
+      this.#onFrame(Number.NaN) // no frame of the page that others might have a part in
+    } while (this.#isForPaper && this.#show.isUnmade)
+  }
+
   #draw(state: State, isNews: boolean, time: number): void {
-    const problems = [...this.#problems.values()]
-    const frame = { state, ...this.#answers.of(state), offer: this.#offer, cameras: this.#cameras, problems }
+    const frame: Frame = {
+      state,
+      ...this.#answers.of(state),
+      offer: this.#offer,
+      cameras: this.#cameras,
+      problems: [...this.#problems.values()],
+      isForPaper: this.#isForPaper,
+    }
     this.#show.draw(frame, isNews, time)
     this.#drawnCameras = frame.cameras
     if (this.#show.isWaiting) this.#request()
@@ -429,6 +453,10 @@ export class HexLens extends ReflectingElement {
   }
 
   #onKeyDown(event: KeyboardEvent): void {
+    if (asksForHelp(event)) {
+      event.preventDefault()
+      this.#dispatch({ type: 'show-help', helpShown: !this.#store.state.helpShown })
+    }
     const step = historyStep(event)
     const midEdit = this.#store.state.gestureStart !== null || (event.target as Element).matches('[aria-invalid]')
     if (step === null || midEdit || event.defaultPrevented) return

@@ -35,6 +35,7 @@ class Panel implements View {
     this.root.className = 'fold'
     this.root.setAttribute('aria-label', title)
     this.#button.type = 'button'
+    this.#button.className = 'on-paper'
     this.#button.textContent = title
     this.#button.setAttribute('aria-expanded', 'false')
     this.#button.setAttribute('aria-controls', `panel-${id}`)

@@ -13,7 +13,8 @@ import { panel } from './panel'
 export interface Part {
   /** In the attribute `views`, and as a CSS part. */
   readonly name: string
-  readonly place: 'head' | 'stage' | 'panel'
+  /** `folds` are what is closed at first; they follow the panel, or stand beside it where there is room. */
+  readonly place: 'head' | 'stage' | 'panel' | 'folds'
   readonly create: CreateView
   readonly styles: string
   /** Slow to make, a WebGL context for one: it comes a frame after the numbers. */
@@ -34,46 +35,46 @@ export const parts: readonly Part[] = [
   { name: 'vertices', place: 'panel', create: createVertices, styles: verticesStyles },
   {
     name: 'face-maps',
-    place: 'panel',
+    place: 'folds',
     create: panel('face-maps', 'Face maps', () => import('../views/face-maps/face-maps')),
     styles: '',
   },
   {
     name: 'algorithm',
-    place: 'panel',
+    place: 'folds',
     create: panel('algorithm', 'Algorithm 1, step by step', () => import('../views/algorithm/algorithm')),
     styles: '',
   },
   {
     name: 'inside',
-    place: 'panel',
+    place: 'folds',
     create: panel('inside', 'Inside', () => import('../views/inside-panel/inside-panel')),
     styles: '',
   },
   {
     name: 'node-order',
-    place: 'panel',
+    place: 'folds',
     create: panel('node-order', 'Node order', () => import('../views/node-order/node-order')),
     styles: '',
     changes: true,
   },
   {
     name: 'morph',
-    place: 'panel',
+    place: 'folds',
     create: panel('morph', 'Morph', () => import('../views/morph/morph')),
     styles: '',
     changes: true,
   },
   {
     name: 'paste',
-    place: 'panel',
+    place: 'folds',
     create: panel('paste', 'Paste or drop', () => import('../views/paste/paste')),
     styles: '',
     changes: true,
   },
   {
     name: 'take-away',
-    place: 'panel',
+    place: 'folds',
     create: panel('take-away', 'Take away', () => import('../views/take-away/take-away')),
     styles: '',
   },

@@ -8,6 +8,7 @@ import said from '../views/said.css?inline'
 import type { Figure, FigureName, Frame, View, ViewHost } from '../views/view'
 import css from './hex-lens.css?inline'
 import { type Part, parts } from './parts'
+import printing from './printing.css?inline'
 import { adoptStyles } from './style-sheets'
 import { Turns } from './turns'
 
@@ -18,7 +19,7 @@ export class Show {
   /** Around all that is the element's own. */
   readonly lens = place('lens')
   readonly #host: ViewHost
-  readonly #places = { head: place('head'), stage: place('stage'), panel: place('panel', 'panels') }
+  readonly #places = { head: place('head'), stage: place('stage'), panel: inner('panel'), folds: inner('folds') }
   /** The poster, and what stands between the tags, until there is something better. */
   readonly #before = place('before', 'fallback')
   readonly #poster = document.createElement('img')
@@ -29,16 +30,18 @@ export class Show {
 
   constructor(shadow: ShadowRoot, host: ViewHost) {
     this.#host = host
-    adoptStyles(shadow, [css, said, marks, ...parts.map(part => part.styles)])
-    const { head, stage, panel } = this.#places
-    const frame = place('frame')
+    adoptStyles(shadow, [css, said, marks, ...parts.map(part => part.styles), printing])
+    const { head, stage, panel, folds } = this.#places
+    const frame = inner('frame')
+    const side = place('side', 'panels')
     const caption = place('caption')
     this.#poster.alt = ''
     this.#poster.hidden = true
     this.#poster.part.add('poster')
     this.#before.append(this.#poster, document.createElement('slot'))
     caption.append(Object.assign(document.createElement('slot'), { name: 'caption' }))
-    this.lens.append(head, stage, panel)
+    side.append(panel, folds)
+    this.lens.append(head, stage, side)
     frame.append(this.lens, this.#before, caption)
     shadow.append(frame)
   }
@@ -46,6 +49,10 @@ export class Show {
   /** Whether everything is made and up to date. */
   get isComplete(): boolean {
     return this.#unmade.length === 0 && !this.#turns.isWaiting && !this.#views.some(view => view.isLoading)
+  }
+
+  get isUnmade(): boolean {
+    return this.#unmade.length > 0
   }
 
   /** Whether a frame is due although nothing is new. */
@@ -56,8 +63,12 @@ export class Show {
   begin(shown: readonly Part[]): void {
     this.end()
     this.#unmade = [shown.filter(part => !part.slow), shown.filter(part => part.slow)]
-    const panels = shown.filter(part => part.place === 'panel')
+    const panels = shown.filter(part => part.place === 'panel' || part.place === 'folds')
     this.lens.classList.toggle('has-panel', panels.length > 0)
+    this.lens.classList.toggle(
+      'has-folds',
+      panels.some(part => part.place === 'folds'),
+    )
     this.lens.classList.toggle('has-line', panels.length === 1 && panels[0]?.name === 'verdict')
     this.lens.classList.toggle(
       'has-stage',
@@ -127,9 +138,15 @@ export class Show {
   }
 }
 
+/** A box that pages may style as a part. */
 function place(name: string, part = name): HTMLElement {
+  const element = inner(name)
+  element.part.add(part)
+  return element
+}
+
+function inner(name: string): HTMLElement {
   const element = document.createElement('div')
   element.className = name
-  element.part.add(part)
   return element
 }

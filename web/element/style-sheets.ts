@@ -12,12 +12,19 @@ function sheetOf(styles: string): CSSStyleSheet {
   const known = sheets.get(styles)
   if (known) return known
   const sheet = new CSSStyleSheet()
-  sheet.replaceSync(inPixels(styles))
+  sheet.replaceSync(inOwnSize(styles))
   sheets.set(styles, sheet)
   return sheet
 }
 
-/** How large a page's own text is does not concern the element: 1rem here are 16 pixels. */
-function inPixels(styles: string): string {
-  return styles.replace(/(\d*\.?\d+)rem\b/g, (_, number) => `${16 * Number(number)}px`)
+const REM = /(\d*\.?\d+)rem\b/g
+
+/**
+ * How large a page's own text is does not concern the element, unless the page says so: 1rem here is `--hl-rem`, 16 pixels where nothing
+ * else is said. Conditions cannot have variables.
+ */
+function inOwnSize(styles: string): string {
+  return styles
+    .replace(/@[^{]+\{/g, condition => condition.replace(REM, (_, number) => `${16 * Number(number)}px`))
+    .replace(REM, 'calc($1 * var(--hl-rem, 16px))')
 }

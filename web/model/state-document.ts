@@ -34,7 +34,18 @@ export type StateResult =
   | { readonly ok: false; readonly error: StateError }
 
 export function stateDocument(state: State, { camera, referenceCamera }: Cameras): StateDocument {
-  const { gestureStart, probe, highlight, previewedOrder, isReadonly, controls, canUndo, canRedo, ...lasting } = state
+  const {
+    gestureStart,
+    probe,
+    highlight,
+    previewedOrder,
+    helpShown,
+    isReadonly,
+    controls,
+    canUndo,
+    canRedo,
+    ...lasting
+  } = state
   return {
     version: STATE_VERSION,
     ...lasting,

@@ -50,7 +50,7 @@ export interface Following {
 }
 
 /** Buttons of the scene that an author may leave out. */
-export const CONTROLS = ['faces', 'reference', 'fit', 'help'] as const
+export const CONTROLS = ['faces', 'reference', 'turn', 'fit', 'help'] as const
 export type Control = (typeof CONTROLS)[number]
 
 /** How a picture in space is looked at, whatever its size on the screen. */
@@ -100,6 +100,8 @@ export interface State {
   readonly morphB: Vertices | null
   readonly section: Section
   readonly following: Following
+  /** Whether the sheet of keys is on the screen. */
+  readonly helpShown: boolean
   /** Whether the reader may only look. */
   readonly isReadonly: boolean
   readonly controls: readonly Control[]
@@ -110,7 +112,15 @@ export interface State {
 /** What outlives the page: all but what is under way, pointed at or spoken of, the history, and what an author allows. */
 export type LastingState = Omit<
   State,
-  'gestureStart' | 'probe' | 'highlight' | 'previewedOrder' | 'isReadonly' | 'controls' | 'canUndo' | 'canRedo'
+  | 'gestureStart'
+  | 'probe'
+  | 'highlight'
+  | 'previewedOrder'
+  | 'helpShown'
+  | 'isReadonly'
+  | 'controls'
+  | 'canUndo'
+  | 'canRedo'
 >
 
 export type Action =
@@ -138,6 +148,7 @@ export type Action =
   | { readonly type: 'show-reference'; readonly referenceShown: boolean }
   | { readonly type: 'link-cameras'; readonly camerasLinked: boolean }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
+  | { readonly type: 'show-help'; readonly helpShown: boolean }
   | { readonly type: 'select-face'; readonly face: number }
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
   /** Looked at until the vertices change. */

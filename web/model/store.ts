@@ -72,6 +72,7 @@ export const SHOWN_FIRST: Shown = {
   morphB: null,
   section: { axis: 2, value: 0.5 },
   following: { query: 'minimum', variant: 'roots-b', step: 0 },
+  helpShown: false,
   isReadonly: false,
   controls: CONTROLS,
 }
@@ -216,6 +217,9 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
         break
       case 'link-cameras':
         shown = { ...shown, camerasLinked: action.camerasLinked }
+        break
+      case 'show-help':
+        shown = { ...shown, helpShown: action.helpShown }
         break
       case 'probe':
         if (action.point) checkInCube(action.point)

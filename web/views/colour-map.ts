@@ -60,6 +60,11 @@ export function rampPosition(scale: ColourScale, value: number): number {
   return Math.max(-1, Math.min(1, position))
 }
 
+/** The value that lies there: the inverse of rampPosition. */
+export function rampValue({ unit, negativeExtent, positiveExtent }: ColourScale, position: number): number {
+  return position * unit * (position < 0 ? negativeExtent : positiveExtent)
+}
+
 export function rampColour(ramp: Ramp, position: number): Rgb {
   const side = position < 0 ? ramp.negative : ramp.positive
   const along = Math.min(Math.abs(position), 1) * RAMP_STEPS

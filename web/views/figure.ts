@@ -41,7 +41,7 @@ function layerOf(part: Element, box: Box): PixelLayer | VectorLayer {
 }
 
 /** Now, while what was drawn on it is still there. */
-function copyOf(canvas: HTMLCanvasElement): HTMLCanvasElement {
+export function copyOf(canvas: HTMLCanvasElement): HTMLCanvasElement {
   const copy = document.createElement('canvas')
   copy.width = canvas.width
   copy.height = canvas.height

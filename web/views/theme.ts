@@ -29,7 +29,7 @@ export class ThemeReader {
 
   /** The same object as before while no colour has changed. */
   read(): Theme {
-    if (this.#isExpired) {
+    if (this.#isExpired || this.#attributes.takeRecords().length > 0) {
       this.#isExpired = false
       const theme = this.#compute()
       if (!sameTheme(theme, this.#theme)) this.#theme = theme

@@ -91,6 +91,8 @@ export interface Frame {
   /** Null unless its panel is open; while a gesture runs, the way as it was before. */
   readonly morph: Morph | null
   readonly problems: readonly Problem[]
+  /** Whether it is drawn to be printed: at once, in a layout of its own. */
+  readonly isForPaper: boolean
 }
 
 export interface View {

@@ -13,9 +13,10 @@ export interface ExactJacdet {
 
 export type IntegerVector = readonly [bigint, bigint, bigint]
 
+const bits = new DataView(new ArrayBuffer(8))
+
 /** integer * 2^exponent, exactly. */
 function integerOf(value: number): { integer: bigint; exponent: number } {
-  const bits = new DataView(new ArrayBuffer(8))
   bits.setFloat64(0, value)
   const word = bits.getBigUint64(0)
   const biased = Number((word >> 52n) & 0x7ffn)

@@ -85,13 +85,17 @@ function magnitude(value: bigint): bigint {
 /** p's pseudo-remainder by q: p times |leading(q)|^(degrees' difference + 1), a positive factor, less a multiple of q. */
 function pseudoRemainder(p: Polynomial, q: Polynomial): Polynomial {
   const lead = leading(q)
+  const size = magnitude(lead)
   let rest = p
   for (let steps = p.length - q.length + 1; steps > 0; steps--) {
-    const isReduced = rest.length === q.length + steps - 1
-    const factor = lead < 0n ? -leading(rest) : leading(rest)
-    const scaled = rest.map(a => a * magnitude(lead))
-    const shifted = isReduced ? [...Array<bigint>(steps - 1).fill(0n), ...q.map(a => a * factor)] : []
-    rest = sum(scaled, shifted, -1n)
+    if (rest.length === q.length + steps - 1) {
+      const factor = lead < 0n ? -leading(rest) : leading(rest)
+      // The leading coefficients cancel.
+      const lower = rest.slice(0, -1).map((a, i) => a * size - coefficient(q, i - steps + 1) * factor)
+      rest = polynomial(...lower)
+    } else {
+      rest = rest.map(a => a * size)
+    }
   }
   return rest
 }

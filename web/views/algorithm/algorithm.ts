@@ -101,14 +101,14 @@ class AlgorithmView implements View {
     return html`<p class="choices">
       <label>
         <span>Find</span>
-        <select @change=${(event: Event) => this.#choose({ query: chosen(event) as Query })}>
+        <select class="on-paper" @change=${(event: Event) => this.#choose({ query: chosen(event) as Query })}>
           <option value="minimum" ?selected=${query === 'minimum'}>the minimum</option>
           <option value="validity" ?selected=${query === 'validity'}>only whether it is valid</option>
         </select>
       </label>
       <label>
         <span>by</span>
-        <select @change=${(event: Event) => this.#choose({ variant: chosen(event) as Variant })}>
+        <select class="on-paper" @change=${(event: Event) => this.#choose({ variant: chosen(event) as Variant })}>
           <option value="roots-b" ?selected=${variant === 'roots-b'}>Roots+B</option>
           <option value="roots" ?selected=${variant === 'roots'}>Roots</option>
         </select>
@@ -128,7 +128,7 @@ class AlgorithmView implements View {
     return html`<li>
       <button
         type="button"
-        class="row"
+        class="row on-paper"
         tabindex=${isCurrent ? 0 : -1}
         aria-current=${isCurrent ? 'step' : nothing}
         @click=${() => this.#go(i)}
@@ -220,14 +220,14 @@ class AlgorithmView implements View {
     this.#go(to)
   }
 
-  /** In the list, which scrolls by itself and never the page; the focus goes along if it is there. */
+  /** In the list, which scrolls by itself; the focus goes along if it is there, and only then the page. */
   #showCurrent(): void {
     const list = this.root.querySelector('ol') as HTMLOListElement
     const row = list.children[this.#at] as HTMLElement
     const [top, bottom] = [row.offsetTop, row.offsetTop + row.offsetHeight]
     if (top < list.scrollTop) list.scrollTop = top
     else if (bottom > list.scrollTop + list.clientHeight) list.scrollTop = bottom - list.clientHeight
-    if (list.querySelector(':focus')) row.querySelector('button')?.focus({ preventScroll: true })
+    if (list.querySelector(':focus')) row.querySelector('button')?.focus()
   }
 }
 

@@ -64,7 +64,7 @@ function row(
   const agrees = passes === valid
   return html`<tr class=${agrees ? '' : 'is-wrong'}>
     <th scope="row"><span>${name}</span>${usedBy ? html` <span class="by">${usedBy}</span>` : ''}</th>
-    <td>${number}</td>
+    <td class=${value < 0 ? 'negative' : ''}>${number}</td>
     <td>
       ${passes ? 'passes it' : 'rejects it'}<span class="said">, ${agrees ? 'agrees' : 'wrong'}</span>
       <span class="mark" aria-hidden="true">${agrees ? '✓' : '✗'}</span>

@@ -36,7 +36,7 @@ export class FaceMap {
     this.#actions = actions
     const { name, vertices } = faces[face] as FaceTopology
     this.root.type = 'button'
-    this.root.className = 'face-map'
+    this.root.className = 'face-map on-paper'
     this.root.dataset.face = String(face)
     this.root.setAttribute('aria-label', `Face ${name}, vertices ${vertices.toSorted((a, b) => a - b).join(', ')}`)
     this.root.setAttribute('aria-describedby', describedBy)

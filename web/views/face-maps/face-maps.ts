@@ -31,7 +31,7 @@ const MOST_PIXEL_RATIO = 3
 const GESTURE_SIZE = 80
 
 const KEYS = 'Arrow keys move the point looked at over this face, Escape takes it away, Enter shows the face’s quartic.'
-const HINT = 'Point at a map to read jacdet there, or move over it with the arrow keys.'
+const HINT = 'Point at a map to read jacdet there, or use the arrow keys.'
 
 class FaceMapsView implements View {
   readonly root = document.createElement('div')
@@ -195,12 +195,13 @@ class FaceMapsView implements View {
     return true
   }
 
-  #drawNet({ state }: Frame, report: Report): void {
+  #drawNet({ state, isForPaper }: Frame, report: Report): void {
     const theme = this.#theme.read()
     const { probe, selectedFace, highlight, gestureStart, referenceCube } = state
     const isMoving = gestureStart !== null
     const cell = this.#cell
-    const sharp = Math.max(1, Math.round(cell * Math.min(devicePixelRatio, MOST_PIXEL_RATIO)))
+    const ratio = isForPaper ? MOST_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO)
+    const sharp = Math.max(1, Math.round(cell * ratio))
     const size = isMoving ? Math.min(sharp, GESTURE_SIZE) : sharp
     const shown = [report, theme, cell, size, probe, selectedFace, highlight, isMoving, referenceCube]
     if (!this.#isNew('net', ...shown)) return
@@ -231,7 +232,7 @@ class FaceMapsView implements View {
       ? html`<b class=${probe.jacdet < 0 ? 'negative' : ''}>J = ${value}</b>
           <span>${formatPoint(probe.point)}</span>
           <span>on ${onFaces.map(({ name }) => name).join(', ')}</span>`
-      : HINT
+      : html`<span class="off-paper">${HINT}</span>`
     render(words, this.#readout)
     const candidate = probe && report.candidates.find(({ point }) => point.every((x, axis) => x === probe.point[axis]))
     this.#tooltip.hidden = !candidate

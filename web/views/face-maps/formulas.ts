@@ -44,7 +44,8 @@ const minus = mathml`<mo lspace="0" rspace="0.25em">−</mo>`
 const equals = mathml`<mo lspace="0.15em" rspace="0.25em">=</mo>`
 const of = (name: string) => mathml`<mi>${name}</mi><mo stretchy="false">(</mo><mi>t</mi><mo stretchy="false">)</mo>`
 const squared = (base: Fragment) => mathml`<msup><mrow>${base}</mrow><mn>2</mn></msup>`
-const prime = (name: string) => mathml`<msup><mi>${name}</mi><mo>′</mo></msup>`
+// The sign is raised by itself; raised once more it would be a speck.
+const prime = (name: string) => mathml`<mrow><mi>${name}</mi><mo lspace="0" rspace="0">′</mo></mrow>`
 const zero = mathml`<mn>0</mn>`
 const f = mathml`<mi>f</mi><mo stretchy="false">(</mo><mi>s</mi><mo>,</mo><mi>t</mi><mo stretchy="false">)</mo>`
 const P = of('P')

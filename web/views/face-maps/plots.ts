@@ -77,6 +77,7 @@ export class Plots {
     }
     for (const plot of this.#plots) plot.point(t)
     const text = t === null ? '' : this.#valuesText(t)
+    this.#values.classList.toggle('off-paper', t === null)
     setText(this.#values, text || 'Point at a plot: the maps mark the least point of that row of the face.')
     this.#slider.setAttribute('aria-valuenow', String(t ?? 0))
     this.#slider.setAttribute('aria-valuetext', text || 'no t chosen')

@@ -135,7 +135,6 @@ export class SectionMap {
       y: px(Math.max(10, Math.min(side - 10, (1 - point[t]) * side))),
       'text-anchor': onRight ? 'end' : 'start',
     })
-    this.#label.classList.toggle('positive', least > 0)
     const shown = probe !== null && probe[axis] === value
     show(this.#cross, shown)
     if (shown) {

@@ -132,6 +132,7 @@ class MorphView implements View {
       <th scope="row">
         <button
           type="button"
+          class="on-paper"
           aria-label=${number > 0 ? `${name}, change ${number}` : name}
           aria-pressed=${tau === here}
           @click=${() => this.#jump(tau)}

@@ -10,9 +10,11 @@ import {
   type Ramp,
   rampColour,
   rampPosition,
+  rampValue,
 } from '../colour-map'
 import { approximation, lowerInside } from '../inside'
 import { px, set, setText, show, svg } from '../svg'
+import { TEXT_SIZE } from './unit'
 
 export interface ColourBarPicture {
   readonly state: State
@@ -26,6 +28,8 @@ export interface ColourBarPicture {
 }
 
 const THICKNESS = 14
+/** Thickness of what can be pointed at. */
+const LEAST_TARGET = 28
 const LABEL_HEIGHT = 15
 const LABEL_GAP = 10
 const CHARACTER_WIDTH = 7.4
@@ -67,15 +71,19 @@ export class ColourBar {
     zero: createTick('zero'),
     minimum: createTick('minimum'),
   }
+  /** What the pointer hits: the bar, and as much around it as a finger needs. */
+  readonly #target = svg('rect', { class: 'target' })
   readonly #probe = svg('g', { class: 'probe' }, svg('path', { class: 'halo' }), svg('path', { class: 'line' }))
   #ramp: Ramp | null = null
+  #shown: ColourBarPicture | null = null
   #layout = ''
 
-  /** `toggleUnits` is told which reference cube the reader asked for. */
-  constructor(toggleUnits: (referenceCube: ReferenceCube) => void) {
+  /** `toggleUnits` is told which reference cube the reader asked for, `look` which value is pointed at, or null. */
+  constructor(toggleUnits: (referenceCube: ReferenceCube) => void, look: (value: number | null) => void) {
     const id = `scene-ramp-${++bars}`
     this.root.className = 'scene-scale'
     this.#title.type = 'button'
+    this.#title.className = 'on-paper'
     this.#title.addEventListener('click', () => {
       toggleUnits(this.#title.dataset.cube === 'unit' ? 'biunit' : 'unit')
     })
@@ -88,11 +96,14 @@ export class ColourBar {
       this.#hatch,
     )
     for (const { line, label } of Object.values(this.#ticks)) this.#svg.append(line, label)
-    this.#svg.append(this.#probe)
+    this.#svg.append(this.#probe, this.#target)
+    this.#listen(look)
     this.root.append(this.#title, this.#svg)
   }
 
-  update({ state, report, probe, scale, ramp, upright, length }: ColourBarPicture): void {
+  update(picture: ColourBarPicture): void {
+    const { state, report, probe, scale, ramp, upright, length } = picture
+    this.#shown = picture
     // A collapsed element has no colours to explain.
     const hasColours = report !== null && (report.boundaryMinimum !== 0 || report.boundaryMaximum !== 0)
     this.root.hidden = !hasColours
@@ -100,8 +111,7 @@ export class ColourBar {
     this.#updateTitle(state.referenceCube)
     const { boundaryMaximum: maximum, exponent } = report
     const minimum = leastShown(report, state)
-    const bottom = minimum < 0 ? -1 : 0
-    const top = maximum > 0 || bottom === 0 ? 1 : 0
+    const [bottom, top] = endsOf(minimum, maximum)
     const fromTop = (value: number) => ((top - rampPosition(scale, value)) / (top - bottom)) * length
     this.#updateRamp(ramp, top, bottom, fromTop(0), upright, length)
     const format = (value: number) => formatJacdet(value, exponent, state.referenceCube)
@@ -111,6 +121,26 @@ export class ColourBar {
     set(this.#svg, {
       'aria-label': `Colours of jacdet: maximum ${format(maximum)}, zero, minimum ${format(minimum)}`,
     })
+  }
+
+  #listen(look: (value: number | null) => void): void {
+    const target = this.#target
+    const point = (event: PointerEvent) => look(this.#valueAt(event))
+    target.addEventListener('pointermove', point)
+    target.addEventListener('pointerdown', point)
+    target.addEventListener('pointerleave', event => {
+      if (event.pointerType !== 'touch') look(null)
+    })
+  }
+
+  #valueAt({ clientX, clientY }: PointerEvent): number | null {
+    if (!this.#shown) return null
+    const { state, report, scale, upright } = this.#shown
+    if (!report || !scale) return null
+    const { left, top: upper, width, height } = this.#bar.getBoundingClientRect()
+    const fromTop = upright ? (clientY - upper) / height : 1 - (clientX - left) / width
+    const [bottom, top] = endsOf(leastShown(report, state), report.boundaryMaximum)
+    return rampValue(scale, top - Math.max(0, Math.min(1, fromTop)) * (top - bottom))
   }
 
   #updateTitle(cube: ReferenceCube): void {
@@ -129,8 +159,20 @@ export class ColourBar {
     const box = upright
       ? { x: -ROOM.upright, y: -OVERHANG, width: ROOM.upright + width, height: height + 2 * OVERHANG }
       : { x: 0, y: 0, width, height: height + ROOM.lying }
-    set(this.#svg, { viewBox: `${box.x} ${box.y} ${box.width} ${box.height}`, width: box.width, height: box.height })
+    set(this.#svg, {
+      viewBox: `${box.x} ${box.y} ${box.width} ${box.height}`,
+      width: inText(box.width),
+      height: inText(box.height),
+    })
     set(this.#bar, { width, height })
+    const room = (LEAST_TARGET - THICKNESS) / 2
+    const [across, along] = upright ? ['x', 'y'] : ['y', 'x']
+    set(this.#target, {
+      [across]: -room,
+      [along]: 0,
+      width: upright ? LEAST_TARGET : width,
+      height: upright ? height : LEAST_TARGET,
+    })
     set(this.#gradient, upright ? { x1: 0, x2: 0, y1: 0, y2: 1 } : { x1: 1, x2: 0, y1: 0, y2: 0 })
     const steps = (top - bottom) * RAMP_STEPS
     this.#gradient.replaceChildren(
@@ -186,6 +228,17 @@ export class ColourBar {
       }
     }
   }
+}
+
+/** The ramp positions that the bar goes between: of signs that the element has. */
+function endsOf(minimum: number, maximum: number): readonly [number, number] {
+  const bottom = minimum < 0 ? -1 : 0
+  return [bottom, maximum > 0 || bottom === 0 ? 1 : 0]
+}
+
+/** A length that grows with the text beside it. */
+function inText(units: number): string {
+  return `${units / TEXT_SIZE}em`
 }
 
 /** A jacdet in the units of the report: what is too large or small for a double is at an end of the bar all the same. */

@@ -1,7 +1,7 @@
 /** The scene's few words and buttons: what the marks mean, how the faces are drawn, fit, help. */
 import type { Report } from '../../core/report'
 import { faces } from '../../model/hexahedron'
-import type { FaceDisplay, State } from '../../model/state'
+import { CONTROLS, type Control, type FaceDisplay, type State } from '../../model/state'
 import { candidateShapes } from '../candidate-shapes'
 import { svg } from '../svg'
 
@@ -10,15 +10,27 @@ export interface ControlActions {
   fit(): void
   toggleReference(): void
   showFaces(faceDisplay: FaceDisplay): void
+  /** In steps to the right and up. */
+  orbit(right: number, up: number): void
+  zoom(factor: number): void
 }
+
+/** One press at a time, for whom dragging and pinching are no way. */
+const TURNS: readonly (readonly [sign: string, name: string, act: (actions: ControlActions) => void])[] = [
+  ['←', 'Turn left', actions => actions.orbit(-1, 0)],
+  ['→', 'Turn right', actions => actions.orbit(1, 0)],
+  ['↑', 'Turn up', actions => actions.orbit(0, 1)],
+  ['↓', 'Turn down', actions => actions.orbit(0, -1)],
+  ['+', 'Zoom in', actions => actions.zoom(1.2)],
+  ['−', 'Zoom out', actions => actions.zoom(1 / 1.2)],
+]
 
 export class Controls {
   readonly root = document.createElement('div')
   readonly #faces = document.createElement('select')
-  readonly #help = document.createElement('button')
-  readonly #reference = document.createElement('button')
-  readonly #fit = document.createElement('button')
-  readonly #choice = document.createElement('span')
+  readonly #help: HTMLButtonElement
+  readonly #reference: HTMLButtonElement
+  readonly #buttons: Readonly<Record<Control, HTMLElement>>
   readonly #legend = document.createElement('p')
   readonly #kinds: Readonly<Record<'edge' | 'face', HTMLElement>> = {
     edge: legendEntry('edge', 'edge candidate'),
@@ -39,34 +51,37 @@ export class Controls {
       const { value } = this.#faces
       actions.showFaces(/^\d$/.test(value) ? Number(value) : (value as FaceDisplay))
     })
-    this.#fit.type = 'button'
-    this.#fit.textContent = 'Fit'
-    this.#fit.title = 'Bring the element into view (F)'
-    this.#fit.addEventListener('click', () => actions.fit())
-    this.#choice.className = 'choice'
-    this.#choice.append(this.#faces)
-    this.#help.type = 'button'
-    this.#help.textContent = 'Help'
-    this.#help.title = 'What keys and pointers do (?)'
-    this.#help.addEventListener('click', () => actions.toggleHelp())
-    this.showHelp(false)
-    this.#reference.type = 'button'
-    this.#reference.textContent = 'Reference cube'
-    this.#reference.title = 'The same colours in (ξ, η, ζ), beside the element (R)'
-    this.#reference.addEventListener('click', () => actions.toggleReference())
-    this.root.append(this.#legend, this.#choice, this.#reference, this.#fit, this.#help)
+    const fit = button('Fit', 'Bring the element into view (F)', () => actions.fit())
+    const turns = document.createElement('div')
+    turns.className = 'turns'
+    turns.id = 'scene-turns'
+    turns.hidden = true
+    turns.setAttribute('role', 'group')
+    turns.setAttribute('aria-label', 'Turn and zoom')
+    for (const [sign, name, act] of TURNS) {
+      const turn = button(sign, name, () => act(actions))
+      turn.setAttribute('aria-label', name)
+      turns.append(turn)
+    }
+    const turn = button('Turn', 'Turn and zoom by pressing buttons', () => {
+      turns.hidden = !turns.hidden
+      turn.setAttribute('aria-expanded', String(!turns.hidden))
+    })
+    turn.setAttribute('aria-expanded', 'false')
+    turn.setAttribute('aria-controls', turns.id)
+    const choice = document.createElement('span')
+    choice.className = 'choice'
+    choice.append(this.#faces)
+    this.#help = button('Help', 'What keys and pointers do (?)', () => actions.toggleHelp())
+    const beside = 'The same colours in (ξ, η, ζ), beside the element (R)'
+    this.#reference = button('Reference cube', beside, () => actions.toggleReference())
+    this.#buttons = { faces: choice, reference: this.#reference, turn, fit, help: this.#help }
+    this.root.append(this.#legend, turns, ...CONTROLS.map(control => this.#buttons[control]))
   }
 
-  /** Whether the help is on the screen. */
-  showHelp(shown: boolean): void {
-    this.#help.setAttribute('aria-expanded', String(shown))
-  }
-
-  update({ faceDisplay, referenceShown, controls }: State, report: Report | null): void {
-    this.#choice.hidden = !controls.includes('faces')
-    this.#reference.hidden = !controls.includes('reference')
-    this.#fit.hidden = !controls.includes('fit')
-    this.#help.hidden = !controls.includes('help')
+  update({ faceDisplay, referenceShown, helpShown, controls }: State, report: Report | null): void {
+    for (const control of CONTROLS) this.#buttons[control].hidden = !controls.includes(control)
+    this.#help.setAttribute('aria-expanded', String(helpShown))
     this.#reference.setAttribute('aria-pressed', String(referenceShown))
     const value = String(faceDisplay)
     if (this.#faces.value !== value) this.#faces.value = value
@@ -74,6 +89,15 @@ export class Controls {
       this.#kinds[kind].hidden = !report?.candidates.some(candidate => candidate.kind === kind)
     }
   }
+}
+
+function button(text: string, title: string, onClick: () => void): HTMLButtonElement {
+  const made = document.createElement('button')
+  made.type = 'button'
+  made.textContent = text
+  made.title = title
+  made.addEventListener('click', onClick)
+  return made
 }
 
 function option(value: string, text: string): HTMLOptionElement {

@@ -6,7 +6,7 @@ import type { Vertices } from '../../model/hexahedron'
 import type { CameraView, State } from '../../model/state'
 import type { ScreenPoint } from './camera'
 import { frameOf, type ViewFrame, verticesInView } from './view-frame'
-import type { Viewpoint } from './viewpoint'
+import type { Pose, Viewpoint } from './viewpoint'
 
 /** What may ask for another view since the last frame. */
 export interface Change {
@@ -25,6 +25,8 @@ export class Framing {
   readonly #viewpoint: Viewpoint
   #frame: ViewFrame = { centre: [0, 0, 0], size: 1 }
   #framed: { readonly preset: string | null; readonly start: Vertices } | null = null
+
+  #onScreen: { readonly pose: Pose; readonly frame: ViewFrame } | null = null
 
   constructor(viewpoint: Viewpoint) {
     this.#viewpoint = viewpoint
@@ -47,6 +49,20 @@ export class Framing {
       this.fit(state.vertices, another && !animated)
     else if (typed && !this.#isInView(state, 0)) this.fit(state.vertices, false)
     else if (resized) this.#lookAt(state.vertices, resized.camera)
+  }
+
+  /** Everything in view on paper. */
+  putOnPaper(vertices: Vertices): void {
+    this.#onScreen ??= { pose: this.#viewpoint.pose, frame: this.#frame }
+    this.fit(vertices, false)
+  }
+
+  /** What the reader had on the screen before. */
+  leavePaper(): void {
+    if (this.#onScreen === null) return
+    this.#frame = this.#onScreen.frame
+    this.#viewpoint.pose = this.#onScreen.pose
+    this.#onScreen = null
   }
 
   /** Everything in view: along the same line of sight, or in the default view. */

@@ -9,11 +9,10 @@ const HELP: readonly (readonly [string, string])[] = [
   ['Page Up, Page Down', 'move it along the third axis'],
   ['Shift, Alt', 'with these keys: ten times as far, a tenth'],
   ['Point at a face', 'or tap it, to read the Jacobian there'],
-  ['P', 'points at the minimizer, then at each candidate'],
-  ['C', 'copies all digits of the point that is pointed at. Pressing any other number copies that one'],
+  ['P', 'goes through the candidates; C copies the point'],
   ['Escape', 'takes back the move while a key or the pointer is held, else the point'],
   ['A, D, W, S', 'turn the view; plus and minus zoom, F fits, Home resets it'],
-  ['T, I', 'make faces see-through, show a section and what is inside; comma and full stop show one face at a time'],
+  ['T, I', 'make faces see-through, show what is inside; comma and dot show one face'],
   ['R, ?', 'show and hide the reference cube, this help'],
 ]
 
@@ -27,12 +26,8 @@ export class Help {
     for (const [keys, effect] of HELP) this.root.append(entry(keys, effect))
   }
 
-  get isShown(): boolean {
-    return !this.root.hidden
-  }
-
-  toggle(): void {
-    this.root.hidden = this.isShown
+  show(isShown: boolean): void {
+    this.root.hidden = !isShown
   }
 }
 

@@ -138,7 +138,6 @@ export class KeyboardInput {
     '-': () => this.#stage.zoom(1 / 1.2),
     f: () => this.#stage.fit(false),
     Home: () => this.#stage.fit(true),
-    '?': () => this.#stage.toggleHelp(),
     t: () => this.#show(this.#display === 'see-through' ? 'opaque' : 'see-through'),
     i: () => this.#show(this.#display === 'inside' ? 'opaque' : 'inside'),
     '.': () => this.#show(nextDisplay(this.#display, 1)),

@@ -1,4 +1,4 @@
-/** What goes where in the element's own part of the scene, in CSS pixels, by the room there is. */
+/** What goes where in the element's own part of the scene, in units, by the room there is. */
 import type { Insets } from './camera'
 import type { Box } from './label-place'
 import { readoutBox } from './readout'

@@ -112,7 +112,7 @@ export class Overlay {
   }
 
   /** Returns where the numbers are. */
-  #updateHandles({ handles, state, report }: OverlayPicture): Point[] {
+  #updateHandles({ handles, state, report, camera }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
     const ringed = [report?.minimizer, state.highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
     const texts = numberTexts(handles, state.previewedOrder)
@@ -126,8 +126,11 @@ export class Overlay {
       const length = Math.hypot(dx, dy)
       const [ux, uy] = length > 1 ? [dx / length, dy / length] : [0, -1]
       const distance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
-      const aside = distance + (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
-      set(number, { x: px(ux * aside), y: px(uy * distance) })
+      const half = (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
+      const x = ux * (distance + half)
+      // A long one stays in the picture.
+      const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
+      set(number, { x: px(inside), y: px(uy * distance) })
       group.classList.toggle('selected', v === state.selectedVertex)
       return { x: at.x + ux * distance, y: at.y + uy * distance }
     })

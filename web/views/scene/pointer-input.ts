@@ -107,7 +107,7 @@ export class PointerInput {
     const { element, camera, host } = this.#stage
     this.#commitKeys()
     const { vertices } = host.state()
-    const { x, y } = this.#place(event)
+    const { x, y } = this.#stage.placeOf(event)
     const position = vertexOf(vertices, vertex)
     const drag = new VertexDrag({
       camera,
@@ -134,7 +134,7 @@ export class PointerInput {
     }
     event.stopImmediatePropagation()
     if (event.pointerId !== grip.pointerId) return
-    const { x, y } = this.#place(event)
+    const { x, y } = this.#stage.placeOf(event)
     grip.nowX = x
     grip.nowY = y
     if (!grip.moving) {
@@ -201,7 +201,7 @@ export class PointerInput {
   }
 
   #pick(event: MouseEvent): number | null {
-    const at = this.#place(event)
+    const at = this.#stage.placeOf(event)
     const type = event instanceof PointerEvent ? event.pointerType : 'mouse'
     const handles = this.#stage.handles()
     if (handles.length !== VERTEX_COUNT) return null
@@ -213,10 +213,5 @@ export class PointerInput {
     if (vertex === this.#hovered) return
     this.#hovered = vertex
     this.#stage.showHover(vertex)
-  }
-
-  #place(event: MouseEvent): { x: number; y: number } {
-    const box = this.#stage.element.getBoundingClientRect()
-    return { x: event.clientX - box.left, y: event.clientY - box.top }
   }
 }

@@ -61,7 +61,7 @@ export class ProbeInput {
 
   readonly #onMove = (event: PointerEvent): void => {
     if (event.pointerType === 'touch' || event.buttons !== 0) return
-    const place = this.#place(event)
+    const place = this.#stage.placeOf(event)
     if (this.#frameDue) this.#next = place
     else this.#look(place)
   }
@@ -73,14 +73,14 @@ export class ProbeInput {
   readonly #onDown = (event: PointerEvent): void => {
     this.#next = null
     const alone = event.pointerType === 'touch' && event.isPrimary
-    this.#tap = alone ? { ...this.#place(event), pointerId: event.pointerId } : null
+    this.#tap = alone ? { ...this.#stage.placeOf(event), pointerId: event.pointerId } : null
   }
 
   readonly #onUp = (event: PointerEvent): void => {
     const tap = this.#tap
     this.#tap = null
     if (tap?.pointerId !== event.pointerId) return
-    const { x, y } = this.#place(event)
+    const { x, y } = this.#stage.placeOf(event)
     if (Math.hypot(x - tap.x, y - tap.y) < TAP_RADIUS) this.#point(this.#stage.pointAt(x, y))
   }
 
@@ -100,10 +100,5 @@ export class ProbeInput {
     const before = host.state()
     host.dispatch({ type: 'probe', point })
     this.#frameDue = host.state() !== before
-  }
-
-  #place(event: PointerEvent): Place {
-    const box = this.#stage.element.getBoundingClientRect()
-    return { x: event.clientX - box.left, y: event.clientY - box.top }
   }
 }

@@ -14,6 +14,7 @@ import { Overlay } from './overlay'
 import { PointerInput } from './pointer-input'
 import { ProbeInput } from './probe-input'
 import type { Stage } from './stage'
+import { placeIn } from './unit'
 import { frameOf, verticesInView } from './view-frame'
 import { Viewpoint } from './viewpoint'
 
@@ -31,7 +32,7 @@ const HELP =
   'Drag or the arrow keys turn it, plus and minus zoom, F fits. Point at a face, or tap it, and the same point is marked in space. P points at the minimizer, then at one candidate after another.'
 
 /** What it has in common with the element's own scene. */
-type Shared = Pick<Stage, 'probeNext' | 'toggleHelp' | 'toggleReference'> & { readonly host: ViewHost }
+type Shared = Pick<Stage, 'probeNext' | 'toggleReference'> & { readonly host: ViewHost }
 
 export class ReferenceCube implements Stage {
   readonly root = document.createElement('div')
@@ -47,6 +48,7 @@ export class ReferenceCube implements Stage {
   readonly #link = document.createElement('input')
   readonly #listening = new AbortController()
   #corners: readonly ScreenPoint[] = []
+  #unit = 1
   #left = 0
   #top = 0
   /** To be looked at so once it has a size; null is the default view. */
@@ -77,12 +79,13 @@ export class ReferenceCube implements Stage {
   }
 
   /** To the box that it is laid out in. */
-  resize(): void {
+  resize(unit: number): void {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.root
     const view = this.view()
-    this.#left = offsetLeft
-    this.#top = offsetTop
-    this.camera.resize(Math.max(offsetWidth, 1), Math.max(offsetHeight, 1), INSETS)
+    this.#unit = unit
+    this.#left = offsetLeft / unit
+    this.#top = offsetTop / unit
+    this.camera.resize(Math.max(offsetWidth, 1) / unit, Math.max(offsetHeight, 1) / unit, INSETS)
     this.#hasSize = true
     this.look(view)
   }
@@ -139,6 +142,10 @@ export class ReferenceCube implements Stage {
     return FRAME
   }
 
+  placeOf(event: MouseEvent) {
+    return placeIn(this.element, this.#unit, event)
+  }
+
   handles(): readonly ScreenPoint[] {
     return []
   }
@@ -171,10 +178,6 @@ export class ReferenceCube implements Stage {
 
   toggleReference(): void {
     this.#shared.toggleReference()
-  }
-
-  toggleHelp(): void {
-    this.#shared.toggleHelp()
   }
 
   #build(): void {

@@ -5,6 +5,7 @@
  * Dragged coordinates are rounded to the power of ten at or below one pixel's length. Keys: see help.ts; the digit on a
  * handle chooses that handle.
  */
+import { pointOfValue } from '../../core/point-of-value'
 import type { Candidate } from '../../core/report'
 import type { Vec3 } from '../../model/hexahedron'
 import type { Cameras, CameraView, State } from '../../model/state'
@@ -23,30 +24,27 @@ import { FlatPainter } from './flat-painter'
 import { Framing } from './framing'
 import { Help } from './help'
 import { KeyboardInput } from './keyboard-input'
-import { type Layout, layoutOf } from './layout'
 import { LinkedViews } from './linked-views'
 import { Overlay, type OverlayPicture } from './overlay'
+import { PaperCopy } from './paper-copy'
+import { pixelRatio, watchPixelRatio } from './pixel-ratio'
 import { PointerInput } from './pointer-input'
 import { nextCandidate, samePoint } from './probe-candidates'
 import { ProbeInput } from './probe-input'
 import { Readout, spokenProbe } from './readout'
 import { ReferenceCube } from './reference-cube'
+import { Room } from './room'
 import css from './scene.css?inline'
 import type { Stage } from './stage'
+import { placeIn } from './unit'
 import type { DragKeys } from './vertex-drag'
 import { type ViewFrame, verticesInView } from './view-frame'
 import { Viewpoint } from './viewpoint'
 
 export const sceneStyles = css
 
-/** More device pixels than this are not worth their time. */
-const MOST_PIXEL_RATIO = 2
-/** Of a figure: fine enough for paper, and no screen's, so that it is surely painted anew. */
-const FIGURE_PIXEL_RATIO = 3
 /** What belongs in a figure: not the controls, nor what is there for the pointer. */
 const FIGURE_PARTS = 'canvas, .scene-flat, .scene-overlay, .scene-scale > *'
-/** From this width on, in CSS pixels, the reference cube stands beside the element, else below it. */
-const BESIDE = 560
 
 const NO_WEBGL =
   'This browser gives no WebGL2, so the faces are coloured in coarse tiles. Everything else is as it should be, and the verdict holds.'
@@ -66,7 +64,9 @@ class Scene implements SceneView, Stage {
   framesDrawn = 0
 
   readonly #painter: FacePainter
+  readonly #paperCopy: PaperCopy | null
   readonly #pane = document.createElement('div')
+  readonly #room = new Room(this.root, this.#pane)
   readonly #overlay = new Overlay({ letters: ['x', 'y', 'z'], isFixed: false })
   readonly #readout = new Readout()
   readonly #said = document.createElement('p')
@@ -89,11 +89,6 @@ class Scene implements SceneView, Stage {
   /** Made when it is first shown. */
   #reference: ReferenceCube | null = null
   #sizeMayDiffer = true
-  #canvas = { width: 0, height: 0 }
-  /** Of the element's own part, as the camera knows it. */
-  #width = 0
-  #height = 0
-  #layout: Layout = layoutOf(0, 0)
   #handles: readonly ScreenPoint[] = []
   #shown: Frame | null = null
   /** What was last asked for, and done. */
@@ -110,11 +105,16 @@ class Scene implements SceneView, Stage {
     const context = { lost: () => this.#onContext(true), restored: () => this.#onContext(false) }
     const painter = createFacePainter(context)
     this.#painter = painter ?? new FlatPainter()
-    this.#colourBar = new ColourBar(referenceCube => host.dispatch({ type: 'show-reference-cube', referenceCube }))
+    this.#colourBar = new ColourBar(
+      referenceCube => host.dispatch({ type: 'show-reference-cube', referenceCube }),
+      value => this.#lookAtValue(value),
+    )
     this.#controls = new Controls({
       fit: () => this.fit(false),
-      toggleHelp: () => this.toggleHelp(),
+      toggleHelp: () => host.dispatch({ type: 'show-help', helpShown: !host.state().helpShown }),
       toggleReference: () => this.toggleReference(),
+      orbit: (right, up) => this.orbit(right, up),
+      zoom: factor => this.zoom(factor),
       showFaces: faceDisplay => host.dispatch({ type: 'show-faces', faceDisplay }),
     })
     this.#viewpoint = new Viewpoint(this.element, () => this.#onTurn(this.#viewpoint))
@@ -126,6 +126,8 @@ class Scene implements SceneView, Stage {
     this.#pointer = new PointerInput(this, () => this.#keyboard.commit())
     this.#probe = new ProbeInput(this)
     this.#listen()
+    const { root } = this.#painter
+    this.#paperCopy = root instanceof HTMLCanvasElement ? new PaperCopy(root) : null
     if (painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
     else host.clear('no-webgl')
     if (this.#painter.isLost) this.#onContext(true)
@@ -144,16 +146,22 @@ class Scene implements SceneView, Stage {
   }
 
   update(frame: Frame): void {
-    this.#name(frame.state)
-    const resized = this.#resize(frame.state)
-    if (this.#width === 0 || this.#height === 0) return
-    this.#readTheme()
+    const { state, isForPaper } = frame
+    this.#name(state)
     const before = this.#shown?.state ?? null
-    this.#framing.choose(frame.state, { before, resized, isDragged: this.#dragged })
+    const isOtherMedium = isForPaper !== (this.#shown?.isForPaper ?? false)
+    this.#sizeMayDiffer ||= isOtherMedium
+    const resized = this.#resize(state)
+    if (this.#room.isEmpty) return
+    this.#readTheme()
+    if (isForPaper) this.#framing.putOnPaper(state.vertices)
+    else if (isOtherMedium) this.#framing.leavePaper()
+    else this.#framing.choose(state, { before, resized, isDragged: this.#dragged })
     this.#look(frame)
-    this.#links.join(frame.state, before)
+    this.#links.join(state, before)
     this.#probe.update()
     this.#draw(frame)
+    this.#paperCopy?.update(isForPaper, this.framesDrawn)
     this.#sayProbe(frame)
     this.#shown = frame
     this.#dragged = this.#pointer.isDragging
@@ -192,6 +200,10 @@ class Scene implements SceneView, Stage {
     return this.#framing.frame
   }
 
+  placeOf(event: MouseEvent) {
+    return placeIn(this.element, this.#room.unit, event)
+  }
+
   handles(): readonly ScreenPoint[] {
     return this.movesVertices ? this.#handles : []
   }
@@ -215,6 +227,14 @@ class Scene implements SceneView, Stage {
     this.#reference?.letGo()
     this.#toSay = next
     this.host.dispatch({ type: 'probe', point: next.point })
+  }
+
+  #lookAtValue(value: number | null): void {
+    const report = this.#shown?.report
+    if (!report) return
+    this.#probe.letGo()
+    this.#reference?.letGo()
+    this.host.dispatch({ type: 'probe', point: value === null ? null : pointOfValue(report, value) })
   }
 
   toggleReference(): void {
@@ -243,11 +263,6 @@ class Scene implements SceneView, Stage {
     this.#viewpoint.zoom(factor)
   }
 
-  toggleHelp(): void {
-    this.#help.toggle()
-    this.#controls.showHelp(this.#help.isShown)
-  }
-
   #build(): void {
     this.root.className = 'scene'
     this.element.className = 'scene-stage'
@@ -257,7 +272,7 @@ class Scene implements SceneView, Stage {
     this.element.setAttribute('aria-describedby', this.#help.root.id)
     this.#overlay.root.append(this.#readout.root)
     this.element.append(this.#overlay.root)
-    this.#said.className = 'said'
+    this.#said.className = 'scene-said said'
     this.#said.setAttribute('aria-live', 'polite')
     this.#pane.className = 'scene-pane'
     this.#pane.append(this.element, this.#colourBar.root, this.#help.root, this.#controls.root, this.#said)
@@ -289,17 +304,7 @@ class Scene implements SceneView, Stage {
     this.element.addEventListener('keyup', event => this.#onKey(event), { signal })
     this.element.addEventListener('blur', () => this.#onBlur(), { signal })
     this.#resizes.observe(this.root)
-    this.#watchPixelRatio()
-  }
-
-  /** A media query for the present ratio, since there is no event for another one. */
-  #watchPixelRatio(): void {
-    const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
-    const onChange = () => {
-      this.#watchPixelRatio()
-      this.host.requestFrame()
-    }
-    query.addEventListener('change', onChange, { once: true, signal: this.#listening.signal })
+    watchPixelRatio(() => this.host.requestFrame(), signal)
   }
 
   #onKey(event: KeyboardEvent): void {
@@ -333,22 +338,14 @@ class Scene implements SceneView, Stage {
     const shownBefore = this.#shown?.state.referenceShown ?? false
     if (!this.#sizeMayDiffer && referenceShown === shownBefore) return null
     this.#sizeMayDiffer = false
-    const split = referenceShown ? (this.root.clientWidth >= BESIDE ? 'beside' : 'below') : 'none'
-    this.root.dataset.split = split
     if (referenceShown) this.#reference ??= this.#createReference()
     if (this.#reference) this.#reference.root.hidden = !referenceShown
-    this.#canvas = { width: this.root.clientWidth, height: this.root.clientHeight }
-    if (referenceShown) this.#reference?.resize()
-    const { offsetWidth: width, offsetHeight: height } = this.#pane
-    if (width === this.#width && height === this.#height) return null
-    const camera = this.#shown && this.#framing.seen(this.#shown.state.vertices)
-    this.#width = width
-    this.#height = height
-    this.#layout = layoutOf(width, height)
-    this.root.classList.toggle('narrow', this.#layout.isNarrow)
-    this.root.classList.toggle('low', this.#layout.isLow)
-    if (width > 0 && height > 0) this.camera.resize(width, height, this.#layout.insets)
-    return { camera }
+    const before = this.#shown && this.#framing.seen(this.#shown.state.vertices)
+    const isResized = this.#room.measure(referenceShown)
+    if (referenceShown) this.#reference?.resize(this.#room.unit)
+    const { own, layout } = this.#room
+    if (isResized && !this.#room.isEmpty) this.camera.resize(own.width, own.height, layout.insets)
+    return isResized ? { camera: before } : null
   }
 
   #readTheme(): void {
@@ -383,11 +380,12 @@ class Scene implements SceneView, Stage {
     if (this.#paint(frame, reference ? [own, reference.region] : [own], scale) || this.#differs(frame)) {
       this.#drawnDrag = this.#drag
       const picture = { state, report, frame: this.#framing.frame, camera, handles: this.#handles, drag: this.#drag }
-      this.#overlay.update({ ...picture, taken: this.#layout.taken })
+      this.#overlay.update({ ...picture, taken: this.#room.layout.taken })
       this.#controls.update(state, report)
+      this.#help.show(state.helpShown)
       reference?.update(frame)
     }
-    const { isNarrow, barLength: length } = this.#layout
+    const { isNarrow, barLength: length } = this.#room.layout
     this.#colourBar.update({ state, report, probe, scale, ramp, upright: !isNarrow, length })
     this.#overlay.updateProbe(probe, this.#framing.frame, camera)
     this.#readout.update(probe, state.referenceCube, isNarrow)
@@ -395,10 +393,14 @@ class Scene implements SceneView, Stage {
   }
 
   /** Whether there is another picture now; true where nobody can tell. */
-  #paint({ state, report, zeroSurface }: Frame, regions: readonly Region[], scale: ColourScale | null): boolean {
+  #paint(
+    { state, report, zeroSurface, isForPaper }: Frame,
+    regions: readonly Region[],
+    scale: ColourScale | null,
+  ): boolean {
     if (this.#contextLost) return true
     const painted = this.#painter.paint({
-      ...this.#canvas,
+      ...this.#room.whole,
       report,
       scale,
       ramp: this.#ramp as Ramp,
@@ -407,7 +409,7 @@ class Scene implements SceneView, Stage {
       section: state.section,
       zeroSurface,
       regions,
-      pixelRatio: this.#isForFigure ? FIGURE_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO),
+      pixelRatio: this.#room.unit * pixelRatio(this.#isForFigure || isForPaper),
     })
     if (painted) this.framesDrawn++
     this.root.dataset.frames = String(this.framesDrawn)

@@ -13,9 +13,11 @@ export interface Stage {
   /** Whether vertices are moved here; else arrow keys turn the view. */
   readonly movesVertices: boolean
   frame(): ViewFrame
+  /** Where a pointer is in it, in units (see unit.ts), as are all of its points. */
+  placeOf(event: MouseEvent): { readonly x: number; readonly y: number }
   /** Where the handles of the eight vertices are on the screen; none where they are not to be dragged. */
   handles(): readonly ScreenPoint[]
-  /** (xi, eta, zeta) of what is seen at a CSS pixel; null beside the element. */
+  /** (xi, eta, zeta) of what is seen there; null beside the element. */
   pointAt(x: number, y: number): Vec3 | null
   /** Points at the minimizer, or at the candidate after the one that is pointed at. */
   probeNext(): void
@@ -30,6 +32,4 @@ export interface Stage {
   zoom(factor: number): void
   /** Shows or hides the reference cube. */
   toggleReference(): void
-  /** Shows or hides what keys and pointers do. */
-  toggleHelp(): void
 }

@@ -13,6 +13,11 @@ const DECIMALS = 6
 const FAR = 1000
 const FITTED: CameraView = { direction: rounded(DEFAULT_DIRECTION), zoom: 1, pan: [0, 0, 0] }
 
+export interface Pose {
+  readonly position: Vector3
+  readonly target: Vector3
+}
+
 export class Viewpoint {
   readonly camera = new SceneCamera()
   readonly #orbit: OrbitControls
@@ -40,6 +45,17 @@ export class Viewpoint {
     const { position } = this.camera.three
     const distance = position.distanceTo(target)
     position.set(x, y, z).multiplyScalar(distance).add(target)
+    this.#orbit.update()
+  }
+
+  /** Where the camera is and what it turns about, to come back to. */
+  get pose(): Pose {
+    return { position: this.camera.three.position.clone(), target: this.#orbit.target.clone() }
+  }
+
+  set pose({ position, target }: Pose) {
+    this.camera.three.position.copy(position)
+    this.#orbit.target.copy(target)
     this.#orbit.update()
   }
 

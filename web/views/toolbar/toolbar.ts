@@ -31,7 +31,7 @@ class ToolbarView implements View {
       html`<span class="brand">Hexlens</span>
         <label class="preset">
           <span>Preset</span>
-          <select ?disabled=${state.isReadonly} @change=${this.#onPreset}>
+          <select class="on-paper" ?disabled=${state.isReadonly} @change=${this.#onPreset}>
             <option value="" hidden .selected=${shown === undefined}>Custom</option>
             ${presets.map(
               preset => html`<option value=${preset.id} .selected=${shown === preset}>${preset.title}</option>`,

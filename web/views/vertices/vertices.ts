@@ -34,6 +34,7 @@ const template = html`
           ${axisNames.map(
             (_, axis) => html`<td>
               <input
+                class="on-paper"
                 type="number"
                 step="any"
                 autocomplete="off"
