@@ -1,11 +1,12 @@
 // Sets everything up that building, serving and testing need: npm packages, make, emcc, the wasm; for tests also a C
-// compiler, a clang with libFuzzer, Python and Chromium. Each step is quick when there is nothing to do, and either
-// completes or leaves nothing behind. Plain Node without dependencies: it installs them.
+// compiler, a clang with libFuzzer, Python, Chromium and, on Linux, Firefox and WebKitGTK. Each step is quick when there is
+// nothing to do, and either completes or leaves nothing behind. Plain Node without dependencies: it installs them.
 
 import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
+import { findFirefox, findWebKitDriver, findXvfb, hasOtherBrowsers } from './browsers.mjs'
 import { findChromium } from './chromium.mjs'
 import { withLock } from './lock.mjs'
 import { executable, Failure, failedCommand, isScript, must, onPath, root, run, runMain } from './run.mjs'
@@ -26,6 +27,7 @@ const steps = [
   { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['test'] },
   { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'test'] },
   { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
+  { what: 'Firefox, WebKitGTK and a screen for them', isDone: otherBrowsers, run: installOtherBrowsers, for: ['test'] },
 ]
 
 /** Does what is missing for a purpose. `say` gets a line for each step with something to do. Throws a Failure. */
@@ -207,6 +209,33 @@ async function installChromium(say) {
   )
   if (await findChromium()) return
   throw new Failure(`Playwright's Chromium does not start here: it lacks libraries. ${installAdvice(['chromium'])}`)
+}
+
+/** Names where they are not Debian's. */
+const OTHER_BROWSERS = {
+  dnf: ['firefox', 'webkit2gtk4.1', 'xorg-x11-server-Xvfb'],
+  pacman: ['firefox', 'webkit2gtk-4.1', 'xorg-server-xvfb'],
+  apk: ['firefox-esr', 'webkit2gtk-4.1', 'xvfb'],
+}
+
+function otherBrowsers() {
+  return !hasOtherBrowsers || (findFirefox() && findWebKitDriver() && findXvfb())
+}
+
+async function installOtherBrowsers(say) {
+  const debian = [
+    ...(findFirefox() ? [] : [isDebian() ? 'firefox-esr' : 'firefox']),
+    ...(findWebKitDriver() ? [] : ['webkit2gtk-driver']),
+    ...(findXvfb() ? [] : ['xvfb']),
+  ]
+  const manager = packageManager()?.name
+  if (manager === 'apt-get') await installDebianPackages(say, 'Firefox and WebKitGTK for the browser tests', debian)
+  else {
+    const packages = OTHER_BROWSERS[manager] ?? ['Firefox', 'the WebKitWebDriver of WebKitGTK', 'Xvfb']
+    throw new Failure(
+      `Hexlens needs Firefox, WebKitWebDriver and Xvfb for the browser tests. ${installAdvice(packages)}`,
+    )
+  }
 }
 
 function isDebian() {
