@@ -7,6 +7,7 @@
 #include "filter.h"
 #include "hexlens.h"
 #include "map.h"
+#include "report.h"
 #include "subdivision.h"
 #include "topology.h"
 #include "volume.h"
@@ -163,12 +164,11 @@ static int exponent_left(hl_report *report, int exponent) {
   return 0;
 }
 
-/* What doubles decide and know the minimum of as well. */
-static hl_verdict accurate_verdict(const hl_report *report, double permanent) {
-  if (greatest_magnitude(report->bernstein, HL_BERNSTEIN) < LEAST_PART_OF_PERMANENT * permanent) return HL_UNDECIDED;
-  hl_verdict verdict = filtered_verdict(report->bernstein);
+hl_verdict accurate_verdict(const double bernstein[27], double permanent, double minimum) {
+  if (greatest_magnitude(bernstein, HL_BERNSTEIN) < LEAST_PART_OF_PERMANENT * permanent) return HL_UNDECIDED;
+  hl_verdict verdict = filtered_verdict(bernstein);
   /* A computed minimum that contradicts a certain verdict has lost its sign: exact arithmetic gives both. */
-  return verdict == HL_VALID && !(report->minimizer.value > 0) ? HL_UNDECIDED : verdict;
+  return verdict == HL_VALID && !(minimum > 0) ? HL_UNDECIDED : verdict;
 }
 
 /* What the coefficients on the boundary and all of them are off by at most, and the exponent of them all. */
@@ -221,7 +221,7 @@ hl_status hl_analyze(const double vertices[24], hl_report *report) {
                         .exponent = jacdet_exponent(&edges)};
   jacdet_bernstein(&edges, report->bernstein);
   find_candidates(vertices, report);
-  report->verdict = accurate_verdict(report, permanent);
+  report->verdict = accurate_verdict(report->bernstein, permanent, report->minimizer.value);
   complete_report(vertices, &edges, computed, report);
   return HL_OK;
 }

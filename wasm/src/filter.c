@@ -69,6 +69,39 @@ static bool face_is_positive(const double beta[9]) {
   return parabolas_are_positive(&c, error, MAX_HALVINGS);
 }
 
+/* In parts of the largest coefficient or its square: far above every rounding error, far below what matters, (B2). */
+#define CLEARANCE 0x1p-34
+#define SKIP_HALVINGS 3
+
+static void exchange_s_and_t(const double beta[9], double out[9]) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) out[3 * i + j] = beta[3 * j + i];
+}
+
+static certificate certificate_above(const double beta[9], double bound) {
+  parabolas f;
+  certificate c;
+  double above[9];
+  for (int i = 0; i < HL_FACE_BERNSTEIN; ++i) above[i] = beta[i] - bound;
+  parabolas_in_s(above, &f);
+  for (int j = 0; j < 3; ++j) {
+    c.b[j] = f.b[j];
+    c.n[j] = f.n[j];
+  }
+  quarter_discriminant(&f, c.d);
+  return c;
+}
+
+bool face_is_above(const double beta[9], double bound) {
+  double size = greatest_magnitude(beta, HL_FACE_BERNSTEIN), exchanged[9];
+  if (size < greatest_magnitude(&bound, 1)) size = greatest_magnitude(&bound, 1);
+  certificate_error error = {.b = CLEARANCE * size, .d = CLEARANCE * size * size};
+  exchange_s_and_t(beta, exchanged);
+  certificate in_s = certificate_above(beta, bound), in_t = certificate_above(exchanged, bound);
+  return parabolas_are_positive(&in_s, error, 0) || parabolas_are_positive(&in_t, error, 0) ||
+      parabolas_are_positive(&in_s, error, SKIP_HALVINGS) || parabolas_are_positive(&in_t, error, SKIP_HALVINGS);
+}
+
 static bool has_negative_candidate(const double beta[9]) {
   face_solution solution;
   find_kept_roots(beta, &solution);
