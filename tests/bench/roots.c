@@ -72,8 +72,9 @@ static inline void search_edge(const double samples[27], int axis, int m, int n,
   const double *q = samples + start_of(axis, m, n);
   double q0 = q[0], qm = q[strides[axis]], q1 = q[2 * strides[axis]];
   double d2 = 2 * (q0 + q1) - 4 * qm, d1 = 4 * qm - 3 * q0 - q1;
-  if (!((d1 < 0) & (2 * d2 > -d1))) return; /* d2 > 0 and 0 < r < 1, without a division */
+  if (!(d2 > 0)) return;
   double r = -d1 / (2 * d2);
+  if (!(r > 0 && r < 1)) return;
   double value = (d2 * r + d1) * r + q0;
   take(found, value, axis == 0 ? r : m, axis == 1 ? r : axis == 0 ? m : n, axis == 2 ? r : n);
 }

@@ -16,8 +16,7 @@ typedef struct block {
   const double *hexahedra;
   int count;
   uint8_t verdicts[HL_BLOCK];
-  double minima[HL_BLOCK], minimizers[3 * HL_BLOCK], corner_minima[HL_BLOCK];
-  int16_t exponents[HL_BLOCK];
+  double undecided[HL_BLOCK * HL_COORDINATES];
   lane_minima lanes;
 } block;
 
@@ -47,18 +46,47 @@ static int fill_block(const hl_cells *cells, size_t first, int count, block *b) 
   return count;
 }
 
-/* Each of the two returns how many cells have finite coordinates, up to the first that has not. */
+/* The coefficients that the lanes have computed. */
+static void bernstein_from_lanes(const lane_kernels *kernels, const lane_minima *lanes, int c, double bernstein[27]) {
+  const int width = kernels->width, lane = c % width;
+  const double *of_group = lanes->bernstein + 27 * (c - lane) + lane;
+  for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = of_group[i * width];
+}
 
+/* hl_decide, from what the lanes know in doubles. Returns false if the coordinates are not finite. */
+static bool decide_cell(const lane_kernels *kernels, const lane_minima *lanes, int c, const double *vertices,
+                        uint8_t *verdict) {
+  hl_verdict found = HL_INVALID;
+  if (!kernels || !(lanes->state[c] & LANE_USABLE)) {
+    if (hl_decide(vertices, &found) != HL_OK) return false;
+  } else if (lanes->state[c] & LANE_VALID) {
+    found = HL_VALID;
+  } else if (!(lanes->state[c] & LANE_INVALID)) {
+    double bernstein[27];
+    bernstein_from_lanes(kernels, lanes, c, bernstein);
+    found = filtered_verdict(bernstein);
+  }
+  *verdict = (uint8_t)found;
+  return true;
+}
+
+/* Each of the two below returns how many cells have finite coordinates, up to the first that has not. */
+
+/* In floats, then those that are open together in doubles, then one by one. */
 static int decide_block(const lane_kernels *kernels, block *b, batch_stages *stages) {
+  int open[HL_BLOCK], open_count = 0;
   memset(b->verdicts, HL_UNDECIDED, HL_BLOCK);
   if (kernels) kernels->decide(b->hexahedra, b->count, b->verdicts);
-  for (int c = 0; c < b->count; ++c) {
-    if (b->verdicts[c] != HL_UNDECIDED) continue;
-    hl_verdict verdict;
-    if (hl_decide(b->hexahedra + 24 * c, &verdict) != HL_OK) return c;
-    b->verdicts[c] = (uint8_t)verdict;
-    ++stages->after_lanes;
+  for (int c = 0; c < b->count; ++c)
+    if (b->verdicts[c] == HL_UNDECIDED) open[open_count++] = c;
+  stages->after_lanes += (size_t)open_count;
+  if (kernels && open_count > 0) {
+    for (int i = 0; i < open_count; ++i)
+      memcpy(b->undecided + 24 * i, b->hexahedra + 24 * open[i], HL_COORDINATES * sizeof(double));
+    kernels->corners(b->undecided, open_count, &b->lanes);
   }
+  for (int i = 0; i < open_count; ++i)
+    if (!decide_cell(kernels, &b->lanes, i, b->hexahedra + 24 * open[i], b->verdicts + open[i])) return open[i];
   return b->count;
 }
 
@@ -69,19 +97,40 @@ static hl_candidate first_least_vertex(const double bernstein[27]) {
   return vertex_candidate(bernstein, least);
 }
 
+/* The middles of edges 0 to 11, then of faces 0 to 5. */
+static const unsigned char middles[HL_EDGES + HL_FACES] = {9, 21, 15, 3, 11, 23, 17, 5, 1, 19, 7, 25, 4, 22, 10, 16, 12, 14};
+
+enum { EDGE_BITS = (1 << HL_EDGES) - 1 };
+
+/* Those that lie on a face, as bits of their place in the list. */
+static const uint32_t face_bits[HL_FACES] = {0x01588, 0x02a22, 0x04311, 0x08c44, 0x1000f, 0x200f0};
+
+static uint32_t middles_below(const double bernstein[27], double bound) {
+  uint32_t bits = 0;
+  for (int m = 0; m < HL_EDGES + HL_FACES; ++m) bits |= (uint32_t)(bernstein[middles[m]] < bound) << m;
+  return bits;
+}
+
+static double least_of_face(const double beta[9]) {
+  double least = beta[0];
+  for (int i = 1; i < HL_FACE_BERNSTEIN; ++i) least = smaller(least, beta[i]);
+  return least;
+}
+
 /* The candidate of hl_boundary_minimum given the least vertex: passed over is only what cannot be lower, (B1) and (B2). */
 static hl_candidate least_from(hl_candidate least, const double bernstein[27]) {
-  for (int e = 0; e < HL_EDGES; ++e) {
+  const uint32_t below = middles_below(bernstein, least.value);
+  for (uint32_t bits = below & EDGE_BITS; bits; bits &= bits - 1) {
+    const int edge = __builtin_ctz(bits);
     hl_candidate candidate;
-    if (bernstein[vertex_index(edge_table[e].from) + axis_stride[edge_table[e].axis]] >= least.value) continue;
-    if (edge_candidate(bernstein, e, &candidate) && candidate.value < least.value) least = candidate;
+    if (bernstein[middles[edge]] >= least.value) continue;
+    if (edge_candidate(bernstein, edge, &candidate) && candidate.value < least.value) least = candidate;
   }
   for (int f = 0; f < HL_FACES; ++f) {
-    double beta[HL_FACE_BERNSTEIN], bound;
+    if (!(below & face_bits[f])) continue;
+    double beta[HL_FACE_BERNSTEIN];
     face_bernstein(bernstein, f, beta);
-    bound = beta[0];
-    for (int i = 1; i < HL_FACE_BERNSTEIN; ++i) bound = smaller(bound, beta[i]);
-    if (bound >= least.value || face_is_above(beta, least.value)) continue;
+    if (least_of_face(beta) >= least.value || face_is_above(beta, least.value)) continue;
     face_solution solution;
     find_kept_roots(beta, &solution);
     for (int r = 0; r < solution.root_count; ++r)
@@ -90,70 +139,66 @@ static hl_candidate least_from(hl_candidate least, const double bernstein[27]) {
   return least;
 }
 
-static void keep_minimum(block *b, int c, const hl_candidate *least, double corner, int exponent) {
-  double values[2] = {least->value, corner};
-  b->exponents[c] = (int16_t)scaled_back(values, 2, exponent);
-  b->minima[c] = values[0];
-  b->corner_minima[c] = values[1];
-  for (int axis = 0; axis < 3; ++axis) b->minimizers[3 * c + axis] = least->point[axis];
+static void put_minimizer(hl_batch *batch, size_t cell, const double point[3]) {
+  for (int axis = 0; axis < 3; ++axis) batch->minimizers[3 * cell + (size_t)axis] = point[axis];
 }
 
 /* From the coordinates alone. Returns false if they are not finite. */
-static bool minimum_alone(block *b, int c) {
-  const double *vertices = b->hexahedra + 24 * c;
+static bool minimum_alone(const double *vertices, uint8_t *verdict, hl_batch *batch, size_t cell) {
   if (!all_finite(vertices, HL_COORDINATES)) return false;
   edge_vectors edges;
   double bernstein[27];
   scaled_edge_vectors(vertices, &edges);
   jacdet_bernstein(&edges, bernstein);
   hl_candidate vertex = first_least_vertex(bernstein), least = least_from(vertex, bernstein);
-  b->verdicts[c] = (uint8_t)accurate_verdict(bernstein, greatest_permanent(&edges), least.value);
-  keep_minimum(b, c, &least, vertex.value, jacdet_exponent(&edges));
+  *verdict = (uint8_t)accurate_verdict(bernstein, greatest_permanent(&edges), least.value);
+  double values[2] = {least.value, vertex.value};
+  batch->exponents[cell] = (int16_t)scaled_back(values, 2, jacdet_exponent(&edges));
+  batch->minima[cell] = values[0];
+  batch->corner_minima[cell] = values[1];
+  put_minimizer(batch, cell, least.point);
   return true;
 }
 
-/* From the lanes, as far as they got. */
-static bool minimum_from_lanes(const lane_kernels *kernels, block *b, int c, batch_stages *stages) {
+/* From the coefficients in scaled units, as accurate ones. Returns false where a value is too small for the doubles. */
+static bool minimum_in_unit(const double bernstein[27], double unit, uint8_t *verdict, hl_batch *batch, size_t cell) {
+  hl_candidate vertex = first_least_vertex(bernstein), least = least_from(vertex, bernstein);
+  hl_verdict found = filtered_verdict(bernstein);
+  *verdict = (uint8_t)(found == HL_VALID && !(least.value > 0) ? HL_UNDECIDED : found);
+  batch->exponents[cell] = 0;
+  batch->minima[cell] = least.value * unit;
+  batch->corner_minima[cell] = vertex.value * unit;
+  put_minimizer(batch, cell, least.point);
+  return is_normal_after_scaling(batch->minima[cell], 0) && is_normal_after_scaling(batch->corner_minima[cell], 0);
+}
+
+/* In doubles side by side, then one by one. */
+static int minima_of_block(const lane_kernels *kernels, block *b, size_t first, hl_batch *batch, batch_stages *stages) {
   const lane_minima *lanes = &b->lanes;
-  const int state = lanes->state[c], vertex = lanes->vertex[c];
-  const bool is_clear = (state & LANE_USABLE) && (state & LANE_ACCURATE) && (state & (LANE_VALID | LANE_INVALID));
-  if (!is_clear) {
-    ++stages->after_lanes;
-    return minimum_alone(b, c);
-  }
-  const double corner = lanes->least[c], unit = lanes->unit[c];
-  double minimum = corner;
-  const unsigned char *reference = vertex_reference[vertex];
-  double *minimizer = b->minimizers + 3 * c;
-  for (int axis = 0; axis < 3; ++axis) minimizer[axis] = reference[axis];
-  if (state & LANE_LOWER) {
-    double bernstein[27];
-    const double *of_group = lanes->bernstein + 27 * (c - c % kernels->width) + c % kernels->width;
-    for (int i = 0; i < 27; ++i) bernstein[i] = of_group[i * kernels->width];
-    hl_candidate least = least_from(vertex_candidate(bernstein, vertex), bernstein);
-    minimum = least.value;
-    for (int axis = 0; axis < 3; ++axis) minimizer[axis] = least.point[axis];
-    ++stages->after_lanes;
-  }
-  if (state & LANE_VALID && !(minimum > 0)) return minimum_alone(b, c);
-  b->verdicts[c] = state & LANE_INVALID ? HL_INVALID : HL_VALID;
-  b->minima[c] = minimum * unit;
-  b->corner_minima[c] = corner * unit;
-  b->exponents[c] = 0;
-  /* The rare value that is too small for the doubles goes with its exponent. */
-  if (!is_normal_after_scaling(b->minima[c], 0) || !is_normal_after_scaling(b->corner_minima[c], 0))
-    return minimum_alone(b, c);
-  return true;
-}
-
-static int minima_of_block(const lane_kernels *kernels, block *b, batch_stages *stages) {
   if (kernels) kernels->corners(b->hexahedra, b->count, &b->lanes);
-  for (int c = 0; c < b->count; ++c)
-    if (!(kernels ? minimum_from_lanes(kernels, b, c, stages) : minimum_alone(b, c))) return c;
+  for (int c = 0; c < b->count; ++c) {
+    const size_t cell = first + (size_t)c;
+    const int state = kernels ? lanes->state[c] : 0;
+    if (state & LANE_SETTLED) {
+      const unsigned char *reference = vertex_reference[lanes->vertex[c]];
+      b->verdicts[c] = state & LANE_VALID ? HL_VALID : HL_INVALID;
+      batch->minima[cell] = batch->corner_minima[cell] = lanes->least[c];
+      batch->exponents[cell] = 0;
+      put_minimizer(batch, cell, (double[3]){reference[0], reference[1], reference[2]});
+      continue;
+    }
+    ++stages->after_lanes;
+    if ((state & LANE_USABLE) && (state & LANE_ACCURATE)) {
+      double bernstein[27];
+      bernstein_from_lanes(kernels, lanes, c, bernstein);
+      if (minimum_in_unit(bernstein, lanes->unit[c], b->verdicts + c, batch, cell)) continue;
+    }
+    if (!minimum_alone(b->hexahedra + 24 * c, b->verdicts + c, batch, cell)) return c;
+  }
   return b->count;
 }
 
-/* Hands on and counts the first `count` cells of a block. */
+/* Hands on and counts the first `count` verdicts of a block. */
 static void hand_on(const block *b, size_t first, int count, hl_batch *batch, batch_stages *stages) {
   size_t counts[3] = {0};
   for (int c = 0; c < count; ++c) ++counts[b->verdicts[c]];
@@ -162,11 +207,6 @@ static void hand_on(const block *b, size_t first, int count, hl_batch *batch, ba
   batch->invalid += counts[HL_INVALID];
   stages->after_doubles += counts[HL_UNDECIDED];
   memcpy(batch->verdicts + first, b->verdicts, (size_t)count);
-  if (!batch->minima) return;
-  memcpy(batch->minima + first, b->minima, (size_t)count * sizeof(double));
-  memcpy(batch->minimizers + 3 * first, b->minimizers, 3 * (size_t)count * sizeof(double));
-  memcpy(batch->corner_minima + first, b->corner_minima, (size_t)count * sizeof(double));
-  memcpy(batch->exponents + first, b->exponents, (size_t)count * sizeof(int16_t));
 }
 
 hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_batch *batch, batch_stages *stages) {
@@ -180,12 +220,13 @@ hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_b
   if (length % per_cell != 0 || cells->coordinate_count % 3 != 0) return HL_INCOMPLETE;
   block b;
   memset(b.copied, 0, sizeof b.copied);
+  memset(b.undecided, 0, sizeof b.undecided);
   for (size_t first = 0; first < count; first += HL_BLOCK) {
     const int wanted = count - first < HL_BLOCK ? (int)(count - first) : HL_BLOCK;
     b.count = fill_block(cells, first, wanted, &b);
     const int with_points = b.count;
-    const int finite =
-        batch->minima ? minima_of_block(kernels, &b, stages) : decide_block(kernels, &b, stages);
+    const int finite = batch->minima ? minima_of_block(kernels, &b, first, batch, stages)
+                                     : decide_block(kernels, &b, stages);
     hand_on(&b, first, finite, batch, stages);
     if (finite == wanted) continue;
     batch->first_bad_cell = first + (size_t)finite;

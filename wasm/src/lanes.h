@@ -4,7 +4,7 @@
 #define HL_LANES_H
 
 /* Elements that a kernel is given at once; memory for all of them must be readable, however few of them count. */
-enum { HL_BLOCK = 64 };
+enum { HL_BLOCK = 128 };
 
 /* What is known of one element, bit by bit. */
 enum {
@@ -12,16 +12,17 @@ enum {
   LANE_LOWER = 2,  /* a coefficient of an edge or a face is below the least corner */
   LANE_VALID = 4,
   LANE_INVALID = 8,
-  LANE_ACCURATE = 16 /* the largest coefficient is not small beside the permanents, (M2) */
+  LANE_ACCURATE = 16, /* the largest coefficient is not small beside the permanents, (M2) */
+  LANE_SETTLED = 32   /* all of it: the least corner is the minimum, a normal double or zero, and the verdict is certain */
 };
 
 typedef struct lane_minima {
   unsigned char state[HL_BLOCK];
-  unsigned char vertex[HL_BLOCK]; /* of the least corner, the first of equals */
-  _Alignas(64) double least[HL_BLOCK];         /* its jacdet in scaled units */
-  _Alignas(64) double unit[HL_BLOCK];          /* a power of two: jacdet is the number in scaled units times this */
-  /* Of element e, coefficient i is at [e / width][i][e % width]; only where its group has a LANE_LOWER or lacks a certain
-     verdict. The cube's centre is not computed. */
+  unsigned char vertex[HL_BLOCK];      /* of the least corner, the first of equals */
+  _Alignas(64) double least[HL_BLOCK]; /* its jacdet */
+  _Alignas(64) double unit[HL_BLOCK];  /* a power of two: jacdet is the number in scaled units times this */
+  /* In scaled units: of element e, coefficient i is at [e / width][i][e % width]; only where its group has an element that is
+     not settled. The cube's centre is not computed. */
   _Alignas(64) double bernstein[27 * HL_BLOCK];
 } lane_minima;
 

@@ -4,6 +4,8 @@
 #include "lanes_vector.h"
 #include "topology.h"
 
+#include <float.h>
+
 /* Of floats, in u_f prod X_r with u_f = 2^-24 and X_r the largest coordinate on axis r relative to vertex 0: (L1). Twice the
    error, so that what is above or below it is beyond the scalar code's bounds as well. */
 #define FLOAT_ERROR (8 * 640 * 0x1p-24f)
@@ -110,8 +112,8 @@ static void decide_block(const double *hexahedra, int count, unsigned char *verd
    and which lanes it holds for. */
 static inline double_bits scale_edges(double_edges *e, doubles *unit, doubles *permanent) {
   double_bits usable = ~(double_bits){0};
+  doubles bounds[3][3]; /* of the components of U, V, W by axis */
   *unit = all_doubles(1);
-  *permanent = all_doubles(1);
   for (int axis = 0; axis < 3; ++axis) {
     doubles greatest[3] = {magnitude_of(e->u[0][0][axis]), magnitude_of(e->v[0][0][axis]), magnitude_of(e->w[0][0][axis])};
     for (int m = 1; m < 4; ++m) {
@@ -125,7 +127,7 @@ static inline double_bits scale_edges(double_edges *e, doubles *unit, doubles *p
     double_bits power = ((double_bits)all & 0x7ff0000000000000) + 0x0010000000000000;
     doubles factor = (doubles)(0x7fe0000000000000 - power);
     *unit *= (doubles)power;
-    *permanent *= (greatest[0] + greatest[1] + greatest[2]) * factor;
+    for (int f = 0; f < 3; ++f) bounds[axis][f] = greatest[f] * factor;
     for (int m = 0; m < 2; ++m)
       for (int n = 0; n < 2; ++n) {
         e->u[m][n][axis] *= factor;
@@ -133,6 +135,8 @@ static inline double_bits scale_edges(double_edges *e, doubles *unit, doubles *p
         e->w[m][n][axis] *= factor;
       }
   }
+  const doubles *x = bounds[0], *y = bounds[1], *z = bounds[2];
+  *permanent = x[0] * (y[1] * z[2] + y[2] * z[1]) + x[1] * (y[2] * z[0] + y[0] * z[2]) + x[2] * (y[0] * z[1] + y[1] * z[0]);
   return usable;
 }
 
@@ -168,8 +172,6 @@ static inline void group_bernstein(const double_edges *e, doubles b[27]) {
     doubles corners = (c[-s - t] + c[s + t]) + (c[-s + t] + c[s - t]);
     *c = 0.5 * middles - 0.25 * corners;
   }
-  for (int i = 0; i < 27; ++i)
-    if (i != 13) b[i] += 0.0; /* -0 becomes 0 */
 }
 
 static inline void corners_of_group(const double *hexahedra, int first, lane_minima *out) {
@@ -195,19 +197,22 @@ static inline void corners_of_group(const double *hexahedra, int first, lane_min
   for (int i = 2; i < 26; ++i)
     if (i != 13 && (i / 9 == 1 || i / 3 % 3 == 1 || i % 3 == 1)) others = smaller_of(others, b[i]);
   usable &= sum == sum; /* a coordinate that is not finite makes the corner NaN */
+  doubles value = least * unit + 0.0; /* -0 becomes 0 */
+  double_bits normal = (magnitude_of(value) >= DBL_MIN) | (value == 0);
   unsigned lower = lane_bits(others < least), is_usable = lane_bits(usable), invalid = lane_bits(least < -CORNER_ERROR),
            valid = lane_bits(smaller_of(least, others) > FACE_BERNSTEIN_ERROR),
            accurate = lane_bits(larger_of(greatest, -least) > permanent * (0x1p-5 * (1 + 0x1p-40)));
+  unsigned settled = is_usable & accurate & (valid | invalid) & ~lower & lane_bits(normal);
   for (int h = 0; h < DOUBLES; ++h) {
     out->state[first + h] = (unsigned char)((is_usable >> h & 1) * LANE_USABLE | (lower >> h & 1) * LANE_LOWER |
                                             (valid >> h & 1) * LANE_VALID | (invalid >> h & 1) * LANE_INVALID |
-                                            (accurate >> h & 1) * LANE_ACCURATE);
+                                            (accurate >> h & 1) * LANE_ACCURATE | (settled >> h & 1) * LANE_SETTLED);
     out->vertex[first + h] = (unsigned char)vertex[h];
   }
-  *(doubles *)(out->least + first) = least;
+  *(doubles *)(out->least + first) = value;
   *(doubles *)(out->unit + first) = unit;
-  if (lower | ((1u << DOUBLES) - 1 - ((valid | invalid) & is_usable & accurate)))
-    for (int i = 0; i < 27; ++i) *(doubles *)(out->bernstein + 27 * first + DOUBLES * i) = b[i];
+  if (settled != (1u << DOUBLES) - 1)
+    for (int i = 0; i < 27; ++i) *(doubles *)(out->bernstein + 27 * first + DOUBLES * i) = b[i] + 0.0;
 }
 
 static void corners_of_block(const double *hexahedra, int count, lane_minima *out) {
