@@ -72,13 +72,23 @@ static bool decide_cell(const lane_kernels *kernels, const lane_minima *lanes, i
 
 /* Each of the two below returns how many cells have finite coordinates, up to the first that has not. */
 
+/* Whether one of eight bytes is 0. */
+static bool has_undecided(const uint8_t *verdicts) {
+  uint64_t bytes;
+  memcpy(&bytes, verdicts, sizeof bytes);
+  return ((bytes - 0x0101010101010101u) & ~bytes & 0x8080808080808080u) != 0;
+}
+
 /* In floats, then those that are open together in doubles, then one by one. */
 static int decide_block(const lane_kernels *kernels, block *b, batch_stages *stages) {
   int open[HL_BLOCK], open_count = 0;
   memset(b->verdicts, HL_UNDECIDED, HL_BLOCK);
   if (kernels) kernels->decide(b->hexahedra, b->count, b->verdicts);
-  for (int c = 0; c < b->count; ++c)
-    if (b->verdicts[c] == HL_UNDECIDED) open[open_count++] = c;
+  for (int c = 0; c < b->count; c += 8) {
+    if (!has_undecided(b->verdicts + c)) continue;
+    for (int d = c; d < c + 8 && d < b->count; ++d)
+      if (b->verdicts[d] == HL_UNDECIDED) open[open_count++] = d;
+  }
   stages->after_lanes += (size_t)open_count;
   if (kernels && open_count > 0) {
     for (int i = 0; i < open_count; ++i)
@@ -200,12 +210,15 @@ static int minima_of_block(const lane_kernels *kernels, block *b, size_t first, 
 
 /* Hands on and counts the first `count` verdicts of a block. */
 static void hand_on(const block *b, size_t first, int count, hl_batch *batch, batch_stages *stages) {
-  size_t counts[3] = {0};
-  for (int c = 0; c < count; ++c) ++counts[b->verdicts[c]];
-  batch->undecided += counts[HL_UNDECIDED];
-  batch->valid += counts[HL_VALID];
-  batch->invalid += counts[HL_INVALID];
-  stages->after_doubles += counts[HL_UNDECIDED];
+  unsigned valid = 0, invalid = 0;
+  for (int c = 0; c < count; ++c) {
+    valid += b->verdicts[c] == HL_VALID;
+    invalid += b->verdicts[c] == HL_INVALID;
+  }
+  batch->valid += valid;
+  batch->invalid += invalid;
+  batch->undecided += (size_t)count - valid - invalid;
+  stages->after_doubles = batch->undecided;
   memcpy(batch->verdicts + first, b->verdicts, (size_t)count);
 }
 

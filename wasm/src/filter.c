@@ -61,7 +61,6 @@ static int sign_of_parabolas(const certificate *c, certificate_error error, int 
 
 /* As above, for a face whose edges are certainly positive. */
 static int sign_of_face(const double beta[9]) {
-  if (all_above(beta, HL_FACE_BERNSTEIN, FACE_BERNSTEIN_ERROR)) return 1;
   parabolas f;
   certificate c;
   parabolas_in_s(beta, &f);
@@ -122,6 +121,9 @@ static bool has_negative_candidate(const double beta[9]) {
   return false;
 }
 
+/* The coefficients on each face, as bits of their indices. */
+static const uint32_t coefficients_on[HL_FACES] = {0x00001ff, 0x7fc0000, 0x01c0e07, 0x70381c0, 0x1249249, 0x4924924};
+
 hl_verdict filtered_verdict(const double bernstein[27]) {
   bool certain = true;
   for (int v = 0; v < HL_VERTICES; ++v) {
@@ -131,13 +133,15 @@ hl_verdict filtered_verdict(const double bernstein[27]) {
   }
   for (int e = 0; e < HL_EDGES; ++e) {
     hl_candidate candidate;
-    double middle = bernstein[vertex_index(edge_table[e].from) + axis_stride[edge_table[e].axis]];
-    if (middle > EDGE_ERROR) continue; /* a candidate's value is no lower than its edge's coefficients */
+    if (bernstein[edge_bernstein[e]] > EDGE_ERROR) continue; /* a candidate's value is no lower than its edge's coefficients */
     if (!edge_candidate(bernstein, e, &candidate)) continue;
     if (candidate.value < -EDGE_ERROR) return HL_INVALID;
     if (!(candidate.value > EDGE_ERROR)) certain = false;
   }
+  uint32_t low = 0;
+  for (int i = 0; i < HL_BERNSTEIN; ++i) low |= (uint32_t) !(bernstein[i] > FACE_BERNSTEIN_ERROR) << i;
   for (int f = 0; f < HL_FACES; ++f) {
+    if (certain && !(low & coefficients_on[f])) continue;
     double beta[HL_FACE_BERNSTEIN];
     face_bernstein(bernstein, f, beta);
     int sign = certain ? sign_of_face(beta) : 0;

@@ -29,7 +29,8 @@ typedef struct lane_minima {
 typedef struct lane_kernels {
   const char *name;
   int width; /* elements in one vector of doubles */
-  /* Verdicts (hl_verdict) of `count` elements of 24 doubles each, HL_UNDECIDED for whatever is not clear in floats. */
+  /* Verdicts (hl_verdict) of `count` elements of 24 doubles each, HL_UNDECIDED for whatever is not clear in floats. There is
+     room for a whole block. */
   void (*decide)(const double *hexahedra, int count, unsigned char *verdicts);
   /* Least corners and all coefficients in doubles, the very bits of jacdet_bernstein. */
   void (*corners)(const double *hexahedra, int count, lane_minima *out);

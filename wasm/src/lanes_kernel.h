@@ -5,6 +5,7 @@
 #include "topology.h"
 
 #include <float.h>
+#include <string.h>
 
 /* Of floats, in u_f prod X_r with u_f = 2^-24 and X_r the largest coordinate on axis r relative to vertex 0: (L1). Twice the
    error, so that what is above or below it is beyond the scalar code's bounds as well. */
@@ -45,7 +46,13 @@ typedef struct double_edges {
 
 static const unsigned char vertex_at[2][2][2] = {{{0, 4}, {3, 7}}, {{1, 5}, {2, 6}}}; /* [i][j][k] */
 
-static inline void decide_group(const double *hexahedra, unsigned char *verdicts, int count) {
+/* Eight bits as eight bytes of 0 or 1, the lowest first in memory: all machines with these vectors are little-endian. */
+static inline uint64_t bytes_of(unsigned bits) {
+  uint64_t own_bit = ((bits & 0xff) * 0x0101010101010101u) & 0x8040201008040201u;
+  return (own_bit + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
+}
+
+static inline void decide_group(const double *hexahedra, unsigned char *verdicts) {
   floats p[24];
   load_relative(hexahedra, p);
   floats extent[3];
@@ -82,30 +89,46 @@ static inline void decide_group(const double *hexahedra, unsigned char *verdicts
         for (int r = 0; r < 3; ++r) a[r] += b[r];
         z[m][n] = DOT(a, e.w[m][n]);
       }
-    floats middles = x[0][0], centres = all_floats(0);
+    /* Four times the values in the middles of the edges, eight times those in the middles of the faces, (L3). */
+    floats middles = x[0][0], centres = all_floats(0), edges = all_floats(0), faces = all_floats(0);
     for (int m = 0; m < 2; ++m)
-      for (int n = 0; n < 2; ++n)
+      for (int n = 0; n < 2; ++n) {
         middles = smaller_floats(smaller_floats(middles, x[m][n]), smaller_floats(y[m][n], z[m][n]));
+        edges = smaller_floats(edges, x[m][n] + (corner[0][m][n] + corner[1][m][n]));
+        edges = smaller_floats(edges, y[m][n] + (corner[m][0][n] + corner[m][1][n]));
+        edges = smaller_floats(edges, z[m][n] + (corner[m][n][0] + corner[m][n][1]));
+      }
     for (int m = 0; m < 2; ++m) {
-      /* Four times the centres of the faces xi, eta, zeta = m. */
-      floats xi = (y[m][0] + y[m][1]) + (z[m][0] + z[m][1]) -
-          ((corner[m][0][0] + corner[m][1][1]) + (corner[m][0][1] + corner[m][1][0]));
-      floats eta = (x[m][0] + x[m][1]) + (z[0][m] + z[1][m]) -
-          ((corner[0][m][0] + corner[1][m][1]) + (corner[0][m][1] + corner[1][m][0]));
-      floats zeta = (x[0][m] + x[1][m]) + (y[0][m] + y[1][m]) -
-          ((corner[0][0][m] + corner[1][1][m]) + (corner[0][1][m] + corner[1][0][m]));
-      centres = m == 0 ? smaller_floats(xi, smaller_floats(eta, zeta))
-                       : smaller_floats(centres, smaller_floats(xi, smaller_floats(eta, zeta)));
+      /* On the faces xi, eta, zeta = m: twice the sum of the edges' middles, and that less the corners, four times the centre. */
+      floats xi = (y[m][0] + y[m][1]) + (z[m][0] + z[m][1]), eta = (x[m][0] + x[m][1]) + (z[0][m] + z[1][m]),
+             zeta = (x[0][m] + x[1][m]) + (y[0][m] + y[1][m]);
+      faces = smaller_floats(smaller_floats(faces, xi), smaller_floats(eta, zeta));
+      xi -= (corner[m][0][0] + corner[m][1][1]) + (corner[m][0][1] + corner[m][1][0]);
+      eta -= (corner[0][m][0] + corner[1][m][1]) + (corner[0][m][1] + corner[1][m][0]);
+      zeta -= (corner[0][0][m] + corner[1][1][m]) + (corner[0][1][m] + corner[1][0][m]);
+      xi = smaller_floats(xi, smaller_floats(eta, zeta));
+      centres = m == 0 ? xi : smaller_floats(centres, xi);
     }
     valid = float_lane_bits((least > error) & (middles > 2 * error) & (centres > 4 * error) & usable);
+    invalid |= float_lane_bits(((edges < -4 * error) | (faces < -8 * error)) & usable);
   }
-  for (int h = 0; h < count; ++h)
-    verdicts[h] = (unsigned char)((valid >> h & 1) * HL_VALID + (invalid >> h & 1) * HL_INVALID);
+  for (int h = 0; h < FLOATS; h += 8) {
+    uint64_t bytes = HL_VALID * bytes_of(valid >> h) + HL_INVALID * bytes_of(invalid >> h);
+    memcpy(verdicts + h, &bytes, FLOATS < 8 ? FLOATS : 8);
+  }
+}
+
+/* Asks for the elements of some groups ahead, three lines of memory each: otherwise reading them takes as long as the rest. */
+static inline void fetch_ahead(const double *group, int elements) {
+  enum { AHEAD = 16, LINE = 8 };
+  for (int line = 0; line < 3 * elements; ++line) __builtin_prefetch(group + 24 * AHEAD + LINE * line);
 }
 
 static void decide_block(const double *hexahedra, int count, unsigned char *verdicts) {
-  for (int h = 0; h < count; h += FLOATS)
-    decide_group(hexahedra + 24 * h, verdicts + h, count - h < FLOATS ? count - h : FLOATS);
+  for (int h = 0; h < count; h += FLOATS) {
+    fetch_ahead(hexahedra + 24 * h, FLOATS);
+    decide_group(hexahedra + 24 * h, verdicts + h);
+  }
 }
 
 /* Brings the edge vectors to scaled units (docs/algorithm.md 2). Gives the product of the axes' units, a bound for the permanents
@@ -216,7 +239,10 @@ static inline void corners_of_group(const double *hexahedra, int first, lane_min
 }
 
 static void corners_of_block(const double *hexahedra, int count, lane_minima *out) {
-  for (int h = 0; h < count; h += DOUBLES) corners_of_group(hexahedra + 24 * h, h, out);
+  for (int h = 0; h < count; h += DOUBLES) {
+    fetch_ahead(hexahedra + 24 * h, DOUBLES);
+    corners_of_group(hexahedra + 24 * h, h, out);
+  }
 }
 
 #define KERNELS_(name) lanes_##name
