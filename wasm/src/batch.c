@@ -182,28 +182,40 @@ static bool minimum_in_unit(const double bernstein[27], double unit, uint8_t *ve
   return is_normal_after_scaling(batch->minima[cell], 0) && is_normal_after_scaling(batch->corner_minima[cell], 0);
 }
 
-/* In doubles side by side, then one by one. */
+static const double vertex_point[HL_VERTICES][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                                    {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+
+/* The least corners of the block's cells `from` to `to`, as if all were settled. */
+static void put_corners(block *b, int from, int to, size_t first, hl_batch *batch) {
+  const lane_minima *lanes = &b->lanes;
+  const size_t cell = first + (size_t)from, count = (size_t)(to - from);
+  memcpy(batch->minima + cell, lanes->least + from, count * sizeof(double));
+  memcpy(batch->corner_minima + cell, lanes->least + from, count * sizeof(double));
+  memset(batch->exponents + cell, 0, count * sizeof(int16_t));
+  for (int c = from; c < to; ++c) {
+    memcpy(batch->minimizers + 3 * (first + (size_t)c), vertex_point[lanes->vertex[c]], sizeof vertex_point[0]);
+    b->verdicts[c] = lanes->state[c] & LANE_VALID ? HL_VALID : HL_INVALID;
+  }
+}
+
+/* In doubles side by side, then one by one. Nothing is written of cells behind one that is not finite. */
 static int minima_of_block(const lane_kernels *kernels, block *b, size_t first, hl_batch *batch, batch_stages *stages) {
   const lane_minima *lanes = &b->lanes;
   if (kernels) kernels->corners(b->hexahedra, b->count, &b->lanes);
-  for (int c = 0; c < b->count; ++c) {
-    const size_t cell = first + (size_t)c;
-    const int state = kernels ? lanes->state[c] : 0;
-    if (state & LANE_SETTLED) {
-      const unsigned char *reference = vertex_reference[lanes->vertex[c]];
-      b->verdicts[c] = state & LANE_VALID ? HL_VALID : HL_INVALID;
-      batch->minima[cell] = batch->corner_minima[cell] = lanes->least[c];
-      batch->exponents[cell] = 0;
-      put_minimizer(batch, cell, (double[3]){reference[0], reference[1], reference[2]});
-      continue;
+  for (int from = 0, to; from < b->count; from = to + 1) {
+    for (to = from; to < b->count && kernels && lanes->state[to] & LANE_USABLE; ++to) continue;
+    put_corners(b, from, to, first, batch);
+    for (int c = from; c < b->count && c <= to; ++c) {
+      if (c < to && lanes->state[c] & LANE_SETTLED) continue;
+      const size_t cell = first + (size_t)c;
+      ++stages->after_lanes;
+      if (c < to && lanes->state[c] & LANE_ACCURATE) {
+        double bernstein[27];
+        bernstein_from_lanes(kernels, lanes, c, bernstein);
+        if (minimum_in_unit(bernstein, lanes->unit[c], b->verdicts + c, batch, cell)) continue;
+      }
+      if (!minimum_alone(b->hexahedra + 24 * c, b->verdicts + c, batch, cell)) return c;
     }
-    ++stages->after_lanes;
-    if ((state & LANE_USABLE) && (state & LANE_ACCURATE)) {
-      double bernstein[27];
-      bernstein_from_lanes(kernels, lanes, c, bernstein);
-      if (minimum_in_unit(bernstein, lanes->unit[c], b->verdicts + c, batch, cell)) continue;
-    }
-    if (!minimum_alone(b->hexahedra + 24 * c, b->verdicts + c, batch, cell)) return c;
   }
   return b->count;
 }
