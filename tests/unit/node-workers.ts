@@ -44,7 +44,7 @@ async function bundledWorker(): Promise<string> {
 /** Counts the threads it starts in `threads`. */
 export async function nodeClassifier(
   workers: number,
-  module = batchModules.vectors,
+  { module = batchModules.vectors, cellsPerPiece }: { module?: WebAssembly.Module; cellsPerPiece?: number } = {},
 ): Promise<Classifier & { readonly threads: { started: number } }> {
   bundle ??= bundledWorker()
   const url = new URL(`data:text/javascript,${encodeURIComponent(await bundle)}`)
@@ -62,5 +62,5 @@ export async function nodeClassifier(
     thread.on('error', error => port.onerror?.(error as Error))
     return port
   }
-  return { ...classifierOn(new Pool(module, workers, spawn)), threads }
+  return { ...classifierOn(new Pool(module, workers, spawn, cellsPerPiece)), threads }
 }

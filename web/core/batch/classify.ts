@@ -110,7 +110,7 @@ async function classify(
   signal?.addEventListener('abort', onAbort)
   try {
     const underWay = new Set<Promise<void>>()
-    for (const cut of pieces(points, cells, memory)) {
+    for (const cut of pieces(points, cells, pool.cellsPerPiece, memory)) {
       if (fault) break // what is under way lies before it and may hold an earlier one
       if (cut.count === 0 && cut.fault === null) continue
       const running = run(cut).finally(() => underWay.delete(running))

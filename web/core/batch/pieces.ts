@@ -3,9 +3,6 @@ import { COORDINATE_COUNT } from '../../model/hexahedron'
 import type { CoreErrorCode } from '../report'
 import type { Piece } from './batch-core'
 
-/** Large beside what a message costs, small beside the memory of a page: 3 MB of coordinates. */
-export const CELLS_PER_PIECE = 16384
-
 const VERTICES = 8
 
 export interface Cut {
@@ -34,14 +31,19 @@ export class Recycled {
 }
 
 /** In order; the last is one with a fault, or the end of the cells. */
-export function* pieces(points: Float64Array, cells: Uint32Array | null, memory: Recycled): Generator<Cut> {
+export function* pieces(
+  points: Float64Array,
+  cells: Uint32Array | null,
+  cellsPerPiece: number,
+  memory: Recycled,
+): Generator<Cut> {
   const length = cells ? cells.length : points.length
   const perCell = cells ? VERTICES : COORDINATE_COUNT
   const total = Math.floor(length / perCell)
   const isWhole = length % perCell === 0 && points.length % 3 === 0
   let first = 0
   do {
-    const wanted = Math.min(CELLS_PER_PIECE, total - first)
+    const wanted = Math.min(cellsPerPiece, total - first)
     const isLast = first + wanted === total
     const cut = cells ? indexedCut(points, cells, first, wanted, memory) : plainCut(points, first, wanted, memory)
     yield isLast && !isWhole && cut.fault === null ? { ...cut, fault: 'incomplete' } : cut

@@ -17,6 +17,9 @@ export interface Finished {
   readonly points: Float64Array
 }
 
+/** Large beside what a message costs, small beside the memory of a page: 3 MB of coordinates. */
+const CELLS_PER_PIECE = 16384
+
 /** So that a worker has its next piece when it is done with one. */
 const PIECES_AHEAD = 2
 
@@ -28,13 +31,15 @@ interface Task {
 
 export class Pool {
   readonly size: number
+  readonly cellsPerPiece: number
   readonly #spawn: () => WorkerPort
   readonly #module: WebAssembly.Module
   readonly #workers = new Set<PoolWorker>()
 
   /** Workers are started when they are needed. */
-  constructor(module: WebAssembly.Module, size: number, spawn: () => WorkerPort) {
+  constructor(module: WebAssembly.Module, size: number, spawn: () => WorkerPort, cellsPerPiece = CELLS_PER_PIECE) {
     this.size = size
+    this.cellsPerPiece = cellsPerPiece
     this.#module = module
     this.#spawn = spawn
   }
