@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { Worker } from 'node:worker_threads'
+import { build } from 'vite'
 import { type BatchCore, loadBatchCore } from '../../web/core/batch/batch-core'
 import { type Classifier, classifierOn } from '../../web/core/batch/classify'
 import type { WorkerPort } from '../../web/core/batch/messages'
@@ -28,7 +29,6 @@ parentPort.on('message', data => globalThis.onmessage({ data }))
 let bundle: Promise<string> | undefined
 
 async function bundledWorker(): Promise<string> {
-  const { build } = await import('vite')
   const output = await build({
     root,
     configFile: false,

@@ -121,12 +121,6 @@ static uint32_t middles_below(const double bernstein[27], double bound) {
   return bits;
 }
 
-static double least_of_face(const double beta[9]) {
-  double least = beta[0];
-  for (int i = 1; i < HL_FACE_BERNSTEIN; ++i) least = smaller(least, beta[i]);
-  return least;
-}
-
 /* The candidate of hl_boundary_minimum given the least vertex: passed over is only what cannot be lower, (B1) and (B2). */
 static hl_candidate least_from(hl_candidate least, const double bernstein[27]) {
   const uint32_t below = middles_below(bernstein, least.value);
@@ -140,7 +134,7 @@ static hl_candidate least_from(hl_candidate least, const double bernstein[27]) {
     if (!(below & face_bits[f])) continue;
     double beta[HL_FACE_BERNSTEIN];
     face_bernstein(bernstein, f, beta);
-    if (least_of_face(beta) >= least.value || face_is_above(beta, least.value)) continue;
+    if (!face_can_be_lower(beta, least.value)) continue;
     face_solution solution;
     find_kept_roots(beta, &solution);
     for (int r = 0; r < solution.root_count; ++r)

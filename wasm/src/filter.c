@@ -76,7 +76,7 @@ static int sign_of_face(const double beta[9]) {
   return sign_of_parabolas(&c, error, MAX_HALVINGS);
 }
 
-/* In scaled units: far above every rounding error of a face, far below what matters, (B2). */
+/* In scaled units, far above the rounding errors of the certificate, (B2). */
 #define CLEARANCE_B 0x1p-32
 #define CLEARANCE_D 0x1p-30
 #define SKIP_HALVINGS 6
@@ -101,16 +101,19 @@ static int sign_in_halves(const parabolas *f, const double d[5]) {
   return sign_of_parabolas(&c, (certificate_error){CLEARANCE_B, CLEARANCE_D}, SKIP_HALVINGS);
 }
 
-bool face_is_above(const double beta[9], double bound) {
+bool face_can_be_lower(const double beta[9], double bound) {
   parabolas in_s, in_t;
   double of_s[5], of_t[5];
-  if (!has_inner_vertices(beta, 3, bound, &in_s) || !has_inner_vertices(beta, 1, bound, &in_t)) return true;
+  int i = 0;
+  while (i < HL_FACE_BERNSTEIN && beta[i] >= bound) ++i;
+  if (i == HL_FACE_BERNSTEIN) return false;
+  if (!has_inner_vertices(beta, 3, bound, &in_s) || !has_inner_vertices(beta, 1, bound, &in_t)) return false;
   quarter_discriminant(&in_s, of_s);
-  if (all_above(of_s, 5, CLEARANCE_D)) return true;
+  if (all_above(of_s, 5, CLEARANCE_D)) return false;
   quarter_discriminant(&in_t, of_t);
-  if (all_above(of_t, 5, CLEARANCE_D)) return true;
+  if (all_above(of_t, 5, CLEARANCE_D)) return false;
   int sign = sign_in_halves(&in_s, of_s);
-  return (sign != 0 ? sign : sign_in_halves(&in_t, of_t)) > 0;
+  return (sign != 0 ? sign : sign_in_halves(&in_t, of_t)) <= 0;
 }
 
 static bool has_negative_candidate(const double beta[9]) {
