@@ -15,15 +15,21 @@ const EMSDK_VERSION = '4.0.10'
 const EMSDK_SOURCE = 'https://github.com/emscripten-core/emsdk.git'
 const EMSDK_FOLDER = join(root, '.emsdk')
 
-/** What a setup can be for: to build and serve; formatter, linter and C warnings; all tests. */
-const PURPOSES = ['start', 'check', 'test']
+/** What a setup can be for: to build and serve; formatter, linter and C warnings; benchmarks; all tests. */
+const PURPOSES = ['start', 'check', 'bench', 'test']
 
 const steps = [
   { what: 'Node', isDone: nodeIsNewEnough, run: refuseNode },
   { what: 'the npm packages', isDone: packagesAreCurrent, run: installPackages },
   { what: 'make', isDone: () => onPath('make'), run: installMake },
-  { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'test'] },
-  { what: 'the wasm', isDone: wasmIsCurrent, run: buildWasm },
+  { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'bench', 'test'] },
+  { what: 'the wasm', isDone: () => isMade('wasm'), run: say => makeWithEmcc(say, 'wasm', 'the wasm') },
+  {
+    what: 'what the benchmarks run',
+    isDone: () => isMade('bench'),
+    run: say => makeWithEmcc(say, 'bench', 'what the benchmarks run'),
+    for: ['bench'],
+  },
   { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['test'] },
   { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'test'] },
   { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
@@ -91,18 +97,18 @@ async function installCompiler(say) {
   await installDebianPackages(say, 'a C compiler', ['gcc', 'libc6-dev'])
 }
 
-async function wasmIsCurrent() {
+async function isMade(target) {
   const emcc = findEmcc()?.path ?? 'emcc'
-  return (await run('make', ['-C', 'wasm', '-q', 'wasm', `EMCC=${emcc}`])).status === 0
+  return (await run('make', ['-C', 'wasm', '-q', target, `EMCC=${emcc}`])).status === 0
 }
 
-async function buildWasm(say) {
+async function makeWithEmcc(say, target, what) {
   const emcc = findEmcc() ?? (await installEmcc(say))
-  say('building the wasm')
+  say(`building ${what}`)
   await must(
     'make',
-    ['-C', 'wasm', 'wasm', `EMCC=${emcc.path}`],
-    `The wasm did not build with ${emcc.path}. If the C sources are as released, try another emcc (3.1.6 or later).`,
+    ['-C', 'wasm', target, `EMCC=${emcc.path}`],
+    `It did not build with ${emcc.path}. If the C sources are as released, try another emcc (3.1.6 or later).`,
     { env: { ...process.env, ...emcc.env } },
   )
 }

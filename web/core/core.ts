@@ -8,7 +8,8 @@ import { exactBoundarySign } from './exact/exact-sign'
 import type { Core, CoreError, Report, Result } from './report'
 import { isDecided, Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
 
-interface CoreExports {
+/** Of hexlens.wasm, and of the modules for batches as well. */
+export interface CoreExports {
   readonly memory: WebAssembly.Memory
   readonly _initialize?: () => void
   input_address(): number
@@ -44,14 +45,27 @@ function firstNotFinite(vertices: Vertices): string {
  */
 export async function loadCore(bytes: BufferSource): Promise<Core> {
   const { instance } = await WebAssembly.instantiate(bytes, {})
-  const wasm = instance.exports as unknown as CoreExports
+  return coreOf(instance.exports as unknown as CoreExports)
+}
+
+/** Starts the core in an instance that has just been made. */
+export function coreOf(wasm: CoreExports): Core {
   wasm._initialize?.()
-  const input = new Float64Array(wasm.memory.buffer, wasm.input_address(), wasm.input_length())
-  const output = new Float64Array(wasm.memory.buffer, wasm.output_address(), wasm.output_length())
+  let input = new Float64Array(0)
+  let output = input
+
+  /** Memory that has grown, as it does for batches, is another buffer. */
+  function renewViews(): void {
+    const { buffer } = wasm.memory
+    if (input.buffer === buffer) return
+    input = new Float64Array(buffer, wasm.input_address(), wasm.input_length())
+    output = new Float64Array(buffer, wasm.output_address(), wasm.output_length())
+  }
 
   function answer<T>(vertices: Vertices, more: readonly number[], run: () => number, read: () => T): Result<T> {
     if (vertices.length !== COORDINATE_COUNT)
       return refusal('wrong-count', `A hexahedron has ${COORDINATE_COUNT} coordinates, not ${vertices.length}.`)
+    renewViews()
     input.set(vertices)
     input.set(more, COORDINATE_COUNT)
     const status = run()
