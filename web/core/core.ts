@@ -8,7 +8,7 @@ import { exactBoundarySign } from './exact/exact-sign'
 import type { Core, CoreError, Report, Result } from './report'
 import { isDecided, Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
 
-/** What hexlens.wasm exports, and hexlens-twin.js, which wasm2js makes of it. */
+/** Of hexlens.wasm and of the modules for batches; and of hexlens-twin.js, which wasm2js makes of the first. */
 export interface CoreExports {
   readonly memory: { readonly buffer: ArrayBuffer }
   readonly _initialize?: () => void
@@ -48,15 +48,24 @@ export async function loadCore(bytes: BufferSource): Promise<Core> {
   return coreOf(instance.exports as unknown as CoreExports)
 }
 
-/** Starts the core, compiled either way. The functions of a Core never throw for any numbers given. */
+/** Starts the core in an instance that has just been made. The functions of a Core never throw for any numbers given. */
 export function coreOf(wasm: CoreExports): Core {
   wasm._initialize?.()
-  const input = new Float64Array(wasm.memory.buffer, wasm.input_address(), wasm.input_length())
-  const output = new Float64Array(wasm.memory.buffer, wasm.output_address(), wasm.output_length())
+  let input = new Float64Array(0)
+  let output = input
+
+  /** Memory that has grown, as it does for batches, is another buffer. */
+  function renewViews(): void {
+    const { buffer } = wasm.memory
+    if (input.buffer === buffer) return
+    input = new Float64Array(buffer, wasm.input_address(), wasm.input_length())
+    output = new Float64Array(buffer, wasm.output_address(), wasm.output_length())
+  }
 
   function answer<T>(vertices: Vertices, more: readonly number[], run: () => number, read: () => T): Result<T> {
     if (vertices.length !== COORDINATE_COUNT)
       return refusal('wrong-count', `A hexahedron has ${COORDINATE_COUNT} coordinates, not ${vertices.length}.`)
+    renewViews()
     input.set(vertices)
     input.set(more, COORDINATE_COUNT)
     const status = run()
