@@ -1,4 +1,5 @@
 import { defineConfig } from '@playwright/test'
+import { hasOtherBrowsers } from './tools/browsers.mjs'
 import { findChromium } from './tools/chromium.mjs'
 
 const port = Number(process.env.HEXLENS_TEST_PORT ?? 41735)
@@ -6,15 +7,21 @@ const results = process.env.HEXLENS_TEST_RESULTS ?? 'test-results/browser'
 const executablePath = await findChromium()
 
 export default defineConfig({
-  testDir: 'tests/e2e',
   testMatch: '**/*.spec.ts',
+  projects: [
+    { name: 'pack', testDir: 'tests/package', testMatch: '*.setup.ts' },
+    { name: 'chromium', testDir: 'tests/e2e' },
+    { name: 'package', testDir: 'tests/package', dependencies: ['pack'] },
+    ...(hasOtherBrowsers ? ['firefox', 'webkit'].map(name => ({ name, testDir: 'tests/browsers' })) : []),
+  ],
   outputDir: `${results}/playwright`,
   reporter: [['list'], ['json', { outputFile: `${results}/browser.json` }]],
   workers: 2,
   retries: 0,
   forbidOnly: true,
-  timeout: 120_000,
-  expect: { timeout: 10_000 },
+  // Guards against hanging, not measurements: machines may be slow and busy.
+  timeout: 300_000,
+  expect: { timeout: 30_000 },
   use: {
     baseURL: `http://127.0.0.1:${port}/`,
     viewport: { width: 900, height: 480 },

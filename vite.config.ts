@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig, type Plugin } from 'vite'
+import { leanThree } from './tools/lean-three.mjs'
 
 const root = fileURLToPath(new URL('.', import.meta.url))
 
@@ -36,7 +37,7 @@ export default defineConfig({
   appType: 'mpa',
   publicDir: `${root}public`,
   cacheDir: `${root}node_modules/.vite`,
-  plugins: [securityPolicy],
+  plugins: [leanThree, securityPolicy],
   worker: { format: 'es' },
   server: { fs: { allow: [root] } },
   build: {
@@ -46,7 +47,10 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     // Sizes are judged by npm run check.
     chunkSizeWarningLimit: 1000,
-    rolldownOptions: { checks: { bundlerTimings: false } },
+    rolldownOptions: {
+      input: { index: `${root}web/app/index.html`, embed: `${root}web/app/embed.html` },
+      checks: { bundlerTimings: false },
+    },
     assetsInlineLimit: file => (file.endsWith('.wasm') ? false : undefined),
   },
 })

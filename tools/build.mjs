@@ -1,11 +1,16 @@
-// Builds the page. Vite is loaded late: these modules are read before the packages are installed.
+// Builds the page and the package. Vite is loaded late: these modules are read before the packages are installed.
 
+import { copyFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { stripVTControlCharacters } from 'node:util'
+import { buildPackage } from './package.mjs'
 import { Failure, isScript, root, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
 export const viteConfig = join(root, 'vite.config.ts')
+
+/** The Python package carries it. */
+const ANYWIDGET = 'hexlens.anywidget.js'
 
 /** Builds the page into a folder; resolves to what Vite wrote. */
 export async function buildPage(folder) {
@@ -21,6 +26,8 @@ if (isScript(import.meta.url)) {
   await runMain(async () => {
     await setup()
     await buildPage('dist/app')
-    process.stdout.write('The page is in dist/app.\n')
+    await buildPackage('dist')
+    copyFileSync(join(root, 'dist', ANYWIDGET), join(root, 'python', 'hexlens', ANYWIDGET))
+    process.stdout.write('The page is in dist/app, the package’s scripts and types are in dist.\n')
   })
 }

@@ -1,11 +1,12 @@
 // Sets everything up that building, serving and testing need: npm packages, make, emcc, the wasm; for tests also a C
-// compiler, a clang with libFuzzer, Python and Chromium. Each step is quick when there is nothing to do, and either
-// completes or leaves nothing behind. Plain Node without dependencies: it installs them.
+// compiler, a clang with libFuzzer, Python, Chromium and, on Linux, Firefox and WebKitGTK. Each step is quick when there is
+// nothing to do, and either completes or leaves nothing behind. Plain Node without dependencies: it installs them.
 
 import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
+import { dirname, join } from 'node:path'
 import { parseArgs } from 'node:util'
+import { findFirefox, findWebKitDriver, findXvfb, hasOtherBrowsers } from './browsers.mjs'
 import { findChromium } from './chromium.mjs'
 import { withLock } from './lock.mjs'
 import { executable, Failure, failedCommand, isScript, must, onPath, root, run, runMain } from './run.mjs'
@@ -14,18 +15,30 @@ const EMSDK_VERSION = '4.0.10'
 const EMSDK_SOURCE = 'https://github.com/emscripten-core/emsdk.git'
 const EMSDK_FOLDER = join(root, '.emsdk')
 
-/** What a setup can be for: to build and serve; formatter, linter and C warnings; all tests. */
-const PURPOSES = ['start', 'check', 'test']
+/** What a setup can be for: to build and serve; formatter, linter and C warnings; benchmarks; all tests. */
+const PURPOSES = ['start', 'check', 'bench', 'test']
 
 const steps = [
   { what: 'Node', isDone: nodeIsNewEnough, run: refuseNode },
   { what: 'the npm packages', isDone: packagesAreCurrent, run: installPackages },
   { what: 'make', isDone: () => onPath('make'), run: installMake },
-  { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'test'] },
-  { what: 'the wasm', isDone: wasmIsCurrent, run: buildWasm },
+  { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'bench', 'test'] },
+  {
+    what: 'the wasm and its twin',
+    isDone: () => isMade('wasm'),
+    run: say => makeWithEmcc(say, 'wasm', 'the wasm and its twin'),
+  },
+  {
+    what: 'what the benchmarks run',
+    isDone: () => isMade('bench'),
+    run: say => makeWithEmcc(say, 'bench', 'what the benchmarks run'),
+    for: ['bench'],
+  },
   { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['test'] },
   { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'test'] },
+  { what: 'the documentation tools', isDone: hostsAreCurrent, run: installHosts, for: ['test'] },
   { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
+  { what: 'Firefox, WebKitGTK and a screen for them', isDone: otherBrowsers, run: installOtherBrowsers, for: ['test'] },
 ]
 
 /** Does what is missing for a purpose. `say` gets a line for each step with something to do. Throws a Failure. */
@@ -89,18 +102,18 @@ async function installCompiler(say) {
   await installDebianPackages(say, 'a C compiler', ['gcc', 'libc6-dev'])
 }
 
-async function wasmIsCurrent() {
-  const emcc = findEmcc()?.path ?? 'emcc'
-  return (await run('make', ['-C', 'wasm', '-q', 'wasm', `EMCC=${emcc}`])).status === 0
+async function isMade(target) {
+  return (await run('make', ['-C', 'wasm', '-q', target])).status === 0
 }
 
-async function buildWasm(say) {
+async function makeWithEmcc(say, target, what) {
   const emcc = findEmcc() ?? (await installEmcc(say))
-  say('building the wasm')
+  const wasm2js = findWasm2js(emcc) ?? (await installWasm2js(say, emcc))
+  say(`building ${what}`)
   await must(
     'make',
-    ['-C', 'wasm', 'wasm', `EMCC=${emcc.path}`],
-    `The wasm did not build with ${emcc.path}. If the C sources are as released, try another emcc (3.1.6 or later).`,
+    ['-C', 'wasm', target, `EMCC=${emcc.path}`, `WASM2JS=${wasm2js}`],
+    `It did not build with ${emcc.path}. If the C sources are as released, try another emcc (3.1.6 or later).`,
     { env: { ...process.env, ...emcc.env } },
   )
 }
@@ -123,6 +136,18 @@ async function installEmcc(say) {
   const emcc = findEmcc()
   if (emcc) return emcc
   throw new Failure('emcc was installed but cannot be found. Put emcc on PATH or set EMSDK, then repeat.')
+}
+
+/** Of binaryen: the SDK has its own, Debian's emscripten depends on it. */
+function findWasm2js(emcc) {
+  return executable(join(dirname(emcc.path), '..', 'bin', 'wasm2js')) ?? onPath('wasm2js')
+}
+
+async function installWasm2js(say, emcc) {
+  await installDebianPackages(say, 'wasm2js', ['binaryen'])
+  const wasm2js = findWasm2js(emcc)
+  if (wasm2js) return wasm2js
+  throw new Failure(`wasm2js was installed but cannot be found. ${installAdvice(['binaryen'])}`)
 }
 
 /** The official SDK into .emsdk, elsewhere until it is complete. */
@@ -192,6 +217,31 @@ async function installPython(say) {
   await installDebianPackages(say, 'python3', ['python3'])
 }
 
+/** Sphinx, MkDocs and JupyterLab, in which the tests embed the element. */
+const hosts = join(root, 'build', 'hosts')
+const hostsStampFile = join(hosts, 'hexlens-stamp')
+const requirements = join(root, 'tests', 'package', 'requirements.txt')
+
+function hostsAreCurrent() {
+  return existsSync(hostsStampFile) && readFileSync(hostsStampFile, 'utf8') === readFileSync(requirements, 'utf8')
+}
+
+async function installHosts(say) {
+  say('installing the documentation tools of tests/package/requirements.txt into build/hosts')
+  rmSync(hosts, { recursive: true, force: true })
+  const venv = ['-m', 'venv', hosts]
+  // On Debian it is a package of its own.
+  if ((await run('python3', venv)).status !== 0) {
+    await installDebianPackages(say, 'python3 -m venv', ['python3-venv'])
+    await must('python3', venv, 'Install what python3 needs to make a virtual environment, then repeat.')
+  }
+  const python = join(hosts, 'bin', 'python')
+  const advice = 'Check that the Python package index can be reached (Python 3.11 or later is needed), then repeat.'
+  await must(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', 'uv'], advice)
+  await must(join(hosts, 'bin', 'uv'), ['pip', 'install', '--quiet', '--python', python, '-r', requirements], advice)
+  writeFileSync(hostsStampFile, readFileSync(requirements, 'utf8'))
+}
+
 async function installChromium(say) {
   const apt = await aptGet()
   if (apt && isDebian()) {
@@ -207,6 +257,33 @@ async function installChromium(say) {
   )
   if (await findChromium()) return
   throw new Failure(`Playwright's Chromium does not start here: it lacks libraries. ${installAdvice(['chromium'])}`)
+}
+
+/** Names where they are not Debian's. */
+const OTHER_BROWSERS = {
+  dnf: ['firefox', 'webkit2gtk4.1', 'xorg-x11-server-Xvfb'],
+  pacman: ['firefox', 'webkit2gtk-4.1', 'xorg-server-xvfb'],
+  apk: ['firefox-esr', 'webkit2gtk-4.1', 'xvfb'],
+}
+
+function otherBrowsers() {
+  return !hasOtherBrowsers || (findFirefox() && findWebKitDriver() && findXvfb())
+}
+
+async function installOtherBrowsers(say) {
+  const debian = [
+    ...(findFirefox() ? [] : [isDebian() ? 'firefox-esr' : 'firefox']),
+    ...(findWebKitDriver() ? [] : ['webkit2gtk-driver']),
+    ...(findXvfb() ? [] : ['xvfb']),
+  ]
+  const manager = packageManager()?.name
+  if (manager === 'apt-get') await installDebianPackages(say, 'Firefox and WebKitGTK for the browser tests', debian)
+  else {
+    const packages = OTHER_BROWSERS[manager] ?? ['Firefox', 'the WebKitWebDriver of WebKitGTK', 'Xvfb']
+    throw new Failure(
+      `Hexlens needs Firefox, WebKitWebDriver and Xvfb for the browser tests. ${installAdvice(packages)}`,
+    )
+  }
 }
 
 function isDebian() {

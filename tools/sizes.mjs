@@ -1,24 +1,29 @@
-// What the page makes a browser load before it is live, against the budgets of the design.
+// What the page makes a browser load before it is live, and the one-file widget, against the budgets of the design.
 
 import { readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
 import { gzipSync } from 'node:zlib'
 import { buildPage } from './build.mjs'
+import { buildScripts } from './package.mjs'
 import { root } from './run.mjs'
 
 /** In bytes after gzip. */
-const BUDGETS = { wasm: 16_000, firstLoad: 230_000 }
+const BUDGETS = { wasm: 16_000, firstLoad: 230_000, widget: 190_000 }
 
-/** Builds the page and resolves to { table, exceeded }: lines to print, and whether a budget is exceeded. */
+const WIDGETS = ['hexlens.es.js', 'hexlens.iife.js']
+
+/** Builds page and scripts and resolves to { table, exceeded }: lines to print, and whether a budget is exceeded. */
 export async function checkSizes() {
   const folder = 'dist/check'
   const { output } = await buildPage(folder)
+  await buildScripts(join(root, folder))
   const sizeOf = name => gzipSync(readFileSync(join(root, folder, name)), { level: 9 }).length
   const files = firstLoad(output).map(name => ({ name, size: sizeOf(name) }))
   const sum = list => list.reduce((total, { size }) => total + size, 0)
   const checks = [
     { what: 'wasm', size: sum(files.filter(({ name }) => name.endsWith('.wasm'))), budget: BUDGETS.wasm },
     { what: 'first load', size: sum(files), budget: BUDGETS.firstLoad },
+    ...WIDGETS.map(name => ({ what: name, size: sizeOf(name), budget: BUDGETS.widget })),
   ]
   return {
     table: [
@@ -33,11 +38,13 @@ function row(name, size) {
   return `${name.padEnd(44)} ${(size / 1000).toFixed(1).padStart(6)} kB gzip`
 }
 
-/** The page, its entries with all they import at once, and the styles, wasm and worker files these name. */
+/** The page, its entry with all that it imports at once, and the styles, wasm and worker files these name. */
 function firstLoad(output) {
   const byName = new Map(output.map(file => [file.fileName, file]))
-  const loaded = new Set(output.filter(file => file.fileName.endsWith('.html')).map(file => file.fileName))
-  const queue = output.filter(file => file.type === 'chunk' && file.isEntry).map(file => file.fileName)
+  const loaded = new Set(['index.html'])
+  const queue = output
+    .filter(file => file.isEntry && file.facadeModuleId.endsWith('index.html'))
+    .map(file => file.fileName)
   for (const name of queue) {
     if (loaded.has(name)) continue
     loaded.add(name)

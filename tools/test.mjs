@@ -33,7 +33,7 @@ await runMain(async () => {
       const suites = stage.filter(({ long }) => !(fast && long))
       const outcomes = await Promise.all(suites.map(suite => suite.run({ fast })))
       for (const [i, result] of outcomes.entries()) {
-        lines.push(`${suites[i].name}: ${sentence(result)}`)
+        lines.push(`${suites[i].name}: ${sentence(result)}${result.detail ? ` (${result.detail})` : ''}`)
         for (const key of Object.keys(total)) total[key] += result[key]
       }
     }
@@ -124,7 +124,17 @@ async function browser() {
   const report = readJson(join(results, 'browser.json'))
   if (!report) return judged(counts(), status)
   const { expected, unexpected, flaky, skipped } = report.stats
-  return judged(counts(expected, unexpected + flaky, skipped), status)
+  return { ...judged(counts(expected, unexpected + flaky, skipped), status), detail: testsOfBrowsers(report) }
+}
+
+/** "chromium 54, firefox 1, webkit 1". */
+function testsOfBrowsers(report) {
+  const testsIn = suite => [
+    ...(suite.specs ?? []).flatMap(spec => spec.tests),
+    ...(suite.suites ?? []).flatMap(testsIn),
+  ]
+  const names = testsIn(report).map(test => test.projectName)
+  return [...new Set(names)].map(name => `${name} ${names.filter(other => other === name).length}`).join(', ')
 }
 
 function readJson(file) {

@@ -113,12 +113,16 @@ test('playing goes on by itself, pauses at the end, and stops when the element c
   await page.clock.install()
   await lens.open()
   const { current } = await openPanel(lens)
+  // From here on time goes by only where it is told to, however slow the machine is.
+  await page.clock.pauseAt(await page.evaluate(() => Date.now() + 1000))
   await lens.button('Play').click()
   await page.clock.runFor(850)
   await expect(current).toHaveText(/Vertex 1/)
   await page.clock.runFor(850)
   await expect(current).toHaveText(/Vertex 2/)
-  await lens.set(cube)
+  await lens.element.evaluate((element, given) => {
+    ;(element as HTMLElementTagNameMap['hex-lens']).vertices = given
+  }, cube)
   await page.clock.runFor(100)
   await expect(lens.button('Play')).toBeVisible()
   await page.clock.runFor(5000)

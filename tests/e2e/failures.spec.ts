@@ -1,44 +1,78 @@
-import type { Route } from '@playwright/test'
-import { expect, test, watchContexts } from './lens'
+import type { Page, Route } from '@playwright/test'
+import { expect, type Lens, test, watchContexts } from './lens'
 
-const blocked: Record<string, (route: Route) => Promise<void>> = {
+const answers: Record<string, (route: Route) => Promise<void>> = {
   'does not arrive': route => route.abort(),
-  'is not there': route => route.fulfill({ status: 404, body: 'no' }),
   'is something else': route => route.fulfill({ contentType: 'application/wasm', body: '<!doctype html>' }),
 }
 
-test.describe('without the core', () => {
-  test.use({ expectedErrors: /Failed to load resource/ })
+const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 
-  for (const [what, answer] of Object.entries(blocked)) {
-    test(`when the wasm ${what}, a sentence says so and the numbers, undo and the link still work`, async ({
-      lens,
-      page,
-    }) => {
+const coreMissing = (page: Page) => page.getByRole('alert').filter({ hasText: 'core did not start' })
+
+test.describe('without wasm', () => {
+  test.use({ expectedErrors: /Failed to load resource|violates the following|policy: script-src forbids wasm-eval/ })
+
+  for (const [what, answer] of Object.entries(answers)) {
+    test(`when it ${what}, its twin in JavaScript decides`, async ({ lens, page }) => {
       await page.route('**/*.wasm*', answer)
-      await page.goto('./')
-      await expect(page.getByRole('alert').filter({ hasText: 'core did not start' })).toBeVisible()
-      await expect(lens.verdict).toHaveText(/^NO VERDICT/)
-      const before = await lens.vertices()
-      await lens.field(6, 'z').fill('0.5')
-      await lens.field(6, 'z').press('Enter')
-      await expect.poll(async () => (await lens.vertices())[20]).toBe(0.5)
-      await expect.poll(() => page.url()).toContain('#')
-      await lens.button('Undo').click()
-      await expect.poll(() => lens.vertices()).toEqual(before)
-      expect(await lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).report)).toBeNull()
+      await expectTwinDecides(lens, page)
     })
   }
 
-  test('a browser without WebAssembly says so too', async ({ lens, page }) => {
+  test('where the page’s policy forbids it, its twin in JavaScript decides', async ({ lens, page }) => {
+    await page.route('./', async route => {
+      const response = await route.fetch()
+      const policy = "script-src 'self'; style-src 'self'"
+      await route.fulfill({ response, headers: { ...response.headers(), 'content-security-policy': policy } })
+    })
+    await expectTwinDecides(lens, page)
+    expect(
+      await page.evaluate(() => WebAssembly.compile(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0)).then(String, String)),
+    ).toContain('CompileError')
+  })
+
+  test('in a browser without WebAssembly, its twin in JavaScript decides', async ({ lens, page }) => {
     await page.addInitScript(() => {
       Reflect.deleteProperty(globalThis, 'WebAssembly')
     })
+    await expectTwinDecides(lens, page)
+  })
+
+  test('and without its twin a sentence says so, and the numbers, undo and the link still work', async ({
+    lens,
+    page,
+  }) => {
+    await page.route('**/*.wasm*', route => route.fulfill({ status: 404, body: 'no' }))
+    await page.route('**/*twin*', route => route.abort())
     await page.goto('./')
+    await expect(coreMissing(page)).toContainText('404')
     await expect(lens.verdict).toHaveText(/^NO VERDICT/)
-    await expect(page.getByRole('alert').filter({ hasText: 'core did not start' })).toBeVisible()
+    const before = await lens.vertices()
+    await lens.field(6, 'z').fill('0.5')
+    await lens.field(6, 'z').press('Enter')
+    await expect.poll(async () => (await lens.vertices())[20]).toBe(0.5)
+    await expect.poll(() => page.url()).toContain('#')
+    await lens.button('Undo').click()
+    await expect.poll(() => lens.vertices()).toEqual(before)
+    expect(await lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).report)).toBeNull()
   })
 })
+
+async function expectTwinDecides(lens: Lens, page: Page): Promise<void> {
+  const twin = page.waitForResponse(/twin/)
+  await lens.open()
+  expect((await twin).ok()).toBe(true)
+  await expect(coreMissing(page)).toBeHidden()
+  await lens.set(cube.with(20, -3))
+  await expect(lens.verdict).toHaveText(/^INVALID/)
+  const minimum = () =>
+    lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).report?.boundaryMinimum)
+  expect(await minimum()).toBe(-3)
+  await lens.set(cube)
+  await expect(lens.verdict).toHaveText(/^VALID/)
+  expect(await minimum()).toBe(1)
+}
 
 test.describe('without WebGL', () => {
   test.use({ expectedErrors: /WebGL/ })

@@ -1,8 +1,10 @@
-/** Native and wasm give the same bits: the native program's output against the wasm's own memory. */
+/** Native, wasm and its twin in JavaScript give the same bits: the native program's output against the others' own memory. */
 import { execFileSync } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
 import { expect, it } from 'vitest'
-import { cases, randomHexahedron, randomSource, unitCube, wasmBytes } from './core-fixtures'
+import * as twin from '../../build/hexlens-twin.js'
+import type { CoreExports } from '../../web/core/core'
+import { cases, depthGuardCases, randomHexahedron, randomSource, unitCube, wasmBytes } from './core-fixtures'
 
 const POINT = [0.25, 0.625, 0.8125]
 
@@ -11,7 +13,7 @@ const BERNSTEIN_AT = 2 + 9 + 1 + 8 + 7 + 9 + 2
 
 function hexahedra(): number[][] {
   const random = randomSource(20260505)
-  const list = cases.map(({ vertices }) => vertices.flat())
+  const list = [...cases, ...depthGuardCases].map(({ vertices }) => vertices.flat())
   for (let n = 0; n < 5000; ++n) list.push(randomHexahedron(random, 0.1 * (1 + (n % 20))))
   for (let n = 0; n < 2000; ++n) list.push(randomHexahedron(random, 0.5).map(x => Math.round(x * 4) / 4))
   const bits = new BigUint64Array(24)
@@ -24,33 +26,31 @@ function hexahedra(): number[][] {
   return list
 }
 
-async function wasmAnswers(list: readonly number[][]): Promise<Float64Array> {
-  const { instance } = await WebAssembly.instantiate(wasmBytes, {})
-  const wasm = instance.exports as Record<string, CallableFunction> & { memory: WebAssembly.Memory }
-  wasm._initialize?.()
-  const input = new Float64Array(wasm.memory.buffer, wasm.input_address?.(), wasm.input_length?.())
-  const output = new Float64Array(wasm.memory.buffer, wasm.output_address?.(), wasm.output_length?.())
+function answersOf(core: CoreExports, list: readonly number[][]): Float64Array {
+  core._initialize?.()
+  const input = new Float64Array(core.memory.buffer, core.input_address(), core.input_length())
+  const output = new Float64Array(core.memory.buffer, core.output_address(), core.output_length())
   const answers: number[] = []
   const take = (count: number) => answers.push(...output.subarray(0, count))
   for (const vertices of list) {
     input.set(vertices)
     input.set(POINT, 24)
-    const status = wasm.analyze?.() as number
+    const status = core.analyze()
     answers.push(status)
     if (status !== 0) continue
     const bernstein = [...output.subarray(BERNSTEIN_AT, BERNSTEIN_AT + 27)]
     take(packedReportLength(output))
     for (const variant of [0, 1]) {
-      wasm.boundary_minimum?.(variant)
+      core.boundary_minimum(variant)
       take(10)
     }
-    wasm.decide?.()
+    core.decide()
     take(1)
     input.set([...bernstein, -7, 2 ** -53, 0], 24)
-    wasm.analyze_coefficients?.()
+    core.analyze_coefficients()
     take(packedReportLength(output))
     input.set(POINT, 24)
-    wasm.jacobian_at?.()
+    core.jacobian_at()
     take(17)
   }
   return new Float64Array(answers)
@@ -74,8 +74,10 @@ it('agrees bit for bit on the exact cases, random elements and random bits', asy
     input: new Uint8Array(new Float64Array(list.flat()).buffer),
     maxBuffer: 2 ** 28,
   })
-  const wasm = await wasmAnswers(list)
+  const { instance } = await WebAssembly.instantiate(wasmBytes, {})
+  const wasm = answersOf(instance.exports as unknown as CoreExports, list)
   expect(native.byteLength).toBe(wasm.byteLength)
   expect(Buffer.from(wasm.buffer).equals(native)).toBe(true)
   expect(wasm.length).toBeGreaterThan(400 * 7000)
+  expect(Buffer.from(answersOf(twin, list).buffer).equals(native)).toBe(true)
 })

@@ -17,6 +17,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -39,7 +40,9 @@ enum {
 typedef enum hl_status {
   HL_OK = 0,
   HL_NOT_FINITE = 1,  /* a coordinate is NaN or infinite */
-  HL_OUTSIDE_CUBE = 2 /* a reference point is not in [0,1]^3 */
+  HL_OUTSIDE_CUBE = 2, /* a reference point is not in [0,1]^3 */
+  HL_INCOMPLETE = 3,   /* a list of coordinates or of indices does not end with a whole cell (or point) */
+  HL_NO_SUCH_POINT = 4 /* an index is not that of a point */
 } hl_status;
 
 /* Certain, or left to exact arithmetic: touching minima, collapsed elements, changes of an ulp. Never wrong. */
@@ -155,6 +158,37 @@ hl_status hl_jacobian_at(const double vertices[HL_COORDINATES], const double poi
    [0,1], which are finite and of magnitude 2^1000 at most; returns how many. A root of even multiplicity is given once, one
    within 2^-53 of an end or of another root perhaps not at all. The zero polynomial has none. */
 int hl_unit_roots(const double *bernstein, int degree, double roots[HL_MAX_ROOTS]);
+
+/* Many hexahedra. With indices, cell c is the points indices[8c] to indices[8c + 7], point p the coordinates 3p to 3p + 2;
+   without (null, 0), cell c is the coordinates 24c to 24c + 23. */
+typedef struct hl_cells {
+  const double *coordinates;
+  size_t coordinate_count; /* of doubles: a multiple of 3, without indices of 24 */
+  const uint32_t *indices;
+  size_t index_count; /* a multiple of 8 */
+} hl_cells;
+
+/* What is wanted of each cell, by lists of the caller's; no list may overlap another or the cells. */
+typedef struct hl_batch {
+  uint8_t *verdicts; /* one hl_verdict a cell */
+  /* The four below all together or null. A minimum and a least corner are their number times 2^exponent, with exponent 0
+     where both are then normal doubles or zero. */
+  double *minima;        /* the boundary minimum */
+  double *minimizers;    /* three a cell: xi, eta, zeta */
+  double *corner_minima; /* the least jacdet at the eight vertices */
+  int16_t *exponents;
+  /* How many of each verdict, and in case of failure the first cell that is at fault. */
+  size_t valid, invalid, undecided, first_bad_cell;
+} hl_batch;
+
+/* Verdicts of many cells, and where wanted their minima, as one by one, bit for bit: without minima the verdict is that of
+   hl_decide; with them it is that of hl_analyze, and minimum and minimizer are those of hl_boundary_minimum. Needs constant memory.
+   Any number of cells at once or in pieces; the counts are those of this call. On failure what was written belongs to the cells
+   before first_bad_cell, which are counted, and to no other. */
+hl_status hl_classify(const hl_cells *cells, hl_batch *batch);
+
+/* What hl_classify computes with on this machine: "avx512", "avx2", "sse2", "wasm" for WebAssembly's vectors, or "scalar". */
+const char *hl_vectors(void);
 
 /* Results as plain doubles in the order of the structs above, numbers and flags alike, lists cut to their counts: what
    crosses the WebAssembly boundary and what parity tests compare. Each returns how many were written. */

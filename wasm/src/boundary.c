@@ -7,6 +7,7 @@
 #include "filter.h"
 #include "hexlens.h"
 #include "map.h"
+#include "report.h"
 #include "subdivision.h"
 #include "topology.h"
 #include "volume.h"
@@ -30,7 +31,7 @@ static double least_of(const double *values, int count) {
   return least;
 }
 
-/* Algorithm 1 on given coefficients, in their units. */
+/* Algorithm 1 on given coefficients, in their units. Where a face cannot be lower, rounding is not to make it so. */
 static hl_candidate least_candidate(const double bernstein[27], hl_variant variant) {
   hl_candidate least = vertex_candidate(bernstein, 0), candidate;
   for (int v = 1; v < HL_VERTICES; ++v) {
@@ -45,6 +46,7 @@ static hl_candidate least_candidate(const double bernstein[27], hl_variant varia
     if (variant == HL_ROOTS_B && least_of(beta, HL_FACE_BERNSTEIN) >= least.value) continue;
     face_solution solution;
     find_kept_roots(beta, &solution);
+    if (!face_can_be_lower(beta, least.value)) continue;
     for (int r = 0; r < solution.root_count; ++r)
       if (solution.values[r] < least.value) least = face_candidate(f, &solution, r);
   }
@@ -86,6 +88,21 @@ static void report_face(hl_report *report, int face) {
     out->roots[r] = solution.roots[r];
     if (solution.roots[r].fate == HL_ROOT_KEPT) append(report, face_candidate(face, &solution, r));
   }
+}
+
+/* The least candidate of the list, by the rules of least_candidate. */
+static hl_candidate least_listed(const hl_report *report) {
+  hl_candidate least = report->candidates[0];
+  for (int i = 1, face = -1; i < report->candidate_count; ++i) {
+    const hl_candidate *candidate = &report->candidates[i];
+    if (!(candidate->value < least.value)) continue;
+    /* A face is judged by what came before it. */
+    const bool is_new_face = candidate->kind == HL_FACE && candidate->id != face;
+    if (is_new_face && !face_can_be_lower(report->faces[candidate->id].bernstein, least.value)) continue;
+    if (candidate->kind == HL_FACE) face = candidate->id;
+    least = *candidate;
+  }
+  return least;
 }
 
 /* (M1): what the coefficients are off by, and on the faces that could hold the minimum what P can miss. */
@@ -163,12 +180,11 @@ static int exponent_left(hl_report *report, int exponent) {
   return 0;
 }
 
-/* What doubles decide and know the minimum of as well. */
-static hl_verdict accurate_verdict(const hl_report *report, double permanent) {
-  if (greatest_magnitude(report->bernstein, HL_BERNSTEIN) < LEAST_PART_OF_PERMANENT * permanent) return HL_UNDECIDED;
-  hl_verdict verdict = filtered_verdict(report->bernstein);
+hl_verdict accurate_verdict(const double bernstein[27], double permanent, double minimum) {
+  if (greatest_magnitude(bernstein, HL_BERNSTEIN) < LEAST_PART_OF_PERMANENT * permanent) return HL_UNDECIDED;
+  hl_verdict verdict = filtered_verdict(bernstein);
   /* A computed minimum that contradicts a certain verdict has lost its sign: exact arithmetic gives both. */
-  return verdict == HL_VALID && !(report->minimizer.value > 0) ? HL_UNDECIDED : verdict;
+  return verdict == HL_VALID && !(minimum > 0) ? HL_UNDECIDED : verdict;
 }
 
 /* What the coefficients on the boundary and all of them are off by at most, and the exponent of them all. */
@@ -191,9 +207,7 @@ static void find_candidates(const double vertices[24], hl_report *report) {
 
   for (int i = 0; i < report->candidate_count; ++i)
     map_point(vertices, report->candidates[i].point, report->candidates[i].position);
-  report->minimizer = report->candidates[0];
-  for (int i = 1; i < report->candidate_count; ++i)
-    if (report->candidates[i].value < report->minimizer.value) report->minimizer = report->candidates[i];
+  report->minimizer = least_listed(report);
   report->maximizer = greatest_candidate(report->bernstein);
   map_point(vertices, report->maximizer.point, report->maximizer.position);
 }
@@ -221,7 +235,7 @@ hl_status hl_analyze(const double vertices[24], hl_report *report) {
                         .exponent = jacdet_exponent(&edges)};
   jacdet_bernstein(&edges, report->bernstein);
   find_candidates(vertices, report);
-  report->verdict = accurate_verdict(report, permanent);
+  report->verdict = accurate_verdict(report->bernstein, permanent, report->minimizer.value);
   complete_report(vertices, &edges, computed, report);
   return HL_OK;
 }

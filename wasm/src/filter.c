@@ -4,6 +4,7 @@
 #include "bernstein.h"
 #include "candidates.h"
 #include "face.h"
+#include "topology.h"
 
 /* In scaled units, (8) and (F1): a corner, a value on an edge, a coefficient of a face, a value on a face. */
 #define CORNER_ERROR (49 * UNIT_ROUNDOFF)
@@ -44,29 +45,75 @@ static void halve(const double *p, int degree, double *lower, double *upper) {
   }
 }
 
-/* Where B >= 0 or N <= 0 or D > 0 the parabola in s has its least value on an edge or above zero. */
-static bool parabolas_are_positive(const certificate *c, certificate_error error, int halvings) {
-  if (all_above(c->b, 3, error.b) || all_below(c->n, 3, -error.b) || all_above(c->d, 5, error.d)) return true;
-  if (halvings == 0) return false;
+/* 1: where B >= 0 or N <= 0 or D > 0 the parabola in s has its least value on an edge or above zero, and that is so everywhere.
+   -1: at a point in the middle B < 0 < N and D < 0, the parabola's vertex is inside and below zero. 0: neither is clear. */
+static int sign_of_parabolas(const certificate *c, certificate_error error, int halvings) {
+  if (all_above(c->b, 3, error.b) || all_below(c->n, 3, -error.b) || all_above(c->d, 5, error.d)) return 1;
+  if (halvings == 0) return 0;
   certificate lower, upper;
   halve(c->b, 2, lower.b, upper.b);
   halve(c->n, 2, lower.n, upper.n);
   halve(c->d, 4, lower.d, upper.d);
-  return parabolas_are_positive(&lower, error, halvings - 1) && parabolas_are_positive(&upper, error, halvings - 1);
+  if (upper.b[0] < -error.b && upper.n[0] > error.b && upper.d[0] < -error.d) return -1;
+  int sign = sign_of_parabolas(&lower, error, halvings - 1);
+  return sign == 1 ? sign_of_parabolas(&upper, error, halvings - 1) : sign;
 }
 
-/* For a face whose edges are certainly positive. */
-static bool face_is_positive(const double beta[9]) {
-  if (all_above(beta, HL_FACE_BERNSTEIN, FACE_BERNSTEIN_ERROR)) return true;
+/* As above, for a face whose edges are certainly positive. */
+static int sign_of_face(const double beta[9]) {
   parabolas f;
+  certificate c;
   parabolas_in_s(beta, &f);
-  certificate c = {.b = {f.b[0], f.b[1], f.b[2]}, .n = {f.n[0], f.n[1], f.n[2]}};
+  for (int j = 0; j < 3; ++j) {
+    c.b[j] = f.b[j];
+    c.n[j] = f.n[j];
+  }
   quarter_discriminant(&f, c.d);
-  double a = greatest_magnitude(f.a, 2), b = greatest_magnitude(f.b, 3), k = greatest_magnitude(f.c, 3);
-  const double u = UNIT_ROUNDOFF;
+  const double u = UNIT_ROUNDOFF, a = greatest_magnitude(f.a, 2), b = greatest_magnitude(f.b, 3),
+               k = greatest_magnitude(f.c, 3);
   certificate_error error = {.b = 1400 * u,
                              .d = u * (1 + 215 * a + 1004 * k + 932 * b + 64 * (a * k + b * b))}; /* (F3) */
-  return parabolas_are_positive(&c, error, MAX_HALVINGS);
+  return sign_of_parabolas(&c, error, MAX_HALVINGS);
+}
+
+/* In scaled units, far above the rounding errors of the certificate, (B2). */
+#define CLEARANCE_B 0x1p-32
+#define CLEARANCE_D 0x1p-30
+#define SKIP_HALVINGS 6
+
+/* The parabolas of f - bound along the rows s (stride 3) or t (stride 1) of beta; false if B or N show that none has its vertex
+   inside. */
+static bool has_inner_vertices(const double beta[9], int along, double bound, parabolas *f) {
+  const int across = 4 - along;
+  for (int j = 0; j < 3; ++j) {
+    const double *row = beta + across * j;
+    f->b[j] = row[along] - row[0];
+    f->n[j] = row[2 * along] - row[along];
+    f->c[j] = row[0] - bound;
+  }
+  f->a[0] = f->n[0] - f->b[0];
+  f->a[1] = f->n[2] - f->b[2];
+  return !all_above(f->b, 3, CLEARANCE_B) && !all_below(f->n, 3, -CLEARANCE_B);
+}
+
+static int sign_in_halves(const parabolas *f, const double d[5]) {
+  certificate c = {{f->b[0], f->b[1], f->b[2]}, {f->n[0], f->n[1], f->n[2]}, {d[0], d[1], d[2], d[3], d[4]}};
+  return sign_of_parabolas(&c, (certificate_error){CLEARANCE_B, CLEARANCE_D}, SKIP_HALVINGS);
+}
+
+bool face_can_be_lower(const double beta[9], double bound) {
+  parabolas in_s, in_t;
+  double of_s[5], of_t[5];
+  int i = 0;
+  while (i < HL_FACE_BERNSTEIN && beta[i] >= bound) ++i;
+  if (i == HL_FACE_BERNSTEIN) return false;
+  if (!has_inner_vertices(beta, 3, bound, &in_s) || !has_inner_vertices(beta, 1, bound, &in_t)) return false;
+  quarter_discriminant(&in_s, of_s);
+  if (all_above(of_s, 5, CLEARANCE_D)) return false;
+  quarter_discriminant(&in_t, of_t);
+  if (all_above(of_t, 5, CLEARANCE_D)) return false;
+  int sign = sign_in_halves(&in_s, of_s);
+  return (sign != 0 ? sign : sign_in_halves(&in_t, of_t)) <= 0;
 }
 
 static bool has_negative_candidate(const double beta[9]) {
@@ -77,24 +124,32 @@ static bool has_negative_candidate(const double beta[9]) {
   return false;
 }
 
+/* The coefficients on each face, as bits of their indices. */
+static const uint32_t coefficients_on[HL_FACES] = {0x00001ff, 0x7fc0000, 0x01c0e07, 0x70381c0, 0x1249249, 0x4924924};
+
 hl_verdict filtered_verdict(const double bernstein[27]) {
   bool certain = true;
   for (int v = 0; v < HL_VERTICES; ++v) {
-    double value = vertex_candidate(bernstein, v).value;
+    double value = bernstein[vertex_index(v)];
     if (value < -CORNER_ERROR) return HL_INVALID;
     if (!(value > EDGE_ERROR)) certain = false; /* an edge's middle may be as low as its ends, less its own error */
   }
   for (int e = 0; e < HL_EDGES; ++e) {
     hl_candidate candidate;
+    if (bernstein[edge_bernstein[e]] > EDGE_ERROR) continue; /* a candidate's value is no lower than its edge's coefficients */
     if (!edge_candidate(bernstein, e, &candidate)) continue;
     if (candidate.value < -EDGE_ERROR) return HL_INVALID;
     if (!(candidate.value > EDGE_ERROR)) certain = false;
   }
+  uint32_t low = 0;
+  for (int i = 0; i < HL_BERNSTEIN; ++i) low |= (uint32_t) !(bernstein[i] > FACE_BERNSTEIN_ERROR) << i;
   for (int f = 0; f < HL_FACES; ++f) {
+    if (certain && !(low & coefficients_on[f])) continue;
     double beta[HL_FACE_BERNSTEIN];
     face_bernstein(bernstein, f, beta);
-    if (certain && face_is_positive(beta)) continue;
-    if (has_negative_candidate(beta)) return HL_INVALID;
+    int sign = certain ? sign_of_face(beta) : 0;
+    if (sign > 0) continue;
+    if (sign < 0 || has_negative_candidate(beta)) return HL_INVALID;
     certain = false;
   }
   return certain ? HL_VALID : HL_UNDECIDED;

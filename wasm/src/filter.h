@@ -8,4 +8,9 @@
 /* For coefficients in scaled units. Stops at the first value that is certainly negative. */
 hl_verdict filtered_verdict(const double bernstein[HL_BERNSTEIN]);
 
+/* Whether a face can have a value below `bound`, given that its edges have none: not if its Bernstein bound or the criterion of the
+   filter, for f - bound, says no. What answers for many elements asks this before it solves the face, what answers for one before
+   it takes a candidate of it; so both have the same minimizer, (B2). */
+bool face_can_be_lower(const double beta[HL_FACE_BERNSTEIN], double bound);
+
 #endif

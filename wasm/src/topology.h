@@ -23,9 +23,10 @@ static inline int first_of_row(int axis, int row) {
   return axis == 0 ? row : axis == 1 ? 9 * (row / 3) + row % 3 : 3 * row;
 }
 
-static inline int vertex_index(int vertex) {
-  const unsigned char *r = vertex_reference[vertex];
-  return 18 * r[0] + 6 * r[1] + 2 * r[2];
-}
+/* The coefficients of the vertices, and those in the middles of the edges and of the faces. */
+static const unsigned char vertex_bernstein[8] = {0, 18, 24, 6, 2, 20, 26, 8};
+static const unsigned char edge_bernstein[12] = {9, 21, 15, 3, 11, 23, 17, 5, 1, 19, 7, 25};
+
+static inline int vertex_index(int vertex) { return vertex_bernstein[vertex]; }
 
 #endif

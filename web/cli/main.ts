@@ -1,13 +1,15 @@
 /** The command line: what it prints and with which exit status. tools/hexlens.mjs runs it. */
 import { readFile } from 'node:fs/promises'
-import { loadCore } from '../core/core'
 import type { Check, Core } from '../core/report'
 import { asDouble, decimalOf } from '../model/decimal'
 import { certification } from './certificates'
+import { fetchCore } from './read-core'
 import { MalformedInput, type NamedHexahedron, readHexahedra } from './read-hexahedra'
 
-const USAGE = `Usage: npm run -s hexlens -- analyze FILE.json
-       npm run -s hexlens -- certify FILE.json
+const CALL = process.env.npm_lifecycle_event === 'hexlens' ? 'npm run -s hexlens --' : 'hexlens'
+
+const USAGE = `Usage: ${CALL} analyze FILE.json
+       ${CALL} certify FILE.json
 
 Reads a JSON list of {"name", "vertices": [[x, y, z], ... 8 points in VTK_HEXAHEDRON order]} ("-": standard input) and
 prints a JSON list of {"name", "valid", "boundary_min", "boundary_min_error", "minimizer", "corner_min", "edge_min",
@@ -52,7 +54,7 @@ export async function main(args: readonly string[], streams: Streams = processSt
   }
   try {
     const hexahedra = readHexahedra(await readText(file, streams.input))
-    const core = await loadCore(await readFile(new URL('../../build/hexlens.wasm', import.meta.url)))
+    const core = await fetchCore()
     const lines = hexahedra.map(hexahedron => JSON.stringify(command(core, hexahedron)))
     streams.output.write(lines.length === 0 ? '[]\n' : `[\n${lines.join(',\n')}\n]\n`)
     return OK

@@ -8,8 +8,9 @@ import { exactBoundarySign } from './exact/exact-sign'
 import type { Core, CoreError, Report, Result } from './report'
 import { isDecided, Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
 
-interface CoreExports {
-  readonly memory: WebAssembly.Memory
+/** Of hexlens.wasm and of the modules for batches; and of hexlens-twin.js, which wasm2js makes of the first. */
+export interface CoreExports {
+  readonly memory: { readonly buffer: ArrayBuffer }
   readonly _initialize?: () => void
   input_address(): number
   output_address(): number
@@ -40,18 +41,31 @@ function firstNotFinite(vertices: Vertices): string {
 
 /**
  * Compiles and starts the core from the bytes of hexlens.wasm. Rejects with the engine's own error when WebAssembly is
- * missing, forbidden, or the bytes are not the core's. The functions of a Core never throw for any numbers given.
+ * missing, forbidden, or the bytes are not the core's.
  */
 export async function loadCore(bytes: BufferSource): Promise<Core> {
   const { instance } = await WebAssembly.instantiate(bytes, {})
-  const wasm = instance.exports as unknown as CoreExports
+  return coreOf(instance.exports as unknown as CoreExports)
+}
+
+/** Starts the core in an instance that has just been made. The functions of a Core never throw for any numbers given. */
+export function coreOf(wasm: CoreExports): Core {
   wasm._initialize?.()
-  const input = new Float64Array(wasm.memory.buffer, wasm.input_address(), wasm.input_length())
-  const output = new Float64Array(wasm.memory.buffer, wasm.output_address(), wasm.output_length())
+  let input = new Float64Array(0)
+  let output = input
+
+  /** Memory that has grown, as it does for batches, is another buffer. */
+  function renewViews(): void {
+    const { buffer } = wasm.memory
+    if (input.buffer === buffer) return
+    input = new Float64Array(buffer, wasm.input_address(), wasm.input_length())
+    output = new Float64Array(buffer, wasm.output_address(), wasm.output_length())
+  }
 
   function answer<T>(vertices: Vertices, more: readonly number[], run: () => number, read: () => T): Result<T> {
     if (vertices.length !== COORDINATE_COUNT)
       return refusal('wrong-count', `A hexahedron has ${COORDINATE_COUNT} coordinates, not ${vertices.length}.`)
+    renewViews()
     input.set(vertices)
     input.set(more, COORDINATE_COUNT)
     const status = run()

@@ -115,12 +115,14 @@ export interface JacobianReport {
   readonly exponent: number
 }
 
-export type CoreErrorCode = 'wrong-count' | 'not-finite' | 'outside-cube'
+export type CoreErrorCode = 'wrong-count' | 'not-finite' | 'outside-cube' | 'incomplete' | 'no-such-point'
 
 /** A typed refusal at the boundary; `message` is a clear sentence for people. */
 export interface CoreError {
   readonly code: CoreErrorCode
   readonly message: string
+  /** Of many cells, the first that is at fault. */
+  readonly cell?: number
 }
 
 export type Result<T> = { readonly ok: true; readonly value: T } | { readonly ok: false; readonly error: CoreError }

@@ -78,5 +78,11 @@ export const parts: readonly Part[] = [
     create: panel('take-away', 'Take away', () => import('../views/take-away/take-away')),
     styles: '',
   },
+  {
+    name: 'embed',
+    place: 'panel',
+    create: panel('embed', 'Copy embed', () => import('../views/embed/embed')),
+    styles: '',
+  },
   { name: 'scene', place: 'stage', create: createScene, styles: sceneStyles, slow: true },
 ]

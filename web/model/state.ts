@@ -8,7 +8,16 @@ export type ReferenceCube = 'unit' | 'biunit'
 export type FaceDisplay = 'opaque' | 'see-through' | 'inside' | number
 
 /** Panels below the first screen's; each is closed, and not even loaded, until it is asked for. */
-export const PANELS = ['face-maps', 'algorithm', 'inside', 'node-order', 'morph', 'paste', 'take-away'] as const
+export const PANELS = [
+  'face-maps',
+  'algorithm',
+  'inside',
+  'node-order',
+  'morph',
+  'paste',
+  'take-away',
+  'embed',
+] as const
 export type PanelId = (typeof PANELS)[number]
 
 /** A part of the element: vertex 0..7, edge 0..11 or face 0..5, by `kind`. */

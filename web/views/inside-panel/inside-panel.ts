@@ -4,6 +4,7 @@ import type { Report } from '../../core/report'
 import { formatBound, formatJacdet, formatNumber, formatPoint } from '../../model/decimal'
 import type { Axis, Vec3 } from '../../model/hexahedron'
 import type { ReferenceCube, Section, State } from '../../model/state'
+import { copyableJacdet, copyablePoint } from '../copyable'
 import { approximation, lowerInside } from '../inside'
 import { ThemeReader } from '../theme'
 import type { CreateView, Frame, View, ViewHost } from '../view'
@@ -196,15 +197,15 @@ function minima(report: Report, cube: ReferenceCube): TemplateResult {
       <tbody>
         <tr>
           <th scope="row">On the boundary</th>
-          <td>${jacdet(boundaryMinimum, exponent, cube)}</td>
-          <td>${boundaryMinimumError === 0 ? 'exactly' : `± ${formatBound(boundaryMinimumError, exponent, cube)}`}<br />at ${formatPoint(minimizer.point)}</td>
+          <td><b>${copyableJacdet(boundaryMinimum, exponent, cube)}</b></td>
+          <td>${boundaryMinimumError === 0 ? 'exactly' : `± ${formatBound(boundaryMinimumError, exponent, cube)}`}<br />at ${copyablePoint(minimizer.point)}</td>
         </tr>
         <tr>
           <th scope="row">In the whole element</th>
-          <td>${inside ? jacdet(volume.value, exponent, cube) : 'the same'}</td>
+          <td>${inside ? html`<b>${copyableJacdet(volume.value, exponent, cube)}</b>` : 'the same'}</td>
           <td>
             ${isExact ? 'exactly' : html`between ${formatJacdet(lower, exponent, cube, 'down')} and ${formatJacdet(upper, exponent, cube, 'up')}`}
-            ${inside ? html`<br />at ${formatPoint(point)}` : ''}
+            ${inside ? html`<br />at ${copyablePoint(point)}` : ''}
           </td>
         </tr>
       </tbody>

@@ -2,6 +2,7 @@
 import { type ImportResult, MOST_CHARACTERS, readElements, tooLarge } from '../../model/import/import'
 import { decodePermalink } from '../../model/permalink'
 import { isPng, PNG_KEYWORD, textOf } from '../../model/png-text'
+import { startReadingWorker } from './start-reading-worker'
 
 /** Characters that are read in a few milliseconds; more of them are read beside the page, which goes on. */
 const AT_ONCE = 200_000
@@ -45,7 +46,11 @@ function readText(text: string, signal: AbortSignal): ImportResult | Promise<Imp
 
 function readBeside(text: string, signal: AbortSignal): Promise<ImportResult> {
   return new Promise(resolve => {
-    const worker = new Worker(new URL('./reading-worker.ts', import.meta.url), { type: 'module' })
+    const worker = startReadingWorker()
+    if (worker === null) {
+      resolve(readElements(text))
+      return
+    }
     signal.addEventListener('abort', () => worker.terminate())
     worker.addEventListener('message', ({ data }: MessageEvent<ImportResult>) => {
       worker.terminate()

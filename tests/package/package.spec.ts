@@ -1,0 +1,174 @@
+/** The packed files, in Node and in a browser, over http and from file://. */
+import { execFileSync } from 'node:child_process'
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { pathToFileURL } from 'node:url'
+import { Lens } from '../e2e/lens'
+import { elsewhere, expect, root, test } from './elsewhere'
+
+const dist = 'node_modules/hexlens/dist'
+
+function write(name: string, text: string): string {
+  writeFileSync(join(elsewhere, name), text)
+  return name
+}
+
+function node(...args: string[]): string {
+  return execFileSync(process.execPath, args, { cwd: elsewhere, encoding: 'utf8' })
+}
+
+const element = (script: string, head = '') =>
+  `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Elsewhere</title><link rel="icon" href="data:,">${head}${script}</head><body><main><h1>Elsewhere</h1><hex-lens views="all"></hex-lens></main></body></html>`
+
+/** Each panel is asked for and shown: all of them are in the one file. */
+async function openEveryPanel(lens: Lens): Promise<void> {
+  const headings = lens.page.locator('hex-lens .fold > h2 > button')
+  await expect(headings).not.toHaveCount(0)
+  for (const heading of await headings.all()) await heading.click()
+  for (const body of await lens.page.locator('hex-lens .fold > div').all()) {
+    await expect(body).not.toBeEmpty()
+    await expect(body).not.toContainText('could not be loaded')
+  }
+}
+
+test('in Node the core answers without a DOM, by wasm and by its twin alike, and its types are whole', async () => {
+  write(
+    'core.mjs',
+    `import { loadCore, presets, presetVertices, readElements, reportJson } from 'hexlens/core'
+     const core = await loadCore()
+     const read = readElements(process.argv[2])
+     const vertices = read.reading.elements[0].vertices
+     const report = core.analyze(vertices).value
+     const certificate = core.certificate(vertices).value
+     const proofs = presets.map(preset => core.certificate(presetVertices(preset, () => 0.5)).value.valid)
+     console.log(JSON.stringify([report, certificate.valid, proofs, reportJson(report, 'pasted', '0')]))`,
+  )
+  const pasted = '0 1 0  1 1 -4  1 4 -3  -2 -1 -2  -4 1 4  4 -1 4  4 1 3  -2 3 1'
+  const answer = node('core.mjs', pasted)
+  const [report, valid, proofs] = JSON.parse(answer)
+  expect(report).toMatchObject({ valid: false, decidedBy: 'filter', minimizer: { kind: 'edge' } })
+  expect(report.boundaryMinimum).toBeCloseTo(-11.28, 2)
+  expect(valid).toBe(false)
+  expect(proofs).toContain(true)
+  write('no-wasm.mjs', 'delete globalThis.WebAssembly')
+  expect(node('--import', './no-wasm.mjs', 'core.mjs', pasted)).toBe(answer)
+
+  write(
+    'typed.ts',
+    `import { loadCore, type Report } from 'hexlens/core'
+     const result = (await loadCore()).analyze([])
+     export const report: Report | string = result.ok ? result.value : result.error.code
+     // @ts-expect-error A Report is no number: the types are there.
+     export const wrong: number = (await loadCore()).analyze([])
+     import 'hexlens'
+     export const lens = (): number[] => document.createElement('hex-lens').vertices`,
+  )
+  node(
+    join(root, 'node_modules/typescript/bin/tsc'),
+    '--strict',
+    '--noEmit',
+    '--module',
+    'nodenext',
+    '--types',
+    '',
+    'typed.ts',
+  )
+})
+
+test('the command line is the same', () => {
+  const vectors = join(root, 'tests/vectors/depth_guard_false_negatives.json')
+  const bin = join(elsewhere, 'node_modules/.bin/hexlens')
+  const verdicts = JSON.parse(execFileSync(bin, ['analyze', vectors], { encoding: 'utf8' }))
+  expect(verdicts.length).toBe(JSON.parse(readFileSync(vectors, 'utf8')).length)
+  expect(verdicts.every((verdict: { valid: boolean }) => verdict.valid)).toBe(true)
+})
+
+test('from file:// one script is all there is', async ({ page }) => {
+  const complaints: string[] = []
+  const asked: string[] = []
+  page.on('pageerror', error => complaints.push(error.message))
+  page.on('console', message => void (message.type() === 'error' && complaints.push(message.text())))
+  page.on('request', request => asked.push(request.url()))
+  write(
+    'file.html',
+    element(
+      '<script>var globals; globals = new Set(Object.keys(window))</script>',
+      `<script defer src="${dist}/hexlens.iife.js"></script>`,
+    ),
+  )
+  const lens = new Lens(page)
+  await lens.open(pathToFileURL(join(elsewhere, 'file.html')).href)
+  await expect(lens.verdict).toHaveText(/^INVALID/)
+  await openEveryPanel(lens)
+  expect(asked.filter(url => url.startsWith('file:')).map(url => url.split('/').at(-1))).toEqual([
+    'file.html',
+    'hexlens.iife.js',
+  ])
+  expect(
+    await page.evaluate(() =>
+      Object.keys(window).filter(name => !(globalThis as unknown as { globals: Set<string> }).globals.has(name)),
+    ),
+  ).toEqual([])
+  expect(complaints).toEqual([])
+})
+
+test.describe('under a strict policy', () => {
+  test.use({ expectedErrors: /violates the following|policy: script-src forbids wasm-eval/ })
+
+  test('the one module runs, and the core in a worker, with the twin beside them', async ({ lens, page }) => {
+    const policy = "default-src 'none'; script-src 'self'; img-src data: blob:"
+    write(
+      'policy.html',
+      element(
+        `<script type="module" src="${dist}/hexlens.es.js"></script>`,
+        `<meta http-equiv="Content-Security-Policy" content="${policy}">`,
+      ),
+    )
+    const twin = page.waitForResponse(/hexlens\.twin\.js$/)
+    await lens.open('policy.html')
+    expect((await twin).ok()).toBe(true)
+    await expect(lens.verdict).toHaveText(/^INVALID/)
+    write(
+      'worker.js',
+      `import { loadCore } from './${dist}/hexlens.core.js'
+       addEventListener('message', async ({ data }) => postMessage((await loadCore()).analyze(data).value))`,
+    )
+    const [inWorker, inElement] = await lens.element.evaluate(async element => {
+      const { report, vertices } = element as HTMLElementTagNameMap['hex-lens']
+      const worker = new Worker('worker.js', { type: 'module' })
+      const answer = new Promise(resolve => {
+        worker.onmessage = ({ data }) => resolve(data)
+      })
+      worker.postMessage(vertices)
+      return [await answer, report]
+    })
+    expect(inWorker).toEqual(inElement)
+  })
+})
+
+test('with three.js from the page there is one of it', async ({ lens, page }) => {
+  cpSync(join(root, 'node_modules/three/build'), join(elsewhere, 'three/build'), { recursive: true })
+  mkdirSync(join(elsewhere, 'three/addons/controls'), { recursive: true })
+  const controls = 'controls/OrbitControls.js'
+  cpSync(join(root, 'node_modules/three/examples/jsm', controls), join(elsewhere, 'three/addons', controls))
+  const imports = {
+    three: './three/build/three.module.js',
+    'three/addons/': './three/addons/',
+    hexlens: `./${dist}/hexlens.three.js`,
+  }
+  const modules = `<script type="importmap">${JSON.stringify({ imports })}</script>
+    <script type="module">import { REVISION } from 'three'; import 'hexlens'; document.title = REVISION</script>`
+  write('three.html', element(modules))
+  await lens.open('three.html')
+  await expect(page).toHaveTitle(/^\d+$/)
+  await expect(lens.verdict).toHaveText(/^INVALID/)
+  expect(await page.evaluate(() => (window as unknown as { __THREE__: string }).__THREE__)).toBe(await page.title())
+})
+
+test('the page works under any path', async ({ lens }) => {
+  cpSync(join(elsewhere, dist, 'app'), join(elsewhere, 'some/where/else'), { recursive: true })
+  await lens.open('some/where/else/')
+  await expect(lens.verdict).toHaveText(/^INVALID/)
+  await lens.button('Take away').click()
+  await expect(lens.button('Copy Python')).toBeVisible()
+})

@@ -1,0 +1,134 @@
+// A Vite plugin: three.js without what a mesh with a shader of its own never reaches. WebGLRenderer carries the shaders of every
+// built-in material with it (lights, shadows, environments, textures), and XR, Mesh what finds a ray's triangle; a bundler cannot see
+// that nothing asks for them.
+// Only for builds, whose tests then run on it; `npm run dev` has three.js as it is.
+
+import { existsSync } from 'node:fs'
+import { join } from 'node:path'
+import { Failure, root } from './run.mjs'
+
+const source = join(root, 'node_modules', 'three', 'src')
+
+/** What stands for a module of three/src: as much of it as WebGLRenderer calls when it draws a RawShaderMaterial. */
+const standIns = {
+  'math/FrustumArray.js': 'export class FrustumArray {}',
+  'objects/Mesh.js': `
+    import { Object3D } from '../core/Object3D.js'
+    export class Mesh extends Object3D {
+      isMesh = true
+      constructor(geometry, material) {
+        super()
+        this.geometry = geometry
+        this.material = material
+      }
+    }`,
+  'renderers/shaders/DFGLUTData.js': 'export const getDFGLUT = () => null',
+  'renderers/shaders/ShaderChunk.js': 'export const ShaderChunk = {}',
+  'renderers/shaders/ShaderLib.js': 'export const ShaderLib = {}',
+  'renderers/webgl/WebGLBackground.js': `
+    import { Color } from '../../math/Color.js'
+    export class WebGLBackground {
+      #color = new Color(0)
+      #alpha
+      #write
+      constructor(renderer, environments, state, objects, alpha, premultiplied) {
+        this.#alpha = alpha ? 0 : 1
+        this.#write = ({ r, g, b }, a) => state.buffers.color.setClear(r, g, b, a, premultiplied)
+      }
+      getClearColor() { return this.#color }
+      getClearAlpha() { return this.#alpha }
+      setClearColor(color, alpha = 1) {
+        this.#color.set(color)
+        this.setClearAlpha(alpha)
+      }
+      setClearAlpha(alpha) {
+        this.#alpha = alpha
+        this.#write(this.#color, alpha)
+      }
+      render() { this.#write(this.#color, this.#alpha) }
+      addToRenderList() {}
+      dispose() {}
+    }`,
+  'renderers/webgl/WebGLClipping.js': `
+    export class WebGLClipping {
+      numPlanes = 0
+      numIntersection = 0
+      init() { return false }
+    }`,
+  'renderers/webgl/WebGLEnvironments.js': `
+    export class WebGLEnvironments {
+      get() { return null }
+      dispose() {}
+    }`,
+  'renderers/webgl/WebGLLights.js': `
+    const kinds = ['sun', 'directional', 'point', 'spot', 'rectArea', 'hemi', 'spotLightMap']
+    const shadows = ['sunShadowMap', 'directionalShadowMap', 'pointShadowMap', 'spotShadowMap']
+    export class WebGLLights {
+      state = {
+        version: 0,
+        numSpotLightShadowsWithMaps: 0,
+        numLightProbes: 0,
+        ...Object.fromEntries([...kinds, ...shadows].map(name => [name, []])),
+      }
+      setup() {}
+      setupView() {}
+    }`,
+  'renderers/webgl/WebGLMaterials.js': `
+    export class WebGLMaterials {
+      refreshMaterialUniforms(uniforms, material) {
+        material.uniformsNeedUpdate = false
+      }
+    }`,
+  'renderers/webgl/WebGLMorphtargets.js': 'export class WebGLMorphtargets {}',
+  'renderers/webgl/WebGLOutput.js': 'export class WebGLOutput {}',
+  'renderers/webgl/WebGLShadowMap.js': `
+    export class WebGLShadowMap {
+      render() {}
+    }`,
+  'renderers/webgl/WebGLTextures.js': `
+    export class WebGLTextures {
+      resetTextureUnits() {}
+      getTextureUnits() { return null }
+      setTextureUnits() {}
+    }`,
+  'renderers/webgl/WebGLUniformsGroups.js': `
+    export class WebGLUniformsGroups {
+      dispose() {}
+    }`,
+  'renderers/webgl/WebGLUtils.js': `
+    export class WebGLUtils {
+      convert() {}
+    }`,
+  'renderers/webxr/WebXRManager.js': `
+    export class WebXRManager {
+      enabled = false
+      isPresenting = false
+      addEventListener() {}
+      removeEventListener() {}
+      setAnimationLoop() {}
+      dispose() {}
+    }`,
+}
+
+/** Scenes as JSON, which every class of three.js writes and reads: methods of a class, as its sources are indented. */
+const JSON_METHODS = /\n\t(?:static )?(?:toJSON|fromJSON)\([^\n]*\) \{\n[\s\S]*?\n\t\}\n/g
+
+export const leanThree = {
+  name: 'hexlens-lean-three',
+  apply: 'build',
+  enforce: 'pre',
+  buildStart() {
+    const missing = Object.keys(standIns).filter(name => !existsSync(join(source, name)))
+    if (missing.length > 0) throw new Failure(`This three.js has no ${missing.join(', ')}: mend tools/lean-three.mjs.`)
+  },
+  /** By its sources: the file that three.js is published as is one piece. */
+  resolveId(id) {
+    return id === 'three' ? join(source, 'Three.js') : null
+  },
+  transform(code, id) {
+    return id.startsWith(source) ? { code: code.replace(JSON_METHODS, '\n'), map: null } : null
+  },
+  load(id) {
+    return id.startsWith(source) ? standIns[id.slice(source.length + 1)] : null
+  },
+}

@@ -1,0 +1,166 @@
+// The files of the published package, but for the page: each one file, for browsers without a bundler as for bundlers.
+
+import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { dirname, join, resolve } from 'node:path'
+import { deflateSync } from 'node:zlib'
+import { leanThree } from './lean-three.mjs'
+import { Failure, must, root, tsc } from './run.mjs'
+
+const source = path => join(root, 'web', path)
+
+const BANNER = '/*! Hexlens, MIT; with three.js, MIT, and lit-html, BSD-3-Clause: licences.txt */'
+
+const WASM = 'virtual:hexlens.wasm.deflated'
+const TWIN = './hexlens.twin.js'
+
+/** What is another in one file. */
+const insides = {
+  [source('element/core-sources.ts')]: source('package/core-inside.ts'),
+  [source('cli/read-core.ts')]: source('element/fetch-core.ts'),
+  [source('views/paste/start-reading-worker.ts')]: source('package/no-reading-worker.ts'),
+}
+
+const insideOneFile = {
+  name: 'hexlens-inside-one-file',
+  enforce: 'pre',
+  async resolveId(id, importer) {
+    if (id.endsWith('/hexlens-twin.js')) return { id: TWIN, external: true }
+    if (id === WASM) return id
+    if (!id.startsWith('.')) return null
+    const resolved = await this.resolve(id, importer, { skipSelf: true })
+    return insides[resolved?.id] ?? null
+  },
+  /** What is loaded on demand is there already: as plain imports the modules share one scope, which is smaller. */
+  transform(code, id) {
+    if (!id.startsWith(source('')) || !code.includes('import(')) return null
+    const hoisted = []
+    const mended = code.replace(/import\((['"])(\.[^'"]+)\1\)/g, (dynamic, quote, name) => {
+      if (name.endsWith('hexlens-twin.js')) return dynamic
+      hoisted.push(`import * as inside${hoisted.length} from ${quote}${name}${quote}`)
+      return `Promise.resolve(inside${hoisted.length - 1})`
+    })
+    return { code: `${hoisted.join('\n')}\n${mended}`, map: null }
+  },
+  /** Deflated before it is text: text of other bytes hardly compresses when the file is sent. */
+  load(id) {
+    if (id !== WASM) return null
+    const deflated = deflateSync(readFileSync(join(root, 'build', 'hexlens.wasm')), { level: 9 })
+    return `export default '${deflated.toString('base64')}'`
+  },
+}
+
+/** lit-html as it runs on a server too, and without the global in which it notes its version: a guest leaves nothing behind. */
+const litHtml = join(root, 'node_modules', 'lit-html', 'node', 'lit-html.js')
+const modestLit = {
+  name: 'hexlens-modest-lit',
+  enforce: 'pre',
+  resolveId: id => (id === 'lit-html' ? litHtml : null),
+  transform(code, id) {
+    if (id !== litHtml) return null
+    const mended = code.replace(/,\(\w+\.litHtmlVersions\?\?=\[\]\)\.push\("[^"]*"\)/, '')
+    if (mended === code) throw new Failure('This lit-html notes its version in another way: mend tools/package.mjs.')
+    return { code: mended, map: null }
+  },
+}
+
+/** As pages without a bundler name it in their import maps. */
+const threeOutside = {
+  name: 'hexlens-three-outside',
+  enforce: 'pre',
+  resolveId(id) {
+    if (id === 'three') return { id, external: true }
+    const addon = /^three\/examples\/jsm\/(.*)$/.exec(id)
+    return addon ? { id: `three/addons/${addon[1]}`, external: true } : null
+  },
+}
+
+const nodeOutside = {
+  name: 'hexlens-node-outside',
+  enforce: 'pre',
+  resolveId: id => (id.startsWith('node:') ? { id, external: true } : null),
+}
+
+const ours = path => join(root, 'web', 'package', path)
+
+const bundles = [
+  { file: 'hexlens.es.js', format: 'es', entry: ours('hexlens.ts'), plugins: [insideOneFile, modestLit, leanThree] },
+  { file: 'hexlens.iife.js', format: 'iife', entry: ours('script.ts'), plugins: [insideOneFile, modestLit, leanThree] },
+  {
+    file: 'hexlens.three.js',
+    format: 'es',
+    entry: ours('hexlens.ts'),
+    plugins: [insideOneFile, modestLit, threeOutside],
+  },
+  { file: 'hexlens.core.js', format: 'es', entry: ours('core.ts'), plugins: [insideOneFile] },
+  {
+    file: 'hexlens.anywidget.js',
+    format: 'es',
+    entry: ours('anywidget.ts'),
+    plugins: [insideOneFile, modestLit, leanThree],
+  },
+  { file: 'hexlens.cli.js', format: 'es', entry: ours('cli.ts'), plugins: [insideOneFile, nodeOutside] },
+  { file: 'hexlens.twin.js', format: 'es', entry: join(root, 'build', 'hexlens-twin.js'), plugins: [] },
+]
+
+/** Writes the package's scripts and types into a folder. */
+export async function buildPackage(folder) {
+  const outDir = resolve(root, folder)
+  await buildScripts(outDir)
+  await writeTypes(join(outDir, 'types'))
+  writeFileSync(join(outDir, 'licences.txt'), licences())
+}
+
+/** The scripts alone. */
+export async function buildScripts(outDir) {
+  for (const bundle of bundles) await bundleOneFile(bundle, outDir)
+}
+
+/** Of what the scripts hold: each wants its notice kept. */
+function licences() {
+  const parts = [
+    ['Hexlens', 'LICENSE'],
+    ['three.js', 'node_modules/three/LICENSE'],
+    ['lit-html', 'node_modules/lit-html/LICENSE'],
+  ]
+  return parts.map(([name, path]) => `${name}\n\n${readFileSync(join(root, path), 'utf8').trim()}\n`).join('\n\n')
+}
+
+async function bundleOneFile({ file, format, entry, plugins }, outDir) {
+  const { build } = await import('vite')
+  await build({
+    configFile: false,
+    root,
+    publicDir: false,
+    logLevel: 'warn',
+    plugins,
+    build: {
+      target: 'es2022',
+      outDir,
+      emptyOutDir: false,
+      lib: { entry, formats: [format], name: 'hexlens', fileName: () => file },
+      rolldownOptions: {
+        output: { codeSplitting: false, minify: true, postBanner: BANNER },
+        checks: { bundlerTimings: false },
+      },
+    },
+  })
+}
+
+/** Declarations of what the two entries export and of what that names, with file names in full: readers of a package ask for them. */
+async function writeTypes(outDir) {
+  rmSync(outDir, { recursive: true, force: true })
+  const project = join(root, 'tsconfig.types.json')
+  await must(process.execPath, [tsc, '-p', project, '--outDir', outDir], 'The types were not written.')
+  const named = new Set(['package/hexlens', 'package/core'].map(name => join(outDir, `${name}.d.ts`)))
+  for (const path of named) {
+    const text = readFileSync(path, 'utf8').replace(/(from |import\()'(\.[^']+)'/g, (_, before, name) => {
+      named.add(join(dirname(path), `${name}.d.ts`))
+      return `${before}'${name}.js'`
+    })
+    writeFileSync(path, text)
+  }
+  for (const { name, parentPath } of readdirSync(outDir, { recursive: true, withFileTypes: true })) {
+    const path = join(parentPath, name)
+    if (path.endsWith('.d.ts') && !named.has(path)) rmSync(path)
+  }
+}

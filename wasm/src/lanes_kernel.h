@@ -1,0 +1,252 @@
+/* The fast stage for one instruction set: a file names it in LANES and includes this. Bounds: docs/algorithm.md 10. */
+#include "hexlens.h"
+#include "lanes.h"
+#include "lanes_vector.h"
+#include "topology.h"
+
+#include <float.h>
+#include <string.h>
+
+/* Of floats, in u_f prod X_r with u_f = 2^-24 and X_r the largest coordinate on axis r relative to vertex 0: (L1). Twice the
+   error, so that what is above or below it is beyond the scalar code's bounds as well. */
+#define FLOAT_ERROR (8 * 640 * 0x1p-24f)
+/* Sizes whose products neither overflow nor lose digits in floats. */
+#define LEAST_FLOAT 0x1p-30f
+#define GREATEST_FLOAT 0x1p30f
+
+/* As in filter.c and boundary.c. */
+#define U 0x1p-53
+#define CORNER_ERROR (49 * U)
+#define FACE_BERNSTEIN_ERROR (215 * U)
+#define LEAST_DOUBLE 0x1p-250
+#define GREATEST_DOUBLE 0x1p250
+
+typedef struct float_edges {
+  floats u[2][2][3], v[2][2][3], w[2][2][3];
+} float_edges;
+
+typedef struct double_edges {
+  doubles u[2][2][3], v[2][2][3], w[2][2][3];
+} double_edges;
+
+#define CROSS(a, b, out) \
+  ((out)[0] = (a)[1] * (b)[2] - (a)[2] * (b)[1], (out)[1] = (a)[2] * (b)[0] - (a)[0] * (b)[2], \
+   (out)[2] = (a)[0] * (b)[1] - (a)[1] * (b)[0])
+#define DOT(a, b) ((a)[0] * (b)[0] + (a)[1] * (b)[1] + (a)[2] * (b)[2])
+
+/* p[v][axis]: the vertex of (i, j, k) as in scaling.c. */
+#define SUBTRACT_VERTICES(p, e) \
+  for (int m = 0; m < 2; ++m) \
+    for (int n = 0; n < 2; ++n) \
+      for (int axis = 0; axis < 3; ++axis) { \
+        (e)->u[m][n][axis] = (p)[3 * vertex_at[1][m][n] + axis] - (p)[3 * vertex_at[0][m][n] + axis]; \
+        (e)->v[m][n][axis] = (p)[3 * vertex_at[m][1][n] + axis] - (p)[3 * vertex_at[m][0][n] + axis]; \
+        (e)->w[m][n][axis] = (p)[3 * vertex_at[m][n][1] + axis] - (p)[3 * vertex_at[m][n][0] + axis]; \
+      }
+
+static const unsigned char vertex_at[2][2][2] = {{{0, 4}, {3, 7}}, {{1, 5}, {2, 6}}}; /* [i][j][k] */
+
+/* Eight bits as eight bytes of 0 or 1, the lowest first in memory: all machines with these vectors are little-endian. */
+static inline uint64_t bytes_of(unsigned bits) {
+  uint64_t own_bit = ((bits & 0xff) * 0x0101010101010101u) & 0x8040201008040201u;
+  return (own_bit + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
+}
+
+static inline void decide_group(const double *hexahedra, unsigned char *verdicts) {
+  floats p[24];
+  load_relative(hexahedra, p);
+  floats extent[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    extent[axis] = magnitude_of_floats(p[3 + axis]);
+    for (int v = 2; v < 8; ++v) extent[axis] = larger_floats(extent[axis], magnitude_of_floats(p[3 * v + axis]));
+  }
+  float_bits usable = (extent[0] >= LEAST_FLOAT) & (extent[0] <= GREATEST_FLOAT) & (extent[1] >= LEAST_FLOAT) &
+      (extent[1] <= GREATEST_FLOAT) & (extent[2] >= LEAST_FLOAT) & (extent[2] <= GREATEST_FLOAT);
+  floats error = FLOAT_ERROR * (extent[0] * extent[1] * extent[2]);
+
+  float_edges e;
+  SUBTRACT_VERTICES(p, &e)
+  floats normal[2][2][2][3], corner[2][2][2], least = {0}, sum = {0};
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      for (int k = 0; k < 2; ++k) {
+        CROSS(e.u[j][k], e.v[i][k], normal[i][j][k]);
+        corner[i][j][k] = DOT(normal[i][j][k], e.w[i][j]);
+        least = i + j + k == 0 ? corner[i][j][k] : smaller_floats(least, corner[i][j][k]);
+        sum += corner[i][j][k];
+      }
+  usable &= sum == sum; /* a coordinate that is not finite makes the corner NaN */
+  unsigned invalid = float_lane_bits((least < -error) & usable), valid = 0;
+  if (invalid != (1u << FLOATS) - 1) {
+    floats x[2][2], y[2][2], z[2][2]; /* twice the middles of the edges along xi at [j][k], eta at [i][k], zeta at [i][j] */
+    for (int m = 0; m < 2; ++m)
+      for (int n = 0; n < 2; ++n) {
+        x[m][n] = DOT(normal[0][m][n], e.w[1][m]) + DOT(normal[1][m][n], e.w[0][m]);
+        y[m][n] = DOT(normal[m][0][n], e.w[m][1]) + DOT(normal[m][1][n], e.w[m][0]);
+        floats a[3], b[3];
+        CROSS(e.u[n][0], e.v[m][1], a);
+        CROSS(e.u[n][1], e.v[m][0], b);
+        for (int r = 0; r < 3; ++r) a[r] += b[r];
+        z[m][n] = DOT(a, e.w[m][n]);
+      }
+    /* Four times the values in the middles of the edges, eight times those in the middles of the faces, (L3). */
+    floats middles = x[0][0], centres = all_floats(0), edges = all_floats(0), faces = all_floats(0);
+    for (int m = 0; m < 2; ++m)
+      for (int n = 0; n < 2; ++n) {
+        middles = smaller_floats(smaller_floats(middles, x[m][n]), smaller_floats(y[m][n], z[m][n]));
+        edges = smaller_floats(edges, x[m][n] + (corner[0][m][n] + corner[1][m][n]));
+        edges = smaller_floats(edges, y[m][n] + (corner[m][0][n] + corner[m][1][n]));
+        edges = smaller_floats(edges, z[m][n] + (corner[m][n][0] + corner[m][n][1]));
+      }
+    for (int m = 0; m < 2; ++m) {
+      /* On the faces xi, eta, zeta = m: twice the sum of the edges' middles, and that less the corners, four times the centre. */
+      floats xi = (y[m][0] + y[m][1]) + (z[m][0] + z[m][1]), eta = (x[m][0] + x[m][1]) + (z[0][m] + z[1][m]),
+             zeta = (x[0][m] + x[1][m]) + (y[0][m] + y[1][m]);
+      faces = smaller_floats(smaller_floats(faces, xi), smaller_floats(eta, zeta));
+      xi -= (corner[m][0][0] + corner[m][1][1]) + (corner[m][0][1] + corner[m][1][0]);
+      eta -= (corner[0][m][0] + corner[1][m][1]) + (corner[0][m][1] + corner[1][m][0]);
+      zeta -= (corner[0][0][m] + corner[1][1][m]) + (corner[0][1][m] + corner[1][0][m]);
+      xi = smaller_floats(xi, smaller_floats(eta, zeta));
+      centres = m == 0 ? xi : smaller_floats(centres, xi);
+    }
+    valid = float_lane_bits((least > error) & (middles > 2 * error) & (centres > 4 * error) & usable);
+    invalid |= float_lane_bits(((edges < -4 * error) | (faces < -8 * error)) & usable);
+  }
+  for (int h = 0; h < FLOATS; h += 8) {
+    uint64_t bytes = HL_VALID * bytes_of(valid >> h) + HL_INVALID * bytes_of(invalid >> h);
+    memcpy(verdicts + h, &bytes, FLOATS < 8 ? FLOATS : 8);
+  }
+}
+
+/* Asks for the elements of some groups ahead, three lines of memory each: otherwise reading them takes as long as the rest. */
+static inline void fetch_ahead(const double *group, int elements) {
+  enum { AHEAD = 16, LINE = 8 };
+  for (int line = 0; line < 3 * elements; ++line) __builtin_prefetch(group + 24 * AHEAD + LINE * line);
+}
+
+static void decide_block(const double *hexahedra, int count, unsigned char *verdicts) {
+  for (int h = 0; h < count; h += FLOATS) {
+    fetch_ahead(hexahedra + 24 * h, FLOATS);
+    decide_group(hexahedra + 24 * h, verdicts + h);
+  }
+}
+
+/* Brings the edge vectors to scaled units (docs/algorithm.md 2). Gives the product of the axes' units, a bound for the permanents
+   and which lanes it holds for. */
+static inline double_bits scale_edges(double_edges *e, doubles *unit, doubles *permanent) {
+  double_bits usable = ~(double_bits){0};
+  doubles bounds[3][3]; /* of the components of U, V, W by axis */
+  *unit = all_doubles(1);
+  for (int axis = 0; axis < 3; ++axis) {
+    doubles greatest[3] = {magnitude_of(e->u[0][0][axis]), magnitude_of(e->v[0][0][axis]), magnitude_of(e->w[0][0][axis])};
+    for (int m = 1; m < 4; ++m) {
+      greatest[0] = larger_of(greatest[0], magnitude_of(e->u[m >> 1][m & 1][axis]));
+      greatest[1] = larger_of(greatest[1], magnitude_of(e->v[m >> 1][m & 1][axis]));
+      greatest[2] = larger_of(greatest[2], magnitude_of(e->w[m >> 1][m & 1][axis]));
+    }
+    doubles all = larger_of(larger_of(greatest[0], greatest[1]), greatest[2]);
+    usable &= (all >= LEAST_DOUBLE) & (all <= GREATEST_DOUBLE);
+    /* The power of two above it, and its reciprocal, by their bits: biased exponents add up to 2046. */
+    double_bits power = ((double_bits)all & 0x7ff0000000000000) + 0x0010000000000000;
+    doubles factor = (doubles)(0x7fe0000000000000 - power);
+    *unit *= (doubles)power;
+    for (int f = 0; f < 3; ++f) bounds[axis][f] = greatest[f] * factor;
+    for (int m = 0; m < 2; ++m)
+      for (int n = 0; n < 2; ++n) {
+        e->u[m][n][axis] *= factor;
+        e->v[m][n][axis] *= factor;
+        e->w[m][n][axis] *= factor;
+      }
+  }
+  const doubles *x = bounds[0], *y = bounds[1], *z = bounds[2];
+  *permanent = x[0] * (y[1] * z[2] + y[2] * z[1]) + x[1] * (y[2] * z[0] + y[0] * z[2]) + x[2] * (y[0] * z[1] + y[1] * z[0]);
+  return usable;
+}
+
+/* The operations of bernstein.c in their order, but for the cube's centre. */
+static inline void group_bernstein(const double_edges *e, doubles b[27]) {
+  doubles to_far_v[2][2][2], to_far_u[2][2][2];
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      for (int k = 0; k < 2; ++k) {
+        doubles n[3];
+        CROSS(e->u[j][k], e->v[i][k], n);
+        b[18 * i + 6 * j + 2 * k] = DOT(n, e->w[i][j]);
+        to_far_v[i][j][k] = DOT(n, e->w[1 - i][j]);
+        to_far_u[i][j][k] = DOT(n, e->w[i][1 - j]);
+      }
+  for (int m = 0; m < 2; ++m)
+    for (int k = 0; k < 2; ++k) {
+      b[9 + 6 * m + 2 * k] = 0.5 * (to_far_v[0][m][k] + to_far_v[1][m][k]);
+      b[18 * m + 3 + 2 * k] = 0.5 * (to_far_u[m][0][k] + to_far_u[m][1][k]);
+    }
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      doubles n[3], other[3];
+      CROSS(e->u[j][0], e->v[i][1], n);
+      CROSS(e->u[j][1], e->v[i][0], other);
+      for (int r = 0; r < 3; ++r) n[r] += other[r];
+      b[18 * i + 6 * j + 1] = 0.5 * DOT(n, e->w[i][j]);
+    }
+  for (int face = 0; face < 6; ++face) {
+    int s = axis_stride[face_table[face].s], t = axis_stride[face_table[face].t];
+    doubles *c = b + 2 * face_table[face].side * axis_stride[face_table[face].axis] + s + t;
+    doubles middles = (c[-s] + c[s]) + (c[-t] + c[t]);
+    doubles corners = (c[-s - t] + c[s + t]) + (c[-s + t] + c[s - t]);
+    *c = 0.5 * middles - 0.25 * corners;
+  }
+}
+
+static inline void corners_of_group(const double *hexahedra, int first, lane_minima *out) {
+  doubles p[24], b[27], unit, permanent;
+  for (int g = 0; g < 12; ++g) load_pair(hexahedra, g, p + 2 * g);
+  double_edges e;
+  SUBTRACT_VERTICES(p, &e)
+  double_bits usable = scale_edges(&e, &unit, &permanent);
+  b[13] = all_doubles(0);
+  group_bernstein(&e, b);
+
+  doubles least = b[0], greatest = b[0], sum = b[0];
+  double_bits vertex = {0};
+  for (int v = 1; v < 8; ++v) {
+    doubles corner = b[vertex_index(v)];
+    double_bits is_less = corner < least;
+    vertex = (vertex & ~is_less) | (is_less & v);
+    least = smaller_of(least, corner);
+    greatest = larger_of(greatest, corner);
+    sum += corner;
+  }
+  doubles others = b[1];
+  for (int i = 2; i < 26; ++i)
+    if (i != 13 && (i / 9 == 1 || i / 3 % 3 == 1 || i % 3 == 1)) others = smaller_of(others, b[i]);
+  usable &= sum == sum; /* a coordinate that is not finite makes the corner NaN */
+  doubles value = least * unit + 0.0; /* -0 becomes 0 */
+  double_bits normal = (magnitude_of(value) >= DBL_MIN) | (value == 0);
+  unsigned lower = lane_bits(others < least), is_usable = lane_bits(usable), invalid = lane_bits(least < -CORNER_ERROR),
+           valid = lane_bits(smaller_of(least, others) > FACE_BERNSTEIN_ERROR),
+           accurate = lane_bits(larger_of(greatest, -least) > permanent * (0x1p-5 * (1 + 0x1p-40)));
+  unsigned settled = is_usable & accurate & (valid | invalid) & ~lower & lane_bits(normal);
+  for (int h = 0; h < DOUBLES; ++h) {
+    out->state[first + h] = (unsigned char)((is_usable >> h & 1) * LANE_USABLE | (lower >> h & 1) * LANE_LOWER |
+                                            (valid >> h & 1) * LANE_VALID | (invalid >> h & 1) * LANE_INVALID |
+                                            (accurate >> h & 1) * LANE_ACCURATE | (settled >> h & 1) * LANE_SETTLED);
+    out->vertex[first + h] = (unsigned char)vertex[h];
+  }
+  *(doubles *)(out->least + first) = value;
+  *(doubles *)(out->unit + first) = unit;
+  if (settled != (1u << DOUBLES) - 1)
+    for (int i = 0; i < 27; ++i) *(doubles *)(out->bernstein + 27 * first + DOUBLES * i) = b[i] + 0.0;
+}
+
+static void corners_of_block(const double *hexahedra, int count, lane_minima *out) {
+  for (int h = 0; h < count; h += DOUBLES) {
+    fetch_ahead(hexahedra + 24 * h, DOUBLES);
+    corners_of_group(hexahedra + 24 * h, h, out);
+  }
+}
+
+#define KERNELS_(name) lanes_##name
+#define KERNELS(name) KERNELS_(name)
+#define STRING_(name) #name
+#define STRING(name) STRING_(name)
+const lane_kernels KERNELS(LANES) = {STRING(LANES), DOUBLES, decide_block, corners_of_block};

@@ -1,0 +1,190 @@
+/**
+ * Batches in one thread: a piece of cells through the C core, and what its doubles leave open through exact arithmetic. The only
+ * place that sees the memory of hexlens-batch.wasm; the contracts are those of hl_classify in wasm/include/hexlens.h.
+ */
+import { COORDINATE_COUNT } from '../../model/hexahedron'
+import { type CoreExports, coreOf } from '../core'
+import { exactBoundarySign } from '../exact/exact-sign'
+import type { CoreErrorCode } from '../report'
+
+/**
+ * Some cells: with `cells`, eight indices each of the points, whose numbers begin at `firstPoint`; without, 24 coordinates each.
+ */
+export interface Piece {
+  readonly points: Float64Array
+  readonly cells: Uint32Array | null
+  readonly firstPoint: number
+}
+
+/** One entry a cell. Values are jacdets on [0,1]^3, times 2^exponent, which is 0 wherever the doubles have room for the values. */
+export interface Minima {
+  readonly values: Float64Array
+  /** Where it is attained: xi, eta, zeta. */
+  readonly minimizers: Float64Array
+  /** The least jacdet at the eight vertices. */
+  readonly cornerMinima: Float64Array
+  readonly exponents: Int16Array
+}
+
+export interface PieceResult {
+  /** 1 for a valid cell, 0 for an invalid one: exact, every one. */
+  readonly valid: Uint8Array
+  readonly minima: Minima | null
+  /** How many cells exact arithmetic decided. */
+  readonly exact: number
+  /** The first cell that is not one; those before it are answered. */
+  readonly fault: { readonly cell: number; readonly code: CoreErrorCode } | null
+}
+
+export interface BatchCore {
+  /** `onExact` is called after each cell that exact arithmetic decided, with its index. */
+  classify(piece: Piece, wantsMinima: boolean, onExact?: (cell: number) => void): PieceResult
+}
+
+interface BatchExports extends CoreExports {
+  readonly memory: WebAssembly.Memory
+  counts_address(): number
+  classify(
+    coordinates: number,
+    coordinateCount: number,
+    indices: number,
+    indexCount: number,
+    verdicts: number,
+    minima: number,
+    minimizers: number,
+    cornerMinima: number,
+    exponents: number,
+  ): number
+}
+
+const VERTICES = 8
+const HL_VALID = 1
+const HL_UNDECIDED = 0
+/** By hl_status, from HL_NOT_FINITE on. */
+const FAULTS: Record<number, CoreErrorCode> = { 1: 'not-finite', 3: 'incomplete', 4: 'no-such-point' }
+const WASM_PAGE = 65536
+
+export function cellCount({ points, cells }: Piece): number {
+  return cells ? Math.floor(cells.length / VERTICES) : Math.floor(points.length / COORDINATE_COUNT)
+}
+
+export function emptyMinima(count: number): Minima {
+  return {
+    values: new Float64Array(count),
+    minimizers: new Float64Array(3 * count),
+    cornerMinima: new Float64Array(count),
+    exponents: new Int16Array(count),
+  }
+}
+
+/** Starts the core in a compiled hexlens-batch.wasm or hexlens-scalar.wasm. */
+export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCore> {
+  const instance = await WebAssembly.instantiate(module, {})
+  const wasm = instance.exports as unknown as BatchExports
+  const core = coreOf(wasm)
+  const { memory } = wasm
+  const start = memory.buffer.byteLength
+
+  /** Addresses of lists of these sizes in bytes, one after the other in memory that nothing else uses. */
+  function reserve(sizes: readonly number[]): number[] {
+    let next = start
+    const addresses = sizes.map(size => {
+      const address = next
+      next += Math.ceil(size / 64) * 64
+      return address
+    })
+    const missing = next - memory.buffer.byteLength
+    if (missing > 0) memory.grow(Math.ceil(missing / WASM_PAGE))
+    return addresses
+  }
+
+  function classify(piece: Piece, wantsMinima: boolean, onExact: (cell: number) => void = () => {}): PieceResult {
+    const { points, cells } = piece
+    const count = cellCount(piece)
+    const perMinimum = wantsMinima ? 8 * count : 0
+    const [atPoints, atCells, atVerdicts, atMinima, atMinimizers, atCorners, atExponents] = reserve([
+      points.byteLength,
+      cells?.byteLength ?? 0,
+      count,
+      perMinimum,
+      3 * perMinimum,
+      perMinimum,
+      perMinimum / 4,
+    ]) as [number, number, number, number, number, number, number]
+    new Float64Array(memory.buffer, atPoints, points.length).set(points)
+    if (cells) copyIndices(cells, piece.firstPoint, new Uint32Array(memory.buffer, atCells, cells.length))
+    const list = (address: number) => (wantsMinima ? address : 0)
+    const status = wasm.classify(
+      atPoints,
+      points.length,
+      cells ? atCells : 0,
+      cells?.length ?? 0,
+      atVerdicts,
+      list(atMinima),
+      list(atMinimizers),
+      list(atCorners),
+      list(atExponents),
+    )
+    const [undecided = 0, firstBad = 0] = new Uint32Array(memory.buffer, wasm.counts_address(), 2)
+    const code = FAULTS[status]
+    if (status !== 0 && code === undefined) throw new Error(`The core answered with an unknown status, ${status}.`)
+    const valid = new Uint8Array(memory.buffer, atVerdicts, count).slice()
+    const minima: Minima | null = wantsMinima
+      ? {
+          values: new Float64Array(memory.buffer, atMinima, count).slice(),
+          minimizers: new Float64Array(memory.buffer, atMinimizers, 3 * count).slice(),
+          cornerMinima: new Float64Array(memory.buffer, atCorners, count).slice(),
+          exponents: new Int16Array(memory.buffer, atExponents, count).slice(),
+        }
+      : null
+    const done = code === undefined ? count : Math.min(firstBad, count)
+    if (undecided > 0) decideExactly(piece, done, valid, minima, onExact)
+    for (let c = 0; c < count; ++c) valid[c] = c < done && valid[c] === HL_VALID ? 1 : 0
+    return { valid, minima, exact: undecided, fault: code === undefined ? null : { cell: firstBad, code } }
+  }
+
+  /** Those whose verdict is HL_UNDECIDED get HL_VALID or another one, and their minima from the report of exact arithmetic. */
+  function decideExactly(
+    piece: Piece,
+    count: number,
+    verdicts: Uint8Array,
+    minima: Minima | null,
+    onExact: (cell: number) => void,
+  ): void {
+    for (let c = verdicts.indexOf(HL_UNDECIDED); c >= 0 && c < count; c = verdicts.indexOf(HL_UNDECIDED, c + 1)) {
+      const vertices = verticesOf(piece, c)
+      const isValid = minima ? exactMinimum(vertices, c, minima) : exactBoundarySign(vertices) > 0
+      verdicts[c] = isValid ? HL_VALID : HL_VALID + 1
+      onExact(c)
+    }
+  }
+
+  function exactMinimum(vertices: readonly number[], c: number, minima: Minima): boolean {
+    const result = core.analyze(vertices)
+    if (!result.ok) throw new Error(result.error.message)
+    const { valid, boundaryMinimum, minimizer, cornerMinimum, exponent } = result.value
+    minima.values[c] = boundaryMinimum
+    minima.minimizers.set(minimizer.point, 3 * c)
+    minima.cornerMinima[c] = cornerMinimum
+    minima.exponents[c] = exponent
+    return valid
+  }
+
+  return { classify }
+}
+
+/** An index before `firstPoint` becomes one that is far too large. */
+function copyIndices(from: Uint32Array, firstPoint: number, to: Uint32Array): void {
+  if (firstPoint === 0) to.set(from)
+  else for (let i = 0; i < from.length; ++i) to[i] = (from[i] as number) - firstPoint
+}
+
+export function verticesOf({ points, cells, firstPoint }: Piece, cell: number): number[] {
+  if (!cells) return Array.from(points.subarray(COORDINATE_COUNT * cell, COORDINATE_COUNT * (cell + 1)))
+  const vertices: number[] = []
+  for (let v = 0; v < VERTICES; ++v) {
+    const at = 3 * ((cells[VERTICES * cell + v] as number) - firstPoint)
+    vertices.push(points[at] as number, points[at + 1] as number, points[at + 2] as number)
+  }
+  return vertices
+}

@@ -1,0 +1,66 @@
+/**
+ * The element as the front end of a Jupyter widget (anywidget's `render`). `vertices` goes both ways as the bytes of 24 doubles, little
+ * end first, so every bit arrives; the verdict goes to Python once a change is done.
+ */
+import '../element/hex-lens'
+
+type Lens = HTMLElementTagNameMap['hex-lens']
+
+interface Model {
+  get(name: string): unknown
+  set(name: string, value: unknown): void
+  save_changes(): void
+  on(event: string, listener: () => void): void
+  off(event: string, listener: () => void): void
+}
+
+const ATTRIBUTES = ['views', 'controls', 'camera', 'theme', 'label']
+
+function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
+  const lens = document.createElement('hex-lens') as Lens
+  for (const name of ATTRIBUTES) {
+    const value = model.get(name)
+    if (typeof value === 'string' && value !== '') lens.setAttribute(name, value)
+  }
+  if (model.get('readonly') === true) lens.setAttribute('readonly', '')
+  lens.style.width = '100%'
+  lens.style.height = `${model.get('height')}px`
+
+  const toLens = () => {
+    const vertices = doublesOf(model.get('vertices') as DataView)
+    if (!vertices.every((value, i) => Object.is(value, lens.vertices[i]))) lens.vertices = vertices
+  }
+  const toPython = () => {
+    model.set('vertices', bytesOf(lens.vertices))
+    tellVerdict()
+  }
+  const tellVerdict = () => {
+    const { report } = lens
+    model.set('valid', report?.valid ?? null)
+    model.set('boundary_minimum', report && report.exponent === 0 ? report.boundaryMinimum : null)
+    model.save_changes()
+  }
+  toLens()
+  model.on('change:vertices', toLens)
+  lens.addEventListener('hex-change', toPython)
+  lens.addEventListener('hex-verdict', tellVerdict)
+  el.append(lens)
+  return () => {
+    model.off('change:vertices', toLens)
+    lens.remove()
+  }
+}
+
+function doublesOf(bytes: DataView): number[] {
+  return Array.from({ length: bytes.byteLength / 8 }, (_, i) => bytes.getFloat64(8 * i, true))
+}
+
+function bytesOf(vertices: readonly number[]): DataView {
+  const bytes = new DataView(new ArrayBuffer(8 * vertices.length))
+  vertices.forEach((value, i) => {
+    bytes.setFloat64(8 * i, value, true)
+  })
+  return bytes
+}
+
+export default { render }
