@@ -75,6 +75,17 @@ test('in Node the core answers without a DOM, by wasm and by its twin alike, and
   )
 })
 
+test('imported on a server the element does no harm, as a module or as a script', () => {
+  write(
+    'server.mjs',
+    `const before = Object.keys(globalThis).length
+     const { HexLens } = await import('hexlens')
+     await import('./${dist}/hexlens.iife.js')
+     console.log(typeof HexLens, Object.keys(globalThis).length - before)`,
+  )
+  expect(node('server.mjs')).toBe('function 0\n')
+})
+
 test('the command line is the same', () => {
   const vectors = join(root, 'tests/vectors/depth_guard_false_negatives.json')
   const bin = join(elsewhere, 'node_modules/.bin/hexlens')
