@@ -171,6 +171,7 @@ test('Jupyter: what is moved moves the array, and what is assigned moves the pic
       JUPYTER_CONFIG_DIR: join(folder, 'config'),
       JUPYTER_RUNTIME_DIR: join(folder, 'runtime'),
       JUPYTER_DATA_DIR: join(folder, 'data'),
+      IPYTHONDIR: join(folder, 'ipython'),
     },
   })
   const ended = new Promise(resolve => jupyter.once('exit', resolve))
