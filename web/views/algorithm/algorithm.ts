@@ -66,6 +66,11 @@ class AlgorithmView implements View {
     this.#light(null)
   }
 
+  /** The step that the next action starts from, which may be ahead of the one that is drawn. */
+  get #now(): number {
+    return Math.min(this.#host.state().following.step, this.#steps.length - 1)
+  }
+
   get #current(): TraceStep {
     return this.#steps[this.#at] as TraceStep
   }
@@ -81,13 +86,13 @@ class AlgorithmView implements View {
       <p class="said" aria-live="polite">${this.#said}</p>
       <div class="go" role="group" aria-label="Steps">
         ${this.#button('First', this.#at > 0, () => this.#go(0))}
-        ${this.#button('Back', this.#at > 0, () => this.#go(this.#at - 1))}
+        ${this.#button('Back', this.#at > 0, () => this.#go(this.#now - 1))}
         ${
           this.#lessMotion.matches
             ? nothing
             : html`<button type="button" @click=${() => this.#toggle()}>${this.#timer === undefined ? 'Play' : 'Pause'}</button>`
         }
-        ${this.#button('Forward', !this.#isLast, () => this.#go(this.#at + 1))}
+        ${this.#button('Forward', !this.#isLast, () => this.#go(this.#now + 1))}
         ${this.#button('Last', !this.#isLast, () => this.#go(this.#steps.length - 1))}
         <span>${this.#at + 1} of ${this.#steps.length}</span>
       </div>
@@ -187,7 +192,7 @@ class AlgorithmView implements View {
   #toggle(): void {
     if (this.#timer !== undefined) this.#pause()
     else {
-      if (this.#isLast) this.#follow({ step: 0 })
+      if (this.#now >= this.#steps.length - 1) this.#follow({ step: 0 })
       this.#said = ''
       this.#timer = setTimeout(() => this.#advance(), STEP_MS)
     }
@@ -195,7 +200,7 @@ class AlgorithmView implements View {
   }
 
   #advance(): void {
-    const step = this.#at + 1
+    const step = this.#now + 1
     const isLast = step >= this.#steps.length - 1
     this.#timer = isLast ? undefined : setTimeout(() => this.#advance(), STEP_MS)
     this.#follow({ step })
@@ -214,7 +219,7 @@ class AlgorithmView implements View {
   }
 
   #onKey(event: KeyboardEvent): void {
-    const to = { ArrowUp: this.#at - 1, ArrowDown: this.#at + 1, Home: 0, End: this.#steps.length - 1 }[event.key]
+    const to = { ArrowUp: this.#now - 1, ArrowDown: this.#now + 1, Home: 0, End: this.#steps.length - 1 }[event.key]
     if (to === undefined || event.altKey || event.ctrlKey || event.metaKey) return
     event.preventDefault()
     this.#go(to)
