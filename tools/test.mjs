@@ -3,6 +3,7 @@
 
 import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { createServer } from 'node:net'
+import { tmpdir } from 'node:os'
 import { join, relative } from 'node:path'
 import { parseArgs } from 'node:util'
 import { Failure, isAlive, root, run, runMain } from './run.mjs'
@@ -121,6 +122,7 @@ async function browser() {
   const playwright = join(root, 'node_modules', '@playwright', 'test', 'cli.js')
   const { status } = await run(process.execPath, [playwright, 'test'], { output: 'show', env })
   rmSync(join(root, 'dist', `test-${port}`), { recursive: true, force: true })
+  rmSync(join(tmpdir(), `hexlens-elsewhere-${port}`), { recursive: true, force: true })
   const report = readJson(join(results, 'browser.json'))
   if (!report) return judged(counts(), status)
   const { expected, unexpected, flaky, skipped } = report.stats

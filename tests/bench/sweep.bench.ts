@@ -1,6 +1,6 @@
 /**
  * The paper's two tables: Roots, Roots+B and Hexlens on 100,000 elements a sigma, the same draws for all, natively and in wasm.
- * --quick: five rows of 20,000. --json: as data. --exact: every verdict against exact arithmetic. --save: into docs/benchmarks.md.
+ * --quick: five rows of 20,000. --json: as data. --save: into docs/benchmarks.md.
  */
 import { execFileSync, spawnSync } from 'node:child_process'
 import { readFileSync, writeFileSync } from 'node:fs'
@@ -27,8 +27,8 @@ const HL_UNDECIDED = 0
 const HL_VALID = 1
 
 export async function main(options: readonly string[]): Promise<void> {
-  const unknown = options.find(option => !['--quick', '--json', '--exact', '--save'].includes(option))
-  if (unknown) throw new Error(`${unknown} is not an option: --quick, --json, --exact, --save.`)
+  const unknown = options.find(option => !['--quick', '--json', '--save'].includes(option))
+  if (unknown) throw new Error(`${unknown} is not an option: --quick, --json, --save.`)
   const { sigmas, elements } = options.includes('--quick') ? QUICK : FULL
   const displacements = draws(24 * elements)
   const wasm = await wasmSweep(displacements)
@@ -38,7 +38,7 @@ export async function main(options: readonly string[]): Promise<void> {
     const native = nativeSweep(displacements, elements, sigma)
     vectors = native.vectors
     const inWasm = wasm.row(elements, sigma)
-    const judged = wasm.judge(elements, displacements, sigma, options.includes('--exact'))
+    const judged = wasm.judge(elements, displacements, sigma)
     for (const [q, query] of QUERIES.entries()) {
       const [own, other] = [entry(native.queries, q), entry(inWasm, q)]
       const wrong = query === 'validity' ? judged.wrong : other.farMinima
@@ -51,13 +51,13 @@ export async function main(options: readonly string[]): Promise<void> {
     if (!options.includes('--json')) process.stderr.write(`sigma ${sigma.toFixed(1)} is measured\n`)
   }
   const gmsh = options.includes('--json') ? null : gmshMinima(displacements, elements, sigmas)
-  const about = machine(vectors, elements, options.includes('--exact'))
+  const about = machine(vectors, elements)
   if (options.includes('--json')) console.log(JSON.stringify({ ...about, rows }))
   else console.log(text(about, rows, gmsh))
   if (options.includes('--save')) save(markdown(about, rows, gmsh), plot(rows))
 }
 
-function machine(vectors: string, elements: number, exact: boolean) {
+function machine(vectors: string, elements: number) {
   const compiler = execFileSync('cc', ['--version'], { encoding: 'utf8' }).split('\n')[0] as string
   return {
     machine: cpus()[0]?.model.trim() ?? '',
@@ -66,7 +66,6 @@ function machine(vectors: string, elements: number, exact: boolean) {
     node: process.version,
     elements,
     trials: TRIALS,
-    exact,
   }
 }
 
@@ -180,8 +179,8 @@ async function wasmSweep(displacements: Float64Array) {
     })
   }
 
-  /** Exact arithmetic decides what doubles left open, and who is right where Roots+B says otherwise; or all of them. */
-  function judge(elements: number, all: Float64Array, sigma: number, everything: boolean) {
+  /** Exact arithmetic decides what doubles left open, and who is right where Roots+B says otherwise. */
+  function judge(elements: number, all: Float64Array, sigma: number) {
     wasm.run_method(0, HEXLENS)
     wasm.run_method(0, ROOTS_B)
     const verdicts = new Uint8Array(wasm.memory.buffer, wasm.verdicts_address(), elements)
@@ -190,7 +189,7 @@ async function wasmSweep(displacements: Float64Array) {
     for (const [n, verdict] of verdicts.entries()) {
       const isValid = verdict === HL_VALID
       const isOpen = verdict === HL_UNDECIDED
-      if (!everything && !isOpen && isValid === (roots[n] === 1)) {
+      if (!isOpen && isValid === (roots[n] === 1)) {
         if (!isValid) invalid += 1
         continue
       }

@@ -209,8 +209,8 @@ static void bad_cells_are_named(void) {
       hl_batch batch = batch_into(&l, minima);
       hl_status status = classify_with(kernels[k], &cells, &batch, NULL);
       CHECK(status == (is_index ? HL_NO_SUCH_POINT : HL_NOT_FINITE) && batch.first_bad_cell == bad,
-            "%s, trial %d: status %d, cell %zu instead of %zu", name_of(kernels[k]), trial, status, batch.first_bad_cell,
-            bad);
+            "%s, trial %d: status %d, cell %zu instead of %zu", name_of(kernels[k]), trial, status,
+            batch.first_bad_cell, bad);
       CHECK(batch.valid + batch.invalid + batch.undecided == bad, "counts of trial %d", trial);
       for (size_t c = 0; c < CELLS; ++c)
         CHECK((l.verdicts[c] == 0x55) == (c >= bad), "trial %d: cell %zu is %d", trial, c, l.verdicts[c]);

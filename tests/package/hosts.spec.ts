@@ -171,6 +171,7 @@ test('Jupyter: what is moved moves the array, and what is assigned moves the pic
       JUPYTER_CONFIG_DIR: join(folder, 'config'),
       JUPYTER_RUNTIME_DIR: join(folder, 'runtime'),
       JUPYTER_DATA_DIR: join(folder, 'data'),
+      IPYTHONDIR: join(folder, 'ipython'),
     },
   })
   const ended = new Promise(resolve => jupyter.once('exit', resolve))
@@ -215,11 +216,16 @@ test('Jupyter: what is moved moves the array, and what is assigned moves the pic
   }
 })
 
+/** JupyterLab takes no keys before the notebook has its kernel. */
 async function runCell(page: Page, index: number): Promise<void> {
   const cell = page.locator('.jp-CodeCell').nth(index)
-  await cell.locator('.cm-content').click()
-  await page.keyboard.press('Control+Enter')
-  await expect(cell.locator('.jp-InputPrompt')).toHaveText(/\[\d+\]:/, { timeout: 60_000 })
+  const prompt = cell.locator('.jp-InputPrompt')
+  await expect(async () => {
+    await cell.locator('.cm-content').click()
+    await page.keyboard.press('Control+Enter')
+    await expect(prompt).not.toHaveText('[ ]:', { timeout: 3_000 })
+  }).toPass({ timeout: 120_000 })
+  await expect(prompt).toHaveText(/\[\d+\]:/, { timeout: 120_000 })
 }
 
 function notebook(cells: readonly string[]): object {

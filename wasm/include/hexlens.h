@@ -39,7 +39,7 @@ enum {
 /* A failure is a status, never a number. On failure the output is left as it was. */
 typedef enum hl_status {
   HL_OK = 0,
-  HL_NOT_FINITE = 1,  /* a coordinate is NaN or infinite */
+  HL_NOT_FINITE = 1,   /* a coordinate is NaN or infinite */
   HL_OUTSIDE_CUBE = 2, /* a reference point is not in [0,1]^3 */
   HL_INCOMPLETE = 3,   /* a list of coordinates or of indices does not end with a whole cell (or point) */
   HL_NO_SUCH_POINT = 4 /* an index is not that of a point */

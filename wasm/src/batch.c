@@ -108,7 +108,8 @@ static hl_candidate first_least_vertex(const double bernstein[27]) {
 }
 
 /* The middles of edges 0 to 11, then of faces 0 to 5. */
-static const unsigned char middles[HL_EDGES + HL_FACES] = {9, 21, 15, 3, 11, 23, 17, 5, 1, 19, 7, 25, 4, 22, 10, 16, 12, 14};
+static const unsigned char middles[HL_EDGES + HL_FACES] = {9,  21, 15, 3, 11, 23, 17, 5,  1,
+                                                           19, 7,  25, 4, 22, 10, 16, 12, 14};
 
 enum { EDGE_BITS = (1 << HL_EDGES) - 1 };
 
@@ -244,8 +245,8 @@ hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_b
     const int wanted = count - first < HL_BLOCK ? (int)(count - first) : HL_BLOCK;
     b.count = fill_block(cells, first, wanted, &b);
     const int with_points = b.count;
-    const int finite = batch->minima ? minima_of_block(kernels, &b, first, batch, stages)
-                                     : decide_block(kernels, &b, stages);
+    const int finite =
+        batch->minima ? minima_of_block(kernels, &b, first, batch, stages) : decide_block(kernels, &b, stages);
     hand_on(&b, first, finite, batch, stages);
     if (finite == wanted) continue;
     batch->first_bad_cell = first + (size_t)finite;

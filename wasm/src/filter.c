@@ -136,13 +136,14 @@ hl_verdict filtered_verdict(const double bernstein[27]) {
   }
   for (int e = 0; e < HL_EDGES; ++e) {
     hl_candidate candidate;
-    if (bernstein[edge_bernstein[e]] > EDGE_ERROR) continue; /* a candidate's value is no lower than its edge's coefficients */
+    if (bernstein[edge_bernstein[e]] > EDGE_ERROR)
+      continue; /* a candidate's value is no lower than its edge's coefficients */
     if (!edge_candidate(bernstein, e, &candidate)) continue;
     if (candidate.value < -EDGE_ERROR) return HL_INVALID;
     if (!(candidate.value > EDGE_ERROR)) certain = false;
   }
   uint32_t low = 0;
-  for (int i = 0; i < HL_BERNSTEIN; ++i) low |= (uint32_t) !(bernstein[i] > FACE_BERNSTEIN_ERROR) << i;
+  for (int i = 0; i < HL_BERNSTEIN; ++i) low |= (uint32_t)!(bernstein[i] > FACE_BERNSTEIN_ERROR) << i;
   for (int f = 0; f < HL_FACES; ++f) {
     if (certain && !(low & coefficients_on[f])) continue;
     double beta[HL_FACE_BERNSTEIN];

@@ -13,7 +13,8 @@ enum {
   LANE_VALID = 4,
   LANE_INVALID = 8,
   LANE_ACCURATE = 16, /* the largest coefficient is not small beside the permanents, (M2) */
-  LANE_SETTLED = 32   /* all of it: the least corner is the minimum, a normal double or zero, and the verdict is certain */
+  LANE_SETTLED =
+      32 /* all of it: the least corner is the minimum, a normal double or zero, and the verdict is certain */
 };
 
 typedef struct lane_minima {

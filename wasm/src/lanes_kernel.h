@@ -5,7 +5,6 @@
 #include "topology.h"
 
 #include <float.h>
-#include <string.h>
 
 /* Of floats, in u_f prod X_r with u_f = 2^-24 and X_r the largest coordinate on axis r relative to vertex 0: (L1). Twice the
    error, so that what is above or below it is beyond the scalar code's bounds as well. */
@@ -29,19 +28,19 @@ typedef struct double_edges {
   doubles u[2][2][3], v[2][2][3], w[2][2][3];
 } double_edges;
 
-#define CROSS(a, b, out) \
-  ((out)[0] = (a)[1] * (b)[2] - (a)[2] * (b)[1], (out)[1] = (a)[2] * (b)[0] - (a)[0] * (b)[2], \
+#define CROSS(a, b, out)                                                                                               \
+  ((out)[0] = (a)[1] * (b)[2] - (a)[2] * (b)[1], (out)[1] = (a)[2] * (b)[0] - (a)[0] * (b)[2],                         \
    (out)[2] = (a)[0] * (b)[1] - (a)[1] * (b)[0])
 #define DOT(a, b) ((a)[0] * (b)[0] + (a)[1] * (b)[1] + (a)[2] * (b)[2])
 
 /* p[v][axis]: the vertex of (i, j, k) as in scaling.c. */
-#define SUBTRACT_VERTICES(p, e) \
-  for (int m = 0; m < 2; ++m) \
-    for (int n = 0; n < 2; ++n) \
-      for (int axis = 0; axis < 3; ++axis) { \
-        (e)->u[m][n][axis] = (p)[3 * vertex_at[1][m][n] + axis] - (p)[3 * vertex_at[0][m][n] + axis]; \
-        (e)->v[m][n][axis] = (p)[3 * vertex_at[m][1][n] + axis] - (p)[3 * vertex_at[m][0][n] + axis]; \
-        (e)->w[m][n][axis] = (p)[3 * vertex_at[m][n][1] + axis] - (p)[3 * vertex_at[m][n][0] + axis]; \
+#define SUBTRACT_VERTICES(p, e)                                                                                        \
+  for (int m = 0; m < 2; ++m)                                                                                          \
+    for (int n = 0; n < 2; ++n)                                                                                        \
+      for (int axis = 0; axis < 3; ++axis) {                                                                           \
+        (e)->u[m][n][axis] = (p)[3 * vertex_at[1][m][n] + axis] - (p)[3 * vertex_at[0][m][n] + axis];                  \
+        (e)->v[m][n][axis] = (p)[3 * vertex_at[m][1][n] + axis] - (p)[3 * vertex_at[m][0][n] + axis];                  \
+        (e)->w[m][n][axis] = (p)[3 * vertex_at[m][n][1] + axis] - (p)[3 * vertex_at[m][n][0] + axis];                  \
       }
 
 static const unsigned char vertex_at[2][2][2] = {{{0, 4}, {3, 7}}, {{1, 5}, {2, 6}}}; /* [i][j][k] */
@@ -61,7 +60,7 @@ static inline void decide_group(const double *hexahedra, unsigned char *verdicts
     for (int v = 2; v < 8; ++v) extent[axis] = larger_floats(extent[axis], magnitude_of_floats(p[3 * v + axis]));
   }
   float_bits usable = (extent[0] >= LEAST_FLOAT) & (extent[0] <= GREATEST_FLOAT) & (extent[1] >= LEAST_FLOAT) &
-      (extent[1] <= GREATEST_FLOAT) & (extent[2] >= LEAST_FLOAT) & (extent[2] <= GREATEST_FLOAT);
+                      (extent[1] <= GREATEST_FLOAT) & (extent[2] >= LEAST_FLOAT) & (extent[2] <= GREATEST_FLOAT);
   floats error = FLOAT_ERROR * (extent[0] * extent[1] * extent[2]);
 
   float_edges e;
@@ -78,7 +77,8 @@ static inline void decide_group(const double *hexahedra, unsigned char *verdicts
   usable &= sum == sum; /* a coordinate that is not finite makes the corner NaN */
   unsigned invalid = float_lane_bits((least < -error) & usable), valid = 0;
   if (invalid != (1u << FLOATS) - 1) {
-    floats x[2][2], y[2][2], z[2][2]; /* twice the middles of the edges along xi at [j][k], eta at [i][k], zeta at [i][j] */
+    floats x[2][2], y[2][2],
+        z[2][2]; /* twice the middles of the edges along xi at [j][k], eta at [i][k], zeta at [i][j] */
     for (int m = 0; m < 2; ++m)
       for (int n = 0; n < 2; ++n) {
         x[m][n] = DOT(normal[0][m][n], e.w[1][m]) + DOT(normal[1][m][n], e.w[0][m]);
@@ -114,7 +114,7 @@ static inline void decide_group(const double *hexahedra, unsigned char *verdicts
   }
   for (int h = 0; h < FLOATS; h += 8) {
     uint64_t bytes = HL_VALID * bytes_of(valid >> h) + HL_INVALID * bytes_of(invalid >> h);
-    memcpy(verdicts + h, &bytes, FLOATS < 8 ? FLOATS : 8);
+    __builtin_memcpy(verdicts + h, &bytes, FLOATS < 8 ? FLOATS : 8);
   }
 }
 
@@ -138,7 +138,8 @@ static inline double_bits scale_edges(double_edges *e, doubles *unit, doubles *p
   doubles bounds[3][3]; /* of the components of U, V, W by axis */
   *unit = all_doubles(1);
   for (int axis = 0; axis < 3; ++axis) {
-    doubles greatest[3] = {magnitude_of(e->u[0][0][axis]), magnitude_of(e->v[0][0][axis]), magnitude_of(e->w[0][0][axis])};
+    doubles greatest[3] = {magnitude_of(e->u[0][0][axis]), magnitude_of(e->v[0][0][axis]),
+                           magnitude_of(e->w[0][0][axis])};
     for (int m = 1; m < 4; ++m) {
       greatest[0] = larger_of(greatest[0], magnitude_of(e->u[m >> 1][m & 1][axis]));
       greatest[1] = larger_of(greatest[1], magnitude_of(e->v[m >> 1][m & 1][axis]));
@@ -147,8 +148,8 @@ static inline double_bits scale_edges(double_edges *e, doubles *unit, doubles *p
     doubles all = larger_of(larger_of(greatest[0], greatest[1]), greatest[2]);
     usable &= (all >= LEAST_DOUBLE) & (all <= GREATEST_DOUBLE);
     /* The power of two above it, and its reciprocal, by their bits: biased exponents add up to 2046. */
-    double_bits power = ((double_bits)all & 0x7ff0000000000000) + 0x0010000000000000;
-    doubles factor = (doubles)(0x7fe0000000000000 - power);
+    double_words power = ((double_words)all & 0x7ff0000000000000u) + 0x0010000000000000u;
+    doubles factor = (doubles)(0x7fe0000000000000u - power);
     *unit *= (doubles)power;
     for (int f = 0; f < 3; ++f) bounds[axis][f] = greatest[f] * factor;
     for (int m = 0; m < 2; ++m)
@@ -159,7 +160,8 @@ static inline double_bits scale_edges(double_edges *e, doubles *unit, doubles *p
       }
   }
   const doubles *x = bounds[0], *y = bounds[1], *z = bounds[2];
-  *permanent = x[0] * (y[1] * z[2] + y[2] * z[1]) + x[1] * (y[2] * z[0] + y[0] * z[2]) + x[2] * (y[0] * z[1] + y[1] * z[0]);
+  *permanent =
+      x[0] * (y[1] * z[2] + y[2] * z[1]) + x[1] * (y[2] * z[0] + y[0] * z[2]) + x[2] * (y[0] * z[1] + y[1] * z[0]);
   return usable;
 }
 
@@ -219,7 +221,7 @@ static inline void corners_of_group(const double *hexahedra, int first, lane_min
   doubles others = b[1];
   for (int i = 2; i < 26; ++i)
     if (i != 13 && (i / 9 == 1 || i / 3 % 3 == 1 || i % 3 == 1)) others = smaller_of(others, b[i]);
-  usable &= sum == sum; /* a coordinate that is not finite makes the corner NaN */
+  usable &= sum == sum;               /* a coordinate that is not finite makes the corner NaN */
   doubles value = least * unit + 0.0; /* -0 becomes 0 */
   double_bits normal = (magnitude_of(value) >= DBL_MIN) | (value == 0);
   unsigned lower = lane_bits(others < least), is_usable = lane_bits(usable), invalid = lane_bits(least < -CORNER_ERROR),

@@ -23,6 +23,7 @@ enum { FLOATS = 2 * DOUBLES };
 typedef double doubles __attribute__((vector_size(8 * DOUBLES)));
 typedef float floats __attribute__((vector_size(8 * DOUBLES)));
 typedef int64_t double_bits __attribute__((vector_size(8 * DOUBLES)));
+typedef uint64_t double_words __attribute__((vector_size(8 * DOUBLES)));
 typedef int32_t float_bits __attribute__((vector_size(8 * DOUBLES)));
 
 static inline doubles all_doubles(double x) { return (doubles){0} + x; }
@@ -63,8 +64,10 @@ static inline void load_relative(const double *hexahedra, floats out[24]) {
     }
   }
   for (int g = 0; g < 6; ++g) {
-    v128_t a = wasm_i32x4_shuffle(row[0][g], row[1][g], 0, 4, 1, 5), b = wasm_i32x4_shuffle(row[2][g], row[3][g], 0, 4, 1, 5),
-           c = wasm_i32x4_shuffle(row[0][g], row[1][g], 2, 6, 3, 7), d = wasm_i32x4_shuffle(row[2][g], row[3][g], 2, 6, 3, 7);
+    v128_t a = wasm_i32x4_shuffle(row[0][g], row[1][g], 0, 4, 1, 5),
+           b = wasm_i32x4_shuffle(row[2][g], row[3][g], 0, 4, 1, 5),
+           c = wasm_i32x4_shuffle(row[0][g], row[1][g], 2, 6, 3, 7),
+           d = wasm_i32x4_shuffle(row[2][g], row[3][g], 2, 6, 3, 7);
     out[4 * g] = (floats)wasm_i64x2_shuffle(a, b, 0, 2);
     out[4 * g + 1] = (floats)wasm_i64x2_shuffle(a, b, 1, 3);
     out[4 * g + 2] = (floats)wasm_i64x2_shuffle(c, d, 0, 2);
@@ -78,7 +81,9 @@ static inline void load_relative(const double *hexahedra, floats out[24]) {
 #define WIDE(operation) _mm512_##operation
 typedef __m512d wide_doubles;
 typedef __m512 wide_floats;
-static inline unsigned lane_bits(double_bits mask) { return _mm512_cmplt_epi64_mask((__m512i)mask, _mm512_setzero_si512()); }
+static inline unsigned lane_bits(double_bits mask) {
+  return _mm512_cmplt_epi64_mask((__m512i)mask, _mm512_setzero_si512());
+}
 static inline unsigned float_lane_bits(float_bits mask) {
   return _mm512_cmplt_epi32_mask((__m512i)mask, _mm512_setzero_si512());
 }
@@ -103,9 +108,7 @@ static inline doubles smaller_of(doubles a, doubles b) {
 static inline doubles larger_of(doubles a, doubles b) {
   return (doubles)WIDE(max_pd)((wide_doubles)b, (wide_doubles)a);
 }
-static inline floats smaller_floats(floats a, floats b) {
-  return (floats)WIDE(min_ps)((wide_floats)b, (wide_floats)a);
-}
+static inline floats smaller_floats(floats a, floats b) { return (floats)WIDE(min_ps)((wide_floats)b, (wide_floats)a); }
 static inline floats larger_floats(floats a, floats b) { return (floats)WIDE(max_ps)((wide_floats)b, (wide_floats)a); }
 
 /* The 128-bit parts side by side. */

@@ -29,6 +29,7 @@ export interface Minima {
 export interface PieceResult {
   /** 1 for a valid cell, 0 for an invalid one: exact, every one. */
   readonly valid: Uint8Array
+  readonly validCount: number
   readonly minima: Minima | null
   /** How many cells exact arithmetic decided. */
   readonly exact: number
@@ -139,8 +140,9 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
       : null
     const done = code === undefined ? count : Math.min(firstBad, count)
     if (undecided > 0) decideExactly(piece, done, valid, minima, onExact)
-    for (let c = 0; c < count; ++c) valid[c] = c < done && valid[c] === HL_VALID ? 1 : 0
-    return { valid, minima, exact: undecided, fault: code === undefined ? null : { cell: firstBad, code } }
+    let validCount = 0
+    for (let c = 0; c < count; ++c) validCount += valid[c] = c < done && valid[c] === HL_VALID ? 1 : 0
+    return { valid, validCount, minima, exact: undecided, fault: code === undefined ? null : { cell: firstBad, code } }
   }
 
   /** Those whose verdict is HL_UNDECIDED get HL_VALID or another one, and their minima from the report of exact arithmetic. */

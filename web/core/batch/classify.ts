@@ -99,7 +99,8 @@ async function classify(
     const { result, points: used } = await pool.run({ piece, wantsMinima, caller: memory, onProgress: onPartDone })
     memory.give(used)
     if (result.fault) noteFault({ cell: first + result.fault.cell, code: result.fault.code })
-    validCount += put(result, valid, minima, first)
+    put(result, valid, minima, first)
+    validCount += result.validCount
     exact += result.exact
     partlyDone.delete(cut)
     done += count
@@ -126,8 +127,8 @@ async function classify(
   return { ok: true, value: { valid, validCount, minima, exact } }
 }
 
-/** Puts a piece's answers in their place; returns how many are valid. */
-function put(result: PieceResult, valid: Uint8Array, minima: Minima | null, first: number): number {
+/** Puts a piece's answers in their place. */
+function put(result: PieceResult, valid: Uint8Array, minima: Minima | null, first: number): void {
   valid.set(result.valid, first)
   if (minima && result.minima) {
     minima.values.set(result.minima.values, first)
@@ -135,7 +136,6 @@ function put(result: PieceResult, valid: Uint8Array, minima: Minima | null, firs
     minima.cornerMinima.set(result.minima.cornerMinima, first)
     minima.exponents.set(result.minima.exponents, first)
   }
-  return result.valid.reduce((sum, one) => sum + one, 0)
 }
 
 async function* stream(
