@@ -50,7 +50,7 @@ test.describe('without the core', () => {
   test.use({ expectedErrors: /Failed to load resource/ })
 
   test('axe finds nothing', async ({ lens, page }) => {
-    await page.route('**/*.wasm*', route => route.abort())
+    for (const part of ['**/*.wasm*', '**/*twin*']) await page.route(part, route => route.abort())
     await page.goto('./')
     await expect(lens.verdict).toHaveText(/^NO VERDICT/)
     await expectAxeFindsNothing(page)
