@@ -16,7 +16,8 @@ export default defineConfig({
   ],
   outputDir: `${results}/playwright`,
   reporter: [['list'], ['json', { outputFile: `${results}/browser.json` }]],
-  workers: 2,
+  // More than the cores: a page that waits leaves one idle.
+  workers: 3,
   retries: 0,
   forbidOnly: true,
   // Guards against hanging, not measurements: machines may be slow and busy.

@@ -4,7 +4,7 @@ import { expect, test } from './lens'
 const PANELS = ['Face maps', 'Algorithm 1, step by step', 'Inside', 'Morph', 'Node order']
 const WARM_UP = 1000
 const MOVES = 10_000
-const MOVES_A_FRAME = 250
+const MOVES_A_FRAME = 500
 
 interface Counts {
   readonly bytes: number

@@ -39,7 +39,7 @@ test('on paper: black on white, what is open at its full length, nothing to pres
   await page.emulateMedia({ media: 'print' })
   await expect(page.locator('hex-lens canvas.for-paper')).toBeAttached()
   const seen = await lens.element.evaluate(element => {
-    const { color, backgroundColor } = getComputedStyle(element)
+    const { color, backgroundColor } = getComputedStyle(element.shadowRoot?.querySelector('.lens') as Element)
     const copy = element.shadowRoot?.querySelector<HTMLCanvasElement>('canvas.for-paper') as HTMLCanvasElement
     const pixels = copy.getContext('2d')?.getImageData(0, 0, copy.width, copy.height).data ?? []
     let blue = 0
