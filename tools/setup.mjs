@@ -16,13 +16,13 @@ const EMSDK_SOURCE = 'https://github.com/emscripten-core/emsdk.git'
 const EMSDK_FOLDER = join(root, '.emsdk')
 
 /** What a setup can be for: to build and serve; formatter, linter and C warnings; benchmarks; all tests. */
-const PURPOSES = ['start', 'check', 'bench', 'test']
+const PURPOSES = ['start', 'check', 'bench', 'unit', 'test']
 
 const steps = [
   { what: 'Node', isDone: nodeIsNewEnough, run: refuseNode },
   { what: 'the npm packages', isDone: packagesAreCurrent, run: installPackages },
   { what: 'make', isDone: () => onPath('make'), run: installMake },
-  { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'bench', 'test'] },
+  { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'bench', 'unit', 'test'] },
   {
     what: 'the wasm and its twin',
     isDone: () => isMade('wasm'),
@@ -34,8 +34,8 @@ const steps = [
     run: say => makeWithEmcc(say, 'bench', 'what the benchmarks run'),
     for: ['bench'],
   },
-  { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['test'] },
-  { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'test'] },
+  { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['unit', 'test'] },
+  { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'unit', 'test'] },
   { what: 'the documentation tools', isDone: hostsAreCurrent, run: installHosts, for: ['test'] },
   { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
   { what: 'Firefox, WebKitGTK and a screen for them', isDone: otherBrowsers, run: installOtherBrowsers, for: ['test'] },
