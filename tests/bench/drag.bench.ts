@@ -1,10 +1,11 @@
 /**
- * Main-thread script of one drag frame in Chromium, by what is open: the time of the page's animation frame callbacks while a
- * vertex is dragged. Drawing by software is in the GPU process and the compositor and is not counted.
+ * Main-thread script of one drag frame in Chromium, by what is open: what the browser itself counts as the page's scripts (event
+ * handlers and animation frame callbacks) from one move of the pointer to the end of its frame. It is the thread's processor time: waiting
+ * for a software renderer, which on a machine without a GPU takes the same cores, is not counted, nor is rasterization.
  */
 import { spawn } from 'node:child_process'
 import { cpus, loadavg } from 'node:os'
-import { chromium, type Page } from '@playwright/test'
+import { type CDPSession, chromium, type Page } from '@playwright/test'
 import { findChromium } from '../../tools/chromium.mjs'
 
 const PORT = 41736
@@ -29,15 +30,16 @@ export async function main(): Promise<void> {
     const executablePath = await findChromium()
     const browser = await chromium.launch({ ...(executablePath ? { executablePath } : {}), args: ARGUMENTS })
     const page = await browser.newPage({ viewport: { width: 1280, height: 800 } })
-    await page.addInitScript(timeFrames)
     await reach(page)
+    const devtools = await page.context().newCDPSession(page)
+    await devtools.send('Performance.enable', { timeDomain: 'threadTicks' })
     console.log(
       `${cpus()[0]?.model}, Chromium ${browser.version()}, load ${loadavg()[0]?.toFixed(1)}: ${MOVES} moves each`,
     )
     for (const [name, buttons] of STAGES) {
       for (const button of buttons) await page.getByRole('button', { name: button, exact: true }).click()
       await page.waitForTimeout(1000)
-      const times = await drag(page)
+      const times = await drag(page, devtools)
       const at = (part: number) => (times[Math.floor(part * (times.length - 1))] ?? Number.NaN).toFixed(2).padStart(7)
       console.log(`${at(0.5)} ms median ${at(0.9)} ms 90 %  ${name}`)
     }
@@ -45,23 +47,6 @@ export async function main(): Promise<void> {
   } finally {
     server.kill()
   }
-}
-
-/** Adds up the callbacks of each animation frame in `frameTimes`. */
-function timeFrames(): void {
-  const page = globalThis as typeof globalThis & { frameTimes: number[] }
-  const request = globalThis.requestAnimationFrame.bind(globalThis)
-  let frame = -1
-  page.frameTimes = []
-  globalThis.requestAnimationFrame = callback =>
-    request(time => {
-      const begin = performance.now()
-      callback(time)
-      const spent = performance.now() - begin
-      if (time === frame) page.frameTimes[page.frameTimes.length - 1] = (page.frameTimes.at(-1) ?? 0) + spent
-      else page.frameTimes.push(spent)
-      frame = time
-    })
 }
 
 async function reach(page: Page): Promise<void> {
@@ -77,19 +62,26 @@ async function reach(page: Page): Promise<void> {
   }
 }
 
-/** Drags vertex 6 to and fro; the frames' times, ascending. */
-async function drag(page: Page): Promise<number[]> {
+/** Drags vertex 6 to and fro, a frame a move; the frames' times in ms, ascending. */
+async function drag(page: Page, devtools: CDPSession): Promise<number[]> {
   const handle = await page.locator('hex-lens .scene-pane .handle').nth(6).boundingBox()
   if (handle === null) throw new Error('There is no handle of vertex 6.')
   const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2]
   await page.mouse.move(x, y)
   await page.mouse.down()
-  await page.evaluate(() => {
-    ;(globalThis as unknown as { frameTimes: number[] }).frameTimes.length = 0
-  })
-  for (let n = 0; n < MOVES; ++n) await page.mouse.move(x + 30 * Math.sin(n / 7), y + 20 * Math.sin(n / 11))
-  const times = await page.evaluate(() => (globalThis as unknown as { frameTimes: number[] }).frameTimes)
+  const times: number[] = []
+  for (let n = 0; n < MOVES; ++n) {
+    const before = await scriptSeconds(devtools)
+    await page.mouse.move(x + 30 * Math.sin(n / 7), y + 20 * Math.sin(n / 11))
+    await page.evaluate(() => new Promise<void>(done => requestAnimationFrame(() => setTimeout(done))))
+    times.push(1000 * ((await scriptSeconds(devtools)) - before))
+  }
   await page.keyboard.press('Escape')
   await page.mouse.up()
   return times.sort((a, b) => a - b)
+}
+
+async function scriptSeconds(devtools: CDPSession): Promise<number> {
+  const { metrics } = await devtools.send('Performance.getMetrics')
+  return metrics.find(({ name }) => name === 'ScriptDuration')?.value ?? Number.NaN
 }

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
 import { DEFAULT_DIRECTION, SceneCamera } from '../../web/views/scene/camera'
 import { facePoint } from '../../web/views/scene/face-point'
-import { FACE_INDICES, FACE_QUADS, tiledIndices } from '../../web/views/scene/faces-geometry'
+import { FACE_QUADS, FACE_TILES, quadsPerTileFor, tilesOfFaces, writeIndices } from '../../web/views/scene/faces-geometry'
 import { axisMoves, nextDisplay } from '../../web/views/scene/keyboard-input'
 import { pickHandle, pickRadius } from '../../web/views/scene/picking'
 import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../web/views/scene/snapping'
@@ -209,17 +209,41 @@ describe('the keyboard', () => {
 })
 
 describe('the faces’ grid', () => {
-  it('covers each face once, tile by tile', () => {
-    const indices = tiledIndices()
-    const side = FACE_QUADS + 1
-    expect(indices).toHaveLength(faces.length * FACE_INDICES)
-    const triangles = new Set<string>()
-    for (let i = 0; i < indices.length; i += 3) triangles.add([...indices.subarray(i, i + 3)].join())
-    expect(triangles.size).toBe(2 * FACE_QUADS ** 2 * faces.length)
-    expect(Math.max(...indices)).toBe(faces.length * side * side - 1)
-    const ofThird = indices.subarray(2 * FACE_INDICES, 3 * FACE_INDICES)
-    expect(Math.min(...ofThird)).toBe(2 * side * side)
-    expect(Math.max(...ofThird)).toBe(3 * side * side - 1)
+  const side = FACE_QUADS + 1
+  const indicesOf = (order: readonly number[], quadsPerTile: number) => {
+    const indices = new Uint16Array(faces.length * FACE_QUADS ** 2 * 6)
+    return indices.subarray(0, writeIndices(indices, { tiles: tilesOfFaces(order), quadsPerTile }))
+  }
+
+  it.each([1, 2, 4])('covers each face once, in the order asked for, %i quads along a tile', quadsPerTile => {
+    const order = [4, 2, 0, 1, 5, 3]
+    const indices = indicesOf(order, quadsPerTile)
+    const quads = FACE_TILES * quadsPerTile
+    expect(indices).toHaveLength(faces.length * quads ** 2 * 6)
+    const perFace = indices.length / faces.length
+    order.forEach((face, place) => {
+      const [found, areas, triangles] = [new Set<number>(), new Set<number>(), new Set<string>()]
+      for (let i = place * perFace; i < (place + 1) * perFace; i += 3) {
+        const [a, b, c] = [...indices.subarray(i, i + 3)].map(index => {
+          found.add(Math.floor(index / side ** 2))
+          return [Math.floor((index % side ** 2) / side), index % side]
+        }) as [[number, number], [number, number], [number, number]]
+        areas.add((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+        triangles.add(String([a, b, c]))
+      }
+      expect([...found]).toEqual([face])
+      expect([...areas]).toEqual([(FACE_QUADS / quads) ** 2])
+      expect(triangles.size).toBe(perFace / 3)
+    })
+  })
+
+  it('is as fine as the twist asks for: a pixel off at most, until it is at its finest', () => {
+    for (const twist of [0, 1, 100, 256, 257, 1000, 1024, 1025, 4000]) {
+      const quads = FACE_TILES * quadsPerTileFor(twist)
+      expect(twist / (4 * quads ** 2)).toBeLessThanOrEqual(1)
+      if (quads > FACE_TILES) expect(twist / quads ** 2).toBeGreaterThan(1)
+    }
+    expect(quadsPerTileFor(1e6) * FACE_TILES).toBe(FACE_QUADS)
   })
 
   it('has the corners of a face at its vertices', () => {

@@ -6,23 +6,25 @@ import { type BufferAttribute, LinearSRGBColorSpace, Mesh, Scene, Vector3, WebGL
 import type { Report } from '../../core/report'
 import { sectionBernstein } from '../../core/section'
 import type { Surface } from '../../core/zero-surface'
-import type { Vec3 } from '../../model/hexahedron'
+import { faces, type Vec3 } from '../../model/hexahedron'
 import type { FaceDisplay, Section } from '../../model/state'
-import { type ColourScale, RAMP_STEPS, type Ramp, type Theme } from '../colour-map'
+import { type ColourScale, type Ramp, type Theme } from '../colour-map'
 import type { SceneCamera } from './camera'
 import { type Corners, faceCorners, facePoint, patchPoint, sectionCorners } from './face-point'
 import {
   createFacesGeometry,
   createSectionGeometry,
-  FACE_INDICES,
-  FACE_TILES,
+  faceOfTile,
+  quadsPerTileFor,
   SECTION,
+  type Tiling,
   TILE_COUNT,
-  TILE_INDICES,
-  tiledIndices,
   tileMiddle,
+  tilesOfFaces,
+  writeIndices,
 } from './faces-geometry'
-import { createFacesMaterial, createFacesUniforms } from './faces-material'
+import { createFacesMaterial, createFacesUniforms, writeRamp } from './faces-material'
+import { at, map3 } from './view-frame'
 import { ZeroSurfaceMesh } from './zero-surface-mesh'
 
 /** Part of the canvas, in CSS pixels from its top left, and what is drawn there: the vertices are in the view frame. */
@@ -97,9 +99,9 @@ export class FaceRenderer {
   readonly #section = new Mesh(createSectionGeometry(), this.#sectionMaterial)
   readonly #zeroSurface = new ZeroSurfaceMesh(this.#uniforms)
   readonly #scene = new Scene()
-  readonly #inOrder = tiledIndices()
   isLost = false
-  #sorted = false
+  /** Of which the indices are. */
+  #tiling = ''
   #ramp: Ramp | null = null
   #size = ''
 
@@ -132,7 +134,7 @@ export class FaceRenderer {
   /** On `canvas`, which then has the picture's size in pixels. Returns the number of draw calls. */
   draw(picture: Picture): number {
     this.#resize(picture)
-    this.#writeColours(picture)
+    this.#writeRamp(picture)
     this.#renderer.info.reset()
     this.#renderer.clear()
     for (const region of picture.regions) this.#drawRegion(region, picture)
@@ -181,7 +183,7 @@ export class FaceRenderer {
     this.#renderer.setSize(width, height, false)
   }
 
-  #writeColours({ report, scale, ramp, theme, pixelRatio, display, section, zeroSurface }: Picture): void {
+  #writeRamp({ report, scale, ramp, theme, pixelRatio, display, section, zeroSurface }: Picture): void {
     const uniforms = this.#uniforms
     uniforms.bernstein.value.fill(0)
     if (report && scale) {
@@ -196,10 +198,7 @@ export class FaceRenderer {
     }
     if (ramp !== this.#ramp) {
       this.#ramp = ramp
-      for (let i = 0; i <= RAMP_STEPS; i++) {
-        uniforms.negativeStops.value[i]?.fromArray(ramp.negative[i] as Vec3)
-        uniforms.positiveStops.value[i]?.fromArray(ramp.positive[i] as Vec3)
-      }
+      writeRamp(uniforms, ramp)
       uniforms.ink.value.fromArray(theme.ink)
       uniforms.paper.value.fromArray(theme.paper)
       this.#zeroSurface.colour(theme)
@@ -210,28 +209,38 @@ export class FaceRenderer {
     this.#zeroSurface.update(display === 'inside' ? zeroSurface : null)
   }
 
-  /** All faces, the farthest tiles first when they are see-through, or one alone. */
-  #chooseFaces({ vertices, camera }: Region, display: FaceDisplay): void {
+  #chooseFaces(region: Region, display: FaceDisplay): void {
     const isVeil = display in OPACITY
-    // Where faces are hardly seen their order is not.
-    const seeThrough = display === 'see-through'
     this.#material.transparent = isVeil
     this.#material.depthWrite = !isVeil
-    if (typeof display === 'number') this.#geometry.setDrawRange(display * FACE_INDICES, FACE_INDICES)
-    else this.#geometry.setDrawRange(0, Infinity)
-    if (!seeThrough && !this.#sorted) return
-    this.#sorted = seeThrough
+    const tiling = tilingOf(region, display)
+    const key = `${tiling.quadsPerTile} ${tiling.tiles}`
+    if (key === this.#tiling) return
+    this.#tiling = key
     const index = this.#geometry.index as BufferAttribute
-    const indices = index.array as Uint16Array
-    if (seeThrough) {
-      farthestFirst(vertices, camera).forEach((tile, place) => {
-        indices.set(this.#inOrder.subarray(tile * TILE_INDICES, (tile + 1) * TILE_INDICES), place * TILE_INDICES)
-      })
-    } else {
-      indices.set(this.#inOrder)
-    }
+    this.#geometry.setDrawRange(0, writeIndices(index.array as Uint16Array, tiling))
     index.needsUpdate = true
   }
+}
+
+/** The nearest face first, which spares what it hides; but the farthest tile first when they are see-through; or one face alone. */
+function tilingOf({ vertices, camera }: Region, display: FaceDisplay): Tiling {
+  const quadsPerTile = quadsPerTileFor(greatestTwist(vertices, camera))
+  if (typeof display === 'number') return { tiles: tilesOfFaces([display]), quadsPerTile }
+  if (display === 'see-through') return { tiles: farthestFirst(vertices, camera), quadsPerTile }
+  const depths = faces.map((_, face) => camera.depth(facePoint(vertices, face, 0.5, 0.5)))
+  const order = [...depths.keys()].sort((a, b) => (depths[a] as number) - (depths[b] as number))
+  return { tiles: tilesOfFaces(order), quadsPerTile }
+}
+
+/** Of all faces, in pixels, where they are nearest to the eye. */
+function greatestTwist(vertices: readonly Vec3[], camera: SceneCamera): number {
+  const nearest = Math.min(...vertices.map(vertex => camera.depth(vertex)))
+  const twists = faces.map((_, face) => {
+    const [a, b, c, d] = faceCorners(vertices, face)
+    return Math.hypot(...map3(axis => at(a, axis) - at(b, axis) - at(c, axis) + at(d, axis)))
+  })
+  return Math.max(...twists) / camera.lengthPerPixel(Math.max(nearest, camera.three.near))
 }
 
 /** On which side of the section the eye is. */
@@ -248,11 +257,8 @@ function sideSeen({ vertices, camera }: Region, corners: Corners, { axis }: Sect
 }
 
 function farthestFirst(vertices: readonly Vec3[], camera: SceneCamera): Uint16Array {
-  const perFace = FACE_TILES * FACE_TILES
   const depths = new Float64Array(TILE_COUNT)
-  for (let tile = 0; tile < TILE_COUNT; tile++) {
-    const [s, t] = tileMiddle(tile % perFace)
-    depths[tile] = camera.depth(facePoint(vertices, Math.floor(tile / perFace), s, t))
-  }
+  for (let tile = 0; tile < TILE_COUNT; tile++)
+    depths[tile] = camera.depth(facePoint(vertices, faceOfTile(tile), ...tileMiddle(tile)))
   return Uint16Array.from(depths.keys()).sort((a, b) => (depths[b] as number) - (depths[a] as number))
 }

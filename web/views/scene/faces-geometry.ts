@@ -8,38 +8,74 @@ import { faces } from '../../model/hexahedron'
 /** The section's number among the faces. */
 export const SECTION = faces.length
 
-/** Quads along each side of a face; a bilinear patch bends so little that 32 chords are within a pixel of it. */
+/** Quads along each side of a face, at the finest. */
 export const FACE_QUADS = 32
 /** Tiles along each side of a face: what is sorted by depth when faces are see-through. */
 export const FACE_TILES = 8
 
-const QUADS_PER_TILE = FACE_QUADS / FACE_TILES
-export const TILE_COUNT = faces.length * FACE_TILES * FACE_TILES
-export const TILE_INDICES = QUADS_PER_TILE * QUADS_PER_TILE * 6
-export const FACE_INDICES = FACE_TILES * FACE_TILES * TILE_INDICES
+const SIDE = FACE_QUADS + 1
+const TILES_PER_FACE = FACE_TILES * FACE_TILES
+export const TILE_COUNT = faces.length * TILES_PER_FACE
+/** Every tile, face by face. */
+const ALL_TILES = Uint16Array.from({ length: TILE_COUNT }, (_, tile) => tile)
 
-/** (s, t) in the middle of a tile of a face; tiles are numbered t first. */
-export function tileMiddle(tileOfFace: number): readonly [number, number] {
-  return [(Math.floor(tileOfFace / FACE_TILES) + 0.5) / FACE_TILES, ((tileOfFace % FACE_TILES) + 0.5) / FACE_TILES]
+/** What is drawn of the grids and how finely: tiles in order, each in so many quads along its side (1, 2 or 4). */
+export interface Tiling {
+  readonly tiles: Uint16Array
+  readonly quadsPerTile: number
 }
 
-/** Indices in the order of faces, and of tiles in a face. */
-export function tiledIndices(count: number = faces.length): Uint16Array {
-  const side = FACE_QUADS + 1
-  const indices: number[] = []
-  for (let face = 0; face < count; face++) {
-    for (let tile = 0; tile < FACE_TILES * FACE_TILES; tile++) {
-      const i0 = Math.floor(tile / FACE_TILES) * QUADS_PER_TILE
-      const j0 = (tile % FACE_TILES) * QUADS_PER_TILE
-      for (let quad = 0; quad < QUADS_PER_TILE * QUADS_PER_TILE; quad++) {
-        const i = i0 + Math.floor(quad / QUADS_PER_TILE)
-        const j = j0 + (quad % QUADS_PER_TILE)
-        const corner = (face * side + i) * side + j
-        indices.push(corner, corner + side, corner + 1, corner + 1, corner + side, corner + side + 1)
+/** (s, t) in the middle of a tile of a face; tiles are numbered t first. */
+export function tileMiddle(tile: number): readonly [number, number] {
+  const ofFace = tile % TILES_PER_FACE
+  return [(Math.floor(ofFace / FACE_TILES) + 0.5) / FACE_TILES, ((ofFace % FACE_TILES) + 0.5) / FACE_TILES]
+}
+
+export function faceOfTile(tile: number): number {
+  return Math.floor(tile / TILES_PER_FACE)
+}
+
+export function tilesOfFaces(order: readonly number[]): Uint16Array {
+  const tiles = new Uint16Array(order.length * TILES_PER_FACE)
+  order.forEach((face, place) => {
+    tiles.set(ALL_TILES.subarray(face * TILES_PER_FACE, (face + 1) * TILES_PER_FACE), place * TILES_PER_FACE)
+  })
+  return tiles
+}
+
+/**
+ * How finely a bilinear patch is to be divided so that its triangles are within a pixel of it: in a quad of n x n the middle lies
+ * |twist| / (4 n^2) off the diagonal. `twist` is p(0,0) - p(1,0) - p(0,1) + p(1,1), in pixels.
+ */
+export function quadsPerTileFor(twist: number): number {
+  for (let quads = 1; quads < FACE_QUADS / FACE_TILES; quads *= 2)
+    if (twist <= 4 * (quads * FACE_TILES) ** 2) return quads
+  return FACE_QUADS / FACE_TILES
+}
+
+/** Writes the tiling's indices to the front of `indices` and returns their number. */
+export function writeIndices(indices: Uint16Array, { tiles, quadsPerTile }: Tiling): number {
+  const quad = FACE_QUADS / FACE_TILES / quadsPerTile
+  let count = 0
+  for (const tile of tiles) {
+    const ofFace = tile % TILES_PER_FACE
+    const corner = faceOfTile(tile) * SIDE * SIDE
+    const i0 = Math.floor(ofFace / FACE_TILES) * quad * quadsPerTile
+    const j0 = (ofFace % FACE_TILES) * quad * quadsPerTile
+    for (let i = 0; i < quadsPerTile; i++) {
+      for (let j = 0; j < quadsPerTile; j++) {
+        const a = corner + (i0 + i * quad) * SIDE + j0 + j * quad
+        const [b, c, d] = [a + quad * SIDE, a + quad, a + quad * SIDE + quad]
+        indices[count++] = a
+        indices[count++] = b
+        indices[count++] = c
+        indices[count++] = c
+        indices[count++] = b
+        indices[count++] = d
       }
     }
   }
-  return Uint16Array.from(indices)
+  return count
 }
 
 export function createFacesGeometry(): BufferGeometry {
@@ -51,12 +87,13 @@ export function createSectionGeometry(): BufferGeometry {
 }
 
 function gridsOf(first: number, count: number): BufferGeometry {
-  const side = FACE_QUADS + 1
   const points: number[] = []
   for (let face = first; face < first + count; face++)
-    for (let i = 0; i < side; i++) for (let j = 0; j < side; j++) points.push(i / FACE_QUADS, j / FACE_QUADS, face)
+    for (let i = 0; i < SIDE; i++) for (let j = 0; j < SIDE; j++) points.push(i / FACE_QUADS, j / FACE_QUADS, face)
+  const indices = new Uint16Array(count * FACE_QUADS * FACE_QUADS * 6)
+  writeIndices(indices, { tiles: ALL_TILES.subarray(0, count * TILES_PER_FACE), quadsPerTile: FACE_QUADS / FACE_TILES })
   const geometry = new BufferGeometry()
   geometry.setAttribute('facePoint', new BufferAttribute(Float32Array.from(points), 3))
-  geometry.setIndex(new BufferAttribute(tiledIndices(count), 1))
+  geometry.setIndex(new BufferAttribute(indices, 1))
   return geometry
 }

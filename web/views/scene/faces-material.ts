@@ -4,34 +4,39 @@
  * nine Bernstein coefficients, evaluated per pixel with its gradient. Every line (border, zero contour, level, hatch) is
  * drawn at its distance in pixels, so its width is the same everywhere. No light falls on the colours.
  */
-import { DoubleSide, GLSL3, RawShaderMaterial, Vector3 } from 'three'
+import { DoubleSide, GLSL3, RawShaderMaterial, Vector3, Vector4 } from 'three'
 import { faces, VERTEX_COUNT } from '../../model/hexahedron'
-import { HATCH_PERIOD, RAMP_STEPS } from '../colour-map'
+import { HATCH_PERIOD, type Ramp, RAMP_STEPS, type Rgb } from '../colour-map'
 import { SECTION } from './faces-geometry'
 
 const FACE_COUNT = faces.length + 1
 const COEFFICIENT_COUNT = 9 * FACE_COUNT
 const CORNER_COUNT = VERTEX_COUNT + 4
-const STOPS = RAMP_STEPS + 1
 
 const sectionVertices = [0, 1, 2, 3].map(k => VERTEX_COUNT + k)
 const faceVertices = [...faces.map(face => face.vertices), sectionVertices]
   .map(vertices => `ivec4(${vertices.join(', ')})`)
   .join(', ')
 
-const shared = /* glsl */ `
+// A patch is origin + s byS + t byT + s t twist. What is one face's alone is looked up once a vertex: software renderers take
+// several times as long to look it up at each pixel.
+const patchOf = (qualifier: 'in' | 'out') =>
+  ['origin', 'byS', 'byT', 'twist', 'bernstein0', 'bernstein1', 'bernstein2']
+    .map(name => `flat ${qualifier} vec3 ${name};`)
+    .join('\n')
+
+const vertexShader = /* glsl */ `
 precision highp float;
 precision highp int;
 uniform vec3 vertices[${CORNER_COUNT}];
-const ivec4 FACE_VERTICES[${FACE_COUNT}] = ivec4[](${faceVertices});
-`
-
-const vertexShader = /* glsl */ `${shared}
+uniform float bernstein[${COEFFICIENT_COUNT}];
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 in vec3 facePoint;
 out vec2 st;
 flat out int face;
+${patchOf('out')}
+const ivec4 FACE_VERTICES[${FACE_COUNT}] = ivec4[](${faceVertices});
 
 // Coincident faces of a collapsed element are told apart by less than any depth the eye could see.
 const float FACE_BIAS = 2e-6;
@@ -40,23 +45,35 @@ void main() {
   st = facePoint.xy;
   face = int(facePoint.z + 0.5);
   ivec4 v = FACE_VERTICES[face];
-  vec3 at0 = mix(vertices[v.x], vertices[v.y], st.x);
+  origin = vertices[v.x];
+  byS = vertices[v.y] - origin;
+  byT = vertices[v.z] - origin;
+  twist = vertices[v.w] - vertices[v.z] - byS;
+  int k = 9 * face;
+  bernstein0 = vec3(bernstein[k], bernstein[k + 1], bernstein[k + 2]);
+  bernstein1 = vec3(bernstein[k + 3], bernstein[k + 4], bernstein[k + 5]);
+  bernstein2 = vec3(bernstein[k + 6], bernstein[k + 7], bernstein[k + 8]);
+  vec3 at0 = mix(origin, vertices[v.y], st.x);
   vec3 at1 = mix(vertices[v.z], vertices[v.w], st.x);
   gl_Position = projectionMatrix * modelViewMatrix * vec4(mix(at0, at1, st.y), 1.0);
   gl_Position.z += FACE_BIAS * float(face) * gl_Position.w;
 }
 `
 
-const fragmentShader = /* glsl */ `${shared}
+const fragmentShader = /* glsl */ `
+precision highp float;
+precision highp int;
 in vec2 st;
 flat in int face;
+${patchOf('in')}
 out vec4 fragment;
 
-uniform float bernstein[${COEFFICIENT_COUNT}];
 uniform float negativeExtent;
 uniform float positiveExtent;
-uniform vec3 negativeStops[${STOPS}];
-uniform vec3 positiveStops[${STOPS}];
+uniform vec3 neutral;
+// From stop to stop of the ramps: of red, green and blue four steps each, then the other four.
+uniform vec4 negativeSteps[6];
+uniform vec4 positiveSteps[6];
 uniform vec3 ink;
 uniform vec3 paper;
 uniform vec3 eye;
@@ -75,10 +92,14 @@ float coverage(float distance, float halfWidth) {
 }
 
 vec3 rampColour(float position) {
-  float along = min(abs(position), 1.0) * STEPS;
-  int i = min(int(along), int(STEPS) - 1);
-  float way = along - float(i);
-  return position < 0.0 ? mix(negativeStops[i], negativeStops[i + 1], way) : mix(positiveStops[i], positiveStops[i + 1], way);
+  float along = abs(position) * STEPS;
+  vec4 a = clamp(along - vec4(0.0, 1.0, 2.0, 3.0), 0.0, 1.0);
+  vec4 b = clamp(along - vec4(4.0, 5.0, 6.0, 7.0), 0.0, 1.0);
+  if (position < 0.0)
+    return neutral + vec3(dot(a, negativeSteps[0]) + dot(b, negativeSteps[3]), dot(a, negativeSteps[1]) + dot(b, negativeSteps[4]),
+                          dot(a, negativeSteps[2]) + dot(b, negativeSteps[5]));
+  return neutral + vec3(dot(a, positiveSteps[0]) + dot(b, positiveSteps[3]), dot(a, positiveSteps[1]) + dot(b, positiveSteps[4]),
+                        dot(a, positiveSteps[2]) + dot(b, positiveSteps[5]));
 }
 
 // jacdet and its derivatives by s and t.
@@ -88,21 +109,16 @@ vec3 jacdet(vec2 p) {
   vec3 bt = vec3(q.y * q.y, 2.0 * p.y * q.y, p.y * p.y);
   vec3 ds = vec3(-2.0 * q.x, 2.0 * (q.x - p.x), 2.0 * p.x);
   vec3 dt = vec3(-2.0 * q.y, 2.0 * (q.y - p.y), 2.0 * p.y);
-  int k = 9 * face;
-  mat3 b = mat3(bernstein[k], bernstein[k + 1], bernstein[k + 2],
-                bernstein[k + 3], bernstein[k + 4], bernstein[k + 5],
-                bernstein[k + 6], bernstein[k + 7], bernstein[k + 8]);
+  mat3 b = mat3(bernstein0, bernstein1, bernstein2);
   vec3 along = b * bs;
   return vec3(dot(bt, along), dot(bt, b * ds), dot(dt, along));
 }
 
 // Zero where the surface turns away from the eye.
 float facing(vec2 p) {
-  ivec4 v = FACE_VERTICES[face];
-  vec3 at0 = mix(vertices[v.x], vertices[v.y], p.x);
-  vec3 at1 = mix(vertices[v.z], vertices[v.w], p.x);
-  vec3 byS = mix(vertices[v.y] - vertices[v.x], vertices[v.w] - vertices[v.z], p.y);
-  return dot(cross(byS, at1 - at0), mix(at0, at1, p.y) - eye);
+  vec3 s = byS + p.y * twist;
+  vec3 t = byT + p.x * twist;
+  return dot(cross(s, t), origin + p.x * byS + p.y * t - eye);
 }
 
 void main() {
@@ -147,7 +163,7 @@ void main() {
   // Within the heavy line's casing nothing but the neutral lies beside it.
   float casing = zeroSeen * coverage(zeroDistance * pixelRatio, 2.4 * pixelRatio);
   float zero = zeroSeen * coverage(zeroDistance * pixelRatio, 1.15 * pixelRatio);
-  colour = mix(colour, positiveStops[0], casing);
+  colour = mix(colour, neutral, casing);
   colour = mix(colour, ink, zero);
 
   vec2 toBorder = min(p, 1.0 - p) / max(vec2(length(sSlope), length(tSlope)), 1e-20);
@@ -165,14 +181,15 @@ void main() {
 
 /** Every uniform, owned by the material; written by the painter, which knows what they mean together. */
 export function createFacesUniforms() {
-  const stops = () => Array.from({ length: STOPS }, () => new Vector3())
+  const steps = () => Array.from({ length: 6 }, () => new Vector4())
   return {
     vertices: { value: Array.from({ length: CORNER_COUNT }, () => new Vector3()) },
     bernstein: { value: new Float32Array(COEFFICIENT_COUNT) },
     negativeExtent: { value: 1 },
     positiveExtent: { value: 1 },
-    negativeStops: { value: stops() },
-    positiveStops: { value: stops() },
+    neutral: { value: new Vector3() },
+    negativeSteps: { value: steps() },
+    positiveSteps: { value: steps() },
     ink: { value: new Vector3() },
     paper: { value: new Vector3() },
     eye: { value: new Vector3() },
@@ -180,6 +197,15 @@ export function createFacesUniforms() {
     hatchPeriod: { value: HATCH_PERIOD },
     opacity: { value: new Vector3(1, 1, 1) },
   }
+}
+
+/** What the ramps' uniforms hold. */
+export function writeRamp({ neutral, negativeSteps, positiveSteps }: FacesUniforms, ramp: Ramp): void {
+  neutral.value.fromArray(ramp.positive[0] as Rgb)
+  for (const [{ value: steps }, stops] of [[negativeSteps, ramp.negative], [positiveSteps, ramp.positive]] as const)
+    for (let k = 0; k < RAMP_STEPS; k++)
+      for (let channel = 0; channel < 3; channel++)
+        steps[channel + (k < 4 ? 0 : 3)]?.setComponent(k % 4, (stops[k + 1]?.[channel] as number) - (stops[k]?.[channel] as number))
 }
 
 export type FacesUniforms = ReturnType<typeof createFacesUniforms>
