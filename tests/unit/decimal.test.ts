@@ -88,6 +88,15 @@ describe('numbers to be read', () => {
     expect(speakJacdet(-0.5, 0, 'biunit')).toBe('-0.0625')
   })
 
+  it('round ties to even, and what is only next to a tie to where it is', () => {
+    expect([12345.5, 12344.5, -12344.5, 0.5].map(formatNumber)).toEqual(['12346', '12344', '−12344', '0.5'])
+    expect(formatNumber(12344.500000000002)).toBe('12345')
+    expect(formatNumber(12345.499999999998)).toBe('12345')
+    expect(decimalOf(2.5, 0, 1)).toBe('2e+0')
+    expect(decimalOf(2.5000000000000004, 0, 1)).toBe('3e+0')
+    expect(decimalOf(5, -1074, 1)).toBe('2e-323')
+  })
+
   it('stay within half a unit of their last digit', () => {
     fc.assert(
       fc.property(fc.double({ min: -1e300, max: 1e300, noNaN: true }), value => {

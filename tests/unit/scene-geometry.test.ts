@@ -2,7 +2,13 @@ import { describe, expect, it } from 'vitest'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
 import { DEFAULT_DIRECTION, SceneCamera } from '../../web/views/scene/camera'
 import { facePoint } from '../../web/views/scene/face-point'
-import { FACE_QUADS, FACE_TILES, quadsPerTileFor, tilesOfFaces, writeIndices } from '../../web/views/scene/faces-geometry'
+import {
+  FACE_QUADS,
+  FACE_TILES,
+  quadsPerTileFor,
+  tilesOfFaces,
+  writeIndices,
+} from '../../web/views/scene/faces-geometry'
 import { axisMoves, nextDisplay } from '../../web/views/scene/keyboard-input'
 import { pickHandle, pickRadius } from '../../web/views/scene/picking'
 import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../web/views/scene/snapping'
@@ -212,7 +218,7 @@ describe('the faces’ grid', () => {
   const side = FACE_QUADS + 1
   const indicesOf = (order: readonly number[], quadsPerTile: number) => {
     const indices = new Uint16Array(faces.length * FACE_QUADS ** 2 * 6)
-    return indices.subarray(0, writeIndices(indices, { tiles: tilesOfFaces(order), quadsPerTile }))
+    return indices.subarray(0, writeIndices(indices, tilesOfFaces(order), quadsPerTile))
   }
 
   it.each([1, 2, 4])('covers each face once, in the order asked for, %i quads along a tile', quadsPerTile => {

@@ -1,33 +1,66 @@
 import { describe, expect, it } from 'vitest'
 import { Turns } from '../../web/element/turns'
-import type { View } from '../../web/views/view'
+import type { Frame, Turn, View } from '../../web/views/view'
 
-const view = (takesTurns: boolean) => ({ takesTurns }) as View
-const [scene, maps, steps, inside] = [view(false), view(true), view(true), view(true)]
-const views = [scene, maps, steps, inside]
+/** Each turn takes a millisecond by `clock`. */
+let clock = 0
+let done: string[] = []
+const turn =
+  (name: string): Turn =>
+  () => {
+    done.push(name)
+    clock++
+  }
+const view = (name: string, ...turns: string[]) =>
+  ({ update: turn(name), ...(turns.length > 0 && { turns: turns.map(turn) }) }) as unknown as View
+const views = [view('scene'), view('maps', 'left', 'right'), view('inside', 'section')]
+const afterAll = ['scene', 'maps', 'inside', 'left', 'right', 'section']
+
+function frame(turns: Turns, isNews: boolean, isGesture: boolean, shown: readonly View[] = views): string[] {
+  done = []
+  for (const take of turns.due(shown, isNews, isGesture)) take({} as Frame)
+  return done
+}
 
 describe('turns', () => {
-  it('are for gestures: between them every view is up to date after each frame', () => {
-    const turns = new Turns()
-    expect(turns.due(views, true, false)).toEqual(views)
+  it('are for gestures: between them everything is up to date after each frame', () => {
+    const turns = new Turns(() => clock)
+    expect(frame(turns, true, false)).toEqual(afterAll)
     expect(turns.isWaiting).toBe(false)
   })
 
-  it('come round, one a frame, however often there is news, and the scene never waits', () => {
-    const turns = new Turns()
-    const frames = Array.from({ length: 6 }, () => turns.due(views, true, true))
-    for (const due of frames) expect(due).toHaveLength(2)
-    expect(frames.map(due => due[0])).toEqual(Array(6).fill(scene))
-    expect(frames.map(due => due[1])).toEqual([maps, steps, inside, maps, steps, inside])
+  it('come round, one every second frame where the time is over, however often there is news; what takes no turns never waits', () => {
+    const turns = new Turns(() => clock)
+    const frames = Array.from({ length: 8 }, () => frame(turns, true, true))
+    expect(frames.map(names => names.slice(0, 3))).toEqual(Array(8).fill(['scene', 'maps', 'inside']))
+    expect(frames.map(names => names.slice(3))).toEqual([[], ['left'], [], ['right'], [], ['section'], [], ['left']])
   })
 
-  it('leave no view behind once the pointer rests, or the gesture ends', () => {
-    const turns = new Turns()
-    turns.due(views, true, true)
-    expect([turns.due(views, false, true), turns.due(views, false, true)]).toEqual([[steps], [inside]])
+  it('are as many in a frame as there is time for', () => {
+    const turns = new Turns(() => clock)
+    frame(turns, true, true)
+    expect([frame(turns, false, true), frame(turns, false, true)]).toEqual([['left', 'right'], ['section']])
     expect(turns.isWaiting).toBe(false)
-    turns.due(views, true, true)
-    expect(turns.due(views, true, false)).toEqual([scene, steps, inside, maps])
+  })
+
+  it('are all taken in every frame where they take no time', () => {
+    const turns = new Turns(() => 0)
+    expect(frame(turns, true, true)).toEqual(afterAll)
+    expect(turns.isWaiting).toBe(false)
+  })
+
+  it('leave nothing behind once the gesture ends', () => {
+    const turns = new Turns(() => clock)
+    frame(turns, true, true)
+    frame(turns, true, true)
+    expect(frame(turns, true, false)).toEqual(['scene', 'maps', 'inside', 'right', 'section', 'left'])
+    expect(turns.isWaiting).toBe(false)
+  })
+
+  it('are forgotten with their view', () => {
+    const turns = new Turns(() => clock)
+    frame(turns, true, true)
+    expect(frame(turns, false, true, [views[0] as View])).toEqual([])
     expect(turns.isWaiting).toBe(false)
   })
 })

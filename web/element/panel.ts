@@ -3,7 +3,7 @@
  * closed its view is not updated, but for the frame that closes it, in which the view can stop what it has going.
  */
 import type { PanelId } from '../model/state'
-import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../views/view'
+import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from '../views/view'
 import { adoptStyles } from './style-sheets'
 
 export interface PanelContent {
@@ -23,6 +23,7 @@ class Panel implements View {
   readonly #load: () => Promise<PanelContent>
   readonly #button = document.createElement('button')
   readonly #body = document.createElement('div')
+  #turns: readonly Turn[] = [frame => this.#updateView(frame)]
   #isOpen = false
   #isAsked = false
   #isDisposed = false
@@ -49,8 +50,8 @@ class Panel implements View {
     this.root.append(heading, this.#body)
   }
 
-  get takesTurns(): boolean {
-    return this.#isOpen
+  get turns(): readonly Turn[] {
+    return this.#isOpen ? this.#turns : []
   }
 
   update(frame: Frame): void {
@@ -58,9 +59,12 @@ class Panel implements View {
     this.#isOpen = frame.state.openPanels.includes(this.#id)
     this.#button.setAttribute('aria-expanded', String(this.#isOpen))
     this.#body.hidden = !this.#isOpen
-    if (!this.#isOpen && !wasOpen) return
+    if (wasOpen && !this.#isOpen) this.#view?.update(frame)
+  }
+
+  #updateView(frame: Frame): void {
     if (this.#view) this.#view.update(frame)
-    else if (this.#isOpen && !this.#isAsked) void this.#fill()
+    else if (!this.#isAsked) void this.#fill()
   }
 
   figure(name: FigureName): Figure | null {
@@ -80,6 +84,7 @@ class Panel implements View {
       if (this.#isDisposed) return
       adoptStyles(this.root.getRootNode() as ShadowRoot, [styles])
       this.#view = create(this.#host)
+      this.#turns = [...this.#turns, ...(this.#view.turns ?? [])]
       this.#body.replaceChildren(this.#view.root)
     } catch (reason) {
       this.#body.textContent = `This panel could not be loaded (${reason instanceof Error ? reason.message : reason}). Reload the page to try again.`

@@ -103,9 +103,9 @@ export class Show {
   /** `isNews` says whether there is anything new since the last frame, `time` is the frame's. */
   draw(frame: Frame, isNews: boolean, time: number): void {
     const isMade = this.#make(time)
-    for (const view of this.#turns.due(this.#views, isNews || isMade, frame.state.gestureStart !== null)) {
+    for (const turn of this.#turns.due(this.#views, isNews || isMade, frame.state.gestureStart !== null)) {
       try {
-        view.update(frame)
+        turn(frame)
       } catch (bug) {
         reportError(bug) // one view's bug must not take the others' numbers away
       }

@@ -1,23 +1,43 @@
 /**
- * Which views are brought up to date in a frame. While a gesture runs those that take turns wait for theirs, one a frame: so a frame of
- * a drag costs hardly more the more panels are open, and none is left behind when the pointer rests.
+ * What is brought up to date in a frame. While a gesture runs, what takes turns waits for its own, and a frame takes as many as fit into its
+ * time, every second frame one at least: so a frame of a drag costs hardly more the more panels are open, a fast machine is never a frame
+ * behind, and none is left behind when the pointer rests.
  */
-import type { View } from '../views/view'
+import type { Turn, View } from '../views/view'
+
+/** Milliseconds of a frame, from its first update on, in which turns may begin: less than a quarter of a frame at 60 a second. */
+const SHARE = 2
 
 export class Turns {
-  #waiting: readonly View[] = []
+  #waiting: readonly Turn[] = []
+  /** Whether the last frame had no time for a turn. */
+  #isOwed = false
+  readonly #now: () => number
 
-  /** Whether a view is not up to date. */
+  /** `now` is a clock in milliseconds. */
+  constructor(now = () => performance.now()) {
+    this.#now = now
+  }
+
+  /** Whether anything is not up to date. */
   get isWaiting(): boolean {
     return this.#waiting.length > 0
   }
 
-  /** `isNews` says whether there is anything new since the last frame, for every view. */
-  due(views: readonly View[], isNews: boolean, isGesture: boolean): readonly View[] {
-    const patient = isNews ? views.filter(view => view.takesTurns) : []
-    const waiting = [...this.#waiting, ...patient.filter(view => !this.#waiting.includes(view))]
-    const now = isGesture ? waiting.slice(0, 1) : waiting
-    this.#waiting = waiting.slice(now.length)
-    return [...(isNews ? views.filter(view => !view.takesTurns) : []), ...now]
+  /** To be taken one after the other. `isNews` says whether there is anything new since the last frame, for every view. */
+  *due(views: readonly View[], isNews: boolean, isGesture: boolean): Generator<Turn> {
+    const end = isGesture ? this.#now() + SHARE : Number.POSITIVE_INFINITY
+    if (isNews) for (const view of views) yield frame => view.update(frame)
+    const all = views.flatMap(view => view.turns ?? [])
+    const patient = this.#waiting.filter(turn => all.includes(turn))
+    this.#waiting = isNews ? [...patient, ...all.filter(turn => !patient.includes(turn))] : patient
+    let taken = 0
+    while (this.#waiting.length > 0 && (this.#now() < end || (taken === 0 && this.#isOwed))) {
+      const [turn, ...others] = this.#waiting as [Turn, ...Turn[]]
+      this.#waiting = others
+      taken++
+      yield turn
+    }
+    this.#isOwed = taken === 0
   }
 }

@@ -41,8 +41,15 @@ export function decimalOf(mantissa: number, exponent: number, digits: number): s
   return `${negative ? '-' : ''}${text[0]}${point}${text.slice(1)}e${power < 0 ? '-' : '+'}${Math.abs(power)}`
 }
 
+/** Far from the ends of the doubles, 2^-1074 and 2^1024. */
+const SMALL_EXPONENT = 400
+const [SMALL, LARGE] = [2 ** -500, 2 ** 500]
+
 /** mantissa * 2^exponent where that is exactly a double, else null. Throws RangeError for a mantissa that is not finite. */
 export function asDouble(mantissa: number, exponent: number): number | null {
+  // Where neither overflow nor underflow is near, the product is exact.
+  if (Math.abs(exponent) < SMALL_EXPONENT && Math.abs(mantissa) < LARGE && Math.abs(mantissa) > SMALL)
+    return mantissa * powerOfTwo(exponent)
   const binary = binaryOf(mantissa)
   if (binary.integer === 0n) return mantissa
   let { integer } = binary
@@ -163,6 +170,9 @@ function signed(integer: number): string {
 }
 
 function rounded(mantissa: number, exponent: number, count: number, rounding: Rounding = 'nearest'): Rounded {
+  const double = rounding === 'nearest' ? asDouble(mantissa, exponent) : null
+  const quick = double === null ? null : roundedDouble(double, count)
+  if (quick) return quick
   const binary = binaryOf(mantissa)
   const negative = mantissa < 0
   if (binary.integer === 0n) return { negative: false, digits: '', power: 0 }
@@ -186,6 +196,15 @@ function rounded(mantissa: number, exponent: number, count: number, rounding: Ro
   return text.length > count
     ? { negative, digits: text.slice(0, count), power: power + 1 }
     : { negative, digits: text, power }
+}
+
+/** By the language's own rounding, which is of the exact value as well; null where that may be a tie, which it does not round to even. */
+function roundedDouble(value: number, count: number): Rounded | null {
+  if (value === 0 || Math.abs(value).toExponential(count).includes('5e')) return null
+  const [digits = '', power] = Math.abs(value)
+    .toExponential(count - 1)
+    .split('e')
+  return { negative: value < 0, digits: digits.replace('.', ''), power: Number(power) }
 }
 
 function compareToPowerOfTen(numerator: bigint, denominator: bigint, power: number): number {

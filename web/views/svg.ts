@@ -14,7 +14,12 @@ export function svg<K extends keyof SVGElementTagNameMap>(
 }
 
 export function set(element: Element, attributes: Readonly<Record<string, string | number>>): void {
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value))
+  for (const name in attributes) setAttribute(element, name, String(attributes[name]))
+}
+
+/** To read one costs a tenth of writing one, which the browser takes for a change even where it is none. */
+function setAttribute(element: Element, name: string, value: string): void {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value)
 }
 
 /** A tenth of a pixel is finer than the eye and keeps the markup short. */
@@ -23,14 +28,16 @@ export function px(value: number): string {
 }
 
 export function moveTo(element: Element, { x, y }: { readonly x: number; readonly y: number }): void {
-  element.setAttribute('transform', `translate(${px(x)} ${px(y)})`)
+  setAttribute(element, 'transform', `translate(${px(x)} ${px(y)})`)
 }
 
 export function show(element: Element, shown: boolean): void {
-  if (shown) element.removeAttribute('display')
-  else element.setAttribute('display', 'none')
+  if (!shown) setAttribute(element, 'display', 'none')
+  else if (element.hasAttribute('display')) element.removeAttribute('display')
 }
 
 export function setText(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text
+  const { firstChild } = element
+  if (!(firstChild instanceof Text)) element.textContent = text
+  else if (firstChild.data !== text) firstChild.data = text
 }

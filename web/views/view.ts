@@ -95,10 +95,12 @@ export interface Frame {
   readonly isForPaper: boolean
 }
 
+export type Turn = (frame: Frame) => void
+
 export interface View {
   readonly root: HTMLElement
-  /** Whether, while a gesture runs, it may be brought up to date some frames later. */
-  readonly takesTurns?: boolean
+  /** What else brings it up to date, piece by piece: at once, but while a gesture runs it may take some frames. */
+  readonly turns?: readonly Turn[]
   /** Called once per animation frame in which state, report or problems changed. */
   update(frame: Frame): void
   /** The figure of that name if it is this view's and on the page now. */

@@ -5,13 +5,14 @@ import type { Check, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { copyable, copyableJacdet } from '../copyable'
-import type { CreateView, Frame, View } from '../view'
+import type { CreateView, Frame, Turn, View } from '../view'
 import css from './checks.css?inline'
 
 export const checksStyles = css
 
 class ChecksView implements View {
   readonly root = document.createElement('section')
+  readonly turns: readonly Turn[] = [frame => this.#draw(frame)]
   #drawn: Report | null = null
   #cube: ReferenceCube | null = null
 
@@ -21,8 +22,11 @@ class ChecksView implements View {
     this.root.setAttribute('aria-labelledby', 'checks-title')
   }
 
-  update({ state, report }: Frame): void {
+  update({ report }: Frame): void {
     this.root.hidden = report === null
+  }
+
+  #draw({ state, report }: Frame): void {
     if (report === null || (report === this.#drawn && state.referenceCube === this.#cube)) return
     this.#drawn = report
     this.#cube = state.referenceCube

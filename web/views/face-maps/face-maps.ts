@@ -9,7 +9,7 @@ import { colourScaleOf, rampOf, type Theme } from '../colour-map'
 import { type Palette, paletteOf } from '../face-raster'
 import { figureOf } from '../figure'
 import { ThemeReader } from '../theme'
-import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../view'
+import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from '../view'
 import { boundsTable } from './bounds-table'
 import { FaceMap } from './face-map'
 import css from './face-maps.css?inline'
@@ -28,13 +28,16 @@ const NEAR = 7
 const GRID = 200
 /** More device pixels than this to a CSS pixel are not worth their time; while a gesture runs this many a side do. */
 const MOST_PIXEL_RATIO = 3
-const GESTURE_SIZE = 80
+const GESTURE_SIZE = 64
 
 const KEYS = 'Arrow keys move the point looked at over this face, Escape takes it away, Enter shows the face’s quartic.'
 const HINT = 'Point at a map to read jacdet there, or use the arrow keys.'
 
+type Part = 'marks' | 'readout' | 'words' | 'formulas'
+
 class FaceMapsView implements View {
   readonly root = document.createElement('div')
+  readonly turns: readonly Turn[]
   readonly #host: ViewHost
   readonly #net = document.createElement('div')
   readonly #maps: readonly FaceMap[]
@@ -55,11 +58,19 @@ class FaceMapsView implements View {
   #lookedAt = 0
   #looked: { readonly by: 'maps' | 'marks' | 'plots'; readonly point: Vec3 } | null = null
   #polynomials: { readonly face: FaceReport; readonly of: FacePolynomials } | null = null
-  readonly #drawn = new Map<'net' | 'readout' | 'text', readonly unknown[]>()
+  readonly #drawn = new Map<Part, readonly unknown[]>()
 
   constructor(host: ViewHost) {
     this.#host = host
     this.#maps = faces.map((_, face) => new FaceMap(face, this.#actions, 'face-map-keys'))
+    this.turns = [
+      ...this.#maps.map(map => this.#turn((frame, report) => this.#cell > 0 && this.#drawMap(map, frame, report))),
+      this.#turn((frame, report) => this.#cell > 0 && this.#drawMarks(frame, report)),
+      this.#turn((frame, report) => this.#drawReadout(frame, report)),
+      this.#turn((frame, report) => this.#drawWords(frame, report)),
+      this.#turn((frame, report) => this.#drawFormulas(frame, report)),
+      this.#turn((frame, report) => this.#drawPlots(frame, report)),
+    ]
     this.#build()
     this.#theme = new ThemeReader(this.root, () => host.requestFrame())
     this.#resizes = new ResizeObserver(entries => {
@@ -69,21 +80,16 @@ class FaceMapsView implements View {
     this.#resizes.observe(this.root)
   }
 
-  update(frame: Frame): void {
-    const { report, state } = frame
+  update({ report }: Frame): void {
     this.root.hidden = report === null
     this.#report = report
-    if (report === null) return
-    this.#layOut()
-    if (this.#cell > 0) this.#drawNet(frame, report)
-    this.#drawReadout(frame, report)
-    const face = report.faces[state.selectedFace] as FaceReport
-    this.#drawText(frame, report, face)
-    const onFace = state.probe !== null && isOnFace(face.id, state.probe)
-    const t = onFace ? (state.probe as Vec3)[(faces[face.id] as FaceTopology).t] : null
-    const { name } = faces[face.id] as FaceTopology
-    const picture = { name, face, exponent: report.exponent, cube: state.referenceCube }
-    this.#plots.update({ ...picture, polynomials: this.#polynomialsOf(face) }, t)
+    if (report !== null) this.#layOut()
+  }
+
+  #turn(draw: (frame: Frame, report: Report) => void): Turn {
+    return frame => {
+      if (frame.report !== null) draw(frame, frame.report)
+    }
   }
 
   figure(name: FigureName): Figure | null {
@@ -188,39 +194,34 @@ class FaceMapsView implements View {
   }
 
   /** Whether any of it is new since the last time, and remembers it. */
-  #isNew(part: 'net' | 'readout' | 'text', ...shown: unknown[]): boolean {
+  #isNew(part: Part, ...shown: unknown[]): boolean {
     const drawn = this.#drawn.get(part)
     if (drawn && shown.every((value, i) => value === drawn[i])) return false
     this.#drawn.set(part, shown)
     return true
   }
 
-  #drawNet({ state, isForPaper }: Frame, report: Report): void {
+  #drawMap(map: FaceMap, { state, isForPaper }: Frame, report: Report): void {
     const theme = this.#theme.read()
-    const { probe, selectedFace, highlight, gestureStart, referenceCube } = state
-    const isMoving = gestureStart !== null
-    const cell = this.#cell
-    const ratio = isForPaper ? MOST_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO)
-    const sharp = Math.max(1, Math.round(cell * ratio))
-    const size = isMoving ? Math.min(sharp, GESTURE_SIZE) : sharp
-    const shown = [report, theme, cell, size, probe, selectedFace, highlight, isMoving, referenceCube]
-    if (!this.#isNew('net', ...shown)) return
     if (this.#palette?.theme !== theme) this.#palette = { theme, palette: paletteOf(rampOf(theme), theme) }
-    const { palette } = this.#palette
-    const scale = colourScaleOf(report.boundaryMinimum, report.boundaryMaximum)
-    for (const map of this.#maps) {
-      const { bernstein } = report.faces[map.face] as FaceReport
-      map.paint({
-        bernstein,
-        cell: netCells[map.face] as (typeof netCells)[number],
-        scale,
-        palette,
-        size,
-        pixelRatio: size / cell,
-      })
-      map.root.setAttribute('aria-pressed', String(map.face === selectedFace))
-    }
-    this.#overlay.update({ state, report, cell })
+    const ratio = isForPaper ? MOST_PIXEL_RATIO : Math.min(devicePixelRatio, MOST_PIXEL_RATIO)
+    const sharp = Math.max(1, Math.round(this.#cell * ratio))
+    const size = state.gestureStart !== null ? Math.min(sharp, GESTURE_SIZE) : sharp
+    map.paint({
+      bernstein: (report.faces[map.face] as FaceReport).bernstein,
+      cell: netCells[map.face] as (typeof netCells)[number],
+      scale: colourScaleOf(report.boundaryMinimum, report.boundaryMaximum),
+      palette: this.#palette.palette,
+      size,
+      pixelRatio: size / this.#cell,
+    })
+  }
+
+  #drawMarks({ state }: Frame, report: Report): void {
+    const { probe, selectedFace, highlight, referenceCube } = state
+    if (!this.#isNew('marks', report, this.#cell, probe, selectedFace, highlight, referenceCube)) return
+    for (const { root, face } of this.#maps) root.setAttribute('aria-pressed', String(face === selectedFace))
+    this.#overlay.update({ state, report, cell: this.#cell })
   }
 
   #drawReadout({ state, probe }: Frame, report: Report): void {
@@ -251,12 +252,27 @@ class FaceMapsView implements View {
     this.#tooltip.classList.toggle('below', here.y * cell < 40)
   }
 
-  #drawText({ state }: Frame, report: Report, face: FaceReport): void {
-    const cube = state.referenceCube
-    if (!this.#isNew('text', report, cube, face)) return
-    render(boundsTable(report, cube, face.id), this.#table)
-    render(quarticWords(report, face, cube), this.#words)
-    render(formulas(face, this.#polynomialsOf(face), report.exponent, cube), this.#formulas)
+  #drawWords({ state }: Frame, report: Report): void {
+    const { referenceCube, selectedFace } = state
+    if (!this.#isNew('words', report, referenceCube, selectedFace)) return
+    render(boundsTable(report, referenceCube, selectedFace), this.#table)
+    render(quarticWords(report, report.faces[selectedFace] as FaceReport, referenceCube), this.#words)
+  }
+
+  #drawFormulas({ state }: Frame, report: Report): void {
+    const { referenceCube, selectedFace } = state
+    if (!this.#isNew('formulas', report, referenceCube, selectedFace)) return
+    const face = report.faces[selectedFace] as FaceReport
+    render(formulas(face, this.#polynomialsOf(face), report.exponent, referenceCube), this.#formulas)
+  }
+
+  #drawPlots({ state }: Frame, report: Report): void {
+    const face = report.faces[state.selectedFace] as FaceReport
+    const onFace = state.probe !== null && isOnFace(face.id, state.probe)
+    const t = onFace ? (state.probe as Vec3)[(faces[face.id] as FaceTopology).t] : null
+    const { name } = faces[face.id] as FaceTopology
+    const picture = { name, face, exponent: report.exponent, cube: state.referenceCube }
+    this.#plots.update({ ...picture, polynomials: this.#polynomialsOf(face) }, t)
   }
 }
 

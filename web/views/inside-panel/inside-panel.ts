@@ -7,7 +7,7 @@ import type { ReferenceCube, Section, State } from '../../model/state'
 import { copyableJacdet, copyablePoint } from '../copyable'
 import { approximation, lowerInside } from '../inside'
 import { ThemeReader } from '../theme'
-import type { CreateView, Frame, View, ViewHost } from '../view'
+import type { CreateView, Frame, Turn, View, ViewHost } from '../view'
 import css from './inside-panel.css?inline'
 import { insideSentence } from './inside-words'
 import { AXIS_NAMES, SectionMap } from './section-map'
@@ -21,6 +21,7 @@ const KEYS = 'Arrow keys move the point looked at over the section, Escape takes
 
 class InsidePanel implements View {
   readonly root = document.createElement('div')
+  readonly turns: readonly Turn[] = [frame => this.#drawMap(frame)]
   readonly #host: ViewHost
   readonly #minima = document.createElement('div')
   readonly #controls = document.createElement('div')
@@ -51,14 +52,17 @@ class InsidePanel implements View {
     this.root.hidden = report === null
     this.#report = report
     if (report === null || !state.openPanels.includes('inside')) return
-    const theme = this.#theme.read()
-    if (this.#side > 0) this.#map.update({ report, theme, state, side: this.#side })
     this.#drawWords(frame, report)
   }
 
   dispose(): void {
     this.#theme.dispose()
     this.#resizes.disconnect()
+  }
+
+  #drawMap({ report, state }: Frame): void {
+    if (report !== null && this.#side > 0)
+      this.#map.update({ report, theme: this.#theme.read(), state, side: this.#side })
   }
 
   #build(): void {

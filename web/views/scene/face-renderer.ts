@@ -6,9 +6,9 @@ import { type BufferAttribute, LinearSRGBColorSpace, Mesh, Scene, Vector3, WebGL
 import type { Report } from '../../core/report'
 import { sectionBernstein } from '../../core/section'
 import type { Surface } from '../../core/zero-surface'
-import { faces, type Vec3 } from '../../model/hexahedron'
+import { faces, VERTEX_COUNT, type Vec3 } from '../../model/hexahedron'
 import type { FaceDisplay, Section } from '../../model/state'
-import { type ColourScale, type Ramp, type Theme } from '../colour-map'
+import type { ColourScale, Ramp, Theme } from '../colour-map'
 import type { SceneCamera } from './camera'
 import { type Corners, faceCorners, facePoint, patchPoint, sectionCorners } from './face-point'
 import {
@@ -17,7 +17,6 @@ import {
   faceOfTile,
   quadsPerTileFor,
   SECTION,
-  type Tiling,
   TILE_COUNT,
   tileMiddle,
   tilesOfFaces,
@@ -100,8 +99,8 @@ export class FaceRenderer {
   readonly #zeroSurface = new ZeroSurfaceMesh(this.#uniforms)
   readonly #scene = new Scene()
   isLost = false
-  /** Of which the indices are. */
-  #tiling = ''
+  /** Of which the indices are: how fine, and the faces in order; null where tiles are in order of their own. */
+  #tiling: string | null = null
   #ramp: Ramp | null = null
   #size = ''
 
@@ -143,15 +142,22 @@ export class FaceRenderer {
 
   #drawRegion(region: Region, { display, section, height }: Picture): void {
     const { left, top, camera } = region
-    const corners = sectionCorners(region.vertices, section)
     this.#renderer.setViewport(left, height - top - camera.height, camera.width, camera.height)
-    ;[...region.vertices, ...corners].forEach((vertex, v) => {
-      this.#uniforms.vertices.value[v]?.set(...vertex)
-    })
+    this.#placeVertices(region.vertices)
+    if (display === 'inside') {
+      const corners = sectionCorners(region.vertices, section)
+      this.#placeVertices(corners, VERTEX_COUNT)
+      this.#zeroSurface.cut(section, sideSeen(region, corners, section))
+    }
     this.#uniforms.eye.value.copy(camera.three.position)
-    this.#zeroSurface.cut(section, sideSeen(region, corners, section))
     this.#chooseFaces(region, display)
     this.#renderer.render(this.#scene, camera.three)
+  }
+
+  #placeVertices(vertices: readonly Vec3[], first = 0): void {
+    vertices.forEach((vertex, v) => {
+      this.#uniforms.vertices.value[first + v]?.set(...vertex)
+    })
   }
 
   readonly #onLost = (event: Event): void => {
@@ -213,28 +219,27 @@ export class FaceRenderer {
     const isVeil = display in OPACITY
     this.#material.transparent = isVeil
     this.#material.depthWrite = !isVeil
-    const tiling = tilingOf(region, display)
-    const key = `${tiling.quadsPerTile} ${tiling.tiles}`
-    if (key === this.#tiling) return
-    this.#tiling = key
+    const quadsPerTile = quadsPerTileFor(greatestTwist(region))
+    const order = display === 'see-through' ? null : facesInOrder(region, display)
+    const tiling = order && `${quadsPerTile} ${order}`
+    if (tiling !== null && tiling === this.#tiling) return
+    this.#tiling = tiling
+    const tiles = order ? tilesOfFaces(order) : farthestTilesFirst(region)
     const index = this.#geometry.index as BufferAttribute
-    this.#geometry.setDrawRange(0, writeIndices(index.array as Uint16Array, tiling))
+    this.#geometry.setDrawRange(0, writeIndices(index.array as Uint16Array, tiles, quadsPerTile))
     index.needsUpdate = true
   }
 }
 
-/** The nearest face first, which spares what it hides; but the farthest tile first when they are see-through; or one face alone. */
-function tilingOf({ vertices, camera }: Region, display: FaceDisplay): Tiling {
-  const quadsPerTile = quadsPerTileFor(greatestTwist(vertices, camera))
-  if (typeof display === 'number') return { tiles: tilesOfFaces([display]), quadsPerTile }
-  if (display === 'see-through') return { tiles: farthestFirst(vertices, camera), quadsPerTile }
+/** The nearest first, which spares what they hide; or one alone. */
+function facesInOrder({ vertices, camera }: Region, display: FaceDisplay): readonly number[] {
+  if (typeof display === 'number') return [display]
   const depths = faces.map((_, face) => camera.depth(facePoint(vertices, face, 0.5, 0.5)))
-  const order = [...depths.keys()].sort((a, b) => (depths[a] as number) - (depths[b] as number))
-  return { tiles: tilesOfFaces(order), quadsPerTile }
+  return [...depths.keys()].sort((a, b) => (depths[a] as number) - (depths[b] as number))
 }
 
 /** Of all faces, in pixels, where they are nearest to the eye. */
-function greatestTwist(vertices: readonly Vec3[], camera: SceneCamera): number {
+function greatestTwist({ vertices, camera }: Region): number {
   const nearest = Math.min(...vertices.map(vertex => camera.depth(vertex)))
   const twists = faces.map((_, face) => {
     const [a, b, c, d] = faceCorners(vertices, face)
@@ -256,7 +261,7 @@ function sideSeen({ vertices, camera }: Region, corners: Corners, { axis }: Sect
   return normal.dot(up) * normal.dot(toEye) >= 0 ? 'above' : 'below'
 }
 
-function farthestFirst(vertices: readonly Vec3[], camera: SceneCamera): Uint16Array {
+function farthestTilesFirst({ vertices, camera }: Region): Uint16Array {
   const depths = new Float64Array(TILE_COUNT)
   for (let tile = 0; tile < TILE_COUNT; tile++)
     depths[tile] = camera.depth(facePoint(vertices, faceOfTile(tile), ...tileMiddle(tile)))

@@ -19,12 +19,6 @@ export const TILE_COUNT = faces.length * TILES_PER_FACE
 /** Every tile, face by face. */
 const ALL_TILES = Uint16Array.from({ length: TILE_COUNT }, (_, tile) => tile)
 
-/** What is drawn of the grids and how finely: tiles in order, each in so many quads along its side (1, 2 or 4). */
-export interface Tiling {
-  readonly tiles: Uint16Array
-  readonly quadsPerTile: number
-}
-
 /** (s, t) in the middle of a tile of a face; tiles are numbered t first. */
 export function tileMiddle(tile: number): readonly [number, number] {
   const ofFace = tile % TILES_PER_FACE
@@ -53,8 +47,8 @@ export function quadsPerTileFor(twist: number): number {
   return FACE_QUADS / FACE_TILES
 }
 
-/** Writes the tiling's indices to the front of `indices` and returns their number. */
-export function writeIndices(indices: Uint16Array, { tiles, quadsPerTile }: Tiling): number {
+/** Writes the tiles' indices, in order, to the front of `indices` and returns their number. Each tile has 1, 2 or 4 quads along its side. */
+export function writeIndices(indices: Uint16Array, tiles: Uint16Array, quadsPerTile: number): number {
   const quad = FACE_QUADS / FACE_TILES / quadsPerTile
   let count = 0
   for (const tile of tiles) {
@@ -91,7 +85,7 @@ function gridsOf(first: number, count: number): BufferGeometry {
   for (let face = first; face < first + count; face++)
     for (let i = 0; i < SIDE; i++) for (let j = 0; j < SIDE; j++) points.push(i / FACE_QUADS, j / FACE_QUADS, face)
   const indices = new Uint16Array(count * FACE_QUADS * FACE_QUADS * 6)
-  writeIndices(indices, { tiles: ALL_TILES.subarray(0, count * TILES_PER_FACE), quadsPerTile: FACE_QUADS / FACE_TILES })
+  writeIndices(indices, ALL_TILES.subarray(0, count * TILES_PER_FACE), FACE_QUADS / FACE_TILES)
   const geometry = new BufferGeometry()
   geometry.setAttribute('facePoint', new BufferAttribute(Float32Array.from(points), 3))
   geometry.setIndex(new BufferAttribute(indices, 1))

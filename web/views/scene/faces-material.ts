@@ -6,7 +6,7 @@
  */
 import { DoubleSide, GLSL3, RawShaderMaterial, Vector3, Vector4 } from 'three'
 import { faces, VERTEX_COUNT } from '../../model/hexahedron'
-import { HATCH_PERIOD, type Ramp, RAMP_STEPS, type Rgb } from '../colour-map'
+import { HATCH_PERIOD, RAMP_STEPS, type Ramp, type Rgb } from '../colour-map'
 import { SECTION } from './faces-geometry'
 
 const FACE_COUNT = faces.length + 1
@@ -202,10 +202,16 @@ export function createFacesUniforms() {
 /** What the ramps' uniforms hold. */
 export function writeRamp({ neutral, negativeSteps, positiveSteps }: FacesUniforms, ramp: Ramp): void {
   neutral.value.fromArray(ramp.positive[0] as Rgb)
-  for (const [{ value: steps }, stops] of [[negativeSteps, ramp.negative], [positiveSteps, ramp.positive]] as const)
+  for (const [{ value: steps }, stops] of [
+    [negativeSteps, ramp.negative],
+    [positiveSteps, ramp.positive],
+  ] as const)
     for (let k = 0; k < RAMP_STEPS; k++)
       for (let channel = 0; channel < 3; channel++)
-        steps[channel + (k < 4 ? 0 : 3)]?.setComponent(k % 4, (stops[k + 1]?.[channel] as number) - (stops[k]?.[channel] as number))
+        steps[channel + (k < 4 ? 0 : 3)]?.setComponent(
+          k % 4,
+          (stops[k + 1]?.[channel] as number) - (stops[k]?.[channel] as number),
+        )
 }
 
 export type FacesUniforms = ReturnType<typeof createFacesUniforms>

@@ -6,14 +6,14 @@
  * handle chooses that handle.
  */
 import { pointOfValue } from '../../core/point-of-value'
-import type { Candidate } from '../../core/report'
+import type { Candidate, Report } from '../../core/report'
 import type { Vec3 } from '../../model/hexahedron'
 import type { Cameras, CameraView, State } from '../../model/state'
 import { type ColourScale, colourScaleOf, type Ramp, rampOf, type Theme } from '../colour-map'
 import { figureOf } from '../figure'
 import { colourScaleInside } from '../inside'
 import { ThemeReader } from '../theme'
-import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../view'
+import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from '../view'
 import type { ScreenPoint } from './camera'
 import { ColourBar } from './colour-bar'
 import { Controls } from './controls'
@@ -60,6 +60,7 @@ export interface SceneView extends View {
 class Scene implements SceneView, Stage {
   readonly root = document.createElement('div')
   readonly element = document.createElement('div')
+  readonly turns: readonly Turn[] = [frame => this.#drawColourBar(frame)]
   readonly host: ViewHost
   framesDrawn = 0
 
@@ -372,12 +373,8 @@ class Scene implements SceneView, Stage {
     this.#handles = vertices.map(point => camera.project(point))
     const reference = state.referenceShown ? this.#reference : null
     reference?.prepare()
-    const isInside = state.faceDisplay === 'inside'
-    const scale =
-      report && (isInside ? colourScaleInside(report) : colourScaleOf(report.boundaryMinimum, report.boundaryMaximum))
-    const ramp = this.#ramp as Ramp
     const own = { left: 0, top: 0, vertices, camera }
-    if (this.#paint(frame, reference ? [own, reference.region] : [own], scale) || this.#differs(frame)) {
+    if (this.#paint(frame, reference ? [own, reference.region] : [own]) || this.#differs(frame)) {
       this.#drawnDrag = this.#drag
       const picture = { state, report, frame: this.#framing.frame, camera, handles: this.#handles, drag: this.#drag }
       this.#overlay.update({ ...picture, taken: this.#room.layout.taken })
@@ -385,24 +382,18 @@ class Scene implements SceneView, Stage {
       this.#help.show(state.helpShown)
       reference?.update(frame)
     }
-    const { isNarrow, barLength: length } = this.#room.layout
-    this.#colourBar.update({ state, report, probe, scale, ramp, upright: !isNarrow, length })
     this.#overlay.updateProbe(probe, this.#framing.frame, camera)
-    this.#readout.update(probe, state.referenceCube, isNarrow)
+    this.#readout.update(probe, state.referenceCube, this.#room.layout.isNarrow)
     reference?.updateProbe(probe)
   }
 
   /** Whether there is another picture now; true where nobody can tell. */
-  #paint(
-    { state, report, zeroSurface, isForPaper }: Frame,
-    regions: readonly Region[],
-    scale: ColourScale | null,
-  ): boolean {
+  #paint({ state, report, zeroSurface, isForPaper }: Frame, regions: readonly Region[]): boolean {
     if (this.#contextLost) return true
     const painted = this.#painter.paint({
       ...this.#room.whole,
       report,
-      scale,
+      scale: scaleOf(state, report),
       ramp: this.#ramp as Ramp,
       theme: this.#theme as Theme,
       display: state.faceDisplay,
@@ -414,6 +405,14 @@ class Scene implements SceneView, Stage {
     if (painted) this.framesDrawn++
     this.root.dataset.frames = String(this.framesDrawn)
     return painted
+  }
+
+  #drawColourBar({ state, report, probe }: Frame): void {
+    const ramp = this.#ramp
+    if (ramp === null || this.#room.isEmpty) return
+    const { isNarrow, barLength: length } = this.#room.layout
+    const scale = scaleOf(state, report)
+    this.#colourBar.update({ state, report, probe, scale, ramp, upright: !isNarrow, length })
   }
 
   /** Whether a frame says more than that something else is pointed at. */
@@ -432,6 +431,13 @@ class Scene implements SceneView, Stage {
       this.#said.textContent = spokenProbe(probe, at, samePoint(at.point, report.minimizer.point), state.referenceCube)
     }
   }
+}
+
+function scaleOf({ faceDisplay }: State, report: Report | null): ColourScale | null {
+  if (report === null) return null
+  return faceDisplay === 'inside'
+    ? colourScaleInside(report)
+    : colourScaleOf(report.boundaryMinimum, report.boundaryMaximum)
 }
 
 export const createScene = (host: ViewHost): SceneView => new Scene(host)

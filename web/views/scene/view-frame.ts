@@ -55,11 +55,15 @@ const FARTHEST = 1e9
 
 /** A point farther out than the picture can tell is drawn nearer, on the same line from the centre. */
 export function toView(frame: ViewFrame, point: Vec3): Vec3 {
+  const { centre } = frame
   const shrink = frame.size > HUGE ? SHRINK : 1
-  const offset = map3(axis => finite(at(point, axis) * shrink - at(frame.centre, axis) * shrink))
-  const length = Math.max(...offset.map(Math.abs))
+  const x = finite(point[0] * shrink - centre[0] * shrink)
+  const y = finite(point[1] * shrink - centre[1] * shrink)
+  const z = finite(point[2] * shrink - centre[2] * shrink)
+  const length = Math.max(Math.abs(x), Math.abs(y), Math.abs(z))
   const size = frame.size * shrink
-  return map3(axis => (length / size > FARTHEST ? (at(offset, axis) / length) * FARTHEST : at(offset, axis) / size))
+  if (length / size > FARTHEST) return [(x / length) * FARTHEST, (y / length) * FARTHEST, (z / length) * FARTHEST]
+  return [x / size, y / size, z / size]
 }
 
 /** Inverse of `toView`; what would overflow becomes the greatest double. */

@@ -1,7 +1,7 @@
 /** The 24 coordinates as editable numbers. Typing is the same as dragging: live, one undo step, Escape takes it back. */
 import { html, render } from 'lit-html'
 import { COORDINATE_COUNT, VERTEX_COUNT } from '../../model/hexahedron'
-import type { CreateView, Frame, View, ViewHost } from '../view'
+import type { CreateView, Frame, Turn, View, ViewHost } from '../view'
 import { coordinateText, fieldText, readCoordinate } from './coordinate-text'
 import css from './vertices.css?inline'
 
@@ -57,6 +57,7 @@ interface LeftOut {
 
 class VerticesView implements View {
   readonly root = document.createElement('section')
+  readonly turns: readonly Turn[] = [frame => this.#draw(frame)]
   readonly #host: ViewHost
   readonly #inputs: readonly HTMLInputElement[]
   readonly #rows: readonly HTMLTableRowElement[]
@@ -88,7 +89,9 @@ class VerticesView implements View {
     this.root.addEventListener('wheel', this.#onWheel, { passive: false })
   }
 
-  update({ state }: Frame): void {
+  update(): void {}
+
+  #draw({ state }: Frame): void {
     if (state.isReadonly !== this.#inputs[0]?.readOnly)
       for (const input of this.#inputs) input.readOnly = state.isReadonly
     state.vertices.forEach((value, index) => {
