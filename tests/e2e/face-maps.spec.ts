@@ -260,7 +260,7 @@ test('nothing is painted while nothing changes, and coarsely while a gesture run
   const sharp = await size()
   await lens.field(6, 'z').fill('1')
   await lens.nextFrame()
-  expect(await size()).toBe(Math.min(sharp, 80))
+  expect(await size()).toBe(Math.min(sharp, 64))
   await lens.field(6, 'z').blur()
   await lens.nextFrame()
   expect(await size()).toBe(sharp)

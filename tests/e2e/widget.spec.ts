@@ -243,6 +243,11 @@ test.describe('on a page that scrolls', () => {
       return (await top()) - at
     }
     await expect.poll(goesOn).toBe(0)
+    // It may have gone far.
+    await elements(page)
+      .nth(1)
+      .evaluate(lens => lens.scrollIntoView({ block: 'center' }))
+    await expect.poll(goesOn).toBe(0)
     const before = await top()
     // The lowest of them: nothing else is near it.
     const at = await elements(page)
