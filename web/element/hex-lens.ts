@@ -334,6 +334,7 @@ export class HexLens extends ReflectingElement {
     try {
       this.#answers.core = await fetchCore()
       this.clear('core-failed')
+      if (this.isConnected) this.#tellChanges(this.#store.state)
       this.#schedule()
     } catch (reason) {
       const why = reason instanceof Error ? reason.message : String(reason)
@@ -374,8 +375,8 @@ export class HexLens extends ReflectingElement {
     const isNews = this.#isNews
     this.#isNews = false
     const { state } = this.#store
-    if (this.#isSeen) this.#draw(state, isNews, time)
     this.#tellChanges(state)
+    if (this.#isSeen) this.#draw(state, isNews, time)
   }
 
   /** Before the pages are made: every view of it, in this very moment. */

@@ -1,6 +1,6 @@
 /**
  * What is seen of an element: the tree in its shadow root and the views in it. The views are made when the element is first seen, the
- * slow ones a frame later, and no two elements of a page make theirs in the same frame.
+ * slow ones in a later frame, and no two elements of a page make theirs in the same frame.
  */
 import type { Cameras } from '../model/state'
 import marks from '../views/marks.css?inline'
@@ -26,6 +26,8 @@ export class Show {
   #views: readonly View[] = []
   /** Parts to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Part[])[] = []
+  /** Whether the slow parts wait for the first number. */
+  #isHeld = false
   #turns = new Turns()
 
   constructor(shadow: ShadowRoot, host: ViewHost) {
@@ -57,7 +59,7 @@ export class Show {
 
   /** Whether a frame is due although nothing is new. */
   get isWaiting(): boolean {
-    return this.#unmade.length > 0 || this.#turns.isWaiting
+    return (this.isUnmade && !this.#isHeld) || this.#turns.isWaiting
   }
 
   begin(shown: readonly Part[]): void {
@@ -102,7 +104,7 @@ export class Show {
 
   /** `isNews` says whether there is anything new since the last frame, `time` is the frame's. */
   draw(frame: Frame, isNews: boolean, time: number): void {
-    const isMade = this.#make(time)
+    const isMade = this.#make(frame, time)
     for (const turn of this.#turns.due(this.#views, isNews || isMade, frame.state.gestureStart !== null)) {
       try {
         turn(frame)
@@ -121,9 +123,11 @@ export class Show {
     return this.#views.reduce<Figure | null>((found, view) => found ?? view.figure?.(name) ?? null, null)
   }
 
-  /** Makes what is due in this frame, unless another element has made its own in it. */
-  #make(time: number): boolean {
-    if (this.#unmade.length === 0 || madeAt === time) return false
+  /** Makes what is due in this frame, unless another element has made its own in it. What is slow comes after the first number. */
+  #make({ report, problems }: Frame, time: number): boolean {
+    const hasAnswer = report !== null || problems.some(({ code }) => code === 'core-failed')
+    this.#isHeld = this.#views.length > 0 && !hasAnswer
+    if (this.#unmade.length === 0 || this.#isHeld || madeAt === time) return false
     madeAt = time
     const [due = [], ...later] = this.#unmade
     const made = due.map(part => {

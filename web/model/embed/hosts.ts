@@ -22,7 +22,7 @@ export interface Host {
   place(embed: Embed): Snippet
 }
 
-const STYLE = ({ height }: Embed) => `style="width: 100%; height: ${height}px"`
+const STYLE = ({ height }: Embed) => `style="display: block; width: 100%; height: ${height}px"`
 
 function indented(text: string, by: string): string {
   return text.replace(/^(?=.)/gm, by)
@@ -127,7 +127,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     place: embed => ({
       place: 'in the page',
       language: 'mdx',
-      text: elementMarkup(embed, `style={{ width: '100%', height: ${embed.height} }}`),
+      text: elementMarkup(embed, `style={{ display: 'block', width: '100%', height: ${embed.height} }}`),
     }),
   },
   {
