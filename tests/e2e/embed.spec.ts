@@ -37,7 +37,9 @@ test('the lines for each host follow the element and the choices, and so does th
   const [head, body] = (await lines()) as [string, string]
   expect(head).toBe('<script defer src="hexlens.iife.js"></script>')
   expect(body).toContain('vertices="-0 0 0, 1 0 0, 1 1 0, 0 1 0, 0 0 1, 1 0 1, 1 1 1, 0 1 1"')
-  expect(body).toContain('views="verdict checks"\n  theme="dark"\n  readonly\n  style="display: block; width: 100%; height: 320px"')
+  expect(body).toContain(
+    'views="verdict checks"\n  theme="dark"\n  readonly\n  style="display: block; width: 100%; height: 320px"',
+  )
   expect(body).toContain(
     `<a href="${page.url().replaceAll('&', '&amp;')}"><img src="hexlens.png" alt="A valid hexahedron"`,
   )
