@@ -205,12 +205,15 @@ test.describe('take away', () => {
       expect(await page.evaluate(() => navigator.clipboard.readText())).toContain(
         'title = {Validating Hexahedra through their Boundaries}',
       )
-      await lens.button('Copy Minimum').click()
-      await expect(lens.button('Copied Minimum')).toBeVisible()
-      const minimum = await lens.element.evaluate(
-        element => (element as HTMLElementTagNameMap['hex-lens']).report?.boundaryMinimum,
-      )
-      expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(String(minimum))
+      const extremes = await lens.element.evaluate(element => {
+        const report = (element as HTMLElementTagNameMap['hex-lens']).report
+        return { Minimum: report?.boundaryMinimum, Maximum: report?.boundaryMaximum }
+      })
+      for (const [title, value] of Object.entries(extremes)) {
+        await lens.button(`Copy ${title}`).click()
+        await expect(lens.button(`Copied ${title}`)).toBeVisible()
+        expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(String(value))
+      }
       await lens.button('Copy Link').click()
       await expect(lens.button('Copied Link')).toBeVisible()
       expect(await page.evaluate(() => navigator.clipboard.readText())).toContain('#v=1&vertices=-0,0,0,1,5e-324,')

@@ -8,7 +8,6 @@ import { reportJson } from '../../model/export/report-json'
 import { writers } from '../../model/export/writers'
 import { encodePermalink } from '../../model/permalink'
 import { PNG_KEYWORD, withText } from '../../model/png-text'
-import type { ReferenceCube } from '../../model/state'
 import { copyText } from '../copy-text'
 import { saveFile } from '../save-file'
 import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../view'
@@ -63,7 +62,13 @@ class TakeAwayView implements View {
         title: 'Minimum',
         note: 'jacdet in all digits, on the cube chosen',
         needsReport: true,
-        text: () => (this.#report ? minimumText(this.#report, host.state().referenceCube) : ''),
+        text: () => this.#inFull(report => report.boundaryMinimum),
+      },
+      {
+        title: 'Maximum',
+        note: 'of the boundary, likewise',
+        needsReport: true,
+        text: () => this.#inFull(report => report.boundaryMaximum),
       },
       {
         title: 'Report',
@@ -85,6 +90,11 @@ class TakeAwayView implements View {
         file: { extension: 'bib', mediaType: 'application/x-bibtex' },
       },
     ]
+  }
+
+  #inFull(value: (report: Report) => number): string {
+    const report = this.#report
+    return report ? jacdetInFull(value(report), report.exponent, this.#host.state().referenceCube) : ''
   }
 
   update({ report }: Frame): void {
@@ -190,10 +200,6 @@ class TakeAwayView implements View {
     if (figure === null) throw new Error('it is not on the page')
     return figure
   }
-}
-
-function minimumText({ boundaryMinimum, exponent }: Report, cube: ReferenceCube): string {
-  return jacdetInFull(boundaryMinimum, exponent, cube)
 }
 
 export const create: CreateView = host => new TakeAwayView(host)
