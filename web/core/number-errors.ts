@@ -1,0 +1,56 @@
+/**
+ * How far the doubles of a report can be from the exact numbers, times 2^exponent: docs/algorithm.md 4, 8 and 9. Infinite
+ * where they say nothing: for what was decided exactly, (M1) is not a bound of anything but the minimum.
+ */
+import { edgeVertices, type Vec3, type Vertices, vertexOf } from '../model/hexahedron'
+import type { Report } from './report'
+
+/**
+ * Of any value that is made from the 27 Bernstein coefficients by few means, times 2^exponent. In scaled units (M1) has
+ * boundaryMinimumError >= 36uR + 12uM, and these are off by at most 100uR + 40uM, the cube's centre of (8R) and (V2).
+ */
+export function valueError({ decidedBy, boundaryMinimumError }: Report): number {
+  return decidedBy === 'filter' ? 4 * boundaryMinimumError : Number.POSITIVE_INFINITY
+}
+
+/** (M1) for minus jacdet, whose faces may take on 4000uM each. */
+export function boundaryMaximumError(report: Report): number {
+  return valueError(report) + 2 ** -41 * Math.max(...report.bernstein.map(Math.abs))
+}
+
+/** Beside the longest edge a column at the centre that is shorter than this has lost too much in the mean of its four edges. */
+const SHORTEST_COLUMN = 2 ** -6
+
+/** Lengths are off by 5u of themselves, at the centre by 5u of the longest edge: 2^-44 in each of three columns, and in ours. */
+const LENGTHS_ERROR = 2 ** -40
+
+/** Of the scaled Jacobian: that of jacdet over the product of three lengths, and that of the lengths. */
+export function scaledJacobianError(report: Report): number {
+  if (report.exponent !== 0) return Number.POSITIVE_INFINITY
+  const edges = edgeVertices.map(([from, to]) => difference(report.vertices, from, to))
+  const lengths = edges.map(edge => Math.hypot(...edge))
+  const centre = DIRECTIONS.map(parallel => Math.hypot(...meanOf(parallel.map(edge => edges[edge] as Vec3))))
+  if (Math.min(...centre) < SHORTEST_COLUMN * Math.max(...lengths)) return Number.POSITIVE_INFINITY
+  const shortest = DIRECTIONS.map((parallel, direction) =>
+    Math.min(centre[direction] as number, ...parallel.map(edge => lengths[edge] as number)),
+  )
+  const product = shortest.reduce((all, length) => all * length, 1)
+  const error = (valueError(report) / product) * (1 + LENGTHS_ERROR) + LENGTHS_ERROR
+  return product > Number.MIN_VALUE / Number.EPSILON ? error : Number.POSITIVE_INFINITY
+}
+
+/** The edges along xi, eta and zeta. */
+const DIRECTIONS = [
+  [0, 2, 4, 6],
+  [1, 3, 5, 7],
+  [8, 9, 10, 11],
+] as const
+
+function difference(vertices: Vertices, from: number, to: number): Vec3 {
+  const start = vertexOf(vertices, from)
+  return vertexOf(vertices, to).map((value, axis) => value - (start[axis] as number)) as unknown as Vec3
+}
+
+function meanOf(vectors: readonly Vec3[]): number[] {
+  return [0, 1, 2].map(axis => vectors.reduce((sum, vector) => sum + (vector[axis] as number), 0) / vectors.length)
+}

@@ -1,0 +1,164 @@
+/**
+ * Conditions over the numbers of a report: claims of lessons, goals of challenges, properties that searches hunt for, a reader's
+ * own inequality. Numbers come as enclosures and arithmetic is exact, so a condition is met only if it certainly is.
+ */
+import {
+  type Enclosure,
+  isAtMost,
+  negatedEnclosure,
+  productOfEnclosures,
+  reciprocalOfEnclosure,
+  sumOfEnclosures,
+} from './condition/enclosure'
+import type { Claim, NumberName, QuantityName } from './condition/names'
+import { type ClaimNode, type Comparison, NotACondition, type NumberNode, parseClaim } from './condition/parse'
+
+export interface Condition {
+  readonly text: string
+  /** What it speaks of, each once, in the order of the text. */
+  readonly names: readonly QuantityName[]
+  readonly claim: ClaimNode
+}
+
+export interface ConditionError {
+  /** One sentence for people. */
+  readonly message: string
+  /** Where in the text, from 0; its length where something is missing at the end. */
+  readonly at: number
+}
+
+export type ConditionResult =
+  | { readonly ok: true; readonly value: Condition }
+  | { readonly ok: false; readonly error: ConditionError }
+
+/** What an element answers: in true units, length^3 where it is a jacdet. */
+export interface Quantities {
+  claim(name: Claim): boolean
+  /** From doubles with their error bounds; null where those say nothing. */
+  roughly(name: NumberName): Enclosure | null
+  /** From exact arithmetic: asked for what the doubles leave open. */
+  exactly(name: NumberName): Enclosure
+}
+
+export function parseCondition(text: string): ConditionResult {
+  try {
+    const claim = parseClaim(text)
+    return { ok: true, value: { text, names: [...new Set(namesIn(claim))], claim } }
+  } catch (reason) {
+    if (reason instanceof NotACondition) return { ok: false, error: { message: reason.message, at: reason.at } }
+    throw reason
+  }
+}
+
+/** Whether it certainly holds. */
+export function isMet(condition: Condition, quantities: Quantities): boolean {
+  return truthOf(condition, quantities) === true
+}
+
+/**
+ * Whether it holds; null where even exact arithmetic only encloses the numbers and they are too near each other, or where
+ * something is divided by what may be zero.
+ */
+export function truthOf({ claim }: Condition, quantities: Quantities): boolean | null {
+  const claimed = (name: Claim) => quantities.claim(name)
+  return (
+    truth(claim, { claimed, number: name => quantities.roughly(name) }) ??
+    truth(claim, { claimed, number: name => quantities.exactly(name) })
+  )
+}
+
+interface Answers {
+  claimed(name: Claim): boolean
+  number(name: NumberName): Enclosure | null
+}
+
+/** In Kleene's logic: null is open, and stays so unless the rest decides. */
+function truth(node: ClaimNode, answers: Answers): boolean | null {
+  if (node.kind === 'claim') return answers.claimed(node.name)
+  if (node.kind === 'not') return opposite(truth(node.of, answers))
+  if (node.kind === 'chain') {
+    const values = node.terms.map(term => numberOf(term, answers))
+    return allOf(node.comparisons.map((sign, i) => compare(values[i] ?? null, sign, values[i + 1] ?? null)))
+  }
+  const parts = node.parts.map(part => truth(part, answers))
+  return node.kind === 'and' ? allOf(parts) : opposite(allOf(parts.map(opposite)))
+}
+
+function opposite(value: boolean | null): boolean | null {
+  return value === null ? null : !value
+}
+
+function allOf(values: readonly (boolean | null)[]): boolean | null {
+  if (values.includes(false)) return false
+  return values.includes(null) ? null : true
+}
+
+function numberOf(node: NumberNode, answers: Answers): Enclosure | null {
+  if (node.kind === 'constant') return node.value
+  if (node.kind === 'number') return answers.number(node.name)
+  if (node.kind === 'minus') return mapped(numberOf(node.of, answers), negatedEnclosure)
+  const left = numberOf(node.left, answers)
+  const right = mapped(numberOf(node.right, answers), RIGHT_OPERAND[node.kind])
+  if (!left || !right) return null
+  return node.kind === '+' || node.kind === '-' ? sumOfEnclosures(left, right) : productOfEnclosures(left, right)
+}
+
+/** A difference is a sum, a quotient a product. */
+const RIGHT_OPERAND: Readonly<Record<'+' | '-' | '*' | '/', (value: Enclosure) => Enclosure | null>> = {
+  '+': value => value,
+  '-': negatedEnclosure,
+  '*': value => value,
+  '/': reciprocalOfEnclosure,
+}
+
+function mapped(value: Enclosure | null, map: (value: Enclosure) => Enclosure | null): Enclosure | null {
+  return value && map(value)
+}
+
+function compare(a: Enclosure | null, sign: Comparison, b: Enclosure | null): boolean | null {
+  if (!a || !b) return null
+  switch (sign) {
+    case '<':
+      return isLess(a, b)
+    case '>':
+      return isLess(b, a)
+    case '>=':
+      return opposite(isLess(a, b))
+    case '<=':
+      return opposite(isLess(b, a))
+    case '=':
+      return isEqual(a, b)
+    case '!=':
+      return opposite(isEqual(a, b))
+  }
+}
+
+function isLess(a: Enclosure, b: Enclosure): boolean | null {
+  if (isAtMost(b.upper, a.lower)) return false
+  return isAtMost(b.lower, a.upper) ? null : true
+}
+
+function isEqual(a: Enclosure, b: Enclosure): boolean | null {
+  if (isLess(a, b) || isLess(b, a)) return false
+  return isAtMost(a.upper, b.lower) && isAtMost(b.upper, a.lower) ? true : null
+}
+
+function namesIn(node: ClaimNode | NumberNode): QuantityName[] {
+  switch (node.kind) {
+    case 'constant':
+      return []
+    case 'claim':
+    case 'number':
+      return [node.name]
+    case 'not':
+    case 'minus':
+      return namesIn(node.of)
+    case 'and':
+    case 'or':
+      return node.parts.flatMap(namesIn)
+    case 'chain':
+      return node.terms.flatMap(namesIn)
+    default:
+      return [...namesIn(node.left), ...namesIn(node.right)]
+  }
+}

@@ -1,0 +1,24 @@
+/** What a condition can speak of; web/content/quantities.ts says in words what each is. */
+
+/** True or false. */
+export const CLAIMS = ['valid'] as const
+export type Claim = (typeof CLAIMS)[number]
+
+export const NUMBERS = [
+  'boundary_min',
+  'boundary_max',
+  'volume_min',
+  'corner_min',
+  'edge_min',
+  'centre',
+  'volume',
+  'scaled_jacobian',
+  'gauss2_min',
+  'gauss3_min',
+  'bernstein_min',
+  'subdivision',
+  'moved',
+] as const
+export type NumberName = (typeof NUMBERS)[number]
+
+export type QuantityName = Claim | NumberName
