@@ -24,18 +24,18 @@ export function parseMeasure(text: string): MeasureResult {
 
 /** In doubles: an order to look at, no verdict. Minus infinity for what is no number. */
 export function measured(node: NumberNode, report: Report, start: Vertices): number {
-  const value = valueOf(node, report, start)
+  const value = doubleOf(node, report, start)
   return Number.isNaN(value) ? -Infinity : value
 }
 
-function valueOf(node: NumberNode, report: Report, start: Vertices): number {
+function doubleOf(node: NumberNode, report: Report, start: Vertices): number {
   if (node.kind === 'constant') return Number(node.value.lower.numerator) / Number(node.value.lower.denominator)
   if (node.kind === 'number') {
     const { value, exponent } = shownNumber(node.name, report, start)
     return value * 2 ** exponent
   }
-  if (node.kind === 'minus') return -valueOf(node.of, report, start)
-  const [left, right] = [valueOf(node.left, report, start), valueOf(node.right, report, start)]
+  if (node.kind === 'minus') return -doubleOf(node.of, report, start)
+  const [left, right] = [doubleOf(node.left, report, start), doubleOf(node.right, report, start)]
   switch (node.kind) {
     case '+':
       return left + right

@@ -100,7 +100,7 @@ export class Search {
   }
 
   #take(port: WorkerPort, answer: Answer): void {
-    if (answer.kind === 'failed') return this.#fail(answer.message)
+    if (answer.kind === 'failed') this.#fail(answer.message)
     if (answer.kind !== 'haul') return
     this.#send(port)
     this.#early.set(answer.haul.piece, answer.haul)
