@@ -1,4 +1,4 @@
-/** One piece of a search: its elements drawn, judged, sieved, analysed, and the best kept. What a piece gives depends on nothing else. */
+/** The pieces of a search, one after another: their elements drawn, judged, sieved, analysed, and the best handed on. */
 import { quantitiesOf } from '../content/quantities'
 import type { BatchCore } from '../core/batch/batch-core'
 import type { Core, Report } from '../core/report'
@@ -10,8 +10,8 @@ import { sourceOf } from './distribution'
 import { measured } from './measure'
 import type { ReadQuest } from './quest'
 import { randomOf } from './random'
-import { type Find, Ranking, union } from './ranking'
-import { coefficientError, sieveOf } from './sieve'
+import { type Find, Ranking } from './ranking'
+import { coefficientError, FALSE, sieveOf, TRUE } from './sieve'
 
 /** Elements in a piece, and in what is drawn and judged at once: 200 kB, which caches hold. */
 export const PIECE = 8192
@@ -28,32 +28,46 @@ export interface Haul {
   readonly found: number
   /** How many were analysed in full. */
   readonly analysed: number
-  /** Those among them that may be among the best of all. */
+  /** Those that were among the best when they were found, each with its property checked exactly. */
   readonly finds: readonly Find[]
 }
 
-/** Goes through piece after piece of the stream of elements. */
+/**
+ * Goes through pieces of the stream of elements, in ascending order. What it found before only makes it leave out what cannot be among
+ * the best of all any more.
+ */
 export function hunterOf(read: ReadQuest, { batch, core }: Cores): (piece: number) => Haul {
   const { quest, property, measure, start } = read
-  const sieve = sieveOf(property, start)
+  const sieve = sieveOf(property, measure, start)
+  const rankings = [new Ranking('beauty'), new Ranking('extremeness')]
   const elements = new Float64Array(COORDINATE_COUNT * BLOCK)
   const positive = new Float64Array(COORDINATE_COUNT * BLOCK)
   const places = new Uint32Array(BLOCK)
 
   return piece => {
     const draw = sourceOf(quest.distribution, randomOf(quest.seed, piece))
-    const rankings = [new Ranking('beauty'), new Ranking('extremeness')]
+    const finds: Find[] = []
     let [found, analysed] = [0, 0]
 
     function look(list: Float64Array, at: number, valid: boolean, index: number): void {
-      if (!sieve.mayMeet(list, at, valid)) return
-      analysed += 1
+      const truth = sieve.judge(list, at, valid)
+      if (truth === FALSE) return
       const vertices = Array.from(list.subarray(at, at + COORDINATE_COUNT))
+      const effort = effortOf(vertices, start)
+      if (truth === TRUE) {
+        const most = sieve.measureAtMost()
+        if (!rankings.some(ranking => ranking.mayTake(effort, most))) {
+          found += 1
+          return
+        }
+      }
+      analysed += 1
       const report = analysis(core, vertices)
       if (!isMet(property, quantitiesOf(report, start))) return
       found += 1
-      const extremeness = measured(measure, report, start)
-      for (const ranking of rankings) ranking.add({ index, vertices, effort: effortOf(vertices, start), extremeness })
+      const find = { index, vertices, effort, extremeness: measured(measure, report, start) }
+      const isNew = rankings.map(ranking => ranking.add(find))
+      if (isNew.includes(true)) finds.push(find)
     }
 
     for (let first = PIECE * piece; first < PIECE * (piece + 1); first += BLOCK) {
@@ -76,7 +90,7 @@ export function hunterOf(read: ReadQuest, { batch, core }: Cores): (piece: numbe
           look(positive, COORDINATE_COUNT * n, isValid, first + (places[n] as number))
       }
     }
-    return { piece, found, analysed, finds: union(rankings) }
+    return { piece, found, analysed, finds }
   }
 }
 

@@ -16,7 +16,7 @@ import {
 import { effortOf, effortOfNumber } from './beauty'
 import { analysis, type Cores } from './hunt'
 import type { ReadQuest } from './quest'
-import { sieveOf } from './sieve'
+import { FALSE, sieveOf } from './sieve'
 
 /** Grids to round to: steps per unit. */
 const GRIDS = [1, 2, 4, 10, 100] as const
@@ -30,7 +30,7 @@ export interface Polished {
 
 /** Of an element that has the property. `onStep` is told of each simpler one than all before. */
 export function polish(
-  read: Pick<ReadQuest, 'property' | 'start'>,
+  read: ReadQuest,
   vertices: Vertices,
   cores: Cores,
   onStep: (simpler: Polished) => void = () => {},
@@ -51,14 +51,14 @@ export function polish(
 }
 
 /** Whether an element certainly has the property. */
-function propertyOf({ property, start }: Pick<ReadQuest, 'property' | 'start'>, { core }: Cores) {
-  const sieve = sieveOf(property, start)
+function propertyOf({ property, measure, start }: ReadQuest, { core }: Cores) {
+  const sieve = sieveOf(property, measure, start)
   const list = new Float64Array(COORDINATE_COUNT)
   return (vertices: Vertices): boolean => {
     const verdict = core.isValid(vertices)
     if (!verdict.ok) return false
     list.set(vertices)
-    if (!sieve.mayMeet(list, 0, verdict.value)) return false
+    if (sieve.judge(list, 0, verdict.value) === FALSE) return false
     return isMet(property, quantitiesOf(analysis(core, vertices), start))
   }
 }

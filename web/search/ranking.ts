@@ -42,25 +42,27 @@ export class Ranking {
     return this.#finds
   }
 
-  /** In any order of their indices. */
-  add(find: Find): void {
+  /** Whether a find can still come in whose effort is this and whose extremeness is at most that. */
+  mayTake(effort: number, extremeness: number): boolean {
+    const last = this.#finds.at(-1)
+    if (!last || this.#finds.length < this.#most) return true
+    return this.#order === 'beauty' ? effort <= last.effort : extremeness >= last.extremeness
+  }
+
+  /** In any order of their indices. False where it is not among the best, or known. */
+  add(find: Find): boolean {
     const compare = before[this.#order]
     const last = this.#finds.at(-1)
-    if (last && this.#finds.length >= this.#most && compare(find, last) >= 0) return
+    if (last && this.#finds.length >= this.#most && compare(find, last) >= 0) return false
     const key = find.vertices.join()
     const known = this.#known.get(key)
-    if (known !== undefined && known <= find.index) return
+    if (known !== undefined && known <= find.index) return false
     const others = known === undefined ? this.#finds : this.#finds.filter(({ index }) => index !== known)
     const at = others.findIndex(other => compare(find, other) < 0)
     const finds = others.toSpliced(at < 0 ? others.length : at, 0, find)
     for (const dropped of finds.slice(this.#most)) this.#known.delete(dropped.vertices.join())
     this.#known.set(key, find.index)
     this.#finds = finds.slice(0, this.#most)
+    return true
   }
-}
-
-/** What is worth handing on: those of either order, by their indices. */
-export function union(rankings: readonly Ranking[]): Find[] {
-  const finds = new Map(rankings.flatMap(({ finds }) => finds.map(find => [find.index, find] as const)))
-  return [...finds.values()].sort((a, b) => a.index - b.index)
 }

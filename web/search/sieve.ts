@@ -2,7 +2,7 @@
  * What a condition asks of the numbers that are had cheaply: an element that the sieve holds back does not meet it, and need not be
  * analysed. Numbers are enclosed in intervals of doubles, first by the verdict alone, then by the corner values, then by the Bernstein
  * coefficients. The condition's own arithmetic is in doubles as they round: held back wrongly is at most an element for which two sides
- * agree to fifteen digits.
+ * agree to fifteen digits, and none is let through for good by such arithmetic.
  */
 import type { Condition } from '../model/condition'
 import { NUMBERS, type NumberName, type QuantityName } from '../model/condition/names'
@@ -13,14 +13,17 @@ import { CENTRE, CORNERS, EDGES, setCorners, setOthers } from './coefficients'
 export interface Sieve {
   /** Whether any valid element may meet the condition, any invalid one, any with a corner value of zero or less. */
   readonly mayBe: { readonly valid: boolean; readonly invalid: boolean; readonly withoutPositiveCorners: boolean }
-  /** Whether the element whose coordinates begin at `at` may meet it; `valid` is the certain verdict. */
-  mayMeet(elements: Float64Array, at: number, valid: boolean): boolean
+  /** Whether the element whose coordinates begin at `at` meets it; `valid` is the certain verdict. */
+  judge(elements: Float64Array, at: number, valid: boolean): Truth
+  /** Of the element judged last, what the measure is at most. */
+  measureAtMost(): number
 }
 
-const FALSE = 0
-const TRUE = 1
-const OPEN = 2
-type Truth = typeof FALSE | typeof TRUE | typeof OPEN
+export const FALSE = 0
+export const TRUE = 1
+/** Not to be said from these numbers. */
+export const OPEN = 2
+export type Truth = typeof FALSE | typeof TRUE | typeof OPEN
 
 /** Enclosures of the numbers of one element, by the index of their name; and its verdict. */
 class Enclosures {
@@ -47,9 +50,12 @@ const INDEX = Object.fromEntries(NUMBERS.map((name, i) => [name, i])) as Readonl
 /** What the verdict alone says nothing more of. */
 const OF_THE_VERDICT: readonly QuantityName[] = ['valid', 'moved']
 
-export function sieveOf({ claim, names }: Condition, start: Vertices): Sieve {
+export function sieveOf({ claim, names }: Condition, measure: NumberNode, start: Vertices): Sieve {
   const known = new Enclosures()
   const truth = compiled(claim, known)
+  const measured = compiledNumber(measure, known)
+  // What rounds in the condition itself must not say yes.
+  const isSharp = comparesWithoutRounding(claim)
   const countsMoved = names.includes('moved')
   const needsCoefficients = names.some(name => !OF_THE_VERDICT.includes(name))
   const bernstein = new Float64Array(27)
@@ -66,17 +72,39 @@ export function sieveOf({ claim, names }: Condition, start: Vertices): Sieve {
         byCorner(known, 0)
       }),
     },
-    mayMeet(elements, at, valid) {
+    judge(elements, at, valid) {
       byVerdict(known, valid)
       if (countsMoved) byPlace(known, elements, at, start)
-      if (!needsCoefficients) return truth() !== FALSE
-      const error = coefficientError(elements, at)
-      setCorners(bernstein, elements, at)
-      setOthers(bernstein)
-      byCoefficients(known, bernstein, error)
-      return truth() !== FALSE
+      if (needsCoefficients) {
+        const error = coefficientError(elements, at)
+        setCorners(bernstein, elements, at)
+        setOthers(bernstein)
+        byCoefficients(known, bernstein, error)
+      }
+      const answer = truth()
+      return answer === TRUE && !isSharp ? OPEN : answer
+    },
+    measureAtMost() {
+      const most = measured.upper()
+      return Number.isNaN(most) ? Infinity : most + MEASURE_SLACK * Math.abs(most)
     },
   }
+}
+
+/** More than what the roundings of a measure come to. */
+const MEASURE_SLACK = 1e-9
+
+/** Numbers by their names, and integers, compared as they are. */
+function comparesWithoutRounding(node: ClaimNode): boolean {
+  if (node.kind === 'claim') return true
+  if (node.kind === 'not') return comparesWithoutRounding(node.of)
+  if (node.kind === 'chain') return node.terms.every(isExact)
+  return node.parts.every(comparesWithoutRounding)
+}
+
+function isExact(node: NumberNode): boolean {
+  if (node.kind === 'constant') return node.value.lower.denominator === 1n && node.value.lower.numerator < 2n ** 53n
+  return node.kind === 'number' || (node.kind === 'minus' && isExact(node.of))
 }
 
 /** More than zero: jacdets of elements that are searched are nowhere near the least doubles. */
