@@ -309,6 +309,14 @@ async function startPolishing(): Promise<void> {
   draw()
 }
 
+/** As beside.css has it: where the lens is above the column it has room for the scene and a line or two. */
+const narrow = matchMedia('(max-width: 55.99rem)')
+const chooseViews = () => {
+  lens.views = narrow.matches ? 'scene verdict' : 'scene verdict checks'
+}
+
+chooseViews()
+narrow.addEventListener('change', chooseViews)
 const link = decodePermalink(location.hash)
 if (link.ok) lens.vertices = link.value
 for (const type of ['hex-change', 'hex-verdict'] as const) lens.addEventListener(type, () => schedule())

@@ -74,8 +74,10 @@ export class Search {
 
   /** Takes in what is under way and nothing more. */
   stop(): void {
+    if (!this.#isRunning) return
     this.#most = 0
     this.#settle()
+    if (!this.#isRunning) this.#onNews()
   }
 
   /** Ends the workers. What was found stays, and `start` begins others. */
