@@ -99,13 +99,13 @@ it('finds the same with one worker and with three, at once and with stops, with 
   const stops: number[] = []
   const stopped = await new Promise<Search>((resolve, reject) => {
     const onNews = () => {
-      if (search.isRunning) return search.elements >= 2 * PIECE && stops.length === 0 ? search.stop() : undefined
+      if (search.isRunning) return stops.length === 0 && search.elements > 0 ? search.stop() : undefined
       if (stops.push(search.elements) === 3) return resolve(search)
       search.start(stops.length === 1 ? 7 * PIECE : elements)
       return undefined
     }
     const search = new Search(quest, force(2), onNews, reject)
-    search.start()
+    search.start(6 * PIECE)
   })
   stopped.dispose()
   expect(outcome(stopped)).toEqual(one)
