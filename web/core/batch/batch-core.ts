@@ -26,20 +26,32 @@ export interface Minima {
   readonly exponents: Int16Array
 }
 
-export interface PieceResult {
+/** One entry a cell. */
+export interface Answers {
   /** 1 for a valid cell, 0 for an invalid one: exact, every one. */
   readonly valid: Uint8Array
-  readonly validCount: number
   readonly minima: Minima | null
+}
+
+export interface PieceCounts {
+  readonly validCount: number
   /** How many cells exact arithmetic decided. */
   readonly exact: number
   /** The first cell that is not one; those before it are answered. */
   readonly fault: { readonly cell: number; readonly code: CoreErrorCode } | null
 }
 
+export type PieceResult = Answers & PieceCounts
+
+export interface BatchOptions {
+  /** Makes room for the answers to so many cells, when the cells are no longer read: else, and where a cell is none, they get new lists. */
+  readonly into?: (count: number) => Answers
+  /** Called after each cell that exact arithmetic decided, with its index. */
+  readonly onExact?: (cell: number) => void
+}
+
 export interface BatchCore {
-  /** `onExact` is called after each cell that exact arithmetic decided, with its index. */
-  classify(piece: Piece, wantsMinima: boolean, onExact?: (cell: number) => void): PieceResult
+  classify(piece: Piece, wantsMinima: boolean, options?: BatchOptions): PieceResult
 }
 
 interface BatchExports extends CoreExports {
@@ -69,13 +81,38 @@ export function cellCount({ points, cells }: Piece): number {
   return cells ? Math.floor(cells.length / VERTICES) : Math.floor(points.length / COORDINATE_COUNT)
 }
 
-export function emptyMinima(count: number): Minima {
+export function emptyAnswers(count: number, wantsMinima: boolean): Answers {
+  return answersIn(new ArrayBuffer(answersLength(count, wantsMinima)), count, wantsMinima)
+}
+
+/** In bytes. */
+export function answersLength(count: number, wantsMinima: boolean): number {
+  return count * (wantsMinima ? 1 + 2 + 5 * 8 : 1)
+}
+
+/** The answers to so many cells as they lie at the beginning of a block. */
+export function answersIn(block: ArrayBuffer, count: number, wantsMinima: boolean): Answers {
+  if (!wantsMinima) return { valid: new Uint8Array(block, 0, count), minima: null }
+  const doubles = (first: number, length: number) => new Float64Array(block, 8 * first * count, length * count)
   return {
-    values: new Float64Array(count),
-    minimizers: new Float64Array(3 * count),
-    cornerMinima: new Float64Array(count),
-    exponents: new Int16Array(count),
+    valid: new Uint8Array(block, 42 * count, count),
+    minima: {
+      values: doubles(0, 1),
+      minimizers: doubles(1, 3),
+      cornerMinima: doubles(4, 1),
+      exponents: new Int16Array(block, 40 * count, count),
+    },
   }
+}
+
+/** Puts answers into longer lists, as those to the cells from `first` on. */
+export function putAnswers({ valid, minima }: Answers, into: Answers, first: number): void {
+  into.valid.set(valid, first)
+  if (!minima || !into.minima) return
+  into.minima.values.set(minima.values, first)
+  into.minima.minimizers.set(minima.minimizers, 3 * first)
+  into.minima.cornerMinima.set(minima.cornerMinima, first)
+  into.minima.exponents.set(minima.exponents, first)
 }
 
 /** Starts the core in a compiled hexlens-batch.wasm or hexlens-scalar.wasm. */
@@ -99,7 +136,11 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     return addresses
   }
 
-  function classify(piece: Piece, wantsMinima: boolean, onExact: (cell: number) => void = () => {}): PieceResult {
+  function classify(
+    piece: Piece,
+    wantsMinima: boolean,
+    { into = count => emptyAnswers(count, wantsMinima), onExact = () => {} }: BatchOptions = {},
+  ): PieceResult {
     const { points, cells } = piece
     const count = cellCount(piece)
     const perMinimum = wantsMinima ? 8 * count : 0
@@ -129,20 +170,23 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     const [undecided = 0, firstBad = 0] = new Uint32Array(memory.buffer, wasm.counts_address(), 2)
     const code = FAULTS[status]
     if (status !== 0 && code === undefined) throw new Error(`The core answered with an unknown status, ${status}.`)
-    const valid = new Uint8Array(memory.buffer, atVerdicts, count).slice()
+    const valid = new Uint8Array(memory.buffer, atVerdicts, count)
     const minima: Minima | null = wantsMinima
       ? {
-          values: new Float64Array(memory.buffer, atMinima, count).slice(),
-          minimizers: new Float64Array(memory.buffer, atMinimizers, 3 * count).slice(),
-          cornerMinima: new Float64Array(memory.buffer, atCorners, count).slice(),
-          exponents: new Int16Array(memory.buffer, atExponents, count).slice(),
+          values: new Float64Array(memory.buffer, atMinima, count),
+          minimizers: new Float64Array(memory.buffer, atMinimizers, 3 * count),
+          cornerMinima: new Float64Array(memory.buffer, atCorners, count),
+          exponents: new Int16Array(memory.buffer, atExponents, count),
         }
       : null
     const done = code === undefined ? count : Math.min(firstBad, count)
     if (undecided > 0) decideExactly(piece, done, valid, minima, onExact)
     let validCount = 0
     for (let c = 0; c < count; ++c) validCount += valid[c] = c < done && valid[c] === HL_VALID ? 1 : 0
-    return { valid, validCount, minima, exact: undecided, fault: code === undefined ? null : { cell: firstBad, code } }
+    const fault = code === undefined ? null : { cell: firstBad, code }
+    const answers = fault ? emptyAnswers(count, wantsMinima) : into(count)
+    putAnswers({ valid, minima }, answers, 0)
+    return { ...answers, validCount, exact: undecided, fault }
   }
 
   /** Those whose verdict is HL_UNDECIDED get HL_VALID or another one, and their minima from the report of exact arithmetic. */
