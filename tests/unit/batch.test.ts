@@ -175,6 +175,13 @@ it('refuses with the first cell that is none, wherever the others are', async ()
   })
   points[at(399)] = Number.NaN
   expect(await refusal(points, cells)).toMatchObject({ code: 'not-finite', cell: 399 })
+  const many = new Float64Array(24 * 1100 + 5)
+  for (let c = 0; c < 1100; ++c) many.set(unitCube, 24 * c)
+  const fault = (list: Float64Array) =>
+    batchCores.vectors.classify({ points: list, cells: null, firstPoint: 0 }, false).fault
+  expect([fault(many.subarray(0, 24 * 1100)), fault(many)]).toEqual([null, { cell: 1100, code: 'incomplete' }])
+  many[at(1050)] = Number.NaN
+  expect(fault(many)).toEqual({ cell: 1050, code: 'not-finite' })
   expect(await one.classify(new Float64Array(0), null)).toMatchObject({ ok: true, value: { validCount: 0 } })
 })
 

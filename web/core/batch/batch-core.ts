@@ -77,6 +77,9 @@ const HL_UNDECIDED = 0
 const FAULTS: Record<number, CoreErrorCode> = { 1: 'not-finite', 3: 'incomplete', 4: 'no-such-point' }
 const WASM_PAGE = 65536
 
+/** As many coordinates go into the core's memory at once as a processor's second cache holds beside the rest: 200 kB. */
+const CELLS_PER_CUT = 1024
+
 export function cellCount({ points, cells }: Piece): number {
   return cells ? Math.floor(cells.length / VERTICES) : Math.floor(points.length / COORDINATE_COUNT)
 }
@@ -90,17 +93,17 @@ export function answersLength(count: number, wantsMinima: boolean): number {
   return count * (wantsMinima ? 1 + 2 + 5 * 8 : 1)
 }
 
-/** The answers to so many cells as they lie at the beginning of a block. */
-export function answersIn(block: ArrayBuffer, count: number, wantsMinima: boolean): Answers {
-  if (!wantsMinima) return { valid: new Uint8Array(block, 0, count), minima: null }
-  const doubles = (first: number, length: number) => new Float64Array(block, 8 * first * count, length * count)
+/** The answers to so many cells as they lie in a block, from a byte on. */
+export function answersIn(block: ArrayBuffer, count: number, wantsMinima: boolean, from = 0): Answers {
+  if (!wantsMinima) return { valid: new Uint8Array(block, from, count), minima: null }
+  const doubles = (first: number, length: number) => new Float64Array(block, from + 8 * first * count, length * count)
   return {
-    valid: new Uint8Array(block, 42 * count, count),
+    valid: new Uint8Array(block, from + 42 * count, count),
     minima: {
       values: doubles(0, 1),
       minimizers: doubles(1, 3),
       cornerMinima: doubles(4, 1),
-      exponents: new Int16Array(block, 40 * count, count),
+      exponents: new Int16Array(block, from + 40 * count, count),
     },
   }
 }
@@ -143,49 +146,46 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
   ): PieceResult {
     const { points, cells } = piece
     const count = cellCount(piece)
-    const perMinimum = wantsMinima ? 8 * count : 0
-    const [atPoints, atCells, atVerdicts, atMinima, atMinimizers, atCorners, atExponents] = reserve([
-      points.byteLength,
+    const perCut = cells ? count : Math.min(CELLS_PER_CUT, count)
+    const [atPoints, atCells, atAnswers] = reserve([
+      8 * (cells ? points.length : COORDINATE_COUNT * perCut),
       cells?.byteLength ?? 0,
-      count,
-      perMinimum,
-      3 * perMinimum,
-      perMinimum,
-      perMinimum / 4,
-    ]) as [number, number, number, number, number, number, number]
-    new Float64Array(memory.buffer, atPoints, points.length).set(points)
+      answersLength(count, wantsMinima),
+    ]) as [number, number, number]
     if (cells) copyIndices(cells, piece.firstPoint, new Uint32Array(memory.buffer, atCells, cells.length))
-    const list = (address: number) => (wantsMinima ? address : 0)
-    const status = wasm.classify(
-      atPoints,
-      points.length,
-      cells ? atCells : 0,
-      cells?.length ?? 0,
-      atVerdicts,
-      list(atMinima),
-      list(atMinimizers),
-      list(atCorners),
-      list(atExponents),
-    )
-    const [undecided = 0, firstBad = 0] = new Uint32Array(memory.buffer, wasm.counts_address(), 2)
-    const code = FAULTS[status]
-    if (status !== 0 && code === undefined) throw new Error(`The core answered with an unknown status, ${status}.`)
-    const valid = new Uint8Array(memory.buffer, atVerdicts, count)
-    const minima: Minima | null = wantsMinima
-      ? {
-          values: new Float64Array(memory.buffer, atMinima, count),
-          minimizers: new Float64Array(memory.buffer, atMinimizers, 3 * count),
-          cornerMinima: new Float64Array(memory.buffer, atCorners, count),
-          exponents: new Int16Array(memory.buffer, atExponents, count),
-        }
-      : null
-    const done = code === undefined ? count : Math.min(firstBad, count)
+    const own = answersIn(memory.buffer, count, wantsMinima, atAnswers)
+    const { valid, minima } = own
+    let [first, undecided] = [0, 0]
+    let fault: PieceCounts['fault'] = null
+    do {
+      const end = Math.min(first + perCut, count)
+      const part = cells ? points : points.subarray(COORDINATE_COUNT * first, COORDINATE_COUNT * end)
+      new Float64Array(memory.buffer, atPoints, part.length).set(part)
+      const status = wasm.classify(
+        atPoints,
+        part.length,
+        cells ? atCells : 0,
+        cells?.length ?? 0,
+        addressOf(valid, first),
+        addressOf(minima?.values, first),
+        addressOf(minima?.minimizers, 3 * first),
+        addressOf(minima?.cornerMinima, first),
+        addressOf(minima?.exponents, first),
+      )
+      const [left = 0, firstBad = 0] = new Uint32Array(memory.buffer, wasm.counts_address(), 2)
+      const code = FAULTS[status]
+      if (status !== 0 && code === undefined) throw new Error(`The core answered with an unknown status, ${status}.`)
+      undecided += left
+      if (code) fault = { cell: first + firstBad, code }
+      first = end
+    } while (first < count && fault === null)
+    if (!cells && !fault && points.length % COORDINATE_COUNT > 0) fault = { cell: count, code: 'incomplete' }
+    const done = fault?.cell ?? count
     if (undecided > 0) decideExactly(piece, done, valid, minima, onExact)
     let validCount = 0
     for (let c = 0; c < count; ++c) validCount += valid[c] = c < done && valid[c] === HL_VALID ? 1 : 0
-    const fault = code === undefined ? null : { cell: firstBad, code }
     const answers = fault ? emptyAnswers(count, wantsMinima) : into(count)
-    putAnswers({ valid, minima }, answers, 0)
+    putAnswers(own, answers, 0)
     return { ...answers, validCount, exact: undecided, fault }
   }
 
@@ -217,6 +217,11 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
   }
 
   return { classify }
+}
+
+/** 0 for no list. */
+function addressOf(list: Float64Array | Int16Array | Uint8Array | undefined, first: number): number {
+  return list ? list.byteOffset + first * list.BYTES_PER_ELEMENT : 0
 }
 
 /** An index before `firstPoint` becomes one that is far too large. */

@@ -151,7 +151,7 @@ async function* stream(
     const result = isHandedOver ? classifyWhole(pool, piece, options) : classify(pool, points, cells, options)
     result.catch(() => {}) // whoever waits for it hears of it
     underWay.push({ result, count })
-    if (underWay.length > pool.size && !(yield* next())) return
+    if (underWay.length >= pool.capacity && !(yield* next())) return
   }
   while (underWay.length > 0) if (!(yield* next())) return
 }
