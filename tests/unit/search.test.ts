@@ -90,7 +90,7 @@ it.each(kinds.map(({ id }) => id))('finds %s, and what it polishes still has the
 
 it('finds the same with one worker and with three, at once and with stops, with vectors and without', async () => {
   const quest = questOf('corners', 20260803)
-  const elements = 9 * PIECE
+  const elements = 7 * PIECE
   const one = outcome(await searched(quest, elements, force(1)))
   expect([one.elements, one.beauty.length, one.extremeness.length]).toEqual([elements, 48, 48])
   expect(outcome(await searched(quest, elements, force(3)))).toEqual(one)
@@ -101,18 +101,18 @@ it('finds the same with one worker and with three, at once and with stops, with 
     const onNews = () => {
       if (search.isRunning) return stops.length === 0 && search.elements > 0 ? search.stop() : undefined
       if (stops.push(search.elements) === 3) return resolve(search)
-      search.start(stops.length === 1 ? 7 * PIECE : elements)
+      search.start(stops.length === 1 ? 6 * PIECE : elements)
       return undefined
     }
     const search = new Search(quest, force(2), onNews, reject)
-    search.start(6 * PIECE)
+    search.start(5 * PIECE)
   })
   stopped.dispose()
   expect(outcome(stopped)).toEqual(one)
-  expect(stops).toEqual([stops[0], 7 * PIECE, elements])
-  expect(stops[0]).toBeLessThanOrEqual(6 * PIECE)
+  expect(stops).toEqual([stops[0], 6 * PIECE, elements])
+  expect(stops[0]).toBeLessThanOrEqual(5 * PIECE)
 
-  const other = outcome(await searched({ ...quest, seed: 20260804 }, elements, force(2)))
+  const other = outcome(await searched({ ...quest, seed: 20260804 }, PIECE, force(2)))
   expect(other.beauty.map(({ index }) => index)).not.toEqual(one.beauty.map(({ index }) => index))
   expect(one.found).toBeGreaterThan(300)
   const efforts = one.beauty.map(({ effort }) => effort)
