@@ -16,7 +16,7 @@ let chosen: GalleryElement | null = null
 let redraw = 0
 
 function schedule(): void {
-  redraw ||= requestAnimationFrame(draw)
+  if (redraw === 0) redraw = requestAnimationFrame(draw)
 }
 
 function draw(): void {
@@ -48,7 +48,7 @@ function elementTemplate(element: GalleryElement): TemplateResult {
       aria-describedby=${`${id}-note`}
       @click=${() => choose(element)}
     >
-      ${image}<span>${title}</span>
+      <span>${title}</span>${image}
     </button>
     <p id=${`${id}-note`}>${note}</p>
     <p class="quiet">${source.charAt(0).toUpperCase()}${source.slice(1)}.</p>
