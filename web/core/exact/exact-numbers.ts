@@ -31,9 +31,7 @@ export function exactEdgeMinimum(vertices: Vertices): Enclosure {
 }
 
 export function exactBoundaryMinimum(vertices: Vertices): Enclosure {
-  const { jacdet, minimizer } = exactBoundary(vertices)
-  if (minimizer.kind === 'face') return enclosed(minimizer)
-  return exactly(edgeMinimum(jacdet))
+  return exactBoundary(vertices).minimum
 }
 
 /** Minus the boundary minimum of the mirrored element. */
