@@ -32,6 +32,11 @@ export function of(...pieces: readonly Piece[]): Markup {
   return row('(', ...pieces, ')')
 }
 
+/** In square brackets or parentheses as high as what is in them. */
+export function tall(open: '(' | '[', ...pieces: readonly Piece[]): Markup {
+  return row({ markup: `<mo>${open}</mo>` }, ...pieces, { markup: `<mo>${open === '(' ? ')' : ']'}</mo>` })
+}
+
 export function sub(base: Piece, below: Piece): Markup {
   return element('msub', base, below)
 }
@@ -43,6 +48,10 @@ export function sup(base: Piece, above: Piece): Markup {
 /** The derivative of a function of one variable. */
 export function prime(base: Piece): Markup {
   return sup(base, '′')
+}
+
+export function subsup(base: Piece, below: Piece, above: Piece): Markup {
+  return element('msubsup', base, below, above)
 }
 
 export function frac(numerator: Piece, denominator: Piece): Markup {
@@ -57,7 +66,7 @@ export function det(...pieces: readonly Piece[]): Markup {
 /** In square brackets, row by row. */
 export function matrix(...rows: readonly (readonly Piece[])[]): Markup {
   const cells = rows.map(line => `<mtr>${line.map(piece => `<mtd>${markupOf(piece)}</mtd>`).join('')}</mtr>`)
-  return row('[', { markup: `<mtable>${cells.join('')}</mtable>` }, ']')
+  return tall('[', { markup: `<mtable>${cells.join('')}</mtable>` })
 }
 
 function element(name: string, ...pieces: readonly Piece[]): Markup {
@@ -73,5 +82,6 @@ function markupOf(piece: Piece): string {
   const text = String(piece)
   if (/^[\d.]+$/.test(text)) return `<mn>${text}</mn>`
   if (/^\p{L}+$/u.test(text)) return `<mi>${text}</mi>`
+  if (/^[()[\]|]$/.test(text)) return `<mo stretchy="false">${text}</mo>`
   return `<mo>${text.replace('<', '&lt;').replace('>', '&gt;')}</mo>`
 }

@@ -62,10 +62,10 @@ function stepArticle(step: LessonStep, index: number, state: ColumnState, { rest
         <span class="number">${index + 1}</span> ${step.title}
       </a>
     </h2>
-    ${unsafeHTML(step.text)}
+    ${prose(step.text)}
     ${step.figure && report ? drawing(step.figure, report) : nothing}
     ${step.claims.length > 0 ? claimList(step.claims, report, verticesOf(step)) : nothing}
-    <p class="task">${unsafeHTML(step.task)}</p>
+    <p class="task">${prose(step.task)}</p>
     ${
       isActive
         ? html`<p class="tools">
@@ -76,6 +76,11 @@ function stepArticle(step: LessonStep, index: number, state: ColumnState, { rest
         : nothing
     }
   </article>`
+}
+
+/** No line begins with the punctuation after a formula. */
+function prose(text: string): ReturnType<typeof unsafeHTML> {
+  return unsafeHTML(text.replace(/<math>(?:(?!<\/math>).)*<\/math>[.,;:)]+/gs, '<span class="together">$&</span>'))
 }
 
 function drawing(figure: LessonFigure, report: Report): TemplateResult {
@@ -96,8 +101,8 @@ function end({ lesson }: StepPlace): TemplateResult {
 function bar(place: StepPlace, { go }: ColumnActions): TemplateResult {
   const [before, after] = [neighbour(place, -1), neighbour(place, 1)]
   const isLast = place.step === place.lesson.steps.length - 1
-  return html`<div class="bar" role="group" aria-label="Steps">
-    <button type="button" ?disabled=${!before} @click=${() => before && go(before)}>Back</button>
+  return html`<div class="bar" role="group" aria-label="Steps of the lesson">
+    <button type="button" ?disabled=${!before} @click=${() => before && go(before)}>Previous</button>
     <p role="status">
       Step ${place.step + 1} of ${place.lesson.steps.length}<span class="said">: ${stepAt(place).title}</span>
     </p>

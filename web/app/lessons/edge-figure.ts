@@ -34,7 +34,7 @@ export function edgeFigure({ bernstein, exponent }: Report, edge: number): Templ
       <path class="curve negative" d=${curve} clip-path="url(#below-zero)" />
       ${dot(x(0), y(q0))} ${dot(x(1), y(q2))} ${dot(x(0.5), y(q1), 'control')}
       ${dot(x(along), y(lowest), lowest > 0 ? 'lowest' : 'lowest negative')}
-      <text class=${lowest > 0 ? 'value' : 'value negative'} x=${x(along)} y=${y(lowest) + 18} text-anchor=${anchorAt(along)}>
+      <text class=${lowest > 0 ? 'value' : 'value negative'} x=${x(along)} y=${lowest > 0 ? y(lowest) - 10 : y(lowest) + 19} text-anchor=${anchorAt(along)}>
         ${text(lowest)}
       </text>
       <text x=${x(0)} y=${HEIGHT - 4} text-anchor="middle">${from}</text>

@@ -1,5 +1,5 @@
 import type { Lesson } from '../lessons'
-import { det, display, frac, math, of, row } from '../mathml'
+import { det, display, frac, math, of, row, tall } from '../mathml'
 
 const J = math('J')
 const slope = (by: string) => frac(row('∂', 'F'), row('∂', by))
@@ -58,7 +58,7 @@ export const lesson: Lesson = {
       title: 'Three columns',
       text: `<p>Follow a tiny box at some point of the cube. ${math('F')} makes a tiny slanted box of it, whose sides point along the columns of
         the Jacobian matrix:</p>
-        ${display('D', 'F', '=', row('[', slope('ξ'), '|', slope('η'), '|', slope('ζ'), ']'))}
+        ${display('D', 'F', '=', tall('[', slope('ξ'), '|', slope('η'), '|', slope('ζ')))}
         <p>At a vertex they are the three edges that meet there.</p>`,
       task: 'Point at a face: the three arrows are the columns at that point. In this block they are the same everywhere.',
       claims: [],

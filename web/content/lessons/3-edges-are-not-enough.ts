@@ -1,5 +1,5 @@
 import type { Lesson } from '../lessons'
-import { display, frac, math, sub, sup, words } from '../mathml'
+import { display, frac, math, sub, subsup, words } from '../mathml'
 
 const J = math('J')
 const q = (i: number) => sub('q', i)
@@ -16,7 +16,7 @@ export const lesson: Lesson = {
       text: `<p>On an edge nothing needs to be sampled. Three numbers have the whole parabola: ${math(q(0))} and ${math(q(2))}, which are ${J} at
         the ends, and ${math(q(1))}, where the tangents at the ends meet. The edge is positive exactly if ${math(q(0), '>', 0)},
         ${math(q(2), '>', 0)} and</p>
-        ${display(q(1), '≥', 0, words('or'), sup(q(1), 2), '<', q(0), q(2))}`,
+        ${display(q(1), '≥', 0, words('or'), subsup('q', 1, 2), '<', q(0), q(2))}`,
       task: 'See the point of the polygon below zero, and the parabola still above it.',
       claims: [
         { says: 'All twelve edges are positive', holds: 'edge_min > 0' },
@@ -73,6 +73,7 @@ export const lesson: Lesson = {
         [0, 1, 0.25],
       ],
       views: 'scene verdict checks',
+      state: { camera: { direction: [0.2, -0.55, 0.8], zoom: 1, pan: [0, 0, 0] } },
     },
   ],
 }

@@ -1,10 +1,18 @@
 import type { Lesson } from '../lessons'
-import { det, display, frac, math, of, row, sub, sup } from '../mathml'
+import { det, display, frac, math, of, row, sub, sup, tall } from '../mathml'
 
 const J = math('J')
 const slopeOfJ = (by: string) => frac(row('∂', 'J'), row('∂', by))
-const left = math(sub('p', '−'))
-const right = math(sub('p', '+'))
+const left = sub('p', '−')
+const right = sub('p', '+')
+const columns = (first: string, second: string) => det('[', first, '|', second, ']')
+
+const tube = {
+  faceDisplay: 'inside',
+  section: { axis: 2, value: 0.5 },
+  referenceShown: true,
+  camera: { direction: [0.5, -0.85, 0.35], zoom: 1, pan: [0, 0, 0] },
+} as const
 
 export const lesson: Lesson = {
   id: 'faces-are-enough',
@@ -13,26 +21,26 @@ export const lesson: Lesson = {
   steps: [
     {
       title: 'Knupp’s conjecture',
-      text: `<p>Patrick Knupp showed in 1990 that vertices and edges do not suffice, and conjectured that faces do: if ${J} is positive on the six
-        faces, it is positive everywhere inside. Paul Zhang has proved it. This is why the lens can be certain: it looks at the faces, all of
-        them, and at nothing else.</p>`,
-      task: 'A stretched top, turned by 143°: valid, just. Move the section through it with the slider of Inside.',
+      text: `<p>In 1990 Patrick Knupp showed that vertices and edges do not suffice, and conjectured that faces do: if ${J} is positive on all six
+        faces, it is positive everywhere inside. Paul Zhang has proved it. So the lens looks at the faces, at all of each, and can be
+        certain.</p>`,
+      task: 'This element is valid. Read the table: two cautious methods reject it all the same.',
       claims: [
-        { says: 'All of the boundary is positive', holds: 'boundary_min > 0' },
+        { says: 'jacdet is positive on the boundary', holds: 'boundary_min > 0' },
         { says: 'so the element is valid', holds: 'valid' },
+        { says: 'Subdivision to depth 4 rejects it', holds: 'subdivision <= 0' },
       ],
-      element: 'twisted-before',
-      views: 'scene verdict inside',
-      state: { faceDisplay: 'inside', openPanels: ['inside'], section: { axis: 2, value: 0.5 } },
+      element: 'depth-guard',
+      views: 'scene verdict checks',
     },
     {
-      title: 'Why quadrilaterals are easy',
-      text: `<p>In the plane four corners are enough. With ${math('F', '=', 'p', '+', 's', 'a', '+', 't', 'b', '+', 's', 't', 'c')} the two columns are
+      title: 'Quadrilaterals are easy',
+      text: `<p>In the plane the corners are enough. With ${math('F', '=', 'p', '+', 's', 'a', '+', 't', 'b', '+', 's', 't', 'c')} the two columns are
         ${math('a', '+', 't', 'c')} and ${math('b', '+', 's', 'c')}, and</p>
-        ${display('J', '=', det('[', 'a', '|', 'b', ']'), '+', 's', det('[', 'a', '|', 'c', ']'), '+', 't', det('[', 'c', '|', 'b', ']'))}
-        <p>The term with ${math('s', 't')} is ${math(det('[', 'c', '|', 'c', ']'), '=', 0)}. What is left is linear, and so it is least at a
+        ${display('J', '=', columns('a', 'b'), '+', 's', columns('a', 'c'), '+', 't', columns('c', 'b'))}
+        <p>The term with ${math('s', 't')} has the factor ${math(columns('c', 'c'), '=', 0)}. What is left is linear, and so it is least at a
         corner.</p>`,
-      task: 'A quadrilateral, drawn out to a block: in the reference cube the lines of equal colour are straight and parallel.',
+      task: 'A quadrilateral, drawn out to a block: the lines of equal colour on the reference cube are straight and parallel.',
       claims: [{ says: 'The least jacdet is at a vertex', holds: 'boundary_min = corner_min' }],
       element: [
         [0, 0, 0],
@@ -45,15 +53,15 @@ export const lesson: Lesson = {
         [0, 1, 1],
       ],
       views: 'scene verdict',
-      state: { referenceShown: true },
+      state: { referenceShown: true, camera: { direction: [0.45, -0.6, 0.8], zoom: 1, pan: [0, 0, 0] } },
     },
     {
-      title: 'A flat slice is easy too',
-      text: `<p>Fix ${math('ξ')}: a square slice of the cube. If its image lies in a plane with normal ${math('n')}, then ${math('J', '=', 'ℓ', 'q')}:
-        ${math('ℓ')} is the quadrilateral’s own determinant, linear as before, and
-        ${math('q', '=', 'n', '·', frac(row('∂', 'F'), row('∂', 'ξ')))} is bilinear. If ${J} is positive on the slice’s rim, both keep one sign at its
-        four corners, the same, and so everywhere on it: ${J} is positive on the slice.</p>`,
-      task: 'This frustum has six flat faces: its twelve edges decide. Bend a face by dragging one vertex.',
+      title: 'A flat slice is easy, too',
+      text: `<p>Fix ${math('ξ')}: that is a square slice of the cube. If its image is flat, with normal ${math('n')}, then
+        ${math('J', '=', 'ℓ', 'q')}, where ${math('ℓ')} is the slice’s own determinant, linear as before, and
+        ${math('q', '=', 'n', '·', row('∂', 'F'), '/', row('∂', 'ξ'))} is bilinear. If ${J} is positive on the slice’s rim,
+        ${math('ℓ')} keeps one sign there and so does ${math('q')}. Both then keep it on the whole slice: ${J} is positive there.</p>`,
+      task: 'This frustum has six flat faces, so its twelve edges decide. Bend a face by dragging one vertex.',
       claims: [
         { says: 'The edges are positive', holds: 'edge_min > 0' },
         { says: 'and the element is valid', holds: 'valid' },
@@ -73,57 +81,55 @@ export const lesson: Lesson = {
     },
     {
       title: 'Where could it hide?',
-      text: `<p>Suppose the conjecture were false: faces positive, ${J} negative somewhere inside. Then the surface ${math('J', '=', 0)} would
-        surround that place and touch no face: a <em>bubble</em>. In the element here the surface is a tube. It runs through the bottom and the
-        top, which are red where it does.</p>`,
-      task: 'Turn it. Can you pinch the tube off from both faces by dragging vertices? Nobody can: the next two steps say why.',
+      text: `<p>Suppose the conjecture were false: faces positive, ${J} negative somewhere inside. The surface ${math('J', '=', 0)} would surround that
+        place and touch no face: a <em>bubble</em>. In the element shown the surface is a tube. It leaves through the bottom and the top, and there
+        the faces are negative.</p>`,
+      task: 'Try to pinch the tube off from both faces by dragging vertices. Nobody can; the next two steps say why.',
       claims: [
         { says: 'jacdet is negative at the centre', holds: 'centre < 0' },
         { says: 'and on the boundary', holds: 'boundary_min < 0' },
       ],
       element: 'face-negative',
       views: 'scene verdict',
-      state: { faceDisplay: 'inside', section: { axis: 2, value: 0.5 } },
+      state: tube,
     },
     {
       title: 'The two ends of a bubble',
-      text: `<p>Look at the bubble in the reference cube. Outside it ${J} is positive, inside negative, so ${J} grows outwards all over it. At its
-        leftmost point ${left} outwards is to the left, at its rightmost ${right} to the right:</p>
-        ${display(slopeOfJ('ξ'), of(sub('p', '−')), '<', 0, '<', slopeOfJ('ξ'), of(sub('p', '+')))}
-        <p>and ${math('J')} does not change with ${math('η')} or ${math('ζ')} there. The drawing is of the tube, cut at
-        ${math('ζ', '=', frac(1, 2))}.</p>`,
-      task: 'Compare the two slopes under the drawing: one sign each.',
+      text: `<p>On a bubble ${J} grows outwards, from negative to positive, and nowhere pauses: that would need a flat slice. At the leftmost point ${math(left)} outwards is to the left,
+        at the rightmost ${math(right)} to the right, and ${J} does not change with ${math('η')} or ${math('ζ')}:</p>
+        ${display(slopeOfJ('ξ'), of(left), '<', 0, '<', slopeOfJ('ξ'), of(right))}
+        <p>The drawing is the tube of the picture, cut at ${math('ζ', '=', frac(1, 2))}.</p>`,
+      task: 'Compare the two slopes under the drawing.',
       claims: [{ says: 'jacdet is negative at the centre', holds: 'centre < 0' }],
       figure: { kind: 'section', value: 0.5 },
       element: 'face-negative',
       views: 'scene verdict',
-      state: { faceDisplay: 'inside', section: { axis: 2, value: 0.5 } },
+      state: tube,
     },
     {
-      title: 'But both have the same sign',
+      title: 'Both have the same sign',
       text: `<p>Where ${math('J', '=', 0)} the columns ${math('U')}, ${math('V')}, ${math('W')} lie in a plane:
-        ${math('U', '=', 'α', 'V', '+', 'β', 'W')}. If besides ${J} does not change with ${math('η')} or ${math('ζ')}, a few lines of algebra give</p>
-        ${display(slopeOfJ('ξ'), '=', '−', 2, 'α', 'β', 'κ', ',')}
-        ${display('κ', '=', det('[', 'V', '|', 'W', '|', frac(row(sup('∂', 2), 'F'), row('∂', 'η', '∂', 'ζ')), ']'))}
-        <p>If one of the three factors were zero, one of the three slices through the point would be flat. Its rim is on the faces, where
-        ${J} is positive, so ${J} would be positive at the point as well, not zero. So none of them ever vanishes on the bubble, each keeps its sign, and
-        the slopes at ${left} and ${right} have the <em>same</em> sign. There is no bubble.</p>`,
-      task: 'The tube may have both signs: its slices have rims on faces that are not positive, so a factor can vanish.',
+        ${math('U', '=', 'α', 'V', '+', 'β', 'W')}. Where in addition ${J} does not change with ${math('η')} or ${math('ζ')}, some algebra gives</p>
+        ${display(slopeOfJ('ξ'), '=', '−', 2, 'α', 'β', 'κ')}
+        ${display('κ', '=', det(tall('[', 'V', '|', 'W', '|', frac(row(sup('∂', 2), 'F'), row('∂', 'η', '∂', 'ζ')))))}
+        <p>Were one of the factors zero, a slice through that point would be flat. Its rim lies on the faces, where ${J} is positive; then ${J} is
+        positive on the slice, and not zero at the point. So on a bubble no factor ever vanishes or changes its sign, and the two slopes have
+        the <em>same</em> sign. They cannot have both: there is no bubble.</p>`,
+      task: 'And the tube? Rims of its slices run through negative parts of the faces, so its factors may vanish.',
       claims: [{ says: 'The boundary is not positive here', holds: 'boundary_min <= 0' }],
-      figure: { kind: 'section', value: 0.5 },
       element: 'face-negative',
       views: 'scene verdict',
-      state: { faceDisplay: 'inside', section: { axis: 2, value: 0.5 } },
+      state: tube,
     },
     {
       title: 'The least value, too',
-      text: `<p>More is true: of a valid element not only the sign is decided on the boundary. The least ${J} of all lies there. An interior minimum
-        with ${math('J', '>', 0)} has to be constant along a line to the boundary.</p>
-        <p>So two things are left to explain: what <em>positive</em> has to mean, and how the least value on a face is found.</p>`,
-      task: 'Drag a vertex while the element stays valid: the ring that marks the least jacdet never leaves the faces.',
+      text: `<p>More is true. If an element is valid, even its least ${J} lies on the boundary: where ${J} has a least value inside, it is constant
+        along a line from there to a face.</p>
+        <p>Two things are left to explain: how strict <em>positive</em> has to be, and how the least value on a face is found.</p>`,
+      task: 'Drag vertices: as long as the word is VALID, the ring at the least value stays on the faces.',
       claims: [
         { says: 'The element is valid', holds: 'valid' },
-        { says: 'The least jacdet inside is the least on the boundary', holds: 'volume_min = boundary_min' },
+        { says: 'Its least jacdet is the least on the boundary', holds: 'volume_min = boundary_min' },
       ],
       element: [
         [0, 0, 0],

@@ -1,5 +1,5 @@
 import type { Lesson } from '../lessons'
-import { display, frac, math, matrix, of, row, sup } from '../mathml'
+import { display, frac, math, matrix, of, row, sup, tall } from '../mathml'
 
 const J = math('J')
 const half = frac(1, 2)
@@ -42,8 +42,8 @@ export const lesson: Lesson = {
     {
       title: 'Negative in the middle',
       text: `<p>At the centre the first term is ${math(frac(1, 4))} and the second ${math(frac(1, 2))}:</p>
-        ${display('J', of(half, ',', half, ',', half), '=', '−', frac(1, 4))}
-        <p>Four faces’ worth of looking would not have found it. The mean of ${J} over the cube is exactly 0.</p>`,
+        ${display('J', tall('(', half, ',', half, ',', half), '=', '−', frac(1, 4))}
+        <p>No look at the faces, however close, would have found it.</p>`,
       task: 'The faces are see-through now: the section through the middle is red.',
       claims: [
         { says: 'At the centre jacdet is −1/4', holds: 'centre = -1/4' },
@@ -56,10 +56,10 @@ export const lesson: Lesson = {
     },
     {
       title: 'A bubble that touches',
-      text: `<p>This is the bubble that the last lesson forbids. It exists because it touches the faces: on ${math('ξ', '=', 0)} along the line
-        ${math('η', '+', 'ζ', '=', 1)}, on ${math('ξ', '=', 1)} along ${math('η', '=', 'ζ')}. Rims of slices are zero there, and the proof’s
-        factors may vanish.</p>`,
-      task: 'Look at the faces of the reference cube: each has its heavy line, and no red on either side.',
+      text: `<p>Here is a bubble, and the theorem is not hurt: it touches the faces. On ${math('ξ', '=', 0)} it does so along
+        ${math('η', '+', 'ζ', '=', 1)}, on ${math('ξ', '=', 1)} along ${math('η', '=', 'ζ')}. There rims of slices are zero, and the proof, which wants
+        them positive, says nothing.</p>`,
+      task: 'Look at the faces of the reference cube: each has its heavy line of zeros, and no red beside it.',
       claims: [
         { says: 'On the boundary: 0, not less', holds: 'boundary_min = 0' },
         { says: 'Inside: less than 0', holds: 'volume_min < 0' },
@@ -70,14 +70,13 @@ export const lesson: Lesson = {
     },
     {
       title: 'No small change rescues it',
-      text: `<p>Is it an accident, one unlucky set of numbers? At the centre</p>
+      text: `<p>An unlucky set of numbers? At the centre</p>
         ${display('D', 'F', '=', '−', half, matrix([0, 1, 1], [1, 0, 1], [1, 1, 0]))}
-        <p>No matrix nearer to it than ${math(half)} is singular (it shortens no vector to less than half), and if every vertex moves by less than
-        ${math('d')}, this matrix moves by less than ${math(2, 'd')}. So until some vertex has moved by ${math(frac(1, 4))}, ${J} stays negative at the
-        centre. Then the theorem says: somewhere on the faces it is zero or less.</p>`,
-      task: 'Drag vertices a little, any way you like. The faces turn red somewhere, every time.',
+        <p>This matrix shortens no vector to less than half, so it takes a change of ${math(half)} to make it singular. If no vertex moves by
+        ${math('d')} or more, it changes by less than ${math(2, 'd')}. So until some vertex has moved by ${math(frac(1, 4))}, ${J} stays negative at
+        the centre, and the element invalid.</p>`,
+      task: 'Drag vertices a little, any way you like: INVALID. By the theorem the faces then are not positive either.',
       claims: [
-        { says: 'One vertex has moved by less than 1/4', holds: 'moved = 0 or moved >= 1' },
         { says: 'At the centre jacdet is negative', holds: 'centre < 0' },
         { says: 'and on the faces as well now', holds: 'boundary_min < 0' },
       ],

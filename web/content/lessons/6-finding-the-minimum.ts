@@ -32,7 +32,7 @@ export const lesson: Lesson = {
         { says: 'No face goes lower', holds: 'boundary_min = edge_min' },
       ],
       element: 'looks-fine',
-      views: 'scene verdict algorithm',
+      views: 'scene algorithm',
       state: { openPanels: ['algorithm'], following: { query: 'minimum', variant: 'roots-b', step: 8 } },
     },
     {
@@ -57,7 +57,7 @@ export const lesson: Lesson = {
       task: 'The square in the middle of the bottom face’s map is where that curve is lowest.',
       claims: [{ says: 'The least jacdet is −1/16, inside a face', holds: 'boundary_min = -1/16 and edge_min > 0' }],
       element: 'face-negative',
-      views: 'scene verdict face-maps',
+      views: 'scene face-maps',
       state: {
         openPanels: ['face-maps'],
         selectedFace: 4,
@@ -73,7 +73,7 @@ export const lesson: Lesson = {
       task: 'Open the face’s quartic and find its root at t = 1/2.',
       claims: [{ says: 'The least jacdet is −1/16, inside a face', holds: 'boundary_min = -1/16 and edge_min > 0' }],
       element: 'face-negative',
-      views: 'scene verdict face-maps',
+      views: 'scene face-maps',
       state: {
         openPanels: ['face-maps'],
         selectedFace: 4,
@@ -91,7 +91,7 @@ export const lesson: Lesson = {
         { says: 'The least of all is −1/16', holds: 'boundary_min = -1/16' },
       ],
       element: 'face-negative',
-      views: 'scene verdict face-maps',
+      views: 'scene face-maps',
       state: { openPanels: ['face-maps'], selectedFace: 2 },
     },
     {
@@ -105,7 +105,7 @@ export const lesson: Lesson = {
         { says: 'and so it is on the edges', holds: 'edge_min = 0' },
       ],
       element: 'non-strict',
-      views: 'scene verdict face-maps',
+      views: 'scene face-maps',
       state: { openPanels: ['face-maps'], selectedFace: 1 },
     },
     {
@@ -118,7 +118,7 @@ export const lesson: Lesson = {
         { says: 'and no Bernstein coefficient is lower', holds: 'bernstein_min >= boundary_min' },
       ],
       element: bent,
-      views: 'scene verdict algorithm',
+      views: 'scene algorithm',
       state: { openPanels: ['algorithm'], following: { query: 'minimum', variant: 'roots-b', step: 25 } },
     },
     {

@@ -2,7 +2,6 @@
  * The boundary minimum of an element on which doubles do not decide, its sign exact: docs/algorithm.md 7. The candidates
  * are those of Algorithm 1; their values are exact rationals, on faces at ever finer enclosures of the roots of P.
  */
-import { type Enclosure, exactly, negated, productOf, scaledInteger, sumOf } from '../../model/condition/enclosure'
 import { edgeVertices, faces, type Vec3, type Vertices, vertexReference } from '../../model/hexahedron'
 import type { CandidateKind } from '../report'
 import { type ExactJacdet, exactEdge, exactFace, exactJacdet, exactVertex } from './exact-jacdet'
@@ -43,8 +42,8 @@ export interface ExactBoundary {
   readonly candidates: readonly ExactCandidate[]
   /** The least of them; its mantissa is exactly 0 where the sign is. */
   readonly minimizer: ExactCandidate
-  /** jacdet there before it is rounded: between two rationals, which are the same but inside faces. */
-  readonly minimum: Enclosure
+  /** jacdet there before it is rounded: in value + [-error, 0], over the power of two of four times the ExactJacdet's. */
+  readonly least: { readonly value: Rational; readonly error: Rational }
   /** Faces whose Bernstein bound is no lower than the least vertex or edge value: their candidates are left out. */
   readonly skippedFaces: readonly number[]
 }
@@ -95,14 +94,9 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
     // Of a touched zero's enclosure only the upper end is known, which another value may undercut.
     const touched = sign === 0 ? shown.find(({ mantissa }) => mantissa === 0) : undefined
     const minimizer = touched ?? (shown[candidates.indexOf(least)] as ExactCandidate)
-    const minimum = touched ? exactly(NONE) : inTrueUnits(least, jacdet.exponent - 2)
-    return { sign, jacdet, candidates: shown, minimizer, minimum, skippedFaces }
+    const known = touched ? { value: NONE, error: NONE } : least
+    return { sign, jacdet, candidates: shown, minimizer, least: known, skippedFaces }
   }
-}
-
-function inTrueUnits({ value, error }: Enclosed, exponent: number): Enclosure {
-  const unit = scaledInteger(1n, exponent)
-  return { lower: productOf(sumOf(value, negated(error)), unit), upper: productOf(value, unit) }
 }
 
 function leastOf(candidates: readonly Enclosed[]): Enclosed {
