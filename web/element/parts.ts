@@ -1,4 +1,6 @@
-/** What the element can show. A new view is one entry here. */
+/** What the element can show. A new view is one entry here, or added by the page that it is for. */
+import type { Core } from '../core/report'
+import type { State } from '../model/state'
 import { createAnnouncer } from '../views/announcer/announcer'
 import { certificateStyles, createCertificate } from '../views/certificate/certificate'
 import { checksStyles, createChecks } from '../views/checks/checks'
@@ -7,7 +9,7 @@ import { createScene, sceneStyles } from '../views/scene/scene'
 import { createToolbar, toolbarStyles } from '../views/toolbar/toolbar'
 import { createVerdict, verdictStyles } from '../views/verdict/verdict'
 import { createVertices, verticesStyles } from '../views/vertices/vertices'
-import type { CreateView } from '../views/view'
+import type { CreateView, Frame } from '../views/view'
 import { panel } from './panel'
 
 export interface Part {
@@ -23,9 +25,18 @@ export interface Part {
   readonly always?: true
   /** Left out where the element cannot be changed. */
   readonly changes?: true
+  /** Of an element: what is asked of the core for this part alone. `onNews` asks for a frame. */
+  readonly answers?: (onNews: () => void) => PartAnswers
 }
 
-export const parts: readonly Part[] = [
+export interface PartAnswers {
+  /** What is known by now; nothing that takes long is done meanwhile. */
+  of(core: Core, state: State): Partial<Frame>
+  stop(): void
+}
+
+/** What the element has everywhere. */
+const OWN: readonly Part[] = [
   { name: 'toolbar', place: 'head', create: createToolbar, styles: toolbarStyles },
   { name: 'problems', place: 'head', create: createProblems, styles: problemsStyles, always: true },
   { name: 'announcer', place: 'head', create: createAnnouncer, styles: '', always: true },
@@ -86,3 +97,13 @@ export const parts: readonly Part[] = [
   },
   { name: 'scene', place: 'stage', create: createScene, styles: sceneStyles, slow: true },
 ]
+
+const all = [...OWN]
+
+export const parts: readonly Part[] = all
+
+/** A part of the page alone, after another one in the list. All elements of the page have it: it is added before they are defined. */
+export function addPart(part: Part, after: string): void {
+  if (globalThis.customElements?.get('hex-lens')) throw new Error('Parts are added before the element is defined.')
+  all.splice(all.findIndex(({ name }) => name === after) + 1, 0, part)
+}

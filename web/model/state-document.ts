@@ -39,6 +39,7 @@ export function stateDocument(state: State, { camera, referenceCamera }: Cameras
     probe,
     highlight,
     previewedOrder,
+    previewedMove,
     helpShown,
     isReadonly,
     controls,
