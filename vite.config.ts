@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig, type Plugin } from 'vite'
 import { leanThree } from './tools/lean-three.mjs'
+import { appPages, navigation } from './tools/navigation.mjs'
 
 const root = fileURLToPath(new URL('.', import.meta.url))
 
@@ -37,7 +38,7 @@ export default defineConfig({
   appType: 'mpa',
   publicDir: `${root}public`,
   cacheDir: `${root}node_modules/.vite`,
-  plugins: [leanThree, securityPolicy],
+  plugins: [leanThree, navigation, securityPolicy],
   worker: { format: 'es' },
   server: { fs: { allow: [root] } },
   build: {
@@ -48,7 +49,7 @@ export default defineConfig({
     // Sizes are judged by npm run check.
     chunkSizeWarningLimit: 1000,
     rolldownOptions: {
-      input: { index: `${root}web/app/index.html`, embed: `${root}web/app/embed.html` },
+      input: [...appPages.map(({ file }) => file), 'embed'].map(file => `${root}web/app/${file}.html`),
       checks: { bundlerTimings: false },
     },
     assetsInlineLimit: file => (file.endsWith('.wasm') ? false : undefined),

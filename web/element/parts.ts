@@ -5,7 +5,7 @@ import { createAnnouncer } from '../views/announcer/announcer'
 import { certificateStyles, createCertificate } from '../views/certificate/certificate'
 import { checksStyles, createChecks } from '../views/checks/checks'
 import { createProblems, problemsStyles } from '../views/problems/problems'
-import { createScene, sceneStyles } from '../views/scene/scene'
+import { createScene, prepareScene, sceneStyles } from '../views/scene/scene'
 import { createToolbar, toolbarStyles } from '../views/toolbar/toolbar'
 import { createVerdict, verdictStyles } from '../views/verdict/verdict'
 import { createVertices, verticesStyles } from '../views/vertices/vertices'
@@ -19,8 +19,8 @@ export interface Part {
   readonly place: 'head' | 'stage' | 'panel' | 'folds'
   readonly create: CreateView
   readonly styles: string
-  /** Slow to make, a WebGL context for one: it comes a frame after the numbers. */
-  readonly slow?: true
+  /** It is slow to make, and comes after the numbers; this part of it takes a frame of its own. */
+  readonly prepare?: () => void
   /** Shown whatever the attribute says. */
   readonly always?: true
   /** Left out where the element cannot be changed. */
@@ -95,7 +95,7 @@ const OWN: readonly Part[] = [
     create: panel('embed', 'Copy embed', () => import('../views/embed/embed')),
     styles: '',
   },
-  { name: 'scene', place: 'stage', create: createScene, styles: sceneStyles, slow: true },
+  { name: 'scene', place: 'stage', create: createScene, styles: sceneStyles, prepare: prepareScene },
 ]
 
 const all = [...OWN]

@@ -1,6 +1,6 @@
 /**
  * What is seen of an element: the tree in its shadow root and the views in it. The views are made when the element is first seen, the
- * slow ones in a later frame, and no two elements of a page make theirs in the same frame.
+ * slow ones in later frames and piece by piece, and no two elements of a page make theirs in the same frame.
  */
 import type { Cameras } from '../model/state'
 import marks from '../views/marks.css?inline'
@@ -24,10 +24,14 @@ export class Show {
   readonly #before = place('before', 'fallback')
   readonly #poster = document.createElement('img')
   #views: readonly View[] = []
+  /** Slow ones, which join the others in the next frame: to make and to draw them are a frame's work each. */
+  #made: readonly { readonly part: Part; readonly view: View }[] = []
   /** Parts to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Part[])[] = []
-  /** Whether the slow parts wait for the first number. */
-  #isHeld = false
+  /** Of the parts that are next: whether what they need has been asked for. */
+  #isPrepared = false
+  /** Whether the last frame had a number, or none will come: the slow parts wait for that. */
+  #isAnswered = false
   #turns = new Turns()
 
   constructor(shadow: ShadowRoot, host: ViewHost) {
@@ -50,21 +54,22 @@ export class Show {
 
   /** Whether everything is made and up to date. */
   get isComplete(): boolean {
-    return this.#unmade.length === 0 && !this.#turns.isWaiting && !this.#views.some(view => view.isLoading)
+    return !this.isUnmade && !this.#turns.isWaiting && !this.#views.some(view => view.isLoading)
   }
 
   get isUnmade(): boolean {
-    return this.#unmade.length > 0
+    return this.#unmade.length > 0 || this.#made.length > 0
   }
 
   /** Whether a frame is due although nothing is new. */
   get isWaiting(): boolean {
-    return (this.isUnmade && !this.#isHeld) || this.#turns.isWaiting
+    const isHeld = this.#views.length > 0 && !this.#isAnswered
+    return (this.isUnmade && !isHeld) || this.#turns.isWaiting
   }
 
   begin(shown: readonly Part[]): void {
     this.end()
-    this.#unmade = [shown.filter(part => !part.slow), shown.filter(part => part.slow)]
+    this.#unmade = [shown.filter(part => !part.prepare), shown.filter(part => part.prepare)]
     const panels = shown.filter(part => part.place === 'panel' || part.place === 'folds')
     this.lens.classList.toggle('has-panel', panels.length > 0)
     this.lens.classList.toggle(
@@ -79,12 +84,14 @@ export class Show {
   }
 
   end(): void {
-    for (const view of this.#views) {
+    for (const view of [...this.#views, ...this.#made.map(({ view }) => view)]) {
       view.dispose()
       view.root.remove()
     }
     this.#views = []
+    this.#made = []
     this.#unmade = []
+    this.#isPrepared = false
     this.#turns = new Turns()
   }
 
@@ -112,7 +119,7 @@ export class Show {
         reportError(bug) // one view's bug must not take the others' numbers away
       }
     }
-    this.#before.hidden = this.#unmade.length === 0
+    this.#before.hidden = !this.isUnmade
   }
 
   cameras(): Cameras | null {
@@ -125,20 +132,32 @@ export class Show {
 
   /** Makes what is due in this frame, unless another element has made its own in it. What is slow comes after the first number. */
   #make({ report, problems }: Frame, time: number): boolean {
-    const hasAnswer = report !== null || problems.some(({ code }) => code === 'core-failed')
-    this.#isHeld = this.#views.length > 0 && !hasAnswer
-    if (this.#unmade.length === 0 || this.#isHeld || madeAt === time) return false
+    const joins = this.#made.length > 0
+    this.#join()
+    const isHeld = this.#views.length > 0 && !this.#isAnswered
+    this.#isAnswered = report !== null || problems.some(({ code }) => code === 'core-failed')
+    if (this.#unmade.length === 0 || isHeld || madeAt === time) return joins
     madeAt = time
     const [due = [], ...later] = this.#unmade
-    const made = due.map(part => {
-      const view = part.create(this.#host)
+    const isSlow = due.some(part => part.prepare)
+    if (isSlow && !this.#isPrepared) {
+      for (const part of due) part.prepare?.()
+      this.#isPrepared = true
+      return joins
+    }
+    this.#made = due.map(part => ({ part, view: part.create(this.#host) }))
+    this.#unmade = later
+    if (!isSlow) this.#join()
+    return joins || !isSlow
+  }
+
+  #join(): void {
+    for (const { part, view } of this.#made) {
       view.root.part.add(part.name)
       this.#places[part.place].append(view.root)
-      return view
-    })
-    this.#views = [...this.#views, ...made]
-    this.#unmade = later
-    return true
+    }
+    this.#views = [...this.#views, ...this.#made.map(({ view }) => view)]
+    this.#made = []
   }
 }
 

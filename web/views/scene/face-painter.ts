@@ -2,12 +2,15 @@
  * The coloured faces of one scene: a canvas of its own with a copy of what the page's one renderer drew, and none for a picture
  * that is already there. What is shown is decided elsewhere.
  */
-import { type ContextWatcher, type FaceRenderer, faceRenderer, type Picture } from './face-renderer'
+import { type ContextWatcher, type FaceContext, faceContext } from './face-context'
+import type { Picture } from './face-renderer'
 
 export interface FacePainter {
   readonly root: HTMLCanvasElement | SVGSVGElement
   /** Whether the context is lost at present: nothing can be painted. */
   readonly isLost: boolean
+  /** False where the first picture is some steps away, of which this call takes one: it wants to be called in the next frame, too. */
+  isReady(picture: Picture): boolean
   /** False where nothing was to be drawn: the last picture was the same. */
   paint(picture: Picture): boolean
   /** Draw calls of the last picture. */
@@ -17,27 +20,31 @@ export interface FacePainter {
 
 /** Null where the browser gives no WebGL2 context. */
 export function createFacePainter(watcher: ContextWatcher): FacePainter | null {
-  const renderer = faceRenderer()
-  return renderer && new CopyingFacePainter(renderer, watcher)
+  const context = faceContext()
+  return context && new CopyingFacePainter(context, watcher)
 }
 
 class CopyingFacePainter implements FacePainter, ContextWatcher {
   readonly root = document.createElement('canvas')
   drawCalls = 0
-  readonly #renderer: FaceRenderer
+  readonly #context: FaceContext
   readonly #watcher: ContextWatcher
   readonly #copy: () => void
   #painted: readonly unknown[] = []
 
-  constructor(renderer: FaceRenderer, watcher: ContextWatcher) {
-    this.#renderer = renderer
+  constructor(context: FaceContext, watcher: ContextWatcher) {
+    this.#context = context
     this.#watcher = watcher
-    this.#copy = copier(renderer.canvas, this.root)
-    renderer.join(this)
+    this.#copy = copier(context.canvas, this.root)
+    context.join(this)
   }
 
   get isLost(): boolean {
-    return this.#renderer.isLost
+    return this.#context.isLost
+  }
+
+  isReady(picture: Picture): boolean {
+    return this.#context.isReady(picture)
   }
 
   paint(picture: Picture): boolean {
@@ -45,7 +52,7 @@ class CopyingFacePainter implements FacePainter, ContextWatcher {
     const painted = this.#painted
     if (contents.length === painted.length && contents.every((value, i) => Object.is(value, painted[i]))) return false
     this.#painted = contents
-    this.drawCalls = this.#renderer.draw(picture)
+    this.drawCalls = this.#context.draw(picture)
     this.#copy()
     return true
   }
@@ -60,7 +67,7 @@ class CopyingFacePainter implements FacePainter, ContextWatcher {
   }
 
   dispose(): void {
-    this.#renderer.leave(this)
+    this.#context.leave(this)
   }
 }
 

@@ -1,7 +1,4 @@
-/**
- * The one WebGL context of the page, for every scene on it, since browsers give a page few: one mesh, one draw call a region. It
- * knows uniforms and the life of the context. Each picture is handed on before the next one is drawn.
- */
+/** Draws the coloured faces: one mesh, one draw call a region. It knows three.js and the uniforms. */
 import { type BufferAttribute, LinearSRGBColorSpace, Mesh, Scene, Vector3, WebGLRenderer } from 'three'
 import type { Report } from '../../core/report'
 import { sectionBernstein } from '../../core/section'
@@ -51,46 +48,25 @@ export interface Picture {
   readonly pixelRatio: number
 }
 
-export interface ContextWatcher {
-  lost(): void
-  restored(): void
-}
-
-/** Where pictures are drawn: not on the page. */
-type Drawing = OffscreenCanvas | HTMLCanvasElement
-
 /** Of faces where positive, where negative, and of lines on them, in the displays that one can look through. */
 export const OPACITY: Readonly<Record<string, Vec3>> = { 'see-through': [0.3, 0.82, 1], inside: [0.08, 0.2, 0.45] }
 const OPAQUE: Vec3 = [1, 1, 1]
 
-let shared: FaceRenderer | null = null
-
-/** Null where the browser gives no WebGL2 context; a later call then asks again. */
-export function faceRenderer(): FaceRenderer | null {
-  shared ??= create()
-  return shared
-}
-
-/** The context is asked for here rather than by three, which would write to the console when there is none. */
-function create(): FaceRenderer | null {
-  const attributes = { antialias: true, alpha: true, premultipliedAlpha: true }
-  for (const canvas of drawings()) {
-    const context = canvas.getContext('webgl2', attributes) as WebGL2RenderingContext | null
-    if (context) return new FaceRenderer(canvas, context)
-  }
-  return null
-}
-
-/** The first one whose pictures reach the page without being read back, where the browser has it. */
-function* drawings(): Generator<Drawing> {
-  if ('OffscreenCanvas' in globalThis) yield new OffscreenCanvas(1, 1)
-  yield document.createElement('canvas')
+/** Of which FaceRenderer is the only user. */
+export function rendererOf(
+  canvas: OffscreenCanvas | HTMLCanvasElement,
+  context: WebGL2RenderingContext,
+): WebGLRenderer {
+  const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true })
+  renderer.outputColorSpace = LinearSRGBColorSpace
+  renderer.setClearColor(0, 0)
+  renderer.autoClear = false
+  renderer.info.autoReset = false
+  return renderer
 }
 
 export class FaceRenderer {
-  readonly canvas: Drawing
   readonly #renderer: WebGLRenderer
-  readonly #watchers = new Set<ContextWatcher>()
   readonly #uniforms = createFacesUniforms()
   readonly #material = createFacesMaterial(this.#uniforms)
   readonly #geometry = createFacesGeometry()
@@ -98,41 +74,22 @@ export class FaceRenderer {
   readonly #section = new Mesh(createSectionGeometry(), this.#sectionMaterial)
   readonly #zeroSurface = new ZeroSurfaceMesh(this.#uniforms)
   readonly #scene = new Scene()
-  isLost = false
   /** Of which the indices are: how fine, and the faces in order; null where tiles are in order of their own. */
   #tiling: string | null = null
   #ramp: Ramp | null = null
   #size = ''
 
-  constructor(canvas: Drawing, context: WebGL2RenderingContext) {
-    this.canvas = canvas
-    this.#renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true })
-    this.#renderer.outputColorSpace = LinearSRGBColorSpace
-    this.#renderer.setClearColor(0, 0)
-    this.#renderer.autoClear = false
-    this.#renderer.info.autoReset = false
+  constructor(renderer: WebGLRenderer) {
+    this.#renderer = renderer
     const mesh = new Mesh(this.#geometry, this.#material)
     mesh.frustumCulled = false
     this.#section.frustumCulled = false
     this.#scene.add(this.#section, this.#zeroSurface.mesh, mesh)
-    canvas.addEventListener('webglcontextlost', this.#onLost)
-    canvas.addEventListener('webglcontextrestored', this.#onRestored)
   }
 
-  /** Told of the context's loss and return, until it leaves. */
-  join(watcher: ContextWatcher): void {
-    this.#watchers.add(watcher)
-  }
-
-  /** The last one to leave lets go of the memory for pictures; the context and its programs stay, for who may come. */
-  leave(watcher: ContextWatcher): void {
-    this.#watchers.delete(watcher)
-    if (this.#watchers.size === 0) this.#resize({ width: 1, height: 1, pixelRatio: 1 })
-  }
-
-  /** On `canvas`, which then has the picture's size in pixels. Returns the number of draw calls. */
+  /** On the canvas, which then has the picture's size in pixels. Returns the number of draw calls. */
   draw(picture: Picture): number {
-    this.#resize(picture)
+    this.resize(picture)
     this.#writeRamp(picture)
     this.#renderer.info.reset()
     this.#renderer.clear()
@@ -160,15 +117,13 @@ export class FaceRenderer {
     })
   }
 
-  readonly #onLost = (event: Event): void => {
-    event.preventDefault() // or it would never be restored
-    this.isLost = true
-    this.#release()
-    for (const watcher of this.#watchers) watcher.lost()
+  /** Begins to make the programs for such a picture, without waiting for them. */
+  compile({ regions: [region] }: Picture): void {
+    if (region) this.#renderer.compile(this.#scene, region.camera.three)
   }
 
-  /** What lay in the context is made anew when it is next drawn. */
-  #release(): void {
+  /** What lies in the context is made anew when it is next drawn. */
+  release(): void {
     this.#geometry.dispose()
     this.#material.dispose()
     this.#section.geometry.dispose()
@@ -176,12 +131,7 @@ export class FaceRenderer {
     this.#zeroSurface.dispose()
   }
 
-  readonly #onRestored = (): void => {
-    this.isLost = false
-    for (const watcher of this.#watchers) watcher.restored()
-  }
-
-  #resize({ width, height, pixelRatio }: Pick<Picture, 'width' | 'height' | 'pixelRatio'>): void {
+  resize({ width, height, pixelRatio }: Pick<Picture, 'width' | 'height' | 'pixelRatio'>): void {
     const size = `${width} ${height} ${pixelRatio}`
     if (size === this.#size) return
     this.#size = size

@@ -42,6 +42,10 @@ export class FlatPainter implements FacePainter {
     this.root.append(svg('defs', {}, pattern))
   }
 
+  isReady(): boolean {
+    return true
+  }
+
   paint(picture: Picture): boolean {
     const contents = contentsOf(picture)
     const painted = this.#painted

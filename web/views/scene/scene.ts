@@ -17,9 +17,10 @@ import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from
 import type { ScreenPoint } from './camera'
 import { ColourBar } from './colour-bar'
 import { Controls } from './controls'
+import { faceContext } from './face-context'
 import { pointUnder } from './face-hit'
 import { createFacePainter, type FacePainter } from './face-painter'
-import type { Region } from './face-renderer'
+import type { Picture, Region } from './face-renderer'
 import { FlatPainter } from './flat-painter'
 import { Framing } from './framing'
 import { Help } from './help'
@@ -63,6 +64,7 @@ class Scene implements SceneView, Stage {
   readonly turns: readonly Turn[] = [frame => this.#drawColourBar(frame)]
   readonly host: ViewHost
   framesDrawn = 0
+  isLoading = false
 
   readonly #painter: FacePainter
   readonly #paperCopy: PaperCopy | null
@@ -87,6 +89,8 @@ class Scene implements SceneView, Stage {
   #ramp: Ramp | null = null
   #contextLost = false
   #isForFigure = false
+  /** Whether the browser has laid it out once: what asks for that in the frame that adds it to the page makes it a long one. */
+  #isPlaced = false
   /** Made when it is first shown. */
   #reference: ReferenceCube | null = null
   #sizeMayDiffer = true
@@ -148,6 +152,11 @@ class Scene implements SceneView, Stage {
 
   update(frame: Frame): void {
     const { state, isForPaper } = frame
+    if (!this.#isPlaced && !isForPaper) {
+      this.#place()
+      return
+    }
+    this.root.style.visibility = ''
     this.#name(state)
     const before = this.#shown?.state ?? null
     const isOtherMedium = isForPaper !== (this.#shown?.isForPaper ?? false)
@@ -280,6 +289,13 @@ class Scene implements SceneView, Stage {
     this.root.append(this.#painter.root, this.#pane)
   }
 
+  #place(): void {
+    this.#isPlaced = true
+    this.isLoading = true
+    this.root.style.visibility = 'hidden'
+    this.host.requestFrame()
+  }
+
   #onTurn(from: Viewpoint): void {
     this.#links.follow(from)
     this.host.requestFrame()
@@ -390,7 +406,7 @@ class Scene implements SceneView, Stage {
   /** Whether there is another picture now; true where nobody can tell. */
   #paint({ state, report, zeroSurface, isForPaper }: Frame, regions: readonly Region[]): boolean {
     if (this.#contextLost) return true
-    const painted = this.#painter.paint({
+    const picture: Picture = {
       ...this.#room.whole,
       report,
       scale: scaleOf(state, report),
@@ -401,7 +417,14 @@ class Scene implements SceneView, Stage {
       zeroSurface,
       regions,
       pixelRatio: this.#room.unit * pixelRatio(this.#isForFigure || isForPaper),
-    })
+    }
+    const isDueNow = isForPaper || this.#isForFigure
+    this.isLoading = !isDueNow && !this.#painter.isReady(picture)
+    if (this.isLoading) {
+      this.host.requestFrame()
+      return true
+    }
+    const painted = this.#painter.paint(picture)
     if (painted) this.framesDrawn++
     this.root.dataset.frames = String(this.framesDrawn)
     return painted
@@ -439,6 +462,9 @@ function scaleOf({ faceDisplay }: State, report: Report | null): ColourScale | n
     ? colourScaleInside(report)
     : colourScaleOf(report.boundaryMinimum, report.boundaryMaximum)
 }
+
+/** Asks for what takes the browser longest. */
+export const prepareScene = (): void => void faceContext()
 
 export const createScene = (host: ViewHost): SceneView => new Scene(host)
 createScene satisfies CreateView

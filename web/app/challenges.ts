@@ -1,0 +1,2 @@
+/** The page Challenges. */
+import '../element/hex-lens'

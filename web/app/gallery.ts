@@ -1,0 +1,2 @@
+/** The page Gallery. */
+import '../element/hex-lens'

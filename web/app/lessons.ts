@@ -1,0 +1,2 @@
+/** The page Lessons. */
+import '../element/hex-lens'

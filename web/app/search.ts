@@ -1,0 +1,2 @@
+/** The page Search. */
+import '../element/hex-lens'
