@@ -3,7 +3,6 @@
  * entry of the history, so that reload, Back and Forward return to the same place.
  */
 import { presets, presetVertices } from '../content/presets'
-import './nearest-part'
 import '../element/hex-lens'
 import { onPaste } from '../element/offers'
 import { historyStep } from '../element/shortcuts'

@@ -1,4 +1,4 @@
-/** What the element can show. A new view is one entry here, or added by the page that it is for. */
+/** What the element can show. A new view is one entry here, or in `page-parts.ts` if the one-file scripts are to be without it. */
 import type { Core } from '../core/report'
 import type { State } from '../model/state'
 import { createAnnouncer } from '../views/announcer/announcer'
@@ -10,6 +10,7 @@ import { createToolbar, toolbarStyles } from '../views/toolbar/toolbar'
 import { createVerdict, verdictStyles } from '../views/verdict/verdict'
 import { createVertices, verticesStyles } from '../views/vertices/vertices'
 import type { CreateView, Frame } from '../views/view'
+import { pageParts } from './page-parts'
 import { panel } from './panel'
 
 export interface Part {
@@ -35,8 +36,7 @@ export interface PartAnswers {
   stop(): void
 }
 
-/** What the element has everywhere. */
-const OWN: readonly Part[] = [
+export const parts: readonly Part[] = [
   { name: 'toolbar', place: 'head', create: createToolbar, styles: toolbarStyles },
   { name: 'problems', place: 'head', create: createProblems, styles: problemsStyles, always: true },
   { name: 'announcer', place: 'head', create: createAnnouncer, styles: '', always: true },
@@ -76,6 +76,7 @@ const OWN: readonly Part[] = [
     styles: '',
     changes: true,
   },
+  ...pageParts,
   {
     name: 'paste',
     place: 'folds',
@@ -97,13 +98,3 @@ const OWN: readonly Part[] = [
   },
   { name: 'scene', place: 'stage', create: createScene, styles: sceneStyles, prepare: prepareScene },
 ]
-
-const all = [...OWN]
-
-export const parts: readonly Part[] = all
-
-/** A part of the page alone, after another one in the list. All elements of the page have it: it is added before they are defined. */
-export function addPart(part: Part, after: string): void {
-  if (globalThis.customElements?.get('hex-lens')) throw new Error('Parts are added before the element is defined.')
-  all.splice(all.findIndex(({ name }) => name === after) + 1, 0, part)
-}

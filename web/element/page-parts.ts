@@ -1,10 +1,13 @@
-/** The panel “Nearest invalid, nearest valid”, which the page adds to its element: both it and the search come when it is opened. */
+/**
+ * Panels that only the pages of Hexlens have: in the one-file scripts `web/package/no-page-parts.ts` takes this file's place. “Nearest
+ * invalid, nearest valid”: both view and search come when it is opened.
+ */
 import type { Nearest, searchNearest } from '../core/nearest/nearest'
 import type { Core } from '../core/report'
-import { panel } from '../element/panel'
-import { addPart, type PartAnswers } from '../element/parts'
 import type { Vertices } from '../model/hexahedron'
 import type { State } from '../model/state'
+import { panel } from './panel'
+import type { Part, PartAnswers } from './parts'
 
 /** How long the search may keep the page at once. */
 const SLICE_MS = 6
@@ -60,7 +63,7 @@ async function load() {
   return view
 }
 
-addPart(
+export const pageParts: readonly Part[] = [
   {
     name: 'nearest',
     place: 'folds',
@@ -69,5 +72,4 @@ addPart(
     changes: true,
     answers: onNews => new NearestAnswers(onNews),
   },
-  'morph',
-)
+]
