@@ -28,6 +28,7 @@ import {
 } from '../model/condition/enclosure'
 import type { Claim, NumberName } from '../model/condition/names'
 import { VERTEX_COUNT, type Vertices } from '../model/hexahedron'
+import { twistOf } from '../model/twist'
 
 /** A number to show: value, times 2^exponent where it is a jacdet. */
 export interface ShownNumber {
@@ -143,6 +144,15 @@ export const numbers: Readonly<Record<NumberName, NumberDescription>> = {
     roughly: ({ vertices }, start) => wholeNumber(movedVertices(vertices, start)),
     exactly: ({ vertices }, start) => wholeNumber(movedVertices(vertices, start)),
   },
+  twist: {
+    name: 'Twist',
+    sentence:
+      'By how many degrees the top, vertices 4 to 7, is turned against the bottom, vertices 0 to 3, seen along z: the turn about their middles that fits best.',
+    unit: 'none',
+    shown: ({ vertices }) => twistOf(vertices).degrees,
+    roughly: ({ vertices }) => twistEnclosure(vertices),
+    exactly: ({ vertices }) => twistEnclosure(vertices),
+  },
 }
 
 /** What the report's element answers to a condition; `start` is what `moved` counts from. */
@@ -175,6 +185,12 @@ function jacdet(
     roughly: report => around(shown(report), error(report), report.exponent),
     exactly: ({ vertices }) => exact(vertices),
   }
+}
+
+function twistEnclosure(vertices: Vertices): Enclosure {
+  const { degrees, error } = twistOf(vertices)
+  const [middle, half] = [scaledDouble(degrees, 0), scaledDouble(error, 0)]
+  return { lower: sumOf(middle, negated(half)), upper: sumOf(middle, half) }
 }
 
 function around(value: number, error: number, exponent: number): Enclosure | null {
