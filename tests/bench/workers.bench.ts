@@ -19,9 +19,11 @@ export async function main(): Promise<void> {
     `${cpus()[0]?.model.trim()}, ${availableParallelism()} cores, load ${loadavg()[0]?.toFixed(1)}; Node ${process.version}; sigma ${SIGMA}`,
   )
   await stream()
-  await compare('24 coordinates a cell', randomElements(ELEMENTS), null)
+  const elements = randomElements(ELEMENTS)
+  await compare('24 coordinates a cell, in chunks that are handed over', ELEMENTS, inChunks(elements))
+  await compare('24 coordinates a cell, in one list', ELEMENTS, atOnce(elements, null))
   const { points, cells } = mesh()
-  await compare('shared points and indices', points, cells)
+  await compare('shared points and indices', cells.length / 8, atOnce(points, cells))
 }
 
 /** Standard normal numbers to take from: as many as are different enough, and quick. */
@@ -62,16 +64,40 @@ function mesh(): { points: Float64Array; cells: Uint32Array } {
   return { points, cells }
 }
 
-async function compare(what: string, points: Float64Array, cells: Uint32Array | null): Promise<void> {
+/** What is asked of a classifier in a trial: the first call makes ready, untimed, what the second one takes. */
+type Ask = (minima: boolean) => (classifier: Classifier) => Promise<unknown>
+
+function atOnce(points: Float64Array, cells: Uint32Array | null): Ask {
+  return minima => async classifier => {
+    const result = await classifier.classify(points, cells, { minima })
+    if (!result.ok) throw new Error(result.error.message)
+  }
+}
+
+function inChunks(points: Float64Array): Ask {
+  return minima => {
+    const length = 24 * CHUNK
+    const chunks = Array.from({ length: points.length / length }, (_, n) => ({
+      points: points.slice(n * length, (n + 1) * length),
+    }))
+    return async classifier => {
+      const answers = []
+      for await (const result of classifier.stream(chunks, { minima, handOver: true })) answers.push(result)
+      if (!answers.every(({ ok }) => ok)) throw new Error('An element was refused.')
+      return answers
+    }
+  }
+}
+
+async function compare(what: string, count: number, ask: Ask): Promise<void> {
   const classifiers = [await nodeClassifier(1), await nodeClassifier(2)]
-  const count = cells ? cells.length / 8 : points.length / 24
   for (const minima of [false, true]) {
     const times: number[][] = [[], []]
     for (let round = 0; round <= ROUNDS; ++round)
       for (const k of round % 2 ? [1, 0] : [0, 1]) {
+        const run = ask(minima)
         const begin = performance.now()
-        const result = await (classifiers[k] as Classifier).classify(points, cells, { minima })
-        if (!result.ok) throw new Error(result.error.message)
+        await run(classifiers[k] as Classifier)
         if (round > 0) times[k]?.push(performance.now() - begin) // the first round starts the workers
       }
     const [one, two] = times.map(list =>
@@ -96,7 +122,7 @@ async function stream(): Promise<void> {
   }
   const before = process.memoryUsage.rss()
   let [most, cells, valid] = [before, 0, 0]
-  for await (const result of classifier.stream(chunks(), { minima: true })) {
+  for await (const result of classifier.stream(chunks(), { minima: true, handOver: true })) {
     if (!result.ok) throw new Error(result.error.message)
     cells += result.value.valid.length
     valid += result.value.validCount

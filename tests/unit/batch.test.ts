@@ -150,6 +150,8 @@ it('refuses with the first cell that is none, wherever the others are', async ()
   const at = (cell: number) => 24 * cell + 7
   const refusal = async (...[list, cells = null]: [Float64Array, (Uint32Array | null)?]) => {
     const result = await three.classify(list, cells)
+    const chunk = { points: list.slice(), cells: cells?.slice() ?? null }
+    for await (const streamed of three.stream([chunk], { handOver: true })) expect(streamed).toEqual(result)
     return result.ok ? null : result.error
   }
   expect(await refusal(points)).toBeNull()
@@ -173,6 +175,13 @@ it('refuses with the first cell that is none, wherever the others are', async ()
   })
   points[at(399)] = Number.NaN
   expect(await refusal(points, cells)).toMatchObject({ code: 'not-finite', cell: 399 })
+  const many = new Float64Array(24 * 1100 + 5)
+  for (let c = 0; c < 1100; ++c) many.set(unitCube, 24 * c)
+  const fault = (list: Float64Array) =>
+    batchCores.vectors.classify({ points: list, cells: null, firstPoint: 0 }, false).fault
+  expect([fault(many.subarray(0, 24 * 1100)), fault(many)]).toEqual([null, { cell: 1100, code: 'incomplete' }])
+  many[at(1050)] = Number.NaN
+  expect(fault(many)).toEqual({ cell: 1050, code: 'not-finite' })
   expect(await one.classify(new Float64Array(0), null)).toMatchObject({ ok: true, value: { validCount: 0 } })
 })
 
@@ -187,6 +196,16 @@ it('streams chunks in their order and stops at the first refusal', async () => {
   expect(answers.map(({ valid, minima }) => ({ valid, minima }))).toEqual(
     expected.map(({ valid, minima }) => ({ valid, minima })),
   )
+  const handedOver = chunks.map(({ points }) => ({ points: points.slice() }))
+  const all = new Float64Array(chunks.flatMap(({ points }) => [...points]))
+  const parts = chunks.map(({ points }, n) => ({ points: all.subarray(n * points.length, (n + 1) * points.length) }))
+  for (const given of [handedOver, parts]) {
+    const same: Classification[] = []
+    for await (const result of three.stream(given, { minima: true, handOver: true })) same.push(answer(result))
+    expect(same).toEqual(answers)
+  }
+  expect(handedOver.every(({ points }) => points.length === 0)).toBe(true)
+  expect(parts.every(({ points }) => points.length > 0)).toBe(true)
   entry(chunks, 4).points[24 * 17] = Number.NaN
   let asked = 0
   const source = function* (): Generator<CellChunk> {

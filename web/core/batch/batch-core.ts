@@ -26,20 +26,32 @@ export interface Minima {
   readonly exponents: Int16Array
 }
 
-export interface PieceResult {
+/** One entry a cell. */
+export interface Answers {
   /** 1 for a valid cell, 0 for an invalid one: exact, every one. */
   readonly valid: Uint8Array
-  readonly validCount: number
   readonly minima: Minima | null
+}
+
+export interface PieceCounts {
+  readonly validCount: number
   /** How many cells exact arithmetic decided. */
   readonly exact: number
   /** The first cell that is not one; those before it are answered. */
   readonly fault: { readonly cell: number; readonly code: CoreErrorCode } | null
 }
 
+export type PieceResult = Answers & PieceCounts
+
+export interface BatchOptions {
+  /** Makes room for the answers to so many cells, when the cells are no longer read: else, and where a cell is none, they get new lists. */
+  readonly into?: (count: number) => Answers
+  /** Called after each cell that exact arithmetic decided, with its index. */
+  readonly onExact?: (cell: number) => void
+}
+
 export interface BatchCore {
-  /** `onExact` is called after each cell that exact arithmetic decided, with its index. */
-  classify(piece: Piece, wantsMinima: boolean, onExact?: (cell: number) => void): PieceResult
+  classify(piece: Piece, wantsMinima: boolean, options?: BatchOptions): PieceResult
 }
 
 interface BatchExports extends CoreExports {
@@ -65,17 +77,45 @@ const HL_UNDECIDED = 0
 const FAULTS: Record<number, CoreErrorCode> = { 1: 'not-finite', 3: 'incomplete', 4: 'no-such-point' }
 const WASM_PAGE = 65536
 
+/** As many coordinates go into the core's memory at once as a processor's second cache holds beside the rest: 200 kB. */
+const CELLS_PER_CUT = 1024
+
 export function cellCount({ points, cells }: Piece): number {
   return cells ? Math.floor(cells.length / VERTICES) : Math.floor(points.length / COORDINATE_COUNT)
 }
 
-export function emptyMinima(count: number): Minima {
+export function emptyAnswers(count: number, wantsMinima: boolean): Answers {
+  return answersIn(new ArrayBuffer(answersLength(count, wantsMinima)), count, wantsMinima)
+}
+
+/** In bytes. */
+export function answersLength(count: number, wantsMinima: boolean): number {
+  return count * (wantsMinima ? 1 + 2 + 5 * 8 : 1)
+}
+
+/** The answers to so many cells as they lie in a block, from a byte on. */
+export function answersIn(block: ArrayBuffer, count: number, wantsMinima: boolean, from = 0): Answers {
+  if (!wantsMinima) return { valid: new Uint8Array(block, from, count), minima: null }
+  const doubles = (first: number, length: number) => new Float64Array(block, from + 8 * first * count, length * count)
   return {
-    values: new Float64Array(count),
-    minimizers: new Float64Array(3 * count),
-    cornerMinima: new Float64Array(count),
-    exponents: new Int16Array(count),
+    valid: new Uint8Array(block, from + 42 * count, count),
+    minima: {
+      values: doubles(0, 1),
+      minimizers: doubles(1, 3),
+      cornerMinima: doubles(4, 1),
+      exponents: new Int16Array(block, from + 40 * count, count),
+    },
   }
+}
+
+/** Puts answers into longer lists, as those to the cells from `first` on. */
+export function putAnswers({ valid, minima }: Answers, into: Answers, first: number): void {
+  into.valid.set(valid, first)
+  if (!minima || !into.minima) return
+  into.minima.values.set(minima.values, first)
+  into.minima.minimizers.set(minima.minimizers, 3 * first)
+  into.minima.cornerMinima.set(minima.cornerMinima, first)
+  into.minima.exponents.set(minima.exponents, first)
 }
 
 /** Starts the core in a compiled hexlens-batch.wasm or hexlens-scalar.wasm. */
@@ -99,50 +139,54 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     return addresses
   }
 
-  function classify(piece: Piece, wantsMinima: boolean, onExact: (cell: number) => void = () => {}): PieceResult {
+  function classify(
+    piece: Piece,
+    wantsMinima: boolean,
+    { into = count => emptyAnswers(count, wantsMinima), onExact = () => {} }: BatchOptions = {},
+  ): PieceResult {
     const { points, cells } = piece
     const count = cellCount(piece)
-    const perMinimum = wantsMinima ? 8 * count : 0
-    const [atPoints, atCells, atVerdicts, atMinima, atMinimizers, atCorners, atExponents] = reserve([
-      points.byteLength,
+    const perCut = cells ? count : Math.min(CELLS_PER_CUT, count)
+    const [atPoints, atCells, atAnswers] = reserve([
+      8 * (cells ? points.length : COORDINATE_COUNT * perCut),
       cells?.byteLength ?? 0,
-      count,
-      perMinimum,
-      3 * perMinimum,
-      perMinimum,
-      perMinimum / 4,
-    ]) as [number, number, number, number, number, number, number]
-    new Float64Array(memory.buffer, atPoints, points.length).set(points)
+      answersLength(count, wantsMinima),
+    ]) as [number, number, number]
     if (cells) copyIndices(cells, piece.firstPoint, new Uint32Array(memory.buffer, atCells, cells.length))
-    const list = (address: number) => (wantsMinima ? address : 0)
-    const status = wasm.classify(
-      atPoints,
-      points.length,
-      cells ? atCells : 0,
-      cells?.length ?? 0,
-      atVerdicts,
-      list(atMinima),
-      list(atMinimizers),
-      list(atCorners),
-      list(atExponents),
-    )
-    const [undecided = 0, firstBad = 0] = new Uint32Array(memory.buffer, wasm.counts_address(), 2)
-    const code = FAULTS[status]
-    if (status !== 0 && code === undefined) throw new Error(`The core answered with an unknown status, ${status}.`)
-    const valid = new Uint8Array(memory.buffer, atVerdicts, count).slice()
-    const minima: Minima | null = wantsMinima
-      ? {
-          values: new Float64Array(memory.buffer, atMinima, count).slice(),
-          minimizers: new Float64Array(memory.buffer, atMinimizers, 3 * count).slice(),
-          cornerMinima: new Float64Array(memory.buffer, atCorners, count).slice(),
-          exponents: new Int16Array(memory.buffer, atExponents, count).slice(),
-        }
-      : null
-    const done = code === undefined ? count : Math.min(firstBad, count)
+    const own = answersIn(memory.buffer, count, wantsMinima, atAnswers)
+    const { valid, minima } = own
+    let [first, undecided] = [0, 0]
+    let fault: PieceCounts['fault'] = null
+    do {
+      const end = Math.min(first + perCut, count)
+      const part = cells ? points : points.subarray(COORDINATE_COUNT * first, COORDINATE_COUNT * end)
+      new Float64Array(memory.buffer, atPoints, part.length).set(part)
+      const status = wasm.classify(
+        atPoints,
+        part.length,
+        cells ? atCells : 0,
+        cells?.length ?? 0,
+        addressOf(valid, first),
+        addressOf(minima?.values, first),
+        addressOf(minima?.minimizers, 3 * first),
+        addressOf(minima?.cornerMinima, first),
+        addressOf(minima?.exponents, first),
+      )
+      const [left = 0, firstBad = 0] = new Uint32Array(memory.buffer, wasm.counts_address(), 2)
+      const code = FAULTS[status]
+      if (status !== 0 && code === undefined) throw new Error(`The core answered with an unknown status, ${status}.`)
+      undecided += left
+      if (code) fault = { cell: first + firstBad, code }
+      first = end
+    } while (first < count && fault === null)
+    if (!cells && !fault && points.length % COORDINATE_COUNT > 0) fault = { cell: count, code: 'incomplete' }
+    const done = fault?.cell ?? count
     if (undecided > 0) decideExactly(piece, done, valid, minima, onExact)
     let validCount = 0
     for (let c = 0; c < count; ++c) validCount += valid[c] = c < done && valid[c] === HL_VALID ? 1 : 0
-    return { valid, validCount, minima, exact: undecided, fault: code === undefined ? null : { cell: firstBad, code } }
+    const answers = fault ? emptyAnswers(count, wantsMinima) : into(count)
+    putAnswers(own, answers, 0)
+    return { ...answers, validCount, exact: undecided, fault }
   }
 
   /** Those whose verdict is HL_UNDECIDED get HL_VALID or another one, and their minima from the report of exact arithmetic. */
@@ -173,6 +217,11 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
   }
 
   return { classify }
+}
+
+/** 0 for no list. */
+function addressOf(list: Float64Array | Int16Array | Uint8Array | undefined, first: number): number {
+  return list ? list.byteOffset + first * list.BYTES_PER_ELEMENT : 0
 }
 
 /** An index before `firstPoint` becomes one that is far too large. */

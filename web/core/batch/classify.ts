@@ -2,10 +2,9 @@
  * Validity and boundary minima of many hexahedra on a pool of workers. Every verdict is exact, and every answer the same as one by
  * one, bit for bit, whatever the number of workers and whatever the machine's vectors.
  */
-import { COORDINATE_COUNT } from '../../model/hexahedron'
 import type { CoreErrorCode, Result } from '../report'
-import { emptyMinima, type Minima, type PieceResult } from './batch-core'
-import { type Cut, pieces, Recycled } from './pieces'
+import { type Answers, answersIn, answersLength, cellCount, emptyAnswers, type Piece, putAnswers } from './batch-core'
+import { type Cut, isWhole, pieces, Recycled } from './pieces'
 import type { Pool } from './pool'
 
 export interface Progress {
@@ -23,13 +22,18 @@ export interface ClassifyOptions {
   readonly onProgress?: (progress: Progress) => void
 }
 
-export interface Classification {
-  /** 1 for a valid cell, 0 for an invalid one. */
-  readonly valid: Uint8Array
+export interface Classification extends Answers {
   readonly validCount: number
-  readonly minima: Minima | null
   /** How many cells exact arithmetic decided. */
   readonly exact: number
+}
+
+export interface StreamOptions extends Omit<ClassifyOptions, 'onProgress'> {
+  /**
+   * The chunks' memory goes to the workers, wherever a chunk has it to itself: nothing is copied then, and the chunk's lists are empty
+   * afterwards.
+   */
+  readonly handOver?: boolean
 }
 
 /** Some cells of a stream: with `cells`, eight indices each of these points; without, 24 coordinates each. */
@@ -51,7 +55,7 @@ export interface Classifier {
    */
   stream(
     chunks: Iterable<CellChunk> | AsyncIterable<CellChunk>,
-    options?: Omit<ClassifyOptions, 'onProgress'>,
+    options?: StreamOptions,
   ): AsyncGenerator<Result<Classification>>
   /** Ends the workers; what is under way is refused. */
   close(): void
@@ -77,9 +81,8 @@ async function classify(
   { minima: wantsMinima = false, signal, onProgress }: ClassifyOptions,
 ): Promise<Result<Classification>> {
   signal?.throwIfAborted()
-  const total = Math.floor(cells ? cells.length / 8 : points.length / COORDINATE_COUNT)
-  const valid = new Uint8Array(total)
-  const minima = wantsMinima ? emptyMinima(total) : null
+  const total = cellCount({ points, cells, firstPoint: 0 })
+  const answers = emptyAnswers(total, wantsMinima)
   const memory = new Recycled()
   const partlyDone = new Map<Cut, number>()
   let [fault, done, exact, validCount] = [null as Fault | null, 0, 0, 0]
@@ -90,18 +93,18 @@ async function classify(
   const showProgress = () => onProgress?.({ done: done + [...partlyDone.values()].reduce((a, b) => a + b, 0), total })
 
   async function run(cut: Cut): Promise<void> {
-    const { first, count, piece } = cut
+    const { first, count, piece, block } = cut
     if (cut.fault) noteFault({ cell: first + count, code: cut.fault })
     const onPartDone = (cellsDone: number) => {
       partlyDone.set(cut, cellsDone)
       showProgress()
     }
-    const { result, points: used } = await pool.run({ piece, wantsMinima, caller: memory, onProgress: onPartDone })
-    memory.give(used)
-    if (result.fault) noteFault({ cell: first + result.fault.cell, code: result.fault.code })
-    put(result, valid, minima, first)
-    validCount += result.validCount
-    exact += result.exact
+    const { counts, ...back } = await pool.run({ piece, block, wantsMinima, caller: memory, onProgress: onPartDone })
+    if (counts.fault) noteFault({ cell: first + counts.fault.cell, code: counts.fault.code })
+    putAnswers(answersIn(back.block, count, wantsMinima), answers, first)
+    memory.give(back.block)
+    validCount += counts.validCount
+    exact += counts.exact
     partlyDone.delete(cut)
     done += count
     showProgress()
@@ -111,7 +114,7 @@ async function classify(
   signal?.addEventListener('abort', onAbort)
   try {
     const underWay = new Set<Promise<void>>()
-    for (const cut of pieces(points, cells, pool.cellsPerPiece, memory)) {
+    for (const cut of pieces({ points, cells }, { cellsPerPiece: pool.cellsPerPiece, wantsMinima, memory })) {
       if (fault) break // what is under way lies before it and may hold an earlier one
       if (cut.count === 0 && cut.fault === null) continue
       const running = run(cut).finally(() => underWay.delete(running))
@@ -124,24 +127,13 @@ async function classify(
     signal?.removeEventListener('abort', onAbort)
   }
   if (fault) return refusal(fault, points, cells)
-  return { ok: true, value: { valid, validCount, minima, exact } }
-}
-
-/** Puts a piece's answers in their place. */
-function put(result: PieceResult, valid: Uint8Array, minima: Minima | null, first: number): void {
-  valid.set(result.valid, first)
-  if (minima && result.minima) {
-    minima.values.set(result.minima.values, first)
-    minima.minimizers.set(result.minima.minimizers, 3 * first)
-    minima.cornerMinima.set(result.minima.cornerMinima, first)
-    minima.exponents.set(result.minima.exponents, first)
-  }
+  return { ok: true, value: { ...answers, validCount, exact } }
 }
 
 async function* stream(
   pool: Pool,
   chunks: Iterable<CellChunk> | AsyncIterable<CellChunk>,
-  { minima = false, signal }: Omit<ClassifyOptions, 'onProgress'>,
+  { handOver = false, ...options }: StreamOptions,
 ): AsyncGenerator<Result<Classification>> {
   const underWay: { result: Promise<Result<Classification>>; count: number }[] = []
   let before = 0
@@ -153,13 +145,43 @@ async function* stream(
     return answer.ok
   }
   for await (const { points, cells = null } of chunks) {
-    const count = Math.floor(cells ? cells.length / 8 : points.length / COORDINATE_COUNT)
-    const result = classify(pool, points, cells, { minima, ...(signal ? { signal } : {}) })
+    const piece = { points, cells, firstPoint: 0 }
+    const count = cellCount(piece)
+    const isHandedOver = handOver && count > 0 && isWhole(points, cells) && [points, cells].every(hasMemoryToItself)
+    const result = isHandedOver ? classifyWhole(pool, piece, options) : classify(pool, points, cells, options)
     result.catch(() => {}) // whoever waits for it hears of it
     underWay.push({ result, count })
-    if (underWay.length > pool.size && !(yield* next())) return
+    if (underWay.length >= pool.capacity && !(yield* next())) return
   }
   while (underWay.length > 0) if (!(yield* next())) return
+}
+
+function hasMemoryToItself(list: Float64Array | Uint32Array | null): boolean {
+  return list === null || (list.byteLength === list.buffer.byteLength && list.buffer instanceof ArrayBuffer)
+}
+
+/** As one piece, whose memory the worker gets; the answers then lie in it, if it has room for them. */
+async function classifyWhole(
+  pool: Pool,
+  piece: Piece,
+  { minima: wantsMinima = false, signal }: ClassifyOptions,
+): Promise<Result<Classification>> {
+  signal?.throwIfAborted()
+  const count = cellCount(piece)
+  const length = answersLength(count, wantsMinima)
+  const own = piece.points.buffer as ArrayBuffer
+  const block = own.byteLength >= length ? own : new ArrayBuffer(length)
+  const job = { piece, block, wantsMinima, caller: {}, onProgress: () => {} }
+  const onAbort = () => pool.cancel(job.caller, signal?.reason)
+  signal?.addEventListener('abort', onAbort)
+  try {
+    const { counts, ...back } = await pool.run(job)
+    const { validCount, exact, fault } = counts
+    if (fault) return refusal(fault, back.piece.points, back.piece.cells)
+    return { ok: true, value: { ...answersIn(back.block, count, wantsMinima), validCount, exact } }
+  } finally {
+    signal?.removeEventListener('abort', onAbort)
+  }
 }
 
 function inStream(error: { code: CoreErrorCode; message: string; cell?: number }, before: number) {

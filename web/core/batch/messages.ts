@@ -1,16 +1,30 @@
-/** What passes between the page and a worker for batches. Lists are transferred, not copied. */
-import type { Piece, PieceResult } from './batch-core'
+/**
+ * What passes between the page and a worker for batches: pieces, and blocks of memory for the answers, which may be those the pieces lie
+ * in. Both come back. All memory is transferred, none is copied, and what comes back is filled again.
+ */
+import type { Piece, PieceCounts } from './batch-core'
 
 export type Request =
   | { readonly kind: 'start'; readonly module: WebAssembly.Module }
-  | { readonly kind: 'classify'; readonly piece: Piece; readonly wantsMinima: boolean }
+  | { readonly kind: 'classify'; readonly piece: Piece; readonly block: ArrayBuffer; readonly wantsMinima: boolean }
 
 export type Answer =
   | { readonly kind: 'failed'; readonly message: string }
   /** So many cells of the piece at hand are done: sent now and then where exact arithmetic takes long. */
   | { readonly kind: 'progress'; readonly done: number }
-  /** The coordinates' memory comes back to be filled again. */
-  | { readonly kind: 'classified'; readonly result: PieceResult; readonly points: Float64Array }
+  /** The answers lie at the beginning of the block: answersIn. Where a cell is none there are no answers, and the piece is as it was. */
+  | {
+      readonly kind: 'classified'
+      readonly counts: PieceCounts
+      readonly piece: Piece
+      readonly block: ArrayBuffer
+    }
+
+/** All memory of a message. */
+export function memoryOf({ piece, block }: { readonly piece: Piece; readonly block: ArrayBuffer }): ArrayBuffer[] {
+  const { points, cells } = piece
+  return [...new Set([block, points.buffer as ArrayBuffer, ...(cells ? [cells.buffer as ArrayBuffer] : [])])]
+}
 
 /** The part of a Worker that is used; Node's workers fit with a small adapter. */
 export interface WorkerPort {

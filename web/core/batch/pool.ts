@@ -1,9 +1,11 @@
 /** Workers for batches, each with its own instance of the core: pieces go to whichever is free. */
-import type { Piece, PieceResult } from './batch-core'
-import type { WorkerPort } from './messages'
+import type { Piece, PieceCounts } from './batch-core'
+import { memoryOf, type WorkerPort } from './messages'
 
 export interface Job {
   readonly piece: Piece
+  /** For the answers; it may be where the piece lies. */
+  readonly block: ArrayBuffer
   readonly wantsMinima: boolean
   /** Whose it is: cancelled together. */
   readonly caller: object
@@ -11,10 +13,11 @@ export interface Job {
   onProgress(done: number): void
 }
 
-/** The result, and the memory of the coordinates to be used again. */
+/** The job's block, with the answers in it, and the piece, as it was where a cell is none. */
 export interface Finished {
-  readonly result: PieceResult
-  readonly points: Float64Array
+  readonly counts: PieceCounts
+  readonly piece: Piece
+  readonly block: ArrayBuffer
 }
 
 /** Large beside what a message costs, small beside the memory of a page: 3 MB of coordinates. */
@@ -49,7 +52,7 @@ export class Pool {
     return this.size * PIECES_AHEAD
   }
 
-  /** The piece's lists are taken over by the worker. */
+  /** All memory of the job is taken over by the worker. */
   run(job: Job): Promise<Finished> {
     return new Promise((resolve, reject) => this.#freest().take({ job, resolve, reject }))
   }
@@ -99,13 +102,9 @@ class PoolWorker {
   }
 
   take(task: Task): void {
-    const { piece, wantsMinima } = task.job
+    const { piece, block, wantsMinima } = task.job
     this.#tasks.push(task)
-    const lists = [piece.points, ...(piece.cells ? [piece.cells] : [])]
-    this.#port.postMessage(
-      { kind: 'classify', piece, wantsMinima },
-      lists.map(({ buffer }) => buffer as ArrayBuffer),
-    )
+    this.#port.postMessage({ kind: 'classify', piece, block, wantsMinima }, memoryOf(task.job))
   }
 
   /** Whether the worker was ended. */
