@@ -52,6 +52,13 @@ describe('a label', () => {
     expect(placeLabel({ ...request, body }).x).toBeGreaterThan(200)
   })
 
+  it('says when no place is free', () => {
+    const left = { x: 0, y: 0, width: 150, height: 300 }
+    expect(placeLabel({ ...request, boxes: [left] }).isFree).toBe(true)
+    expect(placeLabel({ ...request, boxes: [left, { ...left, x: 150, width: 250 }] }).isFree).toBe(false)
+    expect(placeLabel({ ...request, width: 500 }).isFree).toBe(false)
+  })
+
   it('does not jump for a small gain', () => {
     const first = placeLabel(request)
     const moved = { ...request, anchor: { x: 203, y: 149 }, previous: first.index }

@@ -47,6 +47,7 @@ export class FaceContext {
   /** To the first picture, a frame each: in one they would hold the page up. The scene is laid out in the first one. */
   #steps: readonly ((picture: Picture) => void)[] = [
     () => {},
+    () => this.#context.getExtension('EXT_color_buffer_float'), // the first one asked for takes longest
     () => {
       this.#three = rendererOf(this.canvas, this.#context)
     },

@@ -32,6 +32,8 @@ export interface LabelPlace {
   /** Middle of the label. */
   readonly x: number
   readonly y: number
+  /** Whether it is inside the view and on no box: where nothing is free, the least bad place may be worse than none. */
+  readonly isFree: boolean
 }
 
 const DIRECTIONS = 16
@@ -46,7 +48,7 @@ const NUMBER_RADIUS = 9
 export function placeLabel(request: LabelRequest): LabelPlace {
   const hull = convexHull(request.body)
   const middle = meanOf(request.body)
-  let best: LabelPlace = { index: 0, ...request.anchor }
+  let best: Omit<LabelPlace, 'isFree'> = { index: 0, ...request.anchor }
   let least = Infinity
   for (const index of inOrder(request.previous)) {
     const bonus = index === request.previous ? WEIGHT.stay : 0
@@ -58,7 +60,8 @@ export function placeLabel(request: LabelRequest): LabelPlace {
       best = place
     }
   }
-  return best
+  const box = boxAt(best, request)
+  return { ...best, isFree: outsideBy(box, request.bounds) === 0 && !request.boxes.some(other => overlap(box, other)) }
 }
 
 /** Every place, the last one first: mostly it is so good that no other needs a look. */
@@ -72,7 +75,7 @@ function distanceOf(index: number): number {
 }
 
 /** The label's nearest side, not its middle, is at the distance. */
-function candidatePlace({ anchor, width, height }: LabelRequest, index: number): LabelPlace {
+function candidatePlace({ anchor, width, height }: LabelRequest, index: number): Omit<LabelPlace, 'isFree'> {
   const angle = (((index % DIRECTIONS) + 0.5) * 2 * Math.PI) / DIRECTIONS // never straight up: a leader needs a side
   const distance = distanceOf(index)
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)]
@@ -83,9 +86,14 @@ function candidatePlace({ anchor, width, height }: LabelRequest, index: number):
   }
 }
 
-function costOf(place: LabelPlace, request: LabelRequest, hull: readonly Point[], middle: Point): number {
-  const { width, height, anchor, bounds } = request
-  const box = { x: place.x - width / 2, y: place.y - height / 2, width, height }
+function costOf(
+  place: Omit<LabelPlace, 'isFree'>,
+  request: LabelRequest,
+  hull: readonly Point[],
+  middle: Point,
+): number {
+  const { width, anchor, bounds } = request
+  const box = boxAt(place, request)
   let cost = distanceOf(place.index)
   cost += WEIGHT.outside * outsideBy(box, bounds)
   for (const points of [request.points, request.numbers]) {
@@ -104,6 +112,10 @@ function costOf(place: LabelPlace, request: LabelRequest, hull: readonly Point[]
   const lengths = Math.hypot(ax, ay) * Math.hypot(bx, by)
   if (lengths > 0) cost += WEIGHT.inwards * (1 - (ax * bx + ay * by) / lengths)
   return cost
+}
+
+function boxAt({ x, y }: Point, { width, height }: LabelRequest): Box {
+  return { x: x - width / 2, y: y - height / 2, width, height }
 }
 
 function outsideBy(box: Box, bounds: Box): number {

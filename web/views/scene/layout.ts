@@ -19,6 +19,8 @@ export interface Layout {
 const NARROW = 560
 /** Below this height what is not the element makes way for it. */
 const LOW = 340
+/** Below this one hardly anything is kept free. */
+const LOWEST = 230
 const TRIAD = { x: 0, y: 0, width: 84, height: 84 }
 
 export function layoutOf(width: number, height: number): Layout {
@@ -30,7 +32,7 @@ export function layoutOf(width: number, height: number): Layout {
   return {
     isNarrow,
     isLow,
-    insets: insetsOf(isNarrow, isLow),
+    insets: insetsOf(isNarrow, height),
     barLength,
     taken: [
       { ...bar, x: width - bar.width, y: 0 },
@@ -41,8 +43,9 @@ export function layoutOf(width: number, height: number): Layout {
   }
 }
 
-function insetsOf(isNarrow: boolean, isLow: boolean): Insets {
-  if (isLow)
+function insetsOf(isNarrow: boolean, height: number): Insets {
+  if (height < LOWEST && isNarrow) return { top: 62, right: 36, bottom: 54, left: 36 }
+  if (height < LOW)
     return isNarrow ? { top: 76, right: 36, bottom: 60, left: 36 } : { top: 44, right: 156, bottom: 60, left: 92 }
   return isNarrow ? { top: 110, right: 36, bottom: 96, left: 36 } : { top: 64, right: 156, bottom: 72, left: 92 }
 }

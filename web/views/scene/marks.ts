@@ -135,6 +135,8 @@ export class Marks {
       previous: this.#place?.index ?? null,
     })
     this.#place = place
+    for (const part of [this.#leader, this.#label]) show(part, place.isFree)
+    if (!place.isFree) return // the verdict and the colour bar say the number, too
     const toRight = place.x >= at.x
     const side = toRight ? 1 : -1
     const near = place.x - (side * (width + ELBOW)) / 2
