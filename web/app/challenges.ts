@@ -58,8 +58,26 @@ function refuse(message: string): void {
 }
 
 function begin(id: string | null, challenge: Challenge, vertices: Vertices | null): void {
-  opened = { id, challenge, report: null, judgement: null, outcome: 'open', isHintShown: false, copying: null }
+  opened = {
+    id,
+    challenge,
+    report: null,
+    judgement: null,
+    outcome: 'open',
+    isHintShown: false,
+    copying: null,
+    toBeat: null,
+  }
   put(vertices ?? challenge.start, challenge.start)
+  void measureSolution(challenge)
+}
+
+/** What is to be beaten. */
+async function measureSolution(challenge: Challenge): Promise<void> {
+  const { record, solution, start } = challenge
+  if (record === null || solution === null) return
+  const report = await lens.analyze(solution).catch(() => null) // without a core there is no number
+  if (report && opened?.challenge === challenge) change({ toBeat: shownNumber(record.quantity, report, start).value })
 }
 
 /** One step to undo, unless it is the first thing there. */
@@ -68,29 +86,33 @@ function put(vertices: Vertices, start: Vertices): void {
   lens.state = { ...lens.state, preset: null, start: written(start), vertices: written(vertices) }
 }
 
-/** With every report: the marks. */
+/** With every report: the marks. That it is solved is said when the move is done, or of what is opened. */
 function judge(): void {
   if (opened) {
     const { report } = lens
+    const isOpening = opened.judgement === null
     const judgement = report && judged(opened.challenge, quantitiesOf(report, opened.challenge.start))
-    const outcome = judgement?.isSolved ? opened.outcome : 'open'
-    opened = { ...opened, report, judgement, outcome }
+    opened = { ...opened, report, judgement, outcome: judgement?.isSolved ? opened.outcome : 'open' }
+    if (isOpening) conclude(opened)
   }
   draw()
+}
+
+function conclude(concluded: Opened): void {
+  if (!concluded.judgement?.isSolved) return
+  const { solution } = concluded.challenge
+  const isStored = solution !== null && sameBits(lens.vertices, solution)
+  opened = { ...concluded, outcome: isStored ? 'shown' : 'solved' }
 }
 
 /** With every change that is done: whether the reader has solved it. */
 function settle(): void {
   if (opened === null) return
-  const { id, challenge } = opened
   const { vertices } = lens
-  const isOwn = !sameBits(vertices, given)
   opened = { ...opened, copying: null }
   judge()
-  const isSolved = opened.judgement?.isSolved ?? false
-  const isStored = challenge.solution !== null && sameBits(vertices, challenge.solution)
-  if (isSolved) opened = { ...opened, outcome: isStored ? 'shown' : 'solved' }
-  if (isSolved && isOwn && !isStored && id !== null) keep(id, opened)
+  conclude(opened)
+  if (opened.outcome === 'solved' && opened.id !== null && !sameBits(vertices, given)) keep(opened.id, opened)
   if (place.kind === 'challenge' || place.kind === 'own') {
     place = { ...place, vertices }
     history.replaceState(history.state, '', `#${challengeFragment(place)}`)
@@ -145,6 +167,14 @@ function draw(): void {
   render(html`${content}`, column)
 }
 
+/** The numbers stand beside the scene where there is room: on smaller screens it would be crowded out. */
+const isRoomy = matchMedia('(min-width: 84rem)')
+function chooseViews(): void {
+  lens.setAttribute('views', isRoomy.matches ? 'scene verdict vertices' : 'scene verdict')
+}
+
+chooseViews()
+isRoomy.addEventListener('change', chooseViews)
 open()
 addEventListener('hashchange', () => {
   open()

@@ -28,7 +28,7 @@ import {
 } from '../model/condition/enclosure'
 import type { Claim, NumberName } from '../model/condition/names'
 import { VERTEX_COUNT, type Vertices } from '../model/hexahedron'
-import { twistOf } from '../model/twist'
+import { exactTwist, twistEnclosure, twistOf } from '../model/twist'
 
 /** A number to show: value, times 2^exponent where it is a jacdet. */
 export interface ShownNumber {
@@ -151,7 +151,7 @@ export const numbers: Readonly<Record<NumberName, NumberDescription>> = {
     unit: 'none',
     shown: ({ vertices }) => twistOf(vertices).degrees,
     roughly: ({ vertices }) => twistEnclosure(vertices),
-    exactly: ({ vertices }) => twistEnclosure(vertices),
+    exactly: ({ vertices }) => exactTwist(vertices),
   },
 }
 
@@ -185,12 +185,6 @@ function jacdet(
     roughly: report => around(shown(report), error(report), report.exponent),
     exactly: ({ vertices }) => exact(vertices),
   }
-}
-
-function twistEnclosure(vertices: Vertices): Enclosure {
-  const { degrees, error } = twistOf(vertices)
-  const [middle, half] = [scaledDouble(degrees, 0), scaledDouble(error, 0)]
-  return { lower: sumOf(middle, negated(half)), upper: sumOf(middle, half) }
 }
 
 function around(value: number, error: number, exponent: number): Enclosure | null {

@@ -19,6 +19,8 @@ export interface Opened {
   /** Whether the reader's last move has solved it, or the stored solution is what is seen. */
   readonly outcome: 'open' | 'solved' | 'shown'
   readonly isHintShown: boolean
+  /** What the stored solution has in the contest, once it is known. */
+  readonly toBeat: number | null
   /** What became of copying the link; the link itself where it could not be copied. */
   readonly copying: { readonly text: string; readonly link: string | null } | null
 }
@@ -117,7 +119,7 @@ function goalRow({ challenge, report, judgement }: Opened, i: number): TemplateR
 }
 
 function contestLine(
-  { id, challenge, report }: Opened,
+  { id, challenge, report, toBeat }: Opened,
   { quantity, best }: Contest,
   progress: Progress,
 ): TemplateResult {
@@ -126,13 +128,13 @@ function contestLine(
   return html`<p class="contest">
     ${name}, the ${best} wins: now ${report ? numberInWords(quantity, report, challenge.start) : '–'}${
       own === null ? '' : `; your best ${formatNumber(own)}`
-    }.
+    }${toBeat === null ? '' : `; to beat ${formatNumber(toBeat)}`}.
   </p>`
 }
 
 function outcomeInWords({ outcome }: Opened): string {
   if (outcome === 'solved') return 'Solved: every condition holds.'
-  return outcome === 'shown' ? 'This is the stored solution. Undo takes you back to yours.' : ''
+  return outcome === 'shown' ? 'This is the stored solution.' : ''
 }
 
 function nextLink(id: string | null): TemplateResult | string {
