@@ -26,19 +26,46 @@ globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, 
 parentPort.on('message', data => globalThis.onmessage({ data }))
 `
 
-let bundle: Promise<string> | undefined
+const bundles = new Map<string, Promise<URL>>()
 
-async function bundledWorker(): Promise<string> {
+/** The address of a worker of web/, bundled. */
+export function bundledWorker(entry: string): Promise<URL> {
+  const known = bundles.get(entry) ?? bundled(entry)
+  bundles.set(entry, known)
+  return known
+}
+
+async function bundled(entry: string): Promise<URL> {
   const output = await build({
     root,
     configFile: false,
     logLevel: 'silent',
-    build: { write: false, target: 'es2022', lib: { entry: 'web/core/batch/worker.ts', formats: ['es'] } },
+    build: { write: false, target: 'es2022', lib: { entry, formats: ['es'] } },
   })
   const [result] = (Array.isArray(output) ? output : [output]) as { output: { code: string }[] }[]
   const code = result?.output[0]?.code
   if (code === undefined) throw new Error('The worker was not bundled.')
-  return PRELUDE + code
+  return new URL(`data:text/javascript,${encodeURIComponent(PRELUDE + code)}`)
+}
+
+interface Port<Request, Answer> {
+  postMessage(request: Request, transfer?: ArrayBuffer[]): void
+  onmessage: ((event: { readonly data: Answer }) => void) | null
+  onerror: ((event: { readonly message?: string }) => void) | null
+  terminate(): void
+}
+
+export function nodePort<Request, Answer>(worker: URL): Port<Request, Answer> {
+  const thread = new Worker(worker)
+  const port: Port<Request, Answer> = {
+    postMessage: (request, transfer) => thread.postMessage(request, transfer),
+    onmessage: null,
+    onerror: null,
+    terminate: () => void thread.terminate(),
+  }
+  thread.on('message', data => port.onmessage?.({ data }))
+  thread.on('error', error => port.onerror?.(error as Error))
+  return port
 }
 
 /** Counts the threads it starts in `threads`. */
@@ -46,21 +73,11 @@ export async function nodeClassifier(
   workers: number,
   { module = batchModules.vectors, cellsPerPiece }: { module?: WebAssembly.Module; cellsPerPiece?: number } = {},
 ): Promise<Classifier & { readonly threads: { started: number } }> {
-  bundle ??= bundledWorker()
-  const url = new URL(`data:text/javascript,${encodeURIComponent(await bundle)}`)
+  const worker = await bundledWorker('web/core/batch/worker.ts')
   const threads = { started: 0 }
   const spawn = (): WorkerPort => {
     threads.started += 1
-    const thread = new Worker(url)
-    const port: WorkerPort = {
-      postMessage: (request, transfer) => thread.postMessage(request, transfer),
-      onmessage: null,
-      onerror: null,
-      terminate: () => void thread.terminate(),
-    }
-    thread.on('message', data => port.onmessage?.({ data }))
-    thread.on('error', error => port.onerror?.(error as Error))
-    return port
+    return nodePort(worker)
   }
   return { ...classifierOn(new Pool(module, workers, spawn, cellsPerPiece)), threads }
 }

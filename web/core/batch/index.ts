@@ -37,7 +37,7 @@ function spawn(): WorkerPort {
 }
 
 /** An engine without vectors refuses to compile them; it then gets the same code without. */
-async function batchModule(): Promise<WebAssembly.Module> {
+export async function batchModule(): Promise<WebAssembly.Module> {
   try {
     return await compiled(vectorUrl)
   } catch (reason) {

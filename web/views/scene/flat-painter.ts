@@ -2,25 +2,17 @@
  * The coloured faces where there is no WebGL: tiles in SVG, the farthest first, each in the colour of jacdet at its middle, the negative
  * ones hatched.
  */
-import type { Report } from '../../core/report'
-import { faces } from '../../model/hexahedron'
+import type { Vec3 } from '../../model/hexahedron'
 import { cssColour, rampColour, rampPosition } from '../colour-map'
-import { px, set, show, svg } from '../svg'
+import { flatTiles, pathOf } from '../flat-tiles'
+import { set, show, svg } from '../svg'
 import { contentsOf, type FacePainter } from './face-painter'
-import { facePoint } from './face-point'
 import { OPACITY, type Picture, type Region } from './face-renderer'
 
 /** Tiles to a face's side: small enough to show where jacdet is negative, few enough for every frame of a drag. */
 const SIDE = 10
 /** CSS pixels between stripes. */
 const HATCH = 6
-
-interface Tile {
-  readonly depth: number
-  readonly path: string
-  readonly colour: string
-  readonly isNegative: boolean
-}
 
 let painters = 0
 
@@ -82,37 +74,17 @@ export class FlatPainter implements FacePainter {
   }
 }
 
-function tilesOf(region: Region, { report, display, scale, ramp }: Picture): Tile[] {
+function tilesOf(region: Region, { report, display, scale, ramp }: Picture) {
   if (report === null || scale === null) return []
   const { vertices, camera, left, top } = region
-  const tiles: Tile[] = []
-  for (const face of faces.keys()) {
-    if (typeof display === 'number' && display !== face) continue
-    for (let i = 0; i < SIDE; i++) {
-      for (let j = 0; j < SIDE; j++) {
-        const value = jacdetOn(report, face, (i + 0.5) / SIDE, (j + 0.5) / SIDE)
-        const ring = [
-          [i, j],
-          [i + 1, j],
-          [i + 1, j + 1],
-          [i, j + 1],
-        ] as const
-        const points = ring.map(([s, t]) => camera.project(facePoint(vertices, face, s / SIDE, t / SIDE)))
-        tiles.push({
-          depth: points.reduce((sum, { depth }) => sum + depth, 0),
-          path: `M${points.map(({ x, y }) => `${px(x + left)} ${px(y + top)}`).join('L')}Z`,
-          colour: cssColour(rampColour(ramp, rampPosition(scale, value))),
-          isNegative: value < 0,
-        })
-      }
-    }
+  const isShown = (face: number) => typeof display !== 'number' || display === face
+  const project = (point: Vec3) => {
+    const { x, y, depth } = camera.project(point)
+    return { x: x + left, y: y + top, depth }
   }
-  return tiles.sort((a, b) => b.depth - a.depth)
-}
-
-/** The biquadratic with the face's Bernstein coefficients; a colour only, never a verdict. */
-function jacdetOn({ faces }: Report, face: number, s: number, t: number): number {
-  const bernstein = faces[face]?.bernstein ?? []
-  const [bs, bt] = [s, t].map(x => [(1 - x) * (1 - x), 2 * x * (1 - x), x * x]) as [number[], number[]]
-  return bernstein.reduce((sum, b, k) => sum + b * (bs[Math.floor(k / 3)] as number) * (bt[k % 3] as number), 0)
+  return flatTiles(report, vertices, SIDE, project, isShown).map(({ corners, value }) => ({
+    path: `${pathOf(corners)}Z`,
+    colour: cssColour(rampColour(ramp, rampPosition(scale, value))),
+    isNegative: value < 0,
+  }))
 }

@@ -1,0 +1,192 @@
+/** Searches with the real workers: what they find, whoever finds it, and what becomes of it when it is polished. */
+import { expect, it } from 'vitest'
+import { quantitiesOf } from '../../web/content/quantities'
+import { ownSearch, searches } from '../../web/content/searches'
+import { isMet } from '../../web/model/condition'
+import { PIECE } from '../../web/search/hunt'
+import type { Answer, Request } from '../../web/search/messages'
+import { type Quest, readQuest } from '../../web/search/quest'
+import { type Find, Ranking } from '../../web/search/ranking'
+import { polished, Search, type Workforce } from '../../web/search/search'
+import { certificateOf, checked } from './certificate-checker'
+import { core, entry, randomSource } from './core-fixtures'
+import { edgesArePositive, verticesArePositive } from './exact'
+import { batchModules, bundledWorker, nodePort } from './node-workers'
+
+const worker = await bundledWorker('web/search/worker.ts')
+
+function force(workers: number, module = batchModules.vectors): Workforce {
+  return { module, workers, spawn: () => nodePort<Request, Answer>(worker) }
+}
+
+const kinds = [...searches, ownSearch]
+
+function questOf(id: string, seed = 1): Quest {
+  const kind = kinds.find(kind => kind.id === id)
+  if (!kind) throw new Error(`There is no search ${id}.`)
+  const { property, measure, distribution } = kind
+  return { property, measure, distribution, seed }
+}
+
+/** Runs until so many elements are looked at. */
+async function searched(quest: Quest, elements: number, workforce: Workforce): Promise<Search> {
+  const search = await new Promise<Search>((resolve, reject) => {
+    const search = new Search(quest, workforce, () => search.isRunning || resolve(search), reject)
+    search.start(elements)
+  })
+  search.dispose()
+  return search
+}
+
+function outcome(search: Search) {
+  return {
+    elements: search.elements,
+    found: search.found,
+    beauty: search.finds('beauty'),
+    extremeness: search.finds('extremeness'),
+  }
+}
+
+function has(quest: Quest, vertices: readonly number[]): boolean {
+  const read = readQuest(quest)
+  const report = core.analyze(vertices)
+  if (!read.ok || !report.ok) throw new Error('The quest or the element was refused.')
+  return isMet(read.value.property, quantitiesOf(report.value, read.value.start))
+}
+
+/** Elements of the stream of seed 1 among which there is one: 20 seconds on two cores are enough for millions. */
+const ENOUGH: Readonly<Record<string, number>> = {
+  corners: PIECE,
+  edges: PIECE,
+  'depth-guard': 8 * PIECE,
+  'nine-points': 2 * PIECE,
+  gap: PIECE,
+  own: 2 * PIECE,
+}
+
+it.each(kinds.map(({ id }) => id))('finds %s, and what it polishes still has the property, exactly', async id => {
+  const quest = questOf(id)
+  const search = await searched(quest, entry([ENOUGH[id] ?? 0], 0), force(2))
+  expect(search.elements).toBe(ENOUGH[id])
+  expect(search.found).toBeGreaterThan(0)
+  const finds = search.finds('beauty')
+  expect(finds.length).toBeGreaterThan(0)
+  for (const { vertices } of finds.slice(0, 5)) expect(has(quest, vertices), String(vertices)).toBe(true)
+
+  const steps: number[] = []
+  const { vertices, effort } = await polished(quest, entry(finds, 0).vertices, force(1), {
+    onStep: step => steps.push(step.effort),
+  })
+  expect(has(quest, vertices), String(vertices)).toBe(true)
+  expect(steps).toEqual(steps.toSorted((a, b) => b - a))
+  expect(effort).toBe(steps.at(-1) ?? entry(finds, 0).effort)
+  expect(effort).toBeLessThanOrEqual(entry(finds, 0).effort)
+  if (id === 'corners' || id === 'nine-points') expect(verticesArePositive(vertices)).toBe(true)
+  if (id === 'edges') expect(edgesArePositive(vertices)).toBe(true)
+  const certificate = certificateOf(id, vertices)
+  expect(certificate.valid).toBe(id === 'depth-guard')
+  expect(checked(JSON.stringify([certificate]))).toMatchObject({ status: 0, errors: '' })
+})
+
+it('finds the same with one worker and with three, at once and with stops, with vectors and without', async () => {
+  const quest = questOf('corners', 20260803)
+  const elements = 7 * PIECE
+  const one = outcome(await searched(quest, elements, force(1)))
+  expect([one.elements, one.beauty.length, one.extremeness.length]).toEqual([elements, 48, 48])
+  expect(outcome(await searched(quest, elements, force(3)))).toEqual(one)
+  expect(outcome(await searched(quest, elements, force(2, batchModules.scalar)))).toEqual(one)
+
+  const stops: number[] = []
+  const stopped = await new Promise<Search>((resolve, reject) => {
+    const onNews = () => {
+      if (search.isRunning) return stops.length === 0 && search.elements > 0 ? search.stop() : undefined
+      if (stops.push(search.elements) === 3) return resolve(search)
+      search.start(stops.length === 1 ? 6 * PIECE : elements)
+      return undefined
+    }
+    const search = new Search(quest, force(2), onNews, reject)
+    search.start(5 * PIECE)
+  })
+  stopped.dispose()
+  expect(outcome(stopped)).toEqual(one)
+  expect(stops).toEqual([stops[0], 6 * PIECE, elements])
+  expect(stops[0]).toBeLessThanOrEqual(5 * PIECE)
+
+  const other = outcome(await searched({ ...quest, seed: 20260804 }, PIECE, force(2)))
+  expect(other.beauty.map(({ index }) => index)).not.toEqual(one.beauty.map(({ index }) => index))
+  expect(one.found).toBeGreaterThan(300)
+  const efforts = one.beauty.map(({ effort }) => effort)
+  expect(efforts).toEqual(efforts.toSorted((a, b) => a - b))
+  const extremes = one.extremeness.map(({ extremeness }) => extremeness)
+  expect(extremes).toEqual(extremes.toSorted((a, b) => b - a))
+})
+
+it('goes on with new workers after the old ones were ended', async () => {
+  const quest = questOf('corners', 5)
+  const whole = outcome(await searched(quest, 4 * PIECE, force(2)))
+  const search = await new Promise<Search>((resolve, reject) => {
+    let isInterrupted = false
+    const onNews = () => {
+      if (!search.isRunning) return resolve(search)
+      if (isInterrupted || search.elements === 0) return undefined
+      isInterrupted = true
+      search.dispose()
+      expect(search.isRunning).toBe(false)
+      return search.start(4 * PIECE)
+    }
+    const search = new Search(quest, force(2), onNews, reject)
+    search.start(4 * PIECE)
+  })
+  search.dispose()
+  expect(outcome(search)).toEqual(whole)
+})
+
+it('says why it does not work', async () => {
+  const empty = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0))
+  await expect(searched(questOf('corners'), PIECE, force(2, empty))).rejects.toThrow(/./)
+  await expect(searched({ ...questOf('corners'), property: 'corner_min' }, PIECE, force(1))).rejects.toThrow(
+    'This is a number',
+  )
+  const controller = new AbortController()
+  const cancelled = polished(questOf('edges'), new Array(24).fill(0), force(1), { signal: controller.signal })
+  controller.abort(new Error('enough'))
+  await expect(cancelled).rejects.toThrow('enough')
+})
+
+it('a quest that is none is refused field by field', () => {
+  const { distribution } = questOf('corners')
+  const law = { kind: 'normal', sigma: -1 } as const
+  const result = readQuest({ property: 'corner_min >', measure: '', distribution: { ...distribution, law }, seed: 1.5 })
+  expect(result.ok ? [] : result.errors.map(({ field, at }) => [field, at])).toEqual([
+    ['property', 12],
+    ['measure', 0],
+    ['distribution', undefined],
+    ['seed', undefined],
+  ])
+})
+
+it('ranks the same whatever the order, each element once', () => {
+  const random = randomSource(20260805)
+  const finds: Find[] = Array.from({ length: 300 }, (_, index) => {
+    const key = Math.floor(60 * random())
+    return { index, vertices: new Array(24).fill(key), effort: key % 7, extremeness: key % 5 }
+  })
+  for (const order of ['beauty', 'extremeness'] as const) {
+    const rankings = [finds, finds.toReversed(), finds.toSorted((a, b) => (a.index % 17) - (b.index % 17))].map(
+      list => {
+        const ranking = new Ranking(order, 20)
+        for (const find of list) {
+          const mayTake = ranking.mayTake(find.effort, find.extremeness)
+          if (ranking.add(find)) expect(mayTake).toBe(true)
+        }
+        return ranking.finds
+      },
+    )
+    expect(rankings[1]).toEqual(rankings[0])
+    expect(rankings[2]).toEqual(rankings[0])
+    const kept = entry(rankings, 0)
+    expect(new Set(kept.map(({ vertices }) => vertices[0])).size).toBe(20)
+    for (const { vertices, index } of kept)
+      expect(finds.find(find => find.vertices[0] === vertices[0])?.index).toBe(index)
+  }
+})

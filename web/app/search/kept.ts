@@ -1,0 +1,103 @@
+/**
+ * Elements that the reader keeps, in the browser's storage: versioned JSON, the same as what is exported. Where nothing can be stored
+ * they last as long as the page.
+ */
+import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices, vertexOf } from '../../model/hexahedron'
+
+export interface KeptElement {
+  readonly name: string
+  readonly vertices: Vertices
+  /** What it was found as, in the language of conditions. */
+  readonly property: string
+}
+
+/** `lasting`: as the storage has them. `fleeting`: it refuses. `later`: it holds those of a later version, which are left alone. */
+export type Lasting = 'lasting' | 'fleeting' | 'later'
+
+const KEY = 'hexlens-kept'
+const VERSION = 1
+
+type Store = Pick<Storage, 'getItem' | 'setItem'>
+
+export class Kept {
+  readonly #store: () => Store
+  #elements: readonly KeptElement[] = []
+  #lasting: Lasting = 'lasting'
+
+  /** A browser may refuse to hand its storage out: the function then throws. */
+  constructor(store: () => Store) {
+    this.#store = store
+    this.read()
+  }
+
+  get elements(): readonly KeptElement[] {
+    return this.#elements
+  }
+
+  get lasting(): Lasting {
+    return this.#lasting
+  }
+
+  /** What is there now: another page may have kept something. */
+  read(): void {
+    try {
+      const stored = this.#store().getItem(KEY)
+      const read = stored === null ? [] : readKept(stored)
+      this.#lasting = read === null ? 'later' : 'lasting'
+      if (read) this.#elements = read
+    } catch {
+      this.#lasting = 'fleeting'
+    }
+  }
+
+  /** In front of the others; an element is kept once, by its last name. */
+  add(element: KeptElement): void {
+    this.#change(elements => [element, ...elements.filter(other => !isSame(other, element))])
+  }
+
+  remove(element: KeptElement): void {
+    this.#change(elements => elements.filter(other => !isSame(other, element)))
+  }
+
+  #change(change: (elements: readonly KeptElement[]) => readonly KeptElement[]): void {
+    if (this.#lasting === 'lasting') this.read()
+    this.#elements = change(this.#elements)
+    if (this.#lasting !== 'lasting') return
+    try {
+      this.#store().setItem(KEY, JSON.stringify({ version: VERSION, elements: this.#elements.map(written) }))
+    } catch {
+      this.#lasting = 'fleeting'
+    }
+  }
+}
+
+function isSame(a: KeptElement, b: KeptElement): boolean {
+  return a.vertices.every((x, i) => x === b.vertices[i])
+}
+
+/** As the command line and Paste read it. */
+export function exported(elements: readonly KeptElement[]): string {
+  return `[\n${elements.map(element => JSON.stringify(written(element))).join(',\n')}\n]\n`
+}
+
+function written({ name, vertices, property }: KeptElement) {
+  return { name, vertices: Array.from({ length: VERTEX_COUNT }, (_, v) => vertexOf(vertices, v)), property }
+}
+
+/** Null for those of a later version. What is no element is left out, and what is no list is none. */
+function readKept(text: string): KeptElement[] | null {
+  try {
+    const { version, elements } = JSON.parse(text) as { version?: unknown; elements?: unknown }
+    if (typeof version === 'number' && version > VERSION) return null
+    return Array.isArray(elements) ? elements.flatMap(readElement) : []
+  } catch {
+    return []
+  }
+}
+
+function readElement(given: Record<string, unknown> | null): KeptElement[] {
+  const { name, vertices, property } = given ?? {}
+  const numbers = Array.isArray(vertices) ? vertices.flat() : []
+  if (numbers.length !== COORDINATE_COUNT || !numbers.every(Number.isFinite)) return []
+  return [{ name: String(name ?? 'element'), vertices: numbers, property: String(property ?? '') }]
+}
