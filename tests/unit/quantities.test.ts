@@ -89,13 +89,16 @@ function signOf(decimal: string): number {
 }
 
 describe('of the unit cube', () => {
-  it.each(NUMBERS.filter(name => name !== 'moved' && !name.startsWith('gauss')))('%s is 1, exactly', name => {
-    const { value, exponent } = shownNumber(name, reportOf(unitCube), unitCube)
-    expect([value, exponent]).toEqual([1, 0])
-    if (name !== 'scaled_jacobian') expect(truth(`${name} = 1`, unitCube)).toBe(true)
-  })
+  it.each(NUMBERS.filter(name => !['moved', 'twist'].includes(name) && !name.startsWith('gauss')))(
+    '%s is 1, exactly',
+    name => {
+      const { value, exponent } = shownNumber(name, reportOf(unitCube), unitCube)
+      expect([value, exponent]).toEqual([1, 0])
+      if (name !== 'scaled_jacobian') expect(truth(`${name} = 1`, unitCube)).toBe(true)
+    },
+  )
 
-  it.each(NUMBERS.filter(name => !['moved', 'scaled_jacobian'].includes(name)))(
+  it.each(NUMBERS.filter(name => !['moved', 'twist', 'scaled_jacobian'].includes(name)))(
     '%s grows with the cube of the size, far outside the doubles too',
     name => {
       for (const power of [-300, 300]) {
@@ -107,6 +110,17 @@ describe('of the unit cube', () => {
       }
     },
   )
+})
+
+it('twist is an angle whose size does not matter, exactly known where nothing is turned or half a turn', () => {
+  expect(truth('twist = 0', unitCube)).toBe(true)
+  expect(truth('twist = 0', scaled(unitCube, 1e-300))).toBe(true)
+  const half = unitCube.map((x, i) => (i < 12 || i % 3 === 2 ? x : 1 - x))
+  expect(truth('twist = 180', half)).toBe(true)
+  const quarter = unitCube.map((x, i, all) =>
+    i < 12 || i % 3 === 2 ? x : i % 3 === 0 ? -(all[i + 1] ?? 0) : (all[i - 1] ?? 0),
+  )
+  expect(truth('89.999999999 < twist < 90.000000001', quarter)).toBe(true)
 })
 
 it('moved counts vertices that differ from the start, and zero has no sign', () => {

@@ -213,6 +213,19 @@ describe('the store', () => {
     expect(target.state.highlight).toBeNull()
   })
 
+  it('looks at a move until the vertices change, and refuses what is no element', () => {
+    const moved = unitCube.with(4, 0.5)
+    const target = dispatched({ type: 'preview-move', vertices: moved })
+    expect(target.state).toMatchObject({ vertices: unitCube, canUndo: false })
+    expect(target.state.previewedMove).toBe(moved)
+    target.dispatch({ type: 'select-vertex', vertex: 5 })
+    expect(target.state.previewedMove).toBe(moved)
+    target.dispatch({ type: 'move-all', vertices: moved })
+    expect(target.state).toMatchObject({ vertices: moved, previewedMove: null, canUndo: true })
+    for (const wrong of [unitCube.slice(1), unitCube.with(7, Number.NaN)])
+      expect(() => target.dispatch({ type: 'preview-move', vertices: wrong })).toThrow(RangeError)
+  })
+
   it('looks at another node order until the vertices change, and refuses what is none', () => {
     const order = [0, 1, 3, 2, 4, 5, 7, 6]
     const target = dispatched({ type: 'preview-order', order })

@@ -28,6 +28,7 @@ import {
 } from '../model/condition/enclosure'
 import type { Claim, NumberName } from '../model/condition/names'
 import { VERTEX_COUNT, type Vertices } from '../model/hexahedron'
+import { exactTwist, twistEnclosure, twistOf } from '../model/twist'
 
 /** A number to show: value, times 2^exponent where it is a jacdet. */
 export interface ShownNumber {
@@ -142,6 +143,15 @@ export const numbers: Readonly<Record<NumberName, NumberDescription>> = {
     shown: ({ vertices }, start) => movedVertices(vertices, start),
     roughly: ({ vertices }, start) => wholeNumber(movedVertices(vertices, start)),
     exactly: ({ vertices }, start) => wholeNumber(movedVertices(vertices, start)),
+  },
+  twist: {
+    name: 'Twist',
+    sentence:
+      'By how many degrees the top, vertices 4 to 7, is turned against the bottom, vertices 0 to 3, seen along z: the turn about their middles that fits best.',
+    unit: 'none',
+    shown: ({ vertices }) => twistOf(vertices).degrees,
+    roughly: ({ vertices }) => twistEnclosure(vertices),
+    exactly: ({ vertices }) => exactTwist(vertices),
   },
 }
 

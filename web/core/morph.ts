@@ -4,6 +4,7 @@
  */
 import type { Vertices } from '../model/hexahedron'
 import { elementAt } from '../model/morph'
+import { changeBetween, verdictOf } from './crossing'
 import type { Core } from './report'
 
 export interface MorphSample {
@@ -58,10 +59,9 @@ export function morphOf(core: Core, a: Vertices, b: Vertices): Morph {
 function sampleAt(core: Core, a: Vertices, b: Vertices, tau: number): MorphSample {
   const vertices = elementAt(a, b, tau)
   const minimum = core.boundaryMinimum(vertices, 'roots-b')
-  const verdict = core.isValid(vertices)
   if (!minimum.ok) throw new Error(minimum.error.message)
-  if (!verdict.ok) throw new Error(verdict.error.message)
-  return { tau, minimum: minimum.value.minimizer.value, exponent: minimum.value.exponent, valid: verdict.value }
+  const { minimizer, exponent } = minimum.value
+  return { tau, minimum: minimizer.value, exponent, valid: verdictOf(core, vertices) }
 }
 
 /**
@@ -104,14 +104,8 @@ function turningPoint(
 }
 
 function crossingBetween(core: Core, a: Vertices, b: Vertices, before: MorphSample, after: MorphSample): Crossing {
-  let [low, high] = [before.tau, after.tau]
-  for (let middle = (low + high) / 2; middle !== low && middle !== high; middle = (low + high) / 2) {
-    const verdict = core.isValid(elementAt(a, b, middle))
-    if (!verdict.ok) throw new Error(verdict.error.message)
-    if (verdict.value === before.valid) low = middle
-    else high = middle
-  }
-  return before.valid ? { validTau: low, invalidTau: high } : { validTau: high, invalidTau: low }
+  const { near, far } = changeBetween(core, a, b, { near: before.tau, far: after.tau })
+  return before.valid ? { validTau: near, invalidTau: far } : { validTau: far, invalidTau: near }
 }
 
 /** In order, each tau once. */

@@ -8,13 +8,14 @@ import { type Surface, zeroSurface } from '../core/zero-surface'
 import type { Vertices } from '../model/hexahedron'
 import type { State } from '../model/state'
 import type { Frame, Proof, TriedOrders } from '../views/view'
+import { type PartAnswers, parts } from './parts'
 import { triedOrders } from './tried-orders'
 
 /** Cells of the grid along each axis from which the surface jacdet = 0 is made, between gestures and in one. */
 const SURFACE_CELLS = 24
 const GESTURE_SURFACE_CELLS = 8
 
-type Answered = Pick<Frame, 'report' | 'proof' | 'triedOrders' | 'zeroSurface' | 'probe' | 'morph'>
+type Answered = Pick<Frame, 'report' | 'proof' | 'triedOrders' | 'zeroSurface' | 'probe' | 'morph' | 'nearest'>
 
 export class Answers {
   /** Null while it is loading, or if it could not start: then there are no answers. */
@@ -25,10 +26,20 @@ export class Answers {
   #triedOrders: TriedOrders | null = null
   #zeroSurface: { readonly report: Report; readonly cells: number; readonly surface: Surface } | null = null
   #morph: Morph | null = null
+  readonly #ofParts: readonly PartAnswers[]
 
-  /** `onFailure` is told, in a sentence, of vertices that the core could not analyse. */
-  constructor(onFailure: (message: string) => void) {
+  /**
+   * `onFailure` is told, in a sentence, of vertices that the core could not analyse; `onNews` when a part's answers, which may take
+   * long, have come further.
+   */
+  constructor(onFailure: (message: string) => void, onNews: () => void) {
     this.#onFailure = onFailure
+    this.#ofParts = parts.flatMap(({ answers }) => (answers ? [answers(onNews)] : []))
+  }
+
+  /** Ends what is still being looked for. */
+  stop(): void {
+    for (const answers of this.#ofParts) answers.stop()
   }
 
   report(vertices: Vertices): Report | null {
@@ -51,6 +62,8 @@ export class Answers {
       zeroSurface: this.#surfaced(state, report),
       probe: report && this.probed(state),
       morph: this.#morphed(state),
+      nearest: null,
+      ...(this.core && Object.assign({}, ...this.#ofParts.map(answers => answers.of(this.core as Core, state)))),
     }
   }
 

@@ -1,7 +1,7 @@
 /** The attributes of `<hex-lens>`: what each may say, and in which sentence it is refused. */
 import { type Preset, presets } from '../content/presets'
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
-import { type CameraView, CONTROLS, type Control } from '../model/state'
+import { type CameraView, CONTROLS, type Control, PANELS } from '../model/state'
 import { HexLensError } from './hex-lens-error'
 import { parts } from './parts'
 
@@ -22,7 +22,6 @@ export type AttributeName = keyof Attributes
 export type Theme = (typeof THEMES)[number]
 
 const THEMES = ['auto', 'light', 'dark'] as const
-const VIEWS = parts.filter(part => !part.always).map(part => part.name)
 const FIRST_VIEWS = ['scene', 'verdict']
 const DECIMAL = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i
 /** As far as the reader can turn; and as much nearer or farther than all in view as a state may say. */
@@ -35,7 +34,7 @@ type Read<T> = (text: string | null) => T
 const readers: { readonly [Name in AttributeName]: Read<Attributes[Name]> } = {
   vertices: text => (text === null ? null : readVertices(text)),
   preset: text => (text === null ? null : readPreset(text)),
-  views: text => (text === null ? FIRST_VIEWS : words('views', text, VIEWS)),
+  views: text => (text === null ? FIRST_VIEWS : readViews(text)),
   controls: text => (text === null ? CONTROLS : words('controls', text, CONTROLS)),
   camera: text => (text === null ? null : readCamera(text)),
   theme: text => oneOf('theme', text ?? 'auto', THEMES),
@@ -108,6 +107,13 @@ function direction(azimuthDegrees: number, elevationDegrees: number): Vec3 {
   ]
   const across = Math.cos(elevation)
   return [across * Math.cos(azimuth), across * Math.sin(azimuth), Math.sin(elevation)]
+}
+
+/** Panels that only some page adds are passed over where they are not. */
+function readViews(text: string): readonly string[] {
+  const known = parts.filter(part => !part.always).map(part => part.name)
+  const chosen = words('views', text, text.trim() === 'all' ? known : [...new Set([...known, ...PANELS])])
+  return chosen.filter(name => known.includes(name))
 }
 
 /** A list of words, `all` or `none`. */

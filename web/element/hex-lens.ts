@@ -66,7 +66,10 @@ export class HexLens extends ReflectingElement {
     figure: name => this.#show.figure(name),
   }
   readonly #show: Show
-  readonly #answers = new Answers(message => this.raise({ code: 'core-failed', message }))
+  readonly #answers = new Answers(
+    message => this.raise({ code: 'core-failed', message }),
+    () => this.#schedule(),
+  )
   readonly #problems = new Map<Problem['code'], Problem>()
   #store: Store = createStore(presetVertices(presets[0]), presets[0].id)
   #committed: Vertices = this.#store.state.vertices
@@ -116,6 +119,7 @@ export class HexLens extends ReflectingElement {
     this.#visibility?.disconnect()
     this.#printing?.dispose()
     this.#isInView = false
+    this.#answers.stop()
     this.#show.end()
     this.#offer = null
   }

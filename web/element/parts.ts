@@ -1,4 +1,6 @@
-/** What the element can show. A new view is one entry here. */
+/** What the element can show. A new view is one entry here, or in `page-parts.ts` if the one-file scripts are to be without it. */
+import type { Core } from '../core/report'
+import type { State } from '../model/state'
 import { createAnnouncer } from '../views/announcer/announcer'
 import { certificateStyles, createCertificate } from '../views/certificate/certificate'
 import { checksStyles, createChecks } from '../views/checks/checks'
@@ -7,7 +9,8 @@ import { createScene, prepareScene, sceneStyles } from '../views/scene/scene'
 import { createToolbar, toolbarStyles } from '../views/toolbar/toolbar'
 import { createVerdict, verdictStyles } from '../views/verdict/verdict'
 import { createVertices, verticesStyles } from '../views/vertices/vertices'
-import type { CreateView } from '../views/view'
+import type { CreateView, Frame } from '../views/view'
+import { pageParts } from './page-parts'
 import { panel } from './panel'
 
 export interface Part {
@@ -23,6 +26,14 @@ export interface Part {
   readonly always?: true
   /** Left out where the element cannot be changed. */
   readonly changes?: true
+  /** Of an element: what is asked of the core for this part alone. `onNews` asks for a frame. */
+  readonly answers?: (onNews: () => void) => PartAnswers
+}
+
+export interface PartAnswers {
+  /** What is known by now; nothing that takes long is done meanwhile. */
+  of(core: Core, state: State): Partial<Frame>
+  stop(): void
 }
 
 export const parts: readonly Part[] = [
@@ -65,6 +76,7 @@ export const parts: readonly Part[] = [
     styles: '',
     changes: true,
   },
+  ...pageParts,
   {
     name: 'paste',
     place: 'folds',

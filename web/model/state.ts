@@ -14,6 +14,7 @@ export const PANELS = [
   'inside',
   'node-order',
   'morph',
+  'nearest',
   'paste',
   'take-away',
   'embed',
@@ -95,6 +96,8 @@ export interface State {
   readonly highlight: ElementPart | null
   /** Another node order of these very vertices that is looked at: its vertex i is their vertex `previewedOrder[i]`. */
   readonly previewedOrder: readonly number[] | null
+  /** Where all vertices would go in a move that is looked at. */
+  readonly previewedMove: Vertices | null
   /** Ends of a way between two elements, where they were kept: else it goes from `start` to `vertices`. */
   readonly morphA: Vertices | null
   readonly morphB: Vertices | null
@@ -116,6 +119,7 @@ export type LastingState = Omit<
   | 'probe'
   | 'highlight'
   | 'previewedOrder'
+  | 'previewedMove'
   | 'helpShown'
   | 'isReadonly'
   | 'controls'
@@ -153,6 +157,7 @@ export type Action =
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
   /** Looked at until the vertices change. */
   | { readonly type: 'preview-order'; readonly order: readonly number[] | null }
+  | { readonly type: 'preview-move'; readonly vertices: Vertices | null }
   /** Null lets the end follow the element again. */
   | { readonly type: 'keep-morph-end'; readonly end: 'morphA' | 'morphB'; readonly vertices: Vertices | null }
   | { readonly type: 'show-section'; readonly section: Section }

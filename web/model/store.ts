@@ -68,6 +68,7 @@ export const SHOWN_FIRST: Shown = {
   selectedFace: 0,
   highlight: null,
   previewedOrder: null,
+  previewedMove: null,
   morphA: null,
   morphB: null,
   section: { axis: 2, value: 0.5 },
@@ -76,6 +77,8 @@ export const SHOWN_FIRST: Shown = {
   isReadonly: false,
   controls: CONTROLS,
 }
+
+const UNLOOKED = { previewedOrder: null, previewedMove: null }
 
 const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
   vertex: VERTEX_COUNT,
@@ -235,6 +238,10 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
       case 'preview-order':
         shown = { ...shown, previewedOrder: action.order && checkedOrder(action.order) }
         break
+      case 'preview-move':
+        if (action.vertices) checkFinite(action.vertices)
+        shown = { ...shown, previewedMove: action.vertices }
+        break
       case 'keep-morph-end':
         shown = { ...shown, [action.end]: action.vertices && kept(present.vertices, accepted(action.vertices)) }
         break
@@ -263,7 +270,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
   function restore({ vertices, preset, start, ...others }: LastingState): void {
     const began = kept(present.start, accepted(start))
     change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
-    shown = { ...shown, ...others, probe: null, previewedOrder: null }
+    shown = { ...shown, ...others, probe: null, ...UNLOOKED }
   }
 
   return {
@@ -273,7 +280,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
     dispatch(action) {
       const { vertices } = present
       apply(action)
-      if (present.vertices !== vertices && shown.previewedOrder) shown = { ...shown, previewedOrder: null }
+      if (present.vertices !== vertices) shown = withoutPreview(shown)
       const next = currentState()
       if (!sameState(state, next)) state = next
     },
@@ -282,9 +289,19 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
 
 /** A copy of its own, so that nobody changes it behind the store's back. */
 function accepted(vertices: Vertices): Vertices {
+  checkFinite(vertices)
+  return vertices.slice()
+}
+
+function checkFinite(vertices: Vertices): void {
   if (vertices.length !== COORDINATE_COUNT || !vertices.every(Number.isFinite))
     throw new RangeError(`A hexahedron is 24 finite numbers, not ${vertices.length} with ${vertices.join(', ')}.`)
-  return vertices.slice()
+}
+
+/** What is looked at is so until the vertices change. */
+function withoutPreview(shown: Shown): Shown {
+  const { previewedOrder, previewedMove } = shown
+  return previewedOrder === null && previewedMove === null ? shown : { ...shown, ...UNLOOKED }
 }
 
 function checkedVertex(vertex: number): number {

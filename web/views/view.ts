@@ -2,6 +2,7 @@
 import type { NodeOrder } from '../content/node-orders'
 import type { Certificate } from '../core/exact/certificate'
 import type { Morph } from '../core/morph'
+import type { Nearest } from '../core/nearest/nearest'
 import type { JacobianReport, Report } from '../core/report'
 import type { Surface } from '../core/zero-surface'
 import type { Vertices } from '../model/hexahedron'
@@ -90,6 +91,8 @@ export interface Frame {
   readonly cameras: Cameras | null
   /** Null unless its panel is open; while a gesture runs, the way as it was before. */
   readonly morph: Morph | null
+  /** As far as it is known, and of the vertices it says. Null unless the page has added its panel and that is open. */
+  readonly nearest: Nearest | null
   readonly problems: readonly Problem[]
   /** Whether it is drawn to be printed: at once, in a layout of its own. */
   readonly isForPaper: boolean

@@ -1,5 +1,6 @@
 /** The report of an element on which doubles do not decide: verdict, candidates and minima from exact arithmetic. */
 import type { Vec3 } from '../../model/hexahedron'
+import { timesPowerOfTwo } from '../power-of-two'
 import type { Candidate, Check, FaceReport, Report, VolumeMinimum } from '../report'
 import { check, type FilteredReport } from '../unpack'
 import { exactChecks, type ScaledNumber } from './exact-checks'
@@ -111,15 +112,6 @@ function inUnitsOf(unit: number, { mantissa, exponent }: ScaledNumber): number {
 /** What became too small is the least normal double of its sign. */
 function inNormalRange(value: number, before: number): number {
   return before !== 0 && Math.abs(value) < LEAST_NORMAL ? Math.sign(before) * LEAST_NORMAL : value
-}
-
-function timesPowerOfTwo(value: number, exponent: number): number {
-  // In steps, so that no factor leaves the doubles; beyond 4000 the result is 0 or infinite either way.
-  let rest = Math.max(-4000, Math.min(4000, exponent))
-  let result = value
-  for (; rest > 1000; rest -= 1000) result *= 2 ** 1000
-  for (; rest < -1000; rest += 1000) result *= 2 ** -1000
-  return result * 2 ** rest
 }
 
 /** The report in units of another power of two; a bracket stays one. */

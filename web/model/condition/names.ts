@@ -18,6 +18,7 @@ export const NUMBERS = [
   'bernstein_min',
   'subdivision',
   'moved',
+  'twist',
 ] as const
 export type NumberName = (typeof NUMBERS)[number]
 

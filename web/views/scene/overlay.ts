@@ -2,7 +2,7 @@
 
 import type { JacobianReport, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
-import { edgeVertices, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
+import { edgeVertices, VERTEX_COUNT, type Vertices, vertexOf } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import { moveTo, px, set, setText, show, svg } from '../svg'
 import type { SceneCamera, ScreenPoint } from './camera'
@@ -107,8 +107,10 @@ export class Overlay {
     this.#triad.update(camera)
   }
 
-  updateProbe(probe: JacobianReport | null, frame: ViewFrame, camera: SceneCamera): void {
+  /** `readout` is where the words about the point stand, if there are any. */
+  updateProbe(probe: JacobianReport | null, frame: ViewFrame, camera: SceneCamera, readout: Box | null = null): void {
     this.#probe.update(probe, frame, camera)
+    this.#marks.makeWay(probe && readout)
   }
 
   /** Returns where the numbers are. */
@@ -140,12 +142,14 @@ export class Overlay {
     return numbers
   }
 
-  /** The edges of the vertex being moved as they were, or all edges of an order that is looked at. */
+  /** The edges of the vertex being moved as they were, or those of an order or of a move that is looked at. */
   #updateGhost({ state, frame, camera, handles }: OverlayPicture): void {
-    const { gestureStart, selectedVertex, previewedOrder } = state
-    const moved = gestureStart !== null && gestureStart !== state.vertices
-    for (const part of [this.#ghostHalo, this.#ghost]) show(part, moved || previewedOrder !== null)
-    show(this.#ghostHandle, moved)
+    const { vertices, gestureStart, selectedVertex, previewedOrder, previewedMove } = state
+    const moved = gestureStart !== null && gestureStart !== vertices
+    const moving = previewedMove === null ? [] : verticesThatDiffer(vertices, previewedMove)
+    for (const part of [this.#ghostHalo, this.#ghost])
+      show(part, moved || previewedOrder !== null || previewedMove !== null)
+    show(this.#ghostHandle, moved || moving.length === 1)
     if (moved) {
       const before = verticesInView(frame, gestureStart).map(point => camera.project(point))
       const own = edgeVertices.filter(edge => edge.includes(selectedVertex))
@@ -154,6 +158,11 @@ export class Overlay {
     } else if (previewedOrder !== null) {
       const inOrder = previewedOrder.map(v => handles[v] as ScreenPoint)
       this.#drawGhost(edgePath(edgeVertices, inOrder))
+    } else if (previewedMove !== null) {
+      const after = verticesInView(frame, previewedMove).map(point => camera.project(point))
+      const own = edgeVertices.filter(edge => edge.some(v => moving.includes(v)))
+      this.#drawGhost(edgePath(own, after))
+      moveTo(this.#ghostHandle, after[moving[0] ?? 0] as ScreenPoint)
     }
   }
 
@@ -226,6 +235,12 @@ export function numberTexts(handles: readonly ScreenPoint[], order: readonly num
       .filter(other => first[other] === v)
       .map(name)
       .join(', '),
+  )
+}
+
+function verticesThatDiffer(one: Vertices, other: Vertices): number[] {
+  return [...Array(VERTEX_COUNT).keys()].filter(v =>
+    [0, 1, 2].some(axis => !Object.is(one[3 * v + axis], other[3 * v + axis])),
   )
 }
 

@@ -110,7 +110,7 @@ export class ReferenceCube implements Stage {
   update({ state, report }: Frame): void {
     this.#link.checked = state.camerasLinked
     this.#overlay.update({
-      state: { ...state, vertices: CUBE, gestureStart: null, previewedOrder: null },
+      state: { ...state, vertices: CUBE, gestureStart: null, previewedOrder: null, previewedMove: null },
       report: this.#inCube(report),
       frame: FRAME,
       camera: this.camera,

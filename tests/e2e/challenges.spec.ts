@@ -1,0 +1,157 @@
+import AxeBuilder from '@axe-core/playwright'
+import type { Page } from '@playwright/test'
+import { challenges } from '../../web/content/challenges'
+import { challengeFragment } from '../../web/model/challenge-link'
+import { expect, expectLargeTargets, inSchemesAndWidths, type Lens, test } from './lens'
+
+const column = (page: Page) => page.locator('#column')
+const outcome = (page: Page) => page.locator('#column .outcome')
+const marks = (page: Page) => page.locator('#column .goal li')
+
+async function openChallenges(lens: Lens, fragment: string): Promise<void> {
+  await lens.page.goto('about:blank')
+  await lens.open(`./challenges.html${fragment}`)
+}
+
+async function expectAxeFindsNothingInColumn(page: Page): Promise<void> {
+  const { violations } = await new AxeBuilder({ page })
+    .setLegacyMode()
+    .options({ rules: { 'target-size': { enabled: true } } })
+    .include('#column')
+    .analyze()
+  expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(node => node.html).join('; ')}`)).toEqual([])
+}
+
+test('a challenge is solved by keyboard, kept, shared, explained and forgotten', async ({ lens, page }) => {
+  await openChallenges(lens, '')
+
+  await test.step('the list says what there is and what is solved; axe finds nothing', async () => {
+    await expect(column(page).getByRole('listitem')).toHaveText(
+      challenges.map(({ title }) => new RegExp(`^\\s*${title}\\s*$`)),
+    )
+    await expect(column(page)).toContainText(`0 of ${challenges.length} solved. It is kept in this browser alone.`)
+    await inSchemesAndWidths(lens, () => expectAxeFindsNothingInColumn(page))
+    await page.setViewportSize({ width: 1400, height: 800 })
+  })
+
+  await test.step('one is judged live, and solved by keyboard', async () => {
+    await column(page).getByRole('link', { name: 'Break it with one vertex' }).click()
+    await expect(column(page).getByRole('heading', { name: 'Break it with one vertex' })).toBeFocused()
+    await expect(marks(page)).toHaveText([
+      /Not met:\s*Invalid\s*, now it is valid/,
+      /Met:\s*Moved vertices ≤ 1\s*, now 0/,
+    ])
+    await lens.scene.focus()
+    await page.keyboard.press('6')
+    for (let n = 0; n < 10; n++) await page.keyboard.press('Shift+ArrowDown')
+    await expect(lens.field(6, 'z')).toHaveValue('0')
+    await expect(outcome(page)).toHaveText('Solved: every condition holds.')
+    await expect(marks(page).first()).toHaveText(/Met:\s*Invalid\s*, now it is invalid/)
+    await expect(column(page).getByRole('link', { name: 'Next: Touch zero exactly' })).toBeVisible()
+    expect(new URL(page.url()).hash).toBe(
+      `#${challengeFragment({ kind: 'challenge', id: 'one-vertex', vertices: await lens.vertices() })}`,
+    )
+  })
+
+  await test.step('undo takes it back, start again begins anew', async () => {
+    await column(page).getByRole('button', { name: 'Undo' }).click()
+    await expect(outcome(page)).toBeEmpty()
+    await expect(lens.verdict).toHaveText(/^VALID/)
+    await lens.field(6, 'z').fill('-0.125')
+    await lens.field(6, 'z').press('Enter')
+    await expect(outcome(page)).toHaveText('Solved: every condition holds.')
+    await lens.field(0, 'x').fill('-0.5')
+    await lens.field(0, 'x').press('Enter')
+    await expect(marks(page).nth(1)).toHaveText(/Not met:\s*Moved vertices ≤ 1\s*, now 2/)
+    await column(page).getByRole('button', { name: 'Start again' }).click()
+    await expect(marks(page).nth(1)).toHaveText(/, now 0/)
+    expect(await lens.vertices()).toEqual(challenges[0]?.start)
+  })
+
+  await test.step('hint and solution come on request; a solution that is shown is not one that is solved', async () => {
+    await column(page).getByRole('link', { name: 'All challenges' }).click()
+    await expect(column(page)).toContainText(`1 of ${challenges.length} solved.`)
+    await column(page).getByRole('link', { name: 'Touch zero exactly' }).click()
+    const hint = column(page).getByText('Put a vertex into the plane of its three neighbours')
+    await expect(hint).toBeHidden()
+    await column(page).getByRole('button', { name: 'Hint' }).click()
+    await expect(hint).toBeVisible()
+    await column(page).getByRole('button', { name: 'Show a solution' }).click()
+    await expect(outcome(page)).toHaveText('This is the stored solution.')
+    await expect(marks(page)).toHaveText(/Met:\s*Boundary minimum = 0\s*, now 0/)
+    await inSchemesAndWidths(lens, () => expectAxeFindsNothingInColumn(page))
+    await expectLargeTargets(column(page).locator('button, summary'))
+  })
+
+  await test.step('a link shares a solution bit for bit; progress survives, and can be forgotten', async () => {
+    const vertices = [...(challenges[0]?.solution ?? [])]
+      .map(Number)
+      .with(0, -0)
+      .with(18, 0.1 + 0.2)
+    await openChallenges(lens, `#${challengeFragment({ kind: 'challenge', id: 'one-vertex', vertices })}`)
+    await expect(outcome(page)).toHaveText('Solved: every condition holds.')
+    expect(await lens.bits()).toEqual(Array.from(new BigUint64Array(Float64Array.from(vertices).buffer), String))
+    await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }))
+    await column(page).getByRole('button', { name: 'Copy link to this element' }).click()
+    await expect(column(page).getByRole('textbox', { name: 'Link to this element' })).toHaveValue(page.url())
+    await column(page).getByRole('link', { name: 'All challenges' }).click()
+    await expect(column(page).getByRole('listitem').first()).toHaveText(/solved/)
+    await column(page).getByRole('button', { name: 'Forget what I have solved' }).click()
+    await expect(column(page)).toContainText('0 of')
+    expect(await page.evaluate(() => localStorage.length)).toBe(0)
+  })
+})
+
+test('a teacher writes a challenge in a link; what cannot be read is said', async ({ lens, page }) => {
+  await openChallenges(lens, '#write')
+  await page.setViewportSize({ width: 1400, height: 800 })
+  const make = column(page).getByRole('button', { name: 'Make the link' })
+  const complaint = column(page).getByRole('alert')
+
+  await test.step('with a form that says what is wrong', async () => {
+    await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1])
+    await column(page).getByLabel('Title').fill('Squeeze it')
+    await column(page).getByLabel('What it is about').fill('Keep it valid,\nwith J < 1/8 somewhere.')
+    await column(page).getByLabel('Goal').fill('valid\nsmoothness > 3')
+    await make.click()
+    await expect(complaint).toContainText('challenge.goal[1], “smoothness > 3”, is not understood at character 1')
+    await column(page).getByLabel('Goal').fill('valid\nboundary_min < 1/8')
+    await column(page).getByRole('button', { name: 'Take the element as the start' }).click()
+    await make.click()
+    await expect(complaint).toBeEmpty()
+    await inSchemesAndWidths(lens, () => expectAxeFindsNothingInColumn(page))
+    await expectLargeTargets(column(page).locator('button, input, textarea, summary'))
+    await page.setViewportSize({ width: 1400, height: 800 })
+  })
+
+  await test.step('the link opens it, to be solved as any other', async () => {
+    const link = await column(page).getByRole('textbox', { name: 'Link to the challenge' }).inputValue()
+    await column(page).getByRole('link', { name: 'Open it' }).click()
+    expect(page.url()).toBe(link)
+    await expect(column(page).getByRole('heading', { name: 'Squeeze it' })).toBeVisible()
+    await expect(column(page)).toContainText('with J < 1/8 somewhere.')
+    await lens.field(6, 'z').fill('0.0625')
+    await lens.field(6, 'z').press('Enter')
+    await expect(outcome(page)).toHaveText('Solved: every condition holds.')
+    expect(page.url()).toMatch(/^[^#]*#own=%7B%22version%22.*&v=1&vertices=/)
+    await page.reload()
+    await expect(outcome(page)).toHaveText('Solved: every condition holds.')
+  })
+
+  await test.step('and links that hold no challenge say why', async () => {
+    const own = (text: string) =>
+      `#own=${encodeURIComponent(JSON.stringify({ version: 1, title: 'T', text, start: challenges[0]?.start, goal: ['valid'] }))}`
+    for (const [fragment, sentence] of [
+      [own('<img src=x>'), 'challenge.text is plain text, but it holds “<i”, which looks like HTML.'],
+      ['#own=%7B', 'The challenge is not JSON'],
+      ['#challenge=none', 'There is no challenge “none”.'],
+      ['#challenge=one-vertex&v=1&vertices=1', 'The link holds 1 number where 24 are needed.'],
+    ] as const) {
+      await page.evaluate(hash => {
+        location.hash = hash
+      }, fragment)
+      await expect(complaint).toContainText(sentence)
+    }
+    await expect(page.locator('#column img')).toHaveCount(0)
+  })
+})

@@ -1,0 +1,69 @@
+import { presets, presetVertices } from '../../web/content/presets'
+import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, test } from './lens'
+
+const cube = presetVertices(presets.find(({ id }) => id === 'cube') ?? presets[0])
+
+test('the nearest element of the other verdict is found, looked at, applied and taken back', async ({ lens, page }) => {
+  await lens.open()
+  const panel = page.getByRole('region', { name: 'Nearest invalid, nearest valid' })
+  const ghost = page.locator('hex-lens .scene-overlay path.ghost')
+  const preview = lens.button('Preview the move of all eight')
+  await lens.preset.selectOption('cube')
+  await lens.button('Nearest invalid, nearest valid').click()
+
+  await test.step('of the cube, where arithmetic says, and shown as a ghost', async () => {
+    await expect(panel).toContainText('How little has to move to make this element invalid?')
+    await expect(panel).toContainText('Vertex 0 by 0.57735')
+    await expect(panel).toContainText('Together by 0.5, the farthest by 0.43301')
+    await expect(panel).toContainText('As short as any such move can be')
+    await preview.click()
+    await expect(preview).toHaveAttribute('aria-pressed', 'true')
+    await expect(ghost).toBeVisible()
+    expect(await lens.vertices()).toEqual(cube)
+    await lens.button('Preview the move of vertex 0').click()
+    await expect(preview).toHaveAttribute('aria-pressed', 'false')
+    expect((await ghost.getAttribute('d'))?.match(/M/g)).toHaveLength(3)
+  })
+
+  await test.step('applied it is one step to undo, and the way back is looked for', async () => {
+    await lens.button('Apply the move of vertex 0').click()
+    await expect(lens.verdict).toHaveText(/^INVALID/)
+    await expect(panel.locator('.answer')).toBeFocused()
+    await expect(panel).toContainText(
+      'The move was made; Undo takes it back. How little has to move to make this element valid?',
+    )
+    await expect(ghost).toBeHidden()
+    const moved = await lens.vertices()
+    expect(moved.slice(3)).toEqual(cube.slice(3))
+    for (const x of moved.slice(0, 3)) expect(x).toBeCloseTo(1 / 3, 12)
+    await lens.button('Undo').click()
+    await expect(lens.verdict).toHaveText(/^VALID/)
+    expect(await lens.vertices()).toEqual(cube)
+    await expect(panel).toContainText('Vertex 0 by 0.57735')
+  })
+
+  await test.step('while the element is being changed it waits, and looks at the new one', async () => {
+    await lens.field(6, 'z').fill('-1')
+    await expect(panel).toContainText('It is looked for when this change is done.')
+    await lens.field(6, 'z').press('Enter')
+    await lens.field(6, 'z').blur()
+    await expect(panel).toContainText('to make this element valid?')
+    await expect(panel).toContainText(/Vertex \d by \d/)
+    await expect(panel).toContainText(/Together by \d/)
+  })
+
+  await test.step('axe finds nothing, and it fits', async () => {
+    await panel.getByText('Each vertex alone').click()
+    await expect(panel.getByRole('listitem')).toHaveCount(8)
+    await expect(panel.getByRole('listitem').first()).toContainText('cannot')
+    await inSchemesAndWidths(lens, () => expectAxeFindsNothing(page, '#panel-nearest'))
+    await expectLargeTargets(panel.locator('button, summary'))
+  })
+
+  await test.step('closed it takes its ghost along', async () => {
+    await preview.click()
+    await expect(ghost).toBeVisible()
+    await lens.button('Nearest invalid, nearest valid').click()
+    await expect(ghost).toBeHidden()
+  })
+})

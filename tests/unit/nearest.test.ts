@@ -1,0 +1,186 @@
+import { describe, expect, it } from 'vitest'
+import { presets, presetVertices } from '../../web/content/presets'
+import { leastVector } from '../../web/core/nearest/least-distance'
+import { type Nearest, type NearestAnswer, type NearestMove, searchNearest } from '../../web/core/nearest/nearest'
+import type { Vertices } from '../../web/model/hexahedron'
+import { elementAt } from '../../web/model/morph'
+import { core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
+
+function nearestOf(vertices: Vertices): Nearest {
+  const search = searchNearest(core, vertices)
+  for (;;) {
+    const { done, value } = search.next()
+    if (done) return value
+  }
+}
+
+function isValid(vertices: Vertices): boolean {
+  const result = core.isValid(vertices)
+  if (!result.ok) throw new Error(result.error.message)
+  return result.value
+}
+
+function preset(id: string): Vertices {
+  return presetVertices(
+    entry(
+      presets,
+      presets.findIndex(candidate => candidate.id === id),
+    ),
+  )
+}
+
+function moveOf(answer: NearestAnswer | undefined): NearestMove {
+  if (answer === null || answer === undefined || answer === 'impossible') throw new Error('No move was found.')
+  return answer
+}
+
+function movesOf({ ofVertex, ofAll }: Nearest): NearestMove[] {
+  return [...ofVertex, ofAll ?? null].filter(answer => answer !== null && answer !== 'impossible')
+}
+
+const mirrored = unitCube.map((x, i) => (i % 3 === 0 ? -x : x))
+const pushed = unitCube.with(0, 0.5).with(1, 0.5).with(2, 0.5)
+
+describe('the nearest element of the other verdict', () => {
+  it('of the unit cube is where arithmetic says', () => {
+    // At vertex 0 jacdet is 1 - x - y - z of its place: the plane is 1/sqrt(3) away. With all of them moved it is a half: there
+    // G^T G = I + (1,1,1)(1,1,1)^T, whose greatest eigenvalue is 4.
+    const { valid, ofVertex, ofOne, ofAll } = nearestOf(unitCube)
+    expect(valid).toBe(true)
+    for (const answer of ofVertex) {
+      expect(moveOf(answer).length).toBeCloseTo(1 / Math.sqrt(3), 12)
+      expect(moveOf(answer).claim).toBe('least')
+    }
+    expect(ofVertex).toContain(ofOne)
+    for (const x of moveOf(ofVertex[0]).vertices.slice(0, 3)) expect(x).toBeCloseTo(1 / 3, 12)
+    expect(moveOf(ofVertex[0]).vertices.slice(3)).toEqual(unitCube.slice(3))
+    expect(moveOf(ofAll).length).toBeCloseTo(1 / 2, 12)
+    expect(moveOf(ofAll).longest).toBeCloseTo(Math.sqrt(3) / 4, 12)
+    expect(moveOf(ofAll).claim).toBe('least')
+  })
+
+  it('of a cube with a vertex pushed through is behind the same plane', () => {
+    const { valid, ofVertex, ofAll } = nearestOf(pushed)
+    expect(valid).toBe(false)
+    expect(moveOf(ofVertex[0]).length).toBeCloseTo(1 / 2 / Math.sqrt(3), 6)
+    expect(moveOf(ofVertex[0]).claim).toBe('least')
+    expect(ofVertex[6]).toBe('impossible') // jacdet at vertex 0 does not know where vertex 6 is
+    expect(moveOf(ofAll).length).toBeLessThan(moveOf(ofVertex[0]).length)
+  })
+
+  it('has the other verdict, and one double before the element’s own; what is shorter than the bound has it too', () => {
+    const random = randomSource(20260714)
+    let tried = 0
+    for (const sigma of [0.2, 0.3, 0.4]) {
+      const vertices = randomHexahedron(random, sigma)
+      const nearest = nearestOf(vertices)
+      for (const { vertex, vertices: found, before, length, bound, claim } of movesOf(nearest)) {
+        expect([isValid(found), isValid(before)]).toEqual([!nearest.valid, nearest.valid])
+        const moved = found.filter((x, i) => vertex !== null && Math.floor(i / 3) !== vertex && x !== vertices[i])
+        expect(moved).toEqual([])
+        expect(bound).toBeLessThanOrEqual(length)
+        expect(length * (1 - 2 ** -20) <= bound).toBe(claim === 'least')
+        if (nearest.valid) expect(claim).toBe('least')
+        if (claim === 'least') expect(isValid(elementAt(vertices, found, 0.5))).toBe(nearest.valid)
+        for (let n = 0; n < 50; n++) {
+          const way = vertices.map((_, i) => (vertex === null || Math.floor(i / 3) === vertex ? 2 * random() - 1 : 0))
+          const factor = (0.999 * bound) / Math.hypot(...way)
+          expect(isValid(vertices.map((x, i) => x + factor * entry(way, i)))).toBe(nearest.valid)
+          tried++
+        }
+      }
+    }
+    expect(tried).toBeGreaterThan(1000)
+  })
+
+  it('is no farther than what a blind search comes upon', () => {
+    const random = randomSource(20260715)
+    for (const id of ['looks-fine', 'edge-negative', 'cube']) {
+      const vertices = preset(id)
+      const nearest = nearestOf(vertices)
+      for (const { vertex, length } of movesOf(nearest)) {
+        for (let n = 0; n < 200; n++) {
+          const way = vertices.map((_, i) => (vertex === null || Math.floor(i / 3) === vertex ? 2 * random() - 1 : 0))
+          const factor = (0.98 * length * random()) / Math.hypot(...way)
+          expect(isValid(vertices.map((x, i) => x + factor * entry(way, i)))).toBe(nearest.valid)
+        }
+      }
+    }
+  })
+
+  it('scales with the element, moves with it, and is the same again', () => {
+    for (const id of ['looks-fine', 'cube']) {
+      const vertices = preset(id)
+      const nearest = nearestOf(vertices)
+      expect(nearestOf(vertices)).toEqual(nearest)
+      for (const factor of [2 ** 40, 2 ** -300]) {
+        const scaled = nearestOf(vertices.map(x => x * factor))
+        expect(movesOf(scaled).map(({ vertices: found }) => found.map(x => x / factor))).toEqual(
+          movesOf(nearest).map(({ vertices: found }) => found),
+        )
+        expect(movesOf(scaled).map(({ length }) => length / factor)).toEqual(
+          movesOf(nearest).map(({ length }) => length),
+        )
+      }
+      const moved = movesOf(nearestOf(vertices.map(x => x + 8)))
+      for (const [i, { length }] of movesOf(nearest).entries()) expect(entry(moved, i).length).toBeCloseTo(length, 6)
+    }
+  })
+
+  it('is out of reach for one vertex of a mirrored cube, and there for all of them', () => {
+    const { ofVertex, ofOne, ofAll } = nearestOf(mirrored)
+    expect(new Set(ofVertex)).toEqual(new Set(['impossible']))
+    expect(ofOne).toBeNull()
+    expect(isValid(moveOf(ofAll).vertices)).toBe(true)
+    // At the centre G^T G is half the identity and DF has singular values 1: no move shorter than sqrt(2) makes it singular.
+    expect(moveOf(ofAll).length).toBeCloseTo(Math.SQRT2, 6)
+    expect(moveOf(ofAll).claim).toBe('least')
+  })
+
+  it('of an element that touches zero is the next double', () => {
+    const { ofOne, ofAll } = nearestOf(preset('touching'))
+    expect(moveOf(ofOne).length).toBeLessThan(2 ** -50)
+    expect(moveOf(ofAll).length).toBeLessThan(2 ** -50)
+  })
+
+  it('is not looked for where there is no size, nor beyond the doubles', () => {
+    const point = nearestOf(Array(24).fill(3))
+    expect([point.valid, point.ofOne, point.ofAll]).toEqual([false, null, null])
+    const huge = nearestOf(unitCube.map(x => (2 * x - 1) * Number.MAX_VALUE))
+    for (const { vertices, before } of movesOf(huge))
+      expect([isValid(vertices), isValid(before)]).toEqual([false, true])
+  })
+
+  it('says what it knows at every pause, and pauses often', () => {
+    const search = searchNearest(core, preset('looks-fine'))
+    const known: Nearest[] = []
+    for (let step = search.next(); !step.done; step = search.next()) known.push(step.value)
+    expect(known.length).toBeGreaterThan(50)
+    const counts = known.map(({ ofVertex }) => ofVertex.length)
+    expect(counts).toEqual(counts.toSorted((a, b) => a - b))
+    expect(new Set(counts)).toEqual(new Set([1, 2, 3, 4, 5, 6, 7, 8]))
+  })
+})
+
+describe('the shortest vector in half-spaces', () => {
+  it('is their nearest point, and none where they have none in common', () => {
+    const rows = [
+      [1, 0],
+      [0, 1],
+      [Math.SQRT1_2, Math.SQRT1_2],
+    ]
+    const { vector, multipliers } = leastVector({ dimension: 2, rows, sides: [1, 2, 0.5] })
+    expect(vector?.map(x => x.toFixed(12))).toEqual(['1.000000000000', '2.000000000000'])
+    expect(multipliers[2]).toBe(0)
+    expect(leastVector({ dimension: 2, rows, sides: [-1, -2, 0] }).vector).toEqual([0, 0])
+    const apart = {
+      dimension: 2,
+      rows: [
+        [1, 0],
+        [-1, 0],
+      ],
+      sides: [1, -0.5],
+    }
+    expect(leastVector(apart).vector).toBeNull()
+  })
+})

@@ -1,0 +1,42 @@
+/** Two neighbouring doubles between which the verdict changes on the straight way from one element to another. */
+import type { Vertices } from '../model/hexahedron'
+import { elementAt } from '../model/morph'
+import type { Core } from './report'
+
+/** Places on a way, in [0,1]: the verdict at `near` is that at the end where the search began, at `far` the other. */
+export interface Change {
+  readonly near: number
+  readonly far: number
+}
+
+export function changeBetween(core: Core, a: Vertices, b: Vertices, change: Change): Change {
+  const bisection = changesBetween(core, a, b, change)
+  for (;;) {
+    const { done, value } = bisection.next()
+    if (done) return value
+  }
+}
+
+/** By bisection with the certain verdict, pausing after each; those at `near` and `far` must differ. */
+export function* changesBetween(
+  core: Core,
+  a: Vertices,
+  b: Vertices,
+  { near, far }: Change,
+): Generator<undefined, Change> {
+  const verdictNear = verdictOf(core, elementAt(a, b, near))
+  let [last, first] = [near, far]
+  for (let middle = (last + first) / 2; middle !== last && middle !== first; middle = (last + first) / 2) {
+    if (verdictOf(core, elementAt(a, b, middle)) === verdictNear) last = middle
+    else first = middle
+    yield
+  }
+  return { near: last, far: first }
+}
+
+/** Of finite numbers there is always one. */
+export function verdictOf(core: Core, vertices: Vertices): boolean {
+  const result = core.isValid(vertices)
+  if (!result.ok) throw new Error(result.error.message)
+  return result.value
+}
