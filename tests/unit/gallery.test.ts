@@ -1,7 +1,9 @@
 /** The gallery: each claim holds, exactly; what is said to be a test case or a preset is that one, bit for bit. */
 import { describe, expect, it } from 'vitest'
+import { challenges } from '../../web/content/challenges'
 import { gallery } from '../../web/content/gallery'
 import { elementVertices } from '../../web/content/gallery-vertices'
+import { lessons } from '../../web/content/lessons'
 import { quantitiesOf } from '../../web/content/quantities'
 import { isMet, parseCondition } from '../../web/model/condition'
 import { rampOf, type Theme } from '../../web/views/colour-map'
@@ -34,6 +36,14 @@ it('names each element once, in sentences', () => {
     expect(note).toMatch(/^[A-Z0-9j].*\.$/)
     expect(source).not.toMatch(/\.$/)
     expect(id).toMatch(/^[a-z0-9-]+$/)
+  }
+})
+
+it('leads to lessons and challenges that there are', () => {
+  expect(elements.filter(({ lesson, challenge }) => lesson || challenge).length).toBeGreaterThan(15)
+  for (const { lesson, challenge } of elements) {
+    if (lesson) expect(lessons.map(({ id }) => id)).toContain(lesson)
+    if (challenge) expect(challenges.map(({ id }) => id)).toContain(challenge)
   }
 })
 
