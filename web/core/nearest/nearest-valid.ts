@@ -103,7 +103,9 @@ const FIRST_STEP = 0.5
 /** A step that goes back on the one before is cut by this. */
 const LESS = 0.5
 const MORE = 1.25
-const SETTLED = 2 ** -22
+/** Of the move: a step that is shorter changes nothing more. While the margin is wide, a longer one will do. */
+const SETTLED = 2 ** -16
+const SETTLED_PER_MARGIN = 4
 
 /** The shortest move at which jacdet, made linear about the last one at its low points, exceeds the margin; then again. */
 function* descend(
@@ -144,7 +146,7 @@ function* descend(
     const size = Math.hypot(...step)
     const isSettled = size <= SETTLED * length
     if (there.valid && length <= best.length) best = { vertices: target, length, points, isSettled }
-    if (there.valid && isSettled) {
+    if (there.valid && size <= Math.max(SETTLED, (SETTLED_PER_MARGIN * margin) / largest) * length) {
       margin *= MARGIN.factor
       if (margin < MARGIN.least * largest) break
     }
@@ -231,7 +233,7 @@ function lowPoints({ candidates, exponent }: Report, scaled: ScaledElement, marg
     .map(({ point }) => point)
 }
 
-const SAME_PLACE = 1e-6
+const SAME_PLACE = 2 ** -30
 
 function distinct(points: readonly Vec3[]): Vec3[] {
   return points.filter(
