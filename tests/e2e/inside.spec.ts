@@ -51,7 +51,7 @@ test('what is inside: where it is lower than the boundary, the section, in space
     await expect(page.getByRole('img', { name: /^Colours of jacdet: maximum 1, zero, minimum −1\/4/ })).toBeVisible()
     expect((await hues(page, mapOf(page))).red).toBeGreaterThan(0.5)
     const inElement = await hues(page, lens.scene)
-    expect(inElement.red).toBeGreaterThan(0.03)
+    expect(inElement.red).toBeGreaterThan(0.02)
     await page.getByRole('checkbox', { name: 'and in the reference cube' }).check()
     await expect(referenceOf(page)).toBeVisible()
     const inCube = await hues(page, referenceOf(page))

@@ -1,2 +1,160 @@
-/** The page Lessons. */
+/**
+ * The page of the lessons: steps in the column beside the lens. The step that is read decides what the lens shows; the address names
+ * it, so that a link, Back and a reload return to it, and to what the reader has done there.
+ */
+import { render } from 'lit-html'
+import type { Lesson } from '../content/lessons'
+import type { Report } from '../core/report'
 import '../element/hex-lens'
+import { hashOf, neighbour, placeOf, type StepPlace, stepAt } from './lessons/address'
+import { type ColumnActions, column } from './lessons/column'
+import { stateOf, verticesOf } from './lessons/step-state'
+import { keepPlace, type Place, placeAt, presentEntry } from './places'
+
+const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
+const root = document.querySelector('.column') as HTMLElement
+
+/** After the last scroll event, in milliseconds: steps that are only passed by are not shown. */
+const SETTLED = 120
+/** How far down the free part of the window the line is at which one reads. */
+const READING = 0.42
+
+const own = new Map<Lesson, readonly (Report | undefined)[]>()
+let place = placeOf(location.hash)
+let entry = presentEntry()
+/** Where `show` has scrolled to: that is no scrolling of the reader's. */
+let scrolledTo = -1
+let settling = 0
+
+const actions: ColumnActions = {
+  go: to => {
+    keepPlace(entry, present())
+    history.pushState(null, '', hashOf(to))
+    entry = presentEntry()
+    show(to)
+  },
+  restore: () => apply(),
+}
+
+function draw(): void {
+  const start = verticesOf(stepAt(place))
+  const isChanged = lens.vertices.some((value, i) => value !== start[i])
+  render(column({ place, live: lens.report, own: own.get(place.lesson) ?? [], isChanged }, actions), root)
+}
+
+/** The lens shows the step that is read. */
+function apply(): void {
+  const step = stepAt(place)
+  if (lens.views !== step.views) lens.views = step.views
+  lens.state = stateOf(step)
+  draw()
+}
+
+function enter(to: StepPlace): void {
+  const isNewLesson = to.lesson !== place.lesson
+  place = to
+  document.title = `${to.lesson.title}: Hexlens lessons`
+  apply()
+  if (isNewLesson || !own.has(to.lesson)) void analyze(to.lesson)
+}
+
+/** Enters a step and has it in sight. */
+function show(to: StepPlace): void {
+  enter(to)
+  if (to.step === 0) scrollTo(0, 0)
+  else articleOf(to.step)?.scrollIntoView({ block: 'start', behavior: 'instant' })
+  scrolledTo = scrollY
+}
+
+async function analyze(lesson: Lesson): Promise<void> {
+  const reports = await Promise.all(lesson.steps.map(step => lens.analyze(verticesOf(step)).catch(() => undefined)))
+  own.set(lesson, reports) // without a core there are none, and the lens says so
+  draw()
+}
+
+function articleOf(step: number): Element | undefined {
+  return root.querySelectorAll('.step')[step]
+}
+
+function present(): Place {
+  return { state: lens.state, scroll: [scrollY] }
+}
+
+/** What the address says, with what the reader had done when this was left. */
+function open(): void {
+  const kept = placeAt(entry)
+  show(placeOf(location.hash))
+  if (!kept) return
+  try {
+    lens.state = kept.state
+    scrollTo(0, kept.scroll[0] ?? 0)
+    scrolledTo = scrollY
+    draw()
+  } catch {
+    apply() // what another version of the page kept
+  }
+}
+
+/** The last step that begins above the line at which one reads. */
+function stepInSight(): number {
+  const { top, bottom } = lens.getBoundingClientRect()
+  const free = root.getBoundingClientRect().left > 0 ? top : bottom
+  const line = free + READING * (innerHeight - free)
+  const isAtEnd = scrollY + innerHeight >= document.documentElement.scrollHeight - 2
+  const tops = [...root.querySelectorAll('.step')].map(article => article.getBoundingClientRect().top)
+  return isAtEnd
+    ? tops.length - 1
+    : Math.max(
+        0,
+        tops.findLastIndex(value => value <= line),
+      )
+}
+
+function onSettled(): void {
+  if (Math.abs(scrollY - scrolledTo) < 2) return
+  scrolledTo = -1
+  const step = stepInSight()
+  if (step === place.step) return
+  enter({ ...place, step })
+  history.replaceState(history.state, '', hashOf(place))
+}
+
+function onKey(event: KeyboardEvent): void {
+  const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : null
+  const isOthers = event.altKey || event.ctrlKey || event.metaKey || event.shiftKey || event.target === lens
+  const to = by && !isOthers ? neighbour(place, by) : null
+  if (!to) return
+  event.preventDefault()
+  actions.go(to)
+}
+
+history.scrollRestoration = 'manual'
+root.replaceChildren()
+draw()
+open()
+for (const type of ['hex-input', 'hex-change', 'hex-verdict']) lens.addEventListener(type, draw)
+addEventListener('keydown', onKey)
+addEventListener(
+  'scroll',
+  () => {
+    clearTimeout(settling)
+    settling = window.setTimeout(onSettled, SETTLED)
+  },
+  { passive: true },
+)
+root.addEventListener('click', event => {
+  const link = (event.target as Element).closest<HTMLAnchorElement>('a[href^="#"]')
+  if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return
+  event.preventDefault()
+  actions.go(placeOf(link.hash))
+})
+document.querySelector('.skip')?.addEventListener('click', event => {
+  event.preventDefault() // the address is the step's
+  root.focus({ preventScroll: true })
+})
+addEventListener('popstate', () => {
+  keepPlace(entry, present())
+  entry = presentEntry()
+  open()
+})
+addEventListener('pagehide', () => keepPlace(entry, present()))

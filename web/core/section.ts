@@ -1,5 +1,5 @@
 /** The jacdet's 27 Bernstein coefficients on [0,1]^3, restricted to a section or evaluated. Drawn and read, never a verdict. */
-import { type Axis, faces, type Vec3 } from '../model/hexahedron'
+import { type Axis, edgeVertices, faces, type Vec3, vertexReference } from '../model/hexahedron'
 
 /** Coefficients are `bernstein[9 * i + 3 * j + k]`, i in xi, j in eta, k in zeta. */
 const STRIDES = [9, 3, 1] as const
@@ -8,6 +8,14 @@ const STRIDES = [9, 3, 1] as const
 export function axesOn(axis: Axis): readonly [Axis, Axis] {
   const { s, t } = faces[2 * axis] as (typeof faces)[number]
   return [s, t]
+}
+
+/** An edge's three coefficients, from its lower to its upper end. */
+export function edgeBernstein(bernstein: readonly number[], edge: number): Vec3 {
+  const [from, to] = (edgeVertices[edge] as readonly [number, number]).map(vertex =>
+    STRIDES.reduce((index, stride, axis) => index + 2 * stride * (vertexReference[vertex]?.[axis] as number), 0),
+  ) as [number, number]
+  return [from, (from + to) / 2, to].map(index => bernstein[index]) as unknown as Vec3
 }
 
 /** The nine coefficients where the axis' coordinate is `value`, `[3 * i + j]` with i in s, j in t; at 0 and 1 a face's. */

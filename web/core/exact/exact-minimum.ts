@@ -42,6 +42,8 @@ export interface ExactBoundary {
   readonly candidates: readonly ExactCandidate[]
   /** The least of them; its mantissa is exactly 0 where the sign is. */
   readonly minimizer: ExactCandidate
+  /** jacdet there before it is rounded: in value + [-error, 0], over the power of two of four times the ExactJacdet's. */
+  readonly least: { readonly value: Rational; readonly error: Rational }
   /** Faces whose Bernstein bound is no lower than the least vertex or edge value: their candidates are left out. */
   readonly skippedFaces: readonly number[]
 }
@@ -92,7 +94,8 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
     // Of a touched zero's enclosure only the upper end is known, which another value may undercut.
     const touched = sign === 0 ? shown.find(({ mantissa }) => mantissa === 0) : undefined
     const minimizer = touched ?? (shown[candidates.indexOf(least)] as ExactCandidate)
-    return { sign, jacdet, candidates: shown, minimizer, skippedFaces }
+    const known = touched ? { value: NONE, error: NONE } : least
+    return { sign, jacdet, candidates: shown, minimizer, least: known, skippedFaces }
   }
 }
 

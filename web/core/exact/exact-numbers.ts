@@ -6,10 +6,13 @@ import {
   type Enclosure,
   exactly,
   isAtMost,
+  negated,
   negatedEnclosure,
+  productOf,
   type Rational,
   scaledDouble,
   scaledInteger,
+  sumOf,
 } from '../../model/condition/enclosure'
 import { edgeVertices, type Vertices, vertexReference } from '../../model/hexahedron'
 import { exactChecks, type ScaledNumber } from './exact-checks'
@@ -31,9 +34,12 @@ export function exactEdgeMinimum(vertices: Vertices): Enclosure {
 }
 
 export function exactBoundaryMinimum(vertices: Vertices): Enclosure {
-  const { jacdet, minimizer } = exactBoundary(vertices)
-  if (minimizer.kind === 'face') return enclosed(minimizer)
-  return exactly(edgeMinimum(jacdet))
+  const { jacdet, least } = exactBoundary(vertices)
+  const unit = scaledInteger(1n, jacdet.exponent - 2)
+  return {
+    lower: productOf(sumOf(least.value, negated(least.error)), unit),
+    upper: productOf(least.value, unit),
+  }
 }
 
 /** Minus the boundary minimum of the mirrored element. */

@@ -13,6 +13,8 @@ export interface Layout {
   readonly barLength: number
   /** What words other than the overlay's stand on. */
   readonly taken: readonly Box[]
+  /** What the words about a point stand on while it is pointed at; where there is room, nothing else ever does. */
+  readonly readout: Box
 }
 
 /** Below this width the scene is laid out for a phone. */
@@ -29,6 +31,7 @@ export function layoutOf(width: number, height: number): Layout {
   const barLength = Math.round(Math.max(90, isNarrow ? Math.min(200, width - 210) : Math.min(220, height * 0.3)))
   const bar = isNarrow ? { width, height: 56 } : { width: 140, height: barLength + 64 }
   const controls = isNarrow && !isLow ? 66 : 44
+  const readout = readoutBox(isNarrow)
   return {
     isNarrow,
     isLow,
@@ -38,8 +41,9 @@ export function layoutOf(width: number, height: number): Layout {
       { ...bar, x: width - bar.width, y: 0 },
       { x: 0, y: height - controls, width, height: controls },
       TRIAD,
-      readoutBox(isNarrow),
+      ...(isNarrow ? [] : [readout]),
     ],
+    readout,
   }
 }
 

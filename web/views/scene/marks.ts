@@ -10,7 +10,7 @@ import { candidateShapes } from '../candidate-shapes'
 import { approximation, lowerInside } from '../inside'
 import { moveTo, px, set, setText, show, svg } from '../svg'
 import type { ScreenPoint } from './camera'
-import { type Box, type LabelPlace, type Point, placeLabel } from './label-place'
+import { type Box, type LabelPlace, overlap, type Point, placeLabel } from './label-place'
 import type { OverlayPicture } from './overlay'
 import { samePoint } from './probe-candidates'
 import { toView } from './view-frame'
@@ -54,6 +54,8 @@ export class Marks {
   readonly #second = svg('circle', { class: 'second', r: RING })
   readonly #isLabelled: boolean
   #place: LabelPlace | null = null
+  /** Where the label stands, if it does. */
+  #labelBox: Box | null = null
 
   constructor(isLabelled: boolean) {
     this.#isLabelled = isLabelled
@@ -80,6 +82,13 @@ export class Marks {
     const second = inside && picture.camera.project(toView(picture.frame, minimizer.position))
     show(this.#second, second !== null && second.depth > 0)
     if (second) set(this.#second, { cx: px(second.x), cy: px(second.y) })
+  }
+
+  /** The label makes way for words; the verdict and the colour bar say its number, too. Null where there are none. */
+  makeWay(words: Box | null): void {
+    const box = this.#labelBox
+    const isShown = box !== null && !(words && overlap(box, words))
+    for (const part of [this.#leader, this.#label]) show(part, isShown)
   }
 
   #updateCandidates(marked: readonly Candidate[], { frame, camera, report, state }: MarksPicture): void {
@@ -135,8 +144,9 @@ export class Marks {
       previous: this.#place?.index ?? null,
     })
     this.#place = place
-    for (const part of [this.#leader, this.#label]) show(part, place.isFree)
-    if (!place.isFree) return // the verdict and the colour bar say the number, too
+    this.#labelBox = place.isFree
+      ? { x: place.x - (width + ELBOW) / 2, y: place.y - LABEL_HEIGHT / 2, width: width + ELBOW, height: LABEL_HEIGHT }
+      : null
     const toRight = place.x >= at.x
     const side = toRight ? 1 : -1
     const near = place.x - (side * (width + ELBOW)) / 2

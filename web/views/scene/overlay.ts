@@ -107,8 +107,10 @@ export class Overlay {
     this.#triad.update(camera)
   }
 
-  updateProbe(probe: JacobianReport | null, frame: ViewFrame, camera: SceneCamera): void {
+  /** `readout` is where the words about the point stand, if there are any. */
+  updateProbe(probe: JacobianReport | null, frame: ViewFrame, camera: SceneCamera, readout: Box | null = null): void {
     this.#probe.update(probe, frame, camera)
+    this.#marks.makeWay(probe && readout)
   }
 
   /** Returns where the numbers are. */

@@ -41,7 +41,7 @@ export class Readout {
   }
 }
 
-/** Room that is kept for it. */
+/** The room that it takes. */
 export function readoutBox(isNarrow: boolean): Box {
   const { x, y, lines } = isNarrow ? PLACES.narrow : PLACES.wide
   return { x, y: y - LINE_HEIGHT / 2, width: WIDEST, height: lines * LINE_HEIGHT }

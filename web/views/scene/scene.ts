@@ -398,7 +398,7 @@ class Scene implements SceneView, Stage {
       this.#help.show(state.helpShown)
       reference?.update(frame)
     }
-    this.#overlay.updateProbe(probe, this.#framing.frame, camera)
+    this.#overlay.updateProbe(probe, this.#framing.frame, camera, this.#room.layout.readout)
     this.#readout.update(probe, state.referenceCube, this.#room.layout.isNarrow)
     reference?.updateProbe(probe)
   }
