@@ -1,12 +1,15 @@
 /** The lessons as content: every claim at its step's own element, formulas, links, and what the lens is asked to show. */
 import { describe, expect, it } from 'vitest'
-import { hashOf, neighbour, placeOf, type StepPlace } from '../../web/app/lessons/address'
+import { hashOf, neighbour, placeOf, type StepPlace, stepAt } from '../../web/app/lessons/address'
 import { stateOf, verticesOf } from '../../web/app/lessons/step-state'
 import { lessons } from '../../web/content/lessons'
 import { quantitiesOf } from '../../web/content/quantities'
+import type { Candidate } from '../../web/core/report'
+import { gradientInside, valueInside } from '../../web/core/section'
 import { isMet, parseCondition } from '../../web/model/condition'
+import { faces as topology, type Vec3, vertexOf, vertexReference } from '../../web/model/hexahedron'
 import { readState } from '../../web/model/state-document'
-import { core, entry } from './core-fixtures'
+import { core, entry, randomSource, unitCube } from './core-fixtures'
 
 const places: readonly StepPlace[] = lessons.flatMap(lesson => lesson.steps.map((_, step) => ({ lesson, step })))
 const steps = places.map(place => ({ name: hashOf(place), step: entry(place.lesson.steps, place.step) }))
@@ -86,4 +89,133 @@ function unclosed(html: string): string[] {
     else if (open.pop() !== name) return [...open, `/${name}`]
   }
   return open
+}
+
+describe('what the texts say besides', () => {
+  const elementOf = (hash: string) => verticesOf(stepAt(placeOf(hash)))
+
+  it('vertex 6 of the cube at (t, t, t) has jacdet 3t − 2', () => {
+    for (const t of [2, 1.5, 0.75, 0.5, 0.25]) {
+      const vertices = unitCube.map((x, i) => (Math.floor(i / 3) === 6 ? t : x))
+      expect(reportOf(vertices).bernstein.at(-1)).toBe(3 * t - 2)
+    }
+  })
+
+  it('an edge is positive exactly by its three coefficients, least where the formula says', () => {
+    const random = randomSource(11)
+    for (let n = 0; n < 300; ++n) {
+      const [q0, q1, q2] = [2 * random() - 0.2, 2 * random() - 1.5, 2 * random() - 0.2] as const
+      const at = (r: number) => (1 - r) ** 2 * q0 + 2 * r * (1 - r) * q1 + r * r * q2
+      const least = q1 < q0 && q1 < q2 ? at((q0 - q1) / (q0 - 2 * q1 + q2)) : Math.min(q0, q2)
+      for (let k = 0; k <= 50; ++k) expect(at(k / 50)).toBeGreaterThanOrEqual(least - 1e-12)
+      expect(q0 > 0 && q2 > 0 && (q1 >= 0 || q1 * q1 < q0 * q2)).toBe(least > 0)
+    }
+  })
+
+  it('a quarter turn and a reflection map the element with a negative face to itself', () => {
+    const points = pointsOf(elementOf('#edges-are-not-enough/2'))
+    const turned = points.map(([x, y, z]) => [1 - y, x, 1 - z])
+    expect(turned.toSorted().join(';')).toBe(points.toSorted().join(';'))
+  })
+
+  it('the slopes at the ends of the tube’s section have one sign each, and jacdet does not change across', () => {
+    const { bernstein } = reportOf(elementOf('#faces-are-enough/5'))
+    const atXi = (xi: number) => valueInside(bernstein, [xi, 0.5, 0.5])
+    let [inside, outside] = [0.5, 0]
+    while (inside - outside > 1e-15) {
+      const middle = (inside + outside) / 2
+      if (atXi(middle) < 0) inside = middle
+      else outside = middle
+    }
+    for (const [xi, sign] of [
+      [inside, -1],
+      [1 - inside, 1],
+    ] as const) {
+      const [slope, ...across] = gradientInside(bernstein, [xi, 0.5, 0.5])
+      expect(Math.sign(slope)).toBe(sign)
+      for (const value of across) expect(value).toBeCloseTo(0, 12)
+    }
+  })
+
+  it('where jacdet and its change with η and ζ are zero, its slope in ξ is −2αβκ', () => {
+    const random = randomSource(5)
+    const vector = (): Vec3 => [2 * random() - 1, 2 * random() - 1, 2 * random() - 1]
+    for (let n = 0; n < 100; ++n) {
+      const [alpha, beta] = vector()
+      const [v, w, c, d] = [vector(), vector(), vector(), vector()]
+      const u = sum(scaled(v, alpha), scaled(w, beta))
+      const kappa = determinant(v, w, c)
+      // Along the normal of V and W, A and B are what the two conditions ask for.
+      const normal = cross(v, w)
+      const along = (value: number) => scaled(normal, value / dot(normal, normal))
+      const [a, b] = [sum(along(beta * kappa), scaled(v, d[0])), sum(along(alpha * kappa), scaled(w, d[1]))]
+      // F = Ux + Vy + Wz + Axy + Bxz + Cyz + Dxyz about the point, which is the vertex 0 of this element.
+      const vertices = vertexReference.flatMap(([x, y, z]) =>
+        [0, 1, 2].map(
+          i =>
+            at(u, i) * x +
+            at(v, i) * y +
+            at(w, i) * z +
+            at(a, i) * x * y +
+            at(b, i) * x * z +
+            at(c, i) * y * z +
+            at(d, i) * x * y * z,
+        ),
+      )
+      const { bernstein } = reportOf(vertices)
+      expect(valueInside(bernstein, [0, 0, 0])).toBeCloseTo(0, 12)
+      const [slope, ...across] = gradientInside(bernstein, [0, 0, 0])
+      for (const value of across) expect(value).toBeCloseTo(0, 12)
+      expect(slope).toBeCloseTo(-2 * alpha * beta * kappa, 12)
+    }
+  })
+
+  it('the paper’s element has the jacdet of the formula, and moves of less than 1/4 leave it invalid', () => {
+    const vertices = elementOf('#strictly/1')
+    const { bernstein } = reportOf(vertices)
+    const random = randomSource(17)
+    for (let n = 0; n < 100; ++n) {
+      const [x, y, z] = [random(), random(), random()]
+      expect(valueInside(bernstein, [x, y, z])).toBeCloseTo((1 - x - y - z) ** 2 - 4 * x * y * z, 12)
+      const moved = pointsOf(vertices).flatMap(point => {
+        const by: Vec3 = [random() - 0.5, random() - 0.5, random() - 0.5]
+        const size = (0.2499 * (n % 2 === 0 ? 1 : random())) / Math.hypot(...by)
+        return point.map((value, i) => value + size * at(by, i))
+      })
+      const report = reportOf(moved)
+      expect(report.valid).toBe(false)
+      expect(valueInside(report.bernstein, [0.5, 0.5, 0.5])).toBeLessThan(0)
+    }
+  })
+
+  it('the candidates on the side faces are saddles at 1/16, and P is zero where a line is lowest', () => {
+    const { candidates, faces, bernstein } = reportOf(elementOf('#finding-the-minimum/5'))
+    for (const id of [0, 1, 2, 3]) {
+      const { value, point } = candidates.find(({ kind, id: face }) => kind === 'face' && face === id) as Candidate
+      expect(value).toBe(1 / 16)
+      const { s, t } = entry(topology, id)
+      const along = (ds: number, dt: number) =>
+        valueInside(bernstein, point.map((x, i) => x + (i === s ? ds : i === t ? dt : 0)) as unknown as Vec3)
+      expect(along(0.05, 0)).toBeGreaterThan(value)
+      expect(Math.min(along(0.05, 0.1), along(-0.05, 0.1))).toBeLessThan(value)
+      expect(entry(faces, id).roots.map(({ fate }) => fate)).toEqual(['kept'])
+    }
+    expect(reportOf(elementOf('#finding-the-minimum/6')).faces.every(({ quarticIsZero }) => quarticIsZero)).toBe(true)
+    expect(reportOf(elementOf('#finding-the-minimum/7')).faces.every(face => face.skippedByMinimumRule)).toBe(true)
+  })
+})
+
+const at = (vector: readonly number[], i: number) => entry(vector, i)
+const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+const sum = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+const scaled = (a: Vec3, by: number): Vec3 => [a[0] * by, a[1] * by, a[2] * by]
+const cross = (a: Vec3, b: Vec3): Vec3 => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+]
+const determinant = (a: Vec3, b: Vec3, c: Vec3) => dot(cross(a, b), c)
+
+function pointsOf(vertices: readonly number[]): Vec3[] {
+  return vertexReference.map((_, v) => vertexOf(vertices, v))
 }

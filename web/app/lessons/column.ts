@@ -1,5 +1,6 @@
 /** The column of a lesson: its steps one under another, their claims, and the way on. */
 import { html, nothing, type TemplateResult } from 'lit-html'
+import { guard } from 'lit-html/directives/guard.js'
 import { unsafeHTML } from 'lit-html/directives/unsafe-html.js'
 import { type LessonFigure, type LessonStep, lessons } from '../../content/lessons'
 import type { Report } from '../../core/report'
@@ -63,8 +64,7 @@ function stepArticle(step: LessonStep, index: number, state: ColumnState, { rest
       </a>
     </h2>
     ${prose(step.text)}
-    ${step.figure && report ? drawing(step.figure, report) : nothing}
-    ${step.claims.length > 0 ? claimList(step.claims, report, verticesOf(step)) : nothing}
+    ${guard([step, report], () => computed(step, report))}
     <p class="task">${prose(step.task)}</p>
     ${
       isActive
@@ -81,6 +81,13 @@ function stepArticle(step: LessonStep, index: number, state: ColumnState, { rest
 /** No line begins with the punctuation after a formula. */
 function prose(text: string): ReturnType<typeof unsafeHTML> {
   return unsafeHTML(text.replace(/<math>(?:(?!<\/math>).)*<\/math>[.,;:)]+/gs, '<span class="together">$&</span>'))
+}
+
+/** Made anew only for another report: while a reader drags, only the step that is read has one. */
+function computed(step: LessonStep, report: Report | null): TemplateResult {
+  return html`
+    ${step.figure && report ? drawing(step.figure, report) : nothing}
+    ${step.claims.length > 0 ? claimList(step.claims, report, verticesOf(step)) : nothing}`
 }
 
 function drawing(figure: LessonFigure, report: Report): TemplateResult {

@@ -97,7 +97,7 @@ export const lesson: Lesson = {
     {
       title: 'Inside out',
       text: `<p>The sign of ${J} is about orientation. In this cube bottom and top have changed places: every tiny box is mirrored, and
-        ${math('J', '=', '−', 1)} everywhere. On the screen it looks like a cube. A solver sees a <em>negative Jacobian</em> and stops.</p>`,
+        ${math('J', '=', '−', 1)} everywhere. Its edges look like any cube’s. A solver sees a <em>negative Jacobian</em> and stops.</p>`,
       task: 'Find vertex 0: it is on top. The usual cause is a file whose nodes come in another order.',
       claims: [
         { says: 'jacdet is nowhere more than −1', holds: 'boundary_max = -1' },

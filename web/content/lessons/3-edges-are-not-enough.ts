@@ -13,11 +13,11 @@ export const lesson: Lesson = {
   steps: [
     {
       title: 'An edge without samples',
-      text: `<p>On an edge nothing needs to be sampled. Three numbers have the whole parabola: ${math(q(0))} and ${math(q(2))}, which are ${J} at
+      text: `<p>On an edge nothing needs to be sampled. Three numbers determine the whole parabola: ${math(q(0))} and ${math(q(2))}, which are ${J} at
         the ends, and ${math(q(1))}, where the tangents at the ends meet. The edge is positive exactly if ${math(q(0), '>', 0)},
         ${math(q(2), '>', 0)} and</p>
         ${display(q(1), '≥', 0, words('or'), subsup('q', 1, 2), '<', q(0), q(2))}`,
-      task: 'See the point of the polygon below zero, and the parabola still above it.',
+      task: 'See the dashed corner below zero, and the parabola still above it.',
       claims: [
         { says: 'All twelve edges are positive', holds: 'edge_min > 0' },
         { says: 'The least jacdet on them is 1/56', holds: 'edge_min = 1/56' },
@@ -53,8 +53,8 @@ export const lesson: Lesson = {
     },
     {
       title: 'Who would notice?',
-      text: `<p>The centre would: inside, this element is worse still. The next one is not so kind. Its edges, its vertices, the centre and the
-        Gauss points are positive, its scaled Jacobian is above 0.2. On its top face ${J} falls a little below zero.</p>`,
+      text: `<p>A look at its centre gives the last element away. This one is not so kind. Its vertices, edges, centre and Gauss points are positive, and
+        its scaled Jacobian is above 0.2. Only on its top face ${J} falls a little below zero.</p>`,
       task: 'Read the table. The last two reject it; but they also reject elements that are valid.',
       claims: [
         { says: 'Vertices and edges are positive', holds: 'edge_min > 0' },

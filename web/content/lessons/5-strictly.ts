@@ -25,7 +25,7 @@ export const lesson: Lesson = {
   steps: [
     {
       title: 'Nowhere negative on the faces',
-      text: `<p>The theorem says <em>positive</em>. Would <em>not negative</em> do? Take this element, from the paper:</p>
+      text: `<p>The theorem says <em>positive</em>. Would <em>not negative</em> do? Take this element from Zhang’s paper:</p>
         ${display('F', '=', matrix([row('ξ', rest('η', 'ζ'))], [row('η', rest('ξ', 'ζ'))], [row('ζ', rest('ξ', 'η'))]))}
         ${display('J', '=', sup(of(1, '−', 'ξ', '−', 'η', '−', 'ζ'), 2), '−', 4, 'ξ', 'η', 'ζ')}
         <p>On ${math('ξ', '=', 0)} that is the square of ${math(1, '−', 'η', '−', 'ζ')}, on ${math('ξ', '=', 1)} that of ${math('η', '−', 'ζ')}, and so on
@@ -89,7 +89,7 @@ export const lesson: Lesson = {
       text: `<p>With vertex 6 moved by only 0.001 along each axis, the least ${J} on the faces is about
         ${math('−', 1.56, '·', sup(10, row('−', 8)))}. A program that takes what is above ${math('−', sup(10, row('−', 7)))} for zero, and zero for
         good enough, passes an element that is −0.2498 in the middle.</p>`,
-      task: 'Read the number under the picture, and its sign: the lens computes with error bounds, and exactly where they do not decide.',
+      task: 'Read the number in the picture, and its sign: the lens computes with error bounds, and exactly where they do not decide.',
       claims: [
         { says: 'On the faces: negative, by less than 10⁻⁷', holds: '-1e-7 < boundary_min < 0' },
         { says: 'At the centre: below −0.24', holds: 'centre < -0.24' },

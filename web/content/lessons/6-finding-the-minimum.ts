@@ -54,7 +54,7 @@ export const lesson: Lesson = {
         ${display('J', '=', at('a'), sup('s', 2), '+', at('b'), 's', '+', at('c'))}
         <p>For each ${math('t')} this is a parabola in ${math('s')}. If it opens upwards, ${math('a', '>', 0)}, it is lowest at
         ${math(sup('s', '*'), '=', '−', 'b', '/', row('2', 'a'))}. As ${math('t')} moves, that point draws a curve on the face; follow it downhill.</p>`,
-      task: 'The square in the middle of the bottom face’s map is where that curve is lowest.',
+      task: 'The red ring in the map of the bottom face is where that curve is lowest.',
       claims: [{ says: 'The least jacdet is −1/16, inside a face', holds: 'boundary_min = -1/16 and edge_min > 0' }],
       element: 'face-negative',
       views: 'scene face-maps',
@@ -70,7 +70,7 @@ export const lesson: Lesson = {
         ${display('P', '=', 4, sup('a', 2), prime('c'), '−', 2, 'a', 'b', prime('b'), '+', prime('a'), sup('b', 2))}
         <p>${math('a')} is linear in ${math('t')}, ${math('b')} and ${math('c')} are quadratic, so ${math('P')} has degree four at most: four roots, four
         candidates. A root counts if ${math('a', '>', 0)} and ${math(0, '<', sup('s', '*'), '<', 1)} there.</p>`,
-      task: 'Open the face’s quartic and find its root at t = 1/2.',
+      task: 'Below the maps find the root of P, at t = 1/2, in its plot.',
       claims: [{ says: 'The least jacdet is −1/16, inside a face', holds: 'boundary_min = -1/16 and edge_min > 0' }],
       element: 'face-negative',
       views: 'scene face-maps',
@@ -85,7 +85,7 @@ export const lesson: Lesson = {
       text: `<p>Not every root is a lowest point. On each of the four side faces of the same element the root gives a saddle: ${J} rises one way and
         falls the other, and is 1/16 there. Nothing has to be sorted out. Each candidate is a point of the element, so its ${J} is never below the
         least one.</p>`,
-      task: 'Find the squares on the side faces: 1/16, more than on some edges.',
+      task: 'Find the squares on the four side faces of the map: 1/16, more than on some edges.',
       claims: [
         { says: 'The edges have less than 1/16', holds: 'edge_min < 1/16' },
         { says: 'The least of all is −1/16', holds: 'boundary_min = -1/16' },
@@ -112,7 +112,7 @@ export const lesson: Lesson = {
       title: 'Most faces can be skipped',
       text: `<p>Written in Bernstein form, ${J} on a face is at every point a weighted mean of nine coefficients. So it is never below the least of
         them, ${math(sub('L', 'R'))}. If ${math(sub('L', 'R'), '≥', 'M')}, the least value found so far, the face cannot win: no quartic.</p>`,
-      task: 'Here all six faces are skipped. Go to the last step of the algorithm and read why.',
+      task: 'Here all six faces are skipped; the step shown says why. Go back through the others.',
       claims: [
         { says: 'The least jacdet is 1', holds: 'boundary_min = 1' },
         { says: 'and no Bernstein coefficient is lower', holds: 'bernstein_min >= boundary_min' },
