@@ -78,19 +78,25 @@ function truth(node: ClaimNode, answers: Answers): boolean | null {
   if (node.kind === 'not') return opposite(truth(node.of, answers))
   if (node.kind === 'chain') {
     const values = node.terms.map(term => numberOf(term, answers))
-    return allOf(node.comparisons.map((sign, i) => compare(values[i] ?? null, sign, values[i + 1] ?? null)))
+    return allOf(node.comparisons, (sign, i) => compare(values[i] ?? null, sign, values[i + 1] ?? null))
   }
-  const parts = node.parts.map(part => truth(part, answers))
-  return node.kind === 'and' ? allOf(parts) : opposite(allOf(parts.map(opposite)))
+  if (node.kind === 'and') return allOf(node.parts, part => truth(part, answers))
+  return opposite(allOf(node.parts, part => opposite(truth(part, answers))))
 }
 
 function opposite(value: boolean | null): boolean | null {
   return value === null ? null : !value
 }
 
-function allOf(values: readonly (boolean | null)[]): boolean | null {
-  if (values.includes(false)) return false
-  return values.includes(null) ? null : true
+/** The first that is false ends it: what stands behind it in the text need not be computed. */
+function allOf<T>(parts: readonly T[], truthOfPart: (part: T, index: number) => boolean | null): boolean | null {
+  let all: boolean | null = true
+  for (const [index, part] of parts.entries()) {
+    const value = truthOfPart(part, index)
+    if (value === false) return false
+    if (value === null) all = null
+  }
+  return all
 }
 
 function numberOf(node: NumberNode, answers: Answers): Enclosure | null {

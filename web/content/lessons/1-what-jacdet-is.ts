@@ -85,7 +85,7 @@ export const lesson: Lesson = {
       text: `<p>Here vertex 6 of the unit cube is pulled outwards. Near vertex 0 nothing has changed; towards vertex 6 the boxes grow. ${J} is
         a polynomial, of degree two in each of ${math('ξ')}, ${math('η')} and ${math('ζ')}, and its mean over the cube is the element’s
         volume.</p>`,
-      task: `Look from vertex 0 to vertex 6: the deeper the blue, the larger ${J}.`,
+      task: `Look from vertex 0 to vertex 6: the stronger the blue, the larger ${J}.`,
       claims: [
         { says: 'The least jacdet is 1', holds: 'boundary_min = 1' },
         { says: 'The greatest is 5/2', holds: 'boundary_max = 5/2' },

@@ -30,7 +30,7 @@ export const lesson: Lesson = {
         ${display('J', '=', sup(of(1, '−', 'ξ', '−', 'η', '−', 'ζ'), 2), '−', 4, 'ξ', 'η', 'ζ')}
         <p>On ${math('ξ', '=', 0)} that is the square of ${math(1, '−', 'η', '−', 'ζ')}, on ${math('ξ', '=', 1)} that of ${math('η', '−', 'ζ')}, and so on
         for the other faces: nowhere negative.</p>`,
-      task: 'Vertices 0, 2, 5 and 7 are in one place: the element is folded flat there.',
+      task: 'Vertices 0, 2, 5 and 7 are in one place, and yet jacdet is 1 at each of them.',
       claims: [
         { says: 'The least jacdet on the faces is exactly 0', holds: 'boundary_min = 0' },
         { says: 'The greatest is 1', holds: 'boundary_max = 1' },
