@@ -3,7 +3,7 @@ import { expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/content/quantities'
 import { ownSearch, searches } from '../../web/content/searches'
 import { isMet } from '../../web/model/condition'
-import { PIECE } from '../../web/search/hunt'
+import { BLOCK } from '../../web/search/hunt'
 import type { Answer, Request } from '../../web/search/messages'
 import { type Quest, readQuest } from '../../web/search/quest'
 import { type Find, Ranking } from '../../web/search/ranking'
@@ -18,6 +18,8 @@ const worker = await bundledWorker('web/search/worker.ts')
 function force(workers: number, module = batchModules.vectors): Workforce {
   return { module, workers, spawn: () => nodePort<Request, Answer>(worker) }
 }
+
+const PIECE = 8 * BLOCK
 
 const kinds = [...searches, ownSearch]
 
@@ -121,18 +123,21 @@ it('finds the same with one worker and with three, at once and with stops, with 
   expect(extremes).toEqual(extremes.toSorted((a, b) => b - a))
 })
 
-it('goes on with new workers after the old ones were ended', async () => {
+it('goes on after a stop that waits for nothing, and with new workers after the old ones were ended', async () => {
   const quest = questOf('corners', 5)
   const whole = outcome(await searched(quest, 4 * PIECE, force(2)))
   const search = await new Promise<Search>((resolve, reject) => {
-    let isInterrupted = false
+    const interruptions = [
+      () => search.stop(0),
+      () => {
+        search.dispose()
+        search.start(4 * PIECE)
+      },
+    ]
     const onNews = () => {
-      if (!search.isRunning) return resolve(search)
-      if (isInterrupted || search.elements === 0) return undefined
-      isInterrupted = true
-      search.dispose()
-      expect(search.isRunning).toBe(false)
-      return search.start(4 * PIECE)
+      if (search.elements === 4 * PIECE && !search.isRunning) return resolve(search)
+      if (!search.isRunning) return search.start(4 * PIECE)
+      return search.elements > 0 ? interruptions.pop()?.() : undefined
     }
     const search = new Search(quest, force(2), onNews, reject)
     search.start(4 * PIECE)
