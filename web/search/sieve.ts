@@ -31,12 +31,6 @@ class Enclosures {
   readonly upper = new Float64Array(NUMBERS.length)
   valid = false
 
-  set(name: NumberName, lower: number, upper: number): void {
-    const i = INDEX[name]
-    this.lower[i] = lower
-    this.upper[i] = upper
-  }
-
   /** Within what is known already. */
   narrow(name: NumberName, lower: number, upper: number): void {
     const i = INDEX[name]
@@ -117,25 +111,35 @@ const POSITIVE = Number.MIN_VALUE
 
 function byVerdict(known: Enclosures, valid: boolean): void {
   known.valid = valid
-  const least = valid ? POSITIVE : -Infinity
-  for (const name of VALUES) known.set(name, least, Infinity)
-  for (const name of MINIMA) known.set(name, least, valid ? Infinity : 0)
-  for (const name of BOUNDS) known.set(name, -Infinity, valid ? Infinity : 0)
-  known.set('scaled_jacobian', valid ? POSITIVE : -1, 1)
-  known.set('moved', 0, VERTEX_COUNT)
+  known.lower.fill(-Infinity)
+  known.upper.fill(Infinity)
+  if (valid) for (const name of VALUES) known.narrow(name, POSITIVE, Infinity)
+  else for (const name of BOUNDS) known.narrow(name, -Infinity, 0)
+  known.narrow('scaled_jacobian', valid ? POSITIVE : -1, 1)
+  known.narrow('moved', 0, VERTEX_COUNT)
 }
 
-/** Values of jacdet or means of such; the least of all of them; and lower bounds, no higher than zero unless the element is valid. */
-const VALUES = ['boundary_max', 'corner_min', 'edge_min', 'centre', 'volume', 'gauss2_min', 'gauss3_min'] as const
-const MINIMA = ['boundary_min', 'volume_min'] as const
-const BOUNDS = ['bernstein_min', 'subdivision'] as const
+/** Values of jacdet, means of such and the least of all. */
+const VALUES: readonly NumberName[] = [
+  'boundary_min',
+  'boundary_max',
+  'volume_min',
+  'corner_min',
+  'edge_min',
+  'centre',
+  'volume',
+  'gauss2_min',
+  'gauss3_min',
+]
+/** No higher than zero unless the element is valid. */
+const BOUNDS: readonly NumberName[] = ['boundary_min', 'volume_min', 'bernstein_min', 'subdivision']
 
 function byPlace(known: Enclosures, elements: Float64Array, at: number, start: Vertices): void {
   let moved = 0
   for (let i = 0; i < COORDINATE_COUNT; i += 3)
     if (elements[at + i] !== start[i] || elements[at + i + 1] !== start[i + 1] || elements[at + i + 2] !== start[i + 2])
       moved += 1
-  known.set('moved', moved, moved)
+  known.narrow('moved', moved, moved)
 }
 
 /**
