@@ -167,6 +167,10 @@ describe('the nearest element of the other verdict', () => {
     const huge = nearestOf(unitCube.map(x => (2 * x - 1) * Number.MAX_VALUE))
     for (const { vertices, before } of movesOf(huge))
       expect([isValid(vertices), isValid(before)]).toEqual([false, true])
+    for (const element of [mirrored, pushed]) {
+      const { ofVertex, ofAll } = nearestOf(element.map(x => x * 2 ** 1023 - 2 ** 1022))
+      expect([ofVertex.length, ofAll === undefined]).toEqual([8, false])
+    }
   })
 
   it('says what it knows at every pause, and pauses often', () => {
