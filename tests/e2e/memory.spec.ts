@@ -1,7 +1,14 @@
 import type { CDPSession } from '@playwright/test'
 import { expect, test } from './lens'
 
-const PANELS = ['Face maps', 'Algorithm 1, step by step', 'Inside', 'Morph', 'Node order']
+const PANELS = [
+  'Face maps',
+  'Algorithm 1, step by step',
+  'Inside',
+  'Morph',
+  'Nearest invalid, nearest valid',
+  'Node order',
+]
 const WARM_UP = { moves: 1000, aFrame: 50 }
 const DRAG = { moves: 10_000, aFrame: 500 }
 

@@ -17,16 +17,22 @@ export function changeBetween(core: Core, a: Vertices, b: Vertices, change: Chan
   }
 }
 
-/** By bisection with the certain verdict, pausing after each; those at `near` and `far` must differ. */
+/**
+ * By bisection with the certain verdict, pausing after each; those at `near` and `far` must differ. It ends earlier where the two places are
+ * no more than `least` apart.
+ */
 export function* changesBetween(
   core: Core,
   a: Vertices,
   b: Vertices,
   { near, far }: Change,
+  least = 0,
 ): Generator<undefined, Change> {
   const verdictNear = verdictOf(core, elementAt(a, b, near))
   let [last, first] = [near, far]
-  for (let middle = (last + first) / 2; middle !== last && middle !== first; middle = (last + first) / 2) {
+  for (;;) {
+    const middle = (last + first) / 2
+    if (middle === last || middle === first || Math.abs(first - last) <= least) break
     if (verdictOf(core, elementAt(a, b, middle)) === verdictNear) last = middle
     else first = middle
     yield

@@ -132,12 +132,23 @@ function rotateRows(m: number[][], p: number, q: number, c: number, s: number): 
   }
 }
 
-/** The move of one vertex of length J / |g| (N3). */
+/** Less cannot be told from zero, and its sign may be wrong. */
+const LEAST_JACDET = 2 ** -60
+
+/** Of a valid element: the move of one vertex of length J / |g| (N3). */
 export function moveOfVertex(edges: readonly Vec3[], point: Vec3, vertex: number): Vec3[] {
   const { jacdet, gradients } = responseAt(edges, point)
   const gradient = gradients[vertex] as Vec3
-  const factor = -jacdet / dot(gradient, gradient)
+  const factor = -Math.max(jacdet, LEAST_JACDET) / dot(gradient, gradient)
   return gradients.map((_, v) => (v === vertex ? map3(axis => factor * gradient[axis]) : [0, 0, 0]))
+}
+
+/** Of a valid element: the move of all vertices that makes jacdet zero to first order. */
+export function moveDownhill(edges: readonly Vec3[], point: Vec3): Vec3[] {
+  const { jacdet, gradients } = responseAt(edges, point)
+  const square = gradients.reduce((sum, gradient) => sum + dot(gradient, gradient), 0)
+  const factor = -Math.max(jacdet, LEAST_JACDET) / square
+  return gradients.map(gradient => map3(axis => factor * gradient[axis]))
 }
 
 /** The move of all vertices that takes DF u to zero: each along DF u (N5). Null where DF is singular in doubles. */

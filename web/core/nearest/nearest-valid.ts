@@ -83,11 +83,15 @@ export function* nearestValidOfAll(
   const places = report.candidates.map(({ point }) => point)
   let bound = boundFrom(scaled, [...GRID, report.volumeMinimum.point, ...places])
   let best: (Descent & { vertices: Vertices }) | null = null
-  for (const start of [vertices, ...others]) {
+  const starts = [vertices, ...others]
+  for (let run = 0; run < starts.length; run++) {
+    const start = starts[run] as Vertices
     const descent = yield* descend(core, vertices, scaled, largest, movesBetween(vertices, start, scaled))
     bound = Math.max(bound, boundFrom(scaled, descent.points))
     if (descent.vertices && (best === null || descent.length < best.length))
       best = { ...descent, vertices: descent.vertices }
+    // What has not settled may do so from where it came to.
+    if (run + 1 === starts.length && best?.isSettled === false && starts.length < MOST_RUNS) starts.push(best.vertices)
   }
   return { vertices: best?.vertices ?? null, bound, isLocallyLeast: best?.isSettled ?? false }
 }
@@ -100,10 +104,13 @@ interface Descent {
 }
 
 const FIRST_STEP = 0.5
+const MOST_RUNS = 6
 /** A step that goes back on the one before is cut by this. */
 const LESS = 0.5
 const MORE = 1.25
-const SETTLED = 2 ** -22
+/** Of the move: a step that is shorter changes nothing more. While the margin is wide, a longer one will do. */
+const SETTLED = 2 ** -16
+const SETTLED_PER_MARGIN = 4
 
 /** The shortest move at which jacdet, made linear about the last one at its low points, exceeds the margin; then again. */
 function* descend(
@@ -144,7 +151,7 @@ function* descend(
     const size = Math.hypot(...step)
     const isSettled = size <= SETTLED * length
     if (there.valid && length <= best.length) best = { vertices: target, length, points, isSettled }
-    if (there.valid && isSettled) {
+    if (there.valid && size <= Math.max(SETTLED, (SETTLED_PER_MARGIN * margin) / largest) * length) {
       margin *= MARGIN.factor
       if (margin < MARGIN.least * largest) break
     }
@@ -214,7 +221,7 @@ const QUARTERS = [0, 1 / 4, 1 / 2, 3 / 4, 1]
 /** Points at which a bound is tried first. */
 const GRID = QUARTERS.flatMap(xi => QUARTERS.flatMap(eta => QUARTERS.map((zeta): Vec3 => [xi, eta, zeta])))
 
-function analyzed(core: Core, vertices: Vertices): Report {
+export function analyzed(core: Core, vertices: Vertices): Report {
   const result = core.analyze(vertices)
   if (!result.ok) throw new Error(result.error.message)
   return result.value
@@ -231,7 +238,7 @@ function lowPoints({ candidates, exponent }: Report, scaled: ScaledElement, marg
     .map(({ point }) => point)
 }
 
-const SAME_PLACE = 1e-6
+const SAME_PLACE = 2 ** -30
 
 function distinct(points: readonly Vec3[]): Vec3[] {
   return points.filter(
@@ -240,10 +247,16 @@ function distinct(points: readonly Vec3[]): Vec3[] {
   )
 }
 
+/** Bits of a move that are kept, of its longest component: more would only make the numbers of exact arithmetic long. */
+const MOVE_BITS = 40
+
 /** The element with its vertices moved, in its own units. */
 export function movedVertices(vertices: Vertices, moves: readonly Vec3[], { exponent }: ScaledElement): Vertices {
+  const longest = Math.max(...moves.flat().map(Math.abs))
+  const unit = 2 ** (Math.floor(Math.log2(longest || 1)) - MOVE_BITS)
   return vertices.map((value, i) => {
-    const move = moves[Math.floor(i / 3)]?.[i % 3] as number
+    const given = moves[Math.floor(i / 3)]?.[i % 3] as number
+    const move = unit > 0 ? Math.round(given / unit) * unit : given
     return move === 0 ? value : value + timesPowerOfTwo(move, exponent)
   })
 }

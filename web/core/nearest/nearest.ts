@@ -7,9 +7,9 @@ import { elementAt } from '../../model/morph'
 import { changesBetween, verdictOf } from '../crossing'
 import { timesPowerOfTwo } from '../power-of-two'
 import type { Core } from '../report'
-import { moveOfAll, moveOfVertex, ofAllVertices, ofVertex } from './distances'
+import { moveDownhill, moveOfAll, moveOfVertex, ofAllVertices, ofVertex } from './distances'
 import { leastOnBoundary } from './least-on-boundary'
-import { movedVertices, nearestValidOfAll, nearestValidOfVertex } from './nearest-valid'
+import { analyzed, movedVertices, nearestValidOfAll, nearestValidOfVertex } from './nearest-valid'
 import { columnsAt, map3, type ScaledElement, scaledElement } from './scaled-element'
 
 export interface NearestMove {
@@ -91,15 +91,16 @@ function* invalidOfVertex(
   vertex: number,
 ): Generator<undefined, NearestAnswer> {
   const { point, bound } = yield* leastOnBoundary(scaled.edges, ofVertex(vertex))
-  const target = beyond(vertices, moveOfVertex(scaled.edges, point, vertex), scaled)
+  const target = invalidBeyond(core, vertices, moveOfVertex(scaled.edges, point, vertex), scaled)
   return yield* moveTo(core, vertices, target, { vertex, bound: inUnits(bound, scaled), isLocal: true })
 }
 
 function* invalidOfAll(core: Core, vertices: Vertices, scaled: ScaledElement): Generator<undefined, NearestAnswer> {
   const { point, bound } = yield* leastOnBoundary(scaled.edges, ofAllVertices)
-  const moves = moveOfAll(scaled.edges, point)
-  const target = moves && beyond(vertices, moves, scaled)
-  return yield* moveTo(core, vertices, target, { vertex: null, bound: inUnits(bound, scaled), isLocal: true })
+  const least = moveOfAll(scaled.edges, point)
+  const moves = least ?? moveDownhill(scaled.edges, analyzed(core, vertices).minimizer.point)
+  const target = invalidBeyond(core, vertices, moves, scaled)
+  return yield* moveTo(core, vertices, target, { vertex: null, bound: inUnits(bound, scaled), isLocal: least !== null })
 }
 
 function* validOfVertex(
@@ -128,13 +129,18 @@ function* validOfAll(
   return yield* moveTo(core, vertices, found, { vertex: null, bound: inUnits(bound, scaled), isLocal: isLocallyLeast })
 }
 
-/** Twice the move that makes jacdet zero. */
-function beyond(vertices: Vertices, moves: readonly Vec3[], scaled: ScaledElement): Vertices {
-  return movedVertices(
-    vertices,
-    moves.map(move => map3(axis => 2 * move[axis])),
-    scaled,
-  )
+/** Where moves change nothing in doubles, or turn nothing, they are doubled as often as this. */
+const DOUBLINGS = 64
+
+/** Twice the move that makes jacdet zero, or as far as it takes. */
+function invalidBeyond(core: Core, vertices: Vertices, moves: readonly Vec3[], scaled: ScaledElement): Vertices | null {
+  for (let n = 1; n <= DOUBLINGS; n++) {
+    const longer = moves.map(move => map3(axis => 2 ** n * move[axis]))
+    const target = movedVertices(vertices, longer, scaled)
+    if (!target.every(Number.isFinite)) return null
+    if (!verdictOf(core, target)) return target
+  }
+  return null
 }
 
 /** A box with the element's mean edges, if that is right-handed, else a cube; or where the way to it becomes valid. */
@@ -170,6 +176,12 @@ interface Known {
   readonly isLocal: boolean
 }
 
+/**
+ * Of the way: an element that is itself on the border has neighbours of the other verdict 5e-324 away, of coordinates that span so
+ * many powers of two that exact arithmetic takes seconds for them.
+ */
+const LEAST_PART = 2 ** -64
+
 /** As near as doubles allow on the straight way to the target, which is of the other verdict. */
 function* moveTo(
   core: Core,
@@ -178,7 +190,7 @@ function* moveTo(
   { vertex, bound, isLocal }: Known,
 ): Generator<undefined, NearestAnswer> {
   if (!target?.every(Number.isFinite) || verdictOf(core, target) === verdictOf(core, vertices)) return null
-  const { near, far } = yield* changesBetween(core, vertices, target, { near: 0, far: 1 })
+  const { near, far } = yield* changesBetween(core, vertices, target, { near: 0, far: 1 }, LEAST_PART)
   const found = elementAt(vertices, target, far)
   const ways = vertexReference.map((_, v) =>
     Math.hypot(...map3(axis => vertexOf(found, v)[axis] - vertexOf(vertices, v)[axis])),

@@ -114,7 +114,8 @@ class NearestView implements View {
         </p>
         <p>
           The verdicts are exact on both sides. On the straight way to the element found, in doubles, the place before it still
-          ${valid ? 'is valid' : 'is invalid'}: no double lies between the two.
+          ${valid ? 'is valid' : 'is invalid'}: no double lies between the two, or, where this element itself is on the border, no more
+          than 2⁻⁶⁴ of the way.
         </p>
         <p>
           Where one vertex moves, jacdet at each point is affine in it: the places that make a valid element are convex, and the
