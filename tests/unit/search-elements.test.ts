@@ -35,7 +35,7 @@ function expectShare(count: number, total: number, probability: number): void {
 
 describe('random numbers', () => {
   it('follow their laws, in every bit and far out', () => {
-    const count = 200_000
+    const count = 100_000
     const [units, normals] = [new Float64Array(count), new Float64Array(count)]
     const random = randomOf(20260801, 7)
     random.units(units)

@@ -57,7 +57,7 @@ function has(quest: Quest, vertices: readonly number[]): boolean {
 /** Elements of the stream of seed 1 among which there is one: 20 seconds on two cores are enough for millions. */
 const ENOUGH: Readonly<Record<string, number>> = {
   corners: PIECE,
-  edges: PIECE,
+  edges: 4 * PIECE,
   'depth-guard': 8 * PIECE,
   'nine-points': 2 * PIECE,
   gap: PIECE,
@@ -90,7 +90,7 @@ it.each(kinds.map(({ id }) => id))('finds %s, and what it polishes still has the
 
 it('finds the same with one worker and with three, at once and with stops, with vectors and without', async () => {
   const quest = questOf('corners', 20260803)
-  const elements = 7 * PIECE
+  const elements = 6 * PIECE
   const one = outcome(await searched(quest, elements, force(1)))
   expect([one.elements, one.beauty.length, one.extremeness.length]).toEqual([elements, 48, 48])
   expect(outcome(await searched(quest, elements, force(3)))).toEqual(one)
@@ -101,16 +101,16 @@ it('finds the same with one worker and with three, at once and with stops, with 
     const onNews = () => {
       if (search.isRunning) return stops.length === 0 && search.elements > 0 ? search.stop() : undefined
       if (stops.push(search.elements) === 3) return resolve(search)
-      search.start(stops.length === 1 ? 6 * PIECE : elements)
+      search.start(stops.length === 1 ? 5 * PIECE : elements)
       return undefined
     }
     const search = new Search(quest, force(2), onNews, reject)
-    search.start(5 * PIECE)
+    search.start(4 * PIECE)
   })
   stopped.dispose()
   expect(outcome(stopped)).toEqual(one)
-  expect(stops).toEqual([stops[0], 6 * PIECE, elements])
-  expect(stops[0]).toBeLessThanOrEqual(5 * PIECE)
+  expect(stops).toEqual([stops[0], 5 * PIECE, elements])
+  expect(stops[0]).toBeLessThanOrEqual(4 * PIECE)
 
   const other = outcome(await searched({ ...quest, seed: 20260804 }, PIECE, force(2)))
   expect(other.beauty.map(({ index }) => index)).not.toEqual(one.beauty.map(({ index }) => index))

@@ -13,6 +13,9 @@ export interface Picture {
   readonly text: string
 }
 
+/** Until there is a picture. */
+export const BLANK = `data:image/svg+xml,${encodeURIComponent('<svg xmlns="http://www.w3.org/2000/svg"/>')}`
+
 /** A picture takes a few milliseconds to draw and to show. */
 const AT_ONCE = 8
 

@@ -30,10 +30,10 @@ export const searches: readonly [SearchKind, ...SearchKind[]] = [
   {
     id: 'edges',
     title: 'Edges positive, yet invalid',
-    note: 'jacdet is positive on all twelve edges, and inside a face negative. Without a symmetry such elements are rare.',
+    note: 'jacdet is positive on all twelve edges, and inside a face negative. Such elements are rare, with the last of the symmetries less so.',
     property: 'edge_min > 0 > boundary_min',
     measure: '-boundary_min / boundary_max',
-    distribution: twisted,
+    distribution: quarters,
   },
   {
     id: 'depth-guard',

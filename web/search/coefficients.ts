@@ -115,6 +115,37 @@ const FACES = [
   { centre: at(1, 1, 2), s: 9, t: 3 },
 ]
 
+/** How many there are on each axis once the element is cut into eight: neighbours share those where they meet. */
+export const FINE = 5
+
+/**
+ * Sets the 125 coefficients of the element's eight halves by halving on each axis in turn, `fine[25 * i + 5 * j + k]`. Those with even
+ * indices are values of jacdet.
+ */
+export function setFine(fine: Float64Array, bernstein: Float64Array): void {
+  for (let i = 0; i < 3; ++i)
+    for (let j = 0; j < 3; ++j) halve(bernstein, 9 * i + 3 * j, 1, alongZeta, 15 * i + 5 * j, 1)
+  for (let i = 0; i < 3; ++i) for (let k = 0; k < FINE; ++k) halve(alongZeta, 15 * i + k, 5, alongEta, 25 * i + k, 5)
+  for (let jk = 0; jk < FINE * FINE; ++jk) halve(alongEta, jk, 25, fine, jk, 25)
+}
+
+const alongZeta = new Float64Array(3 * 3 * FINE)
+const alongEta = new Float64Array(3 * FINE * FINE)
+
+/** Three coefficients of a quadratic into the five of its halves. */
+function halve(from: Float64Array, at: number, step: number, to: Float64Array, first: number, stride: number): void {
+  const a = from[at] as number
+  const b = from[at + step] as number
+  const c = from[at + 2 * step] as number
+  const left = (a + b) / 2
+  const right = (b + c) / 2
+  to[first] = a
+  to[first + stride] = left
+  to[first + 2 * stride] = (left + right) / 2
+  to[first + 3 * stride] = right
+  to[first + 4 * stride] = c
+}
+
 const sum = new Float64Array(6)
 
 function value(elements: Float64Array, here: number, vertex: number): number {

@@ -8,7 +8,7 @@ import type { Condition } from '../model/condition'
 import { NUMBERS, type NumberName, type QuantityName } from '../model/condition/names'
 import type { ClaimNode, Comparison, NumberNode } from '../model/condition/parse'
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../model/hexahedron'
-import { CENTRE, CORNERS, EDGES, setCorners, setOthers } from './coefficients'
+import { CENTRE, CORNERS, EDGES, FINE, setCorners, setFine, setOthers } from './coefficients'
 
 export interface Sieve {
   /** Whether any valid element may meet the condition, any invalid one, any with a corner value of zero or less. */
@@ -59,6 +59,7 @@ export function sieveOf({ claim, names }: Condition, measure: NumberNode, start:
   const countsMoved = names.includes('moved')
   const needsCoefficients = names.some(name => !OF_THE_VERDICT.includes(name))
   const bernstein = new Float64Array(27)
+  const fine = new Float64Array(FINE ** 3)
   const mayBe = (set: () => void) => {
     set()
     return truth() !== FALSE
@@ -80,6 +81,10 @@ export function sieveOf({ claim, names }: Condition, measure: NumberNode, start:
         setCorners(bernstein, elements, at)
         setOthers(bernstein)
         byCoefficients(known, bernstein, error)
+        if (truth() === OPEN) {
+          setFine(fine, bernstein)
+          byFineCoefficients(known, fine, error)
+        }
       }
       const answer = truth()
       return answer === TRUE && !isSharp ? OPEN : answer
@@ -193,6 +198,43 @@ function byCoefficients(known: Enclosures, bernstein: Float64Array, error: numbe
   // Subdivision accepts at once what the bound proves.
   if (least - error > 0) known.narrow('subdivision', POSITIVE, Infinity)
 }
+
+/**
+ * The same bounds once the element is cut into eight, where they are four times as sharp. Means are no further off than what they are
+ * made of, and their own roundings, three a coefficient, are far below the error that is doubled here.
+ */
+function byFineCoefficients(known: Enclosures, fine: Float64Array, error: number): void {
+  let [least, leastOutside, greatestOutside] = [Infinity, Infinity, -Infinity]
+  let [leastValue, leastValueOutside, greatestValueOutside] = [Infinity, Infinity, -Infinity]
+  for (let n = 0; n < fine.length; ++n) {
+    const value = fine[n] as number
+    const kind = FINE_KIND[n] as number
+    if (value < least) least = value
+    if (kind & VALUE && value < leastValue) leastValue = value
+    if (!(kind & OUTSIDE)) continue
+    if (value < leastOutside) leastOutside = value
+    if (value > greatestOutside) greatestOutside = value
+    if (!(kind & VALUE)) continue
+    if (value < leastValueOutside) leastValueOutside = value
+    if (value > greatestValueOutside) greatestValueOutside = value
+  }
+  const off = 2 * error
+  known.narrow('boundary_min', leastOutside - off, leastValueOutside + off)
+  known.narrow('boundary_max', greatestValueOutside - off, greatestOutside + off)
+  known.narrow('volume_min', least - off, leastValue + off)
+  for (const name of ['gauss2_min', 'gauss3_min'] as const) known.narrow(name, least - off, Infinity)
+  if (least - off > 0) known.narrow('subdivision', POSITIVE, Infinity)
+}
+
+const VALUE = 1
+const OUTSIDE = 2
+
+/** Of each of the 125 whether it is a value of jacdet, and whether it belongs to a face. */
+const FINE_KIND = Uint8Array.from({ length: FINE ** 3 }, (_, n) => {
+  const indices = [Math.floor(n / (FINE * FINE)), Math.floor(n / FINE) % FINE, n % FINE]
+  const isValue = indices.every(i => i % 2 === 0)
+  return (isValue ? VALUE : 0) | (indices.some(i => i === 0 || i === FINE - 1) ? OUTSIDE : 0)
+})
 
 /** The least strictly inside an edge where its parabola dips; the ends are the corners'. */
 function leastOnEdges(bernstein: Float64Array): number {

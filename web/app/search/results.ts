@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { repeat } from 'lit-html/directives/repeat.js'
 import type { Vertices } from '../../model/hexahedron'
-import type { Pictures } from '../pictures'
+import { BLANK, type Pictures } from '../pictures'
 
 export interface Choice {
   readonly vertices: Vertices
@@ -55,6 +55,3 @@ export function choicesTemplate({
     )}
   </ul>`
 }
-
-/** Until there is a picture. */
-const BLANK = `data:image/svg+xml,${encodeURIComponent('<svg xmlns="http://www.w3.org/2000/svg"/>')}`

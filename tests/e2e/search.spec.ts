@@ -1,0 +1,177 @@
+import { readFile } from 'node:fs/promises'
+import type { Page } from '@playwright/test'
+import { readHexahedra } from '../../web/cli/read-hexahedra'
+import { gallery } from '../../web/content/gallery'
+import { elementVertices } from '../../web/content/gallery-vertices'
+import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, test } from './lens'
+
+/** How many elements were looked at, and how many found. */
+async function counts(page: Page): Promise<[number, number]> {
+  const text = (await page.locator('.counts').textContent()) ?? ''
+  const [, elements, found] = /^([\d,]+) elements, [\d,]+ a second; ([\d,]+) found$/.exec(text) ?? []
+  return [elements, found].map(digits => Number(digits?.replaceAll(',', '') ?? 0)) as [number, number]
+}
+
+async function foundMoreThan(page: Page, count: number): Promise<void> {
+  await expect.poll(async () => (await counts(page))[1]).toBeGreaterThan(count)
+}
+
+test('a search finds, stops, goes on; finds are shown, kept, polished and exported', async ({ lens, page }) => {
+  await page.goto('./search.html?find=edges&seed=11')
+  await expect(lens.verdict).toHaveText(/^INVALID/)
+  const finds = page.getByRole('list', { name: 'Found' }).getByRole('button')
+  const kept = page.getByRole('list', { name: 'Kept' })
+  const news = page.getByRole('status').and(page.locator('.news'))
+
+  await test.step('what a property cannot be is said with its place, and is not searched for', async () => {
+    const property = page.getByLabel('Property')
+    await property.fill('corner_min > 0 and')
+    await expect(page.getByText('The condition breaks off')).toBeVisible()
+    await expect(page.getByText('At character 19:')).toBeAttached()
+    await expect(property).toHaveAttribute('aria-invalid', 'true')
+    await expect(page.getByLabel('Find')).toHaveValue('own')
+    await expect(lens.button('Start')).toBeDisabled()
+    await page.getByLabel('Find').selectOption({ label: 'Edges positive, yet invalid' })
+    await expect(property).toHaveValue('edge_min > 0 > boundary_min')
+    await page.getByLabel('Sigma').fill('0')
+    await expect(page.getByText('Sigma needs a number above 0')).toBeVisible()
+    await page.getByLabel('Sigma').fill('0.5')
+  })
+
+  await test.step('workers search until they are told to stop, and go on from there', async () => {
+    await lens.button('Start').click()
+    await foundMoreThan(page, 0)
+    await expect(news).toHaveText(/^[\d,]+ found among [\d,]+ elements\.$/)
+    await lens.button('Stop').click()
+    await expect(news).toHaveText(/^Stopped\. /)
+    const stopped = await counts(page)
+    await expect(finds.first()).toBeVisible()
+    await lens.button('Go on').click()
+    await foundMoreThan(page, stopped[1])
+    await lens.button('Stop').click()
+    await expect(lens.button('Start anew')).toBeVisible()
+    const [elements] = await counts(page)
+    expect(elements % 8192).toBe(0)
+    expect(elements).toBeGreaterThan(stopped[0])
+  })
+
+  await test.step('a find is one click away from the lens', async () => {
+    await page.getByLabel('most extreme first').check()
+    await expect(finds.first().getByRole('img')).toHaveAttribute('alt', /^Invalid, minimum −.* on face/)
+    await expect(finds.first()).toHaveText(/^\s*0\.\d+\s*$/)
+    const before = await lens.bits()
+    await finds.first().click()
+    await expect.poll(() => lens.bits()).not.toEqual(before)
+    await expect(lens.verdict).toContainText('all twelve edges are positive')
+    await expect(finds.first()).toHaveAttribute('aria-current', 'true')
+    await expect(page.getByText('It has the property')).toBeVisible()
+    await page.getByLabel('simplest first').check()
+  })
+
+  const found = await lens.bits()
+  await test.step('the address has form and element, and a reload what was kept', async () => {
+    await lens.button('Keep').click()
+    await expect(kept.getByRole('button', { name: /Remove edges-11-\d+/ })).toBeVisible()
+    await page.reload()
+    await expect(page.getByLabel('Seed')).toHaveValue('11')
+    await expect.poll(() => lens.bits()).toEqual(found)
+    await expect(lens.verdict).toContainText('all twelve edges are positive')
+    await expect(kept.getByRole('img')).toHaveCount(1)
+  })
+
+  await test.step('it is polished to something simpler with the same property', async () => {
+    await lens.button('Polish').click()
+    await expect(kept.getByRole('img')).toHaveCount(2)
+    await expect(lens.verdict).toContainText('all twelve edges are positive')
+    const simple = await lens.vertices()
+    expect(simple.filter(x => x === 0 || x === 1).length).toBeGreaterThan(12)
+    expect(simple.every(x => Number.isInteger(Math.round(1e6 * x) / 1e4))).toBe(true)
+  })
+
+  await test.step('what is kept goes into a file that the command line reads', async () => {
+    const download = page.waitForEvent('download')
+    await lens.button('Export what is kept').click()
+    const hexahedra = readHexahedra(await readFile(await (await download).path(), 'utf8'))
+    expect(hexahedra.map(({ name }) => name)).toEqual([
+      expect.stringMatching(/^element-polished$/),
+      expect.stringMatching(/^edges-11-\d+$/),
+    ])
+    expect(hexahedra[0]?.vertices).toEqual(await lens.vertices())
+    const words = new BigUint64Array(Float64Array.from(hexahedra[1]?.vertices ?? []).buffer)
+    expect(Array.from(words, String)).toEqual(found)
+  })
+
+  await test.step('axe finds nothing, and targets are large enough, in each scheme and width', async () => {
+    await page.getByText('What a property can say').click()
+    await lens.button('Start').click()
+    await foundMoreThan(page, 0)
+    await lens.button('Stop').click()
+    await expect(finds.first().getByRole('img')).toHaveAttribute('alt', /Invalid/)
+    await inSchemesAndWidths(lens, async () => {
+      await expectAxeFindsNothing(page)
+      await expectLargeTargets(
+        page.locator('.column :is(button, select, input:not([type="radio"]), .law label, summary)'),
+      )
+    })
+  })
+
+  await test.step('where the browser stores nothing, it is said', async () => {
+    await page.evaluate(() => {
+      Object.defineProperty(globalThis, 'localStorage', {
+        get() {
+          throw new DOMException('refused', 'SecurityError')
+        },
+      })
+    })
+    await kept.getByRole('button', { name: /Remove edges/ }).click()
+    await expect(kept.getByRole('img')).toHaveCount(1)
+    await expect(page.getByText('This browser stores nothing for this page')).toBeVisible()
+  })
+})
+
+test('the gallery shows each element, in the lens too, and leads on', async ({ lens, page }) => {
+  const elements = gallery.flatMap(room => room.elements)
+  await page.goto('./gallery.html#face-negative-half')
+  await expect(lens.verdict).toContainText('all twelve edges are positive')
+  const pictures = page.locator('.gallery [aria-current="true"]')
+  await expect(pictures).toHaveText('The same family, further')
+
+  await test.step('every element has a picture in words and colours', async () => {
+    const images = page.locator('.gallery img')
+    await expect(images).toHaveCount(elements.length)
+    await expect(page.locator('.gallery img[src^="data:image/svg+xml;base64,"]')).toHaveCount(elements.length)
+    const texts = await images.evaluateAll(list => list.map(image => (image as HTMLImageElement).alt))
+    expect(texts.every(text => /^(Valid|Invalid), minimum .* on (vertex|edge|face) .*\.$/.test(text))).toBe(true)
+    const widths = await images.evaluateAll(list => list.map(image => (image as HTMLImageElement).naturalWidth))
+    expect(widths.every(width => width > 0)).toBe(true)
+  })
+
+  await test.step('the one that is chosen is in the lens and in the address', async () => {
+    for (const id of ['twisted-160', 'beyond-doubles', 'wedge']) {
+      const element = elements.find(element => element.id === id)
+      if (!element) throw new Error(`There is no ${id}.`)
+      await page.getByRole('button', { name: element.title }).click()
+      await expect.poll(() => lens.vertices()).toEqual(elementVertices(element))
+      await expect(lens.verdict).toHaveText(element.claims[0].startsWith('valid') ? /^VALID/ : /^INVALID/)
+      expect(new URL(page.url()).hash).toBe(`#${id}`)
+    }
+  })
+
+  await test.step('one that is changed is none of them any more', async () => {
+    await lens.set((await lens.vertices()).with(0, 0.125))
+    await expect(pictures).toHaveCount(0)
+  })
+
+  await test.step('axe finds nothing, and targets are large enough, in each scheme and width', async () => {
+    await inSchemesAndWidths(lens, async () => {
+      await expectAxeFindsNothing(page)
+      await expectLargeTargets(page.locator('.gallery :is(button, a)'))
+    })
+  })
+
+  await test.step('it opens on the page of the lens', async () => {
+    await page.getByRole('link', { name: 'Touches zero on a face on the page Lens' }).click()
+    await expect(lens.verdict).toContainText('exactly zero')
+    await expect(lens.preset).toBeVisible()
+  })
+})
