@@ -99,7 +99,7 @@ describe('the nearest element of the other verdict', () => {
       const vertices = preset(id)
       const nearest = nearestOf(vertices)
       for (const { vertex, length } of movesOf(nearest)) {
-        for (let n = 0; n < 200; n++) {
+        for (let n = 0; n < 120; n++) {
           const way = vertices.map((_, i) => (vertex === null || Math.floor(i / 3) === vertex ? 2 * random() - 1 : 0))
           const factor = (0.98 * length * random()) / Math.hypot(...way)
           expect(isValid(vertices.map((x, i) => x + factor * entry(way, i)))).toBe(nearest.valid)
