@@ -92,6 +92,8 @@ test('a step is linked to, played with, restored, left and come back to', async 
     await page.getByRole('link', { name: 'Faces are enough' }).click()
     await expect(page.getByRole('heading', { level: 1 })).toHaveText('Faces are enough')
     await expect(page).toHaveTitle(/^Faces are enough/)
+    await expect(page.locator('.column')).toBeFocused()
+    await expect(page.locator('.contents')).not.toHaveAttribute('open')
     await page.evaluate(() => {
       location.hash = '#nothing/7'
     })

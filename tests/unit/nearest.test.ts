@@ -93,15 +93,18 @@ describe('the nearest element of the other verdict', () => {
     expect(tried).toBeGreaterThan(1000)
   })
 
-  it('is no farther than what a blind search comes upon', () => {
+  it('is no farther than what a search about it comes upon', () => {
     const random = randomSource(20260715)
-    for (const id of ['edge-negative', 'cube']) {
+    for (const id of ['edge-negative', 'cube', 'looks-fine']) {
       const vertices = preset(id)
       const nearest = nearestOf(vertices)
-      for (const { vertex, length } of movesOf(nearest)) {
-        for (let n = 0; n < 200; n++) {
-          const way = vertices.map((_, i) => (vertex === null || Math.floor(i / 3) === vertex ? 2 * random() - 1 : 0))
-          const factor = (0.98 * length * random()) / Math.hypot(...way)
+      for (const { vertex, vertices: found, length } of movesOf(nearest)) {
+        for (let n = 0; n < 80; n++) {
+          const noise = length * random() ** 3
+          const way = vertices.map((x, i) =>
+            vertex === null || Math.floor(i / 3) === vertex ? entry(found, i) - x + noise * (2 * random() - 1) : 0,
+          )
+          const factor = (0.9999 * length) / Math.hypot(...way)
           expect(isValid(vertices.map((x, i) => x + factor * entry(way, i)))).toBe(nearest.valid)
         }
       }
@@ -167,6 +170,10 @@ describe('the nearest element of the other verdict', () => {
     const huge = nearestOf(unitCube.map(x => (2 * x - 1) * Number.MAX_VALUE))
     for (const { vertices, before } of movesOf(huge))
       expect([isValid(vertices), isValid(before)]).toEqual([false, true])
+    for (const element of [mirrored, pushed]) {
+      const { ofVertex, ofAll } = nearestOf(element.map(x => x * 2 ** 1023 - 2 ** 1022))
+      expect([ofVertex.length, ofAll === undefined]).toEqual([8, false])
+    }
   })
 
   it('says what it knows at every pause, and pauses often', () => {

@@ -161,7 +161,10 @@ function change(some: Partial<Opened>): void {
   draw()
 }
 
+const title = document.title
+
 function draw(): void {
+  document.title = opened ? `Hexlens: ${opened.challenge.title}` : title
   const content =
     form?.column() ?? (opened ? challengeColumn(opened, progress, actions) : listColumn(progress, complaint, actions))
   render(html`${content}`, column)

@@ -98,7 +98,7 @@ function open(): void {
 /** The last step that begins above the line at which one reads. */
 function stepInSight(): number {
   const { top, bottom } = lens.getBoundingClientRect()
-  const free = root.getBoundingClientRect().left > 0 ? top : bottom
+  const free = Math.max(0, root.getBoundingClientRect().left > 0 ? top : bottom)
   const line = free + READING * (innerHeight - free)
   const isAtEnd = scrollY + innerHeight >= document.documentElement.scrollHeight - 2
   const tops = [...root.querySelectorAll('.step')].map(article => article.getBoundingClientRect().top)
@@ -146,7 +146,10 @@ root.addEventListener('click', event => {
   const link = (event.target as Element).closest<HTMLAnchorElement>('a[href^="#"]')
   if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return
   event.preventDefault()
+  link.closest('details')?.removeAttribute('open')
+  const { lesson } = place
   actions.go(placeOf(link.hash))
+  if (place.lesson !== lesson) root.focus({ preventScroll: true })
 })
 document.querySelector('.skip')?.addEventListener('click', event => {
   event.preventDefault() // the address is the step's

@@ -16,7 +16,7 @@ export interface ValidTarget {
   readonly vertices: Vertices | null
   /** Of such a move none that is shorter leads to a valid element; in units of the scaled element. */
   readonly bound: number
-  /** Whether to first order no small change of the move makes it shorter. */
+  /** Whether it is known, besides by the bound, that to first order no small change of the move makes it shorter. */
   readonly isLocallyLeast: boolean
 }
 
@@ -60,6 +60,7 @@ export function* nearestValidOfVertex(
     const moves = Array.from({ length: 8 }, (_, v): Vec3 => (v === vertex ? (vector as unknown as Vec3) : [0, 0, 0]))
     const target = movedVertices(vertices, moves, scaled)
     const length = Math.hypot(...vector)
+    if (!target.every(Number.isFinite)) break
     const there = analyzed(core, target)
     if (there.valid) {
       if (found === null || length < found.length) found = { vertices: target, length }
@@ -68,7 +69,7 @@ export function* nearestValidOfVertex(
     } else cuts = [...cuts, ...lowPoints(there, scaled, margin).map(cutAt)]
     yield
   }
-  return { vertices: found?.vertices ?? null, bound, isLocallyLeast: found !== null }
+  return { vertices: found?.vertices ?? null, bound, isLocallyLeast: false }
 }
 
 /** From the element itself, and from other elements that are valid. */
@@ -129,6 +130,7 @@ function* descend(
   for (let round = 0; round < 2 * MOST_ROUNDS; round++) {
     const moves = triples(at)
     const target = movedVertices(vertices, moves, scaled)
+    if (!target.every(Number.isFinite)) break
     const there = analyzed(core, target)
     const length = Math.hypot(...at)
     const edges = movedEdges(scaled, moves)

@@ -13,7 +13,7 @@ export interface ScaledElement {
 
 /** Null where all vertices are in one point. */
 export function scaledElement(vertices: Vertices): ScaledElement | null {
-  // Halves of coordinates have differences that are doubles; below 2^-1021 a half may lose a bit, but there is no need of it.
+  // The difference of two huge coordinates may not be a double; that of their halves is one.
   const half = Math.max(...vertices.map(Math.abs)) >= 2 ** 1022 ? 1 : 0
   const edges = edgeVertices.map(([from, to]) =>
     map3(axis => edgeComponent(vertexOf(vertices, from)[axis], vertexOf(vertices, to)[axis], half)),
@@ -31,7 +31,7 @@ function edgeComponent(from: number, to: number, half: number): number {
   return half === 0 ? to - from : to / 2 - from / 2
 }
 
-/** The element with all its vertices moved, in units of `moves`; vertex 0 is moved by `moves[0]`, … */
+/** The edges of the element with each vertex moved, in its own units. */
 export function movedEdges({ edges }: ScaledElement, moves: readonly Vec3[]): Vec3[] {
   return edges.map((edge, e) => {
     const [from, to] = edgeVertices[e] as readonly [number, number]
@@ -73,12 +73,12 @@ export function shapeGradients(point: Vec3): Vec3[] {
 }
 
 /** jacdet at a point, and its gradient with respect to each vertex: exact for one vertex, whatever its move (N2). */
-export interface Response {
+export interface JacdetResponse {
   readonly jacdet: number
   readonly gradients: readonly Vec3[]
 }
 
-export function responseAt(edges: readonly Vec3[], point: Vec3): Response {
+export function responseAt(edges: readonly Vec3[], point: Vec3): JacdetResponse {
   const columns = columnsAt(edges, point)
   const normals = cofactors(columns)
   const gradients = shapeGradients(point).map(gradient =>
