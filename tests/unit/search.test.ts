@@ -1,5 +1,5 @@
 /** Searches with the real workers: what they find, whoever finds it, and what becomes of it when it is polished. */
-import { expect, it } from 'vitest'
+import { afterAll, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/content/quantities'
 import { ownSearch, searches } from '../../web/content/searches'
 import { isMet } from '../../web/model/condition'
@@ -8,7 +8,7 @@ import type { Answer, Request } from '../../web/search/messages'
 import { type Quest, readQuest } from '../../web/search/quest'
 import { type Find, Ranking } from '../../web/search/ranking'
 import { polished, Search, type Workforce } from '../../web/search/search'
-import { certificateOf, checked } from './certificate-checker'
+import { certificateOf, checked, type Loose } from './certificate-checker'
 import { core, entry, randomSource } from './core-fixtures'
 import { edgesArePositive, verticesArePositive } from './exact'
 import { batchModules, bundledWorker, nodePort } from './node-workers'
@@ -55,6 +55,10 @@ function has(quest: Quest, vertices: readonly number[]): boolean {
   if (!read.ok || !report.ok) throw new Error('The quest or the element was refused.')
   return isMet(read.value.property, quantitiesOf(report.value, read.value.start))
 }
+
+/** Of what was polished: another program checks them all. */
+const certificates: Loose[] = []
+afterAll(() => expect(checked(JSON.stringify(certificates))).toMatchObject({ status: 0, errors: '' }))
 
 /** Elements of the stream of seed 1 among which there is one: 20 seconds on two cores are enough for millions. */
 const ENOUGH: Readonly<Record<string, number>> = {

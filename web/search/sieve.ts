@@ -4,6 +4,7 @@
  * coefficients. The condition's own arithmetic is in doubles as they round: held back wrongly is at most an element for which two sides
  * agree to fifteen digits, and none is let through for good by such arithmetic.
  */
+import { exactBoundarySign } from '../core/exact/exact-sign'
 import type { Condition } from '../model/condition'
 import { NUMBERS, type NumberName, type QuantityName } from '../model/condition/names'
 import type { ClaimNode, Comparison, NumberNode } from '../model/condition/parse'
@@ -31,6 +32,10 @@ class Enclosures {
   readonly upper = new Float64Array(NUMBERS.length)
   valid = false
 
+  mayBeZero(name: NumberName): boolean {
+    return (this.upper[INDEX[name]] as number) >= 0
+  }
+
   /** Within what is known already. */
   narrow(name: NumberName, lower: number, upper: number): void {
     const i = INDEX[name]
@@ -51,6 +56,7 @@ export function sieveOf({ claim, names }: Condition, measure: NumberNode, start:
   // What rounds in the condition itself must not say yes.
   const isSharp = comparesWithoutRounding(claim)
   const countsMoved = names.includes('moved')
+  const asksBoundary = names.includes('boundary_min')
   const needsCoefficients = names.some(name => !OF_THE_VERDICT.includes(name))
   const bernstein = new Float64Array(27)
   const fine = new Float64Array(FINE ** 3)
@@ -79,6 +85,8 @@ export function sieveOf({ claim, names }: Condition, measure: NumberNode, start:
           setFine(fine, bernstein)
           byFineCoefficients(known, fine, error)
         }
+        if (!valid && asksBoundary && known.mayBeZero('boundary_min') && truth() === OPEN)
+          bySign(known, elements.subarray(at, at + COORDINATE_COUNT))
       }
       const answer = truth()
       return answer === TRUE && !isSharp ? OPEN : answer
@@ -228,6 +236,12 @@ function byFineCoefficients(known: Enclosures, fine: Float64Array, error: number
   known.narrow('volume_min', least - off, leastValue + off)
   for (const name of ['gauss2_min', 'gauss3_min'] as const) known.narrow(name, least - off, Infinity)
   if (least - off > 0) known.narrow('subdivision', POSITIVE, Infinity)
+}
+
+/** What touches zero is frequent where coordinates are integers, and its exact sign far cheaper than all that is exact of it. */
+function bySign(known: Enclosures, element: Float64Array): void {
+  const isNegative = exactBoundarySign(Array.from(element)) < 0
+  known.narrow('boundary_min', isNegative ? -Infinity : 0, isNegative ? -POSITIVE : 0)
 }
 
 const VALUE = 1
