@@ -110,7 +110,7 @@ export const lesson: Lesson = {
       title: 'About to turn',
       text: `<p>Now vertex 6 is pushed in. With vertex 6 at ${math(of('t', ',', 't', ',', 't'))} its three edges span
         ${math('J', '=', 3, 't', '−', 2)}. At ${math('t', '=', frac(3, 4))} that is ${math(frac(1, 4))}, still positive.</p>`,
-      task: 'Drag vertex 6 towards the middle until VALID turns to INVALID. By the formula, two thirds of the diagonal is too far.',
+      task: 'Drag vertex 6 towards vertex 0 until VALID turns to INVALID. On the diagonal that is at t = 2/3, where the formula gives zero.',
       claims: [
         { says: 'The element is valid', holds: 'valid' },
         { says: 'The least jacdet is 1/4, at a vertex', holds: 'boundary_min = 1/4 and corner_min = 1/4' },
