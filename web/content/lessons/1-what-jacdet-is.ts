@@ -29,6 +29,9 @@ const pulled = (t: number) =>
     [0, 1, 1],
   ] as const
 
+/** The way from vertex 6 to vertex 0 is seen from the side: drags are in the plane of the screen. */
+const ontoDiagonal = { direction: [0.8, -0.3, 0.5], zoom: 1, pan: [0, 0, 0] } as const
+
 export const lesson: Lesson = {
   id: 'what-the-jacobian-determinant-is',
   title: 'What the Jacobian determinant is',
@@ -117,7 +120,7 @@ export const lesson: Lesson = {
       ],
       element: pulled(0.75),
       views: 'scene verdict',
-      state: { selectedVertex: 6, camera: { direction: [0.75, 0.5, 0.55], zoom: 1, pan: [0, 0, 0] } },
+      state: { selectedVertex: 6, camera: ontoDiagonal },
     },
     {
       title: 'Turned',
@@ -134,7 +137,7 @@ export const lesson: Lesson = {
       ],
       element: pulled(0.5),
       views: 'scene verdict',
-      state: { selectedVertex: 6, camera: { direction: [0.75, 0.5, 0.55], zoom: 1, pan: [0, 0, 0] } },
+      state: { selectedVertex: 6, camera: ontoDiagonal },
     },
   ],
 }
