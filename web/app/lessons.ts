@@ -140,7 +140,9 @@ function onKey(event: KeyboardEvent): void {
   const to = by && !isOthers ? neighbour(place, by) : null
   if (!to) return
   event.preventDefault()
+  const isInSteps = document.activeElement?.closest('.step') != null
   actions.go(to)
+  if (isInSteps) articleOf(to.step)?.querySelector<HTMLElement>('h2 a')?.focus({ preventScroll: true })
 }
 
 history.scrollRestoration = 'manual'
