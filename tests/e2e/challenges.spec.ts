@@ -114,11 +114,13 @@ test('a teacher writes a challenge in a link; what cannot be read is said', asyn
 
   await test.step('with a form that says what is wrong', async () => {
     await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1])
+    await make.click()
+    await expect(complaint).toHaveText('The title is empty.')
     await column(page).getByLabel('Title').fill('Squeeze it')
     await column(page).getByLabel('What it is about').fill('Keep it valid,\nwith J < 1/8 somewhere.')
     await column(page).getByLabel('Goal').fill('valid\nsmoothness > 3')
     await make.click()
-    await expect(complaint).toContainText('challenge.goal[1], “smoothness > 3”, is not understood at character 1')
+    await expect(complaint).toContainText('Condition 2, “smoothness > 3”, is not understood at character 1')
     await column(page).getByLabel('Goal').fill('valid\nboundary_min < 1/8')
     await column(page).getByRole('button', { name: 'Take the element as the start' }).click()
     await make.click()

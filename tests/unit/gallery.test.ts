@@ -90,6 +90,24 @@ it('what is said of doubles and of quartics is so', () => {
   expect(faces('cube').every(({ quarticIsZero }) => quarticIsZero)).toBe(true)
 })
 
+it('the saddle is one: around it jacdet is now higher, now lower, four times in turn', () => {
+  const saddle = elements.filter(({ id }) => id === 'saddle')
+  const { bernstein, roots } = entry(reportOf(elementVertices(entry(saddle, 0))).faces, 2)
+  const { s, t, fate } = entry(roots, 0) as { s: number; t: number; fate: string }
+  expect(fate).toBe('kept')
+  const basis = (x: number) => [(1 - x) ** 2, 2 * x * (1 - x), x * x]
+  const at = (s: number, t: number) =>
+    basis(s).reduce(
+      (sum, bs, i) => sum + basis(t).reduce((all, bt, j) => all + bs * bt * entry(bernstein, 3 * i + j), 0),
+      0,
+    )
+  const higher = Array.from({ length: 64 }, (_, k) => {
+    const angle = (2 * Math.PI * k) / 64
+    return at(s + 0.02 * Math.cos(angle), t + 0.02 * Math.sin(angle)) > at(s, t)
+  })
+  expect(higher.filter((is, k) => is !== higher[(k + 1) % 64]).length).toBe(4)
+})
+
 describe('small pictures', () => {
   const theme: Theme = {
     paper: [1, 1, 1],

@@ -1,14 +1,14 @@
 /** Searches with the real workers: what they find, whoever finds it, and what becomes of it when it is polished. */
-import { expect, it } from 'vitest'
+import { afterAll, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/content/quantities'
 import { ownSearch, searches } from '../../web/content/searches'
 import { isMet } from '../../web/model/condition'
-import { PIECE } from '../../web/search/hunt'
+import { BLOCK } from '../../web/search/hunt'
 import type { Answer, Request } from '../../web/search/messages'
 import { type Quest, readQuest } from '../../web/search/quest'
 import { type Find, Ranking } from '../../web/search/ranking'
 import { polished, Search, type Workforce } from '../../web/search/search'
-import { certificateOf, checked } from './certificate-checker'
+import { certificateOf, checked, type Loose } from './certificate-checker'
 import { core, entry, randomSource } from './core-fixtures'
 import { edgesArePositive, verticesArePositive } from './exact'
 import { batchModules, bundledWorker, nodePort } from './node-workers'
@@ -18,6 +18,8 @@ const worker = await bundledWorker('web/search/worker.ts')
 function force(workers: number, module = batchModules.vectors): Workforce {
   return { module, workers, spawn: () => nodePort<Request, Answer>(worker) }
 }
+
+const PIECE = 8 * BLOCK
 
 const kinds = [...searches, ownSearch]
 
@@ -53,6 +55,10 @@ function has(quest: Quest, vertices: readonly number[]): boolean {
   if (!read.ok || !report.ok) throw new Error('The quest or the element was refused.')
   return isMet(read.value.property, quantitiesOf(report.value, read.value.start))
 }
+
+/** Of what was polished: another program checks them all. */
+const certificates: Loose[] = []
+afterAll(() => expect(checked(JSON.stringify(certificates))).toMatchObject({ status: 0, errors: '' }))
 
 /** Elements of the stream of seed 1 among which there is one: 20 seconds on two cores are enough for millions. */
 const ENOUGH: Readonly<Record<string, number>> = {
@@ -121,18 +127,21 @@ it('finds the same with one worker and with three, at once and with stops, with 
   expect(extremes).toEqual(extremes.toSorted((a, b) => b - a))
 })
 
-it('goes on with new workers after the old ones were ended', async () => {
+it('goes on after a stop that waits for nothing, and with new workers after the old ones were ended', async () => {
   const quest = questOf('corners', 5)
   const whole = outcome(await searched(quest, 4 * PIECE, force(2)))
   const search = await new Promise<Search>((resolve, reject) => {
-    let isInterrupted = false
+    const interruptions = [
+      () => search.stop(0),
+      () => {
+        search.dispose()
+        search.start(4 * PIECE)
+      },
+    ]
     const onNews = () => {
-      if (!search.isRunning) return resolve(search)
-      if (isInterrupted || search.elements === 0) return undefined
-      isInterrupted = true
-      search.dispose()
-      expect(search.isRunning).toBe(false)
-      return search.start(4 * PIECE)
+      if (search.elements === 4 * PIECE && !search.isRunning) return resolve(search)
+      if (!search.isRunning) return search.start(4 * PIECE)
+      return search.elements > 0 ? interruptions.pop()?.() : undefined
     }
     const search = new Search(quest, force(2), onNews, reject)
     search.start(4 * PIECE)

@@ -10,6 +10,7 @@ import { formatNumber } from '../model/decimal'
 import type { Vertices } from '../model/hexahedron'
 import { decodePermalink, encodePermalink } from '../model/permalink'
 import { workforce } from '../search'
+import { startOf } from '../search/distribution'
 import { measured } from '../search/measure'
 import { type ReadQuest, readQuest } from '../search/quest'
 import type { Find, Order } from '../search/ranking'
@@ -37,8 +38,10 @@ const kept = new Kept(() => localStorage)
 const spokesman = new Spokesman(document.querySelector('.news') as HTMLElement)
 
 let { form, problems } = decodeForm(new URLSearchParams(location.search))
-let search: Search | null = null
 let read = readQuest(questOf(form))
+/** The last one that was begun, and what the form then asked to find. */
+let search: Search | null = null
+let searchedFor = form.find
 let order: Order = 'beauty'
 /** Milliseconds that the search has run, and since when it runs again. */
 let [ran, since] = [0, 0]
@@ -63,18 +66,23 @@ function draw(): void {
 
 function template(finds: readonly Find[]): TemplateResult {
   return html`${problems.map(problem => html`<p class="complaint" role="alert">${problem}</p>`)}
-    ${formTemplate({ form, errors: read.ok ? [] : read.errors, onChange: change })} ${running()} ${inTheLens()}
+    ${formTemplate({ form, errors: read.ok ? [] : read.errors, onChange: change, onSubmit: begin })} ${running()} ${inTheLens()}
     ${found(finds)} ${keptTemplate()}`
+}
+
+/** The form may have been changed since. */
+function isOfTheForm({ quest }: Search): boolean {
+  return read.ok && JSON.stringify(quest) === JSON.stringify(read.value.quest)
 }
 
 function running(): TemplateResult {
   const isRunning = search?.isRunning ?? false
-  const canGoOn = search !== null && !isRunning && search.elements > 0
+  const canGoOn = search !== null && !isRunning && search.elements > 0 && isOfTheForm(search)
   return html`<div class="run">
       ${
         isRunning
           ? html`<button type="button" @click=${stop}>Stop</button>`
-          : html`<button type="button" ?disabled=${!read.ok} @click=${begin}>${canGoOn ? 'Start anew' : 'Start'}</button>
+          : html`<button type="submit" form="quest" ?disabled=${!read.ok}>${canGoOn ? 'Start anew' : 'Start'}</button>
               ${canGoOn ? html`<button type="button" @click=${goOn}>Go on</button>` : nothing}`
       }
       <p class="counts">${counts()}</p>
@@ -164,11 +172,11 @@ const LASTING: Readonly<Record<Kept['lasting'], string>> = {
 
 function choiceOf(find: Find): Choice {
   const value = order === 'beauty' ? movedText(find) : formatNumber(find.extremeness)
-  return { vertices: find.vertices, name: `${form.find}-${search?.quest.seed}-${find.index}`, caption: value }
+  return { vertices: find.vertices, name: `${searchedFor}-${search?.quest.seed}-${find.index}`, caption: value }
 }
 
 function movedText({ vertices }: Find): string {
-  const start = read.ok ? read.value.start : vertices
+  const start = search ? startOf(search.quest.distribution) : vertices
   const moved = [0, 1, 2, 3, 4, 5, 6, 7].filter(v =>
     [0, 1, 2].some(r => vertices[3 * v + r] !== start[3 * v + r]),
   ).length
@@ -191,8 +199,7 @@ function change(name: keyof FormState, value: string): void {
   form = withField(form, name, value)
   problems = []
   read = readQuest(questOf(form))
-  search?.dispose()
-  search = null
+  search?.stop()
   failure = null
   address()
   draw()
@@ -208,12 +215,12 @@ async function begin(): Promise<void> {
   const { quest } = read.value
   failure = null
   ran = 0
+  search?.dispose()
   try {
-    const force = await workforce()
-    search?.dispose()
-    search = new Search(quest, force, news, fail)
+    search = new Search(quest, await workforce(), news, fail)
+    searchedFor = form.find
   } catch (reason) {
-    return fail(new Error(`Searching needs WebAssembly (${reason instanceof Error ? reason.message : reason}).`))
+    return fail(new Error(`searching needs WebAssembly (${reason instanceof Error ? reason.message : reason}).`))
   }
   spokesman.begin()
   goOn()
@@ -238,7 +245,7 @@ function news(): void {
 }
 
 function fail(reason: Error): void {
-  failure = `The search came to an end: ${reason.message}`
+  failure = `This did not work: ${reason.message}`
   draw()
 }
 
@@ -276,7 +283,7 @@ function remove({ name, vertices }: Choice): void {
 }
 
 function save(what: string, elements: readonly (Choice | KeptElement)[]): void {
-  const { property } = form
+  const property = search?.quest.property ?? ''
   saveFile(`hexlens-${what}.json`, exported(elements.map(element => ({ property, ...element }))), 'application/json')
 }
 
@@ -317,10 +324,19 @@ const chooseViews = () => {
 
 chooseViews()
 narrow.addEventListener('change', chooseViews)
-const link = decodePermalink(location.hash)
-if (link.ok) lens.vertices = link.value
+function openLink(): void {
+  const link = decodePermalink(location.hash)
+  if (link.ok) lens.vertices = link.value
+  else if (link.error.code !== 'absent') lens.raise({ code: 'link-broken', message: link.error.message })
+}
+
+openLink()
+addEventListener('hashchange', openLink)
 for (const type of ['hex-change', 'hex-verdict'] as const) lens.addEventListener(type, () => schedule())
-lens.addEventListener('hex-change', address)
+lens.addEventListener('hex-change', () => {
+  lens.clear('link-broken')
+  address()
+})
 addEventListener('storage', () => {
   kept.read()
   schedule()

@@ -53,7 +53,7 @@ export const challenges: readonly NamedChallenge[] = [
     start: cube,
     goal: ['boundary_min = 0'],
     record: null,
-    hint: 'Put a vertex into the plane of its three neighbours. For vertex 0 that is x + y + z = 1: type its coordinates, or hold Alt for the grid.',
+    hint: 'Put a vertex into the plane of its three neighbours. Vertex 0 is there when its three coordinates add up to 1: type them, or hold Alt for the grid.',
     solution: cubeWith({ 0: [0.5, 0.5, 0] }),
   },
   {

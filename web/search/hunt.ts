@@ -13,17 +13,22 @@ import { randomOf } from './random'
 import { type Find, Ranking } from './ranking'
 import { coefficientError, FALSE, sieveOf, TRUE } from './sieve'
 
-/** Elements in a piece, and in what is drawn and judged at once: 200 kB, which caches hold. */
-export const PIECE = 8192
-const BLOCK = 1024
+/** Elements with a stream of random numbers of their own, drawn and judged at once: 200 kB, which caches hold. */
+export const BLOCK = 1024
 
 export interface Cores {
   readonly batch: BatchCore
   readonly core: Core
 }
 
+/** Some blocks of the stream of elements, one after another. */
+export interface Piece {
+  readonly first: number
+  readonly blocks: number
+}
+
 export interface Haul {
-  readonly piece: number
+  readonly piece: Piece
   /** How many elements have the property. */
   readonly found: number
   /** How many were analysed in full. */
@@ -36,7 +41,7 @@ export interface Haul {
  * Goes through pieces of the stream of elements, in ascending order. What it found before only makes it leave out what cannot be among
  * the best of all any more.
  */
-export function hunterOf(read: ReadQuest, { batch, core }: Cores): (piece: number) => Haul {
+export function hunterOf(read: ReadQuest, { batch, core }: Cores): (piece: Piece) => Haul {
   const { quest, property, measure, start } = read
   const sieve = sieveOf(property, measure, start)
   const rankings = [new Ranking('beauty'), new Ranking('extremeness')]
@@ -45,7 +50,6 @@ export function hunterOf(read: ReadQuest, { batch, core }: Cores): (piece: numbe
   const places = new Uint32Array(BLOCK)
 
   return piece => {
-    const draw = sourceOf(quest.distribution, randomOf(quest.seed, piece))
     const finds: Find[] = []
     let [found, analysed] = [0, 0]
 
@@ -70,8 +74,9 @@ export function hunterOf(read: ReadQuest, { batch, core }: Cores): (piece: numbe
       if (isNew.includes(true)) finds.push(find)
     }
 
-    for (let first = PIECE * piece; first < PIECE * (piece + 1); first += BLOCK) {
-      draw(elements)
+    for (let block = piece.first; block < piece.first + piece.blocks; ++block) {
+      sourceOf(quest.distribution, randomOf(quest.seed, block))(elements)
+      const first = BLOCK * block
       let count = 0
       for (let e = 0; e < BLOCK; ++e) {
         const at = COORDINATE_COUNT * e

@@ -1,6 +1,6 @@
 /** What passes between the page and a worker that searches. */
 import type { Vertices } from '../model/hexahedron'
-import type { Haul } from './hunt'
+import type { Haul, Piece } from './hunt'
 import type { Polished } from './polish'
 import type { Quest } from './quest'
 
@@ -8,7 +8,7 @@ export type Request =
   | { readonly kind: 'start'; readonly module: WebAssembly.Module }
   /** The quest of the pieces that follow. */
   | { readonly kind: 'quest'; readonly quest: Quest }
-  | { readonly kind: 'hunt'; readonly piece: number }
+  | { readonly kind: 'hunt'; readonly piece: Piece }
   | { readonly kind: 'polish'; readonly quest: Quest; readonly vertices: Vertices }
 
 export type Answer =

@@ -4,6 +4,7 @@
  * coefficients. The condition's own arithmetic is in doubles as they round: held back wrongly is at most an element for which two sides
  * agree to fifteen digits, and none is let through for good by such arithmetic.
  */
+import { exactBoundarySign } from '../core/exact/exact-sign'
 import type { Condition } from '../model/condition'
 import { NUMBERS, type NumberName, type QuantityName } from '../model/condition/names'
 import type { ClaimNode, Comparison, NumberNode } from '../model/condition/parse'
@@ -31,10 +32,8 @@ class Enclosures {
   readonly upper = new Float64Array(NUMBERS.length)
   valid = false
 
-  set(name: NumberName, lower: number, upper: number): void {
-    const i = INDEX[name]
-    this.lower[i] = lower
-    this.upper[i] = upper
+  mayBeZero(name: NumberName): boolean {
+    return (this.upper[INDEX[name]] as number) >= 0
   }
 
   /** Within what is known already. */
@@ -57,6 +56,7 @@ export function sieveOf({ claim, names }: Condition, measure: NumberNode, start:
   // What rounds in the condition itself must not say yes.
   const isSharp = comparesWithoutRounding(claim)
   const countsMoved = names.includes('moved')
+  const asksBoundary = names.includes('boundary_min')
   const needsCoefficients = names.some(name => !OF_THE_VERDICT.includes(name))
   const bernstein = new Float64Array(27)
   const fine = new Float64Array(FINE ** 3)
@@ -85,6 +85,8 @@ export function sieveOf({ claim, names }: Condition, measure: NumberNode, start:
           setFine(fine, bernstein)
           byFineCoefficients(known, fine, error)
         }
+        if (!valid && asksBoundary && known.mayBeZero('boundary_min') && truth() === OPEN)
+          bySign(known, elements.subarray(at, at + COORDINATE_COUNT))
       }
       const answer = truth()
       return answer === TRUE && !isSharp ? OPEN : answer
@@ -117,25 +119,35 @@ const POSITIVE = Number.MIN_VALUE
 
 function byVerdict(known: Enclosures, valid: boolean): void {
   known.valid = valid
-  const least = valid ? POSITIVE : -Infinity
-  for (const name of VALUES) known.set(name, least, Infinity)
-  for (const name of MINIMA) known.set(name, least, valid ? Infinity : 0)
-  for (const name of BOUNDS) known.set(name, -Infinity, valid ? Infinity : 0)
-  known.set('scaled_jacobian', valid ? POSITIVE : -1, 1)
-  known.set('moved', 0, VERTEX_COUNT)
+  known.lower.fill(-Infinity)
+  known.upper.fill(Infinity)
+  if (valid) for (const name of VALUES) known.narrow(name, POSITIVE, Infinity)
+  else for (const name of BOUNDS) known.narrow(name, -Infinity, 0)
+  known.narrow('scaled_jacobian', valid ? POSITIVE : -1, 1)
+  known.narrow('moved', 0, VERTEX_COUNT)
 }
 
-/** Values of jacdet or means of such; the least of all of them; and lower bounds, no higher than zero unless the element is valid. */
-const VALUES = ['boundary_max', 'corner_min', 'edge_min', 'centre', 'volume', 'gauss2_min', 'gauss3_min'] as const
-const MINIMA = ['boundary_min', 'volume_min'] as const
-const BOUNDS = ['bernstein_min', 'subdivision'] as const
+/** Values of jacdet, means of such and the least of all. */
+const VALUES: readonly NumberName[] = [
+  'boundary_min',
+  'boundary_max',
+  'volume_min',
+  'corner_min',
+  'edge_min',
+  'centre',
+  'volume',
+  'gauss2_min',
+  'gauss3_min',
+]
+/** No higher than zero unless the element is valid. */
+const BOUNDS: readonly NumberName[] = ['boundary_min', 'volume_min', 'bernstein_min', 'subdivision']
 
 function byPlace(known: Enclosures, elements: Float64Array, at: number, start: Vertices): void {
   let moved = 0
   for (let i = 0; i < COORDINATE_COUNT; i += 3)
     if (elements[at + i] !== start[i] || elements[at + i + 1] !== start[i + 1] || elements[at + i + 2] !== start[i + 2])
       moved += 1
-  known.set('moved', moved, moved)
+  known.narrow('moved', moved, moved)
 }
 
 /**
@@ -224,6 +236,12 @@ function byFineCoefficients(known: Enclosures, fine: Float64Array, error: number
   known.narrow('volume_min', least - off, leastValue + off)
   for (const name of ['gauss2_min', 'gauss3_min'] as const) known.narrow(name, least - off, Infinity)
   if (least - off > 0) known.narrow('subdivision', POSITIVE, Infinity)
+}
+
+/** What touches zero is frequent where coordinates are integers, and its exact sign far cheaper than all that is exact of it. */
+function bySign(known: Enclosures, element: Float64Array): void {
+  const isNegative = exactBoundarySign(Array.from(element)) < 0
+  known.narrow('boundary_min', isNegative ? -Infinity : 0, isNegative ? -POSITIVE : 0)
 }
 
 const VALUE = 1

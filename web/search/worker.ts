@@ -1,7 +1,7 @@
 /** A worker that searches: instances of the core of its own, one piece after another, or one element polished. */
 import { loadBatchCore } from '../core/batch/batch-core'
 import { type CoreExports, coreOf } from '../core/core'
-import { type Cores, type Haul, hunterOf } from './hunt'
+import { type Cores, type Haul, hunterOf, type Piece } from './hunt'
 import type { Answer, Request } from './messages'
 import { polish } from './polish'
 import { type Quest, type ReadQuest, readQuest } from './quest'
@@ -14,7 +14,7 @@ interface Scope {
 const scope = globalThis as unknown as Scope
 
 let cores: Promise<Cores> | undefined
-let hunt: Promise<(piece: number) => Haul> | undefined
+let hunt: Promise<(piece: Piece) => Haul> | undefined
 
 scope.onmessage = ({ data }) => {
   answer(data).catch(reason =>

@@ -98,7 +98,7 @@ export class WriteForm {
   async #make(): Promise<void> {
     const json = JSON.stringify(this.#document())
     const result = readChallengeText(json)
-    this.#complaint = result.ok ? '' : result.error.message
+    this.#complaint = result.ok ? '' : asInTheForm(result.error.message)
     this.#link = null
     this.#said = ''
     if (result.ok) {
@@ -126,6 +126,13 @@ export class WriteForm {
       ...(this.#solution ? { solution: written(this.#solution) } : {}),
     }
   }
+}
+
+/** The reader speaks of keys; here they are fields and lines. */
+function asInTheForm(message: string): string {
+  return message
+    .replace(/^challenge\.goal\[(\d+)\]/, (_, i) => `Condition ${Number(i) + 1}`)
+    .replace(/^challenge\.(\w+)/, 'The $1')
 }
 
 function field(label: string, control: TemplateResult): TemplateResult {

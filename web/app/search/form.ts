@@ -10,9 +10,10 @@ export interface FormProps {
   readonly form: FormState
   readonly errors: readonly QuestError[]
   onChange(name: keyof FormState, value: string): void
+  onSubmit(): void
 }
 
-export function formTemplate({ form, errors, onChange }: FormProps): TemplateResult {
+export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): TemplateResult {
   const listen = (name: keyof FormState) => (event: Event) =>
     onChange(name, (event.target as HTMLInputElement | HTMLSelectElement).value)
   const choice = (name: keyof FormState, label: string, options: readonly (readonly [string, string])[]) =>
@@ -34,10 +35,14 @@ export function formTemplate({ form, errors, onChange }: FormProps): TemplateRes
       aria-describedby=${`${field}-error`}
       @input=${listen(name)}
     />`
+  const submit = (event: Event) => {
+    event.preventDefault()
+    onSubmit()
+  }
   const law = (value: FormState['law']) =>
     html`<input type="radio" name="law" value=${value} .checked=${form.law === value} @change=${listen('law')} />`
 
-  return html`<form class="quest" @submit=${(event: Event) => event.preventDefault()}>
+  return html`<form id="quest" class="quest" @submit=${submit}>
     ${choice(
       'find',
       'Find',

@@ -1,0 +1,155 @@
+/** The form of a search in the address, and what is kept in a browser's storage, whatever that does. */
+import { describe, expect, it } from 'vitest'
+import {
+  decodeForm,
+  encodeForm,
+  type FormState,
+  formOf,
+  kinds,
+  questOf,
+  withField,
+} from '../../web/app/search/form-state'
+import { exported, Kept } from '../../web/app/search/kept'
+import { readHexahedra } from '../../web/cli/read-hexahedra'
+import { readQuest } from '../../web/search/quest'
+import { entry, unitCube } from './core-fixtures'
+
+const decoded = (query: string) => decodeForm(new URLSearchParams(query))
+
+describe('the form', () => {
+  it('of every kind is a quest, and comes back from a short address', () => {
+    for (const kind of kinds) {
+      const form = formOf(kind)
+      expect(readQuest(questOf(form)).ok, kind.id).toBe(true)
+      expect(String(encodeForm(form))).toBe(`find=${kind.id}`)
+      expect(decoded(String(encodeForm(form)))).toEqual({ form, problems: [] })
+    }
+    expect(decoded('').form).toEqual(formOf(entry(kinds, 0)))
+  })
+
+  it('comes back as it was typed, what is no number too', () => {
+    const changes: [keyof FormState, string][] = [
+      ['property', 'centre > 1/4 and corner_min != 0'],
+      ['measure', 'centre & more'],
+      ['law', 'box'],
+      ['least', '-2.5'],
+      ['greatest', 'two'],
+      ['grid', 'integers'],
+      ['symmetry', 'third-turn'],
+      ['moved', '6'],
+      ['seed', '4294967295'],
+    ]
+    let form = formOf(entry(kinds, 0))
+    for (const [name, value] of changes) {
+      form = withField(form, name, value)
+      expect(decoded(String(encodeForm(form)))).toEqual({ form, problems: [] })
+    }
+    expect(form.find).toBe('own')
+    const quest = readQuest(questOf(form))
+    expect(quest.ok ? [] : quest.errors.map(({ field }) => field)).toEqual(['measure', 'distribution'])
+    expect(readQuest(questOf({ ...form, greatest: '−1', least: ' -3 ', measure: 'centre' })).ok).toBe(true)
+    expect(questOf({ ...form, seed: '' }).seed).toBeNaN()
+  })
+
+  it('says what of an address it does not understand, and takes the rest', () => {
+    const { form, problems } = decoded('find=treasure&symmetry=sevenfold&grid=constructor&seed=9')
+    expect(problems.length).toBe(3)
+    for (const text of ['treasure', 'sevenfold', 'constructor']) expect(problems.join(' ')).toContain(`“${text}”`)
+    expect(form).toEqual(formOf(entry(kinds, 0), '9'))
+  })
+
+  it('of another kind keeps the seed, and a changed measure the kind', () => {
+    const form = withField(formOf(entry(kinds, 0), '12'), 'find', 'gap')
+    expect(form).toEqual(
+      formOf(
+        entry(
+          kinds.filter(({ id }) => id === 'gap'),
+          0,
+        ),
+        '12',
+      ),
+    )
+    expect(withField(form, 'measure', 'centre').find).toBe('gap')
+  })
+})
+
+class Shelf {
+  readonly items = new Map<string, string>()
+  getItem(key: string): string | null {
+    return this.items.get(key) ?? null
+  }
+  setItem(key: string, value: string): void {
+    this.items.set(key, value)
+  }
+}
+
+const element = (name: string, x: number) => ({ name, vertices: unitCube.with(0, x), property: 'not valid' })
+const names = (kept: Kept) => kept.elements.map(({ name }) => name)
+
+describe('what is kept', () => {
+  it('is there for the next page, the last first, each element once', () => {
+    const shelf = new Shelf()
+    const kept = new Kept(() => shelf)
+    for (const [name, x] of [
+      ['a', 0.1],
+      ['b', 1 / 3],
+      ['c', 0.1],
+    ] as const)
+      kept.add(element(name, x))
+    const next = new Kept(() => shelf)
+    expect(next.elements).toEqual([element('c', 0.1), element('b', 1 / 3)])
+    expect(next.lasting).toBe('lasting')
+    next.remove(element('?', 0.1))
+    kept.read()
+    expect(names(kept)).toEqual(['b'])
+  })
+
+  it('does not lose what another page keeps at the same time', () => {
+    const shelf = new Shelf()
+    const [one, other] = [new Kept(() => shelf), new Kept(() => shelf)]
+    one.add(element('one', 1.5))
+    other.add(element('other', 2.5))
+    one.read()
+    expect(names(one)).toEqual(['other', 'one'])
+  })
+
+  it('lasts as long as the page where storage is refused, or full', () => {
+    const refused = new Kept(() => {
+      throw new DOMException('no', 'SecurityError')
+    })
+    refused.add(element('a', 2))
+    expect([names(refused), refused.lasting]).toEqual([['a'], 'fleeting'])
+    const shelf = new Shelf()
+    const full = new Kept(() => shelf)
+    full.add(element('a', 2))
+    shelf.setItem = () => {
+      throw new DOMException('full', 'QuotaExceededError')
+    }
+    full.add(element('b', 3))
+    full.add(element('c', 4))
+    expect([names(full), full.lasting]).toEqual([['c', 'b', 'a'], 'fleeting'])
+    expect(names(new Kept(() => shelf))).toEqual(['a'])
+  })
+
+  it('leaves those of a later version alone, and reads around what is none', () => {
+    const shelf = new Shelf()
+    const later = '{"version":2,"elements":"in another form"}'
+    shelf.setItem('hexlens-kept', later)
+    const kept = new Kept(() => shelf)
+    kept.add(element('a', 2))
+    expect([names(kept), kept.lasting, shelf.getItem('hexlens-kept')]).toEqual([['a'], 'later', later])
+    for (const broken of ['', '{', 'null', '[]', '{"version":1,"elements":7}']) {
+      shelf.setItem('hexlens-kept', broken)
+      expect(new Kept(() => shelf)).toMatchObject({ elements: [], lasting: 'lasting' })
+    }
+    const cells = [null, 3, { vertices: [1, 2] }, { name: 'good', vertices: unitCube, property: 'valid' }]
+    shelf.setItem('hexlens-kept', JSON.stringify({ version: 1, elements: cells }))
+    expect(names(new Kept(() => shelf))).toEqual(['good'])
+  })
+
+  it('is exported as the command line reads it', () => {
+    const list = [element('a', 1 / 3), element('b "quoted"', 1e-300)]
+    expect(readHexahedra(exported(list))).toEqual(list.map(({ name, vertices }) => ({ name, vertices })))
+    expect(readHexahedra(exported([]))).toEqual([])
+  })
+})
