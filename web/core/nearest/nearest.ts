@@ -1,6 +1,6 @@
 /**
  * The nearest elements of the other verdict: by moves of one vertex, each in turn, and of all eight together. Lengths are Euclidean,
- * of all coordinates that move. What is found is certain on both sides: docs/algorithm.md 11.
+ * of all coordinates that move. What is found is certain on both sides: docs/algorithm.md 12.
  */
 import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { elementAt } from '../../model/morph'
