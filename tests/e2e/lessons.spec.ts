@@ -112,6 +112,38 @@ test('a step is linked to, played with, restored, left and come back to', async 
   })
 })
 
+test('a link leads to its step, though drawings of steps before it come late', async ({ lens, page }) => {
+  await page.setViewportSize({ width: 390, height: 844 })
+  await lens.open('lessons.html#faces-are-enough/6')
+  await expect(page.locator('.column .drawing')).toHaveCount(1)
+  const below = async () =>
+    (await titleOf(page).evaluate(title => title.getBoundingClientRect().top)) -
+    (await lens.element.evaluate(element => element.getBoundingClientRect().bottom))
+  expect(Math.abs((await below()) - 16)).toBeLessThan(2)
+  await expect(titleOf(page)).toHaveText(/Both have the same sign/)
+
+  await test.step('a reload, too, and the two drawings of a lesson are apart', async () => {
+    await page.evaluate(() => scrollBy(0, 40))
+    await page.reload()
+    await expect(page.locator('.column .drawing')).toHaveCount(1)
+    expect(Math.abs((await below()) + 24)).toBeLessThan(2)
+    await page.evaluate(() => {
+      location.hash = '#corners-are-not-enough/5'
+    })
+    await expect(page.locator('.column .drawing')).toHaveCount(2)
+    const reds = page.locator('.column .drawing').evaluateAll(drawings =>
+      drawings.map(drawing => {
+        const clip = drawing.querySelector('svg svg')
+        return [
+          clip?.getAttribute('y'),
+          drawing.querySelector('.zero')?.getAttribute('d')?.slice('M0 '.length).split('H')[0],
+        ]
+      }),
+    )
+    for (const [top, zero] of await reds) expect(top).toBe(zero)
+  })
+})
+
 test('axe finds nothing beside the lens or under it, and nothing is too small or too wide', async ({ lens, page }) => {
   await lens.open('lessons.html#faces-are-enough/5')
   await expect(claimsOf(page).filter({ hasText: /: holds/ })).toHaveCount(1)

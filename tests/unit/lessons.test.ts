@@ -219,3 +219,9 @@ const determinant = (a: Vec3, b: Vec3, c: Vec3) => dot(cross(a, b), c)
 function pointsOf(vertices: readonly number[]): Vec3[] {
   return vertexReference.map((_, v) => vertexOf(vertices, v))
 }
+
+it('where a vertex is to be dragged along the diagonal, the diagonal is seen from the side', () => {
+  const camera = stateOf(entry(entry(lessons, 0).steps, 5)).camera as { readonly direction: Vec3 }
+  const [x, y, z] = camera.direction
+  expect(Math.abs(x + y + z) / (Math.hypot(x, y, z) * Math.sqrt(3))).toBeLessThan(0.6)
+})

@@ -58,6 +58,16 @@ function enter(to: StepPlace): void {
   if (isNewLesson || !own.has(to.lesson)) void analyze(to.lesson)
 }
 
+/** What changes above the step that is read does not move it: drawings of steps before it come late, their tools go. */
+function holding(step: number, change: () => void): void {
+  const before = topOf(step)
+  change()
+  const by = topOf(step) - before
+  if (by === 0) return
+  scrollBy({ top: by, behavior: 'instant' })
+  if (scrolledTo >= 0) scrolledTo = scrollY
+}
+
 /** Enters a step and has it in sight. */
 function show(to: StepPlace): void {
   enter(to)
@@ -69,15 +79,20 @@ function show(to: StepPlace): void {
 async function analyze(lesson: Lesson): Promise<void> {
   const reports = await Promise.all(lesson.steps.map(step => lens.analyze(verticesOf(step)).catch(() => undefined)))
   own.set(lesson, reports) // without a core there are none, and the lens says so
-  draw()
+  holding(place.step, draw)
 }
 
 function articleOf(step: number): Element | undefined {
   return root.querySelectorAll('.step')[step]
 }
 
+function topOf(step: number): number {
+  return articleOf(step)?.getBoundingClientRect().top ?? 0
+}
+
+/** Where the step is in the window: its place on the page depends on the drawings before it, which come late. */
 function present(): Place {
-  return { state: lens.state, scroll: [scrollY] }
+  return { state: lens.state, scroll: [topOf(place.step)] }
 }
 
 /** What the address says, with what the reader had done when this was left. */
@@ -87,7 +102,7 @@ function open(): void {
   if (!kept) return
   try {
     lens.state = kept.state
-    scrollTo(0, kept.scroll[0] ?? 0)
+    scrollBy({ top: topOf(place.step) - (kept.scroll[0] ?? 0), behavior: 'instant' })
     scrolledTo = scrollY
     draw()
   } catch {
@@ -115,7 +130,7 @@ function onSettled(): void {
   scrolledTo = -1
   const step = stepInSight()
   if (step === place.step) return
-  enter({ ...place, step })
+  holding(step, () => enter({ ...place, step }))
   history.replaceState(history.state, '', hashOf(place))
 }
 
@@ -125,7 +140,9 @@ function onKey(event: KeyboardEvent): void {
   const to = by && !isOthers ? neighbour(place, by) : null
   if (!to) return
   event.preventDefault()
+  const isInSteps = document.activeElement?.closest('.step') != null
   actions.go(to)
+  if (isInSteps) articleOf(to.step)?.querySelector<HTMLElement>('h2 a')?.focus({ preventScroll: true })
 }
 
 history.scrollRestoration = 'manual'

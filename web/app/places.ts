@@ -6,7 +6,7 @@ import type { StateDocument } from '../model/state-document'
 
 export interface Place {
   readonly state: StateDocument
-  /** Pixels from the top: of the page, and of what scrolls by itself beside the scene. */
+  /** In pixels: how far the page is scrolled, and what scrolls by itself beside the scene; in the lessons where the step is in the window. */
   readonly scroll: readonly number[]
 }
 

@@ -1,6 +1,7 @@
 /**
  * The challenges of the page, in the order of its list. tests/unit/challenges.test.ts checks with the core that each is solved by its solution,
- * not at its start, and not a double before the solution.
+ * not at its start, and not a double before the solution. Who comes upon the solution itself is not said to have solved it: it has no
+ * numbers that one tries first.
  */
 import { CHALLENGE_VERSION, type ChallengeDocument } from '../model/challenge'
 import { type Vec3, vertexReference } from '../model/hexahedron'
@@ -43,7 +44,7 @@ export const challenges: readonly NamedChallenge[] = [
     goal: ['not valid', 'moved <= 1'],
     record: null,
     hint: 'At a vertex J is the volume spanned by its three edges, with a sign. Push the vertex through the plane of its three neighbours.',
-    solution: cubeWith({ 6: [0.25, 0.25, 0.25] }),
+    solution: cubeWith({ 6: [0.375, 0.125, 0.625] }),
   },
   {
     id: 'touch-zero',
@@ -54,7 +55,7 @@ export const challenges: readonly NamedChallenge[] = [
     goal: ['boundary_min = 0'],
     record: null,
     hint: 'Put a vertex into the plane of its three neighbours. Vertex 0 is there when its three coordinates add up to 1: type them, or hold Alt for the grid.',
-    solution: cubeWith({ 0: [0.5, 0.5, 0] }),
+    solution: cubeWith({ 0: [0.375, 0.5, 0.125] }),
   },
   {
     id: 'corners-positive',

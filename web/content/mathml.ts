@@ -74,7 +74,14 @@ function element(name: string, ...pieces: readonly Piece[]): Markup {
 }
 
 function joined(pieces: readonly Piece[]): string {
-  return pieces.map(markupOf).join('')
+  return pieces
+    .map((piece, i) => (piece === '−' && isOperator(pieces[i - 1]) ? '<mo form="prefix">−</mo>' : markupOf(piece)))
+    .join('')
+}
+
+/** After it a minus is a number's sign, and stands close to it. */
+function isOperator(piece: Piece | undefined): boolean {
+  return typeof piece === 'string' && /^[=<>≤≥,·+(]$/.test(piece)
 }
 
 function markupOf(piece: Piece): string {

@@ -26,12 +26,13 @@ export function edgeFigure({ bernstein, exponent }: Report, edge: number): Templ
   const label = `jacdet along the edge ${edgeName(edge)}: ${text(q0)} at vertex ${from}, ${text(q2)} at vertex ${to}, lowest ${text(lowest)} at ${formatNumber(along)} of the way.`
   return html`<figure class="drawing">
     <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label=${label}>
-      <clipPath id="below-zero"><rect x="0" y=${y(0)} width=${WIDTH} height=${HEIGHT} /></clipPath>
       <path class="polygon" d="M${x(0)} ${y(q0)}L${x(0.5)} ${y(q1)}L${x(1)} ${y(q2)}" />
       <path class="zero" d="M0 ${y(0)}H${WIDTH}" />
       <text class="muted" x="0" y=${y(0) - 5}>0</text>
       <path class="curve" d=${curve} />
-      <path class="curve negative" d=${curve} clip-path="url(#below-zero)" />
+      <svg aria-hidden="true" y=${y(0)} width=${WIDTH} height=${HEIGHT} viewBox="0 ${y(0)} ${WIDTH} ${HEIGHT}">
+        <path class="curve negative" d=${curve} />
+      </svg>
       ${dot(x(0), y(q0))} ${dot(x(1), y(q2))} ${dot(x(0.5), y(q1), 'control')}
       ${dot(x(along), y(lowest), lowest > 0 ? 'lowest' : 'lowest negative')}
       <text class=${lowest > 0 ? 'value' : 'value negative'} x=${x(along)} y=${lowest > 0 ? y(lowest) - 10 : y(lowest) + 19} text-anchor=${anchorAt(along)}>

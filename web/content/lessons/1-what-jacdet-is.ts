@@ -29,6 +29,9 @@ const pulled = (t: number) =>
     [0, 1, 1],
   ] as const
 
+/** The way from vertex 6 to vertex 0 is seen from the side: drags are in the plane of the screen. */
+const ontoDiagonal = { direction: [0.8, -0.3, 0.5], zoom: 1, pan: [0, 0, 0] } as const
+
 export const lesson: Lesson = {
   id: 'what-the-jacobian-determinant-is',
   title: 'What the Jacobian determinant is',
@@ -110,14 +113,14 @@ export const lesson: Lesson = {
       title: 'About to turn',
       text: `<p>Now vertex 6 is pushed in. With vertex 6 at ${math(of('t', ',', 't', ',', 't'))} its three edges span
         ${math('J', '=', 3, 't', '−', 2)}. At ${math('t', '=', frac(3, 4))} that is ${math(frac(1, 4))}, still positive.</p>`,
-      task: 'Drag vertex 6 towards the middle until VALID turns to INVALID. By the formula, two thirds of the diagonal is too far.',
+      task: 'Drag vertex 6 towards vertex 0 until VALID turns to INVALID. On the diagonal that is at t = 2/3, where the formula gives zero.',
       claims: [
         { says: 'The element is valid', holds: 'valid' },
         { says: 'The least jacdet is 1/4, at a vertex', holds: 'boundary_min = 1/4 and corner_min = 1/4' },
       ],
       element: pulled(0.75),
       views: 'scene verdict',
-      state: { selectedVertex: 6, camera: { direction: [0.75, 0.5, 0.55], zoom: 1, pan: [0, 0, 0] } },
+      state: { selectedVertex: 6, camera: ontoDiagonal },
     },
     {
       title: 'Turned',
@@ -134,7 +137,7 @@ export const lesson: Lesson = {
       ],
       element: pulled(0.5),
       views: 'scene verdict',
-      state: { selectedVertex: 6, camera: { direction: [0.75, 0.5, 0.55], zoom: 1, pan: [0, 0, 0] } },
+      state: { selectedVertex: 6, camera: ontoDiagonal },
     },
   ],
 }

@@ -83,7 +83,7 @@ export const lesson: Lesson = {
     },
     {
       title: 'Mend it',
-      text: `<p>A plainer one: a unit cube with three vertices moved. Its vertices have at least 1/2, and again one edge dips, to −1/48. More
+      text: `<p>A plainer one: a unit cube with three vertices moved. Its vertices have at least 1/2, and again one edge dips, to −1/48, which is −0.0208…. More
         sample points would help here, and miss the next, narrower dip.</p>`,
       task: 'Drag vertex 3 back towards its corner of the cube, until the parabola is clear of zero.',
       claims: [

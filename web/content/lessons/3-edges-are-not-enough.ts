@@ -14,10 +14,10 @@ export const lesson: Lesson = {
     {
       title: 'An edge without samples',
       text: `<p>On an edge nothing needs to be sampled. Three numbers determine the whole parabola: ${math(q(0))} and ${math(q(2))}, which are ${J} at
-        the ends, and ${math(q(1))}, where the tangents at the ends meet. The edge is positive exactly if ${math(q(0), '>', 0)},
+        the ends, and ${math(q(1))}, the height at which the tangents at the ends meet. The edge is positive exactly if ${math(q(0), '>', 0)},
         ${math(q(2), '>', 0)} and</p>
         ${display(q(1), '≥', 0, words('or'), subsup('q', 1, 2), '<', q(0), q(2))}`,
-      task: 'See the dashed corner below zero, and the parabola still above it.',
+      task: 'The dashed tangents meet below zero, and yet the parabola stays above it.',
       claims: [
         { says: 'All twelve edges are positive', holds: 'edge_min > 0' },
         { says: 'The least jacdet on them is 1/56', holds: 'edge_min = 1/56' },

@@ -108,7 +108,7 @@ export const lesson: Lesson = {
     },
     {
       title: 'Both have the same sign',
-      text: `<p>Where ${math('J', '=', 0)} the columns ${math('U')}, ${math('V')}, ${math('W')} lie in a plane:
+      text: `<p>Where ${math('J', '=', 0)} the columns ${math('U')}, ${math('V')}, ${math('W')} of ${math('D', 'F')} lie in a plane:
         ${math('U', '=', 'α', 'V', '+', 'β', 'W')}. Where in addition ${J} does not change with ${math('η')} or ${math('ζ')}, some algebra gives</p>
         ${display(slopeOfJ('ξ'), '=', '−', 2, 'α', 'β', 'κ')}
         ${display('κ', '=', det(tall('[', 'V', '|', 'W', '|', frac(row(sup('∂', 2), 'F'), row('∂', 'η', '∂', 'ζ')))))}

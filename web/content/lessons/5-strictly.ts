@@ -72,9 +72,9 @@ export const lesson: Lesson = {
       title: 'No small change rescues it',
       text: `<p>An unlucky set of numbers? At the centre</p>
         ${display('D', 'F', '=', '−', half, matrix([0, 1, 1], [1, 0, 1], [1, 1, 0]))}
-        <p>This matrix shortens no vector to less than half, so it takes a change of ${math(half)} to make it singular. If no vertex moves by
-        ${math('d')} or more, it changes by less than ${math(2, 'd')}. So until some vertex has moved by ${math(frac(1, 4))}, ${J} stays negative at
-        the centre, and the element invalid.</p>`,
+        <p>This matrix shortens no vector to less than half its length. To make it singular it has to be changed so much that some unit vector’s image
+        moves by ${math(half)}. If every vertex moves by less than ${math('d')}, no image moves by ${math(2, 'd')}. So until some vertex has moved by
+        ${math(frac(1, 4))}, ${J} stays negative at the centre, and the element invalid.</p>`,
       task: 'Drag vertices a little, any way you like: INVALID. By the theorem the faces then are not positive either.',
       claims: [
         { says: 'At the centre jacdet is negative', holds: 'centre < 0' },

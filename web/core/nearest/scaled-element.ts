@@ -1,6 +1,6 @@
 /**
  * The element about its vertex 0 in units of its own size, and jacdet there as a function of its vertices: columns of DF, what
- * jacdet gains when a vertex moves (N2), its Bernstein coefficients on the faces. docs/algorithm.md 11.
+ * jacdet gains when a vertex moves (N2), its Bernstein coefficients on the faces. docs/algorithm.md 12.
  */
 import { edgeVertices, faces, type Vec3, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { timesPowerOfTwo } from '../power-of-two'

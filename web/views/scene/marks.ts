@@ -18,7 +18,7 @@ import { toView } from './view-frame'
 const RING = 9
 const HANDLE_RING = 12
 const LABEL_HEIGHT = 20
-const CHARACTER_WIDTH = 8.4
+const CHARACTER_WIDTH = 9
 const ELBOW = 14
 
 export interface MarksPicture extends OverlayPicture {
