@@ -122,6 +122,14 @@ test('a link leads to its step, though drawings of steps before it come late', a
   expect(Math.abs((await below()) - 16)).toBeLessThan(2)
   await expect(titleOf(page)).toHaveText(/Both have the same sign/)
 
+  await test.step('it stays when a phone is turned', async () => {
+    await page.setViewportSize({ width: 844, height: 390 })
+    await expect.poll(() => titleOf(page).evaluate(title => title.getBoundingClientRect().top)).toBeLessThan(90)
+    await page.setViewportSize({ width: 390, height: 844 })
+    await expect.poll(async () => Math.abs((await below()) - 16)).toBeLessThan(2)
+    await expect(titleOf(page)).toHaveText(/Both have the same sign/)
+  })
+
   await test.step('a reload, too, and the two drawings of a lesson are apart', async () => {
     await page.evaluate(() => scrollBy(0, 40))
     await page.reload()
