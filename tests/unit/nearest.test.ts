@@ -140,6 +140,25 @@ describe('the nearest element of the other verdict', () => {
     expect(moveOf(ofAll).claim).toBe('least')
   })
 
+  it('is no local optimum where the grid of doubles has a say in it', () => {
+    // With a grid of 1/8 vertex 0 may go to (3/8, 3/8, 1/4), which is nearer than (3/8, 3/8, 3/8) and on the plane.
+    const far = nearestOf(unitCube.map(x => x + 1e15))
+    expect(isValid(far.vertices.map((x, i) => x + ([0.375, 0.375, 0.25][i] ?? 0)))).toBe(false)
+    // A flat one is valid after any move upwards, so none is the shortest.
+    const flat = nearestOf(unitCube.map((x, i) => (i % 3 === 2 ? 0 : x)))
+    for (const nearest of [far, flat])
+      expect(new Set(movesOf(nearest).map(({ claim }) => claim))).toEqual(new Set(['found']))
+  })
+
+  it('of all eight is never longer than of one vertex', () => {
+    let vertices = preset('looks-fine')
+    for (let n = 0; n < 4; n++) {
+      const { ofOne, ofAll } = nearestOf(vertices)
+      expect(moveOf(ofAll).length).toBeLessThanOrEqual(moveOf(ofOne).length)
+      vertices = moveOf(n % 2 === 0 ? ofOne : ofAll).vertices
+    }
+  })
+
   it('of an element that touches zero is the next double', () => {
     const { ofOne, ofAll } = nearestOf(preset('touching'))
     expect(moveOf(ofOne).length).toBeLessThan(2 ** -50)

@@ -1,5 +1,5 @@
 /** The form of a search in the address, and what is kept in a browser's storage, whatever that does. */
-import { describe, expect, it } from 'vitest'
+import { afterEach, describe, expect, it, vi } from 'vitest'
 import {
   decodeForm,
   encodeForm,
@@ -10,7 +10,9 @@ import {
   withField,
 } from '../../web/app/search/form-state'
 import { exported, Kept } from '../../web/app/search/kept'
+import { Spokesman } from '../../web/app/search/spokesman'
 import { readHexahedra } from '../../web/cli/read-hexahedra'
+import { readElements } from '../../web/model/import/import'
 import { readQuest } from '../../web/search/quest'
 import { entry, unitCube } from './core-fixtures'
 
@@ -147,9 +149,43 @@ describe('what is kept', () => {
     expect(names(new Kept(() => shelf))).toEqual(['good'])
   })
 
-  it('is exported as the command line reads it', () => {
+  it('is exported as the command line and Paste read it', () => {
     const list = [element('a', 1 / 3), element('b "quoted"', 1e-300)]
     expect(readHexahedra(exported(list))).toEqual(list.map(({ name, vertices }) => ({ name, vertices })))
     expect(readHexahedra(exported([]))).toEqual([])
+    const pasted = readElements(exported(list))
+    expect(pasted.ok ? pasted.reading.elements.map(({ vertices }) => vertices) : []).toEqual(
+      list.map(({ vertices }) => vertices),
+    )
+  })
+})
+
+describe('the spokesman', () => {
+  afterEach(() => vi.useRealTimers())
+
+  it('says the first find at once, then what is new three times a minute, and the end', () => {
+    vi.useFakeTimers({ toFake: ['performance'] })
+    const said: string[] = []
+    const region = {
+      set textContent(text: string) {
+        said.push(text)
+      },
+    }
+    const spokesman = new Spokesman(region as unknown as HTMLElement)
+    spokesman.begin()
+    let found = 0
+    for (let second = 0; second <= 60; ++second) {
+      if (second >= 5 && second < 45) found += 1
+      spokesman.report({ elements: 1000 * second, found, isRunning: true })
+      vi.advanceTimersByTime(1000)
+    }
+    spokesman.report({ elements: 61_000, found, isRunning: false })
+    expect(said).toEqual([
+      'Searching.',
+      '1 found among 5,000 elements.',
+      '21 found among 25,000 elements.',
+      '40 found among 45,000 elements.',
+      'Stopped. 40 found among 61,000 elements.',
+    ])
   })
 })

@@ -66,7 +66,7 @@ const ENOUGH: Readonly<Record<string, number>> = {
   edges: 4 * PIECE,
   'depth-guard': 8 * PIECE,
   'nine-points': 2 * PIECE,
-  gap: PIECE,
+  gap: 8 * PIECE,
   own: 2 * PIECE,
 }
 

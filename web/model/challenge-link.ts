@@ -31,8 +31,10 @@ export function readChallengePlace(fragment: string): ChallengePlaceResult {
   if (text === '') return { ok: true, value: { kind: 'list' } }
   if (text === 'write') return { ok: true, value: { kind: 'write' } }
   const [, what, given, link] = /^(challenge|own)=([^&]+)(?:&(.*))?$/s.exec(text) ?? []
-  const value = given === undefined ? null : percentDecoded(given)
-  if (value === null) return broken('it should begin with challenge= or own=')
+  if (given === undefined)
+    return broken('it should begin with challenge= or own=, and what comes then should not be empty')
+  const value = percentDecoded(given)
+  if (value === null) return broken('its percent-encoding is cut off or not UTF-8')
   const solution = link === undefined ? null : decodePermalink(link)
   if (solution?.ok === false) return { ok: false, message: solution.error.message }
   const vertices = solution?.value ?? null

@@ -104,7 +104,7 @@ function placeInWords(id: string | null): string {
 const MARKS = new Map([
   [true, { sign: '✓', word: 'Met' }],
   [false, { sign: '✗', word: 'Not met' }],
-  [null, { sign: '?', word: 'Too near to tell' }],
+  [null, { sign: '?', word: 'Undecided' }],
 ])
 
 function goalRow({ challenge, report, judgement }: Opened, i: number): TemplateResult {

@@ -64,7 +64,14 @@ export function* searchNearest(core: Core, vertices: Vertices): Generator<Neares
   const search = valid
     ? invalidOfAll(core, vertices, scaled as ScaledElement)
     : validOfAll(core, vertices, scaled, nearest.ofOne ?? null)
-  return { ...nearest, ofAll: yield* paused(search, nearest) }
+  const ofAll = yield* paused(search, nearest)
+  return { ...nearest, ofAll: shorterOf(ofAll, nearest.ofOne ?? null) }
+}
+
+/** A move of one vertex is one of all eight: where doubles are coarse it may be the shorter. */
+function shorterOf(all: NearestAnswer, one: NearestMove | null): NearestAnswer {
+  if (one === null || all === 'impossible' || all === null || all.length <= one.length) return all
+  return { ...one, vertex: null, bound: Math.min(all.bound, one.length), claim: 'found' }
 }
 
 function* paused<T>(search: Generator<undefined, T>, nearest: Nearest): Generator<Nearest, T> {
@@ -196,7 +203,8 @@ function* moveTo(
     Math.hypot(...map3(axis => vertexOf(found, v)[axis] - vertexOf(vertices, v)[axis])),
   )
   const length = Math.hypot(...ways)
-  const claim = length * (1 - LEAST) <= bound ? 'least' : isLocal ? 'local' : 'found'
+  const isFine = LEAST * length >= spacingOf(vertices)
+  const claim = length * (1 - LEAST) <= bound ? 'least' : isLocal && isFine ? 'local' : 'found'
   return {
     vertex,
     vertices: found,
@@ -206,6 +214,11 @@ function* moveTo(
     bound: Math.min(bound, length),
     claim,
   }
+}
+
+/** At least that of neighbouring doubles at the coordinates: a move that is hardly longer is what they allow, not what is shortest. */
+function spacingOf(vertices: Vertices): number {
+  return Math.max(2 ** -52 * Math.max(...vertices.map(Math.abs)), Number.MIN_VALUE)
 }
 
 function inUnits(length: number, { exponent }: ScaledElement): number {
