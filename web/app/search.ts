@@ -14,7 +14,7 @@ import { startOf } from '../search/distribution'
 import { measured } from '../search/measure'
 import { type ReadQuest, readQuest } from '../search/quest'
 import type { Find, Order } from '../search/ranking'
-import { polished, Search } from '../search/search'
+import { polished, Search, type Workforce } from '../search/search'
 import { saveFile } from '../views/save-file'
 import { Pictures } from './pictures'
 import { formTemplate } from './search/form'
@@ -217,13 +217,21 @@ async function begin(): Promise<void> {
   ran = 0
   search?.dispose()
   try {
-    search = new Search(quest, await workforce(), news, fail)
+    search = new Search(quest, await workersOrWhyNot(), news, fail)
     searchedFor = form.find
   } catch (reason) {
-    return fail(new Error(`searching needs WebAssembly (${reason instanceof Error ? reason.message : reason}).`))
+    return fail(reason as Error)
   }
   spokesman.begin()
   goOn()
+}
+
+async function workersOrWhyNot(): Promise<Workforce> {
+  try {
+    return await workforce()
+  } catch (reason) {
+    throw new Error(`searching and polishing need WebAssembly (${reason instanceof Error ? reason.message : reason}).`)
+  }
 }
 
 function goOn(): void {
@@ -295,7 +303,7 @@ async function startPolishing(): Promise<void> {
   polishing = job
   draw()
   try {
-    const { vertices } = await polished(quest, lens.vertices, await workforce(), {
+    const { vertices } = await polished(quest, lens.vertices, await workersOrWhyNot(), {
       signal: job.controller.signal,
       onStep: () => {
         job.steps += 1

@@ -197,7 +197,7 @@ export const gallery: readonly GalleryRoom[] = [
       {
         id: 'face-negative-half',
         title: 'The same family, further',
-        note: 'With the same symmetry: edges above 1/16, faces down to −1/2, and inside lower still, −5/8.',
+        note: 'With the same symmetry: edges of 1/16 or more, faces down to −1/2, and inside lower still, −5/8.',
         source: 'exact test case edge_pos/s4_half',
         claims: ['edge_min = 1/16', '-0.501 < boundary_min < -0.499 and -0.626 < volume_min < -0.624'],
         element: [
@@ -310,7 +310,7 @@ export const gallery: readonly GalleryRoom[] = [
       {
         id: 'wedge',
         title: 'Collapsed to a wedge',
-        note: 'Two edges of the top lie on the bottom: a common trick in meshes, and jacdet is zero all along the sharp edge.',
+        note: 'One edge of the top lies on the bottom: a common trick in meshes, and jacdet is zero all along the sharp edge.',
         source: 'exact test case degenerate/wedge2',
         claims: ['not valid and boundary_min = 0 and corner_min = 0 and volume = 1/2'],
         element: 'wedge',
@@ -384,7 +384,7 @@ export const gallery: readonly GalleryRoom[] = [
       {
         id: 'twisted-after',
         title: 'Stretched and turned, just not',
-        note: 'A third of a degree further jacdet is negative along the upright edges.',
+        note: 'Turned 0.3° further: jacdet is negative on the upright edges.',
         source: MADE,
         claims: ['not valid and -1/1000 < boundary_min < 0 and corner_min > 0'],
         element: 'twisted-after',

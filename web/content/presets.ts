@@ -131,7 +131,7 @@ export const presets: readonly [Preset, ...Preset[]] = [
   {
     id: 'twisted-after',
     title: 'Twisted by 143.3°, just not',
-    note: 'A third of a degree further jacdet is negative along the upright edges.',
+    note: 'Turned 0.3° further: jacdet is negative on the upright edges.',
     valid: false,
     points: [
       [-0.5, -0.5, 0],
@@ -195,7 +195,7 @@ export const presets: readonly [Preset, ...Preset[]] = [
   {
     id: 'wedge',
     title: 'Collapsed to a wedge',
-    note: 'Two edges of the top lie on the bottom: jacdet is zero along the sharp edge.',
+    note: 'One edge of the top lies on the bottom: jacdet is zero along the sharp edge.',
     valid: false,
     points: [
       [0, 0, 0],

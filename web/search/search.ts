@@ -116,7 +116,7 @@ export class Search {
   #begin(): WorkerPort {
     const port = this.#workforce.spawn()
     port.onmessage = ({ data }) => this.#take(port, data)
-    port.onerror = ({ message }) => this.#fail(`A worker did not start or broke: ${message ?? 'no reason given'}`)
+    port.onerror = ({ message }) => this.#fail(brokenWorker(message))
     port.postMessage({ kind: 'start', module: this.#workforce.module })
     port.postMessage({ kind: 'quest', quest: this.quest })
     return port
@@ -175,8 +175,7 @@ export function polished(
   return new Promise<Polished>((resolve, reject) => {
     signal?.throwIfAborted()
     signal?.addEventListener('abort', () => reject(signal.reason))
-    port.onerror = ({ message }) =>
-      reject(new Error(`A worker did not start or broke: ${message ?? 'no reason given'}`))
+    port.onerror = ({ message }) => reject(new Error(brokenWorker(message)))
     port.onmessage = ({ data }) => {
       if (data.kind === 'simpler') onStep(data.polished)
       if (data.kind === 'polished') resolve(data.polished)
@@ -185,4 +184,8 @@ export function polished(
     port.postMessage({ kind: 'start', module })
     port.postMessage({ kind: 'polish', quest, vertices })
   }).finally(() => port.terminate())
+}
+
+function brokenWorker(reason = 'the browser gives no reason'): string {
+  return `a worker did not start or broke (${reason}).`
 }
