@@ -122,6 +122,14 @@ test('a link leads to its step, though drawings of steps before it come late', a
   expect(Math.abs((await below()) - 16)).toBeLessThan(2)
   await expect(titleOf(page)).toHaveText(/Both have the same sign/)
 
+  await test.step('it stays when a phone is turned', async () => {
+    await page.setViewportSize({ width: 844, height: 390 })
+    await expect.poll(() => titleOf(page).evaluate(title => title.getBoundingClientRect().top)).toBeLessThan(90)
+    await page.setViewportSize({ width: 390, height: 844 })
+    await expect.poll(async () => Math.abs((await below()) - 16)).toBeLessThan(2)
+    await expect(titleOf(page)).toHaveText(/Both have the same sign/)
+  })
+
   await test.step('a reload, too, and the two drawings of a lesson are apart', async () => {
     await page.evaluate(() => scrollBy(0, 40))
     await page.reload()
@@ -153,5 +161,7 @@ test('axe finds nothing beside the lens or under it, and nothing is too small or
     const covered = await lens.element.evaluate(({ clientHeight }) => clientHeight / innerHeight)
     if ((await page.evaluate(() => innerWidth)) < 500) expect(covered).toBeLessThan(0.5)
   })
+  // 1280 × 1024 enlarged to 400 %.
+  await page.setViewportSize({ width: 320, height: 256 })
   expect(await sidewaysOverflow(page)).toBe(0)
 })

@@ -25,6 +25,7 @@ let entry = presentEntry()
 /** Where `show` has scrolled to: that is no scrolling of the reader's. */
 let scrolledTo = -1
 let settling = 0
+let width = innerWidth
 
 const actions: ColumnActions = {
   go: to => {
@@ -71,8 +72,12 @@ function holding(step: number, change: () => void): void {
 /** Enters a step and has it in sight. */
 function show(to: StepPlace): void {
   enter(to)
-  if (to.step === 0) scrollTo(0, 0)
-  else articleOf(to.step)?.scrollIntoView({ block: 'start', behavior: 'instant' })
+  reveal(to.step)
+}
+
+function reveal(step: number): void {
+  if (step === 0) scrollTo(0, 0)
+  else articleOf(step)?.scrollIntoView({ block: 'start', behavior: 'instant' })
   scrolledTo = scrollY
 }
 
@@ -159,6 +164,11 @@ addEventListener(
   },
   { passive: true },
 )
+addEventListener('resize', () => {
+  if (innerWidth === width) return // only a bar of the browser has come or gone
+  width = innerWidth
+  reveal(place.step)
+})
 root.addEventListener('click', event => {
   const link = (event.target as Element).closest<HTMLAnchorElement>('a[href^="#"]')
   if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return
