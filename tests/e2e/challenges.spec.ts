@@ -45,6 +45,9 @@ test('a challenge is solved by keyboard, kept, shared, explained and forgotten',
       /Not met:\s*Invalid\s*, now it is valid/,
       /Met:\s*Moved vertices ≤ 1\s*, now 0/,
     ])
+    await page.getByRole('link', { name: 'Skip to the challenges' }).press('Enter')
+    await expect(page.locator('#column')).toBeFocused()
+    expect(page.url()).toContain('#challenge=one-vertex')
     await lens.scene.focus()
     await page.keyboard.press('6')
     for (let n = 0; n < 10; n++) await page.keyboard.press('Shift+ArrowDown')

@@ -23,6 +23,13 @@ test('a search finds, stops, goes on; finds are shown, kept, polished and export
   const kept = page.getByRole('list', { name: 'Kept' })
   const news = page.getByRole('status').and(page.locator('.news'))
 
+  await test.step('the form is one key away, and the address stays', async () => {
+    const address = page.url()
+    await page.getByRole('link', { name: 'Skip to the search' }).press('Enter')
+    await expect(page.locator('#column')).toBeFocused()
+    expect(page.url()).toBe(address)
+  })
+
   await test.step('what a property cannot be is said with its place, and is not searched for', async () => {
     const property = page.getByLabel('Property')
     await property.fill('corner_min > 0 and')

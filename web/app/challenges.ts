@@ -15,6 +15,7 @@ import { copyText } from '../views/copy-text'
 import { type Actions, challengeColumn, listColumn, type Opened } from './challenges/column'
 import { Progress } from './challenges/progress'
 import { WriteForm } from './challenges/write-form'
+import './skip'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const column = document.createElement('div')

@@ -5,6 +5,7 @@ import { elementVertices } from '../content/gallery-vertices'
 import '../element/hex-lens'
 import { encodePermalink } from '../model/permalink'
 import { BLANK, Pictures } from './pictures'
+import './skip'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const root = document.querySelector('.gallery') as HTMLElement

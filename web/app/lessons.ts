@@ -10,6 +10,7 @@ import { hashOf, neighbour, placeOf, type StepPlace, stepAt } from './lessons/ad
 import { type ColumnActions, column } from './lessons/column'
 import { stateOf, verticesOf } from './lessons/step-state'
 import { keepPlace, type Place, placeAt, presentEntry } from './places'
+import './skip'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const root = document.querySelector('.column') as HTMLElement
@@ -177,10 +178,6 @@ root.addEventListener('click', event => {
   const { lesson } = place
   actions.go(placeOf(link.hash))
   if (place.lesson !== lesson) root.focus({ preventScroll: true })
-})
-document.querySelector('.skip')?.addEventListener('click', event => {
-  event.preventDefault() // the address is the step's
-  root.focus({ preventScroll: true })
 })
 addEventListener('popstate', () => {
   keepPlace(entry, present())

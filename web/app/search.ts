@@ -22,6 +22,7 @@ import { decodeForm, encodeForm, type FormState, questOf, withField } from './se
 import { exported, Kept, type KeptElement } from './search/kept'
 import { type Choice, choicesTemplate } from './search/results'
 import { Spokesman } from './search/spokesman'
+import './skip'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const root = document.querySelector('.searching') as HTMLElement
