@@ -157,6 +157,8 @@ describe('the nearest element of the other verdict', () => {
       expect(moveOf(ofAll).length).toBeLessThanOrEqual(moveOf(ofOne).length)
       vertices = moveOf(n % 2 === 0 ? ofOne : ofAll).vertices
     }
+    const { ofOne, ofAll } = nearestOf(caseVertices('pub/mixed/some_1e300_0'))
+    expect(moveOf(ofAll).length).toBeLessThanOrEqual(moveOf(ofOne).length)
   })
 
   it('of an element that touches zero is the next double', () => {

@@ -68,10 +68,10 @@ export function* searchNearest(core: Core, vertices: Vertices): Generator<Neares
   return { ...nearest, ofAll: shorterOf(ofAll, nearest.ofOne ?? null) }
 }
 
-/** A move of one vertex is one of all eight: where doubles are coarse it may be the shorter. */
+/** A move of one vertex is one of all eight: where doubles are coarse it may be the shorter, or the only one found. */
 function shorterOf(all: NearestAnswer, one: NearestMove | null): NearestAnswer {
-  if (one === null || all === 'impossible' || all === null || all.length <= one.length) return all
-  return { ...one, vertex: null, bound: Math.min(all.bound, one.length), claim: 'found' }
+  if (one === null || all === 'impossible' || (all !== null && all.length <= one.length)) return all
+  return { ...one, vertex: null, bound: Math.min(all?.bound ?? 0, one.length), claim: 'found' }
 }
 
 function* paused<T>(search: Generator<undefined, T>, nearest: Nearest): Generator<Nearest, T> {
