@@ -122,6 +122,22 @@ test('a link leads to its step, though drawings of steps before it come late', a
   expect(Math.abs((await below()) - 16)).toBeLessThan(2)
   await expect(titleOf(page)).toHaveText(/Both have the same sign/)
 
+  await test.step('a step begins with its picture, wherever the one before was scrolled to', async () => {
+    const inLens = (top: number | null) =>
+      lens.element.evaluate((element, to) => {
+        const scroller = element.shadowRoot?.querySelector('.lens') as HTMLElement
+        if (to !== null) scroller.scrollTop = to
+        return scroller.scrollTop
+      }, top)
+    expect(await inLens(100)).toBe(100)
+    await page.evaluate(() => {
+      location.hash = '#faces-are-enough/5'
+    })
+    await expect.poll(() => inLens(null)).toBe(0)
+    await page.goBack()
+    await expect(titleOf(page)).toHaveText(/Both have the same sign/)
+  })
+
   await test.step('it stays when a phone is turned', async () => {
     await page.setViewportSize({ width: 844, height: 390 })
     await expect.poll(() => titleOf(page).evaluate(title => title.getBoundingClientRect().top)).toBeLessThan(90)

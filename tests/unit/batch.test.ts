@@ -4,16 +4,17 @@ import type { PieceResult } from '../../web/core/batch/batch-core'
 import type { CellChunk, Classification } from '../../web/core/batch/classify'
 import type { Report } from '../../web/core/report'
 import { cases, core, depthGuardCases, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
-import { batchCores, nodeClassifier } from './node-workers'
+import { batchCores, endThreads, nodeClassifier } from './node-workers'
 
 /** Small, so that few cells are many pieces. */
 const CELLS_PER_PIECE = 200
 
 const one = await nodeClassifier(1, { cellsPerPiece: CELLS_PER_PIECE })
 const three = await nodeClassifier(3, { cellsPerPiece: CELLS_PER_PIECE })
-afterAll(() => {
+afterAll(async () => {
   one.close()
   three.close()
+  await endThreads()
 })
 
 function piece(hexahedra: readonly (readonly number[])[]) {

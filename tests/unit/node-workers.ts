@@ -55,8 +55,16 @@ interface Port<Request, Answer> {
   terminate(): void
 }
 
+const allThreads = new Set<Worker>()
+
+/** Before the process ends: it may crash on threads that are still being ended then. */
+export async function endThreads(): Promise<void> {
+  await Promise.all([...allThreads].map(thread => thread.terminate()))
+}
+
 export function nodePort<Request, Answer>(worker: URL): Port<Request, Answer> {
   const thread = new Worker(worker)
+  allThreads.add(thread)
   const port: Port<Request, Answer> = {
     postMessage: (request, transfer) => thread.postMessage(request, transfer),
     onmessage: null,

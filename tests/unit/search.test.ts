@@ -11,9 +11,10 @@ import { polished, Search, type Workforce } from '../../web/search/search'
 import { certificateOf, checked, type Loose } from './certificate-checker'
 import { core, entry, randomSource } from './core-fixtures'
 import { edgesArePositive, verticesArePositive } from './exact'
-import { batchModules, bundledWorker, nodePort } from './node-workers'
+import { batchModules, bundledWorker, endThreads, nodePort } from './node-workers'
 
 const worker = await bundledWorker('web/search/worker.ts')
+afterAll(endThreads)
 
 function force(workers: number, module = batchModules.vectors): Workforce {
   return { module, workers, spawn: () => nodePort<Request, Answer>(worker) }

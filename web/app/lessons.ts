@@ -10,6 +10,7 @@ import { hashOf, neighbour, placeOf, type StepPlace, stepAt } from './lessons/ad
 import { type ColumnActions, column } from './lessons/column'
 import { stateOf, verticesOf } from './lessons/step-state'
 import { keepPlace, type Place, placeAt, presentEntry } from './places'
+import { scrollToTop } from './scroll'
 import './skip'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
@@ -49,6 +50,7 @@ function apply(): void {
   const step = stepAt(place)
   if (lens.views !== step.views) lens.views = step.views
   lens.state = stateOf(step)
+  scrollToTop(lens)
   draw()
 }
 

@@ -30,7 +30,15 @@ export function scrollTo(lens: Lens, goals: Scroll): void {
   step()
 }
 
+/** The lens as it is seen first, whatever the reader scrolled in it. */
+export function scrollToTop(lens: Lens): void {
+  for (const scroller of scrollersIn(lens)) if (scroller) scroller.scrollTop = 0
+}
+
 function scrollers(lens: Lens): (Element | null)[] {
-  const inside = ['.side', '.panel', '.folds'].map(place => lens.shadowRoot?.querySelector(place) ?? null)
-  return [document.scrollingElement, ...inside]
+  return [document.scrollingElement, ...scrollersIn(lens)]
+}
+
+function scrollersIn(lens: Lens): (Element | null)[] {
+  return ['.side', '.panel', '.folds', '.lens'].map(place => lens.shadowRoot?.querySelector(place) ?? null)
 }
