@@ -47,7 +47,7 @@ export interface Nearest {
 const OUT_OF_REACH = 2 ** 20
 const LEAST = 2 ** -20
 
-/** Pauses every few thousandths of a second and says what is known by then. */
+/** Pauses every few thousandths of a second (a twisted element can take some tenths) and says what is known by then. */
 export function* searchNearest(core: Core, vertices: Vertices): Generator<Nearest, Nearest> {
   const valid = verdictOf(core, vertices)
   const scaled = scaledElement(vertices)
