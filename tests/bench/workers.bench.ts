@@ -74,17 +74,19 @@ function atOnce(points: Float64Array, cells: Uint32Array | null): Ask {
   }
 }
 
+/** The memory that comes back with the answers is what the next trial's chunks lie in. */
 function inChunks(points: Float64Array): Ask {
+  const length = 24 * CHUNK
+  let blocks = Array.from({ length: points.length / length }, () => new Float64Array(length).buffer)
   return minima => {
-    const length = 24 * CHUNK
-    const chunks = Array.from({ length: points.length / length }, (_, n) => ({
-      points: points.slice(n * length, (n + 1) * length),
-    }))
+    const chunks = blocks.map(block => ({ points: new Float64Array(block) }))
+    for (const [n, chunk] of chunks.entries()) chunk.points.set(points.subarray(n * length, (n + 1) * length))
     return async classifier => {
-      const answers = []
-      for await (const result of classifier.stream(chunks, { minima, handOver: true })) answers.push(result)
-      if (!answers.every(({ ok }) => ok)) throw new Error('An element was refused.')
-      return answers
+      blocks = []
+      for await (const result of classifier.stream(chunks, { minima, handOver: true })) {
+        if (!result.ok) throw new Error(result.error.message)
+        blocks.push(result.value.valid.buffer as ArrayBuffer)
+      }
     }
   }
 }

@@ -31,7 +31,7 @@ export interface Classification extends Answers {
 export interface StreamOptions extends Omit<ClassifyOptions, 'onProgress'> {
   /**
    * The chunks' memory goes to the workers, wherever a chunk has it to itself: nothing is copied then, and the chunk's lists are empty
-   * afterwards.
+   * afterwards. The answers lie in the memory of `points`: `valid.buffer` is free for another chunk when they are no longer needed.
    */
   readonly handOver?: boolean
 }
