@@ -7,6 +7,8 @@ export default defineConfig({
     // A guard against hanging, not a measurement: machines may be slow and busy.
     testTimeout: 120_000,
     allowOnly: false,
+    // Node 20 may crash when a thread is ended while code of its is still being optimized in the background.
+    execArgv: ['--no-concurrent-recompilation'],
     // Of two cores vitest would leave one idle.
     maxWorkers: '100%',
   },
