@@ -17,8 +17,23 @@ export interface LeastVector {
   readonly multipliers: readonly number[]
 }
 
-/** 1/(1 + |d|^2) of the farthest vector that counts, in units of the farthest half-space. */
+/**
+ * 1/(1 + |d|^2) of the farthest vector that counts, |d| = 10^5 in units of the farthest half-space: the number itself is right to ROUNDING
+ * only, so of what is farther away fewer than four digits would be known.
+ */
 const NOTHING = 1e-10
+
+/** The most numbers in a column, and so the most columns that do not depend on each other: eight vertices and one. */
+const MOST = 25
+/** The most that rounding changes a double by, relative to it. */
+const UNIT_ROUNDOFF = 2 ** -53
+/**
+ * What rounding makes of a product of two unit vectors that is zero: MOST products and MOST columns in the residual, twice over. No claim rests
+ * on it: (N9) holds for whatever multipliers come out.
+ */
+const ROUNDING = 4 * MOST * UNIT_ROUNDOFF
+/** What rounding leaves of a unit vector that depends on the others: MOST projections of MOST numbers, twice over. */
+const DEPENDENT = 2 * MOST * MOST * UNIT_ROUNDOFF
 
 export function leastVector({ dimension: size, rows, sides }: HalfSpaces): LeastVector {
   const unit = Math.max(...sides)
@@ -55,7 +70,7 @@ function nonNegativeLeastSquares(columns: readonly (readonly number[])[], target
       free.includes(j) || barred.includes(j) ? -1 : product(column, residual) / length(column),
     )
     const best = gains.indexOf(Math.max(...gains))
-    if (best < 0 || (gains[best] as number) <= 1e-14) break
+    if (best < 0 || (gains[best] as number) <= ROUNDING) break
     const before = free
     free = [...free, best]
     for (;;) {
@@ -111,7 +126,7 @@ function leastSquares(columns: readonly (readonly number[])[], target: readonly 
         rest = rest.map((value, k) => value - part * (basis[k] as number))
       }
     const norm = length(rest)
-    if (norm <= 1e-13 * length(column)) return null
+    if (norm <= DEPENDENT * length(column)) return null
     q.push(rest.map(value => value / norm))
     r.push([...entries, norm])
   }
