@@ -8,6 +8,8 @@
 #include "report.h"
 #include "topology.h"
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 /* One block: its cells side by side, and what is known of them. */
@@ -48,9 +50,9 @@ static int fill_block(const hl_cells *cells, size_t first, int count, block *b) 
 
 /* The coefficients that the lanes have computed. */
 static void bernstein_from_lanes(const lane_kernels *kernels, const lane_minima *lanes, int c, double bernstein[27]) {
-  const int width = kernels->width, lane = c % width;
+  const int width = kernels->width, lane = c & (width - 1);
   const double *of_group = lanes->bernstein + 27 * (c - lane) + lane;
-  for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = of_group[i * width];
+  for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = bernstein_part[i] * of_group[i * width] + 0.0;
 }
 
 /* hl_decide, from what the lanes know in doubles. Returns false if the coordinates are not finite. */
@@ -122,17 +124,20 @@ static uint32_t middles_below(const double bernstein[27], double bound) {
   return bits;
 }
 
+/* Those of the faces that have one of these bits. */
+static uint32_t faces_with(uint32_t below) {
+  uint32_t faces = 0;
+  for (int f = 0; f < HL_FACES; ++f) faces |= (uint32_t)((below & face_bits[f]) != 0) << f;
+  return faces;
+}
+
 /* The candidate of hl_boundary_minimum given the least vertex: passed over is only what cannot be lower, (B1) and (B2). */
 static hl_candidate least_from(hl_candidate least, const double bernstein[27]) {
   const uint32_t below = middles_below(bernstein, least.value);
-  for (uint32_t bits = below & EDGE_BITS; bits; bits &= bits - 1) {
-    const int edge = __builtin_ctz(bits);
-    hl_candidate candidate;
-    if (bernstein[middles[edge]] >= least.value) continue;
-    if (edge_candidate(bernstein, edge, &candidate) && candidate.value < least.value) least = candidate;
-  }
-  for (int f = 0; f < HL_FACES; ++f) {
-    if (!(below & face_bits[f])) continue;
+  for (uint32_t bits = below & EDGE_BITS; bits; bits &= bits - 1)
+    edge_candidate(bernstein, __builtin_ctz(bits), least.value, &least);
+  for (uint32_t bits = faces_with(below); bits; bits &= bits - 1) {
+    const int f = __builtin_ctz(bits);
     double beta[HL_FACE_BERNSTEIN];
     face_bernstein(bernstein, f, beta);
     if (!face_can_be_lower(beta, least.value)) continue;
@@ -165,16 +170,20 @@ static bool minimum_alone(const double *vertices, uint8_t *verdict, hl_batch *ba
   return true;
 }
 
-/* From the coefficients in scaled units, as accurate ones. Returns false where a value is too small for the doubles. */
-static bool minimum_in_unit(const double bernstein[27], double unit, uint8_t *verdict, hl_batch *batch, size_t cell) {
-  hl_candidate vertex = first_least_vertex(bernstein), least = least_from(vertex, bernstein);
-  hl_verdict found = filtered_verdict(bernstein);
-  *verdict = (uint8_t)(found == HL_VALID && !(least.value > 0) ? HL_UNDECIDED : found);
-  batch->exponents[cell] = 0;
-  batch->minima[cell] = least.value * unit;
-  batch->corner_minima[cell] = vertex.value * unit;
+static bool is_normal(double value) { return value == 0 || fabs(value) >= DBL_MIN; }
+
+/* Lowers the least corner, which stands there with its verdict, to the boundary minimum: from what the lanes know, as accurate
+   coefficients. Returns false where a value is too small for the doubles. */
+static bool lower_minimum(const lane_kernels *kernels, const lane_minima *lanes, int c, uint8_t *verdict,
+                          hl_batch *batch, size_t cell) {
+  double bernstein[27];
+  bernstein_from_lanes(kernels, lanes, c, bernstein);
+  hl_candidate least = least_from(vertex_candidate(bernstein, lanes->vertex[c]), bernstein);
+  if (!(lanes->state[c] & (LANE_VALID | LANE_INVALID))) *verdict = (uint8_t)filtered_verdict(bernstein);
+  if (*verdict == HL_VALID && !(least.value > 0)) *verdict = HL_UNDECIDED;
+  batch->minima[cell] = least.value * lanes->unit[c];
   put_minimizer(batch, cell, least.point);
-  return is_normal_after_scaling(batch->minima[cell], 0) && is_normal_after_scaling(batch->corner_minima[cell], 0);
+  return is_normal(batch->minima[cell]) && is_normal(batch->corner_minima[cell]);
 }
 
 static const double vertex_point[HL_VERTICES][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
@@ -187,10 +196,19 @@ static void put_corners(block *b, int from, int to, size_t first, hl_batch *batc
   memcpy(batch->minima + cell, lanes->least + from, count * sizeof(double));
   memcpy(batch->corner_minima + cell, lanes->least + from, count * sizeof(double));
   memset(batch->exponents + cell, 0, count * sizeof(int16_t));
-  for (int c = from; c < to; ++c) {
+  for (int c = from; c < to; ++c) b->verdicts[c] = lanes->state[c] & LANE_VALID ? HL_VALID : HL_INVALID;
+  for (int c = from; c < to; ++c)
     memcpy(batch->minimizers + 3 * (first + (size_t)c), vertex_point[lanes->vertex[c]], sizeof vertex_point[0]);
-    b->verdicts[c] = lanes->state[c] & LANE_VALID ? HL_VALID : HL_INVALID;
+}
+
+/* The first of the cells from `c` on that lacks this bit, or `end`. */
+static int first_without(const unsigned char *state, int bit, int c, int end) {
+  for (uint64_t eight; c + 8 <= end; c += 8) {
+    memcpy(&eight, state + c, sizeof eight);
+    if (~eight & 0x0101010101010101u * (unsigned)bit) break;
   }
+  while (c < end && state[c] & bit) ++c;
+  return c;
 }
 
 /* In doubles side by side, then one by one. Nothing is written of cells behind one that is not finite. */
@@ -198,17 +216,13 @@ static int minima_of_block(const lane_kernels *kernels, block *b, size_t first, 
   const lane_minima *lanes = &b->lanes;
   if (kernels) kernels->corners(b->hexahedra, b->count, &b->lanes);
   for (int from = 0, to; from < b->count; from = to + 1) {
-    for (to = from; to < b->count && kernels && lanes->state[to] & LANE_USABLE; ++to) continue;
+    to = kernels ? first_without(lanes->state, LANE_USABLE, from, b->count) : from;
     put_corners(b, from, to, first, batch);
-    for (int c = from; c < b->count && c <= to; ++c) {
-      if (c < to && lanes->state[c] & LANE_SETTLED) continue;
+    for (int c = from; (c = first_without(lanes->state, LANE_SETTLED, c, to)) < b->count && c <= to; ++c) {
       const size_t cell = first + (size_t)c;
       ++stages->after_lanes;
-      if (c < to && lanes->state[c] & LANE_ACCURATE) {
-        double bernstein[27];
-        bernstein_from_lanes(kernels, lanes, c, bernstein);
-        if (minimum_in_unit(bernstein, lanes->unit[c], b->verdicts + c, batch, cell)) continue;
-      }
+      if (c < to && lanes->state[c] & LANE_ACCURATE && lower_minimum(kernels, lanes, c, b->verdicts + c, batch, cell))
+        continue;
       if (!minimum_alone(b->hexahedra + 24 * c, b->verdicts + c, batch, cell)) return c;
     }
   }

@@ -2,8 +2,8 @@
 #include "bernstein.h"
 #include "topology.h"
 
-/* Corners and the middles of xi- and eta-edges share the crosses U_jk x V_ik; the middles of zeta-edges need
-   U_j0 x V_i1 + U_j1 x V_i0. Corners lie at index 18i + 6j + 2k, and a middle halfway between two of them. */
+/* Corners, and twice the middles of edges. Corners and the middles of xi- and eta-edges share the crosses U_jk x V_ik; the middles
+   of zeta-edges need U_j0 x V_i1 + U_j1 x V_i0. Corners lie at index 18i + 6j + 2k, and a middle halfway between two of them. */
 static void corners_and_edges(const edge_vectors *e, double bernstein[27]) {
   double to_far_v[2][2][2]; /* [i][j][k]: (U_jk x V_ik) . W_1-i,j, half of an xi-edge's middle */
   double to_far_u[2][2][2]; /* [i][j][k]: (U_jk x V_ik) . W_i,1-j, half of an eta-edge's middle */
@@ -18,8 +18,8 @@ static void corners_and_edges(const edge_vectors *e, double bernstein[27]) {
       }
   for (int m = 0; m < 2; ++m)
     for (int k = 0; k < 2; ++k) {
-      bernstein[9 + 6 * m + 2 * k] = 0.5 * (to_far_v[0][m][k] + to_far_v[1][m][k]);
-      bernstein[18 * m + 3 + 2 * k] = 0.5 * (to_far_u[m][0][k] + to_far_u[m][1][k]);
+      bernstein[9 + 6 * m + 2 * k] = to_far_v[0][m][k] + to_far_v[1][m][k];
+      bernstein[18 * m + 3 + 2 * k] = to_far_u[m][0][k] + to_far_u[m][1][k];
     }
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
@@ -27,19 +27,22 @@ static void corners_and_edges(const edge_vectors *e, double bernstein[27]) {
       cross(e->u[j][0], e->v[i][1], n);
       cross(e->u[j][1], e->v[i][0], other);
       for (int r = 0; r < 3; ++r) n[r] += other[r];
-      bernstein[18 * i + 6 * j + 1] = 0.5 * dot(n, e->w[i][j]);
+      bernstein[18 * i + 6 * j + 1] = dot(n, e->w[i][j]);
     }
 }
 
-/* s^2 t^2 does not occur in f, so a face's middle follows from its edges and corners, and the cube's alike. */
-static void face_and_cube_centres(double b[27]) {
+/* s^2 t^2 does not occur in f, so a face's middle, four times it here, follows from its edges and corners, and the cube's alike. */
+static void face_centres(double b[27]) {
   for (int face = 0; face < 6; ++face) {
     int s = axis_stride[face_table[face].s], t = axis_stride[face_table[face].t];
     double *c = b + 2 * face_table[face].side * axis_stride[face_table[face].axis] + s + t;
     double middles = (c[-s] + c[s]) + (c[-t] + c[t]);
     double corners = (c[-s - t] + c[s + t]) + (c[-s + t] + c[s - t]);
-    *c = 0.5 * middles - 0.25 * corners;
+    *c = middles - corners;
   }
+}
+
+static void cube_centre(double b[27]) {
   double middles = 0, corners = 0;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
@@ -48,13 +51,15 @@ static void face_and_cube_centres(double b[27]) {
         if (ones == 0) corners += b[9 * i + 3 * j + k];
         if (ones == 1) middles += b[9 * i + 3 * j + k];
       }
-  b[13] = 0.25 * (middles - corners);
+  b[13] = 0.25 * (middles - corners) + 0.0;
 }
 
 void jacdet_bernstein(const edge_vectors *edges, double bernstein[27]) {
   corners_and_edges(edges, bernstein);
-  face_and_cube_centres(bernstein);
-  for (int i = 0; i < 27; ++i) bernstein[i] += 0.0; /* -0 becomes 0 */
+  face_centres(bernstein);
+  bernstein[13] = 0;
+  for (int i = 0; i < 27; ++i) bernstein[i] = bernstein_part[i] * bernstein[i] + 0.0; /* -0 becomes 0 */
+  cube_centre(bernstein);
 }
 
 static double magnitude(double x) { return x < 0 ? -x : x; }
@@ -69,8 +74,6 @@ static void absolute_cross(const double a[3], const double b[3], double out[3]) 
 static double absolute_dot(const double a[3], const double b[3]) {
   return magnitude(a[0] * b[0]) + magnitude(a[1] * b[1]) + magnitude(a[2] * b[2]);
 }
-
-static double larger(double x, double y) { return y > x ? y : x; }
 
 double greatest_permanent(const edge_vectors *e) {
   double greatest = 0;
@@ -89,8 +92,5 @@ double greatest_permanent(const edge_vectors *e) {
 }
 
 void face_bernstein(const double bernstein[27], int face, double beta[9]) {
-  const double *origin = bernstein + 2 * face_table[face].side * axis_stride[face_table[face].axis];
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      beta[3 * i + j] = origin[i * axis_stride[face_table[face].s] + j * axis_stride[face_table[face].t]];
+  for (int i = 0; i < 9; ++i) beta[i] = bernstein[face_coefficients[face][i]];
 }

@@ -5,6 +5,9 @@
 #include "scaling.h"
 
 #include <float.h>
+#if defined __wasm_simd128__
+#include <wasm_simd128.h>
+#endif
 
 /* The error bounds and the same bits everywhere need every operation rounded to double at once. */
 _Static_assert(FLT_EVAL_METHOD == 0 && DBL_MANT_DIG == 53, "plain IEEE doubles");
@@ -12,11 +15,24 @@ _Static_assert(FLT_EVAL_METHOD == 0 && DBL_MANT_DIG == 53, "plain IEEE doubles")
 /* One rounding of the doubles: half the distance from 1 to the next double. */
 #define UNIT_ROUNDOFF 0x1p-53
 
+/* y < x ? y : x and y > x ? y : x. Engines make a jump of WebAssembly's choice between two doubles, and one that is often
+   mispredicted here; of its choice between vectors they do not. */
+#if defined __wasm_simd128__
+static inline double smaller(double x, double y) {
+  return wasm_f64x2_extract_lane(wasm_f64x2_pmin(wasm_f64x2_splat(x), wasm_f64x2_splat(y)), 0);
+}
+static inline double larger(double x, double y) {
+  return wasm_f64x2_extract_lane(wasm_f64x2_pmax(wasm_f64x2_splat(x), wasm_f64x2_splat(y)), 0);
+}
+#else
+static inline double smaller(double x, double y) { return y < x ? y : x; }
+static inline double larger(double x, double y) { return y > x ? y : x; }
+#endif
+
 /* (1-t) p + t q for t in [0,1], never outside [p,q]: rounding must not carry a value below its Bernstein bound. */
 static inline double lerp(double p, double q, double t) {
   double r = (1 - t) * p + t * q;
-  double low = p < q ? p : q, high = p < q ? q : p;
-  return r < low ? low : r > high ? high : r;
+  return smaller(larger(r, smaller(p, q)), larger(p, q));
 }
 
 /* The quadratic with Bernstein coefficients q0, q1, q2. */
@@ -24,7 +40,11 @@ static inline double quadratic_at(double q0, double q1, double q2, double t) {
   return lerp(lerp(q0, q1, t), lerp(q1, q2, t), t);
 }
 
-static inline double smaller(double x, double y) { return y < x ? y : x; }
+static inline double least_of(const double *values, int count) {
+  double least = values[0];
+  for (int i = 1; i < count; ++i) least = smaller(least, values[i]);
+  return least;
+}
 
 static inline double greatest_magnitude(const double *x, int count) {
   double greatest = 0;
@@ -42,6 +62,10 @@ static inline void cross(const double a[3], const double b[3], double out[3]) {
 }
 
 static inline double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* Before they are halved and quartered, twice the middles of edges and four times those of faces are computed. */
+static const double bernstein_part[27] = {1,    0.5, 1,    0.5, 0.25, 0.5, 1, 0.5, 1,    0.5, 0.25, 0.5, 0.25, 1,
+                                          0.25, 0.5, 0.25, 0.5, 1,    0.5, 1, 0.5, 0.25, 0.5, 1,    0.5, 1};
 
 /* The 27 coefficients from 16 cross products and 28 dot products, in the scaled units of the edge vectors. */
 void jacdet_bernstein(const edge_vectors *edges, double bernstein[27]);

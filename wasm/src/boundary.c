@@ -12,6 +12,8 @@
 #include "topology.h"
 #include "volume.h"
 
+#include <math.h>
+
 /* What a computed coefficient can be off by on the faces and in the cube's centre, relative to the greatest permanent, and
    what products that underflow add to it: (M1). */
 #define BOUNDARY_ERROR (36 * UNIT_ROUNDOFF)
@@ -25,12 +27,6 @@
 /* Coefficients that are all smaller than this part of the permanents have lost digits: exact arithmetic has them, (M2). */
 #define LEAST_PART_OF_PERMANENT 0x1p-5
 
-static double least_of(const double *values, int count) {
-  double least = values[0];
-  for (int i = 1; i < count; ++i) least = smaller(least, values[i]);
-  return least;
-}
-
 /* Algorithm 1 on given coefficients, in their units. Where a face cannot be lower, rounding is not to make it so. */
 static hl_candidate least_candidate(const double bernstein[27], hl_variant variant) {
   hl_candidate least = vertex_candidate(bernstein, 0), candidate;
@@ -38,8 +34,7 @@ static hl_candidate least_candidate(const double bernstein[27], hl_variant varia
     candidate = vertex_candidate(bernstein, v);
     if (candidate.value < least.value) least = candidate;
   }
-  for (int e = 0; e < HL_EDGES; ++e)
-    if (edge_candidate(bernstein, e, &candidate) && candidate.value < least.value) least = candidate;
+  for (int e = 0; e < HL_EDGES; ++e) edge_candidate(bernstein, e, least.value, &least);
   for (int f = 0; f < HL_FACES; ++f) {
     double beta[HL_FACE_BERNSTEIN];
     face_bernstein(bernstein, f, beta);
@@ -200,7 +195,7 @@ static void find_candidates(const double vertices[24], hl_report *report) {
   report->corner_minimum = least_candidate_value(report);
   for (int e = 0; e < HL_EDGES; ++e) {
     hl_candidate candidate;
-    if (edge_candidate(report->bernstein, e, &candidate)) append(report, candidate);
+    if (edge_candidate(report->bernstein, e, INFINITY, &candidate)) append(report, candidate);
   }
   report->edge_minimum = least_candidate_value(report);
   for (int f = 0; f < HL_FACES; ++f) report_face(report, f);

@@ -9,7 +9,7 @@ hl_candidate vertex_candidate(const double bernstein[27], int vertex) {
       .kind = HL_VERTEX, .id = vertex, .point = {r[0], r[1], r[2]}, .value = bernstein[vertex_index(vertex)]};
 }
 
-bool edge_candidate(const double bernstein[27], int edge, hl_candidate *candidate) {
+bool edge_candidate(const double bernstein[27], int edge, double bound, hl_candidate *candidate) {
   int axis = edge_table[edge].axis, from = edge_table[edge].from;
   const double *q = bernstein + vertex_index(from);
   double q0 = q[0], q1 = q[axis_stride[axis]], q2 = q[2 * axis_stride[axis]];
@@ -17,9 +17,10 @@ bool edge_candidate(const double bernstein[27], int edge, hl_candidate *candidat
   if (!(fall > 0 && rise > 0)) return false;
   double r = fall / (fall + rise);
   if (!(r > 0 && r < 1)) return false;
+  double value = quadratic_at(q0, q1, q2, r);
+  if (!(value < bound)) return false;
   const unsigned char *start = vertex_reference[from];
-  *candidate = (hl_candidate){
-      .kind = HL_EDGE, .id = edge, .point = {start[0], start[1], start[2]}, .value = quadratic_at(q0, q1, q2, r)};
+  *candidate = (hl_candidate){.kind = HL_EDGE, .id = edge, .point = {start[0], start[1], start[2]}, .value = value};
   candidate->point[axis] = r;
   return true;
 }

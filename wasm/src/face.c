@@ -14,16 +14,6 @@ void parabolas_in_s(const double beta[9], parabolas *f) {
   f->a[1] = f->n[2] - f->b[2];
 }
 
-void quarter_discriminant(const parabolas *f, double d[5]) {
-  const double *a = f->a, *b = f->b, *c = f->c;
-  double ac[4] = {a[0] * c[0], (2 * a[0] * c[1] + a[1] * c[0]) / 3, (a[0] * c[2] + 2 * a[1] * c[1]) / 3, a[1] * c[2]};
-  d[0] = ac[0] - b[0] * b[0];
-  d[1] = 0.25 * (ac[0] + 3 * ac[1]) - b[0] * b[1];
-  d[2] = 0.5 * (ac[1] + ac[2]) - (2 * b[1] * b[1] + b[0] * b[2]) / 3;
-  d[3] = 0.25 * (3 * ac[2] + ac[3]) - b[1] * b[2];
-  d[4] = ac[3] - b[2] * b[2];
-}
-
 /* The face with its largest coefficient brought to [1/2, 1), so that its cubes do not underflow. Returns the exponent:
    beta = unit * 2^exponent. */
 static int normalized_face(const double beta[9], double unit[9]) {

@@ -12,9 +12,6 @@ typedef struct parabolas {
 
 void parabolas_in_s(const double beta[HL_FACE_BERNSTEIN], parabolas *f);
 
-/* ac - B^2 = D/4 in Bernstein form, degree 4: where B < 0 < N the parabola's least value is this over a. */
-void quarter_discriminant(const parabolas *f, double d[HL_QUARTIC]);
-
 typedef struct face_solution {
   int root_count;
   hl_face_root roots[HL_MAX_ROOTS];

@@ -6,6 +6,8 @@
 #include "face.h"
 #include "topology.h"
 
+#include <math.h>
+
 /* In scaled units, (8) and (F1): a corner, a value on an edge, a coefficient of a face, a value on a face. */
 #define CORNER_ERROR (49 * UNIT_ROUNDOFF)
 #define EDGE_ERROR (96 * UNIT_ROUNDOFF)
@@ -24,15 +26,28 @@ typedef struct certificate_error {
 } certificate_error;
 
 static bool all_above(const double *values, int count, double bound) {
-  for (int i = 0; i < count; ++i)
-    if (!(values[i] > bound)) return false;
-  return true;
+  double least = values[0];
+  for (int i = 1; i < count; ++i) least = smaller(least, values[i]);
+  return least > bound;
 }
 
 static bool all_below(const double *values, int count, double bound) {
-  for (int i = 0; i < count; ++i)
-    if (!(values[i] < bound)) return false;
-  return true;
+  double greatest = values[0];
+  for (int i = 1; i < count; ++i) greatest = larger(greatest, values[i]);
+  return greatest < bound;
+}
+
+/* ac - B^2 = D/4 in Bernstein form: where B < 0 < N the parabola's least value is this over a. */
+static void quarter_discriminant(const parabolas *f, double d[HL_QUARTIC]) {
+  const double *a = f->a, *b = f->b, *c = f->c;
+  /* Of ac, degree 3, the outer coefficients and three times the inner ones. */
+  const double first = a[0] * c[0], second = 2 * a[0] * c[1] + a[1] * c[0], third = a[0] * c[2] + 2 * a[1] * c[1],
+               last = a[1] * c[2];
+  d[0] = first - b[0] * b[0];
+  d[1] = 0.25 * (first + second) - b[0] * b[1];
+  d[2] = (0.5 * (second + third) - (2 * b[1] * b[1] + b[0] * b[2])) / 3;
+  d[3] = 0.25 * (third + last) - b[1] * b[2];
+  d[4] = last - b[2] * b[2];
 }
 
 /* The coefficients on [0,1/2] and on [1/2,1] by de Casteljau's scheme. */
@@ -76,13 +91,12 @@ static int sign_of_face(const double beta[9]) {
   return sign_of_parabolas(&c, error, MAX_HALVINGS);
 }
 
-/* In scaled units, far above the rounding errors of the certificate, (B2). */
-#define CLEARANCE_B 0x1p-32
+/* In scaled units, far above the rounding errors, (B2). */
+#define CLEARANCE_B 0x1p-31
 #define CLEARANCE_D 0x1p-30
 #define SKIP_HALVINGS 6
 
-/* The parabolas of f - bound along the rows s (stride 3) or t (stride 1) of beta; false if B or N show that none has its vertex
-   inside. */
+/* The parabolas of f - bound along s (stride 3) or t (stride 1) of beta; false if B or N show that none has its vertex inside. */
 static bool has_inner_vertices(const double beta[9], int along, double bound, parabolas *f) {
   const int across = 4 - along;
   for (int j = 0; j < 3; ++j) {
@@ -96,24 +110,54 @@ static bool has_inner_vertices(const double beta[9], int along, double bound, pa
   return !all_above(f->b, 3, CLEARANCE_B) && !all_below(f->n, 3, -CLEARANCE_B);
 }
 
-static int sign_in_halves(const parabolas *f, const double d[5]) {
-  certificate c = {{f->b[0], f->b[1], f->b[2]}, {f->n[0], f->n[1], f->n[2]}, {d[0], d[1], d[2], d[3], d[4]}};
-  return sign_of_parabolas(&c, (certificate_error){CLEARANCE_B, CLEARANCE_D}, SKIP_HALVINGS);
+/* The first t in [0,1] at which the quadratic is not above CLEARANCE_B, or 1 if there is none. */
+static double first_inside(double q0, double q1, double q2) {
+  q0 -= CLEARANCE_B;
+  q1 -= CLEARANCE_B;
+  q2 -= CLEARANCE_B;
+  if (q0 <= 0) return 0;
+  const double quarter = q1 * q1 - q0 * q2;
+  if (quarter < 0 || (q1 > 0 && q2 > 0)) return 1;
+  const double root = __builtin_sqrt(quarter);
+  return q1 > 0 ? (q1 + root) / (q1 + root - q2) : q0 / (q0 - q1 + root);
+}
+
+/* Bernstein coefficients of degree 4 on [0,1] become those on [from,to]. */
+static void restrict_quartic(double p[5], double from, double to) {
+  from /= to;
+  for (int n = 1; n <= 4; ++n)
+    for (int i = 4; i >= n; --i) p[i] = p[i - 1] + to * (p[i] - p[i - 1]);
+  for (int n = 4; n > 0; --n)
+    for (int i = 0; i < n; ++i) p[i] += from * (p[i + 1] - p[i]);
+}
+
+/* Whether a quartic is above CLEARANCE_D on [0,1]; false also where that is not clear. */
+static bool is_positive(const double d[5], int halvings) {
+  if (all_above(d, 5, CLEARANCE_D)) return true;
+  if (halvings == 0 || !(d[0] > CLEARANCE_D && d[4] > CLEARANCE_D)) return false;
+  double lower[5], upper[5];
+  halve(d, 4, lower, upper);
+  return is_positive(lower, halvings - 1) && is_positive(upper, halvings - 1);
+}
+
+/* Whether wherever the parabola has its vertex inside, the least value there is certainly positive: B < 0 < N, D > 0. */
+static bool is_positive_inside(const parabolas *f) {
+  double d[5];
+  quarter_discriminant(f, d);
+  if (all_above(d, 5, CLEARANCE_D)) return true;
+  const double *b = f->b, *n = f->n;
+  const double from = larger(first_inside(b[0], b[1], b[2]), first_inside(-n[0], -n[1], -n[2])),
+               to = 1 - larger(first_inside(b[2], b[1], b[0]), first_inside(-n[2], -n[1], -n[0]));
+  if (from >= to) return true;
+  restrict_quartic(d, from, to);
+  return is_positive(d, SKIP_HALVINGS);
 }
 
 bool face_can_be_lower(const double beta[9], double bound) {
   parabolas in_s, in_t;
-  double of_s[5], of_t[5];
-  int i = 0;
-  while (i < HL_FACE_BERNSTEIN && beta[i] >= bound) ++i;
-  if (i == HL_FACE_BERNSTEIN) return false;
-  if (!has_inner_vertices(beta, 3, bound, &in_s) || !has_inner_vertices(beta, 1, bound, &in_t)) return false;
-  quarter_discriminant(&in_s, of_s);
-  if (all_above(of_s, 5, CLEARANCE_D)) return false;
-  quarter_discriminant(&in_t, of_t);
-  if (all_above(of_t, 5, CLEARANCE_D)) return false;
-  int sign = sign_in_halves(&in_s, of_s);
-  return (sign != 0 ? sign : sign_in_halves(&in_t, of_t)) <= 0;
+  if (least_of(beta, HL_FACE_BERNSTEIN) >= bound) return false;
+  return has_inner_vertices(beta, 3, bound, &in_s) && has_inner_vertices(beta, 1, bound, &in_t) &&
+         !is_positive_inside(&in_s) && !is_positive_inside(&in_t);
 }
 
 static bool has_negative_candidate(const double beta[9]) {
@@ -138,7 +182,7 @@ hl_verdict filtered_verdict(const double bernstein[27]) {
     hl_candidate candidate;
     if (bernstein[edge_bernstein[e]] > EDGE_ERROR)
       continue; /* a candidate's value is no lower than its edge's coefficients */
-    if (!edge_candidate(bernstein, e, &candidate)) continue;
+    if (!edge_candidate(bernstein, e, INFINITY, &candidate)) continue;
     if (candidate.value < -EDGE_ERROR) return HL_INVALID;
     if (!(candidate.value > EDGE_ERROR)) certain = false;
   }

@@ -165,7 +165,8 @@ static inline double_bits scale_edges(double_edges *e, doubles *unit, doubles *p
   return usable;
 }
 
-/* The operations of bernstein.c in their order, but for the cube's centre. */
+/* The operations of bernstein.c in their order, but for the cube's centre; twice the middles of edges and four times those of
+   faces. */
 static inline void group_bernstein(const double_edges *e, doubles b[27]) {
   doubles to_far_v[2][2][2], to_far_u[2][2][2];
   for (int i = 0; i < 2; ++i)
@@ -179,8 +180,8 @@ static inline void group_bernstein(const double_edges *e, doubles b[27]) {
       }
   for (int m = 0; m < 2; ++m)
     for (int k = 0; k < 2; ++k) {
-      b[9 + 6 * m + 2 * k] = 0.5 * (to_far_v[0][m][k] + to_far_v[1][m][k]);
-      b[18 * m + 3 + 2 * k] = 0.5 * (to_far_u[m][0][k] + to_far_u[m][1][k]);
+      b[9 + 6 * m + 2 * k] = to_far_v[0][m][k] + to_far_v[1][m][k];
+      b[18 * m + 3 + 2 * k] = to_far_u[m][0][k] + to_far_u[m][1][k];
     }
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
@@ -188,14 +189,14 @@ static inline void group_bernstein(const double_edges *e, doubles b[27]) {
       CROSS(e->u[j][0], e->v[i][1], n);
       CROSS(e->u[j][1], e->v[i][0], other);
       for (int r = 0; r < 3; ++r) n[r] += other[r];
-      b[18 * i + 6 * j + 1] = 0.5 * DOT(n, e->w[i][j]);
+      b[18 * i + 6 * j + 1] = DOT(n, e->w[i][j]);
     }
   for (int face = 0; face < 6; ++face) {
     int s = axis_stride[face_table[face].s], t = axis_stride[face_table[face].t];
     doubles *c = b + 2 * face_table[face].side * axis_stride[face_table[face].axis] + s + t;
     doubles middles = (c[-s] + c[s]) + (c[-t] + c[t]);
     doubles corners = (c[-s - t] + c[s + t]) + (c[-s + t] + c[s - t]);
-    *c = 0.5 * middles - 0.25 * corners;
+    *c = middles - corners;
   }
 }
 
@@ -218,26 +219,28 @@ static inline void corners_of_group(const double *hexahedra, int first, lane_min
     greatest = larger_of(greatest, corner);
     sum += corner;
   }
-  doubles others = b[1];
-  for (int i = 2; i < 26; ++i)
-    if (i != 13 && (i / 9 == 1 || i / 3 % 3 == 1 || i % 3 == 1)) others = smaller_of(others, b[i]);
+  doubles of_edges = b[edge_bernstein[0]], of_faces = b[face_middle(0)];
+  for (int i = 1; i < 12; ++i) of_edges = smaller_of(of_edges, b[edge_bernstein[i]]);
+  for (int i = 1; i < 6; ++i) of_faces = smaller_of(of_faces, b[face_middle(i)]);
+  doubles others = smaller_of(0.5 * of_edges, 0.25 * of_faces);
   usable &= sum == sum;               /* a coordinate that is not finite makes the corner NaN */
   doubles value = least * unit + 0.0; /* -0 becomes 0 */
-  double_bits normal = (magnitude_of(value) >= DBL_MIN) | (value == 0);
-  unsigned lower = lane_bits(others < least), is_usable = lane_bits(usable), invalid = lane_bits(least < -CORNER_ERROR),
-           valid = lane_bits(smaller_of(least, others) > FACE_BERNSTEIN_ERROR),
-           accurate = lane_bits(larger_of(greatest, -least) > permanent * (0x1p-5 * (1 + 0x1p-40)));
-  unsigned settled = is_usable & accurate & (valid | invalid) & ~lower & lane_bits(normal);
+  double_bits normal = (magnitude_of(value) >= DBL_MIN) | (value == 0),
+              lower =
+                  others<least, invalid = least<-CORNER_ERROR, valid = smaller_of(least, others)> FACE_BERNSTEIN_ERROR,
+                         accurate = larger_of(greatest, -least)> permanent *
+                  (0x1p-5 * (1 + 0x1p-40)),
+              settled = usable & accurate & (valid | invalid) & ~lower & normal;
+  double_bits state = (usable & LANE_USABLE) | (lower & LANE_LOWER) | (valid & LANE_VALID) | (invalid & LANE_INVALID) |
+                      (accurate & LANE_ACCURATE) | (settled & LANE_SETTLED);
   for (int h = 0; h < DOUBLES; ++h) {
-    out->state[first + h] = (unsigned char)((is_usable >> h & 1) * LANE_USABLE | (lower >> h & 1) * LANE_LOWER |
-                                            (valid >> h & 1) * LANE_VALID | (invalid >> h & 1) * LANE_INVALID |
-                                            (accurate >> h & 1) * LANE_ACCURATE | (settled >> h & 1) * LANE_SETTLED);
+    out->state[first + h] = (unsigned char)state[h];
     out->vertex[first + h] = (unsigned char)vertex[h];
   }
   *(doubles *)(out->least + first) = value;
   *(doubles *)(out->unit + first) = unit;
-  if (settled != (1u << DOUBLES) - 1)
-    for (int i = 0; i < 27; ++i) *(doubles *)(out->bernstein + 27 * first + DOUBLES * i) = b[i] + 0.0;
+  if (lane_bits(settled) != (1u << DOUBLES) - 1)
+    for (int i = 0; i < 27; ++i) *(doubles *)(out->bernstein + 27 * first + DOUBLES * i) = b[i];
 }
 
 static void corners_of_block(const double *hexahedra, int count, lane_minima *out) {
