@@ -1,7 +1,7 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig, type Plugin } from 'vite'
 import { leanThree } from './tools/lean-three.mjs'
-import { appPages, navigation } from './tools/navigation.mjs'
+import { appPages, pages } from './tools/pages.mjs'
 
 const root = fileURLToPath(new URL('.', import.meta.url))
 
@@ -38,7 +38,7 @@ export default defineConfig({
   appType: 'mpa',
   publicDir: `${root}public`,
   cacheDir: `${root}node_modules/.vite`,
-  plugins: [leanThree, navigation, securityPolicy],
+  plugins: [leanThree, pages, securityPolicy],
   worker: { format: 'es' },
   server: { fs: { allow: [root] } },
   build: {

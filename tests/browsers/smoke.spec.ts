@@ -1,5 +1,6 @@
 /** The built page in Firefox and in WebKit, by their own pointer and keys: the project names the browser. */
 import { test as base, expect } from '@playwright/test'
+import { gallery } from '../../web/content/gallery'
 import { serveWatched } from './watched-page'
 import { type BrowserName, type Driver, KEYS, type Point, startBrowser } from './webdriver'
 
@@ -215,6 +216,65 @@ test('the page loads, draws, follows pointer and keys, opens its panels, and com
     await driver.reload()
     await expectVerdict(driver, /VALID/)
     expect(await bits(driver)).toEqual(bitsOf(hard))
+    expect(await complaints(driver)).toEqual([])
+  })
+})
+
+/** The text of the first element of the page, not of the lens, that the selector finds; null if there is none. */
+function textOf(driver: Driver, selector: string): Promise<string | null> {
+  return driver.run(selector => document.querySelector(selector)?.textContent?.trim() ?? null, selector)
+}
+
+function clickOf(driver: Driver, selector: string, text: RegExp): Promise<void> {
+  return driver.run(
+    (selector, text) => {
+      const all = Array.from(document.querySelectorAll<HTMLElement>(selector))
+      const found = all.find(element => new RegExp(text).test(element.textContent ?? ''))
+      if (!found) throw new Error(`There is no ${selector} with the text ${text}.`)
+      found.click()
+    },
+    selector,
+    text.source,
+  )
+}
+
+test('the pages beside the lens load and answer', async ({ address, driver }) => {
+  await driver.resize(1200, 780)
+
+  await test.step('a link opens its lesson, whose claims are judged', async () => {
+    await driver.open(`${address}lessons.html#corners-are-not-enough/2`)
+    await expectVerdict(driver, /VALID/)
+    await expect.poll(() => textOf(driver, '.column h1')).toMatch(/corners/i)
+    await expect.poll(() => textOf(driver, '.step[data-active] .claims')).toMatch(/\d/)
+    expect(await complaints(driver)).toEqual([])
+  })
+
+  await test.step('a challenge shows its solution, and that it is one', async () => {
+    await driver.open(`${address}challenges.html`)
+    await expectVerdict(driver, /VALID/)
+    await clickOf(driver, '.challenges a', /./)
+    await expect.poll(() => textOf(driver, '.column .goal')).toMatch(/Not met/)
+    await clickOf(driver, '.column button', /Show a solution/)
+    await expect.poll(() => textOf(driver, '.column .outcome')).toBe('This is the stored solution.')
+    expect(await textOf(driver, '.column .goal')).not.toMatch(/Not met/)
+    expect(await complaints(driver)).toEqual([])
+  })
+
+  await test.step('workers search and find', async () => {
+    await driver.open(`${address}search.html?find=edges&seed=11`)
+    await expectVerdict(driver, /VALID/)
+    await clickOf(driver, '.searching button', /^\s*Start/)
+    await expect.poll(() => textOf(driver, '.counts')).toMatch(/; [1-9][\d,]* found$/)
+    await clickOf(driver, '.searching button', /^\s*Stop/)
+    await expect.poll(() => textOf(driver, '.news')).toMatch(/^Stopped\. /)
+    expect(await complaints(driver)).toEqual([])
+  })
+
+  await test.step('the gallery has a picture of each of its elements', async () => {
+    await driver.open(`${address}gallery.html`)
+    const pictures = () =>
+      driver.run(() => document.querySelectorAll('.gallery img[src^="data:image/svg+xml;base64,"]').length)
+    await expect.poll(pictures).toBe(gallery.flatMap(room => room.elements).length)
     expect(await complaints(driver)).toEqual([])
   })
 })

@@ -97,6 +97,7 @@ test('a step is linked to, played with, restored, left and come back to', async 
     await page.evaluate(() => {
       location.hash = '#nothing/7'
     })
+    await expect(page.getByText('There is no lesson “nothing”. This is the first.')).toBeVisible()
     await expect(page.getByRole('heading', { level: 1 })).toHaveText('What the Jacobian determinant is')
   })
 

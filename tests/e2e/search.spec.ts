@@ -138,6 +138,8 @@ test('a search finds, stops, goes on; finds are shown, kept, polished and export
 
 test('the gallery shows each element, in the lens too, and leads on', async ({ lens, page }) => {
   const elements = gallery.flatMap(room => room.elements)
+  await page.goto('./gallery.html#face-negative-quarter')
+  await expect(page.getByText('There is no “face-negative-quarter” in the gallery.')).toBeVisible()
   await page.goto('./gallery.html#face-negative-half')
   await expect(lens.verdict).toContainText('all twelve edges are positive')
   const pictures = page.locator('.gallery [aria-current="true"]')

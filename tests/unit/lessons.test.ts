@@ -1,6 +1,6 @@
 /** The lessons as content: every claim at its step's own element, formulas, links, and what the lens is asked to show. */
 import { describe, expect, it } from 'vitest'
-import { hashOf, neighbour, placeOf, type StepPlace, stepAt } from '../../web/app/lessons/address'
+import { complaintAbout, hashOf, neighbour, placeOf, type StepPlace, stepAt } from '../../web/app/lessons/address'
 import { stateOf, verticesOf } from '../../web/app/lessons/step-state'
 import { lessons } from '../../web/content/lessons'
 import { quantitiesOf } from '../../web/content/quantities'
@@ -36,6 +36,13 @@ it('every link leads to its step and no two to the same, others to the beginning
   for (const place of places) expect(placeOf(hashOf(place))).toEqual(place)
   for (const hash of ['', '#', '#nowhere/2', '#strictly/0', '#strictly/99', '#strictly/x', '#strictly'])
     expect(placeOf(hash)).toEqual({ lesson: hash.includes('strictly') ? lessons[4] : lessons[0], step: 0 })
+})
+
+it('a link that names no step is complained of, with what it names', () => {
+  for (const hash of ['', '#', '#strictly', ...places.map(hashOf)]) expect(complaintAbout(hash)).toBeNull()
+  expect(complaintAbout('#nowhere/2')).toBe('There is no lesson “nowhere”. This is the first.')
+  for (const step of ['0', '99', 'x', '1.5', '01'])
+    expect(complaintAbout(`#strictly/${step}`)).toBe(`This lesson has no step “${step}”. This is its first.`)
 })
 
 it('forwards from the first step one comes through all of them, and back', () => {

@@ -23,7 +23,7 @@ function schedule(): void {
 function draw(): void {
   redraw = 0
   pictures.begin(elements.map(elementVertices))
-  render(gallery.map(roomTemplate), root)
+  render(html`<p class="complaint" role="status">${complaint()}</p>${gallery.map(roomTemplate)}`, root)
   if (pictures.isBehind) schedule()
 }
 
@@ -77,6 +77,14 @@ function show(element: GalleryElement): void {
   if (typeof element.element === 'string') lens.preset = element.element
   else lens.vertices = elementVertices(element)
   draw()
+}
+
+/** What is wrong with the address, if anything. */
+function complaint(): string | null {
+  const id = location.hash.slice(1)
+  return id === '' || elements.some(element => element.id === id)
+    ? null
+    : `There is no “${id.slice(0, 40)}” in the gallery.`
 }
 
 /** What the address names; of one that names nothing, what every page begins with. */

@@ -6,7 +6,7 @@ import { render } from 'lit-html'
 import type { Lesson } from '../content/lessons'
 import type { Report } from '../core/report'
 import '../element/hex-lens'
-import { hashOf, neighbour, placeOf, type StepPlace, stepAt } from './lessons/address'
+import { complaintAbout, hashOf, neighbour, placeOf, type StepPlace, stepAt } from './lessons/address'
 import { type ColumnActions, column } from './lessons/column'
 import { stateOf, verticesOf } from './lessons/step-state'
 import { keepPlace, type Place, placeAt, presentEntry } from './places'
@@ -42,7 +42,8 @@ const actions: ColumnActions = {
 function draw(): void {
   const start = verticesOf(stepAt(place))
   const isChanged = lens.vertices.some((value, i) => value !== start[i])
-  render(column({ place, live: lens.report, own: own.get(place.lesson) ?? [], isChanged }, actions), root)
+  const complaint = complaintAbout(location.hash)
+  render(column({ place, live: lens.report, own: own.get(place.lesson) ?? [], isChanged, complaint }, actions), root)
 }
 
 /** The lens shows the step that is read. */

@@ -112,8 +112,9 @@ function direction(azimuthDegrees: number, elevationDegrees: number): Vec3 {
 /** Panels that only some page adds are passed over where they are not. */
 function readViews(text: string): readonly string[] {
   const known = parts.filter(part => !part.always).map(part => part.name)
-  const chosen = words('views', text, text.trim() === 'all' ? known : [...new Set([...known, ...PANELS])])
-  return chosen.filter(name => known.includes(name))
+  const elsewhere: readonly string[] = PANELS.filter(name => !known.includes(name))
+  const given = text.split(/[\s,]+/).filter(word => !elsewhere.includes(word))
+  return words('views', given.join(' '), known)
 }
 
 /** A list of words, `all` or `none`. */

@@ -19,6 +19,16 @@ export function placeOf(hash: string): StepPlace {
   return { lesson, step: lesson.id === id && step in lesson.steps ? step : 0 }
 }
 
+/** What is wrong with a link, in a sentence; null of one that names a step, or nothing. */
+export function complaintAbout(hash: string): string | null {
+  const [id = '', number] = hash.replace(/^#/, '').split('/')
+  const { lesson, step } = placeOf(hash)
+  if (id === '') return null
+  if (lesson.id !== id) return `There is no lesson “${id.slice(0, 40)}”. This is the first.`
+  if (number === undefined || number === `${step + 1}`) return null
+  return `This lesson has no step “${number.slice(0, 40)}”. This is its first.`
+}
+
 /** The step before or after, across lessons; null at the ends. */
 export function neighbour({ lesson, step }: StepPlace, by: -1 | 1): StepPlace | null {
   if (step + by in lesson.steps) return { lesson, step: step + by }

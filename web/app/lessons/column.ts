@@ -19,6 +19,8 @@ export interface ColumnState {
   readonly own: readonly (Report | undefined)[]
   /** Whether the element is not the step's own any more. */
   readonly isChanged: boolean
+  /** What is wrong with the address, if anything. */
+  readonly complaint: string | null
 }
 
 export interface ColumnActions {
@@ -29,6 +31,7 @@ export interface ColumnActions {
 export function column(state: ColumnState, actions: ColumnActions): TemplateResult {
   const { lesson } = state.place
   return html`
+    <p class="complaint" role="status">${state.complaint}</p>
     <header class="lesson">
       ${contents(state.place)}
       <h1>${lesson.title}</h1>

@@ -1,0 +1,65 @@
+// The pages of the app, which the build makes, and what it writes into each: the only place that lists them.
+
+/** `file` is in web/app, without its .html. */
+export const appPages = [
+  { file: 'index', name: 'Lens' },
+  { file: 'lessons', name: 'Lessons' },
+  { file: 'challenges', name: 'Challenges' },
+  { file: 'search', name: 'Search' },
+  { file: 'gallery', name: 'Gallery' },
+]
+
+const head = `
+    <meta charset="utf-8" />
+    <meta name="viewport" content="width=device-width, initial-scale=1" />
+    <meta name="color-scheme" content="light dark" />
+    <meta name="theme-color" content="#fcfcfb" media="(prefers-color-scheme: light)" />
+    <meta name="theme-color" content="#17181a" media="(prefers-color-scheme: dark)" />
+    <link rel="icon" href="/favicon.svg" type="image/svg+xml" />
+    <link rel="preload" href="../../build/hexlens.wasm" as="fetch" type="application/wasm" crossorigin />`
+
+/** What is in the lens until its script has come. */
+const words = `
+        <p class="late">
+          Hexlens could not start: its script did not arrive or this browser is too old to run it. Reloading may help.
+        </p>
+        <noscript><p>Hexlens draws and computes in the browser: it needs JavaScript.</p></noscript>
+      `
+
+/**
+ * Writes head, words and links before the build looks for the files that they name.
+ *
+ * @type {import('vite').Plugin}
+ */
+export const pages = {
+  name: 'hexlens-pages',
+  transformIndexHtml: {
+    order: 'pre',
+    handler(source, { path }) {
+      const present = appPages.find(({ file }) => path.endsWith(`/${file}.html`))
+      if (!present) return source
+      const html = withInserted(withInserted(source, /<head>/, head), /<hex-lens [^>]*>/, words)
+      return { html, tags: [linksOn(present)] }
+    },
+  },
+}
+
+function withInserted(html, after, text) {
+  if (!after.test(html)) throw new Error(`There is no ${after} in the page.`)
+  return html.replace(after, found => found + text)
+}
+
+/** @returns {import('vite').HtmlTagDescriptor} */
+function linksOn(present) {
+  const links = appPages.map(({ file, name }) => {
+    const address = { href: file === 'index' ? './' : `./${file}.html` }
+    const attrs = name === present.name ? { ...address, 'aria-current': 'page' } : address
+    return { tag: 'li', children: [{ tag: 'a', attrs, children: name }] }
+  })
+  return {
+    tag: 'nav',
+    attrs: { class: 'pages', 'aria-label': 'Hexlens' },
+    children: [{ tag: 'ul', children: links }],
+    injectTo: 'body-prepend',
+  }
+}
