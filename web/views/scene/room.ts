@@ -9,6 +9,8 @@ interface Size {
 
 /** From this width on, in units, the reference cube stands beside the element, else below it. */
 const BESIDE = 560
+/** In a box lower than this it is beside it, too: below it one would have to scroll to see it. */
+const TOO_LOW = 340
 
 export class Room {
   readonly #root: HTMLElement
@@ -45,12 +47,18 @@ export class Room {
     return this.#own.width === 0 || this.#own.height === 0
   }
 
+  /** Where it is below the element the box is higher for it, and stays so. */
+  #split(): 'beside' | 'below' {
+    const isLow = this.#whole.height < TOO_LOW && this.#root.dataset.split !== 'below'
+    return this.#whole.width >= BESIDE || isLow ? 'beside' : 'below'
+  }
+
   /** Lays out the parts; whether the element's own has another size than before. */
   measure(isSplit: boolean): boolean {
     const unit = unitOf(this.#root)
     this.#unit = unit
     this.#whole = { width: this.#root.clientWidth / unit, height: this.#root.clientHeight / unit }
-    this.#root.dataset.split = isSplit ? (this.#whole.width >= BESIDE ? 'beside' : 'below') : 'none'
+    this.#root.dataset.split = isSplit ? this.#split() : 'none'
     const [width, height] = [this.#pane.offsetWidth / unit, this.#pane.offsetHeight / unit]
     if (width === this.#own.width && height === this.#own.height) return false
     this.#own = { width, height }
