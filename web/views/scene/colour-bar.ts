@@ -204,11 +204,13 @@ export class ColourBar {
     const heights = labels.map(({ value }) => fromTop(value))
     const sizes = labels.map(({ text }) => (upright ? LABEL_HEIGHT : CHARACTER_WIDTH * text.length + LABEL_GAP))
     const zero = labels.findIndex(({ tick }) => tick === 'zero')
-    const places = spreadLabels(heights, sizes, zero)
+    const spread = spreadLabels(heights, sizes, zero)
+    const places = upright ? spread : spread.map((place, i) => lyingPlace(place, (labels[i] as Label).text, length))
+    const hasZeroRoom = upright || fits(places, sizes, zero)
     for (const [tick, { line, label }] of Object.entries(this.#ticks)) {
       const i = labels.findIndex(shown => shown.tick === tick)
       show(line, i >= 0)
-      show(label, i >= 0)
+      show(label, i >= 0 && (i !== zero || hasZeroRoom))
       if (i < 0) continue
       const { text, value } = labels[i] as Label
       const [at, place] = [heights[i] as number, places[i] as number]
@@ -218,13 +220,8 @@ export class ColourBar {
         set(line, { d: `M-3 ${px(at)}H${THICKNESS}` })
         set(label, { x: -8, y: px(place), 'text-anchor': 'end' })
       } else {
-        const half = (CHARACTER_WIDTH * text.length) / 2 - END_OVERHANG
         set(line, { d: `M${px(length - at)} 0V${THICKNESS + 3}` })
-        set(label, {
-          x: px(Math.max(half, Math.min(length - half, length - place))),
-          y: THICKNESS + 12,
-          'text-anchor': 'middle',
-        })
+        set(label, { x: px(length - place), y: THICKNESS + 12, 'text-anchor': 'middle' })
       }
     }
   }
@@ -262,6 +259,20 @@ function labelsOf(minimum: number, maximum: number, format: (value: number) => s
     if (minimum !== 0) labels.push({ tick: 'minimum', value: minimum, text: (named ? 'min ' : '') + format(minimum) })
   }
   return labels.sort((a, b) => b.value - a.value)
+}
+
+/** Where the middle of a label below a lying bar can be, from the bar's maximum. */
+function lyingPlace(place: number, text: string, length: number): number {
+  const half = (CHARACTER_WIDTH * text.length) / 2 - END_OVERHANG
+  return Math.max(half, Math.min(length - half, place))
+}
+
+/** Whether a label touches none of its neighbours; a short bar keeps only its mark of zero. */
+function fits(middles: readonly number[], sizes: readonly number[], label: number): boolean {
+  return middles.every((middle, i) => {
+    const apart = Math.abs(middle - (middles[label] as number))
+    return i === label || apart + LABEL_GAP / 2 >= ((sizes[i] as number) + (sizes[label] as number)) / 2
+  })
 }
 
 /** Middles of labels of these sizes, in order: each at its own, moved away from the fixed one where they would touch. */
