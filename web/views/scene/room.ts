@@ -59,6 +59,7 @@ export class Room {
     this.#unit = unit
     this.#whole = { width: this.#root.clientWidth / unit, height: this.#root.clientHeight / unit }
     this.#root.dataset.split = isSplit ? this.#split() : 'none'
+    this.#root.classList.toggle('tight', this.#root.dataset.split === 'beside' && this.#whole.width < BESIDE)
     const [width, height] = [this.#pane.offsetWidth / unit, this.#pane.offsetHeight / unit]
     if (width === this.#own.width && height === this.#own.height) return false
     this.#own = { width, height }
