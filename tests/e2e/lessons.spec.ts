@@ -130,12 +130,21 @@ test('a link leads to its step, though drawings of steps before it come late', a
         if (to !== null) scroller.scrollTop = to
         return scroller.scrollTop
       }, top)
-    expect(await inLens(100)).toBe(100)
+    const isFullySeen = () =>
+      lens.element.evaluate(element => {
+        const box = element.shadowRoot?.querySelector('.reference')?.getBoundingClientRect()
+        return box !== undefined && box.height > 0 && box.bottom <= element.getBoundingClientRect().bottom
+      })
+    expect(await isFullySeen()).toBe(true)
+    await page.setViewportSize({ width: 390, height: 600 })
+    await expect.poll(isFullySeen).toBe(true)
+    expect(await inLens(40)).toBe(40)
     await page.evaluate(() => {
       location.hash = '#faces-are-enough/5'
     })
     await expect.poll(() => inLens(null)).toBe(0)
     await page.goBack()
+    await page.setViewportSize({ width: 390, height: 844 })
     await expect(titleOf(page)).toHaveText(/Both have the same sign/)
   })
 

@@ -39,7 +39,6 @@ function* drawings(): Generator<Drawing> {
 
 export class FaceContext {
   readonly canvas: Drawing
-  isLost = false
   readonly #context: WebGL2RenderingContext
   readonly #watchers = new Set<ContextWatcher>()
   #three: WebGLRenderer | null = null
@@ -70,6 +69,11 @@ export class FaceContext {
     canvas.addEventListener('webglcontextrestored', this.#onRestored)
   }
 
+  /** Before its watchers are told, too. */
+  get isLost(): boolean {
+    return this.#context.isContextLost()
+  }
+
   /** Told of the context's loss and return, until it leaves. */
   join(watcher: ContextWatcher): void {
     this.#watchers.add(watcher)
@@ -83,7 +87,7 @@ export class FaceContext {
 
   /** Takes the next step to the first picture, if one is left: then this frame has no time for a picture. */
   isReady(picture: Picture): boolean {
-    if (this.#steps.length === 0) return true
+    if (this.#steps.length === 0 || this.isLost) return true
     if (!this.#isBusy) this.#step(picture)
     return false
   }
@@ -111,13 +115,11 @@ export class FaceContext {
 
   readonly #onLost = (event: Event): void => {
     event.preventDefault() // or it would never be restored
-    this.isLost = true
     this.#renderer?.release()
     for (const watcher of this.#watchers) watcher.lost()
   }
 
   readonly #onRestored = (): void => {
-    this.isLost = false
     for (const watcher of this.#watchers) watcher.restored()
   }
 }

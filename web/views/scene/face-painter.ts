@@ -48,6 +48,7 @@ class CopyingFacePainter implements FacePainter, ContextWatcher {
   }
 
   paint(picture: Picture): boolean {
+    if (this.isLost) return false
     const contents = contentsOf(picture)
     const painted = this.#painted
     if (contents.length === painted.length && contents.every((value, i) => Object.is(value, painted[i]))) return false
