@@ -136,6 +136,10 @@ test('a link leads to its step, though drawings of steps before it come late', a
         return box !== undefined && box.height > 0 && box.bottom <= element.getBoundingClientRect().bottom
       })
     expect(await isFullySeen()).toBe(true)
+    const before = await page.evaluate(() => scrollY)
+    for (const name of ['Reference cube', 'Fit', 'Help']) await lens.button(name).focus()
+    await lens.button('Fit').click()
+    expect(await page.evaluate(() => scrollY)).toBe(before)
     await page.setViewportSize({ width: 390, height: 600 })
     await expect.poll(isFullySeen).toBe(true)
     expect(await inLens(40)).toBe(40)
