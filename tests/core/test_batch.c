@@ -60,21 +60,31 @@ static int all_kernels(const lane_kernels *list[5]) {
 
 static const char *name_of(const lane_kernels *kernels) { return kernels ? kernels->name : "scalar"; }
 
-/* One of every kind: the paper's elements, small integers with touching minima and flat ones, other sizes and places, thin and
-   collapsed ones, any bits at all. Never a NaN or an infinity. */
+/* Sixteen of every kind in a row, so that there are blocks of all alike: the paper's elements, small integers with touching minima
+   and flat ones, other sizes and places, thin, sheared and collapsed ones, ones with a corner below the doubles, any bits at all.
+   Never a NaN or an infinity. */
 static void hard_hexahedron(random_stream *stream, int n, double v[24]) {
-  random_hexahedron(stream, 0.1 * (n / 8 % 21), v);
-  double scales[3];
+  enum { ROW = 16, KINDS = 9 };
+  const int kind = n / ROW % KINDS, k = n % ROW + n / (ROW * KINDS) * ROW; /* the kth of its kind */
+  random_hexahedron(stream, 0.1 * (k % 21), v);
+  double scales[3], sheared[9];
   for (int axis = 0; axis < 3; ++axis) scales[axis] = ldexp(1, (int)(random_unit(stream) * 80) - 40);
+  for (int i = 0; i < 9; ++i) sheared[i] = random_normal(stream);
+  for (int axis = 0; axis < 3; ++axis)
+    sheared[6 + axis] = sheared[axis] + 2 * sheared[3 + axis] + ldexp(sheared[6 + axis], -3 - k % 20);
   for (int i = 0; i < 24; ++i) {
-    switch (n % 8) {
-    case 0:
-    case 1: break;
-    case 2: v[i] = floor(v[i] * 2 + 0.5) / 2; break;
-    case 3: v[i] = ldexp(v[i], n % 2 ? -300 : n / 8 % 600 - 300); break;
-    case 4: v[i] = v[i] * scales[i % 3] + 1000 * scales[(i + 1) % 3]; break;
-    case 5: v[i] = i % 3 == 2 ? v[i] * 0x1p-30 : floor(v[i] * 8) / 8; break;
-    case 6: v[i] = i >= 12 && n / 8 % 3 == 0 ? v[i - 12] : floor(v[i] * 4) * 0x1p-340; break;
+    const double *reference = unit_cube + i / 3 * 3;
+    switch (kind) {
+    case 0: break;
+    case 1: v[i] = floor(v[i] * 2 + 0.5) / 2; break;
+    case 2: v[i] = ldexp(v[i], k % 2 ? -300 : k % 600 - 300); break;
+    case 3: v[i] = v[i] * scales[i % 3] + 1000 * scales[(i + 1) % 3]; break;
+    case 4: v[i] = i % 3 == 2 ? v[i] * 0x1p-30 : floor(v[i] * 8) / 8; break;
+    case 5: v[i] = i >= 12 && k % 3 == 0 ? v[i - 12] : floor(v[i] * 4) * 0x1p-340; break;
+    case 6:
+      v[i] = reference[0] * sheared[i % 3] + reference[1] * sheared[3 + i % 3] + reference[2] * sheared[6 + i % 3];
+      break;
+    case 7: v[i] = i == k % 24 ? ldexp(k / 24 % 2 ? 1 : -1, -560 - k % 50) : unit_cube[i] * 0x1p-248; break;
     default: {
       uint64_t bits = random_bits(stream);
       if ((bits >> 52 & 0x7ff) == 0x7ff) bits ^= (uint64_t)1 << 62;
@@ -96,6 +106,7 @@ static answer alone(const double v[24]) {
   a.minimum = minimum.minimizer.value;
   a.exponent = (int16_t)minimum.exponent;
   memcpy(a.minimizer, minimum.minimizer.point, sizeof a.minimizer);
+  CHECK(memcmp(report.minimizer.point, a.minimizer, sizeof a.minimizer) == 0, "two minimizers");
   /* The report has more numbers to bring to one exponent than the batch. */
   a.corner = ldexp(report.corner_minimum, report.exponent - a.exponent);
   return a;

@@ -179,7 +179,13 @@ static void faces_that_are_lower_are_not_passed_over(void) {
   for (long n = 0; n < 50000; ++n) {
     double vertices[24], bernstein[27];
     edge_vectors edges;
-    random_hexahedron(&stream, sigmas[n % 4], vertices);
+    if (n % 2) {
+      double power[3][3] = {{0}}, size = ldexp(1, -20 - (int)(20 * random_unit(&stream)));
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3 - (i == 2); ++j) power[i][j] = size * random_normal(&stream);
+      power[0][0] = 1; /* nearly flat: its values are near the clearances */
+      hexahedron_of_face(power, vertices);
+    } else random_hexahedron(&stream, sigmas[n / 2 % 4], vertices);
     scaled_edge_vectors(vertices, &edges);
     jacdet_bernstein(&edges, bernstein);
     for (int f = 0; f < 6; ++f) {

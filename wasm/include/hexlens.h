@@ -171,7 +171,7 @@ typedef struct hl_cells {
 /* What is wanted of each cell, by lists of the caller's; no list may overlap another or the cells. */
 typedef struct hl_batch {
   uint8_t *verdicts; /* one hl_verdict a cell */
-  /* The four below all together or null. A minimum and a least corner are their number times 2^exponent, with exponent 0
+  /* The four below all together or all null. A minimum and a least corner are their number times 2^exponent, with exponent 0
      where both are then normal doubles or zero. */
   double *minima;        /* the boundary minimum */
   double *minimizers;    /* three a cell: xi, eta, zeta */

@@ -109,18 +109,16 @@ static hl_candidate first_least_vertex(const double bernstein[27]) {
   return vertex_candidate(bernstein, least);
 }
 
-/* The middles of edges 0 to 11, then of faces 0 to 5. */
-static const unsigned char middles[HL_EDGES + HL_FACES] = {9,  21, 15, 3, 11, 23, 17, 5,  1,
-                                                           19, 7,  25, 4, 22, 10, 16, 12, 14};
-
 enum { EDGE_BITS = (1 << HL_EDGES) - 1 };
 
-/* Those that lie on a face, as bits of their place in the list. */
+/* The edges of a face, and the face itself behind all edges, as bits. */
 static const uint32_t face_bits[HL_FACES] = {0x01588, 0x02a22, 0x04311, 0x08c44, 0x1000f, 0x200f0};
 
+/* Edges and faces whose middle coefficient is below a bound. */
 static uint32_t middles_below(const double bernstein[27], double bound) {
   uint32_t bits = 0;
-  for (int m = 0; m < HL_EDGES + HL_FACES; ++m) bits |= (uint32_t)(bernstein[middles[m]] < bound) << m;
+  for (int e = 0; e < HL_EDGES; ++e) bits |= (uint32_t)(bernstein[edge_bernstein[e]] < bound) << e;
+  for (int f = 0; f < HL_FACES; ++f) bits |= (uint32_t)(bernstein[face_middle(f)] < bound) << (HL_EDGES + f);
   return bits;
 }
 
@@ -170,10 +168,11 @@ static bool minimum_alone(const double *vertices, uint8_t *verdict, hl_batch *ba
   return true;
 }
 
-static bool is_normal(double value) { return value == 0 || fabs(value) >= DBL_MIN; }
+/* Whether a value that is `scaled` times a power of two has come out whole: not lost below the normal doubles. */
+static bool is_whole(double value, double scaled) { return scaled == 0 || fabs(value) >= DBL_MIN; }
 
-/* Lowers the least corner, which stands there with its verdict, to the boundary minimum: from what the lanes know, as accurate
-   coefficients. Returns false where a value is too small for the doubles. */
+/* The least corner stands there as the minimum, with its verdict: lowers it to the boundary minimum, by the coefficients that the
+   lanes have computed, which are accurate. Returns false where a value is too small for the doubles. */
 static bool lower_minimum(const lane_kernels *kernels, const lane_minima *lanes, int c, uint8_t *verdict,
                           hl_batch *batch, size_t cell) {
   double bernstein[27];
@@ -183,7 +182,8 @@ static bool lower_minimum(const lane_kernels *kernels, const lane_minima *lanes,
   if (*verdict == HL_VALID && !(least.value > 0)) *verdict = HL_UNDECIDED;
   batch->minima[cell] = least.value * lanes->unit[c];
   put_minimizer(batch, cell, least.point);
-  return is_normal(batch->minima[cell]) && is_normal(batch->corner_minima[cell]);
+  return is_whole(batch->minima[cell], least.value) &&
+         is_whole(batch->corner_minima[cell], bernstein[vertex_index(lanes->vertex[c])]);
 }
 
 static const double vertex_point[HL_VERTICES][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},

@@ -9,12 +9,10 @@ enum { HL_BLOCK = 128 };
 /* What is known of one element, bit by bit. */
 enum {
   LANE_USABLE = 1, /* finite, and of a size for which plain doubles and powers of two do */
-  LANE_LOWER = 2,  /* a coefficient of an edge or a face is below the least corner */
-  LANE_VALID = 4,
-  LANE_INVALID = 8,
-  LANE_ACCURATE = 16, /* the largest coefficient is not small beside the permanents, (M2) */
-  LANE_SETTLED =
-      32 /* all of it: the least corner is the minimum, a normal double or zero, and the verdict is certain */
+  LANE_VALID = 2,
+  LANE_INVALID = 4,
+  LANE_ACCURATE = 8, /* the largest coefficient is not small beside the permanents, (M2) */
+  LANE_SETTLED = 16  /* all of it: the least corner is the minimum, and the verdict is certain */
 };
 
 typedef struct lane_minima {
@@ -33,7 +31,7 @@ typedef struct lane_kernels {
   /* Verdicts (hl_verdict) of `count` elements of 24 doubles each, HL_UNDECIDED for whatever is not clear in floats. There is
      room for a whole block. */
   void (*decide)(const double *hexahedra, int count, unsigned char *verdicts);
-  /* Least corners and all coefficients in doubles, but for bernstein_part the very bits of jacdet_bernstein. */
+  /* Least corners and all coefficients in doubles, the very bits of jacdet_bernstein but for bernstein_part and the sign of zero. */
   void (*corners)(const double *hexahedra, int count, lane_minima *out);
 } lane_kernels;
 

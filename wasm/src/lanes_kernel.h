@@ -4,8 +4,6 @@
 #include "lanes_vector.h"
 #include "topology.h"
 
-#include <float.h>
-
 /* Of floats, in u_f prod X_r with u_f = 2^-24 and X_r the largest coordinate on axis r relative to vertex 0: (L1). Twice the
    error, so that what is above or below it is beyond the scalar code's bounds as well. */
 #define FLOAT_ERROR (8 * 640 * 0x1p-24f)
@@ -225,13 +223,13 @@ static inline void corners_of_group(const double *hexahedra, int first, lane_min
   doubles others = smaller_of(0.5 * of_edges, 0.25 * of_faces);
   usable &= sum == sum;               /* a coordinate that is not finite makes the corner NaN */
   doubles value = least * unit + 0.0; /* -0 becomes 0 */
-  double_bits normal = (magnitude_of(value) >= DBL_MIN) | (value == 0),
-              lower =
-                  others<least, invalid = least<-CORNER_ERROR, valid = smaller_of(least, others)> FACE_BERNSTEIN_ERROR,
-                         accurate = larger_of(greatest, -least)> permanent *
-                  (0x1p-5 * (1 + 0x1p-40)),
-              settled = usable & accurate & (valid | invalid) & ~lower & normal;
-  double_bits state = (usable & LANE_USABLE) | (lower & LANE_LOWER) | (valid & LANE_VALID) | (invalid & LANE_INVALID) |
+  double_bits lower = (others < least);
+  double_bits invalid = (least < -CORNER_ERROR);
+  double_bits valid = (smaller_of(least, others) > FACE_BERNSTEIN_ERROR);
+  double_bits accurate = (larger_of(greatest, -least) > permanent * (0x1p-5 * (1 + 0x1p-40)));
+  /* Then the least corner is at least 49u times a unit of at least 2^-750: a normal double. */
+  double_bits settled = usable & accurate & (valid | invalid) & ~lower;
+  double_bits state = (usable & LANE_USABLE) | (valid & LANE_VALID) | (invalid & LANE_INVALID) |
                       (accurate & LANE_ACCURATE) | (settled & LANE_SETTLED);
   for (int h = 0; h < DOUBLES; ++h) {
     out->state[first + h] = (unsigned char)state[h];

@@ -27,7 +27,7 @@ static inline int first_of_row(int axis, int row) {
 static const unsigned char vertex_bernstein[8] = {0, 18, 24, 6, 2, 20, 26, 8};
 static const unsigned char edge_bernstein[12] = {9, 21, 15, 3, 11, 23, 17, 5, 1, 19, 7, 25};
 
-/* Of a face those of [3*i + j] with i in s, j in t. */
+/* A face's nine, [3*i + j] with i in s and j in t. */
 static const unsigned char face_coefficients[6][9] = {
     {0, 1, 2, 3, 4, 5, 6, 7, 8},       {18, 19, 20, 21, 22, 23, 24, 25, 26}, {0, 1, 2, 9, 10, 11, 18, 19, 20},
     {6, 7, 8, 15, 16, 17, 24, 25, 26}, {0, 3, 6, 9, 12, 15, 18, 21, 24},     {2, 5, 8, 11, 14, 17, 20, 23, 26}};
