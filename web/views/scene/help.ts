@@ -23,6 +23,7 @@ export class Help {
     this.root.id = id
     this.root.className = 'scene-help'
     this.root.hidden = true
+    this.root.tabIndex = 0 // it scrolls where there is little room
     for (const [keys, effect] of HELP) this.root.append(entry(keys, effect))
   }
 
