@@ -10,7 +10,8 @@ const PANELS = [
   'Node order',
 ]
 const WARM_UP = { moves: 1000, aFrame: 50 }
-const DRAG = { moves: 10_000, aFrame: 500 }
+/** What comes once, such as code that is compiled late on a busy machine, comes in one of two halves; what each move leaves, in both. */
+const HALF = { moves: 5000, aFrame: 500 }
 
 interface Counts {
   readonly bytes: number
@@ -20,6 +21,7 @@ interface Counts {
 
 async function countsOf(session: CDPSession): Promise<Counts> {
   await session.send('HeapProfiler.collectGarbage')
+  await session.send('HeapProfiler.collectGarbage') // what the first one has finalized
   const { usedSize } = await session.send('Runtime.getHeapUsage')
   const { nodes, jsEventListeners } = await session.send('Memory.getDOMCounters')
   return { bytes: usedSize, nodes, listeners: jsEventListeners }
@@ -45,7 +47,7 @@ test('10,000 moves of a drag leave nothing behind, with panels open', async ({ l
   await page.mouse.move(fromX, fromY)
   await page.mouse.down()
   await page.mouse.move(fromX + 8, fromY)
-  const drag = ({ moves, aFrame }: typeof DRAG) =>
+  const drag = ({ moves, aFrame }: typeof HALF) =>
     page.evaluate(
       async ([fromX, fromY, count, aFrame]) => {
         const stage = document.querySelector('hex-lens')?.shadowRoot?.querySelector('.scene-pane .scene-stage')
@@ -63,10 +65,12 @@ test('10,000 moves of a drag leave nothing behind, with panels open', async ({ l
   await drag(WARM_UP)
   expect(await lens.vertices()).not.toEqual(start)
   const before = await countsOf(session)
-  await drag(DRAG)
+  await drag(HALF)
+  const between = await countsOf(session)
+  await drag(HALF)
   const after = await countsOf(session)
   // What a report and a frame need is let go with the next; a hundred bytes a move would be this much.
-  expect(after.bytes - before.bytes).toBeLessThan(100 * DRAG.moves)
+  expect(Math.min(between.bytes - before.bytes, after.bytes - between.bytes)).toBeLessThan(100 * HALF.moves)
   expect(after.nodes - before.nodes).toBeLessThan(50)
   expect(after.listeners - before.listeners).toBeLessThan(10)
   await page.mouse.up()
