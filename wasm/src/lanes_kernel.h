@@ -31,15 +31,14 @@ typedef struct double_edges {
    (out)[2] = (a)[0] * (b)[1] - (a)[1] * (b)[0])
 #define DOT(a, b) ((a)[0] * (b)[0] + (a)[1] * (b)[1] + (a)[2] * (b)[2])
 
-/* p[v][axis]: the vertex of (i, j, k) as in scaling.c. */
-#define SUBTRACT_VERTICES(p, e)                                                                                        \
+/* The edges' components on one axis. p[v][axis]: the vertex of (i, j, k) as in scaling.c. */
+#define SUBTRACT_VERTICES(p, e, axis)                                                                                  \
   for (int m = 0; m < 2; ++m)                                                                                          \
-    for (int n = 0; n < 2; ++n)                                                                                        \
-      for (int axis = 0; axis < 3; ++axis) {                                                                           \
-        (e)->u[m][n][axis] = (p)[3 * vertex_at[1][m][n] + axis] - (p)[3 * vertex_at[0][m][n] + axis];                  \
-        (e)->v[m][n][axis] = (p)[3 * vertex_at[m][1][n] + axis] - (p)[3 * vertex_at[m][0][n] + axis];                  \
-        (e)->w[m][n][axis] = (p)[3 * vertex_at[m][n][1] + axis] - (p)[3 * vertex_at[m][n][0] + axis];                  \
-      }
+    for (int n = 0; n < 2; ++n) {                                                                                      \
+      (e)->u[m][n][axis] = (p)[3 * vertex_at[1][m][n] + axis] - (p)[3 * vertex_at[0][m][n] + axis];                    \
+      (e)->v[m][n][axis] = (p)[3 * vertex_at[m][1][n] + axis] - (p)[3 * vertex_at[m][0][n] + axis];                    \
+      (e)->w[m][n][axis] = (p)[3 * vertex_at[m][n][1] + axis] - (p)[3 * vertex_at[m][n][0] + axis];                    \
+    }
 
 static const unsigned char vertex_at[2][2][2] = {{{0, 4}, {3, 7}}, {{1, 5}, {2, 6}}}; /* [i][j][k] */
 
@@ -62,7 +61,7 @@ static inline void decide_group(const double *hexahedra, unsigned char *verdicts
   floats error = FLOAT_ERROR * (extent[0] * extent[1] * extent[2]);
 
   float_edges e;
-  SUBTRACT_VERTICES(p, &e)
+  for (int axis = 0; axis < 3; ++axis) SUBTRACT_VERTICES(p, &e, axis)
   floats normal[2][2][2][3], corner[2][2][2], least = {0}, sum = {0};
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
@@ -129,13 +128,14 @@ static void decide_block(const double *hexahedra, int count, unsigned char *verd
   }
 }
 
-/* Brings the edge vectors to scaled units (docs/algorithm.md 2). Gives the product of the axes' units, a bound for the permanents
+/* The edge vectors in scaled units (docs/algorithm.md 2). Gives the product of the axes' units, a bound for the permanents
    and which lanes it holds for. */
-static inline double_bits scale_edges(double_edges *e, doubles *unit, doubles *permanent) {
+static inline double_bits scaled_edges(const doubles p[24], double_edges *e, doubles *unit, doubles *permanent) {
   double_bits usable = ~(double_bits){0};
   doubles bounds[3][3]; /* of the components of U, V, W by axis */
   *unit = all_doubles(1);
   for (int axis = 0; axis < 3; ++axis) {
+    SUBTRACT_VERTICES(p, e, axis)
     doubles greatest[3] = {magnitude_of(e->u[0][0][axis]), magnitude_of(e->v[0][0][axis]),
                            magnitude_of(e->w[0][0][axis])};
     for (int m = 1; m < 4; ++m) {
@@ -170,6 +170,7 @@ static inline void group_bernstein(const double_edges *e, doubles b[27]) {
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       for (int k = 0; k < 2; ++k) {
+        order_by_memory(e);
         doubles n[3];
         CROSS(e->u[j][k], e->v[i][k], n);
         b[18 * i + 6 * j + 2 * k] = DOT(n, e->w[i][j]);
@@ -202,9 +203,10 @@ static inline void corners_of_group(const double *hexahedra, int first, lane_min
   doubles p[24], b[27], unit, permanent;
   for (int g = 0; g < 12; ++g) load_pair(hexahedra, g, p + 2 * g);
   double_edges e;
-  SUBTRACT_VERTICES(p, &e)
-  double_bits usable = scale_edges(&e, &unit, &permanent);
+  order_by_memory(p);
+  double_bits usable = scaled_edges(p, &e, &unit, &permanent);
   b[13] = all_doubles(0);
+  order_by_memory(b);
   group_bernstein(&e, b);
 
   doubles least = b[0], greatest = b[0], sum = b[0];

@@ -38,6 +38,9 @@ static inline doubles smaller_of(doubles a, doubles b) { return (doubles)wasm_f6
 static inline doubles larger_of(doubles a, doubles b) { return (doubles)wasm_f64x2_pmax((v128_t)a, (v128_t)b); }
 static inline floats smaller_floats(floats a, floats b) { return (floats)wasm_f32x4_pmin((v128_t)a, (v128_t)b); }
 static inline floats larger_floats(floats a, floats b) { return (floats)wasm_f32x4_pmax((v128_t)a, (v128_t)b); }
+/* No operation: what follows reads `numbers` from memory. V8 mixes all arithmetic between reads and writes breadth first, so that far
+   more numbers are alive than there are registers; reads and writes keep their order, and the arithmetic of one corner together. */
+static inline void order_by_memory(const void *numbers) { __asm__ volatile("" : : "r"(numbers) : "memory"); }
 /* One bit a lane, from masks as comparisons give them. */
 static inline unsigned lane_bits(double_bits mask) { return wasm_i64x2_bitmask((v128_t)mask); }
 static inline unsigned float_lane_bits(float_bits mask) { return wasm_i32x4_bitmask((v128_t)mask); }
@@ -76,6 +79,9 @@ static inline void load_relative(const double *hexahedra, floats out[24]) {
 }
 
 #else
+
+/* Native compilers order arithmetic by the registers that they have. */
+static inline void order_by_memory(const void *numbers) { (void)numbers; }
 
 #if defined __AVX512F__
 #define WIDE(operation) _mm512_##operation
