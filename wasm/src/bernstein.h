@@ -12,9 +12,6 @@
 /* The error bounds and the same bits everywhere need every operation rounded to double at once. */
 _Static_assert(FLT_EVAL_METHOD == 0 && DBL_MANT_DIG == 53, "plain IEEE doubles");
 
-/* One rounding of the doubles: half the distance from 1 to the next double. */
-#define UNIT_ROUNDOFF 0x1p-53
-
 /* y < x ? y : x and y > x ? y : x. Engines make a jump of WebAssembly's choice between two doubles, and one that is often
    mispredicted here; of its choice between vectors they do not. */
 #if defined __wasm_simd128__

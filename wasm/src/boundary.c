@@ -3,6 +3,7 @@
 #include "bernstein.h"
 #include "candidates.h"
 #include "checks.h"
+#include "error_bounds.h"
 #include "face.h"
 #include "filter.h"
 #include "hexlens.h"
@@ -13,19 +14,6 @@
 #include "volume.h"
 
 #include <math.h>
-
-/* What a computed coefficient can be off by on the faces and in the cube's centre, relative to the greatest permanent, and
-   what products that underflow add to it: (M1). */
-#define BOUNDARY_ERROR (36 * UNIT_ROUNDOFF)
-#define CENTRE_ERROR (100 * UNIT_ROUNDOFF)
-#define UNDERFLOW_ERROR 0x1p-1000
-
-/* In u max|bernstein|: a candidate's value, and how far a face can go below its candidates: docs/algorithm.md 4. */
-#define VALUE_ROUNDING 12
-#define MISSED_BY_QUARTIC 4000
-
-/* Coefficients that are all smaller than this part of the permanents have lost digits: exact arithmetic has them, (M2). */
-#define LEAST_PART_OF_PERMANENT 0x1p-5
 
 /* Algorithm 1 on given coefficients, in their units. Where a face cannot be lower, rounding is not to make it so. */
 static hl_candidate least_candidate(const double bernstein[27], hl_variant variant) {
@@ -102,11 +90,11 @@ static hl_candidate least_listed(const hl_report *report) {
 
 /* (M1): what the coefficients are off by, and on the faces that could hold the minimum what P can miss. */
 static double error_of_minimum(const hl_report *report, double coefficient_error) {
-  double unit = greatest_magnitude(report->bernstein, HL_BERNSTEIN), missed = VALUE_ROUNDING * unit;
+  double unit = greatest_magnitude(report->bernstein, HL_BERNSTEIN), missed = CANDIDATE_ROUNDINGS * unit;
   for (int f = 0; f < HL_FACES; ++f) {
     const hl_face_report *face = &report->faces[f];
     if (face->lower_bound >= report->minimizer.value) continue;
-    double on_face = MISSED_BY_QUARTIC * greatest_magnitude(face->bernstein, HL_FACE_BERNSTEIN);
+    double on_face = QUARTIC_MISS_ROUNDINGS * greatest_magnitude(face->bernstein, HL_FACE_BERNSTEIN);
     if (on_face > missed) missed = on_face;
   }
   return coefficient_error + missed * UNIT_ROUNDOFF;

@@ -2,6 +2,7 @@
    docs/algorithm.md (10) to (17). With b = 2B it is P/4 = a (ac' - 2BB') + a'B^2. */
 #include "face.h"
 #include "bernstein.h"
+#include "error_bounds.h"
 #include "scaling.h"
 
 void parabolas_in_s(const double beta[9], parabolas *f) {
@@ -56,9 +57,10 @@ static double quartic_error(const parabolas *f, int exponent) {
   const double u = UNIT_ROUNDOFF, scaled_u = times_power_of_two(UNIT_ROUNDOFF, -exponent);
   double a = greatest_magnitude(f->a, 2), b = greatest_magnitude(f->b, 3), dc = 4 * greatest_magnitude(f->c, 3),
          db = 4 * b, da = 2 * a;
-  double exact_at_most = quartic_bound(a + 1004 * scaled_u, b + 466 * scaled_u, dc + 932 * scaled_u,
-                                       db + 2008 * scaled_u, da + 2152 * scaled_u);
-  return 4 * (exact_at_most - quartic_bound(a, b, dc, db, da) + 32 * u * exact_at_most);
+  double exact_at_most =
+      quartic_bound(a + A_ROUNDINGS * scaled_u, b + B_ROUNDINGS * scaled_u, dc + C_SLOPE_ROUNDINGS * scaled_u,
+                    db + B_SLOPE_ROUNDINGS * scaled_u, da + A_SLOPE_ROUNDINGS * scaled_u);
+  return 4 * (exact_at_most - quartic_bound(a, b, dc, db, da) + QUARTIC_ROUNDINGS * u * exact_at_most);
 }
 
 /* The root's s* and its fate; B(t) < 0 < N(t) is the parabola's vertex strictly inside, and then a = N - B > 0. */

@@ -3,19 +3,11 @@
 #include "filter.h"
 #include "bernstein.h"
 #include "candidates.h"
+#include "error_bounds.h"
 #include "face.h"
 #include "topology.h"
 
 #include <math.h>
-
-/* In scaled units, (8) and (F1): a corner, a value on an edge, a coefficient of a face, a value on a face. */
-#define CORNER_ERROR (49 * UNIT_ROUNDOFF)
-#define EDGE_ERROR (96 * UNIT_ROUNDOFF)
-#define FACE_BERNSTEIN_ERROR (215 * UNIT_ROUNDOFF)
-#define FACE_ERROR (448 * UNIT_ROUNDOFF)
-
-/* Halvings of [0,1] in t before a face is left to exact arithmetic. */
-#define MAX_HALVINGS 12
 
 typedef struct certificate {
   double b[3], n[3], d[5];
@@ -84,17 +76,13 @@ static int sign_of_face(const double beta[9]) {
     c.n[j] = f.n[j];
   }
   quarter_discriminant(&f, c.d);
-  const double u = UNIT_ROUNDOFF, a = greatest_magnitude(f.a, 2), b = greatest_magnitude(f.b, 3),
-               k = greatest_magnitude(f.c, 3);
-  certificate_error error = {.b = 1400 * u,
-                             .d = u * (1 + 215 * a + 1004 * k + 932 * b + 64 * (a * k + b * b))}; /* (F3) */
-  return sign_of_parabolas(&c, error, MAX_HALVINGS);
+  const double a = greatest_magnitude(f.a, 2), b = greatest_magnitude(f.b, 3), k = greatest_magnitude(f.c, 3);
+  certificate_error error = {.b = HALVED_B_ERROR,
+                             .d = UNIT_ROUNDOFF *
+                                  (1 + FACE_BERNSTEIN_ROUNDINGS * a + A_ROUNDINGS * k + 2 * B_ROUNDINGS * b +
+                                   HALVED_D_ROUNDINGS * (a * k + b * b))}; /* (F3) */
+  return sign_of_parabolas(&c, error, FILTER_HALVINGS);
 }
-
-/* In scaled units, far above the rounding errors, (B2). */
-#define CLEARANCE_B 0x1p-31
-#define CLEARANCE_D 0x1p-30
-#define SKIP_HALVINGS 6
 
 /* The parabolas of f - bound along s (stride 3) or t (stride 1) of beta; false if B or N show that none has its vertex inside. */
 static bool has_inner_vertices(const double beta[9], int along, double bound, parabolas *f) {

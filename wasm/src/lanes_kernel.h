@@ -1,22 +1,9 @@
 /* The fast stage for one instruction set: a file names it in LANES and includes this. Bounds: docs/algorithm.md 10. */
+#include "error_bounds.h"
 #include "hexlens.h"
 #include "lanes.h"
 #include "lanes_vector.h"
 #include "topology.h"
-
-/* Of floats, in u_f prod X_r with u_f = 2^-24 and X_r the largest coordinate on axis r relative to vertex 0: (L1). Twice the
-   error, so that what is above or below it is beyond the scalar code's bounds as well. */
-#define FLOAT_ERROR (8 * 640 * 0x1p-24f)
-/* Sizes whose products neither overflow nor lose digits in floats. */
-#define LEAST_FLOAT 0x1p-30f
-#define GREATEST_FLOAT 0x1p30f
-
-/* As in filter.c and boundary.c. */
-#define U 0x1p-53
-#define CORNER_ERROR (49 * U)
-#define FACE_BERNSTEIN_ERROR (215 * U)
-#define LEAST_DOUBLE 0x1p-250
-#define GREATEST_DOUBLE 0x1p250
 
 typedef struct float_edges {
   floats u[2][2][3], v[2][2][3], w[2][2][3];
@@ -228,7 +215,7 @@ static inline void corners_of_group(const double *hexahedra, int first, lane_min
   double_bits lower = (others < least);
   double_bits invalid = (least < -CORNER_ERROR);
   double_bits valid = (smaller_of(least, others) > FACE_BERNSTEIN_ERROR);
-  double_bits accurate = (larger_of(greatest, -least) > permanent * (0x1p-5 * (1 + 0x1p-40)));
+  double_bits accurate = (larger_of(greatest, -least) > permanent * LEAST_PART_IN_LANES);
   /* Then the least corner is at least 49u times a unit of at least 2^-750: a normal double. */
   double_bits settled = usable & accurate & (valid | invalid) & ~lower;
   double_bits state = (usable & LANE_USABLE) | (valid & LANE_VALID) | (invalid & LANE_INVALID) |

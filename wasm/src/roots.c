@@ -1,13 +1,11 @@
 /* Roots in (0,1) of a polynomial of degree <= 4 in Bernstein form: docs/algorithm.md 5. No closed formulas: the roots of
    the derivative cut [0,1] into pieces on which the polynomial is monotone, and each piece is settled by its end signs. */
 #include "bernstein.h"
+#include "error_bounds.h"
 #include "hexlens.h"
 
 /* Doubles below 1 are at most this far apart: a shorter bracket says nothing more about a weight 1-t. */
 #define FINEST UNIT_ROUNDOFF
-
-/* de Casteljau makes three roundings a level (1-t, product, sum): (18). */
-#define EVALUATION_ROUNDINGS 3
 
 static int sign_of(double x) { return (x > 0) - (x < 0); }
 
@@ -77,7 +75,7 @@ static int sign_at_extremum(const double *p, int degree, double t) {
   double magnitudes[HL_QUARTIC], slope;
   for (int i = 0; i <= degree; ++i) magnitudes[i] = p[i] < 0 ? -p[i] : p[i];
   double value = value_at(p, degree, t, &slope);
-  double error = EVALUATION_ROUNDINGS * degree * UNIT_ROUNDOFF * value_at(magnitudes, degree, t, &slope);
+  double error = LEVEL_ROUNDINGS * degree * UNIT_ROUNDOFF * value_at(magnitudes, degree, t, &slope);
   return value > error ? 1 : value < -error ? -1 : 0;
 }
 

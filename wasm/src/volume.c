@@ -2,6 +2,7 @@
    underestimator, and settled once the bound is no longer below the least value found: docs/algorithm.md 8. */
 #include "volume.h"
 #include "bernstein.h"
+#include "error_bounds.h"
 #include "subdivision.h"
 #include "topology.h"
 
@@ -13,11 +14,6 @@ enum { MAX_HALVINGS = 40, MAX_STACK = 3 * MAX_HALVINGS + 2 };
 
 /* Parts looked at before what is left is settled by its bounds as they are: no element may hang. */
 enum { WORK_LIMIT = 100000 };
-
-/* Rounding errors in u max|bernstein|: of a value (V2), of the Hessian with its factors (V5) and of a tangent plane (V6). */
-#define VALUE_ROUNDING 40
-#define HESSIAN_ROUNDING 1024
-#define TANGENT_ROUNDING 1024
 
 enum { NEWTON_STEPS = 4 };
 
@@ -168,7 +164,7 @@ static double tangent_bound(search *s, const part *p, const factors *f, double a
     for (int axis = 0; axis < 3; ++axis)
       if (p->width[axis] > 0) t[axis] = clamped_to_unit(t[axis] - step[axis]);
   }
-  double bound = value - TANGENT_ROUNDING * UNIT_ROUNDOFF * s->unit;
+  double bound = value - TANGENT_ROUNDINGS * UNIT_ROUNDOFF * s->unit;
   for (int axis = 0; axis < 3; ++axis)
     if (p->width[axis] > 0) bound += smaller(-gradient[axis] * t[axis], gradient[axis] * (1 - t[axis]));
   return bound;
@@ -189,7 +185,7 @@ static bool settled_by_convexity(search *s, const part *p) {
     }
   for (int i = 0; i < 3; ++i)
     if (row[i] > radius) radius = row[i];
-  radius += HESSIAN_ROUNDING * UNIT_ROUNDOFF * s->unit;
+  radius += HESSIAN_ROUNDINGS * UNIT_ROUNDOFF * s->unit;
   for (int attempt = 0; attempt < 2; ++attempt) {
     double alpha = attempt == 0 ? 0 : radius, shifted[3][3];
     if (0.75 * alpha > TOLERANCE * s->unit) return false;
@@ -279,8 +275,8 @@ hl_volume_minimum bracketed_volume_minimum(const double bernstein[27], double er
   double gradient[3], u = UNIT_ROUNDOFF * s.unit;
   double value = value_and_gradient(&whole, s.point, gradient);
   hl_volume_minimum minimum = {
-      .lower = s.lower - error - 2 * 3 * MAX_HALVINGS * u,
-      .upper = value + error + VALUE_ROUNDING * u,
+      .lower = s.lower - error - 3 * MAX_HALVINGS * PART_HALVING_ROUNDINGS * u,
+      .upper = value + error + PART_VALUE_ROUNDINGS * u,
   };
   for (int axis = 0; axis < 3; ++axis) minimum.point[axis] = s.point[axis];
   return minimum;
