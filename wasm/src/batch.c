@@ -111,9 +111,6 @@ static hl_candidate first_least_vertex(const double bernstein[27]) {
 
 enum { EDGE_BITS = (1 << HL_EDGES) - 1 };
 
-/* The edges of a face, and the face itself behind all edges, as bits. */
-static const uint32_t face_bits[HL_FACES] = {0x01588, 0x02a22, 0x04311, 0x08c44, 0x1000f, 0x200f0};
-
 /* Edges and faces whose middle coefficient is below a bound. */
 static uint32_t middles_below(const double bernstein[27], double bound) {
   uint32_t bits = 0;
@@ -125,7 +122,7 @@ static uint32_t middles_below(const double bernstein[27], double bound) {
 /* Those of the faces that have one of these bits. */
 static uint32_t faces_with(uint32_t below) {
   uint32_t faces = 0;
-  for (int f = 0; f < HL_FACES; ++f) faces |= (uint32_t)((below & face_bits[f]) != 0) << f;
+  for (int f = 0; f < HL_FACES; ++f) faces |= (uint32_t)((below & face_middle_bits[f]) != 0) << f;
   return faces;
 }
 
@@ -185,9 +182,6 @@ static bool lower_minimum(const lane_kernels *kernels, const lane_minima *lanes,
   return is_whole(batch->minima[cell], least.value) &&
          is_whole(batch->corner_minima[cell], bernstein[vertex_index(lanes->vertex[c])]);
 }
-
-static const double vertex_point[HL_VERTICES][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                                    {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
 /* The least corners of the block's cells `from` to `to`, as if all were settled. */
 static void put_corners(block *b, int from, int to, size_t first, hl_batch *batch) {

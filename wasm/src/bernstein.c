@@ -3,7 +3,7 @@
 #include "topology.h"
 
 /* Corners, and twice the middles of edges. Corners and the middles of xi- and eta-edges share the crosses U_jk x V_ik; the middles
-   of zeta-edges need U_j0 x V_i1 + U_j1 x V_i0. Corners lie at index 18i + 6j + 2k, and a middle halfway between two of them. */
+   of zeta-edges need U_j0 x V_i1 + U_j1 x V_i0. */
 static void corners_and_edges(const edge_vectors *e, double bernstein[27]) {
   double to_far_v[2][2][2]; /* [i][j][k]: (U_jk x V_ik) . W_1-i,j, half of an xi-edge's middle */
   double to_far_u[2][2][2]; /* [i][j][k]: (U_jk x V_ik) . W_i,1-j, half of an eta-edge's middle */
@@ -12,14 +12,14 @@ static void corners_and_edges(const edge_vectors *e, double bernstein[27]) {
       for (int k = 0; k < 2; ++k) {
         double n[3];
         cross(e->u[j][k], e->v[i][k], n);
-        bernstein[18 * i + 6 * j + 2 * k] = dot(n, e->w[i][j]);
+        bernstein[bernstein_index(2 * i, 2 * j, 2 * k)] = dot(n, e->w[i][j]);
         to_far_v[i][j][k] = dot(n, e->w[1 - i][j]);
         to_far_u[i][j][k] = dot(n, e->w[i][1 - j]);
       }
   for (int m = 0; m < 2; ++m)
     for (int k = 0; k < 2; ++k) {
-      bernstein[9 + 6 * m + 2 * k] = to_far_v[0][m][k] + to_far_v[1][m][k];
-      bernstein[18 * m + 3 + 2 * k] = to_far_u[m][0][k] + to_far_u[m][1][k];
+      bernstein[bernstein_index(1, 2 * m, 2 * k)] = to_far_v[0][m][k] + to_far_v[1][m][k];
+      bernstein[bernstein_index(2 * m, 1, 2 * k)] = to_far_u[m][0][k] + to_far_u[m][1][k];
     }
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
@@ -27,7 +27,7 @@ static void corners_and_edges(const edge_vectors *e, double bernstein[27]) {
       cross(e->u[j][0], e->v[i][1], n);
       cross(e->u[j][1], e->v[i][0], other);
       for (int r = 0; r < 3; ++r) n[r] += other[r];
-      bernstein[18 * i + 6 * j + 1] = dot(n, e->w[i][j]);
+      bernstein[bernstein_index(2 * i, 2 * j, 1)] = dot(n, e->w[i][j]);
     }
 }
 
@@ -35,7 +35,7 @@ static void corners_and_edges(const edge_vectors *e, double bernstein[27]) {
 static void face_centres(double b[27]) {
   for (int face = 0; face < 6; ++face) {
     int s = axis_stride[face_table[face].s], t = axis_stride[face_table[face].t];
-    double *c = b + 2 * face_table[face].side * axis_stride[face_table[face].axis] + s + t;
+    double *c = b + face_middle(face);
     double middles = (c[-s] + c[s]) + (c[-t] + c[t]);
     double corners = (c[-s - t] + c[s + t]) + (c[-s + t] + c[s - t]);
     *c = middles - corners;
@@ -48,16 +48,16 @@ static void cube_centre(double b[27]) {
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k) {
         int ones = (i == 1) + (j == 1) + (k == 1);
-        if (ones == 0) corners += b[9 * i + 3 * j + k];
-        if (ones == 1) middles += b[9 * i + 3 * j + k];
+        if (ones == 0) corners += b[bernstein_index(i, j, k)];
+        if (ones == 1) middles += b[bernstein_index(i, j, k)];
       }
-  b[13] = 0.25 * (middles - corners) + 0.0;
+  b[CUBE_CENTRE] = 0.25 * (middles - corners) + 0.0;
 }
 
 void jacdet_bernstein(const edge_vectors *edges, double bernstein[27]) {
   corners_and_edges(edges, bernstein);
   face_centres(bernstein);
-  bernstein[13] = 0;
+  bernstein[CUBE_CENTRE] = 0;
   for (int i = 0; i < 27; ++i) bernstein[i] = bernstein_part[i] * bernstein[i] + 0.0; /* -0 becomes 0 */
   cube_centre(bernstein);
 }

@@ -56,8 +56,10 @@ static column column_at_centre(const double family[2][2][3], const int axis_expo
 /* The value at the centre of the element: the mean of the coefficients with weights 1, 2, 1 on each axis. */
 double value_at_centre(const double bernstein[27]) {
   double sum = 0;
-  for (int i = 0; i < 27; ++i)
-    sum += bernstein[i] * ((i / 9 == 1 ? 2 : 1) * (i / 3 % 3 == 1 ? 2 : 1) * (i % 3 == 1 ? 2 : 1));
+  for (int i = 0; i < 27; ++i) {
+    const int ones = (axis_digit(i, 0) == 1) + (axis_digit(i, 1) == 1) + (axis_digit(i, 2) == 1);
+    sum += bernstein[i] * (1 << ones);
+  }
   return sum / 64;
 }
 
@@ -75,7 +77,7 @@ double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[2
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       for (int k = 0; k < 2; ++k) {
-        double jacdet = bernstein[18 * i + 6 * j + 2 * k];
+        double jacdet = bernstein[bernstein_index(2 * i, 2 * j, 2 * k)];
         least = smaller(least, scaled_jacobian(jacdet, exponent, &u[j][k], &v[i][k], &w[i][j]));
       }
   return least;

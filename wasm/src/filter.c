@@ -156,9 +156,6 @@ static bool has_negative_candidate(const double beta[9]) {
   return false;
 }
 
-/* The coefficients on each face, as bits of their indices. */
-static const uint32_t coefficients_on[HL_FACES] = {0x00001ff, 0x7fc0000, 0x01c0e07, 0x70381c0, 0x1249249, 0x4924924};
-
 hl_verdict filtered_verdict(const double bernstein[27]) {
   bool certain = true;
   for (int v = 0; v < HL_VERTICES; ++v) {
@@ -177,7 +174,7 @@ hl_verdict filtered_verdict(const double bernstein[27]) {
   uint32_t low = 0;
   for (int i = 0; i < HL_BERNSTEIN; ++i) low |= (uint32_t)!(bernstein[i] > FACE_BERNSTEIN_ERROR) << i;
   for (int f = 0; f < HL_FACES; ++f) {
-    if (certain && !(low & coefficients_on[f])) continue;
+    if (certain && !(low & face_coefficient_bits[f])) continue;
     double beta[HL_FACE_BERNSTEIN];
     face_bernstein(bernstein, f, beta);
     int sign = certain ? sign_of_face(beta) : 0;

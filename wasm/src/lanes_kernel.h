@@ -18,7 +18,7 @@ typedef struct double_edges {
    (out)[2] = (a)[0] * (b)[1] - (a)[1] * (b)[0])
 #define DOT(a, b) ((a)[0] * (b)[0] + (a)[1] * (b)[1] + (a)[2] * (b)[2])
 
-/* The edges' components on one axis. p[v][axis]: the vertex of (i, j, k) as in scaling.c. */
+/* The edges' components on one axis, from p[v][axis]. */
 #define SUBTRACT_VERTICES(p, e, axis)                                                                                  \
   for (int m = 0; m < 2; ++m)                                                                                          \
     for (int n = 0; n < 2; ++n) {                                                                                      \
@@ -26,8 +26,6 @@ typedef struct double_edges {
       (e)->v[m][n][axis] = (p)[3 * vertex_at[m][1][n] + axis] - (p)[3 * vertex_at[m][0][n] + axis];                    \
       (e)->w[m][n][axis] = (p)[3 * vertex_at[m][n][1] + axis] - (p)[3 * vertex_at[m][n][0] + axis];                    \
     }
-
-static const unsigned char vertex_at[2][2][2] = {{{0, 4}, {3, 7}}, {{1, 5}, {2, 6}}}; /* [i][j][k] */
 
 /* Eight bits as eight bytes of 0 or 1, the lowest first in memory: all machines with these vectors are little-endian. */
 static inline uint64_t bytes_of(unsigned bits) {
@@ -160,14 +158,14 @@ static inline void group_bernstein(const double_edges *e, doubles b[27]) {
         order_by_memory(e);
         doubles n[3];
         CROSS(e->u[j][k], e->v[i][k], n);
-        b[18 * i + 6 * j + 2 * k] = DOT(n, e->w[i][j]);
+        b[bernstein_index(2 * i, 2 * j, 2 * k)] = DOT(n, e->w[i][j]);
         to_far_v[i][j][k] = DOT(n, e->w[1 - i][j]);
         to_far_u[i][j][k] = DOT(n, e->w[i][1 - j]);
       }
   for (int m = 0; m < 2; ++m)
     for (int k = 0; k < 2; ++k) {
-      b[9 + 6 * m + 2 * k] = to_far_v[0][m][k] + to_far_v[1][m][k];
-      b[18 * m + 3 + 2 * k] = to_far_u[m][0][k] + to_far_u[m][1][k];
+      b[bernstein_index(1, 2 * m, 2 * k)] = to_far_v[0][m][k] + to_far_v[1][m][k];
+      b[bernstein_index(2 * m, 1, 2 * k)] = to_far_u[m][0][k] + to_far_u[m][1][k];
     }
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
@@ -175,11 +173,11 @@ static inline void group_bernstein(const double_edges *e, doubles b[27]) {
       CROSS(e->u[j][0], e->v[i][1], n);
       CROSS(e->u[j][1], e->v[i][0], other);
       for (int r = 0; r < 3; ++r) n[r] += other[r];
-      b[18 * i + 6 * j + 1] = DOT(n, e->w[i][j]);
+      b[bernstein_index(2 * i, 2 * j, 1)] = DOT(n, e->w[i][j]);
     }
   for (int face = 0; face < 6; ++face) {
     int s = axis_stride[face_table[face].s], t = axis_stride[face_table[face].t];
-    doubles *c = b + 2 * face_table[face].side * axis_stride[face_table[face].axis] + s + t;
+    doubles *c = b + face_middle(face);
     doubles middles = (c[-s] + c[s]) + (c[-t] + c[t]);
     doubles corners = (c[-s - t] + c[s + t]) + (c[-s + t] + c[s - t]);
     *c = middles - corners;
@@ -192,7 +190,7 @@ static inline void corners_of_group(const double *hexahedra, int first, lane_min
   double_edges e;
   order_by_memory(p);
   double_bits usable = scaled_edges(p, &e, &unit, &permanent);
-  b[13] = all_doubles(0);
+  b[CUBE_CENTRE] = all_doubles(0);
   order_by_memory(b);
   group_bernstein(&e, b);
 

@@ -2,13 +2,16 @@
 #include "map.h"
 #include "bernstein.h"
 #include "hexlens.h"
+#include "topology.h"
 
 void map_point(const double vertices[24], const double point[3], double position[3]) {
   const double xi = point[0], eta = point[1], zeta = point[2];
   for (int r = 0; r < 3; ++r) {
     const double *p = vertices + r;
-    double bottom = lerp(lerp(p[0], p[3], xi), lerp(p[9], p[6], xi), eta);
-    double top = lerp(lerp(p[12], p[15], xi), lerp(p[21], p[18], xi), eta);
+    double bottom = lerp(lerp(p[3 * vertex_at[0][0][0]], p[3 * vertex_at[1][0][0]], xi),
+                         lerp(p[3 * vertex_at[0][1][0]], p[3 * vertex_at[1][1][0]], xi), eta);
+    double top = lerp(lerp(p[3 * vertex_at[0][0][1]], p[3 * vertex_at[1][0][1]], xi),
+                      lerp(p[3 * vertex_at[0][1][1]], p[3 * vertex_at[1][1][1]], xi), eta);
     position[r] = lerp(bottom, top, zeta) + 0.0; /* -0 becomes 0 */
   }
 }

@@ -1,5 +1,6 @@
 /* Exact powers of two by the bits of the doubles; edge vectors scaled axis by axis: docs/algorithm.md (2). */
 #include "scaling.h"
+#include "topology.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -57,12 +58,11 @@ int scaled_back(double *values, int count, int exponent) {
 }
 
 static void subtract_vertices(const double p[8][3], int axis, edge_vectors *edges) {
-  static const unsigned char vertex_of[2][2][2] = {{{0, 4}, {3, 7}}, {{1, 5}, {2, 6}}}; /* [i][j][k] */
   for (int m = 0; m < 2; ++m)
     for (int n = 0; n < 2; ++n) {
-      edges->u[m][n][axis] = p[vertex_of[1][m][n]][axis] - p[vertex_of[0][m][n]][axis];
-      edges->v[m][n][axis] = p[vertex_of[m][1][n]][axis] - p[vertex_of[m][0][n]][axis];
-      edges->w[m][n][axis] = p[vertex_of[m][n][1]][axis] - p[vertex_of[m][n][0]][axis];
+      edges->u[m][n][axis] = p[vertex_at[1][m][n]][axis] - p[vertex_at[0][m][n]][axis];
+      edges->v[m][n][axis] = p[vertex_at[m][1][n]][axis] - p[vertex_at[m][0][n]][axis];
+      edges->w[m][n][axis] = p[vertex_at[m][n][1]][axis] - p[vertex_at[m][n][0]][axis];
     }
 }
 

@@ -42,13 +42,8 @@ static void found_value(search *s, const part *p, const double t[3], double valu
 }
 
 static void look_at_corners(search *s, const part *p) {
-  for (int v = 0; v < 8; ++v) {
-    const unsigned char *r = vertex_reference[v];
-    found_value(s, p, (const double[3]){r[0], r[1], r[2]}, p->b[vertex_index(v)]);
-  }
+  for (int v = 0; v < 8; ++v) found_value(s, p, vertex_point[v], p->b[vertex_index(v)]);
 }
-
-static int axis_digit(int index, int axis) { return index / axis_stride[axis] % 3; }
 
 /* Where jacdet does not fall along an axis its least values lie on the part's lower side, and where it does not rise on the
    upper: the part becomes that side. Nothing is computed but comparisons, so nothing is rounded. */
