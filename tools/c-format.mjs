@@ -4,7 +4,7 @@ import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { root } from './run.mjs'
 
-const FOLDERS = ['wasm', 'tests/core']
+const FOLDERS = ['wasm', 'tests/core', 'docs/c']
 
 /** The C files that are not formatted, relative to the root; with `write` they are when this returns. */
 export async function unformattedC({ write = false } = {}) {
@@ -21,7 +21,7 @@ export async function unformattedC({ write = false } = {}) {
 function sources() {
   return FOLDERS.filter(folder => existsSync(join(root, folder))).flatMap(folder =>
     readdirSync(join(root, folder), { recursive: true })
-      .filter(name => /\.[ch]$/.test(name))
+      .filter(name => /\.([ch]|cpp)$/.test(name))
       .map(name => join(folder, name)),
   )
 }

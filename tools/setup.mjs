@@ -1,6 +1,7 @@
-// Sets everything up that building, serving and testing need: npm packages, make, emcc, the wasm; for tests also a C
-// compiler, a clang with libFuzzer, Python, Chromium and, on Linux, Firefox and WebKitGTK. Each step is quick when there is
-// nothing to do, and either completes or leaves nothing behind. Plain Node without dependencies: it installs them.
+// Sets everything up that building, serving and testing need: npm packages, make, emcc, the wasm; for tests also C and
+// C++ compilers, CMake, pkg-config, a clang with libFuzzer, Python, Chromium and, on Linux, Firefox and WebKitGTK. Each
+// step is quick when there is nothing to do, and either completes or leaves nothing behind. Plain Node without
+// dependencies: it installs them.
 
 import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
@@ -23,6 +24,16 @@ const steps = [
   { what: 'the npm packages', isDone: packagesAreCurrent, run: installPackages },
   { what: 'make', isDone: () => onPath('make'), run: installMake },
   { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'bench', 'unit', 'test'] },
+  ...[
+    { what: 'a C++ compiler', command: 'c++', debian: 'g++' },
+    { what: 'CMake', command: 'cmake', debian: 'cmake' },
+    { what: 'pkg-config', command: 'pkg-config', debian: 'pkg-config' },
+  ].map(({ what, command, debian }) => ({
+    what,
+    isDone: () => onPath(command),
+    run: say => installDebianPackages(say, what, [debian]),
+    for: ['check', 'unit', 'test'],
+  })),
   {
     what: 'the wasm and its twin',
     isDone: () => isMade('wasm'),

@@ -83,7 +83,7 @@ function judged(result, status) {
 
 /** What both the native and the unit tests need: two makes side by side would write the same files. */
 async function buildNativeLibrary() {
-  const { status, text } = await run('make', ['-s', '-C', 'wasm', 'native', 'parity'])
+  const { status, text } = await run('make', ['-s', '-C', 'wasm', 'native', 'parity', 'library'])
   if (status !== 0) throw new Failure(`The native library was not built.\n${text}`)
 }
 

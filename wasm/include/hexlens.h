@@ -19,8 +19,19 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* The version of this header; hl_version() is that of the library. Before 1.0 another minor version may change the interface. */
+#define HL_VERSION "0.1.0"
+#define HL_VERSION_MAJOR 0
+#define HL_VERSION_MINOR 1
+#define HL_VERSION_PATCH 0
+
 #ifdef __cplusplus
 extern "C" {
+#endif
+
+/* The library hides all else. */
+#if defined __GNUC__
+#pragma GCC visibility push(default)
 #endif
 
 enum {
@@ -135,6 +146,9 @@ typedef struct hl_jacobian {
   int exponent;
 } hl_jacobian;
 
+/* HL_VERSION of the library that the program runs with, as it was compiled. */
+const char *hl_version(void);
+
 /* Everything about one hexahedron: all faces solved, whatever the rules would skip. */
 hl_status hl_analyze(const double vertices[HL_COORDINATES], hl_report *report);
 
@@ -203,6 +217,10 @@ enum {
 size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]);
 size_t hl_pack_minimum(const hl_minimum *minimum, double packed[HL_PACKED_MINIMUM]);
 size_t hl_pack_jacobian(const hl_jacobian *jacobian, double packed[HL_PACKED_JACOBIAN]);
+
+#if defined __GNUC__
+#pragma GCC visibility pop
+#endif
 
 #ifdef __cplusplus
 }

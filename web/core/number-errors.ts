@@ -2,7 +2,7 @@
  * How far the doubles of a report can be from the exact numbers, times 2^exponent: docs/algorithm.md 4, 8 and 9. Infinite
  * where they say nothing: for what was decided exactly, (M1) is not a bound of anything but the minimum.
  */
-import { edgeVertices, type Vec3, type Vertices, vertexOf } from '../model/hexahedron'
+import { edgesAlong, edgeVertices, type Vec3, type Vertices, vertexOf } from '../model/hexahedron'
 import type { Report } from './report'
 
 /**
@@ -29,22 +29,15 @@ export function scaledJacobianError(report: Report): number {
   if (report.exponent !== 0) return Number.POSITIVE_INFINITY
   const edges = edgeVertices.map(([from, to]) => difference(report.vertices, from, to))
   const lengths = edges.map(edge => Math.hypot(...edge))
-  const centre = DIRECTIONS.map(parallel => Math.hypot(...meanOf(parallel.map(edge => edges[edge] as Vec3))))
+  const centre = edgesAlong.map(parallel => Math.hypot(...meanOf(parallel.map(edge => edges[edge] as Vec3))))
   if (Math.min(...centre) < SHORTEST_COLUMN * Math.max(...lengths)) return Number.POSITIVE_INFINITY
-  const shortest = DIRECTIONS.map((parallel, direction) =>
+  const shortest = edgesAlong.map((parallel, direction) =>
     Math.min(centre[direction] as number, ...parallel.map(edge => lengths[edge] as number)),
   )
   const product = shortest.reduce((all, length) => all * length, 1)
   const error = (valueError(report) / product) * (1 + LENGTHS_ERROR) + LENGTHS_ERROR
   return product > Number.MIN_VALUE / Number.EPSILON ? error : Number.POSITIVE_INFINITY
 }
-
-/** The edges along xi, eta and zeta. */
-const DIRECTIONS = [
-  [0, 2, 4, 6],
-  [1, 3, 5, 7],
-  [8, 9, 10, 11],
-] as const
 
 function difference(vertices: Vertices, from: number, to: number): Vec3 {
   const start = vertexOf(vertices, from)

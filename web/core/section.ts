@@ -1,8 +1,6 @@
 /** The jacdet's 27 Bernstein coefficients on [0,1]^3, restricted to a section or evaluated. Drawn and read, never a verdict. */
-import { type Axis, edgeVertices, faces, type Vec3, vertexReference } from '../model/hexahedron'
-
-/** Coefficients are `bernstein[9 * i + 3 * j + k]`, i in xi, j in eta, k in zeta. */
-const STRIDES = [9, 3, 1] as const
+import { bernsteinIndex, bernsteinStrides, edgeBernstein, faceBernstein } from '../model/bernstein'
+import { type Axis, faces, type Vec3 } from '../model/hexahedron'
 
 /** The two axes that vary on a section, in the order xi, eta, zeta: s and t, as on the faces. */
 export function axesOn(axis: Axis): readonly [Axis, Axis] {
@@ -11,20 +9,16 @@ export function axesOn(axis: Axis): readonly [Axis, Axis] {
 }
 
 /** An edge's three coefficients, from its lower to its upper end. */
-export function edgeBernstein(bernstein: readonly number[], edge: number): Vec3 {
-  const [from, to] = (edgeVertices[edge] as readonly [number, number]).map(vertex =>
-    STRIDES.reduce((index, stride, axis) => index + 2 * stride * (vertexReference[vertex]?.[axis] as number), 0),
-  ) as [number, number]
-  return [from, (from + to) / 2, to].map(index => bernstein[index]) as unknown as Vec3
+export function bernsteinOnEdge(bernstein: readonly number[], edge: number): Vec3 {
+  return edgeBernstein[edge]?.map(index => bernstein[index]) as unknown as Vec3
 }
 
 /** The nine coefficients where the axis' coordinate is `value`, `[3 * i + j]` with i in s, j in t; at 0 and 1 a face's. */
 export function sectionBernstein(bernstein: readonly number[], axis: Axis, value: number): number[] {
   const [b0, b1, b2] = basis(value)
-  const across = STRIDES[axis]
-  const [s, t] = axesOn(axis)
-  return Array.from({ length: 9 }, (_, index) => {
-    const at = STRIDES[s] * Math.floor(index / 3) + STRIDES[t] * (index % 3)
+  const across = bernsteinStrides[axis]
+  const lower = faceBernstein[2 * axis] as readonly number[]
+  return lower.map(at => {
     const coefficient = (k: number) => bernstein[at + k * across] as number
     return b0 * coefficient(0) + b1 * coefficient(1) + b2 * coefficient(2)
   })
@@ -47,7 +41,7 @@ function weighted(bernstein: readonly number[], [x, y, z]: readonly [Vec3, Vec3,
   let sum = 0
   for (let i = 0; i < 3; i++) {
     for (let j = 0; j < 3; j++) {
-      const row = 9 * i + 3 * j
+      const row = bernsteinIndex(i, j, 0)
       const alongZ =
         z[0] * (bernstein[row] as number) +
         z[1] * (bernstein[row + 1] as number) +

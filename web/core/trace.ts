@@ -2,9 +2,10 @@
  * Algorithm 1 step by step (docs/algorithm.md 4 and 6), from a report alone: vertices, then edges, then faces in order, with
  * what each adds to M, the least jacdet so far. The report holds every candidate, whatever a query would have skipped.
  */
-import { edgeVertices, faces, VERTEX_COUNT, type Vec3, vertexReference } from '../model/hexahedron'
+import { edgeVertices, faces, VERTEX_COUNT } from '../model/hexahedron'
 import type { Query, Variant } from '../model/state'
 import type { Candidate, CandidateKind, Report } from './report'
+import { bernsteinOnEdge } from './section'
 
 /**
  * What came of a step. On an edge without candidate: its parabola is concave, no parabola, or its vertex is not strictly inside.
@@ -81,16 +82,9 @@ export function traceOf(report: Report, { query, variant }: TraceOptions): reado
 
 /** Why an edge has no candidate, from its Bernstein coefficients: docs/algorithm.md (9). */
 function edgeOutcome({ bernstein }: Report, edge: number): Outcome {
-  const [from, to] = (edgeVertices[edge] as readonly [number, number]).map(v => vertexReference[v] as Vec3) as [
-    Vec3,
-    Vec3,
-  ]
-  const at = (along: 0 | 1 | 2) => {
-    const [i, j, k] = from.map((x, axis) => (2 - along) * x + along * (to[axis] as number)) as [number, number, number]
-    return bernstein[9 * i + 3 * j + k] as number
-  }
+  const [q0, q1, q2] = bernsteinOnEdge(bernstein, edge)
   // Differences first, so that nothing overflows that does not in the report.
-  const [down, up] = [at(0) - at(1), at(2) - at(1)]
+  const [down, up] = [q0 - q1, q2 - q1]
   if (down === -up) return 'straight'
   return down < -up ? 'concave' : 'vertex-outside'
 }

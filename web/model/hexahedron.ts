@@ -42,6 +42,16 @@ export const edgeVertices: readonly (readonly [number, number])[] = [
   [2, 6],
 ]
 
+/** Along which reference axis an edge runs. */
+export const edgeAxes: readonly number[] = edgeVertices.map(([from, to]) =>
+  [0, 1, 2].findIndex(axis => vertexReference[from]?.[axis] !== vertexReference[to]?.[axis]),
+)
+
+/** The four edges along xi, eta and zeta. */
+export const edgesAlong: readonly (readonly number[])[] = [0, 1, 2].map(axis =>
+  edgeAxes.flatMap((along, edge) => (along === axis ? [edge] : [])),
+)
+
 /**
  * Faces 0 to 5: -xi, +xi, -eta, +eta, -zeta, +zeta. `axis` is the reference coordinate that is fixed, `side` its value;
  * `s` and `t` are the other two axes in the order xi, eta, zeta; `vertices` are those at (s, t) = 00, 10, 01, 11.

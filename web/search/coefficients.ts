@@ -2,7 +2,8 @@
  * Corner values and Bernstein coefficients of jacdet in doubles, docs/algorithm.md (3) to (8), for the sieve of a search alone: what
  * passes it is analysed by the core, whose numbers are the ones that count.
  */
-import { vertexReference } from '../model/hexahedron'
+import { bernsteinIndex, bernsteinStrides, edgeBernstein, faceBernstein, vertexBernstein } from '../model/bernstein'
+import { faces, type Vec3, vertexReference } from '../model/hexahedron'
 
 /**
  * Whether a corner value of the element whose coordinates begin there is at most `most`. It stops at the first one: each is the
@@ -33,13 +34,14 @@ export function hasCornerAtMost(elements: Float64Array, element: number, most: n
 /** Of each corner the ends of its edges along xi, eta and zeta, as offsets of their coordinates, six a corner. */
 const CORNER_EDGES = Uint8Array.from(
   vertexReference.flatMap(corner =>
-    [0, 1, 2].flatMap(axis =>
-      [0, 1].map(
-        side => 3 * vertexReference.findIndex(point => point.every((x, r) => x === (r === axis ? side : corner[r]))),
-      ),
-    ),
+    [0, 1, 2].flatMap(axis => [0, 1].map(side => coordinatesOf(corner.with(axis, side) as unknown as Vec3))),
   ),
 )
+
+/** Where the coordinates of a vertex are in an element. */
+function coordinatesOf(reference: Vec3): number {
+  return 3 * vertexReference.findIndex(point => point.every((x, axis) => x === reference[axis]))
+}
 
 /** Edge vectors from vertex to vertex, three numbers each: U_jk at 2j + k, V_ik at 2i + k, W_ij at 2i + j. */
 const u = new Float64Array(12)
@@ -49,10 +51,7 @@ const w = new Float64Array(12)
 const normals = new Float64Array(24)
 
 /** Where the vertex ijk is in an element, at 4i + 2j + k. */
-const FIRST = [0, 12, 9, 21, 3, 15, 6, 18] as const
-
-/** Index of the coefficient ijk, each 0 to 2. */
-const at = (i: number, j: number, k: number) => 9 * i + 3 * j + k
+const FIRST = [0, 1, 2, 3, 4, 5, 6, 7].map(ijk => coordinatesOf([ijk >> 2, (ijk >> 1) & 1, ijk & 1]))
 
 /** Sets the eight corner coefficients of the element whose coordinates begin there. */
 export function setCorners(bernstein: Float64Array, elements: Float64Array, element: number): void {
@@ -69,7 +68,7 @@ export function setCorners(bernstein: Float64Array, elements: Float64Array, elem
     for (let j = 0; j < 2; ++j)
       for (let k = 0; k < 2; ++k) {
         cross(normals, 3 * (4 * i + 2 * j + k), 3 * (2 * j + k), 3 * (2 * i + k))
-        bernstein[at(2 * i, 2 * j, 2 * k)] = dot(normals, 3 * (4 * i + 2 * j + k), 3 * (2 * i + j))
+        bernstein[bernsteinIndex(2 * i, 2 * j, 2 * k)] = dot(normals, 3 * (4 * i + 2 * j + k), 3 * (2 * i + j))
       }
 }
 
@@ -77,18 +76,18 @@ export function setCorners(bernstein: Float64Array, elements: Float64Array, elem
 export function setOthers(b: Float64Array): void {
   for (let m = 0; m < 2; ++m)
     for (let k = 0; k < 2; ++k) {
-      b[at(1, 2 * m, 2 * k)] = 0.5 * (mixed(0, m, k, 1, m) + mixed(1, m, k, 0, m))
-      b[at(2 * m, 1, 2 * k)] = 0.5 * (mixed(m, 0, k, m, 1) + mixed(m, 1, k, m, 0))
+      b[bernsteinIndex(1, 2 * m, 2 * k)] = 0.5 * (mixed(0, m, k, 1, m) + mixed(1, m, k, 0, m))
+      b[bernsteinIndex(2 * m, 1, 2 * k)] = 0.5 * (mixed(m, 0, k, m, 1) + mixed(m, 1, k, m, 0))
     }
   for (let i = 0; i < 2; ++i)
     for (let j = 0; j < 2; ++j) {
       cross(sum, 0, 3 * (2 * j), 3 * (2 * i + 1))
       cross(sum, 3, 3 * (2 * j + 1), 3 * (2 * i))
-      b[at(2 * i, 2 * j, 1)] = 0.5 * (dot(sum, 0, 3 * (2 * i + j)) + dot(sum, 3, 3 * (2 * i + j)))
+      b[bernsteinIndex(2 * i, 2 * j, 1)] = 0.5 * (dot(sum, 0, 3 * (2 * i + j)) + dot(sum, 3, 3 * (2 * i + j)))
     }
   let [middles, corners] = [0, 0]
-  for (const middle of EDGE_MIDDLES) middles += b[middle] as number
-  for (const corner of CORNERS) corners += b[corner] as number
+  for (const { middle } of EDGES) middles += b[middle] as number
+  for (const corner of vertexBernstein) corners += b[corner] as number
   for (const { centre, s, t } of FACES) {
     const sides = (b[centre - s] as number) + (b[centre + s] as number) + (b[centre - t] as number)
     const ends = (b[centre - s - t] as number) + (b[centre + s + t] as number) + (b[centre - s + t] as number)
@@ -97,23 +96,14 @@ export function setOthers(b: Float64Array): void {
   b[CENTRE] = 0.25 * (middles - corners)
 }
 
-export const CENTRE = 13
-export const CORNERS: readonly number[] = [0, 2, 6, 8, 18, 20, 24, 26]
+export const CENTRE = bernsteinIndex(1, 1, 1)
 /** The middle of each edge, and the stride to its ends. */
-export const EDGES: readonly { readonly middle: number; readonly stride: number }[] = [
-  ...[0, 2, 6, 8].map(from => ({ middle: from + 9, stride: 9 })),
-  ...[0, 2, 18, 20].map(from => ({ middle: from + 3, stride: 3 })),
-  ...[0, 6, 18, 24].map(from => ({ middle: from + 1, stride: 1 })),
-]
-const EDGE_MIDDLES = EDGES.map(({ middle }) => middle)
-const FACES = [
-  { centre: at(0, 1, 1), s: 3, t: 1 },
-  { centre: at(2, 1, 1), s: 3, t: 1 },
-  { centre: at(1, 0, 1), s: 9, t: 1 },
-  { centre: at(1, 2, 1), s: 9, t: 1 },
-  { centre: at(1, 1, 0), s: 9, t: 3 },
-  { centre: at(1, 1, 2), s: 9, t: 3 },
-]
+export const EDGES = edgeBernstein.map(([lower, middle]) => ({ middle, stride: middle - lower }))
+const FACES = faces.map(({ s, t }, face) => ({
+  centre: faceBernstein[face]?.[4] as number,
+  s: bernsteinStrides[s],
+  t: bernsteinStrides[t],
+}))
 
 /** How many there are on each axis once the element is cut into eight: neighbours share those where they meet. */
 export const FINE = 5
@@ -124,7 +114,7 @@ export const FINE = 5
  */
 export function setFine(fine: Float64Array, bernstein: Float64Array): void {
   for (let i = 0; i < 3; ++i)
-    for (let j = 0; j < 3; ++j) halve(bernstein, 9 * i + 3 * j, 1, alongZeta, 15 * i + 5 * j, 1)
+    for (let j = 0; j < 3; ++j) halve(bernstein, bernsteinIndex(i, j, 0), 1, alongZeta, 15 * i + 5 * j, 1)
   for (let i = 0; i < 3; ++i) for (let k = 0; k < FINE; ++k) halve(alongZeta, 15 * i + k, 5, alongEta, 25 * i + k, 5)
   for (let jk = 0; jk < FINE * FINE; ++jk) halve(alongEta, jk, 25, fine, jk, 25)
 }

@@ -5,11 +5,12 @@
  * agree to fifteen digits, and none is let through for good by such arithmetic.
  */
 import { exactBoundarySign } from '../core/exact/exact-sign'
+import { BERNSTEIN_COUNT, bernsteinMiddles, vertexBernstein } from '../model/bernstein'
 import type { Condition } from '../model/condition'
 import { NUMBERS, type NumberName, type QuantityName } from '../model/condition/names'
 import type { ClaimNode, Comparison, NumberNode } from '../model/condition/parse'
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../model/hexahedron'
-import { CENTRE, CORNERS, EDGES, FINE, setCorners, setFine, setOthers } from './coefficients'
+import { CENTRE, EDGES, FINE, setCorners, setFine, setOthers } from './coefficients'
 
 export interface Sieve {
   /** Whether any valid element may meet the condition, any invalid one, any with a corner value of zero or less. */
@@ -58,7 +59,7 @@ export function sieveOf({ claim, names }: Condition, measure: NumberNode, start:
   const countsMoved = names.includes('moved')
   const asksBoundary = names.includes('boundary_min')
   const needsCoefficients = names.some(name => !OF_THE_VERDICT.includes(name))
-  const bernstein = new Float64Array(27)
+  const bernstein = new Float64Array(BERNSTEIN_COUNT)
   const fine = new Float64Array(FINE ** 3)
   const mayBe = (set: () => void) => {
     set()
@@ -190,7 +191,7 @@ function byCoefficients(known: Enclosures, bernstein: Float64Array, error: numbe
     if (value < leastOutside) leastOutside = value
   }
   let [leastCorner, greatestCorner] = [Infinity, -Infinity]
-  for (const corner of CORNERS) {
+  for (const corner of vertexBernstein) {
     leastCorner = Math.min(leastCorner, bernstein[corner] as number)
     greatestCorner = Math.max(greatestCorner, bernstein[corner] as number)
   }
@@ -269,20 +270,17 @@ function leastOnEdges(bernstein: Float64Array): number {
 
 function valueAtCentre(bernstein: Float64Array): number {
   let sum = 0
-  for (let i = 0; i < 27; ++i) sum += (AT_CENTRE[i] as number) * (bernstein[i] as number)
+  for (let i = 0; i < BERNSTEIN_COUNT; ++i) sum += (AT_CENTRE[i] as number) * (bernstein[i] as number)
   return sum
 }
 
 /** By the weights 1/4, 1/2, 1/4 on each axis. */
-const AT_CENTRE = Float64Array.from({ length: 27 }, (_, i) => {
-  const ones = [9, 3, 1].filter(stride => Math.floor(i / stride) % 3 === 1).length
-  return 2 ** ones / 64
-})
+const AT_CENTRE = Float64Array.from(bernsteinMiddles, middles => 2 ** middles / 64)
 
 function meanOf(bernstein: Float64Array): number {
   let sum = 0
-  for (let i = 0; i < 27; ++i) sum += bernstein[i] as number
-  return sum / 27
+  for (let i = 0; i < BERNSTEIN_COUNT; ++i) sum += bernstein[i] as number
+  return sum / BERNSTEIN_COUNT
 }
 
 function compiled(node: ClaimNode, known: Enclosures): () => Truth {

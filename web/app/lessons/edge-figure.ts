@@ -4,7 +4,7 @@
  */
 import { html, svg, type TemplateResult } from 'lit-html'
 import type { Report } from '../../core/report'
-import { edgeBernstein } from '../../core/section'
+import { bernsteinOnEdge } from '../../core/section'
 import { formatJacdet, formatNumber } from '../../model/decimal'
 import { edgeName, edgeVertices } from '../../model/hexahedron'
 
@@ -13,7 +13,7 @@ const HEIGHT = 190
 const BOX = { left: 22, right: WIDTH - 22, top: 24, bottom: HEIGHT - 30 }
 
 export function edgeFigure({ bernstein, exponent }: Report, edge: number): TemplateResult {
-  const [q0, q1, q2] = edgeBernstein(bernstein, edge)
+  const [q0, q1, q2] = bernsteinOnEdge(bernstein, edge)
   const [from, to] = edgeVertices[edge] as readonly [number, number]
   const hasLowest = q1 < q0 && q1 < q2
   const along = hasLowest ? (q0 - q1) / (q0 - q1 + (q2 - q1)) : q0 <= q2 ? 0 : 1

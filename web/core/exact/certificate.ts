@@ -2,6 +2,7 @@
  * Proofs that jacdet is positive, or is not, which anyone can check from the definitions: docs/certificates.md. Of an invalid
  * element a rational point with jacdet <= 0; of a valid one intervals on which a condition with few signs holds.
  */
+import { bernsteinIndices } from '../../model/bernstein'
 import { edgeVertices, faces, VERTEX_COUNT, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { type ExactJacdet, exactEdge, exactFace, exactJacdet, exactVertex } from './exact-jacdet'
 import { exactBoundarySign, faceParabolas, type Sign } from './exact-sign'
@@ -85,12 +86,9 @@ function inTrueUnits({ numerator, denominator }: Rational, exponent: number): Ra
 /** jacdet at a point of the boundary, over the ExactJacdet's power of two and its factor 4. */
 function valueAt({ bernstein }: ExactJacdet, point: RationalPoint): Rational {
   const weights = point.map(({ numerator: x, denominator: d }) => [(d - x) * (d - x), 2n * x * (d - x), x * x])
-  const weight = (axis: number, i: number) => weights[axis]?.[i] as bigint
-  const numerator = bernstein.reduce(
-    (all, coefficient, n) =>
-      all + coefficient * weight(0, Math.floor(n / 9)) * weight(1, Math.floor(n / 3) % 3) * weight(2, n % 3),
-    0n,
-  )
+  const weightOf = (n: number) =>
+    weights.reduce((all, ofAxis, axis) => all * (ofAxis[bernsteinIndices[n]?.[axis] as number] as bigint), 1n)
+  const numerator = bernstein.reduce((all, coefficient, n) => all + coefficient * weightOf(n), 0n)
   return { numerator, denominator: point.reduce((all, { denominator: d }) => all * d * d, 1n) }
 }
 

@@ -1,4 +1,5 @@
 /** What other checks would say in exact arithmetic: their numbers from the integer coefficients, each rounded once. */
+import { edgesAlong, edgeVertices, vertexReference } from '../../model/hexahedron'
 import type { CheckId } from '../report'
 import { type ExactJacdet, exactVertex, type IntegerVector, sixteenths } from './exact-jacdet'
 import { rounded } from './rational'
@@ -64,7 +65,7 @@ function leastScaledJacobian(jacdet: ExactJacdet, atCentre: ScaledNumber): numbe
   const { edges, axisExponents } = jacdet
   const lengths = edges.map(edge => lengthOf(edge, axisExponents))
   const length = (edge: number | undefined) => lengths[edge as number] as ScaledNumber
-  const centreLengths = DIRECTIONS.map(parallel => {
+  const centreLengths = edgesAlong.map(parallel => {
     const sum = [0, 1, 2].map(r => parallel.reduce((all, edge) => all + (edges[edge]?.[r] as bigint), 0n))
     const { mantissa, exponent } = lengthOf(sum as unknown as IntegerVector, axisExponents)
     return { mantissa, exponent: exponent - 2 }
@@ -78,23 +79,10 @@ function leastScaledJacobian(jacdet: ExactJacdet, atCentre: ScaledNumber): numbe
   return Math.min(...values, ratio(atCentre, centreLengths))
 }
 
-/** The edges along xi, eta and zeta. */
-const DIRECTIONS = [
-  [0, 2, 4, 6],
-  [1, 3, 5, 7],
-  [8, 9, 10, 11],
-] as const
-
-const EDGES_AT_VERTEX = [
-  [0, 3, 8],
-  [0, 1, 9],
-  [2, 1, 11],
-  [2, 3, 10],
-  [4, 7, 8],
-  [4, 5, 9],
-  [6, 5, 11],
-  [6, 7, 10],
-] as const
+/** The one along xi, the one along eta, the one along zeta. */
+const EDGES_AT_VERTEX = vertexReference.map((_, vertex) =>
+  edgesAlong.map(edges => edges.find(edge => edgeVertices[edge]?.includes(vertex)) as number),
+)
 
 /** Of a vector of integers over powers of two, one for each axis. */
 function lengthOf(vector: IntegerVector, axisExponents: readonly number[]): ScaledNumber {

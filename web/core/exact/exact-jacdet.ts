@@ -1,9 +1,17 @@
 /** jacdet's Bernstein coefficients as integers: the doubles as given are integers over powers of two, one for each axis. */
-import { edgeVertices, faces, type Vertices, vertexReference } from '../../model/hexahedron'
+import {
+  BERNSTEIN_COUNT,
+  bernsteinIndex,
+  bernsteinMiddles,
+  edgeBernstein,
+  faceBernstein,
+  vertexBernstein,
+} from '../../model/bernstein'
+import { type Axis, edgeVertices, type Vertices, vertexReference } from '../../model/hexahedron'
 import { bitLength, rounded } from './rational'
 
 export interface ExactJacdet {
-  /** Four times the 27 coefficients, over 2^exponent, `bernstein[9 * i + 3 * j + k]`; the cube's centre is left 0. */
+  /** Four times the 27 coefficients, over 2^exponent; the cube's centre is left 0. */
   readonly bernstein: readonly bigint[]
   readonly exponent: number
   /** The twelve edge vectors; component r is its number times 2^axisExponents[r]. */
@@ -46,7 +54,15 @@ function integersOnAxis(vertices: Vertices, axis: number): { values: bigint[]; e
   return { values, exponent }
 }
 
-const at = (i: number, j: number, k: number) => 9 * i + 3 * j + k
+/** The edges U_jk, V_ik and W_ij, at 2j + k, 2i + k and 2i + j, each by the coefficient in its middle. */
+const EDGES = [0, 1, 2].map(axis =>
+  [0, 2].flatMap(first =>
+    [0, 2].map(second => {
+      const middle = bernsteinIndex(...([first, second].toSpliced(axis, 0, 1) as [number, number, number]))
+      return edgeBernstein.findIndex(edge => edge[1] === middle)
+    }),
+  ),
+)
 
 /** By docs/algorithm.md (3) to (7). */
 export function exactJacdet(vertices: Vertices): ExactJacdet {
@@ -56,12 +72,12 @@ export function exactJacdet(vertices: Vertices): ExactJacdet {
     const [p, q] = [points[from], points[to]] as [IntegerVector, IntegerVector]
     return [q[0] - p[0], q[1] - p[1], q[2] - p[2]] as const
   })
-  const vector = (edge: number | undefined) => vectors[edge as number] as IntegerVector
-  const u = (j: number, k: number) => vector([0, 4, 2, 6][2 * j + k])
-  const v = (i: number, k: number) => vector([3, 7, 1, 5][2 * i + k])
-  const w = (i: number, j: number) => vector([8, 10, 9, 11][2 * i + j])
+  const along = (axis: Axis, a: number, b: number) => vectors[EDGES[axis]?.[2 * a + b] as number] as IntegerVector
+  const u = (j: number, k: number) => along(0, j, k)
+  const v = (i: number, k: number) => along(1, i, k)
+  const w = (i: number, j: number) => along(2, i, j)
 
-  const bernstein = Array<bigint>(27).fill(0n)
+  const bernstein = Array<bigint>(BERNSTEIN_COUNT).fill(0n)
   const add = (index: number, value: bigint) => {
     bernstein[index] = (bernstein[index] as bigint) + value
   }
@@ -69,19 +85,16 @@ export function exactJacdet(vertices: Vertices): ExactJacdet {
     for (const j of [0, 1]) {
       for (const k of [0, 1]) {
         const normal = cross(u(j, k), v(i, k))
-        add(at(2 * i, 2 * j, 2 * k), 4n * dot(normal, w(i, j)))
-        add(at(1, 2 * j, 2 * k), 2n * dot(normal, w(1 - i, j)))
-        add(at(2 * i, 1, 2 * k), 2n * dot(normal, w(i, 1 - j)))
+        add(bernsteinIndex(2 * i, 2 * j, 2 * k), 4n * dot(normal, w(i, j)))
+        add(bernsteinIndex(1, 2 * j, 2 * k), 2n * dot(normal, w(1 - i, j)))
+        add(bernsteinIndex(2 * i, 1, 2 * k), 2n * dot(normal, w(i, 1 - j)))
       }
-      add(at(2 * i, 2 * j, 1), 2n * dot(plus(cross(u(j, 0), v(i, 1)), cross(u(j, 1), v(i, 0))), w(i, j)))
+      add(bernsteinIndex(2 * i, 2 * j, 1), 2n * dot(plus(cross(u(j, 0), v(i, 1)), cross(u(j, 1), v(i, 0))), w(i, j)))
     }
-  for (const { axis, side, s, t } of faces) {
-    const stride = [9, 3, 1]
-    const [S, T] = [stride[s] as number, stride[t] as number]
-    const centre = 2 * side * (stride[axis] as number) + S + T
-    const total = (...offsets: number[]) =>
-      offsets.reduce((all, offset) => all + (bernstein[centre + offset] as bigint), 0n)
-    bernstein[centre] = (2n * total(-S, S, -T, T) - total(-S - T, S + T, T - S, S - T)) / 4n
+  for (const nine of faceBernstein) {
+    const total = (...places: number[]) =>
+      places.reduce((all, place) => all + (bernstein[nine[place] as number] as bigint), 0n)
+    bernstein[nine[4] as number] = (2n * total(1, 3, 5, 7) - total(0, 2, 6, 8)) / 4n
   }
   const axisExponents = axes.map(({ exponent }) => exponent)
   return { bernstein, exponent: axisExponents.reduce((a, b) => a + b), edges: vectors, axisExponents }
@@ -89,9 +102,9 @@ export function exactJacdet(vertices: Vertices): ExactJacdet {
 
 /** Sixteen times the 27 coefficients, over 2^exponent: with the cube's centre by docs/algorithm.md (7). */
 export function sixteenths({ bernstein }: ExactJacdet): bigint[] {
-  const sumOf = (ones: number) =>
-    bernstein.reduce((all, coefficient, i) => (onesIn(i) === ones ? all + coefficient : all), 0n)
-  return bernstein.map(coefficient => 4n * coefficient).with(at(1, 1, 1), sumOf(1) - sumOf(0))
+  const sumOf = (middles: number) =>
+    bernstein.reduce((all, coefficient, i) => (bernsteinMiddles[i] === middles ? all + coefficient : all), 0n)
+  return bernstein.map(coefficient => 4n * coefficient).with(bernsteinIndex(1, 1, 1), sumOf(1) - sumOf(0))
 }
 
 /** A coefficient too small for the doubles beside the largest keeps its sign. */
@@ -115,29 +128,16 @@ export function roundedJacdet(jacdet: ExactJacdet) {
   }
 }
 
-/** How many of its three indices are 1: none of a corner, one of an edge's middle. */
-function onesIn(index: number): number {
-  return [9, 3, 1].filter(stride => Math.floor(index / stride) % 3 === 1).length
-}
-
 /** A face's nine, `[3 * i + j]` with i in s, j in t. */
 export function exactFace({ bernstein }: ExactJacdet, face: number): bigint[] {
-  const { axis, side, s, t } = faces[face] as (typeof faces)[number]
-  const stride = [9, 3, 1] as const
-  const origin = 2 * side * stride[axis]
-  return [0, 1, 2].flatMap(i => [0, 1, 2].map(j => bernstein[origin + i * stride[s] + j * stride[t]] as bigint))
+  return (faceBernstein[face] as readonly number[]).map(index => bernstein[index] as bigint)
 }
 
 /** An edge's three, from its lower to its upper end. */
 export function exactEdge({ bernstein }: ExactJacdet, edge: number): [bigint, bigint, bigint] {
-  const [from, to] = (edgeVertices[edge] as readonly [number, number]).map(vertex => {
-    const [i, j, k] = vertexReference[vertex] as readonly [number, number, number]
-    return at(2 * i, 2 * j, 2 * k)
-  }) as [number, number]
-  return [from, (from + to) / 2, to].map(index => bernstein[index] as bigint) as [bigint, bigint, bigint]
+  return edgeBernstein[edge]?.map(index => bernstein[index]) as [bigint, bigint, bigint]
 }
 
 export function exactVertex({ bernstein }: ExactJacdet, vertex: number): bigint {
-  const [i, j, k] = vertexReference[vertex] as readonly [number, number, number]
-  return bernstein[at(2 * i, 2 * j, 2 * k)] as bigint
+  return bernstein[vertexBernstein[vertex] as number] as bigint
 }

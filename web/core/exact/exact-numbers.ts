@@ -2,6 +2,8 @@
  * The numbers of a report from exact arithmetic, in true units: rationals where they are, else enclosed to 2^-48 of themselves,
  * the sign never open. For what docs/algorithm.md says about doubles does not reach.
  */
+
+import { bernsteinIndices, bernsteinMiddles, bernsteinStrides, vertexBernstein } from '../../model/bernstein'
 import {
   type Enclosure,
   exactly,
@@ -14,7 +16,7 @@ import {
   scaledInteger,
   sumOf,
 } from '../../model/condition/enclosure'
-import { edgeVertices, type Vertices, vertexReference } from '../../model/hexahedron'
+import { type Axis, edgeVertices, type Vertices, vertexReference } from '../../model/hexahedron'
 import { exactChecks, type ScaledNumber } from './exact-checks'
 import { type ExactJacdet, exactEdge, exactJacdet, exactVertex, sixteenths } from './exact-jacdet'
 import { exactBoundary } from './exact-minimum'
@@ -55,8 +57,10 @@ export function exactBernsteinMinimum(vertices: Vertices): Enclosure {
 /** jacdet in the middle: the mean of the coefficients with weights 1, 2, 1 on each axis. */
 export function exactCentre(vertices: Vertices): Enclosure {
   const jacdet = exactJacdet(vertices)
-  const weight = (i: number) => 2 ** [Math.floor(i / 9), Math.floor(i / 3) % 3, i % 3].filter(k => k === 1).length
-  const sum = sixteenths(jacdet).reduce((all, coefficient, i) => all + BigInt(weight(i)) * coefficient, 0n)
+  const sum = sixteenths(jacdet).reduce(
+    (all, coefficient, i) => all + BigInt(2 ** (bernsteinMiddles[i] as number)) * coefficient,
+    0n,
+  )
   return exactly(scaledInteger(sum, jacdet.exponent - 10))
 }
 
@@ -91,11 +95,11 @@ export function exactSubdivision(vertices: Vertices): Enclosure {
 function subdivided(bernstein: readonly bigint[], depth: number, exponent: number): Rational {
   const bound = least(bernstein)
   if (bound > 0n) return scaledInteger(bound, exponent)
-  const corner = least(bernstein.filter((_, i) => CORNERS.includes(i)))
+  const corner = least(vertexBernstein.map(i => bernstein[i] as bigint))
   if (corner <= 0n) return scaledInteger(corner, exponent)
   if (depth === GIVES_UP_PAST) return scaledInteger(bound, exponent)
   let parts = [bernstein]
-  for (const stride of [9, 3, 1]) parts = parts.flatMap(part => halves(part, stride))
+  for (const axis of [0, 1, 2] as const) parts = parts.flatMap(part => halves(part, axis))
   let smallest: Rational | null = null
   for (const part of parts) {
     const number = subdivided(part, depth + 1, exponent - 6)
@@ -105,14 +109,13 @@ function subdivided(bernstein: readonly bigint[], depth: number, exponent: numbe
   return smallest as Rational
 }
 
-const CORNERS = [0, 2, 6, 8, 18, 20, 24, 26]
-
 /** Four times the coefficients on the lower and on the upper half along one axis. */
-function halves(bernstein: readonly bigint[], stride: number): [bigint[], bigint[]] {
+function halves(bernstein: readonly bigint[], axis: Axis): [bigint[], bigint[]] {
+  const stride = bernsteinStrides[axis]
   const lower = [...bernstein]
   const upper = [...bernstein]
   bernstein.forEach((q0, i) => {
-    if (Math.floor(i / stride) % 3 !== 0) return
+    if (bernsteinIndices[i]?.[axis] !== 0) return
     const [q1, q2] = [bernstein[i + stride] as bigint, bernstein[i + 2 * stride] as bigint]
     const middle = q0 + 2n * q1 + q2
     lower.splice(i, 1, 4n * q0)

@@ -2,7 +2,15 @@
  * The element about its vertex 0 in units of its own size, and jacdet there as a function of its vertices: columns of DF, what
  * jacdet gains when a vertex moves (N2), its Bernstein coefficients on the faces. docs/algorithm.md 12.
  */
-import { edgeVertices, faces, type Vec3, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
+import {
+  edgeAxes,
+  edgeVertices,
+  faces,
+  type Vec3,
+  type Vertices,
+  vertexOf,
+  vertexReference,
+} from '../../model/hexahedron'
 import { timesPowerOfTwo } from '../power-of-two'
 
 /** Lengths are those of the element times 2^-exponent: the largest component of an edge is in [1/2, 1). */
@@ -38,11 +46,6 @@ export function movedEdges({ edges }: ScaledElement, moves: readonly Vec3[]): Ve
     return map3(axis => edge[axis] + ((moves[to] as Vec3)[axis] - (moves[from] as Vec3)[axis]))
   })
 }
-
-/** Along which reference axis an edge runs. */
-const edgeAxes = edgeVertices.map(([from, to]) =>
-  [0, 1, 2].findIndex(axis => vertexReference[from]?.[axis] !== vertexReference[to]?.[axis]),
-)
 
 /** The columns of DF: each the mean of four edges. */
 export type Columns = readonly [Vec3, Vec3, Vec3]
