@@ -1,4 +1,4 @@
-/** A worker for batches: one wasm instance, one piece after another. */
+/** A worker for batches, in a browser or in Node: one wasm instance, one piece after another. */
 import { answersIn, type BatchCore, cellCount, loadBatchCore } from './batch-core'
 import { type Answer, memoryOf, type Request } from './messages'
 
@@ -7,7 +7,16 @@ interface Scope {
   postMessage(answer: Answer, transfer: ArrayBuffer[]): void
 }
 
-const scope = globalThis as unknown as Scope
+const isInBrowser = 'postMessage' in globalThis
+const scope = isInBrowser ? (globalThis as unknown as Scope) : threadScope()
+
+/** A thread of Node has its messages elsewhere. */
+function threadScope(): Scope {
+  const port = process.getBuiltinModule('node:worker_threads').parentPort
+  if (!port) throw new Error('This script is a worker for batches, and was not started as one.')
+  port.on('message', data => scope.onmessage?.({ data }))
+  return { onmessage: null, postMessage: (answer, transfer) => port.postMessage(answer, transfer) }
+}
 
 /** In milliseconds: progress is to be seen ten times a second. */
 const PROGRESS_INTERVAL = 50
@@ -15,8 +24,28 @@ const PROGRESS_INTERVAL = 50
 let core: Promise<BatchCore> | undefined
 
 scope.onmessage = ({ data }) => {
-  if (data.kind === 'start') core = loadBatchCore(data.module)
-  else classify(data).catch(reason => scope.postMessage({ kind: 'failed', message: String(reason) }, []))
+  const answered = data.kind === 'start' ? start(data.module) : classify(data)
+  answered.catch(reason => scope.postMessage({ kind: 'failed', message: String(reason) }, []))
+}
+
+async function start(module: WebAssembly.Module): Promise<void> {
+  core = loadBatchCore(module)
+  const lock = isInBrowser ? await heldLock() : null
+  await core
+  scope.postMessage({ kind: 'started', lock }, [])
+}
+
+/** Nothing but its lock's release tells a page of a worker that was ended from outside. */
+function heldLock(): Promise<string | null> {
+  return new Promise(resolve => {
+    if (!navigator.locks) return resolve(null)
+    const name = `hexlens-batch-${crypto.randomUUID()}`
+    const held = () => {
+      resolve(name)
+      return new Promise<never>(() => {})
+    }
+    navigator.locks.request(name, held).catch(() => resolve(null))
+  })
 }
 
 async function classify({ piece, block, wantsMinima }: Request & { readonly kind: 'classify' }): Promise<void> {
