@@ -22,7 +22,7 @@ export function pagePort(worker: Worker, blocked: string): WorkerPort {
   return port
 }
 
-const ENDED = 'it was ended from outside.'
+const ENDED = 'it was ended.'
 const UNREADABLE = 'its answer could not be read.'
 
 function whenReleased(lock: string, call: () => void): void {

@@ -21,18 +21,18 @@ function threadScope(): Scope {
 /** In milliseconds: progress is to be seen ten times a second. */
 const PROGRESS_INTERVAL = 50
 
-let core: Promise<BatchCore> | undefined
+let started: Promise<BatchCore> | undefined
 
 scope.onmessage = ({ data }) => {
-  const answered = data.kind === 'start' ? start(data.module) : classify(data)
-  answered.catch(reason => scope.postMessage({ kind: 'failed', message: String(reason) }, []))
+  if (data.kind === 'start') started = start(data.module)
+  const answered = data.kind === 'start' ? started : classify(data)
+  answered?.catch(reason => scope.postMessage({ kind: 'failed', message: String(reason) }, []))
 }
 
-async function start(module: WebAssembly.Module): Promise<void> {
-  core = loadBatchCore(module)
-  const lock = isInBrowser ? await heldLock() : null
-  await core
+async function start(module: WebAssembly.Module): Promise<BatchCore> {
+  const [core, lock] = await Promise.all([loadBatchCore(module), isInBrowser ? heldLock() : null])
   scope.postMessage({ kind: 'started', lock }, [])
+  return core
 }
 
 /** Nothing but its lock's release tells a page of a worker that was ended from outside. */
@@ -49,8 +49,8 @@ function heldLock(): Promise<string | null> {
 }
 
 async function classify({ piece, block, wantsMinima }: Request & { readonly kind: 'classify' }): Promise<void> {
-  if (!core) throw new Error('The worker was asked before it was started.')
-  const batch = await core
+  if (!started) throw new Error('The worker was asked before it was started.')
+  const batch = await started
   let shown = performance.now()
   const { validCount, exact, fault } = batch.classify(piece, wantsMinima, {
     into: count => answersIn(block, count, wantsMinima),
