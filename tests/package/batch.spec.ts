@@ -229,6 +229,8 @@ test('its types are whole', () => {
       'batch.ts',
     )
   tsc('--module', 'nodenext', '--types', '')
+  // As a program for Node is compiled, without a DOM.
+  tsc('--module', 'nodenext', '--lib', 'es2023', '--typeRoots', join(root, 'node_modules/@types'), '--types', 'node')
   tsc('--module', 'esnext', '--moduleResolution', 'bundler', '--types', '', '--exactOptionalPropertyTypes')
 })
 

@@ -28,6 +28,13 @@ export type {
 } from '../core/batch/classify'
 export type { CoreError, CoreErrorCode, Result } from '../core/report'
 
+declare global {
+  /** So that the types are whole where those of a DOM are not there, as in Node. */
+  namespace WebAssembly {
+    interface Module {}
+  }
+}
+
 export interface ClassifierOptions {
   /** At most so many; without, one for each of the machine's cores, and no more than 16. They start when they are needed. */
   readonly workers?: number
