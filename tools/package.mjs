@@ -10,7 +10,8 @@ const source = path => join(root, 'web', path)
 
 const BANNER = '/*! Hexlens, MIT; with three.js, MIT, and lit-html, BSD-3-Clause: licences.txt */'
 
-const WASM = 'virtual:hexlens.wasm.deflated'
+const WASM = /^virtual:(.*\.wasm)\.deflated$/
+const BATCH_WORKER = 'virtual:hexlens.batch-worker'
 const TWIN = './hexlens.twin.js'
 
 /** What is another in one file. */
@@ -26,7 +27,7 @@ const insideOneFile = {
   enforce: 'pre',
   async resolveId(id, importer) {
     if (id.endsWith('/hexlens-twin.js')) return { id: TWIN, external: true }
-    if (id === WASM) return id
+    if (WASM.test(id) || id === BATCH_WORKER) return id
     if (!id.startsWith('.')) return null
     const resolved = await this.resolve(id, importer, { skipSelf: true })
     return insides[resolved?.id] ?? null
@@ -43,9 +44,11 @@ const insideOneFile = {
     return { code: `${hoisted.join('\n')}\n${mended}`, map: null }
   },
   /** Deflated before it is text: text of other bytes hardly compresses when the file is sent. */
-  load(id) {
-    if (id !== WASM) return null
-    const deflated = deflateSync(readFileSync(join(root, 'build', 'hexlens.wasm')), { level: 9 })
+  async load(id) {
+    if (id === BATCH_WORKER) return `export default ${JSON.stringify(await scriptOf(batchWorker))}`
+    const [, name] = WASM.exec(id) ?? []
+    if (name === undefined) return null
+    const deflated = deflateSync(readFileSync(join(root, 'build', name)), { level: 9 })
     return `export default '${deflated.toString('base64')}'`
   },
 }
@@ -83,6 +86,14 @@ const nodeOutside = {
 
 const ours = path => join(root, 'web', 'package', path)
 
+/** In no module format: a page starts it as it likes, Node as text. */
+const batchWorker = {
+  file: 'hexlens.batch-worker.js',
+  format: 'iife',
+  entry: source('core/batch/worker.ts'),
+  plugins: [],
+}
+
 const bundles = [
   { file: 'hexlens.es.js', format: 'es', entry: ours('hexlens.ts'), plugins: [insideOneFile, modestLit, leanThree] },
   { file: 'hexlens.iife.js', format: 'iife', entry: ours('script.ts'), plugins: [insideOneFile, modestLit, leanThree] },
@@ -93,6 +104,8 @@ const bundles = [
     plugins: [insideOneFile, modestLit, threeOutside],
   },
   { file: 'hexlens.core.js', format: 'es', entry: ours('core.ts'), plugins: [insideOneFile] },
+  { file: 'hexlens.batch.js', format: 'es', entry: ours('batch.ts'), plugins: [insideOneFile] },
+  batchWorker,
   {
     file: 'hexlens.anywidget.js',
     format: 'es',
@@ -126,9 +139,20 @@ function licences() {
   return parts.map(([name, path]) => `${name}\n\n${readFileSync(join(root, path), 'utf8').trim()}\n`).join('\n\n')
 }
 
-async function bundleOneFile({ file, format, entry, plugins }, outDir) {
+async function bundleOneFile(bundle, outDir) {
   const { build } = await import('vite')
-  await build({
+  await build(configOf(bundle, { outDir, emptyOutDir: false }))
+}
+
+/** Its text. */
+async function scriptOf(bundle) {
+  const { build } = await import('vite')
+  const [{ output }] = await build(configOf(bundle, { write: false }))
+  return output[0].code
+}
+
+function configOf({ file, format, entry, plugins }, where) {
+  return {
     configFile: false,
     root,
     publicDir: false,
@@ -136,23 +160,22 @@ async function bundleOneFile({ file, format, entry, plugins }, outDir) {
     plugins,
     build: {
       target: 'es2022',
-      outDir,
-      emptyOutDir: false,
+      ...where,
       lib: { entry, formats: [format], name: 'hexlens', fileName: () => file },
       rolldownOptions: {
         output: { codeSplitting: false, minify: true, postBanner: BANNER },
         checks: { bundlerTimings: false },
       },
     },
-  })
+  }
 }
 
-/** Declarations of what the two entries export and of what that names, with file names in full: readers of a package ask for them. */
+/** Declarations of what the entries export and of what that names, with file names in full: readers of a package ask for them. */
 async function writeTypes(outDir) {
   rmSync(outDir, { recursive: true, force: true })
   const project = join(root, 'tsconfig.types.json')
   await must(process.execPath, [tsc, '-p', project, '--outDir', outDir], 'The types were not written.')
-  const named = new Set(['package/hexlens', 'package/core'].map(name => join(outDir, `${name}.d.ts`)))
+  const named = new Set(['package/hexlens', 'package/core', 'package/batch'].map(name => join(outDir, `${name}.d.ts`)))
   for (const path of named) {
     const text = readFileSync(path, 'utf8').replace(/(from |import\()'(\.[^']+)'/g, (_, before, name) => {
       named.add(join(dirname(path), `${name}.d.ts`))

@@ -30,6 +30,8 @@ test('the package is packed and installs elsewhere', async () => {
       'dist/hexlens.es.js',
       'dist/hexlens.iife.js',
       'dist/hexlens.twin.js',
+      'dist/hexlens.batch.js',
+      'dist/hexlens.batch-worker.js',
       'dist/app/index.html',
       'custom-elements.json',
     ]),

@@ -134,7 +134,7 @@ it('gives the same on one worker and on three, for shared points and for coordin
   expect(progress.length).toBeGreaterThanOrEqual(3)
   expect(progress).toEqual(progress.toSorted((a, b) => a - b))
   expect(progress.at(-1)).toBe(count)
-  expect([one.threads.started, three.threads.started]).toEqual([1, 3])
+  expect([one.threads.length, three.threads.length]).toEqual([1, 3])
   const sample = [0, 1, count >> 1, count - 1]
   const all = expanded(mesh)
   expectAsOneByOne(

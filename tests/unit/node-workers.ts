@@ -1,12 +1,13 @@
-/** The real workers in Node's threads: worker.ts bundled as the page's build does it, and a browser's Worker on top of a thread. */
+/** The real workers in Node's threads, bundled as the builds do it; those that know pages alone get a browser's Worker on top of a thread. */
 import { readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
-import { Worker } from 'node:worker_threads'
+import { Worker, type WorkerOptions } from 'node:worker_threads'
 import { build } from 'vite'
 import { type BatchCore, loadBatchCore } from '../../web/core/batch/batch-core'
 import { type Classifier, classifierOn } from '../../web/core/batch/classify'
 import type { WorkerPort } from '../../web/core/batch/messages'
 import { Pool } from '../../web/core/batch/pool'
+import { threadPort } from '../../web/core/batch/ports'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 
@@ -26,16 +27,16 @@ globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, 
 parentPort.on('message', data => globalThis.onmessage({ data }))
 `
 
-const bundles = new Map<string, Promise<URL>>()
+const bundles = new Map<string, Promise<string>>()
 
-/** The address of a worker of web/, bundled. */
-export function bundledWorker(entry: string): Promise<URL> {
-  const known = bundles.get(entry) ?? bundled(entry)
+/** A worker of web/ as one script. */
+function bundled(entry: string): Promise<string> {
+  const known = bundles.get(entry) ?? bundle(entry)
   bundles.set(entry, known)
   return known
 }
 
-async function bundled(entry: string): Promise<URL> {
+async function bundle(entry: string): Promise<string> {
   const output = await build({
     root,
     configFile: false,
@@ -45,7 +46,16 @@ async function bundled(entry: string): Promise<URL> {
   const [result] = (Array.isArray(output) ? output : [output]) as { output: { code: string }[] }[]
   const code = result?.output[0]?.code
   if (code === undefined) throw new Error('The worker was not bundled.')
-  return new URL(`data:text/javascript,${encodeURIComponent(PRELUDE + code)}`)
+  return code
+}
+
+/** The address of a worker that is made for pages. */
+export async function bundledWorker(entry: string): Promise<URL> {
+  return scriptUrl(PRELUDE + (await bundled(entry)))
+}
+
+function scriptUrl(script: string): URL {
+  return new URL(`data:text/javascript,${encodeURIComponent(script)}`)
 }
 
 interface Port<Request, Answer> {
@@ -62,9 +72,14 @@ export async function endThreads(): Promise<void> {
   await Promise.all([...allThreads].map(thread => thread.terminate()))
 }
 
-export function nodePort<Request, Answer>(worker: URL): Port<Request, Answer> {
-  const thread = new Worker(worker)
+function threadOn(worker: URL, options?: WorkerOptions): Worker {
+  const thread = new Worker(worker, options)
   allThreads.add(thread)
+  return thread
+}
+
+export function nodePort<Request, Answer>(worker: URL): Port<Request, Answer> {
+  const thread = threadOn(worker)
   const port: Port<Request, Answer> = {
     postMessage: (request, transfer) => thread.postMessage(request, transfer),
     onmessage: null,
@@ -76,16 +91,26 @@ export function nodePort<Request, Answer>(worker: URL): Port<Request, Answer> {
   return port
 }
 
-/** Counts the threads it starts in `threads`. */
+interface NodeClassifierOptions {
+  readonly module?: WebAssembly.Module
+  readonly cellsPerPiece?: number
+  readonly startWithin?: number
+  /** What the worker of this number, from 0, runs before its script, or in its place, and its limits. */
+  readonly worker?: (number: number) => { before?: string; script?: string } & WorkerOptions
+}
+
+/** Keeps the threads it starts in `threads`. */
 export async function nodeClassifier(
   workers: number,
-  { module = batchModules.vectors, cellsPerPiece }: { module?: WebAssembly.Module; cellsPerPiece?: number } = {},
-): Promise<Classifier & { readonly threads: { started: number } }> {
-  const worker = await bundledWorker('web/core/batch/worker.ts')
-  const threads = { started: 0 }
+  { module = batchModules.vectors, worker = () => ({}), ...poolOptions }: NodeClassifierOptions = {},
+): Promise<Classifier & { readonly threads: readonly Worker[] }> {
+  const ownScript = await bundled('web/core/batch/worker.ts')
+  const threads: Worker[] = []
   const spawn = (): WorkerPort => {
-    threads.started += 1
-    return nodePort(worker)
+    const { before = '', script = ownScript, ...options } = worker(threads.length)
+    const thread = threadOn(scriptUrl(before + script), options)
+    threads.push(thread)
+    return threadPort(thread)
   }
-  return { ...classifierOn(new Pool(module, workers, spawn, cellsPerPiece)), threads }
+  return { ...classifierOn(new Pool(module, workers, spawn, poolOptions)), threads }
 }

@@ -44,6 +44,10 @@ export interface CellChunk {
   readonly cells?: Uint32Array | null
 }
 
+/**
+ * If a worker is ended from outside, throws, does not start or runs out of memory, the calls that had cells there reject with an Error
+ * whose message is a sentence; calls on other workers go on, and the next call starts another worker.
+ */
 export interface Classifier {
   /**
    * With `cells`, each is eight indices of points of three coordinates; without (null), each is 24 coordinates; in VTK_HEXAHEDRON
@@ -59,7 +63,7 @@ export interface Classifier {
     chunks: Iterable<CellChunk> | AsyncIterable<CellChunk>,
     options?: StreamOptions,
   ): AsyncGenerator<Result<Classification>>
-  /** Ends the workers; what is under way is refused. */
+  /** Ends the workers; the promises of what is under way reject. A call afterwards starts new ones. */
   close(): void
 }
 
@@ -120,11 +124,15 @@ async function classify(
       if (fault) break // what is under way lies before it and may hold an earlier one
       if (cut.count === 0 && cut.fault === null) continue
       const running = run(cut).finally(() => underWay.delete(running))
+      running.catch(() => {}) // whoever waits for it hears of it
       underWay.add(running)
       if (underWay.size >= pool.capacity) await Promise.race(underWay)
       signal?.throwIfAborted()
     }
     await Promise.all(underWay)
+  } catch (reason) {
+    pool.cancel(memory, reason)
+    throw reason
   } finally {
     signal?.removeEventListener('abort', onAbort)
   }

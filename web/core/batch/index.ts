@@ -6,14 +6,11 @@ import type { Result } from '../report'
 import { type Classification, type Classifier, type ClassifyOptions, classifierOn } from './classify'
 import type { WorkerPort } from './messages'
 import { Pool } from './pool'
-
-/** More workers than that wait for memory. */
-const MOST_WORKERS = 16
+import { pagePort } from './ports'
+import { compiledOf, defaultWorkers } from './start'
 
 /** Rejects when the wasm cannot be had or may not run. */
-export async function startClassifier(
-  workers = Math.min(navigator.hardwareConcurrency, MOST_WORKERS),
-): Promise<Classifier> {
+export async function startClassifier(workers = defaultWorkers()): Promise<Classifier> {
   return classifierOn(new Pool(await batchModule(), workers, spawn))
 }
 
@@ -33,21 +30,16 @@ export async function classify(
 }
 
 function spawn(): WorkerPort {
-  return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }) as unknown as WorkerPort
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
+  return pagePort(worker, 'its script was not loaded.')
 }
 
-/** An engine without vectors refuses to compile them; it then gets the same code without. */
-export async function batchModule(): Promise<WebAssembly.Module> {
-  try {
-    return await compiled(vectorUrl)
-  } catch (reason) {
-    if (!(reason instanceof WebAssembly.CompileError)) throw reason
-    return compiled(scalarUrl)
-  }
+export function batchModule(): Promise<WebAssembly.Module> {
+  return compiledOf({ vectors: () => bytesAt(vectorUrl), scalar: () => bytesAt(scalarUrl) })
 }
 
-async function compiled(url: string): Promise<WebAssembly.Module> {
+async function bytesAt(url: string): Promise<ArrayBuffer> {
   const response = await fetch(url)
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim())
-  return WebAssembly.compile(await response.arrayBuffer())
+  return response.arrayBuffer()
 }

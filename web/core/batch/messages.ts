@@ -1,6 +1,6 @@
 /**
- * What passes between the page and a worker for batches: pieces, and blocks of memory for the answers, which may be those the pieces lie
- * in. Both come back. All memory is transferred, none is copied, and what comes back is filled again.
+ * Messages between the caller's thread and a worker for batches: pieces, and blocks of memory for the answers, which may be those the
+ * pieces lie in. Both come back. All memory is transferred, none is copied, and what comes back is filled again.
  */
 import type { Piece, PieceCounts } from './batch-core'
 
@@ -9,6 +9,9 @@ export type Request =
   | { readonly kind: 'classify'; readonly piece: Piece; readonly block: ArrayBuffer; readonly wantsMinima: boolean }
 
 export type Answer =
+  /** The answer to `start`. The worker holds the Web Lock of this name as long as it lives; null where there are no such locks. */
+  | { readonly kind: 'started'; readonly lock: string | null }
+  /** The worker is of no more use. */
   | { readonly kind: 'failed'; readonly message: string }
   /** So many cells of the piece at hand are done: sent now and then where exact arithmetic takes long. */
   | { readonly kind: 'progress'; readonly done: number }
@@ -26,10 +29,11 @@ export function memoryOf({ piece, block }: { readonly piece: Piece; readonly blo
   return [...new Set([block, points.buffer as ArrayBuffer, ...(cells ? [cells.buffer as ArrayBuffer] : [])])]
 }
 
-/** The part of a Worker that is used; Node's workers fit with a small adapter. */
+/** A worker of a page or of Node: ports.ts. */
 export interface WorkerPort {
   postMessage(request: Request, transfer: ArrayBuffer[]): void
   onmessage: ((event: { readonly data: Answer }) => void) | null
-  onerror: ((event: { readonly message?: string }) => void) | null
+  /** Called, with the reason as a clause, when the worker cannot be started or has ended without having been told to. */
+  onbroken: ((reason: string) => void) | null
   terminate(): void
 }

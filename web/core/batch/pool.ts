@@ -1,6 +1,6 @@
 /** Workers for batches, each with its own instance of the core: pieces go to whichever is free. */
 import type { Piece, PieceCounts } from './batch-core'
-import { memoryOf, type WorkerPort } from './messages'
+import { type Answer, memoryOf, type WorkerPort } from './messages'
 
 export interface Job {
   readonly piece: Piece
@@ -32,19 +32,34 @@ interface Task {
   reject(reason: unknown): void
 }
 
+/** A guard against waiting for ever, not a measurement: a script may come over a slow line. */
+const START_WITHIN = 60_000
+
+interface PoolOptions {
+  readonly cellsPerPiece?: number
+  /** In milliseconds. */
+  readonly startWithin?: number
+}
+
+/**
+ * A worker that fails, or is ended from outside, leaves the pool; the jobs that it had are refused with a sentence, those of other
+ * workers go on. `run` starts another.
+ */
 export class Pool {
   readonly size: number
   readonly cellsPerPiece: number
   readonly #spawn: () => WorkerPort
   readonly #module: WebAssembly.Module
+  readonly #startWithin: number
   readonly #workers = new Set<PoolWorker>()
 
   /** Workers are started when they are needed. */
-  constructor(module: WebAssembly.Module, size: number, spawn: () => WorkerPort, cellsPerPiece = CELLS_PER_PIECE) {
+  constructor(module: WebAssembly.Module, size: number, spawn: () => WorkerPort, options: PoolOptions = {}) {
     this.size = size
-    this.cellsPerPiece = cellsPerPiece
+    this.cellsPerPiece = options.cellsPerPiece ?? CELLS_PER_PIECE
     this.#module = module
     this.#spawn = spawn
+    this.#startWithin = options.startWithin ?? START_WITHIN
   }
 
   /** How many pieces can be under way at once. */
@@ -59,42 +74,50 @@ export class Pool {
 
   /** Ends the workers and with them what they have at hand; `run` starts new ones. */
   stop(reason: unknown): void {
-    for (const worker of this.#workers) worker.end(reason)
-    this.#workers.clear()
+    for (const worker of [...this.#workers]) worker.end(reason)
   }
 
   /** Refuses what a caller has under way. A worker that has nothing else to do is ended, the others finish it for nothing. */
   cancel(caller: object, reason: unknown): void {
-    for (const worker of this.#workers) if (worker.cancel(caller, reason)) this.#workers.delete(worker)
+    for (const worker of [...this.#workers]) worker.cancel(caller, reason)
   }
 
   #freest(): PoolWorker {
     const [first, ...others] = this.#workers
     const freest = others.reduce((a, b) => (b && a && b.load < a.load ? b : a), first)
     if (freest && (freest.load === 0 || this.#workers.size >= this.size)) return freest
-    const worker = new PoolWorker(this.#spawn(), this.#module, () => this.#workers.delete(worker))
+    const worker = new PoolWorker(this.#started(), this.#startWithin, () => this.#workers.delete(worker))
     this.#workers.add(worker)
     return worker
+  }
+
+  #started(): WorkerPort {
+    let port: WorkerPort | undefined
+    try {
+      port = this.#spawn()
+      port.postMessage({ kind: 'start', module: this.#module }, [])
+      return port
+    } catch (reason) {
+      port?.terminate()
+      throw failure('did not start', reason instanceof Error ? reason.message : String(reason))
+    }
   }
 }
 
 class PoolWorker {
   readonly #port: WorkerPort
+  readonly #onEnd: () => void
   readonly #tasks: Task[] = []
+  readonly #deadline: ReturnType<typeof setTimeout>
+  #problem = 'did not start'
 
-  constructor(port: WorkerPort, module: WebAssembly.Module, onBroken: () => void) {
+  /** On a worker that was told to start. */
+  constructor(port: WorkerPort, startWithin: number, onEnd: () => void) {
     this.#port = port
-    port.onmessage = ({ data }) => {
-      const [task] = this.#tasks
-      if (data.kind === 'progress') task?.job.onProgress(data.done)
-      else if (data.kind === 'classified') this.#tasks.shift()?.resolve(data)
-      else this.#tasks.shift()?.reject(new Error(data.message))
-    }
-    port.onerror = ({ message }) => {
-      onBroken()
-      this.end(new Error(`A worker did not start or broke: ${message ?? 'no reason given'}`))
-    }
-    port.postMessage({ kind: 'start', module }, [])
+    this.#onEnd = onEnd
+    port.onmessage = ({ data }) => this.#take(data)
+    port.onbroken = reason => this.#fail(reason)
+    this.#deadline = setTimeout(() => this.#fail(`it has not answered for ${startWithin / 1000} s.`), startWithin)
   }
 
   get load(): number {
@@ -103,21 +126,42 @@ class PoolWorker {
 
   take(task: Task): void {
     const { piece, block, wantsMinima } = task.job
-    this.#tasks.push(task)
     this.#port.postMessage({ kind: 'classify', piece, block, wantsMinima }, memoryOf(task.job))
+    this.#tasks.push(task)
   }
 
-  /** Whether the worker was ended. */
-  cancel(caller: object, reason: unknown): boolean {
+  cancel(caller: object, reason: unknown): void {
     const own = this.#tasks.filter(({ job }) => job.caller === caller)
     for (const { reject } of own) reject(reason)
-    if (own.length === 0 || own.length < this.#tasks.length) return false
-    this.end(reason)
-    return true
+    if (own.length > 0 && own.length === this.#tasks.length) this.end(reason)
   }
 
   end(reason: unknown): void {
+    clearTimeout(this.#deadline)
+    this.#port.onmessage = null
+    this.#port.onbroken = null
     this.#port.terminate()
+    this.#onEnd()
     for (const { reject } of this.#tasks.splice(0)) reject(reason)
   }
+
+  #take(answer: Answer): void {
+    if (answer.kind === 'started') {
+      clearTimeout(this.#deadline)
+      this.#problem = 'ended before it had answered'
+    } else if (answer.kind === 'progress') this.#tasks[0]?.job.onProgress(answer.done)
+    else if (answer.kind === 'classified') this.#tasks.shift()?.resolve(answer)
+    else this.#fail(answer.message)
+  }
+
+  #fail(reason: string): void {
+    this.end(failure(this.#problem, reason))
+  }
+}
+
+/** Engines word it differently: "could not allocate memory", "Array buffer allocation failed", "JS heap out of memory". */
+const MEMORY = /memory|allocat/i
+
+function failure(problem: string, reason: string): Error {
+  return new Error(`A worker for batches ${MEMORY.test(reason) ? 'ran out of memory' : problem}: ${reason}`)
 }

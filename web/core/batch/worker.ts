@@ -1,4 +1,4 @@
-/** A worker for batches: one wasm instance, one piece after another. */
+/** A worker for batches, in a browser or in Node: one wasm instance, one piece after another. */
 import { answersIn, type BatchCore, cellCount, loadBatchCore } from './batch-core'
 import { type Answer, memoryOf, type Request } from './messages'
 
@@ -7,21 +7,50 @@ interface Scope {
   postMessage(answer: Answer, transfer: ArrayBuffer[]): void
 }
 
-const scope = globalThis as unknown as Scope
+const isInBrowser = 'postMessage' in globalThis
+const scope = isInBrowser ? (globalThis as unknown as Scope) : threadScope()
+
+/** A thread of Node has its messages elsewhere. */
+function threadScope(): Scope {
+  const port = process.getBuiltinModule('node:worker_threads').parentPort
+  if (!port) throw new Error('This script is a worker for batches, and was not started as one.')
+  port.on('message', data => scope.onmessage?.({ data }))
+  return { onmessage: null, postMessage: (answer, transfer) => port.postMessage(answer, transfer) }
+}
 
 /** In milliseconds: progress is to be seen ten times a second. */
 const PROGRESS_INTERVAL = 50
 
-let core: Promise<BatchCore> | undefined
+let started: Promise<BatchCore> | undefined
 
 scope.onmessage = ({ data }) => {
-  if (data.kind === 'start') core = loadBatchCore(data.module)
-  else classify(data).catch(reason => scope.postMessage({ kind: 'failed', message: String(reason) }, []))
+  if (data.kind === 'start') started = start(data.module)
+  const answered = data.kind === 'start' ? started : classify(data)
+  answered?.catch(reason => scope.postMessage({ kind: 'failed', message: String(reason) }, []))
+}
+
+async function start(module: WebAssembly.Module): Promise<BatchCore> {
+  const [core, lock] = await Promise.all([loadBatchCore(module), isInBrowser ? heldLock() : null])
+  scope.postMessage({ kind: 'started', lock }, [])
+  return core
+}
+
+/** Nothing but its lock's release tells a page of a worker that was ended from outside. */
+function heldLock(): Promise<string | null> {
+  return new Promise(resolve => {
+    if (!navigator.locks) return resolve(null)
+    const name = `hexlens-batch-${crypto.randomUUID()}`
+    const held = () => {
+      resolve(name)
+      return new Promise<never>(() => {})
+    }
+    navigator.locks.request(name, held).catch(() => resolve(null))
+  })
 }
 
 async function classify({ piece, block, wantsMinima }: Request & { readonly kind: 'classify' }): Promise<void> {
-  if (!core) throw new Error('The worker was asked before it was started.')
-  const batch = await core
+  if (!started) throw new Error('The worker was asked before it was started.')
+  const batch = await started
   let shown = performance.now()
   const { validCount, exact, fault } = batch.classify(piece, wantsMinima, {
     into: count => answersIn(block, count, wantsMinima),

@@ -1,0 +1,78 @@
+/**
+ * `hexlens/batch`: verdicts and boundary minima of many elements on workers, in a page or in Node. The workers' script and the wasm are
+ * inside, as text, so that bundlers have nothing to find and no file has to lie beside.
+ *
+ *     const classifier = await startClassifier()
+ *     const result = await classifier.classify(points, cells)   // { ok: true, value } or { ok: false, error }
+ *     classifier.close()
+ */
+
+import workerSource from 'virtual:hexlens.batch-worker'
+import vectors from 'virtual:hexlens-batch.wasm.deflated'
+import scalar from 'virtual:hexlens-scalar.wasm.deflated'
+import { type Classifier, classifierOn } from '../core/batch/classify'
+import type { WorkerPort } from '../core/batch/messages'
+import { Pool } from '../core/batch/pool'
+import { pagePort, threadPort } from '../core/batch/ports'
+import { compiledOf, defaultWorkers } from '../core/batch/start'
+import { inflated } from './inflate'
+
+export type { Answers, Minima } from '../core/batch/batch-core'
+export type {
+  CellChunk,
+  Classification,
+  Classifier,
+  ClassifyOptions,
+  Progress,
+  StreamOptions,
+} from '../core/batch/classify'
+export type { CoreError, CoreErrorCode, Result } from '../core/report'
+
+declare global {
+  /** So that the types are whole where those of a DOM are not there, as in Node. */
+  namespace WebAssembly {
+    interface Module {}
+  }
+}
+
+export interface ClassifierOptions {
+  /** At most so many; without, one for each of the machine's cores, and no more than 16. They start when they are needed. */
+  readonly workers?: number
+  /**
+   * Where a copy of `hexlens/dist/hexlens.batch-worker.js` is: for pages whose Content-Security-Policy forbids workers from blob:
+   * addresses. In Node a file: URL or an absolute path.
+   */
+  readonly workerUrl?: string | URL
+}
+
+/** Rejects, with a sentence, where WebAssembly may not run. */
+export async function startClassifier({
+  workers = defaultWorkers(),
+  workerUrl,
+}: ClassifierOptions = {}): Promise<Classifier> {
+  const module = await compiledOf({ vectors: () => inflated(vectors), scalar: () => inflated(scalar) })
+  return classifierOn(new Pool(module, workers, () => spawn(workerUrl)))
+}
+
+/** Node's module is asked for by name when it is needed: bundlers for browsers would stumble over an import. */
+function spawn(workerUrl: string | URL | undefined): WorkerPort {
+  if (typeof Worker === 'function') return pageWorker(workerUrl)
+  const { Worker: Thread } = process.getBuiltinModule('node:worker_threads')
+  return threadPort(workerUrl === undefined ? new Thread(workerSource, { eval: true }) : new Thread(workerUrl))
+}
+
+let blobUrl: string | undefined
+
+function pageWorker(workerUrl: string | URL | undefined): WorkerPort {
+  if (workerUrl !== undefined)
+    return pagePort(new Worker(workerUrl, { type: 'module' }), `its script was not loaded from ${workerUrl}`)
+  blobUrl ??= URL.createObjectURL(new Blob([workerSource], { type: 'text/javascript' }))
+  try {
+    return pagePort(new Worker(blobUrl, { type: 'module' }), BLOCKED)
+  } catch (reason) {
+    throw new Error(BLOCKED, { cause: reason })
+  }
+}
+
+const BLOCKED =
+  'its script was not loaded. If a Content-Security-Policy forbids workers from blob: addresses, give startClassifier the workerUrl of a copy of hexlens.batch-worker.js.'
