@@ -46,16 +46,6 @@ EXPORT(decide) int decide(void) {
   return (int)status;
 }
 
-EXPORT(tangents) int tangents(int count) {
-  hl_bound bound;
-  hl_status status = hl_tangent_bound(input, count, &bound);
-  if (status == HL_OK) {
-    output[0] = bound.value;
-    output[1] = bound.exponent;
-  }
-  return (int)status;
-}
-
 EXPORT(jacobian_at) int jacobian_at(void) {
   hl_jacobian jacobian;
   hl_status status = hl_jacobian_at(input, input + HL_COORDINATES, &jacobian);
