@@ -58,7 +58,10 @@ test('every answer agrees with the verdict or is called wrong, and says what it 
   })
 })
 
-test('a row that is pointed at has its points marked in the scene and in the reference cube', async ({ lens, page }) => {
+test('a row that is pointed at has its points marked in the scene and in the reference cube', async ({
+  lens,
+  page,
+}) => {
   await lens.open()
   const marks = page.locator('.scene-overlay .looked-at')
   const dots = async (scene: number) => {

@@ -108,7 +108,7 @@ function row(
   const { said, mark } = judged(passes, valid, words[1] === 'does not')
   return html`<tr data-check=${id} class=${mark === '✗' ? 'is-wrong' : ''}>
     <th scope="row"><span>${name}</span>${usedBy ? html` <span class="by">${usedBy}</span>` : ''}
-      ${value === NO_LENGTH ? html`<span class="by">1e30: a length is zero to it, all else passed over</span>` : ''}</th>
+      ${unit === 'none' && value === NO_LENGTH ? html`<span class="by">1e30: an edge or axis has no length to it</span>` : ''}</th>
     <td class=${value < 0 ? 'negative' : ''}>${number}</td>
     <td>
       ${words[passes ? 0 : 1]}<span class="said">: ${said}</span>
