@@ -47,7 +47,7 @@ const steps = [
   },
   { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['unit', 'test'] },
   { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'unit', 'test'] },
-  { what: 'the documentation tools', isDone: hostsAreCurrent, run: installHosts, for: ['test'] },
+  { what: 'the Python packages', isDone: hostsAreCurrent, run: installHosts, for: ['unit', 'test'] },
   { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
   { what: 'Firefox, WebKitGTK and a screen for them', isDone: otherBrowsers, run: installOtherBrowsers, for: ['test'] },
 ]
@@ -228,7 +228,7 @@ async function installPython(say) {
   await installDebianPackages(say, 'python3', ['python3'])
 }
 
-/** Sphinx, MkDocs and JupyterLab, in which the tests embed the element. */
+/** Sphinx, MkDocs and JupyterLab, in which the tests embed the element, and VTK. */
 const hosts = join(root, 'build', 'hosts')
 const hostsStampFile = join(hosts, 'hexlens-stamp')
 const requirements = join(root, 'tests', 'package', 'requirements.txt')
@@ -238,7 +238,7 @@ function hostsAreCurrent() {
 }
 
 async function installHosts(say) {
-  say('installing the documentation tools of tests/package/requirements.txt into build/hosts')
+  say('installing the Python packages of tests/package/requirements.txt into build/hosts')
   rmSync(hosts, { recursive: true, force: true })
   const venv = ['-m', 'venv', hosts]
   // On Debian it is a package of its own.

@@ -323,11 +323,16 @@ static void checks_are_what_they_say(const hl_report *report) {
   LAW(checks[HL_CHECK_CORNERS] == report->corner_minimum && checks[HL_CHECK_EDGES] == report->edge_minimum &&
           checks[HL_CHECK_BERNSTEIN] == least,
       "a check of corners, edges or coefficients is not their minimum");
-  LAW(fabs(checks[HL_CHECK_CORNERS_AND_CENTRE]) <= 1 + 0x1p-48, "scaled Jacobian %a",
-      checks[HL_CHECK_CORNERS_AND_CENTRE]);
+  LAW(fabs(report->scaled_jacobian) <= 1 + 0x1p-48, "scaled Jacobian %a", report->scaled_jacobian);
+  LAW(checks[HL_CHECK_CORNERS_AND_CENTRE] == report->scaled_jacobian || checks[HL_CHECK_CORNERS_AND_CENTRE] == 1e30,
+      "scaled Jacobian %a, by Verdict %a", report->scaled_jacobian, checks[HL_CHECK_CORNERS_AND_CENTRE]);
   for (int i = HL_CHECK_CORNERS; i <= HL_CHECK_EDGES; ++i)
     LAW(report->verdict != HL_VALID || checks[i] > 0, "valid, and check %d has %a", i, checks[i]);
   LAW(checks[HL_CHECK_SUBDIVISION] >= least - error, "subdivision ends at %a", checks[HL_CHECK_SUBDIVISION]);
+  LAW(!(report->verdict == HL_INVALID && checks[HL_CHECK_TANGENTS] > 0), "invalid, and tangents certify it: %a",
+      checks[HL_CHECK_TANGENTS]);
+  LAW(checks[HL_CHECK_TANGENTS] <= report->minimizer.value + error, "tangents %a, above the minimum %a",
+      checks[HL_CHECK_TANGENTS], report->minimizer.value);
 }
 
 static void verdicts_agree(const hl_report *report) {

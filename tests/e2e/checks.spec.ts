@@ -21,9 +21,10 @@ test('every answer agrees with the verdict or is called wrong, and says what it 
 
   await test.step('the first screen shows who passes an invalid element and who notices', async () => {
     for (const id of ['corners', 'corners-and-centre', 'gauss-2', 'gauss-3'] as const)
-      await expect(answer(page, id)).toHaveText(/passes it, wrong\s+✗/)
+      await expect(answer(page, id)).toHaveText(/accepts: wrong\s+✗/)
     for (const id of ['edges', 'bernstein', 'subdivision'] as const)
-      await expect(answer(page, id)).toHaveText(/rejects it, agrees\s+✓/)
+      await expect(answer(page, id)).toHaveText(/rejects: agrees\s+✓/)
+    await expect(answer(page, 'tangents')).toHaveText(/does not: agrees\s+✓/)
     await expect(rowOf(page, 'corners')).toContainText('3/64')
     await expect(rowOf(page, 'corners')).toContainText('deal.II')
     await expect(rowOf(page, 'corners-and-centre')).toContainText('0.28868')
@@ -40,7 +41,7 @@ test('every answer agrees with the verdict or is called wrong, and says what it 
     for (const { vertices } of depthGuardCases) {
       await lens.set(vertices.flat())
       await expect(lens.verdict).toHaveText(/^VALID/)
-      await expect(answer(page, 'subdivision')).toHaveText(/rejects it, wrong\s+✗/)
+      await expect(answer(page, 'subdivision')).toHaveText(/rejects: wrong\s+✗/)
     }
   })
 
@@ -48,10 +49,67 @@ test('every answer agrees with the verdict or is called wrong, and says what it 
     for (const preset of presets.filter(({ valid }) => valid !== null)) {
       await lens.set(presetVertices(preset))
       for (const id of Object.keys(checks) as CheckId[]) {
-        const text = await answer(page, id).innerText()
-        const agrees = text.startsWith('passes it') === preset.valid
-        expect(text, `${preset.id}: ${id}`).toContain(agrees ? ', agrees' : ', wrong')
+        const text = (await answer(page, id).textContent())?.trim() ?? ''
+        const agrees = /^(accepts|certifies):/.test(text) === preset.valid
+        const wrong = text.startsWith('does not:') ? ': leaves it open' : ': wrong'
+        expect(text, `${preset.id}: ${id}`).toContain(agrees ? ': agrees' : wrong)
       }
     }
+  })
+})
+
+test('a row that is pointed at has its points marked in the scene and in the reference cube', async ({
+  lens,
+  page,
+}) => {
+  await lens.open()
+  const marks = page.locator('.scene-overlay .looked-at')
+  const dots = async (scene: number) => {
+    const path = await marks.nth(scene).locator('.line').getAttribute('d')
+    return path?.match(/h0/g)?.length ?? 0
+  }
+
+  await test.step('by the mouse, and no longer', async () => {
+    await rowOf(page, 'gauss-2').hover()
+    await expect(marks.first()).toBeVisible()
+    expect(await dots(0)).toBe(8)
+    await rowOf(page, 'gauss-3').hover()
+    await expect.poll(() => dots(0)).toBe(27)
+    await rowOf(page, 'edges').hover()
+    await expect.poll(() => dots(0)).toBe(0)
+    await expect(marks.first()).toBeVisible()
+    await page.mouse.move(5, 5)
+    await expect(marks.first()).toBeHidden()
+  })
+
+  await test.step('by the keys that go from number to number', async () => {
+    await rowOf(page, 'corners').getByRole('button').focus()
+    await expect(marks.first()).toBeVisible()
+    await expect.poll(() => dots(0)).toBe(8)
+    await page.keyboard.press('ArrowDown')
+    await expect.poll(() => dots(0)).toBe(9)
+    await page.getByText('What each looks at').focus()
+    await expect(marks.first()).toBeHidden()
+  })
+
+  await test.step('in the reference cube at the same points', async () => {
+    await page.getByRole('button', { name: 'Reference cube' }).click()
+    await rowOf(page, 'bernstein').hover()
+    await expect(marks).toHaveCount(2)
+    await expect.poll(() => dots(1)).toBe(20)
+    await page.mouse.move(5, 5)
+  })
+})
+
+test.describe('by touch', () => {
+  test.use({ hasTouch: true })
+
+  test('a tap on a row marks it until one elsewhere', async ({ lens, page }) => {
+    await lens.open()
+    const mark = page.locator('.scene-overlay .looked-at').first()
+    await rowOf(page, 'gauss-2').getByRole('rowheader').tap()
+    await expect(mark).toBeVisible()
+    await lens.verdict.tap()
+    await expect(mark).toBeHidden()
   })
 })

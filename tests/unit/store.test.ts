@@ -213,6 +213,18 @@ describe('the store', () => {
     expect(target.state.highlight).toBeNull()
   })
 
+  it('keeps what a check looks at out of the history, while the vertices move, and refuses a point that is not in the cube', () => {
+    const lookedAt = { points: [[0, 0.5, 1]], edges: false } as const
+    const target = dispatched({ type: 'look-at', lookedAt })
+    expect(target.state).toMatchObject({ lookedAt, canUndo: false })
+    target.dispatch({ type: 'move-all', vertices: unitCube.with(4, 0.5) })
+    expect(target.state.lookedAt).toBe(lookedAt)
+    const outside = { points: [[0, 0.5, 1.5]], edges: false } as const
+    expect(() => target.dispatch({ type: 'look-at', lookedAt: outside })).toThrow(RangeError)
+    target.dispatch({ type: 'look-at', lookedAt: null })
+    expect(target.state.lookedAt).toBeNull()
+  })
+
   it('looks at a move until the vertices change, and refuses what is no element', () => {
     const moved = unitCube.with(4, 0.5)
     const target = dispatched({ type: 'preview-move', vertices: moved })

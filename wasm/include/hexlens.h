@@ -43,7 +43,7 @@ enum {
   HL_FACE_BERNSTEIN = 9,
   HL_QUARTIC = 5,
   HL_MAX_ROOTS = 4,
-  HL_CHECKS = 7,
+  HL_CHECKS = 8,
   HL_MAX_CANDIDATES = HL_VERTICES + HL_EDGES + HL_FACES * HL_MAX_ROOTS
 };
 
@@ -53,7 +53,8 @@ typedef enum hl_status {
   HL_NOT_FINITE = 1,   /* a coordinate is NaN or infinite */
   HL_OUTSIDE_CUBE = 2, /* a reference point is not in [0,1]^3 */
   HL_INCOMPLETE = 3,   /* a list of coordinates or of indices does not end with a whole cell (or point) */
-  HL_NO_SUCH_POINT = 4 /* an index is not that of a point */
+  HL_NO_SUCH_POINT = 4,     /* an index is not that of a point */
+  HL_NO_SUCH_RESOLUTION = 5 /* a number of tangents is not 1 to 8 */
 } hl_status;
 
 /* Certain, or left to exact arithmetic: touching minima, collapsed elements, changes of an ulp. Never wrong. */
@@ -67,17 +68,19 @@ typedef enum hl_variant { HL_ROOTS = 0, HL_ROOTS_B = 1 } hl_variant;
 /* What became of a root t of P: a candidate; or a(t) <= 0; or s* outside (0,1). */
 typedef enum hl_root_fate { HL_ROOT_KEPT = 0, HL_ROOT_A_NOT_POSITIVE = 1, HL_ROOT_S_OUTSIDE = 2 } hl_root_fate;
 
-/* What other programs look at; each passes an element if its number is positive. The first, third to sixth are jacdets, the
-   second is between -1 and 1. */
+/* What other programs look at; each accepts an element if its number is positive, the last then certifies it. All but the second
+   are jacdets. */
 typedef enum hl_check {
   HL_CHECK_CORNERS = 0, /* the least at the eight vertices */
   HL_CHECK_CORNERS_AND_CENTRE =
-      1,                   /* the least scaled Jacobian there and at (1/2,1/2,1/2); 0 where a column of DF is 0 */
+      1,                   /* Verdict's scaled Jacobian: the least there and at (1/2,1/2,1/2), from -1 to 1; but 1e30 if
+                              a column of DF is no longer than about 1e-15, whatever the others are */
   HL_CHECK_GAUSS_2 = 2,    /* the least at the 2x2x2 Gauss points */
   HL_CHECK_GAUSS_3 = 3,    /* the least at the 3x3x3 Gauss points */
   HL_CHECK_EDGES = 4,      /* the least on the twelve edges */
   HL_CHECK_BERNSTEIN = 5,  /* the least of the Bernstein coefficients, which follow from 20 samples */
-  HL_CHECK_SUBDIVISION = 6 /* subdivision that gives up past depth 4: the number that ended it */
+  HL_CHECK_SUBDIVISION = 6, /* subdivision that gives up past depth 4: the number that ended it */
+  HL_CHECK_TANGENTS = 7     /* hl_tangent_bound with four tangents: it certifies, or it does not, and never rejects */
 } hl_check;
 
 /* A boundary point that may be the minimizer. */
@@ -126,6 +129,7 @@ typedef struct hl_report {
   hl_candidate maximizer;
   double corner_minimum;
   double edge_minimum;            /* over the twelve edges with their ends */
+  double scaled_jacobian;         /* the least at the vertices and the centre, from -1 to 1; 0 where a column of DF is 0 */
   double bernstein[HL_BERNSTEIN]; /* [9*i + 3*j + k], i in xi, j in eta, k in zeta */
   hl_face_report faces[HL_FACES];
   int candidate_count;
@@ -136,6 +140,11 @@ typedef struct hl_minimum {
   hl_candidate minimizer;
   int exponent;
 } hl_minimum;
+
+typedef struct hl_bound {
+  double value;
+  int exponent;
+} hl_bound;
 
 /* DF at a point: component r of column c is columns[c][r] * 2^axis_exponent[r]; det DF is jacdet * 2^exponent. */
 typedef struct hl_jacobian {
@@ -160,6 +169,12 @@ hl_status hl_analyze_coefficients(const double vertices[HL_COORDINATES], const d
 
 /* The least jacdet on the boundary and where it is attained, by Algorithm 1. */
 hl_status hl_boundary_minimum(const double vertices[HL_COORDINATES], hl_variant variant, hl_minimum *minimum);
+
+/* A lower bound of jacdet over the element, but for rounding, after the sufficient test of Knabner, Korotov and Summ (2003): with
+   `tangents` of them, 1 to 8, to a quadratic in each of two variables, at equidistant points, both ends among them from two
+   on. If it is positive, jacdet certainly is, everywhere; else nothing is known. The best of the three choices of the
+   variables, so that it is the same however the vertices are numbered, but for rounding. */
+hl_status hl_tangent_bound(const double vertices[HL_COORDINATES], int tangents, hl_bound *bound);
 
 /* Whether jacdet > 0 on the closed boundary, which decides the whole element (Knupp's conjecture, a theorem). Stops at the
    first value that is certainly negative. */
@@ -209,7 +224,7 @@ const char *hl_vectors(void);
 enum { HL_PACKED_CANDIDATE = 9, HL_PACKED_VOLUME_MINIMUM = 8, HL_PACKED_ROOT = 4 };
 enum { HL_PACKED_FACE = HL_FACE_BERNSTEIN + 4 + HL_QUARTIC + 3 + HL_MAX_ROOTS * HL_PACKED_ROOT };
 enum {
-  HL_PACKED_REPORT = 2 + 2 * HL_PACKED_CANDIDATE + 1 + HL_PACKED_VOLUME_MINIMUM + HL_CHECKS + 2 + HL_BERNSTEIN +
+  HL_PACKED_REPORT = 2 + 2 * HL_PACKED_CANDIDATE + 1 + HL_PACKED_VOLUME_MINIMUM + HL_CHECKS + 3 + HL_BERNSTEIN +
       HL_FACES * HL_PACKED_FACE + 1 + HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE,
   HL_PACKED_MINIMUM = HL_PACKED_CANDIDATE + 1,
   HL_PACKED_JACOBIAN = 17

@@ -10,6 +10,7 @@
 #include "map.h"
 #include "report.h"
 #include "subdivision.h"
+#include "tangents.h"
 #include "topology.h"
 #include "volume.h"
 
@@ -114,15 +115,23 @@ static double on_element(const hl_report *report, double value) {
   return report->verdict == HL_VALID && value < report->minimizer.value ? report->minimizer.value : value;
 }
 
-static void fill_checks(hl_report *report, const edge_vectors *edges, int exponent) {
+/* What the coefficients on the boundary and all of them are off by at most, and the exponent of them all. */
+typedef struct precision {
+  double boundary_error, error;
+  int exponent;
+} precision;
+
+static void fill_checks(const double vertices[24], const edge_vectors *edges, precision given, hl_report *report) {
   double centre = on_element(report, value_at_centre(report->bernstein));
+  report->scaled_jacobian = least_scaled_jacobian(edges, report->bernstein, centre, given.exponent);
   report->checks[HL_CHECK_CORNERS] = report->corner_minimum;
-  report->checks[HL_CHECK_CORNERS_AND_CENTRE] = least_scaled_jacobian(edges, report->bernstein, centre, exponent);
+  report->checks[HL_CHECK_CORNERS_AND_CENTRE] = scaled_jacobian_of_verdict(vertices, report->scaled_jacobian);
   report->checks[HL_CHECK_GAUSS_2] = on_element(report, least_at_gauss_points(report->bernstein, 2));
   report->checks[HL_CHECK_GAUSS_3] = on_element(report, least_at_gauss_points(report->bernstein, 3));
   report->checks[HL_CHECK_EDGES] = report->edge_minimum;
   report->checks[HL_CHECK_BERNSTEIN] = least_coefficient(report->bernstein);
   report->checks[HL_CHECK_SUBDIVISION] = subdivision_to_depth_4(report->bernstein);
+  report->checks[HL_CHECK_TANGENTS] = tangent_bound(report->bernstein, given.error, REPORTED_TANGENTS);
 }
 
 enum {
@@ -170,12 +179,6 @@ hl_verdict accurate_verdict(const double bernstein[27], double permanent, double
   return verdict == HL_VALID && !(minimum > 0) ? HL_UNDECIDED : verdict;
 }
 
-/* What the coefficients on the boundary and all of them are off by at most, and the exponent of them all. */
-typedef struct precision {
-  double boundary_error, error;
-  int exponent;
-} precision;
-
 /* From the coefficients in report->bernstein: faces, candidates, the least and the greatest of them. */
 static void find_candidates(const double vertices[24], hl_report *report) {
   report->candidate_count = 0;
@@ -200,7 +203,7 @@ static void complete_report(const double vertices[24], const edge_vectors *edges
   report->minimum_error = error_of_minimum(report, given.boundary_error);
   report->volume_minimum = volume_minimum_of(report, given.error);
   map_point(vertices, report->volume_minimum.point, report->volume_minimum.position);
-  fill_checks(report, edges, given.exponent);
+  fill_checks(vertices, edges, given, report);
   report->exponent = exponent_left(report, given.exponent);
   for (int f = 0; f < HL_FACES; ++f) {
     hl_face_report *face = &report->faces[f];
@@ -244,6 +247,18 @@ hl_status hl_boundary_minimum(const double vertices[24], hl_variant variant, hl_
   minimum->minimizer = least_candidate(bernstein, variant);
   map_point(vertices, minimum->minimizer.point, minimum->minimizer.position);
   minimum->exponent = scaled_back(&minimum->minimizer.value, 1, jacdet_exponent(&edges));
+  return HL_OK;
+}
+
+hl_status hl_tangent_bound(const double vertices[24], int tangents, hl_bound *bound) {
+  if (!all_finite(vertices, HL_COORDINATES)) return HL_NOT_FINITE;
+  if (tangents < 1 || tangents > MAX_TANGENTS) return HL_NO_SUCH_RESOLUTION;
+  edge_vectors edges;
+  double bernstein[27];
+  scaled_edge_vectors(vertices, &edges);
+  jacdet_bernstein(&edges, bernstein);
+  bound->value = tangent_bound(bernstein, CENTRE_ERROR * greatest_permanent(&edges) + UNDERFLOW_ERROR, tangents);
+  bound->exponent = scaled_back(&bound->value, 1, jacdet_exponent(&edges));
   return HL_OK;
 }
 

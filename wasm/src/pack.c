@@ -51,6 +51,7 @@ size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]) 
   put_candidate(&c, &report->maximizer);
   put(&c, report->corner_minimum);
   put(&c, report->edge_minimum);
+  put(&c, report->scaled_jacobian);
   put_all(&c, report->bernstein, HL_BERNSTEIN);
   for (int f = 0; f < HL_FACES; ++f) put_face(&c, &report->faces[f]);
   put(&c, report->candidate_count);

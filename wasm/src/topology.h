@@ -26,6 +26,9 @@ static const struct {
   unsigned char axis, from;
 } edge_table[12] = {{0, 0}, {1, 1}, {0, 3}, {1, 0}, {0, 4}, {1, 5}, {0, 7}, {1, 4}, {2, 0}, {2, 1}, {2, 3}, {2, 2}};
 
+static const unsigned char edge_ends[12][2] = {{0, 1}, {1, 2}, {3, 2}, {0, 3}, {4, 5}, {5, 6},
+                                               {7, 6}, {4, 7}, {0, 4}, {1, 5}, {3, 7}, {2, 6}};
+
 /* A face fixes `axis` at `side`; s and t are the other two axes in ascending order. */
 static const struct {
   unsigned char axis, side, s, t;

@@ -66,13 +66,21 @@ export interface VolumeMinimum {
 }
 
 /** What other programs look at: web/content/checks.ts says who and how. */
-export type CheckId = 'corners' | 'corners-and-centre' | 'gauss-2' | 'gauss-3' | 'edges' | 'bernstein' | 'subdivision'
+export type CheckId =
+  | 'corners'
+  | 'corners-and-centre'
+  | 'gauss-2'
+  | 'gauss-3'
+  | 'edges'
+  | 'bernstein'
+  | 'subdivision'
+  | 'tangents'
 
 export interface Check {
   readonly id: CheckId
-  /** What it looks at; a jacdet, times 2^exponent, but for the scaled Jacobian, which is between -1 and 1. */
+  /** What it looks at; a jacdet, times 2^exponent, but for Verdict's scaled Jacobian: from -1 to 1, or 1e30 where a length is zero to it. */
   readonly value: number
-  /** value > 0: it takes the element for valid. */
+  /** value > 0: it takes the element for valid; for `tangents`, that it certifies it, else it says nothing. */
   readonly passes: boolean
 }
 
@@ -96,6 +104,8 @@ export interface Report {
   /** Least jacdet at the eight vertices, and on the twelve edges. */
   readonly cornerMinimum: number
   readonly edgeMinimum: number
+  /** The least of jacdet over the lengths of its three columns at the vertices and the centre, from -1 to 1; 0 where a column is 0. */
+  readonly scaledJacobian: number
   /** The 27 Bernstein coefficients of jacdet on [0,1]^3, `bernstein[9 * i + 3 * j + k]`, i in xi, j in eta, k in zeta. */
   readonly bernstein: readonly number[]
   /** All of them: vertices, then edges, then faces. */

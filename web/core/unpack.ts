@@ -23,6 +23,7 @@ const CHECKS: readonly CheckId[] = [
   'edges',
   'bernstein',
   'subdivision',
+  'tangents',
 ]
 const FATES: readonly RootFate[] = ['kept', 'a-not-positive', 's-outside']
 
@@ -147,6 +148,7 @@ export function unpackReport(packed: Unpacker, vertices: Vertices): FilteredRepo
     maximizer,
     cornerMinimum: packed.number(),
     edgeMinimum: packed.number(),
+    scaledJacobian: packed.number(),
     bernstein: packed.numbers(27),
     faces: [0, 1, 2, 3, 4, 5].map(face => readFace(packed, face)),
     candidates: packed.list(() => readCandidate(packed)),

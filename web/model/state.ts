@@ -27,6 +27,12 @@ export interface ElementPart {
   readonly id: number
 }
 
+/** What a method looks at: points (xi, eta, zeta) of [0,1]^3, or the twelve edges. */
+export interface LookedAt {
+  readonly points: readonly Vec3[]
+  readonly edges: boolean
+}
+
 /** A section of the reference cube: xi, eta or zeta (axis 0, 1, 2) is `value`, in [0,1]. */
 export interface Section {
   readonly axis: Axis
@@ -94,6 +100,8 @@ export interface State {
   readonly selectedFace: number
   /** The part that is spoken of, for every view to mark; null when none is. */
   readonly highlight: ElementPart | null
+  /** What the check that is pointed at looks at, for the scene to mark; null when none is. */
+  readonly lookedAt: LookedAt | null
   /** Another node order of these very vertices that is looked at: its vertex i is their vertex `previewedOrder[i]`. */
   readonly previewedOrder: readonly number[] | null
   /** Where all vertices would go in a move that is looked at. */
@@ -118,6 +126,7 @@ export type LastingState = Omit<
   | 'gestureStart'
   | 'probe'
   | 'highlight'
+  | 'lookedAt'
   | 'previewedOrder'
   | 'previewedMove'
   | 'helpShown'
@@ -155,6 +164,7 @@ export type Action =
   | { readonly type: 'show-help'; readonly helpShown: boolean }
   | { readonly type: 'select-face'; readonly face: number }
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
+  | { readonly type: 'look-at'; readonly lookedAt: LookedAt | null }
   /** Looked at until the vertices change. */
   | { readonly type: 'preview-order'; readonly order: readonly number[] | null }
   | { readonly type: 'preview-move'; readonly vertices: Vertices | null }

@@ -67,6 +67,7 @@ export const SHOWN_FIRST: Shown = {
   probe: null,
   selectedFace: 0,
   highlight: null,
+  lookedAt: null,
   previewedOrder: null,
   previewedMove: null,
   morphA: null,
@@ -235,6 +236,10 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
         if (action.part) checkIndex(action.part.id, PART_COUNTS[action.part.kind], action.part.kind)
         shown = { ...shown, highlight: samePart(shown.highlight, action.part) ? shown.highlight : action.part }
         break
+      case 'look-at':
+        action.lookedAt?.points.forEach(checkInCube)
+        shown = { ...shown, lookedAt: action.lookedAt }
+        break
       case 'preview-order':
         shown = { ...shown, previewedOrder: action.order && checkedOrder(action.order) }
         break
@@ -270,7 +275,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
   function restore({ vertices, preset, start, ...others }: LastingState): void {
     const began = kept(present.start, accepted(start))
     change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
-    shown = { ...shown, ...others, probe: null, ...UNLOOKED }
+    shown = { ...shown, ...others, probe: null, lookedAt: null, ...UNLOOKED }
   }
 
   return {

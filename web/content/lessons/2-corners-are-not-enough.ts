@@ -72,7 +72,7 @@ export const lesson: Lesson = {
       title: 'The points of a solver',
       text: `<p>A solver evaluates ${J} only where it integrates: at 2×2×2 Gauss points, or at 3×3×3. All of them lie inside, away from the edge
         that has turned. So it integrates over a folded element, without a word.</p>`,
-      task: 'Look down the table: who passes it, who rejects it?',
+      task: 'Look down the table: who accepts it, who rejects it?',
       claims: [
         { says: 'All 2×2×2 Gauss points are positive', holds: 'gauss2_min > 0' },
         { says: 'All 3×3×3 are', holds: 'gauss3_min > 0' },

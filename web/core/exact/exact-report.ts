@@ -47,8 +47,9 @@ export function exactReport(
     if (number) return inUnitsOf(exponent, number)
     if (id === 'corners') return cornerMinimum
     if (id === 'edges') return edgeMinimum
-    if (id === 'corners-and-centre') return scaledJacobian
-    return sign > 0 ? value : Math.min(value, 0) // subdivision accepts by bounds, and so nothing that is invalid
+    // By Verdict's rules a length may be zero; else its number is this.
+    if (id === 'corners-and-centre') return value === report.scaledJacobian ? scaledJacobian : value
+    return sign > 0 ? value : Math.min(value, 0) // subdivision and tangents go by bounds, and accept nothing that is invalid
   }
   const onBoundary = {
     lower: least.value - boundaryMinimumError,
@@ -70,6 +71,7 @@ export function exactReport(
     volumeMinimum: sign > 0 ? onBoundary : tighter(inNewUnits.volumeMinimum, onBoundary),
     cornerMinimum,
     edgeMinimum,
+    scaledJacobian,
     checks: inNewUnits.checks.map(given => check(given.id, checkValue(given))),
   }
 }

@@ -8,6 +8,7 @@ import { moveTo, px, set, setText, show, svg } from '../svg'
 import type { SceneCamera, ScreenPoint } from './camera'
 import { Highlight } from './highlight'
 import { type Box, meanOf, overlap, type Point } from './label-place'
+import { LookedAtMarks } from './looked-at-marks'
 import { Marks } from './marks'
 import { ProbeMark } from './probe-mark'
 import { type AxisLetters, Triad } from './triad'
@@ -59,6 +60,7 @@ export class Overlay {
   readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
   readonly #highlight = new Highlight()
+  readonly #lookedAt = new LookedAtMarks()
   readonly #marks: Marks
   readonly #triad: Triad
   readonly #probe = new ProbeMark()
@@ -78,6 +80,7 @@ export class Overlay {
       this.#marks.candidates,
       ...this.#handles.map(handle => handle.group),
       this.#marks.minimizer,
+      this.#lookedAt.root,
       this.#probe.root,
       this.#coordinates,
       this.#triad.root,
@@ -98,6 +101,7 @@ export class Overlay {
     set(this.#edgeHalo, { d: edges })
     set(this.#edges, { d: edges })
     this.#highlight.update(picture.state.highlight, handles)
+    this.#lookedAt.update(picture, edges)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
     this.#updateAxisLine(picture)

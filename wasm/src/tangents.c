@@ -1,0 +1,71 @@
+#include "tangents.h"
+#include "bernstein.h"
+#include "topology.h"
+
+/* (K4): what the coefficients' errors are multiplied by, and in u max|bernstein| what rounding adds. */
+#define GROWTH 2.25
+#define ROUNDING 32
+
+/* The two ends of [0,1], and those of the pieces between. */
+enum { MAX_ENDS = MAX_TANGENTS + 1 };
+
+/* Where two neighbouring tangents, at s and t, meet; or, of one tangent alone, what its value at an end is below the quadratic's
+   there, as a part of a. */
+typedef struct end_of_piece {
+  double s, t, part_of_a;
+} end_of_piece;
+
+static int ends_of_pieces(int tangents, end_of_piece ends[MAX_ENDS]) {
+  int count = 0;
+  ends[count++] = (end_of_piece){0, 0, 0};
+  ends[count++] = (end_of_piece){1, 1, 0};
+  if (tangents == 1) { /* (K2) */
+    ends[count++] = (end_of_piece){0, 0, 0.25};
+    ends[count++] = (end_of_piece){1, 1, 0.25};
+  }
+  for (int i = 1; i < tangents; ++i)
+    ends[count++] = (end_of_piece){(i - 1.0) / (tangents - 1), (double)i / (tangents - 1), 0};
+  return count;
+}
+
+/* (K1): the polar form at s and t is the value at (s + t)/2 of both tangents. */
+static double value_below(const end_of_piece *at, double q0, double q1, double q2) {
+  double value = lerp(lerp(q0, q1, at->s), lerp(q1, q2, at->s), at->t);
+  return value - at->part_of_a * ((q0 - q1) + (q2 - q1));
+}
+
+/* (9) where the quadratic is lower inside. */
+static double least_of_quadratic(const double q[3], double least) {
+  least = smaller(least, smaller(q[0], q[2]));
+  if (!(q[1] < least && q[1] < q[0] && q[1] < q[2])) return least;
+  return smaller(least, quadratic_at(q[0], q[1], q[2], (q[0] - q[1]) / ((q[0] - q[1]) + (q[2] - q[1]))));
+}
+
+/* Of all quadratics in the variable `last` that the tangents in the two others leave. */
+static double bound_along(const double bernstein[27], int last, const end_of_piece *ends, int count) {
+  const int first = axis_stride[last == 0 ? 1 : 0], second = axis_stride[last == 2 ? 1 : 2], along = axis_stride[last];
+  double least = bernstein[0];
+  for (int m = 0; m < count; ++m) {
+    double plane[3][3];
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) {
+        const double *b = bernstein + i * second + k * along;
+        plane[i][k] = value_below(&ends[m], b[0], b[first], b[2 * first]);
+      }
+    for (int n = 0; n < count; ++n) {
+      double q[3];
+      for (int k = 0; k < 3; ++k) q[k] = value_below(&ends[n], plane[0][k], plane[1][k], plane[2][k]);
+      least = least_of_quadratic(q, least);
+    }
+  }
+  return least;
+}
+
+double tangent_bound(const double bernstein[27], double error, int tangents) {
+  end_of_piece ends[MAX_ENDS];
+  const int count = ends_of_pieces(tangents, ends);
+  double bound = bound_along(bernstein, 0, ends, count);
+  for (int last = 1; last < 3; ++last) bound = larger(bound, bound_along(bernstein, last, ends, count));
+  const double off = GROWTH * error + ROUNDING * UNIT_ROUNDOFF * greatest_magnitude(bernstein, 27);
+  return bound > off ? bound : smaller(bound, 0);
+}
