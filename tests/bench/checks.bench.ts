@@ -1,9 +1,15 @@
-/** How often other checks are wrong: over random elements, the invalid ones each accepts and the valid ones each rejects. */
+/**
+ * How often other checks are wrong: over random elements, the invalid ones each accepts and the valid ones each rejects; and how
+ * many valid ones tangents do not certify, by their number.
+ */
+import { readFileSync } from 'node:fs'
+import type { CoreExports } from '../../web/core/core'
 import type { Check, Report } from '../../web/core/report'
 import { core, randomHexahedron, randomSource } from '../unit/core-fixtures'
 
 const ELEMENTS = 20000
 const SIGMAS = [0.1, 0.2, 0.3, 0.5, 1]
+const MOST_TANGENTS = 8
 
 export async function main(): Promise<void> {
   console.log(`${ELEMENTS} elements a column: the unit cube with normal displacements`)
@@ -15,7 +21,37 @@ export async function main(): Promise<void> {
   )
   for (const id of (columns[0]?.[0]?.checks ?? []).map(check => check.id)) {
     row(`accepted by ${id}`, count(columns, id, false))
-    row(`rejected by ${id}`, count(columns, id, true))
+    row(`${id === 'tangents' ? 'not certified' : 'rejected'} by ${id}`, count(columns, id, true))
+  }
+  await byTangents(columns)
+}
+
+interface TangentExports extends CoreExports {
+  tangent_bound(vertices: number, tangents: number): number
+}
+
+async function byTangents(columns: readonly Report[][]): Promise<void> {
+  const bytes = readFileSync(new URL('../../build/hexlens-scalar.wasm', import.meta.url))
+  const imports = { env: { emscripten_notify_memory_growth() {} } }
+  const wasm = (await WebAssembly.instantiate(bytes, imports)).instance.exports as unknown as TangentExports
+  wasm._initialize?.()
+  const input = new Float64Array(wasm.memory.buffer, wasm.input_address(), wasm.input_length())
+  console.log('\nvalid elements not certified, by the number of tangents; microseconds an element')
+  row(
+    'valid',
+    columns.map(column => column.filter(({ valid }) => valid).length),
+  )
+  for (let tangents = 1; tangents <= MOST_TANGENTS; ++tangents) {
+    const start = performance.now()
+    const missed = columns.map(
+      column =>
+        column.filter(({ valid, vertices }) => {
+          input.set(vertices)
+          return !(wasm.tangent_bound(wasm.input_address(), tangents) > 0) && valid
+        }).length,
+    )
+    const each = ((performance.now() - start) * 1000) / (ELEMENTS * SIGMAS.length)
+    row(`${tangents} (${each.toFixed(1)} us)`, missed)
   }
 }
 

@@ -58,6 +58,15 @@ test('every answer agrees with the verdict or is called wrong, and says what it 
   })
 })
 
+test('a wedge as a hexahedron has Verdict’s number, and what it means', async ({ lens, page }) => {
+  await lens.open()
+  await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1, 1])
+  const row = rowOf(page, 'corners-and-centre')
+  await expect(row.locator('data')).toHaveAttribute('value', '1e+30')
+  await expect(row).toContainText('an edge or axis has no length to it')
+  await expect(answer(page, 'corners-and-centre')).toHaveText(/accepts: wrong\s+✗/)
+})
+
 test('a row that is pointed at has its points marked in the scene and in the reference cube', async ({
   lens,
   page,

@@ -50,9 +50,9 @@ enum {
 /* A failure is a status, never a number. On failure the output is left as it was. */
 typedef enum hl_status {
   HL_OK = 0,
-  HL_NOT_FINITE = 1,   /* a coordinate is NaN or infinite */
-  HL_OUTSIDE_CUBE = 2, /* a reference point is not in [0,1]^3 */
-  HL_INCOMPLETE = 3,   /* a list of coordinates or of indices does not end with a whole cell (or point) */
+  HL_NOT_FINITE = 1,        /* a coordinate is NaN or infinite */
+  HL_OUTSIDE_CUBE = 2,      /* a reference point is not in [0,1]^3 */
+  HL_INCOMPLETE = 3,        /* a list of coordinates or of indices does not end with a whole cell (or point) */
   HL_NO_SUCH_POINT = 4,     /* an index is not that of a point */
   HL_NO_SUCH_RESOLUTION = 5 /* a number of tangents is not 1 to 8 */
 } hl_status;
@@ -73,12 +73,12 @@ typedef enum hl_root_fate { HL_ROOT_KEPT = 0, HL_ROOT_A_NOT_POSITIVE = 1, HL_ROO
 typedef enum hl_check {
   HL_CHECK_CORNERS = 0, /* the least at the eight vertices */
   HL_CHECK_CORNERS_AND_CENTRE =
-      1,                   /* Verdict's scaled Jacobian: the least there and at (1/2,1/2,1/2), from -1 to 1; but 1e30 if
-                              a column of DF is no longer than about 1e-15, whatever the others are */
-  HL_CHECK_GAUSS_2 = 2,    /* the least at the 2x2x2 Gauss points */
-  HL_CHECK_GAUSS_3 = 3,    /* the least at the 3x3x3 Gauss points */
-  HL_CHECK_EDGES = 4,      /* the least on the twelve edges */
-  HL_CHECK_BERNSTEIN = 5,  /* the least of the Bernstein coefficients, which follow from 20 samples */
+      1,                  /* Verdict's scaled Jacobian: the least there and at (1/2,1/2,1/2), from -1 to 1; but 1e30 if
+                             a column of DF is no longer than about 1e-15, whatever the others are */
+  HL_CHECK_GAUSS_2 = 2,   /* the least at the 2x2x2 Gauss points */
+  HL_CHECK_GAUSS_3 = 3,   /* the least at the 3x3x3 Gauss points */
+  HL_CHECK_EDGES = 4,     /* the least on the twelve edges */
+  HL_CHECK_BERNSTEIN = 5, /* the least of the Bernstein coefficients, which follow from 20 samples */
   HL_CHECK_SUBDIVISION = 6, /* subdivision that gives up past depth 4: the number that ended it */
   HL_CHECK_TANGENTS = 7     /* hl_tangent_bound with four tangents: it certifies, or it does not, and never rejects */
 } hl_check;
@@ -128,8 +128,8 @@ typedef struct hl_report {
   double checks[HL_CHECKS];
   hl_candidate maximizer;
   double corner_minimum;
-  double edge_minimum;            /* over the twelve edges with their ends */
-  double scaled_jacobian;         /* the least at the vertices and the centre, from -1 to 1; 0 where a column of DF is 0 */
+  double edge_minimum;    /* over the twelve edges with their ends */
+  double scaled_jacobian; /* the least at the vertices and the centre, from -1 to 1; 0 where a column of DF is 0 */
   double bernstein[HL_BERNSTEIN]; /* [9*i + 3*j + k], i in xi, j in eta, k in zeta */
   hl_face_report faces[HL_FACES];
   int candidate_count;

@@ -89,17 +89,15 @@ double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[2
 #define VERDICT_LEAST 0x1.4p-49
 #define VERDICT_GREATEST 1e30
 
-/* The eight points about their mean, in units of the diagonal of their box; false where that has no size. Sums in Verdict's order:
-   what is left of a column of length zero is to be the same to the bit. */
+/* The eight points about their mean, in units of the diagonal of their box; false where that has no size. */
 static bool unit_points(const double vertices[24], double points[8][3]) {
   double mean[3], square = 0;
   for (int r = 0; r < 3; ++r) {
     double least = VERDICT_GREATEST, greatest = -VERDICT_GREATEST, sum = 0;
-    for (int p = 0; p < 8; ++p) {
-      const double x = vertices[3 * p + r];
-      least = smaller(least, x);
-      greatest = larger(greatest, x);
-      sum += x;
+    for (int i = r; i < 24; i += 3) {
+      least = smaller(least, vertices[i]);
+      greatest = larger(greatest, vertices[i]);
+      sum += vertices[i];
     }
     mean[r] = 0.125 * sum;
     square += (greatest - least) * (greatest - least);
@@ -110,26 +108,17 @@ static bool unit_points(const double vertices[24], double points[8][3]) {
   return true;
 }
 
-/* The points on the far face of each axis, then those on the near one: the sum of an axis' four edges is that of the first
-   four less the others. */
-static const unsigned char far_then_near[3][8] = {
-    {1, 2, 5, 6, 0, 3, 4, 7}, {2, 3, 6, 7, 0, 1, 4, 5}, {4, 5, 6, 7, 0, 1, 2, 3}};
-
+/* The three sums of four edges, then the edges. */
 double scaled_jacobian_of_verdict(const double vertices[24], double least_scaled_jacobian) {
-  double points[8][3], column[3];
+  double points[8][3];
   if (!unit_points(vertices, points)) return VERDICT_GREATEST;
-  for (int axis = 0; axis < 3; ++axis) {
-    const unsigned char *p = far_then_near[axis];
+  for (int c = 0; c < 3 + 12; ++c) {
+    double vector[3] = {0, 0, 0};
     for (int r = 0; r < 3; ++r) {
-      column[r] = points[p[0]][r];
-      for (int n = 1; n < 8; ++n) column[r] += n < 4 ? points[p[n]][r] : -points[p[n]][r];
+      if (c >= 3) vector[r] = points[edge_ends[c - 3][1]][r] - points[edge_ends[c - 3][0]][r];
+      for (int p = 0; c < 3 && p < 8; ++p) vector[r] += vertex_reference[p][c] ? points[p][r] : -points[p][r];
     }
-    if (dot(column, column) <= VERDICT_LEAST) return VERDICT_GREATEST;
-  }
-  for (int e = 0; e < 12; ++e) {
-    const double *from = points[edge_ends[e][0]], *to = points[edge_ends[e][1]];
-    for (int r = 0; r < 3; ++r) column[r] = to[r] - from[r];
-    if (dot(column, column) <= VERDICT_LEAST) return VERDICT_GREATEST;
+    if (dot(vector, vector) <= VERDICT_LEAST) return VERDICT_GREATEST;
   }
   return least_scaled_jacobian;
 }

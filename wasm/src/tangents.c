@@ -28,8 +28,9 @@ static int ends_of_pieces(int tangents, end_of_piece ends[MAX_ENDS]) {
   return count;
 }
 
-/* (K1): the polar form at s and t is the value at (s + t)/2 of both tangents. */
-static double value_below(const end_of_piece *at, double q0, double q1, double q2) {
+/* (K1): the polar form at s and t is the value at (s + t)/2 of both tangents. Of the coefficients q[0], q[stride], q[2 * stride]. */
+__attribute__((noinline)) static double value_below(const end_of_piece *at, const double *q, int stride) {
+  const double q0 = q[0], q1 = q[stride], q2 = q[2 * stride];
   double value = lerp(lerp(q0, q1, at->s), lerp(q1, q2, at->s), at->t);
   return value - at->part_of_a * ((q0 - q1) + (q2 - q1));
 }
@@ -38,7 +39,8 @@ static double value_below(const end_of_piece *at, double q0, double q1, double q
 static double least_of_quadratic(const double q[3], double least) {
   least = smaller(least, smaller(q[0], q[2]));
   if (!(q[1] < least && q[1] < q[0] && q[1] < q[2])) return least;
-  return smaller(least, quadratic_at(q[0], q[1], q[2], (q[0] - q[1]) / ((q[0] - q[1]) + (q[2] - q[1]))));
+  const double r = (q[0] - q[1]) / ((q[0] - q[1]) + (q[2] - q[1]));
+  return smaller(least, value_below(&(end_of_piece){r, r, 0}, q, 1));
 }
 
 /* Of all quadratics in the variable `last` that the tangents in the two others leave. */
@@ -48,13 +50,10 @@ static double bound_along(const double bernstein[27], int last, const end_of_pie
   for (int m = 0; m < count; ++m) {
     double plane[3][3];
     for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) {
-        const double *b = bernstein + i * second + k * along;
-        plane[i][k] = value_below(&ends[m], b[0], b[first], b[2 * first]);
-      }
+      for (int k = 0; k < 3; ++k) plane[i][k] = value_below(&ends[m], bernstein + i * second + k * along, first);
     for (int n = 0; n < count; ++n) {
       double q[3];
-      for (int k = 0; k < 3; ++k) q[k] = value_below(&ends[n], plane[0][k], plane[1][k], plane[2][k]);
+      for (int k = 0; k < 3; ++k) q[k] = value_below(&ends[n], &plane[0][k], 3);
       least = least_of_quadratic(q, least);
     }
   }

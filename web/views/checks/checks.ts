@@ -100,27 +100,28 @@ function row(
   cube: ReferenceCube,
   isTabStop: boolean,
 ): TemplateResult {
-  const { name, usedBy, unit, words } = descriptions[id]
+  const { name, usedBy, unit } = descriptions[id]
+  const [yes, no] = id === 'tangents' ? ['certifies', 'does not'] : ['accepts', 'rejects']
   const number =
     unit === 'none'
       ? copyable(formatNumber(value), String(value), { isTabStop })
       : copyableJacdet(value, exponent, cube, { isTabStop })
-  const { said, mark } = judged(passes, valid, words[1] === 'does not')
+  const { said, mark } = judged(passes, valid, id)
   return html`<tr data-check=${id} class=${mark === '✗' ? 'is-wrong' : ''}>
     <th scope="row"><span>${name}</span>${usedBy ? html` <span class="by">${usedBy}</span>` : ''}
       ${unit === 'none' && value === NO_LENGTH ? html`<span class="by">1e30: an edge or axis has no length to it</span>` : ''}</th>
     <td class=${value < 0 ? 'negative' : ''}>${number}</td>
     <td>
-      ${words[passes ? 0 : 1]}<span class="said">: ${said}</span>
+      ${passes ? yes : no}<span class="said">: ${said}</span>
       <span class="mark" aria-hidden="true">${mark}</span>
     </td>
   </tr>`
 }
 
 /** Against the exact verdict; a check that can only certify is not wrong about what it leaves open. */
-function judged(passes: boolean, valid: boolean, onlyCertifies: boolean): { said: string; mark: string } {
+function judged(passes: boolean, valid: boolean, id: CheckId): { said: string; mark: string } {
   if (passes === valid) return { said: 'agrees', mark: '✓' }
-  return onlyCertifies && !passes ? { said: 'leaves it open', mark: '–' } : { said: 'wrong', mark: '✗' }
+  return id === 'tangents' && !passes ? { said: 'leaves it open', mark: '–' } : { said: 'wrong', mark: '✗' }
 }
 
 export const createChecks: CreateView = host => new ChecksView(host)
