@@ -1,6 +1,9 @@
 /* A libFuzzer target: any 24 doubles, bent towards degenerate and nearly valid elements, through every function of
    hexlens.h; a broken law prints the element and aborts. Sizes are compared in scaled units, docs/algorithm.md 2, in which
    the largest edge component of each axis is in [1/2, 1). Made and run by `make -C wasm fuzz`. */
+#include "../../wasm/src/bernstein.h"
+#include "../../wasm/src/exact.h"
+#include "../../wasm/src/report.h"
 #include "hexlens.h"
 #include "random.h"
 #include "reference.h"
@@ -114,7 +117,7 @@ static void move_to_border(double *x, unsigned argument) {
   memcpy(to, x, sizeof to);
   for (int step = 0; step < 53; ++step) {
     double middle = 0.5 * (low + high);
-    hl_verdict verdict = HL_UNDECIDED;
+    hl_verdict verdict = HL_UNANSWERED;
     between(unit_cube, to, middle, x);
     if (hl_decide(x, &verdict) == HL_OK && (argument & 2 ? verdict != HL_INVALID : verdict == HL_VALID)) low = middle;
     else high = middle;
@@ -336,13 +339,11 @@ static void checks_are_what_they_say(const hl_report *report) {
 }
 
 static void verdicts_agree(const hl_report *report) {
-  hl_verdict verdict = HL_UNDECIDED;
+  hl_verdict verdict = HL_UNANSWERED;
   LAW(hl_decide(element, &verdict) == HL_OK, "decide refuses");
-  LAW(verdict == report->verdict || report->verdict == HL_UNDECIDED, "decide says %d, analyze %d", (int)verdict,
-      (int)report->verdict);
-  LAW(report->verdict != HL_VALID || report->minimizer.value > 0, "valid, but the minimum is %a",
+  LAW(verdict == report->verdict, "decide says %d, analyze %d", (int)verdict, (int)report->verdict);
+  LAW(verdict == (report->minimizer.value > 0 ? HL_VALID : HL_INVALID), "verdict %d, but the minimum is %a", (int)verdict,
       report->minimizer.value);
-  LAW(verdict != HL_INVALID || report->minimizer.value < 0, "invalid, but the minimum is %a", report->minimizer.value);
 }
 
 static void minima_are_the_same(const hl_report *report) {
@@ -382,29 +383,31 @@ static void report_is_reproducible(const hl_report *report) {
   LAW(length == second && !memcmp(packed, again, length * sizeof(double)), "a report depends on what was there before");
 }
 
-/* The report's own coefficients, normalized as they are wanted and taken for exact. */
-static void coefficients_give_the_same(const hl_report *report, const double inside[3]) {
+/* Whatever doubles decided: the same verdict, the same class, and a minimum within its error. */
+static void integers_say_the_same(const hl_report *report, const double inside[3]) {
   static double packed[HL_PACKED_REPORT];
-  static hl_report other;
-  double bernstein[HL_BERNSTEIN], greatest = 0;
-  int exponent = 0;
-  for (int i = 0; i < HL_BERNSTEIN; ++i) greatest = fmax(greatest, fabs(report->bernstein[i]));
-  frexp(greatest, &exponent);
-  for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = ldexp(report->bernstein[i], -exponent) + 0.0;
-  memset(&other, 0xa5, sizeof other);
-  LAW(hl_analyze_coefficients(element, bernstein, report->exponent + exponent, UNIT_ROUNDOFF, HL_INVALID, &other) ==
-          HL_OK,
-      "coefficients refused");
-  packed_report(&other, packed);
-  is_in_its_place(&other.minimizer, "minimizer from coefficients");
-  /* In units of the greatest coefficient, both are off by the 4000 u of docs/algorithm.md 4 at most; where coefficients are
-     subnormal in scaled units, those of the report by some 2^-1074 besides. */
-  int unit = report->exponent + exponent;
-  double one = ldexp(other.minimizer.value, other.exponent - unit), two = ldexp(report->minimizer.value, -exponent);
-  LAW(other.verdict == HL_INVALID, "the verdict is not as given");
-  volume_minimum_is_bracketed(&other, inside, coefficient_slack);
-  LAW(fabs(one - two) <= 4000 * UNIT_ROUNDOFF + ldexp(1, unit_exponent - unit - 1062),
-      "from coefficients the minimum is %a, not %a", one, two);
+  static hl_report exact;
+  edge_vectors edges;
+  double bernstein[HL_BERNSTEIN];
+  memset(&exact, 0xa5, sizeof exact);
+  LAW(analyze_exactly(element, &exact) == HL_OK, "integers refuse");
+  scaled_edge_vectors(element, &edges);
+  jacdet_bernstein(&edges, bernstein);
+  const hl_verdict verdict = exact_verdict(element, bernstein, NULL);
+  LAW(verdict == report->verdict && exact.verdict == verdict, "doubles say %d, integers %d, their minimum %d",
+      (int)report->verdict, (int)verdict, (int)exact.verdict);
+  LAW(exact.element_class == report->element_class, "class %d, by integers %d", (int)report->element_class,
+      (int)exact.element_class);
+  packed_report(&exact, packed);
+  is_in_its_place(&exact.minimizer, "minimizer by integers");
+  volume_minimum_is_bracketed(&exact, inside, jacobian_error);
+  if (report->is_exact) return;
+  /* In a unit that both exponents are near to. */
+  double one = ldexp(report->minimizer.value, report->exponent - unit_exponent),
+         two = ldexp(exact.minimizer.value, exact.exponent - unit_exponent),
+         error = ldexp(report->minimum_error, report->exponent - unit_exponent);
+  LAW(fabs(one - two) <= error + 0x1p-52 * fabs(two) + 0x1p-1060, "the minimum is %a, by integers %a, error %a", one,
+      two, error);
 }
 
 static void jacobian_is_plain(const double point[3]) {
@@ -443,11 +446,6 @@ static void refusals_leave_outputs(hl_report *report) {
   memcpy(&jacobian_before, &jacobian, sizeof jacobian);
   hl_status status = expected_status(NULL), point_status = expected_status(place);
   LAW(hl_analyze(element, report) == status, "analyze: not status %d", (int)status);
-  const double no_coefficients[HL_BERNSTEIN] = {status == HL_OK ? NAN : 0};
-  hl_report untouched = report_before;
-  LAW(hl_analyze_coefficients(element, no_coefficients, 0, 0, HL_VALID, &untouched) == HL_NOT_FINITE &&
-          !memcmp(&untouched, &report_before, sizeof untouched),
-      "coefficients: not refused, or output touched");
   LAW(hl_decide(element, &verdict) == status, "decide: not status %d", (int)status);
   LAW(hl_boundary_minimum(element, HL_ROOTS_B, &minimum) == status, "minimum: not status %d", (int)status);
   LAW(hl_jacobian_at(element, place, &jacobian) == point_status, "jacobian: not status %d", (int)point_status);
@@ -525,10 +523,10 @@ static void check_all_laws(void) {
   verdicts_agree(&report);
   minima_are_the_same(&report);
   report_is_reproducible(&report);
-  coefficients_give_the_same(&report, inside);
+  integers_say_the_same(&report, inside);
   jacobian_is_plain(inside);
   nothing_is_below_the_minimum(&report, inside);
-  if (report.verdict != HL_UNDECIDED) volume_minimum_is_bracketed(&report, inside, jacobian_error);
+  volume_minimum_is_bracketed(&report, inside, jacobian_error);
   checks_are_what_they_say(&report);
   LAW(!memcmp(given, element, sizeof given), "the input was written to");
 }

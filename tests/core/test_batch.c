@@ -11,7 +11,8 @@ enum { MANY = 6000, LONGEST = 33 };
 
 /* All there is to compare of one cell. */
 typedef struct answer {
-  uint8_t decided, analyzed;
+  uint8_t verdict, element_class;
+  uint16_t accepted_by;
   double minimum, minimizer[3], corner;
   int16_t exponent;
 } answer;
@@ -101,8 +102,15 @@ static answer alone(const double v[24]) {
   answer a;
   CHECK(hl_decide(v, &verdict) == HL_OK && hl_analyze(v, &report) == HL_OK, "status");
   hl_boundary_minimum(v, HL_ROOTS_B, &minimum);
-  a.decided = (uint8_t)verdict;
-  a.analyzed = (uint8_t)report.verdict;
+  CHECK(verdict == report.verdict, "decide says %d, analyze %d", verdict, report.verdict);
+  a.verdict = (uint8_t)verdict;
+  a.is_exact = report.is_exact;
+  a.element_class = (uint8_t)report.element_class;
+  a.accepted_by = 0;
+  for (int c = 0; c < HL_CHECKS; ++c) a.accepted_by |= (uint16_t)((report.checks[c] > 0) << c);
+  a.relative_minimum = report.relative_minimum;
+  a.volume = report.volume;
+  a.volume_exponent = (int16_t)report.volume_exponent;
   a.minimum = minimum.minimizer.value;
   a.exponent = (int16_t)minimum.exponent;
   memcpy(a.minimizer, minimum.minimizer.point, sizeof a.minimizer);

@@ -50,15 +50,30 @@ enum {
 /* A failure is a status, never a number. On failure the output is left as it was. */
 typedef enum hl_status {
   HL_OK = 0,
-  HL_NOT_FINITE = 1,        /* a coordinate is NaN or infinite */
-  HL_OUTSIDE_CUBE = 2,      /* a reference point is not in [0,1]^3 */
-  HL_INCOMPLETE = 3,        /* a list of coordinates or of indices does not end with a whole cell (or point) */
-  HL_NO_SUCH_POINT = 4,     /* an index is not that of a point */
-  HL_NO_SUCH_RESOLUTION = 5 /* a number of tangents is not 1 to 8 */
+  HL_NOT_FINITE = 1,         /* a coordinate is NaN or infinite */
+  HL_OUTSIDE_CUBE = 2,       /* a reference point is not in [0,1]^3 */
+  HL_INCOMPLETE = 3,         /* a list of coordinates or of indices does not end with a whole cell (or point) */
+  HL_NO_SUCH_POINT = 4,      /* an index is not that of a point */
+  HL_NO_SUCH_RESOLUTION = 5, /* a number of tangents is not 1 to 8 */
+  HL_MISSING_LIST = 6        /* a batch without verdicts, or with values and without their exponents */
 } hl_status;
 
-/* Certain, or left to exact arithmetic: touching minima, collapsed elements, changes of an ulp. Never wrong. */
-typedef enum hl_verdict { HL_UNDECIDED = 0, HL_VALID = 1, HL_INVALID = 2 } hl_verdict;
+/* Certain for every element of 24 finite doubles. Unanswered is, in a batch, a cell that is not one: its status says why. */
+typedef enum hl_verdict { HL_UNANSWERED = 0, HL_VALID = 1, HL_INVALID = 2 } hl_verdict;
+
+/* What an element is: valid; inverted, jacdet < 0 everywhere; collapsed, jacdet = 0 everywhere; or invalid otherwise. */
+typedef enum hl_class {
+  HL_CLASS_UNANSWERED = 0,
+  HL_CLASS_VALID = 1,
+  HL_CLASS_INVALID = 2,
+  HL_CLASS_INVERTED = 3,
+  HL_CLASS_COLLAPSED = 4
+} hl_class;
+
+/* What the coincidences of vertices make of an element, in any of the cube's 48 symmetries: a wedge, two parallel edges of a face
+   of length 0; a pyramid, the vertices of a face at one point; a tetrahedron, these and two neighbours of the opposite face, or these
+   and the fifth at the same point. */
+typedef enum hl_shape { HL_NO_SHAPE = 0, HL_WEDGE = 1, HL_PYRAMID = 2, HL_TETRAHEDRON = 3 } hl_shape;
 
 typedef enum hl_kind { HL_VERTEX = 0, HL_EDGE = 1, HL_FACE = 2 } hl_kind;
 
@@ -112,15 +127,16 @@ typedef struct hl_face_report {
   hl_face_root roots[HL_MAX_ROOTS]; /* ascending in t */
 } hl_face_report;
 
-/* The least jacdet over the closed element is in [lower, upper]; at the point it is at most upper. Of an undecided report it is
-   the bracket of the boundary minimum, which is all that holds for both verdicts. */
+/* The least jacdet over the closed element is in [lower, upper]. It is at most upper at the exact place that `point` is rounded from;
+   at `point` itself it can be above it by the rounding of its coordinates. */
 typedef struct hl_volume_minimum {
   double lower, upper;
   double point[3], position[3];
 } hl_volume_minimum;
 
 typedef struct hl_report {
-  hl_verdict verdict; /* undecided also where the largest coefficient is too small for an accurate minimum */
+  hl_verdict verdict;
+  bool is_exact; /* integers decided it, doubles did not: then each jacdet that they give is of exact sign and rounded once */
   int exponent;
   hl_candidate minimizer;
   double minimum_error; /* |minimizer.value - exact boundary minimum| is at most this; a jacdet */
@@ -134,11 +150,18 @@ typedef struct hl_report {
   hl_face_report faces[HL_FACES];
   int candidate_count;
   hl_candidate candidates[HL_MAX_CANDIDATES]; /* vertices, then edges, then faces */
+  hl_class element_class;
+  hl_shape shape;
+  uint8_t coincident[HL_VERTICES]; /* of each vertex the least vertex at the same position, itself if there is no other */
+  double volume;                   /* the mean of jacdet, rounded once; times 2^volume_exponent */
+  int volume_exponent;
+  double relative_minimum; /* minimizer.value over |volume|, a number without a dimension; NaN where the volume is 0 */
 } hl_report;
 
 typedef struct hl_minimum {
   hl_candidate minimizer;
   int exponent;
+  bool is_exact; /* as in hl_report */
 } hl_minimum;
 
 typedef struct hl_bound {
@@ -161,13 +184,8 @@ const char *hl_version(void);
 /* Everything about one hexahedron: all faces solved, whatever the rules would skip. */
 hl_status hl_analyze(const double vertices[HL_COORDINATES], hl_report *report);
 
-/* As hl_analyze, from coefficients that are known better than doubles compute them: exact ones rounded, bernstein * 2^exponent,
-   each off by at most error * 2^exponent, the largest of magnitude in [1/2, 1) or all 0; the verdict as given. The exponent
-   is of magnitude 8000 at most. */
-hl_status hl_analyze_coefficients(const double vertices[HL_COORDINATES], const double bernstein[HL_BERNSTEIN],
-                                  int exponent, double error, hl_verdict verdict, hl_report *report);
-
-/* The least jacdet on the boundary and where it is attained, by Algorithm 1. */
+/* The least jacdet on the boundary and where it is attained, by Algorithm 1: hl_analyze's minimizer. Where doubles are not accurate
+   enough, in integers, which have no variants. */
 hl_status hl_boundary_minimum(const double vertices[HL_COORDINATES], hl_variant variant, hl_minimum *minimum);
 
 /* A lower bound of jacdet over the element, but for rounding, after the sufficient test of Knabner, Korotov and Summ (2003): with
@@ -197,23 +215,33 @@ typedef struct hl_cells {
   size_t index_count; /* a multiple of 8 */
 } hl_cells;
 
-/* What is wanted of each cell, by lists of the caller's; no list may overlap another or the cells. */
+/* What is wanted of each cell, by lists of the caller's, one entry a cell unless said. All but the verdicts may be null; what is not
+   asked for costs nothing. No list may overlap another or the cells. Of a cell that is unanswered verdict and class are 0, the numbers
+   NaN, the bits and exponents 0. */
 typedef struct hl_batch {
-  uint8_t *verdicts; /* one hl_verdict a cell */
-  /* The four below all together or all null. A minimum and a least corner are their number times 2^exponent, with exponent 0
-     where both are then normal doubles or zero. */
+  uint8_t *verdicts; /* hl_verdict */
+  uint8_t *statuses; /* hl_status: HL_OK, HL_NOT_FINITE or HL_NO_SUCH_POINT */
+  uint8_t *is_exact; /* 1 where integers decided, as hl_decide does, with minima as hl_analyze does; else 0 */
+  uint8_t *classes;  /* hl_class */
+  /* Bit 1 << c for each hl_check c that accepts the cell: its number in the report is positive. */
+  uint16_t *accepted_by;
+  /* A minimum and a least corner are their number times 2^exponent, with exponent 0 where both are then normal doubles or zero.
+     Whoever asks for one of them asks for the exponents. */
   double *minima;        /* the boundary minimum */
   double *minimizers;    /* three a cell: xi, eta, zeta */
   double *corner_minima; /* the least jacdet at the eight vertices */
   int16_t *exponents;
-  /* How many of each verdict, and in case of failure the first cell that is at fault. */
-  size_t valid, invalid, undecided, first_bad_cell;
+  double *relative_minima; /* as in hl_report */
+  double *volumes;         /* as in hl_report, times 2^volume_exponent */
+  int16_t *volume_exponents;
+  /* How many of each verdict, how many integers decided, and the first cell that is unanswered, or the number of cells. */
+  size_t valid, invalid, unanswered, exact, first_unanswered;
 } hl_batch;
 
-/* Verdicts of many cells, and where wanted their minima, as one by one, bit for bit: without minima the verdict is that of
-   hl_decide; with them it is that of hl_analyze, and minimum and minimizer are those of hl_boundary_minimum. Needs constant memory.
-   Any number of cells at once or in pieces; the counts are those of this call. On failure what was written belongs to the cells
-   before first_bad_cell, which are counted, and to no other. */
+/* Verdicts of many cells, and what else is asked for, as one by one, bit for bit. A cell with a coordinate that is not finite or an index
+   out of range is unanswered and does not stop the others. A list of a wrong length is refused whole, and so are missing lists: then
+   nothing is written but the counts, all 0, and first_unanswered, the first cell that is not whole. Any number of cells at once or in
+   pieces; the counts are those of this call. */
 hl_status hl_classify(const hl_cells *cells, hl_batch *batch);
 
 /* What hl_classify computes with on this machine: "avx512", "avx2", "sse2", "wasm" for WebAssembly's vectors, or "scalar". */
@@ -224,9 +252,9 @@ const char *hl_vectors(void);
 enum { HL_PACKED_CANDIDATE = 9, HL_PACKED_VOLUME_MINIMUM = 8, HL_PACKED_ROOT = 4 };
 enum { HL_PACKED_FACE = HL_FACE_BERNSTEIN + 4 + HL_QUARTIC + 3 + HL_MAX_ROOTS * HL_PACKED_ROOT };
 enum {
-  HL_PACKED_REPORT = 2 + 2 * HL_PACKED_CANDIDATE + 1 + HL_PACKED_VOLUME_MINIMUM + HL_CHECKS + 3 + HL_BERNSTEIN +
-      HL_FACES * HL_PACKED_FACE + 1 + HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE,
-  HL_PACKED_MINIMUM = HL_PACKED_CANDIDATE + 1,
+  HL_PACKED_REPORT = 3 + 2 * HL_PACKED_CANDIDATE + 1 + HL_PACKED_VOLUME_MINIMUM + HL_CHECKS + 3 + HL_BERNSTEIN +
+      HL_FACES * HL_PACKED_FACE + 1 + HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE + 2 + HL_VERTICES + 3,
+  HL_PACKED_MINIMUM = HL_PACKED_CANDIDATE + 2,
   HL_PACKED_JACOBIAN = 17
 };
 size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]);

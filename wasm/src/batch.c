@@ -3,6 +3,7 @@
 #include "batch.h"
 #include "bernstein.h"
 #include "candidates.h"
+#include "exact.h"
 #include "face.h"
 #include "filter.h"
 #include "report.h"
@@ -12,40 +13,60 @@
 #include <math.h>
 #include <string.h>
 
+/* Where the minima of a block's cells go: to the caller's lists, or nowhere. */
+typedef struct minima_lists {
+  double *minima, *minimizers, *corner_minima;
+  int16_t *exponents;
+} minima_lists;
+
 /* One block: its cells side by side, and what is known of them. */
 typedef struct block {
   double copied[HL_BLOCK * HL_COORDINATES]; /* readable to its end, whatever is in the part that is not used */
   const double *hexahedra;
   int count;
-  uint8_t verdicts[HL_BLOCK];
-  double undecided[HL_BLOCK * HL_COORDINATES];
+  uint8_t verdicts[HL_BLOCK], statuses[HL_BLOCK], is_exact[HL_BLOCK];
+  double open[HL_BLOCK * HL_COORDINATES];
   lane_minima lanes;
+  minima_lists out;
+  double minima[HL_BLOCK], minimizers[3 * HL_BLOCK], corner_minima[HL_BLOCK];
+  int16_t exponents[HL_BLOCK];
 } block;
 
-/* Copies the cells' points next to each other; returns how many cells have all their indices. */
-static int gather(const hl_cells *cells, size_t first, int count, double *hexahedra) {
+static const double not_a_cell[HL_COORDINATES] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
+                                                  NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+
+/* Copies the cells' points next to each other. */
+static void gather(const hl_cells *cells, size_t first, block *b) {
   const size_t point_count = cells->coordinate_count / 3;
-  for (int c = 0; c < count; ++c) {
+  for (int c = 0; c < b->count; ++c) {
     const uint32_t *indices = cells->indices + 8 * (first + (size_t)c);
+    bool has_points = true;
+    for (int v = 0; v < 8; ++v) has_points = has_points && indices[v] < point_count;
+    if (!has_points) {
+      b->statuses[c] = HL_NO_SUCH_POINT;
+      memcpy(b->copied + 24 * c, not_a_cell, sizeof not_a_cell);
+      continue;
+    }
     for (int v = 0; v < 8; ++v)
-      if (indices[v] >= point_count) return c;
-    for (int v = 0; v < 8; ++v)
-      memcpy(hexahedra + 24 * c + 3 * v, cells->coordinates + 3 * (size_t)indices[v], 3 * sizeof(double));
+      memcpy(b->copied + 24 * c + 3 * v, cells->coordinates + 3 * (size_t)indices[v], 3 * sizeof(double));
   }
-  return count;
 }
 
 /* A whole block of plain coordinates is read where it is. */
-static int fill_block(const hl_cells *cells, size_t first, int count, block *b) {
+static void fill_block(const hl_cells *cells, size_t first, int count, block *b) {
   b->count = count;
-  if (!cells->indices && count == HL_BLOCK) {
-    b->hexahedra = cells->coordinates + 24 * first;
-    return count;
-  }
+  memset(b->statuses, HL_OK, sizeof b->statuses);
   b->hexahedra = b->copied;
-  if (cells->indices) return gather(cells, first, count, b->copied);
-  memcpy(b->copied, cells->coordinates + 24 * first, (size_t)count * HL_COORDINATES * sizeof(double));
-  return count;
+  if (cells->indices) gather(cells, first, b);
+  else if (count == HL_BLOCK) b->hexahedra = cells->coordinates + 24 * first;
+  else memcpy(b->copied, cells->coordinates + 24 * first, (size_t)count * HL_COORDINATES * sizeof(double));
+}
+
+/* A cell whose coordinates are not finite, or that has none. */
+static void leave_unanswered(block *b, int c) {
+  b->verdicts[c] = HL_UNANSWERED;
+  b->is_exact[c] = 0;
+  if (b->statuses[c] == HL_OK) b->statuses[c] = HL_NOT_FINITE;
 }
 
 /* The coefficients that the lanes have computed. */
@@ -55,51 +76,62 @@ static void bernstein_from_lanes(const lane_kernels *kernels, const lane_minima 
   for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = bernstein_part[i] * of_group[i * width] + 0.0;
 }
 
-/* hl_decide, from what the lanes know in doubles. Returns false if the coordinates are not finite. */
-static bool decide_cell(const lane_kernels *kernels, const lane_minima *lanes, int c, const double *vertices,
-                        uint8_t *verdict) {
-  hl_verdict found = HL_INVALID;
-  if (!kernels || !(lanes->state[c] & LANE_USABLE)) {
-    if (hl_decide(vertices, &found) != HL_OK) return false;
-  } else if (lanes->state[c] & LANE_VALID) {
-    found = HL_VALID;
-  } else if (!(lanes->state[c] & LANE_INVALID)) {
-    double bernstein[27];
-    bernstein_from_lanes(kernels, lanes, c, bernstein);
-    found = filtered_verdict(bernstein);
+/* hl_decide, from what the lanes know in doubles of the open cell `c`, which is cell `cell` of the block. */
+static void decide_cell(const lane_kernels *kernels, int c, int cell, block *b) {
+  const double *vertices = b->hexahedra + 24 * cell;
+  const int state = kernels ? b->lanes.state[c] : 0;
+  if (state & LANE_USABLE && state & (LANE_VALID | LANE_INVALID)) {
+    b->verdicts[cell] = state & LANE_VALID ? HL_VALID : HL_INVALID;
+    return;
   }
-  *verdict = (uint8_t)found;
-  return true;
+  double bernstein[27];
+  if (state & LANE_USABLE) {
+    bernstein_from_lanes(kernels, &b->lanes, c, bernstein);
+  } else {
+    if (!all_finite(vertices, HL_COORDINATES)) {
+      leave_unanswered(b, cell);
+      return;
+    }
+    edge_vectors edges;
+    scaled_edge_vectors(vertices, &edges);
+    jacdet_bernstein(&edges, bernstein);
+  }
+  hl_verdict verdict;
+  b->is_exact[cell] = !is_settled_by_filter(bernstein, &verdict);
+  if (b->is_exact[cell]) verdict = is_zero_at_sight(vertices) ? HL_INVALID : exact_verdict(vertices, bernstein, NULL);
+  b->verdicts[cell] = (uint8_t)verdict;
 }
 
-/* Each of the two below returns how many cells have finite coordinates, up to the first that has not. */
-
 /* Whether one of eight bytes is 0. */
-static bool has_undecided(const uint8_t *verdicts) {
+static bool has_unanswered(const uint8_t *verdicts) {
   uint64_t bytes;
   memcpy(&bytes, verdicts, sizeof bytes);
   return ((bytes - 0x0101010101010101u) & ~bytes & 0x8080808080808080u) != 0;
 }
 
-/* In floats, then those that are open together in doubles, then one by one. */
-static int decide_block(const lane_kernels *kernels, block *b, batch_stages *stages) {
+/* In floats, then those that are open together in doubles, then one by one. What is zero at sight needs no coefficients, unless it is
+   asked whether doubles would have decided. */
+static void decide_block(const lane_kernels *kernels, bool asks_exact, block *b, batch_stages *stages) {
   int open[HL_BLOCK], open_count = 0;
-  memset(b->verdicts, HL_UNDECIDED, HL_BLOCK);
+  memset(b->verdicts, HL_UNANSWERED, HL_BLOCK);
+  memset(b->is_exact, 0, HL_BLOCK);
   if (kernels) kernels->decide(b->hexahedra, b->count, b->verdicts);
   for (int c = 0; c < b->count; c += 8) {
-    if (!has_undecided(b->verdicts + c)) continue;
-    for (int d = c; d < c + 8 && d < b->count; ++d)
-      if (b->verdicts[d] == HL_UNDECIDED) open[open_count++] = d;
+    if (!has_unanswered(b->verdicts + c)) continue;
+    for (int d = c; d < c + 8 && d < b->count; ++d) {
+      if (b->verdicts[d] != HL_UNANSWERED) continue;
+      if (!asks_exact && is_zero_at_sight(b->hexahedra + 24 * d) && all_finite(b->hexahedra + 24 * d, HL_COORDINATES))
+        b->verdicts[d] = HL_INVALID;
+      else open[open_count++] = d;
+    }
   }
   stages->after_lanes += (size_t)open_count;
   if (kernels && open_count > 0) {
     for (int i = 0; i < open_count; ++i)
-      memcpy(b->undecided + 24 * i, b->hexahedra + 24 * open[i], HL_COORDINATES * sizeof(double));
-    kernels->corners(b->undecided, open_count, &b->lanes);
+      memcpy(b->open + 24 * i, b->hexahedra + 24 * open[i], HL_COORDINATES * sizeof(double));
+    kernels->corners(b->open, open_count, &b->lanes);
   }
-  for (int i = 0; i < open_count; ++i)
-    if (!decide_cell(kernels, &b->lanes, i, b->hexahedra + 24 * open[i], b->verdicts + open[i])) return open[i];
-  return b->count;
+  for (int i = 0; i < open_count; ++i) decide_cell(kernels, i, open[i], b);
 }
 
 static hl_candidate first_least_vertex(const double bernstein[27]) {
@@ -144,55 +176,85 @@ static hl_candidate least_from(hl_candidate least, const double bernstein[27]) {
   return least;
 }
 
-static void put_minimizer(hl_batch *batch, size_t cell, const double point[3]) {
-  for (int axis = 0; axis < 3; ++axis) batch->minimizers[3 * cell + (size_t)axis] = point[axis];
+static void put_minimizer(block *b, int c, const double point[3]) {
+  memcpy(b->out.minimizers + 3 * c, point, 3 * sizeof *point);
 }
 
-/* From the coordinates alone. Returns false if they are not finite. */
-static bool minimum_alone(const double *vertices, uint8_t *verdict, hl_batch *batch, size_t cell) {
-  if (!all_finite(vertices, HL_COORDINATES)) return false;
+/* Two numbers in a unit that suits both: 1 if they are normal doubles then, else between them. */
+static void put_values(scaled_double minimum, scaled_double corner, block *b, int c) {
+  int unit = minimum.mantissa == 0   ? corner.exponent
+             : corner.mantissa == 0 ? minimum.exponent
+                                    : (minimum.exponent + corner.exponent) / 2;
+  if (is_normal_after_scaling(minimum.mantissa, minimum.exponent) &&
+      is_normal_after_scaling(corner.mantissa, corner.exponent))
+    unit = 0;
+  b->out.exponents[c] = (int16_t)unit;
+  b->out.minima[c] = in_normal_units(minimum, unit);
+  b->out.corner_minima[c] = in_normal_units(corner, unit);
+}
+
+/* From the coordinates alone, by integers where doubles are not accurate enough. */
+static void minimum_alone(block *b, int c) {
+  const double *vertices = b->hexahedra + 24 * c;
+  if (!all_finite(vertices, HL_COORDINATES)) {
+    leave_unanswered(b, c);
+    put_minimizer(b, c, not_a_cell);
+    b->out.minima[c] = b->out.corner_minima[c] = NAN;
+    b->out.exponents[c] = 0;
+    return;
+  }
   edge_vectors edges;
   double bernstein[27];
   scaled_edge_vectors(vertices, &edges);
   jacdet_bernstein(&edges, bernstein);
   hl_candidate vertex = first_least_vertex(bernstein), least = least_from(vertex, bernstein);
-  *verdict = (uint8_t)accurate_verdict(bernstein, greatest_permanent(&edges), least.value);
-  double values[2] = {least.value, vertex.value};
-  batch->exponents[cell] = (int16_t)scaled_back(values, 2, jacdet_exponent(&edges));
-  batch->minima[cell] = values[0];
-  batch->corner_minima[cell] = values[1];
-  put_minimizer(batch, cell, least.point);
-  return true;
+  hl_verdict verdict;
+  b->is_exact[c] = !is_settled_by_doubles(bernstein, greatest_permanent(&edges), least.value, &verdict);
+  if (b->is_exact[c]) {
+    exact_minimum exact;
+    find_exact_minimum(vertices, &exact, NULL);
+    verdict = exact.minimum.mantissa > 0 ? HL_VALID : HL_INVALID;
+    put_minimizer(b, c, exact.minimizer.point);
+    put_values(exact.minimum, exact.corner_minimum, b, c);
+  } else {
+    double values[2] = {least.value, vertex.value};
+    b->out.exponents[c] = (int16_t)scaled_back(values, 2, jacdet_exponent(&edges));
+    b->out.minima[c] = values[0];
+    b->out.corner_minima[c] = values[1];
+    put_minimizer(b, c, least.point);
+  }
+  b->verdicts[c] = (uint8_t)verdict;
 }
 
 /* Whether a value that is `scaled` times a power of two has come out whole: not lost below the normal doubles. */
 static bool is_whole(double value, double scaled) { return scaled == 0 || fabs(value) >= DBL_MIN; }
 
 /* The least corner stands there as the minimum, with its verdict: lowers it to the boundary minimum, by the coefficients that the
-   lanes have computed, which are accurate. Returns false where a value is too small for the doubles. */
-static bool lower_minimum(const lane_kernels *kernels, const lane_minima *lanes, int c, uint8_t *verdict,
-                          hl_batch *batch, size_t cell) {
+   lanes have computed, which are accurate. Returns false where doubles leave the verdict open or have no room for a value. */
+static bool lower_minimum(const lane_kernels *kernels, block *b, int c) {
+  const lane_minima *lanes = &b->lanes;
   double bernstein[27];
   bernstein_from_lanes(kernels, lanes, c, bernstein);
   hl_candidate least = least_from(vertex_candidate(bernstein, lanes->vertex[c]), bernstein);
-  if (!(lanes->state[c] & (LANE_VALID | LANE_INVALID))) *verdict = (uint8_t)filtered_verdict(bernstein);
-  if (*verdict == HL_VALID && !(least.value > 0)) *verdict = HL_UNDECIDED;
-  batch->minima[cell] = least.value * lanes->unit[c];
-  put_minimizer(batch, cell, least.point);
-  return is_whole(batch->minima[cell], least.value) &&
-         is_whole(batch->corner_minima[cell], bernstein[vertex_index(lanes->vertex[c])]);
+  hl_verdict verdict = b->verdicts[c];
+  if (!(lanes->state[c] & (LANE_VALID | LANE_INVALID)) && !is_settled_by_filter(bernstein, &verdict)) return false;
+  if (verdict == HL_VALID && !(least.value > 0)) return false;
+  b->verdicts[c] = (uint8_t)verdict;
+  b->out.minima[c] = least.value * lanes->unit[c];
+  put_minimizer(b, c, least.point);
+  return is_whole(b->out.minima[c], least.value) &&
+         is_whole(b->out.corner_minima[c], bernstein[vertex_index(lanes->vertex[c])]);
 }
 
 /* The least corners of the block's cells `from` to `to`, as if all were settled. */
-static void put_corners(block *b, int from, int to, size_t first, hl_batch *batch) {
+static void put_corners(block *b, int from, int to) {
   const lane_minima *lanes = &b->lanes;
-  const size_t cell = first + (size_t)from, count = (size_t)(to - from);
-  memcpy(batch->minima + cell, lanes->least + from, count * sizeof(double));
-  memcpy(batch->corner_minima + cell, lanes->least + from, count * sizeof(double));
-  memset(batch->exponents + cell, 0, count * sizeof(int16_t));
+  const size_t count = (size_t)(to - from);
+  memcpy(b->out.minima + from, lanes->least + from, count * sizeof(double));
+  memcpy(b->out.corner_minima + from, lanes->least + from, count * sizeof(double));
+  memset(b->out.exponents + from, 0, count * sizeof(int16_t));
   for (int c = from; c < to; ++c) b->verdicts[c] = lanes->state[c] & LANE_VALID ? HL_VALID : HL_INVALID;
-  for (int c = from; c < to; ++c)
-    memcpy(batch->minimizers + 3 * (first + (size_t)c), vertex_point[lanes->vertex[c]], sizeof vertex_point[0]);
+  for (int c = from; c < to; ++c) put_minimizer(b, c, vertex_point[lanes->vertex[c]]);
 }
 
 /* The first of the cells from `c` on that lacks this bit, or `end`. */
@@ -205,36 +267,80 @@ static int first_without(const unsigned char *state, int bit, int c, int end) {
   return c;
 }
 
-/* In doubles side by side, then one by one. Nothing is written of cells behind one that is not finite. */
-static int minima_of_block(const lane_kernels *kernels, block *b, size_t first, hl_batch *batch, batch_stages *stages) {
+/* In doubles side by side, then one by one. */
+static void minima_of_block(const lane_kernels *kernels, block *b, batch_stages *stages) {
   const lane_minima *lanes = &b->lanes;
+  memset(b->is_exact, 0, HL_BLOCK);
   if (kernels) kernels->corners(b->hexahedra, b->count, &b->lanes);
   for (int from = 0, to; from < b->count; from = to + 1) {
     to = kernels ? first_without(lanes->state, LANE_USABLE, from, b->count) : from;
-    put_corners(b, from, to, first, batch);
+    put_corners(b, from, to);
     for (int c = from; (c = first_without(lanes->state, LANE_SETTLED, c, to)) < b->count && c <= to; ++c) {
-      const size_t cell = first + (size_t)c;
       ++stages->after_lanes;
-      if (c < to && lanes->state[c] & LANE_ACCURATE && lower_minimum(kernels, lanes, c, b->verdicts + c, batch, cell))
-        continue;
-      if (!minimum_alone(b->hexahedra + 24 * c, b->verdicts + c, batch, cell)) return c;
+      if (c < to && lanes->state[c] & LANE_ACCURATE && lower_minimum(kernels, b, c)) continue;
+      minimum_alone(b, c);
     }
   }
-  return b->count;
 }
 
-/* Hands on and counts the first `count` verdicts of a block. */
-static void hand_on(const block *b, size_t first, int count, hl_batch *batch, batch_stages *stages) {
-  unsigned valid = 0, invalid = 0;
-  for (int c = 0; c < count; ++c) {
+static bool asks_for_minima(const hl_batch *batch) {
+  return batch->minima || batch->minimizers || batch->corner_minima || batch->relative_minima;
+}
+
+/* A list of the caller's from the block's first cell on, or room in the block for what was not asked for. */
+#define OR_ROOM(list, from) (batch->list ? batch->list + (from) : b->list)
+
+static void choose_lists(const hl_batch *batch, size_t first, block *b) {
+  b->out = (minima_lists){.minima = OR_ROOM(minima, first),
+                          .minimizers = OR_ROOM(minimizers, 3 * first),
+                          .corner_minima = OR_ROOM(corner_minima, first),
+                          .exponents = OR_ROOM(exponents, first)};
+}
+
+/* What is asked for of one cell beyond its verdict and minimum. */
+static void put_details(const hl_batch *batch, const block *b, int c, size_t cell) {
+  const double *vertices = b->hexahedra + 24 * c;
+  const bool is_answered = b->statuses[c] == HL_OK;
+  if (batch->classes) batch->classes[cell] = is_answered ? (uint8_t)class_of(vertices, b->verdicts[c]) : 0;
+  if (batch->accepted_by) batch->accepted_by[cell] = is_answered ? (uint16_t)checks_that_accept(vertices) : 0;
+  if (!batch->volumes && !batch->relative_minima) return;
+  double volume = NAN;
+  int exponent = 0;
+  if (is_answered) {
+    const scaled_double number = find_volume(vertices);
+    volume = number.mantissa;
+    exponent = scaled_back(&volume, 1, number.exponent);
+  }
+  if (batch->volumes) {
+    batch->volumes[cell] = volume;
+    batch->volume_exponents[cell] = (int16_t)exponent;
+  }
+  if (batch->relative_minima)
+    batch->relative_minima[cell] =
+        is_answered ? relative_minimum(b->out.minima[c], b->out.exponents[c], volume, exponent) : NAN;
+}
+
+/* Hands on and counts the answers to a block. */
+static void hand_on(const block *b, size_t first, hl_batch *batch, batch_stages *stages) {
+  unsigned valid = 0, invalid = 0, exact = 0;
+  const size_t count = (size_t)b->count;
+  for (int c = 0; c < b->count; ++c) {
     valid += b->verdicts[c] == HL_VALID;
     invalid += b->verdicts[c] == HL_INVALID;
+    exact += b->is_exact[c];
   }
+  if (valid + invalid < count && batch->unanswered == 0)
+    batch->first_unanswered = first + (size_t)((uint8_t *)memchr(b->verdicts, HL_UNANSWERED, count) - b->verdicts);
   batch->valid += valid;
   batch->invalid += invalid;
-  batch->undecided += (size_t)count - valid - invalid;
-  stages->after_doubles = batch->undecided;
-  memcpy(batch->verdicts + first, b->verdicts, (size_t)count);
+  batch->unanswered += count - valid - invalid;
+  batch->exact += exact;
+  stages->after_doubles += exact;
+  memcpy(batch->verdicts + first, b->verdicts, count);
+  if (batch->statuses) memcpy(batch->statuses + first, b->statuses, count);
+  if (batch->is_exact) memcpy(batch->is_exact + first, b->is_exact, count);
+  if (batch->classes || batch->accepted_by || batch->volumes || batch->relative_minima)
+    for (int c = 0; c < b->count; ++c) put_details(batch, b, c, first + (size_t)c);
 }
 
 hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_batch *batch, batch_stages *stages) {
@@ -243,22 +349,21 @@ hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_b
   *stages = own;
   const size_t length = cells->indices ? cells->index_count : cells->coordinate_count;
   const size_t per_cell = cells->indices ? HL_VERTICES : HL_COORDINATES, count = length / per_cell;
-  batch->valid = batch->invalid = batch->undecided = 0;
-  batch->first_bad_cell = count;
+  batch->valid = batch->invalid = batch->unanswered = batch->exact = 0;
+  batch->first_unanswered = count;
   if (length % per_cell != 0 || cells->coordinate_count % 3 != 0) return HL_INCOMPLETE;
+  if (!batch->verdicts || ((batch->minima || batch->corner_minima) && !batch->exponents) ||
+      (batch->volumes && !batch->volume_exponents))
+    return HL_MISSING_LIST;
   block b;
   memset(b.copied, 0, sizeof b.copied);
-  memset(b.undecided, 0, sizeof b.undecided);
+  memset(b.open, 0, sizeof b.open);
   for (size_t first = 0; first < count; first += HL_BLOCK) {
-    const int wanted = count - first < HL_BLOCK ? (int)(count - first) : HL_BLOCK;
-    b.count = fill_block(cells, first, wanted, &b);
-    const int with_points = b.count;
-    const int finite =
-        batch->minima ? minima_of_block(kernels, &b, first, batch, stages) : decide_block(kernels, &b, stages);
-    hand_on(&b, first, finite, batch, stages);
-    if (finite == wanted) continue;
-    batch->first_bad_cell = first + (size_t)finite;
-    return finite < with_points ? HL_NOT_FINITE : HL_NO_SUCH_POINT;
+    fill_block(cells, first, count - first < HL_BLOCK ? (int)(count - first) : HL_BLOCK, &b);
+    choose_lists(batch, first, &b);
+    if (asks_for_minima(batch)) minima_of_block(kernels, &b, stages);
+    else decide_block(kernels, batch->is_exact != NULL, &b, stages);
+    hand_on(&b, first, batch, stages);
   }
   return HL_OK;
 }

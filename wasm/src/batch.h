@@ -7,7 +7,7 @@
 
 /* How far each stage got: cells that went on to the next one. */
 typedef struct batch_stages {
-  size_t after_lanes, after_doubles; /* not decided, or not minimal, in the lanes; undecided in doubles */
+  size_t after_lanes, after_doubles; /* not decided, or not minimal, in the lanes; left to integers */
 } batch_stages;
 
 /* hl_classify with these kernels, or one by one where they are null. `stages` may be null. */

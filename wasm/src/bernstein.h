@@ -3,6 +3,7 @@
 #define HL_BERNSTEIN_H
 
 #include "scaling.h"
+#include "topology.h"
 
 #include <float.h>
 #if defined __wasm_simd128__
@@ -27,7 +28,7 @@ static inline double larger(double x, double y) { return y > x ? y : x; }
 #endif
 
 /* (1-t) p + t q for t in [0,1], never outside [p,q]: rounding must not carry a value below its Bernstein bound. */
-static inline double lerp(double p, double q, double t) {
+HL_INLINE double lerp(double p, double q, double t) {
   double r = (1 - t) * p + t * q;
   return smaller(larger(r, smaller(p, q)), larger(p, q));
 }

@@ -4,6 +4,7 @@
 #include "candidates.h"
 #include "checks.h"
 #include "error_bounds.h"
+#include "exact.h"
 #include "face.h"
 #include "filter.h"
 #include "hexlens.h"
@@ -110,36 +111,36 @@ static hl_volume_minimum volume_minimum_of(const hl_report *report, double coeff
                              .point = {least->point[0], least->point[1], least->point[2]}};
 }
 
+/* What the numbers of the checks follow from. */
+typedef struct checked {
+  const double *vertices, *bernstein;
+  const edge_vectors *edges;
+  precision given;
+  double centre, corner_minimum, edge_minimum;
+  hl_verdict verdict;
+  double minimum;
+} checked;
+
 /* No value of a valid element is below the minimum, whatever rounding says. */
-static double on_element(const hl_report *report, double value) {
-  return report->verdict == HL_VALID && value < report->minimizer.value ? report->minimizer.value : value;
+static double on_element(const checked *e, double value) {
+  return e->verdict == HL_VALID && value < e->minimum ? e->minimum : value;
 }
 
-/* What the coefficients on the boundary and all of them are off by at most, and the exponent of them all. */
-typedef struct precision {
-  double boundary_error, error;
-  int exponent;
-} precision;
-
-static void fill_checks(const double vertices[24], const edge_vectors *edges, precision given, hl_report *report) {
-  double centre = on_element(report, value_at_centre(report->bernstein));
-  report->scaled_jacobian = least_scaled_jacobian(edges, report->bernstein, centre, given.exponent);
-  report->checks[HL_CHECK_CORNERS] = report->corner_minimum;
-  report->checks[HL_CHECK_CORNERS_AND_CENTRE] = scaled_jacobian_of_verdict(vertices, report->scaled_jacobian);
-  report->checks[HL_CHECK_GAUSS_2] = on_element(report, least_at_gauss_points(report->bernstein, 2));
-  report->checks[HL_CHECK_GAUSS_3] = on_element(report, least_at_gauss_points(report->bernstein, 3));
-  report->checks[HL_CHECK_EDGES] = report->edge_minimum;
-  report->checks[HL_CHECK_BERNSTEIN] = least_coefficient(report->bernstein);
-  report->checks[HL_CHECK_SUBDIVISION] = subdivision_to_depth_4(report->bernstein);
-  report->checks[HL_CHECK_TANGENTS] = tangent_bound(report->bernstein, given.error, REPORTED_TANGENTS);
+static double fill_checks(const checked *e, double checks[HL_CHECKS]) {
+  const double scaled_jacobian =
+      least_scaled_jacobian(e->edges, e->bernstein, on_element(e, e->centre), e->given.exponent);
+  checks[HL_CHECK_CORNERS] = e->corner_minimum;
+  checks[HL_CHECK_CORNERS_AND_CENTRE] = scaled_jacobian_of_verdict(e->vertices, scaled_jacobian);
+  checks[HL_CHECK_GAUSS_2] = on_element(e, least_at_gauss_points(e->bernstein, 2));
+  checks[HL_CHECK_GAUSS_3] = on_element(e, least_at_gauss_points(e->bernstein, 3));
+  checks[HL_CHECK_EDGES] = e->edge_minimum;
+  checks[HL_CHECK_BERNSTEIN] = least_coefficient(e->bernstein);
+  checks[HL_CHECK_SUBDIVISION] = subdivision_to_depth_4(e->bernstein);
+  checks[HL_CHECK_TANGENTS] = tangent_bound(e->bernstein, e->given.error, REPORTED_TANGENTS);
+  return scaled_jacobian;
 }
 
-enum {
-  MAX_JACDETS = 7 + HL_CHECKS + HL_BERNSTEIN + HL_MAX_CANDIDATES + HL_FACES * (HL_FACE_BERNSTEIN + 2 + HL_MAX_ROOTS)
-};
-
-/* Lists every jacdet of the report; returns how many there are. */
-static int list_jacdets(hl_report *report, double *list[MAX_JACDETS]) {
+int list_jacdets(hl_report *report, double *list[MAX_JACDETS]) {
   int count = 0;
   list[count++] = &report->minimizer.value;
   list[count++] = &report->minimum_error;
@@ -172,15 +173,13 @@ static int exponent_left(hl_report *report, int exponent) {
   return 0;
 }
 
-hl_verdict accurate_verdict(const double bernstein[27], double permanent, double minimum) {
-  if (greatest_magnitude(bernstein, HL_BERNSTEIN) < LEAST_PART_OF_PERMANENT * permanent) return HL_UNDECIDED;
-  hl_verdict verdict = filtered_verdict(bernstein);
+bool is_settled_by_doubles(const double bernstein[27], double permanent, double minimum, hl_verdict *verdict) {
+  if (greatest_magnitude(bernstein, HL_BERNSTEIN) < LEAST_PART_OF_PERMANENT * permanent) return false;
   /* A computed minimum that contradicts a certain verdict has lost its sign: exact arithmetic gives both. */
-  return verdict == HL_VALID && !(minimum > 0) ? HL_UNDECIDED : verdict;
+  return is_settled_by_filter(bernstein, verdict) && !(*verdict == HL_VALID && !(minimum > 0));
 }
 
-/* From the coefficients in report->bernstein: faces, candidates, the least and the greatest of them. */
-static void find_candidates(const double vertices[24], hl_report *report) {
+void find_candidates(const double vertices[24], hl_report *report) {
   report->candidate_count = 0;
   for (int v = 0; v < HL_VERTICES; ++v) append(report, vertex_candidate(report->bernstein, v));
   report->corner_minimum = least_candidate_value(report);
@@ -198,17 +197,49 @@ static void find_candidates(const double vertices[24], hl_report *report) {
   map_point(vertices, report->maximizer.point, report->maximizer.position);
 }
 
-/* What needs the verdict and how precise the coefficients are; then all values in their own units. */
-static void complete_report(const double vertices[24], const edge_vectors *edges, precision given, hl_report *report) {
+void complete_report(const double vertices[24], const edge_vectors *edges, precision given, double centre,
+                     hl_report *report) {
   report->minimum_error = error_of_minimum(report, given.boundary_error);
   report->volume_minimum = volume_minimum_of(report, given.error);
   map_point(vertices, report->volume_minimum.point, report->volume_minimum.position);
-  fill_checks(vertices, edges, given, report);
-  report->exponent = exponent_left(report, given.exponent);
+  const checked e = {.vertices = vertices,
+                     .bernstein = report->bernstein,
+                     .edges = edges,
+                     .given = given,
+                     .centre = centre,
+                     .corner_minimum = report->corner_minimum,
+                     .edge_minimum = report->edge_minimum,
+                     .verdict = report->verdict,
+                     .minimum = report->minimizer.value};
+  report->scaled_jacobian = fill_checks(&e, report->checks);
+}
+
+/* All jacdets of the report are times 2^exponent, and become what they are if that is exact. */
+static void finish_report(const double vertices[24], int exponent, int quartic_exponent, hl_report *report) {
+  report->exponent = exponent_left(report, exponent);
   for (int f = 0; f < HL_FACES; ++f) {
     hl_face_report *face = &report->faces[f];
-    face->quartic_exponent = scaled_back(face->quartic, HL_QUARTIC, face->quartic_exponent + 3 * given.exponent);
+    face->quartic_exponent = scaled_back(face->quartic, HL_QUARTIC, face->quartic_exponent + 3 * quartic_exponent);
   }
+  const scaled_double volume = find_volume(vertices);
+  report->volume = volume.mantissa;
+  report->volume_exponent = scaled_back(&report->volume, 1, volume.exponent);
+  report->relative_minimum =
+      relative_minimum(report->minimizer.value, report->exponent, report->volume, report->volume_exponent);
+  report->element_class = class_of(vertices, report->verdict);
+  report->shape = find_coincidences(vertices, report->coincident);
+}
+
+static void analyze_in_doubles(const double vertices[24], const edge_vectors *edges, precision computed,
+                               hl_report *report) {
+  complete_report(vertices, edges, computed, value_at_centre(report->bernstein), report);
+  finish_report(vertices, computed.exponent, computed.exponent, report);
+}
+
+static void analyze_in_integers(const double vertices[24], const edge_vectors *edges, hl_report *report) {
+  int unit;
+  const int exponent = exact_report(vertices, edges, &unit, report);
+  finish_report(vertices, exponent, unit, report);
 }
 
 hl_status hl_analyze(const double vertices[24], hl_report *report) {
@@ -221,32 +252,74 @@ hl_status hl_analyze(const double vertices[24], hl_report *report) {
                         .exponent = jacdet_exponent(&edges)};
   jacdet_bernstein(&edges, report->bernstein);
   find_candidates(vertices, report);
-  report->verdict = accurate_verdict(report->bernstein, permanent, report->minimizer.value);
-  complete_report(vertices, &edges, computed, report);
+  report->is_exact =
+      !is_settled_by_doubles(report->bernstein, permanent, report->minimizer.value, &report->verdict);
+  if (report->is_exact) analyze_in_integers(vertices, &edges, report);
+  else analyze_in_doubles(vertices, &edges, computed, report);
   return HL_OK;
 }
 
-hl_status hl_analyze_coefficients(const double vertices[24], const double bernstein[27], int exponent, double error,
-                                  hl_verdict verdict, hl_report *report) {
-  if (!all_finite(vertices, HL_COORDINATES) || !all_finite(bernstein, HL_BERNSTEIN)) return HL_NOT_FINITE;
+hl_status analyze_exactly(const double vertices[24], hl_report *report) {
+  if (!all_finite(vertices, HL_COORDINATES)) return HL_NOT_FINITE;
   edge_vectors edges;
   scaled_edge_vectors(vertices, &edges);
-  for (int i = 0; i < HL_BERNSTEIN; ++i) report->bernstein[i] = bernstein[i];
-  find_candidates(vertices, report);
-  report->verdict = verdict;
-  complete_report(vertices, &edges, (precision){.boundary_error = error, .error = error, .exponent = exponent}, report);
+  report->is_exact = true;
+  analyze_in_integers(vertices, &edges, report);
   return HL_OK;
+}
+
+static unsigned accepting(const double checks[HL_CHECKS]) {
+  unsigned bits = 0;
+  for (int c = 0; c < HL_CHECKS; ++c) bits |= (unsigned)(checks[c] > 0) << c;
+  return bits;
+}
+
+unsigned checks_that_accept(const double vertices[24]) {
+  edge_vectors edges;
+  double bernstein[27], checks[HL_CHECKS];
+  scaled_edge_vectors(vertices, &edges);
+  jacdet_bernstein(&edges, bernstein);
+  const double permanent = greatest_permanent(&edges);
+  checked e = {.vertices = vertices,
+               .bernstein = bernstein,
+               .edges = &edges,
+               .given = {.error = CENTRE_ERROR * permanent + UNDERFLOW_ERROR, .exponent = jacdet_exponent(&edges)},
+               .centre = value_at_centre(bernstein),
+               .minimum = least_candidate(bernstein, HL_ROOTS_B).value};
+  if (!is_settled_by_doubles(bernstein, permanent, e.minimum, &e.verdict)) {
+    hl_report report;
+    analyze_exactly(vertices, &report);
+    return accepting(report.checks);
+  }
+  e.corner_minimum = bernstein[vertex_index(0)];
+  for (int v = 1; v < HL_VERTICES; ++v) e.corner_minimum = smaller(e.corner_minimum, bernstein[vertex_index(v)]);
+  hl_candidate candidate = {.value = e.corner_minimum};
+  for (int edge = 0; edge < HL_EDGES; ++edge) edge_candidate(bernstein, edge, candidate.value, &candidate);
+  e.edge_minimum = candidate.value;
+  fill_checks(&e, checks);
+  return accepting(checks);
 }
 
 hl_status hl_boundary_minimum(const double vertices[24], hl_variant variant, hl_minimum *minimum) {
   if (!all_finite(vertices, HL_COORDINATES)) return HL_NOT_FINITE;
   edge_vectors edges;
   double bernstein[27];
+  hl_verdict verdict;
   scaled_edge_vectors(vertices, &edges);
   jacdet_bernstein(&edges, bernstein);
+  int exponent = jacdet_exponent(&edges);
   minimum->minimizer = least_candidate(bernstein, variant);
+  minimum->is_exact =
+      !is_settled_by_doubles(bernstein, greatest_permanent(&edges), minimum->minimizer.value, &verdict);
+  if (minimum->is_exact) {
+    exact_minimum exact;
+    find_exact_minimum(vertices, &exact, NULL);
+    minimum->minimizer = exact.minimizer;
+    minimum->minimizer.value = exact.minimum.mantissa;
+    exponent = exact.minimum.exponent;
+  }
   map_point(vertices, minimum->minimizer.point, minimum->minimizer.position);
-  minimum->exponent = scaled_back(&minimum->minimizer.value, 1, jacdet_exponent(&edges));
+  minimum->exponent = scaled_back(&minimum->minimizer.value, 1, exponent);
   return HL_OK;
 }
 
@@ -264,10 +337,12 @@ hl_status hl_tangent_bound(const double vertices[24], int tangents, hl_bound *bo
 
 hl_status hl_decide(const double vertices[24], hl_verdict *verdict) {
   if (!all_finite(vertices, HL_COORDINATES)) return HL_NOT_FINITE;
+  *verdict = HL_INVALID;
+  if (is_zero_at_sight(vertices)) return HL_OK;
   edge_vectors edges;
   double bernstein[27];
   scaled_edge_vectors(vertices, &edges);
   jacdet_bernstein(&edges, bernstein);
-  *verdict = filtered_verdict(bernstein);
+  if (!is_settled_by_filter(bernstein, verdict)) *verdict = exact_verdict(vertices, bernstein, NULL);
   return HL_OK;
 }

@@ -3,8 +3,8 @@
 
 #define EXPORT(name) __attribute__((export_name(#name)))
 
-/* The vertices, then a reference point, or coefficients with their exponent, error and verdict. */
-static double input[HL_COORDINATES + HL_BERNSTEIN + 3];
+/* The vertices, then a reference point. */
+static double input[HL_COORDINATES + 3];
 static double output[HL_PACKED_REPORT];
 
 EXPORT(input_address) double *input_address(void) { return input; }
@@ -23,15 +23,6 @@ EXPORT(analyze) int analyze(void) {
   return (int)status;
 }
 
-EXPORT(analyze_coefficients) int analyze_coefficients(void) {
-  static hl_report report;
-  const double *bernstein = input + HL_COORDINATES, *given = bernstein + HL_BERNSTEIN;
-  hl_status status = hl_analyze_coefficients(input, bernstein, (int)given[0], given[1],
-                                             given[2] != 0 ? HL_VALID : HL_INVALID, &report);
-  if (status == HL_OK) hl_pack_report(&report, output);
-  return (int)status;
-}
-
 EXPORT(boundary_minimum) int boundary_minimum(int variant) {
   hl_minimum minimum;
   hl_status status = hl_boundary_minimum(input, variant == HL_ROOTS ? HL_ROOTS : HL_ROOTS_B, &minimum);
@@ -40,7 +31,7 @@ EXPORT(boundary_minimum) int boundary_minimum(int variant) {
 }
 
 EXPORT(decide) int decide(void) {
-  hl_verdict verdict = HL_UNDECIDED;
+  hl_verdict verdict = HL_UNANSWERED;
   hl_status status = hl_decide(input, &verdict);
   output[0] = verdict;
   return (int)status;

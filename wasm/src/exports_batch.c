@@ -3,21 +3,24 @@
 
 #define EXPORT(name) __attribute__((export_name(#name)))
 
-/* Undecided cells, then the first that is at fault. */
-static uint32_t counts[2];
+/* The addresses of hl_batch's lists in their order, 0 for what is not asked for; then what is counted, in the order there. */
+enum { LISTS = 12, COUNTS = 5 };
+static uint32_t lists[LISTS], counts[COUNTS];
+
+EXPORT(lists_address) uint32_t *lists_address(void) { return lists; }
 
 EXPORT(counts_address) uint32_t *counts_address(void) { return counts; }
 
-/* Returns an hl_status. `minima` and the three lists that belong to it are null (0) where only verdicts are wanted, `indices` for
-   cells of 24 coordinates each. */
+/* Returns an hl_status; `indices` are null (0) for cells of 24 coordinates each. */
 EXPORT(classify)
-int classify(const double *coordinates, size_t coordinate_count, const uint32_t *indices, size_t index_count,
-             uint8_t *verdicts, double *minima, double *minimizers, double *corner_minima, int16_t *exponents) {
+int classify(const double *coordinates, size_t coordinate_count, const uint32_t *indices, size_t index_count) {
   hl_cells cells = {coordinates, coordinate_count, indices, index_count};
-  hl_batch batch = {verdicts, minima, minimizers, corner_minima, exponents, 0, 0, 0, 0};
+  void *at[LISTS];
+  for (int i = 0; i < LISTS; ++i) at[i] = (void *)(uintptr_t)lists[i];
+  hl_batch batch = {at[0], at[1], at[2], at[3], at[4], at[5], at[6], at[7], at[8], at[9], at[10], at[11], 0, 0, 0, 0, 0};
   hl_status status = hl_classify(&cells, &batch);
-  counts[0] = (uint32_t)batch.undecided;
-  counts[1] = (uint32_t)batch.first_bad_cell;
+  const size_t found[COUNTS] = {batch.valid, batch.invalid, batch.unanswered, batch.exact, batch.first_unanswered};
+  for (int i = 0; i < COUNTS; ++i) counts[i] = (uint32_t)found[i];
   return (int)status;
 }
 

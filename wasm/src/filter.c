@@ -156,11 +156,12 @@ static bool has_negative_candidate(const double beta[9]) {
   return false;
 }
 
-hl_verdict filtered_verdict(const double bernstein[27]) {
+bool is_settled_by_filter(const double bernstein[27], hl_verdict *verdict) {
+  *verdict = HL_INVALID;
   bool certain = true;
   for (int v = 0; v < HL_VERTICES; ++v) {
     double value = bernstein[vertex_index(v)];
-    if (value < -CORNER_ERROR) return HL_INVALID;
+    if (value < -CORNER_ERROR) return true;
     if (!(value > EDGE_ERROR)) certain = false; /* an edge's middle may be as low as its ends, less its own error */
   }
   for (int e = 0; e < HL_EDGES; ++e) {
@@ -168,7 +169,7 @@ hl_verdict filtered_verdict(const double bernstein[27]) {
     if (bernstein[edge_bernstein[e]] > EDGE_ERROR)
       continue; /* a candidate's value is no lower than its edge's coefficients */
     if (!edge_candidate(bernstein, e, INFINITY, &candidate)) continue;
-    if (candidate.value < -EDGE_ERROR) return HL_INVALID;
+    if (candidate.value < -EDGE_ERROR) return true;
     if (!(candidate.value > EDGE_ERROR)) certain = false;
   }
   uint32_t low = 0;
@@ -179,8 +180,9 @@ hl_verdict filtered_verdict(const double bernstein[27]) {
     face_bernstein(bernstein, f, beta);
     int sign = certain ? sign_of_face(beta) : 0;
     if (sign > 0) continue;
-    if (sign < 0 || has_negative_candidate(beta)) return HL_INVALID;
+    if (sign < 0 || has_negative_candidate(beta)) return true;
     certain = false;
   }
-  return certain ? HL_VALID : HL_UNDECIDED;
+  if (certain) *verdict = HL_VALID;
+  return certain;
 }

@@ -1,12 +1,12 @@
-/* The certified filter: valid, invalid, or undecided in doubles, from the Bernstein coefficients and their error bounds
+/* The certified filter: valid, invalid, or left open by doubles, from the Bernstein coefficients and their error bounds
    (docs/algorithm.md 7). */
 #ifndef HL_FILTER_H
 #define HL_FILTER_H
 
 #include "hexlens.h"
 
-/* For coefficients in scaled units. Stops at the first value that is certainly negative. */
-hl_verdict filtered_verdict(const double bernstein[HL_BERNSTEIN]);
+/* Whether doubles are certain of the verdict, from coefficients in scaled units. Stops at the first value that is certainly negative. */
+bool is_settled_by_filter(const double bernstein[HL_BERNSTEIN], hl_verdict *verdict);
 
 /* Whether a face can have a value below `bound`, given that its edges have none: not if its Bernstein bound or the criterion of the
    filter, for f - bound, says no. What answers for many elements asks this before it solves the face, what answers for one before

@@ -28,7 +28,7 @@ typedef struct lane_minima {
 typedef struct lane_kernels {
   const char *name;
   int width; /* elements in one vector of doubles */
-  /* Verdicts (hl_verdict) of `count` elements of 24 doubles each, HL_UNDECIDED for whatever is not clear in floats. There is
+  /* Verdicts (hl_verdict) of `count` elements of 24 doubles each, HL_UNANSWERED for whatever is not clear in floats. There is
      room for a whole block. */
   void (*decide)(const double *hexahedra, int count, unsigned char *verdicts);
   /* Least corners and all coefficients in doubles, the very bits of jacdet_bernstein but for bernstein_part and the sign of zero. */

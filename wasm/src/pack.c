@@ -40,6 +40,7 @@ static void put_face(cursor *c, const hl_face_report *face) {
 size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]) {
   cursor c = {packed};
   put(&c, report->verdict);
+  put(&c, report->is_exact);
   put(&c, report->exponent);
   put_candidate(&c, &report->minimizer);
   put(&c, report->minimum_error);
@@ -56,6 +57,12 @@ size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]) 
   for (int f = 0; f < HL_FACES; ++f) put_face(&c, &report->faces[f]);
   put(&c, report->candidate_count);
   for (int i = 0; i < report->candidate_count; ++i) put_candidate(&c, &report->candidates[i]);
+  put(&c, report->element_class);
+  put(&c, report->shape);
+  for (int v = 0; v < HL_VERTICES; ++v) put(&c, report->coincident[v]);
+  put(&c, report->volume);
+  put(&c, report->volume_exponent);
+  put(&c, report->volume == 0 ? 0 : report->relative_minimum); /* what the reader sees is none */
   return (size_t)(c.next - packed);
 }
 
@@ -63,6 +70,7 @@ size_t hl_pack_minimum(const hl_minimum *minimum, double packed[HL_PACKED_MINIMU
   cursor c = {packed};
   put_candidate(&c, &minimum->minimizer);
   put(&c, minimum->exponent);
+  put(&c, minimum->is_exact);
   return (size_t)(c.next - packed);
 }
 

@@ -3,8 +3,55 @@
 #define HL_REPORT_H
 
 #include "hexlens.h"
+#include "scaling.h"
 
-/* What doubles decide and know the minimum of as well; `permanent` is the greatest one, `minimum` the least candidate. */
-hl_verdict accurate_verdict(const double bernstein[HL_BERNSTEIN], double permanent, double minimum);
+/* Whether doubles are certain of the verdict and know the minimum as well; `permanent` is the greatest one, `minimum` the least
+   candidate. The verdict is written in any case. */
+bool is_settled_by_doubles(const double bernstein[HL_BERNSTEIN], double permanent, double minimum, hl_verdict *verdict);
+
+/* hl_analyze by integers, also where doubles would do. */
+hl_status analyze_exactly(const double vertices[HL_COORDINATES], hl_report *report);
+
+/* From report->bernstein: faces, candidates, the least and the greatest of them. */
+void find_candidates(const double vertices[HL_COORDINATES], hl_report *report);
+
+/* What the coefficients on the boundary and all of them are off by at most, and the exponent of them all. */
+typedef struct precision {
+  double boundary_error, error;
+  int exponent;
+} precision;
+
+/* What needs the verdict and how precise the coefficients are; `centre` is the value in the middle of the cube. */
+void complete_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, precision given, double centre,
+                     hl_report *report);
+
+enum {
+  MAX_JACDETS = 7 + HL_CHECKS + HL_BERNSTEIN + HL_MAX_CANDIDATES + HL_FACES * (HL_FACE_BERNSTEIN + 2 + HL_MAX_ROOTS)
+};
+
+/* Lists every jacdet of the report; returns how many there are. */
+int list_jacdets(hl_report *report, double *list[MAX_JACDETS]);
+
+/* All but what finish_report does, by integers; the jacdets are times 2^ the exponent returned, the quartics times 2^(3 unit). */
+int exact_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, int *unit, hl_report *report);
+
+/* What the verdict says and, of an invalid element, whether jacdet is negative or 0 everywhere. */
+hl_class class_of(const double vertices[HL_COORDINATES], hl_verdict verdict);
+
+/* Bit 1 << c for each check c whose number in the report is positive. */
+unsigned checks_that_accept(const double vertices[HL_COORDINATES]);
+
+/* Of each vertex the least one at the same position; returns what they make of the element. */
+hl_shape find_coincidences(const double vertices[HL_COORDINATES], uint8_t coincident[HL_VERTICES]);
+
+/* The integral of jacdet, rounded to the nearest double. */
+scaled_double find_volume(const double vertices[HL_COORDINATES]);
+
+/* Of the determinants whose sum is twelve times the volume: see integral.c. */
+extern const unsigned char volume_columns[3][3][2][2];
+
+/* minimum * 2^exponent over |volume| * 2^volume_exponent: NaN for a volume of 0; what the doubles have no room for is the double of its sign
+   that is greatest, or the least normal one. */
+double relative_minimum(double minimum, int exponent, double volume, int volume_exponent);
 
 #endif

@@ -50,6 +50,12 @@ double times_power_of_two(double x, int exponent) {
   return x * factor * factor * factor * power_of_two(exponent - 3 * quarter);
 }
 
+double in_normal_units(scaled_double x, int unit) {
+  const int power = x.exponent - unit;
+  if (x.mantissa == 0 || power > LEAST_NORMAL) return times_power_of_two(x.mantissa, power);
+  return x.mantissa < 0 ? -power_of_two(LEAST_NORMAL) : power_of_two(LEAST_NORMAL);
+}
+
 int scaled_back(double *values, int count, int exponent) {
   for (int i = 0; i < count; ++i)
     if (!is_normal_after_scaling(values[i], exponent)) return exponent;

@@ -4,6 +4,12 @@
 
 #include <stdbool.h>
 
+/* mantissa * 2^exponent; the mantissa is of magnitude in [1/2, 1), or 0. */
+typedef struct scaled_double {
+  double mantissa;
+  int exponent;
+} scaled_double;
+
 /* The twelve edge vectors; component r of each is its number times 2^axis_exponent[r], and on each axis the largest
    number is in [1/2, 1), or all are 0. */
 typedef struct edge_vectors {
@@ -23,6 +29,9 @@ int binary_exponent(double x);
 
 /* x * 2^exponent is a normal double, or x is 0. */
 bool is_normal_after_scaling(double x, int exponent);
+
+/* x / 2^unit; what the doubles have no room for is the least normal double of its sign. |unit| <= 8000. */
+double in_normal_units(scaled_double x, int unit);
 
 /* Multiplies 2^exponent into all the values if that is exact for every one; returns the exponent that is left. */
 int scaled_back(double *values, int count, int exponent);

@@ -1,5 +1,6 @@
 #include "tangents.h"
 #include "bernstein.h"
+#include "error_bounds.h"
 #include "topology.h"
 
 /* (K4): what the coefficients' errors are multiplied by, and in u max|bernstein| what rounding adds. */

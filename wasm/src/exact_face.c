@@ -1,0 +1,516 @@
+/* A face whose edges are positive is positive if and only if there is no t in (0,1) with beta_1(t) < 0 and
+   D(t) = beta_0 beta_2 - beta_1^2 <= 0, docs/algorithm.md (X1). [0,1] is halved until coefficients say which; where D has
+   roots that halving cannot part, Sturm's theorem counts them, (X2). */
+#include "exact_face.h"
+#include "scaling.h"
+
+#include <string.h>
+
+/* A dyadic point or the interval behind it: t from k / 2^depth to (k + 1) / 2^depth. */
+typedef struct dyadic {
+  integer k;
+  int depth;
+} dyadic;
+
+/* beta_i at the dyadic point, times 4^depth. */
+static integer value_at(workspace *w, const integer q[3], dyadic at) {
+  const integer first = integer_difference(w, q[1], q[0]), second = integer_difference(w, q[2], q[1]),
+                low = integer_sum(w, integer_shifted(w, q[0], at.depth), integer_product(w, at.k, first)),
+                high = integer_sum(w, integer_shifted(w, q[1], at.depth), integer_product(w, at.k, second));
+  return integer_sum(w, integer_shifted(w, low, at.depth), integer_product(w, at.k, integer_difference(w, high, low)));
+}
+
+/* The coefficients on the dyadic interval, times 4^depth: polar forms at its ends. Counted from the nearer end of [0,1], k is small
+   where the interval is near it. */
+static void restricted(workspace *w, const integer q[3], dyadic in, integer out[3]) {
+  const bool is_near_one = integer_bits(w, in.k) == in.depth && in.depth > 0;
+  const int from = is_near_one ? 2 : 0, to = 2 - from;
+  const integer last = integer_difference(w, integer_shifted(w, integer_of(w, 1), in.depth), integer_of(w, 1)),
+                k = is_near_one ? integer_difference(w, last, in.k) : in.k,
+                first = integer_difference(w, q[1], q[from]), second = integer_difference(w, q[to], q[1]),
+                low = integer_sum(w, integer_shifted(w, q[from], in.depth), integer_product(w, k, first)),
+                high = integer_sum(w, integer_shifted(w, q[1], in.depth), integer_product(w, k, second)),
+                step = integer_difference(w, high, low);
+  out[from] = integer_sum(w, integer_shifted(w, low, in.depth), integer_product(w, k, step));
+  out[1] = integer_sum(w, out[from], step);
+  /* The second difference of the coefficients stays what it was. */
+  out[to] = integer_sum(w, integer_sum(w, out[1], step), integer_difference(w, second, first));
+}
+
+/* Whether the interval is the last of its depth. */
+static bool is_last(workspace *w, dyadic in) {
+  const integer behind = integer_sum(w, in.k, integer_of(w, 1));
+  return integer_trailing_zeros(w, behind) == in.depth;
+}
+
+/* The next dyadic interval behind this one, as long as can be; false behind the last. */
+static bool next_interval(workspace *w, dyadic *in) {
+  const integer k = integer_sum(w, in->k, integer_of(w, 1));
+  if (w->is_full) return false;
+  const int zeros = integer_trailing_zeros(w, k);
+  if (zeros >= in->depth) return false;
+  *in = (dyadic){integer_shifted(w, k, -zeros), in->depth - zeros};
+  return true;
+}
+
+static dyadic lower_half(workspace *w, dyadic in) { return (dyadic){integer_shifted(w, in.k, 1), in.depth + 1}; }
+
+static dyadic middle_of(workspace *w, dyadic in) {
+  return (dyadic){integer_sum(w, integer_shifted(w, in.k, 1), integer_of(w, 1)), in.depth + 1};
+}
+
+static bool none_is_negative(const integer *values, int count) {
+  for (int i = 0; i < count; ++i)
+    if (is_negative(values[i])) return false;
+  return true;
+}
+
+static bool none_is_positive(const integer *values, int count) {
+  for (int i = 0; i < count; ++i)
+    if (is_positive(values[i])) return false;
+  return true;
+}
+
+/* What D is made of: the nine coefficients of the face, [3 * i + j]; B = beta_1 - beta_0, and a = beta_2 - 2 beta_1 + beta_0 at both ends
+   of the interval, between which it is linear. */
+enum { B_0 = 9, A_0 = 12, FACTORS = 14 };
+
+/* A coefficient of D, times a positive integer, is a sum of products of two factors. */
+typedef struct term {
+  signed char times;
+  unsigned char x, y;
+} term;
+enum { MOST_TERMS = 6 };
+typedef struct sum_of_products {
+  int count;
+  term terms[MOST_TERMS];
+} sum_of_products;
+
+/* D = beta_0 beta_2 - beta_1^2: coefficients times 1, 2, 6, 2, 1. */
+static const sum_of_products by_rows[5] = {
+    {2, {{1, 0, 6}, {-1, 3, 3}}},
+    {3, {{1, 0, 7}, {1, 1, 6}, {-2, 3, 4}}},
+    {5, {{1, 0, 8}, {1, 2, 6}, {4, 1, 7}, {-4, 4, 4}, {-2, 3, 5}}},
+    {3, {{1, 1, 8}, {1, 2, 7}, {-2, 4, 5}}},
+    {2, {{1, 2, 8}, {-1, 5, 5}}}};
+
+/* The same as a beta_0 - B^2, times 1, 4, 6, 4, 1: where the rows are nearly alike its terms do not cancel. */
+static const sum_of_products by_parabolas[5] = {
+    {2, {{1, 12, 0}, {-1, 9, 9}}},
+    {4, {{1, 12, 0}, {2, 12, 1}, {1, 13, 0}, {-4, 9, 10}}},
+    {6, {{2, 12, 1}, {1, 13, 0}, {1, 12, 2}, {2, 13, 1}, {-4, 10, 10}, {-2, 9, 11}}},
+    {4, {{1, 12, 2}, {2, 13, 1}, {1, 13, 2}, {-4, 10, 11}}},
+    {2, {{1, 13, 2}, {-1, 11, 11}}}};
+
+static integer exact_sum(workspace *w, const sum_of_products *sum, const integer factors[FACTORS]) {
+  integer total = zero;
+  for (int n = 0; n < sum->count; ++n) {
+    const term t = sum->terms[n];
+    total = integer_sum(w, total, integer_times(w, integer_product(w, factors[t.x], factors[t.y]), t.times));
+  }
+  return total;
+}
+
+/* A term of rounded factors carries three roundings, the sum of six terms of total magnitude A five more of at most A each, and what
+   underflows is nothing beside a term of 1/4: less than 9uA. */
+#define SUM_ERROR 0x1p-49
+
+/* The sign of the sum if that is certain, else 0. */
+static int certain_sign(const sum_of_products *sum, const scaled_double rounded[FACTORS]) {
+  double terms[MOST_TERMS], total = 0, size = 0;
+  int exponents[MOST_TERMS], greatest = INT32_MIN;
+  for (int n = 0; n < sum->count; ++n) {
+    const scaled_double x = rounded[sum->terms[n].x], y = rounded[sum->terms[n].y];
+    terms[n] = sum->terms[n].times * (x.mantissa * y.mantissa);
+    exponents[n] = x.exponent + y.exponent;
+    if (terms[n] != 0 && exponents[n] > greatest) greatest = exponents[n];
+  }
+  for (int n = 0; n < sum->count; ++n) {
+    if (terms[n] == 0 || exponents[n] - greatest < -1000) continue;
+    const double value = times_power_of_two(terms[n], exponents[n] - greatest);
+    total += value;
+    size += value < 0 ? -value : value;
+  }
+  return (total > SUM_ERROR * size) - (total < -SUM_ERROR * size);
+}
+
+/* Bits that are kept of a factor, and below the greatest term's first bit. */
+enum { KEPT_BITS = 128, ALIGNED_BITS = 320 };
+
+/* As certain_sign, with 128 bits of each factor in place of 53: enough for a floor that is 2^-60 below an edge's minimum. A factor
+   that is cut is off by 2^-127 of itself and a term by 2^-125 of the greatest with its `times`; six of them by less than 2^-122. */
+static int certain_sign_of_long(workspace *w, const sum_of_products *sum, const integer factors[FACTORS]) {
+  integer terms[MOST_TERMS], total = zero;
+  int exponents[MOST_TERMS], greatest = INT32_MIN;
+  for (int n = 0; n < sum->count; ++n) {
+    const term t = sum->terms[n];
+    integer kept[2];
+    exponents[n] = 0;
+    for (int i = 0; i < 2; ++i) {
+      kept[i] = factors[i == 0 ? t.x : t.y];
+      const int cut = integer_bits(w, kept[i]) - KEPT_BITS;
+      if (cut <= 0) continue;
+      kept[i] = integer_shifted(w, kept[i], -cut);
+      exponents[n] += cut;
+    }
+    terms[n] = integer_times(w, integer_product(w, kept[0], kept[1]), t.times);
+    const int top = integer_bits(w, terms[n]) + exponents[n];
+    if (!is_zero(terms[n]) && top > greatest) greatest = top;
+  }
+  for (int n = 0; n < sum->count; ++n)
+    total = integer_sum(w, total, integer_shifted(w, terms[n], exponents[n] - greatest + ALIGNED_BITS));
+  return integer_bits(w, total) > ALIGNED_BITS - 120 ? integer_sign(total) : 0;
+}
+
+/* In bits: those of ordinary elements are shorter. */
+enum { LONG = 1000 };
+
+static bool is_long(const workspace *w, const integer *values, int count) {
+  for (int i = 0; i < count; ++i)
+    if (integer_bits(w, values[i]) > LONG) return true;
+  return false;
+}
+
+/* An interval's part of the face, and what is made of it when it is wanted. */
+typedef struct face_part {
+  integer factors[FACTORS];
+  scaled_double rounded[FACTORS];
+  bool has_parabolas, is_long;
+} face_part;
+
+static void make_parabolas(workspace *w, face_part *part) {
+  integer *f = part->factors;
+  for (int j = 0; j < 3; ++j) f[B_0 + j] = integer_difference(w, f[3 + j], f[j]);
+  for (int end = 0; end < 2; ++end)
+    f[A_0 + end] = integer_difference(w, integer_difference(w, f[6 + 2 * end], f[3 + 2 * end]), f[B_0 + 2 * end]);
+  for (int i = B_0; i < FACTORS; ++i) part->rounded[i] = rounded_integer(w, f[i], 0);
+  part->has_parabolas = true;
+}
+
+static int discriminant_sign(workspace *w, face_part *part, int i) {
+  int sign = certain_sign(&by_rows[i], part->rounded);
+  if (sign != 0) return sign;
+  if (!part->has_parabolas) make_parabolas(w, part);
+  sign = certain_sign(&by_parabolas[i], part->rounded);
+  if (sign == 0 && part->is_long) sign = certain_sign_of_long(w, &by_parabolas[i], part->factors);
+  return sign != 0 ? sign : integer_sign(exact_sum(w, &by_parabolas[i], part->factors));
+}
+
+/* Whether no coefficient of D is negative. `outer` are the signs of those at the ends, 0 where they are to be found. */
+static bool discriminant_is_not_negative(workspace *w, face_part *part, int outer[2]) {
+  for (int i = 0; i < 9; ++i) part->rounded[i] = rounded_integer(w, part->factors[i], 0);
+  part->has_parabolas = false;
+  part->is_long = is_long(w, part->factors, 9);
+  for (int end = 0; end < 2; ++end)
+    if (outer[end] == 0) outer[end] = discriminant_sign(w, part, 4 * end);
+  bool is_not_negative = outer[0] >= 0 && outer[1] >= 0;
+  for (int i = 1; i < 4 && is_not_negative; ++i) is_not_negative = discriminant_sign(w, part, i) >= 0;
+  return is_not_negative;
+}
+
+/* c[i] is that of x^i; the degree of 0 is -1. With t = x / (1 + x) a Bernstein form on (0,1) is, up to a positive factor, the
+   polynomial of its coefficients times binomials on (0, infinity), where signs near the ends are those of outer coefficients. */
+enum { MOST_COEFFICIENTS = 6 };
+typedef struct polynomial {
+  integer c[MOST_COEFFICIENTS];
+  int degree;
+} polynomial;
+
+static void lower_degree(polynomial *p) {
+  while (p->degree >= 0 && is_zero(p->c[p->degree])) --p->degree;
+}
+
+static int sign_at_zero(const polynomial *p) {
+  int i = 0;
+  while (i < p->degree && is_zero(p->c[i])) ++i;
+  return integer_sign(p->c[i]);
+}
+
+static int sign_at_infinity(const polynomial *p) { return integer_sign(p->c[p->degree]); }
+
+static polynomial derivative(workspace *w, const polynomial *p) {
+  polynomial d = {.degree = p->degree - 1};
+  for (int i = 0; i <= d.degree; ++i) d.c[i] = integer_times(w, p->c[i + 1], i + 1);
+  return d;
+}
+
+static polynomial product_of(workspace *w, const polynomial *p, const polynomial *q) {
+  polynomial out = {.degree = p->degree + q->degree};
+  for (int i = 0; i <= out.degree; ++i) out.c[i] = zero;
+  for (int i = 0; i <= p->degree; ++i)
+    for (int j = 0; j <= q->degree; ++j)
+      out.c[i + j] = integer_sum(w, out.c[i + j], integer_product(w, p->c[i], q->c[j]));
+  return out;
+}
+
+/* The remainder of p by q, which is not 0, times a positive factor. */
+static polynomial remainder_of(workspace *w, const polynomial *p, const polynomial *q) {
+  polynomial rest = *p;
+  const integer lead = q->c[q->degree], size = integer_magnitude(lead);
+  while (rest.degree >= q->degree && !w->is_full) {
+    const int shift = rest.degree - q->degree;
+    const integer factor = is_negative(lead) ? integer_negated(rest.c[rest.degree]) : rest.c[rest.degree];
+    for (int i = 0; i < rest.degree; ++i) {
+      rest.c[i] = integer_product(w, rest.c[i], size);
+      if (i >= shift) rest.c[i] = integer_difference(w, rest.c[i], integer_product(w, q->c[i - shift], factor));
+    }
+    --rest.degree;
+    lower_degree(&rest);
+  }
+  return rest;
+}
+
+/* The changes of sign near 0 less those towards infinity in the chain p, q, and on with negated remainders. `last` becomes the last
+   that is not 0, a greatest common divisor. */
+static int lost_changes(workspace *w, polynomial p, polynomial q, polynomial *last) {
+  int lost = 0;
+  while (q.degree >= 0 && !w->is_full) {
+    lost += (sign_at_zero(&p) != sign_at_zero(&q)) - (sign_at_infinity(&p) != sign_at_infinity(&q));
+    polynomial rest = remainder_of(w, &p, &q);
+    for (int i = 0; i <= rest.degree; ++i) rest.c[i] = integer_negated(rest.c[i]);
+    p = q;
+    q = rest;
+  }
+  *last = p;
+  return lost;
+}
+
+/* How many different roots p has in (0, infinity) at which g < 0, by Sturm's theorem and Sylvester's; p and g are not 0, and have no common
+   root there. `common` becomes the common divisor of p and its derivative. */
+static int roots_with_negative(workspace *w, const polynomial *p, const polynomial *g, polynomial *common) {
+  const polynomial slope = derivative(w, p);
+  const int all = lost_changes(w, *p, slope, common);
+  if (all == 0 || none_is_positive(g->c, g->degree + 1)) return all;
+  const polynomial query = product_of(w, &slope, g), reduced = remainder_of(w, &query, p);
+  polynomial ignored;
+  return (all - lost_changes(w, *p, reduced, &ignored)) / 2;
+}
+
+/* The sign of D where beta_1 < 0 on an interval at whose ends inside the face, and where beta_1 = 0, D is positive: -1, 0 or 1 for
+   its least value, (X2). */
+static int sign_by_roots(workspace *w, const face_part *part) {
+  const integer *z = part->factors + 3;
+  polynomial p = {.degree = 4}, g = {.c = {z[0], integer_shifted(w, z[1], 1), z[2]}, .degree = 2}, common, ignored;
+  for (int i = 0; i < 5; ++i) p.c[i] = integer_shifted(w, exact_sum(w, &by_rows[i], part->factors), i % 2);
+  lower_degree(&p);
+  lower_degree(&g);
+  if (p.degree < 0 || g.degree < 0) return 1;
+  if ((sign_at_zero(&p) < 0 && sign_at_zero(&g) < 0) || (sign_at_infinity(&p) < 0 && sign_at_infinity(&g) < 0)) return -1;
+  const int roots = roots_with_negative(w, &p, &g, &common);
+  if (roots == 0) return 1;
+  return common.degree > 0 && roots_with_negative(w, &common, &g, &ignored) == roots ? 0 : -1;
+}
+
+/* Halvings before roots are counted: by then beta_1 < 0 has been parted from beta_1 >= 0 in all but rare cases. What that costs grows
+   with the square of the integers' length, more than halving does: where they are long it comes late. */
+enum { HALVINGS = 12, HALVINGS_OF_LONG = 4096 };
+
+/* As exact_face_sign, for edges beta_0 and beta_2 that touch zero at ends only. */
+static int sign_between_touches(workspace *w, const exact_face *face) {
+  const size_t mark = w->used;
+  const int halvings = is_long(w, face->beta[0], 9) ? HALVINGS_OF_LONG : HALVINGS;
+  dyadic in = {zero, 0};
+  int least = 1;
+  for (bool is_open = true; is_open && !w->is_full;) {
+    face_part part;
+    const integer *z = part.factors + 3;
+    restricted(w, face->beta[1], in, part.factors + 3);
+    bool is_settled = none_is_negative(z, 3);
+    if (!is_settled) {
+      int outer[2] = {0, 0};
+      restricted(w, face->beta[0], in, part.factors);
+      restricted(w, face->beta[2], in, part.factors + 6);
+      is_settled = discriminant_is_not_negative(w, &part, outer);
+      if ((is_negative(z[0]) && outer[0] < 0) || (is_negative(z[2]) && outer[1] < 0)) return -1;
+      if ((is_negative(z[0]) && outer[0] == 0) || (is_negative(z[2]) && outer[1] == 0)) least = 0;
+    }
+    if (!is_settled && in.depth == halvings) {
+      const int sign = sign_by_roots(w, &part);
+      if (sign < 0) return -1;
+      if (sign < least) least = sign;
+      is_settled = true;
+    }
+    if (is_settled) is_open = next_interval(w, &in);
+    else in = lower_half(w, in);
+    integer_keep(w, mark, &in.k, 1);
+  }
+  return least;
+}
+
+/* The quadratic is a square with its root in (0,1), or touches zero there. */
+static bool touches_inside(workspace *w, const integer q[3]) {
+  if (!is_negative(q[1]) || !is_positive(q[0]) || !is_positive(q[2])) return false;
+  return integer_compare_products(w, q[0], q[2], q[1], q[1]) == 0;
+}
+
+static bool is_zero_edge(const integer q[3]) { return is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]); }
+
+static bool has_negative_inside(workspace *w, const integer q[3]) {
+  if (is_negative(q[0]) || is_negative(q[2])) return true;
+  return is_negative(q[1]) && integer_compare_products(w, q[1], q[1], q[0], q[2]) > 0;
+}
+
+/* The face on both sides of t = n / (m + n), m, n > 0, up to positive factors. */
+static void cut(workspace *w, const exact_face *face, integer m, integer n, exact_face *below, exact_face *above) {
+  const integer both = integer_sum(w, m, n);
+  for (int i = 0; i < 3; ++i) {
+    const integer *q = face->beta[i],
+                  first = integer_sum(w, integer_product(w, m, q[0]), integer_product(w, n, q[1])),
+                  second = integer_sum(w, integer_product(w, m, q[1]), integer_product(w, n, q[2])),
+                  between = integer_sum(w, integer_product(w, m, first), integer_product(w, n, second));
+    below->beta[i][0] = integer_product(w, integer_product(w, both, both), q[0]);
+    below->beta[i][1] = integer_product(w, both, first);
+    below->beta[i][2] = above->beta[i][0] = between;
+    above->beta[i][1] = integer_product(w, both, second);
+    above->beta[i][2] = integer_product(w, integer_product(w, both, both), q[2]);
+  }
+}
+
+int exact_face_sign(workspace *w, const exact_face *face) {
+  const integer *edges[2] = {face->beta[0], face->beta[2]};
+  /* Where an edge is 0 throughout, D = -beta_1^2. */
+  if (is_zero_edge(edges[0]) || is_zero_edge(edges[1])) return has_negative_inside(w, face->beta[1]) ? -1 : 1;
+  for (int e = 0; e < 2; ++e) {
+    if (!touches_inside(w, edges[e])) continue;
+    exact_face below, above;
+    cut(w, face, integer_negated(edges[e][1]), edges[e][0], &below, &above);
+    const int sign = exact_face_sign(w, &below), other = sign < 0 ? sign : exact_face_sign(w, &above);
+    return other < sign ? other : sign;
+  }
+  return sign_between_touches(w, face);
+}
+
+/* bits * 2^exponent. */
+typedef struct floor_value {
+  int64_t bits;
+  int exponent;
+} floor_value;
+
+/* The search for values below a floor that stays just below the least value found, or where it is. */
+typedef struct face_search {
+  workspace *w;
+  const exact_face *face;
+  least_value *least;
+  floor_value floor;
+  bool is_fixed;
+} face_search;
+
+/* Below `least` by at least 2^-62 and at most 2^-60 of it. */
+static void set_floor(face_search *s) {
+  const integer numerator = s->least->numerator;
+  s->floor = (floor_value){0, 0};
+  if (is_zero(numerator)) return;
+  const quotient_floor q = floor_of_quotient(s->w, numerator, s->least->denominator);
+  s->floor = (floor_value){is_negative(numerator) ? -(q.bits + 2) : q.bits - 1, q.exponent};
+}
+
+/* 2^scale * a and 2^scale * floor * b, the same scale >= 0 making integers of both. */
+static integer over_floor(workspace *w, integer a, floor_value floor) {
+  return floor.exponent < 0 ? integer_shifted(w, a, -floor.exponent) : a;
+}
+static integer floor_times(workspace *w, floor_value floor, integer b) {
+  const integer product = integer_product(w, integer_of(w, floor.bits), b);
+  return floor.exponent > 0 ? integer_shifted(w, product, floor.exponent) : product;
+}
+
+double inside_unit_interval(workspace *w, integer numerator, integer denominator, int exponent) {
+  const scaled_double x = rounded_quotient(w, numerator, denominator, exponent);
+  if (x.exponent > 0) return 1 - 0x1p-53;
+  return x.exponent < -1073 ? 0x1p-1074 : times_power_of_two(x.mantissa, x.exponent);
+}
+
+/* Looks at the vertex of the parabola in s at a dyadic t, if it is inside: its value is D / (beta_0 - 2 beta_1 + beta_2). */
+static void look_at(face_search *s, dyadic t) {
+  workspace *w = s->w;
+  const integer x = value_at(w, s->face->beta[0], t), z = value_at(w, s->face->beta[1], t),
+                y = value_at(w, s->face->beta[2], t), fall = integer_difference(w, x, z),
+                rise = integer_difference(w, y, z);
+  if (!is_positive(fall) || !is_positive(rise)) return;
+  const integer numerator = integer_difference(w, integer_product(w, x, y), integer_product(w, z, z)),
+                curvature = integer_sum(w, fall, rise), denominator = integer_shifted(w, curvature, 2 * t.depth);
+  const integer one = integer_of(w, 1);
+  const int order = s->is_fixed
+                        ? integer_compare_products(w, numerator, s->least->denominator, s->least->numerator, denominator)
+                        : integer_compare_products(w, over_floor(w, numerator, s->floor), one,
+                                                   floor_times(w, s->floor, denominator), one);
+  if (order >= 0) return;
+  *s->least = (least_value){numerator, denominator, inside_unit_interval(w, fall, curvature, 0),
+                            inside_unit_interval(w, t.k, integer_of(w, 1), -t.depth)};
+  if (!s->is_fixed) set_floor(s);
+}
+
+/* Whether the face is certainly not below the floor for t in the interval: (X1) and (X2) for f - floor. */
+static bool is_above_floor(const face_search *s, dyadic in, bool counts_roots) {
+  workspace *w = s->w;
+  const integer floor = floor_times(w, s->floor, integer_shifted(w, integer_of(w, 1), 2 * in.depth));
+  face_part part;
+  for (int row = 0; row < 3; ++row) {
+    const int i = (row + 1) % 3; /* the middle one first */
+    integer *q = part.factors + 3 * i;
+    restricted(w, s->face->beta[i], in, q);
+    for (int j = 0; j < 3; ++j) q[j] = integer_difference(w, over_floor(w, q[j], s->floor), floor);
+    if (i == 1 && none_is_negative(q, 3)) return true;
+  }
+  /* At the ends of [0,1] the edges are above the floor, perhaps by little: D > 0 where beta_1 < 0. */
+  const bool edges_are_above = s->floor.bits != 0, is_last_one = is_last(w, in);
+  int outer[2] = {edges_are_above && is_zero(in.k) && is_negative(part.factors[3]),
+                  edges_are_above && is_last_one && is_negative(part.factors[5])};
+  return discriminant_is_not_negative(w, &part, outer) || (counts_roots && sign_by_roots(w, &part) > 0);
+}
+
+/* Halvings after which roots are counted once: where there are none below a floor that is near enough, that is cheaper than to go on. */
+enum { HALVINGS_ABOVE_FLOOR = 6 };
+
+enum { NO_LIMIT = INT32_MAX };
+
+/* Halves [0,1] until every part is above the floor, or as often as given, and lowers `least` on the way. */
+static void search_halves(face_search *s, int depth_limit) {
+  workspace *w = s->w;
+  const size_t mark = w->used;
+  const bool counts_roots = depth_limit == NO_LIMIT && !is_long(w, s->face->beta[0], 9);
+  dyadic in = {zero, 0};
+  for (bool is_open = true; is_open && !w->is_full;) {
+    if (in.depth == depth_limit || is_above_floor(s, in, counts_roots && in.depth == HALVINGS_ABOVE_FLOOR)) {
+      is_open = next_interval(w, &in);
+    } else {
+      look_at(s, middle_of(w, in));
+      in = lower_half(w, in);
+    }
+    integer kept[3] = {in.k, s->least->numerator, s->least->denominator};
+    integer_keep(w, mark, kept, 3);
+    in.k = kept[0];
+    s->least->numerator = kept[1];
+    s->least->denominator = kept[2];
+  }
+}
+
+static void look_at_roots(face_search *s, const double *roots, int count) {
+  for (int r = 0; r < count; ++r) {
+    int exponent;
+    const integer k = integer_of_double(s->w, roots[r], &exponent);
+    look_at(s, (dyadic){k, -exponent});
+  }
+}
+
+bool exact_face_lowers(workspace *w, const exact_face *face, const double *roots, int root_count, least_value *least) {
+  face_search s = {.w = w, .face = face, .least = least};
+  const integer before = least->numerator;
+  set_floor(&s);
+  look_at_roots(&s, roots, root_count);
+  /* Nothing is relative to 0: a negative value has to be found first, which somewhere there is. */
+  for (int limit = 8; is_zero(least->numerator) && !w->is_full; limit *= 2) search_halves(&s, limit);
+  search_halves(&s, NO_LIMIT);
+  return integer_compare(w, before, least->numerator) != 0;
+}
+
+void exact_face_touch(workspace *w, const exact_face *face, const double *roots, int root_count, least_value *least) {
+  int bits = 0;
+  for (int i = 0; i < 9; ++i) {
+    const int own = integer_bits(w, face->beta[i / 3][i % 3]);
+    if (own > bits) bits = own;
+  }
+  face_search s = {.w = w, .face = face, .least = least, .floor = {-1, bits - 64}, .is_fixed = true};
+  *least = (least_value){.numerator = integer_of(w, 1), .denominator = zero}; /* infinite */
+  look_at_roots(&s, roots, root_count);
+  search_halves(&s, NO_LIMIT);
+}
