@@ -1,12 +1,8 @@
 /** Loads the C core and is the only place that sees its memory. The contracts are those of wasm/include/hexlens.h. */
-import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { type Certificate, certify } from './exact/certificate'
-import { roundedJacdet } from './exact/exact-jacdet'
-import { exactBoundary } from './exact/exact-minimum'
-import { exactReport } from './exact/exact-report'
-import { exactBoundarySign } from './exact/exact-sign'
 import type { Core, CoreError, Report, Result } from './report'
-import { isDecided, Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
+import { Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
 
 /** Of hexlens.wasm and of the modules for batches; and of hexlens-twin.js, which wasm2js makes of the first. */
 export interface CoreExports {
@@ -16,7 +12,6 @@ export interface CoreExports {
   output_address(): number
   output_length(): number
   analyze(): number
-  analyze_coefficients(): number
   input_length(): number
   boundary_minimum(variant: number): number
   decide(): number
@@ -77,33 +72,13 @@ export function coreOf(wasm: CoreExports): Core {
     throw new Error(`The core answered with an unknown status, ${status}.`)
   }
 
-  /** What doubles leave open: coefficients and verdict from exact arithmetic, the rest from those coefficients. */
-  function analyzeExactly(vertices: Vertices): Report {
-    const boundary = exactBoundary(vertices)
-    const { bernstein, exponent, error } = roundedJacdet(boundary.jacdet)
-    const more = [...bernstein, exponent, error, boundary.sign > 0 ? 1 : 0]
-    const result = answer(vertices, more, wasm.analyze_coefficients, () => unpackReport(new Unpacker(output), vertices))
-    if (!result.ok) throw new Error(result.error.message)
-    return exactReport(result.value, boundary, point => positionOf(vertices, point))
-  }
-
-  const positionOf = (vertices: Vertices, point: Vec3): Vec3 => {
-    const result = answer(vertices, point, wasm.jacobian_at, () => unpackJacobian(new Unpacker(output), point))
-    if (!result.ok) throw new Error(result.error.message)
-    return result.value.position
-  }
-
   function analyze(vertices: Vertices): Result<Report> {
     const own = Object.freeze(Array.from(vertices))
-    const result = answer(own, [], wasm.analyze, () => unpackReport(new Unpacker(output), own))
-    if (!result.ok) return result
-    const report = result.value
-    return { ok: true, value: isDecided(report) ? report : analyzeExactly(own) }
+    return answer(own, [], wasm.analyze, () => unpackReport(new Unpacker(output), own))
   }
 
   function isValid(vertices: Vertices): Result<boolean> {
-    const result = answer(vertices, [], wasm.decide, () => unpackVerdict(new Unpacker(output)))
-    return result.ok ? { ok: true, value: result.value ?? exactBoundarySign(vertices) > 0 } : result
+    return answer(vertices, [], wasm.decide, () => unpackVerdict(new Unpacker(output)))
   }
 
   function certificate(vertices: Vertices): Result<Certificate> {

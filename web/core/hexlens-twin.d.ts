@@ -7,7 +7,6 @@ declare module '*/hexlens-twin.js' {
   export const output_address: () => number
   export const output_length: () => number
   export const analyze: () => number
-  export const analyze_coefficients: () => number
   export const boundary_minimum: (variant: number) => number
   export const decide: () => number
   export const jacobian_at: () => number

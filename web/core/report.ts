@@ -22,6 +22,12 @@ export interface Candidate {
   readonly value: number
 }
 
+/** Valid; jacdet < 0 everywhere; jacdet = 0 everywhere; or invalid otherwise. */
+export type ElementClass = 'valid' | 'invalid' | 'inverted' | 'collapsed'
+
+/** What coincident vertices make of an element, in any of the cube's 48 symmetries. */
+export type Shape = 'wedge' | 'pyramid' | 'tetrahedron'
+
 /** What became of a root t of a face's quartic P: kept as a candidate, or dropped and why. */
 export type RootFate = 'kept' | 'a-not-positive' | 's-outside'
 
@@ -88,7 +94,7 @@ export interface Report {
   readonly vertices: Vertices
   /** jacdet > 0 on the whole element, which by Knupp's conjecture (a theorem) its boundary decides. */
   readonly valid: boolean
-  /** Doubles with their error bounds, or, where those leave it open, exact arithmetic. Either way the verdict is certain. */
+  /** Doubles with their error bounds, or, where those leave it open, integers. Either way the verdict is certain. */
   readonly decidedBy: 'filter' | 'exact'
   readonly exponent: number
   /** Of the exact sign: 0 means exactly zero. */
@@ -108,6 +114,16 @@ export interface Report {
   readonly scaledJacobian: number
   /** The 27 Bernstein coefficients of jacdet on [0,1]^3, `bernstein[9 * i + 3 * j + k]`, i in xi, j in eta, k in zeta. */
   readonly bernstein: readonly number[]
+  readonly class: ElementClass
+  /** The groups of vertices at the same position, each ascending, in the order of their first: [[4, 5], [6, 7]]. */
+  readonly coincident: readonly (readonly number[])[]
+  /** Null where the coincidences make none of them. */
+  readonly shape: Shape | null
+  /** The mean of jacdet, times 2^volumeExponent, rounded to the nearest double. */
+  readonly volume: number
+  readonly volumeExponent: number
+  /** boundaryMinimum over |volume|, a number without a dimension; null where the volume is 0. */
+  readonly relativeMinimum: number | null
   /** All of them: vertices, then edges, then faces. */
   readonly candidates: readonly Candidate[]
   readonly faces: readonly FaceReport[]
@@ -142,7 +158,7 @@ export interface Core {
   analyze(vertices: Vertices): Result<Report>
   /** The certain verdict, without the report. */
   isValid(vertices: Vertices): Result<boolean>
-  /** Boundary minimum in doubles by Algorithm 1 with (`roots-b`) or without (`roots`) the Bernstein face bounds. */
+  /** Boundary minimum by Algorithm 1 with (`roots-b`) or without (`roots`) the Bernstein face bounds. */
   boundaryMinimum(vertices: Vertices, variant: 'roots' | 'roots-b'): Result<{ minimizer: Candidate; exponent: number }>
   /** A proof of the verdict that anyone can check: docs/certificates.md. */
   certificate(vertices: Vertices): Result<Certificate>

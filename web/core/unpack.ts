@@ -7,14 +7,18 @@ import type {
   CheckId,
   FaceReport,
   FaceRoot,
+  ElementClass,
   JacobianReport,
   Report,
   RootFate,
+  Shape,
   VolumeMinimum,
 } from './report'
 
 const KINDS: readonly CandidateKind[] = ['vertex', 'edge', 'face']
-const VERDICTS: readonly (boolean | null)[] = [null, true, false]
+const VERDICTS: readonly (boolean | undefined)[] = [undefined, true, false]
+const CLASSES: readonly (ElementClass | undefined)[] = [undefined, 'valid', 'invalid', 'inverted', 'collapsed']
+const SHAPES: readonly (Shape | null)[] = [null, 'wedge', 'pyramid', 'tetrahedron']
 const CHECKS: readonly CheckId[] = [
   'corners',
   'corners-and-centre',
@@ -61,7 +65,7 @@ export class Unpacker {
     return [this.number(), this.number(), this.number()]
   }
 
-  oneOf<T>(names: readonly T[]): T {
+  oneOf<T>(names: readonly (T | undefined)[]): T {
     const name = names[this.number()]
     if (name === undefined) throw new Error('The packed result holds an unknown kind: wasm and TypeScript disagree.')
     return name
@@ -75,8 +79,7 @@ export class Unpacker {
   }
 }
 
-/** true, false, or null for what doubles leave open. */
-export function unpackVerdict(packed: Unpacker): boolean | null {
+export function unpackVerdict(packed: Unpacker): boolean {
   return packed.oneOf(VERDICTS)
 }
 
@@ -119,15 +122,32 @@ function readFace(packed: Unpacker, id: number): FaceReport {
   }
 }
 
-/** A report as doubles leave it; null for a verdict that they leave open. */
-export type FilteredReport = Omit<Report, 'valid'> & { readonly valid: boolean | null }
-
-export function isDecided(report: FilteredReport): report is Report {
-  return report.valid !== null
+/** From each vertex's least vertex at the same position to the groups of several. */
+function groupsOf(least: readonly number[]): number[][] {
+  const groups = least.map((_, first) => least.flatMap((other, vertex) => (other === first ? [vertex] : [])))
+  return groups.filter(group => group.length > 1)
 }
 
-export function unpackReport(packed: Unpacker, vertices: Vertices): FilteredReport {
+function readElement(
+  packed: Unpacker,
+): Pick<Report, 'class' | 'shape' | 'coincident' | 'volume' | 'volumeExponent' | 'relativeMinimum'> {
+  const elementClass = packed.oneOf(CLASSES)
+  const shape = packed.oneOf(SHAPES)
+  const coincident = groupsOf(packed.numbers(8))
+  const [volume, volumeExponent, relativeMinimum] = packed.vec3()
+  return {
+    class: elementClass,
+    shape,
+    coincident,
+    volume,
+    volumeExponent,
+    relativeMinimum: volume === 0 ? null : relativeMinimum,
+  }
+}
+
+export function unpackReport(packed: Unpacker, vertices: Vertices): Report {
   const valid = unpackVerdict(packed)
+  const isExact = packed.flag()
   const exponent = packed.number()
   const minimizer = readCandidate(packed)
   const boundaryMinimumError = packed.number()
@@ -137,7 +157,7 @@ export function unpackReport(packed: Unpacker, vertices: Vertices): FilteredRepo
   return {
     vertices,
     valid,
-    decidedBy: 'filter',
+    decidedBy: isExact ? 'exact' : 'filter',
     exponent,
     boundaryMinimum: minimizer.value,
     boundaryMinimumError,
@@ -152,6 +172,7 @@ export function unpackReport(packed: Unpacker, vertices: Vertices): FilteredRepo
     bernstein: packed.numbers(27),
     faces: [0, 1, 2, 3, 4, 5].map(face => readFace(packed, face)),
     candidates: packed.list(() => readCandidate(packed)),
+    ...readElement(packed),
   }
 }
 
