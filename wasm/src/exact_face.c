@@ -157,6 +157,7 @@ static int certain_sign_of_long(workspace *w, const sum_of_products *sum, const 
     const int top = integer_bits(w, terms[n]) + exponents[n];
     if (!is_zero(terms[n]) && top > greatest) greatest = top;
   }
+  if (greatest == INT32_MIN) return 0;
   for (int n = 0; n < sum->count; ++n)
     total = integer_sum(w, total, integer_shifted(w, terms[n], exponents[n] - greatest + ALIGNED_BITS));
   return integer_bits(w, total) > ALIGNED_BITS - 120 ? integer_sign(total) : 0;
