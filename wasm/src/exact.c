@@ -73,8 +73,9 @@ static void exact_face_of(const exact_jacdet *jacdet, int face, exact_face *out)
 enum { LEAST_POWER = -1000 };
 
 static double in_unit(scaled_double x, int unit) {
+  if (x.mantissa == 0) return 0;
   const int power = x.exponent - unit;
-  if (x.mantissa == 0 || power >= LEAST_POWER) return times_power_of_two(x.mantissa, power);
+  if (power >= LEAST_POWER) return times_power_of_two(x.mantissa, power);
   return x.mantissa < 0 ? -0x1p-1000 : 0x1p-1000;
 }
 
