@@ -116,7 +116,8 @@ typedef struct checked {
   const double *vertices, *bernstein;
   const edge_vectors *edges;
   precision given;
-  double centre, corner_minimum, edge_minimum;
+  middle_point middle;
+  double corner_minimum, edge_minimum;
   hl_verdict verdict;
   double minimum;
 } checked;
@@ -127,8 +128,9 @@ static double on_element(const checked *e, double value) {
 }
 
 static double fill_checks(const checked *e, double checks[HL_CHECKS]) {
-  const double scaled_jacobian =
-      least_scaled_jacobian(e->edges, e->bernstein, on_element(e, e->centre), e->given.exponent);
+  middle_point middle = e->middle;
+  middle.jacdet = on_element(e, middle.jacdet);
+  const double scaled_jacobian = least_scaled_jacobian(e->edges, e->bernstein, &middle, e->given.exponent);
   checks[HL_CHECK_CORNERS] = e->corner_minimum;
   checks[HL_CHECK_CORNERS_AND_CENTRE] = scaled_jacobian_of_verdict(e->vertices, scaled_jacobian);
   checks[HL_CHECK_GAUSS_2] = on_element(e, least_at_gauss_points(e->bernstein, 2));
@@ -197,7 +199,7 @@ void find_candidates(const double vertices[24], hl_report *report) {
   map_point(vertices, report->maximizer.point, report->maximizer.position);
 }
 
-void complete_report(const double vertices[24], const edge_vectors *edges, precision given, double centre,
+void complete_report(const double vertices[24], const edge_vectors *edges, precision given, const middle_point *middle,
                      hl_report *report) {
   report->minimum_error = error_of_minimum(report, given.boundary_error);
   report->volume_minimum = volume_minimum_of(report, given.error);
@@ -206,7 +208,7 @@ void complete_report(const double vertices[24], const edge_vectors *edges, preci
                      .bernstein = report->bernstein,
                      .edges = edges,
                      .given = given,
-                     .centre = centre,
+                     .middle = *middle,
                      .corner_minimum = report->corner_minimum,
                      .edge_minimum = report->edge_minimum,
                      .verdict = report->verdict,
@@ -232,7 +234,8 @@ static void finish_report(const double vertices[24], int exponent, int quartic_e
 
 static void analyze_in_doubles(const double vertices[24], const edge_vectors *edges, precision computed,
                                hl_report *report) {
-  complete_report(vertices, edges, computed, value_at_centre(report->bernstein), report);
+  const middle_point middle = middle_in_doubles(edges, report->bernstein);
+  complete_report(vertices, edges, computed, &middle, report);
   finish_report(vertices, computed.exponent, computed.exponent, report);
 }
 
@@ -284,7 +287,7 @@ unsigned checks_that_accept(const double vertices[24]) {
                .bernstein = bernstein,
                .edges = &edges,
                .given = {.error = CENTRE_ERROR * permanent + UNDERFLOW_ERROR, .exponent = jacdet_exponent(&edges)},
-               .centre = value_at_centre(bernstein),
+               .middle = middle_in_doubles(&edges, bernstein),
                .minimum = least_candidate(bernstein, HL_ROOTS_B).value};
   if (!is_settled_by_doubles(bernstein, permanent, e.minimum, &e.verdict)) {
     hl_report report;

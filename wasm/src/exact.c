@@ -350,6 +350,7 @@ static void find_values(workspace *w, void *query) {
   out->gauss_2 = least_on_grid(w, coefficients, gauss_2, 2, GAUSS_BITS, exponent);
   out->gauss_3 = least_on_grid(w, coefficients, gauss_3, 3, GAUSS_BITS, exponent);
   out->centre = least_on_grid(w, coefficients, half, 1, 1, exponent);
+  exact_middle_columns(w, q->vertices, out->columns);
 }
 
 void find_exact_values(const double vertices[24], exact_values *values, exact_cost *cost) {

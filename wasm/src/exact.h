@@ -37,7 +37,8 @@ typedef struct exact_values {
   hl_candidate vertex_candidates[HL_VERTICES], edge_candidates[HL_EDGES]; /* without values and positions */
   int edge_count;
   scaled_double vertices[HL_VERTICES], on_edges[HL_EDGES]; /* their values */
-  scaled_double edge_minimum, bernstein_minimum, gauss_2, gauss_3, centre;
+  scaled_double edge_minimum, bernstein_minimum, gauss_2, gauss_3;
+  scaled_double centre, columns[3][3]; /* jacdet and DF in the middle of the cube, component r of column c at [c][r] */
 } exact_values;
 
 void find_exact_values(const double vertices[HL_COORDINATES], exact_values *values, exact_cost *cost);

@@ -149,6 +149,20 @@ integer exact_cube_centre(workspace *w, const exact_jacdet *jacdet) {
                             sum_of(w, jacdet->bernstein, vertex_bernstein, HL_VERTICES));
 }
 
+void exact_middle_columns(workspace *w, const double vertices[24], scaled_double columns[3][3]) {
+  const size_t mark = w->used;
+  integer_points points;
+  integer_coordinates(w, vertices, ALL_VERTICES, &points);
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) {
+      integer sum = zero; /* of the four edges along axis c */
+      for (int v = 0; v < HL_VERTICES; ++v)
+        sum = integer_sum(w, sum, vertex_reference[v][c] ? points.p[v][r] : integer_negated(points.p[v][r]));
+      columns[c][r] = rounded_integer(w, sum, points.exponents[r] - 2);
+    }
+  w->used = mark;
+}
+
 scaled_double exact_volume(workspace *w, const double vertices[24]) {
   const size_t mark = w->used;
   integer_points points;

@@ -122,7 +122,13 @@ int exact_report(const double vertices[24], const edge_vectors *edges, int *unit
   report->minimizer.value = in_normal_units(x.boundary.minimum, *unit);
   report->corner_minimum = in_normal_units(x.boundary.corner_minimum, *unit);
   const precision given = {.boundary_error = x.error, .error = x.error, .exponent = *unit};
-  complete_report(vertices, edges, given, in_normal_units(x.centre, *unit), report);
+  middle_point middle = {.jacdet = in_normal_units(x.centre, *unit)};
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) {
+      const scaled_double number = x.columns[c][r];
+      middle.columns[c][r] = times_power_of_two(number.mantissa, number.exponent - edges->axis_exponent[r]);
+    }
+  complete_report(vertices, edges, given, &middle, report);
 
   const int exponent = common_unit(&x, *unit);
   map_units(report, *unit - exponent);

@@ -2,6 +2,7 @@
 #ifndef HL_REPORT_H
 #define HL_REPORT_H
 
+#include "checks.h"
 #include "hexlens.h"
 #include "scaling.h"
 
@@ -21,8 +22,8 @@ typedef struct precision {
   int exponent;
 } precision;
 
-/* What needs the verdict and how precise the coefficients are; `centre` is the value in the middle of the cube. */
-void complete_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, precision given, double centre,
+/* What needs the verdict and how precise the coefficients are. */
+void complete_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, precision given, const middle_point *middle,
                      hl_report *report);
 
 enum {

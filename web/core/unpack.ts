@@ -124,6 +124,7 @@ function readFace(packed: Unpacker, id: number): FaceReport {
 
 /** From each vertex's least vertex at the same position to the groups of several. */
 function groupsOf(least: readonly number[]): number[][] {
+  if (least.every((other, vertex) => other === vertex)) return []
   const groups = least.map((_, first) => least.flatMap((other, vertex) => (other === first ? [vertex] : [])))
   return groups.filter(group => group.length > 1)
 }
