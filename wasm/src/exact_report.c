@@ -95,7 +95,8 @@ static void append_exact(const double vertices[24], hl_candidate candidate, doub
   append(report, &candidate);
 }
 
-/* The face's kept roots in their order: the minimizer if it is one, else what doubles make of it, no lower than the minimum. */
+/* The face's kept roots in their order: the minimizer if it is one, else what doubles make of it, no lower than the minimum and
+   the least coefficient. */
 static void append_roots(const hl_candidate *listed, int count, int id, hl_report *report) {
   const hl_face_report *face = &report->faces[id];
   const int t = face_table[id].t;
@@ -106,7 +107,7 @@ static void append_roots(const hl_candidate *listed, int count, int id, hl_repor
     hl_candidate found = *least;
     for (int i = 0; i < count && !is_least; ++i)
       if (listed[i].id == id && listed[i].point[t] == face->roots[r].t) found = listed[i];
-    found.value = larger(found.value, report->minimizer.value);
+    if (!is_least) found.value = larger(larger(found.value, least->value), face->lower_bound);
     append(report, &found);
   }
 }
