@@ -180,14 +180,19 @@ static void put_minimizer(block *b, int c, const double point[3]) {
   memcpy(b->out.minimizers + 3 * c, point, 3 * sizeof *point);
 }
 
-/* Two numbers in a unit that suits both: 1 if they are normal doubles then, else between them. */
+/* Powers of two that can lie between two doubles in a unit in their middle. */
+enum { MOST_APART = 2000 };
+
+/* The minimum, and the least corner in the same unit: 1 if both are normal doubles then, else between them, or that of the minimum
+   alone if they are too far apart. */
 static void put_values(scaled_double minimum, scaled_double corner, block *b, int c) {
-  int unit = minimum.mantissa == 0   ? corner.exponent
-             : corner.mantissa == 0 ? minimum.exponent
-                                    : (minimum.exponent + corner.exponent) / 2;
-  if (is_normal_after_scaling(minimum.mantissa, minimum.exponent) &&
-      is_normal_after_scaling(corner.mantissa, corner.exponent))
-    unit = 0;
+  int unit = 0;
+  if (!is_normal_after_scaling(minimum.mantissa, minimum.exponent) ||
+      !is_normal_after_scaling(corner.mantissa, corner.exponent)) {
+    const int apart = corner.exponent - minimum.exponent;
+    unit = minimum.mantissa == 0 ? corner.exponent : minimum.exponent;
+    if (minimum.mantissa != 0 && corner.mantissa != 0 && apart >= -MOST_APART && apart <= MOST_APART) unit += apart / 2;
+  }
   b->out.exponents[c] = (int16_t)unit;
   b->out.minima[c] = in_normal_units(minimum, unit);
   b->out.corner_minima[c] = in_normal_units(corner, unit);

@@ -34,6 +34,7 @@ typedef struct exact_values {
   double bernstein[HL_BERNSTEIN]; /* times 2^unit, the largest of magnitude in [1/2, 1), each off by at most `error` and of exact sign */
   double error;
   int unit;
+  scaled_double coefficients[HL_BERNSTEIN]; /* the same, of any size */
   hl_candidate vertex_candidates[HL_VERTICES], edge_candidates[HL_EDGES]; /* without values and positions */
   int edge_count;
   scaled_double vertices[HL_VERTICES], on_edges[HL_EDGES]; /* their values */

@@ -157,6 +157,7 @@ static int certain_sign_of_long(workspace *w, const sum_of_products *sum, const 
     const int top = integer_bits(w, terms[n]) + exponents[n];
     if (!is_zero(terms[n]) && top > greatest) greatest = top;
   }
+  if (greatest == INT32_MIN) return 0;
   for (int n = 0; n < sum->count; ++n)
     total = integer_sum(w, total, integer_shifted(w, terms[n], exponents[n] - greatest + ALIGNED_BITS));
   return integer_bits(w, total) > ALIGNED_BITS - 120 ? integer_sign(total) : 0;
@@ -392,7 +393,7 @@ typedef struct face_search {
   const exact_face *face;
   least_value *least;
   floor_value floor;
-  bool is_fixed;
+  bool is_fixed, has_lowered;
 } face_search;
 
 /* Below `least` by at least 2^-62 and at most 2^-60 of it. */
@@ -436,6 +437,7 @@ static void look_at(face_search *s, dyadic t) {
   if (order >= 0) return;
   *s->least = (least_value){numerator, denominator, inside_unit_interval(w, fall, curvature, 0),
                             inside_unit_interval(w, t.k, integer_of(w, 1), -t.depth)};
+  s->has_lowered = true;
   if (!s->is_fixed) set_floor(s);
 }
 
@@ -494,23 +496,36 @@ static void look_at_roots(face_search *s, const double *roots, int count) {
 
 bool exact_face_lowers(workspace *w, const exact_face *face, const double *roots, int root_count, least_value *least) {
   face_search s = {.w = w, .face = face, .least = least};
-  const integer before = least->numerator;
   set_floor(&s);
   look_at_roots(&s, roots, root_count);
   /* Nothing is relative to 0: a negative value has to be found first, which somewhere there is. */
   for (int limit = 8; is_zero(least->numerator) && !w->is_full; limit *= 2) search_halves(&s, limit);
   search_halves(&s, NO_LIMIT);
-  return integer_compare(w, before, least->numerator) != 0;
+  return s.has_lowered;
 }
 
+/* How many bits below the largest coefficient a value has to be for the place where a face touches zero. */
+enum { TOUCH_BITS = 64 };
+
+static bool is_at_most(workspace *w, const least_value *least, int exponent) {
+  const integer numerator = exponent < 0 ? integer_shifted(w, least->numerator, -exponent) : least->numerator,
+                denominator = exponent > 0 ? integer_shifted(w, least->denominator, exponent) : least->denominator;
+  return integer_compare(w, numerator, denominator) <= 0;
+}
+
+/* A floor that is too high hides the place, and another one may have been found before: then it is lowered. */
 void exact_face_touch(workspace *w, const exact_face *face, const double *roots, int root_count, least_value *least) {
   int bits = 0;
   for (int i = 0; i < 9; ++i) {
     const int own = integer_bits(w, face->beta[i / 3][i % 3]);
     if (own > bits) bits = own;
   }
-  face_search s = {.w = w, .face = face, .least = least, .floor = {-1, bits - 64}, .is_fixed = true};
+  face_search s = {.w = w, .face = face, .least = least, .is_fixed = true};
   *least = (least_value){.numerator = integer_of(w, 1), .denominator = zero}; /* infinite */
   look_at_roots(&s, roots, root_count);
-  search_halves(&s, NO_LIMIT);
+  const int near = bits - TOUCH_BITS;
+  for (int below = TOUCH_BITS + 2; !w->is_full && !is_at_most(w, least, near); below *= 2) {
+    s.floor = (floor_value){-1, bits - below};
+    search_halves(&s, NO_LIMIT);
+  }
 }

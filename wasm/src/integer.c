@@ -181,6 +181,7 @@ static integer shifted_down(workspace *w, integer a, int shift) {
 
 int integer_trailing_zeros(const workspace *w, integer a) {
   const uint32_t *x = limbs_of(w, a);
+  if (is_zero(a)) return 0; /* of a full workspace */
   int i = 0;
   while (x[i] == 0) ++i;
   return LIMB_BITS * i + __builtin_ctz(x[i]);
@@ -204,19 +205,22 @@ integer integer_shifted(workspace *w, integer a, int shift) {
   return trimmed(w, out, n + limbs + 1, is_negative(a));
 }
 
-/* They are put behind all that is in use, since some may lie where others are to go. */
+/* They are put behind all that is in use, since some may lie where others are to go. Where there is no room for that they stay. */
 void integer_keep(workspace *w, size_t mark, integer *kept, int count) {
   const size_t from = w->used;
+  size_t length = 0;
+  for (int i = 0; i < count; ++i) length += (size_t)length_of(kept[i]);
+  uint32_t *copy = reserved(w, length);
+  if (!copy) return;
   for (int i = 0; i < count; ++i) {
-    const size_t length = (size_t)length_of(kept[i]);
-    uint32_t *copy = reserved(w, length);
-    if (!copy) return;
-    if (length > 0) memcpy(copy, limbs_of(w, kept[i]), length * sizeof *copy);
+    const size_t own = (size_t)length_of(kept[i]);
     const uint64_t offset = mark + (size_t)(copy - (w->limbs + from));
+    if (own > 0) memcpy(copy, limbs_of(w, kept[i]), own * sizeof *copy);
+    copy += own;
     kept[i].place = offset << 32 | (uint32_t)kept[i].place;
   }
-  memmove(w->limbs + mark, w->limbs + from, (w->used - from) * sizeof *w->limbs);
-  w->used = mark + (w->used - from);
+  memmove(w->limbs + mark, w->limbs + from, length * sizeof *w->limbs);
+  w->used = mark + length;
 }
 
 enum { QUOTIENT_BITS = 62 };
