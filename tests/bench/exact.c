@@ -7,7 +7,7 @@
 #include "hexlens.h"
 
 /* Of the elements one by one, or of all of them as a batch. */
-typedef enum question { VERDICT, MINIMUM, REPORT, VERDICTS, MINIMA, QUESTIONS } question;
+typedef enum question_kind { VERDICT, MINIMUM, REPORT, VERDICTS, MINIMA, QUESTIONS } question_kind;
 
 enum { MOST = 1024 };
 
@@ -17,7 +17,7 @@ static double minima[MOST], minimizers[3 * MOST], corner_minima[MOST];
 static int16_t exponents[MOST];
 static hl_report report;
 
-static void ask_one(question question, const double *vertices) {
+static void ask_one(question_kind question, const double *vertices) {
   hl_verdict verdict;
   hl_minimum minimum;
   if (question == VERDICT) hl_decide(vertices, &verdict);
@@ -25,7 +25,7 @@ static void ask_one(question question, const double *vertices) {
   else hl_analyze(vertices, &report);
 }
 
-static void ask(question question, int count, int repeats) {
+static void ask(question_kind question, int count, int repeats) {
   const hl_cells cells = {elements, (size_t)count * HL_COORDINATES, NULL, 0};
   hl_batch batch = {.verdicts = verdicts};
   if (question == MINIMA) {
@@ -42,7 +42,7 @@ static void ask(question question, int count, int repeats) {
 }
 
 /* What integers do for an answer; nothing where doubles give it, or where it is zero at sight. */
-static exact_cost cost_of(question question, const double *vertices) {
+static exact_cost cost_of(question_kind question, const double *vertices) {
   exact_cost cost = {0, 0};
   hl_verdict verdict;
   if (question == VERDICT || question == VERDICTS) {
@@ -63,7 +63,7 @@ static exact_cost cost_of(question question, const double *vertices) {
   return cost;
 }
 
-static exact_cost mean_cost(question question, int count) {
+static exact_cost mean_cost(question_kind question, int count) {
   exact_cost sum = {0, 0};
   for (int c = 0; c < count; ++c) {
     const exact_cost cost = cost_of(question, elements + HL_COORDINATES * c);
@@ -78,7 +78,7 @@ static exact_cost mean_cost(question question, int count) {
 #define EXPORT(name) __attribute__((export_name(#name)))
 
 EXPORT(elements_address) double *elements_address(void) { return elements; }
-EXPORT(ask) void ask_in_wasm(int question_asked, int count, int repeats) { ask((question)question_asked, count, repeats); }
+EXPORT(ask) void ask_in_wasm(int kind, int count, int repeats) { ask((question_kind)kind, count, repeats); }
 
 #else
 
@@ -89,14 +89,14 @@ EXPORT(ask) void ask_in_wasm(int question_asked, int count, int repeats) { ask((
 /* In nanoseconds of this process alone: others on the machine do not count. */
 static double cpu_time(void) { return 1e9 / CLOCKS_PER_SEC * (double)clock(); }
 
-static double timed(question question, int count, int repeats) {
+static double timed(question_kind question, int count, int repeats) {
   const double begin = cpu_time();
   ask(question, count, repeats);
   return (cpu_time() - begin) / ((double)count * repeats);
 }
 
 typedef struct set {
-  question question;
+  question_kind question;
   int count, repeats;
   double *elements, *times;
 } set;
@@ -114,7 +114,7 @@ static void load(const set *s) {
 static const double SAMPLE = 1e6;
 
 static set read_set(const double head[2], int rounds) {
-  set s = {.question = (question)head[0], .count = (int)head[1], .repeats = 1};
+  set s = {.question = (question_kind)head[0], .count = (int)head[1], .repeats = 1};
   if (s.count < 1 || s.count > MOST || s.question >= QUESTIONS) exit(2);
   s.elements = malloc(sizeof elements / MOST * (size_t)s.count);
   s.times = malloc(sizeof(double) * (size_t)rounds);
