@@ -44,7 +44,8 @@ static void as_a_batch(void) {
   const size_t each[LISTS] = {1, 1, 1, 1, 2, 8, 24, 8, 2, 8, 8, 2};
   void *at[LISTS];
   for (int i = 0; i < LISTS; ++i) at[i] = malloc(each[i] * count);
-  hl_batch batch = {at[0], at[1], at[2], at[3], at[4], at[5], at[6], at[7], at[8], at[9], at[10], at[11], 0, 0, 0, 0, 0};
+  hl_batch batch = {at[0], at[1],  at[2],  at[3], at[4], at[5], at[6], at[7], at[8],
+                    at[9], at[10], at[11], 0,     0,     0,     0,     0};
   hl_cells cells = {points, HL_COORDINATES * count, NULL, 0};
   if (hl_classify(&cells, &batch) != HL_OK) exit(1);
   for (int i = 0; i < LISTS; ++i) {

@@ -229,8 +229,8 @@ test('its types are whole', () => {
      const result = await classifier.classify(new Float64Array(24), new Uint32Array(8), options)
      export const valid: Uint8Array | string = result.ok ? result.value.valid : result.error.message
      function* chunks(): Generator<CellChunk> { yield { points: new Float64Array(24) } }
-     for await (const one of classifier.stream(chunks(), { handOver: true }))
-       if (one.ok) { const { minima, validCount }: Classification = one.value; console.log(minima?.values, validCount) }
+     for await (const one of classifier.stream(chunks(), { minima: true, handOver: true }))
+       if (one.ok) { const { minima, validCount }: Classification<{ minima: true }> = one.value; console.log(minima.values, validCount) }
      const asked = await classifier.classify(new Float64Array(24), null, { minima: true, classes: true })
      if (asked.ok) { console.log(asked.value.minima.values, asked.value.classes.length, asked.value.firstUnanswered) }
      // @ts-expect-error A list that was not asked for is null.

@@ -20,10 +20,10 @@ const AFTER_CANDIDATES = 2 + 8 + 3
 function hexahedra(): number[][] {
   const random = randomSource(20260505)
   const list = [...cases, ...depthGuardCases].map(({ vertices }) => vertices.flat())
-  for (let n = 0; n < 5000; ++n) list.push(randomHexahedron(random, 0.1 * (1 + (n % 20))))
+  for (let n = 0; n < 5700; ++n) list.push(randomHexahedron(random, 0.1 * (1 + (n % 20))))
   for (let n = 0; n < 2000; ++n) list.push(randomHexahedron(random, 0.5).map(x => Math.round(x * 4) / 4))
   const bits = new BigUint64Array(24)
-  for (let n = 0; n < 700; ++n) {
+  for (let n = 0; n < 300; ++n) {
     for (let i = 0; i < 24; ++i)
       bits[i] = (BigInt(Math.floor(random() * 2 ** 32)) << 32n) | BigInt(Math.floor(random() * 2 ** 32))
     list.push([...new Float64Array(bits.buffer.slice(0))])
