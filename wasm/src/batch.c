@@ -289,7 +289,7 @@ static void minima_of_block(const lane_kernels *kernels, block *b, batch_stages 
 }
 
 static bool asks_for_minima(const hl_batch *batch) {
-  return batch->minima || batch->minimizers || batch->corner_minima || batch->relative_minima;
+  return batch->minima || batch->minimizers || batch->corner_minima || batch->exponents || batch->relative_minima;
 }
 
 /* A list of the caller's from the block's first cell on, or room in the block for what was not asked for. */
@@ -308,7 +308,7 @@ static void put_details(const hl_batch *batch, const block *b, int c, size_t cel
   const bool is_answered = b->statuses[c] == HL_OK;
   if (batch->classes) batch->classes[cell] = is_answered ? (uint8_t)class_of(vertices, b->verdicts[c]) : 0;
   if (batch->accepted_by) batch->accepted_by[cell] = is_answered ? (uint16_t)checks_that_accept(vertices) : 0;
-  if (!batch->volumes && !batch->relative_minima) return;
+  if (!batch->volumes && !batch->volume_exponents && !batch->relative_minima) return;
   double volume = NAN;
   int exponent = 0;
   if (is_answered) {
@@ -316,10 +316,8 @@ static void put_details(const hl_batch *batch, const block *b, int c, size_t cel
     volume = number.mantissa;
     exponent = scaled_back(&volume, 1, number.exponent);
   }
-  if (batch->volumes) {
-    batch->volumes[cell] = volume;
-    batch->volume_exponents[cell] = (int16_t)exponent;
-  }
+  if (batch->volumes) batch->volumes[cell] = volume;
+  if (batch->volume_exponents) batch->volume_exponents[cell] = (int16_t)exponent;
   if (batch->relative_minima)
     batch->relative_minima[cell] =
         is_answered ? relative_minimum(b->out.minima[c], b->out.exponents[c], volume, exponent) : NAN;
@@ -344,7 +342,7 @@ static void hand_on(const block *b, size_t first, hl_batch *batch, batch_stages 
   memcpy(batch->verdicts + first, b->verdicts, count);
   if (batch->statuses) memcpy(batch->statuses + first, b->statuses, count);
   if (batch->is_exact) memcpy(batch->is_exact + first, b->is_exact, count);
-  if (batch->classes || batch->accepted_by || batch->volumes || batch->relative_minima)
+  if (batch->classes || batch->accepted_by || batch->volumes || batch->volume_exponents || batch->relative_minima)
     for (int c = 0; c < b->count; ++c) put_details(batch, b, c, first + (size_t)c);
 }
 

@@ -19,7 +19,7 @@ bool is_zero_at_sight(const double vertices[HL_COORDINATES]);
 /* The verdict; `bernstein` are the coefficients in doubles and scaled units. `cost` may be null. */
 hl_verdict exact_verdict(const double vertices[HL_COORDINATES], const double bernstein[HL_BERNSTEIN], exact_cost *cost);
 
-/* The boundary minimum: rounded to the nearest double where a vertex or an edge has it, and off by 2^-60 more on a face; of exact
+/* The boundary minimum: rounded to the nearest double where a vertex or an edge has it, and off by 2^-57 more on a face; of exact
    sign. The position of the minimizer is left to the caller, and so is its value. */
 typedef struct exact_minimum {
   hl_candidate minimizer;

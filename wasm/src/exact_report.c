@@ -8,7 +8,7 @@
 
 #include <float.h>
 
-/* Of the exact values: they are enclosed to 2^-60 and then rounded. */
+/* Of the exact values: they are enclosed to 2^-57 and then rounded. */
 #define VALUE_ERROR 0x1p-52
 
 /* A value too small beside the unit is the least normal double of its sign. */
