@@ -32,3 +32,40 @@ test('the minimum comes with the bound of its error, on the boundary and inside'
     expect(await page.evaluate(() => navigator.clipboard.readText())).toBe('0.5, 0.5, 0.5')
   })
 })
+
+test('what is degenerate, inverted or collapsed is said', async ({ lens, page, context }) => {
+  await lens.open()
+  await lens.preset.selectOption({ label: 'Unit cube' })
+  await expect(lens.verdict).toHaveText(/^VALID/)
+  const cube = await lens.vertices()
+  const vertexAt = (places: string) => [...places].flatMap(v => cube.slice(3 * Number(v), 3 * Number(v) + 3))
+  const kind = lens.verdict.locator('.kind')
+
+  await test.step('an ordinary element has a volume and a relative minimum, and nothing more is said of it', async () => {
+    await expect(lens.verdict).toContainText(/^VALID\s+min J = 1/)
+    await expect(lens.verdict).toContainText(/Volume\s*1\s*length³/)
+    await expect(lens.verdict).toContainText(/Relative minimum\s*1\s*no dimension/)
+    await expect(kind).toHaveCount(0)
+  })
+
+  await test.step('a wedge is called one, and heard to be one', async () => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+    await lens.set(vertexAt('01234466'))
+    await expect(kind).toHaveText('a wedge stored as a hexahedron')
+    await expect(lens.verdict).toContainText('Vertices 4 and 5 coincide, and so do 6 and 7: jacdet is 0 there.')
+    await expect(page.locator('.announcer')).toContainText('Invalid: a wedge stored as a hexahedron. Vertices 4 and 5')
+    await page.getByRole('button', { name: /\[0,1\]/ }).click()
+    await lens.verdict.getByRole('button', { name: '1/2' }).click()
+    await expect(page.getByText('Copied 0.5')).toBeVisible()
+  })
+
+  await test.step('classes', async () => {
+    await lens.set(vertexAt('45670123'))
+    await expect(kind).toHaveText('inverted')
+    await expect(lens.verdict).toContainText('The usual cause is a mirrored node order.')
+    await expect(lens.verdict).toContainText(/Relative minimum\s*−1\s*no dimension/)
+    await lens.set(vertexAt('01230123'))
+    await expect(kind).toHaveText('collapsed')
+    await expect(lens.verdict).toContainText('none, as the volume is 0')
+  })
+})

@@ -47,6 +47,9 @@ describe('analyze', () => {
       expect(list[i]).toEqual({
         name: cases[i]?.name,
         valid,
+        class: result.value.class,
+        coincident: result.value.coincident,
+        shape: result.value.shape,
         boundary_min: boundaryMinimum,
         boundary_min_error: result.value.boundaryMinimumError,
         minimizer: { kind: minimizer.kind, id: minimizer.id, point: minimizer.point },
@@ -54,6 +57,8 @@ describe('analyze', () => {
         edge_min: edgeMinimum,
         volume_min: [volumeMinimum.lower, volumeMinimum.upper],
         volume_minimizer: volumeMinimum.point,
+        volume: result.value.volume * 2 ** result.value.volumeExponent,
+        relative_min: result.value.relativeMinimum,
         decided_by: decidedBy,
         checks: Object.fromEntries(result.value.checks.map(({ id, value, passes }) => [id, { value, passes }])),
       })
@@ -68,6 +73,55 @@ describe('analyze', () => {
     expect(huge.boundary_min).toMatch(/^9\.9999999999999\d{3}e\+449$|^1\.0000000000000\d{3}e\+450$/)
     expect(tiny.boundary_min).toMatch(/^9\.99999\d{11}e-931$|^1\.00000\d{11}e-930$/)
     expect([huge.valid, tiny.valid]).toEqual([true, true])
+    expect(huge.volume).toBe('9.9999999999999992e+449')
+    expect(tiny.volume).toBe('9.9999999999999077e-931')
+    for (const { relative_min } of [huge, tiny]) expect(Math.abs(relative_min - 1)).toBeLessThanOrEqual(2 ** -52)
+  })
+
+  it('says what is degenerate, inverted or collapsed', async () => {
+    const at = (places: string) => [...places].map(v => cube[Number(v)])
+    const said = async (places: string) => {
+      const [{ valid, class: elementClass, coincident, shape, volume, relative_min }] = await answers([
+        { name: places, vertices: at(places) },
+      ])
+      return { valid, class: elementClass, coincident, shape, volume, relative_min }
+    }
+    const invalid = { valid: false, class: 'invalid', relative_min: 0 }
+    expect(await said('01234567')).toEqual({
+      valid: true,
+      class: 'valid',
+      coincident: [],
+      shape: null,
+      volume: 1,
+      relative_min: 1,
+    })
+    expect(await said('01214567')).toMatchObject({ ...invalid, coincident: [[1, 3]], shape: null, relative_min: -2 })
+    expect(await said('01234466')).toEqual({
+      ...invalid,
+      coincident: [
+        [4, 5],
+        [6, 7],
+      ],
+      shape: 'wedge',
+      volume: 1 / 2,
+    })
+    expect(await said('01234444')).toEqual({
+      ...invalid,
+      coincident: [[4, 5, 6, 7]],
+      shape: 'pyramid',
+      volume: 1 / 3,
+    })
+    expect(await said('01224444')).toEqual({
+      ...invalid,
+      coincident: [
+        [2, 3],
+        [4, 5, 6, 7],
+      ],
+      shape: 'tetrahedron',
+      volume: 1 / 6,
+    })
+    expect(await said('45670123')).toMatchObject({ class: 'inverted', shape: null, volume: -1, relative_min: -1 })
+    expect(await said('01230123')).toMatchObject({ class: 'collapsed', volume: 0, relative_min: null })
   })
 
   it('puts an error in the place of what cannot be analysed', async () => {

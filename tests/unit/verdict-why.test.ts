@@ -24,6 +24,8 @@ function reportOf(candidates: readonly Candidate[], boundaryMaximum = 1, inside 
     cornerMinimum: least(['vertex']),
     edgeMinimum: least(['vertex', 'edge']),
     candidates,
+    class: boundaryMinimum > 0 ? 'valid' : 'invalid',
+    coincident: [],
   } as unknown as Report
 }
 
@@ -67,24 +69,41 @@ describe('the sentence that says why', () => {
     )
   })
 
-  it('tells an element inside out, a collapsed one and a touching one from the rest', () => {
-    expect(
-      whySentence(
-        reportOf(
-          vertices(() => -1),
-          -1,
-        ),
-      ),
-    ).toContain('the element is inside out')
-    expect(
-      whySentence(
-        reportOf(
-          vertices(() => 0),
-          0,
-        ),
-      ),
-    ).toContain('the element is collapsed')
+  it('tells an inverted element, a collapsed one and a touching one from the rest', () => {
+    const negative = reportOf(vertices(() => -1))
+    expect(whySentence({ ...negative, class: 'inverted' })).toBe(
+      'The jacdet is negative everywhere: the element is inverted. The usual cause is a mirrored node order.',
+    )
+    const nothing = reportOf(vertices(() => 0))
+    expect(whySentence({ ...nothing, class: 'collapsed' })).toBe(
+      'The jacdet is 0 everywhere: the element is collapsed.',
+    )
     expect(whySentence(reportOf([...positive, candidate('face', 4, 0)]))).toContain('must be strictly positive')
+  })
+
+  it('says first which vertices coincide, if that is why, and else last', () => {
+    const wedge = {
+      ...reportOf(vertices(id => (id < 4 ? 1 : 0))),
+      coincident: [
+        [4, 5],
+        [6, 7],
+      ],
+    }
+    expect(whySentence(wedge)).toBe('Vertices 4 and 5 coincide, and so do 6 and 7: jacdet is 0 there.')
+    const negativeElsewhere = {
+      ...reportOf(vertices(id => [1, -1, 1, 1, 0, 0, 1, 1][id] as number)),
+      coincident: [[4, 5]],
+    }
+    expect(whySentence(negativeElsewhere)).toBe(
+      'Vertices 1, 4 and 5 are not positive. Vertices 4 and 5 coincide: jacdet is 0 there.',
+    )
+    const flat = { ...reportOf(vertices(() => 0)), class: 'collapsed' as const, coincident: [[0, 1, 2]] }
+    expect(whySentence(flat)).toBe(
+      'The jacdet is 0 everywhere: the element is collapsed. Vertices 0, 1 and 2 coincide.',
+    )
+    expect(whySentence({ ...reportOf(positive), coincident: [[0, 6]] })).toMatch(
+      /theorem\)\. Vertices 0 and 6 coincide\.$/,
+    )
   })
 
   it('tells an element that is negative inside alone', () => {

@@ -132,17 +132,23 @@ integer integer_product(workspace *w, integer a, integer b) {
   uint32_t *out = reserved(w, (size_t)n + (size_t)m);
   if (!out) return zero;
   const uint32_t *x = limbs_of(w, a), *y = limbs_of(w, b);
-  memset(out, 0, (size_t)m * sizeof *out);
-  for (int32_t i = 0; i < n; ++i) {
-    const uint64_t factor = x[i];
-    uint64_t carry = 0;
-    if (factor != 0)
-      for (int32_t j = 0; j < m; ++j) {
-        carry += factor * y[j] + out[i + j];
-        out[i + j] = (uint32_t)carry;
-        carry >>= LIMB_BITS;
-      }
-    out[i + m] = (uint32_t)carry;
+  memset(out, 0, (size_t)(n + m) * sizeof *out);
+  /* Two limbs of the shorter one at a time: their carries do not wait for each other. */
+  for (int32_t i = 0; i < n; i += 2) {
+    const uint64_t low = x[i], high = i + 1 < n ? x[i + 1] : 0;
+    uint64_t carry = 0, next_carry = 0, before = 0;
+    for (int32_t j = 0; j < m; ++j) {
+      const uint64_t limb = y[j];
+      carry += low * limb + out[i + j];
+      next_carry += high * before + (uint32_t)carry;
+      out[i + j] = (uint32_t)next_carry;
+      carry >>= LIMB_BITS;
+      next_carry >>= LIMB_BITS;
+      before = limb;
+    }
+    next_carry += high * before + carry;
+    out[i + m] = (uint32_t)next_carry;
+    if (i + 1 < n) out[i + m + 1] = (uint32_t)(next_carry >> LIMB_BITS);
   }
   ++w->multiplications;
   w->products += (uint64_t)n * (uint64_t)m;

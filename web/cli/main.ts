@@ -12,9 +12,15 @@ const USAGE = `Usage: ${CALL} analyze FILE.json
        ${CALL} certify FILE.json
 
 Reads a JSON list of {"name", "vertices": [[x, y, z], ... 8 points in VTK_HEXAHEDRON order]} ("-": standard input) and
-prints a JSON list of {"name", "valid", "boundary_min", "boundary_min_error", "minimizer", "corner_min", "edge_min",
-"volume_min": [lower, upper], "volume_minimizer", "decided_by", "checks"}, or of {"name", "error"} for what cannot be
-analysed, in the same order. jacdet is that of the map from [0,1]^3.
+prints a JSON list of {"name", "valid", "class", "coincident", "shape", "boundary_min", "boundary_min_error", "minimizer",
+"corner_min", "edge_min", "volume_min": [lower, upper], "volume_minimizer", "volume", "relative_min", "decided_by",
+"checks"}, or of {"name", "error"} for what cannot be analysed, in the same order. jacdet is that of the map from [0,1]^3.
+
+class         valid; invalid; inverted (jacdet < 0 everywhere); collapsed (jacdet = 0 everywhere)
+coincident    the groups of vertices at the same position: [[4,5],[6,7]]
+shape         wedge, pyramid or tetrahedron where the coincidences make one, else null
+volume        the integral of jacdet
+relative_min  boundary_min over |volume|, a number without a dimension; null where the volume is 0
 
 certify prints {"name", "vertices", "valid", ...} with a proof: docs/certificates.md says which, and
 tests/certificates/check_certificates.py checks it.
@@ -87,6 +93,9 @@ function analysis(core: Core, { name, vertices }: NamedHexahedron): object {
   return {
     name,
     valid: report.valid,
+    class: report.class,
+    coincident: report.coincident,
+    shape: report.shape,
     boundary_min: jacdet(report.boundaryMinimum),
     boundary_min_error: jacdet(report.boundaryMinimumError),
     minimizer: { kind: minimizer.kind, id: minimizer.id, point: minimizer.point },
@@ -94,6 +103,8 @@ function analysis(core: Core, { name, vertices }: NamedHexahedron): object {
     edge_min: jacdet(report.edgeMinimum),
     volume_min: [jacdet(volumeMinimum.lower), jacdet(volumeMinimum.upper)],
     volume_minimizer: volumeMinimum.point,
+    volume: jsonNumber(report.volume, report.volumeExponent),
+    relative_min: report.relativeMinimum,
     decided_by: report.decidedBy,
     checks: Object.fromEntries(report.checks.map(check => [check.id, checkJson(check, jacdet)])),
   }

@@ -1,9 +1,10 @@
 /** The answer in words: valid or invalid, the minimum with its error bound and its place, why, and how that is certain. */
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Report } from '../../core/report'
-import { formatBound, jacdetInFull } from '../../model/decimal'
+import { formatBound, formatJacdet, jacdetInFull } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
+import { kindName } from '../coincidences'
 import { copyable, copyableJacdet, copyablePoint } from '../copyable'
 import { approximation, lowerInside } from '../inside'
 import type { CreateView, Frame, View } from '../view'
@@ -14,6 +15,8 @@ import { placeName, whySentence } from './why'
 export const verdictStyles = css
 
 const BOUND_MEANS = 'The exact minimum is at most this far from the computed one, of which fewer digits are shown.'
+const VOLUME_MEANS = 'The integral of jacdet, which is negative where the element is inverted.'
+const RELATIVE_MEANS = 'The least jacdet of the map from [0,1]³, on the boundary, over |volume|.'
 
 class VerdictView implements View {
   readonly root = document.createElement('section')
@@ -38,7 +41,9 @@ class VerdictView implements View {
     const inside = lowerInside(report)
     const minimum = (value: number, error: number, where: TemplateResult | null) =>
       html`<p class="minimum">min J = ${copyableJacdet(value, exponent, cube)} ${bound(error, exponent, cube)} ${where && html`<span class="where">${where}</span>`}</p>`
+    const kind = kindName(report)
     return html`<p class=${valid ? 'word valid' : 'word negative'}>${valid ? 'VALID' : 'INVALID'}</p>
+      ${kind && html`<p class="kind">${kind}</p>`}
       ${minimum(boundaryMinimum, boundaryMinimumError, inside && html`<span class="filler">on the </span>boundary`)}
       ${place(`${placeName(minimizer)} (ξ, η, ζ)`, minimizer.point)}
       ${place('(x, y, z)', minimizer.position)}
@@ -52,6 +57,7 @@ class VerdictView implements View {
       <dl>
         ${!valid && !inside ? html`<div><dt>Inside</dt><dd>${noLowerInside(report, cube)}</dd></div>` : ''}
         <div><dt>Certain by</dt><dd>${certainBy(report, cube)}</dd></div>
+        ${size(report)}
       </dl>`
   }
 }
@@ -71,6 +77,18 @@ function bound(error: number, exponent: number, cube: ReferenceCube): TemplateRe
   if (error === 0) return ''
   const full = jacdetInFull(error, exponent, cube)
   return html`<span class="bound">±\u00a0${copyable(formatBound(error, exponent, cube), full, { means: BOUND_MEANS })}</span>`
+}
+
+/** The volume is the same on either reference cube, and so is the relative minimum. */
+function size({ volume, volumeExponent, relativeMinimum }: Report): TemplateResult {
+  const number = (value: number, exponent: number, means: string) =>
+    copyable(formatJacdet(value, exponent, 'unit'), jacdetInFull(value, exponent, 'unit'), { means })
+  return html`<div><dt>Volume</dt><dd>${number(volume, volumeExponent, VOLUME_MEANS)} <span class="unit">length³</span></dd></div>
+    <div><dt>Relative minimum</dt><dd>${
+      relativeMinimum === null
+        ? 'none, as the volume is 0'
+        : html`${number(relativeMinimum, 0, RELATIVE_MEANS)} <span class="unit">no dimension</span>`
+    }</dd></div>`
 }
 
 function place(name: string, point: Vec3): TemplateResult {

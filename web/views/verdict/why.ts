@@ -1,6 +1,7 @@
 /** One plain sentence for why a report is valid or invalid: the first of vertices, edges and faces that fails. */
 import type { Candidate, CandidateKind, Report } from '../../core/report'
 import { VERTEX_COUNT } from '../../model/hexahedron'
+import { coincidenceSentence, zerosAtSight } from '../coincidences'
 import { lowerInside } from '../inside'
 import { listed, partName } from '../part-name'
 
@@ -9,18 +10,35 @@ export function placeName({ kind, id }: Pick<Candidate, 'kind' | 'id'>): string 
   return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${partName({ kind, id })} at`
 }
 
+/** Coincident vertices come first where they say all of it, else last. */
 export function whySentence(report: Report): string {
+  const coincidence = coincidenceSentence(report)
+  return isExplainedBy(zerosAtSight(report), report)
+    ? coincidence
+    : [sentenceWithoutCoincidences(report), coincidence].filter(sentence => sentence !== '').join(' ')
+}
+
+/** Whether those vertices are why the element is invalid: no others are not positive, and nothing is said of the element as a whole. */
+function isExplainedBy(zeros: readonly number[], report: Report): boolean {
+  if (zeros.length === 0 || report.class !== 'invalid' || lowerInsideOfZero(report)) return false
+  return notPositive(report, 'vertex').every(name => zeros.includes(Number(name)))
+}
+
+/** Nowhere negative on the boundary, and negative inside. */
+function lowerInsideOfZero(report: Report): boolean {
+  return report.boundaryMinimum === 0 && lowerInside(report) !== null
+}
+
+function sentenceWithoutCoincidences(report: Report): string {
   if (report.valid) {
     return 'The jacdet is positive on all six faces, so it is positive everywhere (Knupp’s conjecture, now a theorem).'
   }
-  if (report.boundaryMinimum === 0 && lowerInside(report)) {
+  if (report.class === 'inverted') {
+    return 'The jacdet is negative everywhere: the element is inverted. The usual cause is a mirrored node order.'
+  }
+  if (report.class === 'collapsed') return 'The jacdet is 0 everywhere: the element is collapsed.'
+  if (lowerInsideOfZero(report)) {
     return 'The jacdet is nowhere negative on the boundary, yet it is inside: the theorem needs a positive boundary, zero is not enough.'
-  }
-  if (report.boundaryMaximum < 0) {
-    return 'The jacdet is negative on the whole boundary: the element is inside out; another vertex order may be meant.'
-  }
-  if (report.boundaryMinimum === 0 && report.boundaryMaximum === 0) {
-    return 'The jacdet is zero on the whole boundary: the element is collapsed.'
   }
   if (report.boundaryMinimum === 0) {
     return 'The minimum is exactly zero: the jacdet touches it, and a valid element must be strictly positive.'

@@ -1,0 +1,41 @@
+/** What an element is besides valid or invalid, in words: which vertices coincide, what that makes of it, its class. */
+import type { Report } from '../core/report'
+import { type Vec3, vertexReference } from '../model/hexahedron'
+import { listed } from './part-name'
+
+/** "a wedge stored as a hexahedron", "inverted" or "collapsed"; null where there is no word for it. */
+export function kindName(report: Pick<Report, 'class' | 'shape'>): string | null {
+  if (report.class === 'inverted' || report.class === 'collapsed') return report.class
+  return report.shape && `a ${report.shape} stored as a hexahedron`
+}
+
+/** "Vertices 4 and 5 coincide, and so do 6 and 7": without a full stop, and nothing where none coincide. */
+export function coincidenceClause({ coincident }: Pick<Report, 'coincident'>): string {
+  if (coincident.length === 0) return ''
+  const [first, ...others] = coincident.map(group => listed(group.map(String)))
+  return `Vertices ${first} coincide${others.length > 0 ? `, and so do ${others.join(', and ')}` : ''}`
+}
+
+/**
+ * The vertices at which jacdet is 0 because vertices coincide: one of them and a neighbour, which makes a column of DF zero, or two of its
+ * neighbours, which makes two columns parallel.
+ */
+export function zerosAtSight({ coincident }: Pick<Report, 'coincident'>): number[] {
+  return vertexReference.flatMap((at, vertex) => {
+    const isNear = (other: number) => differingAxes(at, vertexReference[other] as Vec3) <= 1
+    return coincident.some(group => group.filter(isNear).length > 1) ? [vertex] : []
+  })
+}
+
+/** "Vertices 4 and 5 coincide: jacdet is 0 there." */
+export function coincidenceSentence(report: Pick<Report, 'coincident' | 'class'>): string {
+  const clause = coincidenceClause(report)
+  const zeros = zerosAtSight(report)
+  if (clause === '' || zeros.length === 0 || report.class === 'collapsed') return clause && `${clause}.`
+  const isThere = String(zeros) === String(report.coincident.flat().sort())
+  return `${clause}: jacdet is 0 ${isThere ? 'there' : `at vertices ${listed(zeros.map(String))}`}.`
+}
+
+function differingAxes(a: Vec3, b: Vec3): number {
+  return a.filter((value, axis) => value !== b[axis]).length
+}
