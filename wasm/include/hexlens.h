@@ -269,7 +269,8 @@ typedef struct hl_batch {
   double *relative_minima; /* as in hl_report */
   double *volumes;         /* as in hl_report, times 2^volume_exponent; 0.4 us a cell */
   int16_t *volume_exponents;
-  /* How many of each verdict, how many integers decided, and the first cell that is unanswered, or the number of cells. */
+  /* How many of each verdict; how many integers decided, counted only with is_exact or minima; and the first cell that is unanswered, or
+     the number of cells. */
   size_t valid, invalid, unanswered, exact, first_unanswered;
 } hl_batch;
 

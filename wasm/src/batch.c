@@ -77,7 +77,7 @@ static void bernstein_from_lanes(const lane_kernels *kernels, const lane_minima 
 }
 
 /* hl_decide, from what the lanes know in doubles of the open cell `c`, which is cell `cell` of the block. */
-static void decide_cell(const lane_kernels *kernels, int c, int cell, block *b) {
+static void decide_cell(const lane_kernels *kernels, bool asks_exact, int c, int cell, block *b) {
   const double *vertices = b->hexahedra + 24 * cell;
   const int state = kernels ? b->lanes.state[c] : 0;
   if (state & LANE_USABLE && state & (LANE_VALID | LANE_INVALID)) {
@@ -97,7 +97,7 @@ static void decide_cell(const lane_kernels *kernels, int c, int cell, block *b) 
     jacdet_bernstein(&edges, bernstein);
   }
   hl_verdict verdict;
-  b->is_exact[cell] = !is_settled_by_filter(bernstein, &verdict);
+  b->is_exact[cell] = (!asks_exact && has_open_corner(bernstein)) || !is_settled_by_filter(bernstein, &verdict);
   if (b->is_exact[cell]) verdict = is_zero_at_sight(vertices) ? HL_INVALID : exact_verdict(vertices, bernstein, NULL);
   b->verdicts[cell] = (uint8_t)verdict;
 }
@@ -109,8 +109,8 @@ static bool has_unanswered(const uint8_t *verdicts) {
   return ((bytes - 0x0101010101010101u) & ~bytes & 0x8080808080808080u) != 0;
 }
 
-/* In floats, then those that are open together in doubles, then one by one. What is zero at sight needs no coefficients, unless it is
-   asked whether doubles would have decided. */
+/* In floats, then those that are open together in doubles, then one by one. What is zero at sight needs no coefficients, and what has an
+   open corner no filter, unless it is asked whether doubles would have decided. */
 static void decide_block(const lane_kernels *kernels, bool asks_exact, block *b, batch_stages *stages) {
   int open[HL_BLOCK], open_count = 0;
   memset(b->verdicts, HL_UNANSWERED, HL_BLOCK);
@@ -131,7 +131,7 @@ static void decide_block(const lane_kernels *kernels, bool asks_exact, block *b,
       memcpy(b->open + 24 * i, b->hexahedra + 24 * open[i], HL_COORDINATES * sizeof(double));
     kernels->corners(b->open, open_count, &b->lanes);
   }
-  for (int i = 0; i < open_count; ++i) decide_cell(kernels, i, open[i], b);
+  for (int i = 0; i < open_count; ++i) decide_cell(kernels, asks_exact, i, open[i], b);
 }
 
 static hl_candidate first_least_vertex(const double bernstein[27]) {
@@ -337,7 +337,7 @@ static void hand_on(const block *b, size_t first, hl_batch *batch, batch_stages 
   batch->valid += valid;
   batch->invalid += invalid;
   batch->unanswered += count - valid - invalid;
-  batch->exact += exact;
+  if (batch->is_exact || asks_for_minima(batch)) batch->exact += exact;
   stages->after_doubles += exact;
   memcpy(batch->verdicts + first, b->verdicts, count);
   if (batch->statuses) memcpy(batch->statuses + first, b->statuses, count);

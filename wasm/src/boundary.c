@@ -354,6 +354,7 @@ hl_status hl_decide(const double vertices[24], hl_verdict *verdict) {
   double bernstein[27];
   scaled_edge_vectors(vertices, &edges);
   jacdet_bernstein(&edges, bernstein);
-  if (!is_settled_by_filter(bernstein, verdict)) *verdict = exact_verdict(vertices, bernstein, NULL);
+  if (has_open_corner(bernstein) || !is_settled_by_filter(bernstein, verdict))
+    *verdict = exact_verdict(vertices, bernstein, NULL);
   return HL_OK;
 }

@@ -156,6 +156,12 @@ static bool has_negative_candidate(const double beta[9]) {
   return false;
 }
 
+bool has_open_corner(const double bernstein[27]) {
+  double least = bernstein[vertex_index(0)];
+  for (int v = 1; v < HL_VERTICES; ++v) least = smaller(least, bernstein[vertex_index(v)]);
+  return least >= -CORNER_ERROR && !(least > CORNER_ERROR);
+}
+
 bool is_settled_by_filter(const double bernstein[27], hl_verdict *verdict) {
   *verdict = HL_INVALID;
   bool certain = true;

@@ -31,7 +31,7 @@ export interface Counts {
   readonly unansweredCount: number
   /** The first of those; null if there is none. */
   readonly firstUnanswered: number | null
-  /** How many cells integers decided. Two coincident vertices are seen before, and count only where the list `exact` is asked for. */
+  /** How many cells integers decided; 0 where neither the list `exact` nor minima are asked for. */
   readonly exactCount: number
 }
 
