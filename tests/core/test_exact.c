@@ -150,8 +150,7 @@ static void edges_that_touch_zero_inside(void) {
     const small_face f = {
         {product_of_lines(a, r, u, r, u), product_of_lines(k, r, u, v, x), product_of_lines(c, v, x, v, x)}};
     const bool has_small_middle = k * k <= a * c;
-    if (k > 0 || has_small_middle)
-      has_sign(&f, has_small_middle || u * v == x * r ? NOT_NEGATIVE : -1, "two edges", n);
+    if (k > 0 || has_small_middle) has_sign(&f, has_small_middle || u * v == x * r ? NOT_NEGATIVE : -1, "two edges", n);
     /* One edge only, and the rest above. */
     small_face other = {{f.row[0], times(0, one), times(7, one)}};
     has_sign(&other, NOT_NEGATIVE, "one edge", n);
@@ -164,9 +163,9 @@ static void edges_that_are_zero(void) {
   static const struct {
     quadratic middle;
     int sign;
-  } middles[] = {{{{1, -1, 1}}, NOT_NEGATIVE}, {{{1, -2, 1}}, -1},  {{{4, -2, 1}}, NOT_NEGATIVE}, {{{4, -3, 1}}, -1},
-                 {{{0, 0, 0}}, NOT_NEGATIVE},  {{{0, -1, 0}}, -1}, {{{0, 2, 0}}, NOT_NEGATIVE},
-                 {{{2, 1, 3}}, NOT_NEGATIVE}};
+  } middles[] = {{{{1, -1, 1}}, NOT_NEGATIVE}, {{{1, -2, 1}}, -1},          {{{4, -2, 1}}, NOT_NEGATIVE},
+                 {{{4, -3, 1}}, -1},           {{{0, 0, 0}}, NOT_NEGATIVE}, {{{0, -1, 0}}, -1},
+                 {{{0, 2, 0}}, NOT_NEGATIVE},  {{{2, 1, 3}}, NOT_NEGATIVE}};
   for (size_t i = 0; i < sizeof middles / sizeof *middles; ++i)
     for (long n = 0; n < 3; ++n) {
       const small_face f = {{times(0, one), middles[i].middle, times(n, one)}};
@@ -368,7 +367,8 @@ static void classes_are_what_they_say(void) {
     for (int i = 0; i < HL_BERNSTEIN; ++i) all_zero = all_zero && one_of_them.bernstein[i] == 0;
     if (c == HL_CLASS_INVERTED) CHECK(one_of_them.maximizer.value < 0 && one_of_them.volume < 0, "%ld: inverted", n);
     if (one_of_them.is_exact) CHECK((c == HL_CLASS_COLLAPSED) == all_zero, "%ld: collapsed", n);
-    CHECK(c != HL_CLASS_COLLAPSED || (isnan(one_of_them.relative_minimum) && one_of_them.is_exact), "%ld: collapsed", n);
+    CHECK(c != HL_CLASS_COLLAPSED || (isnan(one_of_them.relative_minimum) && one_of_them.is_exact), "%ld: collapsed",
+          n);
   }
   for (int i = HL_CLASS_VALID; i <= HL_CLASS_COLLAPSED; ++i) CHECK(counts[i] > 20, "%d of class %d", counts[i], i);
 }
