@@ -132,9 +132,10 @@ static void touch_on_a_face(double *x, unsigned argument) {
   static const int low[4] = {0, 1, 3, 2}, high[4] = {4, 5, 7, 6};
   uint64_t bits;
   memcpy(&bits, &x[argument % 24], sizeof bits);
-  const double q = (double)(2 + bits % 5), p = 1 + fmod((double)(bits >> 8 & 255), q - 1), r = (double)(2 + (bits >> 16) % 5),
-               u = 1 + fmod((double)(bits >> 24 & 255), r - 1), a = (double)(1 + (bits >> 32) % 3),
-               c = (double)(1 + (bits >> 36) % 3), unit = ldexp(1, bits >> 40 & 1 ? -(int)(bits >> 44) % 1000 : 0);
+  const double q = (double)(2 + bits % 5), p = 1 + fmod((double)(bits >> 8 & 255), q - 1),
+               r = (double)(2 + (bits >> 16) % 5), u = 1 + fmod((double)(bits >> 24 & 255), r - 1),
+               a = (double)(1 + (bits >> 32) % 3), c = (double)(1 + (bits >> 36) % 3),
+               unit = ldexp(1, bits >> 40 & 1 ? -(int)(bits >> 44) % 1000 : 0);
   const double constant = a * p * p + c * u * u - (argument & 32 ? 0x1p-40 : 0);
   for (int corner = 0; corner < 4; ++corner) {
     const double s = corner & 1, t = corner >> 1, base[3] = {s, t, s * t},
@@ -155,7 +156,8 @@ static void spread_exponents(double *x, unsigned argument) {
     uint64_t bits;
     memcpy(&bits, &mantissa, sizeof bits);
     const int spread = 1 << argument % 11;
-    if (argument & 128 || (unsigned)i % 8 == argument / 11 % 8) x[i] = ldexp(mantissa, (int)(bits % (2u * (unsigned)spread)) - spread);
+    if (argument & 128 || (unsigned)i % 8 == argument / 11 % 8)
+      x[i] = ldexp(mantissa, (int)(bits % (2u * (unsigned)spread)) - spread);
   }
 }
 
@@ -170,9 +172,9 @@ static void coincide(double *x, unsigned argument) {
 static void leave(double *x, unsigned argument) { (void)x, (void)argument; }
 
 static void (*const shapes[])(double *x, unsigned argument) = {
-    leave,        repeat_vertex,       swap_vertices,       flatten,    put_on_a_line,
-    collapse,     scale_all,           make_small_integers, scale_axis, move_by_ulps,
-    move_to_cube, make_parallelepiped, move_to_border,      touch_on_a_face, spread_exponents, coincide};
+    leave,          repeat_vertex,       swap_vertices,    flatten,      put_on_a_line, collapse,
+    scale_all,      make_small_integers, scale_axis,       move_by_ulps, move_to_cube,  make_parallelepiped,
+    move_to_border, touch_on_a_face,     spread_exponents, coincide};
 
 enum { SHAPES = sizeof shapes / sizeof shapes[0] };
 
@@ -392,8 +394,8 @@ static void verdicts_agree(const hl_report *report) {
   hl_verdict verdict = HL_UNANSWERED;
   LAW(hl_decide(element, &verdict) == HL_OK, "decide refuses");
   LAW(verdict == report->verdict, "decide says %d, analyze %d", (int)verdict, (int)report->verdict);
-  LAW(verdict == (report->minimizer.value > 0 ? HL_VALID : HL_INVALID), "verdict %d, but the minimum is %a", (int)verdict,
-      report->minimizer.value);
+  LAW(verdict == (report->minimizer.value > 0 ? HL_VALID : HL_INVALID), "verdict %d, but the minimum is %a",
+      (int)verdict, report->minimizer.value);
 }
 
 static void minima_are_the_same(const hl_report *report) {
@@ -490,8 +492,8 @@ static void class_and_volume_fit(const hl_report *report) {
   LAW(c != HL_CLASS_VALID || report->volume > 0, "valid, with a volume of %a", report->volume);
   LAW(c != HL_CLASS_INVERTED || (report->volume < 0 && report->minimizer.value < 0 && least < coefficient_slack),
       "inverted, with a volume of %a", report->volume);
-  LAW(c != HL_CLASS_COLLAPSED || (least == 0 && greatest == 0 && report->volume == 0), "collapsed, from %a to %a", least,
-      greatest);
+  LAW(c != HL_CLASS_COLLAPSED || (least == 0 && greatest == 0 && report->volume == 0), "collapsed, from %a to %a",
+      least, greatest);
   double mirrored[HL_COORDINATES];
   hl_verdict verdict = HL_UNANSWERED;
   for (int i = 0; i < HL_COORDINATES; ++i) mirrored[i] = i % 3 == 1 ? -element[i] : element[i];
@@ -532,11 +534,13 @@ static void coincidences_are_seen(const hl_report *report) {
       int differing = 0;
       for (int axis = 0; axis < 3; ++axis) differing += reference_corner[u][axis] != reference_corner[v][axis];
       LAW(is_same == (report->coincident[u] == report->coincident[v]), "vertices %d and %d", u, v);
-      LAW(report->coincident[v] <= v && report->coincident[report->coincident[v]] == report->coincident[v], "vertex %d", v);
+      LAW(report->coincident[v] <= v && report->coincident[report->coincident[v]] == report->coincident[v], "vertex %d",
+          v);
       at_a_point += is_same;
       is_zero_somewhere = is_zero_somewhere || (is_same && differing < 3);
     }
-  static const int pairs[4][2] = {{0, 28}, {2, 2}, {6, 6}, {7, 10}}; /* of each shape, how many pairs at least and at most */
+  static const int pairs[4][2] = {
+      {0, 28}, {2, 2}, {6, 6}, {7, 10}}; /* of each shape, how many pairs at least and at most */
   LAW(report->shape >= HL_NO_SHAPE && report->shape <= HL_TETRAHEDRON && at_a_point >= pairs[report->shape][0] &&
           at_a_point <= pairs[report->shape][1],
       "shape %d with %d pairs of vertices at one position", (int)report->shape, at_a_point);
@@ -557,8 +561,8 @@ static void a_batch_says_the_same(const hl_report *report) {
   memcpy(cells_of + 2 * HL_COORDINATES, unit_cube, sizeof unit_cube);
   cells_of[2 * HL_COORDINATES + 5] = NAN;
   const hl_cells cells = {.coordinates = cells_of, .coordinate_count = CELLS * HL_COORDINATES};
-  hl_batch batch = {verdicts, statuses, is_exact, classes, accepted_by, minima, minimizers, corners,
-                    exponents, relative, volumes, volume_exponents, 0, 0, 0, 0, 0},
+  hl_batch batch = {verdicts, statuses, is_exact,         classes, accepted_by, minima, minimizers, corners, exponents,
+                    relative, volumes,  volume_exponents, 0,       0,           0,      0,          0},
            verdict_only = {.verdicts = alone};
   LAW(hl_classify(&cells, &batch) == HL_OK && hl_classify(&cells, &verdict_only) == HL_OK, "a batch is refused");
   LAW(batch.unanswered == 1 && batch.first_unanswered == 2 && statuses[2] == HL_NOT_FINITE && verdicts[0] == HL_VALID,

@@ -57,8 +57,8 @@ static inline double value_error(const double vertices[24]) {
 static inline void check_report(const double vertices[24], const hl_report *report, const char *what, long number) {
   double error = value_error(vertices);
   CHECK(report->exponent == 0, "%s %ld: exponent %d", what, number, report->exponent);
-  CHECK(report->verdict == (report->minimizer.value > 0 ? HL_VALID : HL_INVALID),
-        "%s %ld: verdict against its minimum", what, number);
+  CHECK(report->verdict == (report->minimizer.value > 0 ? HL_VALID : HL_INVALID), "%s %ld: verdict against its minimum",
+        what, number);
   CHECK(report->minimizer.value <= report->edge_minimum && report->edge_minimum <= report->corner_minimum,
         "%s %ld: minima out of order", what, number);
   for (int i = 0; i < report->candidate_count; ++i) {

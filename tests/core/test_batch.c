@@ -15,24 +15,36 @@
 enum { MANY = 2880, LONGEST = 33 };
 
 /* The lists of hl_batch: where the pointer is, and how many bytes a cell has. */
-enum { VERDICTS, STATUSES, IS_EXACT, CLASSES, ACCEPTED_BY, MINIMA, MINIMIZERS, CORNER_MINIMA, EXPONENTS, RELATIVE_MINIMA,
-       VOLUMES, VOLUME_EXPONENTS, LISTS };
+enum {
+  VERDICTS,
+  STATUSES,
+  IS_EXACT,
+  CLASSES,
+  ACCEPTED_BY,
+  MINIMA,
+  MINIMIZERS,
+  CORNER_MINIMA,
+  EXPONENTS,
+  RELATIVE_MINIMA,
+  VOLUMES,
+  VOLUME_EXPONENTS,
+  LISTS
+};
 static const struct {
   const char *name;
   size_t at, size;
-} list_table[LISTS] = {
-    {"verdicts", offsetof(hl_batch, verdicts), 1},
-    {"statuses", offsetof(hl_batch, statuses), 1},
-    {"is_exact", offsetof(hl_batch, is_exact), 1},
-    {"classes", offsetof(hl_batch, classes), 1},
-    {"accepted_by", offsetof(hl_batch, accepted_by), sizeof(uint16_t)},
-    {"minima", offsetof(hl_batch, minima), sizeof(double)},
-    {"minimizers", offsetof(hl_batch, minimizers), 3 * sizeof(double)},
-    {"corner_minima", offsetof(hl_batch, corner_minima), sizeof(double)},
-    {"exponents", offsetof(hl_batch, exponents), sizeof(int16_t)},
-    {"relative_minima", offsetof(hl_batch, relative_minima), sizeof(double)},
-    {"volumes", offsetof(hl_batch, volumes), sizeof(double)},
-    {"volume_exponents", offsetof(hl_batch, volume_exponents), sizeof(int16_t)}};
+} list_table[LISTS] = {{"verdicts", offsetof(hl_batch, verdicts), 1},
+                       {"statuses", offsetof(hl_batch, statuses), 1},
+                       {"is_exact", offsetof(hl_batch, is_exact), 1},
+                       {"classes", offsetof(hl_batch, classes), 1},
+                       {"accepted_by", offsetof(hl_batch, accepted_by), sizeof(uint16_t)},
+                       {"minima", offsetof(hl_batch, minima), sizeof(double)},
+                       {"minimizers", offsetof(hl_batch, minimizers), 3 * sizeof(double)},
+                       {"corner_minima", offsetof(hl_batch, corner_minima), sizeof(double)},
+                       {"exponents", offsetof(hl_batch, exponents), sizeof(int16_t)},
+                       {"relative_minima", offsetof(hl_batch, relative_minima), sizeof(double)},
+                       {"volumes", offsetof(hl_batch, volumes), sizeof(double)},
+                       {"volume_exponents", offsetof(hl_batch, volume_exponents), sizeof(int16_t)}};
 
 enum { ALL_LISTS = (1 << LISTS) - 1, ROOM = 16, UNTOUCHED = 0x55 };
 
@@ -214,8 +226,7 @@ static void check_cell(const char *name, unsigned lists, const memory *m, size_t
     check_unanswered(name, m, c, a->status);
     return;
   }
-  const int expected[4] = {(int)a->verdict, HL_OK,
-                           asks_for_minima(lists) ? a->minimum.is_exact : a->is_decided_exactly,
+  const int expected[4] = {(int)a->verdict, HL_OK, asks_for_minima(lists) ? a->minimum.is_exact : a->is_decided_exactly,
                            (int)a->element_class};
   for (int i = VERDICTS; i <= CLASSES; ++i)
     if (m->lists[i])

@@ -110,7 +110,7 @@ static small_face face_of_well(const well *x) {
 }
 
 static void wells_have_the_sign_of_their_least_value(void) {
-  for (long n = 0; n < 2000; ++n) {
+  for (long n = 0; n < 800; ++n) {
     const well x = random_well(n % 4 == 0 ? 0 : n % 4 == 1 ? -1 : between(-1, 2));
     const small_face f = face_of_well(&x);
     has_sign(&f, (x.e > 0) - (x.e < 0), "well", n);
@@ -119,7 +119,7 @@ static void wells_have_the_sign_of_their_least_value(void) {
 
 /* s* = 1/2 + k x^2 with x = t - u/r, D = 4 m x^2 - 16 k^2 x^4: a double root with a value of 0, and positive edges since m > 4 k^2. */
 static void touches_on_curved_valleys(void) {
-  for (long n = 0; n < 400; ++n) {
+  for (long n = 0; n < 120; ++n) {
     const int64_t r = n % 2 ? between(2, 40) : (int64_t)2 << between(0, 4), u = between(1, r - 1), m = between(5, 9);
     const quadratic square = product_of_lines(1, r, u, r, u), whole = times(2 * r * r, one); /* 2 r^2 x^2 and 2 r^2 */
     const small_face f =
@@ -144,14 +144,13 @@ static void triple_roots_are_negative_on_one_side(void) {
 /* beta_0 = a P^2, beta_2 = c Q^2, beta_1 = k P Q for lines P and Q in t: D = (a c - k^2) P^2 Q^2, identically 0 for k^2 = a c. For
    k > 0 beta_1 < 0 between the roots of P and Q alone, for k < 0 at the ends as well: then the edges are negative for k^2 > a c. */
 static void edges_that_touch_zero_inside(void) {
-  for (long n = 0; n < 600; ++n) {
+  for (long n = 0; n < 120; ++n) {
     const int64_t r = between(2, 30), u = between(1, r - 1), v = n % 3 ? between(2, 30) : r,
                   x = n % 3 ? between(1, v - 1) : u, a = between(1, 4), c = between(1, 4), k = between(-2, 5);
     const small_face f = {
         {product_of_lines(a, r, u, r, u), product_of_lines(k, r, u, v, x), product_of_lines(c, v, x, v, x)}};
     const bool has_small_middle = k * k <= a * c;
-    if (k > 0 || has_small_middle)
-      has_sign(&f, has_small_middle || u * v == x * r ? NOT_NEGATIVE : -1, "two edges", n);
+    if (k > 0 || has_small_middle) has_sign(&f, has_small_middle || u * v == x * r ? NOT_NEGATIVE : -1, "two edges", n);
     /* One edge only, and the rest above. */
     small_face other = {{f.row[0], times(0, one), times(7, one)}};
     has_sign(&other, NOT_NEGATIVE, "one edge", n);
@@ -164,9 +163,9 @@ static void edges_that_are_zero(void) {
   static const struct {
     quadratic middle;
     int sign;
-  } middles[] = {{{{1, -1, 1}}, NOT_NEGATIVE}, {{{1, -2, 1}}, -1},  {{{4, -2, 1}}, NOT_NEGATIVE}, {{{4, -3, 1}}, -1},
-                 {{{0, 0, 0}}, NOT_NEGATIVE},  {{{0, -1, 0}}, -1}, {{{0, 2, 0}}, NOT_NEGATIVE},
-                 {{{2, 1, 3}}, NOT_NEGATIVE}};
+  } middles[] = {{{{1, -1, 1}}, NOT_NEGATIVE}, {{{1, -2, 1}}, -1},          {{{4, -2, 1}}, NOT_NEGATIVE},
+                 {{{4, -3, 1}}, -1},           {{{0, 0, 0}}, NOT_NEGATIVE}, {{{0, -1, 0}}, -1},
+                 {{{0, 2, 0}}, NOT_NEGATIVE},  {{{2, 1, 3}}, NOT_NEGATIVE}};
   for (size_t i = 0; i < sizeof middles / sizeof *middles; ++i)
     for (long n = 0; n < 3; ++n) {
       const small_face f = {{times(0, one), middles[i].middle, times(n, one)}};
@@ -205,7 +204,7 @@ static int64_t least_on_edges(const well *x) {
 }
 
 static void minima_of_wells_are_found(void) {
-  for (long n = 0; n < 3000; ++n) {
+  for (long n = 0; n < 1200; ++n) {
     workspace w = whole_workspace();
     well x = random_well(0);
     const int64_t edges = least_on_edges(&x);
@@ -345,7 +344,7 @@ static hl_report analyzed(const double v[24]) {
 
 static void classes_are_what_they_say(void) {
   int counts[5] = {0};
-  for (long n = 0; n < 3000; ++n) {
+  for (long n = 0; n < 1500; ++n) {
     double v[24], moved[24];
     int to[8];
     any_hexahedron(n, v);
@@ -368,9 +367,10 @@ static void classes_are_what_they_say(void) {
     for (int i = 0; i < HL_BERNSTEIN; ++i) all_zero = all_zero && one_of_them.bernstein[i] == 0;
     if (c == HL_CLASS_INVERTED) CHECK(one_of_them.maximizer.value < 0 && one_of_them.volume < 0, "%ld: inverted", n);
     if (one_of_them.is_exact) CHECK((c == HL_CLASS_COLLAPSED) == all_zero, "%ld: collapsed", n);
-    CHECK(c != HL_CLASS_COLLAPSED || (isnan(one_of_them.relative_minimum) && one_of_them.is_exact), "%ld: collapsed", n);
+    CHECK(c != HL_CLASS_COLLAPSED || (isnan(one_of_them.relative_minimum) && one_of_them.is_exact), "%ld: collapsed",
+          n);
   }
-  for (int i = HL_CLASS_VALID; i <= HL_CLASS_COLLAPSED; ++i) CHECK(counts[i] > 50, "%d of class %d", counts[i], i);
+  for (int i = HL_CLASS_VALID; i <= HL_CLASS_COLLAPSED; ++i) CHECK(counts[i] > 20, "%d of class %d", counts[i], i);
 }
 
 static void shapes_are_seen_in_every_numbering(void) {
@@ -419,7 +419,7 @@ static void shapes_are_seen_in_every_numbering(void) {
 /* Strictly inside of what it is on, the minimizer among them, the same as from hl_boundary_minimum; roots in order. */
 static void candidates_are_in_their_places(void) {
   long exact = 0;
-  for (long n = 0; n < 6000; ++n) {
+  for (long n = 0; n < 2400; ++n) {
     double v[24];
     any_hexahedron(n, v);
     hl_report report;
@@ -458,7 +458,7 @@ static void candidates_are_in_their_places(void) {
               fabs(report.minimizer.value) == DBL_MIN,
           "%ld: two minima", n);
   }
-  CHECK(exact > 500, "%ld exact", exact);
+  CHECK(exact > 200, "%ld exact", exact);
 }
 
 int main(void) {

@@ -77,11 +77,9 @@ static void long_integers_obey_their_laws(void) {
     workspace w = whole_workspace();
     const integer a = random_integer(&w, 2000), b = random_integer(&w, n % 2 ? 2000 : 60), c = random_integer(&w, 700);
     const integer sum = integer_sum(&w, a, b), difference = integer_difference(&w, a, b);
-    const integer squares =
-        integer_difference(&w, integer_product(&w, a, a), integer_product(&w, b, b));
+    const integer squares = integer_difference(&w, integer_product(&w, a, a), integer_product(&w, b, b));
     CHECK(equal(&w, integer_product(&w, sum, difference), squares), "%ld: (a + b)(a - b)", n);
-    CHECK(equal(&w, integer_product(&w, sum, c),
-                integer_sum(&w, integer_product(&w, c, a), integer_product(&w, b, c))),
+    CHECK(equal(&w, integer_product(&w, sum, c), integer_sum(&w, integer_product(&w, c, a), integer_product(&w, b, c))),
           "%ld: (a + b)c", n);
     CHECK(equal(&w, integer_difference(&w, sum, b), a) && equal(&w, integer_sum(&w, difference, b), a), "%ld: back", n);
     CHECK(integer_compare(&w, a, b) == integer_sign(difference), "%ld: order", n);
@@ -185,7 +183,8 @@ static void quotients_are_rounded_to_the_nearest_double(void) {
     x.exponent -= exponent;
     check_nearest(&w, numerator, denominator, x, n);
     const quotient_floor q = floor_of_quotient(&w, numerator, denominator);
-    const integer size = integer_magnitude(numerator), shifted = q.exponent < 0 ? integer_shifted(&w, size, -q.exponent) : size,
+    const integer size = integer_magnitude(numerator),
+                  shifted = q.exponent < 0 ? integer_shifted(&w, size, -q.exponent) : size,
                   unit = q.exponent > 0 ? integer_shifted(&w, denominator, q.exponent) : denominator,
                   rest = integer_difference(&w, shifted, integer_product(&w, integer_of(&w, q.bits), unit));
     CHECK(q.bits >> 61 == 1, "%ld: not 62 bits", n);
@@ -240,7 +239,8 @@ static void a_full_workspace_says_so(void) {
       y = kept[1];
       CHECK(w.used <= capacity, "%zu of %zu limbs in use", w.used, capacity);
     }
-    for (size_t i = capacity; i < LARGEST + 8; ++i) CHECK(small[i] == 0x55555555u, "written behind %zu limbs", capacity);
+    for (size_t i = capacity; i < LARGEST + 8; ++i)
+      CHECK(small[i] == 0x55555555u, "written behind %zu limbs", capacity);
     full += w.is_full;
     stream = before;
     workspace large = whole_workspace();

@@ -237,8 +237,8 @@ static void collapsed_elements(void) {
   const double *elements[3] = {point, line, plane};
   for (int i = 0; i < 3; ++i) {
     hl_report report = analyzed(elements[i]);
-    CHECK(report.verdict == HL_INVALID && report.minimizer.value == 0 && !signbit(report.minimizer.value),
-          "element %d", i);
+    CHECK(report.verdict == HL_INVALID && report.minimizer.value == 0 && !signbit(report.minimizer.value), "element %d",
+          i);
     CHECK(report.is_exact && report.element_class == HL_CLASS_COLLAPSED && report.volume == 0 &&
               isnan(report.relative_minimum),
           "element %d: class %d", i, report.element_class);

@@ -161,7 +161,8 @@ typedef struct hl_volume_minimum {
 
 typedef struct hl_report {
   hl_verdict verdict;
-  bool is_exact; /* integers decided it, doubles did not: then each jacdet that they give is of exact sign and rounded once */
+  bool
+      is_exact; /* integers decided it, doubles did not: then each jacdet that they give is of exact sign and rounded once */
   int exponent;
   hl_candidate minimizer;
   double minimum_error; /* |minimizer.value - exact boundary minimum| is at most this; a jacdet */
@@ -177,8 +178,9 @@ typedef struct hl_report {
   hl_candidate candidates[HL_MAX_CANDIDATES]; /* vertices, then edges, then faces */
   hl_class element_class;
   hl_shape shape;
-  uint8_t coincident[HL_VERTICES]; /* of each vertex the least vertex at the same position, itself if there is no other */
-  double volume;                   /* the mean of jacdet, rounded once; times 2^volume_exponent */
+  uint8_t
+      coincident[HL_VERTICES]; /* of each vertex the least vertex at the same position, itself if there is no other */
+  double volume;               /* the mean of jacdet, rounded once; times 2^volume_exponent */
   int volume_exponent;
   double relative_minimum; /* minimizer.value over |volume|, a number without a dimension; NaN where the volume is 0 */
 } hl_report;

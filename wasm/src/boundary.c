@@ -263,8 +263,7 @@ hl_status hl_analyze(const double vertices[24], hl_report *report) {
                         .exponent = jacdet_exponent(&edges)};
   jacdet_bernstein(&edges, report->bernstein);
   find_candidates(vertices, report);
-  report->is_exact =
-      !is_settled_by_doubles(report->bernstein, permanent, report->minimizer.value, &report->verdict);
+  report->is_exact = !is_settled_by_doubles(report->bernstein, permanent, report->minimizer.value, &report->verdict);
   if (report->is_exact) analyze_in_integers(vertices, &edges, report);
   else analyze_in_doubles(vertices, &edges, computed, report);
   return HL_OK;
@@ -320,8 +319,7 @@ hl_status hl_boundary_minimum(const double vertices[24], hl_variant variant, hl_
   jacdet_bernstein(&edges, bernstein);
   int exponent = jacdet_exponent(&edges);
   minimum->minimizer = least_candidate(bernstein, variant);
-  minimum->is_exact =
-      !is_settled_by_doubles(bernstein, greatest_permanent(&edges), minimum->minimizer.value, &verdict);
+  minimum->is_exact = !is_settled_by_doubles(bernstein, greatest_permanent(&edges), minimum->minimizer.value, &verdict);
   if (minimum->is_exact) {
     exact_minimum exact;
     find_exact_minimum(vertices, &exact, NULL);

@@ -65,8 +65,7 @@ static void exact_edge(const exact_jacdet *jacdet, int edge, integer q[3]) {
 }
 
 static void exact_face_of(const exact_jacdet *jacdet, int face, exact_face *out) {
-  for (int i = 0; i < HL_FACE_BERNSTEIN; ++i)
-    out->beta[i / 3][i % 3] = jacdet->bernstein[face_coefficients[face][i]];
+  for (int i = 0; i < HL_FACE_BERNSTEIN; ++i) out->beta[i / 3][i % 3] = jacdet->bernstein[face_coefficients[face][i]];
 }
 
 /* Smaller doubles than this, beside a largest one in [1/2, 1), keep their sign and nothing else. */
@@ -342,8 +341,7 @@ static void find_values(workspace *w, void *query) {
     w->used = mark;
     exact_edge(&jacdet, e, coefficients);
     if (!edge_extremum(w, coefficients, e, &out->edge_candidates[out->edge_count], &value)) continue;
-    out->on_edges[out->edge_count++] =
-        rounded_quotient(w, value.numerator, value.denominator, exponent_of(&jacdet));
+    out->on_edges[out->edge_count++] = rounded_quotient(w, value.numerator, value.denominator, exponent_of(&jacdet));
   }
   w->used = mark;
   integer coefficients[HL_BERNSTEIN];

@@ -87,12 +87,11 @@ typedef struct sum_of_products {
 } sum_of_products;
 
 /* D = beta_0 beta_2 - beta_1^2: coefficients times 1, 2, 6, 2, 1. */
-static const sum_of_products by_rows[5] = {
-    {2, {{1, 0, 6}, {-1, 3, 3}}},
-    {3, {{1, 0, 7}, {1, 1, 6}, {-2, 3, 4}}},
-    {5, {{1, 0, 8}, {1, 2, 6}, {4, 1, 7}, {-4, 4, 4}, {-2, 3, 5}}},
-    {3, {{1, 1, 8}, {1, 2, 7}, {-2, 4, 5}}},
-    {2, {{1, 2, 8}, {-1, 5, 5}}}};
+static const sum_of_products by_rows[5] = {{2, {{1, 0, 6}, {-1, 3, 3}}},
+                                           {3, {{1, 0, 7}, {1, 1, 6}, {-2, 3, 4}}},
+                                           {5, {{1, 0, 8}, {1, 2, 6}, {4, 1, 7}, {-4, 4, 4}, {-2, 3, 5}}},
+                                           {3, {{1, 1, 8}, {1, 2, 7}, {-2, 4, 5}}},
+                                           {2, {{1, 2, 8}, {-1, 5, 5}}}};
 
 /* The same as a beta_0 - B^2, times 1, 4, 6, 4, 1: where the rows are nearly alike its terms do not cancel. */
 static const sum_of_products by_parabolas[5] = {
@@ -296,7 +295,8 @@ static int sign_by_roots(workspace *w, const face_part *part) {
   lower_degree(&p);
   lower_degree(&g);
   if (p.degree < 0 || g.degree < 0) return 1;
-  if ((sign_at_zero(&p) < 0 && sign_at_zero(&g) < 0) || (sign_at_infinity(&p) < 0 && sign_at_infinity(&g) < 0)) return -1;
+  if ((sign_at_zero(&p) < 0 && sign_at_zero(&g) < 0) || (sign_at_infinity(&p) < 0 && sign_at_infinity(&g) < 0))
+    return -1;
   const int roots = roots_with_negative(w, &p, &g, &common);
   if (roots == 0) return 1;
   return common.degree > 0 && roots_with_negative(w, &common, &g, &ignored) == roots ? 0 : -1;
@@ -326,7 +326,8 @@ static void without_common_zeros(workspace *w, const exact_face *face, exact_fac
   }
   *out = *face;
   for (int i = 0; i < 9; ++i)
-    if (!is_zero(face->beta[i / 3][i % 3])) out->beta[i / 3][i % 3] = integer_shifted(w, face->beta[i / 3][i % 3], -zeros);
+    if (!is_zero(face->beta[i / 3][i % 3]))
+      out->beta[i / 3][i % 3] = integer_shifted(w, face->beta[i / 3][i % 3], -zeros);
 }
 
 /* As exact_face_sign, for edges beta_0 and beta_2 that touch zero at ends only. */
@@ -382,8 +383,7 @@ static bool has_negative_inside(workspace *w, const integer q[3]) {
 static void cut(workspace *w, const exact_face *face, integer m, integer n, exact_face *below, exact_face *above) {
   const integer both = integer_sum(w, m, n);
   for (int i = 0; i < 3; ++i) {
-    const integer *q = face->beta[i],
-                  first = integer_sum(w, integer_product(w, m, q[0]), integer_product(w, n, q[1])),
+    const integer *q = face->beta[i], first = integer_sum(w, integer_product(w, m, q[0]), integer_product(w, n, q[1])),
                   second = integer_sum(w, integer_product(w, m, q[1]), integer_product(w, n, q[2])),
                   between = integer_sum(w, integer_product(w, m, first), integer_product(w, n, second));
     below->beta[i][0] = integer_product(w, integer_product(w, both, both), q[0]);
@@ -471,10 +471,10 @@ static void look_at(face_search *s, dyadic t) {
   const integer numerator = integer_difference(w, integer_product(w, x, y), integer_product(w, z, z)),
                 curvature = integer_sum(w, fall, rise), denominator = integer_shifted(w, curvature, 2 * t.depth);
   const integer one = integer_of(w, 1);
-  const int order = s->is_fixed
-                        ? integer_compare_products(w, numerator, s->least->denominator, s->least->numerator, denominator)
-                        : integer_compare_products(w, over_floor(w, numerator, s->floor), one,
-                                                   floor_times(w, s->floor, denominator), one);
+  const int order =
+      s->is_fixed ? integer_compare_products(w, numerator, s->least->denominator, s->least->numerator, denominator)
+                  : integer_compare_products(w, over_floor(w, numerator, s->floor), one,
+                                             floor_times(w, s->floor, denominator), one);
   if (order >= 0) return;
   *s->least = (least_value){numerator, denominator, inside_unit_interval(w, fall, curvature, 0),
                             inside_unit_interval(w, t.k, integer_of(w, 1), -t.depth)};

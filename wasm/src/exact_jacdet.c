@@ -54,8 +54,6 @@ static integer dot_product(workspace *w, const integer a[3], const integer b[3])
   return sum;
 }
 
-
-
 int exact_vertex_sign(workspace *w, const double vertices[24], int vertex) {
   const int i = vertex_reference[vertex][0], j = vertex_reference[vertex][1], k = vertex_reference[vertex][2];
   const int ends[3][2] = {{vertex_at[0][j][k], vertex_at[1][j][k]},

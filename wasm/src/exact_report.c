@@ -1,7 +1,7 @@
 /* The report of an element that doubles leave open: what doubles make of the exact coefficients, each rounded once, with verdict, vertices,
    edges, minimum and checks from integers in its place. docs/algorithm.md 7. */
-#include "exact.h"
 #include "bernstein.h"
+#include "exact.h"
 #include "map.h"
 #include "report.h"
 #include "topology.h"
@@ -41,8 +41,7 @@ static int common_unit(const exact_values *x, int unit) {
 static void map_units(hl_report *report, int exponent) {
   double *jacdets[MAX_JACDETS];
   const int count = exponent == 0 ? 0 : list_jacdets(report, jacdets);
-  for (int i = 0; i < count; ++i)
-    *jacdets[i] = in_normal_range(times_power_of_two(*jacdets[i], exponent), *jacdets[i]);
+  for (int i = 0; i < count; ++i) *jacdets[i] = in_normal_range(times_power_of_two(*jacdets[i], exponent), *jacdets[i]);
   /* A bracket stays one. */
   if (report->volume_minimum.lower == DBL_MIN) report->volume_minimum.lower = 0;
   if (report->volume_minimum.upper == -DBL_MIN) report->volume_minimum.upper = 0;

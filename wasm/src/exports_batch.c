@@ -17,7 +17,8 @@ int classify(const double *coordinates, size_t coordinate_count, const uint32_t 
   hl_cells cells = {coordinates, coordinate_count, indices, index_count};
   void *at[LISTS];
   for (int i = 0; i < LISTS; ++i) at[i] = (void *)(uintptr_t)lists[i];
-  hl_batch batch = {at[0], at[1], at[2], at[3], at[4], at[5], at[6], at[7], at[8], at[9], at[10], at[11], 0, 0, 0, 0, 0};
+  hl_batch batch = {at[0], at[1],  at[2],  at[3], at[4], at[5], at[6], at[7], at[8],
+                    at[9], at[10], at[11], 0,     0,     0,     0,     0};
   hl_status status = hl_classify(&cells, &batch);
   const size_t found[COUNTS] = {batch.valid, batch.invalid, batch.unanswered, batch.exact, batch.first_unanswered};
   for (int i = 0; i < COUNTS; ++i) counts[i] = (uint32_t)found[i];

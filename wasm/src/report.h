@@ -24,8 +24,8 @@ typedef struct precision {
 } precision;
 
 /* What needs the verdict and how precise the coefficients are. */
-void complete_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, precision given, const middle_point *middle,
-                     hl_report *report);
+void complete_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, precision given,
+                     const middle_point *middle, hl_report *report);
 
 enum {
   MAX_JACDETS = 7 + HL_CHECKS + HL_BERNSTEIN + HL_MAX_CANDIDATES + HL_FACES * (HL_FACE_BERNSTEIN + 2 + HL_MAX_ROOTS)
