@@ -1,0 +1,52 @@
+/* One face in integers: what is hard about a search and about its memory. docs/algorithm.md (X3), (X4). */
+#include "check.h"
+#include "exact_face.h"
+
+/* As much as the least memory of exact.c. */
+enum { LITTLE = 5000 };
+
+/* Bernstein coefficients of (3x - 1)^2. */
+static const int64_t square[3] = {1, -2, 4};
+
+/* f = 2^j ((3s - 1)^2 + (3t - 1)^2) + 1. Its minimum is 1, at (1/3, 1/3). */
+static exact_face bowl(workspace *w, int j) {
+  exact_face face;
+  for (int s = 0; s < 3; ++s)
+    for (int t = 0; t < 3; ++t)
+      face.beta[s][t] = integer_of(w, ((square[s] + square[t]) * ((int64_t)1 << j)) + 1);
+  return face;
+}
+
+static void search_ends(int j) {
+  uint32_t limbs[LITTLE];
+  workspace w = {.limbs = limbs, .capacity = LITTLE};
+  const exact_face face = bowl(&w, j);
+  const double roots[1] = {1.0 / 3};
+  least_value least = {.numerator = integer_of(&w, ((int64_t)1 << j) + 1), .denominator = integer_of(&w, 1)};
+  const bool is_lower = exact_face_lowers(&w, &face, roots, 1, &least);
+  CHECK(!w.is_full, "2^%d: the search does not end", j);
+  if (w.is_full) return;
+  const scaled_double value = rounded_quotient(&w, least.numerator, least.denominator, 0);
+  CHECK(is_lower && value.mantissa == 0.5 && value.exponent == 1, "2^%d: %.17g * 2^%d", j, value.mantissa, value.exponent);
+}
+
+/* The double next to 1/3 is off by 2^-54 / 3: at j = 47 the value there is 1 + 2^-61, and the floor is the minimum itself. */
+static void a_floor_may_be_the_minimum(void) {
+  for (int j = 40; j <= 55; ++j) search_ends(j);
+}
+
+static void a_touching_face_needs_little(void) {
+  uint32_t limbs[LITTLE];
+  for (int j = 0; j <= 55; ++j) {
+    workspace w = {.limbs = limbs, .capacity = LITTLE};
+    exact_face face = bowl(&w, j);
+    for (int i = 0; i < 9; ++i) face.beta[i / 3][i % 3] = integer_difference(&w, face.beta[i / 3][i % 3], integer_of(&w, 1));
+    CHECK(exact_face_sign(&w, &face) == 0 && !w.is_full, "2^%d: it touches zero", j);
+  }
+}
+
+int main(void) {
+  RUN(a_touching_face_needs_little);
+  RUN(a_floor_may_be_the_minimum);
+  return test_summary();
+}
