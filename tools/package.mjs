@@ -2,7 +2,8 @@
 
 import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname, join, resolve } from 'node:path'
-import { deflateSync } from 'node:zlib'
+import { promisify } from 'node:util'
+import { deflate } from '@gfx/zopfli'
 import { leanThree } from './lean-three.mjs'
 import { Failure, must, root, tsc } from './run.mjs'
 
@@ -48,8 +49,8 @@ const insideOneFile = {
     if (id === BATCH_WORKER) return `export default ${JSON.stringify(await scriptOf(batchWorker))}`
     const [, name] = WASM.exec(id) ?? []
     if (name === undefined) return null
-    const deflated = deflateSync(readFileSync(join(root, 'build', name)), { level: 9 })
-    return `export default '${deflated.toString('base64')}'`
+    const deflated = await promisify(deflate)(readFileSync(join(root, 'build', name)), { numiterations: 15 })
+    return `export default '${Buffer.from(deflated).toString('base64')}'`
   },
 }
 

@@ -23,7 +23,6 @@ const QUERIES = ['validity', 'minimum'] as const
 const METHODS = 6
 const HEXLENS = 2
 const ROOTS_B = 1
-const HL_UNDECIDED = 0
 const HL_VALID = 1
 
 export async function main(options: readonly string[]): Promise<void> {
@@ -179,7 +178,7 @@ async function wasmSweep(displacements: Float64Array) {
     })
   }
 
-  /** Exact arithmetic decides what doubles left open, and who is right where Roots+B says otherwise. */
+  /** Exact arithmetic of the oracle says who is right where Roots+B says otherwise. */
   function judge(elements: number, all: Float64Array, sigma: number) {
     wasm.run_method(0, HEXLENS)
     wasm.run_method(0, ROOTS_B)
@@ -188,15 +187,14 @@ async function wasmSweep(displacements: Float64Array) {
     let [wrong, invalid] = [0, 0]
     for (const [n, verdict] of verdicts.entries()) {
       const isValid = verdict === HL_VALID
-      const isOpen = verdict === HL_UNDECIDED
-      if (!isOpen && isValid === (roots[n] === 1)) {
+      if (isValid === (roots[n] === 1)) {
         if (!isValid) invalid += 1
         continue
       }
       const vertices = unitCube.map((x, i) => x + sigma * (all[24 * n + i] as number))
       const isExactlyValid = exactBoundarySign(vertices) > 0
       if (!isExactlyValid) invalid += 1
-      if (!isOpen && isExactlyValid !== isValid) wrong += 1
+      if (isExactlyValid !== isValid) wrong += 1
     }
     return { wrong, invalid }
   }

@@ -8,6 +8,7 @@
 #include "random.h"
 #include "reference.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -125,12 +126,53 @@ static void move_to_border(double *x, unsigned argument) {
   between(unit_cube, to, argument & 1 ? low : high, x);
 }
 
+/* Face -zeta becomes one that touches zero: f = a (q s - p)^2 + c (r t - u)^2 with small integers, in a unit of 2^-1000 to 2^0, by edges
+   from it alone, as U = e1, V = e2 and p_2 = e1 + e2 + e3 give f = W_z - s W_y - t W_x. The last bit of one coordinate may go. */
+static void touch_on_a_face(double *x, unsigned argument) {
+  static const int low[4] = {0, 1, 3, 2}, high[4] = {4, 5, 7, 6};
+  uint64_t bits;
+  memcpy(&bits, &x[argument % 24], sizeof bits);
+  const double q = (double)(2 + bits % 5), p = 1 + fmod((double)(bits >> 8 & 255), q - 1), r = (double)(2 + (bits >> 16) % 5),
+               u = 1 + fmod((double)(bits >> 24 & 255), r - 1), a = (double)(1 + (bits >> 32) % 3),
+               c = (double)(1 + (bits >> 36) % 3), unit = ldexp(1, bits >> 40 & 1 ? -(int)(bits >> 44) % 1000 : 0);
+  const double constant = a * p * p + c * u * u - (argument & 32 ? 0x1p-40 : 0);
+  for (int corner = 0; corner < 4; ++corner) {
+    const double s = corner & 1, t = corner >> 1, base[3] = {s, t, s * t},
+                 w[3] = {-c * r * r * t, -a * q * q * s, constant - 2 * a * q * p * s - 2 * c * r * u * t};
+    for (int k = 0; k < 3; ++k) {
+      x[3 * low[corner] + k] = base[k];
+      x[3 * high[corner] + k] = base[k] + unit * w[k];
+    }
+  }
+}
+
+/* The exponents of the coordinates, from one of them or each its own, moved far apart. */
+static void spread_exponents(double *x, unsigned argument) {
+  for (int i = 0; i < 24; ++i) {
+    int exponent;
+    if (!isfinite(x[i]) || x[i] == 0) continue;
+    const double mantissa = frexp(x[i], &exponent);
+    uint64_t bits;
+    memcpy(&bits, &mantissa, sizeof bits);
+    const int spread = 1 << argument % 11;
+    if (argument & 128 || (unsigned)i % 8 == argument / 11 % 8) x[i] = ldexp(mantissa, (int)(bits % (2u * (unsigned)spread)) - spread);
+  }
+}
+
+/* Two vertices of an edge, or as many as make one of the shapes, at one position. */
+static void coincide(double *x, unsigned argument) {
+  static const int as[8][8] = {{0, 0, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 4, 7, 7}, {0, 1, 2, 3, 4, 4, 4, 4},
+                               {0, 1, 2, 2, 4, 4, 4, 4}, {0, 1, 0, 3, 4, 5, 6, 7}, {0, 0, 2, 3, 4, 5, 5, 7},
+                               {0, 1, 4, 3, 4, 4, 4, 4}, {0, 1, 2, 3, 4, 5, 0, 7}};
+  for (int v = 0; v < 8; ++v) memcpy(x + 3 * v, x + 3 * as[argument % 8][v], 3 * sizeof *x);
+}
+
 static void leave(double *x, unsigned argument) { (void)x, (void)argument; }
 
 static void (*const shapes[])(double *x, unsigned argument) = {
     leave,        repeat_vertex,       swap_vertices,       flatten,    put_on_a_line,
     collapse,     scale_all,           make_small_integers, scale_axis, move_by_ulps,
-    move_to_cube, make_parallelepiped, move_to_border};
+    move_to_cube, make_parallelepiped, move_to_border,      touch_on_a_face, spread_exponents, coincide};
 
 enum { SHAPES = sizeof shapes / sizeof shapes[0] };
 
@@ -140,6 +182,14 @@ static bool same_number(double x, int x_exponent, double y, int y_exponent) {
   int ex, ey;
   double mx = frexp(x, &ex), my = frexp(y, &ey);
   return mx == my && (mx == 0 || ex + x_exponent == ey + y_exponent);
+}
+
+/* A report whose jacdets have no unit in common has the least normal double for a minimum that is too small beside the greatest. */
+static bool is_lost_in(double x, int x_exponent, double y, int y_exponent) {
+  int ex, ey;
+  frexp(x, &ex);
+  frexp(y, &ey);
+  return fabs(x) == DBL_MIN && y != 0 && signbit(x) == signbit(y) && ey + y_exponent < ex + x_exponent;
 }
 
 static bool is_normal_or_zero(double x, int exponent) {
@@ -359,7 +409,8 @@ static void minima_are_the_same(const hl_report *report) {
   const hl_minimum *m = &minima[0];
   is_in_its_place(&m->minimizer, "minimum");
   LAW(m->exponent == 0 || !is_normal_or_zero(m->minimizer.value, m->exponent), "minimum: exponent %d", m->exponent);
-  LAW(same_number(m->minimizer.value, m->exponent, report->minimizer.value, report->exponent) &&
+  LAW((same_number(m->minimizer.value, m->exponent, report->minimizer.value, report->exponent) ||
+       is_lost_in(report->minimizer.value, report->exponent, m->minimizer.value, m->exponent)) &&
           m->minimizer.kind == report->minimizer.kind && m->minimizer.id == report->minimizer.id &&
           !memcmp(m->minimizer.point, report->minimizer.point, sizeof m->minimizer.point),
       "analyze has %a 2^%d, the boundary minimum is %a 2^%d", report->minimizer.value, report->exponent,
@@ -398,8 +449,17 @@ static void integers_say_the_same(const hl_report *report, const double inside[3
       (int)report->verdict, (int)verdict, (int)exact.verdict);
   LAW(exact.element_class == report->element_class, "class %d, by integers %d", (int)report->element_class,
       (int)exact.element_class);
+  LAW(exact.shape == report->shape && !memcmp(exact.coincident, report->coincident, sizeof exact.coincident) &&
+          exact.volume == report->volume && exact.volume_exponent == report->volume_exponent,
+      "shape, coincident vertices or volume");
   packed_report(&exact, packed);
   is_in_its_place(&exact.minimizer, "minimizer by integers");
+  has_its_value(&exact.minimizer, exact.exponent);
+  candidates_are_in_order(&exact);
+  extremes_are_extreme(&exact);
+  for (int f = 0; f < HL_FACES; ++f) face_is_consistent(&exact, f);
+  nothing_is_below_the_minimum(&exact, inside);
+  checks_are_what_they_say(&exact);
   volume_minimum_is_bracketed(&exact, inside, jacobian_error);
   if (report->is_exact) return;
   /* In a unit that both exponents are near to. */
@@ -408,6 +468,119 @@ static void integers_say_the_same(const hl_report *report, const double inside[3
          error = ldexp(report->minimum_error, report->exponent - unit_exponent);
   LAW(fabs(one - two) <= error + 0x1p-52 * fabs(two) + 0x1p-1060, "the minimum is %a, by integers %a, error %a", one,
       two, error);
+}
+
+/* The volume is the mean of the coefficients, which are off by the unit's last places each. */
+static void class_and_volume_fit(const hl_report *report) {
+  const hl_class c = report->element_class;
+  LAW((report->verdict == HL_VALID) == (c == HL_CLASS_VALID) && c >= HL_CLASS_VALID && c <= HL_CLASS_COLLAPSED,
+      "class %d of a verdict %d", (int)c, (int)report->verdict);
+  double mean = 0, least = INFINITY, greatest = -INFINITY;
+  for (int i = 0; i < HL_BERNSTEIN; ++i) {
+    const double value = in_scaled_units(report->bernstein[i], report->exponent);
+    mean += value / HL_BERNSTEIN;
+    least = fmin(least, value);
+    greatest = fmax(greatest, value);
+  }
+  const double volume = in_scaled_units(report->volume, report->volume_exponent);
+  LAW(is_plain(report->volume), "volume %a", report->volume);
+  LAW(fabs(volume - mean) <= coefficient_slack, "volume %a, the mean is %a", volume, mean);
+  LAW(report->volume_exponent == 0 || !is_normal_or_zero(report->volume, report->volume_exponent), "its exponent %d",
+      report->volume_exponent);
+  LAW(c != HL_CLASS_VALID || report->volume > 0, "valid, with a volume of %a", report->volume);
+  LAW(c != HL_CLASS_INVERTED || (report->volume < 0 && report->minimizer.value < 0 && least < coefficient_slack),
+      "inverted, with a volume of %a", report->volume);
+  LAW(c != HL_CLASS_COLLAPSED || (least == 0 && greatest == 0 && report->volume == 0), "collapsed, from %a to %a", least,
+      greatest);
+  double mirrored[HL_COORDINATES];
+  hl_verdict verdict = HL_UNANSWERED;
+  for (int i = 0; i < HL_COORDINATES; ++i) mirrored[i] = i % 3 == 1 ? -element[i] : element[i];
+  hl_decide(mirrored, &verdict);
+  LAW((verdict == HL_VALID) == (c == HL_CLASS_INVERTED), "class %d, mirrored %d", (int)c, (int)verdict);
+}
+
+/* By its definition, from the boundary minimum; its error is that of one division of rounded numbers. */
+static void relative_minimum_is_the_quotient(const hl_report *report) {
+  hl_minimum minimum;
+  hl_boundary_minimum(element, HL_ROOTS_B, &minimum);
+  const double relative = report->relative_minimum;
+  LAW(isnan(relative) == (report->volume == 0), "relative minimum %a for a volume of %a", relative, report->volume);
+  if (isnan(relative)) return;
+  LAW((relative > 0) == (minimum.minimizer.value > 0) && (relative < 0) == (minimum.minimizer.value < 0),
+      "relative minimum %a for a minimum of %a", relative, minimum.minimizer.value);
+  int m, v;
+  const double quotient = frexp(minimum.minimizer.value, &m) / fabs(frexp(report->volume, &v));
+  const int power = m + minimum.exponent - v - report->volume_exponent;
+  if (quotient == 0) return;
+  if (power > 1024 || fabs(ldexp(quotient, power)) > DBL_MAX) {
+    LAW(fabs(relative) == DBL_MAX, "relative minimum %a, not the greatest", relative);
+  } else if (fabs(ldexp(quotient, power)) < DBL_MIN) {
+    LAW(fabs(relative) == DBL_MIN, "relative minimum %a, not the least", relative);
+  } else {
+    LAW(relative == ldexp(quotient, power), "relative minimum %a, not %a", relative, ldexp(quotient, power));
+  }
+}
+
+/* Two vertices have one number if and only if they have one position, and where a face or an edge has two of them jacdet is 0. */
+static void coincidences_are_seen(const hl_report *report) {
+  int at_a_point = 0;
+  bool is_zero_somewhere = false;
+  for (int v = 0; v < HL_VERTICES; ++v)
+    for (int u = 0; u < v; ++u) {
+      const double *p = element + 3 * u, *q = element + 3 * v;
+      const bool is_same = p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+      int differing = 0;
+      for (int axis = 0; axis < 3; ++axis) differing += reference_corner[u][axis] != reference_corner[v][axis];
+      LAW(is_same == (report->coincident[u] == report->coincident[v]), "vertices %d and %d", u, v);
+      LAW(report->coincident[v] <= v && report->coincident[report->coincident[v]] == report->coincident[v], "vertex %d", v);
+      at_a_point += is_same;
+      is_zero_somewhere = is_zero_somewhere || (is_same && differing < 3);
+    }
+  static const int pairs[4][2] = {{0, 28}, {2, 2}, {6, 6}, {7, 10}}; /* of each shape, how many pairs at least and at most */
+  LAW(report->shape >= HL_NO_SHAPE && report->shape <= HL_TETRAHEDRON && at_a_point >= pairs[report->shape][0] &&
+          at_a_point <= pairs[report->shape][1],
+      "shape %d with %d pairs of vertices at one position", (int)report->shape, at_a_point);
+  LAW(!is_zero_somewhere || report->minimizer.value <= 0, "vertices coincide, but the minimum is %a",
+      report->minimizer.value);
+}
+
+/* A batch of the element, between two others, with all lists and with the verdict alone. */
+static void a_batch_says_the_same(const hl_report *report) {
+  enum { CELLS = 3 };
+  double cells_of[CELLS * HL_COORDINATES], minima[CELLS], minimizers[3 * CELLS], corners[CELLS], relative[CELLS],
+      volumes[CELLS];
+  uint8_t verdicts[CELLS], alone[CELLS], statuses[CELLS], is_exact[CELLS], classes[CELLS];
+  uint16_t accepted_by[CELLS];
+  int16_t exponents[CELLS], volume_exponents[CELLS];
+  memcpy(cells_of, unit_cube, sizeof unit_cube);
+  memcpy(cells_of + HL_COORDINATES, element, sizeof element);
+  memcpy(cells_of + 2 * HL_COORDINATES, unit_cube, sizeof unit_cube);
+  cells_of[2 * HL_COORDINATES + 5] = NAN;
+  const hl_cells cells = {.coordinates = cells_of, .coordinate_count = CELLS * HL_COORDINATES};
+  hl_batch batch = {verdicts, statuses, is_exact, classes, accepted_by, minima, minimizers, corners,
+                    exponents, relative, volumes, volume_exponents, 0, 0, 0, 0, 0},
+           verdict_only = {.verdicts = alone};
+  LAW(hl_classify(&cells, &batch) == HL_OK && hl_classify(&cells, &verdict_only) == HL_OK, "a batch is refused");
+  LAW(batch.unanswered == 1 && batch.first_unanswered == 2 && statuses[2] == HL_NOT_FINITE && verdicts[0] == HL_VALID,
+      "%zu unanswered, from %zu on", batch.unanswered, batch.first_unanswered);
+  unsigned accepted = 0;
+  for (int c = 0; c < HL_CHECKS; ++c) accepted |= (unsigned)(report->checks[c] > 0) << c;
+  LAW(verdicts[1] == report->verdict && alone[1] == report->verdict && statuses[1] == HL_OK &&
+          is_exact[1] == report->is_exact && classes[1] == report->element_class && accepted_by[1] == accepted,
+      "in a batch: verdict %d and %d, exact %d, class %d, accepted by %x, not %x", verdicts[1], alone[1], is_exact[1],
+      classes[1], accepted_by[1], accepted);
+  hl_minimum minimum;
+  hl_boundary_minimum(element, HL_ROOTS_B, &minimum);
+  LAW(same_number(minima[1], exponents[1], minimum.minimizer.value, minimum.exponent) &&
+          !memcmp(minimizers + 3, minimum.minimizer.point, 3 * sizeof(double)),
+      "in a batch: minimum %a 2^%d, not %a 2^%d", minima[1], exponents[1], minimum.minimizer.value, minimum.exponent);
+  LAW(same_number(corners[1], exponents[1], report->corner_minimum, report->exponent) || fabs(corners[1]) == DBL_MIN ||
+          fabs(corners[1]) == DBL_MAX || fabs(report->corner_minimum) == DBL_MIN,
+      "in a batch: corner %a 2^%d", corners[1], exponents[1]);
+  LAW((relative[1] == report->relative_minimum || (isnan(relative[1]) && isnan(report->relative_minimum))) &&
+          volumes[1] == report->volume && volume_exponents[1] == report->volume_exponent,
+      "in a batch: relative minimum %a, not %a, volume %a, not %a", relative[1], report->relative_minimum, volumes[1],
+      report->volume);
 }
 
 static void jacobian_is_plain(const double point[3]) {
@@ -524,6 +697,10 @@ static void check_all_laws(void) {
   minima_are_the_same(&report);
   report_is_reproducible(&report);
   integers_say_the_same(&report, inside);
+  class_and_volume_fit(&report);
+  relative_minimum_is_the_quotient(&report);
+  coincidences_are_seen(&report);
+  a_batch_says_the_same(&report);
   jacobian_is_plain(inside);
   nothing_is_below_the_minimum(&report, inside);
   volume_minimum_is_bracketed(&report, inside, jacobian_error);

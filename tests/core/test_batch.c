@@ -1,57 +1,116 @@
-/* A batch is its cells one by one, bit for bit, by every fast stage that this machine runs and without any. */
+/* A batch is its cells one by one, bit for bit, by every fast stage that this machine runs and without any; whatever lists are
+   asked for, each has the same entries. */
 #include "../../wasm/src/batch.h"
+#include "../../wasm/src/bernstein.h"
+#include "../../wasm/src/filter.h"
 #include "check.h"
 #include "hexlens.h"
 #include "random.h"
 
+#include <float.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MANY = 6000, LONGEST = 33 };
+enum { MANY = 2880, LONGEST = 33 };
 
-/* All there is to compare of one cell. */
+/* The lists of hl_batch: where the pointer is, and how many bytes a cell has. */
+enum { VERDICTS, STATUSES, IS_EXACT, CLASSES, ACCEPTED_BY, MINIMA, MINIMIZERS, CORNER_MINIMA, EXPONENTS, RELATIVE_MINIMA,
+       VOLUMES, VOLUME_EXPONENTS, LISTS };
+static const struct {
+  const char *name;
+  size_t at, size;
+} list_table[LISTS] = {
+    {"verdicts", offsetof(hl_batch, verdicts), 1},
+    {"statuses", offsetof(hl_batch, statuses), 1},
+    {"is_exact", offsetof(hl_batch, is_exact), 1},
+    {"classes", offsetof(hl_batch, classes), 1},
+    {"accepted_by", offsetof(hl_batch, accepted_by), sizeof(uint16_t)},
+    {"minima", offsetof(hl_batch, minima), sizeof(double)},
+    {"minimizers", offsetof(hl_batch, minimizers), 3 * sizeof(double)},
+    {"corner_minima", offsetof(hl_batch, corner_minima), sizeof(double)},
+    {"exponents", offsetof(hl_batch, exponents), sizeof(int16_t)},
+    {"relative_minima", offsetof(hl_batch, relative_minima), sizeof(double)},
+    {"volumes", offsetof(hl_batch, volumes), sizeof(double)},
+    {"volume_exponents", offsetof(hl_batch, volume_exponents), sizeof(int16_t)}};
+
+enum { ALL_LISTS = (1 << LISTS) - 1, ROOM = 16, UNTOUCHED = 0x55 };
+
+static bool has(unsigned lists, int list) { return lists >> list & 1; }
+
+static bool asks_for_minima(unsigned lists) {
+  return has(lists, MINIMA) || has(lists, MINIMIZERS) || has(lists, CORNER_MINIMA) || has(lists, EXPONENTS) ||
+         has(lists, RELATIVE_MINIMA);
+}
+
+static bool is_complete(unsigned lists) {
+  return has(lists, VERDICTS) && (has(lists, EXPONENTS) || !(has(lists, MINIMA) || has(lists, CORNER_MINIMA))) &&
+         (has(lists, VOLUME_EXPONENTS) || !has(lists, VOLUMES));
+}
+
+/* Memory for the lists that are asked for, with room behind them that must stay as it is. */
+typedef struct memory {
+  unsigned char *lists[LISTS];
+  size_t count;
+} memory;
+
+static memory new_memory(unsigned lists, size_t count, hl_batch *batch) {
+  memory m = {{NULL}, count};
+  *batch = (hl_batch){0};
+  for (int i = 0; i < LISTS; ++i) {
+    if (!has(lists, i)) continue;
+    m.lists[i] = malloc(count * list_table[i].size + ROOM);
+    memset(m.lists[i], UNTOUCHED, count * list_table[i].size + ROOM);
+    void *list = m.lists[i];
+    memcpy((char *)batch + list_table[i].at, &list, sizeof list);
+  }
+  return m;
+}
+
+static bool is_untouched(const memory *m, int list, size_t from) {
+  const size_t end = m->count * list_table[list].size + ROOM;
+  for (size_t i = from; i < end; ++i)
+    if (m->lists[list][i] != UNTOUCHED) return false;
+  return true;
+}
+
+/* Nothing is written behind the lists. */
+static void check_ends_and_free(memory *m, const char *name) {
+  for (int i = 0; i < LISTS; ++i) {
+    if (!m->lists[i]) continue;
+    CHECK(is_untouched(m, i, m->count * list_table[i].size), "%s: written behind %zu %s", name, m->count,
+          list_table[i].name);
+    free(m->lists[i]);
+  }
+}
+
+static void read_entry(const memory *m, int list, size_t cell, void *entry) {
+  memcpy(entry, m->lists[list] + cell * list_table[list].size, list_table[list].size);
+}
+
+static double double_in(const memory *m, int list, size_t cell) {
+  double x;
+  read_entry(m, list, cell, &x);
+  return x;
+}
+
+static int exponent_in(const memory *m, int list, size_t cell) {
+  int16_t x;
+  read_entry(m, list, cell, &x);
+  return x;
+}
+
+/* All there is to compare of one cell: what hl_decide, hl_boundary_minimum and hl_analyze say of it. */
 typedef struct answer {
-  uint8_t verdict, element_class;
-  uint16_t accepted_by;
-  double minimum, minimizer[3], corner;
-  int16_t exponent;
+  hl_status status;
+  hl_verdict verdict;
+  bool is_decided_exactly; /* the verdict, by integers */
+  hl_minimum minimum;
+  hl_class element_class;
+  unsigned accepted_by;
+  double corner, relative_minimum, volume;
+  int corner_exponent, volume_exponent;
 } answer;
-
-/* Lists for a batch, with room behind that must stay as it is. */
-typedef struct lists {
-  uint8_t *verdicts;
-  double *minima, *minimizers, *corner_minima;
-  int16_t *exponents;
-} lists;
-
-static lists new_lists(size_t count) {
-  lists l = {malloc(count + 1), malloc((count + 1) * sizeof(double)), malloc((3 * count + 1) * sizeof(double)),
-             malloc((count + 1) * sizeof(double)), malloc((count + 1) * sizeof(int16_t))};
-  memset(l.verdicts, 0x55, count + 1);
-  memset(l.minima, 0x55, (count + 1) * sizeof(double));
-  memset(l.minimizers, 0x55, (3 * count + 1) * sizeof(double));
-  memset(l.corner_minima, 0x55, (count + 1) * sizeof(double));
-  memset(l.exponents, 0x55, (count + 1) * sizeof(int16_t));
-  return l;
-}
-
-static void free_lists(lists l) {
-  free(l.verdicts);
-  free(l.minima);
-  free(l.minimizers);
-  free(l.corner_minima);
-  free(l.exponents);
-}
-
-static hl_batch batch_into(const lists *l, bool minima) {
-  hl_batch batch = {.verdicts = l->verdicts};
-  if (!minima) return batch;
-  batch.minima = l->minima;
-  batch.minimizers = l->minimizers;
-  batch.corner_minima = l->corner_minima;
-  batch.exponents = l->exponents;
-  return batch;
-}
 
 static int all_kernels(const lane_kernels *list[5]) {
   int count = usable_lanes(list);
@@ -97,145 +156,280 @@ static void hard_hexahedron(random_stream *stream, int n, double v[24]) {
 
 static answer alone(const double v[24]) {
   static hl_report report;
-  hl_minimum minimum;
-  hl_verdict verdict;
-  answer a;
-  CHECK(hl_decide(v, &verdict) == HL_OK && hl_analyze(v, &report) == HL_OK, "status");
-  hl_boundary_minimum(v, HL_ROOTS_B, &minimum);
-  CHECK(verdict == report.verdict, "decide says %d, analyze %d", verdict, report.verdict);
-  a.verdict = (uint8_t)verdict;
-  a.is_exact = report.is_exact;
-  a.element_class = (uint8_t)report.element_class;
-  a.accepted_by = 0;
-  for (int c = 0; c < HL_CHECKS; ++c) a.accepted_by |= (uint16_t)((report.checks[c] > 0) << c);
+  answer a = {.status = hl_analyze(v, &report)};
+  if (a.status != HL_OK) return a;
+  hl_decide(v, &a.verdict);
+  hl_boundary_minimum(v, HL_ROOTS_B, &a.minimum);
+  CHECK(a.verdict == report.verdict, "decide says %d, analyze %d", a.verdict, report.verdict);
+  CHECK(a.minimum.is_exact == report.is_exact, "the minimum is exact: %d, the report: %d", a.minimum.is_exact,
+        report.is_exact);
+  CHECK(!memcmp(report.minimizer.point, a.minimum.minimizer.point, sizeof report.minimizer.point), "two minimizers");
+  edge_vectors edges;
+  double bernstein[HL_BERNSTEIN];
+  hl_verdict by_filter;
+  scaled_edge_vectors(v, &edges);
+  jacdet_bernstein(&edges, bernstein);
+  a.is_decided_exactly = !is_settled_by_filter(bernstein, &by_filter);
+  a.element_class = report.element_class;
+  for (int c = 0; c < HL_CHECKS; ++c) a.accepted_by |= (unsigned)(report.checks[c] > 0) << c;
+  a.corner = report.corner_minimum;
+  a.corner_exponent = report.exponent;
   a.relative_minimum = report.relative_minimum;
   a.volume = report.volume;
-  a.volume_exponent = (int16_t)report.volume_exponent;
-  a.minimum = minimum.minimizer.value;
-  a.exponent = (int16_t)minimum.exponent;
-  memcpy(a.minimizer, minimum.minimizer.point, sizeof a.minimizer);
-  CHECK(memcmp(report.minimizer.point, a.minimizer, sizeof a.minimizer) == 0, "two minimizers");
-  /* The report has more numbers to bring to one exponent than the batch. */
-  a.corner = ldexp(report.corner_minimum, report.exponent - a.exponent);
+  a.volume_exponent = report.volume_exponent;
   return a;
 }
 
-static bool same(double x, double y) { return memcmp(&x, &y, sizeof x) == 0; }
+static bool same(double x, double y) { return memcmp(&x, &y, sizeof x) == 0 || (isnan(x) && isnan(y)); }
 
-static void check_cell(const char *name, size_t c, const lists *l, const answer *a) {
-  CHECK(l->verdicts[c] == a->analyzed, "%s: cell %zu: verdict %d, alone %d", name, c, l->verdicts[c], a->analyzed);
-  /* With the least corner a second number decides about the exponent. */
-  int off = l->exponents[c] - a->exponent;
-  double minimum = off == 0 ? l->minima[c] : ldexp(l->minima[c], off);
-  CHECK(same(minimum, a->minimum), "%s: cell %zu: minimum %a, alone %a", name, c, minimum, a->minimum);
-  double corner = off == 0 ? l->corner_minima[c] : ldexp(l->corner_minima[c], off);
-  CHECK(same(corner, a->corner) || (a->corner == 0 && a->exponent != 0), "%s: cell %zu: corner %a, alone %a", name, c,
-        corner, a->corner);
-  CHECK(memcmp(l->minimizers + 3 * c, a->minimizer, sizeof a->minimizer) == 0, "%s: cell %zu: minimizer", name, c);
+/* x * 2^e = y * 2^f. */
+static bool same_number(double x, int e, double y, int f) {
+  int ex, ey;
+  const double mx = frexp(x, &ex), my = frexp(y, &ey);
+  return same(mx, my) && (mx == 0 || ex + e == ey + f);
 }
 
-static double *many_hexahedra(uint64_t seed) {
-  random_stream stream = {seed};
-  double *v = malloc((size_t)MANY * 24 * sizeof(double));
-  for (int n = 0; n < MANY; ++n) hard_hexahedron(&stream, n, v + 24 * n);
-  return v;
-}
+/* The least or the greatest normal double stands for what the unit of a report or of a cell has no room for. */
+static bool is_at_an_end(double x) { return fabs(x) == DBL_MIN || fabs(x) == DBL_MAX; }
 
-static void every_cell_is_as_alone(void) {
-  double *v = many_hexahedra(20260601);
-  answer *answers = malloc(MANY * sizeof *answers);
-  for (int n = 0; n < MANY; ++n) answers[n] = alone(v + 24 * n);
-  const lane_kernels *kernels[5];
-  int kernel_count = all_kernels(kernels);
-  hl_cells cells = {.coordinates = v, .coordinate_count = (size_t)MANY * 24};
-  for (int k = 0; k < kernel_count; ++k) {
-    const char *name = name_of(kernels[k]);
-    lists l = new_lists(MANY);
-    hl_batch batch = batch_into(&l, true);
-    batch_stages stages;
-    CHECK(classify_with(kernels[k], &cells, &batch, &stages) == HL_OK, "%s", name);
-    for (size_t c = 0; c < MANY; ++c) check_cell(name, c, &l, &answers[c]);
-    CHECK(!kernels[k] || (stages.after_lanes > 0 && stages.after_lanes < MANY * 9 / 10), "%s: %zu", name,
-          stages.after_lanes);
-    batch = batch_into(&l, false);
-    CHECK(classify_with(kernels[k], &cells, &batch, &stages) == HL_OK, "%s", name);
-    size_t counts[3] = {0};
-    for (size_t c = 0; c < MANY; ++c) {
-      CHECK(l.verdicts[c] == answers[c].decided, "%s: cell %zu: %d, alone %d", name, c, l.verdicts[c],
-            answers[c].decided);
-      ++counts[answers[c].decided];
+static void check_unanswered(const char *name, const memory *m, size_t c, hl_status status) {
+  for (int i = 0; i < LISTS; ++i) {
+    if (!m->lists[i]) continue;
+    if (i == MINIMIZERS) {
+      double point[3];
+      read_entry(m, i, c, point);
+      CHECK(isnan(point[0]) && isnan(point[1]) && isnan(point[2]), "%s: cell %zu: minimizer", name, c);
+    } else if (list_table[i].size == sizeof(double)) {
+      CHECK(isnan(double_in(m, i, c)), "%s: cell %zu: %s", name, c, list_table[i].name);
+    } else {
+      uint16_t entry = 0;
+      read_entry(m, i, c, &entry);
+      CHECK(entry == (i == STATUSES ? status : 0), "%s: cell %zu: %s is %d", name, c, list_table[i].name, entry);
     }
-    CHECK(batch.undecided == counts[0] && batch.valid == counts[1] && batch.invalid == counts[2], "%s: counts", name);
-    for (int i = 0; i < 3; ++i) CHECK(counts[i] > 100, "only %zu of verdict %d", counts[i], i);
-    free_lists(l);
   }
-  free(answers);
-  free(v);
+}
+
+static void check_cell(const char *name, unsigned lists, const memory *m, size_t c, const answer *a) {
+  if (a->status != HL_OK) {
+    check_unanswered(name, m, c, a->status);
+    return;
+  }
+  const int expected[4] = {(int)a->verdict, HL_OK,
+                           asks_for_minima(lists) ? a->minimum.is_exact : a->is_decided_exactly,
+                           (int)a->element_class};
+  for (int i = VERDICTS; i <= CLASSES; ++i)
+    if (m->lists[i])
+      CHECK(m->lists[i][c] == expected[i], "%s, lists %x: cell %zu: %s is %d, alone %d", name, lists, c,
+            list_table[i].name, m->lists[i][c], expected[i]);
+  if (m->lists[ACCEPTED_BY]) {
+    uint16_t bits;
+    read_entry(m, ACCEPTED_BY, c, &bits);
+    CHECK(bits == a->accepted_by, "%s: cell %zu: accepted by %x, alone %x", name, c, bits, a->accepted_by);
+  }
+  const int exponent = m->lists[EXPONENTS] ? exponent_in(m, EXPONENTS, c) : 0;
+  if (m->lists[MINIMA])
+    CHECK(same_number(double_in(m, MINIMA, c), exponent, a->minimum.minimizer.value, a->minimum.exponent),
+          "%s: cell %zu: minimum %a 2^%d, alone %a 2^%d", name, c, double_in(m, MINIMA, c), exponent,
+          a->minimum.minimizer.value, a->minimum.exponent);
+  if (m->lists[MINIMIZERS]) {
+    double point[3];
+    read_entry(m, MINIMIZERS, c, point);
+    CHECK(!memcmp(point, a->minimum.minimizer.point, sizeof point), "%s: cell %zu: minimizer", name, c);
+  }
+  if (m->lists[CORNER_MINIMA]) {
+    const double corner = double_in(m, CORNER_MINIMA, c);
+    CHECK(same_number(corner, exponent, a->corner, a->corner_exponent) ||
+              ((is_at_an_end(corner) || is_at_an_end(a->corner)) && signbit(corner) == signbit(a->corner)),
+          "%s: cell %zu: corner %a 2^%d, alone %a 2^%d", name, c, corner, exponent, a->corner, a->corner_exponent);
+  }
+  if (m->lists[RELATIVE_MINIMA])
+    CHECK(same(double_in(m, RELATIVE_MINIMA, c), a->relative_minimum), "%s: cell %zu: relative minimum %a, alone %a",
+          name, c, double_in(m, RELATIVE_MINIMA, c), a->relative_minimum);
+  if (m->lists[VOLUMES])
+    CHECK(same(double_in(m, VOLUMES, c), a->volume), "%s: cell %zu: volume %a, alone %a", name, c,
+          double_in(m, VOLUMES, c), a->volume);
+  if (m->lists[VOLUME_EXPONENTS])
+    CHECK(exponent_in(m, VOLUME_EXPONENTS, c) == a->volume_exponent, "%s: cell %zu: exponent of the volume", name, c);
+}
+
+static void check_counts(const char *name, unsigned lists, const hl_batch *batch, const answer *answers, size_t count) {
+  size_t counts[3] = {0}, exact = 0, first = count;
+  for (size_t c = count; c-- > 0;) {
+    ++counts[answers[c].verdict];
+    if (answers[c].status != HL_OK) first = c;
+    else exact += asks_for_minima(lists) ? answers[c].minimum.is_exact : answers[c].is_decided_exactly;
+  }
+  CHECK(batch->unanswered == counts[HL_UNANSWERED] && batch->valid == counts[HL_VALID] &&
+            batch->invalid == counts[HL_INVALID] && batch->first_unanswered == first,
+        "%s, lists %x: %zu valid, %zu invalid, %zu unanswered from %zu on", name, lists, batch->valid, batch->invalid,
+        batch->unanswered, batch->first_unanswered);
+  /* What is invalid at sight is not asked whether doubles would have said so, unless the list wants to know. */
+  if (asks_for_minima(lists) || has(lists, IS_EXACT))
+    CHECK(batch->exact == exact, "%s, lists %x: %zu exact, alone %zu", name, lists, batch->exact, exact);
+  else CHECK(batch->exact <= exact, "%s, lists %x: %zu exact, alone %zu", name, lists, batch->exact, exact);
+}
+
+/* The lists with these bits, of these cells, by these kernels. */
+static void check_batch(const lane_kernels *kernels, unsigned lists, const hl_cells *cells, const answer *answers,
+                        size_t count) {
+  const char *name = name_of(kernels);
+  hl_batch batch;
+  memory m = new_memory(lists, count, &batch);
+  CHECK(classify_with(kernels, cells, &batch, NULL) == HL_OK, "%s, lists %x", name, lists);
+  for (size_t c = 0; c < count; ++c) check_cell(name, lists, &m, c, &answers[c]);
+  check_counts(name, lists, &batch, answers, count);
+  check_ends_and_free(&m, name);
+}
+
+/* The cells that all tests take theirs from, and the answers one by one. */
+static double *hexahedra;
+static answer *answers_alone;
+
+static void every_cell_is_answered_alone(void) {
+  random_stream stream = {20260601};
+  hexahedra = malloc((size_t)MANY * 24 * sizeof(double));
+  answers_alone = malloc(MANY * sizeof *answers_alone);
+  int verdicts[3] = {0}, classes[5] = {0}, exact = 0;
+  for (int n = 0; n < MANY; ++n) {
+    hard_hexahedron(&stream, n, hexahedra + 24 * n);
+    answers_alone[n] = alone(hexahedra + 24 * n);
+    CHECK(answers_alone[n].status == HL_OK, "status %d of %d", answers_alone[n].status, n);
+    ++verdicts[answers_alone[n].verdict];
+    ++classes[answers_alone[n].element_class];
+    exact += answers_alone[n].minimum.is_exact;
+  }
+  CHECK(verdicts[HL_VALID] > 500 && verdicts[HL_INVALID] > 500 && exact > 250, "%d valid, %d invalid, %d exact",
+        verdicts[HL_VALID], verdicts[HL_INVALID], exact);
+  for (int i = HL_CLASS_VALID; i <= HL_CLASS_COLLAPSED; ++i) CHECK(classes[i] > 10, "%d of class %d", classes[i], i);
+}
+
+static void every_list_is_as_alone(void) {
+  const lane_kernels *kernels[5];
+  const int kernel_count = all_kernels(kernels);
+  const hl_cells cells = {.coordinates = hexahedra, .coordinate_count = (size_t)MANY * 24};
+  for (int k = 0; k < kernel_count; ++k) {
+    check_batch(kernels[k], ALL_LISTS, &cells, answers_alone, MANY);
+    check_batch(kernels[k], 1 << VERDICTS, &cells, answers_alone, MANY);
+  }
+}
+
+static void the_lanes_decide_some_and_leave_some(void) {
+  const lane_kernels *kernels[5];
+  const int kernel_count = all_kernels(kernels);
+  const hl_cells cells = {.coordinates = hexahedra, .coordinate_count = (size_t)MANY * 24};
+  for (int k = 0; k < kernel_count; ++k) {
+    if (!kernels[k]) continue;
+    hl_batch batch;
+    batch_stages stages;
+    memory m = new_memory(ALL_LISTS, MANY, &batch);
+    classify_with(kernels[k], &cells, &batch, &stages);
+    CHECK(stages.after_lanes > 0 && stages.after_lanes < MANY * 9 / 10, "%s: %zu", name_of(kernels[k]),
+          stages.after_lanes);
+    check_ends_and_free(&m, name_of(kernels[k]));
+  }
+}
+
+/* Each list with nothing but what it needs, then subsets at random; those that lack one are refused and nothing is written. */
+static void every_subset_of_lists_is_as_alone(void) {
+  enum { CELLS = 300, SUBSETS = 60 };
+  const lane_kernels *kernels[5];
+  const int kernel_count = all_kernels(kernels);
+  random_stream stream = {20260604};
+  int refused = 0;
+  for (int n = 0; n < LISTS + SUBSETS; ++n) {
+    unsigned lists = n < LISTS ? 1u << n | 1 << VERDICTS : (unsigned)random_bits(&stream) & ALL_LISTS;
+    if (n < LISTS && (n == MINIMA || n == CORNER_MINIMA)) lists |= 1 << EXPONENTS;
+    if (n < LISTS && n == VOLUMES) lists |= 1 << VOLUME_EXPONENTS;
+    if (n >= LISTS && n % 4) lists |= 1 << VERDICTS;
+    const size_t first = random_bits(&stream) % (MANY - CELLS);
+    const hl_cells cells = {.coordinates = hexahedra + 24 * first, .coordinate_count = CELLS * 24};
+    const lane_kernels *kernel = kernels[n % kernel_count];
+    if (is_complete(lists)) {
+      check_batch(kernel, lists, &cells, answers_alone + first, CELLS);
+      continue;
+    }
+    ++refused;
+    hl_batch batch;
+    memory m = new_memory(lists, CELLS, &batch);
+    batch.valid = batch.invalid = batch.unanswered = batch.exact = 7;
+    CHECK(classify_with(kernel, &cells, &batch, NULL) == HL_MISSING_LIST, "lists %x", lists);
+    CHECK(batch.valid + batch.invalid + batch.unanswered + batch.exact == 0, "lists %x: counts", lists);
+    for (int i = 0; i < LISTS; ++i)
+      CHECK(!m.lists[i] || is_untouched(&m, i, 0), "lists %x: %s were written", lists, list_table[i].name);
+    check_ends_and_free(&m, name_of(kernel));
+  }
+  CHECK(refused > 5 && refused < SUBSETS - 20, "%d subsets were refused", refused);
 }
 
 /* Batches of 0 to 33 cells from any cell on: lanes that are not used hold other cells or rubbish. */
 static void every_length_is_as_alone(void) {
-  double *v = many_hexahedra(20260602);
   const lane_kernels *kernels[5];
-  int kernel_count = all_kernels(kernels);
+  const int kernel_count = all_kernels(kernels);
   for (int k = 0; k < kernel_count; ++k)
     for (size_t length = 0; length <= LONGEST; ++length)
       for (int indexed = 0; indexed < 2; ++indexed) {
-        size_t first = 37 * length;
+        const size_t first = 80 * length;
         double *own = malloc((length * 24 + 1) * sizeof(double)); /* so that a sanitizer sees what is read behind it */
         uint32_t *indices = malloc((length * 8 + 1) * sizeof(uint32_t));
-        for (size_t i = 0; i < length * 24; ++i) own[i] = v[24 * first + i];
+        for (size_t i = 0; i < length * 24; ++i) own[i] = hexahedra[24 * first + i];
         for (size_t i = 0; i < length * 8; ++i) indices[i] = (uint32_t)i;
-        lists l = new_lists(length);
-        hl_batch batch = batch_into(&l, true);
-        hl_cells cells = {own, length * 24, indexed ? indices : NULL, indexed ? length * 8 : 0};
-        CHECK(classify_with(kernels[k], &cells, &batch, NULL) == HL_OK, "%zu", length);
-        for (size_t c = 0; c < length; ++c) {
-          answer a = alone(v + 24 * (first + c));
-          check_cell(name_of(kernels[k]), c, &l, &a);
-        }
-        CHECK(l.verdicts[length] == 0x55 && l.exponents[length] == 0x5555, "written behind %zu cells", length);
-        const unsigned char *behind[3] = {(unsigned char *)(l.minima + length),
-                                          (unsigned char *)(l.minimizers + 3 * length),
-                                          (unsigned char *)(l.corner_minima + length)};
-        for (int i = 0; i < 3; ++i) CHECK(behind[i][0] == 0x55 && behind[i][7] == 0x55, "written behind %zu", length);
-        free_lists(l);
+        const hl_cells cells = {own, length * 24, indexed ? indices : NULL, indexed ? length * 8 : 0};
+        check_batch(kernels[k], ALL_LISTS, &cells, answers_alone + first, length);
+        check_batch(kernels[k], 1 << VERDICTS | 1 << IS_EXACT, &cells, answers_alone + first, length);
         free(indices);
         free(own);
       }
-  free(v);
 }
 
-static void bad_cells_are_named(void) {
-  enum { CELLS = 150 };
+/* Cells with a NaN, an infinity or a bad index among good ones: many in a block, all of it, or one; by coordinates and by indices. */
+static void bad_cells_do_not_stop_the_others(void) {
+  enum { CELLS = 290 };
+  static double v[CELLS * 24];
+  static uint32_t indices[CELLS * 8];
+  static answer answers[CELLS];
   const double bad_values[3] = {NAN, INFINITY, -INFINITY};
+  const double shares[4] = {0.004, 0.1, 0.5, 1};
   const lane_kernels *kernels[5];
-  int kernel_count = all_kernels(kernels);
+  const int kernel_count = all_kernels(kernels);
   random_stream stream = {20260603};
-  for (int trial = 0; trial < 300; ++trial) {
-    static double v[CELLS * 24];
-    static uint32_t indices[CELLS * 8];
-    for (int c = 0; c < CELLS; ++c) random_hexahedron(&stream, trial % 3, v + 24 * c);
-    for (uint32_t i = 0; i < CELLS * 8; ++i) indices[i] = CELLS * 8 - 1 - i;
-    size_t bad = random_bits(&stream) % CELLS, at = 8 * bad + random_bits(&stream) % 8;
-    bool is_index = trial % 2, minima = trial / 2 % 2, indexed = is_index || trial / 4 % 2;
-    if (is_index) indices[at] = CELLS * 8 + (uint32_t)(trial % 5 == 0 ? 0xffffffffu - CELLS * 8 : (unsigned)trial / 2);
-    else if (indexed) v[3 * indices[at] + (unsigned)trial % 3] = bad_values[trial / 8 % 3];
-    else v[3 * at + (unsigned)trial % 3] = bad_values[trial / 8 % 3];
-    hl_cells cells = {v, CELLS * 24, indexed ? indices : NULL, indexed ? CELLS * 8 : 0};
+  for (int trial = 0; trial < 24; ++trial) {
+    const bool indexed = trial % 2;
+    const size_t first = random_bits(&stream) % (MANY - CELLS);
+    for (int c = 0; c < CELLS; ++c) {
+      double *own = v + 24 * (indexed ? CELLS - 1 - c : c);
+      memcpy(own, hexahedra + 24 * (first + (size_t)c), 24 * sizeof *own);
+      for (int i = 0; i < 8; ++i) indices[8 * c + i] = (uint32_t)(8 * (CELLS - 1 - c) + i);
+      answers[c] = answers_alone[first + (size_t)c];
+      if (random_unit(&stream) >= shares[trial / 2 % 4]) continue;
+      answers[c] = (answer){.status = HL_NOT_FINITE};
+      if (indexed && random_bits(&stream) % 2) {
+        answers[c].status = HL_NO_SUCH_POINT;
+        indices[8 * c + (int)(random_bits(&stream) % 8)] = random_bits(&stream) % 2 ? 0xffffffffu : CELLS * 8;
+      } else {
+        own[random_bits(&stream) % 24] = bad_values[random_bits(&stream) % 3];
+      }
+      /* An index out of range is what is said of a cell that has both. */
+      if (indexed && random_bits(&stream) % 4 == 0) own[0] = NAN;
+    }
+    const hl_cells cells = {v, CELLS * 24, indexed ? indices : NULL, indexed ? CELLS * 8 : 0};
     for (int k = 0; k < kernel_count; ++k) {
-      lists l = new_lists(CELLS);
-      hl_batch batch = batch_into(&l, minima);
-      hl_status status = classify_with(kernels[k], &cells, &batch, NULL);
-      CHECK(status == (is_index ? HL_NO_SUCH_POINT : HL_NOT_FINITE) && batch.first_bad_cell == bad,
-            "%s, trial %d: status %d, cell %zu instead of %zu", name_of(kernels[k]), trial, status,
-            batch.first_bad_cell, bad);
-      CHECK(batch.valid + batch.invalid + batch.undecided == bad, "counts of trial %d", trial);
-      for (size_t c = 0; c < CELLS; ++c)
-        CHECK((l.verdicts[c] == 0x55) == (c >= bad), "trial %d: cell %zu is %d", trial, c, l.verdicts[c]);
-      free_lists(l);
+      check_batch(kernels[k], ALL_LISTS, &cells, answers, CELLS);
+      check_batch(kernels[k], 1 << VERDICTS | 1 << STATUSES, &cells, answers, CELLS);
+      check_batch(kernels[k], 1 << VERDICTS | 1 << STATUSES | 1 << IS_EXACT | 1 << CLASSES, &cells, answers, CELLS);
     }
   }
+}
+
+/* Infinities at one place are no coincidence, and no cell is invalid at sight by them. */
+static void coincident_infinities_are_not_finite(void) {
+  double v[24];
+  uint8_t verdict = 9, status = 9;
+  memcpy(v, unit_cube, sizeof v);
+  for (int i = 0; i < 6; ++i) v[i] = INFINITY;
+  const hl_cells cells = {.coordinates = v, .coordinate_count = 24};
+  hl_batch batch = {.verdicts = &verdict, .statuses = &status};
+  CHECK(hl_classify(&cells, &batch) == HL_OK && verdict == HL_UNANSWERED && status == HL_NOT_FINITE, "%d %d", verdict,
+        status);
 }
 
 static void incomplete_lists_are_refused(void) {
@@ -249,18 +443,26 @@ static void incomplete_lists_are_refused(void) {
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
     hl_cells cells = {v, wrong[i].coordinates, wrong[i].indices ? indices : NULL, wrong[i].indices};
     CHECK(hl_classify(&cells, &batch) == HL_INCOMPLETE, "list %zu", i);
-    CHECK(batch.first_bad_cell == wrong[i].cell, "list %zu: cell %zu", i, batch.first_bad_cell);
+    CHECK(batch.first_unanswered == wrong[i].cell, "list %zu: cell %zu", i, batch.first_unanswered);
     CHECK(verdicts[0] == 9, "list %zu was written", i);
   }
   hl_cells none = {NULL, 0, indices, 0};
-  CHECK(hl_classify(&none, &batch) == HL_OK && batch.valid + batch.invalid + batch.undecided == 0, "no cells");
+  CHECK(hl_classify(&none, &batch) == HL_OK && batch.valid + batch.invalid + batch.unanswered == 0 &&
+            batch.first_unanswered == 0,
+        "no cells");
 }
 
 int main(void) {
   printf("  vectors: %s\n", hl_vectors());
-  RUN(every_cell_is_as_alone);
+  RUN(every_cell_is_answered_alone);
+  RUN(every_list_is_as_alone);
+  RUN(the_lanes_decide_some_and_leave_some);
+  RUN(every_subset_of_lists_is_as_alone);
   RUN(every_length_is_as_alone);
-  RUN(bad_cells_are_named);
+  RUN(bad_cells_do_not_stop_the_others);
+  RUN(coincident_infinities_are_not_finite);
   RUN(incomplete_lists_are_refused);
+  free(answers_alone);
+  free(hexahedra);
   return test_summary();
 }

@@ -258,7 +258,7 @@ static void small_integers(void) {
 
 /* Doubles with any bits: a status, or finite numbers and no minus zero; never a hang. Meant for the sanitizers. */
 static void any_bits(void) {
-  for (long n = 0; n < 20000; ++n) {
+  for (long n = 0; n < 3000; ++n) {
     double vertices[24];
     for (int i = 0; i < 24; ++i) {
       uint64_t bits = random_bits(&stream);

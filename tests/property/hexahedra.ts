@@ -49,7 +49,7 @@ function finite(high: number, low: number): number {
 }
 
 /** All exponents there are. */
-const rawBits = words(2 * COORDINATE_COUNT).map(drawn =>
+export const rawBits: Hexahedra = words(2 * COORDINATE_COUNT).map(drawn =>
   unitCube.map((_, i) => finite(drawn[2 * i] as number, drawn[2 * i + 1] as number)),
 )
 

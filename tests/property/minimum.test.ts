@@ -29,7 +29,7 @@ import { analyzed } from './verdict-law'
 const EACH = 2000
 const CROSSINGS = EACH / CROSSING_SIZE
 
-const BY_BOUNDS: ReadonlySet<string> = new Set(['bernstein', 'subdivision'])
+const BY_BOUNDS: ReadonlySet<string> = new Set(['bernstein', 'subdivision', 'tangents'])
 
 /** Bits kept below the integers of a face, so that bounds can be as fine as reported errors are. */
 const FINER = 160

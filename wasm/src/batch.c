@@ -180,14 +180,19 @@ static void put_minimizer(block *b, int c, const double point[3]) {
   memcpy(b->out.minimizers + 3 * c, point, 3 * sizeof *point);
 }
 
-/* Two numbers in a unit that suits both: 1 if they are normal doubles then, else between them. */
+/* Powers of two that can lie between two doubles in a unit in their middle. */
+enum { MOST_APART = 2000 };
+
+/* The minimum, and the least corner in the same unit: 1 if both are normal doubles then, else between them, or that of the minimum
+   alone if they are too far apart. */
 static void put_values(scaled_double minimum, scaled_double corner, block *b, int c) {
-  int unit = minimum.mantissa == 0   ? corner.exponent
-             : corner.mantissa == 0 ? minimum.exponent
-                                    : (minimum.exponent + corner.exponent) / 2;
-  if (is_normal_after_scaling(minimum.mantissa, minimum.exponent) &&
-      is_normal_after_scaling(corner.mantissa, corner.exponent))
-    unit = 0;
+  int unit = 0;
+  if (!is_normal_after_scaling(minimum.mantissa, minimum.exponent) ||
+      !is_normal_after_scaling(corner.mantissa, corner.exponent)) {
+    const int apart = corner.exponent - minimum.exponent;
+    unit = minimum.mantissa == 0 ? corner.exponent : minimum.exponent;
+    if (minimum.mantissa != 0 && corner.mantissa != 0 && apart >= -MOST_APART && apart <= MOST_APART) unit += apart / 2;
+  }
   b->out.exponents[c] = (int16_t)unit;
   b->out.minima[c] = in_normal_units(minimum, unit);
   b->out.corner_minima[c] = in_normal_units(corner, unit);
@@ -284,7 +289,7 @@ static void minima_of_block(const lane_kernels *kernels, block *b, batch_stages 
 }
 
 static bool asks_for_minima(const hl_batch *batch) {
-  return batch->minima || batch->minimizers || batch->corner_minima || batch->relative_minima;
+  return batch->minima || batch->minimizers || batch->corner_minima || batch->exponents || batch->relative_minima;
 }
 
 /* A list of the caller's from the block's first cell on, or room in the block for what was not asked for. */
@@ -303,7 +308,7 @@ static void put_details(const hl_batch *batch, const block *b, int c, size_t cel
   const bool is_answered = b->statuses[c] == HL_OK;
   if (batch->classes) batch->classes[cell] = is_answered ? (uint8_t)class_of(vertices, b->verdicts[c]) : 0;
   if (batch->accepted_by) batch->accepted_by[cell] = is_answered ? (uint16_t)checks_that_accept(vertices) : 0;
-  if (!batch->volumes && !batch->relative_minima) return;
+  if (!batch->volumes && !batch->volume_exponents && !batch->relative_minima) return;
   double volume = NAN;
   int exponent = 0;
   if (is_answered) {
@@ -311,10 +316,8 @@ static void put_details(const hl_batch *batch, const block *b, int c, size_t cel
     volume = number.mantissa;
     exponent = scaled_back(&volume, 1, number.exponent);
   }
-  if (batch->volumes) {
-    batch->volumes[cell] = volume;
-    batch->volume_exponents[cell] = (int16_t)exponent;
-  }
+  if (batch->volumes) batch->volumes[cell] = volume;
+  if (batch->volume_exponents) batch->volume_exponents[cell] = (int16_t)exponent;
   if (batch->relative_minima)
     batch->relative_minima[cell] =
         is_answered ? relative_minimum(b->out.minima[c], b->out.exponents[c], volume, exponent) : NAN;
@@ -339,7 +342,7 @@ static void hand_on(const block *b, size_t first, hl_batch *batch, batch_stages 
   memcpy(batch->verdicts + first, b->verdicts, count);
   if (batch->statuses) memcpy(batch->statuses + first, b->statuses, count);
   if (batch->is_exact) memcpy(batch->is_exact + first, b->is_exact, count);
-  if (batch->classes || batch->accepted_by || batch->volumes || batch->relative_minima)
+  if (batch->classes || batch->accepted_by || batch->volumes || batch->volume_exponents || batch->relative_minima)
     for (int c = 0; c < b->count; ++c) put_details(batch, b, c, first + (size_t)c);
 }
 

@@ -28,7 +28,7 @@ static inline double larger(double x, double y) { return y > x ? y : x; }
 #endif
 
 /* (1-t) p + t q for t in [0,1], never outside [p,q]: rounding must not carry a value below its Bernstein bound. */
-HL_INLINE double lerp(double p, double q, double t) {
+static inline double lerp(double p, double q, double t) {
   double r = (1 - t) * p + t * q;
   return smaller(larger(r, smaller(p, q)), larger(p, q));
 }

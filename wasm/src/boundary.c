@@ -56,13 +56,17 @@ static double least_candidate_value(const hl_report *report) {
   return least;
 }
 
+void judge_face(double running_minimum, hl_face_report *face) {
+  face->lower_bound = least_of(face->bernstein, HL_FACE_BERNSTEIN);
+  face->running_minimum = running_minimum;
+  face->skipped_by_minimum_rule = face->lower_bound >= face->running_minimum;
+  face->skipped_by_validity_rule = face->lower_bound > 0;
+}
+
 static void report_face(hl_report *report, int face) {
   hl_face_report *out = &report->faces[face];
   face_bernstein(report->bernstein, face, out->bernstein);
-  out->lower_bound = least_of(out->bernstein, HL_FACE_BERNSTEIN);
-  out->running_minimum = least_candidate_value(report);
-  out->skipped_by_minimum_rule = out->lower_bound >= out->running_minimum;
-  out->skipped_by_validity_rule = out->lower_bound > 0;
+  judge_face(least_candidate_value(report), out);
   face_solution solution;
   solve_face(out->bernstein, &solution);
   for (int i = 0; i < HL_QUARTIC; ++i) out->quartic[i] = solution.quartic[i];
@@ -116,7 +120,8 @@ typedef struct checked {
   const double *vertices, *bernstein;
   const edge_vectors *edges;
   precision given;
-  double centre, corner_minimum, edge_minimum;
+  middle_point middle;
+  double corner_minimum, edge_minimum;
   hl_verdict verdict;
   double minimum;
 } checked;
@@ -127,8 +132,9 @@ static double on_element(const checked *e, double value) {
 }
 
 static double fill_checks(const checked *e, double checks[HL_CHECKS]) {
-  const double scaled_jacobian =
-      least_scaled_jacobian(e->edges, e->bernstein, on_element(e, e->centre), e->given.exponent);
+  middle_point middle = e->middle;
+  middle.jacdet = on_element(e, middle.jacdet);
+  const double scaled_jacobian = least_scaled_jacobian(e->edges, e->bernstein, &middle, e->given.exponent);
   checks[HL_CHECK_CORNERS] = e->corner_minimum;
   checks[HL_CHECK_CORNERS_AND_CENTRE] = scaled_jacobian_of_verdict(e->vertices, scaled_jacobian);
   checks[HL_CHECK_GAUSS_2] = on_element(e, least_at_gauss_points(e->bernstein, 2));
@@ -197,7 +203,7 @@ void find_candidates(const double vertices[24], hl_report *report) {
   map_point(vertices, report->maximizer.point, report->maximizer.position);
 }
 
-void complete_report(const double vertices[24], const edge_vectors *edges, precision given, double centre,
+void complete_report(const double vertices[24], const edge_vectors *edges, precision given, const middle_point *middle,
                      hl_report *report) {
   report->minimum_error = error_of_minimum(report, given.boundary_error);
   report->volume_minimum = volume_minimum_of(report, given.error);
@@ -206,7 +212,7 @@ void complete_report(const double vertices[24], const edge_vectors *edges, preci
                      .bernstein = report->bernstein,
                      .edges = edges,
                      .given = given,
-                     .centre = centre,
+                     .middle = *middle,
                      .corner_minimum = report->corner_minimum,
                      .edge_minimum = report->edge_minimum,
                      .verdict = report->verdict,
@@ -214,8 +220,10 @@ void complete_report(const double vertices[24], const edge_vectors *edges, preci
   report->scaled_jacobian = fill_checks(&e, report->checks);
 }
 
-/* All jacdets of the report are times 2^exponent, and become what they are if that is exact. */
-static void finish_report(const double vertices[24], int exponent, int quartic_exponent, hl_report *report) {
+/* All jacdets of the report are times 2^exponent, and become what they are if that is exact. The minimum comes once more, since in a
+   report its size may be lost beside the greatest jacdet. */
+static void finish_report(const double vertices[24], int exponent, int quartic_exponent, scaled_double minimum,
+                          hl_report *report) {
   report->exponent = exponent_left(report, exponent);
   for (int f = 0; f < HL_FACES; ++f) {
     hl_face_report *face = &report->faces[f];
@@ -225,21 +233,24 @@ static void finish_report(const double vertices[24], int exponent, int quartic_e
   report->volume = volume.mantissa;
   report->volume_exponent = scaled_back(&report->volume, 1, volume.exponent);
   report->relative_minimum =
-      relative_minimum(report->minimizer.value, report->exponent, report->volume, report->volume_exponent);
+      relative_minimum(minimum.mantissa, minimum.exponent, report->volume, report->volume_exponent);
   report->element_class = class_of(vertices, report->verdict);
   report->shape = find_coincidences(vertices, report->coincident);
 }
 
 static void analyze_in_doubles(const double vertices[24], const edge_vectors *edges, precision computed,
                                hl_report *report) {
-  complete_report(vertices, edges, computed, value_at_centre(report->bernstein), report);
-  finish_report(vertices, computed.exponent, computed.exponent, report);
+  const middle_point middle = middle_in_doubles(edges, report->bernstein);
+  complete_report(vertices, edges, computed, &middle, report);
+  const scaled_double minimum = {report->minimizer.value, computed.exponent};
+  finish_report(vertices, computed.exponent, computed.exponent, minimum, report);
 }
 
 static void analyze_in_integers(const double vertices[24], const edge_vectors *edges, hl_report *report) {
-  int unit;
-  const int exponent = exact_report(vertices, edges, &unit, report);
-  finish_report(vertices, exponent, unit, report);
+  exact_values x;
+  find_exact_values(vertices, &x, NULL);
+  const int exponent = exact_report(vertices, edges, &x, report);
+  finish_report(vertices, exponent, x.unit, x.boundary.minimum, report);
 }
 
 hl_status hl_analyze(const double vertices[24], hl_report *report) {
@@ -284,7 +295,7 @@ unsigned checks_that_accept(const double vertices[24]) {
                .bernstein = bernstein,
                .edges = &edges,
                .given = {.error = CENTRE_ERROR * permanent + UNDERFLOW_ERROR, .exponent = jacdet_exponent(&edges)},
-               .centre = value_at_centre(bernstein),
+               .middle = middle_in_doubles(&edges, bernstein),
                .minimum = least_candidate(bernstein, HL_ROOTS_B).value};
   if (!is_settled_by_doubles(bernstein, permanent, e.minimum, &e.verdict)) {
     hl_report report;

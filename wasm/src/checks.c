@@ -48,15 +48,8 @@ static double scaled_jacobian(double jacdet, int exponent, const column *u, cons
   return jacdet > 0 ? size : -size;
 }
 
-static column column_at_centre(const double family[2][2][3], const int axis_exponent[3]) {
-  double mean[3];
-  for (int r = 0; r < 3; ++r)
-    mean[r] = 0.25 * ((family[0][0][r] + family[0][1][r]) + (family[1][0][r] + family[1][1][r]));
-  return column_of(mean, axis_exponent);
-}
-
 /* The value at the centre of the element: the mean of the coefficients with weights 1, 2, 1 on each axis. */
-double value_at_centre(const double bernstein[27]) {
+static double value_at_centre(const double bernstein[27]) {
   double sum = 0;
   for (int i = 0; i < 27; ++i) {
     const int ones = (axis_digit(i, 0) == 1) + (axis_digit(i, 1) == 1) + (axis_digit(i, 2) == 1);
@@ -65,17 +58,31 @@ double value_at_centre(const double bernstein[27]) {
   return sum / 64;
 }
 
-double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], double value, int exponent) {
+static void mean_of(const double family[2][2][3], double mean[3]) {
+  for (int r = 0; r < 3; ++r)
+    mean[r] = 0.25 * ((family[0][0][r] + family[0][1][r]) + (family[1][0][r] + family[1][1][r]));
+}
+
+middle_point middle_in_doubles(const edge_vectors *edges, const double bernstein[27]) {
+  middle_point middle = {.jacdet = value_at_centre(bernstein)};
+  mean_of(edges->u, middle.columns[0]);
+  mean_of(edges->v, middle.columns[1]);
+  mean_of(edges->w, middle.columns[2]);
+  return middle;
+}
+
+double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], const middle_point *middle,
+                             int exponent) {
   const int *e = edges->axis_exponent;
-  column u[2][2], v[2][2], w[2][2],
-      centre[3] = {column_at_centre(edges->u, e), column_at_centre(edges->v, e), column_at_centre(edges->w, e)};
+  column u[2][2], v[2][2], w[2][2], centre[3];
+  for (int c = 0; c < 3; ++c) centre[c] = column_of(middle->columns[c], e);
   for (int m = 0; m < 2; ++m)
     for (int n = 0; n < 2; ++n) {
       u[m][n] = column_of(edges->u[m][n], e);
       v[m][n] = column_of(edges->v[m][n], e);
       w[m][n] = column_of(edges->w[m][n], e);
     }
-  double least = scaled_jacobian(value, exponent, &centre[0], &centre[1], &centre[2]);
+  double least = scaled_jacobian(middle->jacdet, exponent, &centre[0], &centre[1], &centre[2]);
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       for (int k = 0; k < 2; ++k) {

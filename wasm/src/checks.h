@@ -4,15 +4,22 @@
 
 #include "scaling.h"
 
-/* The least scaled Jacobian, det DF over the product of its columns' lengths, at the vertices and the centre; det DF from
-   the coefficients and the value at the centre, times 2^exponent. */
-double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], double centre, int exponent);
+/* jacdet in the middle of the cube, in the units of the coefficients, and the columns of DF there, in those of the edge vectors. */
+typedef struct middle_point {
+  double jacdet, columns[3][3];
+} middle_point;
+
+middle_point middle_in_doubles(const edge_vectors *edges, const double bernstein[27]);
+
+/* The least scaled Jacobian, det DF over the product of its columns' lengths, at the vertices and in the middle; det DF from
+   the coefficients, times 2^exponent. */
+double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[27], const middle_point *middle,
+                             int exponent);
 
 /* That number by the rules of Verdict, the library of VTK: 1e30 where an edge or an axis is short beside the element. */
 double scaled_jacobian_of_verdict(const double vertices[24], double least_scaled_jacobian);
 
 /* From Bernstein coefficients, in their units. */
-double value_at_centre(const double bernstein[27]);
 double least_at_gauss_points(const double bernstein[27], int points_per_axis);
 double subdivision_to_depth_4(const double bernstein[27]);
 

@@ -74,8 +74,9 @@ static void exact_face_of(const exact_jacdet *jacdet, int face, exact_face *out)
 enum { LEAST_POWER = -1000 };
 
 static double in_unit(scaled_double x, int unit) {
+  if (x.mantissa == 0) return 0;
   const int power = x.exponent - unit;
-  if (x.mantissa == 0 || power >= LEAST_POWER) return times_power_of_two(x.mantissa, power);
+  if (power >= LEAST_POWER) return times_power_of_two(x.mantissa, power);
   return x.mantissa < 0 ? -0x1p-1000 : 0x1p-1000;
 }
 
@@ -273,13 +274,16 @@ static integer least_integer(const workspace *w, const integer *values, int coun
   return least;
 }
 
-/* All coefficients as doubles in one unit, and the least of them. */
+/* All coefficients as doubles, in one unit and each of its own size, and the least of them. */
 static void put_coefficients(const workspace *w, const integer coefficients[27], int exponent, exact_values *out) {
   int bits = 0;
   for (int i = 0; i < HL_BERNSTEIN; ++i)
     if (integer_bits(w, coefficients[i]) > bits) bits = integer_bits(w, coefficients[i]);
-  for (int i = 0; i < HL_BERNSTEIN; ++i) out->bernstein[i] = in_unit(rounded_integer(w, coefficients[i], 0), bits);
   out->unit = bits == 0 ? 0 : exponent + bits;
+  for (int i = 0; i < HL_BERNSTEIN; ++i) {
+    out->coefficients[i] = rounded_integer(w, coefficients[i], exponent);
+    out->bernstein[i] = in_unit(out->coefficients[i], out->unit);
+  }
   out->error = bits == 0 ? 0 : UNIT_ROUNDOFF;
   out->bernstein_minimum = rounded_integer(w, least_integer(w, coefficients, HL_BERNSTEIN), exponent);
 }
@@ -350,6 +354,7 @@ static void find_values(workspace *w, void *query) {
   out->gauss_2 = least_on_grid(w, coefficients, gauss_2, 2, GAUSS_BITS, exponent);
   out->gauss_3 = least_on_grid(w, coefficients, gauss_3, 3, GAUSS_BITS, exponent);
   out->centre = least_on_grid(w, coefficients, half, 1, 1, exponent);
+  exact_middle_columns(w, q->vertices, out->columns);
 }
 
 void find_exact_values(const double vertices[24], exact_values *values, exact_cost *cost) {

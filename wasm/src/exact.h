@@ -19,7 +19,7 @@ bool is_zero_at_sight(const double vertices[HL_COORDINATES]);
 /* The verdict; `bernstein` are the coefficients in doubles and scaled units. `cost` may be null. */
 hl_verdict exact_verdict(const double vertices[HL_COORDINATES], const double bernstein[HL_BERNSTEIN], exact_cost *cost);
 
-/* The boundary minimum: rounded to the nearest double where a vertex or an edge has it, and off by 2^-60 more on a face; of exact
+/* The boundary minimum: rounded to the nearest double where a vertex or an edge has it, and off by 2^-57 more on a face; of exact
    sign. The position of the minimizer is left to the caller, and so is its value. */
 typedef struct exact_minimum {
   hl_candidate minimizer;
@@ -34,10 +34,12 @@ typedef struct exact_values {
   double bernstein[HL_BERNSTEIN]; /* times 2^unit, the largest of magnitude in [1/2, 1), each off by at most `error` and of exact sign */
   double error;
   int unit;
+  scaled_double coefficients[HL_BERNSTEIN]; /* the same, of any size */
   hl_candidate vertex_candidates[HL_VERTICES], edge_candidates[HL_EDGES]; /* without values and positions */
   int edge_count;
   scaled_double vertices[HL_VERTICES], on_edges[HL_EDGES]; /* their values */
-  scaled_double edge_minimum, bernstein_minimum, gauss_2, gauss_3, centre;
+  scaled_double edge_minimum, bernstein_minimum, gauss_2, gauss_3;
+  scaled_double centre, columns[3][3]; /* jacdet and DF in the middle of the cube, component r of column c at [c][r] */
 } exact_values;
 
 void find_exact_values(const double vertices[HL_COORDINATES], exact_values *values, exact_cost *cost);

@@ -157,6 +157,7 @@ static int certain_sign_of_long(workspace *w, const sum_of_products *sum, const 
     const int top = integer_bits(w, terms[n]) + exponents[n];
     if (!is_zero(terms[n]) && top > greatest) greatest = top;
   }
+  if (greatest == INT32_MIN) return 0;
   for (int n = 0; n < sum->count; ++n)
     total = integer_sum(w, total, integer_shifted(w, terms[n], exponents[n] - greatest + ALIGNED_BITS));
   return integer_bits(w, total) > ALIGNED_BITS - 120 ? integer_sign(total) : 0;
@@ -301,14 +302,41 @@ static int sign_by_roots(workspace *w, const face_part *part) {
   return common.degree > 0 && roots_with_negative(w, &common, &g, &ignored) == roots ? 0 : -1;
 }
 
-/* Halvings before roots are counted: by then beta_1 < 0 has been parted from beta_1 >= 0 in all but rare cases. What that costs grows
-   with the square of the integers' length, more than halving does: where they are long it comes late. */
-enum { HALVINGS = 12, HALVINGS_OF_LONG = 4096 };
+/* Halvings before roots are counted: by then beta_1 < 0 has been parted from beta_1 >= 0 in all but rare cases. Of long integers,
+   halvings cost little and counting much: about 6000 products of limbs for each pair of limbs of the coefficients. Halving ends when
+   it has cost as much, so that both together cost at most twice what the better one would. */
+enum { HALVINGS = 12, PRODUCTS_OF_COUNTING = 6000 };
+
+/* The products of limbs at which halving ends. */
+static uint64_t end_of_halving(const workspace *w, const exact_face *face) {
+  uint64_t limbs = 0;
+  for (int i = 0; i < 9; ++i) {
+    const uint64_t own = (uint64_t)integer_length(integer_magnitude(face->beta[i / 3][i % 3]));
+    if (own > limbs) limbs = own;
+  }
+  return w->products + PRODUCTS_OF_COUNTING * limbs * limbs;
+}
+
+/* In a larger unit: a power of two that all coefficients have. */
+static void without_common_zeros(workspace *w, const exact_face *face, exact_face *out) {
+  int zeros = INT32_MAX;
+  for (int i = 0; i < 9; ++i) {
+    const integer own = face->beta[i / 3][i % 3];
+    if (!is_zero(own) && integer_trailing_zeros(w, own) < zeros) zeros = integer_trailing_zeros(w, own);
+  }
+  *out = *face;
+  for (int i = 0; i < 9; ++i)
+    if (!is_zero(face->beta[i / 3][i % 3])) out->beta[i / 3][i % 3] = integer_shifted(w, face->beta[i / 3][i % 3], -zeros);
+}
 
 /* As exact_face_sign, for edges beta_0 and beta_2 that touch zero at ends only. */
-static int sign_between_touches(workspace *w, const exact_face *face) {
+static int sign_between_touches(workspace *w, const exact_face *given) {
+  exact_face in_larger_unit;
+  without_common_zeros(w, given, &in_larger_unit);
+  const exact_face *face = &in_larger_unit;
   const size_t mark = w->used;
-  const int halvings = is_long(w, face->beta[0], 9) ? HALVINGS_OF_LONG : HALVINGS;
+  const bool has_long = is_long(w, face->beta[0], 9);
+  const uint64_t end = end_of_halving(w, face);
   dyadic in = {zero, 0};
   int least = 1;
   for (bool is_open = true; is_open && !w->is_full;) {
@@ -324,7 +352,7 @@ static int sign_between_touches(workspace *w, const exact_face *face) {
       if ((is_negative(z[0]) && outer[0] < 0) || (is_negative(z[2]) && outer[1] < 0)) return -1;
       if ((is_negative(z[0]) && outer[0] == 0) || (is_negative(z[2]) && outer[1] == 0)) least = 0;
     }
-    if (!is_settled && in.depth == halvings) {
+    if (!is_settled && (has_long ? w->products > end : in.depth == HALVINGS)) {
       const int sign = sign_by_roots(w, &part);
       if (sign < 0) return -1;
       if (sign < least) least = sign;
@@ -392,16 +420,30 @@ typedef struct face_search {
   const exact_face *face;
   least_value *least;
   floor_value floor;
-  bool is_fixed;
+  int wait, lowered_at; /* halvings until it is lowered the next time, and the depth then */
+  bool is_fixed, has_lowered;
 } face_search;
 
+/* Halvings after which the floor is lowered, when it may be the face's minimum: no part where that is touched would ever be above it.
+   Each time there are twice as many until the next. */
+enum { PATIENCE = 64 };
+
 /* Below `least` by at least 2^-62 and at most 2^-60 of it. */
-static void set_floor(face_search *s) {
+static void set_floor(face_search *s, int depth) {
   const integer numerator = s->least->numerator;
   s->floor = (floor_value){0, 0};
+  s->wait = PATIENCE;
+  s->lowered_at = depth + PATIENCE;
   if (is_zero(numerator)) return;
   const quotient_floor q = floor_of_quotient(s->w, numerator, s->least->denominator);
   s->floor = (floor_value){is_negative(numerator) ? -(q.bits + 2) : q.bits - 1, q.exponent};
+}
+
+/* Each time by at most 2^-61 of it, in depths of less than 2^14 by 2^-58 in all. */
+static void lower_floor(face_search *s) {
+  s->floor.bits -= s->floor.bits != 0;
+  s->wait *= 2;
+  s->lowered_at += s->wait;
 }
 
 /* 2^scale * a and 2^scale * floor * b, the same scale >= 0 making integers of both. */
@@ -436,7 +478,8 @@ static void look_at(face_search *s, dyadic t) {
   if (order >= 0) return;
   *s->least = (least_value){numerator, denominator, inside_unit_interval(w, fall, curvature, 0),
                             inside_unit_interval(w, t.k, integer_of(w, 1), -t.depth)};
-  if (!s->is_fixed) set_floor(s);
+  s->has_lowered = true;
+  if (!s->is_fixed) set_floor(s, t.depth);
 }
 
 /* Whether the face is certainly not below the floor for t in the interval: (X1) and (X2) for f - floor. */
@@ -455,7 +498,7 @@ static bool is_above_floor(const face_search *s, dyadic in, bool counts_roots) {
   const bool edges_are_above = s->floor.bits != 0, is_last_one = is_last(w, in);
   int outer[2] = {edges_are_above && is_zero(in.k) && is_negative(part.factors[3]),
                   edges_are_above && is_last_one && is_negative(part.factors[5])};
-  return discriminant_is_not_negative(w, &part, outer) || (counts_roots && sign_by_roots(w, &part) > 0);
+  return discriminant_is_not_negative(w, &part, outer) || (counts_roots && sign_by_roots(w, &part) >= 0);
 }
 
 /* Halvings after which roots are counted once: where there are none below a floor that is near enough, that is cheaper than to go on. */
@@ -467,7 +510,7 @@ enum { NO_LIMIT = INT32_MAX };
 static void search_halves(face_search *s, int depth_limit) {
   workspace *w = s->w;
   const size_t mark = w->used;
-  const bool counts_roots = depth_limit == NO_LIMIT && !is_long(w, s->face->beta[0], 9);
+  const bool counts_roots = depth_limit == NO_LIMIT && !s->is_fixed && !is_long(w, s->face->beta[0], 9);
   dyadic in = {zero, 0};
   for (bool is_open = true; is_open && !w->is_full;) {
     if (in.depth == depth_limit || is_above_floor(s, in, counts_roots && in.depth == HALVINGS_ABOVE_FLOOR)) {
@@ -475,6 +518,7 @@ static void search_halves(face_search *s, int depth_limit) {
     } else {
       look_at(s, middle_of(w, in));
       in = lower_half(w, in);
+      if (!s->is_fixed && in.depth == s->lowered_at) lower_floor(s);
     }
     integer kept[3] = {in.k, s->least->numerator, s->least->denominator};
     integer_keep(w, mark, kept, 3);
@@ -494,23 +538,36 @@ static void look_at_roots(face_search *s, const double *roots, int count) {
 
 bool exact_face_lowers(workspace *w, const exact_face *face, const double *roots, int root_count, least_value *least) {
   face_search s = {.w = w, .face = face, .least = least};
-  const integer before = least->numerator;
-  set_floor(&s);
+  set_floor(&s, 0);
   look_at_roots(&s, roots, root_count);
   /* Nothing is relative to 0: a negative value has to be found first, which somewhere there is. */
   for (int limit = 8; is_zero(least->numerator) && !w->is_full; limit *= 2) search_halves(&s, limit);
   search_halves(&s, NO_LIMIT);
-  return integer_compare(w, before, least->numerator) != 0;
+  return s.has_lowered;
 }
 
+/* How many bits below the largest coefficient a value has to be for the place where a face touches zero. */
+enum { TOUCH_BITS = 64 };
+
+static bool is_at_most(workspace *w, const least_value *least, int exponent) {
+  const integer numerator = exponent < 0 ? integer_shifted(w, least->numerator, -exponent) : least->numerator,
+                denominator = exponent > 0 ? integer_shifted(w, least->denominator, exponent) : least->denominator;
+  return integer_compare(w, numerator, denominator) <= 0;
+}
+
+/* A floor that is too high hides the place, and another one may have been found before: then it is lowered. */
 void exact_face_touch(workspace *w, const exact_face *face, const double *roots, int root_count, least_value *least) {
   int bits = 0;
   for (int i = 0; i < 9; ++i) {
     const int own = integer_bits(w, face->beta[i / 3][i % 3]);
     if (own > bits) bits = own;
   }
-  face_search s = {.w = w, .face = face, .least = least, .floor = {-1, bits - 64}, .is_fixed = true};
+  face_search s = {.w = w, .face = face, .least = least, .is_fixed = true};
   *least = (least_value){.numerator = integer_of(w, 1), .denominator = zero}; /* infinite */
   look_at_roots(&s, roots, root_count);
-  search_halves(&s, NO_LIMIT);
+  const int near = bits - TOUCH_BITS;
+  for (int below = TOUCH_BITS + 2; !w->is_full && !is_at_most(w, least, near); below *= 2) {
+    s.floor = (floor_value){-1, bits - below};
+    search_halves(&s, NO_LIMIT);
+  }
 }

@@ -20,7 +20,7 @@ typedef struct least_value {
   double s, t;
 } least_value;
 
-/* Lowers `least` to the face's minimum, to 2^-60 of itself, if that is lower by as much; returns whether it did. No face that is 0 at
+/* Lowers `least` to the face's minimum, to 2^-57 of itself, if that is lower by as much; returns whether it did. No face that is 0 at
    its minimum may come here, nor a `least` of 0 but for a face with negative values. The edges have no value below `least`; `roots`
    are values of t in (0,1) near which the minimum may be. */
 bool exact_face_lowers(workspace *w, const exact_face *face, const double *roots, int root_count, least_value *least);

@@ -88,31 +88,22 @@ static void exact_edge_vectors(workspace *w, const integer_points *points, exact
     }
 }
 
-/* Corners, and twice the middles of edges, by (3) to (6). */
+/* Corners, and twice the middles of edges, by (3) to (6): each corner adds what it has to the three edges that meet there. */
 static void corners_and_edges(workspace *w, const exact_edges *e, integer bernstein[27]) {
-  integer to_far_v[2][2][2], to_far_u[2][2][2];
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j)
-      for (int k = 0; k < 2; ++k) {
-        integer n[3];
-        cross_product(w, e->u[j][k], e->v[i][k], n);
-        bernstein[bernstein_index(2 * i, 2 * j, 2 * k)] = dot_product(w, n, e->w[i][j]);
-        to_far_v[i][j][k] = dot_product(w, n, e->w[1 - i][j]);
-        to_far_u[i][j][k] = dot_product(w, n, e->w[i][1 - j]);
-      }
-  for (int m = 0; m < 2; ++m)
-    for (int k = 0; k < 2; ++k) {
-      bernstein[9 + 6 * m + 2 * k] = integer_sum(w, to_far_v[0][m][k], to_far_v[1][m][k]);
-      bernstein[18 * m + 3 + 2 * k] = integer_sum(w, to_far_u[m][0][k], to_far_u[m][1][k]);
+  for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = zero;
+  for (int v = 0; v < HL_VERTICES; ++v) {
+    const int i = vertex_reference[v][0], j = vertex_reference[v][1], k = vertex_reference[v][2];
+    const integer *third[3] = {e->w[1 - i][j], e->w[i][1 - j], e->w[i][j]};
+    integer normals[2][3];
+    cross_product(w, e->u[j][k], e->v[i][k], normals[0]);
+    cross_product(w, e->u[j][k], e->v[i][1 - k], normals[1]);
+    bernstein[vertex_index(v)] = dot_product(w, normals[0], e->w[i][j]);
+    for (int axis = 0; axis < 3; ++axis) {
+      const int stride = axis_stride[axis], inwards = vertex_reference[v][axis] ? -stride : stride;
+      integer *middle = &bernstein[vertex_index(v) + inwards];
+      *middle = integer_sum(w, *middle, dot_product(w, normals[axis == 2], third[axis]));
     }
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) {
-      integer n[3], other[3];
-      cross_product(w, e->u[j][0], e->v[i][1], n);
-      cross_product(w, e->u[j][1], e->v[i][0], other);
-      for (int r = 0; r < 3; ++r) n[r] = integer_sum(w, n[r], other[r]);
-      bernstein[18 * i + 6 * j + 1] = dot_product(w, n, e->w[i][j]);
-    }
+  }
 }
 
 static integer sum_of(workspace *w, const integer *terms, const unsigned char *indices, int count) {
@@ -136,7 +127,6 @@ void exact_bernstein(workspace *w, const double vertices[24], exact_jacdet *jacd
   integer_coordinates(w, vertices, ALL_VERTICES, &points);
   exact_edge_vectors(w, &points, &edges);
   corners_and_edges(w, &edges, b);
-  b[CUBE_CENTRE] = zero;
   for (int f = 0; f < HL_FACES; ++f) b[face_middle(f)] = face_centre(w, b, f);
   for (int v = 0; v < HL_VERTICES; ++v) b[vertex_index(v)] = integer_shifted(w, b[vertex_index(v)], 2);
   for (int e = 0; e < HL_EDGES; ++e) b[edge_bernstein[e]] = integer_shifted(w, b[edge_bernstein[e]], 1);
@@ -147,6 +137,20 @@ void exact_bernstein(workspace *w, const double vertices[24], exact_jacdet *jacd
 integer exact_cube_centre(workspace *w, const exact_jacdet *jacdet) {
   return integer_difference(w, sum_of(w, jacdet->bernstein, edge_bernstein, HL_EDGES),
                             sum_of(w, jacdet->bernstein, vertex_bernstein, HL_VERTICES));
+}
+
+void exact_middle_columns(workspace *w, const double vertices[24], scaled_double columns[3][3]) {
+  const size_t mark = w->used;
+  integer_points points;
+  integer_coordinates(w, vertices, ALL_VERTICES, &points);
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) {
+      integer sum = zero; /* of the four edges along axis c */
+      for (int v = 0; v < HL_VERTICES; ++v)
+        sum = integer_sum(w, sum, vertex_reference[v][c] ? points.p[v][r] : integer_negated(points.p[v][r]));
+      columns[c][r] = rounded_integer(w, sum, points.exponents[r] - 2);
+    }
+  w->used = mark;
 }
 
 scaled_double exact_volume(workspace *w, const double vertices[24]) {

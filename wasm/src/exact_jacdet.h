@@ -18,6 +18,9 @@ void exact_bernstein(workspace *w, const double vertices[HL_COORDINATES], exact_
 /* Sixteen times the coefficient of the cube's centre, over 2^exponent. */
 integer exact_cube_centre(workspace *w, const exact_jacdet *jacdet);
 
+/* DF in the middle of the cube, component r of column c at [c][r], each correctly rounded. */
+void exact_middle_columns(workspace *w, const double vertices[HL_COORDINATES], scaled_double columns[3][3]);
+
 /* The integral of jacdet, correctly rounded: mantissa * 2^exponent. */
 scaled_double exact_volume(workspace *w, const double vertices[HL_COORDINATES]);
 

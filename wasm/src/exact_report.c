@@ -4,10 +4,11 @@
 #include "bernstein.h"
 #include "map.h"
 #include "report.h"
+#include "topology.h"
 
 #include <float.h>
 
-/* Of the exact values: they are enclosed to 2^-60 and then rounded. */
+/* Of the exact values: they are enclosed to 2^-57 and then rounded. */
 #define VALUE_ERROR 0x1p-52
 
 /* A value too small beside the unit is the least normal double of its sign. */
@@ -41,7 +42,7 @@ static void map_units(hl_report *report, int exponent) {
   double *jacdets[MAX_JACDETS];
   const int count = exponent == 0 ? 0 : list_jacdets(report, jacdets);
   for (int i = 0; i < count; ++i)
-    *jacdets[i] = in_normal_range(exponent < -2000 ? 0 : times_power_of_two(*jacdets[i], exponent), *jacdets[i]);
+    *jacdets[i] = in_normal_range(times_power_of_two(*jacdets[i], exponent), *jacdets[i]);
   /* A bracket stays one. */
   if (report->volume_minimum.lower == DBL_MIN) report->volume_minimum.lower = 0;
   if (report->volume_minimum.upper == -DBL_MIN) report->volume_minimum.upper = 0;
@@ -54,84 +55,112 @@ static double error_of(double value) {
   return error > 0 && error < DBL_MIN ? error + DBL_TRUE_MIN : error;
 }
 
-static double distance(const hl_candidate *a, const hl_candidate *b) {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) sum += (a->point[axis] - b->point[axis]) * (a->point[axis] - b->point[axis]);
-  return sum;
+static void take_out(hl_face_report *face, int root) {
+  for (--face->root_count; root < face->root_count; ++root) face->roots[root] = face->roots[root + 1];
 }
 
-/* The face's root whose candidate the minimizer takes the place of, the nearest one; if doubles kept none, one is made. */
-static void put_root(hl_face_report *face, const hl_candidate *minimizer, int replaced) {
-  const int axis = minimizer->id / 2, s = axis == 0 ? 1 : 0, t = axis == 2 ? 1 : 2;
-  hl_face_root root = {.t = minimizer->point[t], .a = 0, .s = minimizer->point[s], .fate = HL_ROOT_KEPT};
-  for (int r = 0, kept = 0; r < face->root_count; ++r) {
-    if (face->roots[r].fate != HL_ROOT_KEPT || kept++ != replaced) continue;
-    face->roots[r].t = root.t;
-    face->roots[r].s = root.s;
-    return;
+/* The kept root nearest to the minimizer makes room for it; where doubles kept none, the last one does if there are four. */
+static void make_room(hl_face_report *face, double s, double t) {
+  double least = 3; /* more than any squared distance */
+  int nearest = face->root_count == HL_MAX_ROOTS ? HL_MAX_ROOTS - 1 : -1;
+  for (int r = 0; r < face->root_count; ++r) {
+    const hl_face_root *root = &face->roots[r];
+    const double distance = (root->s - s) * (root->s - s) + (root->t - t) * (root->t - t);
+    if (root->fate != HL_ROOT_KEPT || distance >= least) continue;
+    least = distance;
+    nearest = r;
   }
-  const double *b = face->bernstein, a0 = b[0] - 2 * b[3] + b[6], a1 = b[2] - 2 * b[5] + b[8];
-  root.a = in_normal_range(lerp(a0, a1, root.t), 1);
-  int at = face->root_count < HL_MAX_ROOTS ? face->root_count++ : HL_MAX_ROOTS - 1;
-  for (; at > 0 && face->roots[at - 1].t > root.t; --at) face->roots[at] = face->roots[at - 1];
-  face->roots[at] = root;
+  if (nearest >= 0) take_out(face, nearest);
+  for (int r = face->root_count; r-- > 0;)
+    if (face->roots[r].t == t) take_out(face, r);
 }
 
-/* The candidates again: exact ones at vertices and on edges; on faces those of doubles, no lower than the minimum, which takes the
-   place of the nearest one if a face has it. */
-static void put_candidates(const double vertices[24], const exact_values *x, int unit, hl_report *report) {
-  hl_candidate faces[HL_FACES * HL_MAX_ROOTS];
-  int face_count = 0, nearest = -1, before = 0;
-  const hl_candidate *least = &report->minimizer;
-  for (int i = 0; i < report->candidate_count; ++i) {
-    if (report->candidates[i].kind != HL_FACE) continue;
-    hl_candidate *candidate = &faces[face_count];
-    *candidate = report->candidates[i];
-    candidate->value = larger(candidate->value, least->value);
-    const bool is_its_face = least->kind == HL_FACE && candidate->id == least->id;
-    if (is_its_face && (nearest < 0 || distance(candidate, least) < distance(&faces[nearest], least)))
-      nearest = face_count;
-    if (least->kind == HL_FACE && candidate->id < least->id) before = face_count + 1;
-    ++face_count;
+/* Where the minimizer is on a face, there is a root for it. */
+static void put_root(const hl_candidate *minimizer, hl_face_report *face) {
+  const double s = minimizer->point[face_table[minimizer->id].s], t = minimizer->point[face_table[minimizer->id].t];
+  const double *b = face->bernstein, a = lerp(b[0] - 2 * b[3] + b[6], b[2] - 2 * b[5] + b[8], t);
+  make_room(face, s, t);
+  int at = face->root_count++;
+  for (; at > 0 && face->roots[at - 1].t > t; --at) face->roots[at] = face->roots[at - 1];
+  face->roots[at] = (hl_face_root){.t = t, .a = larger(a, DBL_MIN), .s = s, .fate = HL_ROOT_KEPT};
+}
+
+static void append(hl_report *report, const hl_candidate *candidate) {
+  report->candidates[report->candidate_count++] = *candidate;
+}
+
+static void append_exact(const double vertices[24], hl_candidate candidate, double value, hl_report *report) {
+  candidate.value = value;
+  map_point(vertices, candidate.point, candidate.position);
+  append(report, &candidate);
+}
+
+/* The face's kept roots in their order: the minimizer if it is one, else what doubles make of it, no lower than the minimum and
+   the least coefficient. */
+static void append_roots(const hl_candidate *listed, int count, int id, hl_report *report) {
+  const hl_face_report *face = &report->faces[id];
+  const int t = face_table[id].t;
+  for (int r = 0; r < face->root_count; ++r) {
+    if (face->roots[r].fate != HL_ROOT_KEPT) continue;
+    const hl_candidate *least = &report->minimizer;
+    const bool is_least = least->kind == HL_FACE && least->id == id && least->point[t] == face->roots[r].t;
+    hl_candidate found = *least;
+    for (int i = 0; i < count && !is_least; ++i)
+      if (listed[i].id == id && listed[i].point[t] == face->roots[r].t) found = listed[i];
+    if (!is_least) found.value = larger(larger(found.value, least->value), face->lower_bound);
+    append(report, &found);
   }
+}
+
+/* The candidates and the faces again, with exact coefficients and exact values at vertices and on edges. */
+static void put_candidates(const double vertices[24], const exact_values *x, int exponent, hl_report *report) {
+  hl_candidate listed[HL_FACES * HL_MAX_ROOTS];
+  int count = 0;
+  for (int i = 0; i < report->candidate_count; ++i)
+    if (report->candidates[i].kind == HL_FACE) listed[count++] = report->candidates[i];
+  for (int i = 0; i < HL_BERNSTEIN; ++i) report->bernstein[i] = in_normal_units(x->coefficients[i], exponent);
   report->candidate_count = 0;
-  for (int v = 0; v < HL_VERTICES; ++v) report->candidates[report->candidate_count++] = x->vertex_candidates[v];
-  for (int e = 0; e < x->edge_count; ++e) report->candidates[report->candidate_count++] = x->edge_candidates[e];
-  for (int i = 0; i < report->candidate_count; ++i) {
-    hl_candidate *candidate = &report->candidates[i];
-    candidate->value = in_normal_units(i < HL_VERTICES ? x->vertices[i] : x->on_edges[i - HL_VERTICES], unit);
-    map_point(vertices, candidate->point, candidate->position);
-  }
-  if (least->kind == HL_FACE) put_root(&report->faces[least->id], least, nearest < 0 ? -1 : nearest - before);
-  for (int i = 0; i <= face_count; ++i) {
-    const bool is_inserted = least->kind == HL_FACE && nearest < 0 && i == before;
-    if (is_inserted) report->candidates[report->candidate_count++] = *least;
-    if (i < face_count) report->candidates[report->candidate_count++] = i == nearest ? *least : faces[i];
+  for (int v = 0; v < HL_VERTICES; ++v)
+    append_exact(vertices, x->vertex_candidates[v], in_normal_units(x->vertices[v], exponent), report);
+  for (int e = 0; e < x->edge_count; ++e)
+    append_exact(vertices, x->edge_candidates[e], in_normal_units(x->on_edges[e], exponent), report);
+  double least = report->edge_minimum;
+  for (int f = 0; f < HL_FACES; ++f) {
+    hl_face_report *face = &report->faces[f];
+    face_bernstein(report->bernstein, f, face->bernstein);
+    judge_face(least, face);
+    if (report->minimizer.kind == HL_FACE && report->minimizer.id == f) put_root(&report->minimizer, face);
+    const int before = report->candidate_count;
+    append_roots(listed, count, f, report);
+    for (int i = before; i < report->candidate_count; ++i) least = smaller(least, report->candidates[i].value);
   }
 }
 
-int exact_report(const double vertices[24], const edge_vectors *edges, int *unit, hl_report *report) {
-  exact_values x;
-  find_exact_values(vertices, &x, NULL);
-  for (int i = 0; i < HL_BERNSTEIN; ++i) report->bernstein[i] = x.bernstein[i];
-  *unit = x.unit;
+int exact_report(const double vertices[24], const edge_vectors *edges, const exact_values *x, hl_report *report) {
+  for (int i = 0; i < HL_BERNSTEIN; ++i) report->bernstein[i] = x->bernstein[i];
   find_candidates(vertices, report);
-  report->verdict = x.boundary.minimum.mantissa > 0 ? HL_VALID : HL_INVALID;
-  report->minimizer = x.boundary.minimizer;
+  report->verdict = x->boundary.minimum.mantissa > 0 ? HL_VALID : HL_INVALID;
+  report->minimizer = x->boundary.minimizer;
   map_point(vertices, report->minimizer.point, report->minimizer.position);
-  report->minimizer.value = in_normal_units(x.boundary.minimum, *unit);
-  report->corner_minimum = in_normal_units(x.boundary.corner_minimum, *unit);
-  const precision given = {.boundary_error = x.error, .error = x.error, .exponent = *unit};
-  complete_report(vertices, edges, given, in_normal_units(x.centre, *unit), report);
+  report->minimizer.value = in_normal_units(x->boundary.minimum, x->unit);
+  report->corner_minimum = in_normal_units(x->boundary.corner_minimum, x->unit);
+  const precision given = {.boundary_error = x->error, .error = x->error, .exponent = x->unit};
+  middle_point middle = {.jacdet = in_normal_units(x->centre, x->unit)};
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) {
+      const scaled_double number = x->columns[c][r];
+      middle.columns[c][r] = times_power_of_two(number.mantissa, number.exponent - edges->axis_exponent[r]);
+    }
+  complete_report(vertices, edges, given, &middle, report);
 
-  const int exponent = common_unit(&x, *unit);
-  map_units(report, *unit - exponent);
+  const int exponent = common_unit(x, x->unit);
+  map_units(report, x->unit - exponent);
   hl_candidate *least = &report->minimizer;
-  least->value = in_normal_units(x.boundary.minimum, exponent);
+  least->value = in_normal_units(x->boundary.minimum, exponent);
   report->minimum_error = error_of(least->value);
-  report->corner_minimum = in_normal_units(x.boundary.corner_minimum, exponent);
-  report->edge_minimum = in_normal_units(x.edge_minimum, exponent);
-  put_candidates(vertices, &x, exponent, report);
+  report->corner_minimum = in_normal_units(x->boundary.corner_minimum, exponent);
+  report->edge_minimum = in_normal_units(x->edge_minimum, exponent);
+  put_candidates(vertices, x, exponent, report);
   hl_volume_minimum on_boundary = {.lower = least->value - report->minimum_error,
                                    .upper = least->value + report->minimum_error};
   for (int axis = 0; axis < 3; ++axis) {
@@ -146,9 +175,9 @@ int exact_report(const double vertices[24], const edge_vectors *edges, int *unit
   double *checks = report->checks;
   checks[HL_CHECK_CORNERS] = report->corner_minimum;
   checks[HL_CHECK_EDGES] = report->edge_minimum;
-  checks[HL_CHECK_GAUSS_2] = in_normal_units(x.gauss_2, exponent);
-  checks[HL_CHECK_GAUSS_3] = in_normal_units(x.gauss_3, exponent);
-  checks[HL_CHECK_BERNSTEIN] = in_normal_units(x.bernstein_minimum, exponent);
+  checks[HL_CHECK_GAUSS_2] = in_normal_units(x->gauss_2, exponent);
+  checks[HL_CHECK_GAUSS_3] = in_normal_units(x->gauss_3, exponent);
+  checks[HL_CHECK_BERNSTEIN] = in_normal_units(x->bernstein_minimum, exponent);
   /* These accept by bounds, and so nothing that is invalid. */
   if (!is_valid) checks[HL_CHECK_SUBDIVISION] = smaller(checks[HL_CHECK_SUBDIVISION], 0);
   return exponent;

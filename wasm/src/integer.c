@@ -132,17 +132,23 @@ integer integer_product(workspace *w, integer a, integer b) {
   uint32_t *out = reserved(w, (size_t)n + (size_t)m);
   if (!out) return zero;
   const uint32_t *x = limbs_of(w, a), *y = limbs_of(w, b);
-  memset(out, 0, (size_t)m * sizeof *out);
-  for (int32_t i = 0; i < n; ++i) {
-    const uint64_t factor = x[i];
-    uint64_t carry = 0;
-    if (factor != 0)
-      for (int32_t j = 0; j < m; ++j) {
-        carry += factor * y[j] + out[i + j];
-        out[i + j] = (uint32_t)carry;
-        carry >>= LIMB_BITS;
-      }
-    out[i + m] = (uint32_t)carry;
+  memset(out, 0, (size_t)(n + m) * sizeof *out);
+  /* Two limbs of the shorter one at a time: their carries do not wait for each other. */
+  for (int32_t i = 0; i < n; i += 2) {
+    const uint64_t low = x[i], high = i + 1 < n ? x[i + 1] : 0;
+    uint64_t carry = 0, next_carry = 0, before = 0;
+    for (int32_t j = 0; j < m; ++j) {
+      const uint64_t limb = y[j];
+      carry += low * limb + out[i + j];
+      next_carry += high * before + (uint32_t)carry;
+      out[i + j] = (uint32_t)next_carry;
+      carry >>= LIMB_BITS;
+      next_carry >>= LIMB_BITS;
+      before = limb;
+    }
+    next_carry += high * before + carry;
+    out[i + m] = (uint32_t)next_carry;
+    if (i + 1 < n) out[i + m + 1] = (uint32_t)(next_carry >> LIMB_BITS);
   }
   ++w->multiplications;
   w->products += (uint64_t)n * (uint64_t)m;
@@ -181,6 +187,7 @@ static integer shifted_down(workspace *w, integer a, int shift) {
 
 int integer_trailing_zeros(const workspace *w, integer a) {
   const uint32_t *x = limbs_of(w, a);
+  if (is_zero(a)) return 0; /* of a full workspace */
   int i = 0;
   while (x[i] == 0) ++i;
   return LIMB_BITS * i + __builtin_ctz(x[i]);
@@ -204,19 +211,22 @@ integer integer_shifted(workspace *w, integer a, int shift) {
   return trimmed(w, out, n + limbs + 1, is_negative(a));
 }
 
-/* They are put behind all that is in use, since some may lie where others are to go. */
+/* They are put behind all that is in use, since some may lie where others are to go. Where there is no room for that they stay. */
 void integer_keep(workspace *w, size_t mark, integer *kept, int count) {
   const size_t from = w->used;
+  size_t length = 0;
+  for (int i = 0; i < count; ++i) length += (size_t)length_of(kept[i]);
+  uint32_t *copy = reserved(w, length);
+  if (!copy) return;
   for (int i = 0; i < count; ++i) {
-    const size_t length = (size_t)length_of(kept[i]);
-    uint32_t *copy = reserved(w, length);
-    if (!copy) return;
-    if (length > 0) memcpy(copy, limbs_of(w, kept[i]), length * sizeof *copy);
+    const size_t own = (size_t)length_of(kept[i]);
     const uint64_t offset = mark + (size_t)(copy - (w->limbs + from));
+    if (own > 0) memcpy(copy, limbs_of(w, kept[i]), own * sizeof *copy);
+    copy += own;
     kept[i].place = offset << 32 | (uint32_t)kept[i].place;
   }
-  memmove(w->limbs + mark, w->limbs + from, (w->used - from) * sizeof *w->limbs);
-  w->used = mark + (w->used - from);
+  memmove(w->limbs + mark, w->limbs + from, length * sizeof *w->limbs);
+  w->used = mark + length;
 }
 
 enum { QUOTIENT_BITS = 62 };

@@ -2,6 +2,8 @@
 #ifndef HL_REPORT_H
 #define HL_REPORT_H
 
+#include "checks.h"
+#include "exact.h"
 #include "hexlens.h"
 #include "scaling.h"
 
@@ -21,8 +23,8 @@ typedef struct precision {
   int exponent;
 } precision;
 
-/* What needs the verdict and how precise the coefficients are; `centre` is the value in the middle of the cube. */
-void complete_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, precision given, double centre,
+/* What needs the verdict and how precise the coefficients are. */
+void complete_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, precision given, const middle_point *middle,
                      hl_report *report);
 
 enum {
@@ -32,8 +34,12 @@ enum {
 /* Lists every jacdet of the report; returns how many there are. */
 int list_jacdets(hl_report *report, double *list[MAX_JACDETS]);
 
-/* All but what finish_report does, by integers; the jacdets are times 2^ the exponent returned, the quartics times 2^(3 unit). */
-int exact_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, int *unit, hl_report *report);
+/* All but what finish_report does, from exact values; the jacdets are times 2^ the exponent returned, the quartics times 2^(3 unit). */
+int exact_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, const exact_values *x,
+                 hl_report *report);
+
+/* From a face's coefficients, and the least candidate before it: what the rules say of it. */
+void judge_face(double running_minimum, hl_face_report *face);
 
 /* What the verdict says and, of an invalid element, whether jacdet is negative or 0 everywhere. */
 hl_class class_of(const double vertices[HL_COORDINATES], hl_verdict verdict);

@@ -2,6 +2,7 @@
 #include "scaling.h"
 #include "topology.h"
 
+#include <float.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -52,8 +53,10 @@ double times_power_of_two(double x, int exponent) {
 
 double in_normal_units(scaled_double x, int unit) {
   const int power = x.exponent - unit;
-  if (x.mantissa == 0 || power > LEAST_NORMAL) return times_power_of_two(x.mantissa, power);
-  return x.mantissa < 0 ? -power_of_two(LEAST_NORMAL) : power_of_two(LEAST_NORMAL);
+  if (x.mantissa == 0) return 0;
+  if (power > LEAST_NORMAL && power <= GREATEST + 1) return times_power_of_two(x.mantissa, power);
+  const double nearest = power > LEAST_NORMAL ? DBL_MAX : DBL_MIN;
+  return x.mantissa < 0 ? -nearest : nearest;
 }
 
 int scaled_back(double *values, int count, int exponent) {

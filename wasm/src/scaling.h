@@ -30,7 +30,7 @@ int binary_exponent(double x);
 /* x * 2^exponent is a normal double, or x is 0. */
 bool is_normal_after_scaling(double x, int exponent);
 
-/* x / 2^unit; what the doubles have no room for is the least normal double of its sign. |unit| <= 8000. */
+/* x / 2^unit; what the doubles have no room for is the least or the greatest normal one of its sign. |unit| <= 8000. */
 double in_normal_units(scaled_double x, int unit);
 
 /* Multiplies 2^exponent into all the values if that is exact for every one; returns the exponent that is left. */

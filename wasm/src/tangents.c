@@ -29,11 +29,15 @@ static int ends_of_pieces(int tangents, end_of_piece ends[MAX_ENDS]) {
   return count;
 }
 
-/* (K1): the polar form at s and t is the value at (s + t)/2 of both tangents. Of the coefficients q[0], q[stride], q[2 * stride]. */
-__attribute__((noinline)) static double value_below(const end_of_piece *at, const double *q, int stride) {
+static double between(double p, double q, double t) { return p + t * (q - p); }
+
+/* (K1): the polar form at s and t is the value at (s + t)/2 of both tangents; the first two pieces' ends are those of [0,1]. Of the
+   coefficients q[0], q[stride], q[2 * stride]. */
+static double value_below(const end_of_piece *at, const double *q, int stride) {
   const double q0 = q[0], q1 = q[stride], q2 = q[2 * stride];
-  double value = lerp(lerp(q0, q1, at->s), lerp(q1, q2, at->s), at->t);
-  return value - at->part_of_a * ((q0 - q1) + (q2 - q1));
+  if (at->s != at->t) return between(between(q0, q1, at->s), between(q1, q2, at->s), at->t);
+  const double end = at->s == 0 ? q0 : q2;
+  return at->part_of_a == 0 ? end : end - at->part_of_a * ((q0 - q1) + (q2 - q1));
 }
 
 /* (9) where the quadratic is lower inside. */
@@ -41,7 +45,7 @@ static double least_of_quadratic(const double q[3], double least) {
   least = smaller(least, smaller(q[0], q[2]));
   if (!(q[1] < least && q[1] < q[0] && q[1] < q[2])) return least;
   const double r = (q[0] - q[1]) / ((q[0] - q[1]) + (q[2] - q[1]));
-  return smaller(least, value_below(&(end_of_piece){r, r, 0}, q, 1));
+  return smaller(least, quadratic_at(q[0], q[1], q[2], r));
 }
 
 /* Of all quadratics in the variable `last` that the tangents in the two others leave. */

@@ -8,7 +8,6 @@ import {
   vertexBernstein,
 } from '../../model/bernstein'
 import { type Axis, edgeVertices, type Vertices, vertexReference } from '../../model/hexahedron'
-import { bitLength, rounded } from './rational'
 
 export interface ExactJacdet {
   /** Four times the 27 coefficients, over 2^exponent; the cube's centre is left 0. */
@@ -105,27 +104,6 @@ export function sixteenths({ bernstein }: ExactJacdet): bigint[] {
   const sumOf = (middles: number) =>
     bernstein.reduce((all, coefficient, i) => (bernsteinMiddles[i] === middles ? all + coefficient : all), 0n)
   return bernstein.map(coefficient => 4n * coefficient).with(bernsteinIndex(1, 1, 1), sumOf(1) - sumOf(0))
-}
-
-/** A coefficient too small for the doubles beside the largest keeps its sign. */
-const LEAST_POWER = -1000
-
-/**
- * All 27 as doubles times 2^exponent, the largest of magnitude in [1/2, 1); each is off by `error` at most, its rounding, and
- * has its sign.
- */
-export function roundedJacdet(jacdet: ExactJacdet) {
-  const coefficients = sixteenths(jacdet)
-  const bits = Math.max(...coefficients.map(bitLength))
-  const inUnit = (numerator: bigint) => {
-    const { mantissa, exponent: power } = rounded({ numerator, denominator: 1n }, -bits)
-    return power < LEAST_POWER ? Math.sign(mantissa) * 2 ** LEAST_POWER : mantissa * 2 ** power
-  }
-  return {
-    bernstein: coefficients.map(inUnit),
-    exponent: bits === 0 ? 0 : jacdet.exponent - 4 + bits,
-    error: bits === 0 ? 0 : 2 ** -53,
-  }
 }
 
 /** A face's nine, `[3 * i + j]` with i in s, j in t. */

@@ -1,5 +1,5 @@
 /**
- * The boundary minimum of an element on which doubles do not decide, its sign exact: docs/algorithm.md 7. The candidates
+ * The boundary minimum in integers, its sign exact: docs/algorithm.md 7. The candidates
  * are those of Algorithm 1; their values are exact rationals, on faces at ever finer enclosures of the roots of P.
  */
 import { edgeVertices, faces, type Vec3, type Vertices, vertexReference } from '../../model/hexahedron'
@@ -44,8 +44,6 @@ export interface ExactBoundary {
   readonly minimizer: ExactCandidate
   /** jacdet there before it is rounded: in value + [-error, 0], over the power of two of four times the ExactJacdet's. */
   readonly least: { readonly value: Rational; readonly error: Rational }
-  /** Faces whose Bernstein bound is no lower than the least vertex or edge value: their candidates are left out. */
-  readonly skippedFaces: readonly number[]
 }
 
 /** `value` and `error` are over four times the power of two of the ExactJacdet; the jacdet is in value + [-error, 0]. */
@@ -75,12 +73,10 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
   const sign = exactBoundarySign(vertices)
   const fixed = [...vertexCandidates(jacdet), ...edgeCandidates(jacdet)]
   const leastFixed = leastOf(fixed).value
+  // What is nowhere lower than vertices and edges has no candidate.
   const isSkipped = (face: number) =>
     exactFace(jacdet, face).every(numerator => !isLess({ numerator, denominator: 1n }, leastFixed))
-  const skippedFaces = faces.map((_, face) => face).filter(isSkipped)
-  const roots = faces.flatMap((_, face) =>
-    skippedFaces.includes(face) ? [] : innerRoots(exactFace(jacdet, face), face),
-  )
+  const roots = faces.flatMap((_, face) => (isSkipped(face) ? [] : innerRoots(exactFace(jacdet, face), face)))
   for (let bits = 128; ; bits *= 2) {
     const enclosed = roots.map(root => faceCandidate(root, bits))
     const candidates = [...fixed, ...enclosed.filter(candidate => candidate !== null)]
@@ -95,7 +91,7 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
     const touched = sign === 0 ? shown.find(({ mantissa }) => mantissa === 0) : undefined
     const minimizer = touched ?? (shown[candidates.indexOf(least)] as ExactCandidate)
     const known = touched ? { value: NONE, error: NONE } : least
-    return { sign, jacdet, candidates: shown, minimizer, least: known, skippedFaces }
+    return { sign, jacdet, candidates: shown, minimizer, least: known }
   }
 }
 

@@ -1,0 +1,17 @@
+// npm run test:exact: the laws of tests/exact in whole, where npm test has a hundredth of them, and their counts and times.
+// HEXLENS_SEED=7 draws others.
+
+import { join } from 'node:path'
+import { root, run, runMain } from './run.mjs'
+import { setup } from './setup.mjs'
+
+await runMain(async () => {
+  await setup({ purpose: 'unit' })
+  const vitest = join(root, 'node_modules', 'vitest', 'vitest.mjs')
+  const env = { ...process.env, HEXLENS_EXACT: 'whole' }
+  const { status } = await run(process.execPath, [vitest, 'run', 'tests/exact', '--disable-console-intercept'], {
+    output: 'show',
+    env,
+  })
+  return status
+})
