@@ -32,10 +32,11 @@ void find_exact_minimum(const double vertices[HL_COORDINATES], exact_minimum *mi
 /* The numbers of a report that doubles would not give in full, each rounded once. */
 typedef struct exact_values {
   exact_minimum boundary;
-  double bernstein[HL_BERNSTEIN]; /* times 2^unit, the largest of magnitude in [1/2, 1), each off by at most `error` and of exact sign */
+  double bernstein
+      [HL_BERNSTEIN]; /* times 2^unit, the largest of magnitude in [1/2, 1), each off by at most `error` and of exact sign */
   double error;
   int unit;
-  scaled_double coefficients[HL_BERNSTEIN]; /* the same, of any size */
+  scaled_double coefficients[HL_BERNSTEIN];                               /* the same, of any size */
   hl_candidate vertex_candidates[HL_VERTICES], edge_candidates[HL_EDGES]; /* without values and positions */
   int edge_count;
   scaled_double vertices[HL_VERTICES], on_edges[HL_EDGES]; /* their values */
