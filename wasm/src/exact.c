@@ -10,7 +10,8 @@
 #include "topology.h"
 
 /* A task is tried with little memory, and begun again with more where that is full. The integers of an element whose coordinates
-   have B bits on each axis have 3B; chains of remainders have up to 47 times twice as many, (X3). */
+   have B bits on each axis have 3B, D has 6B, numbers in chains of remainders up to 66 times as many, (X3): ordinary coordinates need a
+   quarter of the first at most for verdicts, random bit patterns of all exponents six tenths of the last for reports. */
 enum { LITTLE = 5000, MORE = 40000, MOST = 280000 }; /* limbs of four bytes */
 
 typedef void exact_task(workspace *w, void *query);

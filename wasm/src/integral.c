@@ -62,8 +62,8 @@ static void column_of(const double vertices[24], const unsigned char pairs[2][2]
   }
 }
 
-/* Each of the 18 products of three carries one rounding of a column, two of products and five of sums, none of more than 4 * 2^-104 of
-   itself; in all less than 2^-98 of the sum of their magnitudes. */
+/* Each of the 18 products of three carries two sums of pairs, of a column and of the minor, and up to eight of the total, of 3u^2
+   each, and two products of 8u^2: 46u^2, less than 2^-100 of the sum of their magnitudes. */
 #define PAIR_ERROR 0x1p-98
 
 /* Coordinates whose products of three neither overflow nor lose the digits of their second doubles. */
