@@ -1,0 +1,4 @@
+/** All formats. The first that is certain of a file reads it, else the first to which it is possible. */
+import type { MeshFormat } from './source'
+
+export const formats: readonly MeshFormat[] = []
