@@ -14,13 +14,13 @@ export async function main(options: readonly string[]): Promise<void> {
   for (let row = 0; row < ROWS; ++row) {
     const sigma = row / 10
     const points = displacements.map((displacement, i) => (unitCube[i % 24] as number) + sigma * displacement)
-    const { valid, validCount, ...rest } = batchCores.vectors.classify({ points, cells: null, firstPoint: 0 }, false)
+    const { valid, validCount, exactCount } = batchCores.vectors.classify({ points, cells: null, firstPoint: 0 }, {})
     for (let n = 0; n < elements; ++n) {
       const isValid = exactBoundarySign(Array.from(points.subarray(24 * n, 24 * n + 24))) > 0
       if (isValid !== (valid[n] === 1)) wrong += 1
     }
     all += elements
-    exact += rest.exact
+    exact += exactCount
     console.log(`sigma ${sigma.toFixed(1)}: ${elements - validCount} of ${elements} invalid`)
   }
   console.log(`${all} verdicts, ${exact} of them left open by doubles, ${wrong} that exact arithmetic does not confirm`)

@@ -1,12 +1,15 @@
-/* Reads hexahedra as raw doubles, 24 each, from standard input and writes for each its status and its packed report,
-   minimum, verdict and Jacobian as raw doubles: what tests/unit/parity.test.ts compares with the wasm's memory. */
+/* Reads hexahedra as raw doubles, 24 each, from standard input. Without an argument it writes for each its status and its packed report,
+   minimum, verdict and Jacobian as raw doubles; with `batch` the twelve lists of hl_classify for all of them, one after the
+   other as they lie in memory: what tests/unit/parity.test.ts compares with the wasm's memory. */
 #include "hexlens.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 static void write_doubles(const double *values, size_t count) { fwrite(values, sizeof(double), count, stdout); }
 
-int main(void) {
+static void one_by_one(void) {
   static double packed[HL_PACKED_REPORT];
   static hl_report report;
   double vertices[HL_COORDINATES];
@@ -29,5 +32,30 @@ int main(void) {
     hl_jacobian_at(vertices, point, &jacobian);
     write_doubles(packed, hl_pack_jacobian(&jacobian, packed));
   }
+}
+
+enum { LISTS = 12 };
+
+static void as_a_batch(void) {
+  size_t count = 0, room = 1024;
+  double *points = malloc(room * HL_COORDINATES * sizeof *points);
+  while (fread(points + HL_COORDINATES * count, sizeof *points, HL_COORDINATES, stdin) == HL_COORDINATES)
+    if (++count == room) points = realloc(points, (room *= 2) * HL_COORDINATES * sizeof *points);
+  const size_t each[LISTS] = {1, 1, 1, 1, 2, 8, 24, 8, 2, 8, 8, 2};
+  void *at[LISTS];
+  for (int i = 0; i < LISTS; ++i) at[i] = malloc(each[i] * count);
+  hl_batch batch = {at[0], at[1], at[2], at[3], at[4], at[5], at[6], at[7], at[8], at[9], at[10], at[11], 0, 0, 0, 0, 0};
+  hl_cells cells = {points, HL_COORDINATES * count, NULL, 0};
+  if (hl_classify(&cells, &batch) != HL_OK) exit(1);
+  for (int i = 0; i < LISTS; ++i) {
+    fwrite(at[i], each[i], count, stdout);
+    free(at[i]);
+  }
+  free(points);
+}
+
+int main(int count, char **words) {
+  if (count > 1 && strcmp(words[1], "batch") == 0) as_a_batch();
+  else one_by_one();
   return 0;
 }

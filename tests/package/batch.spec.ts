@@ -14,7 +14,7 @@ import { elsewhere, expect, root, test } from './elsewhere'
 const dist = join(elsewhere, 'node_modules/hexlens/dist')
 
 /** What users write; each host below runs this file. In JSON, as it comes back from a page. */
-const ANSWER = `import { startClassifier } from 'hexlens/batch'
+const ANSWER = `import { CLASSES, STATUSES, startClassifier } from 'hexlens/batch'
 
 export async function answer(hexahedra) {
   const classifier = await startClassifier({ workers: 2 })
@@ -31,9 +31,14 @@ export async function answer(hexahedra) {
   const chunks = hexahedra.map(hexahedron => ({ points: new Float64Array(hexahedron) }))
   for await (const result of classifier.stream(chunks, { minima: true, handOver: true })) streamed.push(plain(result))
   points[24] = Number.NaN
-  const refusal = await classifier.classify(points, null)
+  const { value } = await classifier.classify(points, null, { classes: true, statuses: true })
+  const { validCount, unansweredCount, firstUnanswered, minima } = value
+  const status = STATUSES[value.statuses[1]]
+  const classes = [...value.classes].map(place => CLASSES[place] ?? null)
+  const unanswered = { validCount, unansweredCount, firstUnanswered, minima, status, classes }
+  const refusal = await classifier.classify(points.subarray(1), null)
   classifier.close()
-  return { classified, streamed, handedOver: chunks.every(chunk => chunk.points.length === 0), refusal }
+  return { classified, streamed, handedOver: chunks.every(chunk => chunk.points.length === 0), unanswered, refusal }
 }
 `
 
@@ -66,9 +71,18 @@ async function fixture(): Promise<Fixture> {
     minimizers: each.flatMap(({ minimizers }) => minimizers),
     validCount: each.reduce((sum, { validCount }) => sum + validCount, 0),
   }
-  const message = 'Cell 1, vertex 0 x is not a finite number.'
-  const refusal = { ok: false, error: { code: 'not-finite', cell: 1, message } }
-  const expected = { classified, streamed: each, handedOver: true, refusal }
+  const unanswered = {
+    validCount: classified.validCount - Number(cases[1]?.valid),
+    unansweredCount: 1,
+    firstUnanswered: 1,
+    minima: null,
+    status: 'not-finite',
+    classes: cases.map(({ report }, cell) => (cell === 1 ? null : report.class)),
+  }
+  const cell = cases.length - 1
+  const message = `Cell ${cell} is incomplete: 24 coordinates make one.`
+  const refusal = { ok: false, error: { code: 'incomplete', cell, message } }
+  const expected = { classified, streamed: each, handedOver: true, unanswered, refusal }
   return { hexahedra: cases.map(({ vertices }) => vertices), expected: JSON.parse(JSON.stringify(expected)) }
 }
 
@@ -191,16 +205,19 @@ test('the lines of the README answer', () => {
     .find(part => part.startsWith('Many elements'))
   const lines = section?.split('\n').filter(line => line.startsWith('    '))
   const snippet = lines?.slice(0, 1 + lines.findIndex(line => line.includes('close()'))).join('\n')
-  const run = (points: string) => {
+  const run = (points: string, cells = '0, 1, 2, 3, 4, 5, 6, 7') => {
     const given = `const points = new Float64Array([${points}])
-      const cells = new Uint32Array([0, 1, 2, 3, 4, 5, 6, 7])
+      const cells = new Uint32Array([${cells}])
       const [signal, onProgress] = [AbortSignal.timeout(60_000), () => {}]`
     writeFileSync(join(elsewhere, 'readme.js'), `${given}\n${snippet}`)
     return node('readme.js')
   }
   const cube = '0,0,0, 1,0,0, 1,1,0, 0,1,0, 0,0,1, 1,0,1, 1,1,1, 0,1,1'
   expect(run(cube)).toMatch(/^1 Uint8Array\(1\) \[ 1 \] \{\s*values: Float64Array\(1\) \[ 1 \]/)
-  expect(run(cube.replace('1,1,0', '1,1,NaN'))).toBe('Cell 0, vertex 2 z is not a finite number.\n')
+  expect(run(cube.replace('1,1,0', '1,1,NaN'))).toMatch(
+    /^0 Uint8Array\(1\) \[ 0 \] \{\s*values: Float64Array\(1\) \[ NaN \]/,
+  )
+  expect(run(cube, '0, 1, 2')).toBe('Cell 0 is incomplete: eight indices make one.\n')
 })
 
 test('its types are whole', () => {
@@ -214,6 +231,10 @@ test('its types are whole', () => {
      function* chunks(): Generator<CellChunk> { yield { points: new Float64Array(24) } }
      for await (const one of classifier.stream(chunks(), { handOver: true }))
        if (one.ok) { const { minima, validCount }: Classification = one.value; console.log(minima?.values, validCount) }
+     const asked = await classifier.classify(new Float64Array(24), null, { minima: true, classes: true })
+     if (asked.ok) { console.log(asked.value.minima.values, asked.value.classes.length, asked.value.firstUnanswered) }
+     // @ts-expect-error A list that was not asked for is null.
+     if (asked.ok) console.log(asked.value.volumes.values)
      // @ts-expect-error Numbers are no list of doubles: the types are there.
      await classifier.classify([0, 1, 2], null)
      classifier.close()`,

@@ -11,7 +11,7 @@ afterAll(endThreads)
 const CELLS = 3000
 const random = randomSource(20260801)
 const points = new Float64Array(Array.from({ length: CELLS }, () => randomHexahedron(random, 0.3)).flat())
-const expected = batchCores.scalar.classify({ points, cells: null, firstPoint: 0 }, true)
+const expected = batchCores.scalar.classify({ points, cells: null, firstPoint: 0 }, { minima: true })
 
 async function expectAnswer(asked: ReturnType<Classifier['classify']>): Promise<void> {
   const result = await asked

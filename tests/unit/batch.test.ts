@@ -1,8 +1,9 @@
 /** Batches are their cells one by one, exactly, in one thread and on workers. */
 import { afterAll, expect, it } from 'vitest'
-import type { PieceResult } from '../../web/core/batch/batch-core'
 import type { CellChunk, Classification } from '../../web/core/batch/classify'
-import type { Report } from '../../web/core/report'
+import { type Answers, type CellStatus, STATUSES, type Wanted } from '../../web/core/batch/lists'
+import type { Report, Result } from '../../web/core/report'
+import { ALL_LISTS, expectAsReports } from './batch-answers'
 import { cases, core, depthGuardCases, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 import { batchCores, endThreads, nodeClassifier } from './node-workers'
 
@@ -43,47 +44,50 @@ function reportOf(hexahedron: readonly number[]): Report {
   return result.value
 }
 
-function expectAsOneByOne(hexahedra: readonly number[][], valid: Uint8Array, minima: PieceResult['minima']): void {
-  for (const [c, hexahedron] of hexahedra.entries()) {
-    const report = reportOf(hexahedron)
-    expect(valid[c] === 1, `cell ${c}: ${hexahedron}`).toBe(report.valid)
-    if (!minima) continue
-    expect([...minima.minimizers.subarray(3 * c, 3 * c + 3)], `minimizer of cell ${c}`).toEqual(report.minimizer.point)
-    if (report.exponent === minima.exponents[c]) {
-      expect(minima.values[c]).toBe(report.boundaryMinimum)
-      expect(minima.cornerMinima[c]).toBe(report.cornerMinimum)
-    } else {
-      // The report has more numbers to bring to one exponent.
-      expect(minima.exponents[c]).toBe(0)
-      expect(minima.values[c]).toBe(timesPowerOfTwo(report.boundaryMinimum, report.exponent))
-    }
-  }
-}
-
-function timesPowerOfTwo(value: number, exponent: number): number {
-  const half = Math.trunc(exponent / 2)
-  return value * 2 ** half * 2 ** (exponent - half)
-}
-
 it('answers as one by one on hard cases, with vectors and without', () => {
   const hexahedra = [...hardHexahedra, ...mixedHexahedra(20260701, 1000)]
-  const all = batchCores.vectors.classify(piece(hexahedra), true)
-  const { valid, minima, exact } = all
-  expectAsOneByOne(hexahedra, valid, minima)
-  for (const [c, { name, answer }] of cases.entries()) expect(valid[c] === 1, name).toBe(answer.valid)
-  expect(exact).toBeGreaterThan(30)
-  expect(batchCores.scalar.classify(piece(hexahedra), true)).toEqual(all)
-  const withoutMinima = batchCores.vectors.classify(piece(hexahedra), false)
-  expect([withoutMinima.valid, withoutMinima.minima]).toEqual([valid, null])
+  const all = batchCores.vectors.classify(piece(hexahedra), ALL_LISTS)
+  expectAsReports(hexahedra.map(reportOf), all)
+  for (const [c, { name, answer }] of cases.entries()) expect(all.valid[c] === 1, name).toBe(answer.valid)
+  expect(all.exactCount).toBeGreaterThan(30)
+  expect(all.exactCount).toBe(all.exact.reduce((a, b) => a + b, 0))
+  expect(all.validCount + all.invalidCount).toBe(hexahedra.length)
+  expect([all.unansweredCount, all.firstUnanswered]).toEqual([0, null])
+  expect(batchCores.scalar.classify(piece(hexahedra), ALL_LISTS)).toEqual(all)
+})
+
+/** All that a choice of lists has, and null for the others. */
+function expectOnly(wanted: Wanted, answers: Answers, all: Answers): void {
+  for (const list of Object.keys(ALL_LISTS) as (keyof typeof ALL_LISTS)[])
+    if (list !== 'exact' || !wanted.exact) expect(answers[list], list).toEqual(wanted[list] ? all[list] : null)
+  expect(answers.valid).toEqual(all.valid)
+}
+
+it('answers in each list alone what it answers in all of them', () => {
+  const hexahedra = [...hardHexahedra, ...mixedHexahedra(20260705, 200)]
+  const all = batchCores.vectors.classify(piece(hexahedra), ALL_LISTS)
+  expectOnly({}, batchCores.vectors.classify(piece(hexahedra), {}), all)
+  for (const list of Object.keys(ALL_LISTS) as (keyof typeof ALL_LISTS)[]) {
+    const wanted = { [list]: true }
+    expectOnly(wanted, batchCores.vectors.classify(piece(hexahedra), wanted), all)
+    expectOnly(
+      { ...ALL_LISTS, [list]: false },
+      batchCores.scalar.classify(piece(hexahedra), { ...ALL_LISTS, [list]: false }),
+      all,
+    )
+  }
+  // With verdicts alone integers are asked less often than with minima.
+  const { exact, exactCount } = batchCores.vectors.classify(piece(hexahedra), { exact: true })
+  for (const [c, isExact] of exact.entries()) if (isExact) expect(all.exact[c]).toBe(1)
+  expect(exactCount).toBe(exact.reduce((a, b) => a + b, 0))
+  expect(exactCount).toBeGreaterThan(30)
 })
 
 it('answers as one by one in every length', () => {
   const hexahedra = mixedHexahedra(20260702, 66)
   for (let length = 0; length <= 33; ++length) {
     const some = hexahedra.slice(length, 2 * length)
-    const { valid, minima, fault } = batchCores.vectors.classify(piece(some), true)
-    expect([valid.length, fault]).toEqual([length, null])
-    expectAsOneByOne(some, valid, minima)
+    expectAsReports(some.map(reportOf), batchCores.vectors.classify(piece(some), ALL_LISTS))
   }
 })
 
@@ -108,7 +112,7 @@ function expanded({ points, cells }: ReturnType<typeof grid>): Float64Array {
   return new Float64Array([...cells].flatMap(index => [...points.subarray(3 * index, 3 * index + 3)]))
 }
 
-function answer(result: Awaited<ReturnType<typeof one.classify>>): Classification {
+function answer<W extends Wanted>(result: Result<Classification<W>>): Classification<W> {
   if (!result.ok) throw new Error(result.error.message)
   return result.value
 }
@@ -118,11 +122,11 @@ it('gives the same on one worker and on three, for shared points and for coordin
   const count = mesh.cells.length / 8
   expect(count).toBeGreaterThan(2 * CELLS_PER_PIECE)
   const progress: number[] = []
-  const options = { minima: true, onProgress: ({ done }: { done: number }) => progress.push(done) }
+  const options = { ...ALL_LISTS, onProgress: ({ done }: { done: number }) => progress.push(done) }
   const first = answer(await one.classify(mesh.points, mesh.cells, options))
-  const other = answer(await three.classify(mesh.points, mesh.cells, { minima: true }))
+  const other = answer(await three.classify(mesh.points, mesh.cells, ALL_LISTS))
   expect(other).toEqual(first)
-  expect(answer(await three.classify(expanded(mesh), null, { minima: true }))).toEqual(first)
+  expect(answer(await three.classify(expanded(mesh), null, ALL_LISTS))).toEqual(first)
   // Indices far apart: every piece has points of the whole mesh.
   const scattered = mesh.cells.slice()
   for (let c = 0; c < count; ++c) scattered.copyWithin(8 * c, 8 * ((c * 7919) % count), 8 * ((c * 7919) % count) + 8)
@@ -137,61 +141,118 @@ it('gives the same on one worker and on three, for shared points and for coordin
   expect([one.threads.length, three.threads.length]).toEqual([1, 3])
   const sample = [0, 1, count >> 1, count - 1]
   const all = expanded(mesh)
-  expectAsOneByOne(
-    sample.map(c => [...all.subarray(24 * c, 24 * c + 24)]),
-    new Uint8Array(sample.map(c => entry([...first.valid], c))),
-    null,
-  )
+  for (const c of sample)
+    expect(first.valid[c] === 1, `cell ${c}`).toBe(reportOf([...all.subarray(24 * c, 24 * c + 24)]).valid)
 })
 
-it('refuses with the first cell that is none, wherever the others are', async () => {
+/** What a cell that is unanswered has in the lists. */
+function expectUnanswered(answers: Answers<typeof ALL_LISTS>, cell: number, status: CellStatus): void {
+  const { valid, minima, relativeMinima, volumes, classes, acceptedBy, exact, statuses } = answers
+  expect(STATUSES[statuses[cell] as number], `cell ${cell}`).toBe(status)
+  const numbers = [minima.values, minima.cornerMinima, relativeMinima, volumes.values].map(list => list[cell])
+  expect([...numbers, ...minima.minimizers.subarray(3 * cell, 3 * cell + 3)]).toEqual(Array(7).fill(Number.NaN))
+  const integers = [valid, minima.exponents, volumes.exponents, classes, acceptedBy, exact].map(list => list[cell])
+  expect(integers).toEqual([0, 0, 0, 0, 0, 0])
+}
+
+it('a cell that is none is unanswered and does not stop the others, wherever it is', async () => {
   const count = 3 * CELLS_PER_PIECE
-  const points = new Float64Array(24 * count)
-  for (let c = 0; c < count; ++c) points.set(unitCube, 24 * c)
-  const at = (cell: number) => 24 * cell + 7
-  const refusal = async (...[list, cells = null]: [Float64Array, (Uint32Array | null)?]) => {
-    const result = await three.classify(list, cells)
-    const chunk = { points: list.slice(), cells: cells?.slice() ?? null }
+  const random = randomSource(20260706)
+  const hexahedra = Array.from({ length: count }, () => randomHexahedron(random, 0.3))
+  const points = new Float64Array(hexahedra.flat())
+  const cells = Uint32Array.from({ length: 8 * count }, (_, i) => i)
+  const healthy = answer(await three.classify(points, null, ALL_LISTS))
+  const bad = new Map<number, CellStatus>([
+    [0, 'not-finite'],
+    [7, 'no-such-point'],
+    [CELLS_PER_PIECE - 1, 'not-finite'],
+    [CELLS_PER_PIECE, 'not-finite'],
+    [2 * CELLS_PER_PIECE + 3, 'no-such-point'],
+    [count - 1, 'no-such-point'],
+  ])
+  for (const [cell, status] of bad) {
+    if (status === 'not-finite') points[24 * cell + (cell % 24)] = cell % 2 ? Number.NaN : Number.NEGATIVE_INFINITY
+    else cells[8 * cell + (cell % 8)] = cell % 2 ? 8 * count : 0xffffffff
+  }
+  // Indices far apart: each piece has its points one by one. Near: those between the least and the greatest.
+  const places = Uint32Array.from({ length: count }, (_, c) => (c * 7) % count)
+  const scattered = Uint32Array.from(cells, (_, i) =>
+    entry([...cells.subarray(8 * entry([...places], i >> 3), 8 * entry([...places], i >> 3) + 8)], i % 8),
+  )
+  for (const [list, placeOf] of [
+    [cells, (c: number) => c],
+    [scattered, (c: number) => entry([...places], c)],
+  ] as const) {
+    const answers = answer(await three.classify(points, list, ALL_LISTS))
+    const chunk = { points: points.slice(), cells: list.slice() }
+    for await (const streamed of three.stream([chunk], { ...ALL_LISTS, handOver: true }))
+      expect(answer(streamed)).toEqual(answers)
+    expect([answers.unansweredCount, answers.firstUnanswered]).toEqual([6, 0])
+    expect(answers.validCount + answers.invalidCount).toBe(count - 6)
+    for (let c = 0; c < count; ++c) {
+      const status = bad.get(placeOf(c))
+      if (status) expectUnanswered(answers, c, status)
+      else {
+        const whole = [
+          answers.valid,
+          answers.minima.values,
+          answers.relativeMinima,
+          answers.volumes.values,
+          answers.acceptedBy,
+        ]
+        const before = [
+          healthy.valid,
+          healthy.minima.values,
+          healthy.relativeMinima,
+          healthy.volumes.values,
+          healthy.acceptedBy,
+        ]
+        expect(whole.map(one => one[c])).toEqual(before.map(one => one[placeOf(c)]))
+      }
+    }
+  }
+  const verdicts = answer(await one.classify(points.subarray(24), null))
+  expect(verdicts).toMatchObject({ unansweredCount: 2, firstUnanswered: CELLS_PER_PIECE - 2, minima: null })
+  const nothing = answer(await one.classify(new Float64Array(0), cells.subarray(0, 8 * 201), ALL_LISTS))
+  expect([nothing.unansweredCount, nothing.firstUnanswered]).toEqual([201, 0])
+  expectUnanswered(nothing, 200, 'no-such-point')
+})
+
+it('refuses lists of a wrong length', async () => {
+  const points = new Float64Array(48)
+  const cells = new Uint32Array(16)
+  const refusal = async (...[list, indices = null]: [Float64Array, (Uint32Array | null)?]) => {
+    const result = await three.classify(list, indices)
+    const chunk = { points: list.slice(), cells: indices?.slice() ?? null }
     for await (const streamed of three.stream([chunk], { handOver: true })) expect(streamed).toEqual(result)
     return result.ok ? null : result.error
   }
   expect(await refusal(points)).toBeNull()
-  for (const cell of [0, CELLS_PER_PIECE - 1, CELLS_PER_PIECE, count - 1]) {
-    const bad = points.slice()
-    bad[at(cell)] = Number.NaN
-    bad[at(count - 1)] = Number.POSITIVE_INFINITY
-    const message = `Cell ${cell}, vertex 2 y is not a finite number.`
-    expect(await refusal(bad)).toEqual({ code: 'not-finite', cell, message })
-  }
-  expect(await refusal(points.subarray(0, 24 * count - 1))).toMatchObject({ code: 'incomplete', cell: count - 1 })
-  const cells = Uint32Array.from({ length: 8 * count }, (_, i) => i)
   expect(await refusal(points, cells)).toBeNull()
-  expect(await refusal(points, cells.subarray(0, 8 * count - 3))).toMatchObject({ code: 'incomplete', cell: count - 1 })
-  expect(await refusal(points.subarray(1), cells)).toMatchObject({ code: 'no-such-point', cell: count - 1 })
-  cells[8 * 400 + 3] = 8 * count
-  expect(await refusal(points, cells)).toEqual({
-    code: 'no-such-point',
-    cell: 400,
-    message: `Cell 400, vertex 3: there is no point ${8 * count}.`,
+  const code = 'incomplete'
+  expect(await refusal(points.subarray(1))).toEqual({
+    code,
+    cell: 1,
+    message: 'Cell 1 is incomplete: 24 coordinates make one.',
   })
-  points[at(399)] = Number.NaN
-  expect(await refusal(points, cells)).toMatchObject({ code: 'not-finite', cell: 399 })
-  const many = new Float64Array(24 * 1100 + 5)
-  for (let c = 0; c < 1100; ++c) many.set(unitCube, 24 * c)
-  const fault = (list: Float64Array) =>
-    batchCores.vectors.classify({ points: list, cells: null, firstPoint: 0 }, false).fault
-  expect([fault(many.subarray(0, 24 * 1100)), fault(many)]).toEqual([null, { cell: 1100, code: 'incomplete' }])
-  many[at(1050)] = Number.NaN
-  expect(fault(many)).toEqual({ cell: 1050, code: 'not-finite' })
+  expect(await refusal(points, cells.subarray(3))).toEqual({
+    code,
+    cell: 1,
+    message: 'Cell 1 is incomplete: eight indices make one.',
+  })
+  expect(await refusal(points.subarray(1), cells)).toEqual({
+    code,
+    message: 'The last point is incomplete: three coordinates make one, and there are 47.',
+  })
   expect(await one.classify(new Float64Array(0), null)).toMatchObject({ ok: true, value: { validCount: 0 } })
 })
 
-it('streams chunks in their order and stops at the first refusal', async () => {
+it('streams chunks in their order and stops at the first that is refused', async () => {
   const random = randomSource(20260704)
   const chunks = Array.from({ length: 7 }, () =>
     piece(Array.from({ length: 100 }, () => randomHexahedron(random, 0.3))),
   )
-  const expected = chunks.map(chunk => batchCores.scalar.classify(chunk, true))
+  const expected = chunks.map(chunk => batchCores.scalar.classify(chunk, { minima: true }))
   const answers: Classification[] = []
   for await (const result of three.stream(chunks, { minima: true })) answers.push(answer(result))
   expect(answers.map(({ valid, minima }) => ({ valid, minima }))).toEqual(
@@ -207,7 +268,9 @@ it('streams chunks in their order and stops at the first refusal', async () => {
   }
   expect(handedOver.every(({ points }) => points.length === 0)).toBe(true)
   expect(parts.every(({ points }) => points.length > 0)).toBe(true)
-  entry(chunks, 4).points[24 * 17] = Number.NaN
+  entry(chunks, 3).points[24 * 17] = Number.NaN
+  const whole = entry(chunks, 4)
+  chunks[4] = { ...whole, points: whole.points.subarray(0, 24 * 17 + 5) }
   let asked = 0
   const source = function* (): Generator<CellChunk> {
     for (const chunk of chunks) {
@@ -216,9 +279,9 @@ it('streams chunks in their order and stops at the first refusal', async () => {
     }
   }
   const seen = []
-  for await (const result of one.stream(source())) seen.push(result.ok ? 'ok' : result.error)
-  expect(seen.slice(0, 4)).toEqual(['ok', 'ok', 'ok', 'ok'])
-  expect(seen[4]).toMatchObject({ cell: 417, message: 'Cell 417, vertex 0 x is not a finite number.' })
+  for await (const result of one.stream(source())) seen.push(result.ok ? result.value.firstUnanswered : result.error)
+  expect(seen.slice(0, 4)).toEqual([null, null, null, 17])
+  expect(seen[4]).toMatchObject({ cell: 417, message: 'Cell 417 is incomplete: 24 coordinates make one.' })
   expect([seen.length, asked]).toEqual([5, 6])
 })
 

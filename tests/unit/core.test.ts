@@ -35,7 +35,6 @@ describe('the module', () => {
       [
         '_initialize',
         'analyze',
-        'analyze_coefficients',
         'boundary_minimum',
         'input_address',
         'input_length',

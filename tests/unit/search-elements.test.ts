@@ -182,7 +182,7 @@ describe('the sieve', () => {
       const condition = parseCondition(text)
       const measure = parseMeasure(entry(['boundary_min', '-volume / 3 + edge_min', 'centre * corner_min'], n % 3))
       if (!condition.ok || !measure.ok) throw new Error(`${text} was refused.`)
-      const sieve = sieveOf(condition.value, measure.value, unitCube)
+      const sieve = sieveOf(condition.value, measure.value, unitCube, core)
       for (const [e, vertices] of elements.entries()) {
         const report = entry(reports, e)
         const met = isMet(condition.value, quantitiesOf(report, unitCube))
@@ -208,7 +208,7 @@ describe('the sieve', () => {
       const condition = parseCondition(text)
       const measure = parseMeasure('centre')
       if (!condition.ok || !measure.ok) throw new Error(text)
-      return sieveOf(condition.value, measure.value, unitCube).mayBe
+      return sieveOf(condition.value, measure.value, unitCube, core).mayBe
     }
     const none = { valid: false, invalid: true, withoutPositiveCorners: false }
     for (const { id, property } of searches)

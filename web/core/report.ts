@@ -141,13 +141,13 @@ export interface JacobianReport {
   readonly exponent: number
 }
 
-export type CoreErrorCode = 'wrong-count' | 'not-finite' | 'outside-cube' | 'incomplete' | 'no-such-point'
+export type CoreErrorCode = 'wrong-count' | 'not-finite' | 'outside-cube' | 'incomplete'
 
 /** A typed refusal at the boundary; `message` is a clear sentence for people. */
 export interface CoreError {
   readonly code: CoreErrorCode
   readonly message: string
-  /** Of many cells, the first that is at fault. */
+  /** Of many cells, the one that is incomplete. */
   readonly cell?: number
 }
 

@@ -5,9 +5,9 @@ import type {
   CandidateKind,
   Check,
   CheckId,
+  ElementClass,
   FaceReport,
   FaceRoot,
-  ElementClass,
   JacobianReport,
   Report,
   RootFate,
@@ -17,9 +17,11 @@ import type {
 
 const KINDS: readonly CandidateKind[] = ['vertex', 'edge', 'face']
 const VERDICTS: readonly (boolean | undefined)[] = [undefined, true, false]
-const CLASSES: readonly (ElementClass | undefined)[] = [undefined, 'valid', 'invalid', 'inverted', 'collapsed']
+/** By hl_class. */
+export const CLASSES: readonly (ElementClass | undefined)[] = [undefined, 'valid', 'invalid', 'inverted', 'collapsed']
 const SHAPES: readonly (Shape | null)[] = [null, 'wedge', 'pyramid', 'tetrahedron']
-const CHECKS: readonly CheckId[] = [
+/** By hl_check. */
+export const CHECKS: readonly CheckId[] = [
   'corners',
   'corners-and-centre',
   'gauss-2',

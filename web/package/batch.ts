@@ -1,9 +1,9 @@
 /**
- * `hexlens/batch`: verdicts and boundary minima of many elements on workers, in a page or in Node. The workers' script and the wasm are
+ * `hexlens/batch`: verdicts, boundary minima and more of many elements on workers, in a page or in Node. The workers' script and the wasm are
  * inside, as text, so that bundlers have nothing to find and no file has to lie beside.
  *
  *     const classifier = await startClassifier()
- *     const result = await classifier.classify(points, cells)   // { ok: true, value } or { ok: false, error }
+ *     const result = await classifier.classify(points, cells, { minima: true })   // { ok: true, value } or { ok: false, error }
  *     classifier.close()
  */
 
@@ -17,7 +17,7 @@ import { pagePort, threadPort } from '../core/batch/ports'
 import { compiledOf, defaultWorkers } from '../core/batch/start'
 import { inflated } from './inflate'
 
-export type { Answers, Minima } from '../core/batch/batch-core'
+export type { Counts } from '../core/batch/batch-core'
 export type {
   CellChunk,
   Classification,
@@ -26,7 +26,9 @@ export type {
   Progress,
   StreamOptions,
 } from '../core/batch/classify'
-export type { CoreError, CoreErrorCode, Result } from '../core/report'
+export { type Answers, type CellStatus, type Minima, STATUSES, type Volumes, type Wanted } from '../core/batch/lists'
+export type { CheckId, CoreError, CoreErrorCode, ElementClass, Result } from '../core/report'
+export { CHECKS, CLASSES } from '../core/unpack'
 
 declare global {
   /** So that the types are whole where those of a DOM are not there, as in Node. */

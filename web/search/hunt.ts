@@ -43,7 +43,7 @@ export interface Haul {
  */
 export function hunterOf(read: ReadQuest, { batch, core }: Cores): (piece: Piece) => Haul {
   const { quest, property, measure, start } = read
-  const sieve = sieveOf(property, measure, start)
+  const sieve = sieveOf(property, measure, start, core)
   const rankings = [new Ranking('beauty'), new Ranking('extremeness')]
   const elements = new Float64Array(COORDINATE_COUNT * BLOCK)
   const positive = new Float64Array(COORDINATE_COUNT * BLOCK)
@@ -88,7 +88,7 @@ export function hunterOf(read: ReadQuest, { batch, core }: Cores): (piece: Piece
         places[count++] = e
       }
       const points = positive.subarray(0, COORDINATE_COUNT * count)
-      const { valid } = batch.classify({ points, cells: null, firstPoint: 0 }, false)
+      const { valid } = batch.classify({ points, cells: null, firstPoint: 0 }, {})
       for (let n = 0; n < count; ++n) {
         const isValid = valid[n] === 1
         if (isValid ? sieve.mayBe.valid : sieve.mayBe.invalid)

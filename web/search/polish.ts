@@ -52,7 +52,7 @@ export function polish(
 
 /** Whether an element certainly has the property. */
 function propertyOf({ property, measure, start }: ReadQuest, { core }: Cores) {
-  const sieve = sieveOf(property, measure, start)
+  const sieve = sieveOf(property, measure, start, core)
   const list = new Float64Array(COORDINATE_COUNT)
   return (vertices: Vertices): boolean => {
     const verdict = core.isValid(vertices)

@@ -4,7 +4,7 @@
  * coefficients. The condition's own arithmetic is in doubles as they round: held back wrongly is at most an element for which two sides
  * agree to fifteen digits, and none is let through for good by such arithmetic.
  */
-import { exactBoundarySign } from '../core/exact/exact-sign'
+import type { Core } from '../core/report'
 import { BERNSTEIN_COUNT, bernsteinMiddles, vertexBernstein } from '../model/bernstein'
 import type { Condition } from '../model/condition'
 import { NUMBERS, type NumberName, type QuantityName } from '../model/condition/names'
@@ -50,7 +50,7 @@ const INDEX = Object.fromEntries(NUMBERS.map((name, i) => [name, i])) as Readonl
 /** What the verdict alone says nothing more of. */
 const OF_THE_VERDICT: readonly QuantityName[] = ['valid', 'moved']
 
-export function sieveOf({ claim, names }: Condition, measure: NumberNode, start: Vertices): Sieve {
+export function sieveOf({ claim, names }: Condition, measure: NumberNode, start: Vertices, core: Core): Sieve {
   const known = new Enclosures()
   const truth = compiled(claim, known)
   const measured = compiledNumber(measure, known)
@@ -87,7 +87,7 @@ export function sieveOf({ claim, names }: Condition, measure: NumberNode, start:
           byFineCoefficients(known, fine, error)
         }
         if (!valid && asksBoundary && known.mayBeZero('boundary_min') && truth() === OPEN)
-          bySign(known, elements.subarray(at, at + COORDINATE_COUNT))
+          bySign(known, elements.subarray(at, at + COORDINATE_COUNT), core)
       }
       const answer = truth()
       return answer === TRUE && !isSharp ? OPEN : answer
@@ -239,9 +239,11 @@ function byFineCoefficients(known: Enclosures, fine: Float64Array, error: number
   if (least - off > 0) known.narrow('subdivision', POSITIVE, Infinity)
 }
 
-/** What touches zero is frequent where coordinates are integers, and its exact sign far cheaper than all that is exact of it. */
-function bySign(known: Enclosures, element: Float64Array): void {
-  const isNegative = exactBoundarySign(Array.from(element)) < 0
+/** What touches zero is frequent where coordinates are integers, and the exact minimum is far cheaper than all else that is exact. */
+function bySign(known: Enclosures, element: Float64Array, core: Core): void {
+  const result = core.boundaryMinimum(Array.from(element), 'roots-b')
+  if (!result.ok) throw new Error(result.error.message)
+  const isNegative = result.value.minimizer.value < 0
   known.narrow('boundary_min', isNegative ? -Infinity : 0, isNegative ? -POSITIVE : 0)
 }
 

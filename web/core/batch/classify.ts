@@ -1,9 +1,10 @@
 /**
- * Validity and boundary minima of many hexahedra on a pool of workers. Every verdict is exact, and every answer the same as one by
- * one, bit for bit, whatever the number of workers and whatever the machine's vectors.
+ * Validity and boundary minima of many hexahedra on a pool of workers, and what else is asked of them. Every verdict is exact, and every
+ * answer the same as one by one, bit for bit, whatever the number of workers and whatever the machine's vectors.
  */
-import type { CoreErrorCode, Result } from '../report'
-import { type Answers, answersIn, answersLength, cellCount, emptyAnswers, type Piece, putAnswers } from './batch-core'
+import type { CoreError, Result } from '../report'
+import { type Counts, cellCount, NOTHING_COUNTED, type Piece, sumOfCounts } from './batch-core'
+import { type Answers, answersOf, bytesPerCell, emptyLists, listsIn, putLists, type Wanted, wantedOf } from './lists'
 import { type Cut, isWhole, pieces, Recycled } from './pieces'
 import type { Pool } from './pool'
 
@@ -13,27 +14,23 @@ export interface Progress {
   readonly total: number
 }
 
-export interface ClassifyOptions {
-  /** Boundary minima as well; they cost more than verdicts. */
-  readonly minima?: boolean
+/** Lists beside the verdicts, each alone: `{ minima: true, volumes: true }`; and how the work is watched. */
+export interface ClassifyOptions extends Wanted {
   /** When it aborts, the promise rejects with its reason and the work ends. */
   readonly signal?: AbortSignal
   /** Called at least ten times a second. */
   readonly onProgress?: (progress: Progress) => void
 }
 
-export interface Classification extends Answers {
-  readonly validCount: number
-  /** How many cells exact arithmetic decided. */
-  readonly exact: number
-}
+/** What was not asked for is null. */
+export type Classification<W extends Wanted = Wanted> = Answers<W> & Counts
 
 export interface StreamOptions extends Omit<ClassifyOptions, 'onProgress'> {
   /**
    * The chunks' memory goes to the workers, wherever a chunk has it to itself: nothing is copied then, and the chunk's lists are empty
-   * afterwards. The answers lie in the memory of `points` if they fit, which they always do without `cells`, else in new memory: 43 bytes a
-   * cell with minima, one without. So `valid.buffer` is memory for another chunk when they are no longer needed; its `byteLength` says for how
-   * large a one. A chunk that is part of a longer list is copied.
+   * afterwards. The answers lie in the memory of `points` if they fit, which they always do without `cells`, else in new memory: a byte a
+   * cell, 42 more with minima, 66 with all lists. So `valid.buffer` is memory for another chunk when they are no longer needed; its
+   * `byteLength` says for how large a one. A chunk that is part of a longer list is copied.
    */
   readonly handOver?: boolean
 }
@@ -51,66 +48,62 @@ export interface CellChunk {
 export interface Classifier {
   /**
    * With `cells`, each is eight indices of points of three coordinates; without (null), each is 24 coordinates; in VTK_HEXAHEDRON
-   * order. Cells that are not ones are refused with the first of them, and nothing is answered then. The lists are read until the
+   * order. A cell with a coordinate that is not finite or an index that is not a point's is unanswered, and does not stop the others:
+   * `unansweredCount`, `firstUnanswered`, and with `statuses` why. Lists of a wrong length are refused. The lists are read until the
    * promise is settled, and not changed.
    */
-  classify(points: Float64Array, cells: Uint32Array | null, options?: ClassifyOptions): Promise<Result<Classification>>
+  classify<W extends ClassifyOptions>(
+    points: Float64Array,
+    cells: Uint32Array | null,
+    options?: W,
+  ): Promise<Result<Classification<W>>>
   /**
-   * The same for cells that are too many for the memory: chunk after chunk as they are asked for, answers in their order. The
-   * stream ends after the first refusal, whose `cell` counts from the stream's first.
+   * The same for cells that are too many for the memory: chunk after chunk as they are asked for, answers in their order, each with
+   * its chunk's counts. The stream ends after the first chunk that is refused; the refusal's `cell` counts from the stream's first.
    */
-  stream(
+  stream<W extends StreamOptions>(
     chunks: Iterable<CellChunk> | AsyncIterable<CellChunk>,
-    options?: StreamOptions,
-  ): AsyncGenerator<Result<Classification>>
+    options?: W,
+  ): AsyncGenerator<Result<Classification<W>>>
   /** Ends the workers; the promises of what is under way reject. A call afterwards starts new ones. */
   close(): void
 }
 
 export function classifierOn(pool: Pool): Classifier {
   return {
-    classify: (points, cells, options = {}) => classify(pool, points, cells, options),
-    stream: (chunks, options = {}) => stream(pool, chunks, options),
+    classify: (points, cells, options) => classify(pool, points, cells, options ?? {}),
+    stream: (chunks, options) => stream(pool, chunks, options ?? {}),
     close: () => pool.stop(new Error('The classifier was closed.')),
-  }
-}
-
-interface Fault {
-  readonly cell: number
-  readonly code: CoreErrorCode
+  } as Classifier
 }
 
 async function classify(
   pool: Pool,
   points: Float64Array,
   cells: Uint32Array | null,
-  { minima: wantsMinima = false, signal, onProgress }: ClassifyOptions,
+  { signal, onProgress, ...options }: ClassifyOptions,
 ): Promise<Result<Classification>> {
   signal?.throwIfAborted()
+  if (!isWhole(points, cells)) return { ok: false, error: incomplete(points, cells) }
+  const wanted = wantedOf(options)
   const total = cellCount({ points, cells, firstPoint: 0 })
-  const answers = emptyAnswers(total, wantsMinima)
+  const lists = emptyLists(total, wanted)
   const memory = new Recycled()
   const partlyDone = new Map<Cut, number>()
-  let [fault, done, exact, validCount] = [null as Fault | null, 0, 0, 0]
+  let [done, counts] = [0, NOTHING_COUNTED]
 
-  const noteFault = (found: Fault | null) => {
-    if (found && (!fault || found.cell < fault.cell)) fault = found
-  }
   const showProgress = () => onProgress?.({ done: done + [...partlyDone.values()].reduce((a, b) => a + b, 0), total })
 
   async function run(cut: Cut): Promise<void> {
     const { first, count, piece, block } = cut
-    if (cut.fault) noteFault({ cell: first + count, code: cut.fault })
     const onPartDone = (cellsDone: number) => {
       partlyDone.set(cut, cellsDone)
       showProgress()
     }
-    const { counts, ...back } = await pool.run({ piece, block, wantsMinima, caller: memory, onProgress: onPartDone })
-    if (counts.fault) noteFault({ cell: first + counts.fault.cell, code: counts.fault.code })
-    putAnswers(answersIn(back.block, count, wantsMinima), answers, first)
+    const back = await pool.run({ piece, block, wanted, caller: memory, onProgress: onPartDone })
+    counts = sumOfCounts(counts, back.counts, first)
+    putLists(listsIn(back.block, count, wanted), lists, first)
     memory.give(back.block)
-    validCount += counts.validCount
-    exact += counts.exact
     partlyDone.delete(cut)
     done += count
     showProgress()
@@ -120,9 +113,7 @@ async function classify(
   signal?.addEventListener('abort', onAbort)
   try {
     const underWay = new Set<Promise<void>>()
-    for (const cut of pieces({ points, cells }, { cellsPerPiece: pool.cellsPerPiece, wantsMinima, memory })) {
-      if (fault) break // what is under way lies before it and may hold an earlier one
-      if (cut.count === 0 && cut.fault === null) continue
+    for (const cut of pieces({ points, cells }, { cellsPerPiece: pool.cellsPerPiece, wanted, memory })) {
       const running = run(cut).finally(() => underWay.delete(running))
       running.catch(() => {}) // whoever waits for it hears of it
       underWay.add(running)
@@ -136,8 +127,7 @@ async function classify(
   } finally {
     signal?.removeEventListener('abort', onAbort)
   }
-  if (fault) return refusal(fault, points, cells)
-  return { ok: true, value: { ...answers, validCount, exact } }
+  return { ok: true, value: { ...answersOf(lists), ...counts } }
 }
 
 async function* stream(
@@ -174,50 +164,36 @@ function hasMemoryToItself(list: Float64Array | Uint32Array | null): boolean {
 async function classifyWhole(
   pool: Pool,
   piece: Piece,
-  { minima: wantsMinima = false, signal }: ClassifyOptions,
+  { signal, ...options }: ClassifyOptions,
 ): Promise<Result<Classification>> {
   signal?.throwIfAborted()
+  const wanted = wantedOf(options)
   const count = cellCount(piece)
-  const length = answersLength(count, wantsMinima)
+  const length = count * bytesPerCell(wanted)
   const own = piece.points.buffer as ArrayBuffer
   const block = own.byteLength >= length ? own : new ArrayBuffer(length)
-  const job = { piece, block, wantsMinima, caller: {}, onProgress: () => {} }
+  const job = { piece, block, wanted, caller: {}, onProgress: () => {} }
   const onAbort = () => pool.cancel(job.caller, signal?.reason)
   signal?.addEventListener('abort', onAbort)
   try {
     const { counts, ...back } = await pool.run(job)
-    const { validCount, exact, fault } = counts
-    if (fault) return refusal(fault, back.piece.points, back.piece.cells)
-    return { ok: true, value: { ...answersIn(back.block, count, wantsMinima), validCount, exact } }
+    return { ok: true, value: { ...answersOf(listsIn(back.block, count, wanted)), ...counts } }
   } finally {
     signal?.removeEventListener('abort', onAbort)
   }
 }
 
-function inStream(error: { code: CoreErrorCode; message: string; cell?: number }, before: number) {
+function inStream(error: CoreError, before: number): CoreError {
   if (error.cell === undefined) return error
   const cell = before + error.cell
   return { ...error, cell, message: error.message.replace(`Cell ${error.cell}`, `Cell ${cell}`) }
 }
 
-/** The first cell that is none, in a sentence. */
-function refusal({ cell, code }: Fault, points: Float64Array, cells: Uint32Array | null): Result<never> {
-  const refuse = (message: string) => ({ ok: false as const, error: { code, message: `Cell ${cell}${message}`, cell } })
-  const index = (v: number) => (cells ? (cells[8 * cell + v] as number) : 8 * cell + v)
-  const eight = [0, 1, 2, 3, 4, 5, 6, 7]
-  if (code === 'incomplete')
-    return refuse(
-      cells
-        ? ' is incomplete: eight indices make one, and three coordinates a point.'
-        : ' is incomplete: 24 coordinates make one.',
-    )
-  if (code === 'no-such-point') {
-    const vertex = eight.find(v => index(v) >= Math.floor(points.length / 3)) as number
-    return refuse(`, vertex ${vertex}: there is no point ${index(vertex)}.`)
-  }
-  for (const v of eight)
-    for (let axis = 0; axis < 3; ++axis)
-      if (!Number.isFinite(points[3 * index(v) + axis]))
-        return refuse(`, vertex ${v} ${'xyz'[axis]} is not a finite number.`)
-  throw new Error(`Cell ${cell} was refused and is finite.`)
+/** Lists of a wrong length, in a sentence. */
+function incomplete(points: Float64Array, cells: Uint32Array | null): CoreError {
+  const cell = cellCount({ points, cells, firstPoint: 0 })
+  const code = 'incomplete'
+  if (!cells) return { code, cell, message: `Cell ${cell} is incomplete: 24 coordinates make one.` }
+  if (cells.length % 8 > 0) return { code, cell, message: `Cell ${cell} is incomplete: eight indices make one.` }
+  return { code, message: `The last point is incomplete: three coordinates make one, and there are ${points.length}.` }
 }

@@ -17,11 +17,11 @@ export async function startClassifier(workers = defaultWorkers()): Promise<Class
 let shared: Promise<Classifier> | undefined
 
 /** With workers that all callers of the page share: see Classifier. */
-export async function classify(
+export async function classify<W extends ClassifyOptions>(
   points: Float64Array,
   cells: Uint32Array | null,
-  options?: ClassifyOptions,
-): Promise<Result<Classification>> {
+  options?: W,
+): Promise<Result<Classification<W>>> {
   shared ??= startClassifier().catch(reason => {
     shared = undefined
     throw reason

@@ -2,26 +2,22 @@
  * Messages between the caller's thread and a worker for batches: pieces, and blocks of memory for the answers, which may be those the
  * pieces lie in. Both come back. All memory is transferred, none is copied, and what comes back is filled again.
  */
-import type { Piece, PieceCounts } from './batch-core'
+import type { Counts, Piece } from './batch-core'
+import type { Wanted } from './lists'
 
 export type Request =
   | { readonly kind: 'start'; readonly module: WebAssembly.Module }
-  | { readonly kind: 'classify'; readonly piece: Piece; readonly block: ArrayBuffer; readonly wantsMinima: boolean }
+  | { readonly kind: 'classify'; readonly piece: Piece; readonly block: ArrayBuffer; readonly wanted: Wanted }
 
 export type Answer =
   /** The answer to `start`. The worker holds the Web Lock of this name as long as it lives; null where there are no such locks. */
   | { readonly kind: 'started'; readonly lock: string | null }
   /** The worker is of no more use. */
   | { readonly kind: 'failed'; readonly message: string }
-  /** So many cells of the piece at hand are done: sent now and then where exact arithmetic takes long. */
+  /** So many cells of the piece at hand are done: sent now and then where they take long. */
   | { readonly kind: 'progress'; readonly done: number }
-  /** The answers lie at the beginning of the block: answersIn. Where a cell is none there are no answers, and the piece is as it was. */
-  | {
-      readonly kind: 'classified'
-      readonly counts: PieceCounts
-      readonly piece: Piece
-      readonly block: ArrayBuffer
-    }
+  /** The answers lie at the beginning of the block: listsIn. */
+  | { readonly kind: 'classified'; readonly counts: Counts; readonly piece: Piece; readonly block: ArrayBuffer }
 
 /** All memory of a message. */
 export function memoryOf({ piece, block }: { readonly piece: Piece; readonly block: ArrayBuffer }): ArrayBuffer[] {

@@ -1,7 +1,7 @@
 /** Cuts many cells into pieces for the workers: copies of the caller's lists, each piece in a block of memory of its own. */
 import { COORDINATE_COUNT } from '../../model/hexahedron'
-import type { CoreErrorCode } from '../report'
-import { answersLength, type Piece } from './batch-core'
+import type { Piece } from './batch-core'
+import { bytesPerCell, type Wanted } from './lists'
 
 const VERTICES = 8
 
@@ -11,8 +11,6 @@ export interface Cut {
   readonly piece: Piece
   /** Where the piece lies, with room for the answers to it. */
   readonly block: ArrayBuffer
-  /** What is the matter with the cell behind the piece's last, if anything. */
-  readonly fault: CoreErrorCode | null
 }
 
 /** Blocks as they come back from the workers. */
@@ -38,7 +36,7 @@ interface Lists {
 /** What pieces are cut with. */
 export interface Knife {
   readonly cellsPerPiece: number
-  readonly wantsMinima: boolean
+  readonly wanted: Wanted
   readonly memory: Recycled
 }
 
@@ -47,27 +45,19 @@ export function isWhole(points: Float64Array, cells: Uint32Array | null): boolea
   return points.length % 3 === 0 && (cells ? cells.length % VERTICES : points.length % COORDINATE_COUNT) === 0
 }
 
-/** In order; the last is one with a fault, or the end of the cells. */
-export function* pieces(lists: Lists, knife: Knife): Generator<Cut> {
-  const { points, cells } = lists
-  const length = cells ? cells.length : points.length
-  const perCell = cells ? VERTICES : COORDINATE_COUNT
-  const total = Math.floor(length / perCell)
-  let first = 0
-  do {
-    const wanted = Math.min(knife.cellsPerPiece, total - first)
-    const isLast = first + wanted === total
-    const cut = cells ? indexedCut(points, cells, first, wanted, knife) : plainCut(points, first, wanted, knife)
-    yield isLast && !isWhole(points, cells) && cut.fault === null ? { ...cut, fault: 'incomplete' } : cut
-    if (cut.fault) return
-    first += wanted
-  } while (first < total)
+/** In order, up to the end of the cells, which are whole. */
+export function* pieces({ points, cells }: Lists, knife: Knife): Generator<Cut> {
+  const total = cells ? cells.length / VERTICES : points.length / COORDINATE_COUNT
+  for (let first = 0; first < total; first += knife.cellsPerPiece) {
+    const count = Math.min(knife.cellsPerPiece, total - first)
+    yield cells ? indexedCut(points, cells, first, count, knife) : plainCut(points, first, count, knife)
+  }
 }
 
 /** For so many cells with so many coordinates and indices: lists with whatever is in them. */
-function room({ memory, wantsMinima }: Knife, count: number, coordinates: number, indices: number) {
+function room({ memory, wanted }: Knife, count: number, coordinates: number, indices: number) {
   const length = 8 * coordinates + 4 * indices
-  const block = memory.take(Math.max(length, answersLength(count, wantsMinima)))
+  const block = memory.take(Math.max(length, count * bytesPerCell(wanted)))
   return {
     block,
     points: new Float64Array(block, 0, coordinates),
@@ -79,35 +69,37 @@ function plainCut(points: Float64Array, first: number, count: number, knife: Kni
   const from = COORDINATE_COUNT * first
   const own = room(knife, count, COORDINATE_COUNT * count, 0)
   own.points.set(points.subarray(from, from + COORDINATE_COUNT * count))
-  return { first, count, piece: { points: own.points, cells: null, firstPoint: 0 }, block: own.block, fault: null }
+  return { first, count, piece: { points: own.points, cells: null, firstPoint: 0 }, block: own.block }
 }
 
 /** The points between the least and the greatest index, or, where those are far apart, each cell's own eight. */
-function indexedCut(points: Float64Array, cells: Uint32Array, first: number, wanted: number, knife: Knife): Cut {
-  const pointCount = Math.floor(points.length / 3)
-  let [least, greatest, count] = [pointCount, -1, 0]
-  for (; count < wanted; ++count) {
-    let [low, high] = [least, greatest]
-    for (let i = VERTICES * (first + count); i < VERTICES * (first + count + 1); ++i) {
-      const index = cells[i] as number
-      if (index < low) low = index
-      if (index > high) high = index
-    }
-    if (high >= pointCount) break
-    least = low
-    greatest = high
-  }
-  const fault = count < wanted ? 'no-such-point' : null
+function indexedCut(points: Float64Array, cells: Uint32Array, first: number, count: number, knife: Knife): Cut {
+  const pointCount = points.length / 3
   const indices = cells.subarray(VERTICES * first, VERTICES * (first + count))
-  const span = 3 * (greatest - least + 1)
-  if (count > 0 && span <= COORDINATE_COUNT * count) {
+  let [least, greatest, hasOthers] = [pointCount, -1, false]
+  for (const index of indices) {
+    if (index >= pointCount) hasOthers = true
+    else {
+      if (index < least) least = index
+      if (index > greatest) greatest = index
+    }
+  }
+  const span = 3 * Math.max(0, greatest - least + 1)
+  if (span <= COORDINATE_COUNT * count) {
     const own = room(knife, count, span, indices.length)
     own.points.set(points.subarray(3 * least, 3 * least + span))
     own.cells.set(indices)
-    return { first, count, piece: { points: own.points, cells: own.cells, firstPoint: least }, block: own.block, fault }
+    return { first, count, piece: { points: own.points, cells: own.cells, firstPoint: least }, block: own.block }
   }
-  const own = room(knife, count, COORDINATE_COUNT * count, 0)
-  for (let i = 0; i < indices.length; ++i)
-    for (let axis = 0; axis < 3; ++axis) own.points[3 * i + axis] = points[3 * (indices[i] as number) + axis] as number
-  return { first, count, piece: { points: own.points, cells: null, firstPoint: 0 }, block: own.block, fault }
+  const own = room(knife, count, COORDINATE_COUNT * count, hasOthers ? indices.length : 0)
+  for (let i = 0; i < indices.length; ++i) {
+    const index = indices[i] as number
+    for (let axis = 0; axis < 3; ++axis) own.points[3 * i + axis] = points[3 * index + axis] ?? Number.NaN
+    if (hasOthers) own.cells[i] = index < pointCount ? i : NO_POINT
+  }
+  const piece = { points: own.points, cells: hasOthers ? own.cells : null, firstPoint: 0 }
+  return { first, count, piece, block: own.block }
 }
+
+/** No list has so many points. */
+const NO_POINT = 0xffffffff

@@ -1,21 +1,22 @@
 /** Workers for batches, each with its own instance of the core: pieces go to whichever is free. */
-import type { Piece, PieceCounts } from './batch-core'
+import type { Counts, Piece } from './batch-core'
+import type { Wanted } from './lists'
 import { type Answer, memoryOf, type WorkerPort } from './messages'
 
 export interface Job {
   readonly piece: Piece
   /** For the answers; it may be where the piece lies. */
   readonly block: ArrayBuffer
-  readonly wantsMinima: boolean
+  readonly wanted: Wanted
   /** Whose it is: cancelled together. */
   readonly caller: object
   /** Cells of the piece that are done so far. */
   onProgress(done: number): void
 }
 
-/** The job's block, with the answers in it, and the piece, as it was where a cell is none. */
+/** The job's block, with the answers in it, and the piece's memory. */
 export interface Finished {
-  readonly counts: PieceCounts
+  readonly counts: Counts
   readonly piece: Piece
   readonly block: ArrayBuffer
 }
@@ -125,8 +126,8 @@ class PoolWorker {
   }
 
   take(task: Task): void {
-    const { piece, block, wantsMinima } = task.job
-    this.#port.postMessage({ kind: 'classify', piece, block, wantsMinima }, memoryOf(task.job))
+    const { piece, block, wanted } = task.job
+    this.#port.postMessage({ kind: 'classify', piece, block, wanted }, memoryOf(task.job))
     this.#tasks.push(task)
   }
 

@@ -1,5 +1,6 @@
 /** A worker for batches, in a browser or in Node: one wasm instance, one piece after another. */
-import { answersIn, type BatchCore, cellCount, loadBatchCore } from './batch-core'
+import { type BatchCore, loadBatchCore } from './batch-core'
+import { listsIn } from './lists'
 import { type Answer, memoryOf, type Request } from './messages'
 
 interface Scope {
@@ -48,19 +49,20 @@ function heldLock(): Promise<string | null> {
   })
 }
 
-async function classify({ piece, block, wantsMinima }: Request & { readonly kind: 'classify' }): Promise<void> {
+async function classify({ piece, block, wanted }: Request & { readonly kind: 'classify' }): Promise<void> {
   if (!started) throw new Error('The worker was asked before it was started.')
   const batch = await started
   let shown = performance.now()
-  const { validCount, exact, fault } = batch.classify(piece, wantsMinima, {
-    into: count => answersIn(block, count, wantsMinima),
-    onExact: cell => {
+  const { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount } = batch.classify(piece, wanted, {
+    into: count => listsIn(block, count, wanted),
+    onPart: done => {
       const now = performance.now()
       if (now - shown < PROGRESS_INTERVAL) return
       shown = now
-      scope.postMessage({ kind: 'progress', done: Math.min(cell, cellCount(piece)) }, [])
+      scope.postMessage({ kind: 'progress', done }, [])
     },
   })
-  const answer = { kind: 'classified', counts: { validCount, exact, fault }, piece, block } as const
+  const counts = { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount }
+  const answer = { kind: 'classified', counts, piece, block } as const
   scope.postMessage(answer, memoryOf(answer))
 }

@@ -1,0 +1,156 @@
+/** What batches answer with: lists with one entry a cell, each there if it was asked for, side by side in a block of memory. */
+import type { CoreErrorCode } from '../report'
+
+/** What is asked for beside the verdicts. What is not costs nothing. */
+export interface Wanted {
+  readonly minima?: boolean
+  readonly relativeMinima?: boolean
+  readonly volumes?: boolean
+  readonly classes?: boolean
+  readonly acceptedBy?: boolean
+  readonly exact?: boolean
+  readonly statuses?: boolean
+}
+
+/** Jacdets on [0,1]^3, times 2^exponent, which is 0 wherever the doubles have room for the values. */
+export interface Minima {
+  readonly values: Float64Array
+  /** Where it is attained: xi, eta, zeta. */
+  readonly minimizers: Float64Array
+  /** The least jacdet at the eight vertices. */
+  readonly cornerMinima: Float64Array
+  readonly exponents: Int16Array
+}
+
+/** The mean of jacdet, rounded to the nearest double, times 2^exponent. */
+export interface Volumes {
+  readonly values: Float64Array
+  readonly exponents: Int16Array
+}
+
+interface AllLists {
+  readonly minima: Minima
+  /** The boundary minimum over |volume|; NaN where the volume is 0. */
+  readonly relativeMinima: Float64Array
+  readonly volumes: Volumes
+  /** Places in CLASSES. */
+  readonly classes: Uint8Array
+  /** Bit 1 << c for each check that accepts the cell, c its place in CHECKS. */
+  readonly acceptedBy: Uint16Array
+  /** 1 for a cell that integers decided, as doubles left it open. */
+  readonly exact: Uint8Array
+  /** Places in STATUSES. */
+  readonly statuses: Uint8Array
+}
+
+/** What a status says of a cell that is unanswered; undefined for one that is answered. */
+export type CellStatus = Extract<CoreErrorCode, 'not-finite'> | 'no-such-point'
+export const STATUSES: readonly (CellStatus | undefined)[] = [
+  undefined,
+  'not-finite',
+  undefined,
+  undefined,
+  'no-such-point',
+]
+
+type Given<Asked, List> = Asked extends true ? List : null
+
+/** One entry a cell; lists that were not asked for are null. Of a cell that is unanswered all numbers are NaN, all integers 0. */
+export type Answers<W extends Wanted = Wanted> = {
+  /** 1 for a valid cell, 0 for an invalid one: exact, every one. 0 for one that is unanswered, too. */
+  readonly valid: Uint8Array
+} & { readonly [List in keyof AllLists]: Given<W[List], AllLists[List]> }
+
+interface Description {
+  readonly askedBy: keyof Wanted | 'always'
+  readonly type: typeof Float64Array | typeof Int16Array | typeof Uint16Array | typeof Uint8Array
+  /** Entries a cell. */
+  readonly each: number
+}
+
+/** hl_batch's lists, in its order. */
+const LISTS: readonly Description[] = [
+  { askedBy: 'always', type: Uint8Array, each: 1 }, // verdicts
+  { askedBy: 'statuses', type: Uint8Array, each: 1 },
+  { askedBy: 'exact', type: Uint8Array, each: 1 },
+  { askedBy: 'classes', type: Uint8Array, each: 1 },
+  { askedBy: 'acceptedBy', type: Uint16Array, each: 1 },
+  { askedBy: 'minima', type: Float64Array, each: 1 },
+  { askedBy: 'minima', type: Float64Array, each: 3 }, // minimizers
+  { askedBy: 'minima', type: Float64Array, each: 1 }, // corner minima
+  { askedBy: 'minima', type: Int16Array, each: 1 }, // exponents
+  { askedBy: 'relativeMinima', type: Float64Array, each: 1 },
+  { askedBy: 'volumes', type: Float64Array, each: 1 },
+  { askedBy: 'volumes', type: Int16Array, each: 1 }, // exponents
+]
+
+type List = Float64Array<ArrayBuffer> | Int16Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint8Array<ArrayBuffer>
+
+/** In the order of LISTS; null for what was not asked for. */
+export type Lists = readonly (List | null)[]
+
+/** Alone, as a message takes it. */
+export function wantedOf(options: Wanted): Wanted {
+  return Object.fromEntries(LISTS.filter(isAskedBy(options)).map(({ askedBy }) => [askedBy, true]))
+}
+
+function isAskedBy(wanted: Wanted): (list: Description) => boolean {
+  return ({ askedBy }) => askedBy === 'always' || wanted[askedBy] === true
+}
+
+export function bytesPerCell(wanted: Wanted): number {
+  return LISTS.filter(isAskedBy(wanted)).reduce((sum, { type, each }) => sum + each * type.BYTES_PER_ELEMENT, 0)
+}
+
+/** Bytes of an entry: those that are longer come first, so that all are aligned. */
+const SIZES = [8, 2, 1]
+
+/** The lists for so many cells as they lie in a block, from a byte on. */
+export function listsIn(block: ArrayBuffer, count: number, wanted: Wanted, from = 0): Lists {
+  const isAsked = isAskedBy(wanted)
+  let at = from
+  const lists: (List | null)[] = LISTS.map(() => null)
+  for (const size of SIZES)
+    for (const [i, list] of LISTS.entries()) {
+      if (list.type.BYTES_PER_ELEMENT !== size || !isAsked(list)) continue
+      lists[i] = new list.type(block, at, list.each * count)
+      at += lists[i].byteLength
+    }
+  return lists
+}
+
+export function emptyLists(count: number, wanted: Wanted): Lists {
+  return listsIn(new ArrayBuffer(count * bytesPerCell(wanted)), count, wanted)
+}
+
+/** Puts lists into longer ones, as those of the cells from `first` on. */
+export function putLists(lists: Lists, into: Lists, first: number): void {
+  for (const [i, { each }] of LISTS.entries()) {
+    const list = lists[i]
+    if (list) into[i]?.set(list, each * first)
+  }
+}
+
+/** Where the entries of the cells from `first` on begin, in bytes of the memory they lie in; 0 for no list. */
+export function addressesOf(lists: Lists, first: number): number[] {
+  return LISTS.map(({ type, each }, i) => {
+    const list = lists[i]
+    return list ? list.byteOffset + first * each * type.BYTES_PER_ELEMENT : 0
+  })
+}
+
+/** By name. The first list holds verdicts, whose HL_VALID is 1, or already 1 and 0. */
+export function answersOf(lists: Lists): Answers {
+  const [valid, statuses, exact, classes, acceptedBy, values, minimizers, cornerMinima, exponents, ...more] = lists
+  const [relativeMinima, volumes, volumeExponents] = more
+  return {
+    valid,
+    minima: values && { values, minimizers, cornerMinima, exponents },
+    relativeMinima,
+    volumes: volumes && { values: volumes, exponents: volumeExponents },
+    classes,
+    acceptedBy,
+    exact,
+    statuses,
+  } as Answers
+}
