@@ -214,6 +214,11 @@ const MOST_SHOWN = 60
 
 /** A name or a word of a file for people: without control and bidirectional characters, cut to a length, in quotes. */
 export function shown(word: string): string {
-  const plain = word.replace(/[\p{Cc}\p{Cf}\u2028\u2029]/gu, '')
+  const plain = withoutControls(word)
   return `“${plain.length > MOST_SHOWN ? `${plain.slice(0, MOST_SHOWN)}…` : plain}”`
+}
+
+/** Without control and bidirectional characters, whole. */
+export function withoutControls(text: string): string {
+  return text.replace(/[\p{Cc}\p{Cf}\u2028\u2029]/gu, '')
 }
