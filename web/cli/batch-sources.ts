@@ -1,6 +1,7 @@
 /** What batches run with: wasm and the workers' script from the sources; the package has both inside, web/package/batch-inside.ts. */
 import { readFile } from 'node:fs/promises'
 import { fileURLToPath } from 'node:url'
+import { build } from 'esbuild'
 import { compiledOf } from '../core/batch/start'
 
 export function batchModule(): Promise<WebAssembly.Module> {
@@ -13,7 +14,6 @@ async function built(name: string): Promise<BufferSource> {
 
 /** A script that Node can evaluate in a thread. */
 export async function workerScript(): Promise<string> {
-  const { build } = await import('esbuild')
   const { outputFiles } = await build({
     entryPoints: [fileURLToPath(new URL('../core/batch/worker.ts', import.meta.url))],
     bundle: true,

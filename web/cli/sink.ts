@@ -1,5 +1,6 @@
 /** Files that are written: whole, or not at all. */
-import { closeSync, openSync, renameSync, statSync, unlinkSync, writeSync } from 'node:fs'
+import { accessSync, closeSync, constants, openSync, renameSync, statSync, unlinkSync, writeSync } from 'node:fs'
+import { dirname } from 'node:path'
 import { cannotWrite } from './streams'
 
 /** Small texts go to the disk together. */
@@ -19,9 +20,15 @@ export class FileSink {
   readonly #discard = () => this.discard()
   readonly #interrupted = () => process.exit(130)
 
+  /** Refuses a folder that is not there before a mesh is read in vain. */
   constructor(path: string) {
     this.#path = path
-    this.#isReplaced = statSync(path, { throwIfNoEntry: false })?.isFile() ?? true
+    try {
+      this.#isReplaced = statSync(path, { throwIfNoEntry: false })?.isFile() ?? true
+      accessSync(this.#isReplaced ? dirname(path) : path, constants.W_OK)
+    } catch (error) {
+      throw cannotWrite(path, error)
+    }
     this.#partial = this.#isReplaced ? `${path}.${process.pid}.part` : path
   }
 

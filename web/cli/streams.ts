@@ -33,7 +33,8 @@ const REASONS: Readonly<Record<string, string>> = {
 }
 
 export function cannotWrite(what: string, error: unknown): Refusal {
-  return new Refusal(`${what} cannot be written: ${reasonOf(error)}.`)
+  const isMissing = (error as NodeJS.ErrnoException).code === 'ENOENT'
+  return new Refusal(`${what} cannot be written: ${isMissing ? REASONS.ENOTDIR : reasonOf(error)}.`)
 }
 
 export function reasonOf(error: unknown): string {
