@@ -1,5 +1,6 @@
 /** Puts a mesh together from what a reader meets: points by the file's ids or in a row, cells of any type, names. */
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
+import { NodeIds } from './node-ids'
 
 /** What other cells are called, and how many nodes they have, where that is fixed. */
 export type OtherCell =
@@ -32,8 +33,18 @@ class Growing<T extends Float64Array | Uint32Array> {
   get length(): number {
     return this.#length
   }
+  at(index: number): number {
+    return this.#list[index] as number
+  }
+  /** Makes place for so many more; nobody may ask for more than the size of the file allows. */
+  reserve(more: number): void {
+    if (this.#length + more <= this.#list.length) return
+    const longer = this.make(this.#length + more)
+    longer.set(this.#list.subarray(0, this.#length) as never)
+    this.#list = longer
+  }
   whole(): T {
-    return this.#list.slice(0, this.#length) as T
+    return (this.#length === this.#list.length ? this.#list : this.#list.slice(0, this.#length)) as T
   }
 }
 
@@ -47,7 +58,7 @@ export class MeshBuilder {
   readonly #blocks = new Map<string, number[]>()
   readonly #other = new Map<string, number>()
   readonly #notes: string[] = []
-  #pointOfId: Map<number, number> | null = null
+  readonly #pointOfId = new NodeIds()
   #straight: number | null = null
   isOrderStated = true
   isCutOff = false
@@ -71,6 +82,17 @@ export class MeshBuilder {
     return this.#cells.length / 8
   }
 
+  /** Coordinate 0, 1 or 2 of a point that is there. */
+  coordinate(point: number, axis: number): number {
+    return this.#points.at(3 * point + axis)
+  }
+
+  /** Makes place for so many more points and cells, where the size of the file allows them. */
+  reserve(points: number, cells: number): void {
+    this.#points.reserve(3 * points)
+    this.#cells.reserve(8 * cells)
+  }
+
   /** The next point in a row; returns its index. */
   point(x: number, y: number, z: number): number {
     this.#points.push(x)
@@ -81,19 +103,23 @@ export class MeshBuilder {
 
   /** A point that the file calls `id`. Refuses an id that is there already with other coordinates. */
   pointWithId(id: number, x: number, y: number, z: number): void {
-    this.#pointOfId ??= new Map()
-    if (this.#pointOfId.has(id)) this.refuse(`node ${id} is defined twice.`)
-    this.#pointOfId.set(id, this.point(x, y, z))
+    if (!this.#pointOfId.add(id, this.pointCount)) this.refuse(`node ${id} is defined twice.`)
+    this.point(x, y, z)
   }
 
   hasPointWithId(id: number): boolean {
-    return this.#pointOfId?.has(id) ?? false
+    return this.#pointOfId.indexOf(id) >= 0
+  }
+
+  /** The point of this id, -1 if there is none. */
+  findId(id: number): number {
+    return this.#pointOfId.indexOf(id)
   }
 
   /** Refuses an id that no point has. */
   indexOfId(id: number, where: string): number {
-    const index = this.#pointOfId?.get(id)
-    if (index === undefined) this.refuse(`${where} names node ${id}, which is not defined.`)
+    const index = this.findId(id)
+    if (index < 0) this.refuse(`${where} names node ${id}, which is not defined.`)
     return index
   }
 
@@ -140,7 +166,7 @@ export class MeshBuilder {
     const areNumbers = ids?.every(id => typeof id === 'number') ?? false
     const blocks: Block[] = [...this.#blocks].map(([name, list]) => ({
       name,
-      cells: Uint32Array.from(new Set(list)).sort(),
+      cells: isAscending(list) ? Uint32Array.from(list) : Uint32Array.from(new Set(list)).sort(),
     }))
     return {
       format: this.#format,
@@ -157,4 +183,9 @@ export class MeshBuilder {
       steps: this.steps,
     }
   }
+}
+
+function isAscending(list: readonly number[]): boolean {
+  for (let i = 1; i < list.length; ++i) if ((list[i] as number) <= (list[i - 1] as number)) return false
+  return true
 }

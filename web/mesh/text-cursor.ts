@@ -24,11 +24,15 @@ export class TextCursor {
   /** Where `#bytes` begins in the file. */
   #start = 0
   #at = 0
-  #line = 1
+  #line: number
+  /** How many significant digits the last number was written with. */
+  digits = 0
 
-  constructor(file: MeshFile, from = 0) {
+  /** From a byte on, which lies in line `line`. */
+  constructor(file: MeshFile, from = 0, line = 1) {
     this.#file = file
     this.#start = from
+    this.#line = line
     this.#fill()
   }
 
@@ -47,8 +51,8 @@ export class TextCursor {
   }
 
   /** Throws: "part.inp, line 12: ...". */
-  refuse(what: string): never {
-    throw new MeshRefusal(`${this.#file.name}, line ${this.#line}: ${what}`)
+  refuse(what: string, line = this.#line): never {
+    throw new MeshRefusal(`${this.#file.name}, line ${line}: ${what}`)
   }
 
   /** Makes sure that at least `LONGEST_WORD` bytes lie ahead, or all there are. */
@@ -86,11 +90,21 @@ export class TextCursor {
     }
   }
 
+  /** Whether anything but blanks is left of the line; blanks are passed. */
+  hasMoreOnLine(): boolean {
+    this.skipBlanks(false)
+    const byte = this.peek()
+    return byte !== LF && byte !== -1
+  }
+
   /** Passes the rest of the line and its end. */
   skipLine(): void {
-    for (let byte = this.peek(); byte !== -1; byte = this.peek()) {
-      this.skip()
-      if (byte === LF) return
+    for (; this.peek() !== -1; this.#at = this.#bytes.length) {
+      const end = this.#bytes.indexOf(LF, this.#at)
+      if (end < 0) continue
+      this.#at = end + 1
+      this.#line++
+      return
     }
   }
 
@@ -164,6 +178,7 @@ export class TextCursor {
     }
     if (at > from && isEndOfNumber(bytes[at]) && afterDigits > from && digits <= 15 && power >= -22 && power <= 22) {
       this.#at = at
+      this.digits = digits
       if (mantissa === 0 && !hasDigit(bytes, from, afterDigits)) return this.#slowNumber(from, expected)
       const value =
         power < 0 ? mantissa / (POWERS_OF_TEN[-power] as number) : mantissa * (POWERS_OF_TEN[power] as number)
@@ -176,6 +191,7 @@ export class TextCursor {
     this.#at = from
     const word = this.word(44)
     const value = numberOf(word)
+    this.digits = significantDigits(word)
     if (value === null) {
       this.refuse(word === '' ? `the file ends where ${expected} was expected.` : `${shown(word)} is not ${expected}.`)
     }
@@ -208,6 +224,15 @@ export function numberOf(word: string): number | null {
   const [, sign, name] = NOT_FINITE.exec(word) ?? []
   if (name === undefined) return null
   return name.toLowerCase() === 'nan' ? Number.NaN : sign === '-' ? -Infinity : Infinity
+}
+
+function significantDigits(word: string): number {
+  let digits = 0
+  for (const character of word) {
+    if (character >= '0' && character <= '9') digits += digits > 0 || character !== '0' ? 1 : 0
+    else if (character > '9') break
+  }
+  return digits
 }
 
 const MOST_SHOWN = 60
