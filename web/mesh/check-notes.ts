@@ -73,7 +73,7 @@ function orderNote({ mesh, hexahedra }: Answered, core: Core): string {
 /** What people find the cell by: its id, or its index where the file has none. */
 function nameOf({ idOf }: Answered, cell: number): string {
   const id = idOf(cell)
-  return id === null ? `with index ${cell}` : shown(id)
+  return id === null ? `with index ${cell}` : shown(id).slice(1, -1)
 }
 
 function counted(count: number, one: string, many: string): string {
