@@ -1,5 +1,7 @@
 /** All formats. The first that is certain of a file reads it, else the first to which it is possible. */
 import { gmsh } from './formats/gmsh'
+import { vtkLegacy } from './formats/vtk-legacy'
+import { vtu } from './formats/vtu'
 import type { MeshFormat } from './source'
 
-export const formats: readonly MeshFormat[] = [gmsh]
+export const formats: readonly MeshFormat[] = [vtu, vtkLegacy, gmsh]

@@ -1,5 +1,6 @@
 /** Bytes in, meshes out: the one entry for all that is pasted, dropped, opened or named on the command line. */
 import { formats } from './formats'
+import { gunzipped, gunzippedHead, isGzip } from './gzip'
 import { type Mesh, MeshRefusal } from './mesh'
 import type { MeshFile, MeshFormat, ReadOptions } from './source'
 import { shown } from './text-cursor'
@@ -7,7 +8,7 @@ import { shown } from './text-cursor'
 const HEAD = 65_536
 
 /**
- * The meshes in a file: one, or several where a text holds several files. Throws a MeshRefusal, whose message is one sentence with the
+ * The meshes in a file, gzipped or not: one, or several where a text holds several files. Throws a MeshRefusal, whose message is one sentence with the
  * file, the place and what was expected.
  */
 export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { format?: string } = {}): readonly Mesh[] {
@@ -17,7 +18,17 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),
   }
   if (file.size === 0) throw new MeshRefusal(`${shownName(file)}: the file is empty.`)
-  return formatOf(file, options.format).read(file, all)
+  const format = formatOf(file, options.format)
+  return format.read(named(isGzip(headOf(file, 3)) ? gunzipped(file) : file), all)
+}
+
+/** The file with the name under which people are told of it. */
+function named(file: MeshFile): MeshFile {
+  return { name: shownName(file), size: file.size, read: (from, to) => file.read(from, to) }
+}
+
+function headOf(file: MeshFile, size = HEAD): Uint8Array {
+  return file.read(0, Math.min(size, file.size))
 }
 
 function formatOf(file: MeshFile, wanted: string | undefined): MeshFormat {
@@ -26,8 +37,11 @@ function formatOf(file: MeshFile, wanted: string | undefined): MeshFormat {
     if (named) return named
     throw new MeshRefusal(`There is no format ${shown(wanted)}: ${formats.map(({ name }) => name).join(', ')}.`)
   }
-  const head = file.read(0, Math.min(HEAD, file.size))
-  const answers = formats.map(format => format.recognizes(head, file.name.toLowerCase()))
+  const packed = headOf(file)
+  const isPacked = isGzip(packed)
+  const head = isPacked ? gunzippedHead(file, HEAD) : packed
+  const name = file.name.toLowerCase()
+  const answers = formats.map(format => format.recognizes(head, isPacked ? name.replace(/\.gz$/, '') : name))
   const at = answers.includes('yes') ? answers.indexOf('yes') : answers.indexOf('maybe')
   if (at < 0) throw new MeshRefusal(`${shownName(file)}: this is in no format that is known here.`)
   return formats[at] as MeshFormat
