@@ -1,4 +1,5 @@
 /** All formats. The first that is certain of a file reads it, else the first to which it is possible. */
+import { abaqus } from './formats/abaqus'
 import type { MeshFormat } from './source'
 
-export const formats: readonly MeshFormat[] = []
+export const formats: readonly MeshFormat[] = [abaqus]
