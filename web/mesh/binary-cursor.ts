@@ -12,6 +12,7 @@ export class BinaryCursor {
   readonly isLittleEndian: boolean
   #view: DataView = new DataView(new ArrayBuffer(0))
   #bytes: Uint8Array = new Uint8Array(0)
+  readonly #few = new Int32Array(64)
   #start: number
   #at = 0
 
@@ -108,7 +109,13 @@ export class BinaryCursor {
     return this.#bytes.slice(at, at + count)
   }
 
+  /** The next integers; valid until the next call. */
   int32s(count: number, what: string): Int32Array {
+    if (count <= this.#few.length) {
+      const at = this.#ahead(4 * count, what)
+      for (let i = 0; i < count; ++i) this.#few[i] = this.#view.getInt32(at + 4 * i, this.isLittleEndian)
+      return this.#few.subarray(0, count)
+    }
     const bytes = this.bytes(4 * count, what)
     if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(bytes, 4)
     return new Int32Array(bytes.buffer)
@@ -122,7 +129,7 @@ export class BinaryCursor {
 
   /** Integers of 4 or 8 bytes as doubles. */
   ints(count: number, bytes: 4 | 8, what: string): Float64Array {
-    if (bytes === 4) return Float64Array.from(this.int32s(count, what))
+    if (bytes === 4) return new Float64Array(this.int32s(count, what))
     const raw = this.bytes(8 * count, what)
     if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(raw, 8)
     const [low, high] = MACHINE_IS_LITTLE_ENDIAN ? [0, 1] : [1, 0]

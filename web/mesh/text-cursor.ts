@@ -127,6 +127,14 @@ export class TextCursor {
     return line.endsWith('\r') ? line.slice(0, -1) : line
   }
 
+  /** What is ahead in the line, up to the longest word; it is not passed. */
+  peekLine(): string {
+    this.#fill()
+    const ahead = this.#bytes.subarray(this.#at, this.#at + LONGEST_WORD)
+    const end = ahead.indexOf(LF)
+    return decoder.decode(end < 0 ? ahead : ahead.subarray(0, end))
+  }
+
   /** The next word, up to a blank or `until`; '' at the end of the file. */
   word(until = -1): string {
     this.skipBlanks()

@@ -20,6 +20,9 @@ export class GmshMesh {
   /** Physical groups of entities, by "dimension tag". */
   readonly #groups = new Map<string, readonly number[]>()
   readonly #blocks = new Map<string, readonly string[]>()
+  #lastGroup = Number.NaN
+  #lastVolume = Number.NaN
+  #lastBlocks: readonly string[] = []
   readonly #indices: number[] = []
 
   constructor(fileName: string) {
@@ -47,7 +50,12 @@ export class GmshMesh {
 
   /** The same where the element itself names its group; 0 stands for none. */
   blocksOfElement(group: number, volume: number): readonly string[] {
-    return this.#blocksOf(volume, group === 0 ? [] : [Math.abs(group)])
+    if (group !== this.#lastGroup || volume !== this.#lastVolume) {
+      this.#lastGroup = group
+      this.#lastVolume = volume
+      this.#lastBlocks = this.#blocksOf(volume, group === 0 ? [] : [Math.abs(group)])
+    }
+    return this.#lastBlocks
   }
 
   #blocksOf(volume: number, groups: readonly number[]): readonly string[] {

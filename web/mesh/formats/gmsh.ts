@@ -4,6 +4,7 @@ import { type Mesh, MeshRefusal } from '../mesh'
 import { isEllipsis, LARGEST_SNIPPET, unwrapped } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
+import type { Start } from '../text-records'
 import { type BinarySection, readElements2, readElements4, readNodes2, readNodes4, type Version } from './gmsh-binary'
 import { type Numbers, readEntities } from './gmsh-entities'
 import { GmshMesh } from './gmsh-mesh'
@@ -31,12 +32,6 @@ export const gmsh: MeshFormat = {
     }
     return meshes
   },
-}
-
-/** Where a file or a section begins. */
-interface Start {
-  readonly position: number
-  readonly line: number
 }
 
 class GmshReader {
