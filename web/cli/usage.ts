@@ -40,6 +40,6 @@ Exit status: of each file
   1  some are invalid, or below R
   2  the file cannot be read, or the call is wrong
   3  none is invalid, but not all could be answered: cells of 20 or 27 nodes and Lagrange cells, coordinates that are not
-     finite, an order of nodes that is not stated, a file that is cut off, or no hexahedra at all
+     finite, an order of nodes that is not stated and decides, a file that is cut off, or no hexahedra at all
 and of several files 2 before 1 before 3 before 0. Cells of other types never change it.
 `

@@ -1,17 +1,13 @@
 /** Sentences that the answers add to a mesh's own notes. */
 
-import { nodeOrders } from '../content/node-orders'
-import type { Core } from '../core/report'
-import { reordered } from '../model/node-order'
 import type { MeshCheck } from './check'
 import { shown } from './text-cursor'
-import { verticesOf } from './vertices-of'
 
 type Answered = Omit<MeshCheck, 'notes'>
 
-export function checkNotes(check: Answered, core: Core): string[] {
+export function checkNotes(check: Answered): string[] {
   return [
-    check.mesh.isOrderStated ? null : orderNote(check, core),
+    orderNote(check),
     mirroredNote(check),
     unansweredNote(check),
     notTrilinearNote(check),
@@ -28,13 +24,15 @@ function mirroredNote({ mirrored, hexahedra }: Answered): string | null {
 }
 
 function unansweredNote(check: Answered): string | null {
-  if (check.unanswered === 0 || !check.mesh.isOrderStated) return null
+  const isUnanswered = (cell: number) => check.standingOf(cell) === 'unanswered'
+  const unanswered = check.unanswered - [...check.openOrders.keys()].filter(isUnanswered).length
+  if (unanswered === 0) return null
   for (let cell = 0; cell < check.hexahedra; ++cell) {
-    if (check.standingOf(cell) !== 'unanswered') continue
+    if (!isUnanswered(cell) || check.openOrders.has(cell)) continue
     const answer = check.answerTo(cell)
     const why = 'why' in answer ? answer.why : ''
-    if (check.unanswered === 1) return `The hexahedron ${nameOf(check, cell)} is unanswered: ${lowerFirst(why)}`
-    return `${check.unanswered} hexahedra are unanswered, first ${nameOf(check, cell)}: ${lowerFirst(why)}`
+    if (unanswered === 1) return `The hexahedron ${nameOf(check, cell)} is unanswered: ${lowerFirst(why)}`
+    return `${unanswered} hexahedra are unanswered, first ${nameOf(check, cell)}: ${lowerFirst(why)}`
   }
   return null
 }
@@ -49,25 +47,16 @@ function notTrilinearNote({ mesh, notTrilinear: { count, validByCorners } }: Ans
     : `${answer}, and ${straight} ${straight === 1 ? 'has' : 'have'} all further nodes at the middles.`
 }
 
-/** More cells than that are not tried in other orders. */
-const MOST_TRIED = 100
-
-function orderNote({ mesh, hexahedra }: Answered, core: Core): string {
-  const open = 'It is not stated in which order the nodes are, so the verdict is open'
-  if (hexahedra === 0 || hexahedra > MOST_TRIED) return `${open}.`
-  const elements = Array.from({ length: hexahedra }, (_, cell) => verticesOf(mesh, cell))
-  const areValidIn = (permutation: readonly number[]) =>
-    elements.every(vertices => {
-      const verdict = core.isValid(reordered(vertices, permutation))
-      return verdict.ok && verdict.value
-    })
-  const [subject, is] = hexahedra === 1 ? ['the hexahedron', 'is'] : ['the hexahedra', 'are']
-  if (areValidIn([0, 1, 2, 3, 4, 5, 6, 7])) return `${open}; in the order of the text ${subject} ${is} valid.`
-  const order = nodeOrders.find(({ permutation }) => areValidIn(permutation))
-  const invalid = `${open}; in the order of the text ${subject} ${is} not valid`
-  if (!order) return `${invalid}.`
-  const usedBy = order.usedBy === null ? '' : ` (${order.usedBy})`
-  return `${invalid}, in the order “${order.name}”${usedBy} ${is === 'is' ? 'it is' : 'they are'}.`
+function orderNote(check: Answered): string | null {
+  const [first] = check.openOrders
+  if (!first) return null
+  const [cell, { name, usedBy }] = first
+  const order = `“${name}”${usedBy === null ? '' : ` (${usedBy})`}`
+  const open = 'It is not stated in which order the nodes are'
+  if (check.hexahedra === 1)
+    return `${open}, so the verdict is open: in the order of the text the hexahedron is not valid, in the order ${order} it is.`
+  const several = counted(check.openOrders.size, 'hexahedron is', 'hexahedra are')
+  return `${open}: ${several} not valid in the order of the text, but in another, first ${nameOf(check, cell)} in the order ${order}.`
 }
 
 /** What people find the cell by: its id, or its index where the file has none. */

@@ -2,6 +2,8 @@
  * What is said of a mesh: how many of its hexahedra are valid, which are the worst, and sentences for people. Pure: batches and
  * single elements are answered by whoever is given, so that it runs on a page and in Node.
  */
+
+import type { NodeOrder } from '../content/node-orders'
 import type { Classification } from '../core/batch/classify'
 import { STATUSES, type Wanted } from '../core/batch/lists'
 import type { Core, Report } from '../core/report'
@@ -9,6 +11,7 @@ import { CLASSES } from '../core/unpack'
 import { checkNotes } from './check-notes'
 import { coincidentCells } from './coincident'
 import type { Mesh } from './mesh'
+import { openOrdersOf } from './open-orders'
 import { verticesOf } from './vertices-of'
 import { worstFirst } from './worst'
 
@@ -39,7 +42,7 @@ export type Standing = 'valid' | 'invalid' | 'unanswered' | 'degenerate'
 
 export interface MeshCheck {
   readonly mesh: Mesh
-  /** One entry a cell: also for those that count as something else, such as all where the order is not stated. */
+  /** One entry a cell: also for those that count as something else, in the order of the text where none is stated. */
   readonly answers: Answers
   readonly hexahedra: number
   readonly valid: number
@@ -55,7 +58,10 @@ export interface MeshCheck {
   readonly notes: readonly string[]
   /** Indices of cells, worst first. */
   readonly worst: Uint32Array
+  /** Where the order of the nodes is not stated: invalid cells that are valid in another order, with the first such order. They are unanswered. */
+  readonly openOrders: ReadonlyMap<number, NodeOrder>
   standingOf(cell: number): Standing
+  isAnswered(cell: number): boolean
   isBelow(cell: number): boolean
   /** Null where the file has no ids. */
   idOf(cell: number): string | null
@@ -76,10 +82,12 @@ export async function checkMesh(
   const byCorners = await classify(points, notTrilinear.corners, {})
   const coincident = coincidentCells(points, cells, answers.valid)
 
-  const isUnanswered = (cell: number) => !mesh.isOrderStated || STATUSES[answers.statuses[cell] as number] !== undefined
+  const openOrders = mesh.isOrderStated ? new Map<number, NodeOrder>() : openOrdersOf(mesh, answers.valid, core)
+
+  const isAnswered = (cell: number) => STATUSES[answers.statuses[cell] as number] === undefined && !openOrders.has(cell)
   const standingOf = (cell: number): Standing => {
     if (skipsDegenerate && coincident[cell] === 1) return 'degenerate'
-    if (isUnanswered(cell)) return 'unanswered'
+    if (!isAnswered(cell)) return 'unanswered'
     return answers.valid[cell] === 1 ? 'valid' : 'invalid'
   }
   const isBelow = (cell: number) => minRelative !== null && isLess(answers, cell, minRelative)
@@ -97,7 +105,7 @@ export async function checkMesh(
   const severity = {
     relativeMinima: answers.relativeMinima,
     isCollapsed: (cell: number) => CLASSES[answers.classes[cell] as number] === 'collapsed',
-    isUnanswered: (cell: number) => STATUSES[answers.statuses[cell] as number] !== undefined,
+    isUnanswered: (cell: number) => !isAnswered(cell),
   }
   const check = {
     mesh,
@@ -111,17 +119,20 @@ export async function checkMesh(
     mirrored,
     notTrilinear: { count: notTrilinear.corners.length / 8, validByCorners: byCorners.validCount },
     worst: worstFirst(hexahedra, severity, worst, cell => standingOf(cell) !== 'degenerate'),
+    openOrders,
     standingOf,
+    isAnswered,
     isBelow,
     idOf: (cell: number) => (mesh.ids === null ? null : String(mesh.ids[cell])),
     blockOf: blocksByCell(mesh),
     answerTo(cell: number) {
-      if (!mesh.isOrderStated) return { why: 'The order of its nodes is not stated.' }
+      const order = openOrders.get(cell)
+      if (order) return { why: `The order of its nodes is not stated; in the order “${order.name}” it is valid.` }
       const result = core.analyze(verticesOf(mesh, cell))
       return result.ok ? { report: result.value } : { why: result.error.message }
     },
   }
-  return { ...check, notes: [...mesh.notes, ...checkNotes(check, core)] }
+  return { ...check, notes: [...mesh.notes, ...checkNotes(check)] }
 }
 
 /** A cell of volume 0 is below everything if its minimum is negative, else it stands among the zeros. */

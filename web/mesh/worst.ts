@@ -39,8 +39,8 @@ function keysOf(count: number, { relativeMinima, isCollapsed, isUnanswered }: Se
   const keys = new Float64Array(count)
   for (let cell = 0; cell < count; ++cell) {
     const relative = relativeMinima[cell] as number
-    if (!Number.isNaN(relative)) keys[cell] = relative
-    else if (isUnanswered(cell)) keys[cell] = Infinity
+    if (isUnanswered(cell)) keys[cell] = Infinity
+    else if (!Number.isNaN(relative)) keys[cell] = relative
     else keys[cell] = isCollapsed(cell) ? 0 : -Infinity
   }
   return keys

@@ -1,5 +1,4 @@
 /** `--csv`: one line for each hexahedron, in the file's order; RFC 4180. What there is not is empty. */
-import { STATUSES } from '../../core/batch/lists'
 import { CHECKS, CLASSES } from '../../core/unpack'
 import type { MeshCheck } from '../../mesh/check'
 import { jsonNumber } from '../json-number'
@@ -39,10 +38,10 @@ export function csvOutput(): Output {
 }
 
 function row(file: string, check: MeshCheck, cell: number): (string | number)[] {
-  const { minima, volumes, acceptedBy, exact, classes, statuses, valid, relativeMinima } = check.answers
+  const { minima, volumes, acceptedBy, exact, classes, valid, relativeMinima } = check.answers
   const name = [file, cell, check.idOf(cell) ?? '', check.blockOf(cell) ?? '']
-  const isAnswered = check.mesh.isOrderStated && STATUSES[statuses[cell] as number] === undefined
-  if (!isAnswered || !minima || !volumes || !acceptedBy || !exact) return [...name, ...COLUMNS.slice(4).map(() => '')]
+  if (!check.isAnswered(cell) || !minima || !volumes || !acceptedBy || !exact)
+    return [...name, ...COLUMNS.slice(4).map(() => '')]
   const relative = relativeMinima[cell] as number
   return [
     ...name,

@@ -67,10 +67,10 @@ function ofType(count: number, type: string): string {
 function* worstLines(check: MeshCheck, options: TextOptions): Generator<string> {
   const { worst, mesh } = check
   const isBad = (cell: number) => check.standingOf(cell) === 'invalid' || check.isBelow(cell)
-  if (!mesh.isOrderStated || worst.length === 0) return
+  if (worst.length === 0) return
   const listed = options.listsAll ? worst : worst.filter(isBad)
   if (listed.length === 0) {
-    yield `  Least: ${leastOf(check, worst[0] as number)}`
+    if (check.isAnswered(worst[0] as number)) yield `  Least: ${leastOf(check, worst[0] as number)}`
     return
   }
   yield '  Worst first, by the minimum of jacdet over |volume|:'

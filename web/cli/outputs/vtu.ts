@@ -64,7 +64,7 @@ _`
   yield '\n</AppendedData>\n</VTKFile>\n'
 }
 
-function dataArrays({ mesh, answers, hexahedra, standingOf }: MeshCheck): DataArray[] {
+function dataArrays({ mesh, answers, hexahedra, isAnswered }: MeshCheck): DataArray[] {
   const { minima, volumes, relativeMinima, valid } = answers
   if (!minima || !volumes) throw new Error('The minima and volumes were not asked for.')
   const { points, cells } = mesh
@@ -75,7 +75,7 @@ function dataArrays({ mesh, answers, hexahedra, standingOf }: MeshCheck): DataAr
     length: hexahedra,
     numbers: (from, to) => Float64Array.from({ length: to - from }, (_, i) => numberOf(from + i)),
   })
-  const ifAnswered = (value: number) => (mesh.isOrderStated ? value : Number.NaN)
+  const ifAnswered = (cell: number, value: number) => (isAnswered(cell) ? value : Number.NaN)
   const areIndicesShort = points.length / 3 <= 2 ** 31 && cells.length < 2 ** 31
   const indices = (name: string, length: number, numberOf: (i: number) => number): DataArray => ({
     section: 'Cells',
@@ -95,12 +95,12 @@ function dataArrays({ mesh, answers, hexahedra, standingOf }: MeshCheck): DataAr
       length: hexahedra,
       numbers: (from, to) =>
         Uint8Array.from({ length: to - from }, (_, i) =>
-          standingOf(from + i) === 'unanswered' ? UNANSWERED : (valid[from + i] as number),
+          isAnswered(from + i) ? (valid[from + i] as number) : UNANSWERED,
         ),
     },
-    doubles('boundary_min', cell => ifAnswered(scaled(minima.values[cell], minima.exponents[cell]))),
-    doubles('relative_min', cell => ifAnswered(relativeMinima[cell] as number)),
-    doubles('volume', cell => ifAnswered(scaled(volumes.values[cell], volumes.exponents[cell]))),
+    doubles('boundary_min', cell => ifAnswered(cell, scaled(minima.values[cell], minima.exponents[cell]))),
+    doubles('relative_min', cell => ifAnswered(cell, relativeMinima[cell] as number)),
+    doubles('volume', cell => ifAnswered(cell, scaled(volumes.values[cell], volumes.exponents[cell]))),
     {
       section: 'Points',
       name: 'Points',
