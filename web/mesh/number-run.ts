@@ -2,6 +2,7 @@
  * Long runs of numbers in a text file, straight from its bytes into typed arrays: linear in time, constant in memory. A run ends, without
  * an error, before the first word that does not fit; who asked knows what was expected there.
  */
+import { doubleOfDigits } from './decimal'
 import type { MeshFile } from './source'
 import { numberOf } from './text-cursor'
 
@@ -58,7 +59,7 @@ export class NumberRun {
     const had = this.#bytes.length - this.#at
     const from = this.#start + this.#bytes.length
     const more = Math.min(PIECE, this.#to - from)
-    if (had >= LONGEST_NUMBER || more <= 0) return false
+    if (had > LONGEST_NUMBER || more <= 0) return false
     const read = this.#file.read(from, from + more)
     if (had === 0) this.#bytes = read
     else {
@@ -149,6 +150,13 @@ export class NumberRun {
           power < 0 ? mantissa / (POWERS_OF_TEN[-power] as number) : mantissa * (POWERS_OF_TEN[power] as number)
         list[i] = isNegative ? -value : value
         continue
+      }
+      if (isNumber && !(byte > SPACE)) {
+        const value = doubleOfDigits(bytes, firstDigit, at, power)
+        if (!Number.isNaN(value)) {
+          list[i] = isNegative ? -value : value
+          continue
+        }
       }
       const word = wordAt(bytes, begin)
       const value = word.length < LONGEST_NUMBER ? numberOf(word) : null

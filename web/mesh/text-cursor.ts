@@ -224,14 +224,15 @@ function hasDigit(bytes: Uint8Array, from: number, to: number): boolean {
 }
 
 const NUMBER = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?$/
-const NOT_FINITE = /^([-+]?)(nan|inf|infinity)$/i
+/** As C, Fortran and Microsoft's C before 2015 print them: nan, -nan(ind), inf, 1.#QNAN, 1.#INF00. */
+const NOT_FINITE = /^([-+]?)(?:1\.#)?((?:[qs]?nan|ind)(?:\([a-z]*\))?|inf(?:inity)?)0*$/i
 
 /** The double that a word stands for, an infinity for what is too large; null if it is no number. */
 export function numberOf(word: string): number | null {
   if (NUMBER.test(word)) return Number(word.replace(/[dD]/, 'e'))
   const [, sign, name] = NOT_FINITE.exec(word) ?? []
   if (name === undefined) return null
-  return name.toLowerCase() === 'nan' ? Number.NaN : sign === '-' ? -Infinity : Infinity
+  return !/^inf/i.test(name) ? Number.NaN : sign === '-' ? -Infinity : Infinity
 }
 
 function significantDigits(word: string): number {

@@ -272,8 +272,8 @@ class LegacyDataset {
     let at = this.#cursor.position
     const end = at + size * count
     if (end > this.#file.size) {
-      const has = `${count} numbers of ${size} bytes were expected, ${this.#file.size - at} bytes are left`
-      this.#refuseAt(at, `${has}: the file is cut off in its ${what}s.`)
+      const has = `${count} times ${what} in ${size} bytes were expected, ${this.#file.size - at} bytes are left`
+      this.#refuseAt(at, `${has}: the file is cut off.`)
     }
     const list = make(count)
     for (let filled = 0; filled < count; ) {

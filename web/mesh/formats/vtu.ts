@@ -231,7 +231,10 @@ class DocumentScan {
       if (tag.kind === 'close') {
         const name = this.#open.pop()
         if (name !== tag.name)
-          scanner.refuse(tag.from, `</${shown(tag.name).slice(1, -1)}> stands where </${name}> was expected.`)
+          scanner.refuse(
+            tag.from,
+            `</${shown(tag.name).slice(1, -1)}> stands where </${shown(name ?? '').slice(1, -1)}> was expected.`,
+          )
         if (this.#open.length === 0) {
           document.isComplete = true
           return
