@@ -42,6 +42,7 @@ class GmshReader {
   #cursor: TextCursor
   /** Null until the format is stated, or a section shows it. */
   #version: Version | null = null
+  #isStated = false
   #isBinary = false
   #isLittleEndian = true
   #sizeBytes: 4 | 8 = 8
@@ -68,7 +69,7 @@ class GmshReader {
         this.next = start
         break
       }
-      if (this.#version === null && this.#hasElements && /^(?:NOD|Nodes)$/.test(start.name)) {
+      if (!this.#isStated && this.#hasElements && /^(?:NOD|Nodes)$/.test(start.name)) {
         this.next = start
         break
       }
@@ -86,7 +87,7 @@ class GmshReader {
   #finished(): Mesh {
     const { builder, digits, lackingNodes } = this.#mesh
     if (!this.#hasElements) {
-      if (!this.#isSnippet || builder.pointCount !== 8)
+      if (!this.#isSnippet || this.#isBinary || builder.pointCount !== 8)
         this.#cursor.refuse('the elements were expected, in $Elements or $ELM; the file ends without them.')
       builder.isOrderStated = false
       builder.hexahedron([0, 1, 2, 3, 4, 5, 6, 7])
@@ -167,6 +168,7 @@ class GmshReader {
       cursor.refuse(`the version is ${shown(version)}; versions 1, 2 to 2.2, 4.0 and 4.1 of MSH are read.`, at)
     if (kind !== '0' && kind !== '1') cursor.refuse(`0 for text or 1 for binary was expected, not ${shown(kind)}.`, at)
     this.#isBinary = kind === '1'
+    this.#isStated = true
     if (this.#version === 4.1) {
       if (size !== '4' && size !== '8') cursor.refuse(`a size of 4 or 8 bytes was expected, not ${shown(size)}.`, at)
       this.#sizeBytes = size === '4' ? 4 : 8

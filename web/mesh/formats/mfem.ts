@@ -257,7 +257,7 @@ class MfemReader {
     const cursor = this.#cursor
     if (this.#isNonConforming) cursor.refuse('a non-conforming mesh with curved elements is not read.')
     const vertices = this.#vertexCount
-    if (vertices === null) cursor.refuse('the number of vertices was expected before the nodes.')
+    if (vertices === null) return cursor.refuse('the number of vertices was expected before the nodes.')
     if (this.#builder.pointCount > 0) cursor.refuse('there are vertices and nodes.')
     const entries = new Map<string, string>()
     while (this.#records.next('what the nodes are') !== 'record') {
