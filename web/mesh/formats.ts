@@ -1,5 +1,6 @@
 /** All formats. The first that is certain of a file reads it, else the first to which it is possible. */
 import { abaqus } from './formats/abaqus'
+import { nastran } from './formats/nastran'
 import type { MeshFormat } from './source'
 
-export const formats: readonly MeshFormat[] = [abaqus]
+export const formats: readonly MeshFormat[] = [abaqus, nastran]
