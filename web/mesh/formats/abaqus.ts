@@ -250,8 +250,7 @@ class AbaqusReader {
       return
     }
     const slot = model.defineNode(lines, id, x, y, z)
-    for (let axis = 0; axis < 3; ++axis)
-      model.place(lines, slot, axis, lines.fieldFrom(axis + 1), lines.fieldTo(axis + 1))
+    model.placeFields(lines, slot, 1)
   }
 
   #startSystem(): void {

@@ -131,27 +131,35 @@ export class NodeModel {
   }
 
   /** A node whose line has fewer than three coordinates: no hexahedron may use it. */
-  defineShortNode(lines: TextLines, id: number, coordinates: readonly number[]): number {
+  defineShortNode(lines: TextLines, id: number, coordinates: readonly number[], line = lines.number): number {
     const slot = this.slot(id)
     if (this.#state.values[slot] === NAMED) {
       for (let axis = 0; axis < 3; ++axis) this.points.values[3 * slot + axis] = coordinates[axis] ?? 0
       this.#state.values[slot] = SHORT
-      this.#shortLines.set(slot, { lines, line: lines.number, has: coordinates.length })
+      this.#shortLines.set(slot, { lines, line, has: coordinates.length })
     }
     this.#hasPlaces = false
     return slot
   }
 
-  /** Where a coordinate of a node stands; without this for each, the mesh has no places. */
-  place(lines: TextLines, slot: number, axis: number, from: number, to: number): void {
+  /** Where in the file a coordinate of a node stands; without this for each, the mesh has no places. */
+  place(lines: TextLines, slot: number, axis: number, from: number, length: number): void {
     this.#placesIn ??= lines
-    if (this.#placesIn !== lines || to <= from || to - from > 0xffff) this.#hasPlaces = false
+    if (this.#placesIn !== lines || length <= 0 || length > 0xffff) this.#hasPlaces = false
     if (!this.#hasPlaces) return
     const at = 3 * slot + axis
     this.#placeFrom.reserve(at + 1)
     this.#placeLength.reserve(at + 1)
-    this.#placeFrom.values[at] = lines.placeOf(from)
-    this.#placeLength.values[at] = to - from
+    this.#placeFrom.values[at] = from
+    this.#placeLength.values[at] = length
+  }
+
+  /** As `place`, for the coordinates that stand in three fields of the line in a row. */
+  placeFields(lines: TextLines, slot: number, first: number): void {
+    for (let axis = 0; axis < 3; ++axis) {
+      const from = lines.fieldFrom(first + axis)
+      this.place(lines, slot, axis, lines.placeOf(from), lines.fieldTo(first + axis) - from)
+    }
   }
 
   forgetPlaces(): void {

@@ -381,6 +381,9 @@ function withExponentLetter(word: string): string {
   return word.replace(/^([-+]?[\d.]+)([-+]\d+)$/, '$1e$2')
 }
 
+/** Decimals so short were typed, not rounded. */
+const TYPED_DIGITS = 3
+
 /** How coordinates were printed: with how many digits at most, and whether one of them is no double. */
 export class PrintedPrecision {
   digits = 0
@@ -388,7 +391,14 @@ export class PrintedPrecision {
 
   /** Half a unit of the last place of the largest coordinate; 0 if the text has every digit of its doubles. */
   movement(largest: number): number {
-    if (!this.isRounded || this.digits >= 17 || !(largest > 0) || !Number.isFinite(largest)) return 0
+    if (
+      !this.isRounded ||
+      this.digits >= 17 ||
+      this.digits <= TYPED_DIGITS ||
+      !(largest > 0) ||
+      !Number.isFinite(largest)
+    )
+      return 0
     return 0.5 * 10 ** (Math.floor(Math.log10(largest)) - this.digits + 1)
   }
 
