@@ -18,7 +18,7 @@ import {
 } from './vtu-arrays'
 
 const DEEPEST = 64
-const UNDERSCORE = 95
+const [LESS, UNDERSCORE] = [60, 95] as const
 
 /** What one <Piece> has: its sizes and the arrays that are needed. */
 interface Piece {
@@ -311,14 +311,16 @@ class DocumentScan {
         from,
         `the offset of ${shown(name)} is ${shown(offset)}, where a count of bytes was expected.`,
       )
-    const end = isEmpty ? to : this.#scanner.indexOf(60, to)
+    const found = isEmpty ? to : this.#scanner.indexOf(LESS, to)
+    const end = found < 0 ? this.#file.size : found
+    this.#scanner.position = end
     return {
       name,
       type: type as NumberType,
       format,
       offset: format === 'appended' ? Number(offset) : 0,
       from: to,
-      to: end < 0 ? this.#file.size : end,
+      to: end,
     }
   }
 
