@@ -287,6 +287,32 @@ describe('legacy files', () => {
     expect(mesh.notes).toEqual(['Coordinates are stored as Float32: that can move one by up to 6.0e-8.'])
   })
 
+  test('what is left out of a file, in whatever words', () => {
+    for (const dots of ['...', '[...]', '…', '[snip]', '. . .', ':\n:\n']) {
+      const text = grid(`DATASET UNSTRUCTURED_GRID
+${points.replace('8', '900')}${dots}
+1 2 3
+CELLS 500 4500
+8 ${nodes.join(' ')}
+8 1 2 3 4 5 6 7 899
+${dots}
+8 1 2 3 4 5 6 7 8
+CELL_TYPES 500
+12
+12
+${dots}
+12
+`)
+      const mesh = only(text, 'a.vtk')
+      expect([...mesh.cells]).toEqual(nodes)
+      expect(mesh.isCutOff).toBe(true)
+      expect(mesh.notes[0]).toMatch(/892 of the declared points and 499 of the declared cells/)
+      expect(refusalOf(() => read(text.replace('899', '900'), 'a.vtk'))).toMatch(
+        /cell 1 names point 900 as its vertex 7/,
+      )
+    }
+  })
+
   test.each(['... ', '...\n', 'METADATA\n', '# vtk DataFile Version 3.0\n', 'ORIGIN 1 1 1\n', '1 2 3 ', '#'])(
     '%s repeated is not slow',
     piece => {

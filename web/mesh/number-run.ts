@@ -243,7 +243,10 @@ export function lineAt(file: MeshFile, position: number): number {
   return line
 }
 
-/** Whether somebody has left something out here: "...", "[...]", "…" in UTF-8. */
+const DOTS = /^[[({<*#/%!;,|-]*(?:\.\.|\u2026|\u22ee|\u00e2\u0080\u00a6|\u00e2\u008b\u00ae|[.:]$)/
+const WORDS = /^[[({<*#/%!;,|-]*(?:snip|cut|omitted|truncated|skipped)\b/i
+
+/** Whether somebody has left something out here: "...", "[snip]", and the characters for dots, also as UTF-8 looks in Latin 1. */
 export function isElision(word: string): boolean {
-  return /^[[(<{]?(?:\.{2,}|\u2026|\u00e2\u0080\u00a6)/.test(word)
+  return DOTS.test(word) || WORDS.test(word)
 }

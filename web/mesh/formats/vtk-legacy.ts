@@ -2,7 +2,7 @@
  * VTK's legacy files, versions 1 to 5: unstructured grids, and structured and rectilinear grids and structured points, whose cells are
  * implied; in text, several after each other, or in big-endian binary.
  */
-import { type Mesh, MeshRefusal } from '../mesh'
+import { type CoordinatePlaces, type Mesh, MeshRefusal } from '../mesh'
 import { isElision, lineAt, NumberRun } from '../number-run'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
@@ -104,6 +104,7 @@ class LegacyDataset {
   #points: Float64Array | null = null
   #declaredPoints = 0
   #pointsFrom = 0
+  #pointsTo = 0
   #pointType: NumberType = 'Float64'
   #digits = 0
   #cells: Cells | null = null
@@ -311,9 +312,11 @@ class LegacyDataset {
     this.#declaredPoints = this.#count()
     if (this.#declaredPoints > 0xffffffff && this.isBinary) this.#refuse('more than 2^32 points are not read.')
     this.#pointType = this.#typeOf(this.#cursor.word())
+    const from = this.#cursor.position
     const list = this.#list(3 * this.#declaredPoints, this.#pointType, length => new Float64Array(length), 'coordinate')
     this.#points = list.subarray(0, list.length - (list.length % 3))
-    this.#pointsFrom = this.#cursor.position - NUMBER_SIZES[this.#pointType] * list.length
+    this.#pointsTo = this.#cursor.position
+    this.#pointsFrom = this.isBinary ? this.#pointsTo - NUMBER_SIZES[this.#pointType] * list.length : from
   }
 
   #readAxis(axis: number): void {
@@ -492,14 +495,17 @@ class LegacyDataset {
         precision: this.#precision(),
       })
     }
-    if (this.isBinary && this.#points !== null && this.#pointType.startsWith('Float'))
-      mesh.coordinatePlaces = {
-        kind: 'block',
-        from: this.#pointsFrom,
-        type: this.#pointType === 'Float32' ? 'float32' : 'float64',
-        isLittleEndian: false,
-      }
+    mesh.coordinatePlaces = this.#places()
     return mesh.mesh()
+  }
+
+  /** Null where points are implied, left out, or binary whole numbers. */
+  #places(): CoordinatePlaces | null {
+    if (this.#points === null || this.#points.length < 3 * this.#declaredPoints) return null
+    if (!this.isBinary) return { kind: 'run', from: this.#pointsFrom, to: this.#pointsTo }
+    if (!this.#pointType.startsWith('Float')) return null
+    const type = this.#pointType === 'Float32' ? 'float32' : 'float64'
+    return { kind: 'block', from: this.#pointsFrom, type, isLittleEndian: false }
   }
 
   #checkedSizes(): [number, number, number] {

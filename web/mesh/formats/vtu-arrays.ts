@@ -353,7 +353,7 @@ class BinaryArray<T extends NumberList> {
   #readBlocks(decompress: (input: Uint8Array, output: Uint8Array) => void): void {
     const [blocks, blockSize, lastSize] = this.#header(3) as unknown as [number, number, number]
     const whole = lastSize === 0 ? blocks : blocks - 1
-    this.#checkLength(whole * blockSize + lastSize)
+    this.#checkLength(blocks === 0 ? 0 : whole * blockSize + lastSize)
     const headerSize = this.#storage.headerType === 'UInt32' ? 4 : 8
     if (blocks * headerSize > this.#source.left)
       this.#refuse(`says that it has ${blocks} blocks, more than the file has room for: it is cut off or damaged.`)
