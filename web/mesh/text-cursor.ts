@@ -50,6 +50,18 @@ export class TextCursor {
     return this.#at >= this.#bytes.length && this.position >= this.#file.size
   }
 
+  /** Goes to a byte of the file. Lines are not counted on the way there; `lineAt` knows them. */
+  moveTo(position: number): void {
+    const at = position - this.#start
+    if (at >= 0 && at <= this.#bytes.length) this.#at = at
+    else {
+      this.#bytes = new Uint8Array(0)
+      this.#start = position
+      this.#at = 0
+    }
+    this.#fill()
+  }
+
   /** Throws: "part.inp, line 12: ...". */
   refuse(what: string, line = this.#line): never {
     throw new MeshRefusal(`${this.#file.name}, line ${line}: ${what}`)
@@ -216,14 +228,15 @@ function hasDigit(bytes: Uint8Array, from: number, to: number): boolean {
 }
 
 const NUMBER = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?$/
-const NOT_FINITE = /^([-+]?)(nan|inf|infinity)$/i
+/** As C, Fortran and Microsoft's C before 2015 print them: nan, -nan(ind), inf, 1.#QNAN, 1.#INF00. */
+const NOT_FINITE = /^([-+]?)(?:1\.#)?((?:[qs]?nan|ind)(?:\([a-z]*\))?|inf(?:inity)?)0*$/i
 
 /** The double that a word stands for, an infinity for what is too large; null if it is no number. */
 export function numberOf(word: string): number | null {
   if (NUMBER.test(word)) return Number(word.replace(/[dD]/, 'e'))
   const [, sign, name] = NOT_FINITE.exec(word) ?? []
   if (name === undefined) return null
-  return name.toLowerCase() === 'nan' ? Number.NaN : sign === '-' ? -Infinity : Infinity
+  return !/^inf/i.test(name) ? Number.NaN : sign === '-' ? -Infinity : Infinity
 }
 
 function significantDigits(word: string): number {
