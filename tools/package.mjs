@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname, join, resolve } from 'node:path'
 import { promisify } from 'node:util'
-import { deflate } from '@gfx/zopfli'
+import { zlib } from '@gfx/zopfli'
 import { leanThree } from './lean-three.mjs'
 import { Failure, must, root, tsc } from './run.mjs'
 
@@ -50,7 +50,7 @@ const insideOneFile = {
     if (id === BATCH_WORKER) return `export default ${JSON.stringify(await scriptOf(batchWorker))}`
     const [, name] = WASM.exec(id) ?? []
     if (name === undefined) return null
-    const deflated = await promisify(deflate)(readFileSync(join(root, 'build', name)), { numiterations: 15 })
+    const deflated = await promisify(zlib)(readFileSync(join(root, 'build', name)), { numiterations: 15 })
     return `export default '${Buffer.from(deflated).toString('base64')}'`
   },
 }

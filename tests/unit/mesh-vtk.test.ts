@@ -139,6 +139,23 @@ describe('made by other writers', () => {
     }
   })
 
+  test('coordinates in text are the run that is said', () => {
+    const names = [
+      'vtk-ascii.vtu',
+      'meshio-ascii.vtu',
+      'vtk-legacy42-ascii.vtk',
+      'vtk-legacy51-ascii.vtk',
+      'gmsh-ascii.vtk',
+    ]
+    for (const name of names) {
+      const mesh = only(read(madeFolder, name))
+      const places = mesh.coordinatePlaces
+      if (places?.kind !== 'run') throw new Error(`${name}: no run`)
+      const text = readFileSync(pathOf(madeFolder, name), 'latin1').slice(places.from, places.to)
+      expect(text.trim().split(/\s+/).map(Number), name).toEqual([...mesh.points])
+    }
+  })
+
   test('polyhedra with hexahedral faces are polyhedra', () => {
     const mesh = only(read(madeFolder, 'vtk-polyhedra-ascii.vtu'))
     expectCounts(mesh, { polyhedron: 2, hexahedron: 1 })

@@ -11,6 +11,8 @@ const [HAS_CRC, HAS_EXTRA, HAS_NAME, HAS_COMMENT] = [2, 4, 8, 16] as const
 /** Meshes are seldom packed to less than a thirtieth; zeros are packed to a thousandth. */
 const ALWAYS_ALLOWED = 64 * 1024 * 1024
 const ALLOWED_FACTOR = 32
+/** Deflate makes no more than this of a byte. */
+const MOST_GROWTH = 1032
 
 export function isGzip(head: Uint8Array): boolean {
   return head[0] === 0x1f && head[1] === 0x8b && head[2] === 8
@@ -42,7 +44,7 @@ function inflatedMembers(file: MeshFile): Uint8Array {
   const most = ALWAYS_ALLOWED + ALLOWED_FACTOR * file.size
   // The last four bytes say how much the last member has, which is usually the only one.
   const stated = file.size >= 18 ? new DataView(packed.buffer, packed.byteOffset).getUint32(file.size - 4, true) : 0
-  let output: Uint8Array = new Uint8Array(Math.min(Math.max(stated, 1024), most, ALWAYS_ALLOWED + 8 * file.size))
+  let output: Uint8Array = new Uint8Array(Math.min(Math.max(stated, 1024), most, MOST_GROWTH * file.size))
   let length = 0
   let isTooLarge = false
   const more = (full: Uint8Array): Uint8Array | null => {

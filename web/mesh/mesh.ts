@@ -40,9 +40,13 @@ export interface NotTrilinear {
   readonly straight: number | null
 }
 
-/** Byte ranges of the file: [from, to) of each coordinate's token, or one block of binary numbers. */
+/**
+ * Byte ranges of the file: [from, to) of each coordinate's token, or of a run of text with all coordinates one after the other and blanks
+ * between, or one block of binary numbers.
+ */
 export type CoordinatePlaces =
   | { readonly kind: 'tokens'; readonly from: Float64Array; readonly to: Uint16Array }
+  | { readonly kind: 'run'; readonly from: number; readonly to: number }
   | {
       readonly kind: 'block'
       readonly from: number

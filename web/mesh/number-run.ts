@@ -7,6 +7,8 @@ import type { MeshFile } from './source'
 import { numberOf } from './text-cursor'
 
 const PIECE = 1024 * 1024
+/** Short runs read no more than they need; each piece is twice as long as the one before. */
+const FIRST_PIECE = 4096
 /** A number is no longer than this. */
 const LONGEST_NUMBER = 1024
 
@@ -19,18 +21,21 @@ const POWERS_OF_TEN = Float64Array.from({ length: 23 }, (_, i) => Number(`1e${i}
 export class NumberRun {
   readonly #file: MeshFile
   readonly #to: number
+  readonly #onPiece: (position: number) => void
   #bytes: Uint8Array = new Uint8Array(0)
   /** Where `#bytes` begins in the file. */
   #start: number
   #at = 0
+  #piece = FIRST_PIECE
   /** The most significant digits with which a number with a point or an exponent is written. */
   mostDigits = 0
 
-  /** Numbers in bytes [from, to) of the file. */
-  constructor(file: MeshFile, from: number, to: number) {
+  /** Numbers in bytes [from, to) of the file; `onPiece` is called now and then with the byte that is next, and may throw. */
+  constructor(file: MeshFile, from: number, to: number, onPiece: (position: number) => void = () => {}) {
     this.#file = file
     this.#start = from
     this.#to = to
+    this.#onPiece = onPiece
   }
 
   /** The byte of the file that is next. */
@@ -58,8 +63,10 @@ export class NumberRun {
   #fill(): boolean {
     const had = this.#bytes.length - this.#at
     const from = this.#start + this.#bytes.length
-    const more = Math.min(PIECE, this.#to - from)
+    const more = Math.min(this.#piece, this.#to - from)
     if (had > LONGEST_NUMBER || more <= 0) return false
+    this.#onPiece(this.position)
+    this.#piece = Math.min(PIECE, 2 * this.#piece)
     const read = this.#file.read(from, from + more)
     if (had === 0) this.#bytes = read
     else {
@@ -236,7 +243,10 @@ export function lineAt(file: MeshFile, position: number): number {
   return line
 }
 
-/** Whether somebody has left something out here: "...", "[...]", "…" in UTF-8. */
+const DOTS = /^[[({<*#/%!;,|-]*(?:\.\.|\u2026|\u22ee|\u00e2\u0080\u00a6|\u00e2\u008b\u00ae|[.:]$)/
+const WORDS = /^[[({<*#/%!;,|-]*(?:snip|cut|omitted|truncated|skipped)\b/i
+
+/** Whether somebody has left something out here: "...", "[snip]", and the characters for dots, also as UTF-8 looks in Latin 1. */
 export function isElision(word: string): boolean {
-  return /^[[(<{]?(?:\.{2,}|\u2026|\u00e2\u0080\u00a6)/.test(word)
+  return DOTS.test(word) || WORDS.test(word)
 }

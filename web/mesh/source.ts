@@ -1,4 +1,5 @@
 /** Files as readers see them: bytes that are read when they are asked for, in a worker or in Node. */
+import type { Mesh } from './mesh'
 
 export interface MeshFile {
   readonly name: string
@@ -24,7 +25,7 @@ export interface MeshFormat {
   /** By the first bytes of the file (up to 64 kB), then by its name, which is in lower case: certain, possible, or no. */
   recognizes(head: Uint8Array, name: string): 'yes' | 'maybe' | 'no'
   /** Throws a MeshRefusal. Several meshes where the text holds several files. */
-  read(file: MeshFile, options: ReadOptions): readonly import('./mesh').Mesh[]
+  read(file: MeshFile, options: ReadOptions): readonly Mesh[]
 }
 
 export function fileOfBytes(name: string, bytes: Uint8Array): MeshFile {

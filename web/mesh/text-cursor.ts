@@ -50,6 +50,18 @@ export class TextCursor {
     return this.#at >= this.#bytes.length && this.position >= this.#file.size
   }
 
+  /** Goes to a byte of the file. Lines are not counted on the way there; `lineAt` knows them. */
+  moveTo(position: number): void {
+    const at = position - this.#start
+    if (at >= 0 && at <= this.#bytes.length) this.#at = at
+    else {
+      this.#bytes = new Uint8Array(0)
+      this.#start = position
+      this.#at = 0
+    }
+    this.#fill()
+  }
+
   /** Throws: "part.inp, line 12: ...". */
   refuse(what: string, line = this.#line): never {
     throw new MeshRefusal(`${this.#file.name}, line ${line}: ${what}`)

@@ -2,7 +2,7 @@
  * VTK's legacy files, versions 1 to 5: unstructured grids, and structured and rectilinear grids and structured points, whose cells are
  * implied; in text, several after each other, or in big-endian binary.
  */
-import { type Mesh, MeshRefusal } from '../mesh'
+import { type CoordinatePlaces, type Mesh, MeshRefusal } from '../mesh'
 import { isElision, lineAt, NumberRun } from '../number-run'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
@@ -10,6 +10,7 @@ import { MOST_IMPLIED_CELLS, type Precision, VtkMesh } from './vtk-mesh'
 import { NUMBER_SIZES, type NumberList, type NumberType, putNumbers, swapBytes } from './vtu-arrays'
 
 const CHUNK = 1024 * 1024
+const FIRST_PIECE = 4096
 const MAGIC = '# vtk DataFile Version'
 /** A part of a file that somebody has cut out begins with one of its sections. */
 const SECTION =
@@ -56,12 +57,13 @@ export const vtkLegacy: MeshFormat = {
       const section = SECTION.exec(head)
       if (section === null)
         throw new MeshRefusal(`${file.name}: this is no VTK file: it does not begin with “${MAGIC}”.`)
-      return [new LegacyDataset(file, options, section.index, false).read()]
+      return [new LegacyDataset(file, options, new TextCursor(file, section.index), false).read()]
     }
-    while (at >= 0) {
-      const dataset = new LegacyDataset(file, options, at, true)
+    for (const cursor = new TextCursor(file, at); at >= 0; ) {
+      cursor.moveTo(at)
+      const dataset = new LegacyDataset(file, options, cursor, true)
       meshes.push(dataset.read())
-      at = dataset.isBinary ? -1 : find(file, MAGIC, dataset.position)
+      at = dataset.isBinary ? -1 : find(file, MAGIC, cursor.position)
     }
     return meshes
   },
@@ -70,14 +72,16 @@ export const vtkLegacy: MeshFormat = {
 /** Where a line begins so, in any case of letters, from byte `from` on; -1 if none does. */
 function find(file: MeshFile, words: string, from: number): number {
   const first = words.charCodeAt(0)
-  for (let start = from; start < file.size; start += CHUNK) {
-    // The words may go on, and the line end before them lie, beyond the piece.
+  let piece = FIRST_PIECE
+  for (let start = from; start < file.size; start += piece, piece = Math.min(CHUNK, 2 * piece)) {
+    // The words may go on, and the end of the line before lie, beyond the piece.
     const begin = Math.max(0, start - 1)
-    const bytes = file.read(begin, Math.min(file.size, start + CHUNK + words.length))
-    for (let at = bytes.indexOf(first); at >= 0; at = bytes.indexOf(first, at + 1)) {
-      const isLineStart = begin + at === 0 || at === 0 || (bytes[at - 1] as number) <= 32 || begin + at === 3
+    const bytes = file.read(begin, Math.min(file.size, start + piece + words.length))
+    for (let at = bytes.indexOf(first, start - begin); at >= 0; at = bytes.indexOf(first, at + 1)) {
+      const isLineStart = at === 0 || (bytes[at - 1] as number) <= 32 || begin + at === 3
+      if (!isLineStart) continue
       const text = String.fromCharCode(...bytes.subarray(at, at + words.length))
-      if (isLineStart && begin + at >= from && text.toLowerCase() === words.toLowerCase()) return begin + at
+      if (text.toLowerCase() === words.toLowerCase()) return begin + at
     }
   }
   return -1
@@ -88,20 +92,19 @@ interface Cells {
   readonly connectivity: Uint32Array
   readonly ends: Uint32Array
   readonly declared: number
-  /** Legacy files before 5 write a polyhedron's faces in the place of its points, and so do those after. */
-  readonly isElided: boolean
 }
 
 class LegacyDataset {
   readonly #file: MeshFile
   readonly #options: ReadOptions
-  #cursor: TextCursor
+  readonly #cursor: TextCursor
   readonly #hasHeader: boolean
   isBinary = false
   #type: DatasetType | null = null
   #points: Float64Array | null = null
   #declaredPoints = 0
   #pointsFrom = 0
+  #pointsTo = 0
   #pointType: NumberType = 'Float64'
   #digits = 0
   #cells: Cells | null = null
@@ -111,15 +114,11 @@ class LegacyDataset {
   #spacing: [number, number, number] = [1, 1, 1]
   readonly #axes: [Float64Array | null, Float64Array | null, Float64Array | null] = [null, null, null]
 
-  constructor(file: MeshFile, options: ReadOptions, from: number, hasHeader: boolean) {
+  constructor(file: MeshFile, options: ReadOptions, cursor: TextCursor, hasHeader: boolean) {
     this.#file = file
     this.#options = options
     this.#hasHeader = hasHeader
-    this.#cursor = new TextCursor(file, from)
-  }
-
-  get position(): number {
-    return this.#cursor.position
+    this.#cursor = cursor
   }
 
   #refuseAt(position: number, what: string): never {
@@ -137,6 +136,11 @@ class LegacyDataset {
     return this.#mesh()
   }
 
+  #report(position: number): void {
+    this.#options.throwIfCancelled()
+    this.#options.onProgress(position / this.#file.size)
+  }
+
   /** Two lines, and a third that says whether the file is text. */
   #readHeader(): void {
     const version = (this.#cursor.nextLine() ?? '').slice(MAGIC.length).trim()
@@ -151,8 +155,7 @@ class LegacyDataset {
 
   /** Whether another may follow. */
   #readSection(): boolean {
-    this.#options.throwIfCancelled()
-    this.#options.onProgress(this.#cursor.position / this.#file.size)
+    this.#report(this.#cursor.position)
     this.#cursor.skipBlanks()
     const from = this.#cursor.position
     if (this.#cursor.isAtEnd) return false
@@ -232,7 +235,7 @@ class LegacyDataset {
     const run = new NumberRun(this.#file, this.#cursor.position, this.#file.size)
     if (run.numbers(three, 0, 3) < 3)
       this.#refuseAt(run.position, `${shown(run.nextWord())} stands where a number was expected.`)
-    this.#cursor = new TextCursor(this.#file, run.position)
+    this.#cursor.moveTo(run.position)
     return [...three] as [number, number, number]
   }
 
@@ -249,7 +252,7 @@ class LegacyDataset {
     if (this.isBinary) return this.#binaryList(count, type, make, what)
     const from = this.#cursor.position
     const list = make(Math.min(count, Math.ceil((this.#file.size - from) / 2)))
-    const run = new NumberRun(this.#file, from, this.#file.size)
+    const run = new NumberRun(this.#file, from, this.#file.size, position => this.#report(position))
     const filled = list instanceof Float64Array ? run.numbers(list, 0, list.length) : run.indices(list, 0, list.length)
     this.#digits = Math.max(this.#digits, run.mostDigits)
     if (filled < count) {
@@ -260,7 +263,7 @@ class LegacyDataset {
           `${word === '' ? 'the file is cut off: it ends' : `${shown(word)} stands`} where ${what} ${filled + 1} of ${count} was expected.`,
         )
     }
-    this.#cursor = new TextCursor(this.#file, run.position)
+    this.#cursor.moveTo(run.position)
     if (filled === count) return list
     this.#passElision()
     return list.slice(0, filled) as T
@@ -288,10 +291,9 @@ class LegacyDataset {
         )
       filled += bytes.length / size
       at += bytes.length
-      this.#options.throwIfCancelled()
-      this.#options.onProgress(at / this.#file.size)
+      this.#report(at)
     }
-    this.#cursor = new TextCursor(this.#file, at)
+    this.#cursor.moveTo(at)
     return list
   }
 
@@ -310,9 +312,11 @@ class LegacyDataset {
     this.#declaredPoints = this.#count()
     if (this.#declaredPoints > 0xffffffff && this.isBinary) this.#refuse('more than 2^32 points are not read.')
     this.#pointType = this.#typeOf(this.#cursor.word())
+    const from = this.#cursor.position
     const list = this.#list(3 * this.#declaredPoints, this.#pointType, length => new Float64Array(length), 'coordinate')
     this.#points = list.subarray(0, list.length - (list.length % 3))
-    this.#pointsFrom = this.#cursor.position - NUMBER_SIZES[this.#pointType] * list.length
+    this.#pointsTo = this.#cursor.position
+    this.#pointsFrom = this.isBinary ? this.#pointsTo - NUMBER_SIZES[this.#pointType] * list.length : from
   }
 
   #readAxis(axis: number): void {
@@ -337,9 +341,9 @@ class LegacyDataset {
         this.#cells = this.#cellsByOffsets(first, second)
         return
       }
-      this.#cursor = new TextCursor(this.#file, before)
+      this.#cursor.moveTo(before)
     }
-    this.#cursor = new TextCursor(this.#file, line)
+    this.#cursor.moveTo(line)
     this.#cells = this.#cellsByCounts(first, second)
   }
 
@@ -363,7 +367,7 @@ class LegacyDataset {
       const have = `the ${size} numbers of CELLS hold ${cell} whole cells${at < size ? ` and ${size - at} more numbers` : ''}`
       this.#refuse(`${have}; ${declared} cells were expected.`)
     }
-    return { connectivity: list.subarray(0, filled), ends: ends.subarray(0, cell), declared, isElided }
+    return { connectivity: list.subarray(0, filled), ends: ends.subarray(0, cell), declared }
   }
 
   /** From version 5 on: where each cell begins and the last ends, then all points. */
@@ -384,7 +388,7 @@ class LegacyDataset {
     if (!isElided && (offsets[cells] ?? 0) !== size)
       this.#refuse(`the offsets end at ${offsets[cells] ?? 0}, where ${size}, the number of indices, was expected.`)
     while (cells > 0 && (offsets[cells] as number) > connectivity.length) cells--
-    return { connectivity, ends: offsets.subarray(1, cells + 1), declared, isElided }
+    return { connectivity, ends: offsets.subarray(1, cells + 1), declared }
   }
 
   #readTypes(): void {
@@ -420,7 +424,7 @@ class LegacyDataset {
         const bytes = type === 'bit' ? Math.ceil(numbers / 8) : numbers * NUMBER_SIZES[this.#typeOf(type)]
         if (this.#cursor.position + bytes > this.#file.size)
           this.#refuse(`an array of ${bytes} bytes was expected: the file is cut off.`)
-        this.#cursor = new TextCursor(this.#file, this.#cursor.position + bytes)
+        this.#cursor.moveTo(this.#cursor.position + bytes)
       }
     }
   }
@@ -433,7 +437,7 @@ class LegacyDataset {
       if (run.numbers(some, 0, part) === part) continue
       this.#refuseAt(run.position, `${shown(run.nextWord())} stands where a number of a field was expected.`)
     }
-    this.#cursor = new TextCursor(this.#file, run.position)
+    this.#cursor.moveTo(run.position)
   }
 
   /** In text a line each; in binary files a length of one, two, four or eight bytes, as its highest two bits say, and the bytes. */
@@ -453,7 +457,7 @@ class LegacyDataset {
       at += bytes + length
       if (at > this.#file.size) this.#refuse('a text of a field goes on behind the end of the file: it is cut off.')
     }
-    this.#cursor = new TextCursor(this.#file, at)
+    this.#cursor.moveTo(at)
   }
 
   #precision(): Precision {
@@ -491,14 +495,17 @@ class LegacyDataset {
         precision: this.#precision(),
       })
     }
-    if (this.isBinary && this.#points !== null && this.#pointType.startsWith('Float'))
-      mesh.coordinatePlaces = {
-        kind: 'block',
-        from: this.#pointsFrom,
-        type: this.#pointType === 'Float32' ? 'float32' : 'float64',
-        isLittleEndian: false,
-      }
+    mesh.coordinatePlaces = this.#places()
     return mesh.mesh()
+  }
+
+  /** Null where points are implied, left out, or binary whole numbers. */
+  #places(): CoordinatePlaces | null {
+    if (this.#points === null || this.#points.length < 3 * this.#declaredPoints) return null
+    if (!this.isBinary) return { kind: 'run', from: this.#pointsFrom, to: this.#pointsTo }
+    if (!this.#pointType.startsWith('Float')) return null
+    const type = this.#pointType === 'Float32' ? 'float32' : 'float64'
+    return { kind: 'block', from: this.#pointsFrom, type, isLittleEndian: false }
   }
 
   #checkedSizes(): [number, number, number] {

@@ -97,7 +97,7 @@ function refuseAt(file: MeshFile, position: number, what: string): never {
 }
 
 function readText<T extends NumberList>(
-  { file }: Storage,
+  { file, options }: Storage,
   array: DataArray,
   count: number,
   make: (length: number) => T,
@@ -105,7 +105,10 @@ function readText<T extends NumberList>(
 ): ReadArray<T> {
   // A number and a blank are two bytes.
   const list = make(Math.min(count, Math.ceil((array.to - array.from) / 2)))
-  const run = new NumberRun(file, array.from, array.to)
+  const run = new NumberRun(file, array.from, array.to, position => {
+    options.throwIfCancelled()
+    options.onProgress(position / file.size)
+  })
   const filled = list instanceof Float64Array ? run.numbers(list, 0, list.length) : run.indices(list, 0, list.length)
   const name = shown(array.name)
   if (!run.isAtEnd()) {
@@ -160,6 +163,8 @@ class Base64Bytes implements ByteSource {
   #text = new Uint8Array(0)
   #textStart: number
   #at = 0
+  /** How much text is read next: short arrays read no more than they need. */
+  #piece = 4096
   /** Bytes that have been decoded and not been taken. */
   #held: Uint8Array = new Uint8Array(0)
   #heldFrom = 0
@@ -201,8 +206,9 @@ class Base64Bytes implements ByteSource {
   #fill(): void {
     const had = this.#text.length - this.#at
     const from = this.#textStart + this.#text.length
-    const more = Math.min(CHUNK, this.to - from)
+    const more = Math.min(this.#piece, this.to - from)
     if (had >= 64 || more <= 0) return
+    this.#piece = Math.min(CHUNK, 2 * this.#piece)
     const text = new Uint8Array(had + more)
     text.set(this.#text.subarray(this.#at))
     text.set(this.file.read(from, from + more), had)
@@ -347,7 +353,7 @@ class BinaryArray<T extends NumberList> {
   #readBlocks(decompress: (input: Uint8Array, output: Uint8Array) => void): void {
     const [blocks, blockSize, lastSize] = this.#header(3) as unknown as [number, number, number]
     const whole = lastSize === 0 ? blocks : blocks - 1
-    this.#checkLength(whole * blockSize + lastSize)
+    this.#checkLength(blocks === 0 ? 0 : whole * blockSize + lastSize)
     const headerSize = this.#storage.headerType === 'UInt32' ? 4 : 8
     if (blocks * headerSize > this.#source.left)
       this.#refuse(`says that it has ${blocks} blocks, more than the file has room for: it is cut off or damaged.`)

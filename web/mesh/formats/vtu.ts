@@ -18,7 +18,7 @@ import {
 } from './vtu-arrays'
 
 const DEEPEST = 64
-const UNDERSCORE = 95
+const [LESS, UNDERSCORE] = [60, 95] as const
 
 /** What one <Piece> has: its sizes and the arrays that are needed. */
 interface Piece {
@@ -171,12 +171,14 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
     },
     block,
   )
-  if (isOnly && block === null && pointCount > 0) setPlaces(storage, arrayOf('Points'), mesh)
+  if (isOnly && block === null && pointCount > 0 && coordinates.length === 3 * pointCount)
+    setPlaces(storage, arrayOf('Points'), mesh)
   return ghostCount(storage, arrays.get('vtkGhostType'), cellCount)
 }
 
-/** The coordinates are one block of the file if they are neither text nor packed. */
+/** The coordinates are a run of the text, or one block of the file if they are neither in base64 nor packed. */
 function setPlaces(storage: Storage, array: DataArray, mesh: VtkMesh): void {
+  if (array.format === 'ascii') mesh.coordinatePlaces = { kind: 'run', from: array.from, to: array.to }
   const { appended, decompress, isLittleEndian, headerType } = storage
   if (array.format !== 'appended' || appended === null || appended.isBase64 || decompress !== null) return
   if (array.type !== 'Float32' && array.type !== 'Float64') return
@@ -311,14 +313,16 @@ class DocumentScan {
         from,
         `the offset of ${shown(name)} is ${shown(offset)}, where a count of bytes was expected.`,
       )
-    const end = isEmpty ? to : this.#scanner.indexOf(60, to)
+    const found = isEmpty ? to : this.#scanner.indexOf(LESS, to)
+    const end = found < 0 ? this.#file.size : found
+    this.#scanner.position = end
     return {
       name,
       type: type as NumberType,
       format,
       offset: format === 'appended' ? Number(offset) : 0,
       from: to,
-      to: end < 0 ? this.#file.size : end,
+      to: end,
     }
   }
 
