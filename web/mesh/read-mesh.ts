@@ -19,7 +19,13 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
   }
   if (file.size === 0) throw new MeshRefusal(`${shownName(file)}: the file is empty.`)
   const format = formatOf(file, options.format)
-  return format.read(named(isGzip(headOf(file, 3)) ? gunzipped(file) : file), all)
+  try {
+    return format.read(named(isGzip(headOf(file, 3)) ? gunzipped(file) : file), all)
+  } catch (error) {
+    // The engine's own error where an array is too large for it.
+    if (!(error instanceof RangeError)) throw error
+    throw new MeshRefusal(`${shownName(file)}: reading it needs more memory than there is here (${error.message}).`)
+  }
 }
 
 /** The file with the name under which people are told of it. */

@@ -21,6 +21,7 @@ export interface Inflated {
 }
 
 const FIRST_BITS = 10
+const NO_CODE = (0xfff << 4) | 1
 const FIRST_MASK = (1 << FIRST_BITS) - 1
 const LENGTH_BASE = Uint16Array.of(
   ...[
@@ -35,7 +36,8 @@ const DISTANCE_BITS = Uint8Array.from({ length: 30 }, (_, i) => (i < 2 ? 0 : (i 
 const CODE_LENGTH_ORDER = Uint8Array.of(16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15)
 
 /**
- * A code's table: entry = symbol * 16 + bits, or for codes longer than ten bits -(index of a second table * 16 + its bits). 0: no code.
+ * A code's table: entry = symbol * 16 + bits, or for codes longer than ten bits -(index of a second table * 16 + its bits). What is no code
+ * stands for a symbol beyond all.
  */
 class Code {
   table = new Int32Array(1 << FIRST_BITS)
@@ -67,7 +69,7 @@ class Code {
   #fill(lengths: Uint8Array, from: number, to: number, longest: number): void {
     const secondBits = Math.max(0, longest - FIRST_BITS)
     let used = 1 << FIRST_BITS
-    let table = this.table.fill(0)
+    let table = this.table.fill(NO_CODE)
     for (let symbol = 0; symbol < to - from; ++symbol) {
       const length = lengths[from + symbol] as number
       if (length === 0) continue
@@ -81,13 +83,13 @@ class Code {
         continue
       }
       const first = reversed & FIRST_MASK
-      if (table[first] === 0) {
+      if (table[first] === NO_CODE) {
         if (table.length < used + (1 << secondBits)) {
           this.table = new Int32Array(2 * table.length + (1 << secondBits))
           this.table.set(table)
           table = this.table
         }
-        table.fill(0, used, used + (1 << secondBits))
+        table.fill(NO_CODE, used, used + (1 << secondBits))
         table[first] = -((used << 4) | secondBits)
         used += 1 << secondBits
       }
@@ -179,7 +181,7 @@ class Inflater {
     const ahead = this.#take(15)
     let entry = table[ahead & FIRST_MASK] as number
     if (entry < 0) entry = table[(-entry >> 4) + ((ahead >>> FIRST_BITS) & ((1 << (-entry & 15)) - 1))] as number
-    if (entry === 0) throw new DamagedStream('has a code that stands for nothing')
+    if (entry === NO_CODE) throw new DamagedStream('has a code that stands for nothing')
     // What the symbol did not need goes back: 15 bits were taken, so there is room.
     this.#held = (this.#held << (15 - (entry & 15))) | (ahead >>> (entry & 15))
     this.#bits += 15 - (entry & 15)
@@ -266,7 +268,6 @@ class Inflater {
         bits -= entry & 15
         const symbol = entry >> 4
         if (symbol < 256) {
-          if (entry === 0) throw new DamagedStream('has a code that stands for nothing')
           if (length >= output.length) {
             this.#length = length
             if (!this.#hasRoom(1)) return false
@@ -294,7 +295,7 @@ class Inflater {
         entry = distanceTable[held & FIRST_MASK] as number
         if (entry < 0)
           entry = distanceTable[(-entry >> 4) + ((held >>> FIRST_BITS) & ((1 << (-entry & 15)) - 1))] as number
-        if (entry === 0 || entry >> 4 > 29) throw new DamagedStream('has a code that stands for nothing')
+        if (entry >> 4 > 29) throw new DamagedStream('has a code that stands for nothing')
         held >>>= entry & 15
         bits -= entry & 15
         if (bits < 15) {

@@ -112,6 +112,7 @@ class LegacyDataset {
   #sizes: [number, number, number] | null = null
   #origin: [number, number, number] = [0, 0, 0]
   #spacing: [number, number, number] = [1, 1, 1]
+  #hasSpacing = false
   readonly #axes: [Float64Array | null, Float64Array | null, Float64Array | null] = [null, null, null]
 
   constructor(file: MeshFile, options: ReadOptions, cursor: TextCursor, hasHeader: boolean) {
@@ -184,6 +185,7 @@ class LegacyDataset {
       case 'SPACING':
       case 'ASPECT_RATIO':
         this.#spacing = this.#triple()
+        this.#hasSpacing = true
         return true
       case 'X_COORDINATES':
       case 'Y_COORDINATES':
@@ -210,7 +212,7 @@ class LegacyDataset {
 
   /** Whether all that a mesh needs is there: what follows may be anything. */
   #isComplete(): boolean {
-    if (this.#type === 'STRUCTURED_POINTS') return this.#sizes !== null
+    if (this.#type === 'STRUCTURED_POINTS') return this.#sizes !== null && this.#hasSpacing
     if (this.#type === 'RECTILINEAR_GRID') return this.#axes.every(axis => axis !== null)
     if (this.#type === 'STRUCTURED_GRID') return this.#points !== null
     return this.#types !== null
@@ -476,7 +478,7 @@ class LegacyDataset {
     })
     if (this.#type === 'STRUCTURED_POINTS' || this.#type === 'RECTILINEAR_GRID' || this.#type === 'STRUCTURED_GRID') {
       const sizes = this.#checkedSizes()
-      mesh.addStructured(this.#structuredPoints(sizes), sizes, this.#precision())
+      mesh.addStructured(() => this.#structuredPoints(sizes), sizes, this.#precision())
     } else {
       if (this.#points === null) this.#refuseAt(end, 'the file ends, and no section POINTS was there.')
       const missing = this.#cells === null ? 'CELLS' : this.#types === null ? 'CELL_TYPES' : null
@@ -514,8 +516,10 @@ class LegacyDataset {
     if (sizes.includes(0)) this.#refuse(`the dimensions are ${sizes.join(' ')}, where counts from 1 on were expected.`)
     const cells = sizes.reduce((product, size) => product * Math.max(1, size - 1), 1)
     const points = sizes.reduce((product, size) => product * size, 1)
-    if (cells > MOST_IMPLIED_CELLS || points > 4 * MOST_IMPLIED_CELLS)
-      this.#refuse(`the dimensions ${sizes.join(' ')} imply ${cells} cells; at most ${MOST_IMPLIED_CELLS} are read.`)
+    if (cells > MOST_IMPLIED_CELLS || points > 2 * MOST_IMPLIED_CELLS)
+      this.#refuse(
+        `the dimensions ${sizes.join(' ')} imply ${cells} cells and ${points} points; at most ${MOST_IMPLIED_CELLS} cells and twice as many points are read.`,
+      )
     return sizes
   }
 

@@ -80,8 +80,8 @@ export class VtkMesh {
       this.#blocks.push({ name: block, cells: Uint32Array.from({ length: cells.length / 8 }, (_, i) => before + i) })
   }
 
-  /** Adds a grid whose cells are implied by its numbers of points along the axes. */
-  addStructured(points: Float64Array, sizes: readonly [number, number, number], precision: Precision): void {
+  /** Adds a grid whose cells are implied by its numbers of points along the axes; a flat one has no hexahedra that need its points. */
+  addStructured(pointsOf: () => Float64Array, sizes: readonly [number, number, number], precision: Precision): void {
     const cellsAlong = sizes.filter(size => size > 1).map(size => size - 1)
     const count = cellsAlong.reduce((product, size) => product * size, 1)
     if (count > MOST_IMPLIED_CELLS)
@@ -89,9 +89,10 @@ export class VtkMesh {
     if (cellsAlong.length < 3) {
       const flat = ['vertex', 'line', 'quadrilateral'][cellsAlong.length] as string
       this.#other.set(flat, (this.#other.get(flat) ?? 0) + count)
-      this.#addPart(points, new Uint32Array(0), precision)
+      this.#addPart(new Float64Array(0), new Uint32Array(0), precision)
       return
     }
+    const points = pointsOf()
     const cells = new Uint32Array(8 * count)
     const [nx, ny, nz] = sizes
     const layer = nx * ny
