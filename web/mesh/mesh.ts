@@ -40,7 +40,7 @@ export interface NotTrilinear {
   readonly straight: number | null
 }
 
-/** Byte ranges of the file: [from, to) of each coordinate's token, or one block of binary numbers. */
+/** Bytes of the file: from where and how many (`to`) each coordinate's token has, or one block of binary numbers. */
 export type CoordinatePlaces =
   | { readonly kind: 'tokens'; readonly from: Float64Array; readonly to: Uint16Array }
   | {
