@@ -213,6 +213,16 @@ describe('Gmsh', () => {
     expect(refusalOf('a.msh', HEADER + NODES.replace('3 1 1 0', '3 1 1 0 7'))).toMatch(/line 8: the line has more/)
   })
 
+  it('the bytes of each coordinate are known, in quoted texts as well', () => {
+    for (const text of [`${HEADER}${NODES}$Elements\n1\n${ELEMENT}`, MEDIT, mfemMesh('v1.0', `3\n${ROWS}`)])
+      for (const content of [text, text.replace(/^/gm, '> ')]) {
+        const { points, coordinatePlaces: places } = one('a.txt', content)
+        if (places?.kind !== 'tokens') throw new Error('no places')
+        const tokens = [...places.from].map((from, i) => content.slice(from, from + (places.to[i] as number)))
+        expect(tokens.map(Number)).toEqual([...points])
+      }
+  })
+
   it('two files in one text are two meshes', () => {
     const text = `${HEADER}${NODES}$Elements\n1\n${ELEMENT}$EndElements\n`
     expect(read('a.msh', text + text).map(mesh => mesh.cells.length)).toEqual([8, 8])
@@ -352,6 +362,11 @@ describe('Medit', () => {
     expect(validOf(mesh)).toEqual([true, true])
     expect(mesh.blocks.map(({ name }) => name)).toEqual(['reference 1', 'reference 2'])
     expect(Object.fromEntries(mesh.other)).toEqual({ tetrahedron: 1 })
+  })
+
+  it('all in one line', () => {
+    const mesh = one('a.mesh', MEDIT.replace('# a comment\n', '').replaceAll('\n', ' '))
+    expect(validOf(mesh)).toEqual([true, true])
   })
 
   it('a text that is cut or leaves something out', () => {

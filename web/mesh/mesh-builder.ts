@@ -16,7 +16,7 @@ export type OtherCell =
   | 'other'
 
 /** A list of numbers that grows. */
-class Growing<T extends Float64Array | Uint32Array> {
+class Growing<T extends Float64Array | Uint32Array | Uint16Array> {
   #list: T
   #length = 0
   constructor(private readonly make: (length: number) => T) {
@@ -54,6 +54,8 @@ export class MeshBuilder {
   readonly #points = new Growing(length => new Float64Array(length))
   readonly #cells = new Growing(length => new Uint32Array(length))
   readonly #corners = new Growing(length => new Uint32Array(length))
+  readonly #tokensFrom = new Growing(length => new Float64Array(length))
+  readonly #tokenLengths = new Growing(length => new Uint16Array(length))
   readonly #ids: (number | string)[] = []
   readonly #blocks = new Map<string, number[]>()
   readonly #other = new Map<string, number>()
@@ -80,6 +82,12 @@ export class MeshBuilder {
 
   get cellCount(): number {
     return this.#cells.length / 8
+  }
+
+  /** Where the next coordinate's text begins in the file, and its length; if all points have three, they become `coordinatePlaces`. */
+  coordinateToken(from: number, length: number): void {
+    this.#tokensFrom.push(from)
+    this.#tokenLengths.push(length)
   }
 
   /** Coordinate 0, 1 or 2 of a point that is there. */
@@ -151,6 +159,11 @@ export class MeshBuilder {
     if (!this.#notes.includes(sentence)) this.#notes.push(sentence)
   }
 
+  #tokens(): CoordinatePlaces | null {
+    if (this.#tokensFrom.length !== this.#points.length || this.pointCount === 0) return null
+    return { kind: 'tokens', from: this.#tokensFrom.whole(), to: this.#tokenLengths.whole() }
+  }
+
   /** The mesh. Refuses an index out of range. */
   mesh(): Mesh {
     const points = this.#points.whole()
@@ -179,7 +192,7 @@ export class MeshBuilder {
       notes: this.#notes,
       isOrderStated: this.isOrderStated,
       isCutOff: this.isCutOff,
-      coordinatePlaces: this.coordinatePlaces,
+      coordinatePlaces: this.coordinatePlaces ?? this.#tokens(),
       steps: this.steps,
     }
   }

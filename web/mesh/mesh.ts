@@ -41,8 +41,8 @@ export interface NotTrilinear {
 }
 
 /**
- * Byte ranges of the file: [from, to) of each coordinate's token, or of a run of text with all coordinates one after the other and blanks
- * between, or one block of binary numbers.
+ * Bytes of the file: from where and how many (`to`) each coordinate's token has, or a run of text with all coordinates one after the other
+ * and blanks between, or one block of binary numbers.
  */
 export type CoordinatePlaces =
   | { readonly kind: 'tokens'; readonly from: Float64Array; readonly to: Uint16Array }

@@ -27,6 +27,8 @@ export class TextCursor {
   #line: number
   /** How many significant digits the last number was written with. */
   digits = 0
+  /** The byte of the file at which the last number begins; it ends at `position`. */
+  numberFrom = 0
 
   /** From a byte on, which lies in line `line`. */
   constructor(file: MeshFile, from = 0, line = 1) {
@@ -168,6 +170,7 @@ export class TextCursor {
     this.#fill()
     const bytes = this.#bytes
     const from = this.#at
+    this.numberFrom = this.#start + from
     let at = from
     const isNegative = bytes[at] === MINUS
     if (isNegative || bytes[at] === PLUS) at++

@@ -2,8 +2,11 @@
  * Records of a text, one a line: nodes, elements. A file must have as many as it declares. A snippet may end anywhere, or leave something
  * out with "...": its whole elements are read, and a note says so.
  */
+
+import type { Mesh } from './mesh'
 import type { MeshBuilder } from './mesh-builder'
-import { isEllipsis } from './snippet-text'
+import { isEllipsis, unwrapped } from './snippet-text'
+import type { MeshFile } from './source'
 import { shown, type TextCursor } from './text-cursor'
 
 const [PLUS, MINUS, HASH, ZERO, NINE] = [43, 45, 35, 48, 57] as const
@@ -118,4 +121,24 @@ export class TextRecords {
 export interface Start {
   readonly position: number
   readonly line: number
+}
+
+/** Reads one file of a text, and says where another begins. */
+interface Reader {
+  mesh(): Mesh
+  readonly next: Start | null
+}
+
+/** All files that stand in one text, one after the other, whatever mail and Markdown put around them. */
+export function readInTurn(file: MeshFile, readerAt: (text: MeshFile, start: Start) => Reader): readonly Mesh[] {
+  const text = unwrapped(file)
+  const meshes: Mesh[] = []
+  for (let start: Start | null = { position: 0, line: 1 }; start !== null; ) {
+    const reader: Reader = readerAt(text, start)
+    const mesh = reader.mesh()
+    // In a text that was UTF-16 bytes are at other places than in the file.
+    meshes.push(text.size === file.size ? mesh : { ...mesh, coordinatePlaces: null })
+    start = reader.next
+  }
+  return meshes
 }

@@ -83,6 +83,7 @@ export class GmshText {
   #coordinate(): number {
     const value = this.#cursor.number('a coordinate')
     this.#mesh.digits.see(value, this.#cursor.digits)
+    this.#mesh.builder.coordinateToken(this.#cursor.numberFrom, this.#cursor.position - this.#cursor.numberFrom)
     return value
   }
 

@@ -1,10 +1,10 @@
 /** Gmsh's MSH 1, 2 to 2.2, 4.0 and 4.1, text and binary, and parts of these texts as people post them. */
 import { BinaryCursor } from '../binary-cursor'
 import { type Mesh, MeshRefusal } from '../mesh'
-import { isEllipsis, LARGEST_SNIPPET, unwrapped } from '../snippet-text'
+import { isEllipsis, LARGEST_SNIPPET } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
-import type { Start } from '../text-records'
+import { readInTurn, type Start } from '../text-records'
 import { type BinarySection, readElements2, readElements4, readNodes2, readNodes4, type Version } from './gmsh-binary'
 import { type Numbers, readEntities } from './gmsh-entities'
 import { GmshMesh } from './gmsh-mesh'
@@ -23,14 +23,7 @@ export const gmsh: MeshFormat = {
     return 'no'
   },
   read(file, options) {
-    const text = unwrapped(file)
-    const meshes: Mesh[] = []
-    for (let at: Start | null = { position: 0, line: 1 }; at !== null; ) {
-      const reader: GmshReader = new GmshReader(text, at, options)
-      meshes.push(reader.mesh())
-      at = reader.next
-    }
-    return meshes
+    return readInTurn(file, (text, start) => new GmshReader(text, start, options))
   },
 }
 

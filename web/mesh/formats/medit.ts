@@ -1,9 +1,9 @@
 /** Medit's .mesh and .meshb, versions 1 to 4, and parts of these texts as people post them. */
 import type { Mesh } from '../mesh'
-import { LARGEST_SNIPPET, unwrapped } from '../snippet-text'
+import { LARGEST_SNIPPET } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
-import { type Start, TextRecords } from '../text-records'
+import { readInTurn, type Start, TextRecords } from '../text-records'
 import { isMeditBinary, readMeditBinary } from './medit-binary'
 import { type MeditCells, meditCellsByName, meditCounted } from './medit-keywords'
 import { MeditMesh } from './medit-mesh'
@@ -24,20 +24,16 @@ export const medit: MeshFormat = {
   },
   read(file, options) {
     if (isMeditBinary(file.read(0, Math.min(8, file.size)))) return [readMeditBinary(file, options)]
-    const text = unwrapped(file)
-    const meshes: Mesh[] = []
-    for (let at: Start | null = { position: 0, line: 1 }; at !== null; ) {
-      const reader: MeditReader = new MeditReader(text, at, options)
-      meshes.push(reader.mesh())
-      at = reader.next
-    }
-    return meshes
+    return readInTurn(file, (text, start) => new MeditReader(text, start, options))
   },
 }
 
-/** A line that begins a section: one of Medit's words, alone or with a number. */
+/** What begins a section: a word alone in the line or with a number; where all is in one line, one of the usual words. */
 function isKeyword(line: string): boolean {
-  return /^[A-Z][A-Za-z0-9_]*(?:\s+\d+)?\s*$/.test(line)
+  if (/^[A-Z][A-Za-z0-9_]*(?:\s+\d+)?\s*$/.test(line)) return true
+  const [, word = '', rest] = /^([A-Z][A-Za-z0-9]*)\s+(?:(\d)|[A-Z])/.exec(line) ?? []
+  if (/^(?:MeshVersionFormatted|Dimension|Vertices|End)$/.test(word)) return rest !== undefined || word === 'End'
+  return rest !== undefined && meditCellsByName.has(word)
 }
 
 class MeditReader {
@@ -210,6 +206,7 @@ class MeditReader {
       if (inLine !== null && !this.#records.hasField('a coordinate')) return false
       const value = cursor.number('a coordinate')
       this.#mesh.digits.see(value, cursor.digits)
+      this.#mesh.builder.coordinateToken(cursor.numberFrom, cursor.position - cursor.numberFrom)
       values.push(value)
     }
     if (inLine !== 3) {

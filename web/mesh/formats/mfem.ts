@@ -2,10 +2,11 @@
 import type { Mesh } from '../mesh'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { PrintedDigits } from '../precision'
-import { LARGEST_SNIPPET, unwrapped } from '../snippet-text'
+import { LARGEST_SNIPPET } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
-import { type Start, TextRecords } from '../text-records'
+import { readInTurn, type Start, TextRecords } from '../text-records'
+import { straightHexahedra } from './mfem-middles'
 import { type NodeSpace, nodeSpaceOf } from './mfem-nodes'
 import { placeNonConforming } from './mfem-tree'
 
@@ -32,15 +33,14 @@ export const mfem: MeshFormat = {
     return /^[ \t>]*MFEM\b[A-Z -]*\bmesh v\d/m.test(text) ? 'yes' : 'no'
   },
   read(file, options) {
-    const text = unwrapped(file)
-    const meshes: Mesh[] = []
-    for (let at: Start | null = { position: 0, line: 1 }; at !== null; ) {
-      const reader: MfemReader = new MfemReader(text, at, options)
-      meshes.push(reader.mesh())
-      at = reader.next
-    }
-    return meshes
+    return readInTurn(file, (text, start) => new MfemReader(text, start, options))
   },
+}
+
+interface Quadratic {
+  readonly cells: number[]
+  readonly nodes: number
+  readonly at: (node: number, axis: number) => number
 }
 
 class MfemReader {
@@ -55,9 +55,12 @@ class MfemReader {
   /** The version of non-conforming meshes from which the place between two parents is stated. */
   #hasScales = false
   #vertexCount: number | null = null
+  #hasNodes = false
   #mayLackVertices = false
   #lackingVertices = 0
   #space: NodeSpace | null = null
+  /** Hexahedra of order 2, which are put into the mesh when all are known. */
+  #quadratic: Quadratic | null = null
   #rank = 0
   #parents: Float64Array | null = null
   /** Names of groups of attributes, by attribute. */
@@ -121,6 +124,12 @@ class MfemReader {
 
   #finished(): Mesh {
     const builder = this.#builder
+    if (this.#quadratic !== null) {
+      const { cells, nodes, at } = this.#quadratic
+      const straight = straightHexahedra(cells, this.#vertexCount ?? 0, nodes, at)
+      for (let cell = 0; 8 * cell < cells.length; ++cell)
+        builder.notTrilinear(cells.slice(8 * cell, 8 * cell + 8), straight?.[cell] ?? null)
+    }
     const first = this.#attributes[0]
     if (this.#sets.size > 0 || this.#attributes.some(attribute => attribute !== first))
       for (const [cell, attribute] of this.#attributes.entries())
@@ -249,6 +258,8 @@ class MfemReader {
   #coordinate(): number {
     const value = this.#cursor.number('a coordinate')
     this.#digits.see(value, this.#cursor.digits)
+    if (!this.#hasNodes)
+      this.#builder.coordinateToken(this.#cursor.numberFrom, this.#cursor.position - this.#cursor.numberFrom)
     return value
   }
 
@@ -256,8 +267,7 @@ class MfemReader {
   #readNodes(): void {
     const cursor = this.#cursor
     if (this.#isNonConforming) cursor.refuse('a non-conforming mesh with curved elements is not read.')
-    const vertices = this.#vertexCount
-    if (vertices === null) return cursor.refuse('the number of vertices was expected before the nodes.')
+    const vertices = this.#vertexCount ?? cursor.refuse('the number of vertices was expected before the nodes.')
     if (this.#builder.pointCount > 0) cursor.refuse('there are vertices and nodes.')
     const entries = new Map<string, string>()
     while (this.#records.next('what the nodes are') !== 'record') {
@@ -266,6 +276,7 @@ class MfemReader {
       const colon = line.indexOf(':')
       if (colon > 0) entries.set(line.slice(0, colon), line.slice(colon + 1).trim())
     }
+    this.#hasNodes = true
     const space = nodeSpaceOf(cursor, entries)
     const values: number[] = []
     do {
@@ -282,11 +293,10 @@ class MfemReader {
     if (isWrong) cursor.refuse(`there are ${nodes} nodes for ${vertices} vertices.`)
     // The first nodes of a continuous space are those of the vertices.
     const wanted = space.isContinuous ? vertices : nodes
-    for (let i = 0; i < wanted; ++i) {
-      const at = (axis: number) => values[space.isByNode ? axis * nodes + i : 3 * i + axis] as number
-      this.#builder.point(at(0), at(1), at(2))
-    }
+    const at = (node: number, axis: number) => values[space.isByNode ? axis * nodes + node : 3 * node + axis] as number
+    for (let i = 0; i < wanted; ++i) this.#builder.point(at(i, 0), at(i, 1), at(i, 2))
     this.#space = space
+    if (space.isContinuous && space.order === 2) this.#quadratic = { cells: [], nodes, at }
     if (space.order > 1)
       this.#builder.note(`The nodes are ${space.name}: the elements are of order ${space.order}, not trilinear.`)
   }
@@ -386,6 +396,7 @@ class MfemReader {
 
   #put(kind: OtherCell | 'hexahedron', attribute: number, points: readonly number[]): void {
     if (kind !== 'hexahedron') this.#builder.otherCell(kind)
+    else if (this.#quadratic !== null) for (const point of points) this.#quadratic.cells.push(point)
     else if (this.#space !== null && this.#space.order > 1) this.#builder.notTrilinear(points)
     else {
       this.#builder.hexahedron(points)
