@@ -2,6 +2,7 @@
 import { abaqus } from './formats/abaqus'
 import { ansysCdb } from './formats/ansys-cdb'
 import { gmsh } from './formats/gmsh'
+import { lsDyna } from './formats/ls-dyna'
 import { medit } from './formats/medit'
 import { mfem } from './formats/mfem'
 import { nastran } from './formats/nastran'
@@ -10,4 +11,15 @@ import { vtkLegacy } from './formats/vtk-legacy'
 import { vtu } from './formats/vtu'
 import type { MeshFormat } from './source'
 
-export const formats: readonly MeshFormat[] = [vtu, vtkLegacy, gmsh, medit, mfem, abaqus, nastran, ansysCdb, text]
+export const formats: readonly MeshFormat[] = [
+  vtu,
+  vtkLegacy,
+  gmsh,
+  medit,
+  mfem,
+  abaqus,
+  nastran,
+  ansysCdb,
+  lsDyna,
+  text,
+]
