@@ -1,6 +1,7 @@
 /** Bytes in, meshes out: the one entry for all that is pasted, dropped, opened or named on the command line. */
 import { formats } from './formats'
 import { type Mesh, MeshRefusal } from './mesh'
+import { withoutQuotation } from './quotation'
 import type { MeshFile, MeshFormat, ReadOptions } from './source'
 import { shown } from './text-cursor'
 
@@ -17,7 +18,10 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),
   }
   if (file.size === 0) throw new MeshRefusal(`${shownName(file)}: the file is empty.`)
-  return formatOf(file, options.format).read(file, all)
+  const plain = withoutQuotation(file)
+  const meshes = formatOf(plain, options.format).read(plain, all)
+  if (plain === file) return meshes
+  return meshes.map(mesh => ({ ...mesh, coordinatePlaces: null }))
 }
 
 function formatOf(file: MeshFile, wanted: string | undefined): MeshFormat {

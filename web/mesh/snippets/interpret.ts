@@ -41,6 +41,7 @@ const POINT_NAME = /point|coord|vert|node|xyz|pos|corner|doflocs|^p$|\.p$|^x$/i
 const NO_POINT_NAME = /normal|disp|velo|force|gradient|colou?r|uv|tangent|stress|strain|jacob|weight/i
 const CELL_NAME =
   /cell|elem|conn|face|quad|tri|tet|hex|brick|topol|simpli|ien|lnods|index|indic|edge|prism|wedge|pyra|^t$|\.t$/i
+const NO_CELL_NAME = /type|tag|material|region|flag|rank|colou?r|cell_?data|size|shape|count|offset/i
 const HEXAHEDRON_NAME = /hex|brick|c3d8|q1|cube/i
 const TRIANGLE_NAME = /tri|face|index|indic|simpli|^t$|\.t$/i
 const OTHER_TYPES: readonly (readonly [RegExp, OtherCell])[] = [
@@ -225,7 +226,7 @@ export function titledColumns(header: readonly string[]): readonly number[] | nu
 function isCellsAlone(table: NumberTable): boolean {
   const name = table.names.at(-1) ?? ''
   const pattern = widthOf(table) === 3 ? TRIANGLE_NAME : CELL_NAME
-  return areAllIntegers(table) && pattern.test(name) && !POINT_NAME.test(name)
+  return areAllIntegers(table) && !isNamed(table, NO_CELL_NAME) && pattern.test(name) && !POINT_NAME.test(name)
 }
 
 interface Part {
@@ -298,7 +299,8 @@ class Candidates {
 /** Whether a table names points of `set`: by its name, or because it is of integers that all are numbers of points. */
 function isCells(table: NumberTable, set: PointSet | null, mayBePoints: boolean): boolean {
   if (set === null || set.table === table || !areAllIntegers(table)) return false
-  const isCalledSo = isNamed(table, CELL_NAME)
+  if (table.rows.length === 1 && (table.rows[0]?.length ?? 0) < 2) return false
+  const isCalledSo = isNamed(table, CELL_NAME) && !isNamed(table, NO_CELL_NAME)
   if (isCalledSo && !mayBePoints) return true
   if (mayBePoints && !isCalledSo) return false
   const width = widthOf(table)
@@ -315,10 +317,14 @@ function isCells(table: NumberTable, set: PointSet | null, mayBePoints: boolean)
   return rows.every(row => row.length >= 4 && row.slice(-4).every(isKnown) && areDistinct(row.slice(-4)))
 }
 
+/** Sets of ids, made once however many tables are looked at. */
+const knownOf = new WeakMap<readonly number[], ReadonlySet<number>>()
+
 /** Whether a number is that of a point: by the ids of the text, or counted from 0 or 1. */
 function knownIds({ ids, points }: PointSet, table: NumberTable): (id: number) => boolean {
   if (ids !== null) {
-    const known = new Set(ids)
+    const known = knownOf.get(ids) ?? new Set(ids)
+    knownOf.set(ids, known)
     return id => known.has(id)
   }
   const base = baseOf(points.length, table)
