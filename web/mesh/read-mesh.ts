@@ -2,6 +2,7 @@
 import { formats } from './formats'
 import { gunzipped, gunzippedHead, isGzip } from './gzip'
 import { type Mesh, MeshRefusal } from './mesh'
+import { withoutQuotation } from './quotation'
 import type { MeshFile, MeshFormat, ReadOptions } from './source'
 import { shown } from './text-cursor'
 
@@ -18,9 +19,11 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),
   }
   if (file.size === 0) throw new MeshRefusal(`${shownName(file)}: the file is empty.`)
-  const format = formatOf(file, options.format)
+  const plain = withoutQuotation(file)
+  const format = formatOf(plain, options.format)
   try {
-    return format.read(named(isGzip(headOf(file, 3)) ? gunzipped(file) : file), all)
+    const meshes = format.read(named(isGzip(headOf(plain, 3)) ? gunzipped(plain) : plain), all)
+    return plain === file ? meshes : meshes.map(mesh => ({ ...mesh, coordinatePlaces: null }))
   } catch (error) {
     // The engine's own error where an array is too large for it.
     if (!(error instanceof RangeError)) throw error

@@ -32,7 +32,17 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
   const hasOwnOrder = /\bskfem\b|\bmesh\.t\b|\bMeshHex\b/.test(whole)
   const decimal = withDecimalPoints(whole)
   const text = decimal ?? whole
-  const lists = meshOfTables(tablesOfLists(text), { format: languageOf(text), fileName, hasOwnOrder })
+  let refusal: MeshRefusal | null = null
+  const orRefused = (reading: () => Mesh | null): Mesh | null => {
+    try {
+      return reading()
+    } catch (error) {
+      if (!(error instanceof MeshRefusal)) throw error
+      refusal ??= error
+      return null
+    }
+  }
+  const lists = orRefused(() => meshOfTables(tablesOfLists(text), { format: languageOf(text), fileName, hasOwnOrder }))
   if (lists?.isOrderStated || (lists !== null && hasOwnOrder)) return lists
   throwIfCancelled()
   const matlab = lists ?? meshOfTables(tablesOfMatlab(text), { format: 'MATLAB', fileName })
@@ -40,9 +50,10 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
   throwIfCancelled()
   const { tables, mixed, numbers, points } = tablesOfLines(text)
   // A text whose lines have cells of their own is read by these, and refused if they are not understood.
-  if (matlab !== null && !tables.some(hasWideIntegers)) return matlab
-  if (mixed !== null) throw new MeshRefusal(`${fileName}: ${mixed}`)
-  const lines = meshOfTables(tables, { format: 'points in text', fileName })
+  if (matlab !== null && refusal === null && !tables.some(hasWideIntegers)) return matlab
+  if (mixed !== null && refusal === null) throw new MeshRefusal(`${fileName}: ${mixed}`)
+  const lines = orRefused(() => meshOfTables(tables, { format: 'points in text', fileName }))
+  if (refusal !== null && !lines?.isOrderStated) throw refusal
   if (matlab !== null) return lines?.isOrderStated ? lines : matlab
   const mesh = lines ?? flatNumbers(text, fileName)
   if (mesh === null) throw new MeshRefusal(`${fileName}: ${nothingIn(text, numbers, points)}`)

@@ -41,6 +41,7 @@ const POINT_NAME = /point|coord|vert|node|xyz|pos|corner|doflocs|^p$|\.p$|^x$/i
 const NO_POINT_NAME = /normal|disp|velo|force|gradient|colou?r|uv|tangent|stress|strain|jacob|weight/i
 const CELL_NAME =
   /cell|elem|conn|face|quad|tri|tet|hex|brick|topol|simpli|ien|lnods|index|indic|edge|prism|wedge|pyra|^t$|\.t$/i
+const NO_CELL_NAME = /type|tag|material|region|flag|rank|colou?r|cell_?data|size|shape|count|offset/i
 const HEXAHEDRON_NAME = /hex|brick|c3d8|q1|cube/i
 const TRIANGLE_NAME = /tri|face|index|indic|simpli|^t$|\.t$/i
 const OTHER_TYPES: readonly (readonly [RegExp, OtherCell])[] = [
@@ -225,7 +226,7 @@ export function titledColumns(header: readonly string[]): readonly number[] | nu
 function isCellsAlone(table: NumberTable): boolean {
   const name = table.names.at(-1) ?? ''
   const pattern = widthOf(table) === 3 ? TRIANGLE_NAME : CELL_NAME
-  return areAllIntegers(table) && pattern.test(name) && !POINT_NAME.test(name)
+  return areAllIntegers(table) && !isNamed(table, NO_CELL_NAME) && pattern.test(name) && !POINT_NAME.test(name)
 }
 
 interface Part {
@@ -298,92 +299,112 @@ class Candidates {
 /** Whether a table names points of `set`: by its name, or because it is of integers that all are numbers of points. */
 function isCells(table: NumberTable, set: PointSet | null, mayBePoints: boolean): boolean {
   if (set === null || set.table === table || !areAllIntegers(table)) return false
-  const isCalledSo = isNamed(table, CELL_NAME)
+  if (table.rows.length === 1 && (table.rows[0]?.length ?? 0) < 2) return false
+  const isCalledSo = isNamed(table, CELL_NAME) && !isNamed(table, NO_CELL_NAME)
   if (isCalledSo && !mayBePoints) return true
-  if (mayBePoints && !isCalledSo) return false
+  // Integers under points that are written with decimals are no points if all of them are numbers of points.
+  if (mayBePoints && !isCalledSo && areAllIntegers(set.table)) return false
   const width = widthOf(table)
-  if (width < 4 && !isCalledSo) return false
-  const isKnown = knownIds(set, table)
-  const rows = isSizePrefixed(table.rows.flat()) ? [] : table.rows
-  if (rows.length === 0) return true
-  if (
-    table.rows.length === EIGHT &&
-    width !== EIGHT &&
-    transposed(table.rows).every(row => row.every(isKnown) && areDistinct(row))
-  )
-    return true
-  return rows.every(row => row.length >= 4 && row.slice(-4).every(isKnown) && areDistinct(row.slice(-4)))
+  if (width < 3) return isCalledSo
+  const isKnown = knownIds(set)
+  const { rows } = table
+  if (prefixedCells(rows.flat()) !== null) return true
+  const isNode = (row: readonly number[]) => row.every(isKnown) && areDistinct(row)
+  if (rows.length === EIGHT && width !== EIGHT && transposed(rows).every(isNode)) return true
+  return rows.every(row => isNode(row.slice(-Math.min(4, row.length))))
 }
 
-/** Whether a number is that of a point: by the ids of the text, or counted from 0 or 1. */
-function knownIds({ ids, points }: PointSet, table: NumberTable): (id: number) => boolean {
-  if (ids !== null) {
-    const known = new Set(ids)
-    return id => known.has(id)
-  }
-  const base = baseOf(points.length, table)
-  return id => id >= base && id < points.length + base
+/** Sets of ids, made once however many tables are looked at. */
+const knownOf = new WeakMap<readonly number[], ReadonlySet<number>>()
+
+/** Whether a number may be that of a point: by the ids of the text, or counted from 0 or 1. */
+function knownIds({ ids, points }: PointSet): (id: number) => boolean {
+  if (ids === null) return id => id >= 0 && id <= points.length
+  const known = knownOf.get(ids) ?? new Set(ids)
+  knownOf.set(ids, known)
+  return id => known.has(id)
 }
 
-/** What the first point is called: 0 or 1. */
-function baseOf(count: number, table: NumberTable): 0 | 1 {
-  let [least, most] = [Infinity, 0]
-  for (const row of table.rows) {
-    for (const id of row.slice(-EIGHT)) {
-      least = Math.min(least, id)
-      most = Math.max(most, id)
-    }
-  }
-  if (least < 1) return 0
-  return most >= count || table.isOneBased ? 1 : 0
-}
-
-/** VTK's way: how many nodes, then these, for each cell. */
-function isSizePrefixed(values: readonly number[]): boolean {
+/** VTK's way: how many nodes, then these, for each cell. Null if the numbers are no such list. */
+function prefixedCells(values: readonly number[]): number[][] | null {
+  const cells: number[][] = []
   let at = 0
   while (at < values.length) {
     const size = values[at] as number
-    if (size !== EIGHT) return false
+    if (!VTK_SIZES.has(size)) return null
+    cells.push(values.slice(at + 1, at + 1 + size))
     at += size + 1
   }
-  return at === values.length && at > 0
+  return at === values.length && cells.length > 0 && cells.every(areDistinct) ? cells : null
+}
+
+const VTK_SIZES = new Set([3, 4, 5, 6, 8, 10, 20, 27])
+
+/** Cells of one table: of eight nodes, or of others. */
+interface CellRows {
+  readonly table: NumberTable
+  readonly hexahedra: readonly (readonly number[])[]
+  readonly others: readonly (readonly number[])[]
+  readonly ids: readonly number[] | null
 }
 
 function addCells(set: PointSet, tables: readonly NumberTable[], builder: MeshBuilder): void {
   const first = builder.pointCount
   for (const [x, y, z] of set.points) builder.point(x as number, y as number, z as number)
-  const indexOf = new Map(set.ids?.map((id, i) => [id, first + i]))
+  const all = tables.map(table => cellRowsOf(table, set, builder))
+  const index = indexOf(set, all, first, builder)
+  const isCut = set.table.isCut || tables.some(table => table.isCut)
+  const place = (id: number): number => {
+    const at = index(id)
+    return (
+      at ??
+      builder.refuse(`cell ${builder.cellCount} names point ${id}, which is not among the ${set.points.length} points.`)
+    )
+  }
   const quadrilaterals: number[][] = []
-  let isCut = set.table.isCut
-  for (const table of tables) {
-    isCut ||= table.isCut
-    const base = baseOf(set.points.length, table)
-    const index = (id: number): number | null => {
-      if (set.ids !== null) return indexOf.get(id) ?? null
-      return id >= base && id < set.points.length + base ? first + id - base : null
-    }
-    const place = (id: number): number => {
-      const at = index(id)
-      if (at !== null) return at
-      const are = set.ids !== null ? '' : `; the points are ${base} to ${set.points.length - 1 + base}`
-      return builder.refuse(`cell ${builder.cellCount} names point ${id}, which is not there${are}.`)
-    }
-    const { rows, ids: own } = hexahedronRows(table, id => index(id) !== null, builder)
+  for (const { table, hexahedra, others, ids: own } of all) {
     const ids = own ?? labelIds(table)
-    if (rows !== null) {
-      for (const [i, row] of rows.entries()) {
-        if (isCut && row.some(id => index(id) === null)) continue
-        const nodes = row.map(place)
-        const order = isNamed(table, /voxel/i) ? VOXEL : STRAIGHT
-        builder.hexahedron(
-          order.map(v => nodes[v] as number),
-          ids?.[i] ?? null,
-        )
-      }
-    } else addOthers(table, quadrilaterals, place, builder)
+    const order = isNamed(table, /voxel/i) ? VOXEL : STRAIGHT
+    for (const [i, row] of hexahedra.entries()) {
+      if (isCut && row.some(id => index(id) === null)) continue
+      const nodes = row.map(place)
+      builder.hexahedron(
+        order.map(v => nodes[v] as number),
+        ids?.[i] ?? null,
+      )
+    }
+    if (others.length > 0) addOthers(table, others, quadrilaterals, place, builder)
   }
   addFaces(quadrilaterals, builder)
   if (isCut) cutOff(builder)
+}
+
+/** Which point a number names: by the text's ids, else counted from 0 or from 1, whichever all cells of these points agree with. */
+function indexOf(
+  { ids, points }: PointSet,
+  all: readonly CellRows[],
+  first: number,
+  builder: MeshBuilder,
+): (id: number) => number | null {
+  if (ids !== null) {
+    const at = new Map(ids.map((id, i) => [id, first + i]))
+    return id => at.get(id) ?? null
+  }
+  let [least, most] = [Number.POSITIVE_INFINITY, 0]
+  const hasHexahedra = all.some(({ hexahedra }) => hexahedra.length > 0)
+  for (const { hexahedra, others } of all) {
+    // Rows of other cells may end with a reference.
+    for (const row of hasHexahedra ? hexahedra : others) {
+      for (const id of row) {
+        least = Math.min(least, id)
+        most = Math.max(most, id)
+      }
+    }
+  }
+  const isOpen = least > 0 && most < points.length
+  const base = least > 0 && (most >= points.length || all.some(({ table }) => table.isOneBased)) ? 1 : 0
+  if (isOpen) builder.note(`The cells were read as counting the points from ${base}, which the text does not say.`)
+  return id => (id >= base && id < points.length + base ? first + id - base : null)
 }
 
 /** The elements that a text speaks of, if each cell has one of its own. */
@@ -400,93 +421,105 @@ function cutOff(builder: MeshBuilder): void {
 const STRAIGHT = [0, 1, 2, 3, 4, 5, 6, 7]
 const VOXEL = [0, 1, 3, 2, 4, 5, 7, 6]
 
-interface HexahedronRows {
-  /** Null if the table's cells have another number of nodes. */
-  readonly rows: readonly (readonly number[])[] | null
-  readonly ids: readonly number[] | null
+/** The nodes of each cell, wherever they stand in the rows. */
+function cellRowsOf(table: NumberTable, set: PointSet, builder: MeshBuilder): CellRows {
+  const hexahedra = (rows: readonly (readonly number[])[], ids: readonly number[] | null = null): CellRows => ({
+    table,
+    hexahedra: rows,
+    others: [],
+    ids,
+  })
+  const width = widthOf(table)
+  const { rows } = table
+  const isList = rows.length === 1 && width > EIGHT
+  const flat = rows.flat()
+  const isFlat = isList && width % EIGHT === 0 && inRowsOf(flat, EIGHT).every(areDistinct)
+  const prefixed = prefixedCells(flat)
+  if (prefixed !== null && isFlat && isList)
+    return builder.refuse(
+      `${width} integers under the points may be cells of eight, or each cell after its number of nodes.`,
+    )
+  if (prefixed !== null) {
+    const others = prefixed.filter(row => row.length !== EIGHT)
+    return { table, hexahedra: prefixed.filter(row => row.length === EIGHT), others, ids: null }
+  }
+  if (width === EIGHT) return hexahedra(rows)
+  if (rows.length === EIGHT && transposed(rows).every(areDistinct)) return hexahedra(transposed(rows))
+  if (isFlat && isNamed(table, CELL_NAME)) return hexahedra(inRowsOf(flat, EIGHT))
+  if (width < EIGHT || width > WIDEST_ROW) return { table, hexahedra: [], others: rows, ids: null }
+  const from = nodesFrom(table, width, knownIds(set), builder)
+  const first = column(table, 0)
+  return hexahedra(
+    rows.map(row => row.slice(from, from + EIGHT)),
+    from > 0 && areDistinct(first) ? first : null,
+  )
 }
 
-/** The eight nodes of each cell, wherever they stand in the rows. */
-function hexahedronRows(table: NumberTable, isKnown: (id: number) => boolean, builder: MeshBuilder): HexahedronRows {
-  const width = widthOf(table)
-  const count = table.rows.length
-  const flat = table.rows.flat()
-  if (isSizePrefixed(flat)) return { rows: inRowsOf(flat, EIGHT + 1).map(row => row.slice(1)), ids: null }
-  if (width === EIGHT) return { rows: table.rows, ids: null }
-  if (count === EIGHT && (width === 1 || isNamed(table, HEXAHEDRON_NAME) || transposed(table.rows).every(areDistinct)))
-    return { rows: transposed(table.rows), ids: null }
-  if (count === 1 && width % EIGHT === 0 && isNamed(table, HEXAHEDRON_NAME))
-    return { rows: inRowsOf(flat, EIGHT), ids: null }
-  if (count === 1 && width % EIGHT === 0 && isNamed(table, /conn|cell|elem|^t$/i))
-    return { rows: inRowsOf(flat, EIGHT), ids: null }
-  if (width < EIGHT || (width > 14 && !isNamed(table, HEXAHEDRON_NAME))) return { rows: null, ids: null }
-  if (width === 20 || width === 27) return { rows: null, ids: null }
+/** Columns that a row of a cell may have: its id, type, tags and eight nodes. */
+const WIDEST_ROW = 14
+
+/** The column at which the eight nodes of a row begin. */
+function nodesFrom(table: NumberTable, width: number, isKnown: (id: number) => boolean, builder: MeshBuilder): number {
+  const last = width - EIGHT
   const fits = (from: number) =>
     table.rows.every(row => {
       const eight = row.slice(from, from + EIGHT)
       return eight.every(isKnown) && areDistinct(eight)
     })
-  const windows = Array.from({ length: width - EIGHT + 1 }, (_, from) => from).filter(fits)
-  const [only] = windows
-  const last = width - EIGHT
+  const possible = Array.from({ length: last + 1 }, (_, from) => from).filter(fits)
+  const [only] = possible
+  const isReference = table.rows.length > 1 && isConstant(column(table, width - 1))
+  if (possible.length === 1 && only !== undefined) return only
+  if (last === 1 && isReference && (possible.length === 0 || possible.includes(0))) return 0
   const leading = Array.from({ length: last }, (_, c) => column(table, c))
-  const isPlain = leading.every(values => isConstant(values) || areDistinct(values))
-  const from =
-    windows.length === 1
-      ? only
-      : windows.includes(last) && isPlain && !isConstant(column(table, width - 1))
-        ? last
-        : undefined
-  if (from === undefined) {
-    if (isNamed(table, HEXAHEDRON_NAME) && width === EIGHT + 1) {
-      const isTrailing = count > 1 && isConstant(column(table, EIGHT))
-      return isTrailing
-        ? { rows: table.rows.map(row => row.slice(0, EIGHT)), ids: null }
-        : { rows: table.rows.map(row => row.slice(1)), ids: column(table, 0) }
-    }
-    return builder.refuse(
-      `under the points stands a table of ${width} integers a row, and which eight of them are the nodes of a cell is not clear.`,
-    )
-  }
-  const [ids] = leading
-  return {
-    rows: table.rows.map(row => row.slice(from, from + EIGHT)),
-    ids: from > 0 && ids !== undefined && areDistinct(ids) ? ids : null,
-  }
+  const areTags = leading.every(values => isConstant(values) || areDistinct(values))
+  if (
+    areTags &&
+    !isReference &&
+    (possible.length === 0 ? last === 1 && isNamed(table, HEXAHEDRON_NAME) : possible.includes(last))
+  )
+    return last
+  return builder.refuse(
+    `under the points stands a table of ${width} integers a row, and which eight of them are the nodes of a cell is not clear.`,
+  )
 }
 
 /** Cells of other kinds: counted where their name says what they are; quadrilaterals are kept, for they may be a hexahedron's faces. */
 function addOthers(
   table: NumberTable,
+  rows: readonly (readonly number[])[],
   quadrilaterals: number[][],
   place: (id: number) => number,
   builder: MeshBuilder,
 ): void {
-  const width = widthOf(table)
+  const width = rows.every(row => row.length === rows[0]?.length) ? (rows[0]?.length ?? 0) : 0
   const name = table.names.join(' ')
   if (width === 20 || width === 27) {
-    for (const row of table.rows) builder.notTrilinear(row.slice(0, EIGHT).map(place))
+    for (const row of rows) builder.notTrilinear(row.slice(0, EIGHT).map(place))
     return
   }
   const type = OTHER_TYPES.find(([pattern]) => pattern.test(name))?.[1]
   if (width === 4 && (type === 'quadrilateral' || type === undefined) && isNamed(table, CELL_NAME)) {
-    for (const row of table.rows) quadrilaterals.push(row.map(place))
+    for (const row of rows) quadrilaterals.push(row.map(place))
     return
   }
-  if (type !== undefined) {
-    builder.otherCell(type, table.rows.length)
+  if (type !== undefined || isNamed(table, CELL_NAME)) {
+    builder.otherCell(type ?? 'other', rows.length)
     return
   }
   const said = table.names.length > 0 ? `${shown(table.names.at(-1) as string)}, ` : ''
   builder.refuse(
-    `under the points stand integers (${said}${table.rows.length} ${table.rows.length === 1 ? 'row' : 'rows'} of ${width || 'several lengths'}) that seem to name them, but not eight for each cell.`,
+    `under the points stand integers (${said}${rows.length} ${rows.length === 1 ? 'row' : 'rows'} of ${width || 'several lengths'}) that seem to name them, but not eight for each cell.`,
   )
 }
 
 /** Six faces for each eight points are a hexahedron; others are quadrilaterals. */
 function addFaces(faces: readonly (readonly number[])[], builder: MeshBuilder): void {
   if (faces.length === 0) return
-  const cells = faces.length % 6 === 0 ? inRowsOf(faces as never, 6).map(six => hexahedronOfFaces(six as never)) : []
+  const cells =
+    builder.cellCount === 0 && faces.length % 6 === 0
+      ? inRowsOf(faces as never, 6).map(six => hexahedronOfFaces(six as never))
+      : []
   if (cells.length > 0 && cells.every(cell => cell !== null)) {
     for (const cell of cells) builder.hexahedron(cell)
     builder.note('The order of the points comes from the six faces of each hexahedron.')

@@ -26,6 +26,8 @@ class List {
   /** The last word or string in it, which may name what follows. */
   lastWord = ''
   pending = ''
+  /** Behind its closing bracket. */
+  end = 0
   constructor(
     readonly opener: string,
     readonly callee: string,
@@ -54,6 +56,8 @@ class ListReader {
   #isLineStart = true
   /** Behind a name and "=": numbers may follow without brackets. */
   #isAssigned = false
+  /** Whether the last word was a string. */
+  #isString = false
   #promptWord = ''
   #hasNoCommentEnd = false
   readonly #hasPrompts: boolean
@@ -103,6 +107,7 @@ class ListReader {
     this.#endPlain()
     const list = this.#list
     this.#word = word
+    this.#isString = false
     this.#wordEnd = this.#tokens.to
     const next = this.#text[this.#tokens.to] ?? ''
     list.lastWord = word
@@ -115,6 +120,7 @@ class ListReader {
     this.#endPlain()
     this.#list.lastWord = word
     this.#word = word
+    this.#isString = true
     if (this.#list.parent !== null) this.#list.isMixed = true
   }
 
@@ -143,8 +149,10 @@ class ListReader {
     const list = this.#list
     const text = this.#text
     const at = this.#tokens.from
-    if (mark === ',') list.hasCommas = true
-    else if (mark === ';') {
+    if (mark === ',') {
+      list.hasCommas = true
+      if (!this.#isString) list.lastWord = ''
+    } else if (mark === ';') {
       if (list.opener === '=') this.#endPlain()
       else if (list.parent !== null) {
         list.hasSemicolons = true
@@ -240,8 +248,9 @@ class ListReader {
   #close(to: number): void {
     const list = this.#list
     const parent = list.parent as List
+    list.end = to
     this.#list = parent
-    const isAttached = list.callee !== ''
+    const isAttached = list.callee !== '' || (list.opener === '[' && this.#text[list.from - 1] === ']')
     const count = list.values.length
     if (isAttached && !list.isMixed && list.lists.length === 0 && count <= 1) {
       // v[8], np.float64(0.5): an index, or a number in its own words; Vec{3}(…): its type.
@@ -256,8 +265,8 @@ class ListReader {
       return
     }
     if (isNumeric && parent.parent !== null) parent.lists.push(list)
-    else if (isNumeric) this.#hand(list, to)
-    else for (const inner of list.lists) this.#hand(inner, to)
+    else if (isNumeric) this.#hand(list)
+    else for (const inner of list.lists) this.#hand(inner)
     parent.pending = ''
     if (parent.parent === null) {
       parent.lastWord = ''
@@ -272,10 +281,10 @@ class ListReader {
     parent.digits = Math.max(parent.digits, list.digits)
   }
 
-  #hand(list: List, to: number): void {
+  #hand(list: List): void {
     const { rows, isCut, areIntegers, digits } = rowsOf(list)
     if (rows.length === 0) return
-    const shaped = this.#shaped(rows, list, to)
+    const shaped = this.#shaped(rows, list)
     const width = shaped.reduce((most, row) => Math.max(most, row.length), 0)
     this.#tables.push({
       names: list.callee === '' ? list.names : [...list.names, list.callee],
@@ -291,11 +300,11 @@ class ListReader {
   }
 
   /** A list of 24 that the code around it makes a matrix of: row by row, or column by column. */
-  #shaped(rows: number[][], list: List, to: number): number[][] {
+  #shaped(rows: number[][], list: List): number[][] {
     if (rows.length !== 1) return rows
     const [values] = rows as [number[]]
-    const behind = this.#text.slice(to, to + BEHIND)
-    const method = /^[^\n=]{0,60}?\.reshape\s*\(\s*[([]?\s*(-?\d{1,9})\s*,\s*(-?\d{1,9})([^\n]{0,40})/.exec(behind)
+    const behind = this.#text.slice(list.end, list.end + BEHIND)
+    const method = /^[^\n]{0,60}?\.reshape\s*\(\s*[([]?\s*(-?\d{1,9})\s*,\s*(-?\d{1,9})([^\n]{0,40})/.exec(behind)
     if (method !== null) {
       const isByColumns = /order\s*=\s*['"]F/.test(method[3] as string)
       if (!isByColumns && Number(method[1]) === 3) return inRowsOf(values, values.length / 3)
