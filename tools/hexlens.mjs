@@ -5,12 +5,6 @@ import { importSource } from './import-source.mjs'
 import { root, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
-// A reader that has seen enough (head) is no error.
-process.stdout.on('error', error => {
-  if (error.code !== 'EPIPE') throw error
-  process.exit(0)
-})
-
 await runMain(async () => {
   await setup({ say: line => process.stderr.write(`${line}\n`) })
   const { main } = await importSource('web/cli/main.ts')

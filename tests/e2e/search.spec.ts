@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises'
 import type { Page } from '@playwright/test'
-import { readHexahedra } from '../../web/cli/read-hexahedra'
+import { readHexahedron } from '../../web/cli/read-hexahedra'
 import { gallery } from '../../web/content/gallery'
 import { elementVertices } from '../../web/content/gallery-vertices'
 import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, test } from './lens'
@@ -98,7 +98,8 @@ test('a search finds, stops, goes on; finds are shown, kept, polished and export
   await test.step('what is kept goes into a file that the command line reads', async () => {
     const download = page.waitForEvent('download')
     await lens.button('Export what is kept').click()
-    const hexahedra = readHexahedra(await readFile(await (await download).path(), 'utf8'))
+    const entries: unknown[] = JSON.parse(await readFile(await (await download).path(), 'utf8'))
+    const hexahedra = entries.map(readHexahedron)
     expect(hexahedra.map(({ name }) => name)).toEqual([
       expect.stringMatching(/^element-polished$/),
       expect.stringMatching(/^edges-11-\d+$/),

@@ -11,7 +11,8 @@ test('the package is packed and installs elsewhere', async () => {
   rmSync(elsewhere, { recursive: true, force: true })
   mkdirSync(staging, { recursive: true })
   mkdirSync(join(staging, 'docs'))
-  for (const name of ['package.json', 'README.md', 'LICENSE', 'custom-elements.json', 'docs/state.schema.json'])
+  const schemas = ['docs/state.schema.json', 'docs/check.schema.json']
+  for (const name of ['package.json', 'README.md', 'LICENSE', 'custom-elements.json', ...schemas])
     copyFileSync(join(root, name), join(staging, name))
   await buildPackage(join(staging, 'dist'))
   cpSync(join(root, `dist/test-${process.env.HEXLENS_TEST_PORT ?? 41735}`), join(staging, 'dist/app'), {

@@ -140,12 +140,53 @@ describe('analyze', () => {
   })
 })
 
+describe('a long list', () => {
+  it('is read and answered entry by entry, wherever its pieces are cut', async () => {
+    const names = ['a', 'ü€😀', '"]},[{\\', '\\u005d', '']
+    const entries = names.map((name, i) => ({ name, vertices: cube, note: { deep: [[{ i }], '[{"'] } }))
+    const bytes = Buffer.from(`\uFEFF  ${JSON.stringify(entries, null, 1)}\n `)
+    for (const length of [1, 2, 3, 7, 64, 1000]) {
+      let [output, asked] = ['', 0]
+      const input = (async function* () {
+        for (let at = 0; at < bytes.length; at += length) {
+          asked++
+          yield bytes.subarray(at, at + length)
+        }
+      })()
+      const streams = { input, output: { write: (text: string) => (output += text) }, errors: { write: () => {} } }
+      expect(await main(['analyze', '-'], streams)).toBe(0)
+      expect(JSON.parse(output).map(({ name }: { name: string }) => name)).toEqual(names)
+      expect(asked).toBe(Math.ceil(bytes.length / length))
+    }
+  })
+
+  it('goes out before it has come in', async () => {
+    const entry = JSON.stringify({ name: 'cube', vertices: cube })
+    let [written, writtenBeforeEnd] = [0, 0]
+    const input = (async function* () {
+      yield '['
+      for (let i = 0; i < 3000; ++i) yield `${entry},`
+      writtenBeforeEnd = written
+      yield `${entry}]`
+    })()
+    const output = { write: (text: string) => (written += text.length) }
+    expect(await main(['analyze', '-'], { input, output, errors: { write: () => {} } })).toBe(0)
+    expect(writtenBeforeEnd).toBeGreaterThan(2 ** 20)
+  })
+})
+
 describe('bad input gets one line that says which entry and why, and status 2', () => {
   const bad: [string, string, RegExp][] = [
     ['no JSON', '{"name":\n', /^hexlens: The input is not JSON: .+$/],
     ['nothing', '', /not JSON/],
     ['NaN', '[{"name":"a","vertices":[[NaN,0,0]]}]', /not JSON/],
     ['not a list', '{"name":"a"}', /The input is an object, not a list/],
+    ['an end too early', `[${JSON.stringify({ name: 'a', vertices: cube })},`, /not JSON: it ends in entry 1/],
+    ['more after the list', '[] []', /not JSON: there is more after the end of the list/],
+    ['an open string', '[{"name":"a', /not JSON: it ends in entry 0/],
+    ['a comma too many', `[${JSON.stringify({ name: 'a', vertices: cube })},]`, /not JSON: entry 1: /],
+    ['deep brackets', '['.repeat(200_000), /not JSON: it ends in entry 0/],
+    ['deep brackets that are closed', '['.repeat(100_000) + ']'.repeat(100_000), /Entry 0: it is a list/],
     ['an entry of another kind', '[3]', /Entry 0: it is a number/],
     ['no name', JSON.stringify([{ vertices: cube }]), /Entry 0: "name" is missing/],
     ['no vertices', '[{"name":"a"}]', /Entry 0 \("a"\): "vertices" is missing/],
@@ -194,7 +235,12 @@ describe('bad input gets one line that says which entry and why, and status 2', 
       expect([status, output]).toEqual([2, ''])
       expect(errors).toMatch(/^Usage: /)
     }
-    expect(await analyze('', ['--help'])).toMatchObject({ status: 0, errors: '' })
+    for (const args of [['--help'], ['-h'], ['analyze', '--help'], ['certify', '-h']])
+      expect(await analyze('', args)).toMatchObject({
+        status: 0,
+        output: expect.stringMatching(/^Usage: /),
+        errors: '',
+      })
   })
 })
 

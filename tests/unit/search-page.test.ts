@@ -11,7 +11,7 @@ import {
 } from '../../web/app/search/form-state'
 import { exported, Kept } from '../../web/app/search/kept'
 import { Spokesman } from '../../web/app/search/spokesman'
-import { readHexahedra } from '../../web/cli/read-hexahedra'
+import { readHexahedron } from '../../web/cli/read-hexahedra'
 import { readElements } from '../../web/model/import/import'
 import { readQuest } from '../../web/search/quest'
 import { entry, unitCube } from './core-fixtures'
@@ -151,8 +151,9 @@ describe('what is kept', () => {
 
   it('is exported as the command line and Paste read it', () => {
     const list = [element('a', 1 / 3), element('b "quoted"', 1e-300)]
-    expect(readHexahedra(exported(list))).toEqual(list.map(({ name, vertices }) => ({ name, vertices })))
-    expect(readHexahedra(exported([]))).toEqual([])
+    const readBack = (text: string) => JSON.parse(text).map(readHexahedron)
+    expect(readBack(exported(list))).toEqual(list.map(({ name, vertices }) => ({ name, vertices })))
+    expect(readBack(exported([]))).toEqual([])
     const pasted = readElements(exported(list))
     expect(pasted.ok ? pasted.reading.elements.map(({ vertices }) => vertices) : []).toEqual(
       list.map(({ vertices }) => vertices),

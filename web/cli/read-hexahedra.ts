@@ -1,5 +1,7 @@
-/** What `analyze` accepts: a JSON list of {"name", "vertices": [[x, y, z], ... 8]}. Pure; further keys are ignored. */
+/** An entry of what `analyze` and `certify` accept, a JSON list of {"name", "vertices": [[x, y, z], ... 8]}. Pure; further keys are ignored. */
 import { VERTEX_COUNT, type Vertices } from '../model/hexahedron'
+import { described } from './json-entries'
+import { Refusal } from './streams'
 
 export interface NamedHexahedron {
   readonly name: string
@@ -7,28 +9,10 @@ export interface NamedHexahedron {
   readonly vertices: Vertices
 }
 
-/** One line that says which entry and why. */
-export class MalformedInput extends Error {}
-
-/** Throws MalformedInput. */
-export function readHexahedra(text: string): NamedHexahedron[] {
-  const entries = parsed(text.replace(/^\uFEFF/, ''))
-  if (!Array.isArray(entries)) throw new MalformedInput(`The input is ${described(entries)}, not a list of hexahedra.`)
-  return entries.map(readEntry)
-}
-
-function parsed(text: string): unknown {
-  try {
-    return JSON.parse(text)
-  } catch (error) {
-    // The engine quotes the text it stumbles on, line breaks and all.
-    throw new MalformedInput(`The input is not JSON: ${(error as Error).message.replace(/\s+/g, ' ')}`)
-  }
-}
-
-function readEntry(entry: unknown, index: number): NamedHexahedron {
+/** Throws a Refusal that says which entry and why. */
+export function readHexahedron(entry: unknown, index: number): NamedHexahedron {
   const fail = (why: string): never => {
-    throw new MalformedInput(`Entry ${index}${named(entry)}: ${why}`)
+    throw new Refusal(`Entry ${index}${named(entry)}: ${why}`)
   }
   if (typeof entry !== 'object' || entry === null || Array.isArray(entry))
     return fail(`it is ${described(entry)}, not an object with "name" and "vertices".`)
@@ -54,11 +38,4 @@ function named(entry: unknown): string {
 
 function counted(list: readonly unknown[], one: string, many: string): string {
   return `${list.length} ${list.length === 1 ? one : many}`
-}
-
-function described(value: unknown): string {
-  if (value === undefined) return 'missing'
-  if (value === null) return 'null'
-  if (Array.isArray(value)) return 'a list'
-  return typeof value === 'object' ? 'an object' : `a ${typeof value}`
 }

@@ -1,0 +1,169 @@
+/** `hexlens check`: meshes in, verdicts out, file by file; the exit status is the gravest. */
+import { realpathSync } from 'node:fs'
+import type { Core } from '../core/report'
+import { checkMesh, type ExitStatus, exitOf, gravestExit, type MeshCheck } from '../mesh/check'
+import { joined } from '../mesh/join-meshes'
+import { type Mesh, MeshRefusal } from '../mesh/mesh'
+import { readMeshes } from '../mesh/read-mesh'
+import { type CheckArguments, readCheckArguments } from './check-arguments'
+import { type CellClassifier, startCellClassifier } from './classify-cells'
+import { openMeshFile } from './mesh-file'
+import { csvOutput } from './outputs/csv'
+import { idsOutput } from './outputs/ids'
+import { jsonOutput } from './outputs/json'
+import { junitOutput } from './outputs/junit'
+import { type FileResult, type Output, withoutControls } from './outputs/output'
+import { textOutput } from './outputs/text'
+import { vtuOutput } from './outputs/vtu'
+import { ProgressLine } from './progress'
+import { fetchCore } from './read-core'
+import { FileSink } from './sink'
+import { Buffered, Refusal, type Streams } from './streams'
+
+/** How many of the worst are listed where nothing is said. */
+const WORST = 10
+
+/** Throws a Refusal for a wrong call, and where something cannot be written. */
+export async function check(args: readonly string[], streams: Streams): Promise<ExitStatus> {
+  const wanted = readCheckArguments(args)
+  refuseOverwriting(wanted)
+  const progress = new ProgressLine(streams.errors.isTTY ? streams.errors : null)
+  const say = (sentence: string) => {
+    progress.clear()
+    streams.errors.write(`hexlens: ${sentence}\n`)
+  }
+  const outputs = outputsOf(wanted, streams, say)
+  const exits: ExitStatus[] = []
+  let current = ''
+  const core = await fetchCore()
+  const cells = await startCellClassifier(({ done, total }) => progress.show(`${current}: deciding`, done / total))
+  try {
+    for (const file of wanted.files) {
+      current = withoutControls(file)
+      const lists = Object.assign({}, ...outputs.map(({ output }) => output.lists))
+      const result = await resultOf(file, { wanted, lists, core, cells, streams, progress })
+      exits.push(result.exit)
+      progress.clear()
+      if ('error' in result && wanted.ids !== null) say(result.error)
+      for (const { output, write } of outputs) for (const piece of output.file(result)) await write(piece)
+    }
+    const exit = gravestExit(exits)
+    for (const { output, write, close } of outputs) {
+      for (const piece of output.end(exit)) await write(piece)
+      await close()
+    }
+    return exit
+  } finally {
+    progress.clear()
+    cells.close()
+    for (const { discard } of outputs) discard()
+  }
+}
+
+interface Work {
+  readonly wanted: CheckArguments
+  readonly lists: Output['lists']
+  readonly core: Core
+  readonly cells: CellClassifier
+  readonly streams: Streams
+  readonly progress: ProgressLine
+}
+
+async function resultOf(file: string, work: Work): Promise<FileResult> {
+  try {
+    const check = await checkOf(await meshOf(file, work), work)
+    return { file, exit: exitOf(check, work.wanted), check }
+  } catch (error) {
+    if (error instanceof MeshRefusal || error instanceof Refusal) return { file, exit: 2, error: error.message }
+    if (error instanceof RangeError && isAboutMemory(error))
+      return { file, exit: 2, error: `${withoutControls(file)} needs more memory than there is.` }
+    throw error
+  }
+}
+
+/** What engines say when an array cannot be had. */
+function isAboutMemory({ message }: RangeError): boolean {
+  return /allocation failed|array length|memory/i.test(message)
+}
+
+async function meshOf(path: string, { wanted, streams, progress }: Work): Promise<Mesh> {
+  const { file, find, close } = await openMeshFile(path, streams.input)
+  try {
+    const name = withoutControls(path)
+    const onProgress = (part: number) => progress.show(`${name}: reading`, part)
+    const meshes = readMeshes(file, { find, onProgress, ...(wanted.format === null ? {} : { format: wanted.format }) })
+    const [first, ...others] = meshes
+    if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
+    return joined([first, ...others])
+  } finally {
+    close()
+  }
+}
+
+function checkOf(mesh: Mesh, { wanted, lists, core, cells }: Work): Promise<MeshCheck> {
+  const { worst, minRelative, skipsDegenerate } = wanted
+  return checkMesh(
+    mesh,
+    { classify: cells.classify, core },
+    { worst: worst ?? WORST, minRelative, skipsDegenerate, lists },
+  )
+}
+
+interface OpenOutput {
+  readonly output: Output
+  write(piece: string | Uint8Array): unknown
+  close(): unknown
+  /** For what is not closed. */
+  discard(): void
+}
+
+/** The last goes to standard output. */
+function outputsOf(wanted: CheckArguments, streams: Streams, say: (sentence: string) => void): OpenOutput[] {
+  const { csv, junit, annotate, ids, json, files, worst } = wanted
+  const printed = new Buffered(streams.output)
+  const main = json
+    ? jsonOutput()
+    : ids !== null
+      ? idsOutput(ids, files.length, say)
+      : textOutput({ ...wanted, listsAll: worst !== null })
+  return [
+    ...(csv === null ? [] : [toFile(csvOutput(), csv)]),
+    ...(junit === null ? [] : [toFile(junitOutput(wanted), junit)]),
+    ...(annotate === null ? [] : [toFile(vtuOutput(), annotate)]),
+    {
+      output: main,
+      write: piece => printed.write(piece as string),
+      close: () => printed.flush(),
+      discard: () => {},
+    },
+  ]
+}
+
+function toFile(output: Output, path: string): OpenOutput {
+  const sink = new FileSink(path)
+  return {
+    output,
+    write: piece => sink.write(piece),
+    close: () => sink.close(),
+    discard: () => sink.discard(),
+  }
+}
+
+/** A file that is read, or written for another purpose. */
+function refuseOverwriting({ files, csv, junit, annotate }: CheckArguments): void {
+  const taken = new Map(files.filter(file => file !== '-').map(file => [realPath(file), `${file}, which is read`]))
+  for (const [option, path] of Object.entries({ '--csv': csv, '--junit': junit, '--annotate': annotate })) {
+    if (path === null) continue
+    const other = taken.get(realPath(path))
+    if (other !== undefined) throw new Refusal(`check: ${option} would overwrite ${other}.`)
+    taken.set(realPath(path), `${path}, which is written`)
+  }
+}
+
+function realPath(path: string): string {
+  try {
+    return realpathSync(path)
+  } catch {
+    return path
+  }
+}

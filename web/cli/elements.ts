@@ -1,0 +1,34 @@
+/** `analyze` and `certify`: a JSON list of elements in, a list of answers out, entry by entry, however long the list is. */
+import { createReadStream } from 'node:fs'
+import type { Core } from '../core/report'
+import { jsonEntries } from './json-entries'
+import { fetchCore } from './read-core'
+import { type NamedHexahedron, readHexahedron } from './read-hexahedra'
+import { Buffered, Refusal, type Streams } from './streams'
+
+/** What is printed of one element. */
+export type AnswerTo = (core: Core, hexahedron: NamedHexahedron) => object
+
+/** Throws a Refusal; the list is then left open, and nothing is printed where the input is short. */
+export async function answerElements(answerTo: AnswerTo, file: string, streams: Streams): Promise<void> {
+  const core = await fetchCore()
+  const output = new Buffered(streams.output)
+  let count = 0
+  for await (const entry of jsonEntries(file === '-' ? streams.input : chunksOf(file))) {
+    const answer = JSON.stringify(answerTo(core, readHexahedron(entry, count)))
+    await output.write(`${count++ === 0 ? '[\n' : ',\n'}${answer}`)
+  }
+  await output.write(count === 0 ? '[]\n' : '\n]\n')
+  await output.flush()
+}
+
+const CHUNK = 1024 * 1024
+
+async function* chunksOf(file: string): AsyncGenerator<Buffer> {
+  try {
+    yield* createReadStream(file, { highWaterMark: CHUNK })
+  } catch (error) {
+    if (error instanceof Refusal) throw error
+    throw new Refusal(`The file ${file} cannot be read (${(error as NodeJS.ErrnoException).code}).`)
+  }
+}

@@ -1,0 +1,95 @@
+/** Files of Node as the readers of web/mesh see them: read by slices, on demand. */
+import { closeSync, fstatSync, openSync, readFileSync, readSync } from 'node:fs'
+import { basename, dirname, resolve } from 'node:path'
+import { type FindFile, fileOfBytes, type MeshFile } from '../mesh/source'
+import { Refusal, reasonOf, type Streams } from './streams'
+
+/** What is held open while a mesh is read. */
+export interface OpenFile {
+  readonly file: MeshFile
+  /** What lies beside it. */
+  readonly find: FindFile
+  close(): void
+}
+
+/** Throws a Refusal. */
+export async function openMeshFile(path: string, input: Streams['input']): Promise<OpenFile> {
+  if (path === '-') {
+    const file = fileOfBytes('standard input', await bytesOf(input))
+    return { file, find: filesBeside('.', []), close: () => {} }
+  }
+  const opened = openPath(path)
+  const found: OpenPath[] = []
+  return {
+    file: opened.file,
+    find: filesBeside(dirname(path), found),
+    close() {
+      for (const { close } of [opened, ...found]) close()
+    },
+  }
+}
+
+interface OpenPath {
+  readonly file: MeshFile
+  close(): void
+}
+
+/** By names as files write them, with either slash; whatever is opened is put into `found`. */
+function filesBeside(folder: string, found: OpenPath[]): FindFile {
+  return name => {
+    for (const spelling of new Set([name, name.replaceAll('\\', '/')])) {
+      try {
+        const opened = openPath(resolve(folder, spelling))
+        found.push(opened)
+        return opened.file
+      } catch (error) {
+        if (!(error instanceof Refusal)) throw error
+      }
+    }
+    return null
+  }
+}
+
+function openPath(path: string): OpenPath {
+  const name = basename(path)
+  try {
+    const descriptor = openSync(path, 'r')
+    const status = fstatSync(descriptor)
+    // A pipe cannot be read from anywhere.
+    if (!status.isFile()) {
+      try {
+        return { file: fileOfBytes(name, plain(readFileSync(descriptor))), close: () => {} }
+      } finally {
+        closeSync(descriptor)
+      }
+    }
+    const read = (from: number, to: number) => slice(descriptor, name, from, to)
+    return { file: { name, size: status.size, read }, close: () => closeSync(descriptor) }
+  } catch (error) {
+    throw error instanceof Refusal ? error : new Refusal(`${name} cannot be read: ${reasonOf(error)}.`)
+  }
+}
+
+/** Node reads no more at once. */
+const MOST_AT_ONCE = 2 ** 30
+
+function slice(descriptor: number, name: string, from: number, to: number): Uint8Array {
+  const bytes = new Uint8Array(to - from)
+  for (let done = 0; done < bytes.length; ) {
+    const count = readSync(descriptor, bytes, done, Math.min(bytes.length - done, MOST_AT_ONCE), from + done)
+    if (count === 0) throw new Refusal(`${name} has become shorter while it was read.`)
+    done += count
+  }
+  return bytes
+}
+
+async function bytesOf(input: Streams['input']): Promise<Uint8Array> {
+  const chunks: Buffer[] = []
+  for await (const chunk of input) chunks.push(Buffer.from(chunk as Buffer))
+  return plain(Buffer.concat(chunks))
+}
+
+/** Slices of a Buffer are no copies. */
+function plain(buffer: Buffer): Uint8Array {
+  return new Uint8Array(buffer.buffer, buffer.byteOffset, buffer.length)
+}

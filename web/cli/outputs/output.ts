@@ -1,0 +1,24 @@
+/** What the outputs of `check` have in common: each turns the results, file by file, into text or bytes. */
+import type { Wanted } from '../../core/batch/lists'
+import type { ExitStatus, MeshCheck } from '../../mesh/check'
+
+export type FileResult = { readonly file: string; readonly exit: ExitStatus } & (
+  | { readonly check: MeshCheck }
+  | { readonly error: string }
+)
+
+export interface Output {
+  /** What it needs beside the counts. */
+  readonly lists: Wanted
+  file(result: FileResult): Iterable<string | Uint8Array>
+  /** After the last file. */
+  end(exit: ExitStatus): Iterable<string>
+}
+
+/** Names of files and from files, for people. */
+export { shown, withoutControls } from '../../mesh/text-cursor'
+
+/** "1 wedge", "2 wedges". */
+export function counted(count: number, one: string, many: string): string {
+  return `${count} ${count === 1 ? one : many}`
+}

@@ -1,0 +1,159 @@
+/** Numbers of a binary file, one after the other or in bulk, of either byte order: read in pieces. Refuses what lies beyond the end. */
+import { MeshRefusal } from './mesh'
+import type { MeshFile } from './source'
+
+const PIECE = 1024 * 1024
+const TWO_32 = 2 ** 32
+
+export const MACHINE_IS_LITTLE_ENDIAN = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1
+
+export class BinaryCursor {
+  readonly #file: MeshFile
+  readonly isLittleEndian: boolean
+  #view: DataView = new DataView(new ArrayBuffer(0))
+  #bytes: Uint8Array = new Uint8Array(0)
+  readonly #few = new Int32Array(64)
+  #start: number
+  #at = 0
+
+  constructor(file: MeshFile, from: number, isLittleEndian: boolean) {
+    this.#file = file
+    this.#start = from
+    this.isLittleEndian = isLittleEndian
+  }
+
+  /** The byte of the file that is next. */
+  get position(): number {
+    return this.#start + this.#at
+  }
+
+  get left(): number {
+    return this.#file.size - this.position
+  }
+
+  /** Throws: "part.msh, byte 120: ...". */
+  refuse(what: string): never {
+    throw new MeshRefusal(`${this.#file.name}, byte ${this.position}: ${what}`)
+  }
+
+  /** Refuses if fewer than `count` times `bytes` bytes are left: to be asked before anything is allocated. */
+  need(count: number, bytes: number, what: string): void {
+    if (count * bytes > this.left)
+      this.refuse(`${count * bytes} bytes of ${what} were expected, the file ends after ${Math.max(0, this.left)}.`)
+  }
+
+  jumpTo(position: number): void {
+    this.#start = position
+    this.#at = 0
+    this.#bytes = new Uint8Array(0)
+  }
+
+  #ahead(count: number, what: string): number {
+    if (this.#at + count > this.#bytes.length) {
+      this.need(1, count, what)
+      const from = this.position
+      this.#bytes = this.#file.read(from, Math.min(this.#file.size, from + Math.max(PIECE, count)))
+      this.#view = new DataView(this.#bytes.buffer, this.#bytes.byteOffset, this.#bytes.length)
+      this.#start = from
+      this.#at = 0
+    }
+    const at = this.#at
+    this.#at += count
+    return at
+  }
+
+  int32(what: string): number {
+    return this.#past(4, what).getInt32(this.#at - 4, this.isLittleEndian)
+  }
+
+  float32(what: string): number {
+    return this.#past(4, what).getFloat32(this.#at - 4, this.isLittleEndian)
+  }
+
+  float64(what: string): number {
+    return this.#past(8, what).getFloat64(this.#at - 8, this.isLittleEndian)
+  }
+
+  /** From -2^53 to 2^53. */
+  int64(what: string): number {
+    const view = this.#past(8, what)
+    const at = this.#at - 8
+    const high = view.getInt32(this.isLittleEndian ? at + 4 : at, this.isLittleEndian)
+    const low = view.getUint32(this.isLittleEndian ? at : at + 4, this.isLittleEndian)
+    const value = high * TWO_32 + low
+    if (!Number.isSafeInteger(value)) this.refuse(`${what} is too large: ${value}.`)
+    return value
+  }
+
+  /** An integer of 4 or 8 bytes. */
+  int(bytes: 4 | 8, what: string): number {
+    return bytes === 8 ? this.int64(what) : this.int32(what)
+  }
+
+  /** An integer of 4 or 8 bytes that is not negative. */
+  count(bytes: 4 | 8, what: string): number {
+    const value = this.int(bytes, what)
+    if (value < 0) this.refuse(`${what} is negative: ${value}.`)
+    return value
+  }
+
+  /** The view after `bytes` bytes, which are passed. */
+  #past(bytes: number, what: string): DataView {
+    this.#ahead(bytes, what)
+    return this.#view
+  }
+
+  /** A copy of the next bytes. */
+  bytes(count: number, what: string): Uint8Array {
+    const at = this.#ahead(count, what)
+    return this.#bytes.slice(at, at + count)
+  }
+
+  /** The next integers; valid until the next call. */
+  int32s(count: number, what: string): Int32Array {
+    if (count <= this.#few.length) {
+      const at = this.#ahead(4 * count, what)
+      for (let i = 0; i < count; ++i) this.#few[i] = this.#view.getInt32(at + 4 * i, this.isLittleEndian)
+      return this.#few.subarray(0, count)
+    }
+    const bytes = this.bytes(4 * count, what)
+    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(bytes, 4)
+    return new Int32Array(bytes.buffer)
+  }
+
+  float64s(count: number, what: string): Float64Array {
+    const bytes = this.bytes(8 * count, what)
+    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(bytes, 8)
+    return new Float64Array(bytes.buffer)
+  }
+
+  /** Integers of 4 or 8 bytes as doubles. */
+  ints(count: number, bytes: 4 | 8, what: string): Float64Array {
+    if (bytes === 4) return new Float64Array(this.int32s(count, what))
+    const raw = this.bytes(8 * count, what)
+    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(raw, 8)
+    const [low, high] = MACHINE_IS_LITTLE_ENDIAN ? [0, 1] : [1, 0]
+    const words = new Uint32Array(raw.buffer)
+    const values = new Float64Array(count)
+    for (let i = 0; i < count; ++i) {
+      const value = ((words[2 * i + high] as number) | 0) * TWO_32 + (words[2 * i + low] as number)
+      if (!Number.isSafeInteger(value)) this.refuse(`${what} has a number that is too large: ${value}.`)
+      values[i] = value
+    }
+    return values
+  }
+}
+
+function swap(bytes: Uint8Array, size: 4 | 8): void {
+  const words = new Uint32Array(bytes.buffer)
+  for (let i = 0; i < words.length; ++i) {
+    const word = words[i] as number
+    words[i] = (word << 24) | ((word & 0xff00) << 8) | ((word >>> 8) & 0xff00) | (word >>> 24)
+  }
+  if (size === 4) return
+  for (let i = 0; i + 1 < words.length; i += 2) {
+    const word = words[i] as number
+    words[i] = words[i + 1] as number
+    words[i + 1] = word
+  }
+}

@@ -1,0 +1,174 @@
+/**
+ * What is said of a mesh: how many of its hexahedra are valid, which are the worst, and sentences for people. Pure: batches and
+ * single elements are answered by whoever is given, so that it runs on a page and in Node.
+ */
+
+import type { NodeOrder } from '../content/node-orders'
+import type { Classification } from '../core/batch/classify'
+import { STATUSES, type Wanted } from '../core/batch/lists'
+import type { Core, Report } from '../core/report'
+import { CLASSES } from '../core/unpack'
+import { checkNotes } from './check-notes'
+import { coincidentCells } from './coincident'
+import type { Mesh } from './mesh'
+import { openOrdersOf } from './open-orders'
+import { verticesOf } from './vertices-of'
+import { worstFirst } from './worst'
+
+/** As a Classifier answers, for lists that are whole. */
+export type ClassifyCells = <W extends Wanted>(
+  points: Float64Array,
+  cells: Uint32Array,
+  wanted: W,
+) => Promise<Classification<W>>
+
+export interface CheckOptions {
+  /** So many of the worst cells are put in order; Infinity for all. */
+  readonly worst: number
+  /** Cells whose relative minimum is less are counted in `below`. */
+  readonly minRelative: number | null
+  /** Cells with coincident vertices are counted in `degenerate` alone, and not among the worst. */
+  readonly skipsDegenerate: boolean
+  /** Lists that are wanted beside those that the counts need. */
+  readonly lists?: Wanted
+}
+
+/** Without these there are no counts. */
+const NEEDED = { relativeMinima: true, classes: true, statuses: true } as const
+type Answers = Classification<typeof NEEDED & Wanted>
+
+/** What a cell counts as. */
+export type Standing = 'valid' | 'invalid' | 'unanswered' | 'degenerate'
+
+export interface MeshCheck {
+  readonly mesh: Mesh
+  /** One entry a cell: also for those that count as something else, in the order of the text where none is stated. */
+  readonly answers: Answers
+  readonly hexahedra: number
+  readonly valid: number
+  readonly invalid: number
+  readonly unanswered: number
+  /** Cells with coincident vertices. */
+  readonly degenerate: number
+  readonly below: number
+  /** jacdet < 0 everywhere: cells that are valid when numbered the other way round. */
+  readonly mirrored: number
+  readonly notTrilinear: { readonly count: number; readonly validByCorners: number }
+  /** The mesh's, and what the answers add. */
+  readonly notes: readonly string[]
+  /** Indices of cells, worst first. */
+  readonly worst: Uint32Array
+  /** Where the order of the nodes is not stated: invalid cells that are valid in another order, with the first such order. They are unanswered. */
+  readonly openOrders: ReadonlyMap<number, NodeOrder>
+  standingOf(cell: number): Standing
+  isAnswered(cell: number): boolean
+  isBelow(cell: number): boolean
+  /** Null where the file has no ids. */
+  idOf(cell: number): string | null
+  /** The name of the first block that the cell is in, as the file has it. */
+  blockOf(cell: number): string | null
+  /** Everything about the cell; or, for one that is unanswered, why. */
+  answerTo(cell: number): { readonly report: Report } | { readonly why: string }
+}
+
+export async function checkMesh(
+  mesh: Mesh,
+  { classify, core }: { readonly classify: ClassifyCells; readonly core: Core },
+  { worst, minRelative, skipsDegenerate, lists = {} }: CheckOptions,
+): Promise<MeshCheck> {
+  const { points, cells, notTrilinear } = mesh
+  const hexahedra = cells.length / 8
+  const answers: Answers = await classify(points, cells, { ...lists, ...NEEDED })
+  const byCorners = await classify(points, notTrilinear.corners, {})
+  const coincident = coincidentCells(points, cells, answers.valid)
+
+  const openOrders = mesh.isOrderStated ? new Map<number, NodeOrder>() : openOrdersOf(mesh, answers.valid, core)
+
+  const isAnswered = (cell: number) => STATUSES[answers.statuses[cell] as number] === undefined && !openOrders.has(cell)
+  const standingOf = (cell: number): Standing => {
+    if (skipsDegenerate && coincident[cell] === 1) return 'degenerate'
+    if (!isAnswered(cell)) return 'unanswered'
+    return answers.valid[cell] === 1 ? 'valid' : 'invalid'
+  }
+  const isBelow = (cell: number) => minRelative !== null && isLess(answers, cell, minRelative)
+
+  const counts = { valid: 0, invalid: 0, unanswered: 0, degenerate: 0 }
+  let [degenerate, below, mirrored] = [0, 0, 0]
+  for (let cell = 0; cell < hexahedra; ++cell) {
+    const standing = standingOf(cell)
+    counts[standing]++
+    if (coincident[cell] === 1) degenerate++
+    if (standing !== 'valid' && standing !== 'invalid') continue
+    if (isBelow(cell)) below++
+    if (CLASSES[answers.classes[cell] as number] === 'inverted') mirrored++
+  }
+  const severity = {
+    relativeMinima: answers.relativeMinima,
+    isCollapsed: (cell: number) => CLASSES[answers.classes[cell] as number] === 'collapsed',
+    isUnanswered: (cell: number) => !isAnswered(cell),
+  }
+  const check = {
+    mesh,
+    answers,
+    hexahedra,
+    valid: counts.valid,
+    invalid: counts.invalid,
+    unanswered: counts.unanswered,
+    degenerate,
+    below,
+    mirrored,
+    notTrilinear: { count: notTrilinear.corners.length / 8, validByCorners: byCorners.validCount },
+    worst: worstFirst(hexahedra, severity, worst, cell => standingOf(cell) !== 'degenerate'),
+    openOrders,
+    standingOf,
+    isAnswered,
+    isBelow,
+    idOf: (cell: number) => (mesh.ids === null ? null : String(mesh.ids[cell])),
+    blockOf: blocksByCell(mesh),
+    answerTo(cell: number) {
+      const order = openOrders.get(cell)
+      if (order) return { why: `The order of its nodes is not stated; in the order “${order.name}” it is valid.` }
+      const result = core.analyze(verticesOf(mesh, cell))
+      return result.ok ? { report: result.value } : { why: result.error.message }
+    },
+  }
+  return { ...check, notes: [...mesh.notes, ...checkNotes(check)] }
+}
+
+/** A cell of volume 0 is below everything if its minimum is negative, else it stands among the zeros. */
+function isLess({ relativeMinima, classes }: Answers, cell: number, bound: number): boolean {
+  const relative = relativeMinima[cell] as number
+  if (!Number.isNaN(relative)) return relative < bound
+  return CLASSES[classes[cell] as number] === 'collapsed' ? bound > 0 : true
+}
+
+/** The blocks are gone through when a cell's is first asked for. */
+function blocksByCell({ cells, blocks }: Mesh): (cell: number) => string | null {
+  let places: Uint32Array | undefined
+  return cell => {
+    if (blocks.length === 0) return null
+    if (!places) {
+      places = new Uint32Array(cells.length / 8).fill(blocks.length)
+      for (let i = blocks.length - 1; i >= 0; --i) for (const own of blocks[i]?.cells ?? []) places[own] = i
+    }
+    return blocks[places[cell] as number]?.name ?? null
+  }
+}
+
+/** 0 all valid; 1 invalid ones, or some below the bound; 2 unreadable; 3 nothing invalid, but not all could be answered. */
+export type ExitStatus = 0 | 1 | 2 | 3
+
+export function exitOf(check: MeshCheck, { allowsUnchecked }: { readonly allowsUnchecked: boolean }): ExitStatus {
+  if (check.invalid > 0 || check.below > 0) return 1
+  return isWhollyAnswered(check) || allowsUnchecked ? 0 : 3
+}
+
+/** Cells that are not hexahedra are nobody's question. */
+export function isWhollyAnswered({ mesh, hexahedra, unanswered, notTrilinear }: MeshCheck): boolean {
+  return hexahedra > 0 && unanswered === 0 && notTrilinear.count === 0 && !mesh.isCutOff
+}
+
+/** Of several files: 2 before 1 before 3 before 0. */
+export function gravestExit(exits: readonly ExitStatus[]): ExitStatus {
+  return ([2, 1, 3] as const).find(exit => exits.includes(exit)) ?? 0
+}

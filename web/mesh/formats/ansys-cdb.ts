@@ -1,0 +1,426 @@
+/** Ansys archives: NBLOCK and EBLOCK by the widths that their format lines give, element types, components. */
+import type { Mesh } from '../mesh'
+import type { MeshFile, MeshFormat, ReadOptions } from '../source'
+import { shown } from '../text-cursor'
+import { type AnsysType, ansysType } from './ansys-types'
+import { headText } from './head-text'
+import { collect, NodeModel } from './node-model'
+import { PrintedPrecision, TextLines } from './text-lines'
+
+/** Of an element of 20 nodes: bottom edges, top edges, upright edges, as VTK. */
+const ORDER_OF_20 = Array.from({ length: 20 }, (_, i) => i)
+const HEXAHEDRON: AnsysType = { kind: 'hexahedron' }
+const QUADRATIC: AnsysType = { kind: 'quadratic' }
+
+/** Fields of an element in a solid block, before its nodes. */
+const SOLID_FIELDS = 11
+/** Of another block: number, section, real constants, material, frame. */
+const NONSOLID_FIELDS = 5
+const MOST_NODES = 32
+
+export const ansysCdb: MeshFormat = {
+  name: 'Ansys',
+  recognizes(head, name) {
+    const text = headText(head)
+    if (/^[> \t]*[NE]BLOCK[ \t]*,/im.test(text)) return 'yes'
+    return name.endsWith('.cdb') || /^[> \t]*\/PREP7/im.test(text) ? 'maybe' : 'no'
+  },
+  read: (file, options) => [new AnsysReader(file, options).read()],
+}
+
+/** Columns of a line: those of integers, then those of reals. */
+interface Widths {
+  readonly integers: number
+  readonly integerWidth: number
+  readonly reals: number
+  readonly realWidth: number
+}
+
+class AnsysReader {
+  readonly #file: MeshFile
+  readonly #lines: TextLines
+  readonly #model = new NodeModel()
+  readonly #precision = new PrintedPrecision()
+  readonly #notes: string[] = []
+  readonly #routines = new Map<number, number>()
+  readonly #firstOptions = new Map<number, number>()
+  readonly #types = new Map<number, AnsysType | null>()
+  readonly #components: { name: string; ids: [number, number][] }[] = []
+  #currentType = 1
+  #isCutOff = false
+  #degenerate = 0
+
+  constructor(file: MeshFile, options: ReadOptions) {
+    this.#file = file
+    this.#lines = new TextLines(file, options)
+  }
+
+  read(): Mesh {
+    const lines = this.#lines
+    while (lines.next()) {
+      if (lines.isElision) this.#isCutOff = true
+      else this.#command()
+    }
+    this.#makeBlocks()
+    if (this.#degenerate > 0)
+      this.#notes.push(
+        `${this.#degenerate} elements repeat nodes, as Ansys writes wedges, pyramids and tetrahedra: as hexahedra they have J <= 0 somewhere.`,
+      )
+    return collect({
+      format: 'Ansys',
+      fileName: this.#file.name,
+      placements: [{ model: this.#model, name: null, move: null }],
+      precision: this.#precision,
+      notes: this.#notes,
+      isCutOff: this.#isCutOff,
+    })
+  }
+
+  #command(): void {
+    const lines = this.#lines
+    const first = lines.at(0) | 32
+    // Commands of interest begin with n, e, t, k, c; data lines with blanks and digits.
+    if (first !== 110 && first !== 101 && first !== 116 && first !== 107 && first !== 99) {
+      if (lines.at(0) !== 32) return
+    }
+    const [name = '', ...rest] =
+      lines
+        .text()
+        .split('!')[0]
+        ?.split(',')
+        .map(word => word.trim()) ?? []
+    switch (name.toUpperCase()) {
+      case 'NBLOCK':
+        this.#nodeBlock(rest)
+        break
+      case 'EBLOCK':
+        this.#elementBlock(rest)
+        break
+      case 'CMBLOCK':
+        this.#component(rest)
+        break
+      case 'ETBLOCK':
+        this.#typeBlock()
+        break
+      case 'ET':
+        this.#defineType(rest)
+        break
+      case 'KEYOP':
+      case 'KEYOPT':
+        if (Number(rest[1]) === 1) this.#firstOptions.set(Number(rest[0]), Number(rest[2]))
+        break
+      case 'TYPE':
+        this.#currentType = Number(rest[0])
+        break
+      case 'N':
+        if (!/^R/i.test(rest[0] ?? '') || rest[2] !== '-1')
+          lines.refuse('N: nodes outside of an NBLOCK are not read here; write the archive with CDWRITE, BLOCKED.')
+        break
+      case 'E':
+      case 'EN':
+        lines.refuse(
+          `${name}: elements outside of an EBLOCK are not read here; write the archive with CDWRITE, BLOCKED.`,
+        )
+    }
+  }
+
+  #defineType([type, routine = '', firstOption = '']: readonly string[]): void {
+    const digits = /(\d{1,4})$/.exec(routine)?.[1]
+    if (digits !== undefined) this.#routines.set(Number(type), Number(digits))
+    if (firstOption !== '') this.#firstOptions.set(Number(type), Number(firstOption))
+  }
+
+  #typeBlock(): void {
+    const { integerWidth } = this.#formatLine('ETBLOCK')
+    const lines = this.#lines
+    while (lines.next()) {
+      lines.startFields()
+      for (let i = 0; i < 2; ++i) lines.addField(lines.from + i * integerWidth, lines.from + (i + 1) * integerWidth)
+      const type = lines.integer(0, 'a type of elements')
+      if (type < 0) return
+      this.#routines.set(type, lines.integer(1, 'a number of a type'))
+    }
+  }
+
+  /** "(3i9,6e21.13e3)" */
+  #formatLine(block: string): Widths {
+    const lines: TextLines = this.#lines
+    const expected = `${block}: a format as (3i9,6e21.13e3) was expected`
+    if (!lines.next()) lines.refuse(`${expected}, and the file ends.`)
+    const text = lines.text().trim()
+    const match = /^\((\d{0,3})i(\d{1,2})(?:,(\d{0,3})[a-z](\d{1,3})(?:\.\d{1,3}(?:e\d)?)?)?\)$/i.exec(
+      text.replace(/\s/g, ''),
+    )
+    if (match === null) lines.refuse(`${expected}, not ${shown(text)}.`)
+    const [, integers, integerWidth, reals, realWidth] = match
+    const widths = {
+      integers: Number(integers || 1),
+      integerWidth: Number(integerWidth),
+      reals: reals === undefined ? 0 : Number(reals || 1),
+      realWidth: Number(realWidth ?? 0),
+    }
+    if (widths.integerWidth === 0 || (widths.reals > 0 && widths.realWidth === 0))
+      lines.refuse(`${expected}, not ${shown(text)}.`)
+    return widths
+  }
+
+  /** Whether the line ends a block: -1, or a command. */
+  #isEndOfBlock(): boolean {
+    const lines = this.#lines
+    let at = 0
+    while (lines.at(at) === 32 || lines.at(at) === 9) at++
+    const byte = lines.at(at)
+    return (
+      (byte === 45 && lines.at(at + 1) === 49 && lines.from + at + 2 === lines.to) ||
+      (byte | 32) >= 97 ||
+      byte === 47 ||
+      byte === 42
+    )
+  }
+
+  // Nodes
+
+  #nodeBlock([, , , declared = '']: readonly string[]): void {
+    const lines = this.#lines
+    const { integers, integerWidth, reals, realWidth } = this.#formatLine('NBLOCK')
+    if (integers < 1 || reals < 3)
+      lines.refuse('NBLOCK: a number of a node and three coordinates were expected in its format.')
+    const coordinates = integers * integerWidth
+    let count = 0
+    let isJustified = false
+    for (;;) {
+      if (!lines.next()) lines.refuse(`the file ends within an NBLOCK, after ${count} nodes.`)
+      if (lines.isBlank) continue
+      if (lines.isElision) {
+        this.#isCutOff = true
+        continue
+      }
+      if (this.#isEndOfBlock()) break
+      lines.startFields()
+      lines.addField(lines.from, lines.from + integerWidth)
+      for (let i = 0; i < 3; ++i) {
+        const from = lines.from + coordinates + i * realWidth
+        lines.addField(from, from + realWidth)
+      }
+      const id = lines.id(0, 'a number of a node')
+      const beyond = lines.to - lines.from - coordinates
+      const isWhole = beyond <= 0 ? (lines.to - lines.from) % integerWidth === 0 : beyond % realWidth === 0
+      if (isWhole) isJustified = true
+      else if (isJustified && beyond < 6 * realWidth)
+        lines.refuse(`node ${id}: the last number of the line is cut off.`)
+      const slot = this.#model.defineNode(
+        lines,
+        id,
+        lines.real(1, this.#precision),
+        lines.real(2, this.#precision),
+        lines.real(3, this.#precision),
+      )
+      if (lines.isFieldBlank(1) || lines.isFieldBlank(2) || lines.isFieldBlank(3)) this.#model.forgetPlaces()
+      else this.#model.placeFields(lines, slot, 1)
+      count++
+    }
+    this.#compare('NBLOCK', 'nodes', Number(declared), count)
+    if (!isMinusOne(lines)) lines.hold()
+    if (/^n,/i.test(lines.text().trim())) lines.next()
+  }
+
+  #compare(block: string, what: string, declared: number, count: number): void {
+    if (!(declared > 0) || declared === count || this.#isCutOff) return
+    if (count < declared) this.#lines.refuse(`${block} has ${count} ${what}; ${declared} are declared.`)
+    this.#notes.push(`${block} declares ${declared} ${what}, and has ${count}: all are read.`)
+  }
+
+  // Elements
+
+  #typeOf(type: number): AnsysType | null {
+    const known = this.#types.get(type)
+    if (known !== undefined) return known
+    const routine = this.#routines.get(type)
+    const found = routine === undefined ? null : ansysType(routine, this.#firstOptions.get(type) ?? 0)
+    if (routine === undefined)
+      this.#notes.push(`Type ${type} of elements is not defined: those of 8 nodes are taken for hexahedra.`)
+    else if (found === null)
+      this.#notes.push(`Elements of type ${routine} are not known here: they are counted as "other".`)
+    const answer = found ?? (routine === undefined ? null : ({ kind: 'other', cell: 'other' } as const))
+    this.#types.set(type, answer)
+    return answer
+  }
+
+  #elementBlock([, key = '', , declared = '']: readonly string[]): void {
+    const lines = this.#lines
+    const { integers, integerWidth } = this.#formatLine('EBLOCK')
+    const isSolid = /^solid$/i.test(key)
+    const slots = new Uint32Array(MOST_NODES)
+    const nodes = new Float64Array(MOST_NODES)
+    const split = () => {
+      lines.startFields()
+      for (let i = 0; i < integers; ++i)
+        lines.addField(lines.from + i * integerWidth, lines.from + (i + 1) * integerWidth)
+    }
+    let count = 0
+    for (;;) {
+      if (!lines.next()) lines.refuse(`the file ends within an EBLOCK, after ${count} elements.`)
+      if (lines.isBlank) continue
+      if (lines.isElision) {
+        this.#isCutOff = true
+        continue
+      }
+      if (this.#isEndOfBlock()) break
+      split()
+      const filled = filledFields(lines)
+      const id = lines.id(isSolid ? SOLID_FIELDS - 1 : 0, 'a number of an element')
+      const fields = isSolid ? SOLID_FIELDS : NONSOLID_FIELDS
+      const type = this.#typeOf(isSolid ? lines.id(1, 'a type of an element') : this.#currentType)
+      const wanted = isSolid ? lines.id(8, 'a number of nodes') : Math.max(filled - fields, 0)
+      if (wanted > MOST_NODES || wanted < 1)
+        lines.refuse(`element ${id} has ${wanted} nodes; 1 to ${MOST_NODES} were expected.`)
+      let has = 0
+      const line = lines.number
+      for (let i = fields; i < filled && has < MOST_NODES; ++i) nodes[has++] = lines.id(i, 'a number of a node')
+      if (isSolid) has = this.#furtherNodes(nodes, has, wanted, id, line, split)
+      else if (filled === integers) has = this.#nodesOfSecondLine(nodes, has, type, split)
+      count++
+      this.#element(id, type, nodes, isSolid ? wanted : has, slots, line)
+    }
+    this.#compare('EBLOCK', 'elements', Number(declared), count)
+    if (!isMinusOne(lines)) lines.hold()
+  }
+
+  #furtherNodes(
+    nodes: Float64Array,
+    first: number,
+    wanted: number,
+    id: number,
+    line: number,
+    split: () => void,
+  ): number {
+    const lines = this.#lines
+    let has = first
+    if (has < Math.min(wanted, 8)) lines.refuse(`element ${id} has ${has} nodes; ${wanted} are declared.`)
+    while (has < wanted) {
+      if (!lines.next() || this.#isEndOfBlock())
+        lines.refuse(`element ${id} has ${has} nodes; ${wanted} are declared.`, line)
+      split()
+      const filled = filledFields(lines)
+      if (filled === 0 || has + filled > wanted)
+        lines.refuse(`element ${id} has ${has} nodes, then a line of ${filled}; ${wanted} are declared.`)
+      for (let i = 0; i < filled; ++i) nodes[has++] = lines.id(i, 'a number of a node')
+    }
+    return has
+  }
+
+  /** An element of more nodes than its line has columns goes on in a line that has nothing else. */
+  #nodesOfSecondLine(nodes: Float64Array, first: number, type: AnsysType | null, split: () => void): number {
+    const lines = this.#lines
+    let has = first
+    if (type?.kind !== 'quadratic') return has
+    if (!lines.next()) return has
+    split()
+    const filled = filledFields(lines)
+    for (let i = 0; i < filled && has < MOST_NODES; ++i) nodes[has++] = lines.id(i, 'a number of a node')
+    return has
+  }
+
+  #element(
+    id: number,
+    type: AnsysType | null,
+    nodes: Float64Array,
+    count: number,
+    slots: Uint32Array,
+    line: number,
+  ): void {
+    const model = this.#model
+    const kind = type ?? (count === 8 ? HEXAHEDRON : count === 20 ? QUADRATIC : null)
+    if (kind === null) {
+      model.addOther(count === 10 ? 'tetrahedron' : 'other')
+    } else if (kind.kind === 'other') {
+      model.addOther(kind.cell)
+    } else if (kind.kind === 'face') {
+      model.addOther(count === 3 || count === 6 || nodes[2] === nodes[3] ? 'triangle' : 'quadrilateral')
+    } else if (count < 8) {
+      model.addOther(count === 4 ? 'tetrahedron' : count === 5 ? 'pyramid' : count === 6 ? 'wedge' : 'other')
+    } else if (kind.kind === 'quadratic' && count === 10) {
+      model.addOther('tetrahedron')
+    } else {
+      for (let i = 0; i < 8; ++i)
+        if (nodes[i] === 0) this.#lines.refuse(`element ${id} has node 0 among its first 8.`, line)
+      for (let i = 0; i < count; ++i) slots[i] = nodes[i] === 0 ? 0 : model.slot(nodes[i] as number)
+      if (isRepeating(nodes)) this.#degenerate++
+      if (kind.kind === 'quadratic')
+        model.addQuadratic(
+          id,
+          slots,
+          ORDER_OF_20.map(at => (at < count && nodes[at] !== 0 ? at : -1)),
+        )
+      else if (count === 8) model.addHexahedron(id, slots)
+      else this.#lines.refuse(`element ${id} has ${count} nodes; its type has 8.`, line)
+    }
+  }
+
+  // Components
+
+  #component([name = '', kind = '']: readonly string[]): void {
+    const lines = this.#lines
+    const { integers, integerWidth } = this.#formatLine('CMBLOCK')
+    const isOfElements = /^elem/i.test(kind)
+    const ids: [number, number][] = []
+    while (lines.next()) {
+      if (this.#isEndOfBlock() && !isMinusOne(lines)) {
+        lines.hold()
+        break
+      }
+      if (!isOfElements || isMinusOne(lines)) continue
+      lines.startFields()
+      for (let i = 0; i < integers; ++i)
+        lines.addField(lines.from + i * integerWidth, lines.from + (i + 1) * integerWidth)
+      for (let i = 0; i < filledFields(lines); ++i) {
+        const id = lines.integer(i, 'a number of an element')
+        const last = ids.at(-1)
+        if (id > 0) ids.push([id, id])
+        else if (last !== undefined && -id >= last[1]) last[1] = -id
+        else lines.refuse(`component ${shown(name)}: ${id} ends a range that begins nowhere.`)
+      }
+    }
+    if (isOfElements) this.#components.push({ name, ids })
+  }
+
+  /** A component names elements by ranges of their numbers. */
+  #makeBlocks(): void {
+    if (this.#components.length === 0) return
+    const { cellIds, cellCount } = this.#model
+    const order = Uint32Array.from({ length: cellCount }, (_, i) => i)
+    const ids = cellIds.values
+    order.sort((a, b) => (ids[a] as number) - (ids[b] as number))
+    const firstFrom = (id: number) => {
+      let [low, high] = [0, cellCount]
+      while (low < high) {
+        const middle = (low + high) >> 1
+        if ((ids[order[middle] as number] as number) < id) low = middle + 1
+        else high = middle
+      }
+      return low
+    }
+    for (const { name, ids: ranges } of this.#components) {
+      const block = this.#model.block(name)
+      for (const [from, to] of ranges)
+        for (let i = firstFrom(from); i < cellCount && (ids[order[i] as number] as number) <= to; ++i)
+          block.add(order[i] as number)
+    }
+  }
+}
+
+function isMinusOne(lines: TextLines): boolean {
+  return lines.text().trim() === '-1'
+}
+
+/** Fields up to the last that is not blank. */
+function filledFields(lines: TextLines): number {
+  let count = lines.fieldCount
+  while (count > 0 && lines.isFieldBlank(count - 1)) count--
+  return count
+}
+
+function isRepeating(nodes: Float64Array): boolean {
+  for (let i = 0; i < 8; ++i) for (let j = 0; j < i; ++j) if (nodes[i] === nodes[j]) return true
+  return false
+}

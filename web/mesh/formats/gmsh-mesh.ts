@@ -1,0 +1,101 @@
+/** What Gmsh's files, text and binary, of all versions, make a mesh of: nodes by id, elements by type, groups and entities by name. */
+import { MeshBuilder } from '../mesh-builder'
+import { areAtMiddles } from '../middles'
+import { PrintedDigits } from '../precision'
+import type { GmshType } from './gmsh-types'
+
+/** What can say where in the file it is: a cursor. */
+export interface Place {
+  refuse(what: string): never
+}
+
+export class GmshMesh {
+  readonly builder: MeshBuilder
+  readonly digits = new PrintedDigits()
+  /** Whether the text leaves something out: then elements may name nodes that are not there, and are counted here. */
+  mayLackNodes = false
+  lackingNodes = 0
+  /** By "dimension tag", or "tag" where the file gives no dimension. */
+  readonly #names = new Map<string, string>()
+  /** Physical groups of entities, by "dimension tag". */
+  readonly #groups = new Map<string, readonly number[]>()
+  readonly #blocks = new Map<string, readonly string[]>()
+  #lastGroup = Number.NaN
+  #lastVolume = Number.NaN
+  #lastBlocks: readonly string[] = []
+  readonly #indices: number[] = []
+
+  constructor(fileName: string) {
+    this.builder = new MeshBuilder('Gmsh', fileName)
+  }
+
+  node(place: Place, id: number, x: number, y: number, z: number): void {
+    if (this.builder.findId(id) >= 0) place.refuse(`node ${id} is defined twice.`)
+    this.builder.pointWithId(id, x, y, z)
+  }
+
+  nameGroup(dimension: number | null, tag: number, name: string): void {
+    this.#names.set(dimension === null ? `${tag}` : `${dimension} ${tag}`, name)
+  }
+
+  /** The groups that an entity is in; a negative tag turns the entity round, and names the same group. */
+  groupsOfEntity(dimension: number, tag: number, groups: readonly number[]): void {
+    this.#groups.set(`${dimension} ${tag}`, groups.map(Math.abs))
+  }
+
+  /** What the blocks of a volume are called: its groups' names, else the volume. */
+  blocksOfVolume(tag: number): readonly string[] {
+    return this.#blocksOf(tag, this.#groups.get(`3 ${tag}`) ?? [])
+  }
+
+  /** The same where the element itself names its group; 0 stands for none. */
+  blocksOfElement(group: number, volume: number): readonly string[] {
+    if (group !== this.#lastGroup || volume !== this.#lastVolume) {
+      this.#lastGroup = group
+      this.#lastVolume = volume
+      this.#lastBlocks = this.#blocksOf(volume, group === 0 ? [] : [Math.abs(group)])
+    }
+    return this.#lastBlocks
+  }
+
+  #blocksOf(volume: number, groups: readonly number[]): readonly string[] {
+    const key = groups.length > 0 ? groups.join(' ') : `volume ${volume}`
+    let blocks = this.#blocks.get(key)
+    if (!blocks) {
+      const nameOf = (tag: number) => this.#names.get(`3 ${tag}`) ?? this.#names.get(`${tag}`) ?? `physical ${tag}`
+      blocks = groups.length > 0 ? groups.map(nameOf) : volume > 0 ? [key] : []
+      this.#blocks.set(key, blocks)
+    }
+    return blocks
+  }
+
+  /** An element by the ids of its nodes, which are `nodes[from]` and following. */
+  element(
+    place: Place,
+    { kind, nodes: count }: GmshType,
+    id: number,
+    nodes: ArrayLike<number>,
+    from: number,
+    blocks: readonly string[],
+  ): void {
+    const indices = this.#indices
+    indices.length = count
+    for (let i = 0; i < count; ++i) {
+      const index = this.builder.findId(nodes[from + i] as number)
+      if (index < 0) {
+        if (!this.mayLackNodes) place.refuse(`element ${id} names node ${nodes[from + i]}, which is not defined.`)
+        this.lackingNodes++
+        return
+      }
+      indices[i] = index
+    }
+    if (kind === 'hexahedron') {
+      const cell = this.builder.hexahedron(indices, id)
+      for (const block of blocks) this.builder.inBlock(block, cell)
+    } else if (kind === 'curved') {
+      const corners = indices.slice(0, 8)
+      const at = (point: number, axis: number) => this.builder.coordinate(point, axis)
+      this.builder.notTrilinear(corners, areAtMiddles(at, corners, indices.slice(8)))
+    } else this.builder.otherCell(kind)
+  }
+}

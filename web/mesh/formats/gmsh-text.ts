@@ -1,0 +1,201 @@
+/** Nodes and elements of Gmsh's files as text, of all versions. */
+import { isEllipsis } from '../snippet-text'
+import { shown, type TextCursor } from '../text-cursor'
+import { TextRecords } from '../text-records'
+import type { Version } from './gmsh-binary'
+import type { GmshMesh } from './gmsh-mesh'
+import { gmshTypes } from './gmsh-types'
+
+const DOLLAR = 36
+
+export class GmshText {
+  readonly #cursor: TextCursor
+  readonly #mesh: GmshMesh
+  readonly #records: TextRecords
+  readonly #nodes: number[] = []
+
+  constructor(cursor: TextCursor, mesh: GmshMesh, isSnippet: boolean, onRecord: (position: number) => void) {
+    this.#cursor = cursor
+    this.#mesh = mesh
+    this.#records = new TextRecords(cursor, mesh.builder, {
+      isSnippet,
+      endsSection: ahead => ahead.peek() === DOLLAR,
+      hasComments: false,
+      hasEnds: true,
+      onRecord,
+    })
+  }
+
+  /** Gives back the version, which the first line of the section shows if nothing else states it. */
+  nodes(stated: Version | null, isParametric: boolean): Version {
+    const { header, version } = this.#header('nodes', stated)
+    const [first = Infinity, second = Infinity] = header
+    if (version <= 2) this.#records.all(first, 'nodes', () => this.#node(this.#id('a node'), isParametric))
+    else this.#nodes4(first, second, version)
+    if (this.#records.isElided) this.#mesh.mayLackNodes = true
+    return version
+  }
+
+  elements(stated: Version | null): Version {
+    const { header, version } = this.#header('elements', stated)
+    const [first = Infinity, second = Infinity] = header
+    if (version <= 2) this.#records.all(first, 'elements', () => this.#element2(version))
+    else this.#elements4(first, second, version)
+    return version
+  }
+
+  /** The numbers of a section's first line; none where the text leaves them out. */
+  #header(what: string, stated: Version | null): { header: readonly number[]; version: Version } {
+    const cursor = this.#cursor
+    cursor.skipBlanks()
+    const line = cursor.peekLine().trim()
+    const isLeftOut = this.#records.isSnippet && isEllipsis(line)
+    const header = isLeftOut ? [] : line.split(/\s+/, 5).map(Number)
+    if (header.some(number => !Number.isSafeInteger(number) || number < 0))
+      cursor.refuse(`the number of ${what} was expected, not ${shown(line)}.`)
+    const version = stated ?? (header.length === 2 ? 4 : header.length === 4 ? 4.1 : 2)
+    const wanted = version === 4.1 ? 4 : version === 4 ? 2 : 1
+    if (header.length !== wanted && !(isLeftOut && version <= 2))
+      cursor.refuse(`the ${what} begin with ${wanted} numbers in version ${version}, not with ${shown(line)}.`)
+    if (!isLeftOut) cursor.skipLine()
+    return { header, version }
+  }
+
+  #id(what: string): number {
+    return this.#cursor.count(`the id of ${what}`)
+  }
+
+  /** Three coordinates, which are in the same line; false where the text ends among them. */
+  #node(id: number, hasParameters: boolean): boolean {
+    const records = this.#records
+    if (!records.hasField('a coordinate')) return false
+    const x = this.#coordinate()
+    if (!records.hasField('a coordinate')) return false
+    const y = this.#coordinate()
+    if (!records.hasField('a coordinate')) return false
+    const z = this.#coordinate()
+    if (!hasParameters) records.endLine('a node')
+    this.#mesh.node(this.#cursor, id, x, y, z)
+    if (hasParameters) this.#cursor.skipLine()
+    return true
+  }
+
+  #coordinate(): number {
+    const value = this.#cursor.number('a coordinate')
+    this.#mesh.digits.see(value, this.#cursor.digits)
+    this.#mesh.builder.coordinateToken(this.#cursor.numberFrom, this.#cursor.position - this.#cursor.numberFrom)
+    return value
+  }
+
+  #nodes4(blocks: number, count: number, version: Version): void {
+    const cursor = this.#cursor
+    const records = this.#records
+    let seen = 0
+    for (let block = 0; block < blocks && records.next('nodes') === 'record'; ++block) {
+      const first = cursor.number('an entity')
+      const second = cursor.number('an entity')
+      const dimension = version === 4.1 ? first : second
+      const hasParameters = cursor.count('whether nodes have parameters') > 0 && dimension > 0
+      const nodes = cursor.count('a number of nodes')
+      if (seen + nodes > count) cursor.refuse(`there are more nodes than the ${count} that were declared.`)
+      seen += version === 4.1 ? this.#block41(nodes, hasParameters) : this.#block4(nodes, hasParameters)
+      if (records.isElided && version === 4.1)
+        cursor.refuse('the text leaves nodes out: whose coordinates these are cannot be told.')
+      if (records.isElided) break
+    }
+    const next = records.next('nodes')
+    if (next === 'record' && !records.isElided)
+      cursor.refuse(`${blocks} entities with nodes are declared, there are more.`)
+    records.check(next, seen, count, 'nodes')
+  }
+
+  #block4(nodes: number, hasParameters: boolean): number {
+    let seen = 0
+    for (; seen < nodes && this.#records.next('nodes') === 'record'; ++seen) {
+      if (!this.#node(this.#id('a node'), hasParameters)) break
+      this.#records.onRecord()
+    }
+    return seen
+  }
+
+  /** All ids of a block, then all coordinates. */
+  #block41(nodes: number, hasParameters: boolean): number {
+    const ids: number[] = []
+    while (ids.length < nodes && this.#records.next('nodes') === 'record') {
+      ids.push(this.#id('a node'))
+      this.#records.endLine('the id of a node')
+    }
+    if (ids.length < nodes) return 0
+    for (const [seen, id] of ids.entries()) {
+      if (this.#records.next('nodes') !== 'record' || !this.#node(id, hasParameters)) return seen
+      this.#records.onRecord()
+    }
+    return nodes
+  }
+
+  /** MSH 1: id, type, group, volume, number of nodes; MSH 2: id, type, number of tags, tags. Then the nodes. */
+  #element2(version: Version): boolean {
+    const cursor = this.#cursor
+    const records = this.#records
+    const id = this.#id('an element')
+    if (!records.hasField('the type of an element')) return false
+    const type = cursor.count('the type of an element')
+    if (version > 1 && !records.hasField('the number of tags')) return false
+    const tags = version === 1 ? 3 : cursor.count('the number of tags')
+    let group = 0
+    let volume = 0
+    for (let i = 0; i < tags; ++i) {
+      if (!records.hasField('a tag')) return false
+      const tag = cursor.number('a tag')
+      if (i === 0) group = tag
+      else if (i === 1) volume = tag
+    }
+    return this.#nodesOf(id, type, this.#mesh.blocksOfElement(group, volume))
+  }
+
+  /** The nodes of an element up to the end of its line. */
+  #nodesOf(id: number, number: number, blocks: readonly string[]): boolean {
+    const type = gmshTypes.get(number)
+    if (!type) {
+      this.#cursor.skipLine()
+      this.#mesh.builder.otherCell('other')
+      this.#mesh.builder.note(`Elements of type ${number} are none of Gmsh's: counted as “other”.`)
+      return true
+    }
+    const nodes = this.#nodes
+    for (let i = 0; i < type.nodes; ++i) {
+      if (!this.#records.hasField('a node')) return false
+      nodes[i] = this.#cursor.count('a node')
+    }
+    this.#records.endElement(`an element of type ${number}`)
+    this.#mesh.element(this.#cursor, type, id, nodes, 0, blocks)
+    return true
+  }
+
+  #elements4(blocks: number, count: number, version: Version): void {
+    const cursor = this.#cursor
+    const records = this.#records
+    let seen = 0
+    for (let block = 0; block < blocks && records.next('elements') === 'record' && !records.isElided; ++block) {
+      const first = cursor.number('an entity')
+      const second = cursor.number('an entity')
+      const [dimension, tag] = version === 4.1 ? [first, second] : [second, first]
+      const type = cursor.count('a type of elements')
+      const elements = cursor.count('a number of elements')
+      if (seen + elements > count) cursor.refuse(`there are more elements than the ${count} that were declared.`)
+      const names = dimension === 3 ? this.#mesh.blocksOfVolume(tag) : []
+      let whole = 0
+      for (; whole < elements && records.next('elements') === 'record'; ++whole) {
+        if (!this.#nodesOf(this.#id('an element'), type, names)) break
+        records.onRecord()
+      }
+      seen += whole
+      if (whole < elements) break
+    }
+    // After "..." a line may be an element or the beginning of a block: what follows is not read.
+    const next = records.next('elements')
+    if (next === 'record' && !records.isElided)
+      cursor.refuse(`${blocks} entities with elements are declared, there are more.`)
+    records.check(next, seen, count, 'elements')
+  }
+}

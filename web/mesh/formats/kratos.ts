@@ -1,0 +1,74 @@
+/** Kratos (.mdpa): blocks from "Begin" to "End". Nodes have an id and three coordinates; elements an id, a property and their nodes. */
+import { MeshBuilder, type OtherCell } from '../mesh-builder'
+import { headText } from '../snippets/snippet-text'
+import type { MeshFormat } from '../source'
+import { shown, TextCursor } from '../text-cursor'
+
+/** By the number of nodes in three dimensions, where the name says no more. */
+const BY_NODES: Readonly<Record<number, OtherCell>> = {
+  4: 'tetrahedron',
+  5: 'pyramid',
+  6: 'wedge',
+  10: 'tetrahedron',
+  13: 'pyramid',
+  15: 'wedge',
+}
+const ID = /^\d{1,15}$/
+
+export const kratos: MeshFormat = {
+  name: 'Kratos',
+  recognizes: head =>
+    /^[ \t]*Begin[ \t]+(?:ModelPartData|Properties|Nodes|Elements|Table|Geometries)\b/m.test(headText(head))
+      ? 'yes'
+      : 'no',
+  read(file, { onProgress, throwIfCancelled }) {
+    const builder = new MeshBuilder('Kratos', file.name)
+    const cursor = new TextCursor(file)
+    const elements: { readonly id: number; readonly nodes: readonly number[]; readonly name: string }[] = []
+    let block = ''
+    let name = ''
+    let depth = 0
+    for (let line = cursor.nextLine(); line !== null; line = cursor.nextLine()) {
+      if (cursor.line % 65_536 === 0) {
+        throwIfCancelled()
+        onProgress(cursor.position / file.size)
+      }
+      const words = line.split('//')[0]?.trim().split(/\s+/) ?? []
+      const [first = ''] = words
+      if (first === '') continue
+      if (first === 'Begin') {
+        if (depth++ === 0) [, block = '', name = ''] = words
+      } else if (first === 'End') {
+        if (--depth < 0) cursor.refuse('“End” stands here without “Begin”.')
+        if (depth === 0) block = ''
+      } else if (depth === 1 && block === 'Nodes') {
+        const [id, x, y, z] = words.map(Number)
+        if (words.length < 4 || !ID.test(first)) cursor.refuse('a node has an id and three coordinates.')
+        if ([x, y, z].some(value => Number.isNaN(value))) cursor.refuse(`the coordinates of node ${id} are no numbers.`)
+        builder.pointWithId(id as number, x as number, y as number, z as number)
+      } else if (depth === 1 && (block === 'Elements' || block === 'Geometries')) {
+        if (!words.every(word => ID.test(word)))
+          cursor.refuse(`${shown(words.find(word => !ID.test(word)) ?? '')} is no number of a node.`)
+        const nodes = words.slice(block === 'Elements' ? 2 : 1).map(Number)
+        const said = Number(/(\d+)N$/.exec(name)?.[1] ?? nodes.length)
+        if (nodes.length !== said) cursor.refuse(`element ${first} of type ${shown(name)} has ${nodes.length} nodes.`)
+        elements.push({ id: Number(first), nodes, name })
+      }
+    }
+    if (depth > 0) cursor.refuse(`the file ends in the block ${shown(block)}, where “End” was expected.`)
+    for (const { id, nodes, name: type } of elements) addElement(builder, id, nodes, type)
+    return [builder.mesh()]
+  },
+}
+
+function addElement(builder: MeshBuilder, id: number, nodes: readonly number[], type: string): void {
+  const isSolid = !/2D/.test(type)
+  const indices = nodes.map(node => builder.indexOfId(node, `element ${id}`))
+  if (isSolid && nodes.length === 8) builder.inBlock(type, builder.hexahedron(indices, id))
+  else if (isSolid && (nodes.length === 20 || nodes.length === 27)) builder.notTrilinear(indices.slice(0, 8))
+  else if (isSolid && !/shell|membrane|quad|3D4S/i.test(type)) builder.otherCell(BY_NODES[nodes.length] ?? 'other')
+  else
+    builder.otherCell(
+      nodes.length === 3 || nodes.length === 6 ? 'triangle' : nodes.length === 2 ? 'line' : 'quadrilateral',
+    )
+}

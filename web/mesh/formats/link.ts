@@ -1,0 +1,23 @@
+/** A link to an element of this project's page, or its fragment alone. */
+import { decodePermalink } from '../../model/permalink'
+import { MeshBuilder } from '../mesh-builder'
+import { headText, snippetText } from '../snippets/snippet-text'
+import type { MeshFormat } from '../source'
+
+const FRAGMENT = /\bv=\w{1,20}&vertices=[^\s>)\]"']*/
+/** A link is no longer. */
+const LONGEST = 65_536
+
+export const link: MeshFormat = {
+  name: 'link',
+  recognizes: head => (head.length < LONGEST && FRAGMENT.test(headText(head)) ? 'yes' : 'no'),
+  read(file) {
+    const builder = new MeshBuilder('a link', file.name)
+    const [fragment = ''] = FRAGMENT.exec(snippetText(file) ?? '') ?? []
+    const result = decodePermalink(fragment)
+    if (!result.ok) return builder.refuse(result.error.message)
+    for (let v = 0; v < 8; v++) builder.point(...(result.value.slice(3 * v, 3 * v + 3) as [number, number, number]))
+    builder.hexahedron([0, 1, 2, 3, 4, 5, 6, 7])
+    return [builder.mesh()]
+  },
+}

@@ -1,0 +1,105 @@
+/** What Medit's files, text and binary, make a mesh of: vertices counted from 1, cells with references, orders of nodes. */
+import { MeshBuilder } from '../mesh-builder'
+import { areAtMiddles } from '../middles'
+import { PrintedDigits } from '../precision'
+import type { MeditCells } from './medit-keywords'
+
+/** What can say where in the file it is: a cursor. */
+interface Place {
+  refuse(what: string): never
+}
+
+/** Where the corners are in a reference cube of side `side`, in VTK_HEXAHEDRON order. */
+const CORNERS = [
+  [0, 0, 0],
+  [1, 0, 0],
+  [1, 1, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+  [1, 0, 1],
+  [1, 1, 1],
+  [0, 1, 1],
+] as const
+
+export class MeditMesh {
+  readonly builder: MeshBuilder
+  readonly digits = new PrintedDigits()
+  /** Whether the text leaves vertices out: then cells may name some that are not there, and are counted here. */
+  mayLackVertices = false
+  lackingVertices = 0
+  readonly #references: number[] = []
+  /** Of cells with so many nodes, which of these are the corners and which the others. */
+  readonly #orders = new Map<number, { corners: readonly number[]; others: readonly number[] }>()
+  readonly #indices: number[] = []
+
+  constructor(fileName: string) {
+    this.builder = new MeshBuilder('Medit', fileName)
+  }
+
+  /** The place of each node of a cell in a cube of side 1, 2, ..., as HexahedraQ2Ordering and its kin state it. */
+  orderNodes(place: Place, places: readonly (readonly number[])[]): void {
+    const side = Math.max(...places.flat())
+    const corners = CORNERS.map(corner =>
+      places.findIndex(node => node.every((value, axis) => value === side * (corner[axis] as number))),
+    )
+    if (corners.includes(-1)) place.refuse('the order of the nodes lacks a corner.')
+    this.#orders.set(places.length, { corners, others: places.map((_, i) => i).filter(i => !corners.includes(i)) })
+  }
+
+  /** A cell by its vertices, which are `vertices[from]` and following, counted from 1. */
+  cell(place: Place, cells: MeditCells, vertices: ArrayLike<number>, from: number, reference: number): void {
+    const { kind, nodes, name } = cells
+    const count = this.builder.pointCount
+    const indices = this.#indices
+    indices.length = nodes
+    for (let i = 0; i < nodes; ++i) {
+      const vertex = vertices[from + i] as number
+      if (vertex < 1 || vertex > count) {
+        if (!this.mayLackVertices || vertex < 1)
+          place.refuse(`a cell of ${name} names vertex ${vertex}; the vertices are 1 to ${count}.`)
+        this.lackingVertices++
+        return
+      }
+      indices[i] = vertex - 1
+    }
+    if (kind !== 'hexahedron' && kind !== 'curved') {
+      this.builder.otherCell(kind)
+      return
+    }
+    const order = this.#orders.get(nodes)
+    const corners = order ? order.corners.map(i => indices[i] as number) : indices.slice(0, 8)
+    if (kind === 'hexahedron') {
+      this.builder.hexahedron(order ? corners : indices)
+      this.#references.push(reference)
+      return
+    }
+    const others = order ? order.others.map(i => indices[i] as number) : indices.slice(8)
+    this.builder.notTrilinear(
+      corners,
+      areAtMiddles((point, axis) => this.builder.coordinate(point, axis), corners, others),
+    )
+  }
+
+  /** Different references become blocks, and what was noticed becomes notes. */
+  finish(): void {
+    const { builder } = this
+    const first = this.#references[0]
+    if (this.#references.some(reference => reference !== first)) {
+      const names = new Map<number, string>()
+      for (const [cell, reference] of this.#references.entries()) {
+        let name = names.get(reference)
+        if (name === undefined) {
+          name = `reference ${reference}`
+          names.set(reference, name)
+        }
+        builder.inBlock(name, cell)
+      }
+    }
+    if (this.lackingVertices > 0) {
+      builder.isCutOff = true
+      builder.note(`The text leaves vertices out: ${this.lackingVertices} cells that name them are not read.`)
+    }
+    const note = this.digits.note()
+    if (note !== null) builder.note(note)
+  }
+}

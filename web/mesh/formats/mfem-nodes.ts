@@ -1,0 +1,58 @@
+/** The spaces of MFEM's nodes: which of a grid function's numbers are the corners of a hexahedron. */
+import type { OtherCell } from '../mesh-builder'
+import { shown } from '../text-cursor'
+
+export interface NodeSpace {
+  readonly name: string
+  readonly order: number
+  /** Whether elements share nodes: then the first are those of the vertices; else each element has its own. */
+  readonly isContinuous: boolean
+  /** All x, then all y, then all z; else the three of a node together. */
+  readonly isByNode: boolean
+  /** Where the corners are among a hexahedron's own nodes, in VTK_HEXAHEDRON order. */
+  readonly corners: readonly number[]
+  /** How many nodes of its own an element has. */
+  nodesOf(kind: OtherCell | 'hexahedron'): number
+}
+
+const NAMED: Readonly<Record<string, number>> = { Linear: 1, Quadratic: 2, Cubic: 3 }
+const MOST = 32
+
+/** Refuses spaces without nodes at the corners. */
+export function nodeSpaceOf(place: { refuse(what: string): never }, entries: ReadonlyMap<string, string>): NodeSpace {
+  const name = entries.get('FiniteElementCollection') ?? ''
+  const [, isContinuous, isClosed, power] = /^(?:(H1(?:Pos|Ser)?)|(L2_T1))(?:@[A-Za-z])?_3D_P(\d+)$/.exec(name) ?? []
+  const order = NAMED[name] ?? Number(power ?? 0)
+  if (order < 1 || order > MOST)
+    place.refuse(`the nodes are ${shown(name)}; H1_3D_P1 and higher orders, L2_T1_3D_P1 and Linear are read.`)
+  if (entries.get('VDim') !== '3')
+    place.refuse(`the nodes have ${shown(entries.get('VDim') ?? 'no')} coordinates; 3 were expected.`)
+  const ordering = entries.get('Ordering')
+  if (ordering !== '0' && ordering !== '1')
+    place.refuse(`an Ordering of 0 or 1 was expected, not ${shown(ordering ?? '')}.`)
+  const n = order + 1
+  const last = order * (1 + n + n * n)
+  return {
+    name,
+    order,
+    isContinuous: isClosed === undefined || isContinuous !== undefined,
+    isByNode: ordering === '0',
+    corners: [
+      0,
+      order,
+      order + order * n,
+      order * n,
+      order * n * n,
+      order + order * n * n,
+      last,
+      order * n + order * n * n,
+    ],
+    nodesOf(kind) {
+      if (kind === 'hexahedron') return n ** 3
+      if (kind === 'tetrahedron') return (n * (n + 1) * (n + 2)) / 6
+      if (kind === 'wedge') return (n * n * (n + 1)) / 2
+      if (kind === 'pyramid') return (n * (n + 1) * (2 * n + 1)) / 6
+      return place.refuse(`an element of the kind ${kind} has no nodes of its own here.`)
+    },
+  }
+}

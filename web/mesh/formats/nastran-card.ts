@@ -1,0 +1,175 @@
+/** One entry of Nastran bulk data, put together from its lines: small, large or free fields, in any mixture. */
+import type { PrintedPrecision, TextLines } from './text-lines'
+
+const [STAR, PLUS, COMMA, DOT, ZERO, NINE] = [42, 43, 44, 46, 48, 57] as const
+/** Fields of a CHEXA of 20 nodes; others have fewer. */
+const MOST_FIELDS = 64
+
+/** Where the coordinates of a GRID are among its fields. */
+export const GRID_X = 2
+
+export interface LineLayout {
+  /** Between commas, not in columns. */
+  readonly isFree: boolean
+  /** Values on a line: 8, or 4 wide ones. */
+  readonly values: number
+}
+
+export class Card {
+  readonly values = new Float64Array(MOST_FIELDS)
+  /** 1 for a field that is not blank. */
+  readonly isGiven = new Uint8Array(MOST_FIELDS)
+  /** Where in the file the coordinates of a GRID stand, and how many bytes they have. */
+  readonly placeFrom = new Float64Array(3)
+  readonly placeLength = new Uint16Array(3)
+  count = 0
+  line = 0
+  /** Of the next line that belongs here; '' if any that follows does. */
+  mnemonic = ''
+  isFree = false
+  /** Values before those of the last line, and how many a line like it has. */
+  #before = 0
+  #width = 8
+
+  constructor(public name: string) {}
+
+  reset(name: string, line: number): void {
+    this.name = name
+    this.line = line
+    this.count = 0
+    this.mnemonic = ''
+    this.isGiven.fill(0)
+    this.values.fill(0)
+  }
+
+  beginLine({ isFree, values }: LineLayout): void {
+    this.#before = this.count
+    this.#width = values
+    this.isFree = isFree
+  }
+
+  /** What the last line leaves out is blank, as another line follows. */
+  fillUp(): void {
+    this.count = Math.max(this.count, Math.min(MOST_FIELDS, this.#before + this.#width))
+  }
+
+  id(field: number, what: string, lines: TextLines): number {
+    const value = this.values[field] as number
+    if (this.isGiven[field] !== 1) lines.refuse(`${this.name}: ${what} is missing.`, this.line)
+    if (!Number.isSafeInteger(value) || value < 0) lines.refuse(`${this.name}: ${value} is not ${what}.`, this.line)
+    return value
+  }
+
+  /** Adds what `other`, a line of its own, has. */
+  append(other: Card): void {
+    for (let i = 0; i < other.count && this.count < MOST_FIELDS; ++i, ++this.count) {
+      this.values[this.count] = other.values[i] as number
+      this.isGiven[this.count] = other.isGiven[i] as number
+    }
+    this.mnemonic = other.mnemonic
+  }
+}
+
+/** The bytes at which columns begin, in a line with tabs: stops at each eighth column. */
+const byteOfColumn = new Int32Array(81)
+
+function mapColumns(lines: TextLines): void {
+  let column = 0
+  let at = lines.from
+  for (; at < lines.to && column <= 80; ++at) {
+    const next = lines.bytes[at] === 9 ? 8 * (Math.floor(column / 8) + 1) : column + 1
+    byteOfColumn[column] = at
+    for (let c = column + 1; c < next && c <= 80; ++c) byteOfColumn[c] = at + 1
+    column = next
+  }
+  for (; column <= 80; ++column) byteOfColumn[column] = at
+}
+
+/** Fields of the line: the name or mnemonic, the values (8 or 4), the mnemonic of the next line, which is the last. Returns how many values. */
+export function splitCard(lines: TextLines, end: number): LineLayout {
+  if (lines.hasByte(COMMA, end)) {
+    lines.splitAtCommas(end)
+    const isLarge = hasStar(lines)
+    return { isFree: true, values: isLarge ? 4 : 8 }
+  }
+  lines.startFields()
+  const hasTab = lines.hasTab
+  if (hasTab) mapColumns(lines)
+  const byte = (column: number) => Math.min(end, hasTab ? (byteOfColumn[column] as number) : lines.from + column)
+  lines.addField(byte(0), byte(8))
+  const isLarge = hasStar(lines)
+  const width = isLarge ? 16 : 8
+  for (let column = 8; column < 72; column += width) lines.addField(byte(column), byte(column + width))
+  lines.addField(byte(72), byte(80))
+  return { isFree: false, values: isLarge ? 4 : 8 }
+}
+
+function hasStar(lines: TextLines): boolean {
+  for (let at = lines.fieldFrom(0); at < lines.fieldTo(0); ++at) if (lines.bytes[at] === STAR) return true
+  return false
+}
+
+/** Without the sign that begins it: +EL1 and *EL1 are EL1. */
+export function plainMnemonic(lines: TextLines, field: number): string {
+  let from = lines.fieldFrom(field)
+  const to = lines.fieldTo(field)
+  if (from < to && (lines.bytes[from] === PLUS || lines.bytes[from] === STAR)) from++
+  while (from < to && (lines.bytes[from] as number) <= 32) from++
+  return from === to ? '' : shortText(lines, from, to)
+}
+
+/** Capitals of a short word in ASCII. */
+export function shortText(lines: TextLines, from: number, to: number): string {
+  let text = ''
+  for (let at = from; at < to; ++at) text += String.fromCharCode(lines.bytes[at] as number)
+  return text.toUpperCase()
+}
+
+/** Adds the values of the line that has been split to the card, which needs `wanted` of them; `precision` for a GRID. */
+export function addFields(
+  card: Card,
+  lines: TextLines,
+  layout: LineLayout,
+  wanted: number,
+  precision: PrintedPrecision | null,
+): void {
+  const { isFree, values } = layout
+  card.beginLine(layout)
+  const { last, mnemonic } = isFree ? freeEnd(lines, values) : { last: values, mnemonic: values + 1 }
+  for (let field = 1; field <= last; ++field, ++card.count) {
+    const at = card.count
+    if (at >= wanted) continue
+    if (lines.isFieldBlank(field)) continue
+    const isCoordinate = precision !== null && at >= GRID_X && at < GRID_X + 3
+    card.values[at] = lines.real(field, isCoordinate ? precision : null)
+    card.isGiven[at] = 1
+    if (isCoordinate) {
+      card.placeFrom[at - GRID_X] = lines.placeOf(lines.fieldFrom(field))
+      card.placeLength[at - GRID_X] = lines.fieldTo(field) - lines.fieldFrom(field)
+    }
+  }
+  card.mnemonic = plainMnemonic(lines, mnemonic)
+}
+
+/**
+ * The last value of a free line and the field of its mnemonic. This is the tenth field, or the sixth of wide ones, or what ends a
+ * shorter line and is no number; a longer line has values alone.
+ */
+function freeEnd(lines: TextLines, values: number): { last: number; mnemonic: number } {
+  const count = lines.fieldCount
+  const final = count - 1
+  if (final === values + 1 || (final > 0 && isMnemonic(lines, final))) return { last: final - 1, mnemonic: final }
+  return { last: final, mnemonic: count }
+}
+
+/** Whether the field is a sign alone, or one with something other than a number behind it. */
+function isMnemonic(lines: TextLines, field: number): boolean {
+  const from = lines.fieldFrom(field)
+  if (from >= lines.fieldTo(field)) return false
+  const first = lines.bytes[from] as number
+  if (first === STAR) return true
+  if (first !== PLUS) return false
+  if (from + 1 === lines.fieldTo(field)) return true
+  const second = lines.bytes[from + 1] as number
+  return second !== DOT && (second < ZERO || second > NINE)
+}

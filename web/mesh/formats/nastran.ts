@@ -1,0 +1,409 @@
+/** Nastran bulk data: grid points in their frames, and elements by property. */
+
+import type { Mesh } from '../mesh'
+import type { OtherCell } from '../mesh-builder'
+import type { MeshFile, MeshFormat, ReadOptions } from '../source'
+import { shown } from '../text-cursor'
+import { headText } from './head-text'
+import type { Vector } from './movement'
+import { addFields, Card, GRID_X, type LineLayout, plainMnemonic, shortText, splitCard } from './nastran-card'
+import { type FrameKind, Frames } from './nastran-frames'
+import { collect, NodeModel } from './node-model'
+import { Runs } from './runs'
+import { PrintedPrecision, TextLines } from './text-lines'
+
+const DEEPEST_INCLUDE = 16
+const [DOLLAR, STAR] = [36, 42] as const
+
+const OTHERS: Readonly<Record<string, OtherCell>> = {
+  CTETRA: 'tetrahedron',
+  CPENTA: 'wedge',
+  CPYRAM: 'pyramid',
+  CPYRA: 'pyramid',
+  ...both(
+    'quadrilateral',
+    'CQUAD CQUAD4 CQUAD8 CQUADR CQUADX CQUADX4 CQUADX8 CPLSTN4 CPLSTN8 CPLSTS4 CPLSTS8 CSHEAR CQUAD1 CQUAD2',
+  ),
+  ...both(
+    'triangle',
+    'CTRIA3 CTRIA6 CTRIAR CTRIAX CTRIAX6 CTRAX3 CTRAX6 CPLSTN3 CPLSTN6 CPLSTS3 CPLSTS6 CTRIA1 CTRIA2',
+  ),
+  ...both('line', 'CBAR CBEAM CBEAM3 CROD CONROD CTUBE CBEND'),
+  ...both('other', 'CELAS1 CELAS2 CELAS3 CELAS4 CDAMP1 CDAMP2 CDAMP3 CDAMP4 CDAMP5 CBUSH CBUSH1D CBUSH2D CGAP CVISC'),
+  ...both('other', 'CMASS1 CMASS2 CMASS3 CMASS4 CONM1 CONM2 CFAST CWELD CIHEX1 CIHEX2 CIHEX3 CHEXA1 CHEXA2'),
+}
+
+function both(type: OtherCell, names: string): Record<string, OtherCell> {
+  return Object.fromEntries(names.split(' ').map(name => [name, type]))
+}
+
+/** The values that are read of each entry. */
+const WANTED: Readonly<Record<string, number>> = {
+  GRID: 5,
+  GRDSET: 2,
+  CHEXA: 23,
+  CORD1R: 8,
+  CORD1C: 8,
+  CORD1S: 8,
+  CORD2R: 11,
+  CORD2C: 11,
+  CORD2S: 11,
+}
+
+/** A CHEXA of 20 nodes: bottom edges, upright edges, top edges; as places among its nodes, in VTK order. */
+const ORDER_OF_20 = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15]
+
+export const nastran: MeshFormat = {
+  name: 'Nastran',
+  recognizes(head, name) {
+    const text = headText(head)
+    if (/^[> \t]*BEGIN[ \t]+(?:BULK|SUPER)/im.test(text)) return 'yes'
+    if (/^[> \t]*(?:GRID|CHEXA|CTETRA|CPENTA|CQUAD4|CORD2R)(?:\*|,|\t|[ ]{2})/im.test(text)) return 'yes'
+    return /\.(?:bdf|nas|blk|pch)$/.test(name) ? 'maybe' : 'no'
+  },
+  read: (file, options) => [new NastranReader(file, options).read()],
+}
+
+class NastranReader {
+  readonly #file: MeshFile
+  readonly #options: ReadOptions
+  readonly #precision = new PrintedPrecision()
+  readonly #notes: string[] = []
+  readonly #model = new NodeModel()
+  readonly #frames: Frames
+  /** Frames of the nodes that are not in the basic one, by slot. */
+  readonly #frameOf = new Map<number, number>()
+  /** Slots of nodes that state no frame. */
+  readonly #withoutFrame = new Runs()
+  #defaultFrame = 0
+
+  #lines: TextLines
+  #isBulk = false
+  #isOver = false
+  #isCutOff = false
+  /** Null while an entry goes on that is of no interest. */
+  #card: Card | null = null
+  /** One that is used again. */
+  #spare: Card | null = null
+  /** Entries whose next line has not come, and lines whose entry has not, by mnemonic. */
+  readonly #waiting = new Map<string, Card>()
+  readonly #orphans = new Map<string, Card>()
+
+  constructor(file: MeshFile, options: ReadOptions) {
+    this.#file = file
+    this.#options = options
+    this.#lines = new TextLines(file, options)
+    this.#frames = new Frames(
+      (id, depth) => this.#basicOf(id, depth),
+      (what, line) => this.#lines.refuse(what, line),
+    )
+  }
+
+  read(): Mesh {
+    this.#readLines(0)
+    this.#finish()
+    this.#joinOrphans()
+    this.#intoBasicFrame()
+    return collect({
+      format: 'Nastran',
+      fileName: this.#file.name,
+      placements: [{ model: this.#model, name: null, move: null }],
+      precision: this.#precision,
+      notes: this.#notes,
+      isCutOff: this.#isCutOff,
+    })
+  }
+
+  #readLines(depth: number): void {
+    const lines = this.#lines
+    while (!this.#isOver && lines.next()) {
+      if (lines.isElision) {
+        this.#isCutOff = true
+        continue
+      }
+      const end = endBeforeComment(lines)
+      let first = lines.from
+      while (first < end && (lines.bytes[first] as number) <= 32) first++
+      if (first === end) continue
+      if (!this.#isBulk || isWord(lines, first, end, 'INCLUDE') || isWord(lines, first, end, 'BEGIN')) {
+        if (this.#control(lines.text(first, end), depth)) continue
+      }
+      this.#bulkLine(first, end)
+    }
+  }
+
+  /** What stands before the bulk data, and files that are included; false for a line of bulk data. */
+  #control(text: string, depth: number): boolean {
+    if (/^include\b/i.test(text)) {
+      this.#include(text, depth)
+      return true
+    }
+    if (/^begin\b/i.test(text)) {
+      if (this.#model.nodeCount > 0 || /super|arbmodel|auxmodel|massid/i.test(text))
+        this.#lines.refuse(`${shown(text)}: a second model in the file is not read here.`)
+      this.#isBulk = true
+      return true
+    }
+    if (this.#isBulk) return false
+    const name = (/^([a-z]+\d?[a-z]?)\*?(?:[\s,]|$)/i.exec(text.slice(0, 9))?.[1] ?? '').toUpperCase()
+    this.#isBulk = (WANTED[name] !== undefined || OTHERS[name] !== undefined) && !text.includes('=')
+    return !this.#isBulk
+  }
+
+  #include(text: string, depth: number): void {
+    const lines: TextLines = this.#lines
+    let name = text.slice(7).trim()
+    const quote = name[0] === "'" || name[0] === '"' ? name[0] : ''
+    while (quote !== '' && name.indexOf(quote, 1) < 0 && name.length < 4096 && lines.next()) name += lines.text().trim()
+    name = quote === '' ? name : (name.slice(1).split(quote)[0]?.trim() ?? '')
+    if (name === '') lines.refuse('INCLUDE names no file.')
+    if (depth >= DEEPEST_INCLUDE) lines.refuse(`INCLUDE of ${shown(name)}: files are included ${DEEPEST_INCLUDE} deep.`)
+    const file = this.#options.find(name)
+    if (file === null) lines.refuse(`INCLUDE names ${shown(name)}, which is missing: give it together with this file.`)
+    this.#finish()
+    this.#model.forgetPlaces()
+    this.#lines = new TextLines(file, this.#options)
+    this.#readLines(depth + 1)
+    this.#finish()
+    this.#lines = lines
+  }
+
+  #bulkLine(first: number, end: number): void {
+    const lines = this.#lines
+    const byte = lines.bytes[first] as number
+    if (byte === 61) lines.refuse('lines that repeat others with “=” are not read here: write the entries out.')
+    const layout = splitCard(lines, end)
+    const isContinuation = byte === 43 || byte === 42 || lines.isFieldBlank(0)
+    if (isContinuation) {
+      this.#continue(layout)
+      return
+    }
+    this.#finish()
+    const name = nameOf(lines)
+    if (name === 'ENDDATA') {
+      this.#isOver = true
+      return
+    }
+    const wanted = WANTED[name]
+    if (wanted === undefined) {
+      const other = OTHERS[name]
+      if (other !== undefined) this.#model.addOther(other)
+      return
+    }
+    const card = this.#spare ?? new Card(name)
+    this.#spare = null
+    card.reset(name, lines.number)
+    addFields(card, lines, layout, wanted, name === 'GRID' ? this.#precision : null)
+    if (name === 'GRID' && card.count >= wanted) this.#take(card)
+    else this.#card = card
+  }
+
+  #continue(layout: LineLayout): void {
+    const lines = this.#lines
+    const mnemonic = plainMnemonic(lines, 0)
+    const waiting = mnemonic === '' ? undefined : this.#waiting.get(mnemonic)
+    const isNext =
+      this.#card !== null && (mnemonic === '' || this.#card.mnemonic === '' || mnemonic === this.#card.mnemonic)
+    if (!isNext && waiting) {
+      this.#finish()
+      this.#waiting.delete(mnemonic)
+      this.#card = waiting
+    } else if (!isNext && this.#card !== null) {
+      const orphan = new Card(this.#card.name)
+      orphan.line = lines.number
+      addFields(orphan, lines, layout, WANTED.CHEXA as number, null)
+      this.#orphans.set(mnemonic, orphan)
+      return
+    }
+    const card = this.#card
+    if (card === null) return
+    const isGrid = card.name === 'GRID'
+    card.fillUp()
+    addFields(card, lines, layout, WANTED[card.name] as number, isGrid ? this.#precision : null)
+    if (isGrid && card.count >= (WANTED.GRID as number)) {
+      this.#card = null
+      this.#take(card)
+    }
+  }
+
+  /** The entry has no further lines, or they come later. */
+  #finish(): void {
+    const card = this.#card
+    this.#card = null
+    if (card === null) return
+    if (card.mnemonic === '') {
+      this.#take(card)
+      return
+    }
+    const other = this.#waiting.get(card.mnemonic)
+    if (other) this.#take(other)
+    this.#waiting.set(card.mnemonic, card)
+  }
+
+  #joinOrphans(): void {
+    for (const card of this.#waiting.values()) {
+      for (let next = this.#orphans.get(card.mnemonic); next; next = this.#orphans.get(card.mnemonic)) {
+        this.#orphans.delete(card.mnemonic)
+        card.fillUp()
+        card.append(next)
+      }
+      this.#take(card)
+    }
+    for (const [mnemonic, { line }] of this.#orphans)
+      this.#lines.refuse(`the continuation ${shown(mnemonic)} belongs to no entry.`, line)
+  }
+
+  #take(card: Card): void {
+    if (card.name === 'GRID') this.#grid(card)
+    else if (card.name === 'CHEXA') this.#hexahedron(card)
+    else if (card.name === 'GRDSET') this.#defaultFrame = card.isGiven[1] === 1 ? card.id(1, 'a frame', this.#lines) : 0
+    else if (card.name.startsWith('CORD1')) this.#frameByNodes(card)
+    else this.#frameByPoints(card)
+    this.#spare = card
+  }
+
+  #grid(card: Card): void {
+    const lines = this.#lines
+    const id = card.id(0, 'a number of a node', lines)
+    const given = card.isGiven
+    const [x, y, z] = [
+      card.values[GRID_X] as number,
+      card.values[GRID_X + 1] as number,
+      card.values[GRID_X + 2] as number,
+    ]
+    if (card.isFree && card.count < GRID_X + 3) {
+      this.#model.defineShortNode(lines, id, [x, y].slice(0, Math.max(0, card.count - GRID_X)), card.line)
+      return
+    }
+    const isNew = this.#model.definedSlot(id) < 0
+    const slot = this.#model.defineNode(lines, id, x, y, z)
+    const frame = given[1] === 1 ? card.id(1, 'a frame', lines) : -1
+    if (frame > 0) {
+      if (!isNew && this.#frameOf.get(slot) !== frame)
+        lines.refuse(`node ${id} is defined again, in another frame.`, card.line)
+      this.#frameOf.set(slot, frame)
+    } else if (frame < 0) this.#withoutFrame.add(slot)
+    const hasAll = given[GRID_X] === 1 && given[GRID_X + 1] === 1 && given[GRID_X + 2] === 1
+    if (!hasAll) this.#note('Blank coordinates are 0, as Nastran reads them.')
+    if (frame > 0 || !hasAll) this.#model.forgetPlaces()
+    else
+      for (let axis = 0; axis < 3; ++axis)
+        this.#model.place(lines, slot, axis, card.placeFrom[axis] as number, card.placeLength[axis] as number)
+  }
+
+  #note(sentence: string): void {
+    if (!this.#notes.includes(sentence)) this.#notes.push(sentence)
+  }
+
+  #hexahedron(card: Card): void {
+    const lines = this.#lines
+    const id = card.id(0, 'a number of an element', lines)
+    const property = card.isGiven[1] === 1 ? card.id(1, 'a property', lines) : id
+    const slots: number[] = []
+    for (let field = 2; field < 10; ++field) {
+      if (card.isGiven[field] !== 1 || card.values[field] === 0)
+        lines.refuse(`CHEXA ${id} has ${this.#nodesOf(card)} nodes; 8 or 20 were expected.`, card.line)
+      slots.push(this.#model.slot(card.id(field, 'a node', lines)))
+    }
+    let further = 0
+    const order = ORDER_OF_20.map(at => {
+      const field = 2 + at
+      if (at < 8) return at
+      if (card.isGiven[field] !== 1 || card.values[field] === 0) return -1
+      further++
+      slots[at] = this.#model.slot(card.id(field, 'a node', lines))
+      return at
+    })
+    if (card.isGiven[22] === 1) lines.refuse(`CHEXA ${id} has more than 20 nodes.`, card.line)
+    if (further > 0) this.#model.addQuadratic(id, slots, order)
+    else this.#model.block(`PID ${property}`).add(this.#model.addHexahedron(id, slots))
+  }
+
+  #nodesOf(card: Card): number {
+    let count = 0
+    for (let field = 2; field < 22; ++field) if (card.isGiven[field] === 1 && card.values[field] !== 0) count++
+    return count
+  }
+
+  // Frames
+
+  #frameByNodes(card: Card): void {
+    for (const field of [0, 4]) {
+      if (card.isGiven[field] !== 1 && field > 0) break
+      const nodes = [1, 2, 3].map(i => card.id(field + i, 'a node', this.#lines)) as [number, number, number]
+      const kind = card.name[5] as FrameKind
+      this.#frames.define(card.id(field, 'a frame', this.#lines), {
+        kind,
+        points: null,
+        nodes,
+        inFrame: 0,
+        line: card.line,
+      })
+    }
+  }
+
+  #frameByPoints(card: Card): void {
+    const point = (from: number): Vector => [
+      card.values[from] as number,
+      card.values[from + 1] as number,
+      card.values[from + 2] as number,
+    ]
+    this.#frames.define(card.id(0, 'a frame', this.#lines), {
+      kind: card.name[5] as FrameKind,
+      points: [point(2), point(5), point(8)],
+      nodes: null,
+      inFrame: card.isGiven[1] === 1 ? card.id(1, 'a frame', this.#lines) : 0,
+      line: card.line,
+    })
+  }
+
+  #intoBasicFrame(): void {
+    if (this.#defaultFrame > 0) for (const slot of this.#withoutFrame) this.#frameOf.set(slot, this.#defaultFrame)
+    if (this.#frameOf.size === 0) return
+    this.#model.forgetPlaces()
+    const count = this.#frameOf.size
+    for (const slot of [...this.#frameOf.keys()]) this.#basicOfSlot(slot, 0)
+    this.#note(
+      `${count} nodes are given in frames of their own; they are turned into the basic frame, and rounded to doubles.`,
+    )
+  }
+
+  #basicOf(id: number, depth: number): Vector {
+    const slot = this.#model.definedSlot(id)
+    if (slot < 0) this.#lines.refuse(`a frame is defined by node ${id}, which is not defined.`)
+    return this.#basicOfSlot(slot, depth)
+  }
+
+  #basicOfSlot(slot: number, depth: number): Vector {
+    const { values } = this.#model.points
+    const frame = this.#frameOf.get(slot)
+    const point: Vector = [values[3 * slot] as number, values[3 * slot + 1] as number, values[3 * slot + 2] as number]
+    if (frame === undefined) return point
+    const basic = this.#frames.basic(frame, point, depth)
+    this.#frameOf.delete(slot)
+    values.set(basic, 3 * slot)
+    return basic
+  }
+}
+
+/** The end of the line without what stands behind "$", and without blanks before it. */
+function endBeforeComment(lines: TextLines): number {
+  let end = lines.from
+  while (end < lines.to && lines.bytes[end] !== DOLLAR) end++
+  while (end > lines.from && (lines.bytes[end - 1] as number) <= 32) end--
+  return end
+}
+
+function isWord(lines: TextLines, from: number, end: number, word: string): boolean {
+  if (from + word.length > end) return false
+  for (let i = 0; i < word.length; ++i)
+    if (((lines.bytes[from + i] as number) & ~32) !== word.charCodeAt(i)) return false
+  return true
+}
+
+/** The name of the entry, without the star of wide fields. */
+function nameOf(lines: TextLines): string {
+  let to = lines.fieldTo(0)
+  while (to > lines.fieldFrom(0) && ((lines.bytes[to - 1] as number) <= 32 || lines.bytes[to - 1] === STAR)) to--
+  return shortText(lines, lines.fieldFrom(0), Math.min(to, lines.fieldFrom(0) + 16))
+}

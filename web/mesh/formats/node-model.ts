@@ -1,0 +1,428 @@
+/**
+ * Nodes and elements as finite element codes write them: both have ids, an element may come before its nodes, and ids hold within a part.
+ * One pass: an id that an element names first gets its place then, and its coordinates when they come.
+ */
+
+import {
+  type Block,
+  type CoordinatePlaces,
+  type Mesh,
+  MeshRefusal,
+  NOTHING_NOT_TRILINEAR,
+  type NotTrilinear,
+} from '../mesh'
+import type { OtherCell } from '../mesh-builder'
+import { shown } from '../text-cursor'
+import { IdIndex } from './id-index'
+import { Runs } from './runs'
+import type { PrintedPrecision, TextLines } from './text-lines'
+import { TypedList } from './typed-list'
+
+/** Generated or repeated points and cells, as implied ones. */
+export const MOST_IMPLIED = 50_000_000
+
+/** A slot without a node, of an element of 20 nodes that has fewer. */
+export const NO_NODE = 0xffffffff
+
+/** Slots of an element that is not trilinear: corners, edges in VTK order, faces -xi, +xi, -eta, +eta, -zeta, +zeta, centre. */
+export const QUADRATIC_SLOTS = 27
+
+const NAMED = 0
+const DEFINED = 1
+const SHORT = 2
+
+/** Corners whose middle a further node is, for the slots 8 to 26. */
+const CORNERS_OF_SLOT: readonly (readonly number[])[] = [
+  ...[
+    [0, 1],
+    [1, 2],
+    [2, 3],
+    [3, 0],
+    [4, 5],
+    [5, 6],
+    [6, 7],
+    [7, 4],
+    [0, 4],
+    [1, 5],
+    [2, 6],
+    [3, 7],
+  ],
+  ...[
+    [0, 3, 7, 4],
+    [1, 2, 6, 5],
+    [0, 1, 5, 4],
+    [3, 2, 6, 7],
+    [0, 1, 2, 3],
+    [4, 5, 6, 7],
+  ],
+  [0, 1, 2, 3, 4, 5, 6, 7],
+]
+
+/** Moves a point in place: coordinates at `at`, `at + 1`, `at + 2`. */
+export type Move = (points: Float64Array, at: number) => void
+
+export class NodeModel {
+  readonly #index = new IdIndex()
+  readonly nodeIds = new TypedList(Float64Array)
+  readonly points = new TypedList(Float64Array)
+  readonly #state = new TypedList(Uint8Array)
+  /** Lines of nodes with too few coordinates, by slot. */
+  readonly #shortLines = new Map<number, { lines: TextLines; line: number; has: number }>()
+  readonly #placeFrom = new TypedList(Float64Array)
+  readonly #placeLength = new TypedList(Uint16Array)
+  /** The one file that all coordinates stand in, each as a token. */
+  #placesIn: TextLines | null = null
+  #hasPlaces = true
+
+  readonly cells = new TypedList(Uint32Array)
+  readonly cellIds = new TypedList(Float64Array)
+  readonly quadratic = new TypedList(Uint32Array)
+  readonly quadraticIds = new TypedList(Float64Array)
+  readonly others = new Map<OtherCell, number>()
+  readonly blocks = new Map<string, Runs>()
+
+  get cellCount(): number {
+    return this.cellIds.length
+  }
+
+  get nodeCount(): number {
+    return this.nodeIds.length
+  }
+
+  get isEmpty(): boolean {
+    return this.nodeCount === 0 && this.cellCount === 0 && this.others.size === 0
+  }
+
+  /** The slot of the node that the file calls `id`. */
+  slot(id: number): number {
+    const found = this.#index.get(id)
+    if (found >= 0) return found
+    const slot = this.nodeIds.length
+    this.#index.set(id, slot)
+    this.nodeIds.push(id)
+    this.points.push(Number.NaN)
+    this.points.push(Number.NaN)
+    this.points.push(Number.NaN)
+    this.#state.push(NAMED)
+    return slot
+  }
+
+  /** The slot of a node that has coordinates, or -1. */
+  definedSlot(id: number): number {
+    const slot = this.#index.get(id)
+    return slot >= 0 && this.#state.values[slot] !== NAMED ? slot : -1
+  }
+
+  /** Refuses a node that is there already, elsewhere. */
+  defineNode(lines: TextLines, id: number, x: number, y: number, z: number): number {
+    const slot = this.slot(id)
+    const points = this.points.values
+    const at = 3 * slot
+    if (this.#state.values[slot] === DEFINED) {
+      if (!same(points[at], x) || !same(points[at + 1], y) || !same(points[at + 2], z))
+        lines.refuse(`node ${id} is defined again, with other coordinates.`)
+      return slot
+    }
+    points[at] = x
+    points[at + 1] = y
+    points[at + 2] = z
+    this.#state.values[slot] = DEFINED
+    return slot
+  }
+
+  /** A node whose line has fewer than three coordinates: no hexahedron may use it. */
+  defineShortNode(lines: TextLines, id: number, coordinates: readonly number[], line = lines.number): number {
+    const slot = this.slot(id)
+    if (this.#state.values[slot] === NAMED) {
+      for (let axis = 0; axis < 3; ++axis) this.points.values[3 * slot + axis] = coordinates[axis] ?? 0
+      this.#state.values[slot] = SHORT
+      this.#shortLines.set(slot, { lines, line, has: coordinates.length })
+    }
+    this.#hasPlaces = false
+    return slot
+  }
+
+  /** Where in the file a coordinate of a node stands; without this for each, the mesh has no places. */
+  place(lines: TextLines, slot: number, axis: number, from: number, length: number): void {
+    this.#placesIn ??= lines
+    if (this.#placesIn !== lines || length <= 0 || length > 0xffff) this.#hasPlaces = false
+    if (!this.#hasPlaces) return
+    const at = 3 * slot + axis
+    this.#placeFrom.reserve(at + 1)
+    this.#placeLength.reserve(at + 1)
+    this.#placeFrom.values[at] = from
+    this.#placeLength.values[at] = length
+  }
+
+  /** As `place`, for the coordinates that stand in three fields of the line in a row. */
+  placeFields(lines: TextLines, slot: number, first: number): void {
+    for (let axis = 0; axis < 3; ++axis) {
+      const from = lines.fieldFrom(first + axis)
+      this.place(lines, slot, axis, lines.placeOf(from), lines.fieldTo(first + axis) - from)
+    }
+  }
+
+  forgetPlaces(): void {
+    this.#hasPlaces = false
+  }
+
+  /** Returns the cell's index. */
+  addHexahedron(id: number, slots: ArrayLike<number>, from = 0): number {
+    for (let v = 0; v < 8; ++v) this.cells.push(slots[from + v] as number)
+    this.cellIds.push(id)
+    return this.cellIds.length - 1
+  }
+
+  /** The slots of an element of 20 or 27 nodes: `order[i]` is where the file has the node of slot i, -1 for one it has not. */
+  addQuadratic(id: number, slots: ArrayLike<number>, order: readonly number[]): void {
+    for (let i = 0; i < QUADRATIC_SLOTS; ++i) {
+      const at = order[i] ?? -1
+      this.quadratic.push(at < 0 ? NO_NODE : (slots[at] as number))
+    }
+    this.quadraticIds.push(id)
+  }
+
+  addOther(type: OtherCell, count = 1): void {
+    if (count > 0) this.others.set(type, (this.others.get(type) ?? 0) + count)
+  }
+
+  block(name: string): Runs {
+    let runs = this.blocks.get(name)
+    if (runs === undefined) {
+      runs = new Runs()
+      this.blocks.set(name, runs)
+    }
+    return runs
+  }
+
+  /** The first element that names a node without three coordinates, as a sentence; null if there is none. */
+  #fault(isFatal: (slot: number) => boolean): { sentence: string; shortSlot: number } | null {
+    const lists = [
+      { slots: this.cells, ids: this.cellIds, width: 8 },
+      { slots: this.quadratic, ids: this.quadraticIds, width: QUADRATIC_SLOTS },
+    ]
+    for (const { slots, ids, width } of lists) {
+      const { values, length } = slots
+      for (let i = 0; i < length; ++i) {
+        const slot = values[i] as number
+        if (slot === NO_NODE || !isFatal(slot)) continue
+        const element = ids.values[Math.floor(i / width)]
+        return {
+          sentence: `element ${element} names node ${this.nodeIds.values[slot]}, which is not defined.`,
+          shortSlot: this.#state.values[slot] === SHORT ? slot : -1,
+        }
+      }
+    }
+    return null
+  }
+
+  /**
+   * Refuses elements of 8 and more nodes whose nodes are not there. Where the text leaves lines out, such elements are left out
+   * instead; returns how many were.
+   */
+  check(fileName: string, isCutOff: boolean): number {
+    const state = this.#state.values
+    const fault = this.#fault(slot => state[slot] === SHORT || (!isCutOff && state[slot] !== DEFINED))
+    if (fault !== null) {
+      const short = this.#shortLines.get(fault.shortSlot)
+      const id = this.nodeIds.values[fault.shortSlot]
+      if (short) short.lines.refuse(`node ${id} has ${short.has} coordinates, not 3.`, short.line)
+      throw new MeshRefusal(`${shown(fileName).slice(1, -1)}: ${fault.sentence}`)
+    }
+    return isCutOff ? this.#leaveOutUnfinished() : 0
+  }
+
+  #leaveOutUnfinished(): number {
+    const state = this.#state.values
+    const isWhole = (values: Uint32Array, from: number, width: number) => {
+      for (let i = from; i < from + width; ++i) {
+        const slot = values[i] as number
+        if (slot !== NO_NODE && state[slot] !== DEFINED) return false
+      }
+      return true
+    }
+    const newIndex = new Int32Array(this.cellCount).fill(-1)
+    let [cells, left] = [0, 0]
+    for (let cell = 0; cell < this.cellCount; ++cell) {
+      if (!isWhole(this.cells.values, 8 * cell, 8)) {
+        left++
+        continue
+      }
+      this.cells.values.copyWithin(8 * cells, 8 * cell, 8 * cell + 8)
+      this.cellIds.values[cells] = this.cellIds.values[cell] as number
+      newIndex[cell] = cells++
+    }
+    if (left > 0) {
+      this.cells.length = 8 * cells
+      this.cellIds.length = cells
+      for (const [name, runs] of this.blocks) {
+        const kept = new Runs()
+        for (const cell of runs) if ((newIndex[cell] as number) >= 0) kept.add(newIndex[cell] as number)
+        this.blocks.set(name, kept)
+      }
+    }
+    let quadratic = 0
+    for (let cell = 0; cell < this.quadraticIds.length; ++cell) {
+      const at = QUADRATIC_SLOTS * cell
+      if (!isWhole(this.quadratic.values, at, QUADRATIC_SLOTS)) {
+        left++
+        continue
+      }
+      this.quadratic.values.copyWithin(QUADRATIC_SLOTS * quadratic, at, at + QUADRATIC_SLOTS)
+      this.quadraticIds.values[quadratic] = this.quadraticIds.values[cell] as number
+      quadratic++
+    }
+    this.quadratic.length = QUADRATIC_SLOTS * quadratic
+    this.quadraticIds.length = quadratic
+    return left
+  }
+
+  coordinatePlaces(): CoordinatePlaces | null {
+    const count = 3 * this.nodeCount
+    if (!this.#hasPlaces || this.#placesIn === null || count === 0) return null
+    this.#placeFrom.reserve(count)
+    this.#placeLength.reserve(count)
+    const to = this.#placeLength.values.slice(0, count)
+    if (to.includes(0)) return null
+    return { kind: 'tokens', from: this.#placeFrom.values.slice(0, count), to }
+  }
+}
+
+function same(a = Number.NaN, b = Number.NaN): boolean {
+  return a === b || (Number.isNaN(a) && Number.isNaN(b))
+}
+
+/** A model somewhere: an instance of a part, or the one model there is. */
+export interface Placement {
+  readonly model: NodeModel
+  /** Null for what is in no part. */
+  readonly name: string | null
+  readonly move: Move | null
+  /** Blocks of this placement alone. */
+  readonly blocks?: ReadonlyMap<string, Runs>
+}
+
+export interface Collected {
+  readonly format: string
+  readonly fileName: string
+  readonly placements: readonly Placement[]
+  readonly precision: PrintedPrecision
+  readonly notes: readonly string[]
+  readonly isCutOff: boolean
+}
+
+/** One mesh of all placements. Ids and names of blocks stand behind the name of their instance if several have cells. */
+export function collect({ format, fileName, placements, precision, notes, isCutOff }: Collected): Mesh {
+  const said = [...notes]
+  let leftOut = 0
+  for (const model of new Set(placements.map(placement => placement.model))) leftOut += model.check(fileName, isCutOff)
+  if (leftOut > 0) said.push(`The text leaves lines out: ${leftOut} elements without all of their nodes are not read.`)
+  const total = (count: (model: NodeModel) => number) => placements.reduce((sum, { model }) => sum + count(model), 0)
+  const [pointCount, cellCount] = [total(model => model.nodeCount), total(model => model.cellCount)]
+  const quadraticCount = total(model => model.quadraticIds.length)
+  if (placements.length > 1 && Math.max(pointCount, cellCount, quadraticCount) > MOST_IMPLIED)
+    throw new MeshRefusal(
+      `${shown(fileName).slice(1, -1)}: its instances have ${Math.max(pointCount, cellCount)} nodes or elements; ${MOST_IMPLIED} are read at most.`,
+    )
+
+  const points = new Float64Array(3 * pointCount)
+  const cells = new Uint32Array(8 * cellCount)
+  const quadratic = new Uint32Array(QUADRATIC_SLOTS * quadraticCount)
+  const others = new Map<string, number>()
+  const isNamed = placements.filter(({ model }) => model.cellCount > 0).length > 1
+  const numbers = isNamed ? null : new Float64Array(cellCount)
+  const names: string[] = []
+  const blocks: Block[] = []
+  let [point, cell, far] = [0, 0, 0]
+  for (const { model, name, move, blocks: more } of placements) {
+    points.set(model.points.values.subarray(0, 3 * model.nodeCount), 3 * point)
+    if (move !== null) for (let i = 0; i < model.nodeCount; ++i) move(points, 3 * (point + i))
+    shifted(model.cells, cells, 8 * cell, point)
+    shifted(model.quadratic, quadratic, far, point)
+    for (const [type, count] of model.others) others.set(type, (others.get(type) ?? 0) + count)
+    if (numbers !== null) numbers.set(model.cellIds.values.subarray(0, model.cellCount), cell)
+    else
+      for (let i = 0; i < model.cellCount; ++i)
+        names.push(`${name === null ? '' : `${name}.`}${model.cellIds.values[i]}`)
+    if (isNamed && name !== null && model.cellCount > 0)
+      blocks.push({ name, cells: Uint32Array.from({ length: model.cellCount }, (_, i) => cell + i) })
+    for (const [block, runs] of [...model.blocks, ...(more ?? [])]) {
+      if (runs.isEmpty) continue
+      const list = runs.sorted()
+      if (cell > 0) for (let i = 0; i < list.length; ++i) list[i] = (list[i] as number) + cell
+      blocks.push({ name: isNamed && name !== null ? `${name}.${block}` : block, cells: list })
+    }
+    point += model.nodeCount
+    cell += model.cellCount
+    far += model.quadratic.length
+  }
+
+  const largest = largestOf(points)
+  const note = precision.note(largest)
+  if (note !== null) said.push(note)
+  const only = placements.length === 1 && placements[0]?.move === null ? (placements[0] as Placement) : null
+  return {
+    format,
+    points,
+    cells,
+    ids: numbers ?? names,
+    blocks,
+    notTrilinear: notTrilinearOf(quadratic, points, largest, precision),
+    other: others,
+    notes: [...new Set(said)],
+    isOrderStated: true,
+    isCutOff,
+    coordinatePlaces: only?.model.coordinatePlaces() ?? null,
+    steps: [],
+  }
+}
+
+function shifted(from: TypedList<Uint32Array>, to: Uint32Array, at: number, by: number): void {
+  const { values, length } = from
+  for (let i = 0; i < length; ++i) to[at + i] = values[i] === NO_NODE ? NO_NODE : (values[i] as number) + by
+}
+
+function largestOf(points: Float64Array): number {
+  let largest = 0
+  for (let i = 0; i < points.length; ++i) {
+    const size = Math.abs(points[i] as number)
+    if (size > largest && size !== Number.POSITIVE_INFINITY) largest = size
+  }
+  return largest
+}
+
+/**
+ * A further node is in the middle if it is where the corners' mean is, up to what printing has moved: u for the node and u for the mean,
+ * where u is half a unit of the last place, or of the double.
+ */
+function notTrilinearOf(
+  quadratic: Uint32Array,
+  points: Float64Array,
+  largest: number,
+  precision: PrintedPrecision,
+): NotTrilinear {
+  const count = quadratic.length / QUADRATIC_SLOTS
+  if (count === 0) return NOTHING_NOT_TRILINEAR
+  const corners = new Uint32Array(8 * count)
+  const tolerance = 2 * Math.max(precision.movement(largest), 4 * Number.EPSILON * largest)
+  let straight = 0
+  for (let cell = 0; cell < count; ++cell) {
+    const at = QUADRATIC_SLOTS * cell
+    for (let v = 0; v < 8; ++v) corners[8 * cell + v] = quadratic[at + v] as number
+    if (isStraight(quadratic, at, points, tolerance)) straight++
+  }
+  return { corners, straight }
+}
+
+function isStraight(quadratic: Uint32Array, at: number, points: Float64Array, tolerance: number): boolean {
+  for (const [i, corners] of CORNERS_OF_SLOT.entries()) {
+    const node = quadratic[at + 8 + i] as number
+    if (node === NO_NODE) continue
+    for (let axis = 0; axis < 3; ++axis) {
+      let sum = 0
+      for (const corner of corners) sum += points[3 * (quadratic[at + corner] as number) + axis] as number
+      if (!(Math.abs((points[3 * node + axis] as number) - sum / corners.length) <= tolerance)) return false
+    }
+  }
+  return true
+}

@@ -1,0 +1,55 @@
+/** Whole numbers that mostly count up, kept as runs: ids of a set, cells of a block. */
+
+export class Runs {
+  /** First and last of each run. */
+  readonly #bounds: number[] = []
+
+  get isEmpty(): boolean {
+    return this.#bounds.length === 0
+  }
+
+  add(value: number): void {
+    const last = this.#bounds.length - 1
+    if (last > 0 && (this.#bounds[last] as number) + 1 === value) this.#bounds[last] = value
+    else this.#bounds.push(value, value)
+  }
+
+  /** Adds first, first + step, ... up to last. */
+  addRange(first: number, last: number, step: number): void {
+    if (step === 1 && last >= first) this.#bounds.push(first, last)
+    else for (let value = first; value <= last; value += step) this.add(value)
+  }
+
+  addAll(other: Runs): void {
+    const count = other.#bounds.length
+    for (let i = 0; i < count; ++i) this.#bounds.push(other.#bounds[i] as number)
+  }
+
+  get count(): number {
+    let count = 0
+    for (let i = 0; i < this.#bounds.length; i += 2)
+      count += (this.#bounds[i + 1] as number) - (this.#bounds[i] as number) + 1
+    return count
+  }
+
+  *[Symbol.iterator](): Iterator<number> {
+    for (let i = 0; i < this.#bounds.length; i += 2)
+      for (let value = this.#bounds[i] as number; value <= (this.#bounds[i + 1] as number); ++value) yield value
+  }
+
+  /** All of them once, ascending. */
+  sorted(): Uint32Array {
+    let isAscending = true
+    for (let i = 2; i < this.#bounds.length; i += 2)
+      if ((this.#bounds[i] as number) <= (this.#bounds[i - 1] as number)) isAscending = false
+    const all = new Uint32Array(this.count)
+    let next = 0
+    for (let i = 0; i < this.#bounds.length; i += 2)
+      for (let value = this.#bounds[i] as number; value <= (this.#bounds[i + 1] as number); ++value) all[next++] = value
+    if (isAscending) return all
+    all.sort()
+    let kept = 0
+    for (let i = 0; i < all.length; ++i) if (i === 0 || all[i] !== all[i - 1]) all[kept++] = all[i] as number
+    return all.slice(0, kept)
+  }
+}

@@ -1,0 +1,410 @@
+/**
+ * Lines of a text file as bytes, for formats whose fields stand in columns or between commas. The file is read in pieces; fields become
+ * numbers straight from the bytes. Text that was quoted in a mail, fenced or indented is read as it was before.
+ */
+import { MeshRefusal } from '../mesh'
+import type { MeshFile, ReadOptions } from '../source'
+import { numberOf, shown } from '../text-cursor'
+
+const PIECE = 4 * 1024 * 1024
+const LONGEST_LINE = 1024 * 1024
+const HEAD = 65_536
+
+const [TAB, LF, SPACE, PLUS, COMMA, MINUS, DOT, ZERO, GREATER] = [9, 10, 32, 43, 44, 45, 46, 48, 62] as const
+const [BACKTICK, TILDE] = [96, 126] as const
+
+const POWERS_OF_TEN = Array.from({ length: 23 }, (_, i) => 10 ** i)
+const POWERS_OF_FIVE = Array.from({ length: 23 }, (_, i) => 5 ** i)
+const EXACT = 2 ** 53
+
+const decoder = new TextDecoder()
+
+export class TextLines {
+  readonly file: MeshFile
+  readonly #options: ReadOptions
+  #start = 0
+  #next = 0
+  #isQuoted = false
+  #isFenced = false
+  #isInFence = false
+  #indent = 0
+  #isHeld = false
+
+  bytes = new Uint8Array(0)
+  /** The line is the bytes [from, to), without its end and the blanks before that. */
+  from = 0
+  to = 0
+  /** Counted from 1; 0 before the first. */
+  number = 0
+
+  /** Fields of the line, once it has been split. */
+  fieldCount = 0
+  #fieldFrom = new Int32Array(64)
+  #fieldTo = new Int32Array(64)
+
+  constructor(file: MeshFile, options: ReadOptions) {
+    this.file = file
+    this.#options = options
+    this.#lookForQuotes()
+  }
+
+  /** Throws: "part.inp, line 12: ...". */
+  refuse(what: string, line = this.number): never {
+    throw new MeshRefusal(`${shown(this.file.name).slice(1, -1)}, line ${line}: ${what}`)
+  }
+
+  /** Where in the file a byte lies. */
+  placeOf(byte: number): number {
+    return this.#start + byte
+  }
+
+  get isBlank(): boolean {
+    return this.from === this.to
+  }
+
+  /** Whether the line only says that lines are left out: "...". */
+  get isElision(): boolean {
+    const length = this.to - this.from
+    if (length < 3 || length > 12) return false
+    return /^[[(<]?\s*(?:\.\s?\.\s?\.[.\s]*|…|:)\s*[\])>]?$/u.test(this.text().trim())
+  }
+
+  /** The byte at a column, counted from 0; 0 beyond the end. */
+  at(column: number): number {
+    const place = this.from + column
+    return place < this.to ? (this.bytes[place] as number) : 0
+  }
+
+  /** The text between two bytes, by default the line. */
+  text(from = this.from, to = this.to): string {
+    return decoder.decode(this.bytes.subarray(Math.min(from, this.to), Math.min(to, this.to)))
+  }
+
+  /** The line that was read last comes again. */
+  hold(): void {
+    this.#isHeld = true
+  }
+
+  /** False at the end of the file. */
+  next(): boolean {
+    if (this.#isHeld) {
+      this.#isHeld = false
+      return true
+    }
+    while (this.#nextRaw()) {
+      if (this.#isQuoted && !this.#passQuote()) continue
+      if (this.#isFenced) {
+        if (this.#isFence()) {
+          this.#isInFence = !this.#isInFence
+          continue
+        }
+        if (!this.#isInFence) continue
+      }
+      if (this.#indent > 0) this.from = Math.min(this.to, this.from + this.#indent)
+      return true
+    }
+    return false
+  }
+
+  #nextRaw(): boolean {
+    let end = this.bytes.indexOf(LF, this.#next)
+    if (end < 0) {
+      this.#fill()
+      end = this.bytes.indexOf(LF, this.#next)
+      if (end < 0) {
+        end = this.bytes.length
+        if (this.#next >= end) return false
+        if (this.#start + end < this.file.size)
+          this.refuse('the line is longer than lines of a mesh are.', this.number + 1)
+      }
+    }
+    this.number++
+    this.from = this.#next
+    this.to = end
+    this.#next = end + 1
+    if (
+      this.number === 1 &&
+      this.#start === 0 &&
+      this.bytes[0] === 0xef &&
+      this.bytes[1] === 0xbb &&
+      this.bytes[2] === 0xbf
+    )
+      this.from += 3
+    while (this.to > this.from && (this.bytes[this.to - 1] as number) <= SPACE) this.to--
+    return true
+  }
+
+  #fill(): void {
+    const begin = this.#start + this.bytes.length
+    const { size } = this.file
+    if (begin >= size) return
+    this.#options.throwIfCancelled()
+    this.#options.onProgress(begin / size)
+    const left = this.bytes.length - this.#next
+    const more = this.file.read(begin, Math.min(size, begin + PIECE))
+    const bytes = new Uint8Array(left + more.length)
+    bytes.set(this.bytes.subarray(this.#next))
+    bytes.set(more, left)
+    this.#start += this.#next
+    this.#next = 0
+    this.bytes = bytes
+    if (left > LONGEST_LINE) this.refuse('the line is longer than lines of a mesh are.', this.number + 1)
+  }
+
+  #lookForQuotes(): void {
+    const head = decoder.decode(this.file.read(0, Math.min(HEAD, this.file.size)))
+    const all = head.split('\n').filter(line => line.trim() !== '')
+    const quoted = all.filter(line => line.startsWith('>'))
+    this.#isQuoted = quoted.length > 0 && 2 * quoted.length >= all.length
+    const lines = this.#isQuoted ? quoted.map(line => line.replace(/^(?:> ?)+/, '')) : all
+    const fences = lines.map(line => /^\s{0,8}(?:```|~~~)/.test(line))
+    this.#isFenced = fences.includes(true)
+    let isInside = !this.#isFenced
+    let indent = Number.POSITIVE_INFINITY
+    for (const [i, line] of lines.entries()) {
+      if (fences[i]) isInside = !isInside
+      else if (isInside && line.trim() !== '') indent = Math.min(indent, line.length - line.trimStart().length)
+    }
+    this.#indent = Number.isFinite(indent) ? indent : 0
+  }
+
+  #passQuote(): boolean {
+    if (this.bytes[this.from] !== GREATER) return false
+    while (this.from < this.to && this.bytes[this.from] === GREATER) {
+      this.from++
+      if (this.from < this.to && this.bytes[this.from] === SPACE) this.from++
+    }
+    return true
+  }
+
+  #isFence(): boolean {
+    let at = this.from
+    while (at < this.to && (this.bytes[at] as number) <= SPACE) at++
+    const mark = this.bytes[at]
+    return (
+      (mark === BACKTICK || mark === TILDE) &&
+      at + 3 <= this.to &&
+      this.bytes[at + 1] === mark &&
+      this.bytes[at + 2] === mark
+    )
+  }
+
+  // Fields
+
+  /** Where a field begins and ends, without blanks. */
+  fieldFrom(field: number): number {
+    return field < this.fieldCount ? (this.#fieldFrom[field] as number) : this.to
+  }
+
+  fieldTo(field: number): number {
+    return field < this.fieldCount ? (this.#fieldTo[field] as number) : this.to
+  }
+
+  isFieldBlank(field: number): boolean {
+    return this.fieldFrom(field) >= this.fieldTo(field)
+  }
+
+  fieldText(field: number): string {
+    return this.text(this.fieldFrom(field), this.fieldTo(field))
+  }
+
+  startFields(): void {
+    this.fieldCount = 0
+  }
+
+  /** Appends the bytes [from, to) as a field. */
+  addField(from: number, to: number): void {
+    let begin = Math.min(from, this.to)
+    let end = Math.min(to, this.to)
+    while (begin < end && (this.bytes[begin] as number) <= SPACE) begin++
+    while (end > begin && (this.bytes[end - 1] as number) <= SPACE) end--
+    if (this.fieldCount === this.#fieldFrom.length) {
+      const [moreFrom, moreTo] = [new Int32Array(2 * this.fieldCount), new Int32Array(2 * this.fieldCount)]
+      moreFrom.set(this.#fieldFrom)
+      moreTo.set(this.#fieldTo)
+      this.#fieldFrom = moreFrom
+      this.#fieldTo = moreTo
+    }
+    this.#fieldFrom[this.fieldCount] = begin
+    this.#fieldTo[this.fieldCount++] = end
+  }
+
+  /** Fields between commas. A comma at the end of the line begins one more, a blank one. */
+  splitAtCommas(to = this.to): void {
+    this.fieldCount = 0
+    let begin = this.from
+    for (let at = this.from; at < to; ++at) {
+      if (this.bytes[at] !== COMMA) continue
+      this.addField(begin, at)
+      begin = at + 1
+    }
+    this.addField(begin, to)
+  }
+
+  /** Fields between blanks. */
+  splitAtBlanks(): void {
+    this.fieldCount = 0
+    for (let at = this.from; at < this.to; ) {
+      while (at < this.to && (this.bytes[at] as number) <= SPACE) at++
+      const begin = at
+      while (at < this.to && (this.bytes[at] as number) > SPACE) at++
+      if (at > begin) this.addField(begin, at)
+    }
+  }
+
+  hasByte(byte: number, to = this.to): boolean {
+    for (let at = this.from; at < to; ++at) if (this.bytes[at] === byte) return true
+    return false
+  }
+
+  get hasComma(): boolean {
+    return this.hasByte(COMMA)
+  }
+
+  get hasTab(): boolean {
+    return this.hasByte(TAB)
+  }
+
+  /** The number in a field, 0 where that is blank; refuses what is none. An exponent may stand without its letter: 1.0-3. */
+  real(field: number, precision: PrintedPrecision | null = null): number {
+    return this.realIn(this.fieldFrom(field), this.fieldTo(field), precision)
+  }
+
+  realIn(from: number, to: number, precision: PrintedPrecision | null): number {
+    const bytes = this.bytes
+    if (from >= to) return 0
+    let at = from
+    const isNegative = bytes[at] === MINUS
+    if (isNegative || bytes[at] === PLUS) at++
+    let mantissa = 0
+    let digits = 0
+    let zeros = 0
+    let power = 0
+    let isDotted = false
+    let hasDigits = false
+    let isExact = true
+    for (; at < to; ++at) {
+      const digit = (bytes[at] as number) - ZERO
+      if (digit === 0) {
+        hasDigits = true
+        if (digits > 0) {
+          digits++
+          zeros++
+        }
+        if (isDotted) power--
+      } else if (digit > 0 && digit <= 9) {
+        hasDigits = true
+        digits++
+        if (zeros < 16) {
+          mantissa = mantissa * (POWERS_OF_TEN[zeros + 1] as number) + digit
+          if (mantissa > EXACT) isExact = false
+        } else if (mantissa === 0) mantissa = digit
+        else isExact = false
+        zeros = 0
+        if (isDotted) power--
+      } else if (digit === DOT - ZERO && !isDotted) isDotted = true
+      else break
+    }
+    if (at < to && hasDigits) {
+      const byte = bytes[at] as number
+      const letter = byte | 32
+      if (letter === 101 || letter === 100) at++
+      else if (byte !== PLUS && byte !== MINUS) return this.#slowReal(from, to, precision)
+      const isDown = bytes[at] === MINUS
+      if (isDown || bytes[at] === PLUS) at++
+      const first = at
+      let exponent = 0
+      for (; at < to; ++at) {
+        const digit = (bytes[at] as number) - ZERO
+        if (digit < 0 || digit > 9) break
+        if (exponent < 100_000) exponent = 10 * exponent + digit
+      }
+      if (at === first) return this.#slowReal(from, to, precision)
+      power += isDown ? -exponent : exponent
+    }
+    power += zeros
+    if (at < to || !hasDigits || !isExact || power < -22 || power > 22) {
+      if (mantissa !== 0 || at < to || !hasDigits) return this.#slowReal(from, to, precision)
+      return isNegative ? -0 : 0
+    }
+    if (precision !== null) {
+      if (digits > precision.digits) precision.digits = digits
+      if (power < 0 && !precision.isRounded && mantissa % (POWERS_OF_FIVE[-power] as number) !== 0)
+        precision.isRounded = true
+    }
+    const value = power < 0 ? mantissa / (POWERS_OF_TEN[-power] as number) : mantissa * (POWERS_OF_TEN[power] as number)
+    return isNegative ? -value : value
+  }
+
+  #slowReal(from: number, to: number, precision: PrintedPrecision | null): number {
+    const word = this.text(from, to)
+    const value = word.length > 4096 ? null : numberOf(withExponentLetter(word))
+    if (value === null) this.refuse(`${shown(word)} is not a number.`)
+    if (precision !== null) {
+      precision.isRounded = true
+      const mantissa = word.replace(/[eEdD].*$/, '').replace(/^[-+0.]*/, '')
+      precision.digits = Math.max(precision.digits, mantissa.replace(/\D/g, '').length)
+    }
+    return value
+  }
+
+  /** The integer from 0 to 2^53 in a field; refuses a blank one. */
+  id(field: number, what: string): number {
+    return this.idIn(this.fieldFrom(field), this.fieldTo(field), what)
+  }
+
+  idIn(from: number, to: number, what: string): number {
+    let value = 0
+    for (let at = from; at < to; ++at) {
+      const digit = (this.bytes[at] as number) - ZERO
+      if (digit < 0 || digit > 9) {
+        if (at === from && digit === PLUS - ZERO && to > from + 1) continue
+        this.refuse(`${shown(this.text(from, to))} is not ${what}.`)
+      }
+      value = 10 * value + digit
+      if (value >= EXACT) this.refuse(`${shown(this.text(from, to))} is too large for ${what}.`)
+    }
+    if (from >= to) this.refuse(`${what} is missing.`)
+    return value
+  }
+
+  /** An integer with a sign; 0 for a blank field. */
+  integer(field: number, what: string): number {
+    const from = this.fieldFrom(field)
+    if (this.isFieldBlank(field)) return 0
+    return this.bytes[from] === MINUS ? -this.idIn(from + 1, this.fieldTo(field), what) : this.id(field, what)
+  }
+}
+
+/** 1.0-3 as 1.0e-3. */
+function withExponentLetter(word: string): string {
+  return word.replace(/^([-+]?[\d.]+)([-+]\d+)$/, '$1e$2')
+}
+
+/** Decimals so short were typed, not rounded. */
+const TYPED_DIGITS = 3
+
+/** How coordinates were printed: with how many digits at most, and whether one of them is no double. */
+export class PrintedPrecision {
+  digits = 0
+  isRounded = false
+
+  /** Half a unit of the last place of the largest coordinate; 0 if the text has every digit of its doubles. */
+  movement(largest: number): number {
+    if (
+      !this.isRounded ||
+      this.digits >= 17 ||
+      this.digits <= TYPED_DIGITS ||
+      !(largest > 0) ||
+      !Number.isFinite(largest)
+    )
+      return 0
+    return 0.5 * 10 ** (Math.floor(Math.log10(largest)) - this.digits + 1)
+  }
+
+  note(largest: number): string | null {
+    const movement = this.movement(largest)
+    if (movement === 0) return null
+    return `The coordinates are printed with at most ${this.digits} digits: rounding has moved each by up to ${Number(movement.toPrecision(2))}.`
+  }
+}

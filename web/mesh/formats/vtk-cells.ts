@@ -1,0 +1,123 @@
+/** The cell types of VTK (vtkCellType.h): how many nodes they have, and what becomes of them here. */
+import type { OtherCell } from '../mesh-builder'
+
+export const [VTK_PIXEL, VTK_VOXEL, VTK_HEXAHEDRON, VTK_POLYHEDRON] = [8, 11, 12, 42] as const
+
+export interface VtkCellType {
+  readonly kind: 'hexahedron' | 'voxel' | 'not trilinear' | OtherCell
+  /** 0: any number. */
+  readonly nodes: number
+  /** For cells that are not trilinear: the corners at whose middle each further node lies, or the cell's lattice of any order. */
+  readonly middles?: readonly (readonly number[])[] | 'lattice'
+}
+
+const EDGES = [
+  [0, 1],
+  [1, 2],
+  [2, 3],
+  [3, 0],
+  [4, 5],
+  [5, 6],
+  [6, 7],
+  [7, 4],
+  [0, 4],
+  [1, 5],
+  [2, 6],
+  [3, 7],
+]
+const SIDES = [
+  [0, 4, 7, 3],
+  [1, 2, 6, 5],
+  [0, 1, 5, 4],
+  [3, 7, 6, 2],
+]
+const ENDS = [
+  [0, 3, 2, 1],
+  [4, 5, 6, 7],
+]
+const WHOLE = [0, 1, 2, 3, 4, 5, 6, 7]
+
+export const vtkCellTypes: ReadonlyMap<number, VtkCellType> = new Map<number, VtkCellType>([
+  [0, { kind: 'other', nodes: 0 }],
+  [1, { kind: 'vertex', nodes: 1 }],
+  [2, { kind: 'vertex', nodes: 0 }],
+  [3, { kind: 'line', nodes: 2 }],
+  [4, { kind: 'line', nodes: 0 }],
+  [5, { kind: 'triangle', nodes: 3 }],
+  [6, { kind: 'other', nodes: 0 }],
+  [7, { kind: 'polygon', nodes: 0 }],
+  [VTK_PIXEL, { kind: 'quadrilateral', nodes: 4 }],
+  [9, { kind: 'quadrilateral', nodes: 4 }],
+  [10, { kind: 'tetrahedron', nodes: 4 }],
+  [VTK_VOXEL, { kind: 'voxel', nodes: 8 }],
+  [VTK_HEXAHEDRON, { kind: 'hexahedron', nodes: 8 }],
+  [13, { kind: 'wedge', nodes: 6 }],
+  [14, { kind: 'pyramid', nodes: 5 }],
+  [15, { kind: 'other', nodes: 10 }],
+  [16, { kind: 'other', nodes: 12 }],
+  [21, { kind: 'line', nodes: 3 }],
+  [22, { kind: 'triangle', nodes: 6 }],
+  [23, { kind: 'quadrilateral', nodes: 8 }],
+  [24, { kind: 'tetrahedron', nodes: 10 }],
+  [25, { kind: 'not trilinear', nodes: 20, middles: EDGES }],
+  [26, { kind: 'wedge', nodes: 15 }],
+  [27, { kind: 'pyramid', nodes: 13 }],
+  [28, { kind: 'quadrilateral', nodes: 9 }],
+  [29, { kind: 'not trilinear', nodes: 27, middles: [...EDGES, ...SIDES, ...ENDS, WHOLE] }],
+  [30, { kind: 'quadrilateral', nodes: 6 }],
+  [31, { kind: 'wedge', nodes: 12 }],
+  [32, { kind: 'wedge', nodes: 18 }],
+  [33, { kind: 'not trilinear', nodes: 24, middles: [...EDGES, ...SIDES] }],
+  [34, { kind: 'triangle', nodes: 7 }],
+  [35, { kind: 'line', nodes: 4 }],
+  [36, { kind: 'polygon', nodes: 0 }],
+  [37, { kind: 'pyramid', nodes: 19 }],
+  [41, { kind: 'other', nodes: 0 }],
+  [VTK_POLYHEDRON, { kind: 'polyhedron', nodes: 0 }],
+  [51, { kind: 'line', nodes: 0 }],
+  ...[52, 53, 54, 55, 56].map((type): [number, VtkCellType] => [type, { kind: 'other', nodes: 0 }]),
+  // Higher order, Lagrange and Bezier cells of any order.
+  ...[60, 68, 75].map((type): [number, VtkCellType] => [type, { kind: 'line', nodes: 0 }]),
+  ...[61, 69, 76].map((type): [number, VtkCellType] => [type, { kind: 'triangle', nodes: 0 }]),
+  ...[62, 70, 77].map((type): [number, VtkCellType] => [type, { kind: 'quadrilateral', nodes: 0 }]),
+  [63, { kind: 'polygon', nodes: 0 }],
+  ...[64, 71, 78].map((type): [number, VtkCellType] => [type, { kind: 'tetrahedron', nodes: 0 }]),
+  ...[65, 73, 80].map((type): [number, VtkCellType] => [type, { kind: 'wedge', nodes: 0 }]),
+  ...[66, 74, 81].map((type): [number, VtkCellType] => [type, { kind: 'pyramid', nodes: 0 }]),
+  [67, { kind: 'not trilinear', nodes: 0 }],
+  [72, { kind: 'not trilinear', nodes: 0, middles: 'lattice' }],
+  [79, { kind: 'not trilinear', nodes: 0 }],
+])
+
+/** A voxel's nodes in the order of a hexahedron's. */
+export const VOXEL_ORDER = [0, 1, 3, 2, 4, 5, 7, 6] as const
+
+/**
+ * Where the nodes of a Lagrange hexahedron of this order lie in the cube, three multiples of 1/order each (vtkHigherOrderHexahedron).
+ * The four edges along zeta have two orders: that of VTK 9.1 and file version 2.2 on, and the one before.
+ */
+export function latticeOf(order: number, hasOldEdges: boolean): Uint8Array {
+  const inside = order - 1
+  const places = new Uint8Array(3 * (order + 1) ** 3)
+  for (let k = 0; k <= order; ++k)
+    for (let j = 0; j <= order; ++j) for (let i = 0; i <= order; ++i) places.set([i, j, k], 3 * nodeAt(i, j, k))
+  return places
+
+  function nodeAt(i: number, j: number, k: number): number {
+    const [isX, isY, isZ] = [i % order === 0, j % order === 0, k % order === 0]
+    const around = (a: number, b: number) => (a > 0 ? (b > 0 ? 2 : 1) : b > 0 ? 3 : 0)
+    const faces = inside * inside
+    if (isX && isY && isZ) return around(i, j) + (k > 0 ? 4 : 0)
+    if (isY && isZ) return 8 + (i - 1) + (j > 0 ? 2 * inside : 0) + (k > 0 ? 4 * inside : 0)
+    if (isX && isZ) return 8 + (j - 1) + (i > 0 ? inside : 3 * inside) + (k > 0 ? 4 * inside : 0)
+    if (isX && isY) {
+      const edge = hasOldEdges ? (i > 0 ? 1 : 0) + (j > 0 ? 2 : 0) : around(i, j)
+      return 8 + 8 * inside + (k - 1) + inside * edge
+    }
+    const onFaces = 8 + 12 * inside
+    if (isX) return onFaces + (j - 1) + inside * (k - 1) + (i > 0 ? faces : 0)
+    if (isY) return onFaces + 2 * faces + (i - 1) + inside * (k - 1) + (j > 0 ? faces : 0)
+    if (isZ) return onFaces + 4 * faces + (i - 1) + inside * (j - 1) + (k > 0 ? faces : 0)
+    return onFaces + 6 * faces + (i - 1) + inside * (j - 1 + inside * (k - 1))
+  }
+}

@@ -1,0 +1,383 @@
+/** Makes a Mesh of what VTK's files hold: points, nodes of cells in a row, where each cell ends and its type; one grid or several. */
+import type { Block, CoordinatePlaces, Mesh } from '../mesh'
+import { latticeOf, VOXEL_ORDER, VTK_POLYHEDRON, type VtkCellType, vtkCellTypes } from './vtk-cells'
+
+/** Implied cells beyond this are refused. */
+export const MOST_IMPLIED_CELLS = 50_000_000
+
+/** How coordinates are stored: that of the coarsest grid counts. */
+export interface Precision {
+  readonly isFloat32: boolean
+  /** Significant digits of printed ones; 0 for binary ones. */
+  readonly digits: number
+}
+
+export interface VtkGrid {
+  /** Those that are there: fewer than declared where the text leaves some out. */
+  readonly points: Float64Array
+  readonly declaredPoints: number
+  /** The points of all cells, one after the other; it is used up. */
+  readonly connectivity: Uint32Array
+  /** For each cell the place in `connectivity` behind its last point. */
+  readonly ends: Uint32Array
+  readonly types: Uint8Array
+  readonly declaredCells: number
+  /** Whether a polyhedron's nodes are its faces as a row of numbers, as in legacy files, and no points. */
+  readonly hasFaceStreams: boolean
+  readonly precision: Precision
+}
+
+/** Coordinates with fewer digits are numbers that somebody typed, none that were rounded: no printer's default has fewer. */
+const FEWEST_DIGITS = 6
+const ALL_DIGITS = 17
+
+const lattices = new Map<string, Uint8Array>()
+
+export class VtkMesh {
+  readonly #format: string
+  readonly #refuse: (what: string) => never
+  readonly #points: Float64Array[] = []
+  readonly #cells: Uint32Array[] = []
+  readonly #corners: Uint32Array[] = []
+  readonly #blocks: Block[] = []
+  readonly #other = new Map<string, number>()
+  readonly #notes: string[] = []
+  #pointCount = 0
+  #cellCount = 0
+  #straight: number | null = null
+  #isOrderStated = true
+  #isCutOff = false
+  #missingPoints = 0
+  #missingCells = 0
+  #notBoxes = 0
+  #firstNotBox = 0
+  #boxesInOtherOrder = 0
+  #isFloat32 = false
+  #digits = 0
+  coordinatePlaces: CoordinatePlaces | null = null
+  steps: readonly string[] = []
+
+  constructor(format: string, refuse: (what: string) => never) {
+    this.#format = format
+    this.#refuse = refuse
+  }
+
+  note(sentence: string): void {
+    this.#notes.push(sentence)
+  }
+
+  /** Says that the file ends before it should, though all that was read is whole. */
+  setCutOff(): void {
+    this.#isCutOff = true
+  }
+
+  /** Adds a grid, with its cells as a block of this name if there is one. Refuses cells that name points that do not exist. */
+  add(grid: VtkGrid, block: string | null = null): void {
+    const before = this.#cellCount
+    const cells = this.#convert(grid)
+    this.#addPart(grid.points, cells, grid.precision)
+    if (block !== null)
+      this.#blocks.push({ name: block, cells: Uint32Array.from({ length: cells.length / 8 }, (_, i) => before + i) })
+  }
+
+  /** Adds a grid whose cells are implied by its numbers of points along the axes; a flat one has no hexahedra that need its points. */
+  addStructured(pointsOf: () => Float64Array, sizes: readonly [number, number, number], precision: Precision): void {
+    const cellsAlong = sizes.filter(size => size > 1).map(size => size - 1)
+    const count = cellsAlong.reduce((product, size) => product * size, 1)
+    if (count > MOST_IMPLIED_CELLS)
+      this.#refuse(`its dimensions imply ${count} cells; at most ${MOST_IMPLIED_CELLS} are read.`)
+    if (cellsAlong.length < 3) {
+      const flat = ['vertex', 'line', 'quadrilateral'][cellsAlong.length] as string
+      this.#other.set(flat, (this.#other.get(flat) ?? 0) + count)
+      this.#addPart(new Float64Array(0), new Uint32Array(0), precision)
+      return
+    }
+    const points = pointsOf()
+    const cells = new Uint32Array(8 * count)
+    const [nx, ny, nz] = sizes
+    const layer = nx * ny
+    let at = 0
+    for (let k = 0; k + 1 < nz; ++k)
+      for (let j = 0; j + 1 < ny; ++j)
+        for (let i = 0; i + 1 < nx; ++i) {
+          const p = i + nx * j + layer * k
+          cells[at] = p
+          cells[at + 1] = p + 1
+          cells[at + 2] = p + 1 + nx
+          cells[at + 3] = p + nx
+          cells[at + 4] = p + layer
+          cells[at + 5] = p + 1 + layer
+          cells[at + 6] = p + 1 + nx + layer
+          cells[at + 7] = p + nx + layer
+          at += 8
+        }
+    this.#addPart(points, cells, precision)
+  }
+
+  #addPart(points: Float64Array, cells: Uint32Array, precision: Precision): void {
+    if (this.#pointCount > 0) for (let i = 0; i < cells.length; ++i) cells[i] = (cells[i] as number) + this.#pointCount
+    this.#points.push(points)
+    this.#cells.push(cells)
+    this.#pointCount += points.length / 3
+    this.#cellCount += cells.length / 8
+    if (this.#pointCount > 0xffffffff) this.#refuse(`more than 2^32 points are not read.`)
+    this.#isFloat32 ||= precision.isFloat32
+    this.#digits = Math.max(this.#digits, precision.digits)
+  }
+
+  /** The hexahedra of the grid, moved to the front of its connectivity: a cell's place there is never before its new one. */
+  #convert(grid: VtkGrid): Uint32Array {
+    const { points, connectivity, ends, types, declaredPoints } = grid
+    const pointCount = points.length / 3
+    const counts = new Uint32Array(256)
+    const corners: number[] = []
+    const tolerance = toleranceOf(grid.precision)
+    let filled = 0
+    let from = 0
+    let missing = grid.declaredCells - types.length
+    this.#missingPoints += declaredPoints - pointCount
+    for (let cell = 0; cell < types.length; ++cell) {
+      const end = ends[cell] as number
+      const type = types[cell] as number
+      const size = end - from
+      const start = from
+      from = end
+      if (type === VTK_POLYHEDRON && grid.hasFaceStreams) {
+        this.#checkFaceStream(connectivity, start, end, declaredPoints, cell)
+        counts[type] = (counts[type] as number) + 1
+        continue
+      }
+      let isWhole = true
+      for (let at = start; at < end; ++at) {
+        const point = connectivity[at] as number
+        if (point < pointCount) continue
+        if (point >= declaredPoints) this.#refuseIndex(cell, at - start, point, declaredPoints)
+        isWhole = false
+      }
+      if (!isWhole) {
+        missing++
+        continue
+      }
+      if (type === 12 && size === 8) {
+        if (filled !== start) for (let i = 0; i < 8; ++i) connectivity[filled + i] = connectivity[start + i] as number
+        filled += 8
+        continue
+      }
+      const known = vtkCellTypes.get(type)
+      if (known === undefined) this.#refuse(`cell ${cell} has type ${type}, which VTK does not have.`)
+      if (known.nodes > 0 && size !== known.nodes)
+        this.#refuse(`cell ${cell} of type ${type} has ${size} points; it must have ${known.nodes}.`)
+      if (known.kind === 'voxel') {
+        this.#checkBox(points, connectivity, start, tolerance, this.#cellCount + filled / 8)
+        const nodes = VOXEL_ORDER.map(i => connectivity[start + i] as number)
+        connectivity.set(nodes, filled)
+        filled += 8
+      } else if (known.kind === 'not trilinear') {
+        if (size < 8) this.#refuse(`cell ${cell} of type ${type} has ${size} points; it must have at least 8.`)
+        const nodes = connectivity.subarray(start, end)
+        if (size === 8) {
+          // A Lagrange hexahedron of order 1 is trilinear.
+          connectivity.copyWithin(filled, start, end)
+          filled += 8
+          continue
+        }
+        for (let i = 0; i < 8; ++i) corners.push((nodes[i] as number) + this.#pointCount)
+        const isStraight = areNodesAtMiddles(known, points, nodes, tolerance)
+        if (isStraight !== null) this.#straight = (this.#straight ?? 0) + (isStraight ? 1 : 0)
+      } else counts[type] = (counts[type] as number) + 1
+    }
+    if (from !== connectivity.length && missing === 0)
+      this.#refuse(`the cells name ${from} points, and ${connectivity.length} are listed.`)
+    this.#missingCells += missing
+    if (corners.length > 0) this.#corners.push(Uint32Array.from(corners))
+    for (const [type, { kind }] of vtkCellTypes) {
+      const count = counts[type] as number
+      if (count > 0) this.#other.set(kind, (this.#other.get(kind) ?? 0) + count)
+    }
+    return 2 * filled < connectivity.length ? connectivity.slice(0, filled) : connectivity.subarray(0, filled)
+  }
+
+  #refuseIndex(cell: number, vertex: number, point: number, count: number): never {
+    const have = count > 0 ? `the points are 0 to ${count - 1}` : 'there are no points'
+    this.#refuse(`cell ${cell} names point ${point} as its vertex ${vertex}; ${have}.`)
+  }
+
+  /** Number of faces, then for each its number of points and these. */
+  #checkFaceStream(stream: Uint32Array, from: number, to: number, pointCount: number, cell: number): void {
+    const wrong = (): never =>
+      this.#refuse(`cell ${cell} is a polyhedron whose faces do not fill its ${to - from} numbers.`)
+    if (from >= to) wrong()
+    let at = from + 1
+    for (let face = stream[from] as number; face > 0; --face) {
+      if (at >= to) wrong()
+      const end = at + 1 + (stream[at] as number)
+      if (end > to) wrong()
+      for (let i = at + 1; i < end; ++i)
+        if ((stream[i] as number) >= pointCount) this.#refuseIndex(cell, i - from, stream[i] as number, pointCount)
+      at = end
+    }
+    if (at !== to) wrong()
+  }
+
+  /** A voxel's corners lie on two planes along each axis, those of vertex 0 and of vertex 7. */
+  #checkBox(points: Float64Array, list: Uint32Array, start: number, tolerance: number, index: number): void {
+    const isBox = (bits: readonly number[]): boolean => {
+      for (let axis = 0; axis < 3; ++axis) {
+        const low = points[3 * (list[start] as number) + axis] as number
+        const far = bits.indexOf(7)
+        const high = points[3 * (list[start + far] as number) + axis] as number
+        const within = tolerance * Math.max(Math.abs(low), Math.abs(high))
+        for (let v = 0; v < 8; ++v) {
+          const value = points[3 * (list[start + v] as number) + axis] as number
+          // A corner that is not finite makes the cell unanswered anyway.
+          if (Math.abs(value - ((((bits[v] as number) >> axis) & 1) === 1 ? high : low)) > within) return false
+        }
+      }
+      return true
+    }
+    if (isBox([0, 1, 2, 3, 4, 5, 6, 7])) return
+    if (this.#notBoxes++ === 0) this.#firstNotBox = index
+    if (isBox([0, 1, 3, 2, 4, 5, 7, 6])) this.#boxesInOtherOrder++
+  }
+
+  #voxelNote(): void {
+    const which = `${this.#notBoxes} of the voxels (type 11) ${this.#notBoxes === 1 ? 'is no box' : 'are no boxes'} along the axes in the order of a voxel, first the hexahedron of index ${this.#firstNotBox}`
+    if (this.#boxesInOtherOrder === 0) this.note(`${which}: they are answered as hexahedra with these corners.`)
+    else {
+      this.#isOrderStated = false
+      this.note(
+        `${which}; ${this.#boxesInOtherOrder} would be in the order of a hexahedron (type 12), so the order of their nodes is not certain.`,
+      )
+    }
+  }
+
+  #elisionNote(): void {
+    const missing = [
+      [this.#missingPoints, 'points'],
+      [this.#missingCells, 'cells'],
+    ]
+      .filter(([count]) => (count as number) > 0)
+      .map(([count, name]) => `${count} of the declared ${name}`)
+    this.note(
+      `The text leaves something out: ${missing.join(' and ')} are not there or not whole; the others were read.`,
+    )
+    if (this.#missingCells > 0) this.#isCutOff = true
+  }
+
+  #precisionNote(points: Float64Array): void {
+    let largest = 0
+    for (let i = 0; i < points.length; ++i) {
+      const size = Math.abs(points[i] as number)
+      if (size > largest && size < Infinity) largest = size
+    }
+    if (largest === 0) return
+    if (this.#isFloat32) {
+      const half = 2 ** (Math.floor(Math.log2(largest)) - 24)
+      this.note(`Coordinates are stored as Float32: that can move one by up to ${half.toPrecision(2)}.`)
+    } else if (this.#digits >= FEWEST_DIGITS && this.#digits < ALL_DIGITS) {
+      const lastPlace = Math.floor(Math.log10(largest)) - this.#digits + 1
+      this.note(
+        `Coordinates are printed with at most ${this.#digits} digits: that can move one by up to 5e${lastPlace - 1}.`,
+      )
+    }
+  }
+
+  mesh(): Mesh {
+    const points = joined(this.#points, length => new Float64Array(length))
+    const cells = joined(this.#cells, length => new Uint32Array(length))
+    const corners = joined(this.#corners, length => new Uint32Array(length))
+    if (this.#notBoxes > 0) this.#voxelNote()
+    if (this.#missingPoints > 0 || this.#missingCells > 0) this.#elisionNote()
+    this.#precisionNote(points)
+    return {
+      format: this.#format,
+      points,
+      cells,
+      ids: null,
+      blocks: this.#blocks,
+      notTrilinear: { corners, straight: this.#straight },
+      other: this.#other,
+      notes: this.#notes,
+      isOrderStated: this.#isOrderStated,
+      isCutOff: this.#isCutOff,
+      coordinatePlaces: this.#points.length === 1 ? this.coordinatePlaces : null,
+      steps: this.steps,
+    }
+  }
+}
+
+function joined<T extends Float64Array | Uint32Array>(parts: T[], make: (length: number) => T): T {
+  if (parts.length === 1) return parts[0] as T
+  const whole = make(parts.reduce((sum, part) => sum + part.length, 0))
+  let at = 0
+  for (const part of parts.splice(0)) {
+    whole.set(part as never, at)
+    at += part.length
+  }
+  parts.push(whole)
+  return whole
+}
+
+/**
+ * What rounding can do to a middle of coordinates of size 1: a sum of eight and a division in doubles, after each was rounded when it was
+ * stored. Eight units in the last place are above all of it.
+ */
+function toleranceOf({ isFloat32, digits }: Precision): number {
+  const printed = digits > 0 && digits < ALL_DIGITS ? 10 ** (1 - digits) : 0
+  return Math.max(8 * 2 ** -52, isFloat32 ? 8 * 2 ** -24 : 0, digits >= FEWEST_DIGITS ? printed : 0)
+}
+
+/** Null where it was not looked at. */
+function areNodesAtMiddles(
+  { middles }: VtkCellType,
+  points: Float64Array,
+  nodes: Uint32Array,
+  tolerance: number,
+): boolean | null {
+  if (middles === undefined) return null
+  let largest = 0
+  for (let v = 0; v < 8; ++v)
+    for (let axis = 0; axis < 3; ++axis)
+      largest = Math.max(largest, Math.abs(points[3 * (nodes[v] as number) + axis] as number))
+  const within = tolerance * largest
+  if (middles === 'lattice') {
+    const order = Math.round(Math.cbrt(nodes.length)) - 1
+    if ((order + 1) ** 3 !== nodes.length || order > 255) return null
+    return [false, true].some(hasOldEdges => isOnLattice(points, nodes, order, hasOldEdges, within))
+  }
+  return middles.every((corners, i) => {
+    const node = nodes[8 + i] as number
+    return [0, 1, 2].every(axis => {
+      let sum = 0
+      for (const v of corners) sum += points[3 * (nodes[v] as number) + axis] as number
+      return Math.abs(sum / corners.length - (points[3 * node + axis] as number)) <= within
+    })
+  })
+}
+
+function isOnLattice(
+  points: Float64Array,
+  nodes: Uint32Array,
+  order: number,
+  hasOldEdges: boolean,
+  within: number,
+): boolean {
+  const key = `${order} ${hasOldEdges}`
+  const lattice = lattices.get(key) ?? latticeOf(order, hasOldEdges)
+  lattices.set(key, lattice)
+  for (let n = 8; n < nodes.length; ++n) {
+    const [x, y, z] = [0, 1, 2].map(axis => (lattice[3 * n + axis] as number) / order) as [number, number, number]
+    const weights = cornerWeights(x, y, z)
+    for (let axis = 0; axis < 3; ++axis) {
+      let sum = 0
+      for (let v = 0; v < 8; ++v) sum += (weights[v] as number) * (points[3 * (nodes[v] as number) + axis] as number)
+      if (!(Math.abs(sum - (points[3 * (nodes[n] as number) + axis] as number)) <= within)) return false
+    }
+  }
+  return true
+}
+
+function cornerWeights(x: number, y: number, z: number): number[] {
+  const around = [(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y]
+  return [...around.map(weight => weight * (1 - z)), ...around.map(weight => weight * z)]
+}

@@ -1,0 +1,362 @@
+/**
+ * VTU, the XML file of VTK's unstructured grids, in all its encodings; .pvtu, which names the pieces of one, and .pvd, which names those of
+ * its time steps, of which the first is read.
+ */
+import { type Mesh, MeshRefusal } from '../mesh'
+import type { MeshFile, MeshFormat, ReadOptions } from '../source'
+import { shown } from '../text-cursor'
+import { XmlScanner, type XmlTag } from '../xml-scanner'
+import { VtkMesh } from './vtk-mesh'
+import {
+  type DataArray,
+  decompressors,
+  NUMBER_SIZES,
+  type NumberType,
+  type ReadArray,
+  readArray,
+  type Storage,
+} from './vtu-arrays'
+
+const DEEPEST = 64
+const [LESS, UNDERSCORE] = [60, 95] as const
+
+/** What one <Piece> has: its sizes and the arrays that are needed. */
+interface Piece {
+  readonly at: number
+  readonly points: number
+  readonly cells: number
+  readonly arrays: Map<string, DataArray>
+}
+
+/** What one <VTKFile> has. */
+interface VtkDocument {
+  readonly type: string
+  readonly storage: Storage
+  readonly pieces: Piece[]
+  /** Tags <Piece Source> of .pvtu and <DataSet file> of .pvd. */
+  readonly sources: XmlTag[]
+  isComplete: boolean
+}
+
+const GRID = 'UnstructuredGrid'
+const PARALLEL_GRID = 'PUnstructuredGrid'
+const COLLECTION = 'Collection'
+
+export const vtu: MeshFormat = {
+  name: 'VTU',
+
+  recognizes(head, name) {
+    const text = new TextDecoder('latin1').decode(head)
+    if (/^(?:\u00ef\u00bb\u00bf)?\s*</.test(text) && text.includes('<VTKFile')) return 'yes'
+    return text.includes('<VTKFile') || /\.(?:vtu|pvtu|pvd)$/.test(name) ? 'maybe' : 'no'
+  },
+
+  read(file, options) {
+    const meshes: Mesh[] = []
+    const scanner = new XmlScanner(file)
+    for (;;) {
+      const document = scanDocument(scanner, file, options)
+      if (document === null) break
+      const mesh = new VtkMesh('VTU', what => refuse(file, what))
+      readDocument(document, file, options, mesh)
+      meshes.push(mesh.mesh())
+      // What follows appended data is part of it or of no document.
+      if (document.storage.appended !== null || !document.isComplete) break
+    }
+    if (meshes.length === 0) refuse(file, 'this is no VTU: there is no <VTKFile> in it.')
+    return meshes
+  },
+}
+
+function refuse(file: MeshFile, what: string): never {
+  throw new MeshRefusal(`${file.name}: ${what}`)
+}
+
+function readDocument(document: VtkDocument, file: MeshFile, options: ReadOptions, mesh: VtkMesh): void {
+  if (document.type === PARALLEL_GRID || document.type === COLLECTION) readSources(document, file, options, mesh)
+  else readPieces(document, mesh, null)
+  if (document.isComplete) return
+  mesh.setCutOff()
+  mesh.note('The end of the file is missing: there is no </VTKFile>. What is whole was read.')
+}
+
+function readSources(document: VtkDocument, file: MeshFile, options: ReadOptions, mesh: VtkMesh): void {
+  const isCollection = document.type === COLLECTION
+  const stepOf = (tag: XmlTag) => tag.attributes.get('timestep') ?? '0'
+  const steps = [...new Set(document.sources.map(stepOf))]
+  const sources = isCollection ? document.sources.filter(tag => stepOf(tag) === steps[0]) : document.sources
+  if (sources.length === 0) refuse(file, `it names no ${isCollection ? 'file' : 'piece'}.`)
+  if (isCollection) mesh.steps = steps
+  if (steps.length > 1) mesh.note(`The first of ${steps.length} time steps was read: ${shown(steps[0] as string)}.`)
+  const names = sources.map(tag => tag.attributes.get(isCollection ? 'file' : 'Source') ?? '')
+  const found = names.map(name => options.find(name))
+  const missing = names.filter((_, i) => found[i] === null)
+  if (missing.length > 0) {
+    const some = missing.slice(0, 3).map(shown).join(', ')
+    const more = missing.length > 3 ? ` and ${missing.length - 3} more` : ''
+    refuse(
+      file,
+      `it needs ${some}${more} beside it: give ${missing.length > 1 ? 'them' : 'it'} together with this file.`,
+    )
+  }
+  found.forEach((piece, i) => {
+    const name = shown(names[i] as string).slice(1, -1)
+    const named: MeshFile = {
+      name,
+      size: (piece as MeshFile).size,
+      read: (from, to) => (piece as MeshFile).read(from, to),
+    }
+    const inner = scanDocument(new XmlScanner(named), named, options)
+    if (inner === null) refuse(named, 'this is no VTU: there is no <VTKFile> in it.')
+    if (inner.type !== GRID && !(isCollection && inner.type === PARALLEL_GRID))
+      refuse(named, `a piece of type ${shown(inner.type)} stands where one of type ${GRID} was expected.`)
+    if (!inner.isComplete) refuse(named, 'the file is cut off: there is no </VTKFile>.')
+    if (inner.type === PARALLEL_GRID) readSources(inner, named, options, mesh)
+    else readPieces(inner, mesh, name)
+  })
+}
+
+function readPieces({ storage, pieces, type }: VtkDocument, mesh: VtkMesh, block: string | null): void {
+  const { file } = storage
+  if (type !== GRID) refuseType(file, type)
+  if (pieces.length === 0) refuse(file, 'it has no <Piece>.')
+  let ghosts = 0
+  for (const piece of pieces) ghosts += readPiece(storage, piece, pieces.length === 1, mesh, block)
+  if (ghosts > 0) mesh.note(`${ghosts} cells are ghosts, copies of cells of another piece; they are counted in both.`)
+}
+
+/** Returns how many of the cells are copies of cells of other pieces. */
+function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMesh, block: string | null): number {
+  const { file } = storage
+  const { points: pointCount, cells: cellCount, arrays } = piece
+  const arrayOf = (name: string): DataArray => {
+    const array = arrays.get(name)
+    if (array === undefined) refuse(file, `the <Piece> at byte ${piece.at} has no array ${shown(name)}.`)
+    return array
+  }
+  const uint32 = (length: number) => new Uint32Array(length)
+  if (pointCount === 0 && cellCount === 0) return 0
+  const empty: ReadArray<Uint32Array> = { list: uint32(0), digits: 0 }
+  const points =
+    pointCount === 0 ? null : readArray(storage, arrayOf('Points'), 3 * pointCount, length => new Float64Array(length))
+  const types =
+    cellCount === 0 ? null : readArray(storage, arrayOf('types'), cellCount, length => new Uint8Array(length))
+  const ends = cellCount === 0 ? empty : readArray(storage, arrayOf('offsets'), cellCount, uint32)
+  const falling = ends.list.findIndex((end, i) => i > 0 && end < (ends.list[i - 1] as number))
+  if (falling > 0) {
+    const [before, end] = [ends.list[falling - 1], ends.list[falling]]
+    refuse(file, `the offset of cell ${falling} is ${end}, less than ${before}, that of the cell before.`)
+  }
+  const isWhole = ends.list.length === cellCount
+  const length = isWhole ? (ends.list.at(-1) ?? 0) : 0xffffffff
+  const connectivity = length === 0 ? empty : readArray(storage, arrayOf('connectivity'), length, uint32, !isWhole)
+  // Where the text leaves something out, the cells are whole that all three arrays have.
+  let whole = Math.min(types?.list.length ?? 0, ends.list.length)
+  while (whole > 0 && (ends.list[whole - 1] as number) > connectivity.list.length) whole--
+  const coordinates = points?.list ?? new Float64Array(0)
+  const digits = points?.digits ?? 0
+  // A Float32 needs nine digits; those that are printed with fewer are known to them.
+  const isFloat32 =
+    arrays.get('Points')?.type === 'Float32' && (arrays.get('Points')?.format !== 'ascii' || digits >= 9)
+  mesh.add(
+    {
+      points: coordinates.subarray(0, coordinates.length - (coordinates.length % 3)),
+      declaredPoints: pointCount,
+      connectivity: connectivity.list,
+      ends: ends.list.subarray(0, whole),
+      types: types?.list.subarray(0, whole) ?? new Uint8Array(0),
+      declaredCells: cellCount,
+      hasFaceStreams: false,
+      precision: { isFloat32, digits },
+    },
+    block,
+  )
+  if (isOnly && block === null && pointCount > 0 && coordinates.length === 3 * pointCount)
+    setPlaces(storage, arrayOf('Points'), mesh)
+  return ghostCount(storage, arrays.get('vtkGhostType'), cellCount)
+}
+
+/** The coordinates are a run of the text, or one block of the file if they are neither in base64 nor packed. */
+function setPlaces(storage: Storage, array: DataArray, mesh: VtkMesh): void {
+  if (array.format === 'ascii') mesh.coordinatePlaces = { kind: 'run', from: array.from, to: array.to }
+  const { appended, decompress, isLittleEndian, headerType } = storage
+  if (array.format !== 'appended' || appended === null || appended.isBase64 || decompress !== null) return
+  if (array.type !== 'Float32' && array.type !== 'Float64') return
+  mesh.coordinatePlaces = {
+    kind: 'block',
+    from: appended.from + array.offset + (headerType === 'UInt32' ? 4 : 8),
+    type: array.type === 'Float32' ? 'float32' : 'float64',
+    isLittleEndian,
+  }
+}
+
+/** vtkDataSetAttributes::DUPLICATECELL */
+const IS_COPY = 1
+
+function ghostCount(storage: Storage, array: DataArray | undefined, cells: number): number {
+  if (array === undefined) return 0
+  const { list } = readArray(storage, array, cells, length => new Uint8Array(length))
+  return list.reduce((count, ghost) => count + (ghost & IS_COPY), 0)
+}
+
+function refuseType(file: MeshFile, type: string): never {
+  refuse(
+    file,
+    `this is VTK's XML file of type ${shown(type)}, which is not read: ParaView saves it as an unstructured grid (.vtu).`,
+  )
+}
+
+/** The next <VTKFile> and what is needed of it; null if there is none. */
+function scanDocument(scanner: XmlScanner, file: MeshFile, options: ReadOptions): VtkDocument | null {
+  for (let tag = scanner.next(); tag !== null; tag = scanner.next())
+    if (tag.kind === 'open' && tag.name === 'VTKFile') return new DocumentScan(scanner, file, options, tag).document
+  return null
+}
+
+class DocumentScan {
+  readonly document: VtkDocument
+  readonly #scanner: XmlScanner
+  readonly #file: MeshFile
+  /** Names of the elements that are open, the root first. */
+  readonly #open: string[] = ['VTKFile']
+
+  constructor(scanner: XmlScanner, file: MeshFile, options: ReadOptions, root: XmlTag) {
+    this.#scanner = scanner
+    this.#file = file
+    const type = root.attributes.get('type') ?? ''
+    const storage = storageOf(scanner, file, options, root)
+    const document = { type, storage, pieces: [] as Piece[], sources: [] as XmlTag[], isComplete: false }
+    this.document = document
+    if (![GRID, PARALLEL_GRID, COLLECTION].includes(type)) refuseType(file, type)
+    for (let tag = scanner.next(); tag !== null; tag = scanner.next()) {
+      options.throwIfCancelled()
+      if (tag.kind === 'close') {
+        const name = this.#open.pop()
+        if (name !== tag.name)
+          scanner.refuse(
+            tag.from,
+            `</${shown(tag.name).slice(1, -1)}> stands where </${shown(name ?? '').slice(1, -1)}> was expected.`,
+          )
+        if (this.#open.length === 0) {
+          document.isComplete = true
+          return
+        }
+        continue
+      }
+      if (tag.name === 'AppendedData') {
+        this.document = {
+          ...document,
+          storage: { ...storage, appended: this.#appended(tag) },
+          isComplete: endsWell(file),
+        }
+        return
+      }
+      this.#take(tag, document)
+      if (tag.isEmpty) continue
+      this.#open.push(tag.name)
+      if (this.#open.length > DEEPEST) scanner.refuse(tag.from, 'the elements are nested deeper than in any mesh.')
+    }
+    const inner = this.#open.at(-1)
+    if (inner !== GRID && inner !== 'VTKFile' && inner !== PARALLEL_GRID && inner !== COLLECTION)
+      refuse(
+        file,
+        `the file is cut off: it ends at byte ${file.size}, inside of <${shown(inner as string).slice(1, -1)}>.`,
+      )
+  }
+
+  #take(tag: XmlTag, document: VtkDocument): void {
+    const parent = this.#open.at(-1)
+    if (tag.name === 'Piece' && parent === GRID) document.pieces.push(this.#piece(tag))
+    else if ((tag.name === 'Piece' && parent === PARALLEL_GRID) || (tag.name === 'DataSet' && parent === COLLECTION))
+      document.sources.push(tag)
+    else if (tag.name === 'DataArray') {
+      const piece = document.pieces.at(-1)
+      const name = parent === 'Points' ? 'Points' : (tag.attributes.get('Name') ?? '')
+      const isNeeded = parent === 'Points' || parent === 'Cells' || (parent === 'CellData' && name === 'vtkGhostType')
+      if (piece === undefined || !isNeeded || !this.#open.includes('Piece')) return
+      if (!['Points', 'connectivity', 'offsets', 'types', 'vtkGhostType'].includes(name)) return
+      if (piece.arrays.has(name)) this.#scanner.refuse(tag.from, `a second array ${shown(name)} stands in one <Piece>.`)
+      piece.arrays.set(name, this.#array(tag, name))
+    }
+  }
+
+  #piece(tag: XmlTag): Piece {
+    const countOf = (name: string): number => {
+      const text = (tag.attributes.get(name) ?? '').trim()
+      if (!/^\d{1,15}$/.test(text))
+        this.#scanner.refuse(tag.from, `${name} is ${shown(text)}, where a count was expected.`)
+      return Number(text)
+    }
+    const [points, cells] = [countOf('NumberOfPoints'), countOf('NumberOfCells')]
+    if (Math.max(points, cells) > 0xffffffff)
+      this.#scanner.refuse(tag.from, 'more than 2^32 points or cells are not read.')
+    return { at: tag.from, points, cells, arrays: new Map() }
+  }
+
+  #array(tag: XmlTag, name: string): DataArray {
+    const { attributes, from, to, isEmpty } = tag
+    const type = attributes.get('type') ?? ''
+    if (!(type in NUMBER_SIZES))
+      this.#scanner.refuse(
+        from,
+        `${shown(name)} has type ${shown(type)}, where one like Float64 or Int64 was expected.`,
+      )
+    const format = attributes.get('format') ?? 'ascii'
+    if (format !== 'ascii' && format !== 'binary' && format !== 'appended')
+      this.#scanner.refuse(from, `${shown(name)} has format ${shown(format)}: ascii, binary or appended was expected.`)
+    const components = attributes.get('NumberOfComponents')
+    if (name === 'Points' && components !== undefined && components.trim() !== '3')
+      this.#scanner.refuse(from, `the points have ${shown(components)} components, where 3 were expected.`)
+    const offset = (attributes.get('offset') ?? '').trim()
+    if (format === 'appended' && !/^\d{1,15}$/.test(offset))
+      this.#scanner.refuse(
+        from,
+        `the offset of ${shown(name)} is ${shown(offset)}, where a count of bytes was expected.`,
+      )
+    const found = isEmpty ? to : this.#scanner.indexOf(LESS, to)
+    const end = found < 0 ? this.#file.size : found
+    this.#scanner.position = end
+    return {
+      name,
+      type: type as NumberType,
+      format,
+      offset: format === 'appended' ? Number(offset) : 0,
+      from: to,
+      to: end,
+    }
+  }
+
+  #appended(tag: XmlTag): Storage['appended'] {
+    const encoding = tag.attributes.get('encoding') ?? 'raw'
+    if (encoding !== 'raw' && encoding !== 'base64')
+      this.#scanner.refuse(tag.from, `the appended data are encoded as ${shown(encoding)}: raw or base64 was expected.`)
+    const underscore = this.#scanner.indexOf(UNDERSCORE, tag.to)
+    if (underscore < 0) refuse(this.#file, 'the file is cut off at the beginning of its appended data.')
+    return { from: underscore + 1, isBase64: encoding === 'base64' }
+  }
+}
+
+function storageOf(scanner: XmlScanner, file: MeshFile, options: ReadOptions, { attributes, from }: XmlTag): Storage {
+  const order = attributes.get('byte_order') ?? 'LittleEndian'
+  if (order !== 'LittleEndian' && order !== 'BigEndian')
+    scanner.refuse(from, `the byte order is ${shown(order)}: LittleEndian or BigEndian was expected.`)
+  const headerType = attributes.get('header_type') ?? 'UInt32'
+  if (headerType !== 'UInt32' && headerType !== 'UInt64')
+    scanner.refuse(from, `the header type is ${shown(headerType)}: UInt32 or UInt64 was expected.`)
+  const compressor = attributes.get('compressor') ?? ''
+  const decompress = compressor === '' ? null : decompressors[compressor]
+  if (decompress === undefined)
+    scanner.refuse(
+      from,
+      `the compressor is ${shown(compressor)}: vtkZLib-, vtkLZ4- or vtkLZMADataCompressor was expected.`,
+    )
+  return { file, options, isLittleEndian: order === 'LittleEndian', headerType, decompress, appended: null }
+}
+
+const END = '</VTKFile>'
+
+/** Whether the end tag is the last thing in the file. */
+function endsWell(file: MeshFile): boolean {
+  const tail = file.read(Math.max(0, file.size - 4096), file.size)
+  return new TextDecoder('latin1').decode(tail).trimEnd().endsWith(END)
+}

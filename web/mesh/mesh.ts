@@ -1,0 +1,60 @@
+/** A mesh as a file has it: points, hexahedra, what the file calls them, and what else is in it. */
+
+export interface Mesh {
+  /** As people know it: "VTU", "Gmsh", "Abaqus". */
+  readonly format: string
+  /** Three coordinates a point. One that is not finite stays as it is: its cells are unanswered, the others are not. */
+  readonly points: Float64Array
+  /** Eight indices of points for each cell of eight nodes, in VTK_HEXAHEDRON order; voxels are among them, reordered. */
+  readonly cells: Uint32Array
+  /** What the file calls each of these cells; null where it has no ids. */
+  readonly ids: Float64Array | readonly string[] | null
+  /** Blocks, parts, sets or groups by name, in the file's order; a cell may be in none or in several. */
+  readonly blocks: readonly Block[]
+  /** Cells of 20 or 27 nodes and Lagrange cells: they are not trilinear, and counted apart. */
+  readonly notTrilinear: NotTrilinear
+  /** All other cells, counted by type: "tetrahedron", "wedge", "pyramid", "quadrilateral", "polyhedron", ... */
+  readonly other: ReadonlyMap<string, number>
+  /** Sentences for people: precision, what is missing, what was passed over. */
+  readonly notes: readonly string[]
+  /** Whether the file states in which order a cell's nodes are; eight bare points state none. */
+  readonly isOrderStated: boolean
+  /** Whether the text ends, or leaves something out, in the middle: what is whole has been read. */
+  readonly isCutOff: boolean
+  /** Where the coordinates lie in the file, for formats in which each is a token of text or all are one block; else null. */
+  readonly coordinatePlaces: CoordinatePlaces | null
+  /** The time steps that the file has, of which this mesh is one; empty where it has none. */
+  readonly steps: readonly string[]
+}
+
+export interface Block {
+  readonly name: string
+  /** Indices of cells, ascending. */
+  readonly cells: Uint32Array
+}
+
+export interface NotTrilinear {
+  /** Their eight corners, as `cells`. */
+  readonly corners: Uint32Array
+  /** How many of the cells have all further nodes at the middles of their corners' edges and faces, within rounding; null if not looked at. */
+  readonly straight: number | null
+}
+
+/**
+ * Bytes of the file: from where and how many (`to`) each coordinate's token has, or a run of text with all coordinates one after the other
+ * and blanks between, or one block of binary numbers.
+ */
+export type CoordinatePlaces =
+  | { readonly kind: 'tokens'; readonly from: Float64Array; readonly to: Uint16Array }
+  | { readonly kind: 'run'; readonly from: number; readonly to: number }
+  | {
+      readonly kind: 'block'
+      readonly from: number
+      readonly type: 'float32' | 'float64'
+      readonly isLittleEndian: boolean
+    }
+
+/** A file that is none of ours, or damaged: one sentence with the place and what was expected. */
+export class MeshRefusal extends Error {}
+
+export const NOTHING_NOT_TRILINEAR: NotTrilinear = { corners: new Uint32Array(0), straight: null }

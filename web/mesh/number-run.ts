@@ -1,0 +1,252 @@
+/**
+ * Long runs of numbers in a text file, straight from its bytes into typed arrays: linear in time, constant in memory. A run ends, without
+ * an error, before the first word that does not fit; who asked knows what was expected there.
+ */
+import { doubleOfDigits } from './decimal'
+import type { MeshFile } from './source'
+import { numberOf } from './text-cursor'
+
+const PIECE = 1024 * 1024
+/** Short runs read no more than they need; each piece is twice as long as the one before. */
+const FIRST_PIECE = 4096
+/** A number is no longer than this. */
+const LONGEST_NUMBER = 1024
+
+const [TAB, LF, CR, SPACE, PLUS, MINUS, DOT, ZERO, NINE] = [9, 10, 13, 32, 43, 45, 46, 48, 57] as const
+const [LETTER_D, LETTER_E] = [100, 101] as const
+
+/** Powers of ten that are doubles exactly. */
+const POWERS_OF_TEN = Float64Array.from({ length: 23 }, (_, i) => Number(`1e${i}`))
+
+export class NumberRun {
+  readonly #file: MeshFile
+  readonly #to: number
+  readonly #onPiece: (position: number) => void
+  #bytes: Uint8Array = new Uint8Array(0)
+  /** Where `#bytes` begins in the file. */
+  #start: number
+  #at = 0
+  #piece = FIRST_PIECE
+  /** The most significant digits with which a number with a point or an exponent is written. */
+  mostDigits = 0
+
+  /** Numbers in bytes [from, to) of the file; `onPiece` is called now and then with the byte that is next, and may throw. */
+  constructor(file: MeshFile, from: number, to: number, onPiece: (position: number) => void = () => {}) {
+    this.#file = file
+    this.#start = from
+    this.#to = to
+    this.#onPiece = onPiece
+  }
+
+  /** The byte of the file that is next. */
+  get position(): number {
+    return this.#start + this.#at
+  }
+
+  /** Passes blanks; whether only they were left. */
+  isAtEnd(): boolean {
+    do {
+      this.#at = afterBlanks(this.#bytes, this.#at)
+      if (this.#at < this.#bytes.length) return false
+    } while (this.#fill())
+    return true
+  }
+
+  /** The next word, cut where it is longer than a number; it is not passed. '' at the end. */
+  nextWord(): string {
+    if (this.isAtEnd()) return ''
+    this.#fill()
+    return wordAt(this.#bytes, this.#at)
+  }
+
+  /** Whether there was more to read. */
+  #fill(): boolean {
+    const had = this.#bytes.length - this.#at
+    const from = this.#start + this.#bytes.length
+    const more = Math.min(this.#piece, this.#to - from)
+    if (had > LONGEST_NUMBER || more <= 0) return false
+    this.#onPiece(this.position)
+    this.#piece = Math.min(PIECE, 2 * this.#piece)
+    const read = this.#file.read(from, from + more)
+    if (had === 0) this.#bytes = read
+    else {
+      const bytes = new Uint8Array(had + more)
+      bytes.set(this.#bytes.subarray(this.#at))
+      bytes.set(read, had)
+      this.#bytes = bytes
+    }
+    this.#start += this.#at
+    if (had === 0) this.#start = from
+    this.#at = 0
+    return true
+  }
+
+  /** Fills `list` from `from` to `to`; returns how far it came. */
+  numbers(list: Float64Array, from: number, to: number): number {
+    let i = from
+    while (i < to) {
+      this.#fill()
+      const limit = this.#safeLimit()
+      const before = i
+      i = this.#numbersUpTo(limit, list, i, to)
+      if (i === before && !this.#fill()) break
+    }
+    return i
+  }
+
+  /** Words that begin before this byte of the piece are whole in it. */
+  #safeLimit(): number {
+    const { length } = this.#bytes
+    return this.#start + length >= this.#to ? length : length - LONGEST_NUMBER
+  }
+
+  #numbersUpTo(limit: number, list: Float64Array, from: number, to: number): number {
+    const bytes = this.#bytes
+    let at = this.#at
+    let mostDigits = this.mostDigits
+    let i = from
+    for (; i < to; ++i) {
+      at = afterBlanks(bytes, at)
+      if (at >= limit) break
+      const begin = at
+      let byte = bytes[at] as number
+      const isNegative = byte === MINUS
+      if (isNegative || byte === PLUS) byte = bytes[++at] as number
+      const firstDigit = at
+      let mantissa = 0
+      while (byte >= ZERO && byte <= NINE) {
+        mantissa = 10 * mantissa + (byte - ZERO)
+        byte = bytes[++at] as number
+      }
+      let digits = at - firstDigit
+      let power = 0
+      const isWhole = byte !== DOT
+      if (!isWhole) {
+        const point = at
+        byte = bytes[++at] as number
+        while (byte >= ZERO && byte <= NINE) {
+          mantissa = 10 * mantissa + (byte - ZERO)
+          byte = bytes[++at] as number
+        }
+        power = point + 1 - at
+        digits -= power
+      }
+      let isNumber = digits > 0
+      let isPrinted = !isWhole
+      if ((byte | 32) === LETTER_E || (byte | 32) === LETTER_D) {
+        isPrinted = true
+        byte = bytes[++at] as number
+        const isDown = byte === MINUS
+        if (isDown || byte === PLUS) byte = bytes[++at] as number
+        const firstOfExponent = at
+        let exponent = 0
+        while (byte >= ZERO && byte <= NINE) {
+          if (exponent < 100_000) exponent = 10 * exponent + (byte - ZERO)
+          byte = bytes[++at] as number
+        }
+        if (at === firstOfExponent) isNumber = false
+        power += isDown ? -exponent : exponent
+      }
+      if (isPrinted && digits > mostDigits) {
+        const significant = significantDigits(bytes, firstDigit, at)
+        if (significant > mostDigits) mostDigits = significant
+      }
+      // Below 2^53 the mantissa is exact, and one operation with an exact power of ten rounds correctly.
+      if (isNumber && mantissa <= 2 ** 53 && power >= -22 && power <= 22 && !(byte > SPACE)) {
+        const value =
+          power < 0 ? mantissa / (POWERS_OF_TEN[-power] as number) : mantissa * (POWERS_OF_TEN[power] as number)
+        list[i] = isNegative ? -value : value
+        continue
+      }
+      if (isNumber && !(byte > SPACE)) {
+        const value = doubleOfDigits(bytes, firstDigit, at, power)
+        if (!Number.isNaN(value)) {
+          list[i] = isNegative ? -value : value
+          continue
+        }
+      }
+      const word = wordAt(bytes, begin)
+      const value = word.length < LONGEST_NUMBER ? numberOf(word) : null
+      at = begin
+      if (value === null) break
+      list[i] = value
+      at += word.length
+    }
+    this.#at = at
+    this.mostDigits = mostDigits
+    return i
+  }
+
+  /** Fills `list` with whole numbers below 2^32, written in digits alone, from `from` to `to`; returns how far it came. */
+  indices(list: Uint32Array | Uint8Array, from: number, to: number): number {
+    const most = list instanceof Uint8Array ? 255 : 0xffffffff
+    let i = from
+    while (i < to) {
+      this.#fill()
+      const limit = this.#safeLimit()
+      const before = i
+      const bytes = this.#bytes
+      let at = this.#at
+      for (; i < to; ++i) {
+        at = afterBlanks(bytes, at)
+        if (at >= limit) break
+        const begin = at
+        let value = 0
+        let byte = bytes[at] as number
+        while (byte >= ZERO && byte <= NINE) {
+          value = 10 * value + (byte - ZERO)
+          byte = bytes[++at] as number
+        }
+        if (at === begin || byte > SPACE || value > most) {
+          at = begin
+          break
+        }
+        list[i] = value
+      }
+      this.#at = at
+      if (i === before && !this.#fill()) break
+    }
+    return i
+  }
+}
+
+function afterBlanks(bytes: Uint8Array, at: number): number {
+  for (let byte = bytes[at]; byte === SPACE || byte === LF || byte === CR || byte === TAB; ) byte = bytes[++at]
+  return at
+}
+
+function wordAt(bytes: Uint8Array, at: number): string {
+  let end = at
+  while (end < bytes.length && (bytes[end] as number) > SPACE && end - at < LONGEST_NUMBER) end++
+  return String.fromCharCode(...bytes.subarray(at, end))
+}
+
+/** Without the zeros before the first other digit. */
+function significantDigits(bytes: Uint8Array, from: number, to: number): number {
+  let digits = 0
+  for (let at = from; at < to; ++at) {
+    const byte = bytes[at] as number
+    if (byte === DOT) continue
+    if (byte < ZERO || byte > NINE) break
+    if (digits > 0 || byte !== ZERO) digits++
+  }
+  return digits
+}
+
+/** The line, from 1, in which a byte of the file lies. */
+export function lineAt(file: MeshFile, position: number): number {
+  let line = 1
+  for (let from = 0; from < position; from += PIECE) {
+    const bytes = file.read(from, Math.min(position, from + PIECE))
+    for (let at = bytes.indexOf(LF); at >= 0; at = bytes.indexOf(LF, at + 1)) line++
+  }
+  return line
+}
+
+const DOTS = /^[[({<*#/%!;,|-]*(?:\.\.|\u2026|\u22ee|\u00e2\u0080\u00a6|\u00e2\u008b\u00ae|[.:]$)/
+const WORDS = /^[[({<*#/%!;,|-]*(?:snip|cut|omitted|truncated|skipped)\b/i
+
+/** Whether somebody has left something out here: "...", "[snip]", and the characters for dots, also as UTF-8 looks in Latin 1. */
+export function isElision(word: string): boolean {
+  return DOTS.test(word) || WORDS.test(word)
+}

@@ -1,0 +1,143 @@
+/** JSON: elements by their `vertices`, as `analyze` reads them, or points and cells under any names. */
+import type { Mesh } from '../mesh'
+import { MeshBuilder } from '../mesh-builder'
+import { shown } from '../text-cursor'
+import { meshOfTables } from './interpret'
+import type { NumberTable } from './number-table'
+import { inRowsOf, transposed } from './number-table'
+
+const FORMAT = 'JSON'
+
+/** Null if the text is no JSON, or has neither. */
+export function meshOfJson(text: string, fileName: string): Mesh | null {
+  if (!/^\s{0,1000}[[{]/.test(text.slice(0, 1001))) return null
+  let value: unknown
+  try {
+    value = JSON.parse(text)
+  } catch {
+    return null
+  }
+  const found = search(value)
+  return ownElements(found, fileName) ?? meshOfTables(found.tables, { format: FORMAT, fileName })
+}
+
+interface Found {
+  readonly own: { readonly name: string; readonly vertices: unknown }[]
+  readonly tables: NumberTable[]
+}
+
+/** Depth is on a list of what is still to be looked at, not on the stack. */
+function search(whole: unknown): Found {
+  const found: Found = { own: [], tables: [] }
+  const waiting: { readonly value: unknown; readonly names: readonly string[] }[] = [{ value: whole, names: [] }]
+  for (let entry = waiting.pop(); entry !== undefined; entry = waiting.pop()) {
+    const { value, names } = entry
+    if (Array.isArray(value)) {
+      const rows = rowsOf(value)
+      if (rows !== null) found.tables.push(tableOf(rows, names))
+      else
+        for (let i = value.length - 1; i >= 0; i--)
+          if (typeof value[i] === 'object') waiting.push({ value: value[i], names })
+    } else if (typeof value === 'object' && value !== null) {
+      if (isOwn(value))
+        found.own.push({
+          name: typeof value.name === 'string' ? value.name : (names.at(-1) ?? ''),
+          vertices: value.vertices,
+        })
+      else {
+        for (const [key, inner] of Object.entries(value).reverse())
+          if (typeof inner === 'object') waiting.push({ value: inner, names: [...names.slice(-6), key] })
+      }
+    }
+  }
+  return found
+}
+
+interface Own {
+  readonly name?: unknown
+  readonly vertices: unknown
+}
+
+/** An object whose `vertices` are those of one element, with nothing in it that names them. */
+function isOwn(value: object): value is Own {
+  if (!('vertices' in value) || !Array.isArray(value.vertices)) return false
+  const others = Object.entries(value).filter(([key, inner]) => key !== 'vertices' && Array.isArray(inner))
+  const isSmall = value.vertices.length <= 8 || value.vertices.length === 24
+  return (
+    isSmall &&
+    others.every(
+      ([, inner]) =>
+        !/cell|elem|face|conn|hex|index|indic/i.test(JSON.stringify(Object.keys(value))) || inner === value.vertices,
+    )
+  )
+}
+
+/** Rows of numbers at any depth of lists; objects with x, y and z are rows as well. */
+function rowsOf(list: readonly unknown[]): number[][] | null {
+  if (list.length === 0) return null
+  if (list.every(isNumber)) return [list as number[]]
+  const rows: number[][] = []
+  for (const entry of list) {
+    if (Array.isArray(entry) && entry.length > 0 && entry.every(isNumber)) rows.push(entry)
+    else if (
+      Array.isArray(entry) &&
+      entry.length > 0 &&
+      entry.every(inner => Array.isArray(inner) && inner.length > 0 && inner.every(isNumber))
+    ) {
+      rows.push(...(entry as number[][]))
+    } else if (isPoint(entry)) rows.push([entry.x, entry.y, entry.z])
+    else return null
+  }
+  return rows
+}
+
+function isNumber(value: unknown): value is number {
+  return typeof value === 'number'
+}
+
+function isPoint(value: unknown): value is { x: number; y: number; z: number } {
+  return (
+    typeof value === 'object' &&
+    value !== null &&
+    'x' in value &&
+    'y' in value &&
+    'z' in value &&
+    [value.x, value.y, value.z].every(isNumber)
+  )
+}
+
+function tableOf(rows: number[][], names: readonly string[]): NumberTable {
+  const width = rows.reduce((most, row) => Math.max(most, row.length), 0)
+  const integers = Array.from({ length: width }, (_, c) =>
+    rows.every(row => row[c] === undefined || Number.isInteger(row[c])),
+  )
+  return { names, rows, integers, header: null, labels: null, ids: null, isCut: false, digits: 0, isOneBased: false }
+}
+
+/** The list that `analyze` reads: its order is this project's own. Null if there is none. */
+function ownElements({ own }: Found, fileName: string): Mesh | null {
+  if (own.length === 0) return null
+  const builder = new MeshBuilder(FORMAT, fileName)
+  for (const [i, { name, vertices }] of own.entries()) {
+    const points = pointsOf(vertices)
+    if (points === null)
+      return builder.refuse(
+        `the vertices of entry ${i}${name === '' ? '' : ` (${shown(name)})`} are not 24 numbers, nor eight lists of three.`,
+      )
+    const first = builder.pointCount
+    for (const [x, y, z] of points) builder.point(x as number, y as number, z as number)
+    builder.hexahedron(
+      [0, 1, 2, 3, 4, 5, 6, 7].map(v => first + v),
+      name === '' ? null : name,
+    )
+  }
+  return builder.mesh()
+}
+
+function pointsOf(vertices: unknown): number[][] | null {
+  const rows = Array.isArray(vertices) ? rowsOf(vertices) : null
+  if (rows === null) return null
+  if (rows.length === 1 && rows[0]?.length === 24) return inRowsOf(rows[0], 3)
+  if (rows.length === 8 && rows.every(row => row.length === 3)) return rows
+  return rows.length === 3 && rows.every(row => row.length === 8) ? transposed(rows) : null
+}

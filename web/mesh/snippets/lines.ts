@@ -1,0 +1,310 @@
+/**
+ * Numbers on lines that are written alike: tables, logs, CSV, LaTeX, what programs print of an element's points. Lines that differ in
+ * their numbers alone belong together, wherever they stand in the text.
+ */
+import type { NumberTable } from './number-table'
+import { isWordCharacter, Tokens } from './tokens'
+
+/** Dates and times are no coordinates. */
+const DATE_OR_TIME = /(?<![\w.])(?:\d{4}-\d\d-\d\d|\d\d?:\d\d(?::\d\d(?:\.\d{1,9})?)?)(?![\w.:])/g
+const ELEMENT = /\b(?:element|elem|cell|hexahedron|hexahedra|hex|brick)s?\b[\s#:=.(no]{0,12}(\d{1,15})\b/i
+const RANK = /\b(?:rank|proc|processor|process|task|pe)\b[\s#:=(]{0,12}(\d{1,9})\b/i
+/** A line in whose place others stood. */
+const LEFT_OUT =
+  /^[\s>|#/*%-]*[[(<{]?\s*(?:\.{3,}|…|⋮|:\s*:|snip(?:ped)?|\.\.\.\s*snip\s*\.\.\.|\\vdots[^\n]*|(?:\.\.\.|…).{0,60}(?:more|omitted|truncated|lines|skipped).{0,40})\s*[\])>}]?[\s,;&\\]*$/i
+/** Of a line, what is looked at for words; a longer one has its numbers read all the same. */
+const LONGEST_SKELETON = 400
+/** Runs of a line that are told apart by their place on it. */
+const MOST_PLACES = 64
+
+/** A line that is nothing but a title: "Vertices", "cells:", "begin elements". */
+const HEADING = /^[^\w\n]{0,4}\w{1,30}(?:[ _]\w{1,30})?\s{0,4}[:=]?(?:\s{1,8}\d{1,12})?$/
+const POINT_WORD = /node|vert|point|pt|grid|corner|^id$|^p$|^v$|^n$/i
+
+const COMMA = 44
+
+interface Run {
+  readonly values: number[]
+  readonly integers: boolean[]
+  /** The word before it on its line. */
+  readonly word: string
+  /** A number that stands alone before it, behind a word for a point; else null. */
+  readonly id: number | null
+}
+
+interface Line {
+  readonly number: number
+  readonly runs: readonly Run[]
+  /** The same for lines that are written alike. */
+  readonly skeleton: string
+  readonly words: readonly string[]
+  readonly digits: number
+}
+
+class Group {
+  readonly rows: number[][] = []
+  readonly labels: (string | null)[] = []
+  readonly ids: (number | null)[] = []
+  readonly lines: number[] = []
+  integers: boolean[]
+  digits = 0
+  isCut = false
+  constructor(
+    readonly names: readonly string[],
+    readonly header: readonly string[] | null,
+    run: Run,
+  ) {
+    this.integers = [...run.integers]
+  }
+  add(run: Run, label: string | null, line: Line): void {
+    this.rows.push(run.values)
+    this.labels.push(label)
+    this.ids.push(run.id)
+    this.lines.push(line.number)
+    this.digits = Math.max(this.digits, line.digits)
+    this.integers = this.integers.map((isInteger, c) => isInteger && run.integers[c] === true)
+  }
+}
+
+export interface TextLines {
+  readonly tables: readonly NumberTable[]
+  /** A sentence where the points of several elements or processes are mixed, so that none is certain. */
+  readonly mixed: string | null
+  /** How many numbers and runs of three there are, for the sentence that says what was seen. */
+  readonly numbers: number
+  readonly points: number
+}
+
+/** The tables that the lines of a text are, in the order of their first lines. */
+export function tablesOfLines(text: string): TextLines {
+  const groups = new Map<string, Group>()
+  const order: Group[] = []
+  const mentions: Mention[] = []
+  let label: string | null = null
+  let cuts = 0
+  let [numbers, points] = [0, 0]
+  let before: Line | null = null
+  let heading: readonly string[] = []
+  for (const line of linesOf(text)) {
+    const words = line.raw
+    const short = words.slice(0, LONGEST_SKELETON)
+    if (LEFT_OUT.test(short) && words.length < LONGEST_SKELETON) {
+      cuts++
+      for (const group of order) group.isCut = true
+      continue
+    }
+    const element = ELEMENT.exec(short)?.[1]
+    const rank = RANK.exec(short)?.[1]
+    const read = readLine(words, line.number)
+    numbers += read.runs.reduce((sum, { values }) => sum + values.length, 0)
+    if (read.runs.length === 0 || read.runs.every(({ values }) => values.length < 3)) {
+      if (element !== undefined) label = element
+      if (element !== undefined || rank !== undefined) mentions.push({ line: line.number, element, rank })
+      if (words.trim() !== '') {
+        before = read
+        if (read.words.length > 0) heading = HEADING.test(short.trim()) ? read.words : []
+      }
+      continue
+    }
+    if (element !== undefined) label = element
+    const all = (read.runs.length > 1 && read.runs.length % 8 === 0) || read.runs.length > MOST_PLACES
+    for (const [i, run] of read.runs.entries()) {
+      if (run.values.length === 3 || run.values.length === 4) points++
+      if (run.values.length < 3) continue
+      const key = `${cuts} ${run.values.length} ${all ? '' : i} ${read.skeleton}`
+      let group = groups.get(key)
+      if (group === undefined) {
+        const titles = read.runs.length === 1 ? headerOf(before, run.values.length) : null
+        group = new Group([...heading, ...(run.word === '' ? [] : [run.word])], titles, run)
+        groups.set(key, group)
+        order.push(group)
+      }
+      group.add(run, label, read)
+    }
+    before = read
+  }
+  const firstAfterCut = cuts > 0 ? order.filter(group => !group.isCut) : []
+  const tables = order.filter(group => !(firstAfterCut.includes(group) && isContinuation(group, order))).map(tableOf)
+  return { tables, mixed: mixture(order, mentions), numbers, points }
+}
+
+/** Whether a group goes on, behind what was left out, with the lines of one before it. */
+function isContinuation(group: Group, order: readonly Group[]): boolean {
+  return order.some(
+    other =>
+      other !== group && other.isCut && other.rows[0]?.length === group.rows[0]?.length && sameNames(other, group),
+  )
+}
+
+function sameNames(a: Group, b: Group): boolean {
+  return a.names.join(' ') === b.names.join(' ')
+}
+
+function tableOf(group: Group): NumberTable {
+  return {
+    names: group.names,
+    rows: group.rows,
+    integers: group.integers,
+    header: group.header,
+    labels: group.labels,
+    ids: group.ids.includes(null) ? null : (group.ids as number[]),
+    isCut: group.isCut,
+    digits: group.digits,
+    isOneBased: false,
+  }
+}
+
+interface Mention {
+  readonly line: number
+  readonly element: string | undefined
+  readonly rank: string | undefined
+}
+
+/** Two ranks, or two elements, that are named one after the other before their points: which points are whose is not certain. */
+function mixture(groups: readonly Group[], mentions: readonly Mention[]): string | null {
+  for (const { rows, lines } of groups) {
+    if (rows.length < 8 || rows[0]?.length !== 3) continue
+    const first = lines[0] as number
+    for (const what of ['rank', 'element'] as const) {
+      const named = mentions.filter(mention => mention[what] !== undefined)
+      const before = new Set(named.filter(({ line }) => line < first).map(mention => mention[what]))
+      if (named.length < 2 || (what === 'element' && rows.length === 8)) continue
+      const between = named.filter(({ line }) => line > first)
+      if (before.size > 1 && between.length < Math.max(rows.length / 8 - 1, 0.5)) {
+        const kind = what === 'rank' ? 'processes' : 'elements'
+        return `two or more ${kind} are named before ${rows.length} points, whose lines may be mixed: which points are whose is not certain.`
+      }
+    }
+  }
+  return null
+}
+
+function headerOf(line: Line | null, count: number): readonly string[] | null {
+  if (line === null || line.runs.some(({ values }) => values.length > 2)) return null
+  const titles = line.words
+  return titles.length === count ? titles : null
+}
+
+function* linesOf(text: string): Generator<{ readonly raw: string; readonly number: number }> {
+  let number = 1
+  for (let at = 0; at < text.length; number++) {
+    const found = text.indexOf('\n', at)
+    const end = found < 0 ? text.length : found
+    yield { raw: text.slice(at, end), number }
+    at = end + 1
+  }
+}
+
+/** Numbers with nothing but blanks, commas, semicolons, bars and ampersands between them are a run. */
+function readLine(raw: string, number: number): Line {
+  const text = raw.length < 10_000 ? raw.replace(DATE_OR_TIME, '@') : raw
+  const tokens = new Tokens(text)
+  const runs: { values: number[]; integers: boolean[]; word: string; id: number | null }[] = []
+  let id: number | null = null
+  let skeleton = ''
+  let isOpen = false
+  let word = ''
+  let digits = 0
+  const axes: string[] = []
+  const valued: number[] = []
+  for (let kind = tokens.next(); kind !== 'end'; kind = tokens.next()) {
+    const at = tokens.from
+    if (kind === 'number') {
+      const run = isOpen ? runs.at(-1) : undefined
+      if (run === undefined) {
+        const last = runs.at(-1)
+        if (last !== undefined && last.values.length === 1 && last.integers[0] && POINT_WORD.test(last.word))
+          id = last.values[0] as number
+        runs.push({ values: [tokens.value], integers: [tokens.isInteger], word, id })
+      } else {
+        run.values.push(tokens.value)
+        run.integers.push(tokens.isInteger)
+      }
+      digits = Math.max(digits, tokens.digits)
+      isOpen = true
+      if (axes.length > valued.length) valued.push(tokens.value)
+      if (skeleton.length < LONGEST_SKELETON) skeleton += skeleton.endsWith('#') ? '' : '#'
+      continue
+    }
+    const token = text.slice(at, Math.min(tokens.to, at + 60))
+    if (kind === 'word') {
+      word = token
+      if (/^[xyz]\d?$/i.test(token)) axes.push(token[0] as string)
+    }
+    const isBetween =
+      kind === 'mark' && (token === ',' || token === ';' || token === '|' || token === '&' || token === '"')
+    if (!isBetween) {
+      isOpen = false
+      if (skeleton.length < LONGEST_SKELETON) skeleton += kind === 'word' ? ` ${token.replace(/\d+/g, '#')}` : token
+    }
+  }
+  const labelled = labelledPoints(text, axes.length, runs)
+  return {
+    number,
+    runs: labelled ?? runs,
+    skeleton: labelled === null ? skeleton : skeleton.replace(/#/g, ''),
+    words: wordsOf(raw),
+    digits,
+  }
+}
+
+/** The titles on a line: between commas, semicolons or tabs if there are any, else its words. */
+function wordsOf(raw: string): string[] {
+  if (raw.length > LONGEST_SKELETON) return []
+  const line = raw.trim()
+  const separator = line.includes(',')
+    ? ','
+    : line.includes(';')
+      ? ';'
+      : line.includes('\t')
+        ? '\t'
+        : line.includes('&')
+          ? '&'
+          : null
+  const parts = separator === null ? line.split(/\s+/) : line.split(separator)
+  return parts.map(part => part.replace(/["'$\\]/g, '').trim()).filter(part => /[A-Za-z]/.test(part))
+}
+
+const LABELLED =
+  /(?<![A-Za-z])["']?x\d{0,4}["']?\s{0,8}[=:]\s{0,8}([^\s,;]{1,40})[\s,;]{1,8}["']?y\d{0,4}["']?\s{0,8}[=:]\s{0,8}([^\s,;]{1,40})[\s,;]{1,8}["']?z\d{0,4}["']?\s{0,8}[=:]\s{0,8}([^\s,;)\]}]{1,40})/gi
+
+/** "x= 1 y= 2 z= 3"; null where a line has none. */
+function labelledPoints(text: string, axes: number, runs: readonly Run[]): Run[] | null {
+  if (axes < 3) return null
+  const found: Run[] = []
+  for (const match of text.matchAll(LABELLED)) {
+    const values: number[] = []
+    for (const word of match.slice(1, 4)) {
+      const tokens = new Tokens(word)
+      if (tokens.next() === 'number') values.push(tokens.value)
+    }
+    if (values.length === 3)
+      found.push({
+        values,
+        integers: [false, false, false],
+        word: '',
+        id: runs[0]?.values.length === 1 && POINT_WORD.test(runs[0].word) ? (runs[0].values[0] as number) : null,
+      })
+  }
+  return found.length > 0 ? found : null
+}
+
+/** The text with decimal points, if its numbers have decimal commas: every number of at least three lines; else null. */
+export function withDecimalPoints(text: string): string | null {
+  if (!text.includes(',') || text.length > 1_000_000) return null
+  let fractions = 0
+  for (const { raw } of linesOf(text)) {
+    for (const word of raw.split(/[\s;|&]+/)) {
+      if (word === '' || !/\d/.test(word)) continue
+      if (!/^[-+−]?\d{1,20}(?:,\d{1,20})?(?:[eE][-+]?\d{1,4})?$/.test(word)) return null
+      if (word.includes(',')) fractions++
+    }
+  }
+  if (fractions < 8) return null
+  let result = ''
+  for (let i = 0; i < text.length; i++) {
+    const isComma = text.charCodeAt(i) === COMMA
+    result += isComma && isWordCharacter(text.charCodeAt(i + 1)) ? '.' : text[i]
+  }
+  return result
+}

@@ -1,0 +1,57 @@
+/** Numbers that a text has in rows: a list in brackets, or lines that are written alike. */
+
+export interface NumberTable {
+  /** Words that stand before it, outermost first. */
+  readonly names: readonly string[]
+  readonly rows: readonly (readonly number[])[]
+  /** For each column whether all its numbers are written as integers; as long as the longest row. */
+  readonly integers: readonly boolean[]
+  /** Titles of the columns, where a line above has as many words. */
+  readonly header: readonly string[] | null
+  /** For each row the element that the text speaks of before it; null where it speaks of none. */
+  readonly labels: readonly (string | null)[] | null
+  /** For each row the number of its point, if it stands apart from the coordinates; null where none does. */
+  readonly ids: readonly number[] | null
+  /** Whether the text ends or leaves something out inside it: the rows are those before. */
+  readonly isCut: boolean
+  /** Most significant digits of its numbers as they are written. */
+  readonly digits: number
+  /** Whether it is in a language that counts from 1. */
+  readonly isOneBased: boolean
+}
+
+/** The width that all rows have, or 0. */
+export function widthOf({ rows }: NumberTable): number {
+  const width = rows[0]?.length ?? 0
+  return rows.every(row => row.length === width) ? width : 0
+}
+
+export function areAllIntegers({ integers }: NumberTable): boolean {
+  return integers.length > 0 && integers.every(isInteger => isInteger)
+}
+
+export function column({ rows }: NumberTable, c: number): number[] {
+  return rows.map(row => row[c] as number)
+}
+
+export function isConstant(values: readonly number[]): boolean {
+  return values.every(value => value === values[0])
+}
+
+export function countsUp(values: readonly number[]): boolean {
+  return values.length > 1 && values.every((value, i) => i === 0 || value === (values[i - 1] as number) + 1)
+}
+
+export function areDistinct(values: readonly number[]): boolean {
+  return new Set(values).size === values.length
+}
+
+/** The table as if its columns were rows. */
+export function transposed(rows: readonly (readonly number[])[]): number[][] {
+  return (rows[0] ?? []).map((_, c) => rows.map(row => row[c] as number))
+}
+
+/** One long list cut into rows. */
+export function inRowsOf(values: readonly number[], width: number): number[][] {
+  return Array.from({ length: Math.floor(values.length / width) }, (_, i) => values.slice(width * i, width * (i + 1)))
+}

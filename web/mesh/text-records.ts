@@ -1,0 +1,144 @@
+/**
+ * Records of a text, one a line: nodes, elements. A file must have as many as it declares. A snippet may end anywhere, or leave something
+ * out with "...": its whole elements are read, and a note says so.
+ */
+
+import type { Mesh } from './mesh'
+import type { MeshBuilder } from './mesh-builder'
+import { isEllipsis, unwrapped } from './snippet-text'
+import type { MeshFile } from './source'
+import { shown, type TextCursor } from './text-cursor'
+
+const [PLUS, MINUS, HASH, ZERO, NINE] = [43, 45, 35, 48, 57] as const
+
+/** What stands next: a record, the beginning or the end of a section, or the end of what belongs to the file. */
+export type Next = 'record' | 'section' | 'end'
+
+export interface RecordsOptions {
+  readonly isSnippet: boolean
+  /** Whether the line that is next ends a section; it is not passed. */
+  readonly endsSection: (cursor: TextCursor) => boolean
+  readonly hasComments: boolean
+  /** Whether a section has a line that ends it. */
+  readonly hasEnds: boolean
+  readonly onRecord: (position: number) => void
+}
+
+export class TextRecords {
+  readonly cursor: TextCursor
+  readonly #builder: MeshBuilder
+  readonly #options: RecordsOptions
+  /** Whether the text leaves something out. */
+  isElided = false
+
+  constructor(cursor: TextCursor, builder: MeshBuilder, options: RecordsOptions) {
+    this.cursor = cursor
+    this.#builder = builder
+    this.#options = options
+  }
+
+  get isSnippet(): boolean {
+    return this.#options.isSnippet
+  }
+
+  /** Passes blank lines, comments, and lines that stand for what was left out. */
+  next(what: string): Next {
+    const { cursor } = this
+    const { isSnippet, endsSection, hasComments } = this.#options
+    for (;;) {
+      cursor.skipBlanks()
+      const byte = cursor.peek()
+      if ((byte >= ZERO && byte <= NINE) || byte === MINUS || byte === PLUS) return 'record'
+      if (byte === -1) return 'end'
+      if (endsSection(cursor)) return 'section'
+      const line = cursor.peekLine()
+      if (/^(?:\.\d|nan\b|inf)/i.test(line)) return 'record'
+      if (isSnippet && isEllipsis(line)) this.isElided = true
+      else if (!(hasComments && byte === HASH)) {
+        if (isSnippet) return 'end'
+        cursor.refuse(`${what} were expected, not ${shown(line)}.`)
+      }
+      cursor.skipLine()
+    }
+  }
+
+  /** Reads records up to the end of the section or of the text; the number of those that are whole. */
+  all(declared: number, what: string, read: () => boolean): number {
+    for (let count = 0; ; ++count) {
+      const next = this.next(what)
+      if (next !== 'record') {
+        this.check(next, count, declared, what)
+        return count
+      }
+      if (count === declared) this.cursor.refuse(`there are more ${what} than the ${declared} that were declared.`)
+      if (!read()) {
+        this.check('end', count, declared, what)
+        return count
+      }
+      this.#options.onRecord(this.cursor.position)
+    }
+  }
+
+  onRecord(): void {
+    this.#options.onRecord(this.cursor.position)
+  }
+
+  /** Says what is not there; refuses where that is no snippet's way to end. */
+  check(next: Next, count: number, declared: number, what: string): void {
+    const isElements = what === 'elements'
+    if (this.isElided) this.#builder.note('The text leaves something out: what is whole in it has been read.')
+    else if (next === 'end' && count < declared && !(this.isSnippet && isElements))
+      this.cursor.refuse(`the file ends after ${count} of ${declared} ${what}.`)
+    else if (count < declared && next === 'section')
+      this.cursor.refuse(`${declared} ${what} are declared, the section has ${count}.`)
+    if (isElements && count < declared && declared < Infinity) {
+      this.#builder.isCutOff = true
+      this.#builder.note(`The text is cut: of ${declared} elements ${count} are there.`)
+    } else if (next === 'end' && this.#options.hasEnds)
+      this.#builder.note(`The text ends before the end of the ${what}.`)
+  }
+
+  /** Whether the line has another number; false where the text ends, which only a snippet may. */
+  hasField(what: string): boolean {
+    if (this.cursor.hasMoreOnLine()) return true
+    if (this.isSnippet && this.cursor.isAtEnd) return false
+    this.cursor.refuse(`the line ends where ${what} was expected.`)
+  }
+
+  /** Refuses further numbers in the line. */
+  endLine(what: string): void {
+    if (this.cursor.hasMoreOnLine()) this.cursor.refuse(`the line has more numbers than ${what} has.`)
+  }
+
+  /** After the last number of an element: where the text ends without an end of line, it may have lost digits. */
+  endElement(what: string): void {
+    this.endLine(what)
+    if (this.cursor.isAtEnd) this.#builder.isCutOff = true
+  }
+}
+
+/** Where a section begins that is read later. */
+export interface Start {
+  readonly position: number
+  readonly line: number
+}
+
+/** Reads one file of a text, and says where another begins. */
+interface Reader {
+  mesh(): Mesh
+  readonly next: Start | null
+}
+
+/** All files that stand in one text, one after the other, whatever mail and Markdown put around them. */
+export function readInTurn(file: MeshFile, readerAt: (text: MeshFile, start: Start) => Reader): readonly Mesh[] {
+  const text = unwrapped(file)
+  const meshes: Mesh[] = []
+  for (let start: Start | null = { position: 0, line: 1 }; start !== null; ) {
+    const reader: Reader = readerAt(text, start)
+    const mesh = reader.mesh()
+    // In a text that was UTF-16 bytes are at other places than in the file.
+    meshes.push(text.size === file.size ? mesh : { ...mesh, coordinatePlaces: null })
+    start = reader.next
+  }
+  return meshes
+}
