@@ -52,6 +52,19 @@ export class TextCursor {
     return this.#at >= this.#bytes.length && this.position >= this.#file.size
   }
 
+  /** Goes back or on to a byte that lies in line `line`. */
+  goTo({ position, line }: { readonly position: number; readonly line: number }): void {
+    this.#line = line
+    if (position >= this.#start && position <= this.#start + this.#bytes.length) {
+      this.#at = position - this.#start
+      return
+    }
+    this.#bytes = new Uint8Array(0)
+    this.#start = position
+    this.#at = 0
+    this.#fill()
+  }
+
   /** Throws: "part.inp, line 12: ...". */
   refuse(what: string, line = this.#line): never {
     throw new MeshRefusal(`${this.#file.name}, line ${line}: ${what}`)
@@ -129,10 +142,10 @@ export class TextCursor {
     return line.endsWith('\r') ? line.slice(0, -1) : line
   }
 
-  /** What is ahead in the line, up to the longest word; it is not passed. */
-  peekLine(): string {
+  /** What is ahead in the line, at most so many bytes; it is not passed. */
+  peekLine(most = LONGEST_WORD): string {
     this.#fill()
-    const ahead = this.#bytes.subarray(this.#at, this.#at + LONGEST_WORD)
+    const ahead = this.#bytes.subarray(this.#at, this.#at + most)
     const end = ahead.indexOf(LF)
     return decoder.decode(end < 0 ? ahead : ahead.subarray(0, end))
   }
