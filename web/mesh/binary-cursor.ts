@@ -2,7 +2,9 @@
 import { MeshRefusal } from './mesh'
 import type { MeshFile } from './source'
 
-const PIECE = 1024 * 1024
+/** Pieces begin small and grow, so that whoever reads little reads little. */
+const FIRST_PIECE = 4096
+const LARGEST_PIECE = 1024 * 1024
 const TWO_32 = 2 ** 32
 
 export const MACHINE_IS_LITTLE_ENDIAN = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1
@@ -12,6 +14,7 @@ export class BinaryCursor {
   readonly isLittleEndian: boolean
   #view: DataView = new DataView(new ArrayBuffer(0))
   #bytes: Uint8Array = new Uint8Array(0)
+  #piece = FIRST_PIECE
   readonly #few = new Int32Array(64)
   #start: number
   #at = 0
@@ -43,6 +46,10 @@ export class BinaryCursor {
   }
 
   jumpTo(position: number): void {
+    if (position >= this.#start && position <= this.#start + this.#bytes.length) {
+      this.#at = position - this.#start
+      return
+    }
     this.#start = position
     this.#at = 0
     this.#bytes = new Uint8Array(0)
@@ -52,7 +59,8 @@ export class BinaryCursor {
     if (this.#at + count > this.#bytes.length) {
       this.need(1, count, what)
       const from = this.position
-      this.#bytes = this.#file.read(from, Math.min(this.#file.size, from + Math.max(PIECE, count)))
+      this.#piece = Math.min(2 * this.#piece, LARGEST_PIECE)
+      this.#bytes = this.#file.read(from, Math.min(this.#file.size, from + Math.max(this.#piece, count)))
       this.#view = new DataView(this.#bytes.buffer, this.#bytes.byteOffset, this.#bytes.length)
       this.#start = from
       this.#at = 0

@@ -52,15 +52,17 @@ export class TextCursor {
     return this.#at >= this.#bytes.length && this.position >= this.#file.size
   }
 
-  /** Goes to a byte of the file. Lines are not counted on the way there; `lineAt` knows them. */
-  moveTo(position: number): void {
+  /** Goes to a byte of the file that lies in line `line`. Without it lines are not counted on the way there; `lineAt` knows them. */
+  goTo({ position, line = this.#line }: { readonly position: number; readonly line?: number }): void {
+    this.#line = line
     const at = position - this.#start
-    if (at >= 0 && at <= this.#bytes.length) this.#at = at
-    else {
-      this.#bytes = new Uint8Array(0)
-      this.#start = position
-      this.#at = 0
+    if (at >= 0 && at <= this.#bytes.length) {
+      this.#at = at
+      return
     }
+    this.#bytes = new Uint8Array(0)
+    this.#start = position
+    this.#at = 0
     this.#fill()
   }
 
@@ -141,10 +143,10 @@ export class TextCursor {
     return line.endsWith('\r') ? line.slice(0, -1) : line
   }
 
-  /** What is ahead in the line, up to the longest word; it is not passed. */
-  peekLine(): string {
+  /** What is ahead in the line, at most so many bytes; it is not passed. */
+  peekLine(most = LONGEST_WORD): string {
     this.#fill()
-    const ahead = this.#bytes.subarray(this.#at, this.#at + LONGEST_WORD)
+    const ahead = this.#bytes.subarray(this.#at, this.#at + most)
     const end = ahead.indexOf(LF)
     return decoder.decode(end < 0 ? ahead : ahead.subarray(0, end))
   }

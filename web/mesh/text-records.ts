@@ -7,7 +7,10 @@ import type { Mesh } from './mesh'
 import type { MeshBuilder } from './mesh-builder'
 import { isEllipsis, unwrapped } from './snippet-text'
 import type { MeshFile } from './source'
-import { shown, type TextCursor } from './text-cursor'
+import { shown, TextCursor } from './text-cursor'
+
+/** So much of a line tells what it is. */
+export const LINE_HEAD = 240
 
 const [PLUS, MINUS, HASH, ZERO, NINE] = [43, 45, 35, 48, 57] as const
 
@@ -51,7 +54,7 @@ export class TextRecords {
       if ((byte >= ZERO && byte <= NINE) || byte === MINUS || byte === PLUS) return 'record'
       if (byte === -1) return 'end'
       if (endsSection(cursor)) return 'section'
-      const line = cursor.peekLine()
+      const line = cursor.peekLine(LINE_HEAD)
       if (/^(?:\.\d|nan\b|inf)/i.test(line)) return 'record'
       if (isSnippet && isEllipsis(line)) this.isElided = true
       else if (!(hasComments && byte === HASH)) {
@@ -130,11 +133,13 @@ interface Reader {
 }
 
 /** All files that stand in one text, one after the other, whatever mail and Markdown put around them. */
-export function readInTurn(file: MeshFile, readerAt: (text: MeshFile, start: Start) => Reader): readonly Mesh[] {
+export function readInTurn(file: MeshFile, readerAt: (text: MeshFile, cursor: TextCursor) => Reader): readonly Mesh[] {
   const text = unwrapped(file)
   const meshes: Mesh[] = []
+  const cursor = new TextCursor(text)
   for (let start: Start | null = { position: 0, line: 1 }; start !== null; ) {
-    const reader: Reader = readerAt(text, start)
+    cursor.goTo(start)
+    const reader: Reader = readerAt(text, cursor)
     const mesh = reader.mesh()
     // In a text that was UTF-16 bytes are at other places than in the file.
     meshes.push(text.size === file.size ? mesh : { ...mesh, coordinatePlaces: null })

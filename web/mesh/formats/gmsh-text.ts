@@ -1,7 +1,7 @@
 /** Nodes and elements of Gmsh's files as text, of all versions. */
 import { isEllipsis } from '../snippet-text'
 import { shown, type TextCursor } from '../text-cursor'
-import { TextRecords } from '../text-records'
+import { LINE_HEAD, TextRecords } from '../text-records'
 import type { Version } from './gmsh-binary'
 import type { GmshMesh } from './gmsh-mesh'
 import { gmshTypes } from './gmsh-types'
@@ -48,7 +48,7 @@ export class GmshText {
   #header(what: string, stated: Version | null): { header: readonly number[]; version: Version } {
     const cursor = this.#cursor
     cursor.skipBlanks()
-    const line = cursor.peekLine().trim()
+    const line = cursor.peekLine(LINE_HEAD).trim()
     const isLeftOut = this.#records.isSnippet && isEllipsis(line)
     const header = isLeftOut ? [] : line.split(/\s+/, 5).map(Number)
     if (header.some(number => !Number.isSafeInteger(number) || number < 0))
@@ -123,6 +123,7 @@ export class GmshText {
     const ids: number[] = []
     while (ids.length < nodes && this.#records.next('nodes') === 'record') {
       ids.push(this.#id('a node'))
+      if (this.#records.isElided) break
       this.#records.endLine('the id of a node')
     }
     if (ids.length < nodes) return 0

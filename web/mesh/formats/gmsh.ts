@@ -3,7 +3,7 @@ import { BinaryCursor } from '../binary-cursor'
 import { type Mesh, MeshRefusal } from '../mesh'
 import { isEllipsis, LARGEST_SNIPPET } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
-import { shown, TextCursor } from '../text-cursor'
+import { shown, type TextCursor } from '../text-cursor'
 import { readInTurn, type Start } from '../text-records'
 import { type BinarySection, readElements2, readElements4, readNodes2, readNodes4, type Version } from './gmsh-binary'
 import { type Numbers, readEntities } from './gmsh-entities'
@@ -23,7 +23,7 @@ export const gmsh: MeshFormat = {
     return 'no'
   },
   read(file, options) {
-    return readInTurn(file, (text, start) => new GmshReader(text, start, options))
+    return readInTurn(file, (text, cursor) => new GmshReader(text, cursor, options))
   },
 }
 
@@ -32,7 +32,7 @@ class GmshReader {
   readonly #options: ReadOptions
   readonly #mesh: GmshMesh
   readonly #isSnippet: boolean
-  #cursor: TextCursor
+  readonly #cursor: TextCursor
   /** Null until the format is stated, or a section shows it. */
   #version: Version | null = null
   #isStated = false
@@ -46,12 +46,12 @@ class GmshReader {
   /** Where another file begins in the same text. */
   next: Start | null = null
 
-  constructor(file: MeshFile, { position, line }: Start, options: ReadOptions) {
+  constructor(file: MeshFile, cursor: TextCursor, options: ReadOptions) {
     this.#file = file
     this.#options = options
     this.#mesh = new GmshMesh(file.name)
     this.#isSnippet = file.size <= LARGEST_SNIPPET
-    this.#cursor = new TextCursor(file, position, line)
+    this.#cursor = cursor
   }
 
   mesh(): Mesh {
@@ -70,8 +70,7 @@ class GmshReader {
     }
     if (!this.#hasNodes) this.#cursor.refuse('the nodes were expected, in $Nodes or $NOD; there are none.')
     if (this.#lateElements !== null) {
-      const { position, line } = this.#lateElements
-      this.#cursor = new TextCursor(this.#file, position, line)
+      this.#cursor.goTo(this.#lateElements)
       this.#elements()
     }
     return this.#finished()
@@ -130,16 +129,11 @@ class GmshReader {
     } else this.#pass(name)
   }
 
-  /** Passes a section that nobody needs; one without an end is passed up to the next. */
+  /** Passes a section that nobody needs: up to its end, in a text up to the next section if it has none. */
   #pass(name: string): void {
-    const { position, line } = this.#cursor
     const end = `$End${name}`.toLowerCase()
-    for (;;) {
-      if (this.#cursor.peek() === DOLLAR && this.#startsWith(end)) return
-      if (this.#cursor.isAtEnd) break
-      this.#cursor.skipLine()
-    }
-    if (!this.#isBinary) this.#cursor = new TextCursor(this.#file, position, line)
+    for (; !this.#cursor.isAtEnd; this.#cursor.skipLine())
+      if (this.#cursor.peek() === DOLLAR && (!this.#isBinary || this.#startsWith(end))) return
   }
 
   /** Passes as many bytes as are the same. */
@@ -172,7 +166,7 @@ class GmshReader {
     const one = new BinaryCursor(this.#file, from, true).int32('the integer 1')
     if (one !== 1 && one !== 0x01000000) cursor.refuse(`the integer 1 was expected in binary, not ${one}.`)
     this.#isLittleEndian = one === 1
-    this.#cursor = new TextCursor(this.#file, from + 4, cursor.line)
+    cursor.goTo({ position: from + 4, line: cursor.line })
   }
 
   #physicalNames(): void {
@@ -216,7 +210,7 @@ class GmshReader {
     } catch (error) {
       // A text that is cut in its entities still has its elements; what is lost are names.
       if (!(error instanceof MeshRefusal) || this.#isBinary || !this.#isSnippet) throw error
-      this.#cursor = new TextCursor(this.#file, position, line)
+      this.#cursor.goTo({ position, line })
       this.#mesh.builder.note('The entities cannot be read: blocks lack the names of their groups.')
       this.#pass(name)
     }
@@ -227,7 +221,7 @@ class GmshReader {
   }
 
   #endBinary(cursor: BinaryCursor, name: string): void {
-    this.#cursor = new TextCursor(this.#file, cursor.position, this.#cursor.line)
+    this.#cursor.goTo({ position: cursor.position, line: this.#cursor.line })
     this.#cursor.skipBlanks()
     const end = `$End${name}`
     if (this.#cursor.isAtEnd || this.#cursor.word() !== end) cursor.refuse(`${end} was expected.`)

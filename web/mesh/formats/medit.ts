@@ -2,8 +2,8 @@
 import type { Mesh } from '../mesh'
 import { LARGEST_SNIPPET } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
-import { shown, TextCursor } from '../text-cursor'
-import { readInTurn, type Start, TextRecords } from '../text-records'
+import { shown, type TextCursor } from '../text-cursor'
+import { LINE_HEAD, readInTurn, type Start, TextRecords } from '../text-records'
 import { isMeditBinary, readMeditBinary } from './medit-binary'
 import { type MeditCells, meditCellsByName, meditCounted } from './medit-keywords'
 import { MeditMesh } from './medit-mesh'
@@ -24,7 +24,7 @@ export const medit: MeshFormat = {
   },
   read(file, options) {
     if (isMeditBinary(file.read(0, Math.min(8, file.size)))) return [readMeditBinary(file, options)]
-    return readInTurn(file, (text, start) => new MeditReader(text, start, options))
+    return readInTurn(file, (text, cursor) => new MeditReader(text, cursor, options))
   },
 }
 
@@ -41,8 +41,8 @@ class MeditReader {
   readonly #options: ReadOptions
   readonly #mesh: MeditMesh
   readonly #isSnippet: boolean
-  #cursor: TextCursor
-  #records: TextRecords
+  readonly #cursor: TextCursor
+  readonly #records: TextRecords
   #hasVertices = false
   #hasCells = false
   /** Cells before the vertices, and those whose order may be stated after them. */
@@ -51,20 +51,15 @@ class MeditReader {
   /** Where another file begins in the same text. */
   next: Start | null = null
 
-  constructor(file: MeshFile, start: Start, options: ReadOptions) {
+  constructor(file: MeshFile, cursor: TextCursor, options: ReadOptions) {
     this.#file = file
     this.#options = options
     this.#mesh = new MeditMesh(file.name)
     this.#isSnippet = file.size <= LARGEST_SNIPPET
-    this.#cursor = new TextCursor(file)
-    this.#records = this.#goTo(start)
-  }
-
-  #goTo({ position, line }: Start): TextRecords {
-    this.#cursor = new TextCursor(this.#file, position, line)
-    this.#records = new TextRecords(this.#cursor, this.#mesh.builder, {
+    this.#cursor = cursor
+    this.#records = new TextRecords(cursor, this.#mesh.builder, {
       isSnippet: this.#isSnippet,
-      endsSection: cursor => isKeyword(cursor.peekLine()),
+      endsSection: cursor => isKeyword(cursor.peekLine(LINE_HEAD)),
       hasComments: true,
       hasEnds: false,
       onRecord: position => {
@@ -73,7 +68,6 @@ class MeditReader {
         this.#options.onProgress(position / this.#file.size)
       },
     })
-    return this.#records
   }
 
   mesh(): Mesh {
@@ -99,7 +93,7 @@ class MeditReader {
     }
     if (!this.#hasVertices) this.#cursor.refuse('the vertices were expected, after the word Vertices; there are none.')
     for (const { cells, ...start } of this.#late) {
-      this.#goTo(start)
+      this.#cursor.goTo(start)
       this.#cells(cells)
     }
     if (!this.#hasCells && this.#isSnippet && !hasEnded && builder.pointCount === 8) {
@@ -117,7 +111,7 @@ class MeditReader {
     for (;;) {
       cursor.skipBlanks()
       if (cursor.isAtEnd) return null
-      const line = cursor.peekLine()
+      const line = cursor.peekLine(LINE_HEAD)
       if (isKeyword(line)) return { position: cursor.position, line: cursor.line, name: cursor.word() }
       if (cursor.peek() !== HASH && !this.#isSnippet) cursor.refuse(`a keyword was expected, not ${shown(line)}.`)
       cursor.skipLine()
@@ -153,7 +147,7 @@ class MeditReader {
     for (;;) {
       cursor.skipLine()
       cursor.skipBlanks()
-      if (cursor.isAtEnd || isKeyword(cursor.peekLine())) return
+      if (cursor.isAtEnd || isKeyword(cursor.peekLine(LINE_HEAD))) return
     }
   }
 

@@ -4,8 +4,8 @@ import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { PrintedDigits } from '../precision'
 import { LARGEST_SNIPPET } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
-import { shown, TextCursor } from '../text-cursor'
-import { readInTurn, type Start, TextRecords } from '../text-records'
+import { shown, type TextCursor } from '../text-cursor'
+import { LINE_HEAD, readInTurn, type Start, TextRecords } from '../text-records'
 import { straightHexahedra } from './mfem-middles'
 import { type NodeSpace, nodeSpaceOf } from './mfem-nodes'
 import { placeNonConforming } from './mfem-tree'
@@ -33,7 +33,7 @@ export const mfem: MeshFormat = {
     return /^[ \t>]*MFEM\b[A-Z -]*\bmesh v\d/m.test(text) ? 'yes' : 'no'
   },
   read(file, options) {
-    return readInTurn(file, (text, start) => new MfemReader(text, start, options))
+    return readInTurn(file, (text, cursor) => new MfemReader(text, cursor, options))
   },
 }
 
@@ -49,8 +49,8 @@ class MfemReader {
   readonly #builder: MeshBuilder
   readonly #digits = new PrintedDigits()
   readonly #isSnippet: boolean
-  #cursor: TextCursor
-  #records: TextRecords
+  readonly #cursor: TextCursor
+  readonly #records: TextRecords
   #isNonConforming = false
   /** The version of non-conforming meshes from which the place between two parents is stated. */
   #hasScales = false
@@ -73,20 +73,15 @@ class MfemReader {
   /** Where another mesh begins in the same text. */
   next: Start | null = null
 
-  constructor(file: MeshFile, start: Start, options: ReadOptions) {
+  constructor(file: MeshFile, cursor: TextCursor, options: ReadOptions) {
     this.#file = file
     this.#options = options
     this.#builder = new MeshBuilder('MFEM', file.name)
     this.#isSnippet = file.size <= LARGEST_SNIPPET
-    this.#cursor = new TextCursor(file)
-    this.#records = this.#goTo(start)
-  }
-
-  #goTo({ position, line }: Start): TextRecords {
-    this.#cursor = new TextCursor(this.#file, position, line)
-    this.#records = new TextRecords(this.#cursor, this.#builder, {
+    this.#cursor = cursor
+    this.#records = new TextRecords(cursor, this.#builder, {
       isSnippet: this.#isSnippet,
-      endsSection: cursor => /^[a-zA-Z]/.test(cursor.peekLine()) && isSection(cursor.peekLine()),
+      endsSection: ahead => isSection(ahead.peekLine(LINE_HEAD)),
       hasComments: true,
       hasEnds: false,
       onRecord: position => {
@@ -95,7 +90,6 @@ class MfemReader {
         this.#options.onProgress(position / this.#file.size)
       },
     })
-    return this.#records
   }
 
   mesh(): Mesh {
@@ -112,11 +106,11 @@ class MfemReader {
         `the ${this.#isNonConforming ? 'coordinates' : 'vertices'} were expected; the file ends without them.`,
       )
     if (this.#elements === null) this.#cursor.refuse('the elements were expected; there are none.')
-    this.#goTo(this.#elements)
+    this.#cursor.goTo(this.#elements)
     if (this.#isNonConforming) this.#readLeaves()
     else this.#readElements('elements')
     if (this.#boundary !== null) {
-      this.#goTo(this.#boundary)
+      this.#cursor.goTo(this.#boundary)
       this.#readElements('boundary elements')
     }
     return this.#finished()
@@ -149,7 +143,7 @@ class MfemReader {
     for (;;) {
       cursor.skipBlanks()
       if (cursor.isAtEnd) cursor.refuse('a line such as “MFEM mesh v1.0” was expected.')
-      const line = cursor.peekLine().trim()
+      const line = cursor.peekLine(LINE_HEAD).trim()
       if (!HEADER.test(line)) {
         cursor.skipLine()
         continue
@@ -174,7 +168,7 @@ class MfemReader {
     for (;;) {
       cursor.skipBlanks()
       if (cursor.isAtEnd) return null
-      const line = cursor.peekLine()
+      const line = cursor.peekLine(LINE_HEAD)
       const start = { position: cursor.position, line: cursor.line }
       if (HEADER.test(line)) return { ...start, name: line }
       if (SECTION.test(line)) return { ...start, name: cursor.word() }
@@ -210,7 +204,7 @@ class MfemReader {
     for (;;) {
       cursor.skipLine()
       cursor.skipBlanks()
-      if (cursor.isAtEnd || isSection(cursor.peekLine())) return
+      if (cursor.isAtEnd || isSection(cursor.peekLine(LINE_HEAD))) return
     }
   }
 

@@ -60,7 +60,7 @@ export const vtkLegacy: MeshFormat = {
       return [new LegacyDataset(file, options, new TextCursor(file, section.index), false).read()]
     }
     for (const cursor = new TextCursor(file, at); at >= 0; ) {
-      cursor.moveTo(at)
+      cursor.goTo({ position: at })
       const dataset = new LegacyDataset(file, options, cursor, true)
       meshes.push(dataset.read())
       at = dataset.isBinary ? -1 : find(file, MAGIC, cursor.position)
@@ -237,7 +237,7 @@ class LegacyDataset {
     const run = new NumberRun(this.#file, this.#cursor.position, this.#file.size)
     if (run.numbers(three, 0, 3) < 3)
       this.#refuseAt(run.position, `${shown(run.nextWord())} stands where a number was expected.`)
-    this.#cursor.moveTo(run.position)
+    this.#cursor.goTo({ position: run.position })
     return [...three] as [number, number, number]
   }
 
@@ -265,7 +265,7 @@ class LegacyDataset {
           `${word === '' ? 'the file is cut off: it ends' : `${shown(word)} stands`} where ${what} ${filled + 1} of ${count} was expected.`,
         )
     }
-    this.#cursor.moveTo(run.position)
+    this.#cursor.goTo({ position: run.position })
     if (filled === count) return list
     this.#passElision()
     return list.slice(0, filled) as T
@@ -295,7 +295,7 @@ class LegacyDataset {
       at += bytes.length
       this.#report(at)
     }
-    this.#cursor.moveTo(at)
+    this.#cursor.goTo({ position: at })
     return list
   }
 
@@ -343,9 +343,9 @@ class LegacyDataset {
         this.#cells = this.#cellsByOffsets(first, second)
         return
       }
-      this.#cursor.moveTo(before)
+      this.#cursor.goTo({ position: before })
     }
-    this.#cursor.moveTo(line)
+    this.#cursor.goTo({ position: line })
     this.#cells = this.#cellsByCounts(first, second)
   }
 
@@ -426,7 +426,7 @@ class LegacyDataset {
         const bytes = type === 'bit' ? Math.ceil(numbers / 8) : numbers * NUMBER_SIZES[this.#typeOf(type)]
         if (this.#cursor.position + bytes > this.#file.size)
           this.#refuse(`an array of ${bytes} bytes was expected: the file is cut off.`)
-        this.#cursor.moveTo(this.#cursor.position + bytes)
+        this.#cursor.goTo({ position: this.#cursor.position + bytes })
       }
     }
   }
@@ -439,7 +439,7 @@ class LegacyDataset {
       if (run.numbers(some, 0, part) === part) continue
       this.#refuseAt(run.position, `${shown(run.nextWord())} stands where a number of a field was expected.`)
     }
-    this.#cursor.moveTo(run.position)
+    this.#cursor.goTo({ position: run.position })
   }
 
   /** In text a line each; in binary files a length of one, two, four or eight bytes, as its highest two bits say, and the bytes. */
@@ -459,7 +459,7 @@ class LegacyDataset {
       at += bytes + length
       if (at > this.#file.size) this.#refuse('a text of a field goes on behind the end of the file: it is cut off.')
     }
-    this.#cursor.moveTo(at)
+    this.#cursor.goTo({ position: at })
   }
 
   #precision(): Precision {
