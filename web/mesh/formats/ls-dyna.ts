@@ -185,8 +185,13 @@ class DynaReader {
   /** Splits the line at commas, or in columns, or, if a word crosses these, at blanks. */
   #split(integers: number, reals = 0): void {
     const lines = this.#lines
+    lines.scan()
     if (lines.hasComma) {
       lines.splitAtCommas()
+      return
+    }
+    if (lines.hasTab) {
+      lines.splitAtBlanks()
       return
     }
     const { integer, real } = this.#widths
@@ -196,7 +201,7 @@ class DynaReader {
       const isReal = integers === 1 ? i > 0 : i >= integers
       const next = at + (isReal ? real : integer)
       lines.addField(at, next)
-      if (this.#hasBlankInside(i) || lines.hasTab) {
+      if (this.#hasBlankInside(i)) {
         lines.splitAtBlanks()
         return
       }
@@ -205,9 +210,9 @@ class DynaReader {
   }
 
   #hasBlankInside(field: number): boolean {
-    const lines = this.#lines
-    for (let at = lines.fieldFrom(field); at < lines.fieldTo(field); ++at)
-      if ((lines.bytes[at] as number) <= SPACE) return true
+    const { bytes } = this.#lines
+    const to = this.#lines.fieldTo(field)
+    for (let at = this.#lines.fieldFrom(field); at < to; ++at) if ((bytes[at] as number) <= SPACE) return true
     return false
   }
 
@@ -388,6 +393,7 @@ class DynaReader {
         title = lines.text().trim()
         return
       }
+      lines.scan()
       if (lines.hasComma) lines.splitAtCommas()
       else {
         const width = this.#widths === LONG ? 20 : 10
