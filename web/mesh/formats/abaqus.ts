@@ -24,6 +24,8 @@ const REFUSED = new Set([
   ...['SOLIDELEMENTGENERATION', 'TRANSFORMNODES'],
 ])
 
+const passOver = () => {}
+
 interface Instance {
   readonly name: string
   readonly partName: string
@@ -63,8 +65,8 @@ class AbaqusReader {
   #lines: TextLines
   #keyword: Keyword = { name: '', written: '', parameters: new Map() }
   /** What a data line of the keyword is for. */
-  #readLine: () => void = () => {}
-  #finish: () => void = () => {}
+  #readLine: () => void = passOver
+  #finish: () => void = passOver
   #frame: Frame | null = null
   #isFar = false
 
@@ -89,20 +91,29 @@ class AbaqusReader {
 
   #readLines(depth: number): void {
     const lines = this.#lines
+    let blank = 0
     while (lines.next()) {
-      if (lines.isBlank) continue
+      if (lines.isBlank) {
+        blank = lines.number
+        continue
+      }
       let first = 0
       while (lines.at(first) <= 32) first++
       if (lines.at(first) === STAR) {
         if (lines.at(first + 1) === STAR) continue
         this.#finish()
-        this.#finish = () => {}
-        this.#readLine = () => {}
+        this.#finish = passOver
+        this.#readLine = passOver
         this.#keyword = this.#nextKeyword()
         this.#start(depth)
       } else if (lines.isElision) {
         this.#isCutOff = true
         this.#part.model.forgetPlaces()
+      } else if (blank > 0 && this.#readLine !== passOver && lines.isProseAfter(blank)) {
+        this.#finish()
+        this.#finish = passOver
+        this.#readLine = passOver
+        this.#notes.push(`Line ${lines.number} is text: what follows it, up to the next keyword, is passed over.`)
       } else this.#readLine()
     }
   }

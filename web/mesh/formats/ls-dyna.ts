@@ -98,14 +98,24 @@ class DynaReader {
   #readLines(depth: number): void {
     const lines = this.#lines
     this.#readLine = passOver
+    let blank = 0
     while (lines.next()) {
       const first = lines.at(0)
+      if (lines.isBlank) blank = lines.number
       if (first === STAR) {
         if (!this.#startKeyword(depth)) return
       } else if (first === DOLLAR || lines.isBlank) continue
       else if (lines.isElision) this.#isCutOff = true
-      else this.#readLine()
+      else if (blank > 0 && this.#isOfNumbers() && lines.isProseAfter(blank)) {
+        this.#readLine = passOver
+        this.#notes.add(`Line ${lines.number} is text: what follows it, up to the next keyword, is passed over.`)
+      } else this.#readLine()
     }
+  }
+
+  /** Whether lines of the keyword begin with numbers, not with titles or names. */
+  #isOfNumbers(): boolean {
+    return this.#readLine !== passOver && /^\*(?:NODE|ELEMENT)/.test(this.#keyword)
   }
 
   /** False for *END. */

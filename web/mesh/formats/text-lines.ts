@@ -73,6 +73,11 @@ export class TextLines {
     return /^[[(<]?\s*(?:\.\s?\.\s?\.[.\s]*|…|:)\s*[\])>]?$/u.test(this.text().trim())
   }
 
+  /** Whether the line is prose under a snippet: it begins with a letter, and stands below a blank line. */
+  isProseAfter(blankLine: number): boolean {
+    return blankLine === this.number - 1 && /^\p{L}\S*\s/u.test(this.text())
+  }
+
   /** The byte at a column, counted from 0; 0 beyond the end. */
   at(column: number): number {
     const place = this.from + column
