@@ -346,6 +346,10 @@ class DynaReader {
       for (const i of [...ORDER_OF_20.slice(0, 8), ...further])
         this.#slots[i] = this.#nodes[i] === 0 ? 0 : this.#model.slot(this.#nodes[i] as number)
       const has = (i: number) => (i < 8 || (nodeCount !== 64 && this.#nodes[i] !== 0) ? i : -1)
+      if (nodeCount > 20)
+        this.#notes.add(
+          `${shown(this.#keyword)}: nodes beyond those on the edges are not looked at, nor whether they lie at the middles.`,
+        )
       this.#model.addQuadratic(id, this.#slots, ORDER_OF_20.map(has))
     }
   }
