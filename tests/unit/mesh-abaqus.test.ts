@@ -178,6 +178,15 @@ describe('lines', () => {
     expect(verticesOf(readText('a.txt', text.replace(/^/gm, '    ')), 0)).toEqual(CUBE)
   })
 
+  it('passes over prose below, and says so', () => {
+    const mesh = readText('a.txt', `*NODE\n${NODES}\n${ELEMENT}\n\nIt says negative jacobian. Why?\n`)
+    expect([mesh.cells.length, mesh.notes]).toEqual([
+      8,
+      ['Line 13 is text: what follows it, up to the next keyword, is passed over.'],
+    ])
+    expect(refusal(`*NODE\n${NODES}\n${ELEMENT}\nwords, 1, 2\n`)).toContain('“words” is not an element number')
+  })
+
   it('says what printing lost, where something was lost', () => {
     const thirds = NODES.replaceAll(', 1', ', 0.333333')
     expect(readText('a.inp', `*NODE\n${thirds}\n${ELEMENT}`).notes).toEqual([

@@ -2,13 +2,14 @@
 import type { OtherCell } from '../mesh-builder'
 import { shown } from '../text-cursor'
 import { IdIndex } from './id-index'
+import { countOf, IdOrder, type IdRange, IdRanges, mergedRanges } from './id-ranges'
 import { MOST_IMPLIED, type Move, NodeModel } from './node-model'
 import { Runs } from './runs'
 import type { TextLines } from './text-lines'
 import { TypedList } from './typed-list'
 
 interface NodeSet {
-  readonly ids: Runs
+  readonly ids: IdRanges
   /** Other sets that are in this one. */
   readonly names: string[]
 }
@@ -42,13 +43,13 @@ export class AbaqusPart {
     const key = name.toUpperCase()
     let set = this.#nodeSets.get(key)
     if (set === undefined) {
-      set = { ids: new Runs(), names: [] }
+      set = { ids: new IdRanges(), names: [] }
       this.#nodeSets.set(key, set)
     }
     return set
   }
 
-  nodeSet(name: string): Runs {
+  nodeSet(name: string): IdRanges {
     return this.nodeSetWithNames(name).ids
   }
 
@@ -56,7 +57,7 @@ export class AbaqusPart {
     const key = name.toUpperCase()
     let set = this.#elementSets.get(key)
     if (set === undefined) {
-      set = { name, ids: new Runs(), cells: new Runs(), names: [], isInternal }
+      set = { name, ids: new IdRanges(), cells: new Runs(), names: [], isInternal }
       this.#elementSets.set(key, set)
     }
     return set
@@ -74,8 +75,19 @@ export class AbaqusPart {
   /** The nodes of a set, or the one node of this number, ascending. */
   sortedNodes(lines: TextLines, name: string): number[] {
     if (/^\d{1,15}$/.test(name) && !this.#nodeSets.has(name)) return [Number(name)]
+    const ranges = rangesOf(this.#nodeSets, name)
+    if (ranges === null) lines.refuse(`the set of nodes ${shown(name)} is not defined.`)
+    return this.#distinct(lines, ranges)
+  }
+
+  #distinct(lines: TextLines, ranges: readonly IdRange[]): number[] {
+    const merged = mergedRanges(ranges)
+    this.#imply(
+      lines,
+      merged.reduce((sum, range) => sum + countOf(range), 0),
+    )
     const ids = new Set<number>()
-    if (!collectIds(this.#nodeSets, name, ids)) lines.refuse(`the set of nodes ${shown(name)} is not defined.`)
+    for (const { first, last, step } of merged) for (let id = first; id <= last; id += step) ids.add(id)
     return [...ids].sort((a, b) => a - b)
   }
 
@@ -88,20 +100,15 @@ export class AbaqusPart {
   /** The cells of `part` that are in the sets of this one, by name. */
   cellsOfSets(part: AbaqusPart): Map<string, Runs> {
     const found = new Map<string, Runs>()
-    let index: IdIndex | null = null
+    let order: IdOrder | null = null
     for (const [key, set] of this.#elementSets) {
       if (set.isInternal) continue
       const cells = new Runs()
       cells.addAll(set.cells)
       const isByTypeOnly = set.names.length === 0 && !set.cells.isEmpty && set.ids.count === set.cells.count
       if (!isByTypeOnly) {
-        index ??= part.#cellIndex()
-        const ids = new Set<number>()
-        collectIds(this.#elementSets, key, ids)
-        for (const id of ids) {
-          const cell = index.get(id)
-          if (cell >= 0) cells.add(cell)
-        }
+        order ??= new IdOrder(part.model.cellIds.values, part.model.cellCount)
+        order.forEachIn(rangesOf(this.#elementSets, key) ?? [], cell => cells.add(cell))
       }
       if (!cells.isEmpty) found.set(set.name, cells)
     }
@@ -134,7 +141,7 @@ export class AbaqusPart {
   }
 
   /** *NGEN: nodes first, first + step, ... up to last, equally far from each other. */
-  generateLine(lines: TextLines, first: number, last: number, step: number, set: Runs | null): void {
+  generateLine(lines: TextLines, first: number, last: number, step: number, set: IdRanges | null): void {
     const count = Math.abs(last - first) / step
     if (!Number.isInteger(count) || count === 0)
       lines.refuse(`nodes ${first} to ${last} cannot be reached by steps of ${step}.`)
@@ -154,7 +161,7 @@ export class AbaqusPart {
     to: readonly number[],
     intervals: number,
     step: number,
-    set: Runs | null,
+    set: IdRanges | null,
   ): void {
     if (from.length !== to.length)
       lines.refuse(`the sets have ${from.length} and ${to.length} nodes: as many were expected.`)
@@ -173,7 +180,7 @@ export class AbaqusPart {
   }
 
   /** *NCOPY */
-  copyNodes(lines: TextLines, old: readonly number[], change: number, move: Move, set: Runs | null): void {
+  copyNodes(lines: TextLines, old: readonly number[], change: number, move: Move, set: IdRanges | null): void {
     this.#imply(lines, old.length)
     const point = new Float64Array(3)
     for (const id of old) {
@@ -206,9 +213,10 @@ export class AbaqusPart {
 
   /** *ELCOPY */
   copyElements(lines: TextLines, old: string, elementShift: number, nodeShift: number, set: ElementSet | null): void {
-    const ids = new Set<number>()
-    if (!collectIds(this.#elementSets, old, ids)) lines.refuse(`the set of elements ${shown(old)} is not defined.`)
-    this.#imply(lines, 9 * ids.size)
+    const ranges = rangesOf(this.#elementSets, old)
+    if (ranges === null) lines.refuse(`the set of elements ${shown(old)} is not defined.`)
+    const ids = this.#distinct(lines, ranges)
+    this.#imply(lines, 9 * ids.length)
     const index = this.#cellIndex()
     for (const id of ids) this.#repeat(lines, id, index.get(id), elementShift, nodeShift, set)
   }
@@ -258,16 +266,17 @@ function indexed(places: Indexed, ids: TypedList<Float64Array>): IdIndex {
   return places.index
 }
 
-/** Adds the ids of a set and of the sets that it names; false if there is no such set. */
-function collectIds(sets: ReadonlyMap<string, NodeSet>, name: string, into: Set<number>): boolean {
+/** The ids of a set and of the sets that it names; null if there is no such set. */
+function rangesOf(sets: ReadonlyMap<string, NodeSet>, name: string): IdRange[] | null {
+  const ranges: IdRange[] = []
   const seen = new Set<string>()
   const open = [name.toUpperCase()]
   for (let key = open.pop(); key !== undefined; key = open.pop()) {
     const set = sets.get(key)
     if (set === undefined || seen.has(key)) continue
     seen.add(key)
-    for (const id of set.ids) into.add(id)
+    for (const range of set.ids) ranges.push(range)
     for (const other of set.names) open.push(other.toUpperCase())
   }
-  return seen.size > 0
+  return seen.size > 0 ? ranges : null
 }

@@ -9,6 +9,7 @@ import { type Keyword, keywordOf, unquoted } from './abaqus-keyword'
 import { AbaqusPart } from './abaqus-part'
 import { type AbaqusType, abaqusType, ORDER_OF_20, ORDER_OF_27 } from './abaqus-types'
 import { headText } from './head-text'
+import type { IdRanges } from './id-ranges'
 import { cross, type Frame, minus, outOfFrame, type Rotation, rigidMove, scaled, unit, type Vector } from './movement'
 import { collect, type Placement } from './node-model'
 import type { Runs } from './runs'
@@ -22,6 +23,8 @@ const REFUSED = new Set([
   ...['NMAP', 'IMPORT', 'IMPORTNODESET', 'IMPORTELSET', 'SYMMETRICMODELGENERATION', 'SUBSTRUCTUREGENERATE'],
   ...['SOLIDELEMENTGENERATION', 'TRANSFORMNODES'],
 ])
+
+const passOver = () => {}
 
 interface Instance {
   readonly name: string
@@ -62,8 +65,8 @@ class AbaqusReader {
   #lines: TextLines
   #keyword: Keyword = { name: '', written: '', parameters: new Map() }
   /** What a data line of the keyword is for. */
-  #readLine: () => void = () => {}
-  #finish: () => void = () => {}
+  #readLine: () => void = passOver
+  #finish: () => void = passOver
   #frame: Frame | null = null
   #isFar = false
 
@@ -88,20 +91,29 @@ class AbaqusReader {
 
   #readLines(depth: number): void {
     const lines = this.#lines
+    let blank = 0
     while (lines.next()) {
-      if (lines.isBlank) continue
+      if (lines.isBlank) {
+        blank = lines.number
+        continue
+      }
       let first = 0
       while (lines.at(first) <= 32) first++
       if (lines.at(first) === STAR) {
         if (lines.at(first + 1) === STAR) continue
         this.#finish()
-        this.#finish = () => {}
-        this.#readLine = () => {}
+        this.#finish = passOver
+        this.#readLine = passOver
         this.#keyword = this.#nextKeyword()
         this.#start(depth)
       } else if (lines.isElision) {
         this.#isCutOff = true
         this.#part.model.forgetPlaces()
+      } else if (blank > 0 && this.#readLine !== passOver && lines.isProseAfter(blank)) {
+        this.#finish()
+        this.#finish = passOver
+        this.#readLine = passOver
+        this.#notes.push(`Line ${lines.number} is text: what follows it, up to the next keyword, is passed over.`)
       } else this.#readLine()
     }
   }
@@ -221,7 +233,7 @@ class AbaqusReader {
     this.#dataFile(depth)
   }
 
-  #nodeLine(ids: Runs | null, isCylindrical: boolean): void {
+  #nodeLine(ids: IdRanges | null, isCylindrical: boolean): void {
     const lines = this.#lines
     const model = this.#part.model
     lines.splitAtCommas()
@@ -416,7 +428,7 @@ class AbaqusReader {
   #startHexahedra(
     type: Exclude<AbaqusType, { kind: 'other' }>,
     written: string,
-    into: { cells: Runs; ids: Runs } | null,
+    into: { cells: Runs; ids: IdRanges } | null,
   ): void {
     const { model } = this.#part
     const slots = new Uint32Array(32)
@@ -461,7 +473,7 @@ class AbaqusReader {
     }
   }
 
-  #startOthers(type: Extract<AbaqusType, { kind: 'other' }>, ids: Runs | null): void {
+  #startOthers(type: Extract<AbaqusType, { kind: 'other' }>, ids: IdRanges | null): void {
     const part = this.#part
     let id = -1
     let count = 0
@@ -544,8 +556,6 @@ class AbaqusReader {
         const last = lines.isFieldBlank(1) ? first : lines.id(1, 'a number')
         const step = lines.isFieldBlank(2) ? 1 : Math.abs(lines.integer(2, 'an increment'))
         if (last < first || step === 0) lines.refuse(`a set cannot be generated from ${first} to ${last} by ${step}.`)
-        if (step > 1 && (last - first) / step > this.#file.size + 1_000_000)
-          lines.refuse(`a set from ${first} to ${last} by ${step} is larger than the model can be.`)
         ids.addRange(first, last, step)
         return
       }

@@ -4,6 +4,7 @@ import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { type AnsysType, ansysType } from './ansys-types'
 import { headText } from './head-text'
+import { IdOrder } from './id-ranges'
 import { collect, NodeModel } from './node-model'
 import { PrintedPrecision, TextLines } from './text-lines'
 
@@ -387,24 +388,13 @@ class AnsysReader {
   /** A component names elements by ranges of their numbers. */
   #makeBlocks(): void {
     if (this.#components.length === 0) return
-    const { cellIds, cellCount } = this.#model
-    const order = Uint32Array.from({ length: cellCount }, (_, i) => i)
-    const ids = cellIds.values
-    order.sort((a, b) => (ids[a] as number) - (ids[b] as number))
-    const firstFrom = (id: number) => {
-      let [low, high] = [0, cellCount]
-      while (low < high) {
-        const middle = (low + high) >> 1
-        if ((ids[order[middle] as number] as number) < id) low = middle + 1
-        else high = middle
-      }
-      return low
-    }
-    for (const { name, ids: ranges } of this.#components) {
+    const order = new IdOrder(this.#model.cellIds.values, this.#model.cellCount)
+    for (const { name, ids } of this.#components) {
       const block = this.#model.block(name)
-      for (const [from, to] of ranges)
-        for (let i = firstFrom(from); i < cellCount && (ids[order[i] as number] as number) <= to; ++i)
-          block.add(order[i] as number)
+      order.forEachIn(
+        ids.map(([first, last]) => ({ first, last, step: 1 })),
+        cell => block.add(cell),
+      )
     }
   }
 }

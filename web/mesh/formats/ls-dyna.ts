@@ -98,14 +98,24 @@ class DynaReader {
   #readLines(depth: number): void {
     const lines = this.#lines
     this.#readLine = passOver
+    let blank = 0
     while (lines.next()) {
       const first = lines.at(0)
+      if (lines.isBlank) blank = lines.number
       if (first === STAR) {
         if (!this.#startKeyword(depth)) return
       } else if (first === DOLLAR || lines.isBlank) continue
       else if (lines.isElision) this.#isCutOff = true
-      else this.#readLine()
+      else if (blank > 0 && this.#isOfNumbers() && lines.isProseAfter(blank)) {
+        this.#readLine = passOver
+        this.#notes.add(`Line ${lines.number} is text: what follows it, up to the next keyword, is passed over.`)
+      } else this.#readLine()
     }
+  }
+
+  /** Whether lines of the keyword begin with numbers, not with titles or names. */
+  #isOfNumbers(): boolean {
+    return this.#readLine !== passOver && /^\*(?:NODE|ELEMENT)/.test(this.#keyword)
   }
 
   /** False for *END. */
@@ -185,8 +195,13 @@ class DynaReader {
   /** Splits the line at commas, or in columns, or, if a word crosses these, at blanks. */
   #split(integers: number, reals = 0): void {
     const lines = this.#lines
+    lines.scan()
     if (lines.hasComma) {
       lines.splitAtCommas()
+      return
+    }
+    if (lines.hasTab) {
+      lines.splitAtBlanks()
       return
     }
     const { integer, real } = this.#widths
@@ -196,7 +211,7 @@ class DynaReader {
       const isReal = integers === 1 ? i > 0 : i >= integers
       const next = at + (isReal ? real : integer)
       lines.addField(at, next)
-      if (this.#hasBlankInside(i) || lines.hasTab) {
+      if (this.#hasBlankInside(i)) {
         lines.splitAtBlanks()
         return
       }
@@ -205,9 +220,9 @@ class DynaReader {
   }
 
   #hasBlankInside(field: number): boolean {
-    const lines = this.#lines
-    for (let at = lines.fieldFrom(field); at < lines.fieldTo(field); ++at)
-      if ((lines.bytes[at] as number) <= SPACE) return true
+    const { bytes } = this.#lines
+    const to = this.#lines.fieldTo(field)
+    for (let at = this.#lines.fieldFrom(field); at < to; ++at) if ((bytes[at] as number) <= SPACE) return true
     return false
   }
 
@@ -331,6 +346,10 @@ class DynaReader {
       for (const i of [...ORDER_OF_20.slice(0, 8), ...further])
         this.#slots[i] = this.#nodes[i] === 0 ? 0 : this.#model.slot(this.#nodes[i] as number)
       const has = (i: number) => (i < 8 || (nodeCount !== 64 && this.#nodes[i] !== 0) ? i : -1)
+      if (nodeCount > 20)
+        this.#notes.add(
+          `${shown(this.#keyword)}: nodes beyond those on the edges are not looked at, nor whether they lie at the middles.`,
+        )
       this.#model.addQuadratic(id, this.#slots, ORDER_OF_20.map(has))
     }
   }
@@ -388,6 +407,7 @@ class DynaReader {
         title = lines.text().trim()
         return
       }
+      lines.scan()
       if (lines.hasComma) lines.splitAtCommas()
       else {
         const width = this.#widths === LONG ? 20 : 10

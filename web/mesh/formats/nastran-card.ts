@@ -1,7 +1,7 @@
 /** One entry of Nastran bulk data, put together from its lines: small, large or free fields, in any mixture. */
 import type { PrintedPrecision, TextLines } from './text-lines'
 
-const [STAR, PLUS, COMMA, DOT, ZERO, NINE] = [42, 43, 44, 46, 48, 57] as const
+const [STAR, PLUS, DOT, ZERO, NINE] = [42, 43, 46, 48, 57] as const
 /** Fields of a CHEXA of 20 nodes; others have fewer. */
 const MOST_FIELDS = 64
 
@@ -85,23 +85,30 @@ function mapColumns(lines: TextLines): void {
   for (; column <= 80; ++column) byteOfColumn[column] = at
 }
 
+const NARROW: LineLayout = { isFree: false, values: 8 }
+const WIDE: LineLayout = { isFree: false, values: 4 }
+const FREE: LineLayout = { isFree: true, values: 8 }
+const WIDE_FREE: LineLayout = { isFree: true, values: 4 }
+
 /** Fields of the line: the name or mnemonic, the values (8 or 4), the mnemonic of the next line, which is the last. Returns how many values. */
-export function splitCard(lines: TextLines, end: number): LineLayout {
-  if (lines.hasByte(COMMA, end)) {
-    lines.splitAtCommas(end)
-    const isLarge = hasStar(lines)
-    return { isFree: true, values: isLarge ? 4 : 8 }
+export function splitCard(lines: TextLines): LineLayout {
+  if (lines.hasComma) {
+    lines.splitAtCommas()
+    return hasStar(lines) ? WIDE_FREE : FREE
   }
   lines.startFields()
-  const hasTab = lines.hasTab
-  if (hasTab) mapColumns(lines)
-  const byte = (column: number) => Math.min(end, hasTab ? (byteOfColumn[column] as number) : lines.from + column)
-  lines.addField(byte(0), byte(8))
+  if (lines.hasTab) mapColumns(lines)
+  addColumns(lines, 0, 8)
   const isLarge = hasStar(lines)
   const width = isLarge ? 16 : 8
-  for (let column = 8; column < 72; column += width) lines.addField(byte(column), byte(column + width))
-  lines.addField(byte(72), byte(80))
-  return { isFree: false, values: isLarge ? 4 : 8 }
+  for (let column = 8; column < 72; column += width) addColumns(lines, column, column + width)
+  addColumns(lines, 72, 80)
+  return isLarge ? WIDE : NARROW
+}
+
+function addColumns(lines: TextLines, from: number, to: number): void {
+  if (lines.hasTab) lines.addField(byteOfColumn[from] as number, byteOfColumn[to] as number)
+  else lines.addField(lines.from + from, lines.from + to)
 }
 
 function hasStar(lines: TextLines): boolean {

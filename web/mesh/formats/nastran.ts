@@ -121,14 +121,15 @@ class NastranReader {
         this.#isCutOff = true
         continue
       }
-      const end = endBeforeComment(lines)
+      lines.scan(DOLLAR)
+      const end = lines.to
       let first = lines.from
       while (first < end && (lines.bytes[first] as number) <= 32) first++
       if (first === end) continue
       if (!this.#isBulk || isWord(lines, first, end, 'INCLUDE') || isWord(lines, first, end, 'BEGIN')) {
         if (this.#control(lines.text(first, end), depth)) continue
       }
-      this.#bulkLine(first, end)
+      this.#bulkLine(first)
     }
   }
 
@@ -168,11 +169,11 @@ class NastranReader {
     this.#lines = lines
   }
 
-  #bulkLine(first: number, end: number): void {
+  #bulkLine(first: number): void {
     const lines = this.#lines
     const byte = lines.bytes[first] as number
     if (byte === 61) lines.refuse('lines that repeat others with “=” are not read here: write the entries out.')
-    const layout = splitCard(lines, end)
+    const layout = splitCard(lines)
     const isContinuation = byte === 43 || byte === 42 || lines.isFieldBlank(0)
     if (isContinuation) {
       this.#continue(layout)
@@ -384,14 +385,6 @@ class NastranReader {
     values.set(basic, 3 * slot)
     return basic
   }
-}
-
-/** The end of the line without what stands behind "$", and without blanks before it. */
-function endBeforeComment(lines: TextLines): number {
-  let end = lines.from
-  while (end < lines.to && lines.bytes[end] !== DOLLAR) end++
-  while (end > lines.from && (lines.bytes[end - 1] as number) <= 32) end--
-  return end
 }
 
 function isWord(lines: TextLines, from: number, end: number, word: string): boolean {

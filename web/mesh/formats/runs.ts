@@ -1,4 +1,4 @@
-/** Whole numbers that mostly count up, kept as runs: ids of a set, cells of a block. */
+/** Whole numbers that mostly count up, kept as runs: cells of a block. */
 
 export class Runs {
   /** First and last of each run. */
@@ -12,12 +12,6 @@ export class Runs {
     const last = this.#bounds.length - 1
     if (last > 0 && (this.#bounds[last] as number) + 1 === value) this.#bounds[last] = value
     else this.#bounds.push(value, value)
-  }
-
-  /** Adds first, first + step, ... up to last. */
-  addRange(first: number, last: number, step: number): void {
-    if (step === 1 && last >= first) this.#bounds.push(first, last)
-    else for (let value = first; value <= last; value += step) this.add(value)
   }
 
   addAll(other: Runs): void {

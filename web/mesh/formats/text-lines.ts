@@ -37,6 +37,10 @@ export class TextLines {
   /** Counted from 1; 0 before the first. */
   number = 0
 
+  /** Of the line, once it has been scanned. */
+  hasComma = false
+  hasTab = false
+
   /** Fields of the line, once it has been split. */
   fieldCount = 0
   #fieldFrom = new Int32Array(64)
@@ -67,6 +71,11 @@ export class TextLines {
     const length = this.to - this.from
     if (length < 3 || length > 12) return false
     return /^[[(<]?\s*(?:\.\s?\.\s?\.[.\s]*|…|:)\s*[\])>]?$/u.test(this.text().trim())
+  }
+
+  /** Whether the line is prose under a snippet: it begins with a letter, and stands below a blank line. */
+  isProseAfter(blankLine: number): boolean {
+    return blankLine === this.number - 1 && /^\p{L}\S*\s/u.test(this.text())
   }
 
   /** The byte at a column, counted from 0; 0 beyond the end. */
@@ -214,10 +223,11 @@ export class TextLines {
 
   /** Appends the bytes [from, to) as a field. */
   addField(from: number, to: number): void {
-    let begin = Math.min(from, this.to)
-    let end = Math.min(to, this.to)
-    while (begin < end && (this.bytes[begin] as number) <= SPACE) begin++
-    while (end > begin && (this.bytes[end - 1] as number) <= SPACE) end--
+    const { bytes, to: last } = this
+    let begin = from < last ? from : last
+    let end = to < last ? to : last
+    while (begin < end && (bytes[begin] as number) <= SPACE) begin++
+    while (end > begin && (bytes[end - 1] as number) <= SPACE) end--
     if (this.fieldCount === this.#fieldFrom.length) {
       const [moreFrom, moreTo] = [new Int32Array(2 * this.fieldCount), new Int32Array(2 * this.fieldCount)]
       moreFrom.set(this.#fieldFrom)
@@ -230,11 +240,12 @@ export class TextLines {
   }
 
   /** Fields between commas. A comma at the end of the line begins one more, a blank one. */
-  splitAtCommas(to = this.to): void {
+  splitAtCommas(): void {
+    const { bytes, to } = this
     this.fieldCount = 0
     let begin = this.from
     for (let at = this.from; at < to; ++at) {
-      if (this.bytes[at] !== COMMA) continue
+      if (bytes[at] !== COMMA) continue
       this.addField(begin, at)
       begin = at + 1
     }
@@ -252,17 +263,20 @@ export class TextLines {
     }
   }
 
-  hasByte(byte: number, to = this.to): boolean {
-    for (let at = this.from; at < to; ++at) if (this.bytes[at] === byte) return true
-    return false
-  }
-
-  get hasComma(): boolean {
-    return this.hasByte(COMMA)
-  }
-
-  get hasTab(): boolean {
-    return this.hasByte(TAB)
+  /** Whether the line, up to the comment if `commentMark` begins one, has commas or tabs; and where that ends, without blanks. */
+  scan(commentMark = -1): void {
+    const { bytes, to } = this
+    this.hasComma = false
+    this.hasTab = false
+    let at = this.from
+    for (; at < to; ++at) {
+      const byte = bytes[at] as number
+      if (byte === COMMA) this.hasComma = true
+      else if (byte === TAB) this.hasTab = true
+      else if (byte === commentMark) break
+    }
+    while (at > this.from && (bytes[at - 1] as number) <= SPACE) at--
+    this.to = at
   }
 
   /** The number in a field, 0 where that is blank; refuses what is none. An exponent may stand without its letter: 1.0-3. */
@@ -295,7 +309,10 @@ export class TextLines {
       } else if (digit > 0 && digit <= 9) {
         hasDigits = true
         digits++
-        if (zeros < 16) {
+        if (zeros === 0) {
+          mantissa = 10 * mantissa + digit
+          if (mantissa > EXACT) isExact = false
+        } else if (zeros < 16) {
           mantissa = mantissa * (POWERS_OF_TEN[zeros + 1] as number) + digit
           if (mantissa > EXACT) isExact = false
         } else if (mantissa === 0) mantissa = digit
@@ -309,7 +326,7 @@ export class TextLines {
       const byte = bytes[at] as number
       const letter = byte | 32
       if (letter === 101 || letter === 100) at++
-      else if (byte !== PLUS && byte !== MINUS) return this.#slowReal(from, to, precision)
+      else if (byte !== PLUS && byte !== MINUS) return this.#slowReal(from, to)
       const isDown = bytes[at] === MINUS
       if (isDown || bytes[at] === PLUS) at++
       const first = at
@@ -319,32 +336,28 @@ export class TextLines {
         if (digit < 0 || digit > 9) break
         if (exponent < 100_000) exponent = 10 * exponent + digit
       }
-      if (at === first) return this.#slowReal(from, to, precision)
+      if (at === first) return this.#slowReal(from, to)
       power += isDown ? -exponent : exponent
     }
+    if (at < to || !hasDigits) return this.#slowReal(from, to)
     power += zeros
-    if (at < to || !hasDigits || !isExact || power < -22 || power > 22) {
-      if (mantissa !== 0 || at < to || !hasDigits) return this.#slowReal(from, to, precision)
-      return isNegative ? -0 : 0
+    if (digits === 0) return isNegative ? -0 : 0
+    if (precision !== null && digits > precision.digits) precision.digits = digits
+    if (!isExact || power < -22 || power > 22) {
+      if (precision !== null) precision.isRounded = true
+      return Number(withExponentLetter(this.text(from, to)))
     }
-    if (precision !== null) {
-      if (digits > precision.digits) precision.digits = digits
-      if (power < 0 && !precision.isRounded && mantissa % (POWERS_OF_FIVE[-power] as number) !== 0)
-        precision.isRounded = true
-    }
+    if (precision !== null && power < 0 && !precision.isRounded && mantissa % (POWERS_OF_FIVE[-power] as number) !== 0)
+      precision.isRounded = true
     const value = power < 0 ? mantissa / (POWERS_OF_TEN[-power] as number) : mantissa * (POWERS_OF_TEN[power] as number)
     return isNegative ? -value : value
   }
 
-  #slowReal(from: number, to: number, precision: PrintedPrecision | null): number {
+  /** What is written in other ways than digits: infinities, and what is no number. */
+  #slowReal(from: number, to: number): number {
     const word = this.text(from, to)
-    const value = word.length > 4096 ? null : numberOf(withExponentLetter(word))
+    const value = to - from > 64 ? null : numberOf(word)
     if (value === null) this.refuse(`${shown(word)} is not a number.`)
-    if (precision !== null) {
-      precision.isRounded = true
-      const mantissa = word.replace(/[eEdD].*$/, '').replace(/^[-+0.]*/, '')
-      precision.digits = Math.max(precision.digits, mantissa.replace(/\D/g, '').length)
-    }
     return value
   }
 
@@ -376,9 +389,12 @@ export class TextLines {
   }
 }
 
-/** 1.0-3 as 1.0e-3. */
+/** 1.0-3 and 1.0D-3 as 1.0e-3. */
 function withExponentLetter(word: string): string {
-  return word.replace(/^([-+]?[\d.]+)([-+]\d+)$/, '$1e$2')
+  const letter = /[deDE]/.exec(word)?.[0]
+  if (letter !== undefined) return letter === 'd' || letter === 'D' ? word.replace(letter, 'e') : word
+  const sign = Math.max(word.lastIndexOf('-'), word.lastIndexOf('+'))
+  return sign > 0 ? `${word.slice(0, sign)}e${word.slice(sign)}` : word
 }
 
 /** Decimals so short were typed, not rounded. */
