@@ -21,6 +21,9 @@ const MOST_PLACES = 64
 const HEADING = /^[^\w\n]{0,4}\w{1,30}(?:[ _]\w{1,30})?\s{0,4}[:=]?(?:\s{1,8}\d{1,12})?$/
 const POINT_WORD = /node|vert|point|pt|grid|corner|^id$|^p$|^v$|^n$/i
 
+/** A comma behind a number at the end of a line, or Nastran's mark for the next one. */
+const GOES_ON = /\d\s{0,9},\s{0,9}(?:\+\w{0,7})?\s{0,9}$/
+
 const COMMA = 44
 
 interface Run {
@@ -230,7 +233,6 @@ function readLine(raw: string, number: number): Line {
   let id: number | null = null
   let skeleton = ''
   let isOpen = false
-  let lastMark = ''
   let word = ''
   let digits = 0
   const axes: string[] = []
@@ -259,7 +261,6 @@ function readLine(raw: string, number: number): Line {
       word = token
       if (/^[xyz]\d?$/i.test(token)) axes.push(token[0] as string)
     }
-    lastMark = kind === 'mark' ? token : ''
     const isBetween =
       kind === 'mark' && (token === ',' || token === ';' || token === '|' || token === '&' || token === '"')
     if (!isBetween) {
@@ -274,7 +275,7 @@ function readLine(raw: string, number: number): Line {
     skeleton: labelled === null ? skeleton : skeleton.replace(/#/g, ''),
     words: wordsOf(raw),
     digits,
-    isOpen: isOpen && lastMark === ',',
+    isOpen: GOES_ON.test(raw.slice(-30)),
   }
 }
 
