@@ -80,7 +80,7 @@ function languageOf(text: string): string {
   if (head.includes('array(') || /\bimport numpy\b/.test(head)) return 'NumPy'
   if (/\b(?:double|float|Eigen|std::)/.test(head)) return 'C'
   if (/\b(?:const|let|var) \w/.test(head)) return 'JavaScript'
-  if (/Float64|Vector\{|Matrix\{/.test(head)) return 'Julia'
+  if (/Vector\{|Matrix\{|\bNode\(\(/.test(head)) return 'Julia'
   if (/\bimport (?:meshio|pyvista)\b|>>>/.test(head)) return 'Python'
   return /\[[^[\]]{0,1000};/.test(head.slice(0, 5000)) ? 'MATLAB' : 'lists of numbers'
 }
@@ -123,7 +123,7 @@ function flatNumbers(text: string, fileName: string): Mesh | null {
     ids: null,
     isCut: false,
     digits,
-    isOneBased: false,
+    base: null,
   }
   return meshOfTables([table], { format: 'numbers', fileName })
 }

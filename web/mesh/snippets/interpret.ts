@@ -65,6 +65,7 @@ export function meshOfTables(all: readonly NumberTable[], origin: Origin): Mesh 
   } else {
     refuseLeftCells(tables, sets, builder)
     const bare = sets.filter(({ table }) => !isNamed(table, NO_POINT_NAME))
+    refuseMixedIntegers(bare, builder)
     if (addEights(bare, builder) === 0) return null
     builder.isOrderStated = false
     builder.note('The text names no cells: its points are taken in their order, eight for each element.')
@@ -98,6 +99,17 @@ function withAxesJoined(tables: readonly NumberTable[]): NumberTable[] {
   return joined
 }
 
+/** Tables of integers beside one with decimals are no points, whatever they are. */
+function refuseMixedIntegers(sets: readonly PointSet[], builder: MeshBuilder): void {
+  const whole = sets.filter(({ table }) => areAllIntegers(table))
+  // Coordinates repeat, numbers of nodes do not.
+  const areIds = whole.some(({ points }) => areDistinct(points.slice(0, EIGHT).flat()))
+  if (areIds || (whole.length > 0 && whole.length < sets.length))
+    builder.refuse(
+      'beside points with decimals stand tables of integers that may name them, but not in a way that is known.',
+    )
+}
+
 /** Eight or more different integers on a row, which are nobody's coordinates, are cells that are not understood. */
 function refuseLeftCells(tables: readonly NumberTable[], sets: readonly PointSet[], builder: MeshBuilder): void {
   if (sets.length === 0) return
@@ -118,6 +130,11 @@ function isNamed({ names }: NumberTable, pattern: RegExp): boolean {
 
 /** The points that a table may be; null if it is no table of points. */
 function pointSetOf(table: NumberTable, builder: MeshBuilder): PointSet | null {
+  const set = anyPointSetOf(table, builder)
+  return set === null || set.points.length < EIGHT ? null : set
+}
+
+function anyPointSetOf(table: NumberTable, builder: MeshBuilder): PointSet | null {
   if (isCellsAlone(table)) return null
   const width = widthOf(table)
   const count = table.rows.length
@@ -401,9 +418,15 @@ function indexOf(
       }
     }
   }
+  const said = all.find(({ table }) => table.base !== null)?.table.base ?? null
   const isOpen = least > 0 && most < points.length
-  const base = least > 0 && (most >= points.length || all.some(({ table }) => table.isOneBased)) ? 1 : 0
+  if (isOpen && said === null)
+    builder.refuse(
+      `the cells name points ${least} to ${most} of ${points.length}, and whether these are counted from 0 or from 1 is not said.`,
+    )
+  const base = isOpen ? said : least > 0 ? 1 : 0
   if (isOpen) builder.note(`The cells were read as counting the points from ${base}, which the text does not say.`)
+  if (base === null) return () => null
   return id => (id >= base && id < points.length + base ? first + id - base : null)
 }
 
@@ -503,7 +526,7 @@ function addOthers(
     for (const row of rows) quadrilaterals.push(row.map(place))
     return
   }
-  if (type !== undefined || isNamed(table, CELL_NAME)) {
+  if (type !== undefined || (isNamed(table, CELL_NAME) && builder.cellCount > 0)) {
     builder.otherCell(type ?? 'other', rows.length)
     return
   }

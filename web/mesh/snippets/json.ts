@@ -84,7 +84,7 @@ function rowsOf(list: readonly unknown[]): number[][] | null {
       entry.length > 0 &&
       entry.every(inner => Array.isArray(inner) && inner.length > 0 && inner.every(isNumber))
     ) {
-      rows.push(...(entry as number[][]))
+      for (const row of entry as number[][]) rows.push(row)
     } else if (isPoint(entry)) rows.push([entry.x, entry.y, entry.z])
     else return null
   }
@@ -111,7 +111,7 @@ function tableOf(rows: number[][], names: readonly string[]): NumberTable {
   const integers = Array.from({ length: width }, (_, c) =>
     rows.every(row => row[c] === undefined || Number.isInteger(row[c])),
   )
-  return { names, rows, integers, header: null, labels: null, ids: null, isCut: false, digits: 0, isOneBased: false }
+  return { names, rows, integers, header: null, labels: null, ids: null, isCut: false, digits: 0, base: 0 }
 }
 
 /** The list that `analyze` reads: its order is this project's own. Null if there is none. */

@@ -21,6 +21,9 @@ const MOST_PLACES = 64
 const HEADING = /^[^\w\n]{0,4}\w{1,30}(?:[ _]\w{1,30})?\s{0,4}[:=]?(?:\s{1,8}\d{1,12})?$/
 const POINT_WORD = /node|vert|point|pt|grid|corner|^id$|^p$|^v$|^n$/i
 
+/** A comma behind a number at the end of a line, or Nastran's mark for the next one. */
+const GOES_ON = /\d\s{0,9},\s{0,9}(?:\+\w{0,7})?\s{0,9}$/
+
 const COMMA = 44
 
 interface Run {
@@ -39,6 +42,8 @@ interface Line {
   readonly skeleton: string
   readonly words: readonly string[]
   readonly digits: number
+  /** Whether it ends with a comma behind a number, so that the next one may go on with it. */
+  readonly isOpen: boolean
 }
 
 class Group {
@@ -56,14 +61,31 @@ class Group {
   ) {
     this.integers = [...run.integers]
   }
+  /** A row that goes on; rows of a group then differ in length only if the text is cut. */
+  goOn(run: Run): void {
+    for (const value of run.values) this.rows.at(-1)?.push(value)
+    while (this.integers.length < (this.rows.at(-1)?.length ?? 0)) this.integers.push(true)
+  }
   add(run: Run, label: string | null, line: Line): void {
     this.rows.push(run.values)
     this.labels.push(label)
     this.ids.push(run.id)
     this.lines.push(line.number)
     this.digits = Math.max(this.digits, line.digits)
-    this.integers = this.integers.map((isInteger, c) => isInteger && run.integers[c] === true)
+    this.integers = this.integers.map((isInteger, c) => isInteger && run.integers[c] !== false)
   }
+}
+
+/** Whether a line of integers goes on with those of the line before, which ends with a comma and is of another length. */
+function goesOn(before: Line, line: Line): boolean {
+  const [run, ...others] = line.runs
+  const [first] = before.runs
+  if (!before.isOpen || before.runs.length !== 1 || run === undefined || first === undefined || others.length > 0)
+    return false
+  const isBare = line.skeleton === '#' || line.skeleton === '+#'
+  return (
+    isBare && run.values.length < first.values.length && run.integers.every(Boolean) && first.integers.every(Boolean)
+  )
 }
 
 export interface TextLines {
@@ -84,6 +106,7 @@ export function tablesOfLines(text: string): TextLines {
   let cuts = 0
   let [numbers, points] = [0, 0]
   let before: Line | null = null
+  let last: Group | null = null
   let heading: readonly string[] = []
   for (const line of linesOf(text)) {
     const words = line.raw
@@ -96,6 +119,12 @@ export function tablesOfLines(text: string): TextLines {
     const element = ELEMENT.exec(short)?.[1]
     const rank = RANK.exec(short)?.[1]
     const read = readLine(words, line.number)
+    if (before !== null && goesOn(before, read) && last !== null) {
+      last.goOn(read.runs[0] as Run)
+      before = read
+      continue
+    }
+    last = null
     numbers += read.runs.reduce((sum, { values }) => sum + values.length, 0)
     if (read.runs.length === 0 || read.runs.every(({ values }) => values.length < 3)) {
       if (element !== undefined) label = element
@@ -120,6 +149,7 @@ export function tablesOfLines(text: string): TextLines {
         order.push(group)
       }
       group.add(run, label, read)
+      last = group
     }
     before = read
   }
@@ -150,7 +180,7 @@ function tableOf(group: Group): NumberTable {
     ids: group.ids.includes(null) ? null : (group.ids as number[]),
     isCut: group.isCut,
     digits: group.digits,
-    isOneBased: false,
+    base: null,
   }
 }
 
@@ -245,6 +275,7 @@ function readLine(raw: string, number: number): Line {
     skeleton: labelled === null ? skeleton : skeleton.replace(/#/g, ''),
     words: wordsOf(raw),
     digits,
+    isOpen: GOES_ON.test(raw.slice(-30)),
   }
 }
 

@@ -66,9 +66,10 @@ class ListReader {
     this.#text = text
     this.#tokens = new Tokens(text, 0, true)
     this.#hasPrompts = text.includes('>>>')
-    this.#isOneBased = /\b(?:Float64|Matrix\{|julia|msh\.|using Ferrite)|^\s*\w+\s*=\s*\[[^[\]\n]{0,200};/m.test(
-      text.slice(0, 20_000),
-    )
+    this.#isOneBased =
+      /\b(?:Float64|Matrix\{|julia|msh\.|using Ferrite)|^[ \t]*\w{1,60}[ \t]*=[ \t]*\[[^[\]\n]{0,200};/m.test(
+        text.slice(0, 20_000),
+      )
   }
 
   read(): NumberTable[] {
@@ -295,7 +296,7 @@ class ListReader {
       ids: null,
       isCut,
       digits,
-      isOneBased: this.#isOneBased || list.hasSemicolons,
+      base: this.#isOneBased || list.hasSemicolons ? 1 : 0,
     })
   }
 
@@ -341,7 +342,7 @@ function rowsOf(list: List): { rows: number[][]; isCut: boolean; areIntegers: bo
       const parts = splitAt(values, inner.breaks)
       // A row that was left in the middle is no row.
       if (inner.cutAt !== null && inner.parent?.opener !== '' && parts.length > 0 && inner.opener !== '=') parts.pop()
-      rows.push(...parts)
+      for (const part of parts) rows.push(part)
       areIntegers &&= inner.areIntegers
       digits = Math.max(digits, inner.digits)
       isCut = inner.cutAt !== null

@@ -31,7 +31,7 @@ export function tablesOfMatlab(text: string): NumberTable[] {
         ids: null,
         isCut: false,
         digits,
-        isOneBased: true,
+        base: 1,
       })
     }
     blocks = [[]]

@@ -16,8 +16,8 @@ export interface NumberTable {
   readonly isCut: boolean
   /** Most significant digits of its numbers as they are written. */
   readonly digits: number
-  /** Whether it is in a language that counts from 1. */
-  readonly isOneBased: boolean
+  /** What the language that it is in counts from; null where that is not known. */
+  readonly base: 0 | 1 | null
 }
 
 /** The width that all rows have, or 0. */
