@@ -2,6 +2,7 @@
  * Words, numbers and lines of a text file, read in pieces and never held as one string: linear in time, constant in memory. ASCII; bytes
  * of other characters are part of words.
  */
+import { doubleOfDigits } from './decimal'
 import { MeshRefusal } from './mesh'
 import type { MeshFile } from './source'
 
@@ -176,6 +177,7 @@ export class TextCursor {
     let at = from
     const isNegative = bytes[at] === MINUS
     if (isNegative || bytes[at] === PLUS) at++
+    const firstDigit = at
     let digits = 0
     let mantissa = 0
     let power = 0
@@ -200,6 +202,14 @@ export class TextCursor {
         exponent = Math.min(10 * exponent + (bytes[at] as number) - ZERO, 100_000)
       if (at === first) at = -1
       power += isDown ? -exponent : exponent
+    }
+    const isWhole = at > from && isEndOfNumber(bytes[at]) && digits > 0
+    if (isWhole && (digits > 15 || power < -22 || power > 22)) {
+      const size = doubleOfDigits(bytes, firstDigit, afterDigits, power)
+      if (Number.isNaN(size)) return this.#slowNumber(from, expected)
+      this.#at = at
+      this.digits = digits
+      return isNegative ? -size : size
     }
     if (at > from && isEndOfNumber(bytes[at]) && afterDigits > from && digits <= 15 && power >= -22 && power <= 22) {
       this.#at = at
