@@ -3,7 +3,7 @@
  * file of its own.
  */
 import { MeshRefusal } from '../mesh'
-import { headText } from '../snippets/snippet-text'
+import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat } from '../source'
 import { shown } from '../text-cursor'
 
@@ -184,6 +184,9 @@ const known: readonly Known[] = [
   { is: starts('\x7fELF', 'MZ\x90'), what: 'a program', instead: 'a mesh is needed' },
 ]
 
+/** Names that files of other formats do not have. */
+const NAMES_OF_VTK = /\.(vtu|pvtu|pvd|vtk)$/
+
 export const refused: MeshFormat = {
   name: 'not read yet',
   recognizes: (head, name) => (knownOf(headText(head), name) === null ? 'no' : 'yes'),
@@ -192,8 +195,10 @@ export const refused: MeshFormat = {
     const head = headOf(file, 65_536)
     const found = head.startsWith(HDF5) ? hdf5Of(file, name) : knownOf(head, name)
     const { what, instead } = found as Known
+    const [, claimed] = NAMES_OF_VTK.exec(name) ?? []
+    const isNot = claimed === undefined ? '' : `no ${claimed.toUpperCase()} but `
     throw new MeshRefusal(
-      `${shown(file.name).slice(1, -1)}: this is ${what}. Hexlens does not read it${what.startsWith('an image') ? '' : ' yet'}; ${instead}.`,
+      `${shown(file.name).slice(1, -1)}: this is ${isNot}${what}. Hexlens does not read it${what.startsWith('an image') ? '' : ' yet'}; ${instead}.`,
     )
   },
 }
