@@ -190,7 +190,7 @@ describe('lines', () => {
   it('says what printing lost, where something was lost', () => {
     const thirds = NODES.replaceAll(', 1', ', 0.333333')
     expect(readText('a.inp', `*NODE\n${thirds}\n${ELEMENT}`).notes).toEqual([
-      'The coordinates are printed with at most 6 digits: rounding has moved each by up to 5e-7.',
+      'Coordinates are printed with at most 6 digits: that can move one by up to 5e-7.',
     ])
     expect(readText('a.inp', `*NODE\n${NODES}\n${ELEMENT}`).notes).toEqual([])
   })
@@ -199,9 +199,9 @@ describe('lines', () => {
     const text = `*NODE\n${NODES}\n${ELEMENT}`
     const places = readText('a.inp', text).coordinatePlaces
     if (places?.kind !== 'tokens') throw new Error('no places')
-    expect(Array.from(places.from, (from, i) => Number(text.slice(from, from + (places.to[i] as number))))).toEqual(
-      CUBE,
-    )
+    expect(
+      Array.from(places.from, (from, i) => Number(text.slice(from, from + (places.lengths[i] as number)))),
+    ).toEqual(CUBE)
   })
 })
 

@@ -218,7 +218,7 @@ describe('Gmsh', () => {
       for (const content of [text, text.replace(/^/gm, '> ')]) {
         const { points, coordinatePlaces: places } = one('a.txt', content)
         if (places?.kind !== 'tokens') throw new Error('no places')
-        const tokens = [...places.from].map((from, i) => content.slice(from, from + (places.to[i] as number)))
+        const tokens = [...places.from].map((from, i) => content.slice(from, from + (places.lengths[i] as number)))
         expect(tokens.map(Number)).toEqual([...points])
       }
   })

@@ -280,7 +280,7 @@ describe('cells that are there are used', () => {
   })
 
   test('cells that go on over lines', () => {
-    const nodes = lines(lexicographic, (p, v) => `GRID,${v + 1},,${p.map(x => `${x}.`).join(',')}`)
+    const nodes = lines(lexicographic, (p, v) => `NODE,${v + 1},,${p.map(x => `${x}.`).join(',')}`)
     expect(only(`${nodes}\nBRICK,1,1,1,2,4,3,5,6,+\n+,8,7`)).toEqual([cube, true])
     expect(only(`${numbered}\n\n1, 1,2,4,3,5,\n6,8,7`)).toEqual([cube, true])
   })

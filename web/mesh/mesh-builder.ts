@@ -161,7 +161,7 @@ export class MeshBuilder {
 
   #tokens(): CoordinatePlaces | null {
     if (this.#tokensFrom.length !== this.#points.length || this.pointCount === 0) return null
-    return { kind: 'tokens', from: this.#tokensFrom.whole(), to: this.#tokenLengths.whole() }
+    return { kind: 'tokens', from: this.#tokensFrom.whole(), lengths: this.#tokenLengths.whole() }
   }
 
   /** The mesh. Refuses an index out of range. */

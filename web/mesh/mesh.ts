@@ -41,11 +41,11 @@ export interface NotTrilinear {
 }
 
 /**
- * Bytes of the file: from where and how many (`to`) each coordinate's token has, or a run of text with all coordinates one after the other
+ * Bytes of the file: from where and how many each coordinate's token has, or a run [from, to) of text with all coordinates one after the other
  * and blanks between, or one block of binary numbers.
  */
 export type CoordinatePlaces =
-  | { readonly kind: 'tokens'; readonly from: Float64Array; readonly to: Uint16Array }
+  | { readonly kind: 'tokens'; readonly from: Float64Array; readonly lengths: Uint16Array }
   | { readonly kind: 'run'; readonly from: number; readonly to: number }
   | {
       readonly kind: 'block'

@@ -242,11 +242,3 @@ export function lineAt(file: MeshFile, position: number): number {
   }
   return line
 }
-
-const DOTS = /^[[({<*#/%!;,|-]*(?:\.\.|\u2026|\u22ee|\u00e2\u0080\u00a6|\u00e2\u008b\u00ae|[.:]$)/
-const WORDS = /^[[({<*#/%!;,|-]*(?:snip|cut|omitted|truncated|skipped)\b/i
-
-/** Whether somebody has left something out here: "...", "[snip]", and the characters for dots, also as UTF-8 looks in Latin 1. */
-export function isElision(word: string): boolean {
-  return DOTS.test(word) || WORDS.test(word)
-}

@@ -1,26 +1,53 @@
 /** What the way in which coordinates are stored can move: the notes about Float32 and about printed digits. */
 
+/** All of a double. */
 const MOST_DIGITS = 17
-/** Coordinates with fewer digits than this are round numbers, not doubles that were printed. */
-const FEWEST_DIGITS = 5
+/** Decimals so short were typed, not rounded. */
+const FEWEST_DIGITS = 4
 
+/** How coordinates are printed: with how many digits, and whether one of them is no double, so that printing has rounded it. */
 export class PrintedDigits {
-  #digits = 0
-  #largest = 0
+  digits = 0
+  isRounded = false
+  /** The size of the largest coordinate that was seen. */
+  largest = 0
 
-  /** A coordinate with the number of significant digits it is written with. */
+  /** A coordinate with the number of significant digits it is written with; those that are doubles do not count. */
   see(value: number, digits: number): void {
     const size = Math.abs(value)
-    if (size > this.#largest && size < Infinity) this.#largest = size
-    if (digits > this.#digits && !isExact(size, digits)) this.#digits = digits
+    if (size > this.largest && size < Infinity) this.largest = size
+    if (digits <= this.digits || isExact(size, digits)) return
+    this.digits = digits
+    this.isRounded = true
   }
 
-  /** Null where all of a double is printed, or where the numbers are round or doubles. */
-  note(): string | null {
-    if (this.#digits >= MOST_DIGITS || this.#digits < FEWEST_DIGITS || this.#largest === 0) return null
-    const lastPlace = Math.floor(Math.log10(this.#largest)) - this.#digits + 1
-    return `Coordinates are printed with at most ${this.#digits} digits: that can move one by up to 5e${lastPlace - 1}.`
+  /** Half a unit of the last place of the largest coordinate; 0 if the text has every digit of its doubles. */
+  movement(): number {
+    return Number(this.#movement() ?? 0)
   }
+
+  /** Null where printing has moved nothing. */
+  note(): string | null {
+    const movement = this.#movement()
+    if (movement === null) return null
+    return `Coordinates are printed with at most ${this.digits} digits: that can move one by up to ${movement}.`
+  }
+
+  #movement(): string | null {
+    const { digits, isRounded, largest } = this
+    if (!isRounded || digits < FEWEST_DIGITS || digits >= MOST_DIGITS || !(largest > 0 && largest < Infinity))
+      return null
+    return `5e${Math.floor(Math.log10(largest)) - digits}`
+  }
+}
+
+/** The digits of coordinates that are all there, where the most digits alone are known. */
+export function printedDigits(digits: number, points: Float64Array): PrintedDigits {
+  const printed = new PrintedDigits()
+  printed.largest = largestOf(points)
+  printed.digits = digits
+  printed.isRounded = digits >= FEWEST_DIGITS && points.some(value => !isExact(Math.abs(value), digits))
+  return printed
 }
 
 /**
@@ -32,8 +59,19 @@ function isExact(size: number, digits: number): boolean {
   return digits < MOST_DIGITS && Number.isInteger(size * 2 ** Math.max(0, digits - 1 - Math.floor(Math.log10(size))))
 }
 
-/** Half a unit in the last place of the largest coordinate, which has 24 bits. */
-export function float32Note(largest: number): string {
-  const half = largest > 0 ? 2 ** (Math.floor(Math.log2(largest)) - 24) : 0
+/** Half a unit in the last place of the largest coordinate, which has 24 bits; null where all are 0. */
+export function float32Note(largest: number): string | null {
+  if (!(largest > 0)) return null
+  const half = 2 ** (Math.floor(Math.log2(largest)) - 24)
   return `Coordinates are stored as Float32: that can move one by up to ${half.toPrecision(2)}.`
+}
+
+/** The size of the largest coordinate that is finite. */
+export function largestOf(points: Float64Array): number {
+  let largest = 0
+  for (let i = 0; i < points.length; ++i) {
+    const size = Math.abs(points[i] as number)
+    if (size > largest && size < Infinity) largest = size
+  }
+  return largest
 }

@@ -1,61 +1,123 @@
 /** Texts as mails and issues hold them: lines that are quoted with ">", and code between fences. */
-import { isText, LARGEST_SNIPPET, snippetText } from './snippets/snippet-text'
+import { LARGEST_STRING, utf16Of } from './snippet-text'
 import { fileOfBytes, type MeshFile } from './source'
 
-const QUOTED = /^(?!>>>)[ \t]?>(?:[ \t]?>(?!>))*[ \t]?/
-const FENCE = /^\s{0,20}(?:```|~~~)/
+const [TAB, LF, CR, SPACE, ZERO, NINE, GREATER, BACKTICK, TILDE] = [9, 10, 13, 32, 48, 57, 62, 96, 126] as const
+/** A fence and what follows it, such as "```text", is no longer; a longer line has code behind its fence. */
+const LONGEST_FENCE = 40
+const FEWEST_QUOTED = 3
 
-/**
- * The text without its marks of quotation, and without what stands outside its fences; the file itself if it has none. In a text that is in
- * UTF-16 the characters are those of UTF-8 afterwards.
- */
-export function withoutQuotation(file: MeshFile): MeshFile {
-  if (file.size > LARGEST_SNIPPET) return file
-  const head = file.read(0, Math.min(file.size, 65_536))
-  const isUtf16 = (head[0] === 0xff && head[1] === 0xfe) || (head[0] === 0xfe && head[1] === 0xff)
-  const mayHaveMarks = head.includes(62) || includesFence(head)
-  if (!isText(head) || !(isUtf16 || mayHaveMarks)) return file
-  const text = snippetText(file)
-  if (text === null) return file
-  const plain = insideFences(unquoted(text))
-  return plain === text && !isUtf16 ? file : fileOfBytes(file.name, new TextEncoder().encode(plain))
+/** A line is the bytes [from, to). */
+interface Line {
+  readonly from: number
+  readonly to: number
 }
 
-function includesFence(head: Uint8Array): boolean {
-  for (let i = head.indexOf(96); i >= 0; i = head.indexOf(96, i + 1))
-    if (head[i + 1] === 96 && head[i + 2] === 96) return true
-  for (let i = head.indexOf(126); i >= 0; i = head.indexOf(126, i + 1))
-    if (head[i + 1] === 126 && head[i + 2] === 126) return true
+/**
+ * The text without what mail and Markdown put around it. Marks of quotation, fences, the words outside of them, no-break spaces and a byte
+ * order mark become blanks, so that lines and bytes keep their places; UTF-16 becomes UTF-8. The file itself where there is nothing of that, or
+ * where it is binary or large.
+ */
+export function withoutQuotation(file: MeshFile): MeshFile {
+  if (file.size > LARGEST_STRING) return file
+  const original = file.read(0, file.size)
+  const encoding = utf16Of(original)
+  const bytes = encoding === null ? original : new TextEncoder().encode(new TextDecoder(encoding).decode(original))
+  if (bytes.includes(0)) return file
+  const isUnquoted = blankQuotation(bytes)
+  const isUnfenced = blankFences(bytes)
+  const isPlain = blankOddSpaces(bytes)
+  return isUnquoted || isUnfenced || isPlain || encoding !== null ? fileOfBytes(file.name, bytes) : file
+}
+
+/**
+ * Marks of quotation, and, where most lines are quoted, the lines that are not, which are somebody's words around them. Python's ">>>" is
+ * no quotation.
+ */
+function blankQuotation(bytes: Uint8Array): boolean {
+  if (!bytes.includes(GREATER)) return false
+  let full = 0
+  let quoted = 0
+  for (const { from, to } of linesOf(bytes)) {
+    if (skipBlanks(bytes, from, to) < to) full++
+    if (quoteEnd(bytes, from, to) > from) quoted++
+  }
+  if (quoted < FEWEST_QUOTED) return false
+  const areOthersWords = 2 * quoted >= full
+  for (const { from, to } of linesOf(bytes)) {
+    const end = quoteEnd(bytes, from, to)
+    if (end > from) bytes.fill(SPACE, from, end)
+    else if (areOthersWords) bytes.fill(SPACE, from, to)
+  }
+  return true
+}
+
+/** Behind the marks of quotation with which a line begins; `from` if there are none. */
+function quoteEnd(bytes: Uint8Array, from: number, to: number): number {
+  let end = from
+  for (let at = skipBlanks(bytes, from, to); at < to && bytes[at] === GREATER; at = skipBlanks(bytes, at, to)) {
+    if (bytes[at + 1] === GREATER && bytes[at + 2] === GREATER) break
+    end = ++at
+  }
+  return end
+}
+
+/** Fences, and what stands outside of them if there are numbers inside. A fence that does not end goes to the end. */
+function blankFences(bytes: Uint8Array): boolean {
+  if (!bytes.includes(BACKTICK) && !bytes.includes(TILDE)) return false
+  const fences: Line[] = []
+  for (const { from, to } of linesOf(bytes)) {
+    const at = skipBlanks(bytes, from, to)
+    const mark = bytes[at]
+    if ((mark !== BACKTICK && mark !== TILDE) || bytes[at + 1] !== mark || bytes[at + 2] !== mark) continue
+    fences.push({ from, to: to - at <= LONGEST_FENCE ? to : at + 3 })
+  }
+  if (fences.length === 0) return false
+  // One fence alone may end a block whose beginning was not copied.
+  const isBegun = fences.length > 1 || !hasDigit(bytes, 0, (fences[0] as Line).from)
+  const ends = [...fences.map(({ from }) => from), bytes.length]
+  const starts = [0, ...fences.map(({ to }) => to)]
+  const isInside = (part: number) => part % 2 === 1
+  if (isBegun && starts.some((from, part) => isInside(part) && hasDigit(bytes, from, ends[part] as number)))
+    for (const [part, from] of starts.entries()) if (!isInside(part)) blank(bytes, from, ends[part] as number)
+  for (const { from, to } of fences) bytes.fill(SPACE, from, to)
+  return true
+}
+
+function blankOddSpaces(bytes: Uint8Array): boolean {
+  let hasAny = bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf
+  if (hasAny) bytes.fill(SPACE, 0, 3)
+  for (let at = bytes.indexOf(0xc2); at >= 0; at = bytes.indexOf(0xc2, at + 1)) {
+    if (bytes[at + 1] !== 0xa0) continue
+    bytes.fill(SPACE, at, at + 2)
+    hasAny = true
+  }
+  return hasAny
+}
+
+/** All lines, without their ends. */
+function* linesOf(bytes: Uint8Array): Generator<Line> {
+  for (let from = 0; from < bytes.length; ) {
+    const found = bytes.indexOf(LF, from)
+    const end = found < 0 ? bytes.length : found
+    yield { from, to: end > from && bytes[end - 1] === CR ? end - 1 : end }
+    from = end + 1
+  }
+}
+
+/** All but the ends of lines. */
+function blank(bytes: Uint8Array, from: number, to: number): void {
+  for (let at = from; at < to; ++at) if (bytes[at] !== LF && bytes[at] !== CR) bytes[at] = SPACE
+}
+
+function hasDigit(bytes: Uint8Array, from: number, to: number): boolean {
+  for (let at = from; at < to; ++at) if ((bytes[at] as number) >= ZERO && (bytes[at] as number) <= NINE) return true
   return false
 }
 
-/** Most lines of a quoted text are quoted; those that are not are somebody's words around it. Python's ">>>" is no quotation. */
-function unquoted(text: string): string {
-  const lines = text.split('\n')
-  const full = lines.filter(line => line.trim() !== '')
-  const quoted = full.filter(line => QUOTED.test(line.slice(0, 100))).length
-  if (quoted < 3 || 2 * quoted < full.length) return text
-  return lines.map(line => (QUOTED.test(line.slice(0, 100)) ? line.replace(QUOTED, '') : '')).join('\n')
-}
-
-/** What stands between fences, if that has numbers at all. A fence that does not end goes to the end. */
-function insideFences(text: string): string {
-  if (!text.includes('```') && !text.includes('~~~')) return text
-  const inside: string[] = []
-  let isInside = false
-  let fences = 0
-  for (const line of text.split('\n')) {
-    if (FENCE.test(line.slice(0, 100))) {
-      isInside = !isInside
-      fences++
-    } else if (isInside) inside.push(line)
-  }
-  // One fence alone is the end of a block whose beginning was not copied.
-  if (fences === 1)
-    return text
-      .split('\n')
-      .filter(line => !FENCE.test(line.slice(0, 100)))
-      .join('\n')
-  const code = inside.join('\n')
-  return /\d/.test(code) ? code : text
+/** Blanks within a line. */
+function skipBlanks(bytes: Uint8Array, from: number, end: number): number {
+  let at = from
+  while (at < end && (bytes[at] === SPACE || bytes[at] === TAB)) at++
+  return at
 }

@@ -3,6 +3,7 @@ import { formats } from './formats'
 import { gunzipped, gunzippedHead, isGzip } from './gzip'
 import { type Mesh, MeshRefusal } from './mesh'
 import { withoutQuotation } from './quotation'
+import { utf16Of } from './snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from './source'
 import { shown } from './text-cursor'
 
@@ -18,44 +19,52 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
     onProgress: options.onProgress ?? (() => {}),
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),
   }
-  if (file.size === 0) throw new MeshRefusal(`${shownName(file)}: the file is empty.`)
-  const plain = withoutQuotation(file)
-  const format = formatOf(plain, options.format)
+  const here = named(file)
+  if (here.size === 0) throw new MeshRefusal(`${here.name}: the file is empty.`)
+  const wanted = options.format === undefined ? null : formatNamed(options.format)
+  const head = headOf(here)
+  const isPacked = isGzip(head)
+  const name = isPacked ? file.name.replace(/\.gz$/i, '') : file.name
+  // Nothing is inflated that no format wants.
+  if (isPacked && wanted === null) formatOf(gunzippedHead(here, HEAD), name)
   try {
-    const meshes = format.read(named(isGzip(headOf(plain, 3)) ? gunzipped(plain) : plain), all)
-    return plain === file ? meshes : meshes.map(mesh => ({ ...mesh, coordinatePlaces: null }))
+    const whole = isPacked ? gunzipped(here) : here
+    const plain = withoutQuotation(whole)
+    const format = wanted ?? formatOf(headOf(plain), name)
+    const meshes = format.read(plain, all)
+    if (plain === here) return meshes
+    const areBytesKept = !isPacked && utf16Of(head) === null
+    return meshes.map(mesh => (areBytesKept ? withTruePlaces(mesh) : { ...mesh, coordinatePlaces: null }))
   } catch (error) {
     // The engine's own error where an array is too large for it.
     if (!(error instanceof RangeError)) throw error
-    throw new MeshRefusal(`${shownName(file)}: reading it needs more memory than there is here (${error.message}).`)
+    throw new MeshRefusal(`${here.name}: reading it needs more memory than there is here (${error.message}).`)
   }
+}
+
+/** In a quoted text marks stand between the coordinates of a run, which are at their places one by one. */
+function withTruePlaces(mesh: Mesh): Mesh {
+  return mesh.coordinatePlaces?.kind === 'tokens' ? mesh : { ...mesh, coordinatePlaces: null }
 }
 
 /** The file with the name under which people are told of it. */
 function named(file: MeshFile): MeshFile {
-  return { name: shownName(file), size: file.size, read: (from, to) => file.read(from, to) }
+  return { name: shown(file.name).slice(1, -1), size: file.size, read: (from, to) => file.read(from, to) }
 }
 
-function headOf(file: MeshFile, size = HEAD): Uint8Array {
-  return file.read(0, Math.min(size, file.size))
+function headOf(file: MeshFile): Uint8Array {
+  return file.read(0, Math.min(HEAD, file.size))
 }
 
-function formatOf(file: MeshFile, wanted: string | undefined): MeshFormat {
-  if (wanted !== undefined) {
-    const named = formats.find(({ name }) => name.toLowerCase() === wanted.toLowerCase())
-    if (named) return named
-    throw new MeshRefusal(`There is no format ${shown(wanted)}: ${formats.map(({ name }) => name).join(', ')}.`)
-  }
-  const packed = headOf(file)
-  const isPacked = isGzip(packed)
-  const head = isPacked ? gunzippedHead(file, HEAD) : packed
-  const name = file.name.toLowerCase()
-  const answers = formats.map(format => format.recognizes(head, isPacked ? name.replace(/\.gz$/, '') : name))
+function formatNamed(wanted: string): MeshFormat {
+  const found = formats.find(({ name }) => name.toLowerCase() === wanted.toLowerCase())
+  if (found) return found
+  throw new MeshRefusal(`There is no format ${shown(wanted)}: ${formats.map(({ name }) => name).join(', ')}.`)
+}
+
+function formatOf(head: Uint8Array, fileName: string): MeshFormat {
+  const answers = formats.map(format => format.recognizes(head, fileName.toLowerCase()))
   const at = answers.includes('yes') ? answers.indexOf('yes') : answers.indexOf('maybe')
-  if (at < 0) throw new MeshRefusal(`${shownName(file)}: this is in no format that is known here.`)
+  if (at < 0) throw new MeshRefusal(`${shown(fileName).slice(1, -1)}: this is in no format that is known here.`)
   return formats[at] as MeshFormat
-}
-
-function shownName(file: MeshFile): string {
-  return shown(file.name).slice(1, -1)
 }

@@ -1,75 +1,35 @@
-/** Texts as people paste them: quoted mail, fenced code, "..." where something was left out. */
+/** Texts as people paste them: their characters, and "..." where something was left out. */
 import type { MeshFile } from './source'
-import { fileOfBytes } from './source'
 
-/** A text of up to so many bytes may be a part of a file that somebody posted; a larger one is a file. */
+/** Bytes: a text of up to so many may be a part of a file that somebody posted; a larger one is a file. */
 export const LARGEST_SNIPPET = 4 * 1024 * 1024
 
-const [TAB, LF, CR, SPACE, GREATER, BACKTICK, TILDE] = [9, 10, 13, 32, 62, 96, 126] as const
-/** Where a NUL byte stands this early, the file is binary. */
-const BINARY_HEAD = 1024
-/** A fence and what follows it, such as "```text", is no longer. */
-const LONGEST_FENCE = 40
-const FEWEST_QUOTED = 3
+/** Bytes: up to so many become one string. A larger text is read as numbers or not at all. */
+export const LARGEST_STRING = 16 * 1024 * 1024
 
-/**
- * The text without what mail and Markdown put around it: "> " at the beginning of lines, lines of "```", no-break spaces and a byte order
- * mark become blanks, so that lines and bytes keep their places. UTF-16 becomes UTF-8. A file that is binary or larger than a snippet
- * comes back as it is.
- */
-export function unwrapped(file: MeshFile): MeshFile {
-  if (file.size > LARGEST_SNIPPET || file.size === 0) return file
-  const original = file.read(0, file.size)
-  const bytes = utf8(original)
-  if (bytes.subarray(0, BINARY_HEAD).includes(0)) return file
-  let hasChanged = bytes !== original
-  const blank = (from: number, to: number) => {
-    bytes.fill(SPACE, from, to)
-    hasChanged = true
-  }
-  const isQuoted = quotedLines(bytes) >= FEWEST_QUOTED
-  for (let from = 0; from < bytes.length; from = lineEnd(bytes, from) + 1) {
-    const end = lineEnd(bytes, from)
-    let at = skipBlanks(bytes, from, end)
-    while (isQuoted && bytes[at] === GREATER && at < end) {
-      blank(at, at + 1)
-      at = skipBlanks(bytes, at, end)
-    }
-    const mark = bytes[at]
-    if ((mark === BACKTICK || mark === TILDE) && bytes[at + 1] === mark && bytes[at + 2] === mark) {
-      const length = bytes[end - 1] === CR ? end - at - 1 : end - at
-      blank(at, at + (length <= LONGEST_FENCE ? length : 3))
-    }
-  }
-  if (bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf) blank(0, 3)
-  for (let at = bytes.indexOf(0xc2); at >= 0; at = bytes.indexOf(0xc2, at + 1))
-    if (bytes[at + 1] === 0xa0) blank(at, at + 2)
-  return hasChanged ? fileOfBytes(file.name, bytes) : file
+/** The characters of a file in UTF-8; ends of lines are LF. Null if it is binary. */
+export function snippetText(file: MeshFile): string | null {
+  const text = new TextDecoder().decode(file.read(0, file.size))
+  if (text.includes('\0')) return null
+  return text.includes('\r') ? text.replaceAll('\r\n', '\n').replaceAll('\r', '\n') : text
 }
 
-function utf8(bytes: Uint8Array): Uint8Array {
-  const isBig = bytes[0] === 0xfe && bytes[1] === 0xff
-  if (!isBig && !(bytes[0] === 0xff && bytes[1] === 0xfe)) return bytes
-  return new TextEncoder().encode(new TextDecoder(isBig ? 'utf-16be' : 'utf-16le').decode(bytes))
+/** The encoding that the first two bytes state; null where they state none. */
+export function utf16Of([first, second]: Uint8Array): 'utf-16le' | 'utf-16be' | null {
+  if (first === 0xff && second === 0xfe) return 'utf-16le'
+  return first === 0xfe && second === 0xff ? 'utf-16be' : null
 }
 
-function quotedLines(bytes: Uint8Array): number {
-  let count = 0
-  for (let from = 0; from < bytes.length; from = lineEnd(bytes, from) + 1)
-    if (bytes[skipBlanks(bytes, from, bytes.length)] === GREATER) count++
-  return count
+/** Whether the first bytes of a file may be those of a text. */
+export function isText(head: Uint8Array): boolean {
+  return utf16Of(head) !== null || !head.includes(0)
 }
 
-function lineEnd(bytes: Uint8Array, from: number): number {
-  const end = bytes.indexOf(LF, from)
-  return end < 0 ? bytes.length : end
-}
+const latin1 = new TextDecoder('latin1')
 
-/** Blanks within a line. */
-function skipBlanks(bytes: Uint8Array, from: number, end: number): number {
-  let at = from
-  while (at < end && (bytes[at] === SPACE || bytes[at] === TAB)) at++
-  return at
+/** The first bytes of a file as text in which marks of a format are looked for. */
+export function headText(head: Uint8Array, most = head.length): string {
+  return latin1.decode(head.subarray(0, most))
 }
 
 const LONGEST_ELLIPSIS = 200

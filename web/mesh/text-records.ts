@@ -5,7 +5,7 @@
 
 import type { Mesh } from './mesh'
 import type { MeshBuilder } from './mesh-builder'
-import { isEllipsis, unwrapped } from './snippet-text'
+import { isEllipsis } from './snippet-text'
 import type { MeshFile } from './source'
 import { shown, TextCursor } from './text-cursor'
 
@@ -132,17 +132,14 @@ interface Reader {
   readonly next: Start | null
 }
 
-/** All files that stand in one text, one after the other, whatever mail and Markdown put around them. */
-export function readInTurn(file: MeshFile, readerAt: (text: MeshFile, cursor: TextCursor) => Reader): readonly Mesh[] {
-  const text = unwrapped(file)
+/** All files that stand in one text, one after the other. */
+export function readInTurn(file: MeshFile, readerAt: (cursor: TextCursor) => Reader): readonly Mesh[] {
   const meshes: Mesh[] = []
-  const cursor = new TextCursor(text)
+  const cursor = new TextCursor(file)
   for (let start: Start | null = { position: 0, line: 1 }; start !== null; ) {
     cursor.goTo(start)
-    const reader: Reader = readerAt(text, cursor)
-    const mesh = reader.mesh()
-    // In a text that was UTF-16 bytes are at other places than in the file.
-    meshes.push(text.size === file.size ? mesh : { ...mesh, coordinatePlaces: null })
+    const reader: Reader = readerAt(cursor)
+    meshes.push(reader.mesh())
     start = reader.next
   }
   return meshes

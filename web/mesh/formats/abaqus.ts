@@ -3,17 +3,18 @@
  * makes nodes and is not read here is refused by its name.
  */
 import type { Mesh } from '../mesh'
+import { PrintedDigits } from '../precision'
+import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { type Keyword, keywordOf, unquoted } from './abaqus-keyword'
 import { AbaqusPart } from './abaqus-part'
 import { type AbaqusType, abaqusType, ORDER_OF_20, ORDER_OF_27 } from './abaqus-types'
-import { headText } from './head-text'
 import type { IdRanges } from './id-ranges'
 import { cross, type Frame, minus, outOfFrame, type Rotation, rigidMove, scaled, unit, type Vector } from './movement'
 import { collect, type Placement } from './node-model'
 import type { Runs } from './runs'
-import { PrintedPrecision, TextLines } from './text-lines'
+import { TextLines } from './text-lines'
 
 const STAR = 42
 const DEEPEST_INCLUDE = 16
@@ -54,7 +55,7 @@ export const abaqus: MeshFormat = {
 class AbaqusReader {
   readonly #file: MeshFile
   readonly #options: ReadOptions
-  readonly #precision = new PrintedPrecision()
+  readonly #precision = new PrintedDigits()
   readonly #notes: string[] = []
   readonly #parts = new Map<string, { name: string; part: AbaqusPart }>()
   readonly #instances: Instance[] = []

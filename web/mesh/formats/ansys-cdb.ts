@@ -1,12 +1,13 @@
 /** Ansys archives: NBLOCK and EBLOCK by the widths that their format lines give, element types, components. */
 import type { Mesh } from '../mesh'
+import { PrintedDigits } from '../precision'
+import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { type AnsysType, ansysType } from './ansys-types'
-import { headText } from './head-text'
 import { IdOrder } from './id-ranges'
 import { collect, NodeModel } from './node-model'
-import { PrintedPrecision, TextLines } from './text-lines'
+import { TextLines } from './text-lines'
 
 /** Of an element of 20 nodes: bottom edges, top edges, upright edges, as VTK. */
 const ORDER_OF_20 = Array.from({ length: 20 }, (_, i) => i)
@@ -41,7 +42,7 @@ class AnsysReader {
   readonly #file: MeshFile
   readonly #lines: TextLines
   readonly #model = new NodeModel()
-  readonly #precision = new PrintedPrecision()
+  readonly #precision = new PrintedDigits()
   readonly #notes: string[] = []
   readonly #routines = new Map<number, number>()
   readonly #firstOptions = new Map<number, number>()

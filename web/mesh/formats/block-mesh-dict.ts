@@ -3,7 +3,7 @@
  * dictionary computes (variables, #calc) is refused; a scale does not change what is valid, and is only noted.
  */
 import { MeshBuilder } from '../mesh-builder'
-import { headText, snippetText } from '../snippets/snippet-text'
+import { headText, snippetText } from '../snippet-text'
 import { Tokens } from '../snippets/tokens'
 import type { MeshFormat } from '../source'
 import { shown } from '../text-cursor'

@@ -23,7 +23,7 @@ export const gmsh: MeshFormat = {
     return 'no'
   },
   read(file, options) {
-    return readInTurn(file, (text, cursor) => new GmshReader(text, cursor, options))
+    return readInTurn(file, cursor => new GmshReader(file, cursor, options))
   },
 }
 

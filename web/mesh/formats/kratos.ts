@@ -1,6 +1,6 @@
 /** Kratos (.mdpa): blocks from "Begin" to "End". Nodes have an id and three coordinates; elements an id, a property and their nodes. */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
-import { headText } from '../snippets/snippet-text'
+import { headText } from '../snippet-text'
 import type { MeshFormat } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 

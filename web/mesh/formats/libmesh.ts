@@ -3,8 +3,8 @@
  * as `setw` makes them, so a bracket may or may not be followed by blanks. Nodes are in VTK's order, corners first.
  */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
-import { precisionNote } from '../printed-precision'
-import { headText } from '../snippets/snippet-text'
+import { printedDigits } from '../precision'
+import { headText } from '../snippet-text'
 import { Tokens } from '../snippets/tokens'
 import type { MeshFormat } from '../source'
 import { TextCursor } from '../text-cursor'
@@ -81,7 +81,7 @@ export const libMesh: MeshFormat = {
       builder.note('The text leaves something out: the elements that are whole have been read.')
     }
     const mesh = builder.mesh()
-    const note = precisionNote(digits, mesh.points)
+    const note = printedDigits(digits, mesh.points).note()
     return [note === null ? mesh : { ...mesh, notes: [...mesh.notes, note] }]
   },
 }

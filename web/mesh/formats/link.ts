@@ -1,7 +1,7 @@
 /** A link to an element of this project's page, or its fragment alone. */
 import { decodePermalink } from '../../model/permalink'
 import { MeshBuilder } from '../mesh-builder'
-import { headText, snippetText } from '../snippets/snippet-text'
+import { headText, snippetText } from '../snippet-text'
 import type { MeshFormat } from '../source'
 
 const FRAGMENT = /\bv=\w{1,20}&vertices=[^\s>)\]"']*/

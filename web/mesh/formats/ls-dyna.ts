@@ -1,11 +1,12 @@
 /** LS-DYNA keyword files: nodes, solids and thick shells by part, in columns of each width or between commas. */
 import type { Mesh } from '../mesh'
+import { PrintedDigits } from '../precision'
+import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
-import { headText } from './head-text'
 import { collect, NodeModel } from './node-model'
 import { Runs } from './runs'
-import { PrintedPrecision, TextLines } from './text-lines'
+import { TextLines } from './text-lines'
 
 const [SPACE, DOLLAR, STAR] = [32, 36, 42] as const
 const DEEPEST_INCLUDE = 16
@@ -58,7 +59,7 @@ class DynaReader {
   readonly #file: MeshFile
   readonly #options: ReadOptions
   readonly #model = new NodeModel()
-  readonly #precision = new PrintedPrecision()
+  readonly #precision = new PrintedDigits()
   readonly #notes = new Set<string>()
   readonly #cellsOfPart = new Map<number, Runs>()
   readonly #partNames = new Map<number, string>()

@@ -149,5 +149,6 @@ function readVertices(cursor: BinaryCursor, mesh: MeditMesh, floatBytes: 4 | 8, 
     }
     done += some
   }
-  if (floatBytes === 4) mesh.builder.note(float32Note(largest))
+  const note = floatBytes === 4 ? float32Note(largest) : null
+  if (note !== null) mesh.builder.note(note)
 }

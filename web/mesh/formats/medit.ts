@@ -24,7 +24,7 @@ export const medit: MeshFormat = {
   },
   read(file, options) {
     if (isMeditBinary(file.read(0, Math.min(8, file.size)))) return [readMeditBinary(file, options)]
-    return readInTurn(file, (text, cursor) => new MeditReader(text, cursor, options))
+    return readInTurn(file, cursor => new MeditReader(file, cursor, options))
   },
 }
 

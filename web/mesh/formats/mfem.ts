@@ -33,7 +33,7 @@ export const mfem: MeshFormat = {
     return /^[ \t>]*MFEM\b[A-Z -]*\bmesh v\d/m.test(text) ? 'yes' : 'no'
   },
   read(file, options) {
-    return readInTurn(file, (text, cursor) => new MfemReader(text, cursor, options))
+    return readInTurn(file, cursor => new MfemReader(file, cursor, options))
   },
 }
 

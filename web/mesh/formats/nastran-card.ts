@@ -1,5 +1,6 @@
 /** One entry of Nastran bulk data, put together from its lines: small, large or free fields, in any mixture. */
-import type { PrintedPrecision, TextLines } from './text-lines'
+import type { PrintedDigits } from '../precision'
+import type { TextLines } from './text-lines'
 
 const [STAR, PLUS, DOT, ZERO, NINE] = [42, 43, 46, 48, 57] as const
 /** Fields of a CHEXA of 20 nodes; others have fewer. */
@@ -138,7 +139,7 @@ export function addFields(
   lines: TextLines,
   layout: LineLayout,
   wanted: number,
-  precision: PrintedPrecision | null,
+  precision: PrintedDigits | null,
 ): void {
   const { isFree, values } = layout
   card.beginLine(layout)

@@ -2,15 +2,16 @@
 
 import type { Mesh } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
+import { PrintedDigits } from '../precision'
+import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
-import { headText } from './head-text'
 import type { Vector } from './movement'
 import { addFields, Card, GRID_X, type LineLayout, plainMnemonic, shortText, splitCard } from './nastran-card'
 import { type FrameKind, Frames } from './nastran-frames'
 import { collect, NodeModel } from './node-model'
 import { Runs } from './runs'
-import { PrintedPrecision, TextLines } from './text-lines'
+import { TextLines } from './text-lines'
 
 const DEEPEST_INCLUDE = 16
 const [DOLLAR, STAR] = [36, 42] as const
@@ -67,7 +68,7 @@ export const nastran: MeshFormat = {
 class NastranReader {
   readonly #file: MeshFile
   readonly #options: ReadOptions
-  readonly #precision = new PrintedPrecision()
+  readonly #precision = new PrintedDigits()
   readonly #notes: string[] = []
   readonly #model = new NodeModel()
   readonly #frames: Frames

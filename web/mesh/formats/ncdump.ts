@@ -3,7 +3,7 @@
  * end. `coordx`, `coordy`, `coordz` are the points, or `coord` one after the other; `connectN` the nodes of block N's cells, from 1.
  */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
-import { headText, snippetText } from '../snippets/snippet-text'
+import { headText, snippetText } from '../snippet-text'
 import { Tokens } from '../snippets/tokens'
 import type { MeshFormat } from '../source'
 

@@ -12,10 +12,11 @@ import {
   type NotTrilinear,
 } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
+import { largestOf, type PrintedDigits } from '../precision'
 import { shown } from '../text-cursor'
 import { IdIndex } from './id-index'
 import { Runs } from './runs'
-import type { PrintedPrecision, TextLines } from './text-lines'
+import type { TextLines } from './text-lines'
 import { TypedList } from './typed-list'
 
 /** Generated or repeated points and cells, as implied ones. */
@@ -282,9 +283,9 @@ export class NodeModel {
     if (!this.#hasPlaces || this.#placesIn === null || count === 0) return null
     this.#placeFrom.reserve(count)
     this.#placeLength.reserve(count)
-    const to = this.#placeLength.values.slice(0, count)
-    if (to.includes(0)) return null
-    return { kind: 'tokens', from: this.#placeFrom.values.slice(0, count), to }
+    const lengths = this.#placeLength.values.slice(0, count)
+    if (lengths.includes(0)) return null
+    return { kind: 'tokens', from: this.#placeFrom.values.slice(0, count), lengths }
   }
 }
 
@@ -306,7 +307,7 @@ export interface Collected {
   readonly format: string
   readonly fileName: string
   readonly placements: readonly Placement[]
-  readonly precision: PrintedPrecision
+  readonly precision: PrintedDigits
   readonly notes: readonly string[]
   readonly isCutOff: boolean
 }
@@ -357,8 +358,8 @@ export function collect({ format, fileName, placements, precision, notes, isCutO
     far += model.quadratic.length
   }
 
-  const largest = largestOf(points)
-  const note = precision.note(largest)
+  precision.largest = largestOf(points)
+  const note = precision.note()
   if (note !== null) said.push(note)
   const only = placements.length === 1 && placements[0]?.move === null ? (placements[0] as Placement) : null
   return {
@@ -367,7 +368,7 @@ export function collect({ format, fileName, placements, precision, notes, isCutO
     cells,
     ids: numbers ?? names,
     blocks,
-    notTrilinear: notTrilinearOf(quadratic, points, largest, precision),
+    notTrilinear: notTrilinearOf(quadratic, points, precision),
     other: others,
     notes: [...new Set(said)],
     isOrderStated: true,
@@ -382,29 +383,15 @@ function shifted(from: TypedList<Uint32Array>, to: Uint32Array, at: number, by: 
   for (let i = 0; i < length; ++i) to[at + i] = values[i] === NO_NODE ? NO_NODE : (values[i] as number) + by
 }
 
-function largestOf(points: Float64Array): number {
-  let largest = 0
-  for (let i = 0; i < points.length; ++i) {
-    const size = Math.abs(points[i] as number)
-    if (size > largest && size !== Number.POSITIVE_INFINITY) largest = size
-  }
-  return largest
-}
-
 /**
  * A further node is in the middle if it is where the corners' mean is, up to what printing has moved: u for the node and u for the mean,
  * where u is half a unit of the last place, or of the double.
  */
-function notTrilinearOf(
-  quadratic: Uint32Array,
-  points: Float64Array,
-  largest: number,
-  precision: PrintedPrecision,
-): NotTrilinear {
+function notTrilinearOf(quadratic: Uint32Array, points: Float64Array, precision: PrintedDigits): NotTrilinear {
   const count = quadratic.length / QUADRATIC_SLOTS
   if (count === 0) return NOTHING_NOT_TRILINEAR
   const corners = new Uint32Array(8 * count)
-  const tolerance = 2 * Math.max(precision.movement(largest), 4 * Number.EPSILON * largest)
+  const tolerance = 2 * Math.max(precision.movement(), 4 * Number.EPSILON * precision.largest)
   let straight = 0
   for (let cell = 0; cell < count; ++cell) {
     const at = QUADRATIC_SLOTS * cell

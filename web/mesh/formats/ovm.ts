@@ -4,7 +4,7 @@
  */
 import { hexahedronOfFaces } from '../hexahedron-of-faces'
 import { MeshBuilder } from '../mesh-builder'
-import { headText } from '../snippets/snippet-text'
+import { headText } from '../snippet-text'
 import type { MeshFormat } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 

@@ -3,8 +3,8 @@
  * have VTK's order; a brick whose nodes coincide may be any other cell, and is a degenerate hexahedron here.
  */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
+import { headText } from '../snippet-text'
 import { titledColumns } from '../snippets/interpret'
-import { headText } from '../snippets/snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 

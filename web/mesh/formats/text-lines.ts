@@ -1,8 +1,10 @@
 /**
  * Lines of a text file as bytes, for formats whose fields stand in columns or between commas. The file is read in pieces; fields become
- * numbers straight from the bytes. Text that was quoted in a mail, fenced or indented is read as it was before.
+ * numbers straight from the bytes. A text that is indented as a whole is read as it was before.
  */
+import { doubleOfDigits } from '../decimal'
 import { MeshRefusal } from '../mesh'
+import type { PrintedDigits } from '../precision'
 import type { MeshFile, ReadOptions } from '../source'
 import { numberOf, shown } from '../text-cursor'
 
@@ -10,8 +12,7 @@ const PIECE = 4 * 1024 * 1024
 const LONGEST_LINE = 1024 * 1024
 const HEAD = 65_536
 
-const [TAB, LF, SPACE, PLUS, COMMA, MINUS, DOT, ZERO, GREATER] = [9, 10, 32, 43, 44, 45, 46, 48, 62] as const
-const [BACKTICK, TILDE] = [96, 126] as const
+const [TAB, LF, SPACE, PLUS, COMMA, MINUS, DOT, ZERO] = [9, 10, 32, 43, 44, 45, 46, 48] as const
 
 const POWERS_OF_TEN = Array.from({ length: 23 }, (_, i) => 10 ** i)
 const POWERS_OF_FIVE = Array.from({ length: 23 }, (_, i) => 5 ** i)
@@ -24,9 +25,6 @@ export class TextLines {
   readonly #options: ReadOptions
   #start = 0
   #next = 0
-  #isQuoted = false
-  #isFenced = false
-  #isInFence = false
   #indent = 0
   #isHeld = false
 
@@ -49,7 +47,7 @@ export class TextLines {
   constructor(file: MeshFile, options: ReadOptions) {
     this.file = file
     this.#options = options
-    this.#lookForQuotes()
+    this.#lookForIndent()
   }
 
   /** Throws: "part.inp, line 12: ...". */
@@ -100,19 +98,9 @@ export class TextLines {
       this.#isHeld = false
       return true
     }
-    while (this.#nextRaw()) {
-      if (this.#isQuoted && !this.#passQuote()) continue
-      if (this.#isFenced) {
-        if (this.#isFence()) {
-          this.#isInFence = !this.#isInFence
-          continue
-        }
-        if (!this.#isInFence) continue
-      }
-      if (this.#indent > 0) this.from = Math.min(this.to, this.from + this.#indent)
-      return true
-    }
-    return false
+    if (!this.#nextRaw()) return false
+    if (this.#indent > 0) this.from = Math.min(this.to, this.from + this.#indent)
+    return true
   }
 
   #nextRaw(): boolean {
@@ -160,42 +148,13 @@ export class TextLines {
     if (left > LONGEST_LINE) this.refuse('the line is longer than lines of a mesh are.', this.number + 1)
   }
 
-  #lookForQuotes(): void {
+  /** Blanks with which every line begins, as in quoted texts. */
+  #lookForIndent(): void {
     const head = decoder.decode(this.file.read(0, Math.min(HEAD, this.file.size)))
-    const all = head.split('\n').filter(line => line.trim() !== '')
-    const quoted = all.filter(line => line.startsWith('>'))
-    this.#isQuoted = quoted.length > 0 && 2 * quoted.length >= all.length
-    const lines = this.#isQuoted ? quoted.map(line => line.replace(/^(?:> ?)+/, '')) : all
-    const fences = lines.map(line => /^\s{0,8}(?:```|~~~)/.test(line))
-    this.#isFenced = fences.includes(true)
-    let isInside = !this.#isFenced
     let indent = Number.POSITIVE_INFINITY
-    for (const [i, line] of lines.entries()) {
-      if (fences[i]) isInside = !isInside
-      else if (isInside && line.trim() !== '') indent = Math.min(indent, line.length - line.trimStart().length)
-    }
+    for (const line of head.split('\n'))
+      if (line.trim() !== '') indent = Math.min(indent, line.length - line.trimStart().length)
     this.#indent = Number.isFinite(indent) ? indent : 0
-  }
-
-  #passQuote(): boolean {
-    if (this.bytes[this.from] !== GREATER) return false
-    while (this.from < this.to && this.bytes[this.from] === GREATER) {
-      this.from++
-      if (this.from < this.to && this.bytes[this.from] === SPACE) this.from++
-    }
-    return true
-  }
-
-  #isFence(): boolean {
-    let at = this.from
-    while (at < this.to && (this.bytes[at] as number) <= SPACE) at++
-    const mark = this.bytes[at]
-    return (
-      (mark === BACKTICK || mark === TILDE) &&
-      at + 3 <= this.to &&
-      this.bytes[at + 1] === mark &&
-      this.bytes[at + 2] === mark
-    )
   }
 
   // Fields
@@ -280,11 +239,11 @@ export class TextLines {
   }
 
   /** The number in a field, 0 where that is blank; refuses what is none. An exponent may stand without its letter: 1.0-3. */
-  real(field: number, precision: PrintedPrecision | null = null): number {
+  real(field: number, precision: PrintedDigits | null = null): number {
     return this.realIn(this.fieldFrom(field), this.fieldTo(field), precision)
   }
 
-  realIn(from: number, to: number, precision: PrintedPrecision | null): number {
+  realIn(from: number, to: number, precision: PrintedDigits | null): number {
     const bytes = this.bytes
     if (from >= to) return 0
     let at = from
@@ -345,7 +304,9 @@ export class TextLines {
     if (precision !== null && digits > precision.digits) precision.digits = digits
     if (!isExact || power < -22 || power > 22) {
       if (precision !== null) precision.isRounded = true
-      return Number(withExponentLetter(this.text(from, to)))
+      const size = doubleOfDigits(bytes, isNegative || bytes[from] === PLUS ? from + 1 : from, to, power - zeros)
+      if (Number.isNaN(size)) return Number(withExponentLetter(this.text(from, to)))
+      return isNegative ? -size : size
     }
     if (precision !== null && power < 0 && !precision.isRounded && mantissa % (POWERS_OF_FIVE[-power] as number) !== 0)
       precision.isRounded = true
@@ -395,32 +356,4 @@ function withExponentLetter(word: string): string {
   if (letter !== undefined) return letter === 'd' || letter === 'D' ? word.replace(letter, 'e') : word
   const sign = Math.max(word.lastIndexOf('-'), word.lastIndexOf('+'))
   return sign > 0 ? `${word.slice(0, sign)}e${word.slice(sign)}` : word
-}
-
-/** Decimals so short were typed, not rounded. */
-const TYPED_DIGITS = 3
-
-/** How coordinates were printed: with how many digits at most, and whether one of them is no double. */
-export class PrintedPrecision {
-  digits = 0
-  isRounded = false
-
-  /** Half a unit of the last place of the largest coordinate; 0 if the text has every digit of its doubles. */
-  movement(largest: number): number {
-    if (
-      !this.isRounded ||
-      this.digits >= 17 ||
-      this.digits <= TYPED_DIGITS ||
-      !(largest > 0) ||
-      !Number.isFinite(largest)
-    )
-      return 0
-    return 0.5 * 10 ** (Math.floor(Math.log10(largest)) - this.digits + 1)
-  }
-
-  note(largest: number): string | null {
-    const movement = this.movement(largest)
-    if (movement === 0) return null
-    return `The coordinates are printed with at most ${this.digits} digits: rounding has moved each by up to ${Number(movement.toPrecision(2))}.`
-  }
 }

@@ -3,13 +3,13 @@
  * it is nothing of its kind; the first that finds elements answers.
  */
 import { type Mesh, MeshRefusal } from '../mesh'
+import { isText, LARGEST_STRING, snippetText } from '../snippet-text'
 import { meshOfTables } from '../snippets/interpret'
 import { meshOfJson } from '../snippets/json'
 import { tablesOfLines, withDecimalPoints } from '../snippets/lines'
 import { tablesOfLists } from '../snippets/lists'
 import { tablesOfMatlab } from '../snippets/matlab-print'
 import { meshOfNumbers } from '../snippets/plain-numbers'
-import { isText, LARGEST_SNIPPET, snippetText } from '../snippets/snippet-text'
 import { Tokens } from '../snippets/tokens'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 
@@ -17,7 +17,7 @@ export const text: MeshFormat = {
   name: 'text',
   recognizes: head => (isText(head) ? 'maybe' : 'no'),
   read(file, options) {
-    if (file.size > LARGEST_SNIPPET) return [meshOfNumbers(file, options)]
+    if (file.size > LARGEST_STRING) return [meshOfNumbers(file, options)]
     const whole = snippetText(file)
     if (whole === null) throw new MeshRefusal(`${file.name}: this is binary, and in no format that is known here.`)
     return [meshOfText(whole, file, options)]

@@ -3,7 +3,7 @@
  * other's mirror image, bottom first or, as AVS has it, top first; deal.II takes either. So the sign of most cells decides, and is said.
  */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
-import { headText } from '../snippets/snippet-text'
+import { headText } from '../snippet-text'
 import type { MeshFormat } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 

@@ -4,7 +4,7 @@
  * of each layer go around together.
  */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
-import { headText } from '../snippets/snippet-text'
+import { headText } from '../snippet-text'
 import type { MeshFormat } from '../source'
 import { TextCursor } from '../text-cursor'
 

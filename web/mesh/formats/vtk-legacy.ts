@@ -3,7 +3,8 @@
  * implied; in text, several after each other, or in big-endian binary.
  */
 import { type CoordinatePlaces, type Mesh, MeshRefusal } from '../mesh'
-import { isElision, lineAt, NumberRun } from '../number-run'
+import { lineAt, NumberRun } from '../number-run'
+import { isEllipsis } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 import { MOST_IMPLIED_CELLS, type Precision, VtkMesh } from './vtk-mesh'
@@ -202,7 +203,7 @@ class LegacyDataset {
       case 'POINT_DATA':
         return false
     }
-    if (isElision(keyword) && !this.isBinary) {
+    if (isEllipsis(keyword) && !this.isBinary) {
       this.#passElision()
       return true
     }
@@ -259,7 +260,7 @@ class LegacyDataset {
     this.#digits = Math.max(this.#digits, run.mostDigits)
     if (filled < count) {
       const word = run.nextWord()
-      if (!isElision(word))
+      if (!isEllipsis(word))
         this.#refuseAt(
           run.position,
           `${word === '' ? 'the file is cut off: it ends' : `${shown(word)} stands`} where ${what} ${filled + 1} of ${count} was expected.`,
@@ -337,7 +338,9 @@ class LegacyDataset {
     if (Math.max(first, second) > 0xffffffff) this.#refuse('more than 2^32 cells or numbers of cells are not read.')
     const line = this.#cursor.position
     // Version 5 has offsets. In binary files these must begin on the next line, or the numbers do.
-    if (this.#cursor.nextLine()?.trim() === '' && /^o/i.test(String.fromCharCode(Math.max(0, this.#cursor.peek())))) {
+    const isEnded = this.#cursor.nextLine()?.trim() === ''
+    if (!this.isBinary) this.#cursor.skipBlanks(false)
+    if (isEnded && /^o/i.test(String.fromCharCode(Math.max(0, this.#cursor.peek())))) {
       const before = this.#cursor.position
       if (this.#cursor.word().toUpperCase() === 'OFFSETS') {
         this.#cells = this.#cellsByOffsets(first, second)

@@ -1,5 +1,6 @@
 /** Makes a Mesh of what VTK's files hold: points, nodes of cells in a row, where each cell ends and its type; one grid or several. */
 import type { Block, CoordinatePlaces, Mesh } from '../mesh'
+import { float32Note, largestOf, printedDigits } from '../precision'
 import { latticeOf, VOXEL_ORDER, VTK_POLYHEDRON, type VtkCellType, vtkCellTypes } from './vtk-cells'
 
 /** Implied cells beyond this are refused. */
@@ -26,10 +27,6 @@ export interface VtkGrid {
   readonly hasFaceStreams: boolean
   readonly precision: Precision
 }
-
-/** Coordinates with fewer digits are numbers that somebody typed, none that were rounded: no printer's default has fewer. */
-const FEWEST_DIGITS = 6
-const ALL_DIGITS = 17
 
 const lattices = new Map<string, Uint8Array>()
 
@@ -265,21 +262,8 @@ export class VtkMesh {
   }
 
   #precisionNote(points: Float64Array): void {
-    let largest = 0
-    for (let i = 0; i < points.length; ++i) {
-      const size = Math.abs(points[i] as number)
-      if (size > largest && size < Infinity) largest = size
-    }
-    if (largest === 0) return
-    if (this.#isFloat32) {
-      const half = 2 ** (Math.floor(Math.log2(largest)) - 24)
-      this.note(`Coordinates are stored as Float32: that can move one by up to ${half.toPrecision(2)}.`)
-    } else if (this.#digits >= FEWEST_DIGITS && this.#digits < ALL_DIGITS) {
-      const lastPlace = Math.floor(Math.log10(largest)) - this.#digits + 1
-      this.note(
-        `Coordinates are printed with at most ${this.#digits} digits: that can move one by up to 5e${lastPlace - 1}.`,
-      )
-    }
+    const note = this.#isFloat32 ? float32Note(largestOf(points)) : printedDigits(this.#digits, points).note()
+    if (note !== null) this.note(note)
   }
 
   mesh(): Mesh {
@@ -317,6 +301,10 @@ function joined<T extends Float64Array | Uint32Array>(parts: T[], make: (length:
   parts.push(whole)
   return whole
 }
+
+/** Middles with fewer digits are numbers that somebody typed, none that were rounded: no printer's default has fewer. */
+const FEWEST_DIGITS = 6
+const ALL_DIGITS = 17
 
 /**
  * What rounding can do to a middle of coordinates of size 1: a sum of eight and a division in doubles, after each was rounded when it was

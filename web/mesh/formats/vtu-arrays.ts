@@ -6,7 +6,8 @@ import { DamagedStream, unzlib } from '../codecs/inflate'
 import { unlz4 } from '../codecs/lz4'
 import { unxz } from '../codecs/xz'
 import { MeshRefusal } from '../mesh'
-import { isElision, lineAt, NumberRun } from '../number-run'
+import { lineAt, NumberRun } from '../number-run'
+import { isEllipsis } from '../snippet-text'
 import type { MeshFile, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 
@@ -113,7 +114,7 @@ function readText<T extends NumberList>(
   const name = shown(array.name)
   if (!run.isAtEnd()) {
     const word = run.nextWord()
-    if (isElision(word)) return { list: list.slice(0, filled) as T, digits: run.mostDigits }
+    if (isEllipsis(word)) return { list: list.slice(0, filled) as T, digits: run.mostDigits }
     if (filled === count)
       refuseAt(file, run.position, `${name} has more than the ${count} numbers that are declared: ${shown(word)}.`)
     const expected = list instanceof Float64Array ? 'a number' : 'an index, a whole number from 0 on,'

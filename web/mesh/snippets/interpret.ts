@@ -5,7 +5,7 @@
 import { hexahedronOfFaces } from '../hexahedron-of-faces'
 import type { Mesh } from '../mesh'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
-import { precisionNote } from '../printed-precision'
+import { printedDigits } from '../precision'
 import { shown } from '../text-cursor'
 import {
   areAllIntegers,
@@ -73,7 +73,7 @@ export function meshOfTables(all: readonly NumberTable[], origin: Origin): Mesh 
   if (builder.cellCount === 0 && parts.length === 0) return null
   const digits = sets.reduce((most, { table }) => Math.max(most, table.digits), 0)
   const mesh = builder.mesh()
-  const note = precisionNote(digits, mesh.points)
+  const note = printedDigits(digits, mesh.points).note()
   return note === null ? mesh : { ...mesh, notes: [...mesh.notes, note] }
 }
 
