@@ -79,3 +79,25 @@ describe.each(['meshes/made/', 'pastes/'])('%s', folder => {
     for (const [wrapping, wrapped] of wrappings) expect(answerTo(name, wrapped(text)), wrapping).toEqual(plain)
   })
 })
+
+describe('marks that are none of quotation', () => {
+  const points = [0, 1].flatMap(z => [0, 1].flatMap(y => [0, 1].map(x => [x, y, z])))
+  const cell = '0 1 3 2 4 5 7 6'
+
+  test('tags of XML that end at the beginning of a line', () => {
+    const array = (type: string, name: string, numbers: string) =>
+      `<DataArray type="${type}" Name="${name}" NumberOfComponents="${name === 'Points' ? 3 : 1}" format="ascii"\n>\n${numbers}\n</DataArray\n>\n`
+    const text = `<VTKFile type="UnstructuredGrid"\n>\n<UnstructuredGrid>\n<Piece NumberOfPoints="8" NumberOfCells="1">\n<Points>
+${array('Float64', 'Points', points.map(point => point.join(' ')).join('\n'))}</Points>\n<Cells>
+${array('Int32', 'connectivity', cell)}${array('Int32', 'offsets', '8')}${array('UInt8', 'types', '12')}</Cells>
+</Piece>\n</UnstructuredGrid>\n</VTKFile>\n`
+    expect(readMeshes(fileOfBytes('a.vtu', encoded(text)))[0]?.cells.join(' ')).toBe(cell)
+  })
+
+  test('rulers in a log', () => {
+    const ruler = '~'.repeat(30)
+    const rows = points.map(point => point.map(x => `${x}.0`).join(' ')).join('\n')
+    const text = `${ruler}\nPoints\n${ruler}\n${rows}\n${ruler}\nCells\n${ruler}\n${cell}\n`
+    expect(readMeshes(fileOfBytes('a.txt', encoded(text)))[0]?.cells.join(' ')).toBe(cell)
+  })
+})

@@ -2,9 +2,13 @@
 import { LARGEST_STRING, utf16Of } from './snippet-text'
 import { fileOfBytes, type MeshFile } from './source'
 
-const [TAB, LF, CR, SPACE, ZERO, NINE, GREATER, BACKTICK, TILDE] = [9, 10, 13, 32, 48, 57, 62, 96, 126] as const
+const [TAB, LF, CR, SPACE, ZERO, NINE, LESS, GREATER, BACKTICK, TILDE] = [
+  9, 10, 13, 32, 48, 57, 60, 62, 96, 126,
+] as const
 /** A fence and what follows it, such as "```text", is no longer; a longer line has code behind its fence. */
 const LONGEST_FENCE = 40
+/** A row of so many marks is a ruler in a log. */
+const RULER = 6
 const FEWEST_QUOTED = 3
 
 /** A line is the bytes [from, to). */
@@ -31,19 +35,22 @@ export function withoutQuotation(file: MeshFile): MeshFile {
 }
 
 /**
- * Marks of quotation, and, where most lines are quoted, the lines that are not, which are somebody's words around them. Python's ">>>" is
- * no quotation.
+ * Marks of quotation, and, where most lines are quoted, the lines that are not, which are somebody's words around them. No quotation are
+ * Python's ">>>", and ends of tags at the beginning of a few lines.
  */
 function blankQuotation(bytes: Uint8Array): boolean {
   if (!bytes.includes(GREATER)) return false
   let full = 0
   let quoted = 0
+  let hasTags = false
   for (const { from, to } of linesOf(bytes)) {
-    if (skipBlanks(bytes, from, to) < to) full++
+    const begin = skipBlanks(bytes, from, to)
+    if (begin < to) full++
+    if (bytes[begin] === LESS) hasTags = true
     if (quoteEnd(bytes, from, to) > from) quoted++
   }
-  if (quoted < FEWEST_QUOTED) return false
   const areOthersWords = 2 * quoted >= full
+  if (quoted < FEWEST_QUOTED || (hasTags && !areOthersWords)) return false
   for (const { from, to } of linesOf(bytes)) {
     const end = quoteEnd(bytes, from, to)
     if (end > from) bytes.fill(SPACE, from, end)
@@ -69,7 +76,10 @@ function blankFences(bytes: Uint8Array): boolean {
   for (const { from, to } of linesOf(bytes)) {
     const at = skipBlanks(bytes, from, to)
     const mark = bytes[at]
-    if ((mark !== BACKTICK && mark !== TILDE) || bytes[at + 1] !== mark || bytes[at + 2] !== mark) continue
+    if (mark !== BACKTICK && mark !== TILDE) continue
+    let end = at
+    while (bytes[end] === mark) end++
+    if (end - at < 3 || end - at >= RULER) continue
     fences.push({ from, to: to - at <= LONGEST_FENCE ? to : at + 3 })
   }
   if (fences.length === 0) return false
