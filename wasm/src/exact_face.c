@@ -304,8 +304,8 @@ static int sign_by_roots(workspace *w, const face_part *part) {
 
 /* Halvings before roots are counted: by then beta_1 < 0 has been parted from beta_1 >= 0 in all but rare cases. Of long integers,
    halvings cost little and counting much: about 6000 products of limbs for each pair of limbs of the coefficients. Halving ends when
-   it has cost as much, so that both together cost at most twice what the better one would. */
-enum { HALVINGS = 12, PRODUCTS_OF_COUNTING = 6000 };
+   it has cost as much, so that both together cost at most twice what the better one would, and before it makes them much longer. */
+enum { HALVINGS = 12, MOST_HALVINGS = 1000, PRODUCTS_OF_COUNTING = 6000 };
 
 /* The products of limbs at which halving ends. */
 static uint64_t end_of_halving(const workspace *w, const exact_face *face) {
@@ -353,7 +353,7 @@ static int sign_between_touches(workspace *w, const exact_face *given) {
       if ((is_negative(z[0]) && outer[0] < 0) || (is_negative(z[2]) && outer[1] < 0)) return -1;
       if ((is_negative(z[0]) && outer[0] == 0) || (is_negative(z[2]) && outer[1] == 0)) least = 0;
     }
-    if (!is_settled && (has_long ? w->products > end : in.depth == HALVINGS)) {
+    if (!is_settled && (has_long ? w->products > end || in.depth == MOST_HALVINGS : in.depth == HALVINGS)) {
       const int sign = sign_by_roots(w, &part);
       if (sign < 0) return -1;
       if (sign < least) least = sign;
