@@ -11,6 +11,12 @@ const source = join(root, 'node_modules', 'three', 'src')
 
 /** What stands for a module of three/src: as much of it as WebGLRenderer calls when it draws a RawShaderMaterial. */
 const standIns = {
+  // What is drawn here is never culled: its vertices are where the shader puts them.
+  'math/Frustum.js': `
+    export class Frustum {
+      setFromProjectionMatrix() { return this }
+      intersectsObject() { return true }
+    }`,
   'math/FrustumArray.js': 'export class FrustumArray {}',
   'objects/Mesh.js': `
     import { Object3D } from '../core/Object3D.js'

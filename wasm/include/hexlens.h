@@ -35,7 +35,7 @@
  * 2^-6000th of its terms, take seconds.
  *
  * Memory is on the stack: 10 kB for doubles, in hl_classify 100 kB. Integers take 20 kB more at first, 160 kB where that is not enough,
- * and 1.1 MB where coordinates span the exponents of the doubles: 1.3 MB of stack are enough for everything.
+ * and 2.6 MB where coordinates span hundreds of powers of two: 3 MB of stack are enough for everything.
  */
 #ifndef HEXLENS_H
 #define HEXLENS_H

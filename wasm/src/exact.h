@@ -1,5 +1,5 @@
 /* What doubles leave open, decided in integers: verdict, boundary minimum and report (docs/algorithm.md 7). Every element gets an
-   answer. The memory is on the stack: 20 kB for ordinary verdicts, 160 kB for some minima, 1.1 MB where coordinates span the
+   answer. The memory is on the stack: 20 kB for ordinary verdicts, 160 kB for some minima, 2.6 MB where coordinates span the
    exponents of the doubles. */
 #ifndef HL_EXACT_H
 #define HL_EXACT_H

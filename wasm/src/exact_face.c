@@ -133,35 +133,6 @@ static int certain_sign(const sum_of_products *sum, const scaled_double rounded[
   return (total > SUM_ERROR * size) - (total < -SUM_ERROR * size);
 }
 
-/* Bits that are kept of a factor, and below the greatest term's first bit. */
-enum { KEPT_BITS = 128, ALIGNED_BITS = 320 };
-
-/* As certain_sign, with 128 bits of each factor in place of 53: enough for a floor that is 2^-60 below an edge's minimum. A factor
-   that is cut is off by 2^-127 of itself and a term by 2^-125 of the greatest with its `times`; six of them by less than 2^-122. */
-static int certain_sign_of_long(workspace *w, const sum_of_products *sum, const integer factors[FACTORS]) {
-  integer terms[MOST_TERMS], total = zero;
-  int exponents[MOST_TERMS], greatest = INT32_MIN;
-  for (int n = 0; n < sum->count; ++n) {
-    const term t = sum->terms[n];
-    integer kept[2];
-    exponents[n] = 0;
-    for (int i = 0; i < 2; ++i) {
-      kept[i] = factors[i == 0 ? t.x : t.y];
-      const int cut = integer_bits(w, kept[i]) - KEPT_BITS;
-      if (cut <= 0) continue;
-      kept[i] = integer_shifted(w, kept[i], -cut);
-      exponents[n] += cut;
-    }
-    terms[n] = integer_times(w, integer_product(w, kept[0], kept[1]), t.times);
-    const int top = integer_bits(w, terms[n]) + exponents[n];
-    if (!is_zero(terms[n]) && top > greatest) greatest = top;
-  }
-  if (greatest == INT32_MIN) return 0;
-  for (int n = 0; n < sum->count; ++n)
-    total = integer_sum(w, total, integer_shifted(w, terms[n], exponents[n] - greatest + ALIGNED_BITS));
-  return integer_bits(w, total) > ALIGNED_BITS - 120 ? integer_sign(total) : 0;
-}
-
 /* In bits: those of ordinary elements are shorter. */
 enum { LONG = 1000 };
 
@@ -175,7 +146,7 @@ static bool is_long(const workspace *w, const integer *values, int count) {
 typedef struct face_part {
   integer factors[FACTORS];
   scaled_double rounded[FACTORS];
-  bool has_parabolas, is_long;
+  bool has_parabolas;
 } face_part;
 
 static void make_parabolas(workspace *w, face_part *part) {
@@ -192,7 +163,6 @@ static int discriminant_sign(workspace *w, face_part *part, int i) {
   if (sign != 0) return sign;
   if (!part->has_parabolas) make_parabolas(w, part);
   sign = certain_sign(&by_parabolas[i], part->rounded);
-  if (sign == 0 && part->is_long) sign = certain_sign_of_long(w, &by_parabolas[i], part->factors);
   return sign != 0 ? sign : integer_sign(exact_sum(w, &by_parabolas[i], part->factors));
 }
 
@@ -200,7 +170,6 @@ static int discriminant_sign(workspace *w, face_part *part, int i) {
 static bool discriminant_is_not_negative(workspace *w, face_part *part, int outer[2]) {
   for (int i = 0; i < 9; ++i) part->rounded[i] = rounded_integer(w, part->factors[i], 0);
   part->has_parabolas = false;
-  part->is_long = is_long(w, part->factors, 9);
   for (int end = 0; end < 2; ++end)
     if (outer[end] == 0) outer[end] = discriminant_sign(w, part, 4 * end);
   bool is_not_negative = outer[0] >= 0 && outer[1] >= 0;
@@ -304,8 +273,8 @@ static int sign_by_roots(workspace *w, const face_part *part) {
 
 /* Halvings before roots are counted: by then beta_1 < 0 has been parted from beta_1 >= 0 in all but rare cases. Of long integers,
    halvings cost little and counting much: about 6000 products of limbs for each pair of limbs of the coefficients. Halving ends when
-   it has cost as much, so that both together cost at most twice what the better one would. */
-enum { HALVINGS = 12, PRODUCTS_OF_COUNTING = 6000 };
+   it has cost as much, so that both together cost at most twice what the better one would, and before it makes them much longer. */
+enum { HALVINGS = 12, MOST_HALVINGS = 1000, PRODUCTS_OF_COUNTING = 6000 };
 
 /* The products of limbs at which halving ends. */
 static uint64_t end_of_halving(const workspace *w, const exact_face *face) {
@@ -353,7 +322,7 @@ static int sign_between_touches(workspace *w, const exact_face *given) {
       if ((is_negative(z[0]) && outer[0] < 0) || (is_negative(z[2]) && outer[1] < 0)) return -1;
       if ((is_negative(z[0]) && outer[0] == 0) || (is_negative(z[2]) && outer[1] == 0)) least = 0;
     }
-    if (!is_settled && (has_long ? w->products > end : in.depth == HALVINGS)) {
+    if (!is_settled && (has_long ? w->products > end || in.depth == MOST_HALVINGS : in.depth == HALVINGS)) {
       const int sign = sign_by_roots(w, &part);
       if (sign < 0) return -1;
       if (sign < least) least = sign;

@@ -42,7 +42,7 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
     name: 'Corners and centre',
     usedBy: 'Verdict in VTK, PyVista, ParaView',
     looksAt:
-      'The least of jacdet over three lengths at the eight vertices and the centre, from −1 to 1; or 1e30 if an edge or an axis has no length to it, whatever the rest.',
+      'The least of jacdet over three lengths at the vertices and the centre, from −1 to 1; 1e30 if an edge or an axis has no length.',
     unit: 'none',
     marks: at([...vertexReference, [1 / 2, 1 / 2, 1 / 2]]),
   },
@@ -71,7 +71,7 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
     name: 'One Bernstein bound',
     usedBy: null,
     looksAt:
-      'The least of the 27 Bernstein coefficients, which follow from 20 samples: below jacdet everywhere, often by much, so that valid elements are rejected.',
+      'The least of the 27 Bernstein coefficients, from 20 samples: below jacdet everywhere, often by much, so valid elements are rejected.',
     unit: 'jacdet',
     // Corners and middles of edges: two coordinates at least are at an end.
     marks: at(grid(ENDS_AND_MIDDLE).filter(point => point.filter(x => x === 1 / 2).length < 2)),
@@ -79,8 +79,7 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
   subdivision: {
     name: 'Subdivision to depth\u00a04',
     usedBy: 'HXT',
-    looksAt:
-      'The number at which cutting into eight stops. The guard of the released code rejects what is still open at depth 4, valid or not.',
+    looksAt: 'The number at which cutting into eight stops. What is still open at depth 4 is rejected, valid or not.',
     unit: 'jacdet',
     // The corners of the first eight parts; the later ones depend on the element.
     marks: at(grid(ENDS_AND_MIDDLE)),
@@ -89,7 +88,7 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
     name: 'Four tangents',
     usedBy: 'Knabner, Korotov, Summ',
     looksAt:
-      'A number below jacdet everywhere, from four tangents in each of two variables. Positive, it certifies the element; else it says nothing.',
+      'A number below jacdet everywhere, by four tangents in two variables. Positive, it certifies the element; else it says nothing.',
     unit: 'jacdet',
     marks: at(grid([0, 1 / 3, 2 / 3, 1])),
   },

@@ -33,7 +33,7 @@ export const CHECKS: readonly CheckId[] = [
 ]
 const FATES: readonly RootFate[] = ['kept', 'a-not-positive', 's-outside']
 
-const ENDED_EARLY = 'The packed result ended early: wasm and TypeScript disagree.'
+const DISAGREE = 'The packed result is not as expected: wasm and TypeScript disagree.'
 
 /** A cursor over the packed doubles in the core's memory; what it returns are copies. */
 export class Unpacker {
@@ -45,7 +45,7 @@ export class Unpacker {
   }
 
   number(): number {
-    if (this.#at >= this.#packed.length) throw new Error(ENDED_EARLY)
+    if (this.#at >= this.#packed.length) throw new Error(DISAGREE)
     return this.#packed[this.#at++] as number
   }
 
@@ -56,7 +56,7 @@ export class Unpacker {
   numbers(count: number): number[] {
     const from = this.#at
     this.#at += count
-    if (this.#at > this.#packed.length) throw new Error(ENDED_EARLY)
+    if (this.#at > this.#packed.length) throw new Error(DISAGREE)
     const packed = this.#packed
     const list: number[] = []
     for (let i = from; i < from + count; ++i) list.push(packed[i] as number)
@@ -69,7 +69,7 @@ export class Unpacker {
 
   oneOf<T>(names: readonly (T | undefined)[]): T {
     const name = names[this.number()]
-    if (name === undefined) throw new Error('The packed result holds an unknown kind: wasm and TypeScript disagree.')
+    if (name === undefined) throw new Error(DISAGREE)
     return name
   }
 

@@ -15,8 +15,8 @@ import { placeName, whySentence } from './why'
 export const verdictStyles = css
 
 const BOUND_MEANS = 'The exact minimum is at most this far from the computed one, of which fewer digits are shown.'
-const VOLUME_MEANS = 'The integral of jacdet, which is negative where the element is inverted.'
-const RELATIVE_MEANS = 'The least jacdet of the map from [0,1]³, on the boundary, over |volume|.'
+const VOLUME_MEANS = 'The integral of jacdet.'
+const RELATIVE_MEANS = 'The boundary minimum on [0,1]³ over |volume|.'
 
 class VerdictView implements View {
   readonly root = document.createElement('section')
