@@ -3,7 +3,6 @@
 import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname, join, resolve } from 'node:path'
 import { promisify } from 'node:util'
-import { zlib } from '@gfx/zopfli'
 import { leanThree } from './lean-three.mjs'
 import { Failure, must, root, tsc } from './run.mjs'
 
@@ -50,7 +49,8 @@ const insideOneFile = {
     if (id === BATCH_WORKER) return `export default ${JSON.stringify(await scriptOf(batchWorker))}`
     const [, name] = WASM.exec(id) ?? []
     if (name === undefined) return null
-    const deflated = await promisify(zlib)(readFileSync(join(root, 'build', name)), { numiterations: 15 })
+    const { default: zopfli } = await import('@gfx/zopfli') // not before it is installed
+    const deflated = await promisify(zopfli.zlib)(readFileSync(join(root, 'build', name)), { numiterations: 15 })
     return `export default '${Buffer.from(deflated).toString('base64')}'`
   },
 }

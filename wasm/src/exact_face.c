@@ -3,6 +3,7 @@
    roots that halving cannot part, Sturm's theorem counts them, (X2). */
 #include "exact_face.h"
 #include "scaling.h"
+#include "sturm.h"
 
 #include <string.h>
 
@@ -62,12 +63,6 @@ static dyadic middle_of(workspace *w, dyadic in) {
 static bool none_is_negative(const integer *values, int count) {
   for (int i = 0; i < count; ++i)
     if (is_negative(values[i])) return false;
-  return true;
-}
-
-static bool none_is_positive(const integer *values, int count) {
-  for (int i = 0; i < count; ++i)
-    if (is_positive(values[i])) return false;
   return true;
 }
 
@@ -175,84 +170,6 @@ static bool discriminant_is_not_negative(workspace *w, face_part *part, int oute
   bool is_not_negative = outer[0] >= 0 && outer[1] >= 0;
   for (int i = 1; i < 4 && is_not_negative; ++i) is_not_negative = discriminant_sign(w, part, i) >= 0;
   return is_not_negative;
-}
-
-/* c[i] is that of x^i; the degree of 0 is -1. With t = x / (1 + x) a Bernstein form on (0,1) is, up to a positive factor, the
-   polynomial of its coefficients times binomials on (0, infinity), where signs near the ends are those of outer coefficients. */
-enum { MOST_COEFFICIENTS = 6 };
-typedef struct polynomial {
-  integer c[MOST_COEFFICIENTS];
-  int degree;
-} polynomial;
-
-static void lower_degree(polynomial *p) {
-  while (p->degree >= 0 && is_zero(p->c[p->degree])) --p->degree;
-}
-
-static int sign_at_zero(const polynomial *p) {
-  int i = 0;
-  while (i < p->degree && is_zero(p->c[i])) ++i;
-  return integer_sign(p->c[i]);
-}
-
-static int sign_at_infinity(const polynomial *p) { return integer_sign(p->c[p->degree]); }
-
-static polynomial derivative(workspace *w, const polynomial *p) {
-  polynomial d = {.degree = p->degree - 1};
-  for (int i = 0; i <= d.degree; ++i) d.c[i] = integer_times(w, p->c[i + 1], i + 1);
-  return d;
-}
-
-static polynomial product_of(workspace *w, const polynomial *p, const polynomial *q) {
-  polynomial out = {.degree = p->degree + q->degree};
-  for (int i = 0; i <= out.degree; ++i) out.c[i] = zero;
-  for (int i = 0; i <= p->degree; ++i)
-    for (int j = 0; j <= q->degree; ++j)
-      out.c[i + j] = integer_sum(w, out.c[i + j], integer_product(w, p->c[i], q->c[j]));
-  return out;
-}
-
-/* The remainder of p by q, which is not 0, times a positive factor. */
-static polynomial remainder_of(workspace *w, const polynomial *p, const polynomial *q) {
-  polynomial rest = *p;
-  const integer lead = q->c[q->degree], size = integer_magnitude(lead);
-  while (rest.degree >= q->degree && !w->is_full) {
-    const int shift = rest.degree - q->degree;
-    const integer factor = is_negative(lead) ? integer_negated(rest.c[rest.degree]) : rest.c[rest.degree];
-    for (int i = 0; i < rest.degree; ++i) {
-      rest.c[i] = integer_product(w, rest.c[i], size);
-      if (i >= shift) rest.c[i] = integer_difference(w, rest.c[i], integer_product(w, q->c[i - shift], factor));
-    }
-    --rest.degree;
-    lower_degree(&rest);
-  }
-  return rest;
-}
-
-/* The changes of sign near 0 less those towards infinity in the chain p, q, and on with negated remainders. `last` becomes the last
-   that is not 0, a greatest common divisor. */
-static int lost_changes(workspace *w, polynomial p, polynomial q, polynomial *last) {
-  int lost = 0;
-  while (q.degree >= 0 && !w->is_full) {
-    lost += (sign_at_zero(&p) != sign_at_zero(&q)) - (sign_at_infinity(&p) != sign_at_infinity(&q));
-    polynomial rest = remainder_of(w, &p, &q);
-    for (int i = 0; i <= rest.degree; ++i) rest.c[i] = integer_negated(rest.c[i]);
-    p = q;
-    q = rest;
-  }
-  *last = p;
-  return lost;
-}
-
-/* How many different roots p has in (0, infinity) at which g < 0, by Sturm's theorem and Sylvester's; p and g are not 0, and have no common
-   root there. `common` becomes the common divisor of p and its derivative. */
-static int roots_with_negative(workspace *w, const polynomial *p, const polynomial *g, polynomial *common) {
-  const polynomial slope = derivative(w, p);
-  const int all = lost_changes(w, *p, slope, common);
-  if (all == 0 || none_is_positive(g->c, g->degree + 1)) return all;
-  const polynomial query = product_of(w, &slope, g), reduced = remainder_of(w, &query, p);
-  polynomial ignored;
-  return (all - lost_changes(w, *p, reduced, &ignored)) / 2;
 }
 
 /* The sign of D where beta_1 < 0 on an interval at whose ends inside the face, and where beta_1 = 0, D is positive: -1, 0 or 1 for
