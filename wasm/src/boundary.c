@@ -15,6 +15,7 @@
 #include "topology.h"
 #include "volume.h"
 
+#include <float.h>
 #include <math.h>
 
 /* Algorithm 1 on given coefficients, in their units. Where a face cannot be lower, rounding is not to make it so. */
@@ -169,12 +170,15 @@ int list_jacdets(hl_report *report, double *list[MAX_JACDETS]) {
   return count;
 }
 
-/* Multiplies the exponent into all values if that is exact for every one; returns the exponent that is left. */
+/* Multiplies the exponent into all values if that is exact for every one; returns the exponent that is left. From integers a least
+   normal double may stand for a smaller number, and stays what it is. */
 static int exponent_left(hl_report *report, int exponent) {
   double *jacdets[MAX_JACDETS];
   int count = list_jacdets(report, jacdets);
-  for (int i = 0; i < count; ++i)
-    if (!is_normal_after_scaling(*jacdets[i], exponent)) return exponent;
+  for (int i = 0; i < count; ++i) {
+    const bool may_be_smaller = report->is_exact && (*jacdets[i] == DBL_MIN || *jacdets[i] == -DBL_MIN);
+    if (may_be_smaller || !is_normal_after_scaling(*jacdets[i], exponent)) return exponent;
+  }
   for (int i = 0; i < count; ++i) *jacdets[i] = times_power_of_two(*jacdets[i], exponent);
   return 0;
 }
