@@ -16,7 +16,7 @@ import {
 import { challengeFragment, readChallengePlace } from '../../web/model/challenge-link'
 import { NUMBERS } from '../../web/model/condition/names'
 import type { Vertices } from '../../web/model/hexahedron'
-import { elementAt } from '../../web/model/morph'
+import { elementAt } from '../../web/panels/morph/way'
 import { twistOf } from '../../web/model/twist'
 import { caseVertices, core, unitCube } from './core-fixtures'
 

@@ -10,7 +10,7 @@ import {
   rampPosition,
   type Theme,
 } from '../../web/views/colour-map'
-import { netCells, pointInCell } from '../../web/views/face-maps/net'
+import { netCells, pointInCell } from '../../web/panels/face-maps/net'
 import { paintFace, paletteOf } from '../../web/views/face-raster'
 import { core, randomHexahedron, randomSource } from './core-fixtures'
 

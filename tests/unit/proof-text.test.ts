@@ -2,8 +2,8 @@
 import { describe, expect, it } from 'vitest'
 import { type CertifiedInterval, certify } from '../../web/core/exact/certificate'
 import { createStore } from '../../web/model/store'
-import { fullText, rationalText, roundedText } from '../../web/views/certificate/rational-text'
-import { runsOf } from '../../web/views/certificate/runs'
+import { fullText, rationalText, roundedText } from '../../web/panels/proof/rational-text'
+import { runsOf } from '../../web/panels/proof/runs'
 import { cases, core, depthGuardCases, entry, unitCube } from './core-fixtures'
 
 const rational = (numerator: bigint, denominator = 1n) => ({ numerator, denominator })

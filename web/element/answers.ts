@@ -2,14 +2,14 @@
  * What the core says of a state. Each answer is computed when a frame first needs it and kept for as long as it is true; what takes long
  * is computed between gestures, and only while somebody looks at it.
  */
-import { type Morph, morphOf } from '../core/morph'
+import { type Morph, morphOf } from '../panels/morph/morph-answer'
 import type { Core, JacobianReport, Report } from '../core/report'
 import { type Surface, zeroSurface } from '../core/zero-surface'
 import type { Vertices } from '../model/hexahedron'
 import type { State } from '../model/state'
 import type { Frame, Proof, TriedOrders } from '../views/view'
 import { type PartAnswers, parts } from './parts'
-import { triedOrders } from './tried-orders'
+import { triedOrders } from '../panels/node-order/tried-orders'
 
 /** Cells of the grid along each axis from which the surface jacdet = 0 is made, between gestures and in one. */
 const SURFACE_CELLS = 24

@@ -2,7 +2,7 @@
  * Panels that only the pages of Hexlens have: in the one-file scripts `web/package/no-page-parts.ts` takes this file's place. “Nearest
  * invalid, nearest valid”: both view and search come when it is opened.
  */
-import type { Nearest, searchNearest } from '../core/nearest/nearest'
+import type { Nearest, searchNearest } from '../panels/nearest/search/nearest'
 import type { Core } from '../core/report'
 import type { Vertices } from '../model/hexahedron'
 import type { State } from '../model/state'
@@ -56,8 +56,8 @@ class NearestAnswers implements PartAnswers {
 
 async function load() {
   const [view, { searchNearest }] = await Promise.all([
-    import('../views/nearest/nearest'),
-    import('../core/nearest/nearest'),
+    import('../panels/nearest/nearest'),
+    import('../panels/nearest/search/nearest'),
   ])
   search = searchNearest
   return view

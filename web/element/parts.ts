@@ -1,14 +1,14 @@
 /** What the element can show. A new view is one entry here, or in `page-parts.ts` if the one-file scripts are to be without it. */
 import type { Core } from '../core/report'
 import type { State } from '../model/state'
-import { createAnnouncer } from '../views/announcer/announcer'
-import { certificateStyles, createCertificate } from '../views/certificate/certificate'
-import { checksStyles, createChecks } from '../views/checks/checks'
-import { createProblems, problemsStyles } from '../views/problems/problems'
+import { createAnnouncer } from '../panels/announcer/announcer'
+import { certificateStyles, createCertificate } from '../panels/proof/certificate'
+import { checksStyles, createChecks } from '../panels/checks/checks'
+import { createProblems, problemsStyles } from '../panels/problems/problems'
 import { createScene, prepareScene, sceneStyles } from '../views/scene/scene'
-import { createToolbar, toolbarStyles } from '../views/toolbar/toolbar'
-import { createVerdict, verdictStyles } from '../views/verdict/verdict'
-import { createVertices, verticesStyles } from '../views/vertices/vertices'
+import { createToolbar, toolbarStyles } from '../panels/toolbar/toolbar'
+import { createVerdict, verdictStyles } from '../panels/verdict/verdict'
+import { createVertices, verticesStyles } from '../panels/vertices/vertices'
 import type { CreateView, Frame } from '../views/view'
 import { pageParts } from './page-parts'
 import { panel } from './panel'
@@ -47,32 +47,32 @@ export const parts: readonly Part[] = [
   {
     name: 'face-maps',
     place: 'folds',
-    create: panel('face-maps', 'Face maps', () => import('../views/face-maps/face-maps')),
+    create: panel('face-maps', 'Face maps', () => import('../panels/face-maps/face-maps')),
     styles: '',
   },
   {
     name: 'algorithm',
     place: 'folds',
-    create: panel('algorithm', 'Algorithm 1, step by step', () => import('../views/algorithm/algorithm')),
+    create: panel('algorithm', 'Algorithm 1, step by step', () => import('../panels/algorithm/algorithm')),
     styles: '',
   },
   {
     name: 'inside',
     place: 'folds',
-    create: panel('inside', 'Inside', () => import('../views/inside-panel/inside-panel')),
+    create: panel('inside', 'Inside', () => import('../panels/inside/inside-panel')),
     styles: '',
   },
   {
     name: 'node-order',
     place: 'folds',
-    create: panel('node-order', 'Node order', () => import('../views/node-order/node-order')),
+    create: panel('node-order', 'Node order', () => import('../panels/node-order/node-order')),
     styles: '',
     changes: true,
   },
   {
     name: 'morph',
     place: 'folds',
-    create: panel('morph', 'Morph', () => import('../views/morph/morph')),
+    create: panel('morph', 'Morph', () => import('../panels/morph/morph')),
     styles: '',
     changes: true,
   },
@@ -80,20 +80,20 @@ export const parts: readonly Part[] = [
   {
     name: 'paste',
     place: 'folds',
-    create: panel('paste', 'Paste or drop', () => import('../views/paste/paste')),
+    create: panel('paste', 'Paste or drop', () => import('../panels/paste/paste')),
     styles: '',
     changes: true,
   },
   {
     name: 'take-away',
     place: 'folds',
-    create: panel('take-away', 'Take away', () => import('../views/take-away/take-away')),
+    create: panel('take-away', 'Take away', () => import('../panels/take-away/take-away')),
     styles: '',
   },
   {
     name: 'embed',
     place: 'panel',
-    create: panel('embed', 'Copy embed', () => import('../views/embed/embed')),
+    create: panel('embed', 'Copy embed', () => import('../panels/embed/embed')),
     styles: '',
   },
   { name: 'scene', place: 'stage', create: createScene, styles: sceneStyles, prepare: prepareScene },

@@ -1,8 +1,8 @@
 /** The one contract between the element and its views: they receive a frame and draw it; they emit actions, nothing else. */
 import type { NodeOrder } from '../content/node-orders'
 import type { Certificate } from '../core/exact/certificate'
-import type { Morph } from '../core/morph'
-import type { Nearest } from '../core/nearest/nearest'
+import type { Morph } from '../panels/morph/morph-answer'
+import type { Nearest } from '../panels/nearest/search/nearest'
 import type { JacobianReport, Report } from '../core/report'
 import type { Surface } from '../core/zero-surface'
 import type { Vertices } from '../model/hexahedron'

@@ -1,0 +1,48 @@
+/** Two neighbouring doubles between which the verdict changes on the straight way from one element to another. */
+import type { Vertices } from '../../model/hexahedron'
+import { elementAt } from './way'
+import type { Core } from '../../core/report'
+
+/** Places on a way, in [0,1]: the verdict at `near` is that at the end where the search began, at `far` the other. */
+export interface Change {
+  readonly near: number
+  readonly far: number
+}
+
+export function changeBetween(core: Core, a: Vertices, b: Vertices, change: Change): Change {
+  const bisection = changesBetween(core, a, b, change)
+  for (;;) {
+    const { done, value } = bisection.next()
+    if (done) return value
+  }
+}
+
+/**
+ * By bisection with the certain verdict, pausing after each; those at `near` and `far` must differ. It ends earlier where the two places are
+ * no more than `least` apart.
+ */
+export function* changesBetween(
+  core: Core,
+  a: Vertices,
+  b: Vertices,
+  { near, far }: Change,
+  least = 0,
+): Generator<undefined, Change> {
+  const verdictNear = verdictOf(core, elementAt(a, b, near))
+  let [last, first] = [near, far]
+  for (;;) {
+    const middle = (last + first) / 2
+    if (middle === last || middle === first || Math.abs(first - last) <= least) break
+    if (verdictOf(core, elementAt(a, b, middle)) === verdictNear) last = middle
+    else first = middle
+    yield
+  }
+  return { near: last, far: first }
+}
+
+/** Of finite numbers there is always one. */
+export function verdictOf(core: Core, vertices: Vertices): boolean {
+  const result = core.isValid(vertices)
+  if (!result.ok) throw new Error(result.error.message)
+  return result.value
+}
