@@ -1,13 +1,15 @@
 /** Algorithm 1, followed step by step: what each looks at, what becomes of M, and what is skipped and why. */
 import { html, nothing, render, svg, type TemplateResult } from 'lit-html'
-import { type TraceStep, traceOf } from './trace'
-import { type ElementPart, type Following, type Query, STEP_COUNT, type Variant } from '../../model/state'
+import { sliceChange, sliceOf } from '../../model/slice'
+import type { ElementPart } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
 import { partTitle } from '../../views/part-name'
 import type { CreateView, Frame, View, ViewHost } from '../../views/view'
 import css from './algorithm.css?inline'
+import { type Following, followingSlice, type Query, STEP_COUNT, type Variant } from './following'
 import { minimumPlot } from './minimum-plot'
 import { answerSentence, jacdet, stepOutcome, stepSentence, type TraceShown } from './step-text'
+import { type TraceStep, traceOf } from './trace'
 
 export const styles = css
 
@@ -46,9 +48,10 @@ class AlgorithmView implements View {
       return
     }
     if (this.#drawn[0] !== report) this.#pause()
-    const drawn = [report, state.referenceCube, state.following, this.#timer, this.#said]
+    const { following } = sliceOf(followingSlice, state)
+    const drawn = [report, state.referenceCube, following, this.#timer, this.#said]
     if (drawn.every((value, i) => value === this.#drawn[i]) && this.#lit !== null) return
-    const { query, variant, step } = state.following
+    const { query, variant, step } = following
     const shown = { report, cube: state.referenceCube, query, variant }
     this.#shown = shown
     this.#steps = traceOf(report, shown)
@@ -66,9 +69,13 @@ class AlgorithmView implements View {
     this.#light(null)
   }
 
+  get #following(): Following {
+    return sliceOf(followingSlice, this.#host.state()).following
+  }
+
   /** The step that the next action starts from, which may be ahead of the one that is drawn. */
   get #now(): number {
-    return Math.min(this.#host.state().following.step, this.#steps.length - 1)
+    return Math.min(this.#following.step, this.#steps.length - 1)
   }
 
   get #current(): TraceStep {
@@ -186,7 +193,7 @@ class AlgorithmView implements View {
   }
 
   #follow(change: Partial<Following>): void {
-    this.#host.dispatch({ type: 'follow', following: { ...this.#host.state().following, ...change } })
+    this.#host.dispatch(sliceChange(followingSlice, { following: { ...this.#following, ...change } }))
   }
 
   #toggle(): void {

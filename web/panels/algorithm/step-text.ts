@@ -1,10 +1,10 @@
 /** The steps of Algorithm 1 in words: one plain sentence each, and the few words of the list. */
 import type { Report } from '../../core/report'
-import type { TraceOptions, TraceStep } from './trace'
 import { formatJacdet, formatNumber, formatPoint, fractionOf } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
 import { listed, partTitle } from '../../views/part-name'
+import type { TraceOptions, TraceStep } from './trace'
 
 export interface TraceShown extends TraceOptions {
   readonly report: Report

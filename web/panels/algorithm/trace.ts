@@ -2,10 +2,11 @@
  * Algorithm 1 step by step (docs/algorithm.md 4 and 6), from a report alone: vertices, then edges, then faces in order, with
  * what each adds to M, the least jacdet so far. The report holds every candidate, whatever a query would have skipped.
  */
-import { edgeVertices, faces, VERTEX_COUNT } from '../../model/hexahedron'
-import type { Query, Variant } from '../../model/state'
+
 import type { Candidate, CandidateKind, Report } from '../../core/report'
 import { bernsteinOnEdge } from '../../core/section'
+import { edgeVertices, faces, VERTEX_COUNT } from '../../model/hexahedron'
+import type { Query, Variant } from './following'
 
 /**
  * What came of a step. On an edge without candidate: its parabola is concave, no parabola, or its vertex is not strictly inside.

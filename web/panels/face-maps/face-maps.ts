@@ -4,6 +4,7 @@ import { type FacePolynomials, facePolynomials, leastInRow } from '../../core/fa
 import type { Candidate, FaceReport, Report } from '../../core/report'
 import { formatJacdet, formatPoint } from '../../model/decimal'
 import { type FaceTopology, faces, type Vec3 } from '../../model/hexahedron'
+import { sliceChange, sliceOf } from '../../model/slice'
 import { candidateShapes } from '../../views/candidate-shapes'
 import { colourScaleOf, rampOf, type Theme } from '../../views/colour-map'
 import { type Palette, paletteOf } from '../../views/face-raster'
@@ -18,6 +19,7 @@ import { facePoint, isOnFace, NET_COLUMNS, netCells, type Place, placeOnFace, pl
 import { candidateText, NetOverlay } from './net-overlay'
 import { Plots } from './plots'
 import { quarticWords } from './quartic'
+import { faceSlice } from './selected-face'
 
 export const styles = css
 
@@ -142,7 +144,7 @@ class FaceMapsView implements View {
       this.#host.dispatch({ type: 'probe', point: null })
       return true
     },
-    select: (face: number) => this.#host.dispatch({ type: 'select-face', face }),
+    select: (selectedFace: number) => this.#host.dispatch(sliceChange(faceSlice, { selectedFace })),
   }
 
   /** A part of the view takes away no other point than its own: a map that is scrolled from under the pointer, for one. */
@@ -157,7 +159,7 @@ class FaceMapsView implements View {
 
   /** At the least value of the face's row t. */
   #lookAtRow(t: number | null): void {
-    const { selectedFace } = this.#host.state()
+    const { selectedFace } = sliceOf(faceSlice, this.#host.state())
     const face = this.#report?.faces[selectedFace]
     this.#lookedAt = selectedFace
     this.#look(
@@ -218,7 +220,8 @@ class FaceMapsView implements View {
   }
 
   #drawMarks({ state }: Frame, report: Report): void {
-    const { probe, selectedFace, highlight, referenceCube } = state
+    const { probe, highlight, referenceCube } = state
+    const { selectedFace } = sliceOf(faceSlice, state)
     if (!this.#isNew('marks', report, this.#cell, probe, selectedFace, highlight, referenceCube)) return
     for (const { root, face } of this.#maps) root.setAttribute('aria-pressed', String(face === selectedFace))
     this.#overlay.update({ state, report, cell: this.#cell })
@@ -253,21 +256,23 @@ class FaceMapsView implements View {
   }
 
   #drawWords({ state }: Frame, report: Report): void {
-    const { referenceCube, selectedFace } = state
+    const { referenceCube } = state
+    const { selectedFace } = sliceOf(faceSlice, state)
     if (!this.#isNew('words', report, referenceCube, selectedFace)) return
     render(boundsTable(report, referenceCube, selectedFace), this.#table)
     render(quarticWords(report, report.faces[selectedFace] as FaceReport, referenceCube), this.#words)
   }
 
   #drawFormulas({ state }: Frame, report: Report): void {
-    const { referenceCube, selectedFace } = state
+    const { referenceCube } = state
+    const { selectedFace } = sliceOf(faceSlice, state)
     if (!this.#isNew('formulas', report, referenceCube, selectedFace)) return
     const face = report.faces[selectedFace] as FaceReport
     render(formulas(face, this.#polynomialsOf(face), report.exponent, referenceCube), this.#formulas)
   }
 
   #drawPlots({ state }: Frame, report: Report): void {
-    const face = report.faces[state.selectedFace] as FaceReport
+    const face = report.faces[sliceOf(faceSlice, state).selectedFace] as FaceReport
     const onFace = state.probe !== null && isOnFace(face.id, state.probe)
     const t = onFace ? (state.probe as Vec3)[(faces[face.id] as FaceTopology).t] : null
     const { name } = faces[face.id] as FaceTopology

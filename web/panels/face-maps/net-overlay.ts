@@ -5,11 +5,13 @@
 import type { Candidate, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { faces, vertexReference } from '../../model/hexahedron'
+import { sliceOf } from '../../model/slice'
 import type { ElementPart, ReferenceCube, State } from '../../model/state'
 import { candidateShapes } from '../../views/candidate-shapes'
 import { partTitle } from '../../views/part-name'
 import { px, set, show, svg } from '../../views/svg'
 import { edgePlaces, isOnFace, netCells, netCorners, type Place, placeOnFace, placesOf } from './net'
+import { faceSlice } from './selected-face'
 
 export interface NetPicture {
   readonly state: State
@@ -59,7 +61,7 @@ export class NetOverlay {
 
   update({ state, report, cell }: NetPicture): void {
     if (cell !== this.#cell) this.#layOut(cell)
-    const { column, row } = netCells[state.selectedFace] as (typeof netCells)[number]
+    const { column, row } = netCells[sliceOf(faceSlice, state).selectedFace] as (typeof netCells)[number]
     set(this.#selected, { x: px(column * cell), y: px(row * cell) })
     this.#updateCandidates(report)
     this.#updateLabels(state, report)

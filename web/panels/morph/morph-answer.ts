@@ -2,10 +2,11 @@
  * The boundary minimum along the straight way from one element to another, and the places on it where the verdict changes:
  * two neighbouring doubles each, found by bisection with the certain verdict.
  */
+
+import { changeBetween, verdictOf } from '../../core/crossing'
+import type { Core } from '../../core/report'
 import type { Vertices } from '../../model/hexahedron'
 import { elementAt } from './way'
-import { changeBetween, verdictOf } from './crossing'
-import type { Core } from '../../core/report'
 
 export interface MorphSample {
   readonly tau: number

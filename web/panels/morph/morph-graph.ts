@@ -1,9 +1,10 @@
 /** The boundary minimum along the way, with the zero line, the changes of the verdict and the present place. */
-import type { Morph } from './morph-answer'
+
 import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { px, set, setText, show, svg } from '../../views/svg'
 import { curveOf, heightOf } from './curve'
+import type { Morph } from './morph-answer'
 
 const WIDTH = 340
 const HEIGHT = 164

@@ -1,19 +1,22 @@
 /** The way between two elements: the boundary minimum along it, and the doubles at which the verdict changes. */
 import { html, render, type TemplateResult } from 'lit-html'
-import type { Morph } from './morph-answer'
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
-import { elementAt, placeOnWay } from './way'
-import type { ReferenceCube, State } from '../../model/state'
+import { sliceChange, sliceOf } from '../../model/slice'
+import type { ReferenceCube } from '../../model/state'
 import { copyable, copyableJacdet } from '../../views/copyable'
 import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { answerTo } from '../panel'
 import css from './morph.css?inline'
+import type { Morph } from './morph-answer'
 import { MorphGraph } from './morph-graph'
+import { type Ends, endsSlice, morphQuestion } from './morph-question'
+import { elementAt, placeOnWay } from './way'
 
 export const styles = css
 
-type End = 'morphA' | 'morphB'
+type End = keyof Ends
 
 const STEP = 0.001
 const ENDS: readonly { readonly end: End; readonly name: string; readonly follows: string }[] = [
@@ -39,7 +42,9 @@ class MorphView implements View {
     this.root.append(this.#ends, this.#graph.root, this.#slide, this.#words)
   }
 
-  update({ state, morph, report }: Frame): void {
+  update(frame: Frame): void {
+    const { state, report } = frame
+    const morph = answerTo(morphQuestion, frame)
     if (!state.openPanels.includes('morph')) return
     this.#morph = morph
     this.root.hidden = morph === null
@@ -47,10 +52,11 @@ class MorphView implements View {
     const here = placeOnWay(morph.a, morph.b, state.vertices, this.#tau)
     if (here !== null) this.#tau = here
     this.#graph.update(morph, here, state.referenceCube)
-    const drawn = [morph, here, report, state.morphA, state.morphB, state.referenceCube, state.gestureStart === null]
+    const ends = sliceOf(endsSlice, state)
+    const drawn = [morph, here, report, ends, state.referenceCube, state.gestureStart === null]
     if (drawn.every((value, i) => value === this.#drawn[i])) return
     this.#drawn = drawn
-    render(this.#endsOf(state), this.#ends)
+    render(this.#endsOf(ends), this.#ends)
     render(this.#slider(here, report, state.referenceCube), this.#slide)
     render(this.#crossings(morph, here), this.#words)
   }
@@ -59,18 +65,18 @@ class MorphView implements View {
     this.#commit()
   }
 
-  #endsOf(state: State): TemplateResult {
+  #endsOf(ends: Ends): TemplateResult {
     return html`<dl>
         ${ENDS.map(
           ({ end, name, follows }) => html`<div>
             <dt>${name}</dt>
-            <dd>${state[end] === null ? follows : 'kept'}</dd>
+            <dd>${ends[end] === null ? follows : 'kept'}</dd>
             <dd><button type="button" @click=${() => this.#keep(end, this.#host.state().vertices)}>Keep as ${name}</button></dd>
           </div>`,
         )}
       </dl>
       ${
-        state.morphA === null && state.morphB === null
+        ends.morphA === null && ends.morphB === null
           ? ''
           : html`<p><button type="button" @click=${() => this.#forget()}>Forget both</button></p>`
       }`
@@ -145,7 +151,7 @@ class MorphView implements View {
   }
 
   #keep(end: End, vertices: Vertices | null): void {
-    this.#host.dispatch({ type: 'keep-morph-end', end, vertices })
+    this.#host.dispatch(sliceChange(endsSlice, { [end]: vertices }))
   }
 
   #forget(): void {
@@ -155,7 +161,7 @@ class MorphView implements View {
 
   /** The ends no longer follow the element, or the way would change under the slider. */
   #hold({ a, b }: Morph): void {
-    const { morphA, morphB } = this.#host.state()
+    const { morphA, morphB } = sliceOf(endsSlice, this.#host.state())
     if (morphA === null) this.#keep('morphA', a)
     if (morphB === null) this.#keep('morphB', b)
   }

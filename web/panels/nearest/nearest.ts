@@ -1,12 +1,14 @@
 /** How little has to move for the other verdict: of one vertex, of each, of all together; to look at and to apply. */
 import { html, render, type TemplateResult } from 'lit-html'
-import type { Nearest, NearestAnswer, NearestMove } from './search/nearest'
 import { formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import { copyable } from '../../views/copyable'
 import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { answerTo } from '../panel'
 import css from './nearest.css?inline'
+import { nearestQuestion } from './nearest-question'
+import type { Nearest, NearestAnswer, NearestMove } from './search/nearest'
 
 export const styles = css
 
@@ -22,7 +24,9 @@ class NearestView implements View {
     this.root.className = 'nearest'
   }
 
-  update({ state, report, nearest }: Frame): void {
+  update(frame: Frame): void {
+    const { state, report } = frame
+    const nearest = answerTo(nearestQuestion, frame)
     if (!state.openPanels.includes('nearest')) this.#preview(null)
     const known = nearest?.vertices === state.vertices ? nearest : null
     const valid = report?.valid ?? null

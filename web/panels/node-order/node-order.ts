@@ -4,8 +4,10 @@ import { type NodeOrder, nodeOrders } from '../../content/node-orders'
 import type { Vertices } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
-import type { CreateView, Frame, HelpfulOrder, TriedOrders, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { answerTo } from '../panel'
 import css from './node-order.css?inline'
+import { type HelpfulOrder, type TriedOrders, triedOrdersQuestion } from './tried-orders'
 import { wireframe } from './wireframe'
 
 export const styles = css
@@ -21,7 +23,9 @@ class NodeOrderView implements View {
     this.root.className = 'node-order'
   }
 
-  update({ state, report, triedOrders }: Frame): void {
+  update(frame: Frame): void {
+    const { state, report } = frame
+    const triedOrders = answerTo(triedOrdersQuestion, frame)
     if (!state.openPanels.includes('node-order')) this.#preview(null)
     const isStale = triedOrders?.vertices !== state.vertices
     const isValid = report?.valid ?? null

@@ -2,11 +2,14 @@
 import { html, render, type TemplateResult } from 'lit-html'
 import { type Certificate, type CertifiedInterval, certificateJson } from '../../core/exact/certificate'
 import { faces } from '../../model/hexahedron'
-import type { ReferenceCube, State } from '../../model/state'
+import { sliceChange, sliceOf } from '../../model/slice'
+import type { ReferenceCube } from '../../model/state'
 import { copyText } from '../../views/copy-text'
 import { saveFile } from '../../views/save-file'
-import type { CreateView, Frame, Proof, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { answerTo } from '../panel'
 import css from './certificate.css?inline'
+import { type Proof, proofQuestion, proofSlice } from './proof-question'
 import { fullText, rationalText, roundedText } from './rational-text'
 import { type Run, runsOf } from './runs'
 
@@ -47,30 +50,33 @@ class CertificateView implements View {
     this.root.setAttribute('aria-label', 'Proof')
   }
 
-  update({ state, report, proof }: Frame): void {
+  update(frame: Frame): void {
+    const { state, report } = frame
+    const proof = answerTo(proofQuestion, frame)
+    const { proofShown } = sliceOf(proofSlice, state)
     this.root.hidden = report === null
     const isStale = proof !== null && proof.vertices !== state.vertices
-    const drawn = [state.proofShown, state.referenceCube, proof, isStale, this.#copied]
+    const drawn = [proofShown, state.referenceCube, proof, isStale, this.#copied]
     if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
     this.#drawn = drawn
-    render(this.#template(state, proof, isStale), this.root)
+    render(this.#template(proofShown, state.referenceCube, proof, isStale), this.root)
   }
 
   dispose(): void {}
 
-  #template({ proofShown, referenceCube }: State, proof: Proof | null, isStale: boolean): TemplateResult {
+  #template(proofShown: boolean, cube: ReferenceCube, proof: Proof | null, isStale: boolean): TemplateResult {
     return html`<p class="bar">
         <button
           type="button"
           aria-expanded=${proofShown}
           aria-controls="proof"
-          @click=${() => this.#host.dispatch({ type: 'show-proof', proofShown: !proofShown })}
+          @click=${() => this.#host.dispatch(sliceChange(proofSlice, { proofShown: !proofShown }))}
         >
           ${proofShown ? 'Hide the proof' : 'Show the proof'}
         </button>
         <span aria-live="polite">${isStale ? 'It follows when this change is done.' : ''}</span>
       </p>
-      <div id="proof" class=${isStale ? 'is-stale' : ''} ?hidden=${!proofShown}>${proof && this.#proof(proof, referenceCube)}</div>`
+      <div id="proof" class=${isStale ? 'is-stale' : ''} ?hidden=${!proofShown}>${proof && this.#proof(proof, cube)}</div>`
   }
 
   #proof(proof: Proof, cube: ReferenceCube): TemplateResult {

@@ -3,9 +3,10 @@
  * make a valid element are an intersection of half-spaces: cutting planes find the nearest of them, and with it a bound (N8), (N9).
  * Where all move, linearizations are followed to a local optimum (N10).
  */
-import { type Vec3, type Vertices, vertexOf } from '../../../model/hexahedron'
+
 import { timesPowerOfTwo } from '../../../core/power-of-two'
 import type { Core, Report } from '../../../core/report'
+import { type Vec3, type Vertices, vertexOf } from '../../../model/hexahedron'
 import { ofAllVertices } from './distances'
 import { type HalfSpaces, leastVector } from './least-distance'
 import { SLACK, TOLERANCE } from './least-on-boundary'

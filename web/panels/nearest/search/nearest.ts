@@ -2,11 +2,12 @@
  * The nearest elements of the other verdict: by moves of one vertex, each in turn, and of all eight together. Lengths are Euclidean,
  * of all coordinates that move. What is found is certain on both sides: docs/algorithm.md 12.
  */
-import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../../model/hexahedron'
-import { elementAt } from '../../morph/way'
-import { changesBetween, verdictOf } from '../../morph/crossing'
+
+import { changesBetween, verdictOf } from '../../../core/crossing'
 import { timesPowerOfTwo } from '../../../core/power-of-two'
 import type { Core } from '../../../core/report'
+import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../../model/hexahedron'
+import { elementAt } from '../../morph/way'
 import { moveDownhill, moveOfAll, moveOfVertex, ofAllVertices, ofVertex } from './distances'
 import { leastOnBoundary } from './least-on-boundary'
 import { analyzed, movedVertices, nearestValidOfAll, nearestValidOfVertex } from './nearest-valid'

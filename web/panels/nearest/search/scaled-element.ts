@@ -2,6 +2,8 @@
  * The element about its vertex 0 in units of its own size, and jacdet there as a function of its vertices: columns of DF, what
  * jacdet gains when a vertex moves (N2), its Bernstein coefficients on the faces. docs/algorithm.md 12.
  */
+
+import { timesPowerOfTwo } from '../../../core/power-of-two'
 import {
   edgeAxes,
   edgeVertices,
@@ -11,7 +13,6 @@ import {
   vertexOf,
   vertexReference,
 } from '../../../model/hexahedron'
-import { timesPowerOfTwo } from '../../../core/power-of-two'
 
 /** Lengths are those of the element times 2^-exponent: the largest component of an edge is in [1/2, 1). */
 export interface ScaledElement {

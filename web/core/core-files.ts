@@ -1,8 +1,8 @@
-/** The core as files beside the page's; one-file builds take web/package/core-inside.ts in its place. */
+/** The core as files beside the page's. */
 import wasmUrl from '../../build/hexlens.wasm?url'
-import type { CoreSources } from '../core/start-core'
+import type { CoreSources } from './start-core'
 
-export const coreSources: CoreSources = {
+export const coreFiles: CoreSources = {
   async wasm() {
     const response = await fetch(wasmUrl)
     if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim())

@@ -2,25 +2,32 @@
  * A panel that is closed at first: its heading is the button that opens it, and only then is its code loaded. While it is
  * closed its view is not updated, but for the frame that closes it, in which the view can stop what it has going.
  */
-import type { PanelId } from '../model/state'
 import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from '../views/view'
+import type { Panel } from './panel'
 import { adoptStyles } from './style-sheets'
 
-export interface PanelContent {
+export interface FoldContent {
   readonly create: CreateView
   readonly styles: string
 }
 
-export function panel(id: PanelId, title: string, load: () => Promise<PanelContent>): CreateView {
-  return host => new Panel(host, id, title, load)
+export interface FoldOptions {
+  readonly name: string
+  readonly title: string
+  readonly load: () => Promise<FoldContent>
 }
 
-class Panel implements View {
+export function fold({ name, title, load }: FoldOptions) {
+  const create: CreateView = host => new Fold(host, { name, title, load })
+  return { name, place: 'folds', opens: true, create, styles: '' } as const satisfies Panel
+}
+
+class Fold implements View {
   readonly root = document.createElement('section')
   isLoading = false
   readonly #host: ViewHost
-  readonly #id: PanelId
-  readonly #load: () => Promise<PanelContent>
+  readonly #name: string
+  readonly #load: () => Promise<FoldContent>
   readonly #button = document.createElement('button')
   readonly #body = document.createElement('div')
   #turns: readonly Turn[] = [frame => this.#updateView(frame)]
@@ -29,9 +36,9 @@ class Panel implements View {
   #isDisposed = false
   #view: View | null = null
 
-  constructor(host: ViewHost, id: PanelId, title: string, load: () => Promise<PanelContent>) {
+  constructor(host: ViewHost, { name, title, load }: FoldOptions) {
     this.#host = host
-    this.#id = id
+    this.#name = name
     this.#load = load
     this.root.className = 'fold'
     this.root.setAttribute('aria-label', title)
@@ -39,11 +46,11 @@ class Panel implements View {
     this.#button.className = 'on-paper'
     this.#button.textContent = title
     this.#button.setAttribute('aria-expanded', 'false')
-    this.#button.setAttribute('aria-controls', `panel-${id}`)
+    this.#button.setAttribute('aria-controls', `panel-${name}`)
     this.#button.addEventListener('click', () =>
-      host.dispatch({ type: 'open-panel', panel: id, isOpen: !this.#isOpen }),
+      host.dispatch({ type: 'open-panel', panel: name, isOpen: !this.#isOpen }),
     )
-    this.#body.id = `panel-${id}`
+    this.#body.id = `panel-${name}`
     this.#body.hidden = true
     const heading = document.createElement('h2')
     heading.append(this.#button)
@@ -56,7 +63,7 @@ class Panel implements View {
 
   update(frame: Frame): void {
     const wasOpen = this.#isOpen
-    this.#isOpen = frame.state.openPanels.includes(this.#id)
+    this.#isOpen = frame.state.openPanels.includes(this.#name)
     this.#button.setAttribute('aria-expanded', String(this.#isOpen))
     this.#body.hidden = !this.#isOpen
     if (wasOpen && !this.#isOpen) this.#view?.update(frame)
