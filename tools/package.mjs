@@ -16,7 +16,7 @@ const TWIN = './hexlens.twin.js'
 
 /** What is another in one file. */
 const insides = {
-  [source('views/paste/start-reading-worker.ts')]: source('package/no-reading-worker.ts'),
+  [source('panels/paste/start-reading-worker.ts')]: source('package/no-reading-worker.ts'),
 }
 
 const insideOneFile = {
