@@ -9,9 +9,9 @@ import {
   rampOf,
   rampPosition,
   type Theme,
-} from '../../web/views/colour-map'
+} from '../../web/scene/paint/colour-map'
+import { paintFace, paletteOf } from '../../web/scene/paint/face-raster'
 import { netCells, pointInCell } from '../../web/views/face-maps/net'
-import { paintFace, paletteOf } from '../../web/views/face-raster'
 import { core, randomHexahedron, randomSource } from './core-fixtures'
 
 const hex = (text: string): Rgb =>

@@ -6,7 +6,7 @@ import { elementVertices } from '../../web/content/gallery-vertices'
 import { lessons } from '../../web/content/lessons'
 import { quantitiesOf } from '../../web/content/quantities'
 import { isMet, parseCondition } from '../../web/model/condition'
-import { rampOf, type Theme } from '../../web/views/colour-map'
+import { rampOf, type Theme } from '../../web/scene/paint/colour-map'
 import { thumbnailAddress, thumbnailMarkup, thumbnailText } from '../../web/views/thumbnail/thumbnail'
 import { cases, caseVertices, core, depthGuardCases, entry, unitCube } from './core-fixtures'
 

@@ -1,19 +1,19 @@
 import { describe, expect, it } from 'vitest'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
-import { DEFAULT_DIRECTION, SceneCamera } from '../../web/views/scene/camera'
-import { facePoint } from '../../web/views/scene/face-point'
+import { axisMoves, nextDisplay } from '../../web/scene/input/keyboard-input'
+import { pickHandle, pickRadius } from '../../web/scene/input/picking'
+import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../web/scene/input/snapping'
+import { VertexDrag } from '../../web/scene/input/vertex-drag'
 import {
   FACE_QUADS,
   FACE_TILES,
   quadsPerTileFor,
   tilesOfFaces,
   writeIndices,
-} from '../../web/views/scene/faces-geometry'
-import { axisMoves, nextDisplay } from '../../web/views/scene/keyboard-input'
-import { pickHandle, pickRadius } from '../../web/views/scene/picking'
-import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../web/views/scene/snapping'
-import { VertexDrag } from '../../web/views/scene/vertex-drag'
-import { extentOf, frameOf, toPhysical, toView, verticesInView } from '../../web/views/scene/view-frame'
+} from '../../web/scene/paint/faces-geometry'
+import { DEFAULT_DIRECTION, SceneCamera } from '../../web/scene/space/camera'
+import { facePoint } from '../../web/scene/space/patches'
+import { extentOf, frameOf, toPhysical, toView, verticesInView } from '../../web/scene/space/world'
 
 const cube = vertexReference.flat()
 const scaled = (factor: number, offset = 0) => cube.map(value => value * factor + offset)

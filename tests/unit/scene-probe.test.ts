@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest'
 import type { Candidate, Report } from '../../web/core/report'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
-import { unitColumns } from '../../web/views/scene/arrows'
-import { DEFAULT_DIRECTION, type Ray, SceneCamera } from '../../web/views/scene/camera'
-import { bernsteinRoots, hitFaces, pointUnder, referenceOf } from '../../web/views/scene/face-hit'
-import { facePoint, patchPoint, sectionCorners } from '../../web/views/scene/face-point'
-import { nextCandidate } from '../../web/views/scene/probe-candidates'
-import { frameOf, verticesInView } from '../../web/views/scene/view-frame'
+import { bernsteinRoots, hitFaces, pointUnder, referenceOf } from '../../web/scene/input/face-hit'
+import { nextCandidate } from '../../web/scene/input/probe-candidates'
+import { unitColumns } from '../../web/scene/overlay/arrows'
+import { DEFAULT_DIRECTION, type Ray, SceneCamera } from '../../web/scene/space/camera'
+import { facePoint, patchPoint, sectionCorners } from '../../web/scene/space/patches'
+import { frameOf, verticesInView } from '../../web/scene/space/world'
 
 const cube = vertexReference
 const twisted: readonly Vec3[] = [

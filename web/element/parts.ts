@@ -1,11 +1,11 @@
 /** What the element can show. A new view is one entry here, or in `page-parts.ts` if the one-file scripts are to be without it. */
 import type { Core } from '../core/report'
 import type { State } from '../model/state'
+import { createScene, prepareScene, sceneStyles } from '../scene/scene'
 import { createAnnouncer } from '../views/announcer/announcer'
 import { certificateStyles, createCertificate } from '../views/certificate/certificate'
 import { checksStyles, createChecks } from '../views/checks/checks'
 import { createProblems, problemsStyles } from '../views/problems/problems'
-import { createScene, prepareScene, sceneStyles } from '../views/scene/scene'
 import { createToolbar, toolbarStyles } from '../views/toolbar/toolbar'
 import { createVerdict, verdictStyles } from '../views/verdict/verdict'
 import { createVertices, verticesStyles } from '../views/vertices/vertices'

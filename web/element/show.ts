@@ -3,7 +3,7 @@
  * slow ones in later frames and piece by piece, and no two elements of a page make theirs in the same frame.
  */
 import type { Cameras } from '../model/state'
-import marks from '../views/marks.css?inline'
+import marks from '../scene/overlay/marks.css?inline'
 import said from '../views/said.css?inline'
 import type { Figure, FigureName, Frame, View, ViewHost } from '../views/view'
 import css from './hex-lens.css?inline'

@@ -1,7 +1,7 @@
 /** The scene's first direction, from azimuth -58 and elevation 24 degrees, without perspective: for pictures that nobody turns. */
 import type { Vec3, Vertices } from '../model/hexahedron'
-import type { FlatPoint } from './flat-tiles'
-import { at, frameOf, toView, verticesInView } from './scene/view-frame'
+import type { FlatPoint } from '../scene/paint/flat-tiles'
+import { at, frameOf, toView, verticesInView } from '../scene/space/world'
 
 const [AZIMUTH, ELEVATION] = [-58, 24].map(degrees => (degrees * Math.PI) / 180) as [number, number]
 const RIGHT: Vec3 = [-Math.sin(AZIMUTH), Math.cos(AZIMUTH), 0]

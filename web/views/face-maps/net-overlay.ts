@@ -6,9 +6,9 @@ import type { Candidate, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { faces, vertexReference } from '../../model/hexahedron'
 import type { ElementPart, ReferenceCube, State } from '../../model/state'
-import { candidateShapes } from '../candidate-shapes'
+import { candidateShapes } from '../../scene/overlay/candidate-shapes'
+import { px, set, show, svg } from '../../scene/paint/svg'
 import { partTitle } from '../part-name'
-import { px, set, show, svg } from '../svg'
 import { edgePlaces, isOnFace, netCells, netCorners, type Place, placeOnFace, placesOf } from './net'
 
 export interface NetPicture {

@@ -2,7 +2,7 @@
 import type { Morph } from '../../core/morph'
 import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
-import { px, set, setText, show, svg } from '../svg'
+import { px, set, setText, show, svg } from '../../scene/paint/svg'
 import { curveOf, heightOf } from './curve'
 
 const WIDTH = 340
