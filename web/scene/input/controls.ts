@@ -1,4 +1,4 @@
-/** The scene's few words and buttons: what the marks mean, how the faces are drawn, fit, help. */
+/** The scene's few words and buttons: the legend of the marks, the display of the faces, turning, fit, help. */
 import type { Report } from '../../core/report'
 import { faces } from '../../model/hexahedron'
 import { CONTROLS, type Control, type FaceDisplay, type State } from '../../model/state'
@@ -11,16 +11,16 @@ export interface ControlActions {
   toggleReference(): void
   showFaces(faceDisplay: FaceDisplay): void
   /** In steps to the right and up. */
-  orbit(right: number, up: number): void
+  turn(right: number, up: number): void
   zoom(factor: number): void
 }
 
-/** One press at a time, for whom dragging and pinching are no way. */
+/** One press at a time, for those who cannot drag or pinch. */
 const TURNS: readonly (readonly [sign: string, name: string, act: (actions: ControlActions) => void])[] = [
-  ['←', 'Turn left', actions => actions.orbit(-1, 0)],
-  ['→', 'Turn right', actions => actions.orbit(1, 0)],
-  ['↑', 'Turn up', actions => actions.orbit(0, 1)],
-  ['↓', 'Turn down', actions => actions.orbit(0, -1)],
+  ['←', 'Turn left', actions => actions.turn(-1, 0)],
+  ['→', 'Turn right', actions => actions.turn(1, 0)],
+  ['↑', 'Turn up', actions => actions.turn(0, 1)],
+  ['↓', 'Turn down', actions => actions.turn(0, -1)],
   ['+', 'Zoom in', actions => actions.zoom(1.2)],
   ['−', 'Zoom out', actions => actions.zoom(1 / 1.2)],
 ]

@@ -1,10 +1,10 @@
-/** Which point of the faces, or of the section, a line of sight meets first. */
+/** The point of the faces, or of the section, that a line of sight meets first. */
 import { pointOn } from '../../core/section'
 import { type FaceTopology, faces, type Vec3, vertexReference } from '../../model/hexahedron'
 import type { FaceDisplay, State } from '../../model/state'
-import { dot, type Ray, type SceneCamera, type ScreenPoint } from '../space/camera'
+import type { Ray, SceneCamera, ScreenPoint } from '../space/camera'
 import { type Corners, faceCorners, patchPoint, sectionCorners } from '../space/patches'
-import { at, map3 } from '../space/world'
+import { at, dot, map3 } from '../space/vec3'
 import { pickHandle, pickRadius } from './picking'
 
 export interface PatchHit {
@@ -18,14 +18,14 @@ export interface FaceHit extends PatchHit {
   readonly face: number
 }
 
-/** What this little outside a face still meets it, so that no line of sight slips between two; far less than a pixel. */
+/** A point this little outside a face still is on it, so that no line of sight slips between two; far less than a pixel. */
 const OVERLAP = 1e-6
-/** Of the view frame, which the element fills. */
+/** The side of [-1,1]^3 in world space, which the element fills. */
 const ELEMENT_SIZE = 2
 /** Faces of a collapsed element this close are in one place, where the first one is the one that is painted. */
 const COINCIDENT = 1e-9
 
-/** The nearest hit of the faces that are shown; null where the ray meets none. */
+/** The nearest hit of the faces that are shown; null if the ray meets none. */
 export function hitFaces(vertices: readonly Vec3[], display: FaceDisplay, ray: Ray): FaceHit | null {
   let first: FaceHit | null = null
   for (let face = 0; face < faces.length; face++) {
@@ -37,8 +37,8 @@ export function hitFaces(vertices: readonly Vec3[], display: FaceDisplay, ray: R
   return first
 }
 
-/** What is drawn in a view: the vertices in the view frame, and on its screen. */
-export interface Drawn {
+/** An element as it is seen: its vertices in world space, and on the screen. */
+export interface Seen {
   readonly camera: SceneCamera
   readonly vertices: readonly Vec3[]
   readonly handles: readonly ScreenPoint[]
@@ -46,10 +46,10 @@ export interface Drawn {
 }
 
 /**
- * (xi, eta, zeta) of what a pointer at a CSS pixel points at: the vertex whose handle is there, or else the first point of a face (of
- * the section where the inside is shown), its coordinates to the power of ten at or below the share of the element that is one pixel.
+ * (xi, eta, zeta) of the point under a pointer: the vertex whose handle is there, or else the first point of a face (of the section
+ * if the inside is shown), its coordinates to the power of ten at or below the share of the element that is one pixel.
  */
-export function pointUnder({ camera, vertices, handles, state }: Drawn, x: number, y: number): Vec3 | null {
+export function pointUnder({ camera, vertices, handles, state }: Seen, x: number, y: number): Vec3 | null {
   const vertex = pickHandle(handles, { x, y }, pickRadius('mouse'), state.selectedVertex)
   if (vertex !== null) return vertexReference[vertex] as Vec3
   const ray = camera.ray(x, y)
@@ -121,11 +121,11 @@ function cross([ax, ay]: Point2, [bx, by]: Point2): number {
   return ax * by - ay * bx
 }
 
-function mix(a: Point2, b: Point2, way: number): Point2 {
-  return [a[0] + (b[0] - a[0]) * way, a[1] + (b[1] - a[1]) * way]
+function mix(a: Point2, b: Point2, share: number): Point2 {
+  return [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share]
 }
 
-/** Where on the line from a to b the origin is nearest; 0 where the line is a point. */
+/** The parameter of the line's point nearest to the origin, from a to b; 0 if the line is a point. */
 function nearestToOrigin(a: Point2, b: Point2): number {
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]]
   const square = dx * dx + dy * dy

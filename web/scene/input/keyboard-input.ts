@@ -5,11 +5,12 @@
 import { VERTEX_COUNT, type Vec3, vertexOf } from '../../model/hexahedron'
 import type { FaceDisplay } from '../../model/state'
 import type { SceneCamera } from '../space/camera'
-import { at, extentOf, map3 } from '../space/world'
-import type { Stage } from './input-target'
-import { addDecimal, keyStep, lengthOf } from './snapping'
+import { at, map3 } from '../space/vec3'
+import { extentOf } from '../space/world'
+import { addDecimal, keyStep, lengthOf } from './decimal-step'
+import type { InputTarget } from './input-target'
 
-/** Right, up, and towards the eye: which coordinate axis each stands for, and which way. */
+/** The coordinate axis that one of right, up and towards the eye stands for, and its sign. */
 export interface AxisMove {
   readonly axis: 0 | 1 | 2
   readonly sign: 1 | -1
@@ -24,16 +25,16 @@ const ORDERS = [
   [2, 1, 0],
 ] as const
 
-/** Of the six ways to give right, up and towards an axis each, the one that agrees best with the screen. */
-export function axisMoves(viewAxes: readonly [Vec3, Vec3, Vec3]): readonly [AxisMove, AxisMove, AxisMove] {
+/** The axes of right, up and towards: the assignment, of the six, that agrees best with the screen. */
+export function axisMoves(cameraAxes: readonly [Vec3, Vec3, Vec3]): readonly [AxisMove, AxisMove, AxisMove] {
   const agreement = (order: readonly number[]) =>
-    order.reduce((sum, axis, k) => sum + Math.abs(at(viewAxes[k] as Vec3, axis)), 0)
+    order.reduce((sum, axis, k) => sum + Math.abs(at(cameraAxes[k] as Vec3, axis)), 0)
   const best = ORDERS.reduce((a, b) => (agreement(b) > agreement(a) ? b : a))
-  const move = (k: 0 | 1 | 2): AxisMove => ({ axis: best[k], sign: at(viewAxes[k], best[k]) < 0 ? -1 : 1 })
+  const move = (k: 0 | 1 | 2): AxisMove => ({ axis: best[k], sign: at(cameraAxes[k], best[k]) < 0 ? -1 : 1 })
   return [move(0), move(1), move(2)]
 }
 
-/** Which of right, up, towards a key moves along, and which way. */
+/** The direction, of right, up and towards, that a key moves along, and its sign. */
 const MOVES: Readonly<Record<string, readonly [0 | 1 | 2, 1 | -1]>> = {
   ArrowRight: [0, 1],
   ArrowLeft: [0, -1],
@@ -43,7 +44,7 @@ const MOVES: Readonly<Record<string, readonly [0 | 1 | 2, 1 | -1]>> = {
   PageUp: [2, -1],
 }
 
-/** The way in which a key turns what cannot be moved. */
+/** Steps to the right and up by which a key turns a camera, if vertices cannot be moved. */
 const TURNS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowRight: [1, 0],
   ArrowLeft: [-1, 0],
@@ -59,17 +60,17 @@ export function nextDisplay(display: FaceDisplay, by: 1 | -1): FaceDisplay {
 }
 
 export class KeyboardInput {
-  readonly #stage: Stage
+  readonly #target: InputTarget
   readonly #held = new Set<string>()
   #moving = false
 
-  constructor(stage: Stage) {
-    this.#stage = stage
+  constructor(target: InputTarget) {
+    this.#target = target
   }
 
   onKeyDown(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey) return
-    const arrow = this.#stage.movesVertices ? this.#move(event) : this.#turn(event)
+    const arrow = this.#target.movesVertices ? this.#move(event) : this.#turn(event)
     if (arrow || this.#command(event)) event.preventDefault()
   }
 
@@ -77,7 +78,7 @@ export class KeyboardInput {
     if (this.#held.delete(event.key) && this.#held.size === 0) this.commit()
   }
 
-  /** Ends the running gesture, if there is one: the key was released, or the focus went elsewhere. */
+  /** Ends the running gesture, if there is one, when the key is released or the focus lost. */
   commit(): void {
     this.#finish('commit-gesture')
   }
@@ -86,12 +87,12 @@ export class KeyboardInput {
     this.#held.clear()
     if (!this.#moving) return
     this.#moving = false
-    this.#stage.host.dispatch({ type: how })
+    this.#target.host.dispatch({ type: how })
   }
 
   #move({ key, shiftKey, altKey }: KeyboardEvent): boolean {
     const move = MOVES[key]
-    const { host, camera } = this.#stage
+    const { host, camera } = this.#target
     if (move === undefined) return false
     if (!this.#moving) {
       this.#moving = true
@@ -110,7 +111,7 @@ export class KeyboardInput {
 
   #turn({ key }: KeyboardEvent): boolean {
     const turn = TURNS[key]
-    if (turn) this.#stage.orbit(...turn)
+    if (turn) this.#target.turn(...turn)
     return turn !== undefined
   }
 
@@ -127,17 +128,17 @@ export class KeyboardInput {
     '[': () => this.#chooseNext(-1),
     ']': () => this.#chooseNext(1),
     Escape: () => this.#escape(),
-    p: () => this.#stage.probeNext(),
-    r: () => this.#stage.toggleReference(),
-    a: () => this.#stage.orbit(-1, 0),
-    d: () => this.#stage.orbit(1, 0),
-    w: () => this.#stage.orbit(0, 1),
-    s: () => this.#stage.orbit(0, -1),
-    '+': () => this.#stage.zoom(1.2),
-    '=': () => this.#stage.zoom(1.2),
-    '-': () => this.#stage.zoom(1 / 1.2),
-    f: () => this.#stage.fit(false),
-    Home: () => this.#stage.fit(true),
+    p: () => this.#target.probeNext(),
+    r: () => this.#target.toggleReference(),
+    a: () => this.#target.turn(-1, 0),
+    d: () => this.#target.turn(1, 0),
+    w: () => this.#target.turn(0, 1),
+    s: () => this.#target.turn(0, -1),
+    '+': () => this.#target.zoom(1.2),
+    '=': () => this.#target.zoom(1.2),
+    '-': () => this.#target.zoom(1 / 1.2),
+    f: () => this.#target.fit(false),
+    Home: () => this.#target.fit(true),
     t: () => this.#show(this.#display === 'see-through' ? 'opaque' : 'see-through'),
     i: () => this.#show(this.#display === 'inside' ? 'opaque' : 'inside'),
     '.': () => this.#show(nextDisplay(this.#display, 1)),
@@ -146,28 +147,33 @@ export class KeyboardInput {
 
   #escape(): void {
     if (this.#moving) this.#finish('cancel-gesture')
-    else this.#stage.host.dispatch({ type: 'probe', point: null })
+    else this.#target.host.dispatch({ type: 'probe', point: null })
   }
 
   get #display(): FaceDisplay {
-    return this.#stage.host.state().faceDisplay
+    return this.#target.host.state().faceDisplay
   }
 
   #show(faceDisplay: FaceDisplay): void {
-    this.#stage.host.dispatch({ type: 'show-faces', faceDisplay })
+    this.#target.host.dispatch({ type: 'show-faces', faceDisplay })
   }
 
   #chooseNext(by: 1 | -1): void {
-    this.#choose((this.#stage.host.state().selectedVertex + by + VERTEX_COUNT) % VERTEX_COUNT)
+    this.#choose((this.#target.host.state().selectedVertex + by + VERTEX_COUNT) % VERTEX_COUNT)
   }
 
   #choose(vertex: number): void {
     this.commit()
-    this.#stage.host.dispatch({ type: 'select-vertex', vertex })
+    this.#target.host.dispatch({ type: 'select-vertex', vertex })
   }
 }
 
-function moved(from: Vec3, camera: SceneCamera, [direction, way]: readonly [0 | 1 | 2, 1 | -1], length: number): Vec3 {
+function moved(
+  from: Vec3,
+  camera: SceneCamera,
+  [direction, forth]: readonly [0 | 1 | 2, 1 | -1],
+  length: number,
+): Vec3 {
   const { axis, sign } = axisMoves(camera.axes())[direction]
-  return map3(k => (k === axis ? addDecimal(at(from, k), sign * way * length) : at(from, k)))
+  return map3(k => (k === axis ? addDecimal(at(from, k), sign * forth * length) : at(from, k)))
 }

@@ -1,12 +1,13 @@
-/** Which handle is under the pointer: in screen space, so that hidden handles can be taken too. */
+/** The handle under the pointer: on the screen, so that hidden handles can be taken too. */
 import type { ScreenPoint } from '../space/camera'
+import type { Point } from '../space/layout'
 
-/** CSS pixels from the middle of a handle. */
+/** Units from the middle of a handle. */
 export function pickRadius(pointerType: string): number {
   return pointerType === 'touch' ? 22 : 12
 }
 
-/** Distances this close, in CSS pixels, are a tie. */
+/** Distances this close, in units, are a tie. */
 const TIE = 0.5
 
 /**
@@ -15,7 +16,7 @@ const TIE = 0.5
  */
 export function pickHandle(
   handles: readonly ScreenPoint[],
-  { x, y }: { readonly x: number; readonly y: number },
+  { x, y }: Point,
   radius: number,
   selected: number | null = null,
 ): number | null {

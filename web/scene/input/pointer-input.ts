@@ -1,14 +1,14 @@
 /**
- * Mouse, pen and touch on the handles. One pointer at a time, captured; what is not on a handle goes on to the orbit controls,
- * which never hear of a pointer that drags. A drag is one gesture: release commits, Escape and pointercancel restore.
+ * Mouse, pen and touch on the handles. One pointer at a time, captured; a pointer elsewhere goes on to the orbit controls, which
+ * never hear of one that drags. A drag is one gesture: release commits, Escape and pointercancel restore.
  */
 import { type Axis, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
 import { extentOf } from '../space/world'
-import type { Stage } from './input-target'
+import type { InputTarget } from './input-target'
 import { pickHandle, pickRadius } from './picking'
 import { type DragKeys, VertexDrag } from './vertex-drag'
 
-/** Pixels a pressed pointer may tremble before it drags. */
+/** Units that a pressed pointer may tremble before it drags. */
 const STILL = { touch: 4, other: 1.5 }
 
 interface Grip {
@@ -27,7 +27,7 @@ interface Grip {
 const AXES: Readonly<Record<string, Axis>> = { x: 0, y: 1, z: 2 }
 
 export class PointerInput {
-  readonly #stage: Stage
+  readonly #target: InputTarget
   readonly #commitKeys: () => void
   readonly #listening = new AbortController()
   /** Pointers that the orbit controls have. */
@@ -37,10 +37,10 @@ export class PointerInput {
   #hovered: number | null = null
 
   /** `commitKeys` ends a gesture of the keyboard, if one is running. */
-  constructor(stage: Stage, commitKeys: () => void) {
-    this.#stage = stage
+  constructor(target: InputTarget, commitKeys: () => void) {
+    this.#target = target
     this.#commitKeys = commitKeys
-    const { element } = stage
+    const { element } = target
     const early = { capture: true, signal: this.#listening.signal }
     element.addEventListener('pointerdown', this.#onDown, early)
     element.addEventListener('pointermove', this.#onMove, early)
@@ -62,7 +62,7 @@ export class PointerInput {
     this.#listening.abort()
   }
 
-  /** Puts the vertex back to where it was taken. */
+  /** Puts the vertex back. */
   cancel(): void {
     this.#end('cancel-gesture')
   }
@@ -91,8 +91,8 @@ export class PointerInput {
       event.preventDefault()
       return
     }
-    this.#stage.element.dataset.pointed = '' // no frame about what a pointer focused
-    this.#stage.element.focus({ preventScroll: true })
+    this.#target.element.dataset.pointed = '' // no outline when a pointer gives the focus
+    this.#target.element.focus({ preventScroll: true })
     const vertex = event.button === 0 && this.#orbiting.size === 0 ? this.#pick(event) : null
     if (vertex === null) {
       this.#orbiting.add(event.pointerId)
@@ -104,19 +104,12 @@ export class PointerInput {
   }
 
   #take(vertex: number, event: PointerEvent): void {
-    const { element, camera, host } = this.#stage
+    const { element, camera, world, host } = this.#target
     this.#commitKeys()
     const { vertices } = host.state()
-    const { x, y } = this.#stage.placeOf(event)
+    const { x, y } = this.#target.positionOf(event)
     const position = vertexOf(vertices, vertex)
-    const drag = new VertexDrag({
-      camera,
-      frame: this.#stage.frame(),
-      position,
-      extent: extentOf(vertices),
-      x,
-      y,
-    })
+    const drag = new VertexDrag({ camera, world, position, extent: extentOf(vertices), x, y })
     const byTouch = event.pointerType === 'touch'
     this.#grip = { pointerId: event.pointerId, vertex, byTouch, drag, x, y, nowX: x, nowY: y, moving: false }
     this.#axis = null
@@ -134,14 +127,14 @@ export class PointerInput {
     }
     event.stopImmediatePropagation()
     if (event.pointerId !== grip.pointerId) return
-    const { x, y } = this.#stage.placeOf(event)
+    const { x, y } = this.#target.positionOf(event)
     grip.nowX = x
     grip.nowY = y
     if (!grip.moving) {
       const still = grip.byTouch ? STILL.touch : STILL.other
       if (Math.hypot(x - grip.x, y - grip.y) < still) return
       grip.moving = true
-      this.#stage.host.dispatch({ type: 'begin-gesture' })
+      this.#target.host.dispatch({ type: 'begin-gesture' })
     }
     this.#drag(event)
   }
@@ -151,8 +144,8 @@ export class PointerInput {
     if (grip === null || !grip.moving) return
     const keys: DragKeys = { axis: this.#axis, depth: shiftKey, snap: altKey }
     const to = grip.drag.moveTo(grip.nowX, grip.nowY, keys)
-    this.#stage.showDrag(keys, grip.byTouch)
-    this.#stage.host.dispatch({ type: 'move-vertex', vertex: grip.vertex, to })
+    this.#target.showDrag({ axis: keys.axis, byTouch: grip.byTouch })
+    this.#target.host.dispatch({ type: 'move-vertex', vertex: grip.vertex, to })
   }
 
   readonly #onUp = (event: PointerEvent): void => {
@@ -172,9 +165,9 @@ export class PointerInput {
     const grip = this.#grip
     if (grip === null) return
     this.#grip = null
-    const { element, host } = this.#stage
+    const { element, host } = this.#target
     if (element.hasPointerCapture(grip.pointerId)) element.releasePointerCapture(grip.pointerId)
-    this.#stage.showDrag(null, false)
+    this.#target.showDrag(null)
     if (grip.moving) host.dispatch({ type: how })
     this.#hover(null)
   }
@@ -190,28 +183,28 @@ export class PointerInput {
 
   /** The wheel is the page's, unless the scene has the focus or Ctrl or Cmd is held. */
   readonly #onWheel = (event: WheelEvent): void => {
-    const { element } = this.#stage
+    const { element } = this.#target
     const ours = event.ctrlKey || event.metaKey || element.matches(':focus')
     if (this.#grip !== null) event.preventDefault()
     if (this.#grip !== null || !ours) event.stopImmediatePropagation()
   }
 
   readonly #onDoubleClick = (event: MouseEvent): void => {
-    if (this.#pick(event) === null) this.#stage.fit(false)
+    if (this.#pick(event) === null) this.#target.fit(false)
   }
 
   #pick(event: MouseEvent): number | null {
-    const at = this.#stage.placeOf(event)
+    const at = this.#target.positionOf(event)
     const type = event instanceof PointerEvent ? event.pointerType : 'mouse'
-    const handles = this.#stage.handles()
+    const handles = this.#target.handles()
     if (handles.length !== VERTEX_COUNT) return null
-    return pickHandle(handles, at, pickRadius(type), this.#stage.host.state().selectedVertex)
+    return pickHandle(handles, at, pickRadius(type), this.#target.host.state().selectedVertex)
   }
 
   #hover(vertex: number | null): void {
-    this.#stage.element.dataset.cursor = vertex === null ? 'orbit' : 'grab'
+    this.#target.element.dataset.cursor = vertex === null ? 'orbit' : 'grab'
     if (vertex === this.#hovered) return
     this.#hovered = vertex
-    this.#stage.showHover(vertex)
+    this.#target.showHover(vertex)
   }
 }

@@ -1,31 +1,29 @@
 /**
- * Pointing at a point: a mouse or pen by hovering, with no button pressed; a finger by a tap. What a mouse pointed at stays while
- * the view is turned, and goes when the pointer leaves the faces. One line of sight is followed a frame.
+ * Pointing at the probe: a mouse or pen by hovering, with no button pressed; a finger by a tap. The probe of a mouse stays while
+ * the camera is turned, and goes when the pointer leaves the faces. One line of sight is followed a frame.
  */
+import type { Candidate, Report } from '../../core/report'
 import type { Vec3 } from '../../model/hexahedron'
-import type { Stage } from './input-target'
+import type { Point } from '../space/layout'
+import { samePoint } from '../space/vec3'
+import type { InputTarget } from './input-target'
 
-/** CSS pixels that a finger may move in a tap. */
+/** Units that a finger may move in a tap. */
 const TAP_RADIUS = 8
 
-interface Place {
-  readonly x: number
-  readonly y: number
-}
-
 export class ProbeInput {
-  readonly #stage: Stage
+  readonly #target: InputTarget
   readonly #listening = new AbortController()
-  /** Where the pointer is that has not been looked at, since this frame has had its look. */
-  #next: Place | null = null
+  /** The position of the pointer that waits for the next frame, since this one has followed its line of sight. */
+  #next: Point | null = null
   #frameDue = false
-  /** Whether the probe is where a hovering pointer put it. */
+  /** Whether a hovering pointer has put the probe. */
   #hovering = false
-  #tap: (Place & { readonly pointerId: number }) | null = null
+  #tap: (Point & { readonly pointerId: number }) | null = null
 
-  constructor(stage: Stage) {
-    this.#stage = stage
-    const { element } = stage
+  constructor(target: InputTarget) {
+    this.#target = target
+    const { element } = target
     const { signal } = this.#listening
     element.addEventListener('pointermove', this.#onMove, { signal })
     element.addEventListener('pointerleave', this.#onLeave, { signal })
@@ -37,19 +35,19 @@ export class ProbeInput {
   /** Called once a frame. */
   update(): void {
     this.#frameDue = false
-    const place = this.#next
+    const next = this.#next
     this.#next = null
-    if (place) this.#look(place)
+    if (next) this.#look(next)
   }
 
-  /** Takes back what hovering marked. */
+  /** Takes back a probe of hovering. */
   clear(): void {
     this.#next = null
     if (this.#hovering) this.#point(null)
     this.#hovering = false
   }
 
-  /** What is marked now is not the pointer's: it stays when the pointer leaves. */
+  /** The probe is not the pointer's any more: it stays when the pointer leaves. */
   letGo(): void {
     this.#next = null
     this.#hovering = false
@@ -61,9 +59,9 @@ export class ProbeInput {
 
   readonly #onMove = (event: PointerEvent): void => {
     if (event.pointerType === 'touch' || event.buttons !== 0) return
-    const place = this.#stage.placeOf(event)
-    if (this.#frameDue) this.#next = place
-    else this.#look(place)
+    const position = this.#target.positionOf(event)
+    if (this.#frameDue) this.#next = position
+    else this.#look(position)
   }
 
   readonly #onLeave = (event: PointerEvent): void => {
@@ -73,32 +71,41 @@ export class ProbeInput {
   readonly #onDown = (event: PointerEvent): void => {
     this.#next = null
     const alone = event.pointerType === 'touch' && event.isPrimary
-    this.#tap = alone ? { ...this.#stage.placeOf(event), pointerId: event.pointerId } : null
+    this.#tap = alone ? { ...this.#target.positionOf(event), pointerId: event.pointerId } : null
   }
 
   readonly #onUp = (event: PointerEvent): void => {
     const tap = this.#tap
     this.#tap = null
     if (tap?.pointerId !== event.pointerId) return
-    const { x, y } = this.#stage.placeOf(event)
-    if (Math.hypot(x - tap.x, y - tap.y) < TAP_RADIUS) this.#point(this.#stage.pointAt(x, y))
+    const { x, y } = this.#target.positionOf(event)
+    if (Math.hypot(x - tap.x, y - tap.y) < TAP_RADIUS) this.#point(this.#target.pointAt(x, y))
   }
 
   readonly #onCancel = (): void => {
     this.#tap = null
   }
 
-  #look({ x, y }: Place): void {
-    const point = this.#stage.pointAt(x, y)
+  #look({ x, y }: Point): void {
+    const point = this.#target.pointAt(x, y)
     if (point === null) this.clear()
     else this.#point(point)
     this.#hovering = point !== null
   }
 
   #point(point: Vec3 | null): void {
-    const { host } = this.#stage
+    const { host } = this.#target
     const before = host.state()
     host.dispatch({ type: 'probe', point })
     this.#frameDue = host.state() !== before
   }
+}
+
+/** The candidates as a key goes through them: the minimizer first, after the last the minimizer again. Points that coincide are one. */
+export function nextCandidate({ minimizer, candidates }: Report, probe: Vec3 | null): Candidate {
+  const all = [minimizer, ...candidates].filter(
+    ({ point }, i, list) => list.findIndex(other => samePoint(other.point, point)) === i,
+  )
+  const at = all.findIndex(({ point }) => probe !== null && samePoint(point, probe))
+  return all[(at + 1) % all.length] as Candidate
 }

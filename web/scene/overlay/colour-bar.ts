@@ -1,4 +1,4 @@
-/** The colour bar: maximum, zero and minimum at their true places on the scene's own ramps, and the units, said once. */
+/** The colour bar: maximum, zero and minimum at their true positions on the scene's own ramps, and the reference cube. */
 import { approximation, lowerInside } from '../../core/inside'
 import type { JacobianReport, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
@@ -14,7 +14,7 @@ import {
   rampValue,
 } from '../paint/colour-map'
 import { px, set, setText, show, svg } from '../paint/svg'
-import { TEXT_SIZE } from '../space/unit'
+import { TEXT_SIZE } from '../space/layout'
 
 export interface ColourBarPicture {
   readonly state: State
@@ -28,18 +28,18 @@ export interface ColourBarPicture {
 }
 
 const THICKNESS = 14
-/** Thickness of what can be pointed at. */
+/** Thickness of the target of a pointer. */
 const LEAST_TARGET = 28
 const LABEL_HEIGHT = 15
 const LABEL_GAP = 10
 const CHARACTER_WIDTH = 7.4
-/** Room for labels beside an upright bar, and below a lying one. */
-const ROOM = { upright: 92, lying: 20 }
-/** The mark of the value that is pointed at: across the bar, with its point on the side that has no labels. */
+/** Margins for labels beside an upright bar, and below a lying one. */
+const MARGIN = { upright: 92, lying: 20 }
+/** Length of the probe's arrowhead, on the side of the bar that has no labels. */
 const PROBE_MARK = 7
 /** Half a label's height sticks out at either end of an upright bar. */
 const OVERHANG = 9
-/** How far a label may stick out at either end of a lying one. */
+/** The most that a label sticks out at either end of a lying one. */
 const END_OVERHANG = 8
 
 type Tick = 'maximum' | 'zero' | 'minimum'
@@ -52,7 +52,7 @@ interface Label {
 
 let bars = 0
 
-/** Of the boundary, or of the whole element where its inside is shown. */
+/** The least jacdet of the boundary, or of the whole element if its inside is shown. */
 function leastShown(report: Report, { faceDisplay }: State): number {
   const inside = faceDisplay === 'inside' ? lowerInside(report) : null
   return inside ? approximation(inside).value : report.boundaryMinimum
@@ -71,21 +71,22 @@ export class ColourBar {
     zero: createTick('zero'),
     minimum: createTick('minimum'),
   }
-  /** What the pointer hits: the bar, and as much around it as a finger needs. */
+  /** The bar, and as much around it as a finger needs. */
   readonly #target = svg('rect', { class: 'target' })
   readonly #probe = svg('g', { class: 'probe' }, svg('path', { class: 'halo' }), svg('path', { class: 'line' }))
   #ramp: Ramp | null = null
   #shown: ColourBarPicture | null = null
-  #layout = ''
+  /** The ends and size that the ramp was last drawn with. */
+  #drawn = ''
 
-  /** `toggleUnits` is told which reference cube the reader asked for, `look` which value is pointed at, or null. */
-  constructor(toggleUnits: (referenceCube: ReferenceCube) => void, look: (value: number | null) => void) {
+  /** `onCube` is told the reference cube that the reader asked for, `onProbe` the value under the pointer, or null. */
+  constructor(onCube: (referenceCube: ReferenceCube) => void, onProbe: (value: number | null) => void) {
     const id = `scene-ramp-${++bars}`
     this.root.className = 'scene-scale'
     this.#title.type = 'button'
     this.#title.className = 'on-paper'
     this.#title.addEventListener('click', () => {
-      toggleUnits(this.#title.dataset.cube === 'unit' ? 'biunit' : 'unit')
+      onCube(this.#title.dataset.cube === 'unit' ? 'biunit' : 'unit')
     })
     this.#gradient = svg('linearGradient', { id })
     this.#bar = svg('rect', { fill: `url(#${id})` })
@@ -97,7 +98,7 @@ export class ColourBar {
     )
     for (const { line, label } of Object.values(this.#ticks)) this.#svg.append(line, label)
     this.#svg.append(this.#probe, this.#target)
-    this.#listen(look)
+    this.#listen(onProbe)
     this.root.append(this.#title, this.#svg)
   }
 
@@ -123,13 +124,13 @@ export class ColourBar {
     })
   }
 
-  #listen(look: (value: number | null) => void): void {
+  #listen(onProbe: (value: number | null) => void): void {
     const target = this.#target
-    const point = (event: PointerEvent) => look(this.#valueAt(event))
-    target.addEventListener('pointermove', point)
-    target.addEventListener('pointerdown', point)
+    const probe = (event: PointerEvent) => onProbe(this.#valueAt(event))
+    target.addEventListener('pointermove', probe)
+    target.addEventListener('pointerdown', probe)
     target.addEventListener('pointerleave', event => {
-      if (event.pointerType !== 'touch') look(null)
+      if (event.pointerType !== 'touch') onProbe(null)
     })
   }
 
@@ -151,24 +152,24 @@ export class ColourBar {
   }
 
   #updateRamp(ramp: Ramp, top: number, bottom: number, zero: number, upright: boolean, length: number): void {
-    const layout = `${top} ${bottom} ${upright} ${length}`
-    if (ramp === this.#ramp && layout === this.#layout) return
+    const drawn = `${top} ${bottom} ${upright} ${length}`
+    if (ramp === this.#ramp && drawn === this.#drawn) return
     this.#ramp = ramp
-    this.#layout = layout
+    this.#drawn = drawn
     const [width, height] = upright ? [THICKNESS, length] : [length, THICKNESS]
     const box = upright
-      ? { x: -ROOM.upright, y: -OVERHANG, width: ROOM.upright + width, height: height + 2 * OVERHANG }
-      : { x: 0, y: 0, width, height: height + ROOM.lying }
+      ? { x: -MARGIN.upright, y: -OVERHANG, width: MARGIN.upright + width, height: height + 2 * OVERHANG }
+      : { x: 0, y: 0, width, height: height + MARGIN.lying }
     set(this.#svg, {
       viewBox: `${box.x} ${box.y} ${box.width} ${box.height}`,
       width: inText(box.width),
       height: inText(box.height),
     })
     set(this.#bar, { width, height })
-    const room = (LEAST_TARGET - THICKNESS) / 2
+    const reach = (LEAST_TARGET - THICKNESS) / 2
     const [across, along] = upright ? ['x', 'y'] : ['y', 'x']
     set(this.#target, {
-      [across]: -room,
+      [across]: -reach,
       [along]: 0,
       width: upright ? LEAST_TARGET : width,
       height: upright ? height : LEAST_TARGET,
@@ -197,7 +198,7 @@ export class ColourBar {
     const path = upright
       ? `M0 ${px(fromTop)}H${THICKNESS}l${m} ${-half}v${2 * half}l${-m} ${-half}`
       : `M${px(length - fromTop)} ${THICKNESS}V0l${-half} ${-m}h${2 * half}l${-half} ${m}`
-    for (const part of this.#probe.children) set(part, { d: path })
+    for (const child of this.#probe.children) set(child, { d: path })
   }
 
   #updateTicks(labels: readonly Label[], fromTop: (value: number) => number, upright: boolean, length: number): void {
@@ -205,29 +206,29 @@ export class ColourBar {
     const sizes = labels.map(({ text }) => (upright ? LABEL_HEIGHT : CHARACTER_WIDTH * text.length + LABEL_GAP))
     const zero = labels.findIndex(({ tick }) => tick === 'zero')
     const spread = spreadLabels(heights, sizes, zero)
-    const places = upright ? spread : spread.map((place, i) => lyingPlace(place, (labels[i] as Label).text, length))
-    const hasZeroRoom = upright || fits(places, sizes, zero)
+    const middles = upright ? spread : spread.map((middle, i) => onBar(middle, (labels[i] as Label).text, length))
+    const hasZeroLabel = upright || fits(middles, sizes, zero)
     for (const [tick, { line, label }] of Object.entries(this.#ticks)) {
       const i = labels.findIndex(shown => shown.tick === tick)
       show(line, i >= 0)
-      show(label, i >= 0 && (i !== zero || hasZeroRoom))
+      show(label, i >= 0 && (i !== zero || hasZeroLabel))
       if (i < 0) continue
       const { text, value } = labels[i] as Label
-      const [at, place] = [heights[i] as number, places[i] as number]
+      const [at, middle] = [heights[i] as number, middles[i] as number]
       setText(label, text)
       label.classList.toggle('negative', value < 0)
       if (upright) {
         set(line, { d: `M-3 ${px(at)}H${THICKNESS}` })
-        set(label, { x: -8, y: px(place), 'text-anchor': 'end' })
+        set(label, { x: -8, y: px(middle), 'text-anchor': 'end' })
       } else {
         set(line, { d: `M${px(length - at)} 0V${THICKNESS + 3}` })
-        set(label, { x: px(length - place), y: THICKNESS + 12, 'text-anchor': 'middle' })
+        set(label, { x: px(length - middle), y: THICKNESS + 12, 'text-anchor': 'middle' })
       }
     }
   }
 }
 
-/** The ramp positions that the bar goes between: of signs that the element has. */
+/** The ramp positions at the ends of the bar, which has the signs that the element has. */
 function endsOf(minimum: number, maximum: number): readonly [number, number] {
   const bottom = minimum < 0 ? -1 : 0
   return [bottom, maximum > 0 || bottom === 0 ? 1 : 0]
@@ -238,7 +239,7 @@ function inText(units: number): string {
   return `${units / TEXT_SIZE}em`
 }
 
-/** A jacdet in the units of the report: what is too large or small for a double is at an end of the bar all the same. */
+/** A jacdet by the report's power of two: one too large or small for a double is at an end of the bar all the same. */
 function timesPowerOfTwo(value: number, power: number): number {
   return value === 0 ? 0 : value * 2 ** power
 }
@@ -249,7 +250,7 @@ function createTick(name: Tick) {
 
 /**
  * From the greatest to the least; an extreme that is zero, or a minimum that equals the maximum, says nothing new. A lying bar
- * has room for the numbers only.
+ * has numbers only.
  */
 function labelsOf(minimum: number, maximum: number, format: (value: number) => string, named: boolean): Label[] {
   const labels: Label[] = [{ tick: 'zero', value: 0, text: '0' }]
@@ -261,10 +262,10 @@ function labelsOf(minimum: number, maximum: number, format: (value: number) => s
   return labels.sort((a, b) => b.value - a.value)
 }
 
-/** Where the middle of a label below a lying bar can be, from the bar's maximum. */
-function lyingPlace(place: number, text: string, length: number): number {
+/** The nearest middle, from the bar's maximum, that a label below a lying bar can have. */
+function onBar(middle: number, text: string, length: number): number {
   const half = (CHARACTER_WIDTH * text.length) / 2 - END_OVERHANG
-  return Math.max(half, Math.min(length - half, place))
+  return Math.max(half, Math.min(length - half, middle))
 }
 
 /** Whether a label touches none of its neighbours; a short bar keeps only its mark of zero. */
@@ -275,15 +276,15 @@ function fits(middles: readonly number[], sizes: readonly number[], label: numbe
   })
 }
 
-/** Middles of labels of these sizes, in order: each at its own, moved away from the fixed one where they would touch. */
+/** Middles of labels of these sizes, in order: each at its own, moved away from the fixed one if they would touch. */
 export function spreadLabels(middles: readonly number[], sizes: readonly number[], fixed: number): number[] {
-  const places = middles.slice()
+  const moved = middles.slice()
   const pitch = (i: number, j: number) => ((sizes[i] as number) + (sizes[j] as number)) / 2
   for (let i = fixed - 1; i >= 0; i--) {
-    places[i] = Math.min(middles[i] as number, (places[i + 1] as number) - pitch(i, i + 1))
+    moved[i] = Math.min(middles[i] as number, (moved[i + 1] as number) - pitch(i, i + 1))
   }
-  for (let i = fixed + 1; i < places.length; i++) {
-    places[i] = Math.max(middles[i] as number, (places[i - 1] as number) + pitch(i - 1, i))
+  for (let i = fixed + 1; i < moved.length; i++) {
+    moved[i] = Math.max(middles[i] as number, (moved[i - 1] as number) + pitch(i - 1, i))
   }
-  return places
+  return moved
 }

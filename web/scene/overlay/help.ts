@@ -1,6 +1,6 @@
-/** What hands and keys do in the scene: the description of it for those who hear the page, and on request for everybody. */
+/** The effects of hands and keys in the scene: its description for those who hear the page, and on request for everybody. */
 
-/** What is done, and what that does. Each is a sentence once joined. */
+/** An action and its effect, which make a sentence. */
 const HELP: readonly (readonly [string, string])[] = [
   ['Drag a handle', 'moves its vertex. With Shift in depth, with Alt on a grid, with X, Y or Z held along that axis'],
   ['Drag elsewhere', 'turns the view. Ctrl and the wheel, or two fingers, zoom'],
@@ -23,7 +23,7 @@ export class Help {
     this.root.id = id
     this.root.className = 'scene-help'
     this.root.hidden = true
-    this.root.tabIndex = 0 // it scrolls where there is little room
+    this.root.tabIndex = 0 // it scrolls in a small scene
     for (const [keys, effect] of HELP) this.root.append(entry(keys, effect))
   }
 

@@ -1,10 +1,10 @@
-/** What is spoken of elsewhere on the page: a vertex with a ring around it, an edge drawn thick, a face outlined. */
+/** The part of the element that the page speaks of: a vertex with a ring around it, an edge drawn thick, a face outlined. */
 import { edgeVertices, faces } from '../../model/hexahedron'
 import type { ElementPart } from '../../model/state'
 import { px, set, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 
-/** Around the handle, and around the minimizer's ring where that is there too. */
+/** Around the handle, and around the minimizer's ring if that is there too. */
 const RING = 17
 
 export class Highlight {
@@ -28,7 +28,7 @@ export class Highlight {
   }
 }
 
-/** Its vertices, a face's in turn. */
+/** The part's vertices, a face's in turn. */
 function cornersOf({ kind, id }: ElementPart): readonly number[] {
   if (kind === 'vertex') return [id]
   if (kind === 'edge') return edgeVertices[id] ?? []

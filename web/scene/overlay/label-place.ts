@@ -1,45 +1,35 @@
-/** Where a label goes: near what it names, out of the way of handles and other words, inside the view, and not jumping about. */
-
-export interface Point {
-  readonly x: number
-  readonly y: number
-}
-
-export interface Box {
-  readonly x: number
-  readonly y: number
-  readonly width: number
-  readonly height: number
-}
+/** The place of a label: near its anchor, clear of handles and other words, inside the picture, and without jumps. */
+import type { Box, Point } from '../space/layout'
 
 export interface LabelRequest {
   readonly anchor: Point
   readonly width: number
   readonly height: number
   readonly bounds: Box
-  /** Handles and their numbers, as middles of discs not to be covered, and boxes that are taken. */
+  /** Middles of discs that it must not cover, of handles and of their numbers, and boxes that are taken. */
   readonly points: readonly Point[]
   readonly numbers: readonly Point[]
   readonly boxes: readonly Box[]
-  /** What the label had better not cover, and away from whose middle it goes. */
+  /** Corners of the hull that it had better not cover, away from whose middle it goes. */
   readonly body: readonly Point[]
   /** The place chosen last, kept unless another is clearly better. */
   readonly previous: number | null
 }
 
-export interface LabelPlace {
+interface Place extends Point {
   readonly index: number
-  /** Middle of the label. */
-  readonly x: number
-  readonly y: number
-  /** Whether it is inside the view and on no box: where nothing is free, the least bad place may be worse than none. */
+}
+
+/** The middle of the label. */
+export interface LabelPlace extends Place {
+  /** Whether it is inside the bounds and on no box: if nothing is free, the least bad place may be worse than none. */
   readonly isFree: boolean
 }
 
 const DIRECTIONS = 16
 const DISTANCES = [34, 56, 84, 120, 170]
 
-/** What each fault weighs, in pixels of distance from the anchor. */
+/** The weight of each fault, in units of distance from the anchor. */
 const WEIGHT = { outside: 40, point: 220, crossing: 90, box: 400, body: 22, inwards: 22, stay: 60 }
 
 const POINT_RADIUS = 12
@@ -48,12 +38,12 @@ const NUMBER_RADIUS = 9
 export function placeLabel(request: LabelRequest): LabelPlace {
   const hull = convexHull(request.body)
   const middle = meanOf(request.body)
-  let best: Omit<LabelPlace, 'isFree'> = { index: 0, ...request.anchor }
+  let best: Place = { index: 0, ...request.anchor }
   let least = Infinity
   for (const index of inOrder(request.previous)) {
     const bonus = index === request.previous ? WEIGHT.stay : 0
     if (distanceOf(index) - bonus >= least) continue // its faults would only add to that
-    const place = candidatePlace(request, index)
+    const place = placeAt(request, index)
     const cost = costOf(place, request, hull, middle) - bonus
     if (cost < least) {
       least = cost
@@ -64,7 +54,7 @@ export function placeLabel(request: LabelRequest): LabelPlace {
   return { ...best, isFree: outsideBy(box, request.bounds) === 0 && !request.boxes.some(other => overlap(box, other)) }
 }
 
-/** Every place, the last one first: mostly it is so good that no other needs a look. */
+/** Every place, the previous one first: mostly it is so good that no other needs a look. */
 function* inOrder(previous: number | null): Generator<number> {
   if (previous !== null) yield previous
   for (let index = 0; index < DIRECTIONS * DISTANCES.length; index++) if (index !== previous) yield index
@@ -75,7 +65,7 @@ function distanceOf(index: number): number {
 }
 
 /** The label's nearest side, not its middle, is at the distance. */
-function candidatePlace({ anchor, width, height }: LabelRequest, index: number): Omit<LabelPlace, 'isFree'> {
+function placeAt({ anchor, width, height }: LabelRequest, index: number): Place {
   const angle = (((index % DIRECTIONS) + 0.5) * 2 * Math.PI) / DIRECTIONS // never straight up: a leader needs a side
   const distance = distanceOf(index)
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)]
@@ -86,12 +76,7 @@ function candidatePlace({ anchor, width, height }: LabelRequest, index: number):
   }
 }
 
-function costOf(
-  place: Omit<LabelPlace, 'isFree'>,
-  request: LabelRequest,
-  hull: readonly Point[],
-  middle: Point,
-): number {
+function costOf(place: Place, request: LabelRequest, hull: readonly Point[], middle: Point): number {
   const { width, anchor, bounds } = request
   const box = boxAt(place, request)
   let cost = distanceOf(place.index)

@@ -1,19 +1,20 @@
 /**
- * The minimizer with its value, and the candidates on edges and faces as small marks by kind. Where the inside is shown, the value and
- * its mark are those of the least jacdet of the whole element, and a ring stays on the boundary's.
+ * The minimizer with its value, and the candidates on edges and faces as small marks by kind. If the inside is shown, value and
+ * mark are those of the least jacdet of the whole element, and a ring stays on the boundary's minimizer.
  */
 import { approximation, lowerInside } from '../../core/inside'
 import type { Candidate, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { edgeName, edgeVertices, faces, type Vec3 } from '../../model/hexahedron'
 import type { FaceDisplay } from '../../model/state'
-import { samePoint } from '../input/probe-candidates'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
-import { toView } from '../space/world'
+import type { Box, Point } from '../space/layout'
+import { samePoint } from '../space/vec3'
+import { toWorld } from '../space/world'
 import { candidateShapes } from './candidate-shapes'
-import { type Box, type LabelPlace, overlap, type Point, placeLabel } from './label-place'
-import type { OverlayPicture } from './overlay'
+import { type LabelPlace, overlap, placeLabel } from './label-place'
+import type { OverlayPicture } from './overlay-picture'
 
 const RING = 9
 const HANDLE_RING = 12
@@ -22,7 +23,7 @@ const CHARACTER_WIDTH = 9
 const ELBOW = 14
 
 export interface MarksPicture extends OverlayPicture {
-  /** Where the vertex numbers are. */
+  /** The middles of the vertex numbers. */
   readonly numbers: readonly Point[]
 }
 
@@ -32,7 +33,7 @@ interface Mark {
   readonly title: SVGTitleElement
 }
 
-/** What is marked as the least, and in which words. */
+/** The point marked as the least, and its words. */
 interface Least {
   readonly words: string
   readonly value: number
@@ -50,11 +51,11 @@ export class Marks {
   readonly #dot = svg('circle', { class: 'pupil', r: 3 })
   readonly #leader = svg('path', { class: 'leader' })
   readonly #label = svg('text', { class: 'value' })
-  /** On the boundary's minimizer, where another point has the label. */
+  /** On the boundary's minimizer if another point has the label. */
   readonly #second = svg('circle', { class: 'second', r: RING })
   readonly #isLabelled: boolean
   #place: LabelPlace | null = null
-  /** Where the label stands, if it does. */
+  /** Null if the label found no free place. */
   #labelBox: Box | null = null
 
   constructor(isLabelled: boolean) {
@@ -79,29 +80,29 @@ export class Marks {
     )
     this.#updateCandidates(marked, picture)
     this.#updateLeast(inside ? leastInside(inside) : leastOnBoundary(report), report.exponent, picture)
-    const second = inside && picture.camera.project(toView(picture.frame, minimizer.position))
+    const second = inside && picture.camera.project(toWorld(picture.world, minimizer.position))
     show(this.#second, second !== null && second.depth > 0)
     if (second) set(this.#second, { cx: px(second.x), cy: px(second.y) })
   }
 
-  /** The label makes way for words; the verdict and the colour bar say its number, too. Null where there are none. */
+  /** Hides the label behind words, if there are any: the verdict and the colour bar say its number, too. */
   makeWay(words: Box | null): void {
     const box = this.#labelBox
     const isShown = box !== null && !(words && overlap(box, words))
-    for (const part of [this.#leader, this.#label]) show(part, isShown)
+    for (const mark of [this.#leader, this.#label]) show(mark, isShown)
   }
 
-  #updateCandidates(marked: readonly Candidate[], { frame, camera, report, state }: MarksPicture): void {
+  #updateCandidates(marked: readonly Candidate[], { world, camera, report, state }: MarksPicture): void {
     while (this.#pool.length < marked.length) this.#pool.push(this.#createMark())
     this.#pool.forEach(({ group, path, title }, i) => {
       const candidate = marked[i]
-      const at = candidate && camera.project(toView(frame, candidate.position))
+      const at = candidate && camera.project(toWorld(world, candidate.position))
       show(group, at !== undefined && at.depth > 0)
       if (!candidate || !at) return
       moveTo(group, at)
       set(path, { d: candidateShapes[candidate.kind] })
       const value = formatJacdet(candidate.value, report?.exponent ?? 0, state.referenceCube)
-      setText(title, `Candidate ${placeName(candidate)}: J = ${value}`)
+      setText(title, `Candidate ${elementPartName(candidate)}: J = ${value}`)
     })
   }
 
@@ -114,8 +115,8 @@ export class Marks {
   }
 
   #updateLeast({ words, value, position, isVertex }: Least, exponent: number, picture: MarksPicture): void {
-    const { camera, frame, state } = picture
-    const at = camera.project(toView(frame, position))
+    const { camera, world, state } = picture
+    const at = camera.project(toWorld(world, position))
     show(this.minimizer, at.depth > 0)
     const radius = isVertex ? HANDLE_RING : RING
     for (const circle of [this.#halo, this.#ring, this.#core, this.#dot]) set(circle, { cx: px(at.x), cy: px(at.y) })
@@ -138,7 +139,7 @@ export class Marks {
       height: LABEL_HEIGHT,
       bounds,
       points: handles,
-      numbers: numbers,
+      numbers,
       boxes: taken,
       body: handles,
       previous: this.#place?.index ?? null,
@@ -171,13 +172,13 @@ function leastInside(inside: Report['volumeMinimum']): Least {
   return { words: 'min J inside', value: approximation(inside).value, position: inside.position, isVertex: false }
 }
 
-/** Whether a candidate lies on what is shown: one face alone has its own and those of its edges. */
+/** Whether a candidate lies on the faces shown: one face alone has its own and those of its edges. */
 function isOnFaces({ kind, id }: Candidate, display: FaceDisplay): boolean {
   const shown = typeof display === 'number' ? faces[display] : undefined
   if (shown === undefined) return true
   return kind === 'face' ? id === display : (edgeVertices[id] ?? []).every(v => shown.vertices.includes(v))
 }
 
-function placeName({ kind, id }: Candidate): string {
+function elementPartName({ kind, id }: Candidate): string {
   return kind === 'edge' ? `on edge ${edgeName(id)}` : `on face ${faces[id]?.name}`
 }

@@ -1,16 +1,17 @@
-/** The crisp part of the scene, in SVG over the canvas: edges through the body, handles and their numbers, ghost, marks. */
-import type { JacobianReport, Report } from '../../core/report'
+/** The SVG over the canvas: edges through the body, handles and their numbers, ghost, marks, axes. */
+import type { JacobianReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import { edgeVertices, VERTEX_COUNT, type Vertices, vertexOf } from '../../model/hexahedron'
-import type { State } from '../../model/state'
-import type { DragKeys } from '../input/vertex-drag'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { SceneCamera, ScreenPoint } from '../space/camera'
-import { at, map3, type ViewFrame, vertexInView, verticesInView } from '../space/world'
+import type { Box, Point } from '../space/layout'
+import { at, map3 } from '../space/vec3'
+import { toWorld, verticesInWorld, type World } from '../space/world'
 import { Highlight } from './highlight'
-import { type Box, meanOf, overlap, type Point } from './label-place'
+import { meanOf, overlap } from './label-place'
 import { LookedAtMarks } from './looked-at-marks'
 import { Marks } from './marks'
+import type { OverlayPicture } from './overlay-picture'
 import { ProbeMark } from './probe-mark'
 import { type AxisLetters, Triad } from './triad'
 
@@ -20,27 +21,16 @@ export interface OverlayKind {
   readonly isFixed: boolean
 }
 
-export interface OverlayPicture {
-  readonly state: State
-  readonly report: Report | null
-  readonly frame: ViewFrame
-  readonly camera: SceneCamera
-  readonly handles: readonly ScreenPoint[]
-  readonly drag: { readonly keys: DragKeys; readonly byTouch: boolean } | null
-  /** Where words of other parts of the scene are. */
-  readonly taken: readonly Box[]
-}
-
 const COORDINATE_WIDTH = 7.5
 const DIGIT_WIDTH = 8
-/** Of a handle, and of a vertex that cannot be moved. */
+/** Radii of a handle, and of a vertex that cannot be moved. */
 const RADIUS = 6
 const FIXED_RADIUS = 3
-/** Handles this close, in CSS pixels, are one to the eye. */
-const SAME_PLACE = 3
+/** Handles this close are one to the eye. */
+const SAME_HANDLE = 3
 /** From a handle's middle to the middle of its number. */
 const NUMBER_DISTANCE = 17
-/** The same where a ring is around the handle: the minimizer's, or that of the vertex spoken of. */
+/** The same with a ring around the handle: the minimizer's, or that of the vertex spoken of. */
 const RINGED_NUMBER_DISTANCE = 24
 
 interface Handle {
@@ -92,7 +82,7 @@ export class Overlay {
     })
   }
 
-  /** All but the point that is pointed at. */
+  /** Everything but the probe. */
   update(picture: OverlayPicture): void {
     const { camera, handles } = picture
     set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
@@ -110,13 +100,13 @@ export class Overlay {
     this.#triad.update(camera)
   }
 
-  /** `readout` is where the words about the point stand, if there are any. */
-  updateProbe(probe: JacobianReport | null, frame: ViewFrame, camera: SceneCamera, readout: Box | null = null): void {
-    this.#probe.update(probe, frame, camera)
+  /** `readout` is the box of the words about the point, if there are any. */
+  updateProbe(probe: JacobianReport | null, world: World, camera: SceneCamera, readout: Box | null = null): void {
+    this.#probe.update(probe, world, camera)
     this.#marks.makeWay(probe && readout)
   }
 
-  /** Returns where the numbers are. */
+  /** Returns the middles of the numbers. */
   #updateHandles({ handles, state, report, camera }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
     const ringed = [report?.minimizer, state.highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
@@ -133,7 +123,7 @@ export class Overlay {
       const distance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
       const half = (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
       const x = ux * (distance + half)
-      // A long one stays in the picture.
+      // A long number stays in the picture.
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
       group.classList.toggle('selected', v === state.selectedVertex)
@@ -145,16 +135,16 @@ export class Overlay {
     return numbers
   }
 
-  /** The edges of the vertex being moved as they were, or those of an order or of a move that is looked at. */
-  #updateGhost({ state, frame, camera, handles }: OverlayPicture): void {
+  /** The edges of the vertex being moved as they were, or those of the order or the move that is previewed. */
+  #updateGhost({ state, world, camera, handles }: OverlayPicture): void {
     const { vertices, gestureStart, selectedVertex, previewedOrder, previewedMove } = state
     const moved = gestureStart !== null && gestureStart !== vertices
     const moving = previewedMove === null ? [] : verticesThatDiffer(vertices, previewedMove)
-    for (const part of [this.#ghostHalo, this.#ghost])
-      show(part, moved || previewedOrder !== null || previewedMove !== null)
+    for (const path of [this.#ghostHalo, this.#ghost])
+      show(path, moved || previewedOrder !== null || previewedMove !== null)
     show(this.#ghostHandle, moved || moving.length === 1)
     if (moved) {
-      const before = verticesInView(frame, gestureStart).map(point => camera.project(point))
+      const before = verticesInWorld(world, gestureStart).map(point => camera.project(point))
       const own = edgeVertices.filter(edge => edge.includes(selectedVertex))
       this.#drawGhost(edgePath(own, before))
       moveTo(this.#ghostHandle, before[selectedVertex] as ScreenPoint)
@@ -162,7 +152,7 @@ export class Overlay {
       const inOrder = previewedOrder.map(v => handles[v] as ScreenPoint)
       this.#drawGhost(edgePath(edgeVertices, inOrder))
     } else if (previewedMove !== null) {
-      const after = verticesInView(frame, previewedMove).map(point => camera.project(point))
+      const after = verticesInWorld(world, previewedMove).map(point => camera.project(point))
       const own = edgeVertices.filter(edge => edge.some(v => moving.includes(v)))
       this.#drawGhost(edgePath(own, after))
       moveTo(this.#ghostHandle, after[moving[0] ?? 0] as ScreenPoint)
@@ -174,11 +164,11 @@ export class Overlay {
     set(this.#ghost, { d: path })
   }
 
-  /** Where the vertex being moved is, in words. Returns the room they take. */
+  /** The position of the vertex being moved, in words. Returns their box. */
   #updateCoordinates({ state, drag, handles, camera, taken }: OverlayPicture): Box | null {
-    const busy = state.gestureStart !== null
-    show(this.#coordinates, busy)
-    if (!busy) return null
+    const isMoving = state.gestureStart !== null
+    show(this.#coordinates, isMoving)
+    if (!isMoving) return null
     const handle = handles[state.selectedVertex] as ScreenPoint
     const position = vertexOf(state.vertices, state.selectedVertex)
     setText(this.#coordinates, `(${position.map(formatNumber).join(', ')})`)
@@ -192,19 +182,18 @@ export class Overlay {
       lineBox(handle.x - beside, handle.y, width),
       lineBox(handle.x + beside, handle.y, width),
     ] as const
-    const box =
-      boxes.find(place => place.x > 4 && place.y > 4 && !taken.some(other => overlap(place, other))) ?? boxes[0]
+    const box = boxes.find(box => box.x > 4 && box.y > 4 && !taken.some(other => overlap(box, other))) ?? boxes[0]
     set(this.#coordinates, { x: px(box.x + box.width / 2), y: px(box.y + box.height / 2) })
     return box
   }
 
   /** The axis that the vertex is held to. */
-  #updateAxisLine({ state, drag, frame, camera }: OverlayPicture): void {
-    const axis = drag?.keys.axis ?? null
+  #updateAxisLine({ state, drag, world, camera }: OverlayPicture): void {
+    const axis = drag?.axis ?? null
     show(this.#axisLine, axis !== null)
     if (axis === null) return
-    const middle = vertexInView(frame, state.vertices, state.selectedVertex)
-    const ends = [-4, 4].map(way => camera.project(map3(k => at(middle, k) + (k === axis ? way : 0))))
+    const middle = toWorld(world, vertexOf(state.vertices, state.selectedVertex))
+    const ends = [-4, 4].map(length => camera.project(map3(k => at(middle, k) + (k === axis ? length : 0))))
     set(this.#axisLine, { d: edgePath([[0, 1]], ends) })
   }
 }
@@ -227,11 +216,13 @@ function createHandle(vertex: number, radius: number): Handle {
 }
 
 /**
- * Numbers of handles in one place would hide each other: the first of them says them all, "2, 6". Where another order is
- * looked at that gives a vertex another number, it says both, "2 → 3".
+ * Numbers of handles that coincide would hide each other: the first of them says them all, "2, 6". A vertex that the previewed
+ * order gives another number has both, "2 → 3".
  */
-export function numberTexts(handles: readonly ScreenPoint[], order: readonly number[] | null): readonly string[] {
-  const first = handles.map(({ x, y }) => handles.findIndex(other => Math.hypot(other.x - x, other.y - y) < SAME_PLACE))
+function numberTexts(handles: readonly ScreenPoint[], order: readonly number[] | null): readonly string[] {
+  const first = handles.map(({ x, y }) =>
+    handles.findIndex(other => Math.hypot(other.x - x, other.y - y) < SAME_HANDLE),
+  )
   const name = (v: number) => (order === null || order[v] === v ? `${v}` : `${v} → ${order.indexOf(v)}`)
   return handles.map((_, v) =>
     [...first.keys()]
@@ -247,7 +238,7 @@ function verticesThatDiffer(one: Vertices, other: Vertices): number[] {
   )
 }
 
-/** Lines between points in front of the eye. */
+/** Lines between those points that are in front of the eye. */
 function edgePath(edges: readonly (readonly [number, number])[], points: readonly ScreenPoint[]): string {
   let path = ''
   for (const [from, to] of edges) {

@@ -1,7 +1,7 @@
 /** The coordinate axes as the camera sees them, in a corner. */
 import { px, set, svg } from '../paint/svg'
 import type { SceneCamera } from '../space/camera'
-import { at } from '../space/world'
+import { at } from '../space/vec3'
 
 const LENGTH = 22
 export type AxisLetters = readonly [string, string, string]

@@ -1,14 +1,11 @@
-/** Draws the coloured faces: one mesh, one draw call a region. It knows three.js and the uniforms. */
+/** Draws the coloured faces: one mesh, one draw call a viewport. It knows three.js and the uniforms. */
 import { type BufferAttribute, LinearSRGBColorSpace, Mesh, Scene, Vector3, WebGLRenderer } from 'three'
-import type { Report } from '../../core/report'
 import { sectionBernstein } from '../../core/section'
-import type { Surface } from '../../core/zero-surface'
 import { faces, VERTEX_COUNT, type Vec3 } from '../../model/hexahedron'
 import type { FaceDisplay, Section } from '../../model/state'
-import type { SceneCamera } from '../space/camera'
 import { type Corners, faceCorners, facePoint, patchPoint, sectionCorners } from '../space/patches'
-import { at, map3 } from '../space/world'
-import type { ColourScale, Ramp, Theme } from './colour-map'
+import { at, map3 } from '../space/vec3'
+import type { Ramp } from './colour-map'
 import {
   createFacesGeometry,
   createSectionGeometry,
@@ -21,38 +18,12 @@ import {
   writeIndices,
 } from './faces-geometry'
 import { createFacesMaterial, createFacesUniforms, writeRamp } from './faces-material'
+import { OPACITY, type Picture, type Viewport } from './picture'
 import { ZeroSurfaceMesh } from './zero-surface-mesh'
 
-/** Part of the canvas, in CSS pixels from its top left, and what is drawn there: the vertices are in the view frame. */
-export interface Region {
-  readonly left: number
-  readonly top: number
-  readonly vertices: readonly Vec3[]
-  /** It knows the region's width and height. */
-  readonly camera: SceneCamera
-}
-
-/** One picture: the same colours in every region. */
-export interface Picture {
-  readonly report: Report | null
-  readonly scale: ColourScale | null
-  readonly ramp: Ramp
-  readonly theme: Theme
-  readonly display: FaceDisplay
-  /** What is shown inside, where `display` says so. */
-  readonly section: Section
-  readonly zeroSurface: Surface | null
-  readonly regions: readonly Region[]
-  readonly width: number
-  readonly height: number
-  readonly pixelRatio: number
-}
-
-/** Of faces where positive, where negative, and of lines on them, in the displays that one can look through. */
-export const OPACITY: Readonly<Record<string, Vec3>> = { 'see-through': [0.3, 0.82, 1], inside: [0.08, 0.2, 0.45] }
 const OPAQUE: Vec3 = [1, 1, 1]
 
-/** Of which FaceRenderer is the only user. */
+/** The renderer that FaceRenderer draws with. */
 export function rendererOf(
   canvas: OffscreenCanvas | HTMLCanvasElement,
   context: WebGL2RenderingContext,
@@ -61,7 +32,6 @@ export function rendererOf(
   renderer.outputColorSpace = LinearSRGBColorSpace
   renderer.setClearColor(0, 0)
   renderer.autoClear = false
-  renderer.info.autoReset = false
   return renderer
 }
 
@@ -74,7 +44,7 @@ export class FaceRenderer {
   readonly #section = new Mesh(createSectionGeometry(), this.#sectionMaterial)
   readonly #zeroSurface = new ZeroSurfaceMesh(this.#uniforms)
   readonly #scene = new Scene()
-  /** Of which the indices are: how fine, and the faces in order; null where tiles are in order of their own. */
+  /** The tiles that the indices are of: how fine, and the faces in order; null if tiles are sorted one by one. */
   #tiling: string | null = null
   #ramp: Ramp | null = null
   #size = ''
@@ -87,42 +57,40 @@ export class FaceRenderer {
     this.#scene.add(this.#section, this.#zeroSurface.mesh, mesh)
   }
 
-  /** On the canvas, which then has the picture's size in pixels. Returns the number of draw calls. */
-  draw(picture: Picture): number {
+  /** On the canvas, which then has the picture's size in pixels. */
+  draw(picture: Picture): void {
     this.resize(picture)
-    this.#writeRamp(picture)
-    this.#renderer.info.reset()
+    this.#writeColours(picture)
     this.#renderer.clear()
-    for (const region of picture.regions) this.#drawRegion(region, picture)
-    return this.#renderer.info.render.calls
+    for (const viewport of picture.viewports) this.#drawViewport(viewport, picture)
   }
 
-  #drawRegion(region: Region, { display, section, height }: Picture): void {
-    const { left, top, camera } = region
+  #drawViewport(viewport: Viewport, { display, section, height }: Picture): void {
+    const { left, top, camera } = viewport
     this.#renderer.setViewport(left, height - top - camera.height, camera.width, camera.height)
-    this.#placeVertices(region.vertices)
+    this.#writeVertices(viewport.vertices)
     if (display === 'inside') {
-      const corners = sectionCorners(region.vertices, section)
-      this.#placeVertices(corners, VERTEX_COUNT)
-      this.#zeroSurface.cut(section, sideSeen(region, corners, section))
+      const corners = sectionCorners(viewport.vertices, section)
+      this.#writeVertices(corners, VERTEX_COUNT)
+      this.#zeroSurface.cut(section, sideSeen(viewport, corners, section))
     }
     this.#uniforms.eye.value.copy(camera.three.position)
-    this.#chooseFaces(region, display)
+    this.#chooseFaces(viewport, display)
     this.#renderer.render(this.#scene, camera.three)
   }
 
-  #placeVertices(vertices: readonly Vec3[], first = 0): void {
+  #writeVertices(vertices: readonly Vec3[], first = 0): void {
     vertices.forEach((vertex, v) => {
       this.#uniforms.vertices.value[first + v]?.set(...vertex)
     })
   }
 
   /** Begins to make the programs for such a picture, without waiting for them. */
-  compile({ regions: [region] }: Picture): void {
-    if (region) this.#renderer.compile(this.#scene, region.camera.three)
+  compile({ viewports: [viewport] }: Picture): void {
+    if (viewport) this.#renderer.compile(this.#scene, viewport.camera.three)
   }
 
-  /** What lies in the context is made anew when it is next drawn. */
+  /** Releases everything in the context; three makes it anew for the next picture. */
   release(): void {
     this.#geometry.dispose()
     this.#material.dispose()
@@ -139,7 +107,7 @@ export class FaceRenderer {
     this.#renderer.setSize(width, height, false)
   }
 
-  #writeRamp({ report, scale, ramp, theme, pixelRatio, display, section, zeroSurface }: Picture): void {
+  #writeColours({ report, scale, ramp, theme, pixelRatio, display, section, zeroSurface }: Picture): void {
     const uniforms = this.#uniforms
     uniforms.bernstein.value.fill(0)
     if (report && scale) {
@@ -165,31 +133,31 @@ export class FaceRenderer {
     this.#zeroSurface.update(display === 'inside' ? zeroSurface : null)
   }
 
-  #chooseFaces(region: Region, display: FaceDisplay): void {
-    const isVeil = display in OPACITY
-    this.#material.transparent = isVeil
-    this.#material.depthWrite = !isVeil
-    const quadsPerTile = quadsPerTileFor(greatestTwist(region))
-    const order = display === 'see-through' ? null : facesInOrder(region, display)
+  #chooseFaces(viewport: Viewport, display: FaceDisplay): void {
+    const isTransparent = display in OPACITY
+    this.#material.transparent = isTransparent
+    this.#material.depthWrite = !isTransparent
+    const quadsPerTile = quadsPerTileFor(greatestTwist(viewport))
+    const order = display === 'see-through' ? null : facesInOrder(viewport, display)
     const tiling = order && `${quadsPerTile} ${order}`
     if (tiling !== null && tiling === this.#tiling) return
     this.#tiling = tiling
-    const tiles = order ? tilesOfFaces(order) : farthestTilesFirst(region)
+    const tiles = order ? tilesOfFaces(order) : farthestTilesFirst(viewport)
     const index = this.#geometry.index as BufferAttribute
     this.#geometry.setDrawRange(0, writeIndices(index.array as Uint16Array, tiles, quadsPerTile))
     index.needsUpdate = true
   }
 }
 
-/** The nearest first, which spares what they hide; or one alone. */
-function facesInOrder({ vertices, camera }: Region, display: FaceDisplay): readonly number[] {
+/** The nearest first, which spares those that they hide; or one alone. */
+function facesInOrder({ vertices, camera }: Viewport, display: FaceDisplay): readonly number[] {
   if (typeof display === 'number') return [display]
   const depths = faces.map((_, face) => camera.depth(facePoint(vertices, face, 0.5, 0.5)))
   return [...depths.keys()].sort((a, b) => (depths[a] as number) - (depths[b] as number))
 }
 
-/** Of all faces, in pixels, where they are nearest to the eye. */
-function greatestTwist({ vertices, camera }: Region): number {
+/** The greatest twist of a face, in units of the screen where the element is nearest to the eye. */
+function greatestTwist({ vertices, camera }: Viewport): number {
   const nearest = Math.min(...vertices.map(vertex => camera.depth(vertex)))
   const twists = faces.map((_, face) => {
     const [a, b, c, d] = faceCorners(vertices, face)
@@ -198,8 +166,8 @@ function greatestTwist({ vertices, camera }: Region): number {
   return Math.max(...twists) / camera.lengthPerPixel(Math.max(nearest, camera.three.near))
 }
 
-/** On which side of the section the eye is. */
-function sideSeen({ vertices, camera }: Region, corners: Corners, { axis }: Section): 'above' | 'below' {
+/** The side of the section that the eye is on. */
+function sideSeen({ vertices, camera }: Viewport, corners: Corners, { axis }: Section): 'above' | 'below' {
   const [a, b, c] = corners.map(corner => new Vector3(...corner)) as [Vector3, Vector3, Vector3]
   const normal = b.sub(a).cross(c.sub(a))
   const [below, above] = [0, 1].map(side => patchPoint(faceCorners(vertices, 2 * axis + side), 0.5, 0.5)) as [
@@ -211,7 +179,7 @@ function sideSeen({ vertices, camera }: Region, corners: Corners, { axis }: Sect
   return normal.dot(up) * normal.dot(toEye) >= 0 ? 'above' : 'below'
 }
 
-function farthestTilesFirst({ vertices, camera }: Region): Uint16Array {
+function farthestTilesFirst({ vertices, camera }: Viewport): Uint16Array {
   const depths = new Float64Array(TILE_COUNT)
   for (let tile = 0; tile < TILE_COUNT; tile++)
     depths[tile] = camera.depth(facePoint(vertices, faceOfTile(tile), ...tileMiddle(tile)))

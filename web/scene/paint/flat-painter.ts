@@ -1,17 +1,13 @@
-/**
- * The coloured faces where there is no WebGL: tiles in SVG, the farthest first, each in the colour of jacdet at its middle, the negative
- * ones hatched.
- */
+/** The coloured faces without WebGL: tiles in SVG, the farthest first, in the colour of jacdet at their middle, hatched if negative. */
 import type { Vec3 } from '../../model/hexahedron'
 import { cssColour, rampColour, rampPosition } from './colour-map'
-import { contentsOf, type FacePainter } from './face-painter'
-import { OPACITY, type Picture, type Region } from './face-renderer'
 import { flatTiles, pathOf } from './flat-tiles'
+import { type FacePainter, LastPicture, OPACITY, type Picture, type Viewport } from './picture'
 import { set, show, svg } from './svg'
 
 /** Tiles to a face's side: small enough to show where jacdet is negative, few enough for every frame of a drag. */
 const SIDE = 10
-/** CSS pixels between stripes. */
+/** Units between stripes. */
 const HATCH = 6
 
 let painters = 0
@@ -19,11 +15,10 @@ let painters = 0
 export class FlatPainter implements FacePainter {
   readonly root = svg('svg', { class: 'scene-flat', 'aria-hidden': 'true' })
   readonly isLost = false
-  readonly drawCalls = 0
   readonly #hatch = `scene-flat-hatch-${++painters}`
   readonly #stripe = svg('path', { d: `M0 0V${HATCH}` })
   readonly #shapes: { readonly fill: SVGPathElement; readonly hatch: SVGPathElement }[] = []
-  #painted: readonly unknown[] = []
+  readonly #last = new LastPicture()
 
   constructor() {
     const pattern = svg(
@@ -39,14 +34,11 @@ export class FlatPainter implements FacePainter {
   }
 
   paint(picture: Picture): boolean {
-    const contents = contentsOf(picture)
-    const painted = this.#painted
-    if (contents.length === painted.length && contents.every((value, i) => Object.is(value, painted[i]))) return false
-    this.#painted = contents
+    if (this.#last.isSame(picture)) return false
     const { width, height, theme, display } = picture
     set(this.root, { viewBox: `0 0 ${width} ${height}` })
     set(this.#stripe, { stroke: cssColour(theme.ink), 'stroke-opacity': 0.5 })
-    const tiles = picture.regions.flatMap(region => tilesOf(region, picture))
+    const tiles = picture.viewports.flatMap(viewport => tilesOf(viewport, picture))
     const [positive, negative] = OPACITY[display] ?? [1, 1]
     for (const [i, { path, colour, isNegative }] of tiles.entries()) {
       const { fill, hatch } = this.#shape(i)
@@ -74,9 +66,8 @@ export class FlatPainter implements FacePainter {
   }
 }
 
-function tilesOf(region: Region, { report, display, scale, ramp }: Picture) {
+function tilesOf({ vertices, camera, left, top }: Viewport, { report, display, scale, ramp }: Picture) {
   if (report === null || scale === null) return []
-  const { vertices, camera, left, top } = region
   const isShown = (face: number) => typeof display !== 'number' || display === face
   const project = (point: Vec3) => {
     const { x, y, depth } = camera.project(point)

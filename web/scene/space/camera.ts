@@ -1,23 +1,15 @@
 /**
- * The camera in the view frame: perspective, z up, and the projections between points and CSS pixels that the overlay, picking
+ * A camera in world space, perspective with z up, and the projections between points and the screen that the overlay, picking
  * and dragging share. `three` renders with it; nothing here needs WebGL.
  */
 import { PerspectiveCamera, Vector3 } from 'three'
 import type { Vec3 } from '../../model/hexahedron'
-import { at, map3 } from './world'
+import type { Insets, Point } from './layout'
+import { at, dot, map3 } from './vec3'
 
-/** CSS pixels from the top left of the scene; depth is the distance along the line of sight, positive in front. */
-export interface ScreenPoint {
-  readonly x: number
-  readonly y: number
+/** Units from the top left of the camera's viewport; depth is the distance along the line of sight, positive in front. */
+export interface ScreenPoint extends Point {
   readonly depth: number
-}
-
-export interface Insets {
-  readonly top: number
-  readonly right: number
-  readonly bottom: number
-  readonly left: number
 }
 
 export interface Ray {
@@ -26,7 +18,7 @@ export interface Ray {
   readonly direction: Vec3
 }
 
-/** Where the camera is, as seen from the element, in the default view: front, right of the middle, above. */
+/** From the element to the camera by default: front, right of the middle, above. */
 export const DEFAULT_DIRECTION: Vec3 = direction(-58, 24)
 
 const FIELD_OF_VIEW = 28
@@ -58,7 +50,7 @@ export class SceneCamera {
     return this.#height
   }
 
-  /** The optical axis goes through the middle of what the insets leave free. */
+  /** The optical axis goes through the middle of the viewport without its insets. */
   resize(width: number, height: number, insets: Insets): void {
     this.#width = width
     this.#height = height
@@ -92,7 +84,7 @@ export class SceneCamera {
     return -((e[2] as number) * x + (e[6] as number) * y + (e[10] as number) * z + (e[14] as number))
   }
 
-  /** Through a CSS pixel. */
+  /** The line of sight through a point of the screen. */
   ray(x: number, y: number): Ray {
     const origin = this.three.position
     scratch
@@ -103,23 +95,23 @@ export class SceneCamera {
     return { origin: [origin.x, origin.y, origin.z], direction: [scratch.x, scratch.y, scratch.z] }
   }
 
-  /** Unit vectors of the view: to the right, up, and towards the eye. */
+  /** Unit vectors to the right, up, and towards the eye. */
   axes(): readonly [Vec3, Vec3, Vec3] {
     const e = this.three.matrixWorld.elements
     const column = (k: number): Vec3 => [e[4 * k] as number, e[4 * k + 1] as number, e[4 * k + 2] as number]
     return [column(0), column(1), column(2)]
   }
 
-  /** Length in the view frame of one CSS pixel at a depth. */
+  /** Length in world space of one unit of the screen at a depth. */
   lengthPerPixel(depth: number): number {
     return (2 * depth * Math.tan((FIELD_OF_VIEW * Math.PI) / 360)) / this.#height
   }
 
   /**
-   * Where the camera has to be so that all points just fill what the insets leave free, looking along the same line, and the
-   * point to orbit about.
+   * The position of the camera from which all points, seen along the same line, just fill the viewport without its insets; the
+   * point to orbit about, and its distance.
    *
-   * With x right, y up, z towards the eye and tan_x the half-width of the view at distance 1, a point is within the right
+   * With x right, y up, z towards the eye and tan_x the half-width of the picture at distance 1, a point is within the right
    * border iff x + z tan_x <= eye_x + eye_z tan_x, and within the left one iff -x + z tan_x <= -eye_x + eye_z tan_x. The
    * greatest left-hand sides R and L give the least eye_z = (R + L) / (2 tan_x) and eye_x = (R - L) / 2.
    */
@@ -157,7 +149,3 @@ export class SceneCamera {
 }
 
 const scratch = new Vector3()
-
-export function dot(a: Vec3, b: Vec3): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}

@@ -1,9 +1,9 @@
-/** Points on the bilinear faces and on sections, which are bilinear patches too. */
+/** Points on the bilinear patches that the faces and the sections are. */
 import { type FaceTopology, faces, type Vec3 } from '../../model/hexahedron'
 import type { Section } from '../../model/state'
-import { at, map3 } from './world'
+import { at, map3 } from './vec3'
 
-/** Where (s, t) is (0,0), (1,0), (0,1), (1,1). */
+/** The points at (s, t) = (0,0), (1,0), (0,1), (1,1). */
 export type Corners = readonly [Vec3, Vec3, Vec3, Vec3]
 
 export function faceCorners(vertices: readonly Vec3[], face: number): Corners {
@@ -23,6 +23,6 @@ export function facePoint(vertices: readonly Vec3[], face: number, s: number, t:
   return patchPoint(faceCorners(vertices, face), s, t)
 }
 
-function between(from: Vec3, to: Vec3, way: number): Vec3 {
-  return map3(axis => at(from, axis) + (at(to, axis) - at(from, axis)) * way)
+function between(from: Vec3, to: Vec3, share: number): Vec3 {
+  return map3(axis => at(from, axis) + (at(to, axis) - at(from, axis)) * share)
 }

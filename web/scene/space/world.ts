@@ -1,13 +1,14 @@
 /**
- * The normalised frame everything is drawn in: physical coordinates (doubles of any size) minus a centre, divided by a
- * size, so that a fitted element fills [-1,1]^3 and single precision suffices from 1e-300 to 1e300.
+ * World space, in which everything is drawn: physical coordinates (doubles of any size) minus a centre, divided by a size, so
+ * that a fitted element fills [-1,1]^3 and single precision suffices from 1e-300 to 1e300.
  */
 import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf } from '../../model/hexahedron'
+import { at, map3 } from './vec3'
 
-export interface ViewFrame {
-  /** Middle of the bounding box, physical. */
+/** The box that fills [-1,1]^3, physical. */
+export interface World {
   readonly centre: Vec3
-  /** Half of the longest side of the bounding box, physical; 1 for eight equal points. */
+  /** Half of the longest side; 1 for eight equal points. */
   readonly size: number
 }
 
@@ -27,7 +28,7 @@ function range(vertices: Vertices, axis: number): [number, number] {
   return [least, greatest]
 }
 
-/** Sum of halves, unless halving a denormal would lose its last bit. */
+/** Half of the sum, or the sum of halves where the sum overflows: halving a denormal would lose its last bit. */
 function middle(a: number, b: number): number {
   const sum = a + b
   return Number.isFinite(sum) ? sum / 2 : a / 2 + b / 2
@@ -38,7 +39,7 @@ function halfDifference(a: number, b: number): number {
   return Number.isFinite(difference) ? difference / 2 || difference : b / 2 - a / 2
 }
 
-export function frameOf(vertices: Vertices): ViewFrame {
+export function worldOf(vertices: Vertices): World {
   const ranges = [range(vertices, 0), range(vertices, 1), range(vertices, 2)] as const
   const size = Math.max(...ranges.map(([least, greatest]) => halfDifference(least, greatest)))
   const centre = ranges.map(([least, greatest]) => middle(least, greatest)) as unknown as Vec3
@@ -47,47 +48,33 @@ export function frameOf(vertices: Vertices): ViewFrame {
 
 /** The longest side of the bounding box; at most the greatest double. */
 export function extentOf(vertices: Vertices): number {
-  return Math.min(2 * frameOf(vertices).size, Number.MAX_VALUE)
+  return Math.min(2 * worldOf(vertices).size, Number.MAX_VALUE)
 }
 
 /** Beyond this there is nothing to see, and single precision and the products of matrices still hold it. */
 const FARTHEST = 1e9
 
 /** A point farther out than the picture can tell is drawn nearer, on the same line from the centre. */
-export function toView(frame: ViewFrame, point: Vec3): Vec3 {
-  const { centre } = frame
-  const shrink = frame.size > HUGE ? SHRINK : 1
+export function toWorld({ centre, size: physicalSize }: World, point: Vec3): Vec3 {
+  const shrink = physicalSize > HUGE ? SHRINK : 1
   const x = finite(point[0] * shrink - centre[0] * shrink)
   const y = finite(point[1] * shrink - centre[1] * shrink)
   const z = finite(point[2] * shrink - centre[2] * shrink)
   const length = Math.max(Math.abs(x), Math.abs(y), Math.abs(z))
-  const size = frame.size * shrink
+  const size = physicalSize * shrink
   if (length / size > FARTHEST) return [(x / length) * FARTHEST, (y / length) * FARTHEST, (z / length) * FARTHEST]
   return [x / size, y / size, z / size]
 }
 
-/** Inverse of `toView`; what would overflow becomes the greatest double. */
-export function toPhysical(frame: ViewFrame, point: Vec3): Vec3 {
-  return map3(axis => finite(at(frame.centre, axis) + at(point, axis) * frame.size))
+/** Inverse of `toWorld`; a coordinate that would overflow becomes the greatest double. */
+export function toPhysical(world: World, point: Vec3): Vec3 {
+  return map3(axis => finite(at(world.centre, axis) + at(point, axis) * world.size))
 }
 
 export function finite(value: number): number {
   return Math.max(-Number.MAX_VALUE, Math.min(Number.MAX_VALUE, value))
 }
 
-export function vertexInView(frame: ViewFrame, vertices: Vertices, vertex: number): Vec3 {
-  return toView(frame, vertexOf(vertices, vertex))
-}
-
-/** All eight vertices in the frame. */
-export function verticesInView(frame: ViewFrame, vertices: Vertices): Vec3[] {
-  return Array.from({ length: VERTEX_COUNT }, (_, v) => vertexInView(frame, vertices, v))
-}
-
-export function at(point: Vec3, axis: number): number {
-  return point[axis] as number
-}
-
-export function map3(of: (axis: 0 | 1 | 2) => number): Vec3 {
-  return [of(0), of(1), of(2)]
+export function verticesInWorld(world: World, vertices: Vertices): Vec3[] {
+  return Array.from({ length: VERTEX_COUNT }, (_, v) => toWorld(world, vertexOf(vertices, v)))
 }

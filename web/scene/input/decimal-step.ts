@@ -1,4 +1,4 @@
-/** Coordinates people can read: decimal steps for dragging, the keyboard and the grid, exact in decimal. */
+/** Coordinates that people can read: decimal steps for dragging, the keyboard and the grid, exact in decimal. */
 
 /** A step of `digits` x 10^exponent. */
 export interface Step {
@@ -8,12 +8,12 @@ export interface Step {
 
 const LEAST_EXPONENT = -323
 
-/** The power of ten at or below a length: what a drag rounds to, given the length of a pixel. */
+/** The step of a drag, given the length of a pixel: the power of ten at or below it. */
 export function roundingStep(lengthPerPixel: number): Step {
   return { digits: 1, exponent: decade(lengthPerPixel) }
 }
 
-/** A hundredth of the element, to the nearest power of ten: what an arrow key moves. */
+/** The step of an arrow key: a hundredth of the element, to the nearest power of ten. */
 export function keyStep(extent: number): Step {
   return { digits: 1, exponent: Math.max(LEAST_EXPONENT, Math.round(Math.log10(extent) - 1.7)) }
 }
