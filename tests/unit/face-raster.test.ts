@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import type { Report } from '../../web/core/report'
 import { faces, vertexReference } from '../../web/model/hexahedron'
+import { netCells, pointInCell } from '../../web/panels/face-maps/net'
 import {
   colourScaleOf,
   HATCH_PERIOD,
@@ -11,7 +12,6 @@ import {
   type Theme,
 } from '../../web/scene/paint/colour-map'
 import { paintFace, paletteOf } from '../../web/scene/paint/face-raster'
-import { netCells, pointInCell } from '../../web/views/face-maps/net'
 import { core, randomHexahedron, randomSource } from './core-fixtures'
 
 const hex = (text: string): Rgb =>

@@ -3,7 +3,7 @@
  * entry of the history, so that reload, Back and Forward return to the same place.
  */
 import { presets, presetVertices } from '../content/presets'
-import '../element/hex-lens'
+import './element'
 import { onPaste } from '../element/offers'
 import { historyStep } from '../element/shortcuts'
 import { decodePermalink } from '../model/permalink'
