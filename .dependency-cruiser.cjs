@@ -20,7 +20,7 @@ module.exports = {
     ...layers.slice(1).map((names, i) => ({
       name: `${names[0]}-imports-down`,
       severity: 'error',
-      from: { path: folders(names), pathNot: names.includes('views') ? '^web/views/scene/' : undefined },
+      from: { path: folders(names) },
       to: { path: folders(layers.slice(0, i + 1).flat()) },
     })),
     ...layers.flatMap(names =>

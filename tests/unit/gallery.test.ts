@@ -6,7 +6,7 @@ import { challenges } from '../../web/pages/challenges/challenges'
 import { gallery } from '../../web/pages/gallery/gallery'
 import { elementVertices } from '../../web/pages/gallery/gallery-vertices'
 import { lessons } from '../../web/pages/lessons/content/lessons'
-import { rampOf, type Theme } from '../../web/views/colour-map'
+import { rampOf, type Theme } from '../../web/scene/paint/colour-map'
 import { thumbnailAddress, thumbnailMarkup, thumbnailText } from '../../web/views/thumbnail/thumbnail'
 import { cases, caseVertices, core, depthGuardCases, entry, unitCube } from './core-fixtures'
 

@@ -1,8 +1,8 @@
 /** Small still pictures of elements on a page, in the colours of its scheme: each analysed once, drawn when it is first shown. */
 import type { Report } from '../core/report'
 import type { Vertices } from '../model/hexahedron'
-import { rampOf } from '../views/colour-map'
-import { ThemeReader } from '../views/theme'
+import { rampOf } from '../scene/paint/colour-map'
+import { ThemeReader } from '../scene/paint/theme'
 import { type Colours, thumbnailAddress, thumbnailText } from '../views/thumbnail/thumbnail'
 
 type Lens = HTMLElementTagNameMap['hex-lens']

@@ -1,7 +1,8 @@
 /** The scene's first direction, from azimuth -58 and elevation 24 degrees, without perspective: for pictures that nobody turns. */
 import type { Vec3, Vertices } from '../model/hexahedron'
-import type { FlatPoint } from './flat-tiles'
-import { at, frameOf, toView, verticesInView } from './scene/view-frame'
+import type { FlatPoint } from '../scene/paint/flat-tiles'
+import { at } from '../scene/space/vec3'
+import { toWorld, verticesInWorld, worldOf } from '../scene/space/world'
 
 const [AZIMUTH, ELEVATION] = [-58, 24].map(degrees => (degrees * Math.PI) / 180) as [number, number]
 const RIGHT: Vec3 = [-Math.sin(AZIMUTH), Math.cos(AZIMUTH), 0]
@@ -23,8 +24,8 @@ export function seen(point: Vec3): FlatPoint {
 
 /** The eight vertices in a frame of their own, and any other point in it. */
 export function inOwnFrame(vertices: Vertices): { readonly points: readonly Vec3[]; place(point: Vec3): Vec3 } {
-  const frame = frameOf(vertices)
-  return { points: verticesInView(frame, vertices), place: point => toView(frame, point) }
+  const frame = worldOf(vertices)
+  return { points: verticesInWorld(frame, vertices), place: point => toWorld(frame, point) }
 }
 
 function dot(a: Vec3, b: Vec3): number {

@@ -1,6 +1,6 @@
 /** One face of the net: a button with the face's picture, which tells where on the face it is pointed at. */
 import { type FaceTopology, faces } from '../../model/hexahedron'
-import { type FaceRaster, paintFace } from '../../views/face-raster'
+import { type FaceRaster, paintFace } from '../../scene/paint/face-raster'
 
 export interface FaceMapActions {
   /** A place in the cell, from its upper left, each in [0,1]. */

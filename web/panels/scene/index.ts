@@ -1,4 +1,4 @@
-import { createScene, prepareScene, sceneStyles } from '../../views/scene/scene'
+import { createScene, prepareScene, sceneStyles } from '../../scene/scene'
 import type { Panel } from '../panel'
 
 export const scene: Panel = {

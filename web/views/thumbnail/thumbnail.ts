@@ -4,8 +4,8 @@
  */
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
-import { colourScaleOf, cssColour, type Ramp, rampColour, rampPosition, type Theme } from '../colour-map'
-import { type FlatPoint, type FlatTile, flatTiles, pathOf } from '../flat-tiles'
+import { colourScaleOf, cssColour, type Ramp, rampColour, rampPosition, type Theme } from '../../scene/paint/colour-map'
+import { type FlatPoint, type FlatTile, flatTiles, pathOf } from '../../scene/paint/flat-tiles'
 import { partTitle } from '../part-name'
 import { inOwnFrame, seen } from '../plain-view'
 
