@@ -5,7 +5,7 @@ const layers = [
   ['pages', 'package'],
   ['cli', 'element'],
   ['panels'],
-  ['views/scene', 'scene'],
+  ['scene'],
   ['views'],
   ['mesh'],
   ['core'],

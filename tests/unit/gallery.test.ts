@@ -7,7 +7,7 @@ import { gallery } from '../../web/pages/gallery/gallery'
 import { elementVertices } from '../../web/pages/gallery/gallery-vertices'
 import { lessons } from '../../web/pages/lessons/content/lessons'
 import { rampOf, type Theme } from '../../web/scene/paint/colour-map'
-import { thumbnailAddress, thumbnailMarkup, thumbnailText } from '../../web/views/thumbnail/thumbnail'
+import { thumbnailAddress, thumbnailMarkup, thumbnailText } from '../../web/scene/paint/thumbnail'
 import { cases, caseVertices, core, depthGuardCases, entry, unitCube } from './core-fixtures'
 
 const elements = gallery.flatMap(({ elements }) => elements)

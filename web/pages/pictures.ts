@@ -3,7 +3,7 @@ import type { Report } from '../core/report'
 import type { Vertices } from '../model/hexahedron'
 import { rampOf } from '../scene/paint/colour-map'
 import { ThemeReader } from '../scene/paint/theme'
-import { type Colours, thumbnailAddress, thumbnailText } from '../views/thumbnail/thumbnail'
+import { type Colours, thumbnailAddress, thumbnailText } from '../scene/paint/thumbnail'
 
 type Lens = HTMLElementTagNameMap['hex-lens']
 

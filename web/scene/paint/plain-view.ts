@@ -1,8 +1,8 @@
 /** The scene's first direction, from azimuth -58 and elevation 24 degrees, without perspective: for pictures that nobody turns. */
-import type { Vec3, Vertices } from '../model/hexahedron'
-import type { FlatPoint } from '../scene/paint/flat-tiles'
-import { at } from '../scene/space/vec3'
-import { toWorld, verticesInWorld, worldOf } from '../scene/space/world'
+import type { Vec3, Vertices } from '../../model/hexahedron'
+import { at } from '../space/vec3'
+import { toWorld, verticesInWorld, worldOf } from '../space/world'
+import type { FlatPoint } from './flat-tiles'
 
 const [AZIMUTH, ELEVATION] = [-58, 24].map(degrees => (degrees * Math.PI) / 180) as [number, number]
 const RIGHT: Vec3 = [-Math.sin(AZIMUTH), Math.cos(AZIMUTH), 0]

@@ -4,10 +4,10 @@
  */
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
-import { colourScaleOf, cssColour, type Ramp, rampColour, rampPosition, type Theme } from '../../scene/paint/colour-map'
-import { type FlatPoint, type FlatTile, flatTiles, pathOf } from '../../scene/paint/flat-tiles'
-import { partTitle } from '../part-name'
-import { inOwnFrame, seen } from '../plain-view'
+import { partTitle } from '../../views/part-name'
+import { colourScaleOf, cssColour, type Ramp, rampColour, rampPosition, type Theme } from './colour-map'
+import { type FlatPoint, type FlatTile, flatTiles, pathOf } from './flat-tiles'
+import { inOwnFrame, seen } from './plain-view'
 
 /** Of the picture, a square. */
 const SIZE = 120
