@@ -2,6 +2,7 @@
  * Numbers on lines that are written alike: tables, logs, CSV, LaTeX, what programs print of an element's points. Lines that differ in
  * their numbers alone belong together, wherever they stand in the text.
  */
+import { titledColumns } from './interpret'
 import type { NumberTable } from './number-table'
 import { isWordCharacter, Tokens } from './tokens'
 
@@ -23,6 +24,11 @@ const POINT_WORD = /node|vert|point|pt|grid|corner|^id$|^p$|^v$|^n$/i
 
 /** A comma behind a number at the end of a line, or Nastran's mark for the next one. */
 const GOES_ON = /\d\s{0,9},\s{0,9}(?:\+\w{0,7})?\s{0,9}$/
+
+/** Marks between the numbers of a run: of CSV, tables, LaTeX, box drawing. */
+const BETWEEN = ',;|&"$│┃║'
+/** What ends all lines of a list but the last, or the last alone. */
+const END_MARKS = /[\\)\]}/.'│┃║]+$/
 
 const COMMA = 44
 
@@ -212,7 +218,9 @@ function mixture(groups: readonly Group[], mentions: readonly Mention[]): string
 function headerOf(line: Line | null, count: number): readonly string[] | null {
   if (line === null || line.runs.some(({ values }) => values.length > 2)) return null
   const titles = line.words
-  return titles.length === count ? titles : null
+  if (titles.length === count) return titles
+  // The rows' numbers, which stand before them without a title.
+  return titles.length === count - 1 && titledColumns(titles) !== null ? ['#', ...titles] : null
 }
 
 function* linesOf(text: string): Generator<{ readonly raw: string; readonly number: number }> {
@@ -261,8 +269,7 @@ function readLine(raw: string, number: number): Line {
       word = token
       if (/^[xyz]\d?$/i.test(token)) axes.push(token[0] as string)
     }
-    const isBetween =
-      kind === 'mark' && (token === ',' || token === ';' || token === '|' || token === '&' || token === '"')
+    const isBetween = kind === 'mark' && BETWEEN.includes(token)
     if (!isBetween) {
       isOpen = false
       if (skeleton.length < LONGEST_SKELETON) skeleton += kind === 'word' ? ` ${token.replace(/\d+/g, '#')}` : token
@@ -272,7 +279,7 @@ function readLine(raw: string, number: number): Line {
   return {
     number,
     runs: labelled ?? runs,
-    skeleton: labelled === null ? skeleton : skeleton.replace(/#/g, ''),
+    skeleton: (labelled === null ? skeleton : skeleton.replace(/#/g, '')).replace(END_MARKS, ''),
     words: wordsOf(raw),
     digits,
     isOpen: GOES_ON.test(raw.slice(-30)),
