@@ -498,6 +498,7 @@ class LegacyDataset {
         declaredCells: declared,
         hasFaceStreams: true,
         precision: this.#precision(),
+        cellData: null,
       })
     }
     mesh.coordinatePlaces = this.#places()
