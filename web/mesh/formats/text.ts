@@ -4,7 +4,7 @@
  */
 import { type Mesh, MeshRefusal } from '../mesh'
 import { isText, LARGEST_STRING, snippetText } from '../snippet-text'
-import { tablesOfAssignments, tablesOfVectors } from '../snippets/assigned'
+import { tablesOfAssignments, tablesOfSetIds, tablesOfVectors } from '../snippets/assigned'
 import { meshOfTables } from '../snippets/interpret'
 import { meshOfJson } from '../snippets/json'
 import { tablesOfLines, withDecimalPoints } from '../snippets/lines'
@@ -31,7 +31,7 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
   const json = meshOfJson(whole, fileName)
   if (json !== null) return json
   throwIfCancelled()
-  const hasOwnOrder = /\bskfem\b|\bmesh\.t\b|\bMeshHex\b|\bdolfinx\b|\bcreate_mesh\(/.test(whole)
+  const hasOwnOrder = /\bskfem\b|\bmesh\.t\b|\bMeshHex\b|\bdolfinx\b|\bcreate_mesh\(|\bCellData<|\bdealii\b/.test(whole)
   const decimal = withDecimalPoints(whole)
   const text = decimal ?? whole
   let refusal: MeshRefusal | null = null
@@ -56,7 +56,8 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
   const matlab = lists ?? meshOfTables(tablesOfMatlab(text), { format: 'MATLAB', fileName })
   if (matlab?.isOrderStated) return matlab
   throwIfCancelled()
-  const { tables, mixed, numbers, points } = tablesOfLines(text)
+  const { tables: found, mixed, numbers, points } = tablesOfLines(text)
+  const tables = [...found, ...tablesOfSetIds(text)]
   // A text whose lines have cells of their own is read by these, and refused if they are not understood.
   if (matlab !== null && refusal === null && !tables.some(hasWideIntegers)) return matlab
   if (mixed !== null && refusal === null) throw new MeshRefusal(`${fileName}: ${mixed}`)

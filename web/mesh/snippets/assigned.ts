@@ -63,6 +63,20 @@ function tableOf(names: readonly string[], rows: number[][], digits: number): Nu
   return { names, rows, integers, header: null, labels: null, ids: null, isCut: false, digits, base: null }
 }
 
+const SET_ID = /\bSetId\(\s?(\d{1,9})\s?,\s?(\d{1,9})\s?\)/g
+
+/** The nodes of cells that VTK's SetId(0, …) to SetId(7, …) set one by one. */
+export function tablesOfSetIds(text: string): NumberTable[] {
+  const rows: number[][] = []
+  for (const [, place, id] of text.matchAll(SET_ID)) {
+    if (place === '0') rows.push([])
+    rows.at(-1)?.push(rows.at(-1)?.length === Number(place) ? Number(id) : Number.NaN)
+  }
+  const whole = rows.filter(row => row.length === 8 && !row.includes(Number.NaN))
+  if (whole.length === 0) return []
+  return [{ ...tableOf(['cells'], whole, 0), integers: whole[0]?.map(() => true) ?? [], base: 0 }]
+}
+
 const VECTOR_LINE = /^[ \t]*\[(\d{1,9})\][ \t]+(?=[-+.\d])([^\n]*)$/gm
 
 /** Lines "[1] 0 0 1" and "[4] 1 0 1", each of which counts the entries before it. */

@@ -2,8 +2,9 @@
  * Numbers on lines that are written alike: tables, logs, CSV, LaTeX, what programs print of an element's points. Lines that differ in
  * their numbers alone belong together, wherever they stand in the text.
  */
-import { titledColumns } from './interpret'
+import { titledColumns } from './point-set'
 import type { NumberTable } from './number-table'
+import { NO_POINT_NAME } from './table-names'
 import { isWordCharacter, Tokens } from './tokens'
 
 /** Dates and times are no coordinates. */
@@ -146,7 +147,8 @@ export function tablesOfLines(text: string): TextLines {
     for (const [i, run] of read.runs.entries()) {
       if (run.values.length === 3 || run.values.length === 4) points++
       if (run.values.length < 3) continue
-      const key = `${cuts} ${run.values.length} ${all ? '' : i} ${read.skeleton}`
+      const title = isNoPointTitle(heading) ? heading.join(' ') : ''
+      const key = `${cuts} ${run.values.length} ${all ? '' : i} ${read.skeleton} ${title}`
       let group = groups.get(key)
       if (group === undefined) {
         const titles = read.runs.length === 1 ? headerOf(before, run.values.length) : null
@@ -213,6 +215,11 @@ function mixture(groups: readonly Group[], mentions: readonly Mention[]): string
     }
   }
   return null
+}
+
+/** Under "Jacobian:" and its kin stand no points, however they are written. */
+function isNoPointTitle(heading: readonly string[]): boolean {
+  return heading.some(word => NO_POINT_NAME.test(word))
 }
 
 function headerOf(line: Line | null, count: number): readonly string[] | null {
