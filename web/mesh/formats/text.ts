@@ -146,7 +146,8 @@ function isHeading(text: string, from: number): boolean {
 
 function nothingIn(text: string, numbers: number, points: number): string {
   if (text.trim() === '') return 'there is no text in it.'
-  const seen = `${numbers} ${numbers === 1 ? 'number was' : 'numbers were'} found; an element needs 24.`
+  const need = numbers < 24 ? 'an element needs 24' : 'but no eight points of three numbers that belong together'
+  const seen = `${numbers} ${numbers === 1 ? 'number was' : 'numbers were'} found${numbers < 24 ? ';' : ','} ${need}.`
   return points > 0 && 3 * points !== numbers
     ? `${seen} ${points} ${points === 1 ? 'point' : 'points'} of three coordinates ${points === 1 ? 'is' : 'are'} among them; an element has 8.`
     : seen

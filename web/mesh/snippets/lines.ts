@@ -2,8 +2,9 @@
  * Numbers on lines that are written alike: tables, logs, CSV, LaTeX, what programs print of an element's points. Lines that differ in
  * their numbers alone belong together, wherever they stand in the text.
  */
-import { titledColumns } from './point-set'
+
 import type { NumberTable } from './number-table'
+import { titledColumns } from './point-set'
 import { NO_POINT_NAME } from './table-names'
 import { isWordCharacter, Tokens } from './tokens'
 

@@ -48,22 +48,20 @@ export function withAxesJoined(tables: readonly NumberTable[]): NumberTable[] {
 }
 
 /** A list of different integers, as many as the points in the list behind it, has their ids, if cells follow. */
-export function withIdsJoined(tables: readonly NumberTable[]): NumberTable[] {
-  const joined: NumberTable[] = []
-  for (const [i, table] of tables.entries()) {
-    const before = joined.at(-1)
-    const [ids, ...others] = before?.rows ?? []
-    const values = table.rows.flat()
-    const isPoints = values.length === 3 * (ids?.length ?? 0) && !areAllIntegers(table) && table.ids === null
-    const areIds = before !== undefined && others.length === 0 && areAllIntegers(before) && areDistinct(ids ?? [])
-    const areCellsBehind = tables
-      .slice(i + 1, i + 4)
-      .some(other => areAllIntegers(other) && other.rows.flat().length >= EIGHT)
-    if (!isPoints || !areIds || !areCellsBehind || values.length < COORDINATES) joined.push(table)
-    else
-      joined.splice(-1, 1, { ...table, rows: inRowsOf(values, 3), integers: [false, false, false], ids: ids ?? null })
-  }
-  return joined
+export function withIdsJoined(tables: readonly NumberTable[]): readonly NumberTable[] {
+  const i = tables.findIndex(table => numberCount(table) >= COORDINATES)
+  const [before, points] = [tables[i - 1], tables[i]]
+  if (before === undefined || points === undefined || before.rows.length !== 1 || !areAllIntegers(before)) return tables
+  const ids = before.rows[0] as readonly number[]
+  const areCellsBehind = tables.slice(i + 1, i + 4).some(other => areAllIntegers(other) && numberCount(other) >= EIGHT)
+  if (numberCount(points) !== 3 * ids.length || points.ids !== null || !areDistinct(ids) || !areCellsBehind)
+    return tables
+  const joined = { ...points, rows: inRowsOf(points.rows.flat(), 3), integers: [false, false, false], ids }
+  return [...tables.slice(0, i - 1), joined, ...tables.slice(i + 1)]
+}
+
+function numberCount({ rows }: NumberTable): number {
+  return rows.reduce((count, row) => count + row.length, 0)
 }
 
 /** The points that a table may be; null if it is no table of points. */
