@@ -120,7 +120,7 @@ export const refusedMeshes: readonly Known[] = [
     instead: 'ParaView opens its .case and saves .vtu',
   },
   {
-    is: has(/^\s*PATRAN NEUTRAL|^25 {7}0 {7}0 {7}1 {7}0|^26 {7}0 {7}0 {7}1\s+\d+\s+\d+\s+\d+\s+\d+\s+\d+\s*$/m),
+    is: has(/^[ \t]{0,40}PATRAN NEUTRAL|^25 {7}0 {7}0 {7}1 {7}0|^26 {7}0 {7}0 {7}1\s+\d+\s+\d+\s+\d+\s+\d+\s+\d+\s*$/m),
     what: 'a Patran neutral file',
     instead: 'Patran exports it as NASTRAN, which is read',
   },
@@ -146,7 +146,7 @@ export const refusedMeshes: readonly Known[] = [
     instead: 'Mentat exports it as Abaqus .inp or NASTRAN',
   },
   {
-    is: has(/^\s*\(----Tochnog|^[ \t]*number_of_space_dimensions\s|^[ \t]*echo\s+-(?:yes|no)\b/m),
+    is: has(/^[ \t]{0,20}\(----Tochnog|^[ \t]*number_of_space_dimensions\s|^[ \t]*echo\s+-(?:yes|no)\b/m),
     what: 'a Tochnog input file',
     instead: 'GiD or Gmsh, which write it, write .msh as well',
   },
