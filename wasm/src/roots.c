@@ -73,7 +73,7 @@ static int inner_sign(const double *p, int degree, int from, int direction) {
    a root of even multiplicity is not lost. */
 static int sign_at_extremum(const double *p, int degree, double t) {
   double magnitudes[HL_QUARTIC], slope;
-  for (int i = 0; i <= degree; ++i) magnitudes[i] = p[i] < 0 ? -p[i] : p[i];
+  for (int i = 0; i <= degree; ++i) magnitudes[i] = fabs(p[i]);
   double value = value_at(p, degree, t, &slope);
   double error = LEVEL_ROUNDINGS * degree * UNIT_ROUNDOFF * value_at(magnitudes, degree, t, &slope);
   return value > error ? 1 : value < -error ? -1 : 0;
