@@ -7,7 +7,7 @@
 /* Doubles below 1 are at most this far apart: a shorter bracket says nothing more about a weight 1-t. */
 #define FINEST UNIT_ROUNDOFF
 
-static int sign_of(double x) { return (x > 0) - (x < 0); }
+HL_INLINE int sign_of(double x) { return (x > 0) - (x < 0); }
 
 /* Value and slope at t by de Casteljau's scheme. */
 static double value_at(const double *p, int degree, double t, double *slope) {

@@ -9,13 +9,13 @@
 
 enum { EXPONENT_BIAS = 1023, LEAST_NORMAL = -1022, GREATEST = 1023 };
 
-static uint64_t bits_of(double x) {
+HL_INLINE uint64_t bits_of(double x) {
   uint64_t bits;
   memcpy(&bits, &x, sizeof bits);
   return bits;
 }
 
-static double power_of_two(int exponent) { /* LEAST_NORMAL <= exponent <= GREATEST */
+HL_INLINE double power_of_two(int exponent) { /* LEAST_NORMAL <= exponent <= GREATEST */
   uint64_t bits = (uint64_t)(exponent + EXPONENT_BIAS) << 52;
   double x;
   memcpy(&x, &bits, sizeof x);
@@ -76,7 +76,7 @@ static void subtract_vertices(const double p[8][3], int axis, edge_vectors *edge
     }
 }
 
-static double larger_magnitude(double greatest, double x) { return fabs(x) > greatest ? fabs(x) : greatest; }
+HL_INLINE double larger_magnitude(double greatest, double x) { return fabs(x) > greatest ? fabs(x) : greatest; }
 
 void scaled_edge_vectors(const double vertices[24], edge_vectors *edges) {
   double p[8][3];
