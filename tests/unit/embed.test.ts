@@ -45,7 +45,7 @@ it('what a label says does not end its attribute, and what an element has by its
 
 it('every part can be chosen, but for what is always there and the panel that asks', () => {
   const chosen = parts
-    .filter(part => !part.always && part.name !== 'embed' && !pageParts.includes(part))
+    .filter(part => !part.always && !part.with && part.name !== 'embed' && !pageParts.includes(part))
     .map(({ name }) => name)
   expect(embeddableViews.map(({ name }) => name).toSorted()).toEqual(chosen.toSorted())
 })

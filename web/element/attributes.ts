@@ -111,7 +111,7 @@ function direction(azimuthDegrees: number, elevationDegrees: number): Vec3 {
 
 /** Panels that only some page adds are passed over where they are not. */
 function readViews(text: string): readonly string[] {
-  const known = parts.filter(part => !part.always).map(part => part.name)
+  const known = parts.filter(part => !part.always && !part.with).map(part => part.name)
   const elsewhere: readonly string[] = PANELS.filter(name => !known.includes(name))
   const given = text.split(/[\s,]+/).filter(word => !elsewhere.includes(word))
   return words('views', given.join(' '), known)

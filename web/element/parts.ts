@@ -5,6 +5,7 @@ import { createAnnouncer } from '../views/announcer/announcer'
 import { certificateStyles, createCertificate } from '../views/certificate/certificate'
 import { checksStyles, createChecks } from '../views/checks/checks'
 import { createProblems, problemsStyles } from '../views/problems/problems'
+import { createReading, readingStyles } from '../views/reading/reading'
 import { createScene, prepareScene, sceneStyles } from '../views/scene/scene'
 import { createToolbar, toolbarStyles } from '../views/toolbar/toolbar'
 import { createVerdict, verdictStyles } from '../views/verdict/verdict'
@@ -24,6 +25,8 @@ export interface Part {
   readonly prepare?: () => void
   /** Shown whatever the attribute says. */
   readonly always?: true
+  /** Shown where the part of this name is, and not named itself. */
+  readonly with?: string
   /** Left out where the element cannot be changed. */
   readonly changes?: true
   /** Of an element: what is asked of the core for this part alone. `onNews` asks for a frame. */
@@ -40,6 +43,7 @@ export const parts: readonly Part[] = [
   { name: 'toolbar', place: 'head', create: createToolbar, styles: toolbarStyles },
   { name: 'problems', place: 'head', create: createProblems, styles: problemsStyles, always: true },
   { name: 'announcer', place: 'head', create: createAnnouncer, styles: '', always: true },
+  { name: 'reading', place: 'panel', create: createReading, styles: readingStyles, with: 'paste', changes: true },
   { name: 'verdict', place: 'panel', create: createVerdict, styles: verdictStyles },
   { name: 'proof', place: 'panel', create: createCertificate, styles: certificateStyles },
   { name: 'checks', place: 'panel', create: createChecks, styles: checksStyles },

@@ -42,3 +42,10 @@ export function isEllipsis(line: string): boolean {
   const text = line.trim()
   return text.length > 0 && text.length <= LONGEST_ELLIPSIS && (DOTS.test(text) || WORDS.test(text))
 }
+
+/** What is said of points that are taken as they come. */
+export function orderOfText(cellCount: number): string {
+  return cellCount === 1
+    ? 'Eight points taken in the order of the text.'
+    : 'Points taken in the order of the text, eight for each element.'
+}

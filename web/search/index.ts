@@ -1,5 +1,5 @@
 /** Searches in the browser: the wasm and the workers as the built page serves them. */
-import { batchModule } from '../core/batch'
+import { batchModule } from '../core/batch/module'
 import type { WorkerPort } from './messages'
 import type { Workforce } from './search'
 

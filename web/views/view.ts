@@ -5,12 +5,20 @@ import type { Morph } from '../core/morph'
 import type { Nearest } from '../core/nearest/nearest'
 import type { JacobianReport, Report } from '../core/report'
 import type { Surface } from '../core/zero-surface'
+import type { InputHost, Reading } from '../input/reading'
 import type { Vertices } from '../model/hexahedron'
 import type { Cameras, Dispatch, State } from '../model/state'
 
 /** Something that keeps the page from its full work, as a sentence for people. */
 export interface Problem {
-  readonly code: 'core-failed' | 'no-webgl' | 'context-lost' | 'link-broken' | 'input-refused' | `bad-${string}`
+  readonly code:
+    | 'core-failed'
+    | 'no-webgl'
+    | 'context-lost'
+    | 'link-broken'
+    | 'input-refused'
+    | 'not-read'
+    | `bad-${string}`
   readonly message: string
 }
 
@@ -37,11 +45,6 @@ export interface TriedOrders {
   readonly count: number
   /** The one with the greatest minimum first. */
   readonly helpful: readonly HelpfulOrder[]
-}
-
-/** What was pasted or dropped on the element; each is an object of its own. */
-export interface Offer {
-  readonly content: string | File
 }
 
 /** Parts that can be taken away as pictures. */
@@ -85,8 +88,8 @@ export interface Frame {
   readonly zeroSurface: Surface | null
   /** DF at `state.probe`; null where nothing is pointed at, or there is no report. */
   readonly probe: JacobianReport | null
-  /** The last thing pasted or dropped; null before the first. */
-  readonly offer: Offer | null
+  /** What has become of the last thing pasted, dropped or opened; null before the first, and once it is put away. */
+  readonly reading: Reading | null
   /** The views last asked for, from which the reader may have turned since; null before the first, each an object of its own. */
   readonly cameras: Cameras | null
   /** Null unless its panel is open; while a gesture runs, the way as it was before. */
@@ -128,6 +131,7 @@ export interface ViewHost {
   permalink(): string
   /** A part's picture; null while that part is not on the page. */
   figure(name: FigureName): Figure | null
+  readonly input: InputHost
 }
 
 export type CreateView = (host: ViewHost) => View

@@ -6,6 +6,7 @@ import { hexahedronOfFaces } from '../hexahedron-of-faces'
 import type { Mesh } from '../mesh'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { printedDigits } from '../precision'
+import { orderOfText } from '../snippet-text'
 import { shown } from '../text-cursor'
 import {
   areAllIntegers,
@@ -61,14 +62,17 @@ export function meshOfTables(all: readonly NumberTable[], origin: Origin): Mesh 
   const parts = pairs(tables, sets, builder)
   if (parts.length > 0) {
     for (const { set, cells } of parts) addCells(set, cells, builder)
-    if (origin.hasOwnOrder) builder.isOrderStated = false
+    if (origin.hasOwnOrder) {
+      builder.isOrderStated = false
+      builder.note('The nodes of each cell are taken in the order of the text.')
+    }
   } else {
     refuseLeftCells(tables, sets, builder)
     const bare = sets.filter(({ table }) => !isNamed(table, NO_POINT_NAME))
     refuseMixedIntegers(bare, builder)
     if (addEights(bare, builder) === 0) return null
     builder.isOrderStated = false
-    builder.note('The text names no cells: its points are taken in their order, eight for each element.')
+    builder.note(orderOfText(builder.cellCount))
   }
   if (builder.cellCount === 0 && parts.length === 0) return null
   const digits = sets.reduce((most, { table }) => Math.max(most, table.digits), 0)

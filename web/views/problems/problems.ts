@@ -6,7 +6,7 @@ import css from './problems.css?inline'
 export const problemsStyles = css
 
 /** Those that concern something that happened, not something that still is. */
-const dismissible: ReadonlySet<Problem['code']> = new Set(['link-broken', 'input-refused'])
+const dismissible: ReadonlySet<Problem['code']> = new Set(['link-broken', 'input-refused', 'not-read'])
 
 class ProblemsView implements View {
   readonly root = document.createElement('div')
