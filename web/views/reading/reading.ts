@@ -71,10 +71,10 @@ class ReadingView implements View {
     const isList = reading.cells.count > 1
     if (!isList && cell === null) return nothing
     return html`<p class="status">
-        <span>${statusSentence(reading)}</span>
+        <span>${statusSentence(reading)}${isList && cell === null ? ' Choose one to look at it.' : ''}</span>
         ${isList ? html`<button type="button" @click=${() => this.#host.input.close()}>Put away</button>` : nothing}
       </p>
-      ${notes(reading, cell)} ${isList ? this.#list?.root : nothing}
+      ${isList ? this.#list?.root : nothing} ${notes(reading, cell)}
       ${cell && this.#order(reading, cell, isValid)}`
   }
 
