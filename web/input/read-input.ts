@@ -16,10 +16,7 @@ export interface ReadInputOptions {
 const START_WITHIN = 60_000
 
 /** Never settles once the signal has aborted; the worker is ended then. */
-export async function readInput(
-  input: PastedInput,
-  { signal, onProgress }: ReadInputOptions,
-): Promise<ReadingOutcome> {
+export async function readInput(input: PastedInput, { signal, onProgress }: ReadInputOptions): Promise<ReadingOutcome> {
   let worker: Worker
   try {
     worker = await startWorker()

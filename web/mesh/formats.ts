@@ -42,8 +42,8 @@ export const formats: readonly MeshFormat[] = [
   blockMeshDict,
   ncdump,
   obj,
-  link,
   picture,
+  link,
   refused,
   text, // last: what no other claims
 ]

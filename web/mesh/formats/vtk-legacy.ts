@@ -7,6 +7,7 @@ import { lineAt, NumberRun } from '../number-run'
 import { isEllipsis } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
+import { VTK_HEXAHEDRON } from './vtk-cells'
 import { MOST_IMPLIED_CELLS, type Precision, VtkMesh } from './vtk-mesh'
 import { NUMBER_SIZES, type NumberList, type NumberType, putNumbers, swapBytes } from './vtu-arrays'
 
@@ -484,10 +485,11 @@ class LegacyDataset {
       mesh.addStructured(() => this.#structuredPoints(sizes), sizes, this.#precision())
     } else {
       if (this.#points === null) this.#refuseAt(end, 'the file ends, and no section POINTS was there.')
-      const missing = this.#cells === null ? 'CELLS' : this.#types === null ? 'CELL_TYPES' : null
+      const areTypesLeftOut = this.#types === null && !this.#hasHeader
+      const missing = this.#cells === null ? 'CELLS' : this.#types === null && !areTypesLeftOut ? 'CELL_TYPES' : null
       if (missing !== null) this.#refuseAt(end, `the file ends, and no section ${missing} was there.`)
       const { connectivity, ends, declared } = this.#cells as Cells
-      const types = this.#types as Uint8Array
+      const types = this.#types ?? typesOfSizes(ends)
       const whole = Math.min(types.length, ends.length)
       mesh.add({
         points: this.#points,
@@ -499,6 +501,12 @@ class LegacyDataset {
         hasFaceStreams: true,
         precision: this.#precision(),
       })
+      if (areTypesLeftOut) {
+        mesh.note(
+          'The text has no CELL_TYPES: cells of eight points are taken for hexahedra (type 12), in the order of the text.',
+        )
+        return { ...mesh.mesh(), isOrderStated: false }
+      }
     }
     mesh.coordinatePlaces = this.#places()
     return mesh.mesh()
@@ -564,4 +572,14 @@ class LegacyDataset {
       ),
     )
   }
+}
+
+const EMPTY_CELL = 0
+
+/** For a part of a file that leaves the types out: hexahedra by their eight points, the others unknown. */
+function typesOfSizes(ends: { readonly length: number; readonly [cell: number]: number }): Uint8Array {
+  return Uint8Array.from({ length: ends.length }, (_, cell) => {
+    const size = (ends[cell] as number) - (cell === 0 ? 0 : (ends[cell - 1] as number))
+    return size === 8 ? VTK_HEXAHEDRON : EMPTY_CELL
+  })
 }

@@ -553,6 +553,9 @@ function addFaces(faces: readonly (readonly number[])[], builder: MeshBuilder): 
   } else builder.otherCell('quadrilateral', faces.length)
 }
 
+/** What makes a list in some language, and names none. */
+const IS_LIST = /(?:^|\.)(?:array|matrix|list|vector)$/i
+
 /** How many elements were added. */
 function addEights(sets: readonly PointSet[], builder: MeshBuilder): number {
   let count = 0
@@ -563,7 +566,7 @@ function addEights(sets: readonly PointSet[], builder: MeshBuilder): number {
       const first = builder.pointCount
       for (const [x, y, z] of points.slice(EIGHT * i, EIGHT * (i + 1)))
         builder.point(x as number, y as number, z as number)
-      const name = table.names.at(-1)
+      const name = table.names.findLast(word => !IS_LIST.test(word))
       const label = labels?.[EIGHT * i] ?? (name === undefined ? null : whole === 1 ? name : `${name}, ${i}`)
       const index = STRAIGHT.map(v => first + v)
       builder.hexahedron(index, label !== null && /^\d{1,15}$/.test(label) ? Number(label) : label)

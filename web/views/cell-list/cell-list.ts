@@ -157,9 +157,11 @@ export class CellList {
     if (wanted === '') return
     const cell = this.cells.find(wanted, this.cells.at(this.#active).cell)
     this.#message = cell === null ? `There is no cell ${wanted}.` : ''
-    if (cell === null) return this.#render()
-    this.#goTo(this.cells.placeOf(cell))
-    this.#box?.focus()
+    if (cell === null) this.#render()
+    else {
+      this.#goTo(this.cells.placeOf(cell))
+      this.#box?.focus()
+    }
   }
 
   /** Makes a place the active one, and has it seen. */
