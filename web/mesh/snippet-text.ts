@@ -25,16 +25,25 @@ export function isText(head: Uint8Array): boolean {
   return utf16Of(head) !== null || !head.includes(0)
 }
 
-const latin1 = new TextDecoder('latin1')
-
-/** The first bytes of a file as text in which marks of a format are looked for. */
+/**
+ * The first bytes of a file as text in which marks of a format are looked for: each byte one character. A TextDecoder for “latin1” makes
+ * other characters of the bytes 0x80 to 0x9f, in browsers.
+ */
 export function headText(head: Uint8Array, most = head.length): string {
-  return latin1.decode(head.subarray(0, most))
+  const bytes = head.subarray(0, most)
+  let text = ''
+  for (let from = 0; from < bytes.length; from += PIECE)
+    text += String.fromCharCode(...bytes.subarray(from, from + PIECE))
+  return text
 }
 
+/** Bytes: so many arguments are no burden to a call. */
+const PIECE = 8192
+
 const LONGEST_ELLIPSIS = 200
-/** "...", "[...]", "# ... 3000 more", a dot or a colon alone, and the characters for dots as the bytes of UTF-8 look in Latin 1. */
-const DOTS = /^[[({<*#/%!;,|\s-]*(?:\.\.|\. \.|\u2026|\u22ee|\u00e2\u0080\u00a6|\u00e2\u008b\u00ae|[.:]$)/
+/** "...", "[...]", "# ... 3000 more", a dot or a colon alone, and the characters for dots as the bytes of UTF-8 look in Latin 1 and in Windows-1252. */
+const DOTS =
+  /^[[({<*#/%!;,|\s-]*(?:\.\.|\. \.|\u2026|\u22ee|\u00e2(?:\u0080|\u20ac)\u00a6|\u00e2(?:\u008b|\u2039)\u00ae|[.:]$)/
 const WORDS = /^[[({<*#/%!;,|\s-]*(?:snip|cut|omitted|truncated|skipped|etc)\b/i
 
 /** Whether a line stands for what was left out. */

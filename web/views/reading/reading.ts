@@ -55,21 +55,20 @@ class ReadingView implements View {
 
   #render(reading: Reading | null, cell: ShownCell | null, isValid: boolean | null): void {
     render(
-      html`<p class="said" aria-live="polite">${reading && reading.state !== 'refused' ? heard(reading) : ''}</p>
+      html`<p class="said" aria-live="polite">${reading && isSaid(reading, cell) ? heard(reading) : ''}</p>
         ${reading && this.#content(reading, cell, isValid)}`,
       this.root,
     )
   }
 
   #content(reading: Reading, cell: ShownCell | null, isValid: boolean | null): TemplateResult | typeof nothing {
-    if (reading.state === 'refused') return nothing
+    if (reading.state === 'refused' || !isSaid(reading, cell)) return nothing
     if (reading.state === 'under-way')
       return html`<p class="status">
         <span>${statusSentence(reading)}</span>
         <button type="button" @click=${() => this.#host.input.close()}>Cancel</button>
       </p>`
     const isList = reading.cells.count > 1
-    if (!isList && cell === null) return nothing
     return html`<p class="status">
         <span>${statusSentence(reading)}${isList && cell === null ? ' Choose one to look at it.' : ''}</span>
         ${isList ? html`<button type="button" @click=${() => this.#host.input.close()}>Put away</button>` : nothing}
@@ -96,6 +95,11 @@ class ReadingView implements View {
     const focus = () => this.root.querySelector<HTMLElement>('.order')?.focus({ preventScroll: true })
     requestAnimationFrame(() => requestAnimationFrame(focus))
   }
+}
+
+/** A refusal is said elsewhere, and one element only for as long as it is what was read. */
+function isSaid(reading: Reading, cell: ShownCell | null): boolean {
+  return reading.state === 'under-way' || (reading.state === 'read' && (reading.cells.count > 1 || cell !== null))
 }
 
 /** Without percentages, which would be read out one after the other. */
