@@ -92,6 +92,14 @@ const batchWorker = {
   plugins: [],
 }
 
+/** In no module format: from another origin a worker asks for it by importScripts. */
+const meshWorker = {
+  file: 'hexlens.mesh-worker.js',
+  format: 'iife',
+  entry: source('input/worker.ts'),
+  plugins: [insideOneFile],
+}
+
 const bundles = [
   { file: 'hexlens.es.js', format: 'es', entry: ours('hexlens.ts'), plugins: [insideOneFile, modestLit, leanThree] },
   { file: 'hexlens.iife.js', format: 'iife', entry: ours('script.ts'), plugins: [insideOneFile, modestLit, leanThree] },
@@ -104,6 +112,8 @@ const bundles = [
   { file: 'hexlens.core.js', format: 'es', entry: ours('core.ts'), plugins: [insideOneFile] },
   { file: 'hexlens.batch.js', format: 'es', entry: ours('batch.ts'), plugins: [insideOneFile] },
   batchWorker,
+  { file: 'hexlens.mesh.js', format: 'es', entry: ours('mesh.ts'), plugins: [insideOneFile] },
+  meshWorker,
   {
     file: 'hexlens.anywidget.js',
     format: 'es',
@@ -162,7 +172,8 @@ function configOf({ file, format, entry, plugins }, where) {
       lib: { entry, formats: [format], name: 'hexlens', fileName: () => file },
       rolldownOptions: {
         output: { codeSplitting: false, minify: true, postBanner: BANNER },
-        checks: { bundlerTimings: false },
+        // A plain script has no import.meta and does without.
+        checks: { bundlerTimings: false, emptyImportMeta: false },
       },
     },
   }
@@ -173,7 +184,7 @@ async function writeTypes(outDir) {
   rmSync(outDir, { recursive: true, force: true })
   const project = join(root, 'tsconfig.types.json')
   await must(process.execPath, [tsc, '-p', project, '--outDir', outDir], 'The types were not written.')
-  const named = new Set(['package/hexlens', 'package/core', 'package/batch'].map(name => join(outDir, `${name}.d.ts`)))
+  const named = new Set(['package/hexlens', 'package/core', 'package/batch', 'package/mesh'].map(name => join(outDir, `${name}.d.ts`)))
   for (const path of named) {
     const text = readFileSync(path, 'utf8').replace(/(from |import\()'(\.[^']+)'/g, (_, before, name) => {
       named.add(join(dirname(path), `${name}.d.ts`))

@@ -143,16 +143,20 @@ function isLess({ relativeMinima, classes }: Answers, cell: number, bound: numbe
 }
 
 /** The blocks are gone through when a cell's is first asked for. */
-function blocksByCell({ cells, blocks }: Mesh): (cell: number) => string | null {
-  let places: Uint32Array | undefined
+function blocksByCell(mesh: Mesh): (cell: number) => string | null {
+  let places: Uint32Array | null | undefined
   return cell => {
-    if (blocks.length === 0) return null
-    if (!places) {
-      places = new Uint32Array(cells.length / 8).fill(blocks.length)
-      for (let i = blocks.length - 1; i >= 0; --i) for (const own of blocks[i]?.cells ?? []) places[own] = i
-    }
-    return blocks[places[cell] as number]?.name ?? null
+    places ??= firstBlocks(mesh)
+    return mesh.blocks[places?.[cell] ?? mesh.blocks.length]?.name ?? null
   }
+}
+
+/** For each cell the place of the first block that it is in, the count of blocks where it is in none; null without blocks. */
+export function firstBlocks({ cells, blocks }: Mesh): Uint32Array | null {
+  if (blocks.length === 0) return null
+  const places = new Uint32Array(cells.length / 8).fill(blocks.length)
+  for (let i = blocks.length - 1; i >= 0; --i) for (const own of blocks[i]?.cells ?? []) places[own] = i
+  return places
 }
 
 /** 0 all valid; 1 invalid ones, or some below the bound; 2 unreadable; 3 nothing invalid, but not all could be answered. */

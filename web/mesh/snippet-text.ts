@@ -38,6 +38,9 @@ export function headText(head: Uint8Array, most = head.length): string {
   return text
 }
 
+/** Bytes: so many arguments are no burden to a call. */
+const PIECE = 8192
+
 const LONGEST_ELLIPSIS = 200
 /** "...", "[...]", "# ... 3000 more", a dot or a colon alone, and the characters for dots as the bytes of UTF-8 look in Latin 1 and Windows'. */
 const DOTS =
@@ -48,4 +51,11 @@ const WORDS = /^[[({<*#/%!;,|\s-]*(?:snip|cut|omitted|truncated|skipped|etc)\b/i
 export function isEllipsis(line: string): boolean {
   const text = line.trim()
   return text.length > 0 && text.length <= LONGEST_ELLIPSIS && (DOTS.test(text) || WORDS.test(text))
+}
+
+/** What is said of points that are taken as they come. */
+export function orderOfText(cellCount: number): string {
+  return cellCount === 1
+    ? 'Eight points taken in the order of the text.'
+    : 'Points taken in the order of the text, eight for each element.'
 }

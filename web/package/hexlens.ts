@@ -5,5 +5,6 @@ import { coreInside } from './core-inside'
 
 export { HexLens } from '../element/hex-lens'
 export { HexLensError, type HexLensErrorCode } from '../element/hex-lens-error'
+export { setMeshWorker } from './mesh-worker-beside'
 
-define({ core: coreInside, panels, otherPanels: ['nearest'] })
+define({ core: coreInside, panels, otherPanels: ['nearest'], readingWorker: readingWorkerBeside })

@@ -15,10 +15,6 @@ export interface Output {
   end(exit: ExitStatus): Iterable<string>
 }
 
+export { counted } from '../../mesh/check-summary'
 /** Names of files and from files, for people. */
 export { shown, withoutControls } from '../../mesh/text-cursor'
-
-/** "1 wedge", "2 wedges". */
-export function counted(count: number, one: string, many: string): string {
-  return `${count} ${count === 1 ? one : many}`
-}

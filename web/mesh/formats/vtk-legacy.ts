@@ -12,6 +12,7 @@ import { readCellData } from './vtk-legacy-data'
 import { LegacyStream, lineThatBegins } from './vtk-legacy-stream'
 import { type Precision, VtkMesh } from './vtk-mesh'
 import { NUMBER_SIZES, type NumberType } from './vtu-arrays'
+import { VTK_HEXAHEDRON } from './vtk-cells'
 
 const MAGIC = '# vtk DataFile Version'
 /** A part of a file that somebody has cut out begins with one of its sections. */
@@ -242,10 +243,11 @@ class LegacyDataset {
       const isEmpty = this.#declaredPoints === 0 && this.#cells === null
       if (isEmpty) this.#cells = { connectivity: new Uint32Array(0), ends: new Uint32Array(0), declared: 0 }
       if (isEmpty) this.#types = new Uint8Array(0)
-      const missing = this.#cells === null ? 'CELLS' : this.#types === null ? 'CELL_TYPES' : null
+      const areTypesLeftOut = this.#types === null && !this.#hasHeader
+      const missing = this.#cells === null ? 'CELLS' : this.#types === null && !areTypesLeftOut ? 'CELL_TYPES' : null
       if (missing !== null) this.#stream.refuseAt(end, `the file ends, and no section ${missing} was there.`)
       const { connectivity, ends, declared } = this.#cells as LegacyCells
-      const types = this.#types as Uint8Array
+      const types = this.#types ?? typesOfSizes(ends)
       const whole = Math.min(types.length, ends.length)
       mesh.add({
         points: this.#points,
@@ -258,6 +260,12 @@ class LegacyDataset {
         precision: this.#precision(),
         cellData: this.#cellData,
       })
+      if (areTypesLeftOut) {
+        mesh.note(
+          'The text has no CELL_TYPES: cells of eight points are taken for hexahedra (type 12), in the order of the text.',
+        )
+        return { ...mesh.mesh(), isOrderStated: false }
+      }
     }
     mesh.steps = this.#time === null ? [] : [this.#time]
     mesh.coordinatePlaces = this.#places()
@@ -327,4 +335,14 @@ class LegacyDataset {
       ),
     )
   }
+}
+
+const EMPTY_CELL = 0
+
+/** For a part of a file that leaves the types out: hexahedra by their eight points, the others unknown. */
+function typesOfSizes(ends: { readonly length: number; readonly [cell: number]: number }): Uint8Array {
+  return Uint8Array.from({ length: ends.length }, (_, cell) => {
+    const size = (ends[cell] as number) - (cell === 0 ? 0 : (ends[cell - 1] as number))
+    return size === 8 ? VTK_HEXAHEDRON : EMPTY_CELL
+  })
 }

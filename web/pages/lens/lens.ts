@@ -3,8 +3,6 @@
  * entry of the history, so that reload, Back and Forward return to the same place.
  */
 import { presets, presetVertices } from '../../model/presets'
-import '../element'
-import { onPaste } from '../../element/offers'
 import { historyStep } from '../../element/shortcuts'
 import { decodePermalink } from '../../model/permalink'
 import { keepPlace, type Place, placeAt, presentEntry } from '../places'
@@ -86,5 +84,5 @@ addEventListener('keydown', event => {
   lens[step]()
 })
 addEventListener('paste', event => {
-  if (event.target === document.body) onPaste(event, offer => lens.offer(offer))
+  if (event.target === document.body) onPaste(event, input => lens.offer('text' in input ? input.text : input.files))
 })

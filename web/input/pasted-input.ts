@@ -1,21 +1,23 @@
-/** What a reader pastes or drops on the element: text, or one file. Text fields keep theirs. */
-import type { Offer } from '../views/view'
+/** What a reader pastes, drops or opens: a text, or files that may belong together. Text fields keep their own. */
+
+export type PastedInput = { readonly text: string } | { readonly files: readonly File[] }
 
 /** Null where there is nothing to read. */
-export function offerOf(transfer: DataTransfer | null): Offer | null {
-  const file = transfer?.files[0]
-  if (file) return { content: file }
+function inputOf(transfer: DataTransfer | null): PastedInput | null {
+  const files = Array.from(transfer?.files ?? [])
+  if (files.length > 0) return { files }
   const text = transfer?.getData('text/plain') ?? ''
-  return text === '' ? null : { content: text }
+  return text === '' ? null : { text }
 }
 
-export interface Taker {
+export interface InputListener {
   /** Whether anything is taken at all. */
   isWelcome(): boolean
-  take(offer: Offer): void
+  take(input: PastedInput): void
 }
 
-export function listenForOffers(shadow: ShadowRoot, lens: HTMLElement, { isWelcome, take }: Taker): void {
+/** Listens for what is pasted or dropped anywhere in an element; `lens` shows where a drop will be taken. */
+export function listenForInput(shadow: ShadowRoot, lens: HTMLElement, { isWelcome, take }: InputListener): void {
   shadow.addEventListener('paste', event => {
     if (isWelcome()) onPaste(event as ClipboardEvent, take)
   })
@@ -32,18 +34,18 @@ export function listenForOffers(shadow: ShadowRoot, lens: HTMLElement, { isWelco
   shadow.addEventListener('dragend', leave)
   shadow.addEventListener('drop', event => {
     leave()
-    const offer = isWelcome() && takesDrop(event as DragEvent) ? offerOf((event as DragEvent).dataTransfer) : null
-    if (offer === null) return
+    const input = isWelcome() && takesDrop(event as DragEvent) ? inputOf((event as DragEvent).dataTransfer) : null
+    if (input === null) return
     event.preventDefault()
-    take(offer)
+    take(input)
   })
 }
 
-export function onPaste(event: ClipboardEvent, take: (offer: Offer) => void): void {
-  const offer = event.defaultPrevented || isTextField(event.composedPath()[0]) ? null : offerOf(event.clipboardData)
-  if (offer === null) return
+export function onPaste(event: ClipboardEvent, take: (input: PastedInput) => void): void {
+  const input = event.defaultPrevented || isTextField(event.composedPath()[0]) ? null : inputOf(event.clipboardData)
+  if (input === null) return
   event.preventDefault()
-  take(offer)
+  take(input)
 }
 
 /** A file is never a text field's: the browser would leave the page for it. */
