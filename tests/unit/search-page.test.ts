@@ -1,7 +1,6 @@
 /** The form of a search in the address, and what is kept in a browser's storage, whatever that does. */
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { readHexahedron } from '../../web/cli/read-hexahedra'
-import { readElements } from '../../web/model/import/import'
 import {
   decodeForm,
   encodeForm,
@@ -14,7 +13,6 @@ import {
 import { readQuest } from '../../web/pages/search/hunt/quest'
 import { exported, Kept } from '../../web/pages/search/kept'
 import { Spokesman } from '../../web/pages/search/spokesman'
-import { readHexahedron } from '../../web/cli/read-hexahedra'
 import { entry, unitCube } from './core-fixtures'
 import { readText, verticesOf } from './mesh-expectations'
 

@@ -2,12 +2,20 @@
 import { whenReleased } from '../core/worker-lock'
 import type { ReadingAnswer } from './messages'
 import type { PastedInput } from './pasted-input'
-import { blocked, startWorker } from './start-worker'
 
 export type ReadingOutcome = Extract<ReadingAnswer, { kind: 'read' | 'refused' }>
 export type ReadingProgress = Extract<ReadingAnswer, { kind: 'progress' }>
 
+/** Where the worker comes from: each build has it somewhere else. */
+export interface ReadingWorker {
+  /** Rejects where there is none to be had. */
+  start(): Promise<Worker>
+  /** What may be wrong where its script does not load. */
+  readonly blocked: string
+}
+
 export interface ReadInputOptions {
+  readonly readingWorker: () => Promise<ReadingWorker>
   readonly signal: AbortSignal
   readonly onProgress: (progress: ReadingProgress) => void
 }
@@ -16,10 +24,16 @@ export interface ReadInputOptions {
 const START_WITHIN = 60_000
 
 /** Never settles once the signal has aborted; the worker is ended then. */
-export async function readInput(input: PastedInput, { signal, onProgress }: ReadInputOptions): Promise<ReadingOutcome> {
+export async function readInput(
+  input: PastedInput,
+  { readingWorker, signal, onProgress }: ReadInputOptions,
+): Promise<ReadingOutcome> {
   let worker: Worker
+  let blocked: string
   try {
-    worker = await startWorker()
+    const source = await readingWorker()
+    blocked = source.blocked
+    worker = await source.start()
   } catch (reason) {
     return refusal(`${NEEDS_WORKER} (${reason instanceof Error ? reason.message : reason}).`)
   }

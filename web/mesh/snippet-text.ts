@@ -25,6 +25,7 @@ export function isText(head: Uint8Array): boolean {
   return utf16Of(head) !== null || !head.includes(0)
 }
 
+/** Bytes: so many arguments are no burden to a call. */
 const AT_ONCE = 8192
 
 /**
@@ -37,9 +38,6 @@ export function headText(head: Uint8Array, most = head.length): string {
     text += String.fromCharCode(...head.subarray(at, Math.min(most, at + AT_ONCE)))
   return text
 }
-
-/** Bytes: so many arguments are no burden to a call. */
-const PIECE = 8192
 
 const LONGEST_ELLIPSIS = 200
 /** "...", "[...]", "# ... 3000 more", a dot or a colon alone, and the characters for dots as the bytes of UTF-8 look in Latin 1 and Windows'. */

@@ -3,7 +3,6 @@
  * end first, so every bit arrives; the verdict goes to Python once a change is done.
  */
 import './hexlens'
-import '../element/hex-lens'
 import { setMeshWorker } from './mesh-worker-beside'
 
 type Lens = HTMLElementTagNameMap['hex-lens']

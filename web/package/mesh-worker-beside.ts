@@ -1,4 +1,5 @@
 /** The worker that reads is a file beside the script, which would be half as large again with it inside, and is loaded when it is needed. */
+import type { ReadingWorker } from '../input/read-input'
 
 const NAME = 'hexlens.mesh-worker.js'
 
@@ -13,12 +14,13 @@ export function setMeshWorker(address: string | URL | (() => Promise<string | UR
   findAddress = typeof address === 'function' ? address : async () => address
 }
 
-export async function startWorker(): Promise<Worker> {
-  const address = new URL(await findAddress(), document.baseURI)
-  if (address.origin === location.origin && address.protocol !== 'file:') return new Worker(address)
-  // A worker's first script must be of the page's own origin; those that it asks for need not.
-  const start = new Blob([`importScripts(${JSON.stringify(address.href)})`], { type: 'text/javascript' })
-  return new Worker(URL.createObjectURL(start))
+export const readingWorkerBeside: ReadingWorker = {
+  async start() {
+    const address = new URL(await findAddress(), document.baseURI)
+    if (address.origin === location.origin && address.protocol !== 'file:') return new Worker(address)
+    // A worker's first script must be of the page's own origin; those that it asks for need not.
+    const start = new Blob([`importScripts(${JSON.stringify(address.href)})`], { type: 'text/javascript' })
+    return new Worker(URL.createObjectURL(start))
+  },
+  blocked: `${NAME} was not loaded from beside the script, or a policy of the page forbids it`,
 }
-
-export const blocked = `${NAME} was not loaded from beside the script, or a policy of the page forbids it`

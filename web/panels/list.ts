@@ -12,6 +12,7 @@ import type { Panel } from './panel'
 import { paste } from './paste'
 import { problems } from './problems'
 import { proof } from './proof'
+import { reading } from './reading'
 import { scene } from './scene'
 import { takeAway } from './take-away'
 import { toolbar } from './toolbar'
@@ -22,6 +23,7 @@ export const panels: readonly Panel[] = [
   toolbar,
   problems,
   announcer,
+  reading,
   verdict,
   proof,
   checks,

@@ -7,12 +7,12 @@ import { isEllipsis } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 import type { CellData } from './vtk-cell-data'
+import { VTK_HEXAHEDRON } from './vtk-cells'
 import { type LegacyCells, readCells } from './vtk-legacy-cells'
 import { readCellData } from './vtk-legacy-data'
 import { LegacyStream, lineThatBegins } from './vtk-legacy-stream'
 import { type Precision, VtkMesh } from './vtk-mesh'
 import { NUMBER_SIZES, type NumberType } from './vtu-arrays'
-import { VTK_HEXAHEDRON } from './vtk-cells'
 
 const MAGIC = '# vtk DataFile Version'
 /** A part of a file that somebody has cut out begins with one of its sections. */

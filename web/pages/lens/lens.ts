@@ -3,7 +3,9 @@
  * entry of the history, so that reload, Back and Forward return to the same place.
  */
 import { presets, presetVertices } from '../../model/presets'
+import '../element'
 import { historyStep } from '../../element/shortcuts'
+import { onPaste } from '../../input/pasted-input'
 import { decodePermalink } from '../../model/permalink'
 import { keepPlace, type Place, placeAt, presentEntry } from '../places'
 import { scrollOf, scrollTo } from '../scroll'

@@ -2,8 +2,8 @@
 import { html, nothing, render } from 'lit-html'
 import type { Reading } from '../../input/reading'
 import { formatNames, otherInputs } from '../../mesh/format-names'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
 import { statusSentence } from '../reading/reading-words'
-import type { CreateView, Frame, View, ViewHost } from '../view'
 import css from './paste.css?inline'
 
 export const styles = css

@@ -1,9 +1,9 @@
-/** The core for batches as files beside the page's; the package's files take web/package/batch-inside.ts in its place. */
+/** The core for batches as files beside the page's. */
 import vectorUrl from '../../../build/hexlens-batch.wasm?url'
 import scalarUrl from '../../../build/hexlens-scalar.wasm?url'
 import { compiledOf } from './start'
 
-export function batchModule(): Promise<WebAssembly.Module> {
+export function batchFiles(): Promise<WebAssembly.Module> {
   return compiledOf({ vectors: () => bytesAt(vectorUrl), scalar: () => bytesAt(scalarUrl) })
 }
 
