@@ -96,17 +96,21 @@ function blankFences(bytes: Uint8Array): boolean {
   return true
 }
 
-/** What terminals take for colours: an escape, a bracket, numbers and a letter. */
+/** What terminals take for colours, if one of them ends another: an escape, a bracket, numbers and a letter. */
 function blankColours(bytes: Uint8Array): boolean {
-  let hasAny = false
+  const found: Line[] = []
+  let hasEnds = false
   for (let at = bytes.indexOf(ESCAPE); at >= 0; at = bytes.indexOf(ESCAPE, at + 1)) {
     if (bytes[at + 1] !== BRACKET) continue
     let end = at + 2
-    while (end < at + LONGEST_FENCE && ((bytes[end] as number) >> 4 === 3 || bytes[end] === SPACE)) end++
-    bytes.fill(SPACE, at, end + 1)
-    hasAny = true
+    // Digits, colons and semicolons.
+    while (end < at + LONGEST_FENCE && (bytes[end] as number) >> 4 === 3) end++
+    hasEnds ||= end === at + 2 || (bytes[at + 2] === ZERO && end === at + 3)
+    found.push({ from: at, to: Math.min(end + 1, bytes.length) })
   }
-  return hasAny
+  if (!hasEnds) return false
+  for (const { from, to } of found) bytes.fill(SPACE, from, to)
+  return true
 }
 
 function blankOddSpaces(bytes: Uint8Array): boolean {
