@@ -16,11 +16,7 @@ const TWIN = './hexlens.twin.js'
 
 /** What is another in one file. */
 const insides = {
-  [source('element/core-sources.ts')]: source('package/core-inside.ts'),
-  [source('cli/read-core.ts')]: source('element/fetch-core.ts'),
-  [source('cli/batch-sources.ts')]: source('package/batch-inside.ts'),
-  [source('element/page-parts.ts')]: source('package/no-page-parts.ts'),
-  [source('views/paste/start-reading-worker.ts')]: source('package/no-reading-worker.ts'),
+  [source('panels/paste/start-reading-worker.ts')]: source('package/no-reading-worker.ts'),
 }
 
 const insideOneFile = {
