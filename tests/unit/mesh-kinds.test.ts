@@ -254,6 +254,21 @@ test('a second heading of Abaqus begins another file', () => {
   expect(meshes.map(mesh => verticesOf(mesh, 0)[0])).toEqual([0, 4])
 })
 
+test('fences that hold files of different formats are read one by one', () => {
+  const nodes = (separator: string) => rows.map((row, i) => [i + 1, ...row].join(separator)).join('\n')
+  const gmsh = `$Nodes\n8\n${nodes(' ')}\n$EndNodes\n$Elements\n1\n3 5 2 1 1 1 2 3 4 5 6 7 8\n$EndElements`
+  const abaqus = `*Node\n${nodes(', ')}\n*Element, type=C3D8\n4, 1,2,3,4,5,6,7,8`
+  const text = `This:\n\`\`\`\n${gmsh}\n\`\`\`\nand that:\n\`\`\`inp\n${abaqus}\n\`\`\`\n`
+  const meshes = readMeshes(textFile('a.md', text))
+  expect(meshes.map(({ format, ids }) => [format, ...(ids ?? [])])).toEqual([
+    ['Gmsh', 3],
+    ['Abaqus', 4],
+  ])
+  expect(meshes.map(mesh => verticesOf(mesh, 0))).toEqual([flat, flat])
+  const parts = `nodes:\n\`\`\`\n${abaqus.split('*Element')[0]}\`\`\`\ncells:\n\`\`\`\n*Element${abaqus.split('*Element')[1]}\n\`\`\`\n`
+  expectElement(parts)
+})
+
 test('comments before the format of a Gmsh file', () => {
   const nodes = rows.map((row, i) => `${i + 1} ${row.join(' ')}`).join('\n')
   expectElement(
