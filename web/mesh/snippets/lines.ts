@@ -28,7 +28,9 @@ const POINT_WORD = /node|vert|point|pt|grid|corner|^id$|^p$|^v$|^n$/i
 const GOES_ON = /\d\s{0,9},\s{0,9}(?:\+\w{0,7})?\s{0,9}$/
 
 /** Marks between the numbers of a run: of CSV, tables, LaTeX, box drawing. */
-const BETWEEN = ',;|&"$│┃║'
+const BETWEEN = ',;|&"$│┃║，、'
+/** Units of length behind each number. */
+const UNIT = /^(?:[cmkµn]?m|inch|ft)$/
 /** What ends all lines of a list but the last, or the last alone. */
 const END_MARKS = /[\\)\]}/.'│┃║]+$/
 
@@ -278,7 +280,7 @@ function readLine(raw: string, number: number): Line {
       word = token
       if (/^[xyz]\d?$/i.test(token)) axes.push(token[0] as string)
     }
-    const isBetween = kind === 'mark' && BETWEEN.includes(token)
+    const isBetween = kind === 'word' ? isOpen && UNIT.test(token) : BETWEEN.includes(token)
     if (!isBetween) {
       isOpen = false
       if (skeleton.length < LONGEST_SKELETON) skeleton += kind === 'word' ? ` ${token.replace(/\d+/g, '#')}` : token
