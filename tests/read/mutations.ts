@@ -509,11 +509,16 @@ export const FRAGMENTS = [
   '\u2026',
 ] as const
 
-function repeated(bytes: Uint8Array, random: Random): Uint8Array {
-  const fragment = random.below(3) === 0 && bytes.length > 0 ? piece(bytes, random, 40) : bytesOf(random.of(FRAGMENTS))
-  const size = LEAST_REPEATED + random.below(MOST_REPEATED - LEAST_REPEATED)
+/** The fragment again and again, up to this size. */
+export function filled(fragment: Uint8Array, size: number): Uint8Array {
   const many = new Uint8Array(size)
   for (let at = 0; at < size; at += fragment.length) many.set(fragment.subarray(0, size - at), at)
+  return many
+}
+
+function repeated(bytes: Uint8Array, random: Random): Uint8Array {
+  const fragment = random.below(3) === 0 && bytes.length > 0 ? piece(bytes, random, 40) : bytesOf(random.of(FRAGMENTS))
+  const many = filled(fragment, LEAST_REPEATED + random.below(MOST_REPEATED - LEAST_REPEATED))
   if (random.below(2) === 0) return many
   const head = bytes.subarray(0, LARGE)
   const [at] = head.length === 0 ? [0] : someLines(head, random, 1)

@@ -40,7 +40,13 @@ export function reading(seed: number, number: number): Reading {
 }
 
 function once(mutation: Mutation): Reading {
-  const { name, bytes, number } = mutation
+  return { number: mutation.number, mutation, ...ended(mutation.name, mutation.bytes) }
+}
+
+export type Ended = Pick<Reading, 'outcome' | 'fault' | 'milliseconds' | 'timesRead'>
+
+/** How reading these bytes ends. */
+export function ended(name: string, bytes: Uint8Array): Ended {
   let read = 0
   const file: MeshFile = {
     name,
@@ -89,7 +95,7 @@ function once(mutation: Mutation): Reading {
   if (allocations.largest > allowed)
     fault ??= `it allocates ${allocations.largest} bytes at once, ${allowed} are allowed`
   if (allocations.sum > 4 * allowed) fault ??= `it allocates ${allocations.sum} bytes, ${4 * allowed} are allowed`
-  return { number, mutation, outcome, fault, milliseconds, timesRead: read / Math.max(bytes.length, 4096) }
+  return { outcome, fault, milliseconds, timesRead: read / Math.max(bytes.length, 4096) }
 }
 
 function namesFile(message: string, name: string): boolean {
