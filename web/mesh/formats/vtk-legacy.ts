@@ -236,6 +236,7 @@ class LegacyDataset {
     })
     if (this.#type === 'STRUCTURED_POINTS' || this.#type === 'RECTILINEAR_GRID' || this.#type === 'STRUCTURED_GRID') {
       const sizes = this.#checkedSizes()
+      if (this.#type === 'STRUCTURED_GRID') this.#checkCount(sizes)
       mesh.addStructured(() => this.#structuredPoints(sizes), sizes, this.#precision())
     } else {
       if (this.#points === null) this.#stream.refuseAt(end, 'the file ends, and no section POINTS was there.')
@@ -295,17 +296,16 @@ class LegacyDataset {
     return sizes
   }
 
-  #structuredPoints(sizes: readonly [number, number, number]): Float64Array {
+  #checkCount(sizes: readonly [number, number, number]): void {
     const count = sizes[0] * sizes[1] * sizes[2]
-    if (this.#type === 'STRUCTURED_GRID') {
-      if (this.#points === null) this.#stream.refuse('the grid has no POINTS.')
-      if (this.#declaredPoints !== count)
-        this.#stream.refuse(
-          `the dimensions ${sizes.join(' ')} need ${count} points; POINTS has ${this.#declaredPoints}.`,
-        )
-      if (this.#points.length < 3 * count) this.#stream.refuse('a grid whose points are left out has no cells.')
-      return this.#points
-    }
+    if (this.#points === null) this.#stream.refuse('the grid has no POINTS.')
+    if (this.#declaredPoints !== count)
+      this.#stream.refuse(`the dimensions ${sizes.join(' ')} need ${count} points; POINTS has ${this.#declaredPoints}.`)
+    if (this.#points.length < 3 * count) this.#stream.refuse('a grid whose points are left out has no cells.')
+  }
+
+  #structuredPoints(sizes: readonly [number, number, number]): Float64Array {
+    if (this.#type === 'STRUCTURED_GRID') return this.#points as Float64Array
     const axes = this.#type === 'RECTILINEAR_GRID' ? this.#axes : this.#evenAxes(sizes)
     const [x, y, z] = axes.map((axis, i) => {
       const name = 'XYZ'[i]
@@ -314,7 +314,7 @@ class LegacyDataset {
         this.#stream.refuse(`${name}_COORDINATES has ${axis.length}, the dimension is ${sizes[i]}.`)
       return axis
     }) as [Float64Array, Float64Array, Float64Array]
-    const points = new Float64Array(3 * count)
+    const points = new Float64Array(3 * sizes[0] * sizes[1] * sizes[2])
     let at = 0
     for (const zk of z)
       for (const yj of y)
