@@ -10,13 +10,15 @@ import { Failure, root } from './run.mjs'
 const source = join(root, 'node_modules', 'three', 'src')
 
 /**
- * Classes that are made and not asked for anything: there are no textures and no targets but the canvas, and OrbitControls wants its
- * ray only where it does not pan in the plane of the screen.
+ * Classes that are made and not asked for anything: there are no textures and no targets but the canvas, nothing is sorted or culled by
+ * its bounds, and OrbitControls wants its ray only where it does not pan in the plane of the screen.
  */
 const idle = [
+  'math/Box3',
   'math/FrustumArray',
   'math/Plane',
   'math/Ray',
+  'math/Sphere',
   'renderers/WebGLRenderTarget',
   'renderers/webgl/WebGLMorphtargets',
   'renderers/webgl/WebGLOutput',
@@ -140,6 +142,7 @@ export const leanThree = {
   name: 'hexlens-lean-three',
   apply: 'build',
   enforce: 'pre',
+  config: () => ({ define: { __THREE_DEVTOOLS__: 'undefined' } }),
   buildStart() {
     const missing = Object.keys(standIns).filter(name => !existsSync(join(source, name)))
     if (missing.length > 0) throw new Failure(`This three.js has no ${missing.join(', ')}: mend tools/lean-three.mjs.`)

@@ -74,7 +74,9 @@ export async function main(options: readonly string[]): Promise<void> {
         for (let n = few * AT_A_TIME; n < (few + 1) * AT_A_TIME; ++n) run(hexahedra[n] as number[])
         list.push(performance.now() - begin)
       }
-  console.log(`${cpus()[0]?.model}, Node ${process.version}: ${ROUNDS} rounds of ${ELEMENTS} cubes; us, median and least`)
+  console.log(
+    `${cpus()[0]?.model}, Node ${process.version}: ${ROUNDS} rounds of ${ELEMENTS} cubes; us, median and least`,
+  )
   for (const { name, times } of rows) {
     for (const list of times) list.sort((x, y) => x - y)
     const [median, least] = [ROUNDS >> 1, 0].map(
