@@ -53,8 +53,8 @@ async function formatOfC() {
 }
 
 async function staleReference() {
-  const names = elementReference({ check: true })
-  return names.length === 0 ? [] : [...names, 'These are not as web/element/interface.json says: npm run reference']
+  const names = await elementReference({ check: true })
+  return names.length === 0 ? [] : [...names, 'These are not as the sources say: npm run reference']
 }
 
 /** Where a package comes from is the installing machine's affair. */

@@ -14,25 +14,12 @@ const WASM = /^virtual:(.*\.wasm)\.deflated$/
 const BATCH_WORKER = 'virtual:hexlens.batch-worker'
 const TWIN = './hexlens.twin.js'
 
-/** What is another in one file. */
-const insides = {
-  [source('element/core-sources.ts')]: source('package/core-inside.ts'),
-  [source('cli/read-core.ts')]: source('element/fetch-core.ts'),
-  [source('cli/batch-sources.ts')]: source('package/batch-inside.ts'),
-  [source('element/page-parts.ts')]: source('package/no-page-parts.ts'),
-  [source('core/batch/module.ts')]: source('package/batch-inside.ts'),
-  [source('input/start-worker.ts')]: source('package/mesh-worker-beside.ts'),
-}
-
 const insideOneFile = {
   name: 'hexlens-inside-one-file',
   enforce: 'pre',
-  async resolveId(id, importer) {
+  resolveId(id) {
     if (id.endsWith('/hexlens-twin.js')) return { id: TWIN, external: true }
-    if (WASM.test(id) || id === BATCH_WORKER) return id
-    if (!id.startsWith('.')) return null
-    const resolved = await this.resolve(id, importer, { skipSelf: true })
-    return insides[resolved?.id] ?? null
+    return WASM.test(id) || id === BATCH_WORKER ? id : null
   },
   /** What is loaded on demand is there already: as plain imports the modules share one scope, which is smaller. */
   transform(code, id) {
@@ -101,7 +88,7 @@ const batchWorker = {
 const meshWorker = {
   file: 'hexlens.mesh-worker.js',
   format: 'iife',
-  entry: source('input/worker.ts'),
+  entry: ours('mesh-worker.ts'),
   plugins: [insideOneFile],
 }
 
@@ -189,7 +176,9 @@ async function writeTypes(outDir) {
   rmSync(outDir, { recursive: true, force: true })
   const project = join(root, 'tsconfig.types.json')
   await must(process.execPath, [tsc, '-p', project, '--outDir', outDir], 'The types were not written.')
-  const named = new Set(['package/hexlens', 'package/core', 'package/batch', 'package/mesh'].map(name => join(outDir, `${name}.d.ts`)))
+  const named = new Set(
+    ['package/hexlens', 'package/core', 'package/batch', 'package/mesh'].map(name => join(outDir, `${name}.d.ts`)),
+  )
   for (const path of named) {
     const text = readFileSync(path, 'utf8').replace(/(from |import\()'(\.[^']+)'/g, (_, before, name) => {
       named.add(join(dirname(path), `${name}.d.ts`))

@@ -33,7 +33,11 @@ const pasted = (content: string) => ({ give: (lens: Lens) => pasteAnywhere(lens.
 const cases: readonly Case[] = [
   { what: 'a log', ...pasted(text('pastes/04-libmesh-hex8.log')), says: /Read as libMesh/ },
   { what: 'quoted mail', ...pasted(text('pastes/77-markdown-quoted.inp')), says: /Read as Abaqus/ },
-  { what: 'a text that is cut', ...pasted(text('pastes/80-gmsh-elided.msh')), says: /leaves something out: what is whole in it has been read/ },
+  {
+    what: 'a text that is cut',
+    ...pasted(text('pastes/80-gmsh-elided.msh')),
+    says: /leaves something out: what is whole in it has been read/,
+  },
   { what: 'two files in one paste', ...pasted(text('pastes/73-vtk-two-files.vtk')), says: /Read as VTK/ },
   { what: 'a gzipped file', ...files(given('meshes/made/vtk-ascii.vtu.gz')), says: /10 INVALID, 6 valid. Read as VTU/ },
   {

@@ -16,8 +16,8 @@ import {
 import { challengeFragment, readChallengePlace } from '../../web/model/challenge-link'
 import { NUMBERS } from '../../web/model/condition/names'
 import type { Vertices } from '../../web/model/hexahedron'
-import { elementAt } from '../../web/model/morph'
 import { twistOf } from '../../web/model/twist'
+import { elementAt } from '../../web/panels/morph/way'
 import { caseVertices, core, unitCube } from './core-fixtures'
 
 const schema = JSON.parse(readFileSync(new URL('../../docs/challenge.schema.json', import.meta.url), 'utf8'))

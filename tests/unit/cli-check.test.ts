@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url'
 import { promisify } from 'node:util'
 import Ajv2020 from 'ajv/dist/2020.js'
 import { afterAll, describe, expect, it } from 'vitest'
-import { main } from '../../web/cli/main'
+import { main } from '../../web/cli/from-sources'
 import { core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 import { collapsedEdge, invalidCorner, mirroredCube, moved, mshText, notFinite, voxelOrder } from './mesh-fixtures'
 

@@ -6,6 +6,8 @@ import { readTogether } from '../../web/mesh/read-together'
 import { verticesOf } from '../../web/mesh/vertices-of'
 import { stateDocument } from '../../web/model/state-document'
 import { createStore } from '../../web/model/store'
+import { panels } from '../../web/panels/list'
+import { knownPanels } from '../../web/panels/panel'
 import { textFile } from './mesh-expectations'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
@@ -179,7 +181,7 @@ describe('JSON', () => {
   test('the state of an element is that element, whatever it started from', () => {
     const store = createStore(cube, null)
     store.dispatch({ type: 'set-vertices', vertices: upper.with(0, -0), preset: null })
-    const state = stateDocument(store.state, { camera: null, referenceCamera: null })
+    const state = stateDocument(store.state, { camera: null, referenceCamera: null }, knownPanels(panels))
     expect(only(JSON.stringify({ ...state, start: cube }))).toEqual(['JSON', upper.with(0, -0)])
   })
 

@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest'
 import { presets, presetVertices } from '../../web/content/presets'
 import type { Candidate, Report } from '../../web/core/report'
-import { type TraceOptions, type TraceStep, traceOf } from '../../web/core/trace'
+import { type TraceOptions, type TraceStep, traceOf } from '../../web/panels/algorithm/trace'
 import { cases, core, depthGuardCases, randomHexahedron, randomSource } from './core-fixtures'
 
 const MINIMUM: TraceOptions = { query: 'minimum', variant: 'roots' }

@@ -5,7 +5,7 @@
 import { html, render } from 'lit-html'
 import { challenges } from '../content/challenges'
 import { quantitiesOf, shownNumber } from '../content/quantities'
-import '../element/hex-lens'
+import './element'
 import { historyStep } from '../element/shortcuts'
 import { type Challenge, judged, readChallenge, readChallengeText } from '../model/challenge'
 import { type ChallengePlace, challengeFragment, readChallengePlace } from '../model/challenge-link'

@@ -2,7 +2,7 @@
  * The page in somebody's iframe: `<hex-lens>` with the attributes of the query and the element of the fragment. It tells the page
  * around it how high it is: `{ type: 'hexlens-resize', height }`, in CSS pixels.
  */
-import '../element/hex-lens'
+import './element'
 import { decodePermalink } from '../model/permalink'
 
 const ATTRIBUTES = ['preset', 'views', 'controls', 'camera', 'theme', 'readonly', 'label']

@@ -2,7 +2,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import { type GalleryElement, type GalleryRoom, gallery } from '../content/gallery'
 import { elementVertices } from '../content/gallery-vertices'
-import '../element/hex-lens'
+import './element'
 import { encodePermalink } from '../model/permalink'
 import { BLANK, Pictures } from './pictures'
 import './skip'

@@ -5,7 +5,7 @@
 import { render } from 'lit-html'
 import type { Lesson } from '../content/lessons'
 import type { Report } from '../core/report'
-import '../element/hex-lens'
+import './element'
 import { complaintAbout, hashOf, neighbour, placeOf, type StepPlace, stepAt } from './lessons/address'
 import { type ColumnActions, column } from './lessons/column'
 import { stateOf, verticesOf } from './lessons/step-state'

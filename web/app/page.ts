@@ -3,7 +3,7 @@
  * entry of the history, so that reload, Back and Forward return to the same place.
  */
 import { presets, presetVertices } from '../content/presets'
-import '../element/hex-lens'
+import './element'
 import { historyStep } from '../element/shortcuts'
 import { onPaste } from '../input/pasted-input'
 import { decodePermalink } from '../model/permalink'

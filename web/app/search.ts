@@ -4,7 +4,7 @@
  */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import { quantitiesOf } from '../content/quantities'
-import '../element/hex-lens'
+import './element'
 import { isMet } from '../model/condition'
 import { formatNumber } from '../model/decimal'
 import type { Vertices } from '../model/hexahedron'

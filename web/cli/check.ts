@@ -7,6 +7,7 @@ import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import { readMeshes } from '../mesh/read-mesh'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
+import type { Engine } from './engine'
 import { openMeshFile } from './mesh-file'
 import { csvOutput } from './outputs/csv'
 import { idsOutput } from './outputs/ids'
@@ -16,7 +17,6 @@ import { type FileResult, type Output, withoutControls } from './outputs/output'
 import { textOutput } from './outputs/text'
 import { vtuOutput } from './outputs/vtu'
 import { ProgressLine } from './progress'
-import { fetchCore } from './read-core'
 import { FileSink } from './sink'
 import { Buffered, Refusal, type Streams } from './streams'
 
@@ -24,7 +24,7 @@ import { Buffered, Refusal, type Streams } from './streams'
 const WORST = 10
 
 /** Throws a Refusal for a wrong call, and where something cannot be written. */
-export async function check(args: readonly string[], streams: Streams): Promise<ExitStatus> {
+export async function check(args: readonly string[], engine: Engine, streams: Streams): Promise<ExitStatus> {
   const wanted = readCheckArguments(args)
   refuseOverwriting(wanted)
   const progress = new ProgressLine(streams.errors.isTTY ? streams.errors : null)
@@ -35,8 +35,10 @@ export async function check(args: readonly string[], streams: Streams): Promise<
   const outputs = outputsOf(wanted, streams, say)
   const exits: ExitStatus[] = []
   let current = ''
-  const core = await fetchCore()
-  const cells = await startCellClassifier(({ done, total }) => progress.show(`${current}: deciding`, done / total))
+  const core = await engine.core()
+  const cells = await startCellClassifier(engine, ({ done, total }) =>
+    progress.show(`${current}: deciding`, done / total),
+  )
   try {
     for (const file of wanted.files) {
       current = withoutControls(file)

@@ -3,7 +3,7 @@
  * claim at its step's own state.
  */
 import type { Vec3 } from '../model/hexahedron'
-import type { StateDocument } from '../model/state-document'
+import type { ElementDocument } from '../model/state-document'
 
 /** A sentence that can be computed: it is shown with its numbers, and whether it holds for the element on the screen. */
 export interface LessonClaim {
@@ -32,7 +32,8 @@ export interface LessonStep {
   /** The attribute `views` of the lens. */
   readonly views: string
   /** What of the state is not as in a new element. */
-  readonly state?: Partial<Omit<StateDocument, 'version' | 'vertices' | 'start' | 'preset'>>
+  readonly state?: Partial<Omit<ElementDocument, 'version' | 'vertices' | 'start' | 'preset'>> &
+    Readonly<Record<string, unknown>>
 }
 
 export interface Lesson {

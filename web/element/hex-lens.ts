@@ -7,6 +7,7 @@
  * for what the page has to say about a problem.
  */
 import { type Preset, presets, presetVertices } from '../content/presets'
+import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
 import { InputReader } from '../input/input-reader'
 import { listenForInput } from '../input/pasted-input'
@@ -16,6 +17,7 @@ import { encodePermalink } from '../model/permalink'
 import type { Action, Cameras, State } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore, type Store } from '../model/store'
+import { knownPanels, type Panel } from '../panels/panel'
 import type { Figure, FigureName, Frame, Problem, ViewHost } from '../views/view'
 import { Answers } from './answers'
 import {
@@ -23,14 +25,15 @@ import {
   type Attributes,
   attributeNames,
   checkedVertices,
+  FIRST_VIEWS,
   readAttribute,
   readVertices,
   verticesText,
+  viewNames,
 } from './attributes'
 import { Copying } from './copying'
-import { fetchCore } from './fetch-core'
+import type { Composition } from './define'
 import { HexLensError } from './hex-lens-error'
-import { type Part, parts } from './parts'
 import { Printing } from './printing'
 import { ReflectingElement } from './reflecting-element'
 import { asksForHelp, historyStep } from './shortcuts'
@@ -56,6 +59,8 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
 
 export class HexLens extends ReflectingElement {
   static readonly observedAttributes = attributeNames
+  /** Set once, before an element is made. */
+  static composition: Required<Composition>
 
   readonly #host: ViewHost = {
     state: () => this.#store.state,
@@ -73,6 +78,7 @@ export class HexLens extends ReflectingElement {
   }
   readonly #show: Show
   readonly #answers = new Answers(
+    HexLens.composition.panels,
     message => this.raise({ code: 'core-failed', message }),
     () => this.#schedule(),
   )
@@ -80,9 +86,9 @@ export class HexLens extends ReflectingElement {
   #store: Store = createStore(presetVertices(presets[0]), presets[0].id)
   #committed: Vertices = this.#store.state.vertices
   #drawn: Vertices | null = null
-  /** Names of parts, as the attribute last said them. */
-  #viewNames: readonly string[] = readAttribute('views', null)
-  readonly #input = new InputReader({
+  /** Names of panels, as the attribute last said them. */
+  #viewNames: readonly string[] = FIRST_VIEWS
+  readonly #input = new InputReader(HexLens.composition.startReadingWorker, {
     take: vertices => {
       this.#setVertices(vertices, null)
       return this.#store.state.vertices
@@ -106,18 +112,18 @@ export class HexLens extends ReflectingElement {
   constructor() {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
-    this.#show = new Show(shadow, this.#host)
+    this.#show = new Show(shadow, this.#host, HexLens.composition.panels)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
     new Copying(this.#show.lens, () => this.#pointInFull())
     listenForInput(shadow, this.#show.lens, {
-      isWelcome: () => this.#shownParts.some(part => part.name === 'paste'),
+      isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
       take: input => this.#input.read(input),
     })
   }
 
   connectedCallback(): void {
     for (const name of EARLY) this.#adopt(name)
-    this.#show.begin(this.#shownParts)
+    this.#show.begin(this.#shownPanels)
     this.#printing = new Printing(this, () => this.#drawAtOnce())
     this.#visibility = new IntersectionObserver(entries => this.#onVisibility(entries))
     this.#visibility.observe(this)
@@ -159,12 +165,12 @@ export class HexLens extends ReflectingElement {
   }
 
   get state(): StateDocument {
-    return stateDocument(this.#store.state, this.#camerasNow)
+    return stateDocument(this.#store.state, this.#camerasNow, knownPanels(HexLens.composition.panels))
   }
 
   /** Throws HexLensError for what the schema does not let through. What it changes of the element is one step to undo. */
   set state(given: StateDocument) {
-    const result = readState(given)
+    const result = readState(given, knownPanels(HexLens.composition.panels))
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
     const { state, cameras } = result.value
     if (this.#drawn === null) this.#begin(state.vertices, state.preset, state.start)
@@ -179,7 +185,7 @@ export class HexLens extends ReflectingElement {
 
   /** Throws HexLensError unless there is such a preset. */
   set preset(id: string | null) {
-    const preset = readAttribute('preset', id)
+    const preset = readAttribute('preset', id, viewNames(HexLens.composition))
     if (preset) this.#setVertices(presetVertices(preset), preset.id)
   }
 
@@ -209,7 +215,7 @@ export class HexLens extends ReflectingElement {
   /** What the core says of any 24 numbers, by default of the element's own. Rejects with HexLensError. */
   async analyze(given: ArrayLike<number> = this.#store.state.vertices): Promise<Report> {
     const vertices = checkedVertices(given)
-    const core = await fetchCore().catch(reason => {
+    const core = await fetchCore(HexLens.composition.core).catch(reason => {
       throw new HexLensError(
         'no-core',
         `The core did not start (${reason instanceof Error ? reason.message : reason}).`,
@@ -265,7 +271,7 @@ export class HexLens extends ReflectingElement {
     const takes: { readonly [Name in AttributeName]: (value: Attributes[Name]) => void } = {
       vertices: vertices => this.#takeElement(vertices, null),
       preset: preset => this.#takeElement(null, preset),
-      views: names => this.#showParts(names),
+      views: names => this.#showPanels(names),
       controls: controls => this.#dispatch({ type: 'offer-controls', controls }),
       camera: camera => {
         this.#cameras = { camera, referenceCamera: this.#camerasNow.referenceCamera }
@@ -274,13 +280,13 @@ export class HexLens extends ReflectingElement {
       theme: () => {}, // the style sheet does it
       readonly: isReadonly => {
         this.#dispatch({ type: 'hold', isReadonly })
-        this.#showParts(this.#viewNames)
+        this.#showPanels(this.#viewNames)
       },
       poster: poster => this.#show.setPoster(poster),
       label: label => this.#show.setLabel(label),
     }
     const take = takes[name] as (value: unknown) => void
-    take(readAttribute(name, this.getAttribute(name)))
+    take(readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition)))
   }
 
   /** Before the first frame both attributes say what the element starts from, in whichever order they come. */
@@ -298,24 +304,24 @@ export class HexLens extends ReflectingElement {
   /** What an attribute says; null where that is nothing, or nothing to be understood. */
   #understood<Name extends AttributeName>(name: Name): Attributes[Name] | null {
     try {
-      return readAttribute(name, this.getAttribute(name))
+      return readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition))
     } catch {
       return null // it is complained about in its own turn
     }
   }
 
-  get #shownParts(): readonly Part[] {
+  get #shownPanels(): readonly Panel[] {
     const isHeld = this.#store.state.isReadonly
-    return parts.filter(
-      part => part.always || (this.#viewNames.includes(part.with ?? part.name) && !(isHeld && part.changes)),
+    return HexLens.composition.panels.filter(
+      panel => panel.always || (this.#viewNames.includes(panel.with ?? panel.name) && !(isHeld && panel.changes)),
     )
   }
 
-  #showParts(names: readonly string[]): void {
+  #showPanels(names: readonly string[]): void {
     this.#viewNames = names
     if (!this.isConnected) return
     this.#cameras = this.#camerasNow
-    this.#show.begin(this.#shownParts)
+    this.#show.begin(this.#shownPanels)
     this.#schedule()
   }
 
@@ -353,7 +359,7 @@ export class HexLens extends ReflectingElement {
   async #start(): Promise<void> {
     const slow = setTimeout(() => this.#schedule(), PATIENCE_MS)
     try {
-      this.#answers.core = await fetchCore()
+      this.#answers.core = await fetchCore(HexLens.composition.core)
       this.clear('core-failed')
       if (this.isConnected) this.#tellChanges(this.#store.state)
       this.#schedule()
@@ -455,7 +461,7 @@ export class HexLens extends ReflectingElement {
     this.#picturesDue++
     this.#schedule()
     try {
-      await fetchCore().catch(() => {}) // without it there are lines, and they are drawn
+      await fetchCore(HexLens.composition.core).catch(() => {}) // without it there are lines, and they are drawn
       while (this.isConnected && !this.complete) await new Promise(requestAnimationFrame)
       const figure = this.#show.figure(name)
       if (figure === null) throw new HexLensError('no-picture', `There is no picture of the ${name} on the page.`)
@@ -496,9 +502,6 @@ function presetOf(vertices: Vertices): string | null {
   const isThis = (known: Vertices) => known.every((value, i) => Object.is(value, vertices[i]))
   return presets.find(preset => preset.valid !== null && isThis(presetVertices(preset)))?.id ?? null
 }
-
-// On a server there is nothing to define it in; on a page a second copy of this script leaves the first one's alone.
-if (globalThis.customElements && !customElements.get('hex-lens')) customElements.define('hex-lens', HexLens)
 
 declare global {
   interface HTMLElementTagNameMap {

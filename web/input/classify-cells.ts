@@ -1,7 +1,6 @@
 /** Verdicts of a mesh's cells where it is read: few by the core, many by the core for batches, where that starts. */
 import { type BatchCore, type BatchOptions, loadBatchCore } from '../core/batch/batch-core'
 import { type Answers, answersOf, emptyLists, STATUSES, type Wanted } from '../core/batch/lists'
-import { batchModule } from '../core/batch/module'
 import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
 import type { ClassifyCells } from '../mesh/check'
@@ -11,7 +10,10 @@ import { verticesOf } from '../mesh/vertices-of'
 const FEW = 64
 
 /** `onPart` is called now and then with how many cells are done. */
-export function cellClassifier(core: Core, onPart: (done: number, total: number) => void): ClassifyCells {
+export function cellClassifier(
+  { core, batchModule }: { readonly core: Core; readonly batchModule: () => Promise<WebAssembly.Module> },
+  onPart: (done: number, total: number) => void,
+): ClassifyCells {
   let batch: Promise<BatchCore | null> | undefined
   const classify = async (points: Float64Array, cells: Uint32Array, wanted: Wanted) => {
     const total = cells.length / 8

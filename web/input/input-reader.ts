@@ -3,7 +3,7 @@ import type { NodeOrder } from '../content/node-orders'
 import type { Vertices } from '../model/hexahedron'
 import { reordered } from '../model/node-order'
 import type { PastedInput } from './pasted-input'
-import type { ReadInputOptions, ReadingOutcome } from './read-input'
+import type { ReadInputOptions, ReadingOutcome, StartReadingWorker } from './read-input'
 import type { InputHost, Reading, ShownCell } from './reading'
 
 export interface InputTaker {
@@ -17,6 +17,7 @@ export interface InputTaker {
 
 export class InputReader implements InputHost {
   reading: Reading | null = null
+  readonly #startWorker: StartReadingWorker
   readonly #taker: InputTaker
   #underWay: AbortController | null = null
   /** Undo and redo come back to the same lists of vertices. */
@@ -24,7 +25,8 @@ export class InputReader implements InputHost {
   /** Files that name others which were not given; they wait for these. */
   #waiting: { readonly files: readonly File[]; readonly missing: readonly string[] } | null = null
 
-  constructor(taker: InputTaker) {
+  constructor(startWorker: StartReadingWorker, taker: InputTaker) {
+    this.#startWorker = startWorker
     this.#taker = taker
   }
 
@@ -57,6 +59,7 @@ export class InputReader implements InputHost {
     const name = nameOf(input)
     this.#set({ state: 'under-way', name, step: 'reading', part: 0 })
     const outcome = await outcomeOf(input, {
+      startWorker: this.#startWorker,
       signal: underWay.signal,
       onProgress: ({ step, part }) => {
         if (this.#underWay === underWay) this.#set({ state: 'under-way', name, step, part })

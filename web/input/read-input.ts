@@ -2,12 +2,22 @@
 import { whenReleased } from '../core/worker-lock'
 import type { ReadingAnswer } from './messages'
 import type { PastedInput } from './pasted-input'
-import { blocked, startWorker } from './start-worker'
 
 export type ReadingOutcome = Extract<ReadingAnswer, { kind: 'read' | 'refused' }>
 export type ReadingProgress = Extract<ReadingAnswer, { kind: 'progress' }>
 
+/** A worker whose script is reading-worker.ts. */
+export interface StartedWorker {
+  readonly worker: Worker
+  /** What may be wrong if its script does not load. */
+  readonly blocked: string
+}
+
+/** Rejects where there is none to be had. */
+export type StartReadingWorker = () => Promise<StartedWorker>
+
 export interface ReadInputOptions {
+  readonly startWorker: StartReadingWorker
   readonly signal: AbortSignal
   readonly onProgress: (progress: ReadingProgress) => void
 }
@@ -16,13 +26,17 @@ export interface ReadInputOptions {
 const START_WITHIN = 60_000
 
 /** Never settles once the signal has aborted; the worker is ended then. */
-export async function readInput(input: PastedInput, { signal, onProgress }: ReadInputOptions): Promise<ReadingOutcome> {
-  let worker: Worker
+export async function readInput(
+  input: PastedInput,
+  { startWorker, signal, onProgress }: ReadInputOptions,
+): Promise<ReadingOutcome> {
+  let started: StartedWorker
   try {
-    worker = await startWorker()
+    started = await startWorker()
   } catch (reason) {
     return refusal(`${NEEDS_WORKER} (${reason instanceof Error ? reason.message : reason}).`)
   }
+  const { worker, blocked } = started
   return new Promise(resolve => {
     const deadline = setTimeout(() => end(refusal(`${NEEDS_WORKER} in ${START_WITHIN / 1000} s.`)), START_WITHIN)
     const end = (outcome: ReadingOutcome) => {

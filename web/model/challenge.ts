@@ -5,15 +5,19 @@
 import { type Condition, parseCondition, type Quantities, truthOf } from './condition'
 import { NUMBERS, type NumberName } from './condition/names'
 import {
+  COORDINATES_SCHEMA,
   type Coordinate,
   coordinates,
+  described,
   list,
   object,
   oneOf,
   orNull,
   type Reader,
   Refused,
+  reader,
   record,
+  type Schema,
 } from './document-readers'
 import type { Vertices } from './hexahedron'
 
@@ -108,7 +112,7 @@ const MARKUP = /<[a-z!/?]|&(#\d+|#x[\da-f]+|[a-z]+\d*);/i
 
 /** Plain text: shown as it is, so what looks like markup is a mistake. */
 function plainText(most: number): Reader<string> {
-  return (value, path) => {
+  return reader({ type: 'string', minLength: 1, maxLength: most }, (value, path) => {
     if (typeof value !== 'string') throw new Refused(`${path} has to be a text.`)
     if (value.trim() === '') throw new Refused(`${path} is empty.`)
     if (value.length > most)
@@ -117,11 +121,13 @@ function plainText(most: number): Reader<string> {
     if (markup !== undefined)
       throw new RefusedAs('markup', `${path} is plain text, but it holds “${markup}”, which looks like HTML.`)
     return value
-  }
+  })
 }
 
-const condition: Reader<Condition> = (value, path) => {
-  const text = plainText(LIMITS.condition)(value, path)
+const conditionText = plainText(LIMITS.condition)
+
+const condition: Reader<Condition> = reader(conditionText.schema, (value, path) => {
+  const text = conditionText(value, path)
   const result = parseCondition(text)
   if (!result.ok)
     throw new RefusedAs(
@@ -129,28 +135,45 @@ const condition: Reader<Condition> = (value, path) => {
       `${path}, “${text}”, is not understood at character ${result.error.at + 1}: ${result.error.message}`,
     )
   return result.value
-}
+})
 
-const goal: Reader<readonly Condition[]> = (value, path) => {
-  const conditions = list(value, path)
-  if (conditions.length === 0) throw new Refused(`${path} needs at least one condition.`)
-  if (conditions.length > LIMITS.goal)
-    throw new RefusedAs('too-large', `${path} has ${conditions.length} conditions; ${LIMITS.goal} are the most.`)
-  return conditions.map((each, i) => condition(each, `${path}[${i}]`))
-}
+const goal = reader<readonly Condition[]>(
+  { type: 'array', minItems: 1, maxItems: LIMITS.goal, items: condition.schema },
+  (value, path) => {
+    const conditions = list(value, path)
+    if (conditions.length === 0) throw new Refused(`${path} needs at least one condition.`)
+    if (conditions.length > LIMITS.goal)
+      throw new RefusedAs('too-large', `${path} has ${conditions.length} conditions; ${LIMITS.goal} are the most.`)
+    return conditions.map((each, i) => condition(each, `${path}[${i}]`))
+  },
+)
 
 const readDocument: Reader<Challenge> = record<Challenge>(
   {
     title: plainText(LIMITS.title),
-    text: plainText(LIMITS.text),
-    start: coordinates,
-    goal,
-    record: orNull(record<Contest>({ quantity: oneOf(...NUMBERS), best: oneOf('greatest', 'least') }, {})),
+    text: described('What it is about.', plainText(LIMITS.text)),
+    start: described('The element to begin with; `moved` counts from it.', coordinates),
+    goal: described(
+      'Conditions, all of which have to hold: comparisons < <= > >= = != of sums, products and numbers such as 0.2 and 1/3, joined by and, or, not. They speak of `valid` and of the quantities that `record` lists. An example: ["not valid", "corner_min > 0"].',
+      goal,
+    ),
+    record: described(
+      'What to do as well as one can once the goal is reached.',
+      orNull(record<Contest>({ quantity: oneOf(...NUMBERS), best: oneOf('greatest', 'least') }, {})),
+    ),
     hint: orNull(plainText(LIMITS.hint)),
-    solution: orNull(coordinates),
+    solution: described('An element that reaches the goal, shown on request.', orNull(coordinates)),
   },
   { record: null, hint: null, solution: null },
 )
+
+const { required, properties, ...others } = readDocument.schema
+export const challengeSchema: Schema = {
+  ...others,
+  required: ['version', ...(required as string[])],
+  properties: { version: { const: CHALLENGE_VERSION }, ...(properties as object) },
+  $defs: { vertices: COORDINATES_SCHEMA },
+}
 
 /** How the conditions stand: null is one that even exact arithmetic leaves open. */
 export interface Judgement {

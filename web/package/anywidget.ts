@@ -2,7 +2,7 @@
  * The element as the front end of a Jupyter widget (anywidget's `render`). `vertices` goes both ways as the bytes of 24 doubles, little
  * end first, so every bit arrives; the verdict goes to Python once a change is done.
  */
-import '../element/hex-lens'
+import './hexlens'
 import { setMeshWorker } from './mesh-worker-beside'
 
 type Lens = HTMLElementTagNameMap['hex-lens']

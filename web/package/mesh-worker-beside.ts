@@ -1,4 +1,5 @@
 /** The worker that reads is a file beside the script, which would be half as large again with it inside, and is loaded when it is needed. */
+import type { StartedWorker } from '../input/read-input'
 
 const NAME = 'hexlens.mesh-worker.js'
 
@@ -13,7 +14,11 @@ export function setMeshWorker(address: string | URL | (() => Promise<string | UR
   findAddress = typeof address === 'function' ? address : async () => address
 }
 
-export async function startWorker(): Promise<Worker> {
+export async function startMeshWorker(): Promise<StartedWorker> {
+  return { worker: await startedWorker(), blocked: BLOCKED }
+}
+
+async function startedWorker(): Promise<Worker> {
   const address = new URL(await findAddress(), document.baseURI)
   if (address.origin === location.origin && address.protocol !== 'file:') return new Worker(address)
   // A worker's first script must be of the page's own origin; those that it asks for need not.
@@ -21,4 +26,4 @@ export async function startWorker(): Promise<Worker> {
   return new Worker(URL.createObjectURL(start))
 }
 
-export const blocked = `${NAME} was not loaded from beside the script, or a policy of the page forbids it`
+const BLOCKED = `${NAME} was not loaded from beside the script, or a policy of the page forbids it`

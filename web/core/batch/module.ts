@@ -1,4 +1,4 @@
-/** The core for batches as files beside the page's; the package's files take web/package/batch-inside.ts in its place. */
+/** The core for batches as files beside the page's. */
 import vectorUrl from '../../../build/hexlens-batch.wasm?url'
 import scalarUrl from '../../../build/hexlens-scalar.wasm?url'
 import { compiledOf } from './start'

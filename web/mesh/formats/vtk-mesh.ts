@@ -1,10 +1,8 @@
 /** Makes a Mesh of what VTK's files hold: points, nodes of cells in a row, where each cell ends and its type; one grid or several. */
-import type { Block, CoordinatePlaces, Mesh } from '../mesh'
+import { type Block, type CoordinatePlaces, type Mesh, MOST_IMPLIED_CELLS } from '../mesh'
+import { isAtMean } from '../middles'
 import { float32Note, largestOf, printedDigits } from '../precision'
 import { latticeOf, VOXEL_ORDER, VTK_POLYHEDRON, type VtkCellType, vtkCellTypes } from './vtk-cells'
-
-/** Implied cells beyond this are refused. */
-export const MOST_IMPLIED_CELLS = 50_000_000
 
 /** How coordinates are stored: that of the coarsest grid counts. */
 export interface Precision {
@@ -333,14 +331,8 @@ function areNodesAtMiddles(
     if ((order + 1) ** 3 !== nodes.length || order > 255) return null
     return [false, true].some(hasOldEdges => isOnLattice(points, nodes, order, hasOldEdges, within))
   }
-  return middles.every((corners, i) => {
-    const node = nodes[8 + i] as number
-    return [0, 1, 2].every(axis => {
-      let sum = 0
-      for (const v of corners) sum += points[3 * (nodes[v] as number) + axis] as number
-      return Math.abs(sum / corners.length - (points[3 * node + axis] as number)) <= within
-    })
-  })
+  const coordinate = (node: number, axis: number) => points[3 * (nodes[node] as number) + axis] as number
+  return middles.every((corners, i) => isAtMean(coordinate, 8 + i, corners, within))
 }
 
 function isOnLattice(

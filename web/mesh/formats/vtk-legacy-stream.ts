@@ -1,0 +1,206 @@
+/** The words and lists of numbers that VTK's legacy files are made of, as text or in big-endian binary; and what nobody needs in them. */
+import { MeshRefusal } from '../mesh'
+import { lineAt, NumberRun } from '../number-run'
+import { isEllipsis } from '../snippet-text'
+import type { MeshFile, ReadOptions } from '../source'
+import { shown, type TextCursor } from '../text-cursor'
+import { NUMBER_SIZES, type NumberList, type NumberType, putNumbers, swapBytes } from './vtu-arrays'
+
+const CHUNK = 1024 * 1024
+
+/** Types of arrays as these files name them. */
+const TYPES: Readonly<Record<string, NumberType>> = {
+  char: 'Int8',
+  signed_char: 'Int8',
+  unsigned_char: 'UInt8',
+  short: 'Int16',
+  unsigned_short: 'UInt16',
+  int: 'Int32',
+  unsigned_int: 'UInt32',
+  long: 'Int64',
+  unsigned_long: 'UInt64',
+  long_long: 'Int64',
+  unsigned_long_long: 'UInt64',
+  vtktypeint64: 'Int64',
+  vtktypeuint64: 'UInt64',
+  // The ids of VTK are written as 32 bits whatever they have in memory.
+  vtkidtype: 'Int32',
+  float: 'Float32',
+  double: 'Float64',
+}
+
+export class LegacyStream {
+  readonly file: MeshFile
+  readonly cursor: TextCursor
+  readonly #options: ReadOptions
+  isBinary = false
+  /** The most significant digits with which a number is printed. */
+  digits = 0
+
+  constructor(file: MeshFile, options: ReadOptions, cursor: TextCursor) {
+    this.file = file
+    this.#options = options
+    this.cursor = cursor
+  }
+
+  refuseAt(position: number, what: string): never {
+    const place = this.isBinary ? `byte ${position}` : `line ${lineAt(this.file, position)}`
+    throw new MeshRefusal(`${this.file.name}, ${place}: ${what}`)
+  }
+
+  refuse(what: string): never {
+    this.refuseAt(this.cursor.position, what)
+  }
+
+  report(position: number): void {
+    this.#options.throwIfCancelled()
+    this.#options.onProgress(position / this.file.size)
+  }
+
+  count(): number {
+    const word = this.cursor.word()
+    if (!/^\d{1,15}$/.test(word)) this.refuse(`${shown(word)} stands where a count was expected.`)
+    return Number(word)
+  }
+
+  triple(): [number, number, number] {
+    const three = new Float64Array(3)
+    const run = new NumberRun(this.file, this.cursor.position, this.file.size)
+    if (run.numbers(three, 0, 3) < 3)
+      this.refuseAt(run.position, `${shown(run.nextWord())} stands where a number was expected.`)
+    this.cursor.goTo({ position: run.position })
+    return [...three] as [number, number, number]
+  }
+
+  type(): NumberType {
+    return this.#typeOf(this.cursor.word())
+  }
+
+  #typeOf(word: string): NumberType {
+    const type = TYPES[word.toLowerCase()]
+    if (type === undefined) this.refuse(`${shown(word)} stands where a type like double or int was expected.`)
+    return type
+  }
+
+  /**
+   * The next `count` numbers. Of a text that leaves some out there may be fewer; then what is left out has been passed.
+   */
+  list<T extends NumberList>(count: number, type: NumberType, make: (length: number) => T, what: string): T {
+    if (this.isBinary) return this.#binaryList(count, type, make, what)
+    const from = this.cursor.position
+    const list = make(Math.min(count, Math.ceil((this.file.size - from) / 2)))
+    const run = new NumberRun(this.file, from, this.file.size, position => this.report(position))
+    const filled = list instanceof Float64Array ? run.numbers(list, 0, list.length) : run.indices(list, 0, list.length)
+    this.digits = Math.max(this.digits, run.mostDigits)
+    if (filled < count) {
+      const word = run.nextWord()
+      if (!isEllipsis(word))
+        this.refuseAt(
+          run.position,
+          `${word === '' ? 'the file is cut off: it ends' : `${shown(word)} stands`} where ${what} ${filled + 1} of ${count} was expected.`,
+        )
+    }
+    this.cursor.goTo({ position: run.position })
+    if (filled === count) return list
+    this.passElision()
+    return list.slice(0, filled) as T
+  }
+
+  #binaryList<T extends NumberList>(count: number, type: NumberType, make: (length: number) => T, what: string): T {
+    this.cursor.skipLine()
+    const size = NUMBER_SIZES[type]
+    let at = this.cursor.position
+    const end = at + size * count
+    if (end > this.file.size) {
+      const has = `${count} times ${what} in ${size} bytes were expected, ${this.file.size - at} bytes are left`
+      this.refuseAt(at, `${has}: the file is cut off.`)
+    }
+    const list = make(count)
+    for (let filled = 0; filled < count; ) {
+      const bytes = this.file.read(at, Math.min(end, at + CHUNK))
+      const aligned = bytes.byteOffset % size === 0 ? bytes : bytes.slice()
+      swapBytes(aligned, size)
+      const bad = putNumbers(type, aligned, list, filled)
+      if (bad !== null)
+        this.refuseAt(
+          at + size * bad.at,
+          `${what} ${filled + bad.at + 1} is ${bad.value}, where a whole number from 0 on was expected.`,
+        )
+      filled += bytes.length / size
+      at += bytes.length
+      this.report(at)
+    }
+    this.cursor.goTo({ position: at })
+    return list
+  }
+
+  /** Goes to the next line that begins with a letter or #. */
+  passElision(): void {
+    this.cursor.skipLine()
+    for (this.cursor.skipBlanks(); !this.cursor.isAtEnd; this.cursor.skipBlanks()) {
+      const byte = this.cursor.peek() | 32
+      if ((byte >= 97 && byte <= 122) || this.cursor.peek() === 35) return
+      this.cursor.skipLine()
+    }
+  }
+
+  /** Lines up to an empty one. */
+  passMetadata(): void {
+    this.cursor.skipLine()
+    for (let line = this.cursor.nextLine(); line !== null; line = this.cursor.nextLine()) if (line.trim() === '') return
+  }
+
+  /** Arrays of names and times, which are not needed. */
+  passField(): void {
+    this.cursor.word()
+    const count = this.count()
+    for (let i = 0; i < count; ++i) {
+      if (this.cursor.word().toUpperCase() === 'METADATA') {
+        this.passMetadata()
+        this.cursor.word()
+      }
+      const numbers = this.count() * this.count()
+      const type = this.cursor.word().toLowerCase()
+      if (type === 'string') this.#passStrings(numbers)
+      else if (!this.isBinary) this.#passNumbers(numbers)
+      else {
+        this.cursor.skipLine()
+        const bytes = type === 'bit' ? Math.ceil(numbers / 8) : numbers * NUMBER_SIZES[this.#typeOf(type)]
+        if (this.cursor.position + bytes > this.file.size)
+          this.refuse(`an array of ${bytes} bytes was expected: the file is cut off.`)
+        this.cursor.goTo({ position: this.cursor.position + bytes })
+      }
+    }
+  }
+
+  #passNumbers(count: number): void {
+    const run = new NumberRun(this.file, this.cursor.position, this.file.size)
+    const some = new Float64Array(1024)
+    for (let left = count; left > 0; left -= some.length) {
+      const part = Math.min(left, some.length)
+      if (run.numbers(some, 0, part) === part) continue
+      this.refuseAt(run.position, `${shown(run.nextWord())} stands where a number of a field was expected.`)
+    }
+    this.cursor.goTo({ position: run.position })
+  }
+
+  /** In text a line each; in binary files a length of one, two, four or eight bytes, as its highest two bits say, and the bytes. */
+  #passStrings(count: number): void {
+    this.cursor.skipLine()
+    if (!this.isBinary) {
+      for (let i = 0; i < count && !this.cursor.isAtEnd; ++i) this.cursor.skipLine()
+      return
+    }
+    let at = this.cursor.position
+    for (let i = 0; i < count; ++i) {
+      const head = this.file.read(Math.min(at, this.file.size), Math.min(at + 8, this.file.size))
+      const kind = (head[0] ?? 0) >> 6
+      const bytes = [8, 4, 2, 1][kind] as number
+      let length = (head[0] ?? 0) & 63
+      for (let k = 1; k < bytes; ++k) length = 256 * length + (head[k] ?? 0)
+      at += bytes + length
+      if (at > this.file.size) this.refuse('a text of a field goes on behind the end of the file: it is cut off.')
+    }
+    this.cursor.goTo({ position: at })
+  }
+}
