@@ -44,7 +44,7 @@ class Scene implements View, PaneScene {
   readonly #resizes = new ResizeObserver(() => this.#onResize())
   /** Made when it is first shown. */
   #reference: ReferenceCube | null = null
-  /** Whether the browser has laid it out once: to ask for that in the frame that adds it to the page makes it a long one. */
+  /** Whether the browser has laid out the scene once: asking for that in the frame that adds it to the page is slow. */
   #isLaidOut = false
   #sizeMayDiffer = true
   #shown: Frame | null = null
@@ -120,8 +120,8 @@ class Scene implements View, PaneScene {
   cameras(): Cameras | null {
     if (this.#shown === null) return null
     return {
-      camera: this.#pane.fitting.view(this.#shown.state.vertices),
-      referenceCamera: this.#reference ? this.#reference.view() : (this.#asked?.referenceCamera ?? null),
+      camera: this.#pane.fitting.cameraView(this.#shown.state.vertices),
+      referenceCamera: this.#reference ? this.#reference.cameraView() : (this.#asked?.referenceCamera ?? null),
     }
   }
 
@@ -174,7 +174,7 @@ class Scene implements View, PaneScene {
     this.#sizeMayDiffer = false
     if (referenceShown) this.#reference ??= this.#createReference()
     if (this.#reference) this.#reference.root.hidden = !referenceShown
-    const camera = before ? this.#pane.fitting.view(before.vertices) : null
+    const camera = before ? this.#pane.fitting.cameraView(before.vertices) : null
     const isResized = this.#layout.measure(referenceShown)
     if (referenceShown) this.#reference?.resize(this.#layout.unit)
     this.#pane.resize(this.#layout)
@@ -188,7 +188,7 @@ class Scene implements View, PaneScene {
     return reference
   }
 
-  /** As a program asked for it, once. */
+  /** Turns the cameras as a program asked for it, once. */
   #look({ state, cameras }: Frame): void {
     if (cameras === null || cameras === this.#asked) return
     this.#asked = cameras
@@ -230,7 +230,7 @@ class Scene implements View, PaneScene {
   }
 }
 
-/** Asks for what takes the browser longest. */
+/** Asks the browser for what takes it longest. */
 export const prepareScene = (): void => void faceContext()
 
 export const createScene: CreateView = host => new Scene(host)
