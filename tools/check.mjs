@@ -4,7 +4,6 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { unformattedC } from './c-format.mjs'
 import { elementReference } from './element-reference.mjs'
-import { importComplaints } from './imports.mjs'
 import { biome, Failure, root, run, runMain, tsc } from './run.mjs'
 import { setup } from './setup.mjs'
 import { checkSizes } from './sizes.mjs'
@@ -17,7 +16,6 @@ const checks = [
   },
   { name: 'C formatter', complaints: formatOfC },
   { name: 'types (tsc)', complaints: () => output([process.execPath, tsc, '--pretty', 'false']) },
-  { name: 'imports', complaints: async () => importComplaints('web/scene') },
   { name: 'C warnings', complaints: () => output(['make', '-C', 'wasm', '--no-print-directory', 'warnings']) },
   { name: 'element reference', complaints: staleReference },
   { name: 'lock file', complaints: addressesInLock },

@@ -34,7 +34,7 @@ async function schemas() {
     logLevel: 'silent',
     server: { middlewareMode: true, ws: false },
   })
-  const { stateJsonSchema, challengeJsonSchema } = await server.ssrLoadModule('/web/app/schemas.ts')
+  const { stateJsonSchema, challengeJsonSchema } = await server.ssrLoadModule('/web/pages/schemas.ts')
   await server.close()
   return { 'docs/state.schema.json': json(stateJsonSchema), 'docs/challenge.schema.json': json(challengeJsonSchema) }
 }

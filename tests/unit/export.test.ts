@@ -3,12 +3,12 @@ import { crc32 } from 'node:zlib'
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
 import { loadCore } from '../../web/core/core'
-import { hexadecimal } from '../../web/model/export/c'
-import { reportJson } from '../../web/model/export/report-json'
-import { writers } from '../../web/model/export/writers'
+import { reportJson } from '../../web/core/report-json'
 import { readElements } from '../../web/model/import/import'
 import { decodePermalink, encodePermalink } from '../../web/model/permalink'
 import { isPng, textOf, withText } from '../../web/model/png-text'
+import { hexadecimal } from '../../web/panels/take-away/formats/c'
+import { writers } from '../../web/panels/take-away/formats/writers'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 const coordinates = fc.array(fc.double({ noNaN: true, noDefaultInfinity: true }), { minLength: 24, maxLength: 24 })

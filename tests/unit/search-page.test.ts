@@ -1,5 +1,7 @@
 /** The form of a search in the address, and what is kept in a browser's storage, whatever that does. */
 import { afterEach, describe, expect, it, vi } from 'vitest'
+import { readHexahedron } from '../../web/cli/read-hexahedra'
+import { readElements } from '../../web/model/import/import'
 import {
   decodeForm,
   encodeForm,
@@ -8,12 +10,10 @@ import {
   kinds,
   questOf,
   withField,
-} from '../../web/app/search/form-state'
-import { exported, Kept } from '../../web/app/search/kept'
-import { Spokesman } from '../../web/app/search/spokesman'
-import { readHexahedron } from '../../web/cli/read-hexahedra'
-import { readElements } from '../../web/model/import/import'
-import { readQuest } from '../../web/search/quest'
+} from '../../web/pages/search/form-state'
+import { readQuest } from '../../web/pages/search/hunt/quest'
+import { exported, Kept } from '../../web/pages/search/kept'
+import { Spokesman } from '../../web/pages/search/spokesman'
 import { entry, unitCube } from './core-fixtures'
 
 const decoded = (query: string) => decodeForm(new URLSearchParams(query))

@@ -93,7 +93,8 @@ async function meshOf(path: string, { wanted, streams, progress }: Work): Promis
   try {
     const name = withoutControls(path)
     const onProgress = (part: number) => progress.show(`${name}: reading`, part)
-    const meshes = readMeshes(file, { find, onProgress, ...(wanted.format === null ? {} : { format: wanted.format }) })
+    const { step, format } = wanted
+    const meshes = readMeshes(file, { find, onProgress, step, ...(format === null ? {} : { format }) })
     const [first, ...others] = meshes
     if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
     return joined([first, ...others])

@@ -6,12 +6,13 @@
  * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `offer` takes a text
  * or a file with eight points in it; `raise` and `clear` are for what the page has to say about a problem.
  */
-import { type Preset, presets, presetVertices } from '../content/presets'
+
 import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
 import { jacdetInFull } from '../model/decimal'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
+import { type Preset, presets, presetVertices } from '../model/presets'
 import type { Action, Cameras, State } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore, type Store } from '../model/store'
@@ -29,8 +30,8 @@ import {
   verticesText,
   viewNames,
 } from './attributes'
+import type { Composition } from './composition'
 import { Copying } from './copying'
-import type { Composition } from './define'
 import { HexLensError } from './hex-lens-error'
 import { listenForOffers } from './offers'
 import { Printing } from './printing'

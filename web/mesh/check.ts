@@ -3,11 +3,11 @@
  * single elements are answered by whoever is given, so that it runs on a page and in Node.
  */
 
-import type { NodeOrder } from '../content/node-orders'
 import type { Classification } from '../core/batch/classify'
 import { STATUSES, type Wanted } from '../core/batch/lists'
 import type { Core, Report } from '../core/report'
 import { CLASSES } from '../core/unpack'
+import type { NodeOrder } from '../model/node-orders'
 import { checkNotes } from './check-notes'
 import { coincidentCells } from './coincident'
 import type { Mesh } from './mesh'

@@ -10,6 +10,7 @@ const LONGEST_FENCE = 40
 /** A row of so many marks is a ruler in a log. */
 const RULER = 6
 const FEWEST_QUOTED = 3
+const [ESCAPE, BRACKET] = [27, 91] as const
 
 /** A line is the bytes [from, to). */
 interface Line {
@@ -18,8 +19,8 @@ interface Line {
 }
 
 /**
- * The text without what mail and Markdown put around it. Marks of quotation, fences, the words outside of them, no-break spaces and a byte
- * order mark become blanks, so that lines and bytes keep their places; UTF-16 becomes UTF-8. The file itself where there is nothing of that, or
+ * The text without what mail and Markdown put around it. Marks of quotation, fences, the words outside of them, terminals' colours, no-break
+ * spaces and a byte order mark become blanks, so that lines and bytes keep their places; UTF-16 becomes UTF-8. The file itself where there is nothing of that, or
  * where it is binary or large.
  */
 export function withoutQuotation(file: MeshFile): MeshFile {
@@ -28,10 +29,11 @@ export function withoutQuotation(file: MeshFile): MeshFile {
   const encoding = utf16Of(original)
   const bytes = encoding === null ? original : new TextEncoder().encode(new TextDecoder(encoding).decode(original))
   if (bytes.includes(0)) return file
+  const isUncoloured = blankColours(bytes)
   const isUnquoted = blankQuotation(bytes)
   const isUnfenced = blankFences(bytes)
   const isPlain = blankOddSpaces(bytes)
-  return isUnquoted || isUnfenced || isPlain || encoding !== null ? fileOfBytes(file.name, bytes) : file
+  return isUncoloured || isUnquoted || isUnfenced || isPlain || encoding !== null ? fileOfBytes(file.name, bytes) : file
 }
 
 /**
@@ -92,6 +94,19 @@ function blankFences(bytes: Uint8Array): boolean {
     for (const [part, from] of starts.entries()) if (!isInside(part)) blank(bytes, from, ends[part] as number)
   for (const { from, to } of fences) bytes.fill(SPACE, from, to)
   return true
+}
+
+/** What terminals take for colours: an escape, a bracket, numbers and a letter. */
+function blankColours(bytes: Uint8Array): boolean {
+  let hasAny = false
+  for (let at = bytes.indexOf(ESCAPE); at >= 0; at = bytes.indexOf(ESCAPE, at + 1)) {
+    if (bytes[at + 1] !== BRACKET) continue
+    let end = at + 2
+    while (end < at + LONGEST_FENCE && ((bytes[end] as number) >> 4 === 3 || bytes[end] === SPACE)) end++
+    bytes.fill(SPACE, at, end + 1)
+    hasAny = true
+  }
+  return hasAny
 }
 
 function blankOddSpaces(bytes: Uint8Array): boolean {

@@ -16,6 +16,7 @@ const HEAD = 65_536
 export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { format?: string } = {}): readonly Mesh[] {
   const all: ReadOptions = {
     find: options.find ?? (() => null),
+    step: options.step ?? 0,
     onProgress: options.onProgress ?? (() => {}),
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),
   }

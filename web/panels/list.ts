@@ -1,4 +1,5 @@
 /** The panels that every element has, in the order in which they stand. Another one is a folder here, and a line. */
+
 import { algorithm } from './algorithm'
 import { announcer } from './announcer'
 import { checks } from './checks'
@@ -11,7 +12,7 @@ import type { Panel } from './panel'
 import { paste } from './paste'
 import { problems } from './problems'
 import { proof } from './proof'
-import { sceneView } from './scene'
+import { scene } from './scene'
 import { takeAway } from './take-away'
 import { toolbar } from './toolbar'
 import { verdict } from './verdict'
@@ -33,5 +34,5 @@ export const panels: readonly Panel[] = [
   paste,
   takeAway,
   embed,
-  sceneView,
+  scene,
 ]

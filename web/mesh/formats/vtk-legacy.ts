@@ -6,13 +6,13 @@ import { type CoordinatePlaces, type Mesh, MeshRefusal, MOST_IMPLIED_CELLS } fro
 import { isEllipsis } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
+import type { CellData } from './vtk-cell-data'
 import { type LegacyCells, readCells } from './vtk-legacy-cells'
-import { LegacyStream } from './vtk-legacy-stream'
+import { readCellData } from './vtk-legacy-data'
+import { LegacyStream, lineThatBegins } from './vtk-legacy-stream'
 import { type Precision, VtkMesh } from './vtk-mesh'
 import { NUMBER_SIZES, type NumberType } from './vtu-arrays'
 
-const CHUNK = 1024 * 1024
-const FIRST_PIECE = 4096
 const MAGIC = '# vtk DataFile Version'
 /** A part of a file that somebody has cut out begins with one of its sections. */
 const SECTION =
@@ -32,7 +32,7 @@ export const vtkLegacy: MeshFormat = {
 
   read(file, options) {
     const meshes: Mesh[] = []
-    let at = find(file, MAGIC, 0)
+    let at = lineThatBegins(file, MAGIC, 0)
     if (at < 0) {
       const head = new TextDecoder('latin1').decode(file.read(0, Math.min(file.size, 65_536)))
       const section = SECTION.exec(head)
@@ -44,28 +44,10 @@ export const vtkLegacy: MeshFormat = {
       cursor.goTo({ position: at })
       const dataset = new LegacyDataset(file, options, cursor, true)
       meshes.push(dataset.read())
-      at = dataset.isBinary ? -1 : find(file, MAGIC, cursor.position)
+      at = dataset.isBinary ? -1 : lineThatBegins(file, MAGIC, cursor.position)
     }
     return meshes
   },
-}
-
-/** Where a line begins so, in any case of letters, from byte `from` on; -1 if none does. */
-function find(file: MeshFile, words: string, from: number): number {
-  const first = words.charCodeAt(0)
-  let piece = FIRST_PIECE
-  for (let start = from; start < file.size; start += piece, piece = Math.min(CHUNK, 2 * piece)) {
-    // The words may go on, and the end of the line before lie, beyond the piece.
-    const begin = Math.max(0, start - 1)
-    const bytes = file.read(begin, Math.min(file.size, start + piece + words.length))
-    for (let at = bytes.indexOf(first, start - begin); at >= 0; at = bytes.indexOf(first, at + 1)) {
-      const isLineStart = at === 0 || (bytes[at - 1] as number) <= 32 || begin + at === 3
-      if (!isLineStart) continue
-      const text = String.fromCharCode(...bytes.subarray(at, at + words.length))
-      if (text.toLowerCase() === words.toLowerCase()) return begin + at
-    }
-  }
-  return -1
 }
 
 class LegacyDataset {
@@ -80,6 +62,8 @@ class LegacyDataset {
   #pointType: NumberType = 'Float64'
   #cells: LegacyCells | null = null
   #types: Uint8Array | null = null
+  #cellData: CellData | null = null
+  #time: string | null = null
   #sizes: [number, number, number] | null = null
   #origin: [number, number, number] = [0, 0, 0]
   #spacing: [number, number, number] = [1, 1, 1]
@@ -158,10 +142,11 @@ class LegacyDataset {
         this.#stream.passMetadata()
         return true
       case 'FIELD':
-        this.#stream.passField()
+        this.#readField()
         return true
       case 'CELL_DATA':
       case 'POINT_DATA':
+        if (this.#types !== null) this.#cellData = readCellData(this.#stream, keyword, this.#types.length)
         return false
     }
     if (isEllipsis(keyword) && !this.#stream.isBinary) {
@@ -206,6 +191,17 @@ class LegacyDataset {
     this.#pointsFrom = this.#stream.isBinary ? this.#pointsTo - NUMBER_SIZES[this.#pointType] * list.length : from
   }
 
+  /** Of the arrays of the whole file the time counts. */
+  #readField(): void {
+    this.#stream.field((name, components, tuples, type) => {
+      if (components * tuples === 1 && /^time(?:value)?$/i.test(name))
+        this.#time = String(
+          this.#stream.list(1, this.#stream.typeOf(type), length => new Float64Array(length), 'time')[0],
+        )
+      else this.#stream.pass(components * tuples, type)
+    })
+  }
+
   #readAxis(axis: number): void {
     const count = this.#stream.count()
     const type = this.#stream.type()
@@ -242,6 +238,10 @@ class LegacyDataset {
       mesh.addStructured(() => this.#structuredPoints(sizes), sizes, this.#precision())
     } else {
       if (this.#points === null) this.#stream.refuseAt(end, 'the file ends, and no section POINTS was there.')
+      // VTK writes no section for no cells.
+      const isEmpty = this.#declaredPoints === 0 && this.#cells === null
+      if (isEmpty) this.#cells = { connectivity: new Uint32Array(0), ends: new Uint32Array(0), declared: 0 }
+      if (isEmpty) this.#types = new Uint8Array(0)
       const missing = this.#cells === null ? 'CELLS' : this.#types === null ? 'CELL_TYPES' : null
       if (missing !== null) this.#stream.refuseAt(end, `the file ends, and no section ${missing} was there.`)
       const { connectivity, ends, declared } = this.#cells as LegacyCells
@@ -256,8 +256,10 @@ class LegacyDataset {
         declaredCells: declared,
         hasFaceStreams: true,
         precision: this.#precision(),
+        cellData: this.#cellData,
       })
     }
+    mesh.steps = this.#time === null ? [] : [this.#time]
     mesh.coordinatePlaces = this.#places()
     return mesh.mesh()
   }

@@ -4,7 +4,7 @@ import { type FacePolynomials, facePolynomials, leastInRow } from '../../core/fa
 import type { Candidate, FaceReport, Report } from '../../core/report'
 import { formatJacdet, formatPoint } from '../../model/decimal'
 import { type FaceTopology, faces, type Vec3 } from '../../model/hexahedron'
-import { sliceChange, sliceOf } from '../../model/slice'
+import { sliceChange, sliceOf } from '../../model/state'
 import { candidateShapes } from '../../scene/overlay/candidate-shapes'
 import { colourScaleOf, rampOf, type Theme } from '../../scene/paint/colour-map'
 import { type Palette, paletteOf } from '../../scene/paint/face-raster'

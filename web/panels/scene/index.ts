@@ -1,7 +1,7 @@
 import { createScene, prepareScene, sceneStyles } from '../../scene/scene'
 import type { Panel } from '../panel'
 
-export const sceneView: Panel = {
+export const scene: Panel = {
   name: 'scene',
   place: 'stage',
   create: createScene,
