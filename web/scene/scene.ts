@@ -8,7 +8,7 @@
 import { pointOfValue } from '../core/point-of-value'
 import type { Vec3 } from '../model/hexahedron'
 import type { Cameras, CameraView, State } from '../model/state'
-import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from '../views/view'
+import type { Figure, FigureName, Frame, Turn, View, ViewHost } from '../views/view'
 import { ElementPane } from './element-pane'
 import { Controls } from './input/controls'
 import { nextCandidate } from './input/probe-input'
@@ -20,11 +20,9 @@ import { figureOf } from './paint/figure'
 import { Painting, scaleOf } from './paint/painting'
 import type { PaneScene } from './pane'
 import { ReferenceCube } from './reference-cube'
-import css from './scene.css?inline'
+import styles from './scene.css?inline'
 import { Layout } from './space/layout'
 import { LinkedCameras, type OrbitCamera } from './space/orbit-camera'
-
-export const sceneStyles = css
 
 /** Everything in a figure: neither the controls, nor marks for the pointer. */
 const IN_FIGURE = 'canvas, .scene-flat, .scene-overlay, .scene-scale > *'
@@ -230,7 +228,11 @@ class Scene implements View, PaneScene {
   }
 }
 
-/** Asks the browser for what takes it longest. */
-export const prepareScene = (): void => void faceContext()
-
-export const createScene: CreateView = host => new Scene(host)
+/** The scene among the panels. `prepare` asks the browser for what takes it longest. */
+export const scene = {
+  name: 'scene',
+  place: 'stage',
+  create: (host: ViewHost): View => new Scene(host),
+  styles,
+  prepare: (): void => void faceContext(),
+} as const
