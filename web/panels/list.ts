@@ -1,5 +1,5 @@
 /** The panels that every element has, in the order in which they stand. Another one is a folder here, and a line. */
-
+import { scene } from '../scene/scene'
 import { algorithm } from './algorithm'
 import { announcer } from './announcer'
 import { checks } from './checks'
@@ -13,7 +13,6 @@ import { paste } from './paste'
 import { problems } from './problems'
 import { proof } from './proof'
 import { reading } from './reading'
-import { scene } from './scene'
 import { takeAway } from './take-away'
 import { toolbar } from './toolbar'
 import { verdict } from './verdict'
