@@ -156,7 +156,8 @@ const known: readonly Known[] = [
   {
     is: starts('\x89PNG'),
     what: 'an image',
-    instead: 'the mesh itself is needed, or a PNG that was taken away from a Hexlens page, which has its element inside',
+    instead:
+      'the mesh itself is needed, or a PNG that was taken away from a Hexlens page, which has its element inside',
   },
   {
     is: starts('\xff\xd8\xff', 'GIF8', 'BM6', 'II*\0', 'MM\0*'),
