@@ -38,10 +38,23 @@ const insideOneFile = {
     if (id === BATCH_WORKER) return `export default ${JSON.stringify(await scriptOf(batchWorker))}`
     const [, name] = WASM.exec(id) ?? []
     if (name === undefined) return null
-    const { default: zopfli } = await import('@gfx/zopfli') // not before it is installed
-    const deflated = await promisify(zopfli.zlib)(readFileSync(join(root, 'build', name)), { numiterations: 15 })
-    return `export default '${Buffer.from(deflated).toString('base64')}'`
+    return `export default '${await deflatedText(name)}'`
   },
+}
+
+const deflatedTexts = new Map()
+
+/** Several scripts hold the same wasm, and deflating it takes seconds. */
+function deflatedText(name) {
+  const text = deflatedTexts.get(name) ?? deflate(name)
+  deflatedTexts.set(name, text)
+  return text
+}
+
+async function deflate(name) {
+  const { default: zopfli } = await import('@gfx/zopfli') // not before it is installed
+  const deflated = await promisify(zopfli.zlib)(readFileSync(join(root, 'build', name)), { numiterations: 15 })
+  return Buffer.from(deflated).toString('base64')
 }
 
 /** lit-html as it runs on a server too, and without the global in which it notes its version: a guest leaves nothing behind. */
@@ -85,12 +98,16 @@ const batchWorker = {
   plugins: [],
 }
 
-/** In no module format: from another origin a worker asks for it by importScripts. */
+/**
+ * In no module format. A page may start a worker from its own origin alone: from elsewhere, and from file://, it loads this as a script,
+ * which then gives itself to the page as a function.
+ */
 const meshWorker = {
   file: 'hexlens.mesh-worker.js',
   format: 'iife',
   entry: ours('mesh-worker.ts'),
   plugins: [insideOneFile],
+  around: ['(function work(){if(self.document)document.currentScript.work=work;else{', '}})()'],
 }
 
 const bundles = [
@@ -152,7 +169,7 @@ async function scriptOf(bundle) {
   return output[0].code
 }
 
-function configOf({ file, format, entry, plugins }, where) {
+function configOf({ file, format, entry, plugins, around: [before, after] = ['', ''] }, where) {
   return {
     configFile: false,
     root,
@@ -164,7 +181,7 @@ function configOf({ file, format, entry, plugins }, where) {
       ...where,
       lib: { entry, formats: [format], name: 'hexlens', fileName: () => file },
       rolldownOptions: {
-        output: { codeSplitting: false, minify: true, postBanner: BANNER },
+        output: { codeSplitting: false, minify: true, postBanner: `${BANNER}\n${before}`, postFooter: after },
         // A plain script has no import.meta and does without.
         checks: { bundlerTimings: false, emptyImportMeta: false },
       },

@@ -2,6 +2,7 @@
 import type { ReadingWorker } from '../input/read-input'
 
 const NAME = 'hexlens.mesh-worker.js'
+const BLOCKED = `${NAME} was not loaded from beside the script, or a policy of the page forbids it`
 
 /** Of a module its own address; of a plain script that of the tag, which only says so while it runs first. */
 const script = globalThis.document?.currentScript
@@ -17,10 +18,31 @@ export function setMeshWorker(address: string | URL | (() => Promise<string | UR
 export const readingWorkerBeside: ReadingWorker = {
   async start() {
     const address = new URL(await findAddress(), document.baseURI)
-    if (address.origin === location.origin && address.protocol !== 'file:') return new Worker(address)
-    // A worker's first script must be of the page's own origin; those that it asks for need not.
-    const start = new Blob([`importScripts(${JSON.stringify(address.href)})`], { type: 'text/javascript' })
-    return new Worker(URL.createObjectURL(start))
+    const isOwn = address.origin === location.origin && address.protocol !== 'file:'
+    return new Worker(isOwn ? address : await addressOfCopy(address.href))
   },
-  blocked: `${NAME} was not loaded from beside the script, or a policy of the page forbids it`,
+  blocked: BLOCKED,
+}
+
+type HandedOver = HTMLScriptElement & { readonly work?: () => void }
+
+const copies = new Map<string, Promise<string>>()
+
+/** From another origin, or from file://, a page starts no worker; loaded as a script, the file gives itself as a function. */
+function addressOfCopy(address: string): Promise<string> {
+  const copy = copies.get(address) ?? copied(address)
+  copies.set(address, copy)
+  copy.catch(() => copies.delete(address))
+  return copy
+}
+
+async function copied(address: string): Promise<string> {
+  const script: HandedOver = document.createElement('script')
+  await new Promise((resolve, reject) => {
+    script.onload = resolve
+    script.onerror = () => reject(new Error(BLOCKED))
+    script.src = address
+    document.head.append(script)
+  }).finally(() => script.remove())
+  return URL.createObjectURL(new Blob([`(${script.work})()`], { type: 'text/javascript' }))
 }
