@@ -49,10 +49,21 @@ const insideOneFile = {
     if (id === BATCH_WORKER) return `export default ${JSON.stringify(await scriptOf(batchWorker))}`
     const [, name] = WASM.exec(id) ?? []
     if (name === undefined) return null
-    const { default: zopfli } = await import('@gfx/zopfli') // not before it is installed
-    const deflated = await promisify(zopfli.zlib)(readFileSync(join(root, 'build', name)), { numiterations: 15 })
-    return `export default '${Buffer.from(deflated).toString('base64')}'`
+    return `export default '${Buffer.from(await deflated(name)).toString('base64')}'`
   },
+}
+
+/** Seven bundles hold the same wasm, and deflating it takes seconds. */
+const deflatedByName = new Map()
+
+function deflated(name) {
+  if (!deflatedByName.has(name)) deflatedByName.set(name, deflate(readFileSync(join(root, 'build', name))))
+  return deflatedByName.get(name)
+}
+
+async function deflate(bytes) {
+  const { default: zopfli } = await import('@gfx/zopfli') // not before it is installed
+  return promisify(zopfli.zlib)(bytes, { numiterations: 15 })
 }
 
 /** lit-html as it runs on a server too, and without the global in which it notes its version: a guest leaves nothing behind. */
