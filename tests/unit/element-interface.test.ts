@@ -30,7 +30,8 @@ describe('the table of the element’s interface', () => {
   })
 
   it('has the events that are told', () => {
-    const told = [...read('web/element/hex-lens.ts').matchAll(/#tell\('([\w-]+)'/g)].map(match => match[1])
+    const source = read('web/element/hex-lens.ts') + read('web/element/changes.ts')
+    const told = [...source.matchAll(/\btell\('(hex-[\w-]+)'/g)].map(match => match[1])
     expect([...new Set(told)].sort()).toEqual(names('events').sort())
   })
 

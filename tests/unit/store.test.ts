@@ -260,6 +260,20 @@ describe('the store', () => {
       expect(() => target.dispatch({ type: 'preview-order', order: wrong })).toThrow(RangeError)
   })
 
+  it('begins without a history, and changes nothing where the numbers are there already', () => {
+    const target = dispatched(move(5), { type: 'begin', vertices: other, preset: null, start: unitCube })
+    expect(target.state).toMatchObject({ vertices: other, start: unitCube, canUndo: false, canRedo: false })
+    const before = target.state
+    target.dispatch({ type: 'set-vertices', vertices: other.slice(), preset: null })
+    expect(target.state).toBe(before)
+    target.dispatch({ type: 'set-vertices', vertices: other.slice(), preset: 'named' })
+    expect(target.state).toMatchObject({ preset: 'named', start: other, canUndo: true })
+    expect(target.state.vertices).toBe(before.vertices)
+    target.dispatch({ type: 'set-vertices', vertices: other.with(0, -0), preset: null })
+    expect(Object.is(target.state.vertices[0], -0)).toBe(true)
+    expect(() => target.dispatch({ type: 'begin', vertices: [1], preset: null, start: unitCube })).toThrow(RangeError)
+  })
+
   it('keeps the ends of a way out of the history, and refuses what is no element', () => {
     const target = dispatched(sliceChange(endsSlice, { morphA: other }))
     expect(sliceOf(endsSlice, target.state)).toEqual({ morphA: other, morphB: null })

@@ -15,9 +15,9 @@ import { jacdetInFull } from '../model/decimal'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import { type Preset, presets, presetVertices } from '../model/presets'
-import type { Action, Cameras, State } from '../model/state'
+import type { Action, Cameras } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
-import { createStore, type Store } from '../model/store'
+import { createStore } from '../model/store'
 import { knownPanels, type Panel } from '../panels/panel'
 import type { Figure, FigureName, Frame, Problem, ViewHost } from '../views/view'
 import { Answers } from './answers'
@@ -32,10 +32,11 @@ import {
   verticesText,
   viewNames,
 } from './attributes'
+import { Changes } from './changes'
 import type { Composition } from './composition'
 import { Copying } from './copying'
+import { type DueFrame, FrameLoop } from './frame-loop'
 import { HexLensError } from './hex-lens-error'
-import { Printing } from './printing'
 import { ReflectingElement } from './reflecting-element'
 import { asksForHelp, historyStep } from './shortcuts'
 import { Show } from './show'
@@ -68,7 +69,7 @@ export class HexLens extends ReflectingElement {
     dispatch: action => this.#dispatchOfReader(action),
     raise: problem => this.raise(problem),
     clear: code => this.clear(code),
-    requestFrame: () => this.#schedule(),
+    requestFrame: () => this.#frames.schedule(),
     permalink: () => this.permalink,
     figure: name => this.#show.figure(name),
     input: {
@@ -81,12 +82,15 @@ export class HexLens extends ReflectingElement {
   readonly #answers = new Answers(
     HexLens.composition.panels,
     message => this.raise({ code: 'core-failed', message }),
-    () => this.#schedule(),
+    () => this.#frames.schedule(),
   )
   readonly #problems = new Map<Problem['code'], Problem>()
-  #store: Store = createStore(presetVertices(presets[0]), presets[0].id)
-  #committed: Vertices = this.#store.state.vertices
-  #drawn: Vertices | null = null
+  readonly #store = createStore(presetVertices(presets[0]), presets[0].id)
+  readonly #changes = new Changes(this.#store.state.vertices, {
+    tell: (event: string, detail: unknown = null) => this.#tell(event, detail),
+    reflect: () => this.#reflect(),
+  })
+  readonly #frames = new FrameLoop(this, frame => this.#onFrame(frame))
   /** Names of panels, as the attribute last said them. */
   #viewNames: readonly string[] = FIRST_VIEWS
   readonly #input = new InputReader(HexLens.composition.readingWorker, {
@@ -95,19 +99,10 @@ export class HexLens extends ReflectingElement {
       return this.#store.state.vertices
     },
     refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
-    onNews: () => this.#schedule(),
+    onNews: () => this.#frames.schedule(),
   })
   #cameras: Cameras | null = null
   #drawnCameras: Cameras | null = null
-  #toldValid: boolean | null = null
-  #frameRequest = 0
-  /** Whether there is more to draw than what waits for its turn. */
-  #isNews = false
-  #visibility: IntersectionObserver | null = null
-  #printing: Printing | null = null
-  #isInView = false
-  /** Pictures asked for, which are drawn although nobody sees them. */
-  #picturesDue = 0
   #isReflecting = false
 
   constructor() {
@@ -125,20 +120,14 @@ export class HexLens extends ReflectingElement {
   connectedCallback(): void {
     for (const name of EARLY) this.#adopt(name)
     this.#show.begin(this.#shownPanels)
-    this.#printing = new Printing(this, () => this.#drawAtOnce())
-    this.#visibility = new IntersectionObserver(entries => this.#onVisibility(entries))
-    this.#visibility.observe(this)
+    this.#frames.start()
     if (this.#answers.core === null) void this.#start()
-    else this.#schedule()
+    else this.#frames.schedule()
   }
 
   disconnectedCallback(): void {
     this.#cameras = this.#camerasNow
-    cancelAnimationFrame(this.#frameRequest)
-    this.#frameRequest = 0
-    this.#visibility?.disconnect()
-    this.#printing?.dispose()
-    this.#isInView = false
+    this.#frames.stop()
     this.#answers.stop()
     this.#show.end()
     this.#input.close()
@@ -174,10 +163,10 @@ export class HexLens extends ReflectingElement {
     const result = readState(given, knownPanels(HexLens.composition.panels))
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
     const { state, cameras } = result.value
-    if (this.#drawn === null) this.#begin(state.vertices, state.preset, state.start)
+    if (!this.#changes.haveBegun) this.#begin(state.vertices, state.preset, state.start)
     this.#cameras = cameras
     this.#store.dispatch({ type: 'restore', state })
-    this.#schedule()
+    this.#frames.schedule()
   }
 
   get preset(): string | null {
@@ -202,7 +191,7 @@ export class HexLens extends ReflectingElement {
 
   /** Whether all that is to be seen is there: views are made when the element is seen, panels come when they are opened. */
   get complete(): boolean {
-    return this.#isSeen && this.#drawn !== null && this.#frameRequest === 0 && this.#show.isComplete
+    return this.#frames.isSeen && this.#changes.haveBegun && this.#frames.isIdle && this.#show.isComplete
   }
 
   undo(): void {
@@ -251,12 +240,12 @@ export class HexLens extends ReflectingElement {
   raise(problem: Problem): void {
     if (this.#problems.get(problem.code)?.message === problem.message) return
     this.#problems.set(problem.code, problem)
-    this.#schedule()
+    this.#frames.schedule()
     this.#tell('hex-error', problem)
   }
 
   clear(code: Problem['code']): void {
-    if (this.#problems.delete(code)) this.#schedule()
+    if (this.#problems.delete(code)) this.#frames.schedule()
   }
 
   /** A property set before the class was there hides the class's own. */
@@ -276,7 +265,7 @@ export class HexLens extends ReflectingElement {
       controls: controls => this.#dispatch({ type: 'offer-controls', controls }),
       camera: camera => {
         this.#cameras = { camera, referenceCamera: this.#camerasNow.referenceCamera }
-        this.#schedule()
+        this.#frames.schedule()
       },
       theme: () => {}, // the style sheet does it
       readonly: isReadonly => {
@@ -292,7 +281,7 @@ export class HexLens extends ReflectingElement {
 
   /** Before the first frame both attributes say what the element starts from, in whichever order they come. */
   #takeElement(vertices: Vertices | null, preset: Preset | null): void {
-    if (this.#drawn === null) {
+    if (!this.#changes.haveBegun) {
       const own = vertices ?? this.#understood('vertices')
       const from = preset ?? this.#understood('preset')
       const start = from && from.valid !== null ? presetVertices(from) : own
@@ -323,21 +312,18 @@ export class HexLens extends ReflectingElement {
     if (!this.isConnected) return
     this.#cameras = this.#camerasNow
     this.#show.begin(this.#shownPanels)
-    this.#schedule()
+    this.#frames.schedule()
   }
 
   #setVertices(vertices: Vertices, preset: string | null): void {
-    if (this.#drawn === null) this.#begin(vertices, preset, vertices)
-    else this.#dispatch({ type: 'set-vertices', vertices, preset })
+    if (this.#changes.haveBegun) this.#dispatch({ type: 'set-vertices', vertices, preset })
+    else this.#begin(vertices, preset, vertices)
   }
 
   /** What is set before the first frame is what the element starts from, not a step to undo. */
   #begin(vertices: Vertices, preset: string | null, start: Vertices): void {
-    const { isReadonly, controls } = this.#store.state
-    this.#store = createStore(vertices, preset, start)
-    this.#store.dispatch({ type: 'hold', isReadonly })
-    this.#store.dispatch({ type: 'offer-controls', controls })
-    this.#committed = this.#store.state.vertices
+    this.#store.dispatch({ type: 'begin', vertices, preset, start })
+    this.#changes.begin(this.#store.state.vertices)
   }
 
   /** As the reader has turned them, or as they were asked for. */
@@ -349,7 +335,7 @@ export class HexLens extends ReflectingElement {
   #dispatch(action: Action): void {
     const before = this.#store.state
     this.#store.dispatch(action)
-    if (this.#store.state !== before) this.#schedule()
+    if (this.#store.state !== before) this.#frames.schedule()
   }
 
   #dispatchOfReader(action: Action): void {
@@ -358,12 +344,12 @@ export class HexLens extends ReflectingElement {
 
   /** The core comes before the first frame, unless it is slow to come. */
   async #start(): Promise<void> {
-    const slow = setTimeout(() => this.#schedule(), PATIENCE_MS)
+    const slow = setTimeout(() => this.#frames.schedule(), PATIENCE_MS)
     try {
       this.#answers.core = await fetchCore(HexLens.composition.core)
       this.clear('core-failed')
-      if (this.isConnected) this.#tellChanges(this.#store.state)
-      this.#schedule()
+      if (this.isConnected) this.#changes.tell(this.#store.state, this.report)
+      this.#frames.schedule()
     } catch (reason) {
       const why = reason instanceof Error ? reason.message : String(reason)
       this.raise({
@@ -375,76 +361,21 @@ export class HexLens extends ReflectingElement {
     }
   }
 
-  get #isForPaper(): boolean {
-    return this.#printing?.isOn ?? false
-  }
-
-  /** Paper shows what is far down the page, too. */
-  get #isSeen(): boolean {
-    return this.#isInView || this.#picturesDue > 0 || this.#isForPaper
-  }
-
-  #onVisibility(entries: readonly IntersectionObserverEntry[]): void {
-    this.#isInView = entries.at(-1)?.isIntersecting ?? false
-    if (this.#isInView) this.#schedule()
-  }
-
-  #schedule(): void {
-    this.#isNews = true
-    this.#request()
-  }
-
-  #request(): void {
-    if (this.isConnected && this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(this.#onFrame)
-  }
-
-  readonly #onFrame = (time: number): void => {
-    this.#frameRequest = 0
-    const isNews = this.#isNews
-    this.#isNews = false
+  #onFrame({ time, isNews, isSeen, isForPaper }: DueFrame) {
     const { state } = this.#store
-    this.#tellChanges(state)
-    if (this.#isSeen) this.#draw(state, isNews, time)
-  }
-
-  /** Before the pages are made: every view of it, in this very moment. */
-  #drawAtOnce(): void {
-    cancelAnimationFrame(this.#frameRequest)
-    do {
-      this.#isNews = true
-      this.#onFrame(Number.NaN) // no frame of the page that others might have a part in
-    } while (this.#isForPaper && this.#show.isUnmade)
-  }
-
-  #draw(state: State, isNews: boolean, time: number): void {
+    this.#changes.tell(state, this.#answers.report(state.vertices))
+    if (!isSeen) return { isWaiting: false, isUnmade: false }
     const frame: Frame = {
       state,
       ...this.#answers.of(state),
       reading: this.#input.reading,
       cameras: this.#cameras,
       problems: [...this.#problems.values()],
-      isForPaper: this.#isForPaper,
+      isForPaper,
     }
     this.#show.draw(frame, isNews, time)
     this.#drawnCameras = frame.cameras
-    if (this.#show.isWaiting) this.#request()
-  }
-
-  /** To the page, seen or not. */
-  #tellChanges({ vertices, gestureStart }: State): void {
-    const report = this.#answers.report(vertices)
-    const moved = this.#drawn !== null && this.#drawn !== vertices
-    this.#drawn = vertices
-    if (moved) this.#tell('hex-input')
-    if (report && report.valid !== this.#toldValid) {
-      this.#toldValid = report.valid
-      this.#tell('hex-verdict', { valid: report.valid })
-    }
-    if (gestureStart === null && this.#committed !== vertices) {
-      this.#committed = vertices
-      this.#reflect()
-      this.#tell('hex-change')
-    }
+    return this.#show
   }
 
   /** The attributes say what is there now. */
@@ -458,18 +389,14 @@ export class HexLens extends ReflectingElement {
     for (const name of ['vertices', 'preset'] as const) this.clear(`bad-${name}`)
   }
 
-  async #figure(name: FigureName): Promise<Figure> {
-    this.#picturesDue++
-    this.#schedule()
-    try {
+  #figure(name: FigureName): Promise<Figure> {
+    return this.#frames.whileDrawn(async () => {
       await fetchCore(HexLens.composition.core).catch(() => {}) // without it there are lines, and they are drawn
       while (this.isConnected && !this.complete) await new Promise(requestAnimationFrame)
       const figure = this.#show.figure(name)
       if (figure === null) throw new HexLensError('no-picture', `There is no picture of the ${name} on the page.`)
       return figure
-    } finally {
-      this.#picturesDue--
-    }
+    })
   }
 
   /** Of what is pointed at: every number with all its digits. */

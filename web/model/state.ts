@@ -108,6 +108,8 @@ export type Action =
   | { readonly type: 'move-coordinate'; readonly index: number; readonly to: number }
   /** All vertices, likewise; preset and start stay. */
   | { readonly type: 'move-all'; readonly vertices: Vertices }
+  /** What the element starts from, without a history; `start` is what Reset goes back to. */
+  | { readonly type: 'begin'; readonly vertices: Vertices; readonly preset: string | null; readonly start: Vertices }
   /** The whole element replaced: a preset, a link, the `vertices` property. `preset` is the preset's id if it is one. */
   | { readonly type: 'set-vertices'; readonly vertices: Vertices; readonly preset: string | null }
   /** A gesture is one undo step by intent: begin, any number of moves, then commit, or cancel to restore. */

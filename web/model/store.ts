@@ -34,7 +34,8 @@ export interface Store {
    * - `undo` in a gesture that moved something takes back that gesture alone; in one that did not, the step before it.
    * - `redo`, `reset` in a gesture cancel it first.
    * - `restore` cancels a gesture that still runs.
-   * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one.
+   * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one. Numbers that are
+   *   already there change nothing, unless they are now called by a preset's name.
    *
    * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate, face or step, a
    * place outside the reference cube, no order of eight vertices.
@@ -166,8 +167,18 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
       case 'move-all':
         change({ ...present, vertices: kept(present.vertices, accepted(action.vertices)) })
         break
+      case 'begin': {
+        const start = accepted(action.start)
+        present = { vertices: kept(start, accepted(action.vertices)), preset: action.preset, start }
+        past = []
+        future = []
+        gestureStart = null
+        break
+      }
       case 'set-vertices': {
         const vertices = kept(present.vertices, accepted(action.vertices))
+        const isNamed = action.preset !== null && action.preset !== present.preset
+        if (vertices === present.vertices && !isNamed) break
         change({ vertices, preset: action.preset, start: kept(present.start, vertices) })
         break
       }
