@@ -78,6 +78,25 @@ describe('lists and tables as languages and programs write them', () => {
     ['points, then a matrix', `element 3\nnodes:\n${eachRow(row => row.join(' '))}\njacobian:\n1 0.5 0\n0 1 0\n0 0 -1`],
   ])('%s', (_, text) => expectElement(text))
 
+  test.each([
+    ['a flat list of x, then y, then z', `double v[24] = {${columns.flat()}};`, 'as eight x, eight y and eight z'],
+    [
+      'a flat list in three lines',
+      `${[0, 1, 2].map(k => flat.slice(8 * k, 8 * k + 8).join(' ')).join('\n')}`,
+      'as eight points one',
+    ],
+  ])('%s is told by the element that it makes', async (_, text, said) => {
+    const check = await checked(readText('a.txt', text))
+    expect([check.valid, check.mesh.isOrderStated]).toEqual([1, false])
+    expect(verticesOf(check.mesh, 0)).toEqual(flat)
+    expect(check.notes.join(' ')).toContain(said)
+  })
+
+  test('an invalid element stays in the layout that is usual', () => {
+    const element = flat.with(21, 2)
+    expect(verticesOf(readText('a.c', `double v[24] = {${element}};`), 0)).toEqual(element)
+  })
+
   test('24 titled columns are named by the first', () => {
     const titles = rows.flatMap((_, i) => ['x', 'y', 'z'].map(axis => `p${i}_${axis}`))
     const mesh = readText('a.csv', `elem,${titles}\n7,${flat}\n9,${flat}\n`)
