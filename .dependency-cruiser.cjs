@@ -7,10 +7,14 @@ const layers = [
   ['panels'],
   ['scene'],
   ['views'],
+  ['input'],
   ['mesh'],
   ['core'],
   ['model'],
 ]
+
+// The same in the scene; its own files are above them.
+const sceneLayers = ['input', 'overlay', 'paint', 'space']
 
 const folders = names => names.map(name => `^web/${name}/`).join('|')
 
@@ -36,6 +40,12 @@ module.exports = {
             }
       }),
     ),
+    ...sceneLayers.map((name, i) => ({
+      name: `scene-${name}-imports-down`,
+      severity: 'error',
+      from: { path: `^web/scene/${name}/` },
+      to: { path: '^web/scene/', pathNot: `^web/scene/(${sceneLayers.slice(i).join('|')})/` },
+    })),
   ],
   options: {
     parser: 'swc', // TypeScript 7 has no interface that others could use

@@ -1,5 +1,5 @@
 /** The panels that every element has, in the order in which they stand. Another one is a folder here, and a line. */
-
+import { scene } from '../scene/scene'
 import { algorithm } from './algorithm'
 import { announcer } from './announcer'
 import { checks } from './checks'
@@ -12,7 +12,7 @@ import type { Panel } from './panel'
 import { paste } from './paste'
 import { problems } from './problems'
 import { proof } from './proof'
-import { scene } from './scene'
+import { reading } from './reading'
 import { takeAway } from './take-away'
 import { toolbar } from './toolbar'
 import { verdict } from './verdict'
@@ -22,6 +22,7 @@ export const panels: readonly Panel[] = [
   toolbar,
   problems,
   announcer,
+  reading,
   verdict,
   proof,
   checks,

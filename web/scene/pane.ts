@@ -12,7 +12,7 @@ import { type Point, positionIn } from './space/layout'
 import { OrbitCamera } from './space/orbit-camera'
 import type { World } from './space/world'
 
-/** What panes ask of their scene. */
+/** The scene as its panes see it. */
 export interface PaneScene extends Pick<InputTarget, 'probeNext' | 'toggleReference'> {
   readonly host: ViewHost
   /** Told of every move of a pane's camera. */

@@ -51,10 +51,10 @@ export class ReferenceCube extends Pane {
     this.root.append(this.element, help, this.#createLink())
   }
 
-  /** Fills the box that it is laid out in. */
+  /** Fills the box that the style sheet gives it. */
   resize(unit: number): void {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.root
-    const view = this.view()
+    const view = this.cameraView()
     this.unit = unit
     this.#left = offsetLeft / unit
     this.#top = offsetTop / unit
@@ -63,8 +63,8 @@ export class ReferenceCube extends Pane {
     this.look(view)
   }
 
-  view(): CameraView | null {
-    return this.#hasSize ? this.orbit.view(CORNERS, 1) : this.#asked
+  cameraView(): CameraView | null {
+    return this.#hasSize ? this.orbit.cameraView(CORNERS, 1) : this.#asked
   }
 
   look(view: CameraView | null): void {

@@ -8,7 +8,7 @@
 import { pointOfValue } from '../core/point-of-value'
 import type { Vec3 } from '../model/hexahedron'
 import type { Cameras, CameraView, State } from '../model/state'
-import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from '../views/view'
+import type { Figure, FigureName, Frame, Turn, View, ViewHost } from '../views/view'
 import { ElementPane } from './element-pane'
 import { Controls } from './input/controls'
 import { nextCandidate } from './input/probe-input'
@@ -20,11 +20,9 @@ import { figureOf } from './paint/figure'
 import { Painting, scaleOf } from './paint/painting'
 import type { PaneScene } from './pane'
 import { ReferenceCube } from './reference-cube'
-import css from './scene.css?inline'
+import styles from './scene.css?inline'
 import { Layout } from './space/layout'
 import { LinkedCameras, type OrbitCamera } from './space/orbit-camera'
-
-export const sceneStyles = css
 
 /** Everything in a figure: neither the controls, nor marks for the pointer. */
 const IN_FIGURE = 'canvas, .scene-flat, .scene-overlay, .scene-scale > *'
@@ -44,7 +42,7 @@ class Scene implements View, PaneScene {
   readonly #resizes = new ResizeObserver(() => this.#onResize())
   /** Made when it is first shown. */
   #reference: ReferenceCube | null = null
-  /** Whether the browser has laid it out once: to ask for that in the frame that adds it to the page makes it a long one. */
+  /** Whether the browser has laid out the scene once: asking for that in the frame that adds it to the page is slow. */
   #isLaidOut = false
   #sizeMayDiffer = true
   #shown: Frame | null = null
@@ -120,8 +118,8 @@ class Scene implements View, PaneScene {
   cameras(): Cameras | null {
     if (this.#shown === null) return null
     return {
-      camera: this.#pane.fitting.view(this.#shown.state.vertices),
-      referenceCamera: this.#reference ? this.#reference.view() : (this.#asked?.referenceCamera ?? null),
+      camera: this.#pane.fitting.cameraView(this.#shown.state.vertices),
+      referenceCamera: this.#reference ? this.#reference.cameraView() : (this.#asked?.referenceCamera ?? null),
     }
   }
 
@@ -174,7 +172,7 @@ class Scene implements View, PaneScene {
     this.#sizeMayDiffer = false
     if (referenceShown) this.#reference ??= this.#createReference()
     if (this.#reference) this.#reference.root.hidden = !referenceShown
-    const camera = before ? this.#pane.fitting.view(before.vertices) : null
+    const camera = before ? this.#pane.fitting.cameraView(before.vertices) : null
     const isResized = this.#layout.measure(referenceShown)
     if (referenceShown) this.#reference?.resize(this.#layout.unit)
     this.#pane.resize(this.#layout)
@@ -188,7 +186,7 @@ class Scene implements View, PaneScene {
     return reference
   }
 
-  /** As a program asked for it, once. */
+  /** Turns the cameras as a program asked for it, once. */
   #look({ state, cameras }: Frame): void {
     if (cameras === null || cameras === this.#asked) return
     this.#asked = cameras
@@ -230,7 +228,11 @@ class Scene implements View, PaneScene {
   }
 }
 
-/** Asks for what takes the browser longest. */
-export const prepareScene = (): void => void faceContext()
-
-export const createScene: CreateView = host => new Scene(host)
+/** The scene among the panels. `prepare` asks the browser for what takes it longest. */
+export const scene = {
+  name: 'scene',
+  place: 'stage',
+  create: (host: ViewHost): View => new Scene(host),
+  styles,
+  prepare: (): void => void faceContext(),
+} as const

@@ -146,7 +146,8 @@ export function tablesOfLines(text: string): TextLines {
       continue
     }
     if (element !== undefined) label = element
-    const all = (read.runs.length > 1 && read.runs.length % 8 === 0) || read.runs.length > MOST_PLACES
+    const long = read.runs.filter(({ values }) => values.length >= 3).length
+    const all = (long > 1 && long % 8 === 0) || long > MOST_PLACES
     for (const [i, run] of read.runs.entries()) {
       if (run.values.length === 3 || run.values.length === 4) points++
       if (run.values.length < 3) continue

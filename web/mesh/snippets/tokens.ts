@@ -2,6 +2,7 @@
  * A pasted text cut into numbers, words, strings and marks, in one pass: each character is looked at a bounded number of times, however
  * the text is made.
  */
+import { asDouble } from '../../model/decimal'
 
 export type TokenKind = 'number' | 'word' | 'string' | 'mark' | 'line' | 'end'
 
@@ -13,6 +14,9 @@ const NUMBER =
   /[-+−–]?(?:0[xX][\da-fA-F]+(?:\.[\da-fA-F]*)?[pP][-+]?\d+|(?:\d+(?:\.\d*)?|\.\d+)(?:(?:[eEdDqQ]|\*\^)[-+]?\d+)?|(?:[nN]a[nN]|NAN|inf|Inf|INF|Infinity|infinity)(?![.\w]))(?:[fFlL]|_?[fi](?:32|64)|_(?:[A-Za-z]\w{0,9}|4|8|16))?(?!\w|\.\d)/y
 const SUFFIX = /(?:_\w+|[fi](?:32|64)|[fl])$/
 const HEXADECIMAL = /^([-+]?)0x([\da-f]+)\.?([\da-f]*)p([-+]?\d+)$/
+
+/** Digits: zeros beyond those of a double are no matter. */
+const LONGEST_HEXADECIMAL = 40
 
 const [LF, QUOTE, APOSTROPHE, ASTERISK, MINUS, PLUS, DOT] = [10, 34, 39, 42, 45, 43, 46] as const
 const [TRUE_MINUS, DASH] = [0x2212, 0x2013] as const
@@ -124,11 +128,15 @@ function doubleOf(found: string): number {
   if (plain.includes('inf')) return plain.startsWith('-') ? -Infinity : Infinity
   if (!plain.includes('x')) return Number(plain.replace(SUFFIX, '').replace(/[dq]|\*\^/, 'e'))
   const [, sign = '', whole = '', fraction = '', power = ''] = HEXADECIMAL.exec(plain.replace(/[fl]$/, '')) ?? []
-  const digits = `${whole}${fraction}`.replace(/^0+/, '')
-  // Fourteen digits after a leading 1 are 53 bits; more would be rounded twice.
-  if (digits.length > 14 || (digits.length === 14 && digits[0] !== '1')) return Number.NaN
-  const value = Number(`0x0${digits}`) * 2 ** (Number(power) - 4 * fraction.length)
-  return sign === '-' ? -value : value
+  return doubleOfHexadecimal(sign, `${whole}${fraction}`, Number(power) - 4 * fraction.length)
+}
+
+/** NaN for what is no double: nothing is rounded that was written bit for bit. */
+function doubleOfHexadecimal(sign: string, digits: string, exponent: number): number {
+  const integer = BigInt(`0x${digits === '' ? '0' : digits.slice(0, LONGEST_HEXADECIMAL)}`)
+  const mantissa = Number(integer)
+  if (digits.length > LONGEST_HEXADECIMAL || BigInt(mantissa) !== integer) return Number.NaN
+  return asDouble(sign === '-' ? -mantissa : mantissa, exponent) ?? Number.NaN
 }
 
 function isInteger(found: string): boolean {

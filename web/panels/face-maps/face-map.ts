@@ -96,7 +96,7 @@ function isSamePicture(a: FaceRaster, b: FaceRaster): boolean {
     a.palette === b.palette &&
     a.size === b.size &&
     a.pixelRatio === b.pixelRatio &&
-    a.scale.unit === b.scale.unit &&
+    a.scale.greatest === b.scale.greatest &&
     a.scale.negativeExtent === b.scale.negativeExtent &&
     a.scale.positiveExtent === b.scale.positiveExtent &&
     a.bernstein.every((value, i) => value === b.bernstein[i])

@@ -22,7 +22,7 @@ export interface FaceHit extends PatchHit {
 const OVERLAP = 1e-6
 /** The side of [-1,1]^3 in world space, which the element fills. */
 const ELEMENT_SIZE = 2
-/** Faces of a collapsed element this close are in one place, where the first one is the one that is painted. */
+/** Faces of a collapsed element this close coincide, and the first one is painted. */
 const COINCIDENT = 1e-9
 
 /** The nearest hit of the faces that are shown; null if the ray meets none. */

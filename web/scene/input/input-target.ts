@@ -1,6 +1,6 @@
 /** The pane that pointer and keys act on: geometry to read, the state, and where to send actions. */
 import type { Vec3 } from '../../model/hexahedron'
-import type { ViewHost } from '../../views/view'
+import type { Dispatch, State } from '../../model/state'
 import type { HandleDrag } from '../overlay/overlay-picture'
 import type { SceneCamera, ScreenPoint } from '../space/camera'
 import type { Point } from '../space/layout'
@@ -11,7 +11,7 @@ export interface InputTarget {
   readonly element: HTMLElement
   readonly camera: SceneCamera
   readonly world: World
-  readonly host: Pick<ViewHost, 'state' | 'dispatch'>
+  readonly host: { state(): State; readonly dispatch: Dispatch }
   /** Whether vertices are moved here; else arrow keys turn the camera. */
   readonly movesVertices: boolean
   /** The pointer in units from the top left, as are all points of the screen. */

@@ -162,8 +162,8 @@ export class ColourBar {
       : { x: 0, y: 0, width, height: height + MARGIN.lying }
     set(this.#svg, {
       viewBox: `${box.x} ${box.y} ${box.width} ${box.height}`,
-      width: inText(box.width),
-      height: inText(box.height),
+      width: inEms(box.width),
+      height: inEms(box.height),
     })
     set(this.#bar, { width, height })
     const reach = (LEAST_TARGET - THICKNESS) / 2
@@ -235,8 +235,8 @@ function endsOf(minimum: number, maximum: number): readonly [number, number] {
 }
 
 /** A length that grows with the text beside it. */
-function inText(units: number): string {
-  return `${units / TEXT_SIZE}em`
+function inEms(length: number): string {
+  return `${length / TEXT_SIZE}em`
 }
 
 /** A jacdet by the report's power of two: one too large or small for a double is at an end of the bar all the same. */

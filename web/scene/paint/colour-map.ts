@@ -27,31 +27,31 @@ export const RAMP_STEPS = 8
 /** CSS pixels from stripe to stripe on the negative side. */
 export const HATCH_PERIOD = 8
 
-/** Where on its side the theme's own hue lies; beyond it the ramp goes on to a deeper tone. */
+/** The position of the theme's own hue on its side; beyond it the ramp goes on to a deeper tone. */
 const HUE_AT = 7 / RAMP_STEPS
 
 /**
- * What one jacdet is to the colours. Values are those of a report (times 2^exponent, which cancels here). `unit` is the
- * largest magnitude; the extents are relative to it, so a shader in single precision sees numbers of size 1 only.
+ * The values that the colours are for, those of a report (times 2^exponent, which cancels here). `greatest` is the largest
+ * magnitude; the extents are relative to it, so a shader in single precision sees numbers of size 1 only.
  */
 export interface ColourScale {
-  readonly unit: number
+  readonly greatest: number
   readonly negativeExtent: number
   readonly positiveExtent: number
 }
 
 /**
  * A sign whose extreme is below 2^-16 of the other's is not stretched further: single precision evaluates the face
- * polynomials to about 2^-22 of `unit`, and its noise must stay below one step of an 8-bit colour.
+ * polynomials to about 2^-22 of `greatest`, and its noise must stay below one step of an 8-bit colour.
  */
 const LEAST_EXTENT = 2 ** -16
 
 export function colourScaleOf(minimum: number, maximum: number): ColourScale {
-  const unit = Math.max(Math.abs(minimum), Math.abs(maximum)) || 1
+  const greatest = Math.max(Math.abs(minimum), Math.abs(maximum)) || 1
   return {
-    unit,
-    negativeExtent: Math.max(-minimum / unit, LEAST_EXTENT),
-    positiveExtent: Math.max(maximum / unit, LEAST_EXTENT),
+    greatest,
+    negativeExtent: Math.max(-minimum / greatest, LEAST_EXTENT),
+    positiveExtent: Math.max(maximum / greatest, LEAST_EXTENT),
   }
 }
 
@@ -60,16 +60,16 @@ export function colourScaleInside(report: Report): ColourScale {
   return colourScaleOf(lowerInside(report)?.upper ?? report.boundaryMinimum, report.boundaryMaximum)
 }
 
-/** Where a value lies on the ramps: [-1,0] negative, [0,1] positive. */
+/** The position of a value on the ramps: [-1,0] negative, [0,1] positive. */
 export function rampPosition(scale: ColourScale, value: number): number {
-  const relative = value / scale.unit
+  const relative = value / scale.greatest
   const position = relative < 0 ? relative / scale.negativeExtent : relative / scale.positiveExtent
   return Math.max(-1, Math.min(1, position))
 }
 
-/** The value that lies there: the inverse of rampPosition. */
-export function rampValue({ unit, negativeExtent, positiveExtent }: ColourScale, position: number): number {
-  return position * unit * (position < 0 ? negativeExtent : positiveExtent)
+/** Inverse of rampPosition. */
+export function rampValue({ greatest, negativeExtent, positiveExtent }: ColourScale, position: number): number {
+  return position * greatest * (position < 0 ? negativeExtent : positiveExtent)
 }
 
 export function rampColour(ramp: Ramp, position: number): Rgb {

@@ -4,7 +4,7 @@
  */
 import { type ColourScale, HATCH_PERIOD, RAMP_STEPS, type Ramp, type Rgb, rampColour, type Theme } from './colour-map'
 
-/** Where a face lies in a pattern of squares, and how. */
+/** The square of a pattern that a face is drawn in, and its orientation. */
 export interface MapCell {
   readonly column: number
   readonly row: number
@@ -24,7 +24,7 @@ export interface FaceRaster {
   readonly pixelRatio: number
 }
 
-/** Colours of positions on the ramps from -1 to 1, finely sampled, and what lies over them, made when it is first needed. */
+/** Colours of positions on the ramps from -1 to 1, finely sampled; those under lines and hatch are made when first needed. */
 export interface Palette {
   /** RGBA as one little-endian number each, signed: engines keep such numbers out of the heap. */
   readonly packed: Int32Array
@@ -55,9 +55,9 @@ const LEVEL = 0.5
 const LEVEL_STRENGTH = 0.22
 const DARK_STRENGTH = 0.36
 const LIGHT_STRENGTH = 0.3
-/** Levels nearer than this, in CSS pixels, are not drawn, and from the second on in full. */
-const LEVEL_ROOM = [4, 8] as const
-/** As in the scene: below this change per CSS pixel nothing is said to change. */
+/** Levels nearer than the first spacing, in CSS pixels, are not drawn, and from the second on in full. */
+const LEVEL_SPACING = [4, 8] as const
+/** A change per CSS pixel, and a value, below these count as none, as in the scene. */
 const LEAST_SLOPE = 1e-6
 const LEAST_VALUE = 1e-6
 
@@ -92,12 +92,12 @@ export function paletteOf(ramp: Ramp, theme: Theme): Palette {
 export function paintFace(pixels: Int32Array, { bernstein, cell, scale, palette, size, pixelRatio }: FaceRaster): void {
   const { packed } = palette
   const perPixel = 1 / size
-  const beta = bernstein.map(value => value / scale.unit)
+  const beta = bernstein.map(value => value / scale.greatest)
   const negativeSteps = -RAMP_STEPS / scale.negativeExtent
   const positiveSteps = RAMP_STEPS / scale.positiveExtent
   const casingReach = (CASING * pixelRatio + 0.5) ** 2
   const levelReach = (LEVEL * pixelRatio + 0.5) ** 2
-  const steepest = (LEVEL_ROOM[0] * pixelRatio) ** -2
+  const steepest = (LEVEL_SPACING[0] * pixelRatio) ** -2
   const flattest = (4 * LEAST_SLOPE) ** 2 / pixelRatio ** 2
   const toSample = SAMPLES / RAMP_STEPS
   const blender = new Blender(palette, cell, size, pixelRatio)
@@ -160,7 +160,7 @@ class Blender {
     this.stripes = Array.from(this.#darkStripe, (dark, i) => hatchedColours(palette, dark, this.#lightStripe[i] ?? 0))
   }
 
-  /** Where nothing but a level's line lies over the colour. */
+  /** The colour under a level's line alone. */
   onLevel(sample: number, level: number, slopePerPixel: number, steps: number): number {
     const share = this.#levelShare(level, slopePerPixel, steps)
     return levelledColours(this.#palette, (share * (SHARE_STEPS / LEVEL_STRENGTH) + 0.5) | 0)[sample] as number
@@ -168,13 +168,13 @@ class Blender {
 
   #levelShare(level: number, slopePerPixel: number, steps: number): number {
     if (level < 0.5 || level > RAMP_STEPS - 0.5) return 0
-    const room = 1 / (Math.abs(steps) * slopePerPixel)
-    const distance = Math.abs(level - Math.round(level)) * room
-    const strength = LEVEL_STRENGTH * smoothstep(LEVEL_ROOM[0], LEVEL_ROOM[1], room / this.#ratio)
+    const spacing = 1 / (Math.abs(steps) * slopePerPixel)
+    const distance = Math.abs(level - Math.round(level)) * spacing
+    const strength = LEVEL_STRENGTH * smoothstep(LEVEL_SPACING[0], LEVEL_SPACING[1], spacing / this.#ratio)
     return strength * coverage(distance, LEVEL * this.#ratio)
   }
 
-  /** What is laid over a colour takes its share of the weights of all that is below. */
+  /** The colour under everything: each layer takes its share of the weights of all those below it. */
   at(diagonal: number, sample: number, value: number, level: number, slopeSquared: number, steps: number): number {
     const { components, isDim, dark, light, neutral, ink } = this.#palette
     const ratio = this.#ratio

@@ -32,6 +32,7 @@ export function rendererOf(
   renderer.outputColorSpace = LinearSRGBColorSpace
   renderer.setClearColor(0, 0)
   renderer.autoClear = false
+  renderer.sortObjects = false // they are added in the order in which they are drawn
   return renderer
 }
 
@@ -113,7 +114,7 @@ export class FaceRenderer {
     if (report && scale) {
       const write = (face: number, bernstein: readonly number[]) =>
         bernstein.forEach((value, k) => {
-          uniforms.bernstein.value[9 * face + k] = value / scale.unit
+          uniforms.bernstein.value[9 * face + k] = value / scale.greatest
         })
       for (const { id, bernstein } of report.faces) write(id, bernstein)
       write(SECTION, sectionBernstein(report.bernstein, section.axis, section.value))

@@ -10,7 +10,7 @@ export const SECTION = faces.length
 
 /** Quads along each side of a face, at the finest. */
 export const FACE_QUADS = 32
-/** Tiles along each side of a face: what is sorted by depth when faces are see-through. */
+/** Tiles along each side of a face, which are sorted by depth when faces are see-through. */
 export const FACE_TILES = 8
 
 const SIDE = FACE_QUADS + 1
@@ -31,14 +31,14 @@ export function faceOfTile(tile: number): number {
 
 export function tilesOfFaces(order: readonly number[]): Uint16Array {
   const tiles = new Uint16Array(order.length * TILES_PER_FACE)
-  order.forEach((face, place) => {
-    tiles.set(ALL_TILES.subarray(face * TILES_PER_FACE, (face + 1) * TILES_PER_FACE), place * TILES_PER_FACE)
+  order.forEach((face, i) => {
+    tiles.set(ALL_TILES.subarray(face * TILES_PER_FACE, (face + 1) * TILES_PER_FACE), i * TILES_PER_FACE)
   })
   return tiles
 }
 
 /**
- * How finely a bilinear patch is to be divided so that its triangles are within a pixel of it: in a quad of n x n the middle lies
+ * The division of a bilinear patch whose triangles are within a pixel of it: in a quad of n x n the middle lies
  * |twist| / (4 n^2) off the diagonal. `twist` is p(0,0) - p(1,0) - p(0,1) + p(1,1), in pixels.
  */
 export function quadsPerTileFor(twist: number): number {

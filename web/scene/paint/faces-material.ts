@@ -1,8 +1,8 @@
 /**
- * The shader of the faces and of the section: positions are bilinear in (s, t) of four of the vertices, the section's own behind the
- * element's eight; jacdet is the biquadratic with the face's
- * nine Bernstein coefficients, evaluated per pixel with its gradient. Every line (border, zero contour, level, hatch) is
- * drawn at its distance in pixels, so its width is the same everywhere. No light falls on the colours.
+ * The shader of the faces and of the section: positions are bilinear in (s, t) of four of the vertices, the section's own behind
+ * the element's eight; jacdet is the biquadratic with the face's nine Bernstein coefficients, evaluated per pixel with its gradient.
+ * Every line (border, zero contour, level, hatch) is drawn at its distance in pixels, so its width is the same everywhere. No
+ * light falls on the colours.
  */
 import { DoubleSide, GLSL3, RawShaderMaterial, Vector3, Vector4 } from 'three'
 import { faces, VERTEX_COUNT } from '../../model/hexahedron'
@@ -18,8 +18,8 @@ const faceVertices = [...faces.map(face => face.vertices), sectionVertices]
   .map(vertices => `ivec4(${vertices.join(', ')})`)
   .join(', ')
 
-// A patch is origin + s byS + t byT + s t twist. What is one face's alone is looked up once a vertex: software renderers take
-// several times as long to look it up at each pixel.
+// A patch is origin + s byS + t byT + s t twist. A face's own values are looked up once a vertex: software renderers take several
+// times as long to look them up at each pixel.
 const patchOf = (qualifier: 'in' | 'out') =>
   ['origin', 'byS', 'byT', 'twist', 'bernstein0', 'bernstein1', 'bernstein2']
     .map(name => `flat ${qualifier} vec3 ${name};`)
@@ -179,7 +179,7 @@ void main() {
 }
 `
 
-/** Every uniform, owned by the material; written by the painter, which knows what they mean together. */
+/** The uniforms of the faces, which FaceRenderer writes. */
 export function createFacesUniforms() {
   const steps = () => Array.from({ length: 6 }, () => new Vector4())
   return {
@@ -199,7 +199,7 @@ export function createFacesUniforms() {
   }
 }
 
-/** What the ramps' uniforms hold. */
+/** Writes the uniforms of the ramps. */
 export function writeRamp({ neutral, negativeSteps, positiveSteps }: FacesUniforms, ramp: Ramp): void {
   neutral.value.fromArray(ramp.positive[0] as Rgb)
   for (const [{ value: steps }, stops] of [

@@ -1,7 +1,7 @@
-/** A part of the page as a figure: its canvases, SVG and short texts, with their styles in attributes, as they are now. */
+/** An element of the page as a figure: its canvases, SVG and short texts, with their styles in attributes, as they are now. */
 import type { Figure, PixelLayer, VectorLayer } from '../../views/view'
 
-/** What a reader of the file needs to draw the shapes alike; the rest is inherited or never set. */
+/** The styles that a reader of the file needs to draw the shapes alike; the rest is inherited or never set. */
 const STYLES = [
   'fill',
   'fill-opacity',
@@ -16,18 +16,18 @@ const STYLES = [
 ]
 const TEXT_STYLES = ['font-family', 'font-size', 'font-weight', 'text-anchor', 'dominant-baseline']
 
-/** Of the parts of `root` that are on the screen, in the order given; text of any other element than these two is taken as a line. */
-export function figureOf(root: HTMLElement, parts: Iterable<Element>): Figure {
-  const frame = root.getBoundingClientRect()
-  const layers = [...parts].flatMap(part => {
-    const { left, top, width, height } = part.getBoundingClientRect()
-    const isShown = width > 0 && height > 0 && getComputedStyle(part).visibility !== 'hidden'
-    const box = { x: left - frame.left, y: top - frame.top, width, height }
-    return isShown ? [layerOf(part, box)] : []
+/** The elements in `root` that are on the screen, in the order given; one that is neither canvas nor SVG is taken as a line of text. */
+export function figureOf(root: HTMLElement, elements: Iterable<Element>): Figure {
+  const outer = root.getBoundingClientRect()
+  const layers = [...elements].flatMap(element => {
+    const { left, top, width, height } = element.getBoundingClientRect()
+    const isShown = width > 0 && height > 0 && getComputedStyle(element).visibility !== 'hidden'
+    const box = { x: left - outer.left, y: top - outer.top, width, height }
+    return isShown ? [layerOf(element, box)] : []
   })
   return {
-    width: frame.width,
-    height: frame.height,
+    width: outer.width,
+    height: outer.height,
     background: getComputedStyle(root.closest('.lens') ?? root).backgroundColor,
     layers,
   }
@@ -35,12 +35,12 @@ export function figureOf(root: HTMLElement, parts: Iterable<Element>): Figure {
 
 type Box = Pick<PixelLayer, 'x' | 'y' | 'width' | 'height'>
 
-function layerOf(part: Element, box: Box): PixelLayer | VectorLayer {
-  if (part instanceof HTMLCanvasElement) return { ...box, canvas: copyOf(part) }
-  return { ...box, markup: part instanceof SVGSVGElement ? styledMarkup(part, box) : textMarkup(part, box) }
+function layerOf(element: Element, box: Box): PixelLayer | VectorLayer {
+  if (element instanceof HTMLCanvasElement) return { ...box, canvas: copyOf(element) }
+  return { ...box, markup: element instanceof SVGSVGElement ? styledMarkup(element, box) : textMarkup(element, box) }
 }
 
-/** Now, while what was drawn on it is still there. */
+/** Made at once, while the picture is still there. */
 export function copyOf(canvas: HTMLCanvasElement): HTMLCanvasElement {
   const copy = document.createElement('canvas')
   copy.width = canvas.width
@@ -49,9 +49,9 @@ export function copyOf(canvas: HTMLCanvasElement): HTMLCanvasElement {
   return copy
 }
 
-function styledMarkup(part: SVGSVGElement, box: Box): string {
-  const copy = part.cloneNode(true) as SVGSVGElement
-  const [shown, copied] = [part, copy].map(root => [root, ...root.querySelectorAll('*')])
+function styledMarkup(element: SVGSVGElement, box: Box): string {
+  const copy = element.cloneNode(true) as SVGSVGElement
+  const [shown, copied] = [element, copy].map(root => [root, ...root.querySelectorAll('*')])
   shown?.forEach((original, i) => {
     const target = copied?.[i] as Element
     const style = getComputedStyle(original)
@@ -69,15 +69,15 @@ function styledMarkup(part: SVGSVGElement, box: Box): string {
 function setStyles(target: Element, style: CSSStyleDeclaration, isText: boolean): void {
   for (const name of isText ? [...STYLES, ...TEXT_STYLES] : STYLES) {
     const value = style.getPropertyValue(name)
-    // Its own document is the only one that a file refers to.
+    // A file refers to no document but itself.
     if (value !== '') target.setAttribute(name, value.replace(/url\("?[^#"]*(#[^")]*)"?\)/, 'url($1)'))
   }
 }
 
-function textMarkup(part: Element, { x, y, width, height }: Box): string {
-  const style = getComputedStyle(part)
+function textMarkup(element: Element, { x, y, width, height }: Box): string {
+  const style = getComputedStyle(element)
   const text = document.createElementNS('http://www.w3.org/2000/svg', 'text')
-  text.textContent = (part.textContent ?? '').trim()
+  text.textContent = (element.textContent ?? '').trim()
   const attributes = {
     x: x + width / 2,
     y: y + height / 2,

@@ -42,7 +42,7 @@ export class FlatPainter implements FacePainter {
     const [positive, negative] = OPACITY[display] ?? [1, 1]
     for (const [i, { path, colour, isNegative }] of tiles.entries()) {
       const { fill, hatch } = this.#shape(i)
-      // Its own colour around it, or the paper would shine through between tiles.
+      // A stroke of the same colour, or the paper would shine through between tiles.
       const opacity = isNegative ? negative : positive
       set(fill, { d: path, fill: colour, stroke: opacity === 1 ? colour : 'none', 'fill-opacity': opacity })
       show(fill, true)

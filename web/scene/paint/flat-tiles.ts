@@ -1,10 +1,10 @@
-/** The six faces as flat tiles, the farthest first: how the scene is drawn without WebGL, and small still pictures always. */
+/** The six faces as flat tiles, the farthest first, for the scene without WebGL and for small still pictures. */
 import type { Report } from '../../core/report'
 import { faces, type Vec3 } from '../../model/hexahedron'
 import { facePoint } from '../space/patches'
 import { px } from './svg'
 
-/** Where a point is seen: y downwards, depth away from the eye. */
+/** A point as it is seen: y downwards, depth away from the eye. */
 export interface FlatPoint {
   readonly x: number
   readonly y: number
@@ -13,11 +13,11 @@ export interface FlatPoint {
 
 export interface FlatTile {
   readonly depth: number
-  /** Its corners in turn, from (s, t) = (0, 0) by (1, 0). */
+  /** Corners in turn, from (s, t) = (0, 0) by (1, 0). */
   readonly corners: readonly [FlatPoint, FlatPoint, FlatPoint, FlatPoint]
   /** jacdet at its middle: for a colour only, never for a verdict. */
   readonly value: number
-  /** Its sides that lie on an edge of the element: of the four, from corner k to the next. */
+  /** The sides, from corner k to the next, that are on an edge of the element. */
   readonly borders: readonly number[]
 }
 

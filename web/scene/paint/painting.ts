@@ -125,7 +125,7 @@ export function scaleOf({ faceDisplay }: State, report: Report | null): ColourSc
     : colourScaleOf(report.boundaryMinimum, report.boundaryMaximum)
 }
 
-/** By a media query for the present ratio, since there is no event for another one. */
+/** Asks for the present ratio by a media query, since a change of it has no event. */
 function watchPixelRatio(onChange: () => void, signal: AbortSignal): void {
   const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
   const changed = () => {

@@ -1,4 +1,4 @@
-/** Small helpers to make and move SVG elements; attributes only, since the page forbids style attributes. */
+/** SVG elements made and moved by attributes alone, since the page forbids style attributes. */
 
 const NAMESPACE = 'http://www.w3.org/2000/svg'
 
@@ -17,7 +17,7 @@ export function set(element: Element, attributes: Readonly<Record<string, string
   for (const name in attributes) setAttribute(element, name, String(attributes[name]))
 }
 
-/** To read one costs a tenth of writing one, which the browser takes for a change even where it is none. */
+/** Reading an attribute costs a tenth of writing it, which the browser takes for a change even if it is none. */
 function setAttribute(element: Element, name: string, value: string): void {
   if (element.getAttribute(name) !== value) element.setAttribute(name, value)
 }

@@ -67,7 +67,7 @@ function sameTheme(a: Theme, b: Theme | null): boolean {
 
 let pixel: CanvasRenderingContext2D | null | undefined
 
-/** Any CSS colour as a browser understands it; null for none. */
+/** Any CSS colour as a browser understands it; null if it is none. */
 function parseColour(text: string): Rgb | null {
   const hex = /^\s*#([\da-f]{2})([\da-f]{2})([\da-f]{2})\s*$/i.exec(text)
   if (hex) return hex.slice(1, 4).map(pair => Number.parseInt(pair, 16) / 255) as unknown as Rgb

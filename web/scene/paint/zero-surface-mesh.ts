@@ -1,7 +1,7 @@
 /**
  * The surface jacdet = 0 in space: the reference points of its vertices go to the shader, which maps them by the trilinear map of the
- * eight vertices, so that one mesh serves the element and the reference cube. Normals follow jacdet's gradient. What the section
- * hides from the eye is cut away.
+ * eight vertices, so that one mesh serves the element and the reference cube. Normals follow jacdet's gradient. The part on the
+ * eye's side of the section is cut away.
  */
 import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, RawShaderMaterial, Vector3, Vector4 } from 'three'
 import type { Surface } from '../../core/zero-surface'
@@ -73,7 +73,7 @@ void main() {
 }
 `
 
-/** How far the tones go from the negative's hue: into the dark, and towards the light. */
+/** Shares of dark and light that the tones mix with the negative's hue. */
 const SHADE = 0.55
 const LIT = 0.62
 
@@ -83,10 +83,10 @@ export class ZeroSurfaceMesh {
   readonly #material: RawShaderMaterial
   #geometry = new BufferGeometry()
   #surface: Surface | null = null
-  /** How many vertices and indices the geometry has room for. */
-  #room = { vertices: 0, indices: 0 }
+  /** The most vertices and indices that the geometry holds. */
+  #capacity = { vertices: 0, indices: 0 }
 
-  /** It shares the vertices of the faces. */
+  /** The vertices are the faces' own uniform. */
   constructor({ vertices }: FacesUniforms) {
     this.#uniforms = {
       vertices,
@@ -107,12 +107,12 @@ export class ZeroSurfaceMesh {
     this.mesh.visible = false
   }
 
-  /** Null shows none. */
+  /** Shows a surface, or none. */
   update(surface: Surface | null): void {
     this.mesh.visible = surface !== null && surface.triangles.length > 0
     if (surface === null || surface === this.#surface || !this.mesh.visible) return
     this.#surface = surface
-    this.#makeRoom(surface)
+    this.#grow(surface)
     this.#fill('point', surface.points)
     this.#fill('gradient', surface.gradients)
     const index = this.#geometry.index as BufferAttribute
@@ -140,16 +140,16 @@ export class ZeroSurfaceMesh {
     this.#material.dispose()
   }
 
-  /** Another geometry, half as large again as need be, where this one is too small. */
-  #makeRoom({ points, triangles }: Surface): void {
-    const { vertices, indices } = this.#room
+  /** Makes another geometry, half as large again as need be, if this one is too small. */
+  #grow({ points, triangles }: Surface): void {
+    const { vertices, indices } = this.#capacity
     if (3 * vertices >= points.length && indices >= triangles.length) return
     this.#geometry.dispose()
-    this.#room = { vertices: Math.ceil(points.length / 2), indices: Math.ceil(1.5 * triangles.length) }
+    this.#capacity = { vertices: Math.ceil(points.length / 2), indices: Math.ceil(1.5 * triangles.length) }
     this.#geometry = new BufferGeometry()
     for (const name of ['point', 'gradient'])
-      this.#geometry.setAttribute(name, new BufferAttribute(new Float32Array(3 * this.#room.vertices), 3))
-    this.#geometry.setIndex(new BufferAttribute(new Uint32Array(this.#room.indices), 1))
+      this.#geometry.setAttribute(name, new BufferAttribute(new Float32Array(3 * this.#capacity.vertices), 3))
+    this.#geometry.setIndex(new BufferAttribute(new Uint32Array(this.#capacity.indices), 1))
     this.mesh.geometry = this.#geometry
   }
 

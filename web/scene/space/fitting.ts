@@ -71,8 +71,8 @@ export class Fitting {
     this.#look(vertices, view)
   }
 
-  view(vertices: Vertices): CameraView | null {
-    return this.#orbit.view(verticesInWorld(this.world, vertices), this.#halfExtent(vertices))
+  cameraView(vertices: Vertices): CameraView | null {
+    return this.#orbit.cameraView(verticesInWorld(this.world, vertices), this.#halfExtent(vertices))
   }
 
   #look(vertices: Vertices, view: CameraView | null): void {

@@ -58,7 +58,7 @@ export class OrbitCamera {
     this.#controls.update()
   }
 
-  /** In steps to the right and up, never over the pole. */
+  /** Turns it in steps to the right and up, never over the pole. */
   turn(right: number, up: number): void {
     const [x, y, z] = this.direction
     const azimuth = Math.atan2(y, x) + right * ORBIT_STEP
@@ -81,7 +81,7 @@ export class OrbitCamera {
   }
 
   /** The camera relative to the fitted one, lengths by `halfExtent`, half of the element's longest side; null by default. */
-  view(points: readonly Vec3[], halfExtent: number): CameraView | null {
+  cameraView(points: readonly Vec3[], halfExtent: number): CameraView | null {
     const fitted = this.camera.fitted(points)
     const { target } = this.#controls
     const pan = target
@@ -96,7 +96,7 @@ export class OrbitCamera {
     return isDefault(view) ? null : view
   }
 
-  /** Inverse of `view`. */
+  /** Inverse of `cameraView`. */
   look(points: readonly Vec3[], halfExtent: number, view: CameraView | null): void {
     const { position } = this.camera.three
     const { target } = this.#controls
