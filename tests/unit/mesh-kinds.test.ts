@@ -288,6 +288,12 @@ test('fences that hold files of different formats are read one by one', () => {
   expectElement(parts)
 })
 
+test('nodes of version 1 of Gmsh with what it knows of their entities', () => {
+  const nodes = rows.map((row, i) => `${i + 1} ${row.join(' ')} ${i < 4 ? '2 7 0.5 0.25' : '3 1'}`).join('\n')
+  expectElement(`$NOD\n8\n${nodes}\n$ENDNOD\n$ELM\n1\n1 5 1 1 8 1 2 3 4 5 6 7 8\n$ENDELM\n`)
+  expect(() => readText('a.msh', `$NOD\n1\n1 0 0 0 0.5\n$ENDNOD\n`)).toThrow('more numbers than a node has')
+})
+
 test('comments before the format of a Gmsh file', () => {
   const nodes = rows.map((row, i) => `${i + 1} ${row.join(' ')}`).join('\n')
   expectElement(
