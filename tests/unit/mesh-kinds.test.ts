@@ -78,6 +78,25 @@ describe('lists and tables as languages and programs write them', () => {
     ['points, then a matrix', `element 3\nnodes:\n${eachRow(row => row.join(' '))}\njacobian:\n1 0.5 0\n0 1 0\n0 0 -1`],
   ])('%s', (_, text) => expectElement(text))
 
+  test.each([
+    ['a flat list of x, then y, then z', `double v[24] = {${columns.flat()}};`, 'as eight x, eight y and eight z'],
+    [
+      'a flat list in three lines',
+      `${[0, 1, 2].map(k => flat.slice(8 * k, 8 * k + 8).join(' ')).join('\n')}`,
+      'as eight points one',
+    ],
+  ])('%s is told by the element that it makes', async (_, text, said) => {
+    const check = await checked(readText('a.txt', text))
+    expect([check.valid, check.mesh.isOrderStated]).toEqual([1, false])
+    expect(verticesOf(check.mesh, 0)).toEqual(flat)
+    expect(check.notes.join(' ')).toContain(said)
+  })
+
+  test('an invalid element stays in the layout that is usual', () => {
+    const element = flat.with(21, 2)
+    expect(verticesOf(readText('a.c', `double v[24] = {${element}};`), 0)).toEqual(element)
+  })
+
   test('24 titled columns are named by the first', () => {
     const titles = rows.flatMap((_, i) => ['x', 'y', 'z'].map(axis => `p${i}_${axis}`))
     const mesh = readText('a.csv', `elem,${titles}\n7,${flat}\n9,${flat}\n`)
@@ -267,6 +286,12 @@ test('fences that hold files of different formats are read one by one', () => {
   expect(meshes.map(mesh => verticesOf(mesh, 0))).toEqual([flat, flat])
   const parts = `nodes:\n\`\`\`\n${abaqus.split('*Element')[0]}\`\`\`\ncells:\n\`\`\`\n*Element${abaqus.split('*Element')[1]}\n\`\`\`\n`
   expectElement(parts)
+})
+
+test('nodes of version 1 of Gmsh with what it knows of their entities', () => {
+  const nodes = rows.map((row, i) => `${i + 1} ${row.join(' ')} ${i < 4 ? '2 7 0.5 0.25' : '3 1'}`).join('\n')
+  expectElement(`$NOD\n8\n${nodes}\n$ENDNOD\n$ELM\n1\n1 5 1 1 8 1 2 3 4 5 6 7 8\n$ENDELM\n`)
+  expect(() => readText('a.msh', `$NOD\n1\n1 0 0 0 0.5\n$ENDNOD\n`)).toThrow('more numbers than a node has')
 })
 
 test('comments before the format of a Gmsh file', () => {

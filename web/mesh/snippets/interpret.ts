@@ -9,6 +9,7 @@ import { printedDigits } from '../precision'
 import { orderOfText } from '../snippet-text'
 import { shown } from '../text-cursor'
 import { type CellRows, cellRowsOf } from './cell-rows'
+import { likelierLayout } from './layouts'
 import { pairs } from './named-points'
 import { areAllIntegers, areDistinct, inRowsOf, type NumberTable, widthOf } from './number-table'
 import { EIGHT, type PointSet, pointSetOf, withAxesJoined, withIdsJoined } from './point-set'
@@ -195,9 +196,7 @@ function addOthers(
 function addFaces(faces: readonly (readonly number[])[], builder: MeshBuilder): void {
   if (faces.length === 0) return
   const cells =
-    builder.cellCount === 0 && faces.length % 6 === 0
-      ? inRowsOf(faces as never, 6).map(six => hexahedronOfFaces(six as never))
-      : []
+    builder.cellCount === 0 && faces.length % 6 === 0 ? inRowsOf(faces, 6).map(six => hexahedronOfFaces(six)) : []
   if (cells.length > 0 && cells.every(cell => cell !== null)) {
     for (const cell of cells) builder.hexahedron(cell)
     builder.note('The order of the points comes from the six faces of each hexahedron.')
@@ -210,7 +209,15 @@ const IS_LIST = /(?:^|\.)(?:array|matrix|list|vector)$/i
 /** How many elements were added. */
 function addEights(sets: readonly PointSet[], builder: MeshBuilder): number {
   let count = 0
-  for (const { points, labels, table } of sets) {
+  for (const { points: usual, labels, table } of sets) {
+    const other = likelierLayout(usual, table)
+    const points = other ?? usual
+    if (other !== null)
+      builder.note(
+        widthOf(table) === EIGHT
+          ? 'The three rows of eight were taken as eight points one after the other: as x, y and z they make no element.'
+          : 'The 24 numbers were taken as eight x, eight y and eight z: as eight points one after the other they make no element.',
+      )
     if (points.length < EIGHT || (points.length % EIGHT !== 0 && !table.isCut)) continue
     const whole = Math.floor(points.length / EIGHT)
     for (let i = 0; i < whole; i++) {
