@@ -189,14 +189,14 @@ describe('bad input gets one line that says which entry and why, and status 2', 
     ['deep brackets that are closed', '['.repeat(100_000) + ']'.repeat(100_000), /Entry 0: it is a list/],
     ['an entry of another kind', '[3]', /Entry 0: it is a number/],
     ['no name', JSON.stringify([{ vertices: cube }]), /Entry 0: "name" is missing/],
-    ['no vertices', '[{"name":"a"}]', /Entry 0 \("a"\): "vertices" is missing/],
+    ['no vertices', '[{"name":"a"}]', /Entry 0 \(“a”\): "vertices" is missing/],
     [
       'seven vertices',
       JSON.stringify([
         { name: 'ok', vertices: cube },
         { name: 'a', vertices: cube.slice(1) },
       ]),
-      /Entry 1 \("a"\): it has 7 vertices, not 8/,
+      /Entry 1 \(“a”\): it has 7 vertices, not 8/,
     ],
     [
       'two coordinates',
@@ -212,7 +212,7 @@ describe('bad input gets one line that says which entry and why, and status 2', 
     [
       'a line break in a name',
       JSON.stringify([{ name: 'a\nb', vertices: [] }]),
-      /Entry 0 \("a\\nb"\): it has 0 vertices/,
+      /Entry 0 \(“ab”\): it has 0 vertices/,
     ],
   ]
   for (const [what, text, message] of bad)
