@@ -209,11 +209,7 @@ describe('bad input gets one line that says which entry and why, and status 2', 
       /vertex 2 y is a string, not a number/,
     ],
     ['null', JSON.stringify([{ name: 'a', vertices: cube.with(2, [0, 1, null] as never) }]), /vertex 2 z is null/],
-    [
-      'a line break in a name',
-      JSON.stringify([{ name: 'a\nb', vertices: [] }]),
-      /Entry 0 \(“ab”\): it has 0 vertices/,
-    ],
+    ['a line break in a name', JSON.stringify([{ name: 'a\nb', vertices: [] }]), /Entry 0 \(“ab”\): it has 0 vertices/],
   ]
   for (const [what, text, message] of bad)
     it(what, async () => {
