@@ -1,4 +1,4 @@
-// npm run test:read: 100,000 damaged files, where npm test has a hundredth of them, and texts of megabytes. HEXLENS_SEED=7 draws others.
+// npm run test:read: 100,000 damaged files, where npm test has some of them, and texts of megabytes. HEXLENS_SEED=7 draws others.
 
 import { join } from 'node:path'
 import { root, run, runMain } from './run.mjs'

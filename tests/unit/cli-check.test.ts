@@ -158,6 +158,13 @@ describe('what people read', () => {
     expect(output).toMatch(/exit status 3, or 0 with --allow-unchecked/)
   })
 
+  it('has no such characters where a file is not there', async () => {
+    const { output, status } = await check(['no\u202esuch\u001b[31m.msh'])
+    expect(status).toBe(2)
+    expect(output).toContain('nosuch[31m.msh cannot be read')
+    for (const character of ['\u202e', '\u001b']) expect(output).not.toContain(character)
+  })
+
   it('has no control or bidirectional characters of names', async () => {
     const nasty = fileOf('nasty.msh', mshText([invalidCorner]).replace('left, wall', 'a\u202eb\u001b[31m'))
     expect((await check([nasty])).output).toMatch(/ab\[31m/)

@@ -3,6 +3,7 @@ import { createReadStream } from 'node:fs'
 import type { Core } from '../core/report'
 import type { Engine } from './engine'
 import { jsonEntries } from './json-entries'
+import { jsonText } from './json-text'
 import { type NamedHexahedron, readHexahedron } from './read-hexahedra'
 import { Buffered, Refusal, type Streams } from './streams'
 
@@ -20,7 +21,7 @@ export async function answerElements(
   const output = new Buffered(streams.output)
   let count = 0
   for await (const entry of jsonEntries(file === '-' ? streams.input : chunksOf(file))) {
-    const answer = JSON.stringify(answerTo(core, readHexahedron(entry, count)))
+    const answer = jsonText(answerTo(core, readHexahedron(entry, count)))
     await output.write(`${count++ === 0 ? '[\n' : ',\n'}${answer}`)
   }
   await output.write(count === 0 ? '[]\n' : '\n]\n')

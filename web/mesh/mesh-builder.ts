@@ -2,6 +2,8 @@
 import type { Vertices } from '../model/hexahedron'
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
 import { NodeIds } from './node-ids'
+import { PrintedDigits } from './precision'
+import type { TextCursor } from './text-cursor'
 
 /** What other cells are called, and how many nodes they have, where that is fixed. */
 export type OtherCell =
@@ -62,6 +64,8 @@ export class MeshBuilder {
   readonly #other = new Map<string, number>()
   readonly #notes: string[] = []
   readonly #pointOfId = new NodeIds()
+  /** Of coordinates in text; they become a note where printing has rounded. */
+  readonly digits = new PrintedDigits()
   #straight: number | null = null
   isOrderStated = true
   isCutOff = false
@@ -89,6 +93,14 @@ export class MeshBuilder {
   coordinateToken(from: number, length: number): void {
     this.#tokensFrom.push(from)
     this.#tokenLengths.push(length)
+  }
+
+  /** Reads the next coordinate, and keeps where and with how many digits it is written. */
+  readCoordinate(cursor: TextCursor): number {
+    const value = cursor.number('a coordinate')
+    this.coordinateToken(cursor.numberFrom, cursor.position - cursor.numberFrom)
+    this.digits.see(value, cursor.digits)
+    return value
   }
 
   /** Coordinate 0, 1 or 2 of a point that is there. */
@@ -186,6 +198,8 @@ export class MeshBuilder {
     }
     const ids = this.#ids.length === this.cellCount && this.cellCount > 0 ? this.#ids : null
     const areNumbers = ids?.every(id => typeof id === 'number') ?? false
+    const precision = this.digits.note()
+    if (precision !== null) this.note(precision)
     const blocks: Block[] = [...this.#blocks].map(([name, list]) => ({
       name,
       cells: isAscending(list) ? Uint32Array.from(list) : Uint32Array.from(new Set(list)).sort(),

@@ -268,7 +268,8 @@ export function numberOf(word: string): number | null {
   return !/^inf/i.test(name) ? Number.NaN : sign === '-' ? -Infinity : Infinity
 }
 
-function significantDigits(word: string): number {
+/** With how many a number is written, without zeros in front. */
+export function significantDigits(word: string): number {
   let digits = 0
   for (const character of word) {
     if (character >= '0' && character <= '9') digits += digits > 0 || character !== '0' ? 1 : 0
