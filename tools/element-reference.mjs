@@ -113,6 +113,7 @@ function page(element) {
   return [
     `# \`<${element.tag}>\``,
     element.summary,
+    'For authors who put the element into their pages: every name it understands. `docs/embedding.md` has the first steps.',
     `Written by \`npm run reference\` from \`${SOURCE}\`.`,
     '## Attributes',
     table(

@@ -1,4 +1,4 @@
-/** The element of docs/embedding.md: nine-point and Gauss-point checks pass it, and it is invalid. */
+/** The element of docs/embedding.md: nine-point and Gauss-point checks accept it, and it is invalid. */
 
 import { encodePermalink } from '../../web/model/permalink'
 import type { Embed } from '../../web/panels/embed/embed-lines'
@@ -12,7 +12,7 @@ export const documented: Embed = {
   readonly: false,
   camera: null,
   height: 560,
-  label: 'A hexahedron that nine-point checks pass and that is invalid',
+  label: 'A hexahedron that nine-point checks accept and that is invalid',
   link: `https://example.org/hexlens/#${encodePermalink(vertices)}`,
   poster: 'hexlens.png',
 }

@@ -9,6 +9,6 @@ it('passes over a panel that it has not, and refuses a word that is none', () =>
   expect(names.known).toContain('morph')
   expect(names.known).not.toContain('nearest')
   expect(views('scene nearest verdict')).toEqual(['scene', 'verdict'])
-  expect(views('all')).toEqual(panels.filter(({ always }) => !always).map(({ name }) => name))
+  expect(views('all')).toEqual(panels.filter(panel => !panel.always && !panel.with).map(({ name }) => name))
   expect(() => views('scene nearer')).toThrow(/“nearer” is none of (?!.*\bnearest\b)/)
 })

@@ -1,7 +1,6 @@
 /** The form of a search in the address, and what is kept in a browser's storage, whatever that does. */
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { readHexahedron } from '../../web/cli/read-hexahedra'
-import { readElements } from '../../web/model/import/import'
 import {
   decodeForm,
   encodeForm,
@@ -15,6 +14,7 @@ import { readQuest } from '../../web/pages/search/hunt/quest'
 import { exported, Kept } from '../../web/pages/search/kept'
 import { Spokesman } from '../../web/pages/search/spokesman'
 import { entry, unitCube } from './core-fixtures'
+import { readText, verticesOf } from './mesh-expectations'
 
 const decoded = (query: string) => decodeForm(new URLSearchParams(query))
 
@@ -154,10 +154,9 @@ describe('what is kept', () => {
     const readBack = (text: string) => JSON.parse(text).map(readHexahedron)
     expect(readBack(exported(list))).toEqual(list.map(({ name, vertices }) => ({ name, vertices })))
     expect(readBack(exported([]))).toEqual([])
-    const pasted = readElements(exported(list))
-    expect(pasted.ok ? pasted.reading.elements.map(({ vertices }) => vertices) : []).toEqual(
-      list.map(({ vertices }) => vertices),
-    )
+    const pasted = readText('found.json', exported(list))
+    expect(list.map((_, cell) => verticesOf(pasted, cell))).toEqual(list.map(({ vertices }) => vertices))
+    expect(pasted.ids).toEqual(['a', 'b "quoted"'])
   })
 })
 

@@ -36,7 +36,10 @@ export interface ViewNames {
 }
 
 export function viewNames({ panels, otherPanels }: Pick<Required<Composition>, 'panels' | 'otherPanels'>): ViewNames {
-  return { known: panels.filter(({ always }) => !always).map(({ name }) => name), passedOver: otherPanels }
+  return {
+    known: panels.filter(panel => !panel.always && !panel.with).map(({ name }) => name),
+    passedOver: otherPanels,
+  }
 }
 
 /** What an attribute says; null is one that is not there. Throws HexLensError. */

@@ -3,7 +3,7 @@ import type { Composition } from './composition'
 import { HexLens } from './hex-lens'
 
 /** On a server there is nothing to define it in; on a page a second script leaves the first one's element alone. */
-export function define({ core, panels, otherPanels = [] }: Composition): void {
-  HexLens.composition = { core, panels, otherPanels }
+export function define({ otherPanels = [], ...others }: Composition): void {
+  HexLens.composition = { otherPanels, ...others }
   if (globalThis.customElements && !customElements.get('hex-lens')) customElements.define('hex-lens', HexLens)
 }

@@ -3,12 +3,14 @@
  * one frame's truth to every view. Nothing is scheduled while nothing changes, nothing is drawn while nobody sees it.
  * docs/element.md lists attributes, properties, methods, events, slots, parts and custom properties.
  *
- * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `offer` takes a text
- * or a file with eight points in it; `raise` and `clear` are for what the page has to say about a problem.
+ * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `raise` and `clear` are
+ * for what the page has to say about a problem.
  */
 
 import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
+import { InputReader } from '../input/input-reader'
+import { listenForInput } from '../input/pasted-input'
 import { jacdetInFull } from '../model/decimal'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
@@ -17,7 +19,7 @@ import type { Action, Cameras, State } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore, type Store } from '../model/store'
 import { knownPanels, type Panel } from '../panels/panel'
-import type { Figure, FigureName, Frame, Offer, Problem, ViewHost } from '../views/view'
+import type { Figure, FigureName, Frame, Problem, ViewHost } from '../views/view'
 import { Answers } from './answers'
 import {
   type AttributeName,
@@ -33,7 +35,6 @@ import {
 import type { Composition } from './composition'
 import { Copying } from './copying'
 import { HexLensError } from './hex-lens-error'
-import { listenForOffers } from './offers'
 import { Printing } from './printing'
 import { ReflectingElement } from './reflecting-element'
 import { asksForHelp, historyStep } from './shortcuts'
@@ -70,6 +71,11 @@ export class HexLens extends ReflectingElement {
     requestFrame: () => this.#schedule(),
     permalink: () => this.permalink,
     figure: name => this.#show.figure(name),
+    input: {
+      read: input => this.#input.read(input),
+      close: () => this.#input.close(),
+      show: (cell, order) => this.#input.show(cell, order),
+    },
   }
   readonly #show: Show
   readonly #answers = new Answers(
@@ -83,7 +89,14 @@ export class HexLens extends ReflectingElement {
   #drawn: Vertices | null = null
   /** Names of panels, as the attribute last said them. */
   #viewNames: readonly string[] = FIRST_VIEWS
-  #offer: Offer | null = null
+  readonly #input = new InputReader(HexLens.composition.readingWorker, {
+    take: vertices => {
+      this.#setVertices(vertices, null)
+      return this.#store.state.vertices
+    },
+    refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
+    onNews: () => this.#schedule(),
+  })
   #cameras: Cameras | null = null
   #drawnCameras: Cameras | null = null
   #toldValid: boolean | null = null
@@ -103,9 +116,9 @@ export class HexLens extends ReflectingElement {
     this.#show = new Show(shadow, this.#host, HexLens.composition.panels)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
     new Copying(this.#show.lens, () => this.#pointInFull())
-    listenForOffers(shadow, this.#show.lens, {
+    listenForInput(shadow, this.#show.lens, {
       isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
-      take: offer => this.offer(offer),
+      take: input => this.#input.read(input),
     })
   }
 
@@ -128,7 +141,7 @@ export class HexLens extends ReflectingElement {
     this.#isInView = false
     this.#answers.stop()
     this.#show.end()
-    this.#offer = null
+    this.#input.close()
   }
 
   attributeChangedCallback(name: AttributeName): void {
@@ -226,11 +239,13 @@ export class HexLens extends ReflectingElement {
     return svgOf(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
   }
 
-  /** The panel that reads it opens; what it finds becomes the element, as one step to undo. */
-  offer(offer: Offer): void {
-    this.#offer = offer
-    this.#dispatch({ type: 'open-panel', panel: 'paste', isOpen: true })
-    this.#schedule()
+  /**
+   * Reads a text, a file, or files that belong together, as if it were dropped here. One element becomes the element, as one step to undo;
+   * of several the reader chooses one where the view `paste` is shown. What cannot be read is told by `hex-error`.
+   */
+  offer(given: string | File | readonly File[]): void {
+    if (typeof given === 'string') this.#input.read({ text: given })
+    else this.#input.read({ files: given instanceof File ? [given] : given })
   }
 
   raise(problem: Problem): void {
@@ -299,7 +314,7 @@ export class HexLens extends ReflectingElement {
   get #shownPanels(): readonly Panel[] {
     const isHeld = this.#store.state.isReadonly
     return HexLens.composition.panels.filter(
-      ({ name, always, changes }) => always || (this.#viewNames.includes(name) && !(isHeld && changes)),
+      panel => panel.always || (this.#viewNames.includes(panel.with ?? panel.name) && !(isHeld && panel.changes)),
     )
   }
 
@@ -405,7 +420,7 @@ export class HexLens extends ReflectingElement {
     const frame: Frame = {
       state,
       ...this.#answers.of(state),
-      offer: this.#offer,
+      reading: this.#input.reading,
       cameras: this.#cameras,
       problems: [...this.#problems.values()],
       isForPaper: this.#isForPaper,

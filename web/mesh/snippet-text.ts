@@ -25,6 +25,7 @@ export function isText(head: Uint8Array): boolean {
   return utf16Of(head) !== null || !head.includes(0)
 }
 
+/** Bytes: so many arguments are no burden to a call. */
 const AT_ONCE = 8192
 
 /**
@@ -48,4 +49,11 @@ const WORDS = /^[[({<*#/%!;,|\s-]*(?:snip|cut|omitted|truncated|skipped|etc)\b/i
 export function isEllipsis(line: string): boolean {
   const text = line.trim()
   return text.length > 0 && text.length <= LONGEST_ELLIPSIS && (DOTS.test(text) || WORDS.test(text))
+}
+
+/** What is said of points that are taken as they come. */
+export function orderOfText(cellCount: number): string {
+  return cellCount === 1
+    ? 'Eight points taken in the order of the text.'
+    : 'Points taken in the order of the text, eight for each element.'
 }

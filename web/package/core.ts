@@ -13,7 +13,6 @@ export { type Certificate, certificateJson } from '../core/exact/certificate'
 export type * from '../core/report'
 export { reportJson } from '../core/report-json'
 export type { Vec3, Vertices } from '../model/hexahedron'
-export { type ImportResult, readElements } from '../model/import/import'
 export { decodePermalink, encodePermalink, type PermalinkResult } from '../model/permalink'
 export { type Preset, presets, presetVertices } from '../model/presets'
 

@@ -5,4 +5,8 @@ import { panels } from '../panels/list'
 import { nearest } from '../panels/nearest'
 import { paste } from '../panels/paste'
 
-define({ core: coreFiles, panels: panels.toSpliced(panels.indexOf(paste), 0, nearest) })
+define({
+  core: coreFiles,
+  panels: panels.toSpliced(panels.indexOf(paste), 0, nearest),
+  readingWorker: async () => (await import('../input/worker-file')).readingWorkerFile,
+})

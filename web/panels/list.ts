@@ -12,6 +12,7 @@ import type { Panel } from './panel'
 import { paste } from './paste'
 import { problems } from './problems'
 import { proof } from './proof'
+import { reading } from './reading'
 import { takeAway } from './take-away'
 import { toolbar } from './toolbar'
 import { verdict } from './verdict'
@@ -21,6 +22,7 @@ export const panels: readonly Panel[] = [
   toolbar,
   problems,
   announcer,
+  reading,
   verdict,
   proof,
   checks,

@@ -18,6 +18,8 @@ export interface Panel {
   readonly prepare?: () => void
   /** Shown whatever the attribute says. */
   readonly always?: true
+  /** Shown where the panel of this name is, and not named itself. */
+  readonly with?: string
   /** Left out where the element cannot be changed. */
   readonly changes?: true
   /** Closed at first: its name is in `State.openPanels` while it is open. */

@@ -1,17 +1,20 @@
 /** The one contract between the element and its views: they receive a frame and draw it; they emit actions, nothing else. */
 import type { JacobianReport, Report } from '../core/report'
 import type { Surface } from '../core/zero-surface'
+import type { InputHost, Reading } from '../input/reading'
 import type { Cameras, Dispatch, State } from '../model/state'
 
 /** Something that keeps the page from its full work, as a sentence for people. */
 export interface Problem {
-  readonly code: 'core-failed' | 'no-webgl' | 'context-lost' | 'link-broken' | 'input-refused' | `bad-${string}`
+  readonly code:
+    | 'core-failed'
+    | 'no-webgl'
+    | 'context-lost'
+    | 'link-broken'
+    | 'input-refused'
+    | 'not-read'
+    | `bad-${string}`
   readonly message: string
-}
-
-/** What was pasted or dropped on the element; each is an object of its own. */
-export interface Offer {
-  readonly content: string | File
 }
 
 /** Parts that can be taken away as pictures. */
@@ -51,8 +54,8 @@ export interface Frame {
   readonly zeroSurface: Surface | null
   /** DF at `state.probe`; null where nothing is pointed at, or there is no report. */
   readonly probe: JacobianReport | null
-  /** The last thing pasted or dropped; null before the first. */
-  readonly offer: Offer | null
+  /** What has become of the last thing pasted, dropped or opened; null before the first, and once it is put away. */
+  readonly reading: Reading | null
   /** The views last asked for, from which the reader may have turned since; null before the first, each an object of its own. */
   readonly cameras: Cameras | null
   /** To what panels ask of the core, by their names: web/panels/panel.ts reads them. Empty where there is no report. */
@@ -92,6 +95,7 @@ export interface ViewHost {
   permalink(): string
   /** A part's picture; null while that part is not on the page. */
   figure(name: FigureName): Figure | null
+  readonly input: InputHost
 }
 
 export type CreateView = (host: ViewHost) => View

@@ -81,7 +81,7 @@ export const refusedMeshes: readonly Known[] = [
     what: 'a file of an Elmer mesh',
     instead: 'ElmerGrid converts the folder: ElmerGrid 2 5 mesh',
   },
-  { is: has(/^\s{0,20}mesh3d\b/), what: 'a Netgen mesh', instead: meshio('vol') },
+  { is: has(/^[ \t]{0,20}mesh3d[ \t]*\r?$/m), what: 'a Netgen mesh', instead: meshio('vol') },
   {
     is: (head, name) => /\.(?:b8|lb8|b4|lb4|r8|lr8|r4|lr4)?\.?ugrid$/.test(name) && head.length > 0,
     what: 'a UGRID mesh',

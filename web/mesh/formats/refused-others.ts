@@ -97,7 +97,13 @@ export const refusedOthers: readonly Known[] = [
     instead: 'the mesh itself is needed',
   },
   {
-    is: starts('\x89PNG', '\xff\xd8\xff', 'GIF8', 'BM6', 'II*\0', 'MM\0*'),
+    is: starts('\x89PNG'),
+    what: 'an image',
+    instead:
+      'the mesh itself is needed, or a PNG that was taken away from a Hexlens page, which has its element inside',
+  },
+  {
+    is: starts('\xff\xd8\xff', 'GIF8', 'BM6', 'II*\0', 'MM\0*'),
     what: 'an image',
     instead: 'the mesh itself is needed, as a file or as text',
   },

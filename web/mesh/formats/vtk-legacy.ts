@@ -7,6 +7,7 @@ import { isEllipsis } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 import type { CellData } from './vtk-cell-data'
+import { VTK_HEXAHEDRON } from './vtk-cells'
 import { type LegacyCells, readCells } from './vtk-legacy-cells'
 import { readCellData } from './vtk-legacy-data'
 import { LegacyStream, lineThatBegins } from './vtk-legacy-stream'
@@ -235,6 +236,7 @@ class LegacyDataset {
     })
     if (this.#type === 'STRUCTURED_POINTS' || this.#type === 'RECTILINEAR_GRID' || this.#type === 'STRUCTURED_GRID') {
       const sizes = this.#checkedSizes()
+      if (this.#type === 'STRUCTURED_GRID') this.#checkCount(sizes)
       mesh.addStructured(() => this.#structuredPoints(sizes), sizes, this.#precision())
     } else {
       if (this.#points === null) this.#stream.refuseAt(end, 'the file ends, and no section POINTS was there.')
@@ -242,10 +244,11 @@ class LegacyDataset {
       const isEmpty = this.#declaredPoints === 0 && this.#cells === null
       if (isEmpty) this.#cells = { connectivity: new Uint32Array(0), ends: new Uint32Array(0), declared: 0 }
       if (isEmpty) this.#types = new Uint8Array(0)
-      const missing = this.#cells === null ? 'CELLS' : this.#types === null ? 'CELL_TYPES' : null
+      const areTypesLeftOut = this.#types === null && !this.#hasHeader
+      const missing = this.#cells === null ? 'CELLS' : this.#types === null && !areTypesLeftOut ? 'CELL_TYPES' : null
       if (missing !== null) this.#stream.refuseAt(end, `the file ends, and no section ${missing} was there.`)
       const { connectivity, ends, declared } = this.#cells as LegacyCells
-      const types = this.#types as Uint8Array
+      const types = this.#types ?? typesOfSizes(ends)
       const whole = Math.min(types.length, ends.length)
       mesh.add({
         points: this.#points,
@@ -258,6 +261,12 @@ class LegacyDataset {
         precision: this.#precision(),
         cellData: this.#cellData,
       })
+      if (areTypesLeftOut) {
+        mesh.note(
+          'The text has no CELL_TYPES: cells of eight points are taken for hexahedra (type 12), in the order of the text.',
+        )
+        return { ...mesh.mesh(), isOrderStated: false }
+      }
     }
     mesh.steps = this.#time === null ? [] : [this.#time]
     mesh.coordinatePlaces = this.#places()
@@ -287,17 +296,16 @@ class LegacyDataset {
     return sizes
   }
 
-  #structuredPoints(sizes: readonly [number, number, number]): Float64Array {
+  #checkCount(sizes: readonly [number, number, number]): void {
     const count = sizes[0] * sizes[1] * sizes[2]
-    if (this.#type === 'STRUCTURED_GRID') {
-      if (this.#points === null) this.#stream.refuse('the grid has no POINTS.')
-      if (this.#declaredPoints !== count)
-        this.#stream.refuse(
-          `the dimensions ${sizes.join(' ')} need ${count} points; POINTS has ${this.#declaredPoints}.`,
-        )
-      if (this.#points.length < 3 * count) this.#stream.refuse('a grid whose points are left out has no cells.')
-      return this.#points
-    }
+    if (this.#points === null) this.#stream.refuse('the grid has no POINTS.')
+    if (this.#declaredPoints !== count)
+      this.#stream.refuse(`the dimensions ${sizes.join(' ')} need ${count} points; POINTS has ${this.#declaredPoints}.`)
+    if (this.#points.length < 3 * count) this.#stream.refuse('a grid whose points are left out has no cells.')
+  }
+
+  #structuredPoints(sizes: readonly [number, number, number]): Float64Array {
+    if (this.#type === 'STRUCTURED_GRID') return this.#points as Float64Array
     const axes = this.#type === 'RECTILINEAR_GRID' ? this.#axes : this.#evenAxes(sizes)
     const [x, y, z] = axes.map((axis, i) => {
       const name = 'XYZ'[i]
@@ -306,7 +314,7 @@ class LegacyDataset {
         this.#stream.refuse(`${name}_COORDINATES has ${axis.length}, the dimension is ${sizes[i]}.`)
       return axis
     }) as [Float64Array, Float64Array, Float64Array]
-    const points = new Float64Array(3 * count)
+    const points = new Float64Array(3 * sizes[0] * sizes[1] * sizes[2])
     let at = 0
     for (const zk of z)
       for (const yj of y)
@@ -327,4 +335,14 @@ class LegacyDataset {
       ),
     )
   }
+}
+
+const EMPTY_CELL = 0
+
+/** For a part of a file that leaves the types out: hexahedra by their eight points, the others unknown. */
+function typesOfSizes(ends: { readonly length: number; readonly [cell: number]: number }): Uint8Array {
+  return Uint8Array.from({ length: ends.length }, (_, cell) => {
+    const size = (ends[cell] as number) - (cell === 0 ? 0 : (ends[cell - 1] as number))
+    return size === 8 ? VTK_HEXAHEDRON : EMPTY_CELL
+  })
 }

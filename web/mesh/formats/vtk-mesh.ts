@@ -306,7 +306,7 @@ export class VtkMesh {
       notes: this.#notes,
       isOrderStated: this.#isOrderStated,
       isCutOff: this.#isCutOff,
-      coordinatePlaces: this.#points.length === 1 ? this.coordinatePlaces : null,
+      coordinatePlaces: this.#points.length === 1 && points.length > 0 ? this.coordinatePlaces : null,
       steps: this.steps,
     }
   }

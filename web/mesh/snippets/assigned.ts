@@ -7,7 +7,7 @@ import { Tokens } from './tokens'
 
 const SUBSCRIPT = '\\s?[[(]\\s?\\d{1,9}(?:\\s?,\\s?\\d{1,9})?\\s?[\\])]'
 const ASSIGNED = new RegExp(
-  `(?<![\\w.])([A-Za-z_]\\w{0,40})((?:${SUBSCRIPT}){1,2})(\\.[xyz])?\\s{0,8}=\\s{0,8}([-+−]?[\\d.][^\\s,;)\\]}]{0,40})`,
+  `(?<![\\w.\\])])([A-Za-z_]\\w{0,40})?((?:${SUBSCRIPT}){1,2})(\\.[xyz])?\\s{0,8}=\\s{0,8}([-+−]?[\\d.][^\\s,;)\\]}]{0,40})`,
   'g',
 )
 const FEWEST = 24
@@ -24,13 +24,13 @@ export function tablesOfAssignments(text: string): NumberTable[] {
     const tokens = new Tokens(word)
     if (tokens.next() !== 'number') continue
     const places = (subscripts.match(/\d+/g) ?? []).map(Number)
-    const axis = 'xyz'.indexOf(member?.[1] ?? name.at(-1)?.toLowerCase() ?? '')
+    const axis = 'xyz'.indexOf(member?.[1] ?? (name.at(-1)?.toLowerCase() || '-'))
     const [first = 0, second] = places
-    // One subscript needs an axis: that of a member, or of the name's last letter.
-    if (places.length > 2 || (second === undefined && axis < 0)) continue
-    const key = second === undefined && member === undefined ? `${name.slice(0, -1)}*` : name
+    if (places.length > 2) continue
+    // One subscript has an axis, that of a member or of the name's last letter; or it counts all coordinates.
+    const key = second === undefined && member === undefined && axis >= 0 ? `${name.slice(0, -1)}*` : name
     const list = entries.get(key) ?? []
-    list.push({ at: [first, second ?? axis], value: tokens.value, digits: tokens.digits })
+    list.push({ at: [first, second ?? Math.max(0, axis)], value: tokens.value, digits: tokens.digits })
     entries.set(key, list)
   }
   return [...entries].flatMap(([name, list]) => tableOfEntries(name, list) ?? [])
@@ -42,7 +42,9 @@ function tableOfEntries(name: string, entries: readonly Entry[]): NumberTable | 
   const [firsts, seconds] = ([0, 1] as const).map(k =>
     [...new Set(entries.map(({ at }) => at[k]))].sort((a, b) => a - b),
   ) as [number[], number[]]
-  if (firsts.length * seconds.length !== entries.length || (seconds.length !== 3 && firsts.length !== 3)) return null
+  if (firsts.length * seconds.length !== entries.length) return null
+  if (seconds.length === 1) return countedTable(name, entries)
+  if (seconds.length !== 3 && firsts.length !== 3) return null
   const [rowOf, columnOf] = [firsts, seconds].map(values => new Map(values.map((value, i) => [value, i]))) as [
     Map<number, number>,
     Map<number, number>,
@@ -55,7 +57,18 @@ function tableOfEntries(name: string, entries: readonly Entry[]): NumberTable | 
     ;(rows[row] as number[])[column] = value
   }
   if (seen.size !== entries.length) return null
-  return tableOf([name], seconds.length === 3 ? rows : transposed(rows), Math.max(...entries.map(e => e.digits)))
+  return tableOf([name], seconds.length === 3 ? rows : transposed(rows), mostDigits(entries))
+}
+
+/** One coordinate after another: the subscripts count up. */
+function countedTable(name: string, entries: readonly Entry[]): NumberTable | null {
+  const first = entries[0]?.at[0] as number
+  if (!entries.every(({ at }, i) => at[0] === first + i)) return null
+  return tableOf([name], [entries.map(({ value }) => value)], mostDigits(entries))
+}
+
+function mostDigits(entries: readonly Entry[]): number {
+  return entries.reduce((most, { digits }) => Math.max(most, digits), 0)
 }
 
 function tableOf(names: readonly string[], rows: number[][], digits: number): NumberTable {

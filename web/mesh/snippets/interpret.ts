@@ -6,6 +6,7 @@ import { hexahedronOfFaces } from '../hexahedron-of-faces'
 import type { Mesh } from '../mesh'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { printedDigits } from '../precision'
+import { orderOfText } from '../snippet-text'
 import { shown } from '../text-cursor'
 import { type CellRows, cellRowsOf } from './cell-rows'
 import { pairs } from './named-points'
@@ -37,14 +38,17 @@ export function meshOfTables(all: readonly NumberTable[], origin: Origin): Mesh 
   const parts = pairs(tables, sets, builder)
   if (parts.length > 0) {
     for (const { set, cells } of parts) addCells(set, cells, builder)
-    if (origin.hasOwnOrder) builder.isOrderStated = false
+    if (origin.hasOwnOrder) {
+      builder.isOrderStated = false
+      builder.note('The nodes of each cell are taken in the order of the text.')
+    }
   } else {
     refuseLeftCells(tables, sets, builder)
     const bare = sets.filter(({ table }) => !isNamed(table, NO_POINT_NAME))
     refuseMixedIntegers(bare, builder)
     if (addEights(bare, builder) === 0) return null
     builder.isOrderStated = false
-    builder.note('The text names no cells: its points are taken in their order, eight for each element.')
+    builder.note(orderOfText(builder.cellCount))
   }
   if (builder.cellCount === 0 && parts.length === 0) return null
   const digits = sets.reduce((most, { table }) => Math.max(most, table.digits), 0)
@@ -200,6 +204,9 @@ function addFaces(faces: readonly (readonly number[])[], builder: MeshBuilder): 
   } else builder.otherCell('quadrilateral', faces.length)
 }
 
+/** What makes a list in some language, and names none. */
+const IS_LIST = /(?:^|\.)(?:array|matrix|list|vector)$/i
+
 /** How many elements were added. */
 function addEights(sets: readonly PointSet[], builder: MeshBuilder): number {
   let count = 0
@@ -210,7 +217,7 @@ function addEights(sets: readonly PointSet[], builder: MeshBuilder): number {
       const first = builder.pointCount
       for (const [x, y, z] of points.slice(EIGHT * i, EIGHT * (i + 1)))
         builder.point(x as number, y as number, z as number)
-      const name = table.names.at(-1)
+      const name = table.names.findLast(word => !IS_LIST.test(word))
       const label = labels?.[EIGHT * i] ?? (name === undefined ? null : whole === 1 ? name : `${name}, ${i}`)
       const index = STRAIGHT.map(v => first + v)
       builder.hexahedron(index, label !== null && /^\d{1,15}$/.test(label) ? Number(label) : label)

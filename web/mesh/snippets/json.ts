@@ -63,15 +63,15 @@ interface Own {
 /** An object whose `vertices` are those of one element, with nothing in it that names them. */
 function isOwn(value: object): value is Own {
   if (!('vertices' in value) || !Array.isArray(value.vertices)) return false
-  const others = Object.entries(value).filter(([key, inner]) => key !== 'vertices' && Array.isArray(inner))
   const isSmall = value.vertices.length <= 8 || value.vertices.length === 24
-  return (
-    isSmall &&
-    others.every(
-      ([, inner]) =>
-        !/cell|elem|face|conn|hex|index|indic/i.test(JSON.stringify(Object.keys(value))) || inner === value.vertices,
-    )
-  )
+  return isSmall && !Object.entries(value).some(([key, inner]) => CELLS.test(key) && mayBeCells(inner))
+}
+
+const CELLS = /cell|elem|face|conn|hex|index|indic/i
+
+/** Eight whole numbers, in lists of lists or not. */
+function mayBeCells(value: unknown): boolean {
+  return Array.isArray(value) && value.flat().filter(Number.isInteger).length >= 8
 }
 
 /** Rows of numbers at any depth of lists; objects with x, y and z are rows as well. */
@@ -167,7 +167,8 @@ function ownElements({ own }: Found, fileName: string): Mesh | null {
 }
 
 function pointsOf(vertices: unknown): number[][] | null {
-  const rows = Array.isArray(vertices) ? rowsOf(vertices) : null
+  // JSON has no -0, which the state of an element therefore writes as a text.
+  const rows = Array.isArray(vertices) ? rowsOf(vertices.map(value => (value === '-0' ? -0 : value))) : null
   if (rows === null) return null
   if (rows.length === 1 && rows[0]?.length === 24) return inRowsOf(rows[0], 3)
   if (rows.length === 8 && rows.every(row => row.length === 3)) return rows

@@ -28,7 +28,9 @@ const POINT_WORD = /node|vert|point|pt|grid|corner|^id$|^p$|^v$|^n$/i
 const GOES_ON = /\d\s{0,9},\s{0,9}(?:\+\w{0,7})?\s{0,9}$/
 
 /** Marks between the numbers of a run: of CSV, tables, LaTeX, box drawing. */
-const BETWEEN = ',;|&"$│┃║'
+const BETWEEN = ',;|&"$│┃║，、'
+/** Units of length behind each number. */
+const UNIT = /^(?:[cmkµn]?m|inch|ft)$/
 /** What ends all lines of a list but the last, or the last alone. */
 const END_MARKS = /[\\)\]}/.'│┃║]+$/
 
@@ -144,7 +146,8 @@ export function tablesOfLines(text: string): TextLines {
       continue
     }
     if (element !== undefined) label = element
-    const all = (read.runs.length > 1 && read.runs.length % 8 === 0) || read.runs.length > MOST_PLACES
+    const long = read.runs.filter(({ values }) => values.length >= 3).length
+    const all = (long > 1 && long % 8 === 0) || long > MOST_PLACES
     for (const [i, run] of read.runs.entries()) {
       if (run.values.length === 3 || run.values.length === 4) points++
       if (run.values.length < 3) continue
@@ -277,7 +280,7 @@ function readLine(raw: string, number: number): Line {
       word = token
       if (/^[xyz]\d?$/i.test(token)) axes.push(token[0] as string)
     }
-    const isBetween = kind === 'mark' && BETWEEN.includes(token)
+    const isBetween = kind === 'word' ? isOpen && UNIT.test(token) : BETWEEN.includes(token)
     if (!isBetween) {
       isOpen = false
       if (skeleton.length < LONGEST_SKELETON) skeleton += kind === 'word' ? ` ${token.replace(/\d+/g, '#')}` : token

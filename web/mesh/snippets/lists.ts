@@ -1,12 +1,14 @@
 /**
  * Lists of numbers in brackets, as languages write and print them: Python, NumPy, C, JavaScript, Julia, MATLAB, R, Mathematica; and lists
- * without brackets behind a name. The brackets are a stack, so depth costs memory alone; each list is handed on once.
+ * without brackets behind a name. The brackets are a stack; each list is handed on once.
  */
 import type { NumberTable } from './number-table'
 import { inRowsOf, transposed } from './number-table'
 import { Tokens } from './tokens'
 
 const [OPENING, CLOSING] = ['([{', ')]}']
+/** Lists of numbers are not nested as deep; brackets that are count for nothing. */
+const DEEPEST = 100
 /** Characters behind a list in which a change of its shape is looked for. */
 const BEHIND = 160
 
@@ -30,13 +32,16 @@ class List {
   pending = ''
   /** Behind its closing bracket. */
   end = 0
+  readonly depth: number
   constructor(
     readonly opener: string,
     readonly callee: string,
     readonly names: readonly string[],
     readonly from: number,
     readonly parent: List | null,
-  ) {}
+  ) {
+    this.depth = parent === null ? 0 : parent.depth + 1
+  }
 }
 
 /** The tables that the lists of a text are, in its order. */
@@ -63,6 +68,8 @@ class ListReader {
   #isString = false
   #promptWord = ''
   #hasNoCommentEnd = false
+  /** How many brackets are open that are too deep for a list. */
+  #deeper = 0
   readonly #hasPrompts: boolean
   /** Whether Eigen's matrices in it have three rows. */
   readonly #hasThreeRows: boolean
@@ -192,7 +199,8 @@ class ListReader {
       this.#open(mark, this.#wordEnd === at ? this.#word : '')
     } else if (CLOSING.includes(mark)) {
       this.#endPlain()
-      if (this.#list.parent !== null) this.#close(at + 1)
+      if (this.#deeper > 0) this.#deeper--
+      else if (this.#list.parent !== null) this.#close(at + 1)
     } else if (mark === '&' && this.#isFortranEnd(at)) this.#isLineStart = false
     else if (mark === '|' || mark === '&' || mark === '\\') list.isMixed = list.parent !== null
   }
@@ -243,6 +251,11 @@ class ListReader {
 
   #open(opener: string, callee: string): void {
     const parent = this.#list
+    if (parent.depth === DEEPEST) {
+      parent.isMixed = true
+      this.#deeper++
+      return
+    }
     const own = parent.pending || (parent.parent === null ? this.#promptWord : '') || (callee ? '' : parent.lastWord)
     const isNew = own !== '' && own !== parent.names.at(-1)
     this.#list = new List(
@@ -299,7 +312,8 @@ class ListReader {
 
   #hand(list: List): void {
     const { rows, isCut, areIntegers, digits } = rowsOf(list)
-    if (rows.length === 0) return
+    // One number is neither a point nor a cell.
+    if (rows.length === 0 || (rows.length === 1 && (rows[0] as readonly number[]).length < 2)) return
     const shaped = this.#shaped(rows, list)
     const width = shaped.reduce((most, row) => Math.max(most, row.length), 0)
     this.#tables.push({

@@ -4,8 +4,8 @@
  */
 import { presets, presetVertices } from '../../model/presets'
 import '../element'
-import { onPaste } from '../../element/offers'
 import { historyStep } from '../../element/shortcuts'
+import { onPaste } from '../../input/pasted-input'
 import { decodePermalink } from '../../model/permalink'
 import { keepPlace, type Place, placeAt, presentEntry } from '../places'
 import { scrollOf, scrollTo } from '../scroll'
@@ -86,5 +86,5 @@ addEventListener('keydown', event => {
   lens[step]()
 })
 addEventListener('paste', event => {
-  if (event.target === document.body) onPaste(event, offer => lens.offer(offer))
+  if (event.target === document.body) onPaste(event, input => lens.offer('text' in input ? input.text : input.files))
 })

@@ -6,11 +6,12 @@ import css from './problems.css?inline'
 export const problemsStyles = css
 
 /** Those that concern something that happened, not something that still is. */
-const dismissible: ReadonlySet<Problem['code']> = new Set(['link-broken', 'input-refused'])
+const dismissible: ReadonlySet<Problem['code']> = new Set(['link-broken', 'input-refused', 'not-read'])
 
 class ProblemsView implements View {
   readonly root = document.createElement('div')
   readonly #host: ViewHost
+  #refusal: Problem | null = null
 
   constructor(host: ViewHost) {
     this.#host = host
@@ -19,6 +20,9 @@ class ProblemsView implements View {
   }
 
   update({ problems }: Frame): void {
+    const refusal = problems.find(({ code }) => code === 'not-read') ?? null
+    const isNew = refusal !== null && refusal !== this.#refusal
+    this.#refusal = refusal
     render(
       problems.map(
         problem => html`<p>
@@ -32,6 +36,13 @@ class ProblemsView implements View {
       ),
       this.root,
     )
+    if (isNew && !this.#isReadWhereAsked()) this.root.scrollIntoView({ block: 'nearest' })
+  }
+
+  /** The panel from which something was to be read says the same. */
+  #isReadWhereAsked(): boolean {
+    const { activeElement } = this.root.getRootNode() as ShadowRoot
+    return activeElement?.closest('.paste') != null
   }
 
   dispose(): void {}

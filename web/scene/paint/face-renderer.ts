@@ -32,6 +32,7 @@ export function rendererOf(
   renderer.outputColorSpace = LinearSRGBColorSpace
   renderer.setClearColor(0, 0)
   renderer.autoClear = false
+  renderer.sortObjects = false // they are added in the order in which they are drawn
   return renderer
 }
 

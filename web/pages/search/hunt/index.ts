@@ -1,5 +1,5 @@
 /** Searches in the browser: the wasm and the workers as the built page serves them. */
-import { batchModule } from '../../../core/batch'
+import { batchFiles } from '../../../core/batch/batch-files'
 import type { WorkerPort } from './messages'
 import type { Workforce } from './search'
 
@@ -10,7 +10,7 @@ let module: Promise<WebAssembly.Module> | undefined
 
 /** Rejects when the wasm cannot be had or may not run; a later call asks again. */
 export async function workforce(): Promise<Workforce> {
-  module ??= batchModule().catch(reason => {
+  module ??= batchFiles().catch(reason => {
     module = undefined
     throw reason
   })
