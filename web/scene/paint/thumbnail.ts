@@ -5,8 +5,8 @@
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { partTitle } from '../../views/part-name'
-import { colourScaleOf, cssColour, type Ramp, rampColour, rampPosition, type Theme } from './colour-map'
 import { toWorld, verticesInWorld, worldOf } from '../space/world'
+import { colourScaleOf, cssColour, type Ramp, rampColour, rampPosition, type Theme } from './colour-map'
 import { type FlatPoint, type FlatTile, flatTiles, pathOf } from './flat-tiles'
 import { seen } from './plain-view'
 
