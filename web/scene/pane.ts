@@ -15,7 +15,7 @@ import type { World } from './space/world'
 /** The scene as its panes see it. */
 export interface PaneScene extends Pick<InputTarget, 'probeNext' | 'toggleReference'> {
   readonly host: ViewHost
-  /** Told of every move of a pane's camera. */
+  /** Called at every move of a pane's camera. */
   onTurn(orbit: OrbitCamera): void
 }
 

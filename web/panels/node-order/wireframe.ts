@@ -1,6 +1,7 @@
 /** A small picture of eight points joined as their order says: the twelve edges, seen as the scene is at first. */
 import { edgeVertices, type Vertices } from '../../model/hexahedron'
-import { inOwnFrame, seen } from '../../scene/paint/plain-view'
+import { seen } from '../../scene/paint/plain-view'
+import { verticesInWorld, worldOf } from '../../scene/space/world'
 
 export interface Wireframe {
   /** Where vertices 0 to 7 are, in a square from -1 to 1, y downwards. */
@@ -10,7 +11,7 @@ export interface Wireframe {
 }
 
 export function wireframe(vertices: Vertices): Wireframe {
-  const flat = inOwnFrame(vertices).points.map(seen)
+  const flat = verticesInWorld(worldOf(vertices), vertices).map(seen)
   const size = Math.max(...flat.flatMap(({ x, y }) => [Math.abs(x), Math.abs(y)])) || 1
   const points = flat.map(({ x, y }) => ({ x: x / size, y: y / size }))
   const path = edgeVertices.map(edge => `M${edge.map(v => pair(points[v] ?? { x: 0, y: 0 })).join('L')}`).join('')

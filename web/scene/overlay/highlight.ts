@@ -4,7 +4,7 @@ import type { ElementPart } from '../../model/state'
 import { px, set, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 
-/** Around the handle, and around the minimizer's ring if that is there too. */
+/** Radius of the ring: around the handle, and around the minimizer's ring if that is there too. */
 const RING = 17
 
 export class Highlight {

@@ -1,4 +1,4 @@
-/** The points, as dots, or the twelve edges, drawn thick, that a check looks at which the pointer is on. */
+/** The points or the twelve edges that a check looks at, while the pointer is on it: dots, or thick lines. */
 import { px, set, show, svg } from '../paint/svg'
 import { patchPoint, sectionCorners } from '../space/patches'
 import { verticesInWorld } from '../space/world'

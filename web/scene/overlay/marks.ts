@@ -51,11 +51,11 @@ export class Marks {
   readonly #dot = svg('circle', { class: 'pupil', r: 3 })
   readonly #leader = svg('path', { class: 'leader' })
   readonly #label = svg('text', { class: 'value' })
-  /** On the boundary's minimizer if another point has the label. */
+  /** The ring on the boundary's minimizer if another point has the label. */
   readonly #second = svg('circle', { class: 'second', r: RING })
   readonly #isLabelled: boolean
   #place: LabelPlace | null = null
-  /** Null if the label found no free place. */
+  /** The label's box; null if no place is free. */
   #labelBox: Box | null = null
 
   constructor(isLabelled: boolean) {

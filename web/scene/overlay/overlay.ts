@@ -28,7 +28,7 @@ const RADIUS = 6
 const FIXED_RADIUS = 3
 /** Handles this close are one to the eye. */
 const SAME_HANDLE = 3
-/** From a handle's middle to the middle of its number. */
+/** Distance from a handle's middle to the middle of its number. */
 const NUMBER_DISTANCE = 17
 /** The same with a ring around the handle: the minimizer's, or that of the vertex spoken of. */
 const RINGED_NUMBER_DISTANCE = 24

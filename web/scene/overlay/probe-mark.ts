@@ -60,7 +60,7 @@ export class ProbeMark {
   }
 }
 
-/** Null for an arrow that points at the eye. */
+/** The path of an arrow; null if it points at the eye. */
 function arrowPath(from: ScreenPoint, to: ScreenPoint): string | null {
   const [dx, dy] = [to.x - from.x, to.y - from.y]
   const length = Math.hypot(dx, dy)

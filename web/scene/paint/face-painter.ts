@@ -45,7 +45,7 @@ class FaceContext {
   readonly #watchers = new Set<ContextWatcher>()
   #three: WebGLRenderer | null = null
   #renderer: FaceRenderer | null = null
-  /** A frame each: in one they would hold the page up. The scene is laid out in the first one. */
+  /** Each takes a frame: all in one would hold the page up. The scene is laid out in the first one. */
   #steps: readonly ((picture: Picture) => void)[] = [
     () => {},
     () => this.#context.getExtension('EXT_color_buffer_float'), // the first one asked for takes longest
@@ -61,7 +61,7 @@ class FaceContext {
       if (!(this.canvas instanceof HTMLCanvasElement)) this.canvas.transferToImageBitmap().close()
     },
   ]
-  /** Behind the work that the last step left to the graphics process: any question to it would have to wait for that. */
+  /** The fence behind the last step's work in the graphics process: any question to it would wait for that. */
   #fence: WebGLSync | null = null
 
   constructor(canvas: HiddenCanvas, context: WebGL2RenderingContext) {
@@ -71,7 +71,7 @@ class FaceContext {
     canvas.addEventListener('webglcontextrestored', this.#onRestored)
   }
 
-  /** Before its watchers are told, too. */
+  /** True even before its watchers are told. */
   get isLost(): boolean {
     return this.#context.isContextLost()
   }
@@ -126,7 +126,7 @@ class FaceContext {
   }
 }
 
-/** Null if the browser gives no WebGL2 context. */
+/** A painter on the page's context; null if the browser gives no WebGL2. */
 export function createFacePainter(watcher: ContextWatcher): FacePainter | null {
   const context = faceContext()
   return context && new ContextPainter(context, watcher)

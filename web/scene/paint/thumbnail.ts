@@ -5,11 +5,12 @@
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { partTitle } from '../../views/part-name'
+import { toWorld, verticesInWorld, worldOf } from '../space/world'
 import { colourScaleOf, cssColour, type Ramp, rampColour, rampPosition, type Theme } from './colour-map'
 import { type FlatPoint, type FlatTile, flatTiles, pathOf } from './flat-tiles'
-import { inOwnFrame, seen } from './plain-view'
+import { seen } from './plain-view'
 
-/** Of the picture, a square. */
+/** The side of the picture. */
 const SIZE = 120
 const MARGIN = 7
 /** Tiles to a face's side. */
@@ -26,7 +27,7 @@ export function thumbnailAddress(report: Report, colours: Colours): string {
   return `data:image/svg+xml;base64,${btoa(thumbnailMarkup(report, colours))}`
 }
 
-/** "Invalid, minimum −1/4 on edge 0–1": what the picture shows, in words. */
+/** The picture in words: "Invalid, minimum −1/4 on edge 0–1". */
 export function thumbnailText({ valid, boundaryMinimum, exponent, minimizer }: Report): string {
   const part = partTitle(minimizer)
   const minimum = formatJacdet(boundaryMinimum, exponent, 'unit')
@@ -35,13 +36,14 @@ export function thumbnailText({ valid, boundaryMinimum, exponent, minimizer }: R
 
 /** In ASCII. */
 export function thumbnailMarkup(report: Report, { theme, ramp }: Colours): string {
-  const { points, place } = inOwnFrame(report.vertices)
+  const world = worldOf(report.vertices)
+  const points = verticesInWorld(world, report.vertices)
   const toPicture = fitted(points.map(seen))
   const tiles = flatTiles(report, points, SIDE, point => toPicture(seen(point)))
   const scale = colourScaleOf(report.boundaryMinimum, report.boundaryMaximum)
   const colourOf = (value: number) => cssColour(rampColour(ramp, rampPosition(scale, value)))
   const ink = cssColour(theme.ink)
-  const { x, y } = toPicture(seen(place(report.minimizer.position)))
+  const { x, y } = toPicture(seen(toWorld(world, report.minimizer.position)))
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${SIZE} ${SIZE}" width="${SIZE}" height="${SIZE}">`,
     `<defs><pattern id="hatch" patternUnits="userSpaceOnUse" width="${HATCH}" height="${HATCH}" patternTransform="rotate(-45)">`,
@@ -53,7 +55,7 @@ export function thumbnailMarkup(report: Report, { theme, ramp }: Colours): strin
   ].join('')
 }
 
-/** Its own colour around it, or the paper would shine through between tiles; an edge over it, so that what is nearer hides both. */
+/** A stroke of the same colour, or the paper would shine through between tiles; an edge over it, so that nearer tiles hide both. */
 function tileMarkup({ corners, value, borders }: FlatTile, colour: string, ink: string): string {
   const shape = `${pathOf(corners)}Z`
   const fill = `<path d="${shape}" color="${colour}"/>`
@@ -63,7 +65,7 @@ function tileMarkup({ corners, value, borders }: FlatTile, colour: string, ink: 
   return fill + hatch + edges
 }
 
-/** Maps what is seen of these points to the picture's middle, as large as it has room for. */
+/** Maps these points to the middle of the picture, as large as it holds them. */
 function fitted(points: readonly FlatPoint[]): (point: FlatPoint) => FlatPoint {
   const [xs, ys] = [points.map(({ x }) => x), points.map(({ y }) => y)]
   const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)]

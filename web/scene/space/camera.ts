@@ -18,7 +18,7 @@ export interface Ray {
   readonly direction: Vec3
 }
 
-/** From the element to the camera by default: front, right of the middle, above. */
+/** The direction from the element to the camera by default: front, right of the middle, above. */
 export const DEFAULT_DIRECTION: Vec3 = direction(-58, 24)
 
 const FIELD_OF_VIEW = 28
