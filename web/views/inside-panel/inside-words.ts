@@ -11,6 +11,6 @@ export function insideSentence(report: Report, cube: ReferenceCube): string {
   if (inside === null) return 'The boundary already shows that the element is invalid. Nothing lower is found inside.'
   const least = formatJacdet(approximation(inside).value, report.exponent, cube)
   return report.boundaryMinimum === 0
-    ? `On the boundary jacdet is never below zero, yet inside it falls to ${least}. So valid means more than zero, not zero.`
+    ? `On the boundary jacdet is never below zero, yet inside it falls to ${least}. Zero is not enough: valid means more than zero.`
     : `The boundary already shows that the element is invalid. Inside, jacdet falls further, to ${least}.`
 }
