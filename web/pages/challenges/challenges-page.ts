@@ -147,7 +147,7 @@ const actions: Actions = {
     change({
       copying: isCopied
         ? { text: 'The link is copied: it opens this challenge with the element as it is.', link: null }
-        : { text: 'Copying is not allowed here; this is the link:', link: address.href },
+        : { text: 'Copying is not allowed here. This is the link:', link: address.href },
     })
   },
   forget: () => {

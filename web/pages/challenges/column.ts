@@ -37,8 +37,8 @@ export interface Actions {
 export function listColumn(progress: Progress, complaint: string | null, actions: Actions): TemplateResult {
   return html`${complaint === null ? '' : html`<p class="complaint" role="alert">${complaint}</p>`}
     <p>
-      Things to make with a hexahedron. Drag its vertices, choose one and use the arrow keys, or type its numbers; every condition is judged
-      at once and exactly.
+      Things to make with a hexahedron. Drag its vertices, choose one and use the arrow keys, or type its numbers. Every condition is
+      judged at once, exactly.
     </p>
     <ol class="challenges">
       ${challenges.map(
@@ -52,7 +52,7 @@ export function listColumn(progress: Progress, complaint: string | null, actions
     ${progress.count > 0 ? html`<p><button type="button" @click=${actions.forget}>Forget what I have solved</button></p>` : ''}
     <h2>Your own</h2>
     <p>
-      A challenge for others is a start, a goal in numbers and a few words, and all of it is in a link:
+      A challenge for others has a start, a goal in numbers and a few words. All of it is in a link:
       <a href=${`#${challengeFragment({ kind: 'write' })}`}>write one</a>.
     </p>`
 }

@@ -166,9 +166,10 @@ function keptTemplate(): TemplateResult | typeof nothing {
 
 const LASTING: Readonly<Record<Kept['lasting'], string>> = {
   lasting: '',
-  fleeting: 'This browser stores nothing for this page: these are gone when it is closed. Export them to have them.',
+  fleeting:
+    'This browser stores nothing for this page. These elements are gone when the page is closed: export them to keep them.',
   later:
-    'A later version of this page has kept elements here, which are left as they are; what you keep now is gone when this page is closed.',
+    'A later version of this page has kept elements here. They stay as they are. What you keep now is gone when this page is closed.',
 }
 
 function choiceOf(find: Find): Choice {
@@ -314,9 +315,7 @@ async function startPolishing(): Promise<void> {
     polishing = null
     kept.add({ name, vertices, property: quest.property })
     choose({ name, vertices, caption: name })
-    spokesman.say(
-      job.steps > 0 ? `Polished in ${job.steps} steps, and kept.` : 'It is as simple as it gets here; kept.',
-    )
+    spokesman.say(job.steps > 0 ? `Polished in ${job.steps} steps, and kept.` : 'It cannot be made simpler here. Kept.')
   } catch (reason) {
     polishing = null
     if (!job.controller.signal.aborted) return fail(reason as Error)

@@ -184,7 +184,7 @@ class EmbedView implements View {
   }
 
   async #copy(place: string, text: string): Promise<void> {
-    this.#tell((await copyText(text)) ? `Copied: ${place}.` : 'The browser does not let this be copied.')
+    this.#tell((await copyText(text)) ? `Copied: ${place}.` : 'The browser does not allow copying here.')
   }
 
   async #savePicture(): Promise<void> {

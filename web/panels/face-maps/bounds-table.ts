@@ -34,8 +34,8 @@ export function boundsTable(
       </tbody>
     </table>
     <p class="note">
-      No jacdet on a face is below its bound L<sub>R</sub>. Where L<sub>R</sub>\u00a0>\u00a00 the bound alone shows the face
-      positive; where L<sub>R</sub>\u00a0≥\u00a0M, the least found before, it holds no lower minimum. Elsewhere the quartic tells.
+      L<sub>R</sub> is a lower bound of jacdet on the face. If L<sub>R</sub>\u00a0>\u00a00, the face is positive. If
+      L<sub>R</sub>\u00a0≥\u00a0M, the least value so far, the face has no lower minimum. Otherwise the quartic decides.
     </p>`
 }
 

@@ -32,7 +32,7 @@ const GRID = 200
 const MOST_PIXEL_RATIO = 3
 const GESTURE_SIZE = 64
 
-const KEYS = 'Arrow keys move the point looked at over this face, Escape takes it away, Enter shows the face’s quartic.'
+const KEYS = 'Arrow keys move the point over this face. Escape removes it. Enter shows the face’s quartic.'
 const HINT = 'Point at a map to read jacdet there, or use the arrow keys.'
 
 type Part = 'marks' | 'readout' | 'words' | 'formulas'

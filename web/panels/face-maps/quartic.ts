@@ -27,11 +27,11 @@ function needOf(face: FaceReport, number: Numbers): TemplateResult {
   const bound = number(face.lowerBound)
   const { skippedByValidityRule: isPositive, skippedByMinimumRule: isSkipped } = face
   if (isPositive && isSkipped)
-    return html`Its bound ${bound} alone settles this face; its quartic is shown all the same.`
+    return html`Its bound ${bound} alone settles this face. Its quartic is shown all the same.`
   if (isPositive)
-    return html`Its bound ${bound} shows it positive, but lies below ${number(face.runningMinimum)}, the least found before: for the minimum the quartic is needed.`
+    return html`Its bound ${bound} shows it positive, but is below ${number(face.runningMinimum)}, the least value so far: the minimum needs the quartic.`
   if (isSkipped)
-    return html`Its bound ${bound} is not below the least found before, so this face holds no lower minimum; its quartic is shown all the same.`
+    return html`Its bound ${bound} is not below the least value so far, so this face has no lower minimum. Its quartic is shown all the same.`
   return html`Its bound ${bound} settles nothing: the quartic is needed.`
 }
 
@@ -42,7 +42,7 @@ function rootsSentence({ quarticIsZero, roots }: FaceReport): string {
     return `P has ${count} in (0, 1)${end}`
   }
   const end = roots.length === 0 ? '' : ' Roots of what is left of it are looked at all the same:'
-  return `P cannot be told from zero; where it is zero, the least value is found on an edge (a lemma of the paper).${end}`
+  return `P cannot be told from zero. If it is zero, the least value is on an edge (a lemma of the paper).${end}`
 }
 
 function rootText({ t, a, s, fate }: FaceRoot, number: Numbers): TemplateResult {

@@ -17,7 +17,7 @@ export const styles = css
 const LARGEST_SIDE = 340
 const MARGIN = 22
 const STEP = 0.01
-const KEYS = 'Arrow keys move the point looked at over the section, Escape takes it away.'
+const KEYS = 'Arrow keys move the point over the section. Escape removes it.'
 
 class InsidePanel implements View {
   readonly root = document.createElement('div')
@@ -180,10 +180,10 @@ class InsidePanel implements View {
 }
 
 function surfaceWords(isThere: boolean | null): string {
-  if (isThere === null) return 'The section, and the surface where J is zero, can be shown in space.'
+  if (isThere === null) return 'The section and the surface J = 0 can be shown in space.'
   return isThere
-    ? 'In red the surface J = 0, skin of the negative part; the section cuts through both.'
-    : 'J is zero nowhere inside: there is no surface J = 0.'
+    ? 'Red: the surface J = 0, around the negative part. The section cuts through both.'
+    : 'J is zero nowhere inside, so there is no surface J = 0.'
 }
 
 function minimizerOf(report: Report): Vec3 {
@@ -227,7 +227,7 @@ function readout(point: Vec3, value: number, exponent: number, cube: ReferenceCu
 /** The hint, or where the minimizer is that is marked although it does not lie on the section. */
 function offSection(report: Report, { axis, value }: Section): string {
   const at = minimizerOf(report)[axis]
-  if (at === value) return 'Point at the section to read jacdet there, or move over it with the arrow keys.'
+  if (at === value) return 'Point at the section to read jacdet there, or use the arrow keys.'
   const off = formatNumber(Math.abs(at - value))
   return `The minimum is not on this section: it is ${off} ${at > value ? 'above' : 'below'} it in ${AXIS_NAMES[axis]}, marked where it projects.`
 }

@@ -103,7 +103,7 @@ class MorphView implements View {
       <p class="place">
         ${
           here === null
-            ? 'The element is not on the way from A to B; the slider puts it there.'
+            ? 'The element is not on the way from A to B. Move the slider to put it there.'
             : html`τ = <b>${copyable(String(here), String(here))}</b>
               <span class="says">${isValid ? 'valid' : 'invalid'}, min J = ${copyableJacdet(boundaryMinimum, exponent, cube)}</span>`
         }
@@ -127,8 +127,8 @@ class MorphView implements View {
         </tbody>
       </table>
       <p class="note">
-        Neighbouring doubles: no double lies between the two, and each verdict is exact. The way is A + τ (B − A), every
-        coordinate in doubles.
+        No double lies between the last valid and the first invalid τ, and each verdict is exact. The way is A + τ (B − A), with
+        every coordinate in doubles.
       </p>`
   }
 

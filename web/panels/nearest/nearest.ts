@@ -48,8 +48,8 @@ class NearestView implements View {
 
   #answer(valid: boolean | null, isMoving: boolean, { vertices }: State): string {
     if (valid === null) return 'There is no verdict, so there is none to change.'
-    if (isMoving) return 'It is looked for when this change is done.'
-    const applied = this.#applied === vertices ? 'The move was made; Undo takes it back. ' : ''
+    if (isMoving) return 'The search starts when this change is done.'
+    const applied = this.#applied === vertices ? 'The move is applied. Undo takes it back. ' : ''
     return `${applied}How little has to move to make this element ${other(valid)}?`
   }
 
@@ -113,18 +113,17 @@ class NearestView implements View {
       <details>
         <summary>What these lengths are, and what is certain</summary>
         <p>
-          A length is Euclidean: the square root of the sum of the squares by which coordinates change; of one vertex it is the way
-          that it goes.
+          A length is Euclidean: the square root of the sum of the squared changes of all coordinates. For one vertex it is how far
+          the vertex moves.
         </p>
         <p>
-          The verdicts are exact on both sides. On the straight way to the element found, in doubles, the place before it still
-          ${valid ? 'is valid' : 'is invalid'}: no double lies between the two, or, where this element itself is on the border, no more
-          than 2⁻⁶⁴ of the way.
+          The verdicts are exact on both sides. On the straight way to the element found, the place before it, a double away, still
+          ${valid ? 'is valid' : 'is invalid'}. If this element itself is on the border, the two are at most 2⁻⁶⁴ of the way apart.
         </p>
         <p>
-          Where one vertex moves, jacdet at each point is affine in it: the places that make a valid element are convex, and the
-          nearest is found with a bound for all others. Where all move, a bound is known too; if it is smaller than the move,
-          there may be shorter ones that are quite different.
+          If one vertex moves, jacdet at each point is affine in it. So the places that make a valid element are convex, and the
+          nearest is found with a bound for all others. If all vertices move, a bound is known too. If it is smaller than the move,
+          quite different moves may be shorter.
         </p>
       </details>`
   }

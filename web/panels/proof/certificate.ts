@@ -73,7 +73,7 @@ class CertificateView implements View {
         >
           ${proofShown ? 'Hide the proof' : 'Show the proof'}
         </button>
-        <span aria-live="polite">${isStale ? 'It follows when this change is done.' : ''}</span>
+        <span aria-live="polite">${isStale ? 'The proof follows when this change is done.' : ''}</span>
       </p>
       <div id="proof" class=${isStale ? 'is-stale' : ''} ?hidden=${!proofShown}>${proof && this.#proof(proof, cube)}</div>`
   }
@@ -94,7 +94,7 @@ class CertificateView implements View {
           ${copied === 'json' ? 'Copied' : 'Copy JSON'}
         </button>
         <button type="button" @click=${() => this.#download(proof)}>Download</button>
-        <span aria-live="polite">${copied === 'nothing' ? 'Copying is not allowed here; Download gives the same.' : ''}</span>
+        <span aria-live="polite">${copied === 'nothing' ? 'Copying is not allowed here. Download gives the same.' : ''}</span>
       </p>
       <p class="check">
         To check it without this page: <code>python3 tests/certificates/check_certificates.py FILE.json</code>.
@@ -152,9 +152,9 @@ function validProof({ faces: intervals }: Valid): TemplateResult {
     runs.some(list => list.some(run => run.by === by)),
   )
   return html`<p>
-      On a face the jacdet is <span class="formula">a(t) s² + b(t) s + c(t)</span>, with s and t in the order of ξ, η, ζ. On each
-      interval of t it is positive at <span class="formula">s = 0</span> and <span class="formula">s = 1</span>, and in between for the
-      reason given.
+      On a face jacdet is <span class="formula">a(t) s² + b(t) s + c(t)</span>, with s and t in the order of ξ, η, ζ. On each
+      interval of t it is positive at <span class="formula">s = 0</span> and <span class="formula">s = 1</span>. In between it is
+      positive for the reason given.
     </p>
     <table aria-label="Intervals of each face">
       <thead>
@@ -166,8 +166,8 @@ function validProof({ faces: intervals }: Valid): TemplateResult {
       ${used.map(by => html`<div><dt>${REASONS[by].formula}</dt><dd>${REASONS[by].because}</dd></div>`)}
     </dl>
     <p class="why">
-      Each sign is that of whole numbers, the Bernstein coefficients on the interval. Positive on the six faces means positive
-      everywhere: Knupp’s conjecture, now a theorem (P. Zhang, <cite>Validating Hexahedra through their Boundaries</cite>).
+      Each sign is that of whole numbers, the Bernstein coefficients on the interval. If jacdet is positive on the six faces, it is
+      positive everywhere: Knupp’s conjecture, now a theorem (P. Zhang, <cite>Validating Hexahedra through their Boundaries</cite>).
     </p>`
 }
 

@@ -148,7 +148,7 @@ class TakeAwayView implements View {
 
   async #copy(title: string, text: string): Promise<void> {
     const copied = await copyText(text)
-    this.#tell(title, copied ? `Copied: ${title}.` : 'The browser does not let this be copied.')
+    this.#tell(title, copied ? `Copied: ${title}.` : 'The browser does not allow copying here.')
   }
 
   async #save(
