@@ -82,7 +82,9 @@ test('a PNG is read as its element, bit for bit, and one without an element is r
   const bytes = withText(png, 'hexlens', encodePermalink(hard))
   const [mesh] = readMeshes(fileOfBytes('a.png', bytes))
   expect(mesh && verticesOf(mesh, 0)).toEqual(hard)
-  expect(() => readMeshes(fileOfBytes('a.png', png))).toThrow(/^a\.png: this is an image\. .* which has its element inside\.$/)
+  expect(() => readMeshes(fileOfBytes('a.png', png))).toThrow(
+    /^a\.png: this is an image\. .* which has its element inside\.$/,
+  )
 })
 
 test('a PNG without the text, or with a damaged one, gives none', () => {
