@@ -34,7 +34,7 @@ async function schemas() {
     logLevel: 'silent',
     server: { middlewareMode: true, ws: false },
   })
-  const { stateJsonSchema, challengeJsonSchema } = await server.ssrLoadModule('/web/app/schemas.ts')
+  const { stateJsonSchema, challengeJsonSchema } = await server.ssrLoadModule('/web/pages/schemas.ts')
   await server.close()
   return { 'docs/state.schema.json': json(stateJsonSchema), 'docs/challenge.schema.json': json(challengeJsonSchema) }
 }
@@ -113,6 +113,7 @@ function page(element) {
   return [
     `# \`<${element.tag}>\``,
     element.summary,
+    'For authors who put the element into their pages: every name it understands. `docs/embedding.md` has the first steps.',
     `Written by \`npm run reference\` from \`${SOURCE}\`.`,
     '## Attributes',
     table(

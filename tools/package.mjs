@@ -19,7 +19,8 @@ const insideOneFile = {
   enforce: 'pre',
   resolveId(id) {
     if (id.endsWith('/hexlens-twin.js')) return { id: TWIN, external: true }
-    return WASM.test(id) || id === BATCH_WORKER ? id : null
+    if (WASM.test(id) || id === BATCH_WORKER) return id
+    return null
   },
   /** What is loaded on demand is there already: as plain imports the modules share one scope, which is smaller. */
   transform(code, id) {

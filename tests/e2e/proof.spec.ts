@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises'
 import type { Page } from '@playwright/test'
-import { presets, presetVertices } from '../../web/content/presets'
 import { certificateJson, certify } from '../../web/core/exact/certificate'
+import { presets, presetVertices } from '../../web/model/presets'
 import { runsOf } from '../../web/panels/proof/runs'
 import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, sidewaysOverflow, test } from './lens'
 

@@ -11,6 +11,8 @@ import { documented } from '../unit/embed-fixture'
 import { snippetsOf } from './documentation'
 import { elsewhere, expect, root, test } from './elsewhere'
 
+test.describe.configure({ mode: 'parallel' })
+
 const hosts = join(root, 'build/hosts/bin')
 const dist = join(elsewhere, 'node_modules/hexlens/dist')
 

@@ -1,12 +1,12 @@
 /** A checked mesh as a list of cells, as it comes out of a worker. */
 import { describe, expect, test } from 'vitest'
-import { nodeOrders } from '../../web/content/node-orders'
 import { CheckedCells } from '../../web/mesh/checked-cells'
 import { columnsOf, memoryOf } from '../../web/mesh/checked-columns'
 import { formatNames } from '../../web/mesh/format-names'
 import { formats } from '../../web/mesh/formats'
 import type { Mesh } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
+import { nodeOrders } from '../../web/model/node-orders'
 import { unitCube } from './core-fixtures'
 import { textFile } from './mesh-expectations'
 import { checked, flat, invalidCorner, meshOf, mirroredCube, mshText, notFinite, voxelOrder } from './mesh-fixtures'

@@ -1,8 +1,8 @@
 /** What docs/embedding.md tells authors to write is what "Copy embed" gives them. */
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
-import { attributesOf, cameraText, embeddableViews, verticesText } from '../../web/model/embed/embed'
-import { hosts } from '../../web/model/embed/hosts'
+import { attributesOf, cameraText, embeddableViews, verticesText } from '../../web/panels/embed/embed-lines'
+import { hosts } from '../../web/panels/embed/hosts'
 import { panels } from '../../web/panels/list'
 import { documented } from './embed-fixture'
 

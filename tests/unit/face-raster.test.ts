@@ -10,8 +10,8 @@ import {
   rampOf,
   rampPosition,
   type Theme,
-} from '../../web/views/colour-map'
-import { paintFace, paletteOf } from '../../web/views/face-raster'
+} from '../../web/scene/paint/colour-map'
+import { paintFace, paletteOf } from '../../web/scene/paint/face-raster'
 import { core, randomHexahedron, randomSource } from './core-fixtures'
 
 const hex = (text: string): Rgb =>

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
+import { presets, presetVertices } from '../../web/model/presets'
 import { insideSentence } from '../../web/panels/inside/inside-words'
 import { curveOf, heightOf } from '../../web/panels/morph/curve'
 import { core } from './core-fixtures'

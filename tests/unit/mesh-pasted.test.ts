@@ -6,8 +6,6 @@ import { readTogether } from '../../web/mesh/read-together'
 import { verticesOf } from '../../web/mesh/vertices-of'
 import { stateDocument } from '../../web/model/state-document'
 import { createStore } from '../../web/model/store'
-import { panels } from '../../web/panels/list'
-import { knownPanels } from '../../web/panels/panel'
 import { textFile } from './mesh-expectations'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
@@ -181,7 +179,7 @@ describe('JSON', () => {
   test('the state of an element is that element, whatever it started from', () => {
     const store = createStore(cube, null)
     store.dispatch({ type: 'set-vertices', vertices: upper.with(0, -0), preset: null })
-    const state = stateDocument(store.state, { camera: null, referenceCamera: null }, knownPanels(panels))
+    const state = stateDocument(store.state, { camera: null, referenceCamera: null }, { names: [], slices: [] })
     expect(only(JSON.stringify({ ...state, start: cube }))).toEqual(['JSON', upper.with(0, -0)])
   })
 
@@ -546,7 +544,7 @@ describe('points in other text', () => {
       .map((p, v) => `node ${v} (${p.join(', ')})`)
       .join('\n')
     expect(refusal(log)).toBe(
-      'The text: 28 numbers were found; an element needs 24. 7 points of three coordinates are among them; an element has 8.',
+      'The text: 28 numbers were found, but no eight points of three numbers that belong together. 7 points of three coordinates are among them; an element has 8.',
     )
   })
 })

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
 import type { Vertices } from '../../web/model/hexahedron'
-import { elementAt } from '../../web/panels/morph/way'
+import { presets, presetVertices } from '../../web/model/presets'
+import { elementAt } from '../../web/model/way'
 import { leastVector } from '../../web/panels/nearest/search/least-distance'
 import {
   type Nearest,

@@ -1,9 +1,9 @@
 /** Other orders of the eight points, and what trying them says. */
 import { describe, expect, it } from 'vitest'
-import { nodeOrders } from '../../web/content/node-orders'
-import { presets, presetVertices } from '../../web/content/presets'
 import type { Vertices } from '../../web/model/hexahedron'
 import { distinctOrders, orderClass, reflections, reordered, rotations } from '../../web/model/node-order'
+import { nodeOrders } from '../../web/model/node-orders'
+import { presets, presetVertices } from '../../web/model/presets'
 import { triedOrders } from '../../web/panels/node-order/tried-orders'
 import { cases, core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 

@@ -1,7 +1,7 @@
 /** How a proof is shown: long numbers cut, neighbouring intervals taken together. */
 import { describe, expect, it } from 'vitest'
 import { type CertifiedInterval, certify } from '../../web/core/exact/certificate'
-import { sliceChange, sliceOf } from '../../web/model/slice'
+import { sliceChange, sliceOf } from '../../web/model/state'
 import { createStore } from '../../web/model/store'
 import { proofSlice } from '../../web/panels/proof/proof-question'
 import { fullText, rationalText, roundedText } from '../../web/panels/proof/rational-text'

@@ -1,5 +1,6 @@
 /** The form of a search in the address, and what is kept in a browser's storage, whatever that does. */
 import { afterEach, describe, expect, it, vi } from 'vitest'
+import { readHexahedron } from '../../web/cli/read-hexahedra'
 import {
   decodeForm,
   encodeForm,
@@ -8,11 +9,10 @@ import {
   kinds,
   questOf,
   withField,
-} from '../../web/app/search/form-state'
-import { exported, Kept } from '../../web/app/search/kept'
-import { Spokesman } from '../../web/app/search/spokesman'
-import { readHexahedron } from '../../web/cli/read-hexahedra'
-import { readQuest } from '../../web/search/quest'
+} from '../../web/pages/search/form-state'
+import { readQuest } from '../../web/pages/search/hunt/quest'
+import { exported, Kept } from '../../web/pages/search/kept'
+import { Spokesman } from '../../web/pages/search/spokesman'
 import { entry, unitCube } from './core-fixtures'
 import { readText, verticesOf } from './mesh-expectations'
 

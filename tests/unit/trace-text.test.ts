@@ -1,6 +1,6 @@
 /** The steps of Algorithm 1 in words, and M as a staircase. */
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
+import { presets, presetVertices } from '../../web/model/presets'
 import { minimumPlot } from '../../web/panels/algorithm/minimum-plot'
 import { answerSentence, stepOutcome, stepSentence, type TraceShown } from '../../web/panels/algorithm/step-text'
 import { type TraceOptions, traceOf } from '../../web/panels/algorithm/trace'

@@ -1,9 +1,10 @@
 /** `hexlens check`: meshes in, verdicts out, file by file; the exit status is the gravest. */
 import { realpathSync } from 'node:fs'
 import type { Core } from '../core/report'
-import { checkMesh, type ExitStatus, exitOf, gravestExit, type MeshCheck } from '../mesh/check'
+import { checkMesh, type ExitStatus, exitOf, gravestExit } from '../mesh/check'
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
+import type { MeshCheck } from '../mesh/mesh-check'
 import { readMeshes } from '../mesh/read-mesh'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
@@ -93,7 +94,8 @@ async function meshOf(path: string, { wanted, streams, progress }: Work): Promis
   try {
     const name = withoutControls(path)
     const onProgress = (part: number) => progress.show(`${name}: reading`, part)
-    const meshes = readMeshes(file, { find, onProgress, ...(wanted.format === null ? {} : { format: wanted.format }) })
+    const { step, format } = wanted
+    const meshes = readMeshes(file, { find, onProgress, step, ...(format === null ? {} : { format }) })
     const [first, ...others] = meshes
     if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
     return joined([first, ...others])

@@ -1,8 +1,9 @@
 /** The attributes of `<hex-lens>`: what each may say, and in which sentence it is refused. */
-import { type Preset, presets } from '../content/presets'
+
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import { type Preset, presets } from '../model/presets'
 import { type CameraView, CONTROLS, type Control } from '../model/state'
-import type { Composition } from './define'
+import type { Composition } from './composition'
 import { HexLensError } from './hex-lens-error'
 
 export interface Attributes {

@@ -6,7 +6,7 @@
  * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `raise` and `clear` are
  * for what the page has to say about a problem.
  */
-import { type Preset, presets, presetVertices } from '../content/presets'
+
 import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
 import { InputReader } from '../input/input-reader'
@@ -14,6 +14,7 @@ import { listenForInput } from '../input/pasted-input'
 import { jacdetInFull } from '../model/decimal'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
+import { type Preset, presets, presetVertices } from '../model/presets'
 import type { Action, Cameras, State } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore, type Store } from '../model/store'
@@ -31,8 +32,8 @@ import {
   verticesText,
   viewNames,
 } from './attributes'
+import type { Composition } from './composition'
 import { Copying } from './copying'
-import type { Composition } from './define'
 import { HexLensError } from './hex-lens-error'
 import { Printing } from './printing'
 import { ReflectingElement } from './reflecting-element'
@@ -88,7 +89,7 @@ export class HexLens extends ReflectingElement {
   #drawn: Vertices | null = null
   /** Names of panels, as the attribute last said them. */
   #viewNames: readonly string[] = FIRST_VIEWS
-  readonly #input = new InputReader(HexLens.composition.startReadingWorker, {
+  readonly #input = new InputReader(HexLens.composition.readingWorker, {
     take: vertices => {
       this.#setVertices(vertices, null)
       return this.#store.state.vertices

@@ -5,7 +5,7 @@
 import type { Cameras } from '../model/state'
 import type { Panel } from '../panels/panel'
 import { adoptStyles } from '../panels/style-sheets'
-import marks from '../views/marks.css?inline'
+import marks from '../scene/overlay/marks.css?inline'
 import said from '../views/said.css?inline'
 import type { Figure, FigureName, Frame, View, ViewHost } from '../views/view'
 import css from './hex-lens.css?inline'

@@ -11,7 +11,8 @@ const FEW = 64
 
 /** `onPart` is called now and then with how many cells are done. */
 export function cellClassifier(
-  { core, batchModule }: { readonly core: Core; readonly batchModule: () => Promise<WebAssembly.Module> },
+  core: Core,
+  batchModule: () => Promise<WebAssembly.Module>,
   onPart: (done: number, total: number) => void,
 ): ClassifyCells {
   let batch: Promise<BatchCore | null> | undefined

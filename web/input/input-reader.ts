@@ -1,9 +1,10 @@
 /** Reads what is pasted, dropped or opened: what it finds becomes the element, or a list of which one cell can be chosen. */
-import type { NodeOrder } from '../content/node-orders'
+
 import type { Vertices } from '../model/hexahedron'
 import { reordered } from '../model/node-order'
+import type { NodeOrder } from '../model/node-orders'
 import type { PastedInput } from './pasted-input'
-import type { ReadInputOptions, ReadingOutcome, StartReadingWorker } from './read-input'
+import type { ReadInputOptions, ReadingOutcome, ReadingWorker } from './read-input'
 import type { InputHost, Reading, ShownCell } from './reading'
 
 export interface InputTaker {
@@ -17,7 +18,7 @@ export interface InputTaker {
 
 export class InputReader implements InputHost {
   reading: Reading | null = null
-  readonly #startWorker: StartReadingWorker
+  readonly #worker: () => Promise<ReadingWorker>
   readonly #taker: InputTaker
   #underWay: AbortController | null = null
   /** Undo and redo come back to the same lists of vertices. */
@@ -25,8 +26,8 @@ export class InputReader implements InputHost {
   /** Files that name others which were not given; they wait for these. */
   #waiting: { readonly files: readonly File[]; readonly missing: readonly string[] } | null = null
 
-  constructor(startWorker: StartReadingWorker, taker: InputTaker) {
-    this.#startWorker = startWorker
+  constructor(worker: () => Promise<ReadingWorker>, taker: InputTaker) {
+    this.#worker = worker
     this.#taker = taker
   }
 
@@ -59,7 +60,7 @@ export class InputReader implements InputHost {
     const name = nameOf(input)
     this.#set({ state: 'under-way', name, step: 'reading', part: 0 })
     const outcome = await outcomeOf(input, {
-      startWorker: this.#startWorker,
+      readingWorker: this.#worker,
       signal: underWay.signal,
       onProgress: ({ step, part }) => {
         if (this.#underWay === underWay) this.#set({ state: 'under-way', name, step, part })

@@ -6,18 +6,16 @@ import type { PastedInput } from './pasted-input'
 export type ReadingOutcome = Extract<ReadingAnswer, { kind: 'read' | 'refused' }>
 export type ReadingProgress = Extract<ReadingAnswer, { kind: 'progress' }>
 
-/** A worker whose script is reading-worker.ts. */
-export interface StartedWorker {
-  readonly worker: Worker
-  /** What may be wrong if its script does not load. */
+/** Where the worker comes from: each build has it somewhere else. */
+export interface ReadingWorker {
+  /** Rejects where there is none to be had. */
+  start(): Promise<Worker>
+  /** What may be wrong where its script does not load. */
   readonly blocked: string
 }
 
-/** Rejects where there is none to be had. */
-export type StartReadingWorker = () => Promise<StartedWorker>
-
 export interface ReadInputOptions {
-  readonly startWorker: StartReadingWorker
+  readonly readingWorker: () => Promise<ReadingWorker>
   readonly signal: AbortSignal
   readonly onProgress: (progress: ReadingProgress) => void
 }
@@ -28,15 +26,17 @@ const START_WITHIN = 60_000
 /** Never settles once the signal has aborted; the worker is ended then. */
 export async function readInput(
   input: PastedInput,
-  { startWorker, signal, onProgress }: ReadInputOptions,
+  { readingWorker, signal, onProgress }: ReadInputOptions,
 ): Promise<ReadingOutcome> {
-  let started: StartedWorker
+  let worker: Worker
+  let blocked: string
   try {
-    started = await startWorker()
+    const source = await readingWorker()
+    blocked = source.blocked
+    worker = await source.start()
   } catch (reason) {
     return refusal(`${NEEDS_WORKER} (${reason instanceof Error ? reason.message : reason}).`)
   }
-  const { worker, blocked } = started
   return new Promise(resolve => {
     const deadline = setTimeout(() => end(refusal(`${NEEDS_WORKER} in ${START_WITHIN / 1000} s.`)), START_WITHIN)
     const end = (outcome: ReadingOutcome) => {

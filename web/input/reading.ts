@@ -1,7 +1,8 @@
 /** What has become of the last input, for views. */
-import type { NodeOrder } from '../content/node-orders'
+
 import type { CheckedCells } from '../mesh/checked-cells'
 import type { Vertices } from '../model/hexahedron'
+import type { NodeOrder } from '../model/node-orders'
 import type { ReadingStep, ReadSummary } from './messages'
 import type { PastedInput } from './pasted-input'
 

@@ -1,7 +1,7 @@
 /** Sentences that the answers add to a mesh's own notes. */
 
-import type { MeshCheck } from './check'
 import { counted } from './check-summary'
+import type { MeshCheck } from './mesh-check'
 import { shown } from './text-cursor'
 
 type Answered = Omit<MeshCheck, 'notes'>

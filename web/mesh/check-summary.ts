@@ -1,5 +1,5 @@
 /** What a check of a mesh says first, for people, in the terminal as on a page. */
-import type { MeshCheck } from './check'
+import type { MeshCheck } from './mesh-check'
 
 /** "15 hexahedra, 10 INVALID, 5 valid." */
 export function headline(

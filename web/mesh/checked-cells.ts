@@ -1,8 +1,9 @@
 /** The cells of a checked mesh as a list, worst first, for whoever shows them: all of them, each answered when it is asked for. */
-import { type NodeOrder, nodeOrders } from '../content/node-orders'
+
 import type { Vertices } from '../model/hexahedron'
-import type { Standing } from './check'
+import { type NodeOrder, nodeOrders } from '../model/node-orders'
 import type { Mesh } from './mesh'
+import type { Standing } from './mesh-check'
 import { shown } from './shown'
 import { verticesOf } from './vertices-of'
 

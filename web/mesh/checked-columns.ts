@@ -1,6 +1,7 @@
 /** A checked mesh as columns, which a worker hands over without copying; web/mesh/checked-cells.ts reads them. */
-import { firstBlocks, type MeshCheck } from './check'
+import { firstBlocks } from './check'
 import { type CheckedColumns, type PackedNames, STANDINGS } from './checked-cells'
+import type { MeshCheck } from './mesh-check'
 import { shown } from './shown'
 
 /** All cells must be among the check's worst. */

@@ -25,25 +25,24 @@ export function isText(head: Uint8Array): boolean {
   return utf16Of(head) !== null || !head.includes(0)
 }
 
+/** Bytes: so many arguments are no burden to a call. */
+const AT_ONCE = 8192
+
 /**
- * The first bytes of a file as text in which marks of a format are looked for: each byte one character. A TextDecoder for “latin1” makes
- * other characters of the bytes 0x80 to 0x9f, in browsers.
+ * The first bytes of a file as text in which marks of a format are looked for, a character for each byte. Browsers take the decoder called
+ * latin1 for that of Windows, which has other characters from 0x80 to 0x9f.
  */
 export function headText(head: Uint8Array, most = head.length): string {
-  const bytes = head.subarray(0, most)
   let text = ''
-  for (let from = 0; from < bytes.length; from += PIECE)
-    text += String.fromCharCode(...bytes.subarray(from, from + PIECE))
+  for (let at = 0; at < most; at += AT_ONCE)
+    text += String.fromCharCode(...head.subarray(at, Math.min(most, at + AT_ONCE)))
   return text
 }
 
-/** Bytes: so many arguments are no burden to a call. */
-const PIECE = 8192
-
 const LONGEST_ELLIPSIS = 200
-/** "...", "[...]", "# ... 3000 more", a dot or a colon alone, and the characters for dots as the bytes of UTF-8 look in Latin 1 and in Windows-1252. */
+/** "...", "[...]", "# ... 3000 more", a dot or a colon alone, and the characters for dots as the bytes of UTF-8 look in Latin 1 and Windows'. */
 const DOTS =
-  /^[[({<*#/%!;,|\s-]*(?:\.\.|\. \.|\u2026|\u22ee|\u00e2(?:\u0080|\u20ac)\u00a6|\u00e2(?:\u008b|\u2039)\u00ae|[.:]$)/
+  /^[[({<*#/%!;,|\s-]*(?:\.\.|\. \.|\u2026|\u22ee|\u00e2[\u0080\u20ac]\u00a6|\u00e2[\u008b\u2039]\u00ae|[.:]$)/
 const WORDS = /^[[({<*#/%!;,|\s-]*(?:snip|cut|omitted|truncated|skipped|etc)\b/i
 
 /** Whether a line stands for what was left out. */

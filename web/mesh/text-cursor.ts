@@ -239,7 +239,10 @@ export class TextCursor {
   /** The next integer from 0 to 2^53. */
   count(expected = 'a count'): number {
     const value = this.number(expected)
-    if (!Number.isSafeInteger(value) || value < 0) this.refuse(`${value} is not ${expected}.`)
+    if (!Number.isSafeInteger(value) || value < 0) {
+      const word = decoder.decode(this.#bytes.subarray(this.numberFrom - this.#start, this.#at))
+      this.refuse(`${shown(word)} is not ${expected}.`)
+    }
     return value
   }
 }

@@ -23,8 +23,7 @@ import {
   text,
 } from './document-readers'
 import { faces, VERTEX_COUNT, type Vec3, type Vertices } from './hexahedron'
-import { type AnySlice, sliceOf } from './slice'
-import type { Cameras, CameraView, LastingState, State } from './state'
+import { type AnySlice, type Cameras, type CameraView, type LastingState, type State, sliceOf } from './state'
 import { SHOWN_FIRST } from './store'
 
 export const STATE_VERSION = 1

@@ -1,6 +1,6 @@
 /** What the page is about, as plain data, and every way it can change. No DOM, no three.js, no wasm. */
+import type { Readers } from './document-readers'
 import type { Axis, Vec3, Vertices } from './hexahedron'
-import type { AnySlice } from './slice'
 
 /** jacdet of the map from [0,1]^3, or from [-1,1]^3 as finite element codes use it (an eighth). */
 export type ReferenceCube = 'unit' | 'biunit'
@@ -139,3 +139,25 @@ export type Action =
   | { readonly type: 'restore'; readonly state: LastingState }
 
 export type Dispatch = (action: Action) => void
+/** A panel's own part of the state. It outlives the page, and is no part of the history. */
+export interface Slice<T extends object> {
+  /** The panel's. */
+  readonly name: string
+  /** In a new element. */
+  readonly first: T
+  /** Its keys in the state's document, beside those of the element and of other panels. */
+  readonly readers: Readers<T>
+  /** Throws RangeError for what no caller may send. */
+  readonly check?: (value: T) => void
+}
+
+// biome-ignore lint/suspicious/noExplicitAny: a list holds slices of all types, and each is used with its own values alone.
+export type AnySlice = Slice<any>
+
+export function sliceOf<T extends object>({ name, first }: Slice<T>, { slices }: Pick<State, 'slices'>): T {
+  return (slices[name] as T | undefined) ?? first
+}
+
+export function sliceChange<T extends object>(slice: Slice<T>, change: Partial<T>): Action {
+  return { type: 'change-slice', slice, change }
+}

@@ -15,8 +15,15 @@ import {
   vertexReference,
   withVertex,
 } from './hexahedron'
-import { sliceOf } from './slice'
-import { type Action, CONTROLS, type ElementPart, type FaceDisplay, type LastingState, type State } from './state'
+import {
+  type Action,
+  CONTROLS,
+  type ElementPart,
+  type FaceDisplay,
+  type LastingState,
+  type State,
+  sliceOf,
+} from './state'
 
 export interface Store {
   /** The state now: a new object after every change, never mutated. */

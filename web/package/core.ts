@@ -9,12 +9,12 @@ import { fetchCore } from '../core/fetch-core'
 import type { Core } from '../core/report'
 import { coreInside } from './core-inside'
 
-export { type Preset, presets, presetVertices } from '../content/presets'
 export { type Certificate, certificateJson } from '../core/exact/certificate'
 export type * from '../core/report'
-export { reportJson } from '../model/export/report-json'
+export { reportJson } from '../core/report-json'
 export type { Vec3, Vertices } from '../model/hexahedron'
 export { decodePermalink, encodePermalink, type PermalinkResult } from '../model/permalink'
+export { type Preset, presets, presetVertices } from '../model/presets'
 
 /** Rejects, with a sentence, where neither WebAssembly nor its twin starts. */
 export function loadCore(): Promise<Core> {

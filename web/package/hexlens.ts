@@ -2,10 +2,10 @@
 import { define } from '../element/define'
 import { panels } from '../panels/list'
 import { coreInside } from './core-inside'
-import { startMeshWorker } from './mesh-worker-beside'
+import { readingWorkerBeside } from './mesh-worker-beside'
 
 export { HexLens } from '../element/hex-lens'
 export { HexLensError, type HexLensErrorCode } from '../element/hex-lens-error'
 export { setMeshWorker } from './mesh-worker-beside'
 
-define({ core: coreInside, panels, otherPanels: ['nearest'], startReadingWorker: startMeshWorker })
+define({ core: coreInside, panels, otherPanels: ['nearest'], readingWorker: async () => readingWorkerBeside })

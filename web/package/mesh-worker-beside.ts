@@ -1,7 +1,8 @@
 /** The worker that reads is a file beside the script, which would be half as large again with it inside, and is loaded when it is needed. */
-import type { StartedWorker } from '../input/read-input'
+import type { ReadingWorker } from '../input/read-input'
 
 const NAME = 'hexlens.mesh-worker.js'
+const BLOCKED = `${NAME} was not loaded from beside the script, or a policy of the page forbids it`
 
 /** Of a module its own address; of a plain script that of the tag, which only says so while it runs first. */
 const script = globalThis.document?.currentScript
@@ -14,14 +15,13 @@ export function setMeshWorker(address: string | URL | (() => Promise<string | UR
   findAddress = typeof address === 'function' ? address : async () => address
 }
 
-export async function startMeshWorker(): Promise<StartedWorker> {
-  return { worker: await startedWorker(), blocked: BLOCKED }
-}
-
-async function startedWorker(): Promise<Worker> {
-  const address = new URL(await findAddress(), document.baseURI)
-  const isOwn = address.origin === location.origin && address.protocol !== 'file:'
-  return new Worker(isOwn ? address : await addressOfCopy(address.href))
+export const readingWorkerBeside: ReadingWorker = {
+  async start() {
+    const address = new URL(await findAddress(), document.baseURI)
+    const isOwn = address.origin === location.origin && address.protocol !== 'file:'
+    return new Worker(isOwn ? address : await addressOfCopy(address.href))
+  },
+  blocked: BLOCKED,
 }
 
 type HandedOver = HTMLScriptElement & { readonly work?: () => void }
@@ -46,5 +46,3 @@ async function copied(address: string): Promise<string> {
   }).finally(() => script.remove())
   return URL.createObjectURL(new Blob([`(${script.work})()`], { type: 'text/javascript' }))
 }
-
-const BLOCKED = `${NAME} was not loaded from beside the script, or a policy of the page forbids it`

@@ -1,12 +1,6 @@
-/** The script of the worker that reads, for the package: the wasm is inside. */
-import vectors from 'virtual:hexlens-batch.wasm.deflated'
-import scalar from 'virtual:hexlens-scalar.wasm.deflated'
-import { compiledOf } from '../core/batch/start'
-import { answerRequests } from '../input/reading-worker'
+/** The worker that reads, in one file. */
+import { serveReading } from '../input/serve-reading'
+import { batchInside } from './batch-inside'
 import { coreInside } from './core-inside'
-import { inflated } from './inflate'
 
-answerRequests({
-  core: coreInside,
-  batchModule: () => compiledOf({ vectors: () => inflated(vectors), scalar: () => inflated(scalar) }),
-})
+serveReading({ core: coreInside, batchModule: batchInside })

@@ -1,5 +1,5 @@
 /** The panels that every element has, in the order in which they stand. Another one is a folder here, and a line. */
-import { sceneView } from '../views/scene'
+import { scene } from '../scene/scene'
 import { algorithm } from './algorithm'
 import { announcer } from './announcer'
 import { checks } from './checks'
@@ -35,5 +35,5 @@ export const panels: readonly Panel[] = [
   paste,
   takeAway,
   embed,
-  sceneView,
+  scene,
 ]

@@ -3,8 +3,7 @@
  * in the state, what it asks of the core, and the view that draws it.
  */
 import type { Core, Report } from '../core/report'
-import type { AnySlice } from '../model/slice'
-import type { State } from '../model/state'
+import type { AnySlice, State } from '../model/state'
 import type { KnownPanels } from '../model/state-document'
 import type { CreateView, Frame } from '../views/view'
 

@@ -1,6 +1,7 @@
 /** What the outputs of `check` have in common: each turns the results, file by file, into text or bytes. */
 import type { Wanted } from '../../core/batch/lists'
-import type { ExitStatus, MeshCheck } from '../../mesh/check'
+import type { ExitStatus } from '../../mesh/check'
+import type { MeshCheck } from '../../mesh/mesh-check'
 
 export type FileResult = { readonly file: string; readonly exit: ExitStatus } & (
   | { readonly check: MeshCheck }

@@ -1,6 +1,7 @@
 /** What people read: a verdict, what it is based on, and the worst cells. */
-import { isWhollyAnswered, type MeshCheck } from '../../mesh/check'
+import { isWhollyAnswered } from '../../mesh/check'
 import { countSentences, headline } from '../../mesh/check-summary'
+import type { MeshCheck } from '../../mesh/mesh-check'
 import { formatPoint, speakJacdet, speakNumber } from '../../model/decimal'
 import { type Output, shown, withoutControls } from './output'
 

@@ -1,15 +1,15 @@
 /** Batches in the browser: the wasm and the workers as the built page serves them. */
 import type { Result } from '../report'
+import { batchFiles } from './batch-files'
 import { type Classification, type Classifier, type ClassifyOptions, classifierOn } from './classify'
 import type { WorkerPort } from './messages'
-import { batchModule } from './module'
 import { Pool } from './pool'
 import { pagePort } from './ports'
 import { defaultWorkers } from './start'
 
 /** Rejects when the wasm cannot be had or may not run. */
 export async function startClassifier(workers = defaultWorkers()): Promise<Classifier> {
-  return classifierOn(new Pool(await batchModule(), workers, spawn))
+  return classifierOn(new Pool(await batchFiles(), workers, spawn))
 }
 
 let shared: Promise<Classifier> | undefined

@@ -38,7 +38,16 @@ export const abaqus: MeshFormat = {
       return name.endsWith('.inp') ? 'yes' : 'maybe'
     return name.endsWith('.inp') && /^[ \t]*\*[a-z]/im.test(text) ? 'maybe' : 'no'
   },
-  read: (file, options) => [new AbaqusReader(file, options).read()],
+  read(file, options) {
+    const lines = new TextLines(file, options)
+    const meshes: Mesh[] = []
+    for (let isFollowed = true; isFollowed; ) {
+      const reader = new AbaqusReader(file, options, lines)
+      meshes.push(reader.read())
+      isFollowed = reader.isFollowed
+    }
+    return meshes
+  },
 }
 
 class AbaqusReader implements Reading {
@@ -53,11 +62,14 @@ class AbaqusReader implements Reading {
   frame: Frame | null = null
   #section: Section | null = null
   #isCutOff = false
+  #hasElements = false
+  /** Whether another file begins in the same text: a second heading behind elements. */
+  isFollowed = false
 
-  constructor(file: MeshFile, options: ReadOptions) {
+  constructor(file: MeshFile, options: ReadOptions, lines: TextLines) {
     this.#file = file
     this.#options = options
-    this.lines = new TextLines(file, options)
+    this.lines = lines
   }
 
   read(): Mesh {
@@ -86,7 +98,13 @@ class AbaqusReader implements Reading {
       if (lines.at(first) === STAR) {
         if (lines.at(first + 1) === STAR) continue
         this.#endSection()
+        if (depth === 0 && this.#hasElements && /^\s*\*\s*HEADING\b/i.test(lines.text())) {
+          lines.hold()
+          this.isFollowed = true
+          return
+        }
         this.keyword = this.#nextKeyword()
+        if (this.keyword.name === 'ELEMENT') this.#hasElements = true
         this.#section = this.#start(depth)
         const input = this.keyword.parameters.get('INPUT')
         const hasDataFile = this.keyword.name === 'NODE' || this.keyword.name === 'ELEMENT'

@@ -7,6 +7,7 @@ import { shown, type TextCursor } from '../text-cursor'
 import { NUMBER_SIZES, type NumberList, type NumberType, putNumbers, swapBytes } from './vtu-arrays'
 
 const CHUNK = 1024 * 1024
+const FIRST_PIECE = 4096
 
 /** Types of arrays as these files name them. */
 const TYPES: Readonly<Record<string, NumberType>> = {
@@ -73,10 +74,10 @@ export class LegacyStream {
   }
 
   type(): NumberType {
-    return this.#typeOf(this.cursor.word())
+    return this.typeOf(this.cursor.word())
   }
 
-  #typeOf(word: string): NumberType {
+  typeOf(word: string): NumberType {
     const type = TYPES[word.toLowerCase()]
     if (type === undefined) this.refuse(`${shown(word)} stands where a type like double or int was expected.`)
     return type
@@ -150,26 +151,51 @@ export class LegacyStream {
     for (let line = this.cursor.nextLine(); line !== null; line = this.cursor.nextLine()) if (line.trim() === '') return
   }
 
-  /** Arrays of names and times, which are not needed. */
-  passField(): void {
+  /** The next word in capitals; "" at the end. */
+  nextKeyword(): string {
+    this.cursor.skipBlanks()
+    return this.cursor.isAtEnd ? '' : this.cursor.word().toUpperCase()
+  }
+
+  /** The words that follow on this line, which stays the one the cursor is on. */
+  restOfLine(): string[] {
+    const words: string[] = []
+    while (this.cursor.hasMoreOnLine()) words.push(this.cursor.word())
+    return words
+  }
+
+  /** Goes behind the word with which a line begins; false, at the end, where none does. */
+  skipToLine(word: string): boolean {
+    const at = lineThatBegins(this.file, word, this.cursor.position)
+    this.cursor.goTo({ position: at < 0 ? this.file.size : at + word.length })
+    return at >= 0
+  }
+
+  /** The arrays of a FIELD, whose numbers `take` must pass or read. */
+  field(take: (name: string, components: number, tuples: number, type: string) => void): void {
     this.cursor.word()
     const count = this.count()
     for (let i = 0; i < count; ++i) {
-      if (this.cursor.word().toUpperCase() === 'METADATA') {
+      let name = this.cursor.word()
+      if (name.toUpperCase() === 'METADATA') {
         this.passMetadata()
-        this.cursor.word()
+        name = this.cursor.word()
       }
-      const numbers = this.count() * this.count()
-      const type = this.cursor.word().toLowerCase()
-      if (type === 'string') this.#passStrings(numbers)
-      else if (!this.isBinary) this.#passNumbers(numbers)
-      else {
-        this.cursor.skipLine()
-        const bytes = type === 'bit' ? Math.ceil(numbers / 8) : numbers * NUMBER_SIZES[this.#typeOf(type)]
-        if (this.cursor.position + bytes > this.file.size)
-          this.refuse(`an array of ${bytes} bytes was expected: the file is cut off.`)
-        this.cursor.goTo({ position: this.cursor.position + bytes })
-      }
+      take(decoded(name), this.count(), this.count(), this.cursor.word())
+    }
+  }
+
+  /** Passes so many numbers or texts, which begin on the next line. */
+  pass(numbers: number, word: string): void {
+    const type = word.toLowerCase()
+    if (type === 'string') this.#passStrings(numbers)
+    else if (!this.isBinary) this.#passNumbers(numbers)
+    else {
+      this.cursor.skipLine()
+      const bytes = type === 'bit' ? Math.ceil(numbers / 8) : numbers * NUMBER_SIZES[this.typeOf(type)]
+      if (!(this.cursor.position + bytes <= this.file.size))
+        this.refuse(`an array of ${bytes} bytes was expected: the file is cut off.`)
+      this.cursor.goTo({ position: this.cursor.position + bytes })
     }
   }
 
@@ -203,4 +229,27 @@ export class LegacyStream {
     }
     this.cursor.goTo({ position: at })
   }
+}
+
+/** Where a line begins so, in any case of letters, from byte `from` on; -1 if none does. */
+export function lineThatBegins(file: MeshFile, words: string, from: number): number {
+  const first = words.charCodeAt(0)
+  let piece = FIRST_PIECE
+  for (let start = from; start < file.size; start += piece, piece = Math.min(CHUNK, 2 * piece)) {
+    // The words may go on, and the end of the line before lie, beyond the piece.
+    const begin = Math.max(0, start - 1)
+    const bytes = file.read(begin, Math.min(file.size, start + piece + words.length))
+    for (let at = bytes.indexOf(first, start - begin); at >= 0; at = bytes.indexOf(first, at + 1)) {
+      const isLineStart = at === 0 || (bytes[at - 1] as number) <= 32 || begin + at === 3
+      if (!isLineStart) continue
+      const text = String.fromCharCode(...bytes.subarray(at, at + words.length))
+      if (text.toLowerCase() === words.toLowerCase()) return begin + at
+    }
+  }
+  return -1
+}
+
+/** A name's blanks and signs stand as %20 in the file. */
+export function decoded(name: string): string {
+  return name.replace(/%([\da-fA-F]{2})/g, (_, code) => String.fromCharCode(Number.parseInt(code, 16)))
 }

@@ -6,14 +6,14 @@ import { type CoordinatePlaces, type Mesh, MeshRefusal, MOST_IMPLIED_CELLS } fro
 import { isEllipsis } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
+import type { CellData } from './vtk-cell-data'
 import { VTK_HEXAHEDRON } from './vtk-cells'
 import { type LegacyCells, readCells } from './vtk-legacy-cells'
-import { LegacyStream } from './vtk-legacy-stream'
+import { readCellData } from './vtk-legacy-data'
+import { LegacyStream, lineThatBegins } from './vtk-legacy-stream'
 import { type Precision, VtkMesh } from './vtk-mesh'
 import { NUMBER_SIZES, type NumberType } from './vtu-arrays'
 
-const CHUNK = 1024 * 1024
-const FIRST_PIECE = 4096
 const MAGIC = '# vtk DataFile Version'
 /** A part of a file that somebody has cut out begins with one of its sections. */
 const SECTION =
@@ -33,7 +33,7 @@ export const vtkLegacy: MeshFormat = {
 
   read(file, options) {
     const meshes: Mesh[] = []
-    let at = find(file, MAGIC, 0)
+    let at = lineThatBegins(file, MAGIC, 0)
     if (at < 0) {
       const head = new TextDecoder('latin1').decode(file.read(0, Math.min(file.size, 65_536)))
       const section = SECTION.exec(head)
@@ -45,28 +45,10 @@ export const vtkLegacy: MeshFormat = {
       cursor.goTo({ position: at })
       const dataset = new LegacyDataset(file, options, cursor, true)
       meshes.push(dataset.read())
-      at = dataset.isBinary ? -1 : find(file, MAGIC, cursor.position)
+      at = dataset.isBinary ? -1 : lineThatBegins(file, MAGIC, cursor.position)
     }
     return meshes
   },
-}
-
-/** Where a line begins so, in any case of letters, from byte `from` on; -1 if none does. */
-function find(file: MeshFile, words: string, from: number): number {
-  const first = words.charCodeAt(0)
-  let piece = FIRST_PIECE
-  for (let start = from; start < file.size; start += piece, piece = Math.min(CHUNK, 2 * piece)) {
-    // The words may go on, and the end of the line before lie, beyond the piece.
-    const begin = Math.max(0, start - 1)
-    const bytes = file.read(begin, Math.min(file.size, start + piece + words.length))
-    for (let at = bytes.indexOf(first, start - begin); at >= 0; at = bytes.indexOf(first, at + 1)) {
-      const isLineStart = at === 0 || (bytes[at - 1] as number) <= 32 || begin + at === 3
-      if (!isLineStart) continue
-      const text = String.fromCharCode(...bytes.subarray(at, at + words.length))
-      if (text.toLowerCase() === words.toLowerCase()) return begin + at
-    }
-  }
-  return -1
 }
 
 class LegacyDataset {
@@ -81,6 +63,8 @@ class LegacyDataset {
   #pointType: NumberType = 'Float64'
   #cells: LegacyCells | null = null
   #types: Uint8Array | null = null
+  #cellData: CellData | null = null
+  #time: string | null = null
   #sizes: [number, number, number] | null = null
   #origin: [number, number, number] = [0, 0, 0]
   #spacing: [number, number, number] = [1, 1, 1]
@@ -159,10 +143,11 @@ class LegacyDataset {
         this.#stream.passMetadata()
         return true
       case 'FIELD':
-        this.#stream.passField()
+        this.#readField()
         return true
       case 'CELL_DATA':
       case 'POINT_DATA':
+        if (this.#types !== null) this.#cellData = readCellData(this.#stream, keyword, this.#types.length)
         return false
     }
     if (isEllipsis(keyword) && !this.#stream.isBinary) {
@@ -207,6 +192,17 @@ class LegacyDataset {
     this.#pointsFrom = this.#stream.isBinary ? this.#pointsTo - NUMBER_SIZES[this.#pointType] * list.length : from
   }
 
+  /** Of the arrays of the whole file the time counts. */
+  #readField(): void {
+    this.#stream.field((name, components, tuples, type) => {
+      if (components * tuples === 1 && /^time(?:value)?$/i.test(name))
+        this.#time = String(
+          this.#stream.list(1, this.#stream.typeOf(type), length => new Float64Array(length), 'time')[0],
+        )
+      else this.#stream.pass(components * tuples, type)
+    })
+  }
+
   #readAxis(axis: number): void {
     const count = this.#stream.count()
     const type = this.#stream.type()
@@ -240,9 +236,14 @@ class LegacyDataset {
     })
     if (this.#type === 'STRUCTURED_POINTS' || this.#type === 'RECTILINEAR_GRID' || this.#type === 'STRUCTURED_GRID') {
       const sizes = this.#checkedSizes()
+      if (this.#type === 'STRUCTURED_GRID') this.#checkCount(sizes)
       mesh.addStructured(() => this.#structuredPoints(sizes), sizes, this.#precision())
     } else {
       if (this.#points === null) this.#stream.refuseAt(end, 'the file ends, and no section POINTS was there.')
+      // VTK writes no section for no cells.
+      const isEmpty = this.#declaredPoints === 0 && this.#cells === null
+      if (isEmpty) this.#cells = { connectivity: new Uint32Array(0), ends: new Uint32Array(0), declared: 0 }
+      if (isEmpty) this.#types = new Uint8Array(0)
       const areTypesLeftOut = this.#types === null && !this.#hasHeader
       const missing = this.#cells === null ? 'CELLS' : this.#types === null && !areTypesLeftOut ? 'CELL_TYPES' : null
       if (missing !== null) this.#stream.refuseAt(end, `the file ends, and no section ${missing} was there.`)
@@ -258,6 +259,7 @@ class LegacyDataset {
         declaredCells: declared,
         hasFaceStreams: true,
         precision: this.#precision(),
+        cellData: this.#cellData,
       })
       if (areTypesLeftOut) {
         mesh.note(
@@ -266,6 +268,7 @@ class LegacyDataset {
         return { ...mesh.mesh(), isOrderStated: false }
       }
     }
+    mesh.steps = this.#time === null ? [] : [this.#time]
     mesh.coordinatePlaces = this.#places()
     return mesh.mesh()
   }
@@ -293,17 +296,16 @@ class LegacyDataset {
     return sizes
   }
 
-  #structuredPoints(sizes: readonly [number, number, number]): Float64Array {
+  #checkCount(sizes: readonly [number, number, number]): void {
     const count = sizes[0] * sizes[1] * sizes[2]
-    if (this.#type === 'STRUCTURED_GRID') {
-      if (this.#points === null) this.#stream.refuse('the grid has no POINTS.')
-      if (this.#declaredPoints !== count)
-        this.#stream.refuse(
-          `the dimensions ${sizes.join(' ')} need ${count} points; POINTS has ${this.#declaredPoints}.`,
-        )
-      if (this.#points.length < 3 * count) this.#stream.refuse('a grid whose points are left out has no cells.')
-      return this.#points
-    }
+    if (this.#points === null) this.#stream.refuse('the grid has no POINTS.')
+    if (this.#declaredPoints !== count)
+      this.#stream.refuse(`the dimensions ${sizes.join(' ')} need ${count} points; POINTS has ${this.#declaredPoints}.`)
+    if (this.#points.length < 3 * count) this.#stream.refuse('a grid whose points are left out has no cells.')
+  }
+
+  #structuredPoints(sizes: readonly [number, number, number]): Float64Array {
+    if (this.#type === 'STRUCTURED_GRID') return this.#points as Float64Array
     const axes = this.#type === 'RECTILINEAR_GRID' ? this.#axes : this.#evenAxes(sizes)
     const [x, y, z] = axes.map((axis, i) => {
       const name = 'XYZ'[i]
@@ -312,7 +314,7 @@ class LegacyDataset {
         this.#stream.refuse(`${name}_COORDINATES has ${axis.length}, the dimension is ${sizes[i]}.`)
       return axis
     }) as [Float64Array, Float64Array, Float64Array]
-    const points = new Float64Array(3 * count)
+    const points = new Float64Array(3 * sizes[0] * sizes[1] * sizes[2])
     let at = 0
     for (const zk of z)
       for (const yj of y)

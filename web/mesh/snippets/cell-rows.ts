@@ -36,7 +36,9 @@ export function isCells(table: NumberTable, set: PointSet | null, mayBePoints: b
   if (prefixedCells(rows.flat()) !== null) return true
   const isNode = (row: readonly number[]) => row.every(isKnown) && areDistinct(row)
   if (rows.length === EIGHT && width !== EIGHT && transposed(rows).every(isNode)) return true
-  return rows.every(row => isNode(row.slice(-Math.min(4, row.length))))
+  const isCell = (row: readonly number[]) => isNode(row.slice(-Math.min(4, row.length)))
+  // Of points that are not all there, some cells name others.
+  return set.table.isCut ? width >= EIGHT && rows.some(isCell) : rows.every(isCell)
 }
 
 const VTK_SIZES = new Set([3, 4, 5, 6, 8, 10, 20, 27])
@@ -80,7 +82,7 @@ export function cellRowsOf(table: NumberTable, set: PointSet, builder: MeshBuild
   if (rows.length === EIGHT && transposed(rows).every(areDistinct)) return hexahedra(transposed(rows))
   if (isFlat && isNamed(table, CELL_NAME)) return hexahedra(inRowsOf(flat, EIGHT))
   if (width < EIGHT || width > WIDEST_ROW) return { table, hexahedra: [], others: rows, ids: null }
-  const from = nodesFrom(table, width, knownIds(set), builder)
+  const from = nodesFrom(table, width, set, builder)
   const first = column(table, 0)
   return hexahedra(
     rows.map(row => row.slice(from, from + EIGHT)),
@@ -92,10 +94,12 @@ export function cellRowsOf(table: NumberTable, set: PointSet, builder: MeshBuild
 const WIDEST_ROW = 14
 
 /** The column at which the eight nodes of a row begin. */
-function nodesFrom(table: NumberTable, width: number, isKnown: (id: number) => boolean, builder: MeshBuilder): number {
+function nodesFrom(table: NumberTable, width: number, set: PointSet, builder: MeshBuilder): number {
+  const isKnown = knownIds(set)
   const last = width - EIGHT
+  const isCut = set.table.isCut || table.isCut
   const fits = (from: number) =>
-    table.rows.every(row => {
+    table.rows[isCut ? 'some' : 'every'](row => {
       const eight = row.slice(from, from + EIGHT)
       return eight.every(isKnown) && areDistinct(eight)
     })

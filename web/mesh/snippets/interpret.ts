@@ -11,7 +11,7 @@ import { shown } from '../text-cursor'
 import { type CellRows, cellRowsOf } from './cell-rows'
 import { pairs } from './named-points'
 import { areAllIntegers, areDistinct, inRowsOf, type NumberTable, widthOf } from './number-table'
-import { EIGHT, type PointSet, pointSetOf, withAxesJoined } from './point-set'
+import { EIGHT, type PointSet, pointSetOf, withAxesJoined, withIdsJoined } from './point-set'
 import { CELL_NAME, isNamed, NO_POINT_NAME } from './table-names'
 
 export interface Origin {
@@ -32,7 +32,7 @@ const OTHER_TYPES: readonly (readonly [RegExp, OtherCell])[] = [
 
 /** The mesh that the tables are, null if they are none. Throws a MeshRefusal where they cannot be understood with certainty. */
 export function meshOfTables(all: readonly NumberTable[], origin: Origin): Mesh | null {
-  const tables = withAxesJoined(all)
+  const tables = withIdsJoined(withAxesJoined(all))
   const builder = new MeshBuilder(origin.format, origin.fileName)
   const sets = tables.flatMap(table => pointSetOf(table, builder) ?? [])
   const parts = pairs(tables, sets, builder)

@@ -47,6 +47,23 @@ export function withAxesJoined(tables: readonly NumberTable[]): NumberTable[] {
   return joined
 }
 
+/** A list of different integers, as many as the points in the list behind it, has their ids, if cells follow. */
+export function withIdsJoined(tables: readonly NumberTable[]): readonly NumberTable[] {
+  const i = tables.findIndex(table => numberCount(table) >= COORDINATES)
+  const [before, points] = [tables[i - 1], tables[i]]
+  if (before === undefined || points === undefined || before.rows.length !== 1 || !areAllIntegers(before)) return tables
+  const ids = before.rows[0] as readonly number[]
+  const areCellsBehind = tables.slice(i + 1, i + 4).some(other => areAllIntegers(other) && numberCount(other) >= EIGHT)
+  if (numberCount(points) !== 3 * ids.length || points.ids !== null || !areDistinct(ids) || !areCellsBehind)
+    return tables
+  const joined = { ...points, rows: inRowsOf(points.rows.flat(), 3), integers: [false, false, false], ids }
+  return [...tables.slice(0, i - 1), joined, ...tables.slice(i + 1)]
+}
+
+function numberCount({ rows }: NumberTable): number {
+  return rows.reduce((count, row) => count + row.length, 0)
+}
+
 /** The points that a table may be; null if it is no table of points. */
 export function pointSetOf(table: NumberTable, builder: MeshBuilder): PointSet | null {
   const set = anyPointSetOf(table, builder)
@@ -64,6 +81,13 @@ function anyPointSetOf(table: NumberTable, builder: MeshBuilder): PointSet | nul
     table,
   })
   if (table.header !== null) {
+    const elements = titledElements(table.header)
+    if (elements !== null) {
+      const points = table.rows.flatMap(row => elements.map(columns => columns.map(c => row[c] as number)))
+      const id = /^(?:[xyz]|p\d)/i.test(table.header[0] ?? '') ? null : column(table, 0)
+      const labels = id && areDistinct(id) ? id.flatMap(own => Array.from({ length: EIGHT }, () => String(own))) : null
+      return { points, ids: null, labels, table }
+    }
     const columns = titledColumns(table.header)
     if (columns !== null) {
       const id = table.header.findIndex(title => /\b(?:id|node|index|no|nr|number|#)\b/i.test(title))
@@ -156,6 +180,24 @@ export function titledColumns(header: readonly string[]): readonly number[] | nu
     if (found.every(c => c >= 0) && new Set(found).size === 3) return found
   }
   return null
+}
+
+/** For titles of 24 columns, "x0" to "z7", "p1_y", "x_3" and their kin, the columns of each point; null for others. */
+function titledElements(header: readonly string[]): number[][] | null {
+  const points = new Map<number, number[]>()
+  for (const [c, title] of header.entries()) {
+    const name = title.trim().toLowerCase()
+    const [, axis = '', number = ''] = /^([xyz])[_ ]?\[?(\d{1,2})\]?$/.exec(name) ?? []
+    const [, point = '', last = ''] = /^[a-z]{1,8}[_ ]?(\d{1,2})[_. ]?([xyz])$/.exec(name) ?? []
+    if (axis === '' && last === '') continue
+    const own = points.get(Number(number || point)) ?? []
+    own['xyz'.indexOf(axis || last)] = c
+    points.set(Number(number || point), own)
+  }
+  const ordered = [...points].sort(([a], [b]) => a - b).map(([, columns]) => columns)
+  return ordered.length === EIGHT && ordered.every(own => own.length === 3 && !own.includes(undefined as never))
+    ? ordered
+    : null
 }
 
 /** Integers that their name says are cells, so they are no points. */

@@ -1,7 +1,6 @@
 /** Algorithm 1, followed step by step: what each looks at, what becomes of M, and what is skipped and why. */
 import { html, nothing, render, svg, type TemplateResult } from 'lit-html'
-import { sliceChange, sliceOf } from '../../model/slice'
-import type { ElementPart } from '../../model/state'
+import { type ElementPart, sliceChange, sliceOf } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
 import { partTitle } from '../../views/part-name'
 import type { CreateView, Frame, View, ViewHost } from '../../views/view'

@@ -1,6 +1,6 @@
 /** How Algorithm 1 is followed. */
 import { described, indexBelow, oneOf, record } from '../../model/document-readers'
-import type { Slice } from '../../model/slice'
+import type { Slice } from '../../model/state'
 import { checkIndex } from '../../model/store'
 
 /** What Algorithm 1 is asked: the boundary minimum, or only whether all of the boundary is positive. */

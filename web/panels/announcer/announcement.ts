@@ -2,12 +2,12 @@
  * One frame as sentences to be heard: "Vertex 3: 1.25, 0.5, -1. Minimum jacdet -0.03 on face 2. Invalid.", and of a degenerate element
  * "Invalid: a wedge stored as a hexahedron. Vertices 4 and 5 coincide, and so do 6 and 7."
  */
+import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { speakJacdet, speakNumber } from '../../model/decimal'
 import { edgeName, vertexOf } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import { coincidenceClause, kindName } from '../../views/coincidences'
-import { approximation, lowerInside } from '../../views/inside'
 
 export function announcement(state: State, report: Report): string {
   const vertex = vertexOf(state.vertices, state.selectedVertex).map(speakNumber).join(', ')

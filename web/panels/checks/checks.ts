@@ -1,11 +1,11 @@
 /** Who would notice: what other checks say of this element, each against the exact verdict. */
 import { html, render, type TemplateResult } from 'lit-html'
-import { checks as descriptions } from '../../content/checks'
 import type { Check, CheckId, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { copyable, copyableJacdet } from '../../views/copyable'
 import type { CreateView, Frame, Turn, View, ViewHost } from '../../views/view'
+import { checks as descriptions } from './check-words'
 import css from './checks.css?inline'
 
 export const checksStyles = css

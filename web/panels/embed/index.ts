@@ -2,6 +2,6 @@ import { fold } from '../fold'
 import type { Panel } from '../panel'
 
 export const embed: Panel = {
-  ...fold({ name: 'embed', title: 'Copy embed', load: () => import('./embed') }),
+  ...fold({ name: 'embed', title: 'Copy embed', load: () => import('./embed-view') }),
   place: 'panel',
 }

@@ -1,6 +1,6 @@
 /** One face of the net: a button with the face's picture, which tells where on the face it is pointed at. */
 import { type FaceTopology, faces } from '../../model/hexahedron'
-import { type FaceRaster, paintFace } from '../../views/face-raster'
+import { type FaceRaster, paintFace } from '../../scene/paint/face-raster'
 
 export interface FaceMapActions {
   /** A place in the cell, from its upper left, each in [0,1]. */
@@ -96,7 +96,7 @@ function isSamePicture(a: FaceRaster, b: FaceRaster): boolean {
     a.palette === b.palette &&
     a.size === b.size &&
     a.pixelRatio === b.pixelRatio &&
-    a.scale.unit === b.scale.unit &&
+    a.scale.greatest === b.scale.greatest &&
     a.scale.negativeExtent === b.scale.negativeExtent &&
     a.scale.positiveExtent === b.scale.positiveExtent &&
     a.bernstein.every((value, i) => value === b.bernstein[i])

@@ -2,9 +2,8 @@
  * The cube unfolded: its side faces in a row, seen from outside with zeta upwards, the top and the bottom above and below −η. Places
  * are in cells from the net's upper left, x to the right and y down.
  */
-
 import { edgeVertices, type FaceTopology, faces, type Vec3, vertexReference } from '../../model/hexahedron'
-import type { MapCell } from '../../views/face-raster'
+import type { MapCell } from '../../scene/paint/face-raster'
 
 export const NET_COLUMNS = 4
 export const NET_ROWS = 3

@@ -6,7 +6,7 @@ import { type FacePolynomials, valueAt, vertexInS } from '../../core/face-polyno
 import type { FaceReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
-import { px, set, setText, show, svg } from '../../views/svg'
+import { px, set, setText, show, svg } from '../../scene/paint/svg'
 import { decimalText } from './formulas'
 
 export interface PlotsPicture {

@@ -1,7 +1,7 @@
 /** The face that is looked at closely. */
 import { described, indexBelow } from '../../model/document-readers'
 import { faces } from '../../model/hexahedron'
-import type { Slice } from '../../model/slice'
+import type { Slice } from '../../model/state'
 import { checkIndex } from '../../model/store'
 
 export const faceSlice: Slice<{ readonly selectedFace: number }> = {

@@ -1,8 +1,8 @@
 /** What the boundary says of the inside, in one sentence. */
+import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
-import { approximation, lowerInside } from '../../views/inside'
 
 export function insideSentence(report: Report, cube: ReferenceCube): string {
   if (report.valid) return 'Positive on the boundary, so positive everywhere: by the theorem nothing inside is lower.'

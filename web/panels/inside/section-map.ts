@@ -1,14 +1,13 @@
 /** A section of the reference cube as a flat map of jacdet, with the minimizer, and the point that is looked at. */
-
+import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { axesOn, pointOn, sectionBernstein } from '../../core/section'
 import { formatJacdet } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { Section, State } from '../../model/state'
-import { rampOf, type Theme } from '../../views/colour-map'
-import { type Palette, paintFace, paletteOf } from '../../views/face-raster'
-import { approximation, colourScaleInside, lowerInside } from '../../views/inside'
-import { px, set, setText, show, svg } from '../../views/svg'
+import { colourScaleInside, rampOf, type Theme } from '../../scene/paint/colour-map'
+import { type Palette, paintFace, paletteOf } from '../../scene/paint/face-raster'
+import { px, set, setText, show, svg } from '../../scene/paint/svg'
 
 export interface SectionPicture {
   readonly report: Report

@@ -6,7 +6,7 @@
 import { changeBetween, verdictOf } from '../../core/crossing'
 import type { Core } from '../../core/report'
 import type { Vertices } from '../../model/hexahedron'
-import { elementAt } from './way'
+import { elementAt } from '../../model/way'
 
 export interface MorphSample {
   readonly tau: number

@@ -1,8 +1,7 @@
 /** The boundary minimum along the way, with the zero line, the changes of the verdict and the present place. */
-
 import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
-import { px, set, setText, show, svg } from '../../views/svg'
+import { px, set, setText, show, svg } from '../../scene/paint/svg'
 import { curveOf, heightOf } from './curve'
 import type { Morph } from './morph-answer'
 

@@ -1,7 +1,7 @@
 /** The ends of the way between two elements, and the minimum along it. */
 import { coordinates, described, orNull } from '../../model/document-readers'
 import type { Vertices } from '../../model/hexahedron'
-import { type Slice, sliceOf } from '../../model/slice'
+import { type Slice, sliceOf } from '../../model/state'
 import { checkFinite } from '../../model/store'
 import type { Question } from '../panel'
 import { type Morph, morphOf } from './morph-answer'

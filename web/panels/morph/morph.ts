@@ -3,8 +3,8 @@ import { html, render, type TemplateResult } from 'lit-html'
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
-import { sliceChange, sliceOf } from '../../model/slice'
-import type { ReferenceCube } from '../../model/state'
+import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
+import { elementAt, placeOnWay } from '../../model/way'
 import { copyable, copyableJacdet } from '../../views/copyable'
 import type { CreateView, Frame, View, ViewHost } from '../../views/view'
 import { answerTo } from '../panel'
@@ -12,7 +12,6 @@ import css from './morph.css?inline'
 import type { Morph } from './morph-answer'
 import { MorphGraph } from './morph-graph'
 import { type Ends, endsSlice, morphQuestion } from './morph-question'
-import { elementAt, placeOnWay } from './way'
 
 export const styles = css
 

@@ -9,11 +9,9 @@ const SLICE_MS = 6
 
 let search: typeof searchNearest | null = null
 
-/** View and search come when the panel is opened. */
-export async function load() {
-  const [view, { searchNearest }] = await Promise.all([import('./nearest'), import('./search/nearest')])
-  search = searchNearest
-  return view
+/** The search comes when the panel is opened. */
+export function takeSearch(given: typeof searchNearest): void {
+  search = given
 }
 
 export const nearestQuestion: Question<Nearest> = { name: 'nearest', start: onNews => inquiry(onNews) }

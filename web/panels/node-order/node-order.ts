@@ -1,7 +1,7 @@
 /** Whether another node order makes a valid element of the same eight points: which, to look at and to use. */
 import { html, render, svg, type TemplateResult } from 'lit-html'
-import { type NodeOrder, nodeOrders } from '../../content/node-orders'
 import type { Vertices } from '../../model/hexahedron'
+import { type NodeOrder, nodeOrders } from '../../model/node-orders'
 import type { State } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
 import type { CreateView, Frame, View, ViewHost } from '../../views/view'

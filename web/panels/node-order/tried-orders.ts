@@ -1,8 +1,9 @@
 /** Which of the known node orders make a valid element of an invalid one's points: the core's verdicts, exact as always. */
-import { type NodeOrder, nodeOrders } from '../../content/node-orders'
+
 import type { Core } from '../../core/report'
 import type { Vertices } from '../../model/hexahedron'
 import { distinctOrders, reordered } from '../../model/node-order'
+import { type NodeOrder, nodeOrders } from '../../model/node-orders'
 import type { Question } from '../panel'
 
 /** The same eight points in another order, which is a valid element. */

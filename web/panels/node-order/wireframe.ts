@@ -1,6 +1,6 @@
 /** A small picture of eight points joined as their order says: the twelve edges, seen as the scene is at first. */
 import { edgeVertices, type Vertices } from '../../model/hexahedron'
-import { inOwnFrame, seen } from '../../views/plain-view'
+import { inOwnFrame, seen } from '../../scene/paint/plain-view'
 
 export interface Wireframe {
   /** Where vertices 0 to 7 are, in a square from -1 to 1, y downwards. */

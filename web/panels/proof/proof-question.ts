@@ -2,7 +2,7 @@
 import type { Certificate } from '../../core/exact/certificate'
 import { described, flag } from '../../model/document-readers'
 import type { Vertices } from '../../model/hexahedron'
-import { type Slice, sliceOf } from '../../model/slice'
+import { type Slice, sliceOf } from '../../model/state'
 import type { Question } from '../panel'
 
 /** A certificate and what it is of: while a gesture runs, the element as it was before. */

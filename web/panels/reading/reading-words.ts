@@ -1,7 +1,8 @@
 /** What is said of the last input, in sentences. */
-import type { NodeOrder } from '../../content/node-orders'
+
 import type { ReadCells, Reading } from '../../input/reading'
 import { shown } from '../../mesh/shown'
+import type { NodeOrder } from '../../model/node-orders'
 
 export function statusSentence(reading: Reading): string {
   if (reading.state === 'refused') return reading.message

@@ -2,9 +2,9 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { ReadCells, Reading, ShownCell } from '../../input/reading'
 import type { Vertices } from '../../model/hexahedron'
-import type { CellList } from '../../views/cell-list/cell-list'
-import listCss from '../../views/cell-list/cell-list.css?inline'
 import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CellList } from './cell-list'
+import listCss from './cell-list.css?inline'
 import css from './reading.css?inline'
 import { notesOf, orderPhrase, statusSentence } from './reading-words'
 
@@ -44,7 +44,7 @@ class ReadingView implements View {
   async #makeList(reading: ReadCells, vertices: Vertices): Promise<void> {
     if (this.isLoading) return
     this.isLoading = true
-    const { CellList } = await import('../../views/cell-list/cell-list')
+    const { CellList } = await import('./cell-list')
     this.isLoading = false
     this.#list = new CellList(reading.cells, cell => this.#host.input.show(cell))
     this.#list.setShown(reading.cellOf(vertices)?.cell ?? null)

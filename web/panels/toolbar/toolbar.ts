@@ -1,6 +1,6 @@
 /** The line above everything: which element this is, the way back and forth, and the link to it. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
-import { type Preset, presets, presetVertices } from '../../content/presets'
+import { type Preset, presets, presetVertices } from '../../model/presets'
 import type { State } from '../../model/state'
 import { copyText } from '../../views/copy-text'
 import type { CreateView, Frame, View, ViewHost } from '../../views/view'

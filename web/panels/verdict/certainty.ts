@@ -1,8 +1,8 @@
 /** In a few words each: how the verdict became certain, and whether it is worse inside than on the boundary. */
+import { roundedUp } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { formatBound, formatJacdet } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
-import { roundedUp } from '../../views/inside'
 
 /** Each number in it is rounded to the side on which the claim still holds. */
 export function certainBy(report: Report, cube: ReferenceCube): string {

@@ -1,12 +1,12 @@
 /** The answer in words: valid or invalid, the minimum with its error bound and its place, why, and how that is certain. */
 import { html, render, type TemplateResult } from 'lit-html'
+import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { formatBound, formatJacdet, jacdetInFull } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
 import { kindName } from '../../views/coincidences'
 import { copyable, copyableJacdet, copyablePoint } from '../../views/copyable'
-import { approximation, lowerInside } from '../../views/inside'
 import type { CreateView, Frame, View } from '../../views/view'
 import { certainBy, noLowerInside } from './certainty'
 import css from './verdict.css?inline'

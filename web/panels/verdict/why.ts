@@ -1,8 +1,8 @@
 /** One plain sentence for why a report is valid or invalid: the first of vertices, edges and faces that fails. */
+import { lowerInside } from '../../core/inside'
 import type { Candidate, CandidateKind, Report } from '../../core/report'
 import { VERTEX_COUNT } from '../../model/hexahedron'
 import { coincidenceSentence, zerosAtSight } from '../../views/coincidences'
-import { lowerInside } from '../../views/inside'
 import { listed, partName } from '../../views/part-name'
 
 /** "at vertex 3,", "on edge 0–1 at" or "on face −ζ at": coordinates follow. */
