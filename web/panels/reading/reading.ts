@@ -20,7 +20,6 @@ class ReadingView implements View {
   constructor(host: ViewHost) {
     this.#host = host
     this.root.className = 'reading'
-    this.root.setAttribute('aria-label', 'What was read')
     this.#render(null, null, null)
   }
 
@@ -53,7 +52,10 @@ class ReadingView implements View {
     this.#list.whenDrawn().then(list => list.focus())
   }
 
+  /** A region of the page only while there is something in it. */
   #render(reading: Reading | null, cell: ShownCell | null, isValid: boolean | null): void {
+    if (reading && isSaid(reading, cell)) this.root.setAttribute('aria-label', 'What was read')
+    else this.root.removeAttribute('aria-label')
     render(
       html`<p class="said" aria-live="polite">${reading && isSaid(reading, cell) ? heard(reading) : ''}</p>
         ${reading && this.#content(reading, cell, isValid)}`,
