@@ -1,4 +1,4 @@
-import { presets, presetVertices } from '../../web/content/presets'
+import { presets, presetVertices } from '../../web/model/presets'
 import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, test } from './lens'
 
 const cube = presetVertices(presets.find(({ id }) => id === 'cube') ?? presets[0])

@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises'
 import type { Page } from '@playwright/test'
-import { presets, presetVertices } from '../../web/content/presets'
 import { certificateJson, certify } from '../../web/core/exact/certificate'
-import { runsOf } from '../../web/views/certificate/runs'
+import { presets, presetVertices } from '../../web/model/presets'
+import { runsOf } from '../../web/panels/proof/runs'
 import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, sidewaysOverflow, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]

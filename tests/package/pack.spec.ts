@@ -11,6 +11,8 @@ test('the package is packed and installs elsewhere', () => {
       'dist/hexlens.twin.js',
       'dist/hexlens.batch.js',
       'dist/hexlens.batch-worker.js',
+      'dist/hexlens.mesh.js',
+      'dist/hexlens.mesh-worker.js',
       'dist/app/index.html',
       'custom-elements.json',
     ]),

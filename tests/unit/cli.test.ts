@@ -6,7 +6,7 @@ import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { promisify } from 'node:util'
 import { afterAll, describe, expect, it } from 'vitest'
-import { main } from '../../web/cli/main'
+import { main } from '../../web/cli/from-sources'
 import { cases, core, unitCube } from './core-fixtures'
 
 const folder = mkdtempSync(join(tmpdir(), 'hexlens-'))

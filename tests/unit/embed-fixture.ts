@@ -1,6 +1,7 @@
 /** The element of docs/embedding.md: nine-point and Gauss-point checks accept it, and it is invalid. */
-import type { Embed } from '../../web/model/embed/embed'
+
 import { encodePermalink } from '../../web/model/permalink'
+import type { Embed } from '../../web/panels/embed/embed-lines'
 
 const vertices = [0, 1, 0, 1, 1, -4, 1, 4, -3, -2, -1, -2, -4, 1, 4, 4, -1, 4, 4, 1, 3, -2, 3, 1]
 

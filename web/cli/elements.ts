@@ -1,8 +1,8 @@
 /** `analyze` and `certify`: a JSON list of elements in, a list of answers out, entry by entry, however long the list is. */
 import { createReadStream } from 'node:fs'
 import type { Core } from '../core/report'
+import type { Engine } from './engine'
 import { jsonEntries } from './json-entries'
-import { fetchCore } from './read-core'
 import { type NamedHexahedron, readHexahedron } from './read-hexahedra'
 import { Buffered, Refusal, type Streams } from './streams'
 
@@ -10,8 +10,13 @@ import { Buffered, Refusal, type Streams } from './streams'
 export type AnswerTo = (core: Core, hexahedron: NamedHexahedron) => object
 
 /** Throws a Refusal; the list is then left open, and nothing is printed where the input is short. */
-export async function answerElements(answerTo: AnswerTo, file: string, streams: Streams): Promise<void> {
-  const core = await fetchCore()
+export async function answerElements(
+  answerTo: AnswerTo,
+  file: string,
+  engine: Engine,
+  streams: Streams,
+): Promise<void> {
+  const core = await engine.core()
   const output = new Buffered(streams.output)
   let count = 0
   for await (const entry of jsonEntries(file === '-' ? streams.input : chunksOf(file))) {

@@ -3,33 +3,38 @@
  * one frame's truth to every view. Nothing is scheduled while nothing changes, nothing is drawn while nobody sees it.
  * docs/element.md lists attributes, properties, methods, events, slots, parts and custom properties.
  *
- * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `offer` takes a text
- * or a file with eight points in it; `raise` and `clear` are for what the page has to say about a problem.
+ * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `raise` and `clear` are
+ * for what the page has to say about a problem.
  */
-import { type Preset, presets, presetVertices } from '../content/presets'
+
+import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
+import { InputReader } from '../input/input-reader'
+import { listenForInput } from '../input/pasted-input'
 import { jacdetInFull } from '../model/decimal'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
+import { type Preset, presets, presetVertices } from '../model/presets'
 import type { Action, Cameras, State } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore, type Store } from '../model/store'
-import type { Figure, FigureName, Frame, Offer, Problem, ViewHost } from '../views/view'
+import { knownPanels, type Panel } from '../panels/panel'
+import type { Figure, FigureName, Frame, Problem, ViewHost } from '../views/view'
 import { Answers } from './answers'
 import {
   type AttributeName,
   type Attributes,
   attributeNames,
   checkedVertices,
+  FIRST_VIEWS,
   readAttribute,
   readVertices,
   verticesText,
+  viewNames,
 } from './attributes'
+import type { Composition } from './composition'
 import { Copying } from './copying'
-import { fetchCore } from './fetch-core'
 import { HexLensError } from './hex-lens-error'
-import { listenForOffers } from './offers'
-import { type Part, parts } from './parts'
 import { Printing } from './printing'
 import { ReflectingElement } from './reflecting-element'
 import { asksForHelp, historyStep } from './shortcuts'
@@ -55,6 +60,8 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
 
 export class HexLens extends ReflectingElement {
   static readonly observedAttributes = attributeNames
+  /** Set once, before an element is made. */
+  static composition: Required<Composition>
 
   readonly #host: ViewHost = {
     state: () => this.#store.state,
@@ -64,9 +71,15 @@ export class HexLens extends ReflectingElement {
     requestFrame: () => this.#schedule(),
     permalink: () => this.permalink,
     figure: name => this.#show.figure(name),
+    input: {
+      read: input => this.#input.read(input),
+      close: () => this.#input.close(),
+      show: (cell, order) => this.#input.show(cell, order),
+    },
   }
   readonly #show: Show
   readonly #answers = new Answers(
+    HexLens.composition.panels,
     message => this.raise({ code: 'core-failed', message }),
     () => this.#schedule(),
   )
@@ -74,9 +87,16 @@ export class HexLens extends ReflectingElement {
   #store: Store = createStore(presetVertices(presets[0]), presets[0].id)
   #committed: Vertices = this.#store.state.vertices
   #drawn: Vertices | null = null
-  /** Names of parts, as the attribute last said them. */
-  #viewNames: readonly string[] = readAttribute('views', null)
-  #offer: Offer | null = null
+  /** Names of panels, as the attribute last said them. */
+  #viewNames: readonly string[] = FIRST_VIEWS
+  readonly #input = new InputReader(HexLens.composition.readingWorker, {
+    take: vertices => {
+      this.#setVertices(vertices, null)
+      return this.#store.state.vertices
+    },
+    refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
+    onNews: () => this.#schedule(),
+  })
   #cameras: Cameras | null = null
   #drawnCameras: Cameras | null = null
   #toldValid: boolean | null = null
@@ -93,18 +113,18 @@ export class HexLens extends ReflectingElement {
   constructor() {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
-    this.#show = new Show(shadow, this.#host)
+    this.#show = new Show(shadow, this.#host, HexLens.composition.panels)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
     new Copying(this.#show.lens, () => this.#pointInFull())
-    listenForOffers(shadow, this.#show.lens, {
-      isWelcome: () => this.#shownParts.some(part => part.name === 'paste'),
-      take: offer => this.offer(offer),
+    listenForInput(shadow, this.#show.lens, {
+      isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
+      take: input => this.#input.read(input),
     })
   }
 
   connectedCallback(): void {
     for (const name of EARLY) this.#adopt(name)
-    this.#show.begin(this.#shownParts)
+    this.#show.begin(this.#shownPanels)
     this.#printing = new Printing(this, () => this.#drawAtOnce())
     this.#visibility = new IntersectionObserver(entries => this.#onVisibility(entries))
     this.#visibility.observe(this)
@@ -121,7 +141,7 @@ export class HexLens extends ReflectingElement {
     this.#isInView = false
     this.#answers.stop()
     this.#show.end()
-    this.#offer = null
+    this.#input.close()
   }
 
   attributeChangedCallback(name: AttributeName): void {
@@ -146,12 +166,12 @@ export class HexLens extends ReflectingElement {
   }
 
   get state(): StateDocument {
-    return stateDocument(this.#store.state, this.#camerasNow)
+    return stateDocument(this.#store.state, this.#camerasNow, knownPanels(HexLens.composition.panels))
   }
 
   /** Throws HexLensError for what the schema does not let through. What it changes of the element is one step to undo. */
   set state(given: StateDocument) {
-    const result = readState(given)
+    const result = readState(given, knownPanels(HexLens.composition.panels))
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
     const { state, cameras } = result.value
     if (this.#drawn === null) this.#begin(state.vertices, state.preset, state.start)
@@ -166,7 +186,7 @@ export class HexLens extends ReflectingElement {
 
   /** Throws HexLensError unless there is such a preset. */
   set preset(id: string | null) {
-    const preset = readAttribute('preset', id)
+    const preset = readAttribute('preset', id, viewNames(HexLens.composition))
     if (preset) this.#setVertices(presetVertices(preset), preset.id)
   }
 
@@ -196,7 +216,7 @@ export class HexLens extends ReflectingElement {
   /** What the core says of any 24 numbers, by default of the element's own. Rejects with HexLensError. */
   async analyze(given: ArrayLike<number> = this.#store.state.vertices): Promise<Report> {
     const vertices = checkedVertices(given)
-    const core = await fetchCore().catch(reason => {
+    const core = await fetchCore(HexLens.composition.core).catch(reason => {
       throw new HexLensError(
         'no-core',
         `The core did not start (${reason instanceof Error ? reason.message : reason}).`,
@@ -219,11 +239,13 @@ export class HexLens extends ReflectingElement {
     return svgOf(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
   }
 
-  /** The panel that reads it opens; what it finds becomes the element, as one step to undo. */
-  offer(offer: Offer): void {
-    this.#offer = offer
-    this.#dispatch({ type: 'open-panel', panel: 'paste', isOpen: true })
-    this.#schedule()
+  /**
+   * Reads a text, a file, or files that belong together, as if it were dropped here. One element becomes the element, as one step to undo;
+   * of several the reader chooses one where the view `paste` is shown. What cannot be read is told by `hex-error`.
+   */
+  offer(given: string | File | readonly File[]): void {
+    if (typeof given === 'string') this.#input.read({ text: given })
+    else this.#input.read({ files: given instanceof File ? [given] : given })
   }
 
   raise(problem: Problem): void {
@@ -250,7 +272,7 @@ export class HexLens extends ReflectingElement {
     const takes: { readonly [Name in AttributeName]: (value: Attributes[Name]) => void } = {
       vertices: vertices => this.#takeElement(vertices, null),
       preset: preset => this.#takeElement(null, preset),
-      views: names => this.#showParts(names),
+      views: names => this.#showPanels(names),
       controls: controls => this.#dispatch({ type: 'offer-controls', controls }),
       camera: camera => {
         this.#cameras = { camera, referenceCamera: this.#camerasNow.referenceCamera }
@@ -259,13 +281,13 @@ export class HexLens extends ReflectingElement {
       theme: () => {}, // the style sheet does it
       readonly: isReadonly => {
         this.#dispatch({ type: 'hold', isReadonly })
-        this.#showParts(this.#viewNames)
+        this.#showPanels(this.#viewNames)
       },
       poster: poster => this.#show.setPoster(poster),
       label: label => this.#show.setLabel(label),
     }
     const take = takes[name] as (value: unknown) => void
-    take(readAttribute(name, this.getAttribute(name)))
+    take(readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition)))
   }
 
   /** Before the first frame both attributes say what the element starts from, in whichever order they come. */
@@ -283,22 +305,24 @@ export class HexLens extends ReflectingElement {
   /** What an attribute says; null where that is nothing, or nothing to be understood. */
   #understood<Name extends AttributeName>(name: Name): Attributes[Name] | null {
     try {
-      return readAttribute(name, this.getAttribute(name))
+      return readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition))
     } catch {
       return null // it is complained about in its own turn
     }
   }
 
-  get #shownParts(): readonly Part[] {
+  get #shownPanels(): readonly Panel[] {
     const isHeld = this.#store.state.isReadonly
-    return parts.filter(part => part.always || (this.#viewNames.includes(part.name) && !(isHeld && part.changes)))
+    return HexLens.composition.panels.filter(
+      panel => panel.always || (this.#viewNames.includes(panel.with ?? panel.name) && !(isHeld && panel.changes)),
+    )
   }
 
-  #showParts(names: readonly string[]): void {
+  #showPanels(names: readonly string[]): void {
     this.#viewNames = names
     if (!this.isConnected) return
     this.#cameras = this.#camerasNow
-    this.#show.begin(this.#shownParts)
+    this.#show.begin(this.#shownPanels)
     this.#schedule()
   }
 
@@ -336,7 +360,7 @@ export class HexLens extends ReflectingElement {
   async #start(): Promise<void> {
     const slow = setTimeout(() => this.#schedule(), PATIENCE_MS)
     try {
-      this.#answers.core = await fetchCore()
+      this.#answers.core = await fetchCore(HexLens.composition.core)
       this.clear('core-failed')
       if (this.isConnected) this.#tellChanges(this.#store.state)
       this.#schedule()
@@ -396,7 +420,7 @@ export class HexLens extends ReflectingElement {
     const frame: Frame = {
       state,
       ...this.#answers.of(state),
-      offer: this.#offer,
+      reading: this.#input.reading,
       cameras: this.#cameras,
       problems: [...this.#problems.values()],
       isForPaper: this.#isForPaper,
@@ -438,7 +462,7 @@ export class HexLens extends ReflectingElement {
     this.#picturesDue++
     this.#schedule()
     try {
-      await fetchCore().catch(() => {}) // without it there are lines, and they are drawn
+      await fetchCore(HexLens.composition.core).catch(() => {}) // without it there are lines, and they are drawn
       while (this.isConnected && !this.complete) await new Promise(requestAnimationFrame)
       const figure = this.#show.figure(name)
       if (figure === null) throw new HexLensError('no-picture', `There is no picture of the ${name} on the page.`)
@@ -479,9 +503,6 @@ function presetOf(vertices: Vertices): string | null {
   const isThis = (known: Vertices) => known.every((value, i) => Object.is(value, vertices[i]))
   return presets.find(preset => preset.valid !== null && isThis(presetVertices(preset)))?.id ?? null
 }
-
-// On a server there is nothing to define it in; on a page a second copy of this script leaves the first one's alone.
-if (globalThis.customElements && !customElements.get('hex-lens')) customElements.define('hex-lens', HexLens)
 
 declare global {
   interface HTMLElementTagNameMap {

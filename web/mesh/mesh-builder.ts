@@ -1,4 +1,5 @@
 /** Puts a mesh together from what a reader meets: points by the file's ids or in a row, cells of any type, names. */
+import type { Vertices } from '../model/hexahedron'
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
 import { NodeIds } from './node-ids'
 
@@ -162,6 +163,14 @@ export class MeshBuilder {
   #tokens(): CoordinatePlaces | null {
     if (this.#tokensFrom.length !== this.#points.length || this.pointCount === 0) return null
     return { kind: 'tokens', from: this.#tokensFrom.whole(), lengths: this.#tokenLengths.whole() }
+  }
+
+  /** The mesh of one element, in this project's own order. */
+  meshOfOne(vertices: Vertices): Mesh {
+    for (let v = 0; v < 24; v += 3)
+      this.point(vertices[v] as number, vertices[v + 1] as number, vertices[v + 2] as number)
+    this.hexahedron([0, 1, 2, 3, 4, 5, 6, 7])
+    return this.mesh()
   }
 
   /** The mesh. Refuses an index out of range. */

@@ -1,5 +1,5 @@
 /** `--ids`: the invalid hexahedra by their ids, as the input of a program or one on a line. */
-import type { MeshCheck } from '../../mesh/check'
+import type { MeshCheck } from '../../mesh/mesh-check'
 import type { IdKind } from '../check-arguments'
 import { Refusal } from '../streams'
 import { type Output, withoutControls } from './output'

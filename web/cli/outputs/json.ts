@@ -1,5 +1,5 @@
 /** `--json`: docs/check.schema.json. Written cell by cell, for there may be millions. */
-import type { MeshCheck } from '../../mesh/check'
+import type { MeshCheck } from '../../mesh/mesh-check'
 import { jsonNumber } from '../json-number'
 import type { Output } from './output'
 

@@ -1,9 +1,11 @@
 /** A part of an Abaqus model: its nodes and elements, its sets, and what is generated from them. */
+
+import { MOST_IMPLIED_CELLS } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
 import { shown } from '../text-cursor'
 import { IdIndex } from './id-index'
 import { countOf, IdOrder, type IdRange, IdRanges, mergedRanges } from './id-ranges'
-import { MOST_IMPLIED, type Move, NodeModel } from './node-model'
+import { type Move, NodeModel } from './node-model'
 import { Runs } from './runs'
 import type { TextLines } from './text-lines'
 import { TypedList } from './typed-list'
@@ -123,7 +125,8 @@ export class AbaqusPart {
 
   #imply(lines: TextLines, count: number): void {
     this.#implied += count
-    if (!(this.#implied <= MOST_IMPLIED)) lines.refuse(`more than ${MOST_IMPLIED} nodes and elements are generated.`)
+    if (!(this.#implied <= MOST_IMPLIED_CELLS))
+      lines.refuse(`more than ${MOST_IMPLIED_CELLS} nodes and elements are generated.`)
   }
 
   #coordinates(lines: TextLines, id: number): readonly [number, number, number] {

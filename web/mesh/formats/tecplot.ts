@@ -4,7 +4,7 @@
  */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { headText } from '../snippet-text'
-import { titledColumns } from '../snippets/interpret'
+import { titledColumns } from '../snippets/point-set'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 
