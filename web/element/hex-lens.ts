@@ -19,8 +19,8 @@ import type { Action, Cameras } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore } from '../model/store'
 import { knownPanels, type Panel } from '../panels/panel'
-import type { Figure, FigureName, Frame, Problem, ViewHost } from '../views/view'
-import { Answers } from './answers'
+import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
+import { Analyzer } from './analyzer'
 import {
   type AttributeName,
   type Attributes,
@@ -39,7 +39,7 @@ import { type DueFrame, FrameLoop } from './frame-loop'
 import { HexLensError } from './hex-lens-error'
 import { ReflectingElement } from './reflecting-element'
 import { asksForHelp, historyStep } from './shortcuts'
-import { Show } from './show'
+import { ViewHost } from './view-host'
 
 /** What a reader hardly notices; a page that stays empty for longer looks broken. */
 const PATIENCE_MS = 150
@@ -64,22 +64,22 @@ export class HexLens extends ReflectingElement {
   /** Set once, before an element is made. */
   static composition: Required<Composition>
 
-  readonly #host: ViewHost = {
+  readonly #context: ViewContext = {
     state: () => this.#store.state,
     dispatch: action => this.#dispatchOfReader(action),
     raise: problem => this.raise(problem),
     clear: code => this.clear(code),
     requestFrame: () => this.#frames.schedule(),
     permalink: () => this.permalink,
-    figure: name => this.#show.figure(name),
+    figure: name => this.#views.figure(name),
     input: {
       read: input => this.#input.read(input),
       close: () => this.#input.close(),
       show: (cell, order) => this.#input.show(cell, order),
     },
   }
-  readonly #show: Show
-  readonly #answers = new Answers(
+  readonly #views: ViewHost
+  readonly #analyzer = new Analyzer(
     HexLens.composition.panels,
     message => this.raise({ code: 'core-failed', message }),
     () => this.#frames.schedule(),
@@ -108,10 +108,10 @@ export class HexLens extends ReflectingElement {
   constructor() {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
-    this.#show = new Show(shadow, this.#host, HexLens.composition.panels)
+    this.#views = new ViewHost(shadow, this.#context, HexLens.composition.panels)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
-    new Copying(this.#show.lens, () => this.#pointInFull())
-    listenForInput(shadow, this.#show.lens, {
+    new Copying(this.#views.lens, () => this.#pointInFull())
+    listenForInput(shadow, this.#views.lens, {
       isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
       take: input => this.#input.read(input),
     })
@@ -119,17 +119,17 @@ export class HexLens extends ReflectingElement {
 
   connectedCallback(): void {
     for (const name of EARLY) this.#adopt(name)
-    this.#show.begin(this.#shownPanels)
+    this.#views.begin(this.#shownPanels)
     this.#frames.start()
-    if (this.#answers.core === null) void this.#start()
+    if (this.#analyzer.core === null) void this.#start()
     else this.#frames.schedule()
   }
 
   disconnectedCallback(): void {
     this.#cameras = this.#camerasNow
     this.#frames.stop()
-    this.#answers.stop()
-    this.#show.end()
+    this.#analyzer.stop()
+    this.#views.end()
     this.#input.close()
   }
 
@@ -180,7 +180,7 @@ export class HexLens extends ReflectingElement {
   }
 
   get report(): Report | null {
-    return this.#answers.report(this.#store.state.vertices)
+    return this.#analyzer.report(this.#store.state.vertices)
   }
 
   get permalink(): string {
@@ -191,7 +191,7 @@ export class HexLens extends ReflectingElement {
 
   /** Whether all that is to be seen is there: views are made when the element is seen, panels come when they are opened. */
   get complete(): boolean {
-    return this.#frames.isSeen && this.#changes.haveBegun && this.#frames.isIdle && this.#show.isComplete
+    return this.#frames.isSeen && this.#changes.haveBegun && this.#frames.isIdle && this.#views.isComplete
   }
 
   undo(): void {
@@ -262,18 +262,18 @@ export class HexLens extends ReflectingElement {
       vertices: vertices => this.#takeElement(vertices, null),
       preset: preset => this.#takeElement(null, preset),
       views: names => this.#showPanels(names),
-      controls: controls => this.#dispatch({ type: 'offer-controls', controls }),
+      controls: controls => this.#dispatch({ type: 'show-controls', controls }),
       camera: camera => {
         this.#cameras = { camera, referenceCamera: this.#camerasNow.referenceCamera }
         this.#frames.schedule()
       },
       theme: () => {}, // the style sheet does it
       readonly: isReadonly => {
-        this.#dispatch({ type: 'hold', isReadonly })
+        this.#dispatch({ type: 'set-readonly', isReadonly })
         this.#showPanels(this.#viewNames)
       },
-      poster: poster => this.#show.setPoster(poster),
-      label: label => this.#show.setLabel(label),
+      poster: poster => this.#views.setPoster(poster),
+      label: label => this.#views.setLabel(label),
     }
     const take = takes[name] as (value: unknown) => void
     take(readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition)))
@@ -301,9 +301,9 @@ export class HexLens extends ReflectingElement {
   }
 
   get #shownPanels(): readonly Panel[] {
-    const isHeld = this.#store.state.isReadonly
+    const { isReadonly } = this.#store.state
     return HexLens.composition.panels.filter(
-      panel => panel.always || (this.#viewNames.includes(panel.with ?? panel.name) && !(isHeld && panel.changes)),
+      panel => panel.always || (this.#viewNames.includes(panel.with ?? panel.name) && !(isReadonly && panel.changes)),
     )
   }
 
@@ -311,7 +311,7 @@ export class HexLens extends ReflectingElement {
     this.#viewNames = names
     if (!this.isConnected) return
     this.#cameras = this.#camerasNow
-    this.#show.begin(this.#shownPanels)
+    this.#views.begin(this.#shownPanels)
     this.#frames.schedule()
   }
 
@@ -322,13 +322,13 @@ export class HexLens extends ReflectingElement {
 
   /** What is set before the first frame is what the element starts from, not a step to undo. */
   #begin(vertices: Vertices, preset: string | null, start: Vertices): void {
-    this.#store.dispatch({ type: 'begin', vertices, preset, start })
+    this.#store.dispatch({ type: 'initialize', vertices, preset, start })
     this.#changes.begin(this.#store.state.vertices)
   }
 
   /** As the reader has turned them, or as they were asked for. */
   get #camerasNow(): Cameras {
-    const seen = this.#cameras === this.#drawnCameras ? this.#show.cameras() : null
+    const seen = this.#cameras === this.#drawnCameras ? this.#views.cameras() : null
     return seen ?? this.#cameras ?? { camera: null, referenceCamera: null }
   }
 
@@ -346,7 +346,7 @@ export class HexLens extends ReflectingElement {
   async #start(): Promise<void> {
     const slow = setTimeout(() => this.#frames.schedule(), PATIENCE_MS)
     try {
-      this.#answers.core = await fetchCore(HexLens.composition.core)
+      this.#analyzer.core = await fetchCore(HexLens.composition.core)
       this.clear('core-failed')
       if (this.isConnected) this.#changes.tell(this.#store.state, this.report)
       this.#frames.schedule()
@@ -363,19 +363,19 @@ export class HexLens extends ReflectingElement {
 
   #onFrame({ time, isNews, isSeen, isForPaper }: DueFrame) {
     const { state } = this.#store
-    this.#changes.tell(state, this.#answers.report(state.vertices))
+    this.#changes.tell(state, this.#analyzer.report(state.vertices))
     if (!isSeen) return { isWaiting: false, isUnmade: false }
     const frame: Frame = {
       state,
-      ...this.#answers.of(state),
+      ...this.#analyzer.analyze(state),
       reading: this.#input.reading,
       cameras: this.#cameras,
       problems: [...this.#problems.values()],
       isForPaper,
     }
-    this.#show.draw(frame, isNews, time)
+    this.#views.draw(frame, isNews, time)
     this.#drawnCameras = frame.cameras
-    return this.#show
+    return this.#views
   }
 
   /** The attributes say what is there now. */
@@ -393,7 +393,7 @@ export class HexLens extends ReflectingElement {
     return this.#frames.whileDrawn(async () => {
       await fetchCore(HexLens.composition.core).catch(() => {}) // without it there are lines, and they are drawn
       while (this.isConnected && !this.complete) await new Promise(requestAnimationFrame)
-      const figure = this.#show.figure(name)
+      const figure = this.#views.figure(name)
       if (figure === null) throw new HexLensError('no-picture', `There is no picture of the ${name} on the page.`)
       return figure
     })
@@ -402,7 +402,7 @@ export class HexLens extends ReflectingElement {
   /** Of what is pointed at: every number with all its digits. */
   #pointInFull(): string | null {
     const { state } = this.#store
-    const probe = this.#answers.probed(state)
+    const probe = this.#analyzer.probed(state)
     if (probe === null) return null
     const jacdet = jacdetInFull(probe.jacdet, probe.exponent, state.referenceCube)
     return `jacdet = ${jacdet}, (xi, eta, zeta) = (${probe.point.join(', ')}), (x, y, z) = (${probe.position.join(', ')})`

@@ -2,7 +2,7 @@
  * A panel that is closed at first: its heading is the button that opens it, and only then is its code loaded. While it is
  * closed its view is not updated, but for the frame that closes it, in which the view can stop what it has going.
  */
-import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from '../views/view'
+import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../views/view'
 import type { Panel } from './panel'
 import { adoptStyles } from './style-sheets'
 
@@ -18,26 +18,26 @@ export interface FoldOptions {
 }
 
 export function fold({ name, title, load }: FoldOptions) {
-  const create: CreateView = host => new Fold(host, { name, title, load })
-  return { name, place: 'folds', opens: true, create, styles: '' } as const satisfies Panel
+  const create: CreateView = context => new Fold(context, { name, title, load })
+  return { name, region: 'folds', opens: true, create, styles: '' } as const satisfies Panel
 }
 
 class Fold implements View {
   readonly root = document.createElement('section')
   isLoading = false
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   readonly #name: string
   readonly #load: () => Promise<FoldContent>
   readonly #button = document.createElement('button')
   readonly #body = document.createElement('div')
-  #turns: readonly Turn[] = [frame => this.#updateView(frame)]
+  #updates: readonly Update[] = [frame => this.#updateView(frame)]
   #isOpen = false
   #isAsked = false
   #isDisposed = false
   #view: View | null = null
 
-  constructor(host: ViewHost, { name, title, load }: FoldOptions) {
-    this.#host = host
+  constructor(context: ViewContext, { name, title, load }: FoldOptions) {
+    this.#context = context
     this.#name = name
     this.#load = load
     this.root.className = 'fold'
@@ -48,7 +48,7 @@ class Fold implements View {
     this.#button.setAttribute('aria-expanded', 'false')
     this.#button.setAttribute('aria-controls', `panel-${name}`)
     this.#button.addEventListener('click', () =>
-      host.dispatch({ type: 'open-panel', panel: name, isOpen: !this.#isOpen }),
+      context.dispatch({ type: 'open-panel', panel: name, isOpen: !this.#isOpen }),
     )
     this.#body.id = `panel-${name}`
     this.#body.hidden = true
@@ -57,8 +57,8 @@ class Fold implements View {
     this.root.append(heading, this.#body)
   }
 
-  get turns(): readonly Turn[] {
-    return this.#isOpen ? this.#turns : []
+  get updates(): readonly Update[] {
+    return this.#isOpen ? this.#updates : []
   }
 
   update(frame: Frame): void {
@@ -90,13 +90,13 @@ class Fold implements View {
       const { create, styles } = await this.#load()
       if (this.#isDisposed) return
       adoptStyles(this.root.getRootNode() as ShadowRoot, [styles])
-      this.#view = create(this.#host)
-      this.#turns = [...this.#turns, ...(this.#view.turns ?? [])]
+      this.#view = create(this.#context)
+      this.#updates = [...this.#updates, ...(this.#view.updates ?? [])]
       this.#body.replaceChildren(this.#view.root)
     } catch (reason) {
       this.#body.textContent = `This panel could not be loaded (${reason instanceof Error ? reason.message : reason}). Reload the page to try again.`
     }
     this.isLoading = false
-    this.#host.requestFrame()
+    this.#context.requestFrame()
   }
 }

@@ -1,5 +1,5 @@
 /**
- * A panel: one folder, and one line in the list of whoever composes an element. All of it is said here: where it stands, what it keeps
+ * A panel: one folder, and one line in the list of whoever composes an element. All of it is said here: its region, what it keeps
  * in the state, what it asks of the core, and the view that draws it.
  */
 import type { Core, Report } from '../core/report'
@@ -11,7 +11,7 @@ export interface Panel {
   /** In the attribute `views`, and as a CSS part. */
   readonly name: string
   /** `folds` are what is closed at first; they follow the panel, or stand beside it where there is room. */
-  readonly place: 'head' | 'stage' | 'panel' | 'folds'
+  readonly region: 'head' | 'stage' | 'panel' | 'folds'
   readonly create: CreateView
   readonly styles: string
   /** It is slow to make, and comes after the numbers; this part of it takes a frame of its own. */

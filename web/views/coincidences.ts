@@ -1,7 +1,7 @@
 /** What an element is besides valid or invalid, in words: which vertices coincide, what that makes of it, its class. */
 import type { Report } from '../core/report'
 import { type Vec3, vertexReference } from '../model/hexahedron'
-import { listed } from './part-name'
+import { listed } from './entity-name'
 
 /** "a wedge stored as a hexahedron", "inverted" or "collapsed"; null where there is no word for it. */
 export function kindName(report: Pick<Report, 'class' | 'shape'>): string | null {

@@ -65,12 +65,12 @@ export interface Frame {
   readonly isForPaper: boolean
 }
 
-export type Turn = (frame: Frame) => void
+export type Update = (frame: Frame) => void
 
 export interface View {
   readonly root: HTMLElement
   /** What else brings it up to date, piece by piece: at once, but while a gesture runs it may take some frames. */
-  readonly turns?: readonly Turn[]
+  readonly updates?: readonly Update[]
   /** Called once per animation frame in which state, report or problems changed. */
   update(frame: Frame): void
   /** The figure of that name if it is this view's and on the page now. */
@@ -82,7 +82,7 @@ export interface View {
   dispose(): void
 }
 
-export interface ViewHost {
+export interface ViewContext {
   /** The state now, which may be ahead of the last frame's: what the next action starts from. */
   state(): State
   readonly dispatch: Dispatch
@@ -98,4 +98,4 @@ export interface ViewHost {
   readonly input: InputHost
 }
 
-export type CreateView = (host: ViewHost) => View
+export type CreateView = (context: ViewContext) => View

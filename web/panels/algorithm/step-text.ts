@@ -3,7 +3,7 @@ import type { Report } from '../../core/report'
 import { formatJacdet, formatNumber, formatPoint, fractionOf } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
-import { listed, partTitle } from '../../views/part-name'
+import { entityTitle, listed } from '../../views/entity-name'
 import type { TraceOptions, TraceStep } from './trace'
 
 export interface TraceShown extends TraceOptions {
@@ -14,7 +14,7 @@ export interface TraceShown extends TraceOptions {
 const AXES = ['ξ', 'η', 'ζ']
 
 export function stepSentence(step: TraceStep, shown: TraceShown): string {
-  return `${partTitle(step)}: ${step.kind === 'face' ? onFace(step, shown) : onEdge(step, shown)}.`
+  return `${entityTitle(step)}: ${step.kind === 'face' ? onFace(step, shown) : onEdge(step, shown)}.`
 }
 
 /** After the last step: the answer. */

@@ -4,7 +4,7 @@
  */
 import type { CheckId } from '../../core/report'
 import { type Vec3, vertexReference } from '../../model/hexahedron'
-import type { LookedAt } from '../../model/state'
+import type { Samples } from '../../model/state'
 
 export interface CheckDescription {
   readonly name: string
@@ -15,7 +15,7 @@ export interface CheckDescription {
   /** The number is a jacdet, or one without a unit that is the same on every reference cube. */
   readonly unit: 'jacdet' | 'none'
   /** What the scene marks of it. */
-  readonly marks: LookedAt
+  readonly marks: Samples
 }
 
 const ENDS_AND_MIDDLE = [0, 1 / 2, 1]
@@ -26,7 +26,7 @@ function grid(coordinates: readonly number[]): readonly Vec3[] {
   return coordinates.flatMap(x => coordinates.flatMap(y => coordinates.map((z): Vec3 => [x, y, z])))
 }
 
-function at(points: readonly Vec3[]): LookedAt {
+function at(points: readonly Vec3[]): Samples {
   return { points, edges: false }
 }
 

@@ -4,7 +4,7 @@ import type { Check, CheckId, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { copyable, copyableJacdet } from '../../views/copyable'
-import type { CreateView, Frame, Turn, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
 import { checks as descriptions } from './check-words'
 import css from './checks.css?inline'
 
@@ -15,16 +15,16 @@ const NO_LENGTH = 1e30
 
 class ChecksView implements View {
   readonly root = document.createElement('section')
-  readonly turns: readonly Turn[] = [frame => this.#draw(frame)]
+  readonly updates: readonly Update[] = [frame => this.#draw(frame)]
   #drawn: Report | null = null
   #cube: ReferenceCube | null = null
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   readonly #listening = new AbortController()
   /** The check whose points are marked in the scene. */
   #marked: CheckId | null = null
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'checks'
     this.root.setAttribute('role', 'group')
     this.root.setAttribute('aria-labelledby', 'checks-title')
@@ -66,7 +66,7 @@ class ChecksView implements View {
   #mark(id: CheckId | null): void {
     if (id === this.#marked) return
     this.#marked = id
-    this.#host.dispatch({ type: 'look-at', lookedAt: id && descriptions[id].marks })
+    this.#context.dispatch({ type: 'show-samples', samples: id && descriptions[id].marks })
   }
 }
 
@@ -124,4 +124,4 @@ function judged(passes: boolean, valid: boolean, id: CheckId): { said: string; m
   return id === 'tangents' && !passes ? { said: 'leaves it open', mark: '–' } : { said: 'wrong', mark: '✗' }
 }
 
-export const createChecks: CreateView = host => new ChecksView(host)
+export const createChecks: CreateView = context => new ChecksView(context)

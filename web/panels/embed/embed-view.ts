@@ -3,7 +3,7 @@ import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
 import { saveFile } from '../../views/save-file'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import css from './embed.css?inline'
 import { cameraText, type Embed, embeddableViews, THEMES, type ThemeName, verticesText } from './embed-lines'
 import { type Host, hosts, type Snippet } from './hosts'
@@ -29,7 +29,7 @@ interface Choice {
 
 class EmbedView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   readonly #preview = document.createElement('hex-lens')
   #choice: Choice = {
     host: hosts[0],
@@ -44,9 +44,9 @@ class EmbedView implements View {
   #valid: boolean | null = null
   #said = ''
 
-  constructor(host: ViewHost) {
-    this.#host = host
-    this.#vertices = host.state().vertices
+  constructor(context: ViewContext) {
+    this.#context = context
+    this.#vertices = context.state().vertices
     this.root.className = 'embed'
     for (const name of EVENTS) this.#preview.addEventListener(name, event => event.stopPropagation())
     this.#render()
@@ -72,7 +72,7 @@ class EmbedView implements View {
       ...choice,
       vertices: this.#vertices,
       label: label ?? said,
-      link: this.#host.permalink(),
+      link: this.#context.permalink(),
       poster: PICTURE,
     }
   }
@@ -205,4 +205,4 @@ function isChecked(event: Event): boolean {
   return (event.target as HTMLInputElement).checked
 }
 
-export const create: CreateView = host => new EmbedView(host)
+export const create: CreateView = context => new EmbedView(context)

@@ -10,7 +10,7 @@ import { colourScaleOf, rampOf, type Theme } from '../../scene/paint/colour-map'
 import { type Palette, paletteOf } from '../../scene/paint/face-raster'
 import { figureOf } from '../../scene/paint/figure'
 import { ThemeReader } from '../../scene/paint/theme'
-import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from '../../views/view'
+import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../../views/view'
 import { boundsTable } from './bounds-table'
 import { FaceMap } from './face-map'
 import css from './face-maps.css?inline'
@@ -39,8 +39,8 @@ type Part = 'marks' | 'readout' | 'words' | 'formulas'
 
 class FaceMapsView implements View {
   readonly root = document.createElement('div')
-  readonly turns: readonly Turn[]
-  readonly #host: ViewHost
+  readonly updates: readonly Update[]
+  readonly #context: ViewContext
   readonly #net = document.createElement('div')
   readonly #maps: readonly FaceMap[]
   readonly #overlay = new NetOverlay(candidate => this.#look('marks', candidate?.point ?? null))
@@ -62,22 +62,22 @@ class FaceMapsView implements View {
   #polynomials: { readonly face: FaceReport; readonly of: FacePolynomials } | null = null
   readonly #drawn = new Map<Part, readonly unknown[]>()
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.#maps = faces.map((_, face) => new FaceMap(face, this.#actions, 'face-map-keys'))
-    this.turns = [
-      ...this.#maps.map(map => this.#turn((frame, report) => this.#cell > 0 && this.#drawMap(map, frame, report))),
-      this.#turn((frame, report) => this.#cell > 0 && this.#drawMarks(frame, report)),
-      this.#turn((frame, report) => this.#drawReadout(frame, report)),
-      this.#turn((frame, report) => this.#drawWords(frame, report)),
-      this.#turn((frame, report) => this.#drawFormulas(frame, report)),
-      this.#turn((frame, report) => this.#drawPlots(frame, report)),
+    this.updates = [
+      ...this.#maps.map(map => this.#updating((frame, report) => this.#cell > 0 && this.#drawMap(map, frame, report))),
+      this.#updating((frame, report) => this.#cell > 0 && this.#drawMarks(frame, report)),
+      this.#updating((frame, report) => this.#drawReadout(frame, report)),
+      this.#updating((frame, report) => this.#drawWords(frame, report)),
+      this.#updating((frame, report) => this.#drawFormulas(frame, report)),
+      this.#updating((frame, report) => this.#drawPlots(frame, report)),
     ]
     this.#build()
-    this.#theme = new ThemeReader(this.root, () => host.requestFrame())
+    this.#theme = new ThemeReader(this.root, () => context.requestFrame())
     this.#resizes = new ResizeObserver(entries => {
       this.#width = Math.floor(entries.at(-1)?.contentRect.width ?? 0)
-      host.requestFrame()
+      context.requestFrame()
     })
     this.#resizes.observe(this.root)
   }
@@ -88,7 +88,7 @@ class FaceMapsView implements View {
     if (report !== null) this.#layOut()
   }
 
-  #turn(draw: (frame: Frame, report: Report) => void): Turn {
+  #updating(draw: (frame: Frame, report: Report) => void): Update {
     return frame => {
       if (frame.report !== null) draw(frame, frame.report)
     }
@@ -132,34 +132,34 @@ class FaceMapsView implements View {
     leave: () => this.#look('maps', null),
     step: (face: number, right: number, down: number) => {
       this.#lookedAt = face
-      const { probe } = this.#host.state()
+      const { probe } = this.#context.state()
       const { column, row } = netCells[face] as (typeof netCells)[number]
       const isHere = probe !== null && isOnFace(face, probe)
       const from = isHere ? placeOnFace(face, probe) : { x: column + 0.5, y: row + 0.5 }
       this.#look('maps', pointInCell(face, inUnit(from.x - column + right), inUnit(from.y - row + down)))
     },
     clear: (face: number) => {
-      const { probe } = this.#host.state()
+      const { probe } = this.#context.state()
       if (probe === null || !isOnFace(face, probe)) return false
-      this.#host.dispatch({ type: 'probe', point: null })
+      this.#context.dispatch({ type: 'probe', point: null })
       return true
     },
-    select: (selectedFace: number) => this.#host.dispatch(sliceChange(faceSlice, { selectedFace })),
+    select: (selectedFace: number) => this.#context.dispatch(sliceChange(faceSlice, { selectedFace })),
   }
 
   /** A part of the view takes away no other point than its own: a map that is scrolled from under the pointer, for one. */
   #look(by: 'maps' | 'marks' | 'plots', point: Vec3 | null): void {
-    const { probe } = this.#host.state()
+    const { probe } = this.#context.state()
     const looked = this.#looked
     const isOwn = looked?.by === by && probe !== null && looked.point.every((x, axis) => x === probe[axis])
     if (point === null && !isOwn) return
     this.#looked = point && { by, point }
-    this.#host.dispatch({ type: 'probe', point })
+    this.#context.dispatch({ type: 'probe', point })
   }
 
   /** At the least value of the face's row t. */
   #lookAtRow(t: number | null): void {
-    const { selectedFace } = sliceOf(faceSlice, this.#host.state())
+    const { selectedFace } = sliceOf(faceSlice, this.#context.state())
     const face = this.#report?.faces[selectedFace]
     this.#lookedAt = selectedFace
     this.#look(
@@ -302,4 +302,4 @@ function inUnit(value: number): number {
   return Math.max(0, Math.min(1, value))
 }
 
-export const create: CreateView = host => new FaceMapsView(host)
+export const create: CreateView = context => new FaceMapsView(context)

@@ -7,7 +7,7 @@ import type { Axis, Vec3 } from '../../model/hexahedron'
 import type { ReferenceCube, Section, State } from '../../model/state'
 import { ThemeReader } from '../../scene/paint/theme'
 import { copyableJacdet, copyablePoint } from '../../views/copyable'
-import type { CreateView, Frame, Turn, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
 import css from './inside-panel.css?inline'
 import { insideSentence } from './inside-words'
 import { AXIS_NAMES, SectionMap } from './section-map'
@@ -21,8 +21,8 @@ const KEYS = 'Arrow keys move the point over the section. Escape removes it.'
 
 class InsidePanel implements View {
   readonly root = document.createElement('div')
-  readonly turns: readonly Turn[] = [frame => this.#drawMap(frame)]
-  readonly #host: ViewHost
+  readonly updates: readonly Update[] = [frame => this.#drawMap(frame)]
+  readonly #context: ViewContext
   readonly #minima = document.createElement('div')
   readonly #controls = document.createElement('div')
   readonly #map: SectionMap
@@ -34,15 +34,15 @@ class InsidePanel implements View {
   #report: Report | null = null
   readonly #drawn = new Map<string, readonly unknown[]>()
 
-  constructor(host: ViewHost) {
-    this.#host = host
-    this.#map = new SectionMap(point => host.dispatch({ type: 'probe', point }))
+  constructor(context: ViewContext) {
+    this.#context = context
+    this.#map = new SectionMap(point => context.dispatch({ type: 'probe', point }))
     this.#build()
-    this.#theme = new ThemeReader(this.root, () => host.requestFrame())
+    this.#theme = new ThemeReader(this.root, () => context.requestFrame())
     this.#resizes = new ResizeObserver(entries => {
       const width = Math.floor(entries.at(-1)?.contentRect.width ?? 0)
       this.#side = Math.max(0, Math.min(LARGEST_SIDE, width - MARGIN))
-      host.requestFrame()
+      context.requestFrame()
     })
     this.#resizes.observe(this.root)
   }
@@ -118,14 +118,14 @@ class InsidePanel implements View {
             type="checkbox"
             .checked=${isInScene}
             @change=${(event: Event) =>
-              this.#host.dispatch({ type: 'show-faces', faceDisplay: show(event) ? 'inside' : 'opaque' })}
+              this.#context.dispatch({ type: 'show-faces', faceDisplay: show(event) ? 'inside' : 'opaque' })}
           />in the element</label
         >
         <label
           ><input
             type="checkbox"
             .checked=${referenceShown}
-            @change=${(event: Event) => this.#host.dispatch({ type: 'show-reference', referenceShown: show(event) })}
+            @change=${(event: Event) => this.#context.dispatch({ type: 'show-reference', referenceShown: show(event) })}
           />and in the reference cube</label
         >
       </fieldset>
@@ -167,12 +167,12 @@ class InsidePanel implements View {
   }
 
   #show(section: Section): void {
-    this.#host.dispatch({ type: 'show-section', section })
-    this.#host.dispatch({ type: 'probe', point: null })
+    this.#context.dispatch({ type: 'show-section', section })
+    this.#context.dispatch({ type: 'probe', point: null })
   }
 
   #goToMinimum(): void {
-    const { axis } = this.#host.state().section
+    const { axis } = this.#context.state().section
     if (this.#report) this.#show({ axis, value: minimizerOf(this.#report)[axis] })
     // The button is now disabled, and keys should not be lost with it.
     this.#controls.querySelector<HTMLElement>('input[type=range]')?.focus({ preventScroll: true })
@@ -232,4 +232,4 @@ function offSection(report: Report, { axis, value }: Section): string {
   return `The minimum is not on this section: it is ${off} ${at > value ? 'above' : 'below'} it in ${AXIS_NAMES[axis]}, marked where it projects.`
 }
 
-export const create: CreateView = host => new InsidePanel(host)
+export const create: CreateView = context => new InsidePanel(context)

@@ -6,7 +6,7 @@ import type { Vertices } from '../../model/hexahedron'
 import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
 import { elementAt, placeOnWay } from '../../model/way'
 import { copyable, copyableJacdet } from '../../views/copyable'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './morph.css?inline'
 import type { Morph } from './morph-answer'
@@ -25,7 +25,7 @@ const ENDS: readonly { readonly end: End; readonly name: string; readonly follow
 
 class MorphView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   readonly #graph = new MorphGraph()
   readonly #ends = document.createElement('div')
   readonly #slide = document.createElement('div')
@@ -35,8 +35,8 @@ class MorphView implements View {
   #isSliding = false
   #drawn: readonly unknown[] = []
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'morph'
     this.root.append(this.#ends, this.#graph.root, this.#slide, this.#words)
   }
@@ -70,7 +70,7 @@ class MorphView implements View {
           ({ end, name, follows }) => html`<div>
             <dt>${name}</dt>
             <dd>${ends[end] === null ? follows : 'kept'}</dd>
-            <dd><button type="button" @click=${() => this.#keep(end, this.#host.state().vertices)}>Keep as ${name}</button></dd>
+            <dd><button type="button" @click=${() => this.#keep(end, this.#context.state().vertices)}>Keep as ${name}</button></dd>
           </div>`,
         )}
       </dl>
@@ -150,7 +150,7 @@ class MorphView implements View {
   }
 
   #keep(end: End, vertices: Vertices | null): void {
-    this.#host.dispatch(sliceChange(endsSlice, { [end]: vertices }))
+    this.#context.dispatch(sliceChange(endsSlice, { [end]: vertices }))
   }
 
   #forget(): void {
@@ -160,7 +160,7 @@ class MorphView implements View {
 
   /** The ends no longer follow the element, or the way would change under the slider. */
   #hold({ a, b }: Morph): void {
-    const { morphA, morphB } = sliceOf(endsSlice, this.#host.state())
+    const { morphA, morphB } = sliceOf(endsSlice, this.#context.state())
     if (morphA === null) this.#keep('morphA', a)
     if (morphB === null) this.#keep('morphB', b)
   }
@@ -170,7 +170,7 @@ class MorphView implements View {
     if (morph === null) return
     if (!this.#isSliding) {
       this.#hold(morph)
-      this.#host.dispatch({ type: 'begin-gesture' })
+      this.#context.dispatch({ type: 'begin-gesture' })
       this.#isSliding = true
     }
     this.#moveTo(morph, tau)
@@ -186,21 +186,21 @@ class MorphView implements View {
 
   #moveTo({ a, b }: Morph, tau: number): void {
     this.#tau = tau
-    this.#host.dispatch({ type: 'move-all', vertices: elementAt(a, b, tau) })
+    this.#context.dispatch({ type: 'move-all', vertices: elementAt(a, b, tau) })
   }
 
   #commit(): void {
     if (!this.#isSliding) return
     this.#isSliding = false
-    this.#host.dispatch({ type: 'commit-gesture' })
+    this.#context.dispatch({ type: 'commit-gesture' })
   }
 
   #onKey(event: KeyboardEvent): void {
     if (event.key !== 'Escape' || !this.#isSliding) return
     this.#isSliding = false
-    this.#host.dispatch({ type: 'cancel-gesture' })
+    this.#context.dispatch({ type: 'cancel-gesture' })
     event.preventDefault()
   }
 }
 
-export const create: CreateView = host => new MorphView(host)
+export const create: CreateView = context => new MorphView(context)

@@ -2,7 +2,7 @@
 import { html, nothing, render } from 'lit-html'
 import type { Reading } from '../../input/reading'
 import { formatNames, otherInputs } from '../../mesh/format-names'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { statusSentence } from '../reading/reading-words'
 import css from './paste.css?inline'
 
@@ -10,11 +10,11 @@ export const styles = css
 
 class PasteView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   #drawn: Reading | null = null
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'paste'
     this.#render(null)
   }
@@ -48,15 +48,15 @@ class PasteView implements View {
   }
 
   readonly #onRead = (): void => {
-    this.#host.input.read({ text: this.root.querySelector('textarea')?.value ?? '' })
+    this.#context.input.read({ text: this.root.querySelector('textarea')?.value ?? '' })
   }
 
   readonly #onFiles = (event: Event): void => {
     const input = event.target as HTMLInputElement
     const files = Array.from(input.files ?? [])
     input.value = ''
-    if (files.length > 0) this.#host.input.read({ files })
+    if (files.length > 0) this.#context.input.read({ files })
   }
 }
 
-export const create: CreateView = host => new PasteView(host)
+export const create: CreateView = context => new PasteView(context)

@@ -1,6 +1,6 @@
 /** What keeps the page from its full work, said in sentences that stay until they are no longer true or are dismissed. */
 import { html, render } from 'lit-html'
-import type { CreateView, Frame, Problem, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, Problem, View, ViewContext } from '../../views/view'
 import css from './problems.css?inline'
 
 export const problemsStyles = css
@@ -10,11 +10,11 @@ const dismissible: ReadonlySet<Problem['code']> = new Set(['link-broken', 'input
 
 class ProblemsView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   #refusal: Problem | null = null
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'problems'
     this.root.setAttribute('role', 'alert')
   }
@@ -29,7 +29,7 @@ class ProblemsView implements View {
           <span>${problem.message}</span>
           ${
             dismissible.has(problem.code)
-              ? html`<button type="button" @click=${() => this.#host.clear(problem.code)}>Dismiss</button>`
+              ? html`<button type="button" @click=${() => this.#context.clear(problem.code)}>Dismiss</button>`
               : null
           }
         </p>`,
@@ -48,4 +48,4 @@ class ProblemsView implements View {
   dispose(): void {}
 }
 
-export const createProblems: CreateView = host => new ProblemsView(host)
+export const createProblems: CreateView = context => new ProblemsView(context)

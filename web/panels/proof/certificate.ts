@@ -5,7 +5,7 @@ import { faces } from '../../model/hexahedron'
 import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
 import { copyText } from '../../views/copy-text'
 import { saveFile } from '../../views/save-file'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './certificate.css?inline'
 import { type Proof, proofQuestion, proofSlice } from './proof-question'
@@ -37,13 +37,13 @@ const REASONS: Readonly<Record<CertifiedInterval['by'], Reason>> = {
 
 class CertificateView implements View {
   readonly root = document.createElement('section')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   /** What was copied last, and of which proof; told for as long as that proof is shown. */
   #copied: { readonly proof: Proof; readonly what: 'numbers' | 'json' | 'nothing' } | null = null
   #drawn: readonly unknown[] = []
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'certificate'
     this.root.setAttribute('role', 'group')
     this.root.setAttribute('aria-label', 'Proof')
@@ -69,7 +69,7 @@ class CertificateView implements View {
           type="button"
           aria-expanded=${proofShown}
           aria-controls="proof"
-          @click=${() => this.#host.dispatch(sliceChange(proofSlice, { proofShown: !proofShown }))}
+          @click=${() => this.#context.dispatch(sliceChange(proofSlice, { proofShown: !proofShown }))}
         >
           ${proofShown ? 'Hide the proof' : 'Show the proof'}
         </button>
@@ -104,14 +104,14 @@ class CertificateView implements View {
 
   /** A list of one, as the command line prints it and the checker takes it. */
   #file({ vertices, certificate }: Proof): { readonly name: string; readonly text: string } {
-    const { preset, start } = this.#host.state()
+    const { preset, start } = this.#context.state()
     const name = preset !== null && start === vertices ? preset : 'hexahedron'
     return { name, text: `[\n${JSON.stringify(certificateJson(name, vertices, certificate))}\n]\n` }
   }
 
   async #copy(proof: Proof, what: 'numbers' | 'json', text: string): Promise<void> {
     this.#copied = { proof, what: (await copyText(text)) ? what : 'nothing' }
-    this.#host.requestFrame()
+    this.#context.requestFrame()
   }
 
   #download(proof: Proof): void {
@@ -186,4 +186,4 @@ function faceRows(runs: readonly Run[], face: number): TemplateResult {
   </tbody>`
 }
 
-export const createCertificate: CreateView = host => new CertificateView(host)
+export const createCertificate: CreateView = context => new CertificateView(context)

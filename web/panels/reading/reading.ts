@@ -2,7 +2,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { ReadCells, Reading, ShownCell } from '../../input/reading'
 import type { Vertices } from '../../model/hexahedron'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import type { CellList } from './cell-list'
 import listCss from './cell-list.css?inline'
 import css from './reading.css?inline'
@@ -13,12 +13,12 @@ export const readingStyles = css + listCss
 class ReadingView implements View {
   readonly root = document.createElement('section')
   isLoading = false
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   #list: CellList | null = null
   #drawn: readonly unknown[] = []
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'reading'
     this.#render(null, null, null)
   }
@@ -46,9 +46,9 @@ class ReadingView implements View {
     this.isLoading = true
     const { CellList } = await import('./cell-list')
     this.isLoading = false
-    this.#list = new CellList(reading.cells, cell => this.#host.input.show(cell))
+    this.#list = new CellList(reading.cells, cell => this.#context.input.show(cell))
     this.#list.setShown(reading.cellOf(vertices)?.cell ?? null)
-    this.#host.requestFrame()
+    this.#context.requestFrame()
     this.#list.whenDrawn().then(list => list.focus())
   }
 
@@ -68,12 +68,12 @@ class ReadingView implements View {
     if (reading.state === 'under-way')
       return html`<p class="status">
         <span>${statusSentence(reading)}</span>
-        <button type="button" @click=${() => this.#host.input.close()}>Cancel</button>
+        <button type="button" @click=${() => this.#context.input.close()}>Cancel</button>
       </p>`
     const isList = reading.cells.count > 1
     return html`<p class="status">
         <span>${statusSentence(reading)}${isList && cell === null ? ' Choose one to look at it.' : ''}</span>
-        ${isList ? html`<button type="button" @click=${() => this.#host.input.close()}>Put away</button>` : nothing}
+        ${isList ? html`<button type="button" @click=${() => this.#context.input.close()}>Put away</button>` : nothing}
       </p>
       ${isList ? this.#list?.root : nothing} ${notes(reading, cell)}
       ${cell && this.#order(reading, cell, isValid)}`
@@ -93,7 +93,7 @@ class ReadingView implements View {
 
   /** The button goes, so the focus moves to the sentence that says what happened. */
   #use(cell: number, order: NonNullable<ShownCell['order']>): void {
-    this.#host.input.show(cell, order)
+    this.#context.input.show(cell, order)
     const focus = () => this.root.querySelector<HTMLElement>('.order')?.focus({ preventScroll: true })
     requestAnimationFrame(() => requestAnimationFrame(focus))
   }
@@ -114,4 +114,4 @@ function notes(reading: ReadCells, cell: ShownCell | null): TemplateResult | typ
   return sentences.length === 0 ? nothing : html`<p class="notes">${sentences.join(' ')}</p>`
 }
 
-export const createReading: CreateView = host => new ReadingView(host)
+export const createReading: CreateView = context => new ReadingView(context)

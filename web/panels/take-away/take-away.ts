@@ -8,7 +8,7 @@ import { encodePermalink } from '../../model/permalink'
 import { PNG_KEYWORD, withText } from '../../model/png-text'
 import { copyText } from '../../views/copy-text'
 import { saveFile } from '../../views/save-file'
-import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../../views/view'
+import type { CreateView, Figure, FigureName, Frame, View, ViewContext } from '../../views/view'
 import { figurePng, figureSvg } from './figure-files'
 import { bibtex } from './formats/bibtex'
 import { writers } from './formats/writers'
@@ -34,7 +34,7 @@ interface Row {
 
 class TakeAwayView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   readonly #rows: readonly Row[]
   #report: Report | null = null
   #drawnWithout: boolean | null = null
@@ -42,8 +42,8 @@ class TakeAwayView implements View {
   #done: { readonly title: string; readonly link: string; readonly message: string } | null = null
   #isDoneDrawn = true
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'take-away'
     this.#rows = [
       { title: 'PNG', note: 'the scene; dropped here it opens this element again', save: () => this.#savePng() },
@@ -57,7 +57,7 @@ class TakeAwayView implements View {
         note: 'the six faces unfolded, likewise',
         save: () => this.#saveSvg('face-maps'),
       },
-      { title: 'Link', note: 'opens this very element', text: () => host.permalink() },
+      { title: 'Link', note: 'opens this very element', text: () => context.permalink() },
       {
         title: 'Minimum',
         note: 'jacdet in all digits, on the cube chosen',
@@ -80,7 +80,7 @@ class TakeAwayView implements View {
       ...writers.map(({ title, note, write, ...file }) => ({
         title,
         note,
-        text: () => write(host.state().vertices, this.#name),
+        text: () => write(context.state().vertices, this.#name),
         file,
       })),
       {
@@ -94,12 +94,12 @@ class TakeAwayView implements View {
 
   #inFull(value: (report: Report) => number): string {
     const report = this.#report
-    return report ? jacdetInFull(value(report), report.exponent, this.#host.state().referenceCube) : ''
+    return report ? jacdetInFull(value(report), report.exponent, this.#context.state().referenceCube) : ''
   }
 
   update({ report }: Frame): void {
     this.#report = report
-    if (this.#done && this.#done.link !== this.#host.permalink()) {
+    if (this.#done && this.#done.link !== this.#context.permalink()) {
       this.#done = null
       this.#isDoneDrawn = false
     }
@@ -136,14 +136,14 @@ class TakeAwayView implements View {
 
   /** Of files and names in files. */
   get #name(): string {
-    const { preset, start, vertices } = this.#host.state()
+    const { preset, start, vertices } = this.#context.state()
     return preset !== null && start === vertices ? preset : 'hexahedron'
   }
 
   #tell(title: string, message: string): void {
-    this.#done = { title, link: this.#host.permalink(), message }
+    this.#done = { title, link: this.#context.permalink(), message }
     this.#isDoneDrawn = false
-    this.#host.requestFrame()
+    this.#context.requestFrame()
   }
 
   async #copy(title: string, text: string): Promise<void> {
@@ -172,14 +172,14 @@ class TakeAwayView implements View {
   }
 
   async #savePng(): Promise<void> {
-    const fragment = encodePermalink(this.#host.state().vertices)
+    const fragment = encodePermalink(this.#context.state().vertices)
     const name = this.#name
     const picture = await figurePng(await this.#figure('scene'))
     await this.#save('PNG', withText(picture, PNG_KEYWORD, fragment), 'png', 'image/png', name)
   }
 
   async #saveSvg(which: FigureName): Promise<void> {
-    const fragment = encodePermalink(this.#host.state().vertices)
+    const fragment = encodePermalink(this.#context.state().vertices)
     const name = this.#name
     const text = figureSvg(await this.#figure(which), name, fragment)
     const title = which === 'scene' ? 'SVG' : 'SVG of the face maps'
@@ -188,13 +188,13 @@ class TakeAwayView implements View {
 
   /** What is not on the page yet is put there first. */
   async #figure(name: FigureName): Promise<Figure> {
-    let figure = this.#host.figure(name)
+    let figure = this.#context.figure(name)
     if (figure === null && name === 'face-maps') {
-      this.#host.dispatch({ type: 'open-panel', panel: name, isOpen: true })
+      this.#context.dispatch({ type: 'open-panel', panel: name, isOpen: true })
       const until = performance.now() + FIGURE_PATIENCE_MS
       while (figure === null && performance.now() < until) {
         await new Promise(requestAnimationFrame)
-        figure = this.#host.figure(name)
+        figure = this.#context.figure(name)
       }
     }
     if (figure === null) throw new Error('it is not on the page')
@@ -202,4 +202,4 @@ class TakeAwayView implements View {
   }
 }
 
-export const create: CreateView = host => new TakeAwayView(host)
+export const create: CreateView = context => new TakeAwayView(context)

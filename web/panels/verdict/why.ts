@@ -3,11 +3,11 @@ import { lowerInside } from '../../core/inside'
 import type { Candidate, CandidateKind, Report } from '../../core/report'
 import { VERTEX_COUNT } from '../../model/hexahedron'
 import { coincidenceSentence, zerosAtSight } from '../../views/coincidences'
-import { listed, partName } from '../../views/part-name'
+import { entityName, listed } from '../../views/entity-name'
 
 /** "at vertex 3,", "on edge 0–1 at" or "on face −ζ at": coordinates follow. */
 export function placeName({ kind, id }: Pick<Candidate, 'kind' | 'id'>): string {
-  return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${partName({ kind, id })} at`
+  return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${entityName({ kind, id })} at`
 }
 
 /** Coincident vertices come first where they say all of it, else last. */
@@ -52,7 +52,7 @@ function sentenceWithoutCoincidences(report: Report): string {
 
 function notPositive(report: Report, kind: CandidateKind): readonly string[] {
   const ids = report.candidates.filter(c => c.kind === kind && c.value <= 0).map(c => c.id)
-  const names = [...new Set(ids)].sort((a, b) => a - b).map(id => partName({ kind, id }))
+  const names = [...new Set(ids)].sort((a, b) => a - b).map(id => entityName({ kind, id }))
   return kind === 'edge' ? names.sort() : names
 }
 

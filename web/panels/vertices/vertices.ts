@@ -1,7 +1,7 @@
 /** The 24 coordinates as editable numbers. Typing is the same as dragging: live, one undo step, Escape takes it back. */
 import { html, render } from 'lit-html'
 import { COORDINATE_COUNT, VERTEX_COUNT } from '../../model/hexahedron'
-import type { CreateView, Frame, Turn, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
 import { coordinateText, fieldText, readCoordinate } from './coordinate-text'
 import css from './vertices.css?inline'
 
@@ -57,8 +57,8 @@ interface LeftOut {
 
 class VerticesView implements View {
   readonly root = document.createElement('section')
-  readonly turns: readonly Turn[] = [frame => this.#draw(frame)]
-  readonly #host: ViewHost
+  readonly updates: readonly Update[] = [frame => this.#draw(frame)]
+  readonly #context: ViewContext
   readonly #inputs: readonly HTMLInputElement[]
   readonly #rows: readonly HTMLTableRowElement[]
   readonly #refusal: HTMLElement
@@ -70,8 +70,8 @@ class VerticesView implements View {
   #selected = -1
   #edit: { readonly index: number; readonly before: number } | null = null
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'vertices'
     this.root.setAttribute('role', 'group')
     this.root.setAttribute('aria-labelledby', 'vertices-title')
@@ -144,23 +144,23 @@ class VerticesView implements View {
     if (this.#edit?.index !== index) {
       this.#commit()
       this.#edit = { index, before: this.#values[index] as number }
-      this.#host.dispatch({ type: 'begin-gesture' })
+      this.#context.dispatch({ type: 'begin-gesture' })
     }
     this.#values[index] = value
-    this.#host.dispatch({ type: 'move-coordinate', index, to: value })
+    this.#context.dispatch({ type: 'move-coordinate', index, to: value })
   }
 
   readonly #commit = (): void => {
     if (this.#edit === null) return
     this.#edit = null
-    this.#host.dispatch({ type: 'commit-gesture' })
+    this.#context.dispatch({ type: 'commit-gesture' })
   }
 
   #cancel(): void {
     if (this.#edit === null) return
     this.#values[this.#edit.index] = this.#edit.before
     this.#edit = null
-    this.#host.dispatch({ type: 'cancel-gesture' })
+    this.#context.dispatch({ type: 'cancel-gesture' })
   }
 
   #refuse(index: number): void {
@@ -227,7 +227,7 @@ class VerticesView implements View {
     const row = target.closest<HTMLElement>('tr[data-vertex]')
     if (row === null) return
     const vertex = Number(row.dataset.vertex)
-    if (vertex !== this.#selected) this.#host.dispatch({ type: 'select-vertex', vertex })
+    if (vertex !== this.#selected) this.#context.dispatch({ type: 'select-vertex', vertex })
   }
 
   #focused(): Element | null {
@@ -240,4 +240,4 @@ function leftOutSentence({ index, text }: LeftOut): string {
   return `${coordinateLabel(index)} takes one number, like −1.5 or 2e-3; “${shown}” was left out.`
 }
 
-export const createVertices: CreateView = host => new VerticesView(host)
+export const createVertices: CreateView = context => new VerticesView(context)

@@ -13,9 +13,9 @@ import type { Frame } from '../views/view'
 const SURFACE_CELLS = 24
 const GESTURE_SURFACE_CELLS = 8
 
-type Answered = Pick<Frame, 'report' | 'zeroSurface' | 'probe' | 'answers'>
+type Analysis = Pick<Frame, 'report' | 'zeroSurface' | 'probe' | 'answers'>
 
-export class Answers {
+export class Analyzer {
   /** Null while it is loading, or if it could not start: then there are no answers. */
   core: Core | null = null
   readonly #onFailure: (message: string) => void
@@ -51,7 +51,7 @@ export class Answers {
   }
 
   /** All that a frame says of a state. */
-  of(state: State): Answered {
+  analyze(state: State): Analysis {
     const report = this.report(state.vertices)
     return {
       report,

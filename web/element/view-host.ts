@@ -7,21 +7,21 @@ import type { Panel } from '../panels/panel'
 import { adoptStyles } from '../panels/style-sheets'
 import marks from '../scene/overlay/marks.css?inline'
 import said from '../views/said.css?inline'
-import type { Figure, FigureName, Frame, View, ViewHost } from '../views/view'
+import type { Figure, FigureName, Frame, View, ViewContext } from '../views/view'
 import css from './hex-lens.css?inline'
 import printing from './printing.css?inline'
-import { Turns } from './turns'
+import { UpdateQueue } from './update-queue'
 
 /** When an element last made views: all frames at one time are one frame of the page. */
 let madeAt = -1
 
-export class Show {
+export class ViewHost {
   /** Around all that is the element's own. */
-  readonly lens = place('lens')
-  readonly #host: ViewHost
-  readonly #places = { head: place('head'), stage: place('stage'), panel: inner('panel'), folds: inner('folds') }
+  readonly lens = partBox('lens')
+  readonly #context: ViewContext
+  readonly #regions = { head: partBox('head'), stage: partBox('stage'), panel: box('panel'), folds: box('folds') }
   /** The poster, and what stands between the tags, until there is something better. */
-  readonly #before = place('before', 'fallback')
+  readonly #before = partBox('before', 'fallback')
   readonly #poster = document.createElement('img')
   #views: readonly View[] = []
   /** Slow ones, which join the others in the next frame: to make and to draw them are a frame's work each. */
@@ -32,15 +32,15 @@ export class Show {
   #isPrepared = false
   /** Whether the last frame had a number, or none will come: the slow ones wait for that. */
   #isAnswered = false
-  #turns = new Turns()
+  #queue = new UpdateQueue()
 
-  constructor(shadow: ShadowRoot, host: ViewHost, panels: readonly Panel[]) {
-    this.#host = host
+  constructor(shadow: ShadowRoot, context: ViewContext, panels: readonly Panel[]) {
+    this.#context = context
     adoptStyles(shadow, [css, said, marks, ...panels.map(panel => panel.styles), printing])
-    const { head, stage, panel, folds } = this.#places
-    const frame = inner('frame')
-    const side = place('side', 'panels')
-    const caption = place('caption')
+    const { head, stage, panel, folds } = this.#regions
+    const frame = box('frame')
+    const side = partBox('side', 'panels')
+    const caption = partBox('caption')
     this.#poster.alt = ''
     this.#poster.hidden = true
     this.#poster.part.add('poster')
@@ -54,7 +54,7 @@ export class Show {
 
   /** Whether everything is made and up to date. */
   get isComplete(): boolean {
-    return !this.isUnmade && !this.#turns.isWaiting && !this.#views.some(view => view.isLoading)
+    return !this.isUnmade && !this.#queue.isWaiting && !this.#views.some(view => view.isLoading)
   }
 
   get isUnmade(): boolean {
@@ -64,22 +64,22 @@ export class Show {
   /** Whether a frame is due although nothing is new. */
   get isWaiting(): boolean {
     const isHeld = this.#views.length > 0 && !this.#isAnswered
-    return (this.isUnmade && !isHeld) || this.#turns.isWaiting
+    return (this.isUnmade && !isHeld) || this.#queue.isWaiting
   }
 
   begin(shown: readonly Panel[]): void {
     this.end()
     this.#unmade = [shown.filter(panel => !panel.prepare), shown.filter(panel => panel.prepare)]
-    const panels = shown.filter(panel => panel.place === 'panel' || panel.place === 'folds')
+    const panels = shown.filter(panel => panel.region === 'panel' || panel.region === 'folds')
     this.lens.classList.toggle('has-panel', panels.length > 0)
     this.lens.classList.toggle(
       'has-folds',
-      panels.some(panel => panel.place === 'folds'),
+      panels.some(panel => panel.region === 'folds'),
     )
     this.lens.classList.toggle('has-line', panels.length === 1 && panels[0]?.name === 'verdict')
     this.lens.classList.toggle(
       'has-stage',
-      shown.some(panel => panel.place === 'stage'),
+      shown.some(panel => panel.region === 'stage'),
     )
   }
 
@@ -92,7 +92,7 @@ export class Show {
     this.#made = []
     this.#unmade = []
     this.#isPrepared = false
-    this.#turns = new Turns()
+    this.#queue = new UpdateQueue()
   }
 
   setPoster(address: string | null): void {
@@ -112,9 +112,9 @@ export class Show {
   /** `isNews` says whether there is anything new since the last frame, `time` is the frame's. */
   draw(frame: Frame, isNews: boolean, time: number): void {
     const isMade = this.#make(frame, time)
-    for (const turn of this.#turns.due(this.#views, isNews || isMade, frame.state.gestureStart !== null)) {
+    for (const update of this.#queue.due(this.#views, isNews || isMade, frame.state.gestureStart !== null)) {
       try {
-        turn(frame)
+        update(frame)
       } catch (bug) {
         reportError(bug) // one view's bug must not take the others' numbers away
       }
@@ -145,7 +145,7 @@ export class Show {
       this.#isPrepared = true
       return joins
     }
-    this.#made = due.map(panel => ({ panel, view: panel.create(this.#host) }))
+    this.#made = due.map(panel => ({ panel, view: panel.create(this.#context) }))
     this.#unmade = later
     if (!isSlow) this.#join()
     return joins || !isSlow
@@ -154,7 +154,7 @@ export class Show {
   #join(): void {
     for (const { panel, view } of this.#made) {
       view.root.part.add(panel.name)
-      this.#places[panel.place].append(view.root)
+      this.#regions[panel.region].append(view.root)
     }
     this.#views = [...this.#views, ...this.#made.map(({ view }) => view)]
     this.#made = []
@@ -162,13 +162,13 @@ export class Show {
 }
 
 /** A box that pages may style as a part. */
-function place(name: string, part = name): HTMLElement {
-  const element = inner(name)
+function partBox(name: string, part = name): HTMLElement {
+  const element = box(name)
   element.part.add(part)
   return element
 }
 
-function inner(name: string): HTMLElement {
+function box(name: string): HTMLElement {
   const element = document.createElement('div')
   element.className = name
   return element
