@@ -1,6 +1,7 @@
 /**
- * What the core says of a state. Each answer is computed when a frame first needs it and kept for as long as it is true; what takes long
- * is computed between gestures, and only while somebody looks at it.
+ * Asks the core about a state. A result is computed when a frame first needs it, and kept for as
+ * long as it is true. Slow ones are computed between gestures, and only while they are on the
+ * screen.
  */
 import type { Core, JacobianReport, Report } from '../core/report'
 import { type Surface, zeroSurface } from '../core/zero-surface'
@@ -16,12 +17,12 @@ const GESTURE_SURFACE_CELLS = 8
 type Analysis = Pick<Frame, 'report' | 'zeroSurface' | 'probe' | 'answers'>
 
 export class Analyzer {
-  /** Null while it is loading, or if it could not start: then there are no answers. */
+  /** The core is null while it is loading, or if it could not start: then there are no results. */
   core: Core | null = null
   readonly #onFailure: (message: string) => void
   #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
   #zeroSurface: { readonly report: Report; readonly cells: number; readonly surface: Surface } | null = null
-  /** By the names of the panels that ask. */
+  /** Inquiries by the names of the panels that ask. */
   readonly #inquiries: readonly (readonly [string, Inquiry<unknown>])[]
 
   /**

@@ -25,7 +25,7 @@ export type Theme = (typeof THEMES)[number]
 const THEMES = ['auto', 'light', 'dark'] as const
 export const FIRST_VIEWS = ['scene', 'verdict']
 const DECIMAL = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i
-/** As far as the reader can turn; and as much nearer or farther than all in view as a state may say. */
+/** The reader can turn no farther, and a state can zoom no farther. */
 const MOST_ELEVATION = 90
 const ZOOMS = [0.001, 1000] as const
 
@@ -42,7 +42,7 @@ export function viewNames({ panels, otherPanels }: Pick<Required<Composition>, '
   }
 }
 
-/** What an attribute says; null is one that is not there. Throws HexLensError. */
+/** Parses an attribute's text, null if there is no attribute. Throws HexLensError. */
 type Read<T> = (text: string | null, views: ViewNames) => T
 
 const readers: { readonly [Name in AttributeName]: Read<Attributes[Name]> } = {
@@ -67,7 +67,7 @@ export function readAttribute<Name extends AttributeName>(
   return readers[name](text, views)
 }
 
-/** As the attribute `vertices` says them, bit for bit. */
+/** The text of the attribute `vertices`, which gives these very bits back. */
 export function verticesText(vertices: Vertices): string {
   const points = Array.from({ length: COORDINATE_COUNT / 3 }, (_, v) => vertices.slice(3 * v, 3 * v + 3))
   return points.map(point => point.map(x => (Object.is(x, -0) ? '-0' : String(x))).join(' ')).join(', ')

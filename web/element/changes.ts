@@ -1,4 +1,4 @@
-/** What the page is told of the element's changes: by events, and by the attributes `vertices` and `preset`. */
+/** Tells the page of changes by events, and by the attributes `vertices` and `preset`. */
 import type { Report } from '../core/report'
 import type { Vertices } from '../model/hexahedron'
 import type { State } from '../model/state'
@@ -23,7 +23,7 @@ export class Changes {
     this.#listener = listener
   }
 
-  /** Before that, what is set is what the element starts from, and no change. */
+  /** False before the first frame: vertices set until then are the start, not a change. */
   get haveBegun(): boolean {
     return this.#told !== null
   }
@@ -32,7 +32,7 @@ export class Changes {
     this.#committed = vertices
   }
 
-  /** Whether anybody sees the element or not. */
+  /** Called in each frame, on the screen or not. */
   tell({ vertices, gestureStart }: State, report: Report | null): void {
     const isMoved = this.#told !== null && this.#told !== vertices
     this.#told = vertices

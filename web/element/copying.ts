@@ -32,7 +32,7 @@ export class Copying {
   #onClick(event: MouseEvent): void {
     const target = event.target as Element
     const number = target.closest<HTMLDataElement>(NUMBER)
-    // Who selects a part of it wants what is seen.
+    // A reader who selects some of its text wants the text itself.
     if (number && getSelection()?.type !== 'Range') void this.#copy(number.value, number)
     else if (target.closest(POINT)) this.#copyPoint(target)
   }
@@ -64,7 +64,7 @@ export class Copying {
     if (!isCopied) getSelection()?.selectAllChildren(digits)
   }
 
-  /** Under what was copied, within the element. */
+  /** Puts the message under the copied number, within the element. */
   #place(at: Element): void {
     const told = this.#told
     const frame = this.#lens.getBoundingClientRect()

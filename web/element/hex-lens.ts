@@ -41,10 +41,10 @@ import { ReflectingElement } from './reflecting-element'
 import { asksForHelp, historyStep } from './shortcuts'
 import { ViewHost } from './view-host'
 
-/** What a reader hardly notices; a page that stays empty for longer looks broken. */
+/** A reader hardly notices this wait; a page that stays empty for longer looks broken. */
 const PATIENCE_MS = 150
 
-/** What a reader may not do to an element that is only to be read. */
+/** Actions that a reader may not take on a read-only element. */
 const CHANGES: ReadonlySet<Action['type']> = new Set([
   'move-vertex',
   'move-coordinate',
@@ -189,7 +189,7 @@ export class HexLens extends ReflectingElement {
     return address.href
   }
 
-  /** Whether all that is to be seen is there: views are made when the element is seen, panels come when they are opened. */
+  /** True if all that is to be seen is drawn: views come when they are seen or opened. */
   get complete(): boolean {
     return this.#frames.isSeen && this.#changes.haveBegun && this.#frames.isIdle && this.#views.isComplete
   }
@@ -202,7 +202,7 @@ export class HexLens extends ReflectingElement {
     this.#dispatch({ type: 'redo' })
   }
 
-  /** What the core says of any 24 numbers, by default of the element's own. Rejects with HexLensError. */
+  /** Reports on any 24 numbers, by default the element's own. Rejects with HexLensError. */
   async analyze(given: ArrayLike<number> = this.#store.state.vertices): Promise<Report> {
     const vertices = checkedVertices(given)
     const core = await fetchCore(HexLens.composition.core).catch(reason => {
@@ -256,7 +256,7 @@ export class HexLens extends ReflectingElement {
     Reflect.set(this, name, early.value)
   }
 
-  /** What an attribute says is done. Throws HexLensError, with nothing changed. */
+  /** Does what an attribute says. Throws HexLensError, with nothing changed. */
   #take(name: AttributeName): void {
     const takes: { readonly [Name in AttributeName]: (value: Attributes[Name]) => void } = {
       vertices: vertices => this.#takeElement(vertices, null),
@@ -279,7 +279,7 @@ export class HexLens extends ReflectingElement {
     take(readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition)))
   }
 
-  /** Before the first frame both attributes say what the element starts from, in whichever order they come. */
+  /** The two attributes, in any order before the first frame, are where the element starts. */
   #takeElement(vertices: Vertices | null, preset: Preset | null): void {
     if (!this.#changes.haveBegun) {
       const own = vertices ?? this.#understood('vertices')
@@ -291,12 +291,12 @@ export class HexLens extends ReflectingElement {
     else if (preset) this.#setVertices(presetVertices(preset), preset.id)
   }
 
-  /** What an attribute says; null where that is nothing, or nothing to be understood. */
+  /** The value of an attribute; null if there is none, or its text is not understood. */
   #understood<Name extends AttributeName>(name: Name): Attributes[Name] | null {
     try {
       return readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition))
     } catch {
-      return null // it is complained about in its own turn
+      return null // its own call of #take refuses it
     }
   }
 
@@ -320,13 +320,13 @@ export class HexLens extends ReflectingElement {
     else this.#begin(vertices, preset, vertices)
   }
 
-  /** What is set before the first frame is what the element starts from, not a step to undo. */
+  /** Vertices set before the first frame are where the element starts, not a step to undo. */
   #begin(vertices: Vertices, preset: string | null, start: Vertices): void {
     this.#store.dispatch({ type: 'initialize', vertices, preset, start })
     this.#changes.begin(this.#store.state.vertices)
   }
 
-  /** As the reader has turned them, or as they were asked for. */
+  /** The cameras as the reader has turned them, or as they were asked for. */
   get #camerasNow(): Cameras {
     const seen = this.#cameras === this.#drawnCameras ? this.#views.cameras() : null
     return seen ?? this.#cameras ?? { camera: null, referenceCamera: null }
@@ -399,7 +399,7 @@ export class HexLens extends ReflectingElement {
     })
   }
 
-  /** Of what is pointed at: every number with all its digits. */
+  /** The numbers of the point that is pointed at, with all their digits. */
   #pointInFull(): string | null {
     const { state } = this.#store
     const probe = this.#analyzer.probed(state)

@@ -6,7 +6,7 @@ import { PNG_KEYWORD, withText } from '../model/png-text'
 import { figurePng, figureSvg } from '../panels/take-away/figure-files'
 import type { Figure } from '../views/view'
 
-/** With the vertices inside: dropped on an element it opens them. */
+/** The PNG contains the vertices: dropped on an element it opens them. */
 export async function pngOf(figure: Figure, vertices: Vertices): Promise<Blob> {
   const picture = withText(await figurePng(figure), PNG_KEYWORD, encodePermalink(vertices))
   return new Blob([picture], { type: 'image/png' })

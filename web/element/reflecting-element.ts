@@ -1,6 +1,6 @@
 /** Properties that are their attributes, and no more. */
 
-/** On a server there are no elements; what is imported there only has to be left alone. */
+/** A server has no elements; it only has to be able to import this. */
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement)
 
 export abstract class ReflectingElement extends Base {

@@ -1,7 +1,8 @@
 /**
- * What is brought up to date in a frame. While a gesture runs, what takes updates waits for its own, and a frame takes as many as fit into its
- * time, every second frame one at least: so a frame of a drag costs hardly more the more panels are open, a fast machine is never a frame
- * behind, and none is left behind when the pointer rests.
+ * The updates of a frame. While a gesture runs, those that may come later queue up: a frame takes
+ * as many as it has time for, and every second frame at least one. So a frame of a drag costs
+ * hardly more the more panels are open, a fast machine is never a frame behind, and nothing stays
+ * out of date when the pointer rests.
  */
 import type { Update, View } from '../views/view'
 
@@ -10,7 +11,7 @@ const SHARE = 2
 
 export class UpdateQueue {
   #waiting: readonly Update[] = []
-  /** Whether the last frame had no time for a update. */
+  /** True if the last frame had no time for any update. */
   #isOwed = false
   readonly #now: () => number
 
@@ -19,12 +20,11 @@ export class UpdateQueue {
     this.#now = now
   }
 
-  /** Whether anything is not up to date. */
   get isWaiting(): boolean {
     return this.#waiting.length > 0
   }
 
-  /** To be taken one after the other. `isNews` says whether there is anything new since the last frame, for every view. */
+  /** The updates to do now. `isNews`: something is new since the last frame, for every view. */
   *due(views: readonly View[], isNews: boolean, isGesture: boolean): Generator<Update> {
     const end = isGesture ? this.#now() + SHARE : Number.POSITIVE_INFINITY
     if (isNews) for (const view of views) yield frame => view.update(frame)

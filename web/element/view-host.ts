@@ -1,6 +1,7 @@
 /**
- * What is seen of an element: the tree in its shadow root and the views in it. The views are made when the element is first seen, the
- * slow ones in later frames and piece by piece, and no two elements of a page make theirs in the same frame.
+ * The tree in an element's shadow root, and the views in it. The views are made when the element is
+ * first seen, the slow ones step by step in later frames, and no two elements of a page make theirs
+ * in the same frame.
  */
 import type { Cameras } from '../model/state'
 import type { Panel } from '../panels/panel'
@@ -16,7 +17,7 @@ import { UpdateQueue } from './update-queue'
 let madeAt = -1
 
 export class ViewHost {
-  /** Around all that is the element's own. */
+  /** The box around all that is the element's own. */
   readonly lens = partBox('lens')
   readonly #context: ViewContext
   readonly #regions = { head: partBox('head'), stage: partBox('stage'), panel: box('panel'), folds: box('folds') }
@@ -28,9 +29,9 @@ export class ViewHost {
   #made: readonly { readonly panel: Panel; readonly view: View }[] = []
   /** Panels to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Panel[])[] = []
-  /** Of the panels that are next: whether what they need has been asked for. */
+  /** True if `prepare` of the panels that are next has been called. */
   #isPrepared = false
-  /** Whether the last frame had a number, or none will come: the slow ones wait for that. */
+  /** True if the last frame had a number, or none will come: slow views wait for that. */
   #isAnswered = false
   #queue = new UpdateQueue()
 
@@ -52,7 +53,7 @@ export class ViewHost {
     shadow.append(frame)
   }
 
-  /** Whether everything is made and up to date. */
+  /** True if everything is made and up to date. */
   get isComplete(): boolean {
     return !this.isUnmade && !this.#queue.isWaiting && !this.#views.some(view => view.isLoading)
   }
@@ -61,7 +62,7 @@ export class ViewHost {
     return this.#unmade.length > 0 || this.#made.length > 0
   }
 
-  /** Whether a frame is due although nothing is new. */
+  /** True if a frame is due although nothing is new. */
   get isWaiting(): boolean {
     const isHeld = this.#views.length > 0 && !this.#isAnswered
     return (this.isUnmade && !isHeld) || this.#queue.isWaiting
@@ -109,7 +110,7 @@ export class ViewHost {
     }
   }
 
-  /** `isNews` says whether there is anything new since the last frame, `time` is the frame's. */
+  /** `isNews`: something is new since the last frame; `time` is the frame's. */
   draw(frame: Frame, isNews: boolean, time: number): void {
     const isMade = this.#make(frame, time)
     for (const update of this.#queue.due(this.#views, isNews || isMade, frame.state.gestureStart !== null)) {

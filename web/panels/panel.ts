@@ -8,7 +8,7 @@ import type { KnownPanels } from '../model/state-document'
 import type { CreateView, Frame } from '../views/view'
 
 export interface Panel {
-  /** In the attribute `views`, and as a CSS part. */
+  /** Its word in the attribute `views`, and its CSS part. */
   readonly name: string
   /** `folds` are what is closed at first; they follow the panel, or stand beside it where there is room. */
   readonly region: 'head' | 'stage' | 'panel' | 'folds'
@@ -28,16 +28,16 @@ export interface Panel {
   readonly question?: Question<unknown>
 }
 
-/** What a panel asks of the core beyond the report. */
+/** A panel's question to the core, beyond the report. */
 export interface Question<Answer> {
   /** The panel's name. */
   readonly name: string
-  /** For one element. `onNews` asks for a frame, where an answer takes long and has come further. */
+  /** Starts for one element. `onNews` asks for a frame when a slow answer has come further. */
   start(onNews: () => void): Inquiry<Answer>
 }
 
 export interface Inquiry<Answer> {
-  /** What is known by now, null for nothing; nothing that takes long is done meanwhile. */
+  /** The answer so far, null if there is none. Returns quickly. */
   answer(core: Core, state: State, report: Report): Answer | null
   stop?(): void
 }

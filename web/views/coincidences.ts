@@ -1,4 +1,4 @@
-/** What an element is besides valid or invalid, in words: which vertices coincide, what that makes of it, its class. */
+/** Words for the class of an element, and for vertices that coincide. */
 import type { Report } from '../core/report'
 import { type Vec3, vertexReference } from '../model/hexahedron'
 import { listed } from './entity-name'

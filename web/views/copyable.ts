@@ -5,9 +5,9 @@ import type { Vec3 } from '../model/hexahedron'
 import type { ReferenceCube } from '../model/state'
 
 export interface CopyableOptions {
-  /** In a table only its first number is a stop of the Tab key; arrow keys go from one to the next. */
+  /** False for all numbers of a table but the first; arrow keys go from one to the next. */
   readonly isTabStop?: boolean
-  /** Told besides the digits to those who point at it. */
+  /** The tooltip says this besides the digits. */
   readonly means?: string
 }
 

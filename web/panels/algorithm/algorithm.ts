@@ -22,7 +22,7 @@ class AlgorithmView implements View {
   readonly #context: ViewContext
   readonly #lessMotion = matchMedia('(prefers-reduced-motion: reduce)')
   readonly #listening = new AbortController()
-  /** Which of the steps is shown. */
+  /** The step that is shown. */
   #at = 0
   #timer: ReturnType<typeof setTimeout> | undefined
   #steps: readonly TraceStep[] = []
@@ -128,7 +128,7 @@ class AlgorithmView implements View {
     </p>`
   }
 
-  /** Not `disabled`, which would take the focus from the button just pressed. */
+  /** `disabled` would take the focus from the button just pressed. */
   #button(name: string, isEnabled: boolean, go: () => void): TemplateResult {
     return html`<button type="button" aria-disabled=${!isEnabled} @click=${() => isEnabled && go()}>${name}</button>`
   }
@@ -183,7 +183,7 @@ class AlgorithmView implements View {
     this.#follow(choice)
   }
 
-  /** Where the reader goes, in contrast to where playing has come. */
+  /** Ends playing: the reader goes there. */
   #go(to: number): void {
     this.#pause()
     const step = Math.max(0, Math.min(this.#steps.length - 1, to))
@@ -217,7 +217,7 @@ class AlgorithmView implements View {
     this.#timer = undefined
   }
 
-  /** Only when it is another entity than before, so that others may light up theirs in between. */
+  /** Dispatches a new entity only, so that other views may highlight theirs in between. */
   #light(entity: Entity | null): void {
     if (entity?.kind === this.#lit?.kind && entity?.id === this.#lit?.id) return
     this.#lit = entity && { kind: entity.kind, id: entity.id }
@@ -231,7 +231,7 @@ class AlgorithmView implements View {
     this.#go(to)
   }
 
-  /** In the list, which scrolls by itself; the focus goes along if it is there, and only then the page. */
+  /** Scrolls the list, and the page only if the focus is in the list; then the focus goes along. */
   #showCurrent(): void {
     const list = this.root.querySelector('ol') as HTMLOListElement
     const row = list.children[this.#at] as HTMLElement

@@ -17,14 +17,13 @@ export function stepSentence(step: TraceStep, shown: TraceShown): string {
   return `${entityTitle(step)}: ${step.kind === 'face' ? onFace(step, shown) : onEdge(step, shown)}.`
 }
 
-/** After the last step: the answer. */
 export function answerSentence({ after, stops }: TraceStep, shown: TraceShown): string {
   if (shown.query === 'minimum') return `That was all: the boundary minimum is ${jacdet(after, shown)}.`
   if (stops) return 'The query stops here: the element is invalid.'
   return 'That was all, and everything is positive: the element is valid.'
 }
 
-/** What came of it, for the list. */
+/** A step's outcome, for the list. */
 export function stepOutcome({ kind, outcome, value }: TraceStep, shown: TraceShown): string {
   if (value !== null) return jacdet(value, shown)
   if (outcome === 'bound') return 'skipped'
@@ -35,7 +34,6 @@ export function jacdet(value: number | null, { report, cube }: TraceShown): stri
   return value === null ? '' : formatJacdet(value, report.exponent, cube)
 }
 
-/** And at a vertex. */
 function onEdge(step: TraceStep, shown: TraceShown): string {
   const atEnd = 'so its least value is at an end, a vertex already seen'
   switch (step.outcome) {

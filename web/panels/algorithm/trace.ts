@@ -9,8 +9,9 @@ import { edgeVertices, faces, VERTEX_COUNT } from '../../model/hexahedron'
 import type { Query, Variant } from './following'
 
 /**
- * What came of a step. On an edge without candidate: its parabola is concave, no parabola, or its vertex is not strictly inside.
- * On a face without: skipped by its bound, P identically zero, P without root in (0,1), or none of the roots kept.
+ * The outcome of a step. An edge without candidate: its parabola is concave, no parabola, or its
+ * vertex is not strictly inside. A face without: skipped by its bound, P identically zero, P
+ * without root in (0,1), or none of the roots kept.
  */
 export type Outcome =
   | 'evaluated'
@@ -26,7 +27,7 @@ export interface TraceStep {
   readonly kind: CandidateKind
   readonly id: number
   readonly outcome: Outcome
-  /** What is evaluated here, in order: none, one, or up to four on a face; a validity query stops within a face. */
+  /** The points evaluated here, in order: up to four on a face, where a validity query may stop. */
   readonly points: readonly Candidate[]
   /** The least of their jacdets, times 2^exponent. */
   readonly value: number | null
@@ -81,7 +82,7 @@ export function traceOf(report: Report, { query, variant }: TraceOptions): reado
   return steps
 }
 
-/** Why an edge has no candidate, from its Bernstein coefficients: docs/algorithm.md (9). */
+/** Tells from Bernstein coefficients why an edge has no candidate: docs/algorithm.md (9). */
 function edgeOutcome({ bernstein }: Report, edge: number): Outcome {
   const [q0, q1, q2] = bernsteinOnEdge(bernstein, edge)
   // Differences first, so that nothing overflows that does not in the report.

@@ -14,7 +14,7 @@ export interface CheckDescription {
   readonly looksAt: string
   /** The number is a jacdet, or one without a unit that is the same on every reference cube. */
   readonly unit: 'jacdet' | 'none'
-  /** What the scene marks of it. */
+  /** The scene marks these. */
   readonly marks: Samples
 }
 

@@ -1,4 +1,4 @@
-/** Who would notice: what other checks say of this element, each against the exact verdict. */
+/** Other checks of this element, each against the exact verdict. */
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Check, CheckId, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'

@@ -1,10 +1,10 @@
-/** What is embedded elsewhere: an element and how it is shown there, and its markup, which the hosts' snippets share. */
+/** An element to embed elsewhere, and the markup that the hosts' snippets share. */
 
 import type { Vertices } from '../../model/hexahedron'
 import type { CameraView } from '../../model/state'
 import { pointsOf } from '../../model/written-element'
 
-/** As the element's attribute names them. */
+/** Values of the element's attribute `theme`. */
 export const THEMES = ['auto', 'light', 'dark'] as const
 export type ThemeName = (typeof THEMES)[number]
 

@@ -15,7 +15,7 @@ const HEIGHTS = { least: 160, most: 4000, step: 20 } as const
 /** The preview's events are not those of the element around it. */
 const EVENTS = ['hex-input', 'hex-change', 'hex-verdict', 'hex-error']
 
-/** What the author chose. */
+/** The author's choice. */
 interface Choice {
   readonly host: Host
   readonly views: readonly string[]
@@ -23,7 +23,7 @@ interface Choice {
   readonly readonly: boolean
   readonly camera: string | null
   readonly height: number
-  /** Null while it is what the verdict makes of it. */
+  /** Null if it is to be the one that follows from the verdict. */
   readonly label: string | null
 }
 

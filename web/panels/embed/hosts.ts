@@ -1,13 +1,13 @@
-/** How an element is put into each kind of documentation: what the site needs once, and what stands where the element is to be. */
+/** Snippets for each kind of documentation: for the site once, and for each element. */
 
 import { encodePermalink } from '../../model/permalink'
 import { pointsOf } from '../../model/written-element'
 import { attributesOf, type Embed, elementMarkup, escaped } from './embed-lines'
 
 export interface Snippet {
-  /** Where it goes: a file's name, or words. */
+  /** The name of the file that it goes into, or words. */
   readonly place: string
-  /** As fences of Markdown name it. */
+  /** The name that fences of Markdown have for it. */
   readonly language: string
   readonly text: string
 }
@@ -19,7 +19,7 @@ export interface Host {
   readonly untested?: true
   /** Once for a site: what is to be copied where, and the lines that load it. */
   readonly setup: readonly Snippet[]
-  /** For each element. */
+  /** The snippet of one element. */
   place(embed: Embed): Snippet
 }
 

@@ -8,7 +8,7 @@ export interface FaceMapActions {
   leave(): void
   /** A step of the point by keys, in cells, to the right and down. */
   step(face: number, right: number, down: number): void
-  /** Whether there was a point to take away. */
+  /** True if there was a mark to remove. */
   clear(face: number): boolean
   select(face: number): void
 }

@@ -157,7 +157,7 @@ class FaceMapsView implements View {
     this.#context.dispatch({ type: 'probe', point })
   }
 
-  /** At the least value of the face's row t. */
+  /** Probes the point at which the face's row t has its least value. */
   #lookAtRow(t: number | null): void {
     const { selectedFace } = sliceOf(faceSlice, this.#context.state())
     const face = this.#report?.faces[selectedFace]
@@ -195,7 +195,7 @@ class FaceMapsView implements View {
     this.#net.style.setProperty('--cell', `${cell}px`)
   }
 
-  /** Whether any of it is new since the last time, and remembers it. */
+  /** True if any of it is new since the last call; remembers it. */
   #isNew(part: Part, ...shown: unknown[]): boolean {
     const drawn = this.#drawn.get(part)
     if (drawn && shown.every((value, i) => value === drawn[i])) return false
@@ -243,7 +243,7 @@ class FaceMapsView implements View {
     if (candidate) this.#placeTooltip(candidateText(candidate, report, state.referenceCube), candidate.point)
   }
 
-  /** Above the candidate, or below where it would leave the net. */
+  /** Puts the tooltip above the candidate, or below if it would leave the net. */
   #placeTooltip(text: string, point: Vec3): void {
     const cell = this.#cell
     const here = isOnFace(this.#lookedAt, point) ? placeOnFace(this.#lookedAt, point) : (placesOf(point)[0] as Place)

@@ -63,7 +63,7 @@ function line(parts: readonly TemplateResult[]): TemplateResult {
 /** Roundings of the change to powers of t, at most 2^4 * 6 times that of the largest coefficient. */
 const LEAST_TERM = 2 ** -46
 
-/** Its terms in powers of t; those that are nothing but rounding are left out. */
+/** The terms in powers of t, without those that are nothing but rounding. */
 function polynomial(
   bernstein: readonly number[],
   exponent: number,

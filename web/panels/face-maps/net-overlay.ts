@@ -1,6 +1,6 @@
 /**
- * What stands on the net, in SVG: the faces' borders and names, vertex numbers, the candidates, the minimizer, the point that
- * is looked at. The candidates are one stop of the Tab key; arrow keys go from one to the next.
+ * The SVG over the net: borders and names of faces, vertex numbers, the candidates, the minimizer,
+ * the probe. The candidates are one stop of the Tab key; arrow keys go from one to the next.
  */
 import type { Candidate, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
@@ -136,7 +136,7 @@ export class NetOverlay {
     }
   }
 
-  /** Not in every frame of a drag: nobody can ask for them meanwhile. */
+  /** Labels wait until a drag ends: nobody can ask for them meanwhile. */
   #updateLabels({ gestureStart, referenceCube }: State, report: Report): void {
     if (gestureStart !== null && this.#labelled.length > 0) return
     if (this.#labelled[0] === report && this.#labelled[1] === referenceCube) return

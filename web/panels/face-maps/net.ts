@@ -13,7 +13,7 @@ export interface Place {
   readonly y: number
 }
 
-/** By face. */
+/** The cells of faces 0 to 5. */
 export const netCells: readonly MapCell[] = [
   { column: 0, row: 1, sToLeft: true, tDown: false },
   { column: 2, row: 1, sToLeft: false, tDown: false },
@@ -43,7 +43,7 @@ export function isOnFace(face: number, point: Vec3): boolean {
   return point[axis] === side
 }
 
-/** Where a point of the face is in the net. */
+/** The place of a face's point in the net. */
 export function placeOnFace(face: number, point: Vec3): Place {
   const { s, t } = faces[face] as FaceTopology
   const { column, row, sToLeft, tDown } = netCells[face] as MapCell

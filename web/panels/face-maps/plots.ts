@@ -21,7 +21,7 @@ export interface PlotsPicture {
 interface Curve {
   readonly name: string
   readonly title: string
-  /** Null where it is not defined. */
+  /** The curve's value, null where it is not defined. */
   readonly at: (t: number) => number | null
   /** Fixed, or fitted to the curve and zero. */
   readonly range: readonly [number, number] | null

@@ -1,4 +1,4 @@
-/** What is inside: the least jacdet there against the boundary's, and a section that slides, here flat and in the scene in its place. */
+/** The inside: its least jacdet against the boundary's, and a section, flat and in the scene. */
 import { html, render, type TemplateResult } from 'lit-html'
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
@@ -78,7 +78,7 @@ class InsidePanel implements View {
     this.root.append(this.#minima, this.#places, this.#controls, this.#map.root, keys, this.#readout)
   }
 
-  /** Whether any of it is new since the last time, and remembers it. */
+  /** True if any of it is new since the last call; remembers it. */
   #isNew(part: string, ...shown: unknown[]): boolean {
     const drawn = this.#drawn.get(part)
     if (drawn && shown.every((value, i) => value === drawn[i])) return false
@@ -107,7 +107,7 @@ class InsidePanel implements View {
       render(this.#placesOf(state, isThere), this.#places)
   }
 
-  /** Where else the inside is shown. */
+  /** Choices of where else the inside is shown. */
   #placesOf({ faceDisplay, referenceShown }: State, isThere: boolean | null): TemplateResult {
     const isInScene = faceDisplay === 'inside'
     const show = (event: Event) => (event.target as HTMLInputElement).checked

@@ -26,9 +26,9 @@ export interface Crossing {
 export interface Morph {
   readonly a: Vertices
   readonly b: Vertices
-  /** By tau, from 0 to 1. */
+  /** Samples by tau, from 0 to 1. */
   readonly samples: readonly MorphSample[]
-  /** By tau. Between two samples that agree there may be more, closer together than the graph shows. */
+  /** Crossings by tau. More may lie between two samples, closer than the graph shows. */
   readonly crossings: readonly Crossing[]
 }
 
@@ -77,7 +77,7 @@ function mayTouchZero(before: MorphSample, middle: MorphSample, after: MorphSamp
   return one >= 0 && two >= 0 && one + two > 0 && Math.abs(middle.minimum) <= one + two
 }
 
-/** Of two minima, in the units of the second one. */
+/** The difference of two minima, in the units of the second one. */
 function difference(one: MorphSample, other: MorphSample): number {
   return one.minimum * 2 ** (one.exponent - other.exponent) - other.minimum
 }
@@ -109,7 +109,7 @@ function crossingBetween(core: Core, a: Vertices, b: Vertices, before: MorphSamp
   return before.valid ? { validTau: near, invalidTau: far } : { validTau: far, invalidTau: near }
 }
 
-/** In order, each tau once. */
+/** Samples in order, each tau once. */
 function byTau(samples: readonly MorphSample[]): MorphSample[] {
   const sorted = samples.toSorted((one, other) => one.tau - other.tau)
   return sorted.filter(({ tau }, i) => tau !== sorted[i - 1]?.tau)

@@ -57,7 +57,7 @@ export class MorphGraph {
     const [, zero] = this.#place({ tau: 0, height: curve.zero })
     set(this.#curve, { d: `M${line}` })
     set(this.#zero, { d: `M${LEFT} ${px(zero)}H${WIDTH - RIGHT}` })
-    // At the end where the curve is farther away.
+    // The label stands at the end where the curve is farther away.
     const [atA, atB] = [places[0]?.[1] ?? zero, places.at(-1)?.[1] ?? zero]
     const isAtA = Math.abs(atA - zero) > Math.abs(atB - zero)
     const isAbove = (isAtA ? atA : atB) > zero

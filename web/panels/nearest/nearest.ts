@@ -1,4 +1,4 @@
-/** How little has to move for the other verdict: of one vertex, of each, of all together; to look at and to apply. */
+/** The least moves to the other verdict, to preview and to apply. */
 import { html, render, type TemplateResult } from 'lit-html'
 import { formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
@@ -15,7 +15,7 @@ export const styles = css
 class NearestView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
-  /** What the last move applied has made. */
+  /** The vertices after the last move that was applied. */
   #applied: Vertices | null = null
   #drawn: readonly unknown[] = []
 

@@ -1,4 +1,4 @@
-/** Whether another node order makes a valid element of the same eight points: which, to look at and to use. */
+/** Other node orders that make a valid element of the same eight points, to preview and to use. */
 import { html, render, svg, type TemplateResult } from 'lit-html'
 import type { Vertices } from '../../model/hexahedron'
 import { type NodeOrder, nodeOrders } from '../../model/node-orders'

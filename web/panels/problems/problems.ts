@@ -1,4 +1,4 @@
-/** What keeps the page from its full work, said in sentences that stay until they are no longer true or are dismissed. */
+/** Problems, as sentences that stay until they are no longer true or are dismissed. */
 import { html, render } from 'lit-html'
 import type { CreateView, Frame, Problem, View, ViewContext } from '../../views/view'
 import css from './problems.css?inline'

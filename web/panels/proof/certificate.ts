@@ -38,7 +38,7 @@ const REASONS: Readonly<Record<CertifiedInterval['by'], Reason>> = {
 class CertificateView implements View {
   readonly root = document.createElement('section')
   readonly #context: ViewContext
-  /** What was copied last, and of which proof; told for as long as that proof is shown. */
+  /** The last copy, and its proof; reported for as long as that proof is shown. */
   #copied: { readonly proof: Proof; readonly what: 'numbers' | 'json' | 'nothing' } | null = null
   #drawn: readonly unknown[] = []
 
@@ -133,7 +133,7 @@ function invalidProof({ point, jacdet }: Invalid, cube: ReferenceCube): Template
     </p>`
 }
 
-/** In lowest terms again. */
+/** An eighth of a fraction, in lowest terms again. */
 function eighth({ numerator, denominator }: Invalid['jacdet']): Invalid['jacdet'] {
   const common = [8n, 4n, 2n].find(factor => numerator % factor === 0n) ?? 1n
   return numerator === 0n

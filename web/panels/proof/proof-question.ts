@@ -1,4 +1,4 @@
-/** Whether the proof is shown, and the certificate that it needs. */
+/** The panel's slice, true if the proof is shown, and its question: the certificate. */
 import type { Certificate } from '../../core/exact/certificate'
 import { described, flag } from '../../model/document-readers'
 import type { Vertices } from '../../model/hexahedron'

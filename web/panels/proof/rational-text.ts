@@ -2,7 +2,7 @@
 import { bitLength, magnitude, type Rational, rounded } from '../../core/exact/rational'
 import { formatJacdet, superscript } from '../../model/decimal'
 
-/** What is longer keeps its first and last digits. */
+/** Longer numbers keep their first and last digits. */
 const WHOLE_DIGITS = 12
 const KEPT_DIGITS = 4
 /** Powers of two up to this are denominators as they are. */

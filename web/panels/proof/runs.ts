@@ -2,7 +2,7 @@
 import type { CertifiedInterval } from '../../core/exact/certificate'
 
 export interface Run extends CertifiedInterval {
-  /** How many intervals it is made of. */
+  /** The number of intervals that it is made of. */
   readonly count: number
 }
 

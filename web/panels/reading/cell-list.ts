@@ -8,7 +8,7 @@ import { formatJacdet } from '../../model/decimal'
 
 /** Browsers lay out nothing that is much higher, in pixels: beyond it scrolling goes on in larger steps. */
 const HIGHEST = 8_000_000
-/** Until it is measured. */
+/** CSS pixels, until the first row is measured. */
 const ROW_HEIGHT = 28
 
 export class CellList {
@@ -57,13 +57,13 @@ export class CellList {
     this.#render()
   }
 
-  /** How far the list is scrolled, in rows; it need not be a whole number. */
+  /** The list's scroll position in rows; it need not be a whole number. */
   get #offset(): number {
     const { range, rows } = this.#extent
     return range > 0 ? ((this.#box?.scrollTop ?? 0) / range) * rows : 0
   }
 
-  /** By how many pixels, and with that by how many rows, the list can be scrolled. */
+  /** The pixels, and with them the rows, by which the list can be scrolled. */
   get #extent() {
     const view = this.#box?.clientHeight ?? 0
     const rows = Math.max(0, this.cells.count - view / this.#rowHeight)

@@ -1,4 +1,4 @@
-/** What is said of the last input, in sentences. */
+/** Sentences about the last input. */
 
 import type { ReadCells, Reading } from '../../input/reading'
 import { shown } from '../../mesh/shown'

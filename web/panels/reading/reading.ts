@@ -1,4 +1,4 @@
-/** Beside the verdict: what the element was read from, and in which order of its nodes; of several cells the list to choose from. */
+/** The source of the element, its node order, and the list of cells to choose from. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { ReadCells, Reading, ShownCell } from '../../input/reading'
 import type { Vertices } from '../../model/hexahedron'
@@ -104,7 +104,7 @@ function isSaid(reading: Reading, cell: ShownCell | null): boolean {
   return reading.state === 'under-way' || (reading.state === 'read' && (reading.cells.count > 1 || cell !== null))
 }
 
-/** Without percentages, which would be read out one after the other. */
+/** The sentence without percentages, which would be read out one after the other. */
 function heard(reading: Reading): string {
   return statusSentence(reading.state === 'under-way' ? { ...reading, part: 0 } : reading)
 }

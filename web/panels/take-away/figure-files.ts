@@ -20,7 +20,7 @@ export function figureSvg(figure: Figure, title: string, fragment: string): stri
   ].join('\n')
 }
 
-/** As many pixels as the figure's own canvas has, or twice its size. Rejects where the browser draws no SVG. */
+/** At the resolution of the figure's canvas, or twice its size. Rejects without SVG. */
 export async function figurePng(figure: Figure): Promise<Uint8Array> {
   const pixels = figure.layers.find((layer): layer is PixelLayer => 'canvas' in layer)
   const ratio = pixels ? pixels.canvas.width / pixels.width : 2
@@ -40,7 +40,7 @@ export async function figurePng(figure: Figure): Promise<Uint8Array> {
   return new Uint8Array(await blob.arrayBuffer())
 }
 
-/** Without pictures inside: some browsers draw an SVG before these have arrived. */
+/** The SVG has no pictures inside: some browsers draw it before these have arrived. */
 async function imageFrom({ width, height }: Figure, markup: string, ratio: number): Promise<HTMLImageElement> {
   const size = `width="${width * ratio}" height="${height * ratio}" viewBox="0 0 ${width} ${height}"`
   const text = `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${markup}</svg>`

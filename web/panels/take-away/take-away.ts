@@ -38,7 +38,7 @@ class TakeAwayView implements View {
   readonly #rows: readonly Row[]
   #report: Report | null = null
   #drawnWithout: boolean | null = null
-  /** What was done last; told until the element is another. */
+  /** The last thing done; reported until the element is another. */
   #done: { readonly title: string; readonly link: string; readonly message: string } | null = null
   #isDoneDrawn = true
 
@@ -134,7 +134,7 @@ class TakeAwayView implements View {
     </li>`
   }
 
-  /** Of files and names in files. */
+  /** The name of files, and in files. */
   get #name(): string {
     const { preset, start, vertices } = this.#context.state()
     return preset !== null && start === vertices ? preset : 'hexahedron'
@@ -186,7 +186,7 @@ class TakeAwayView implements View {
     await this.#save(title, text, 'svg', 'image/svg+xml', which === 'scene' ? name : `${name}-face-maps`)
   }
 
-  /** What is not on the page yet is put there first. */
+  /** Opens the panel of a figure that is not on the page yet. */
   async #figure(name: FigureName): Promise<Figure> {
     let figure = this.#context.figure(name)
     if (figure === null && name === 'face-maps') {

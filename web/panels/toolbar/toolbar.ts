@@ -95,7 +95,7 @@ function shownPreset({ preset, vertices, start }: State): Preset | undefined {
   return isStart ? presets.find(({ id }) => id === preset) : undefined
 }
 
-/** What the preset shows, or which one this was. */
+/** The preset's note, or the name of the one that this was. */
 function noteOf({ preset }: State, shown: Preset | undefined): string {
   const from = presets.find(({ id }) => id === preset)
   return shown?.note ?? (from ? `Changed from “${from.title}”.` : '')

@@ -18,7 +18,7 @@ export function whySentence(report: Report): string {
     : [sentenceWithoutCoincidences(report), coincidence].filter(sentence => sentence !== '').join(' ')
 }
 
-/** Whether those vertices are why the element is invalid: no others are not positive, and nothing is said of the element as a whole. */
+/** True if these vertices are why it is invalid, and its class says no more. */
 function isExplainedBy(zeros: readonly number[], report: Report): boolean {
   if (zeros.length === 0 || report.class !== 'invalid' || lowerInsideOfZero(report)) return false
   return notPositive(report, 'vertex').every(name => zeros.includes(Number(name)))

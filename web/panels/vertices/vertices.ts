@@ -63,9 +63,9 @@ class VerticesView implements View {
   readonly #rows: readonly HTMLTableRowElement[]
   readonly #refusal: HTMLElement
   readonly #refused = new Set<number>()
-  /** What the focused field last could not take. */
+  /** The input that the focused field last could not take. */
   #leftOut: LeftOut | null = null
-  /** As last seen in a frame, or as typed since. */
+  /** The numbers of the last frame, or as typed since. */
   readonly #values: number[] = new Array(COORDINATE_COUNT).fill(Number.NaN)
   #selected = -1
   #edit: { readonly index: number; readonly before: number } | null = null

@@ -1,6 +1,7 @@
 /**
- * Where on the boundary a distance to jacdet = 0 is least, by best-first subdivision of the faces: a part's Bernstein
- * coefficients bound it from below, its corners are values. The bound returned is certain: docs/algorithm.md (N4), (N6), (N7).
+ * The least distance to jacdet = 0 on the boundary, by best-first subdivision of the faces: a
+ * patch's Bernstein coefficients bound it from below, its corners are values. The bound returned is
+ * certain: docs/algorithm.md (N4), (N6), (N7).
  */
 import { faces, type Vec3 } from '../../../model/hexahedron'
 import type { DistanceKind, Entries } from './distances'
@@ -14,16 +15,16 @@ export interface LeastDistance {
   readonly bound: number
 }
 
-/** What a coefficient may be off by, docs/algorithm.md (N7). */
+/** A coefficient may be off by this: docs/algorithm.md (N7). */
 export const SLACK = 2 ** -40
 
 /** The value found is at most this much above the bound, relatively, unless there are too many parts. */
 export const TOLERANCE = 2 ** -22
-/** Of the faces; with surfaces of equal distances more would not help either. */
+/** More patches would not help with surfaces of equal distances either. */
 const MOST_PARTS = 4000
-/** Of sixty halvings; there coefficients are still within the slack. */
+/** The width after sixty halvings; coefficients are still within the slack. */
 const LEAST_WIDTH = 2 ** -30
-/** Between two pauses of the search. */
+/** Patches between two pauses of the search. */
 const PARTS_AT_ONCE = 16
 
 interface Part {
@@ -61,7 +62,7 @@ export function* leastOnBoundary(edges: readonly Vec3[], kind: DistanceKind): Ge
   }
 }
 
-/** To a point with none lower about it on its face, in steps along s and t that are halved down to the doubles. */
+/** A point with none lower near it on its face, by steps along s and t that are halved. */
 function downhill(start: Vec3, at: (point: Vec3) => Entries, kind: DistanceKind): Omit<LeastDistance, 'bound'> {
   let best = { point: start, value: kind.distance(at(start), 0) }
   for (let step = 1 / 16; step > 2 ** -40; step /= 2)
@@ -87,7 +88,7 @@ const CORNERS = [
   [2, 2],
 ] as const
 
-/** Along the longer side. */
+/** Halves along the longer side. */
 function halves({ face, low, width, coefficients }: Part): Omit<Part, 'bound'>[] {
   const alongS = width[0] >= width[1]
   const lines = [0, 1, 2].map(k => [0, 1, 2].map(i => coefficients[alongS ? 3 * i + k : 3 * k + i] as Entries))

@@ -18,9 +18,9 @@ export interface NearestMove {
   readonly vertex: number | null
   /** The element of the other verdict. */
   readonly vertices: Vertices
-  /** On the straight way to it, the place one double before: still of the element's own verdict. */
+  /** The element one double before it on the straight way: still of the first verdict. */
   readonly before: Vertices
-  /** Of all coordinates together; of one vertex its own way. */
+  /** Euclidean, over all coordinates. */
   readonly length: number
   /** The way of the vertex that moves most. */
   readonly longest: number
@@ -30,13 +30,13 @@ export interface NearestMove {
   readonly claim: 'least' | 'local' | 'found'
 }
 
-/** Null: none was found. `impossible`: none for certain, up to a million times the element's size. */
+/** Null: none was found. `impossible`: there is none within a million times the size. */
 export type NearestAnswer = NearestMove | 'impossible' | null
 
 export interface Nearest {
   readonly vertices: Vertices
   readonly valid: boolean
-  /** Of vertices 0, 1, …, as far as they are done. */
+  /** Answers for vertices 0, 1, …, as far as they are done. */
   readonly ofVertex: readonly NearestAnswer[]
   /** The shortest of one vertex: null if there is none, undefined until all are done. */
   readonly ofOne: NearestMove | null | undefined
@@ -44,7 +44,7 @@ export interface Nearest {
   readonly ofAll: NearestAnswer | undefined
 }
 
-/** In units of the element's largest edge component. */
+/** Lengths in units of the element's largest edge component. */
 const OUT_OF_REACH = 2 ** 20
 const LEAST = 2 ** -20
 
@@ -137,7 +137,7 @@ function* validOfAll(
   return yield* moveTo(core, vertices, found, { vertex: null, bound: inUnits(bound, scaled), isLocal: isLocallyLeast })
 }
 
-/** Where moves change nothing in doubles, or turn nothing, they are doubled as often as this. */
+/** Moves that change nothing in doubles, or no verdict, are doubled as often as this. */
 const DOUBLINGS = 64
 
 /** Twice the move that makes jacdet zero, or as far as it takes. */
@@ -185,12 +185,13 @@ interface Known {
 }
 
 /**
- * Of the way: an element that is itself on the border has neighbours of the other verdict 5e-324 away, of coordinates that span so
- * many powers of two that exact arithmetic takes seconds for them.
+ * The least share of the way: an element that is itself on the border has neighbours of the other
+ * verdict 5e-324 away, whose coordinates span so many powers of two that exact arithmetic takes
+ * seconds.
  */
 const LEAST_PART = 2 ** -64
 
-/** As near as doubles allow on the straight way to the target, which is of the other verdict. */
+/** The nearest move that doubles allow on the straight way to the target. */
 function* moveTo(
   core: Core,
   vertices: Vertices,
@@ -217,7 +218,7 @@ function* moveTo(
   }
 }
 
-/** At least that of neighbouring doubles at the coordinates: a move that is hardly longer is what they allow, not what is shortest. */
+/** The spacing of doubles at the coordinates, or more; it limits how short a move can be. */
 function spacingOf(vertices: Vertices): number {
   return Math.max(2 ** -52 * Math.max(...vertices.map(Math.abs)), Number.MIN_VALUE)
 }

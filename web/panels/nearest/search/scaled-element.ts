@@ -20,7 +20,7 @@ export interface ScaledElement {
   readonly exponent: number
 }
 
-/** Null where all vertices are in one point. */
+/** Null if all vertices are in one point. */
 export function scaledElement(vertices: Vertices): ScaledElement | null {
   // The difference of two huge coordinates may not be a double; that of their halves is one.
   const half = Math.max(...vertices.map(Math.abs)) >= 2 ** 1022 ? 1 : 0
