@@ -13,7 +13,7 @@ const depthGuardCases: readonly { readonly vertices: readonly (readonly number[]
 const rowOf = (page: Page, id: CheckId) =>
   page.getByRole('table', { name: 'Who would notice?' }).getByRole('row', { name: checks[id].name })
 
-/** What a screen reader says of the row. */
+/** The row's answer, as a screen reader says it. */
 const answer = (page: Page, id: CheckId) => rowOf(page, id).getByRole('cell').last()
 
 test('every answer agrees with the verdict or is called wrong, and says what it looks at', async ({ lens, page }) => {

@@ -28,7 +28,7 @@ export function isValid(vertices: Vertices): boolean {
   return result.value
 }
 
-/** What of the hexahedron moves along the segment: everything, one vertex, one coordinate. */
+/** Parts of the hexahedron that move along the segment: everything, one vertex, one coordinate. */
 export type Mover = 'all' | 'vertex' | 'coordinate'
 
 interface Segment {

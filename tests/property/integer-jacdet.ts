@@ -97,7 +97,7 @@ function columnsAtHalves(edges: readonly Vector[]): Vector[] {
   ].flat()
 }
 
-/** What jacdetAtHalves is to be multiplied by, as a power of two, on top of the hexahedron's own. */
+/** jacdetAtHalves times 2 to this, and to the hexahedron's own exponent, is jacdet. */
 export const HALVES_EXPONENT = -6
 
 /** 64 times jacdet of the integer hexahedron at the 26 boundary points of {0, 1/2, 1}^3, `[9 * i + 3 * j + k]`; 0 for the centre. */
@@ -153,7 +153,7 @@ export function faceParabolas(atHalves: readonly bigint[], face: number): FacePa
   }
 }
 
-/** On [from, to] / denominator, times the denominator squared: the quadratic's polar form. */
+/** Coefficients on [from, to] / denominator, times its square: the quadratic's polar form. */
 export function restricted({ start, middle, end }: FaceParabolas, from: bigint, to: bigint, denominator: bigint) {
   const [m, n] = [denominator - from, denominator - to]
   const weights = [
@@ -171,7 +171,7 @@ export function shifted({ start, middle, end }: FaceParabolas, bits: number): Fa
   return { start: up(start), middle: up(middle), end: up(end) }
 }
 
-/** Why the face is positive on the interval; the names are those of web/core/exact/certificate.ts. */
+/** Reasons why the face is positive on the interval, named as in web/core/exact/certificate.ts. */
 export type Reason = 'b' | '2a+b' | 'D' | 'middle'
 
 const isPositive = (values: readonly bigint[]) => values.every(value => value > 0n)
@@ -229,8 +229,8 @@ export function floored({ integer, exponent }: Dyadic, unit: number): bigint {
 const MOST_HALVINGS = 200
 
 /**
- * Whether the face is above `bound` (an integer in the units of its quadratics), proved by bisection in t. The bound must
- * not be the least value itself: neither answer would ever come.
+ * True if the face is above `bound` (an integer in the units of its quadratics), proved by
+ * bisection in t. The bound must not be the least value itself: neither answer would ever come.
  */
 export function faceIsAbove({ start, middle, end }: FaceParabolas, bound: bigint, halvings = MOST_HALVINGS): boolean {
   const lowered = (quadratic: Quadratic, by: bigint): Quadratic => [
@@ -255,7 +255,7 @@ function isPositiveFace(face: FaceParabolas, halvings: number): boolean {
   )
 }
 
-/** At one t. */
+/** True if the parabola at one t is positive. */
 function isPositiveParabola(start: bigint, middle: bigint, end: bigint): boolean {
   return start > 0n && end > 0n && (middle > 0n || middle * middle < 4n * start * end)
 }

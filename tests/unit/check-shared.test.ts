@@ -52,7 +52,7 @@ async function check(path: string): Promise<Checked> {
   return { status, file: JSON.parse(output).files[0] }
 }
 
-/** What is wrong with each file, by its name; it fails if there is any. */
+/** Collects the flaws of each file by its name; fails if there is any. */
 async function expectNone<T extends { readonly file: string }>(
   files: readonly T[],
   problemOf: (one: T) => Promise<string | null>,
@@ -65,7 +65,7 @@ async function expectNone<T extends { readonly file: string }>(
   expect(failing).toEqual([])
 }
 
-/** Null where it holds. */
+/** The difference, or null. */
 function differing(found: object, expected: object): string | null {
   const [a, b] = [JSON.stringify(found), JSON.stringify(expected)]
   return a === b ? null : `${a} in place of ${b}`
@@ -128,7 +128,7 @@ it('made', async () => {
   })
 })
 
-/** By name: hexahedra, valid, not trilinear, valid by corners. */
+/** Numbers by file: hexahedra, valid, not trilinear, valid by corners. */
 const REAL: Readonly<Record<string, readonly [number, number, number, number]>> = {
   'matrix_fiber_rand.vtk': [603, 506, 0, 0],
   'rockerarm.mesh': [10_600, 10_600, 0, 0],
@@ -204,7 +204,7 @@ it('pastes', async () => {
   })
 })
 
-/** But for six digits, as logs print them, and for where it lies: an instance is moved as a whole. */
+/** True if equal to six digits, as logs print, up to a translation of the whole instance. */
 function areAlike(found: readonly number[], expected: readonly number[]): boolean {
   return found.every((x, i) => {
     const difference = x - (found[i % 3] as number) - ((expected[i] as number) - (expected[i % 3] as number))

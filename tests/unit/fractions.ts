@@ -5,7 +5,7 @@ export interface Fraction {
   readonly denominator: bigint
 }
 
-/** Of "-4.7683715820402444311e-7" and the like. */
+/** The fraction of "-4.7683715820402444311e-7" and the like. */
 export function ofDecimal(text: string): Fraction {
   const match = /^(-?)(\d+)(?:\.(\d*))?(?:[eE]([+-]?\d+))?$/.exec(text)
   if (!match) throw new Error(`${text} is not a decimal.`)
@@ -14,7 +14,7 @@ export function ofDecimal(text: string): Fraction {
   return timesPower({ numerator: integer, denominator: 1n }, 10n, Number(power) - decimals.length)
 }
 
-/** Of value * 2^exponent. */
+/** The fraction value * 2^exponent. */
 export function ofDouble(value: number, exponent = 0): Fraction {
   let mantissa = value
   let power = exponent

@@ -11,9 +11,11 @@ import { batchCores } from './node-workers'
 
 const POINT = [0.25, 0.625, 0.8125]
 
-/** By the order of wasm/src/pack.c: verdict, whether integers gave it, exponent, minimizer, error, volume minimum, checks, maximizer,
- * three minima and 27 coefficients come before the faces; after the candidates class, shape, coincidences, volume with its exponent,
- * relative minimum. */
+/**
+ * The order of wasm/src/pack.c: verdict, whether integers gave it, exponent, minimizer, error,
+ * volume minimum, checks, maximizer, three minima and 27 coefficients come before the faces; after
+ * the candidates class, shape, coincidences, volume with its exponent, relative minimum.
+ */
 const FACES_AT = 3 + 9 + 1 + 8 + 8 + 9 + 3 + 27
 const AFTER_CANDIDATES = 2 + 8 + 3
 
@@ -88,7 +90,7 @@ it('agrees bit for bit on the exact cases, random elements and random bits', asy
   expect(Buffer.from(answersOf(twin, list).buffer).equals(answers)).toBe(true)
 })
 
-/** NaN is a number here: of a cell that is not finite all lists have it. */
+/** Bytes, so that NaN equals NaN: all lists have it for a cell that is not finite. */
 function bytesOf(list: ArrayBufferView | undefined): Buffer {
   return list ? Buffer.from(list.buffer, list.byteOffset, list.byteLength) : Buffer.alloc(0)
 }

@@ -1,4 +1,4 @@
-/** What a search draws, and how it judges cheaply: laws of the numbers, symmetries, the sieve against the core. */
+/** The draws of a search: laws of the numbers, symmetries, the sieve against the core. */
 import { describe, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
 import { isMet, parseCondition } from '../../web/model/condition'

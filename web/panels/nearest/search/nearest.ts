@@ -189,7 +189,7 @@ interface Known {
  * verdict 5e-324 away, whose coordinates span so many powers of two that exact arithmetic takes
  * seconds.
  */
-const LEAST_PART = 2 ** -64
+const LEAST_SHARE = 2 ** -64
 
 /** The nearest move that doubles allow on the straight way to the target. */
 function* moveTo(
@@ -199,7 +199,7 @@ function* moveTo(
   { vertex, bound, isLocal }: Known,
 ): Generator<undefined, NearestAnswer> {
   if (!target?.every(Number.isFinite) || verdictOf(core, target) === verdictOf(core, vertices)) return null
-  const { near, far } = yield* changesBetween(core, vertices, target, { near: 0, far: 1 }, LEAST_PART)
+  const { near, far } = yield* changesBetween(core, vertices, target, { near: 0, far: 1 }, LEAST_SHARE)
   const found = elementAt(vertices, target, far)
   const ways = vertexReference.map((_, v) =>
     Math.hypot(...map3(axis => vertexOf(found, v)[axis] - vertexOf(vertices, v)[axis])),
