@@ -26,8 +26,8 @@ export class Analyzer {
   readonly #inquiries: readonly (readonly [string, Inquiry<unknown>])[]
 
   /**
-   * `onFailure` is told, in a sentence, of vertices that the core could not analyse; `onNews` when the answer to a panel's question,
-   * which may take long, has come further.
+   * `onFailure` gets a sentence about vertices that the core could not analyse; `onNews` is called
+   * when the slow answer to a panel's question has come further.
    */
   constructor(panels: readonly Panel[], onFailure: (message: string) => void, onNews: () => void) {
     this.#onFailure = onFailure
@@ -73,7 +73,7 @@ export class Analyzer {
     return result?.ok ? result.value : null
   }
 
-  /** Coarser while a gesture runs; what is already finer stays. */
+  /** A coarser surface while a gesture runs, unless a finer one is there. */
   #surfaced({ faceDisplay, gestureStart }: State, report: Report | null): Surface | null {
     if (faceDisplay !== 'inside' || report === null) return null
     const cells = gestureStart === null ? SURFACE_CELLS : GESTURE_SURFACE_CELLS

@@ -1,4 +1,4 @@
-/** The attributes of `<hex-lens>`: what each may say, and in which sentence it is refused. */
+/** The attributes of `<hex-lens>`: their values, and the sentences that refuse others. */
 
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
 import { type Preset, presets } from '../model/presets'
@@ -29,7 +29,7 @@ const DECIMAL = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i
 const MOST_ELEVATION = 90
 const ZOOMS = [0.001, 1000] as const
 
-/** The names that the attribute `views` may have: panels that there are, and others that are passed over. */
+/** The words that the attribute `views` may have: panels of this build, and others, passed over. */
 export interface ViewNames {
   readonly known: readonly string[]
   readonly passedOver: readonly string[]
@@ -81,7 +81,7 @@ export function readVertices(text: string): Vertices {
   return checkedVertices(numbers.map(Number))
 }
 
-/** A copy. Throws HexLensError unless given 24 finite numbers. */
+/** Returns a copy. Throws HexLensError unless given 24 finite numbers. */
 export function checkedVertices(given: ArrayLike<number> | null | undefined): Vertices {
   if (given?.length !== COORDINATE_COUNT)
     throw new HexLensError('wrong-count', `A hexahedron has 24 coordinates; ${given?.length ?? 'none'} were given.`)

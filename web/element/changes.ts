@@ -6,13 +6,13 @@ import type { State } from '../model/state'
 export interface ChangeListener {
   tell(event: 'hex-input' | 'hex-change'): void
   tell(event: 'hex-verdict', detail: { readonly valid: boolean }): void
-  /** The attributes are to say what is there now. */
+  /** Writes the present vertices and preset to the attributes. */
   reflect(): void
 }
 
 export class Changes {
   readonly #listener: ChangeListener
-  /** The vertices last told of; null before the first frame, in which there is nothing to compare with. */
+  /** The vertices of the last frame; null before the first, which has nothing to compare with. */
   #told: Vertices | null = null
   /** The vertices after the last change that was done. */
   #committed: Vertices

@@ -8,7 +8,7 @@ import { copyText } from '../views/copy-text'
 const NUMBER = 'data'
 const POINT = '[data-copies="point"]'
 const WAYS: Readonly<Record<string, 1 | -1>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }
-/** CSS pixels between what is copied and what is said of it, and to the border of the element. */
+/** CSS pixels between a number and the message about it, and to the border of the element. */
 const GAP = 4
 
 export class Copying {
@@ -16,7 +16,7 @@ export class Copying {
   readonly #point: () => string | null
   readonly #told = document.createElement('p')
 
-  /** `lens` holds all numbers and gets what is said of them; `point` is the text of what is pointed at, null for nothing. */
+  /** `lens` holds the numbers and gets the message; `point` is the text of the point pointed at. */
   constructor(lens: HTMLElement, point: () => string | null) {
     this.#lens = lens
     this.#point = point

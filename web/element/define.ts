@@ -1,4 +1,4 @@
-/** `<hex-lens>` out of what it is given: the core, and the panels that it can show. Each build has an entry that calls this once. */
+/** Composes `<hex-lens>` of a core and the panels that it can show. Each build calls it once. */
 import type { Composition } from './composition'
 import { HexLens } from './hex-lens'
 

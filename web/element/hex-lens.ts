@@ -61,7 +61,7 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
 
 export class HexLens extends ReflectingElement {
   static readonly observedAttributes = attributeNames
-  /** Set once, before an element is made. */
+  /** `define` sets it once, before an element is made. */
   static composition: Required<Composition>
 
   readonly #context: ViewContext = {
@@ -378,7 +378,7 @@ export class HexLens extends ReflectingElement {
     return this.#views
   }
 
-  /** The attributes say what is there now. */
+  /** Writes the present vertices and preset to the attributes. */
   #reflect(): void {
     const { vertices, preset } = this.#store.state
     this.#isReflecting = true

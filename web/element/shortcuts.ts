@@ -1,4 +1,4 @@
-/** Ctrl or Cmd with Z, Shift+Z or Y: the step in history it asks for, else null. */
+/** The step in history that a key asks for (Ctrl or Cmd with Z, Shift+Z or Y), else null. */
 export function historyStep(event: KeyboardEvent): 'undo' | 'redo' | null {
   if (event.altKey || !(event.ctrlKey || event.metaKey)) return null
   const key = event.key.toLowerCase()
@@ -6,7 +6,7 @@ export function historyStep(event: KeyboardEvent): 'undo' | 'redo' | null {
   return key === 'y' && event.ctrlKey ? 'redo' : null
 }
 
-/** A question mark, unless something is being typed or somebody has answered it. */
+/** True for a question mark, unless it is typed into a field or already handled. */
 export function asksForHelp(event: KeyboardEvent): boolean {
   const isTyping = (event.target as Element).matches('input, textarea, select')
   return event.key === '?' && !isTyping && !event.defaultPrevented

@@ -13,7 +13,7 @@ import css from './hex-lens.css?inline'
 import printing from './printing.css?inline'
 import { UpdateQueue } from './update-queue'
 
-/** When an element last made views: all frames at one time are one frame of the page. */
+/** The time of the last frame that made views, of all elements on the page. */
 let madeAt = -1
 
 export class ViewHost {
@@ -21,11 +21,11 @@ export class ViewHost {
   readonly lens = partBox('lens')
   readonly #context: ViewContext
   readonly #regions = { head: partBox('head'), stage: partBox('stage'), panel: box('panel'), folds: box('folds') }
-  /** The poster, and what stands between the tags, until there is something better. */
+  /** The poster, and the content between the tags, until the views are made. */
   readonly #before = partBox('before', 'fallback')
   readonly #poster = document.createElement('img')
   #views: readonly View[] = []
-  /** Slow ones, which join the others in the next frame: to make and to draw them are a frame's work each. */
+  /** Slow views join the others in the next frame: making and drawing them take one each. */
   #made: readonly { readonly panel: Panel; readonly view: View }[] = []
   /** Panels to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Panel[])[] = []

@@ -10,19 +10,19 @@ import type { CreateView, Frame } from '../views/view'
 export interface Panel {
   /** Its word in the attribute `views`, and its CSS part. */
   readonly name: string
-  /** `folds` are what is closed at first; they follow the panel, or stand beside it where there is room. */
+  /** `folds` holds panels closed at first; it follows `panel`, or is beside it if there is room. */
   readonly region: 'head' | 'stage' | 'panel' | 'folds'
   readonly create: CreateView
   readonly styles: string
-  /** It is slow to make, and comes after the numbers; this part of it takes a frame of its own. */
+  /** A slow view comes after the numbers; this step before it takes a frame of its own. */
   readonly prepare?: () => void
-  /** Shown whatever the attribute says. */
+  /** True if it is shown whatever the attribute says. */
   readonly always?: true
-  /** Shown where the panel of this name is, and not named itself. */
+  /** The panel with which it is shown, and not named itself. */
   readonly with?: string
-  /** Left out where the element cannot be changed. */
+  /** True if it is left out of a read-only element. */
   readonly changes?: true
-  /** Closed at first: its name is in `State.openPanels` while it is open. */
+  /** True if it is closed at first: its name is in `State.openPanels` while it is open. */
   readonly opens?: true
   readonly slice?: AnySlice
   readonly question?: Question<unknown>

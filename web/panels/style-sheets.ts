@@ -1,4 +1,4 @@
-/** Style sheets that all elements on the page share, made when the first of them needs them: servers have none. */
+/** Style sheets that all elements on the page share, made for the first: servers have none. */
 
 const sheets = new Map<string, CSSStyleSheet>()
 

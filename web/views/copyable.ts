@@ -11,7 +11,7 @@ export interface CopyableOptions {
   readonly means?: string
 }
 
-/** `full` is what a program reads. */
+/** `full` is the text for programs. */
 export function copyable(
   text: string,
   full: string,

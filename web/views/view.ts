@@ -37,7 +37,7 @@ interface LayerBox {
 }
 
 export interface PixelLayer extends LayerBox {
-  /** Nobody else draws on it. */
+  /** The layer's own canvas, on which nobody else draws. */
   readonly canvas: HTMLCanvasElement
 }
 
@@ -73,7 +73,7 @@ export interface View {
   readonly updates?: readonly Update[]
   /** Called once per animation frame in which state, report or problems changed. */
   update(frame: Frame): void
-  /** The figure of that name if it is this view's and on the page now. */
+  /** The figure of that name, if this view has it on the page now. */
   figure?(name: FigureName): Figure | null
   /** The cameras as they are now, if they are this view's; null before its first picture. */
   cameras?(): Cameras | null
@@ -86,10 +86,10 @@ export interface ViewContext {
   /** The state now, which may be ahead of the last frame's: what the next action starts from. */
   state(): State
   readonly dispatch: Dispatch
-  /** Raise a problem, or take it back by its code. */
+  /** Raises a problem, or takes it back by its code. */
   raise(problem: Problem): void
   clear(code: Problem['code']): void
-  /** Ask for an update although neither state nor report changed (the camera moved, the view was resized). */
+  /** Asks for an update although neither state nor report changed (the camera moved, a resize). */
   requestFrame(): void
   /** The address that opens this very element again, vertices bit for bit. */
   permalink(): string

@@ -1,4 +1,4 @@
-/** Algorithm 1, followed step by step: what each looks at, what becomes of M, and what is skipped and why. */
+/** Algorithm 1 step by step: the points of each, M before and after, and the reasons to skip. */
 import { html, nothing, render, svg, type TemplateResult } from 'lit-html'
 import { type Entity, sliceChange, sliceOf } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
@@ -26,7 +26,7 @@ class AlgorithmView implements View {
   #at = 0
   #timer: ReturnType<typeof setTimeout> | undefined
   #steps: readonly TraceStep[] = []
-  /** Said aloud: the step that the reader went to, not those that a drag or the clock changes. */
+  /** Screen readers hear the step that the reader went to, not those of a drag or the clock. */
   #said = ''
   #lit: Entity | null = null
   #shown: TraceShown | null = null

@@ -15,7 +15,7 @@ export interface MinimumPlot {
   readonly zero: number | null
 }
 
-/** `count` steps share the width: those that a query did not come to stay empty. */
+/** `count` steps share the width: those that a query did not reach stay empty. */
 export function minimumPlot(steps: readonly TraceStep[], count: number, { width, height }: PlotBox): MinimumPlot {
   const values = steps.map(({ after }) => after ?? 0)
   // Division by the largest magnitude lets no difference overflow.

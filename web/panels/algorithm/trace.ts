@@ -47,7 +47,7 @@ export function traceOf(report: Report, { query, variant }: TraceOptions): reado
   const steps: TraceStep[] = []
   let least: number | null = null
 
-  /** Returns whether to go on. */
+  /** Returns true if the algorithm goes on. */
   function take(kind: CandidateKind, id: number, without: Outcome, found: readonly Candidate[]): boolean {
     const end = query === 'validity' ? found.findIndex(({ value }) => value <= 0) : -1
     const points = end < 0 ? found : found.slice(0, end + 1)

@@ -8,9 +8,9 @@ import type { Samples } from '../../model/state'
 
 export interface CheckDescription {
   readonly name: string
-  /** Programs or methods that ask this; null where it is nobody's in particular. */
+  /** Programs or methods that check this; null if there is none in particular. */
   readonly usedBy: string | null
-  /** Plain looksAts. */
+  /** The sites that it looks at, in words. */
   readonly looksAt: string
   /** The number is a jacdet, or one without a unit that is the same on every reference cube. */
   readonly unit: 'jacdet' | 'none'

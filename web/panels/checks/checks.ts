@@ -10,7 +10,7 @@ import css from './checks.css?inline'
 
 export const checksStyles = css
 
-/** Verdict's number where it finds a length of zero. */
+/** The number that Verdict returns for a length of zero. */
 const NO_LENGTH = 1e30
 
 class ChecksView implements View {
@@ -48,7 +48,7 @@ class ChecksView implements View {
     this.#mark(null)
   }
 
-  /** A row is pointed at by the mouse, by the focus of its number, or by a tap, which holds until the next one elsewhere. */
+  /** The mouse, a number's focus or a tap points at a row; a tap holds until the next one. */
   #listen(): void {
     const { signal } = this.#listening
     const { root } = this

@@ -8,7 +8,7 @@ import { pointsOf } from '../../model/written-element'
 export const THEMES = ['auto', 'light', 'dark'] as const
 export type ThemeName = (typeof THEMES)[number]
 
-/** Names of parts in the attribute `views`, in the order in which they are shown. */
+/** Names of panels in the attribute `views`, in their order. */
 export const embeddableViews = [
   { name: 'scene', title: 'Scene' },
   { name: 'verdict', title: 'Verdict' },
@@ -27,7 +27,7 @@ export const embeddableViews = [
 
 export interface Embed {
   readonly vertices: Vertices
-  /** Names of parts, `scene` and `verdict` for two. */
+  /** Names of panels, such as `scene` and `verdict`. */
   readonly views: readonly string[]
   readonly theme: ThemeName
   readonly readonly: boolean
@@ -35,15 +35,15 @@ export interface Embed {
   readonly camera: string | null
   /** CSS pixels. */
   readonly height: number
-  /** Said by screen readers, and in the picture's place. */
+  /** The text for screen readers, and in the picture's place. */
   readonly label: string
   /** The address that opens the element, for readers without JavaScript. */
   readonly link: string
-  /** File name of the picture that stands for it until it runs, or where nothing does. */
+  /** File name of the picture that stands for it until it runs, or if it does not. */
   readonly poster: string
 }
 
-/** The attributes besides `vertices` that differ from what an element has by itself. */
+/** The attributes besides `vertices` that differ from the defaults. */
 export function attributesOf({ views, theme, readonly, camera, label }: Embed): readonly (readonly [string, string])[] {
   return [
     ['label', label] as const,

@@ -1,4 +1,4 @@
-/** The element for somebody's documentation: lines to copy for each kind of site, and how they look there. */
+/** The element for other documentation: lines to copy for each kind of site, and their preview. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'

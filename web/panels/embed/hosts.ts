@@ -15,9 +15,9 @@ export interface Snippet {
 export interface Host {
   readonly id: string
   readonly title: string
-  /** It cannot be had where the tests run. */
+  /** True if the site's program cannot be installed where the tests run. */
   readonly untested?: true
-  /** Once for a site: what is to be copied where, and the lines that load it. */
+  /** Snippets for a site: the file to copy, and the lines that load it. */
   readonly setup: readonly Snippet[]
   /** The snippet of one element. */
   place(embed: Embed): Snippet

@@ -56,7 +56,7 @@ class FaceMapsView implements View {
   #cell = 0
   #palette: { readonly theme: Theme; readonly palette: Palette } | null = null
   #report: Report | null = null
-  /** The face last pointed at or focused: beside which place of a point its words stand. */
+  /** The face last pointed at or focused: the tooltip stands beside the point's place there. */
   #lookedAt = 0
   #looked: { readonly by: 'maps' | 'marks' | 'plots'; readonly point: Vec3 } | null = null
   #polynomials: { readonly face: FaceReport; readonly of: FacePolynomials } | null = null
@@ -147,7 +147,7 @@ class FaceMapsView implements View {
     select: (selectedFace: number) => this.#context.dispatch(sliceChange(faceSlice, { selectedFace })),
   }
 
-  /** A part of the view takes away no other point than its own: a map that is scrolled from under the pointer, for one. */
+  /** A map ends no other probe than its own, such as when it is scrolled from under the pointer. */
   #look(by: 'maps' | 'marks' | 'plots', point: Vec3 | null): void {
     const { probe } = this.#context.state()
     const looked = this.#looked

@@ -13,7 +13,7 @@ export interface PlotsPicture {
   readonly name: string
   readonly face: FaceReport
   readonly polynomials: FacePolynomials
-  /** The report's. */
+  /** The exponent of the report. */
   readonly exponent: number
   readonly cube: ReferenceCube
 }
@@ -23,7 +23,7 @@ interface Curve {
   readonly title: string
   /** The curve's value, null where it is not defined. */
   readonly at: (t: number) => number | null
-  /** Fixed, or fitted to the curve and zero. */
+  /** The range of values: fixed, or fitted to the curve and zero. */
   readonly range: readonly [number, number] | null
   readonly text: (value: number) => string
   readonly lines: readonly number[]
@@ -48,7 +48,7 @@ export class Plots {
   #picture: PlotsPicture | null = null
   #t: number | null = null
 
-  /** `choose` is told the t that is looked at. */
+  /** `choose` gets the t that is pointed at. */
   constructor(choose: (t: number | null) => void) {
     this.#choose = choose
     this.root.className = 'plots'
@@ -184,7 +184,7 @@ class Plot {
     return `M${BOX.left} ${px(this.#yOf(value))}H${BOX.right}`
   }
 
-  /** Interrupted where there is no value, or one outside the plot. */
+  /** The path breaks off at values outside the plot, or undefined ones. */
   #path(values: readonly (number | null)[]): string {
     let path = ''
     let isOpen = false

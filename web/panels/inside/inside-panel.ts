@@ -224,7 +224,7 @@ function readout(point: Vec3, value: number, exponent: number, cube: ReferenceCu
   return html`J = ${jacdet(value, exponent, cube)} at ${formatPoint(point)}`
 }
 
-/** The hint, or where the minimizer is that is marked although it does not lie on the section. */
+/** The hint, or the place of a minimizer that is marked although it is not on the section. */
 function offSection(report: Report, { axis, value }: Section): string {
   const at = minimizerOf(report)[axis]
   if (at === value) return 'Point at the section to read jacdet there, or use the arrow keys.'

@@ -1,4 +1,4 @@
-/** A section of the reference cube as a flat map of jacdet, with the minimizer, and the point that is looked at. */
+/** A section of the reference cube as a flat map of jacdet, with the minimizer and the probe. */
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { axesOn, pointOn, sectionBernstein } from '../../core/section'
@@ -22,7 +22,7 @@ export const AXIS_NAMES = ['ξ', 'η', 'ζ'] as const
 /** Pixels a side while a gesture runs, and the most to a CSS pixel when none does. */
 const GESTURE_SIZE = 80
 const MOST_PIXEL_RATIO = 2
-/** Places are looked at in steps of 1/200. */
+/** The probe moves in steps of 1/200. */
 const GRID = 200
 const STEPS = { plain: 1 / 16, shift: 1 / 4, alt: 1 / 64 }
 const RING = 8

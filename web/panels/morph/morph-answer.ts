@@ -10,7 +10,7 @@ import { elementAt } from '../../model/way'
 
 export interface MorphSample {
   readonly tau: number
-  /** Boundary minimum there, in doubles, times 2^exponent. */
+  /** Boundary minimum at tau, in doubles, times 2^exponent. */
   readonly minimum: number
   readonly exponent: number
   /** The certain verdict. */

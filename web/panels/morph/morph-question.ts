@@ -27,7 +27,7 @@ export const endsSlice: Slice<Ends> = {
   },
 }
 
-/** While a gesture runs, the way as it was before. */
+/** The answer stays that of before while a gesture runs. */
 export const morphQuestion: Question<Morph> = {
   name: 'morph',
   start() {

@@ -115,7 +115,7 @@ function triedList({ count }: TriedOrders): TemplateResult {
   </details>`
 }
 
-/** Numbered in its own order. */
+/** The picture of an element, numbered in its own order. */
 function picture(vertices: Vertices, name: string, isValid: boolean): TemplateResult {
   const { points, path } = wireframe(vertices)
   const word = isValid ? 'valid' : 'invalid'

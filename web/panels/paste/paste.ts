@@ -1,4 +1,4 @@
-/** A box to paste into, files to open, and what can be read. What is read is said beside the verdict; here, too, for who looks here. */
+/** A box to paste into, a button for files, and the formats; the outcome is said here, too. */
 import { html, nothing, render } from 'lit-html'
 import type { Reading } from '../../input/reading'
 import { formatNames, otherInputs } from '../../mesh/format-names'

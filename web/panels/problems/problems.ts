@@ -5,7 +5,7 @@ import css from './problems.css?inline'
 
 export const problemsStyles = css
 
-/** Those that concern something that happened, not something that still is. */
+/** Problems that happened once, and are dismissed; others last as long as their cause. */
 const dismissible: ReadonlySet<Problem['code']> = new Set(['link-broken', 'input-refused', 'not-read'])
 
 class ProblemsView implements View {
@@ -39,7 +39,7 @@ class ProblemsView implements View {
     if (isNew && !this.#isReadWhereAsked()) this.root.scrollIntoView({ block: 'nearest' })
   }
 
-  /** The panel from which something was to be read says the same. */
+  /** The panel `paste` says the same. */
   #isReadWhereAsked(): boolean {
     const { activeElement } = this.root.getRootNode() as ShadowRoot
     return activeElement?.closest('.paste') != null

@@ -1,4 +1,4 @@
-/** The proof of the verdict, on request: what anyone can check without this page, and the file that a checker takes. */
+/** The proof of the verdict, on request, to check without this page, and the file for a checker. */
 import { html, render, type TemplateResult } from 'lit-html'
 import { type Certificate, type CertifiedInterval, certificateJson } from '../../core/exact/certificate'
 import { faces } from '../../model/hexahedron'

@@ -5,7 +5,7 @@ import type { Vertices } from '../../model/hexahedron'
 import { type Slice, sliceOf } from '../../model/state'
 import type { Question } from '../panel'
 
-/** A certificate and what it is of: while a gesture runs, the element as it was before. */
+/** A certificate and its element: while a gesture runs, the one before it. */
 export interface Proof {
   readonly vertices: Vertices
   readonly certificate: Certificate

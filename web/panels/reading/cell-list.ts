@@ -6,7 +6,9 @@ import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { CheckedCells, ListedCell } from '../../mesh/checked-cells'
 import { formatJacdet } from '../../model/decimal'
 
-/** Browsers lay out nothing that is much higher, in pixels: beyond it scrolling goes on in larger steps. */
+/**
+ * Browsers lay out no box much higher than this, in pixels: longer lists scroll in larger steps.
+ */
 const HIGHEST = 8_000_000
 /** CSS pixels, until the first row is measured. */
 const ROW_HEIGHT = 28
@@ -40,7 +42,7 @@ export class CellList {
     this.root.scrollIntoView({ block: 'nearest' })
   }
 
-  /** The cell that the element is now; null where it is none of them. */
+  /** The cell that the element is now, or null. */
   setShown(cell: number | null): void {
     if (cell === this.#shown) return
     this.#shown = cell
@@ -164,7 +166,7 @@ export class CellList {
     }
   }
 
-  /** Makes a place the active one, and has it seen. */
+  /** Makes a row the active one, and scrolls to it. */
   #goTo(place: number): void {
     this.#active = Math.min(Math.max(place, 0), this.cells.count - 1)
     const { view, range, rows } = this.#extent

@@ -24,7 +24,7 @@ class ReadingView implements View {
   }
 
   update({ reading, state, report }: Frame): void {
-    // While a gesture runs, what is said is of the element as it was.
+    // The words stay those of before while a gesture runs.
     const vertices = state.gestureStart ?? state.vertices
     const cell = reading?.state === 'read' ? reading.cellOf(vertices) : null
     const isValid = state.gestureStart === null ? (report?.valid ?? null) : null
@@ -52,7 +52,7 @@ class ReadingView implements View {
     this.#list.whenDrawn().then(list => list.focus())
   }
 
-  /** A region of the page only while there is something in it. */
+  /** The section is a region of the page only if there is something in it. */
   #render(reading: Reading | null, cell: ShownCell | null, isValid: boolean | null): void {
     if (reading && isSaid(reading, cell)) this.root.setAttribute('aria-label', 'What was read')
     else this.root.removeAttribute('aria-label')
@@ -99,7 +99,7 @@ class ReadingView implements View {
   }
 }
 
-/** A refusal is said elsewhere, and one element only for as long as it is what was read. */
+/** The panel `problems` says refusals; one element is named only as long as it is the one read. */
 function isSaid(reading: Reading, cell: ShownCell | null): boolean {
   return reading.state === 'under-way' || (reading.state === 'read' && (reading.cells.count > 1 || cell !== null))
 }

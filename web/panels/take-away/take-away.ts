@@ -1,4 +1,4 @@
-/** The element as files and texts for elsewhere: pictures, the report, other programs' formats, a link, the paper. */
+/** The element as files and texts: pictures, report, other programs' formats, link, paper. */
 import { html, render, type TemplateResult } from 'lit-html'
 import { version } from '../../../package.json'
 import type { Report } from '../../core/report'
@@ -19,16 +19,16 @@ export const styles = css
 /** A panel that is opened for its figure has its code to load first. */
 const FIGURE_PATIENCE_MS = 5000
 
-/** One line of the list: what it is, and how to have it. */
+/** One line of the list: its title, and the buttons. */
 interface Row {
   readonly title: string
   readonly note: string
-  /** There is nothing to have while the core gives no report. */
+  /** True if it needs a report. */
   readonly needsReport?: true
   /** A text, to copy and, where it has a file's name, to save. */
   readonly text?: () => string
   readonly file?: { readonly extension: string; readonly mediaType: string }
-  /** Something else to save. */
+  /** A file to save. */
   readonly save?: () => Promise<void>
 }
 

@@ -1,4 +1,4 @@
-/** The line above everything: which element this is, the way back and forth, and the link to it. */
+/** The line above everything: presets, undo and redo, and the link. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import { type Preset, presets, presetVertices } from '../../model/presets'
 import type { State } from '../../model/state'
@@ -8,7 +8,7 @@ import css from './toolbar.css?inline'
 
 export const toolbarStyles = css
 
-/** The link that was copied or could not be; told for as long as it is the link to what is shown. */
+/** The link last copied, or not; reported for as long as it is the link to these vertices. */
 interface CopyOutcome {
   readonly copied: boolean
   readonly link: string

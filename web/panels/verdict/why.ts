@@ -10,7 +10,7 @@ export function placeName({ kind, id }: Pick<Candidate, 'kind' | 'id'>): string 
   return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${entityName({ kind, id })} at`
 }
 
-/** Coincident vertices come first where they say all of it, else last. */
+/** Coincident vertices come first if they explain it all, else last. */
 export function whySentence(report: Report): string {
   const coincidence = coincidenceSentence(report)
   return isExplainedBy(zerosAtSight(report), report)
@@ -24,7 +24,7 @@ function isExplainedBy(zeros: readonly number[], report: Report): boolean {
   return notPositive(report, 'vertex').every(name => zeros.includes(Number(name)))
 }
 
-/** Nowhere negative on the boundary, and negative inside. */
+/** True if jacdet is nowhere negative on the boundary, and negative inside. */
 function lowerInsideOfZero(report: Report): boolean {
   return report.boundaryMinimum === 0 && lowerInside(report) !== null
 }

@@ -7,7 +7,7 @@ import css from './vertices.css?inline'
 
 export const verticesStyles = css
 
-/** Characters that surely fit a field; what is cut off may be the exponent. */
+/** Characters that surely fit a field; a longer text may hide its exponent. */
 const WIDTH = 11
 
 const axisNames = ['x', 'y', 'z'] as const
@@ -120,7 +120,7 @@ class VerticesView implements View {
     this.#accept(index)
   }
 
-  /** A text that is not of one number is refused whole: what the browser would make of it is another number. */
+  /** A text that is not one number is refused: the browser would make another number of it. */
   readonly #onBeforeInput = (event: InputEvent): void => {
     const text = event.data ?? event.dataTransfer?.getData('text/plain') ?? ''
     const taken = fieldText(text)

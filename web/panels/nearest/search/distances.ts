@@ -133,7 +133,7 @@ function rotateRows(m: number[][], p: number, q: number, c: number, s: number): 
   }
 }
 
-/** Less cannot be told from zero, and its sign may be wrong. */
+/** A smaller number cannot be told from zero, and its sign may be wrong. */
 const LEAST_JACDET = 2 ** -60
 
 /** The move of one vertex of a valid element, of length J / |g| (N3). */

@@ -13,7 +13,7 @@ export interface HalfSpaces {
 export interface LeastVector {
   /** Null if there is no common point nearer than 10^5 times the farthest half-space. */
   readonly vector: readonly number[] | null
-  /** One for each half-space, none negative: of the vector, their sum of rows is a multiple. */
+  /** Weights of the half-spaces, none negative: the vector is a multiple of their sum of rows. */
   readonly multipliers: readonly number[]
 }
 

@@ -9,9 +9,9 @@ import { bernsteinOnFace, neighbours, pointOnFace } from './scaled-element'
 
 export interface LeastDistance {
   readonly point: Vec3
-  /** There, as computed. */
+  /** The distance there, as computed. */
   readonly value: number
-  /** Nowhere on the boundary is it less. */
+  /** The distance is nowhere less on the boundary. */
   readonly bound: number
 }
 
@@ -36,7 +36,7 @@ interface Patch {
   readonly bound: number
 }
 
-/** Pauses now and then. */
+/** Yields now and then. */
 export function* leastOnBoundary(edges: readonly Vec3[], kind: DistanceKind): Generator<undefined, LeastDistance> {
   const at = (point: Vec3) => kind.entriesAt(edges, point)
   const open = new Heap()

@@ -14,7 +14,7 @@ import { SLACK, TOLERANCE } from './least-on-boundary'
 import { map3, movedEdges, neighbours, responseAt, type ScaledElement } from './scaled-element'
 
 export interface ValidTarget {
-  /** Valid for certain; null where none was found. */
+  /** Vertices of a valid element; null if none was found. */
   readonly vertices: Vertices | null
   /** No such move that is shorter leads to a valid element; in units of the scaled element. */
   readonly bound: number
@@ -32,7 +32,7 @@ interface Cut {
   readonly gradient: readonly number[]
 }
 
-/** Pauses after each look at an element. */
+/** Yields after each element. */
 export function* nearestValidOfVertex(
   core: Core,
   vertices: Vertices,
@@ -251,7 +251,7 @@ function distinct(points: readonly Vec3[]): Vec3[] {
   )
 }
 
-/** Bits of a move that are kept, of its longest component: more would only make the numbers of exact arithmetic long. */
+/** Bits of a move's longest component: more would make the numbers of exact arithmetic long. */
 const MOVE_BITS = 40
 
 /** The element with its vertices moved, in its own units. */

@@ -14,7 +14,7 @@ import { analyzed, movedVertices, nearestValidOfAll, nearestValidOfVertex } from
 import { columnsAt, map3, type ScaledElement, scaledElement } from './scaled-element'
 
 export interface NearestMove {
-  /** The vertex that moves; null where all may. */
+  /** The vertex that moves; null if all may. */
   readonly vertex: number | null
   /** The element of the other verdict. */
   readonly vertices: Vertices
@@ -24,7 +24,7 @@ export interface NearestMove {
   readonly length: number
   /** The way of the vertex that moves most. */
   readonly longest: number
-  /** No such move shorter than this leads to the other verdict, for certain; 0 where nothing is known. */
+  /** A lower bound, for certain, of any such move's length; 0 if nothing is known. */
   readonly bound: number
   /** `least`: as short as any, to one part in a million. `local`: no small change makes it shorter. `found`: neither is known. */
   readonly claim: 'least' | 'local' | 'found'
@@ -40,7 +40,7 @@ export interface Nearest {
   readonly ofVertex: readonly NearestAnswer[]
   /** The shortest of one vertex: null if there is none, undefined until all are done. */
   readonly ofOne: NearestMove | null | undefined
-  /** Undefined until it is done. */
+  /** The shortest of all eight together, undefined until it is done. */
   readonly ofAll: NearestAnswer | undefined
 }
 
@@ -48,7 +48,7 @@ export interface Nearest {
 const OUT_OF_REACH = 2 ** 20
 const LEAST = 2 ** -20
 
-/** Pauses every few thousandths of a second (a twisted element can take some tenths) and says what is known by then. */
+/** Yields the answers so far every few milliseconds; the whole may take some tenths of a second. */
 export function* searchNearest(core: Core, vertices: Vertices): Generator<Nearest, Nearest> {
   const valid = verdictOf(core, vertices)
   const scaled = scaledElement(vertices)
@@ -69,7 +69,7 @@ export function* searchNearest(core: Core, vertices: Vertices): Generator<Neares
   return { ...nearest, ofAll: shorterOf(ofAll, nearest.ofOne ?? null) }
 }
 
-/** A move of one vertex is one of all eight: where doubles are coarse it may be the shorter, or the only one found. */
+/** A move of one vertex is one of all: in coarse doubles it may be shorter, or the only one. */
 function shorterOf(all: NearestAnswer, one: NearestMove | null): NearestAnswer {
   if (one === null || all === 'impossible' || (all !== null && all.length <= one.length)) return all
   return { ...one, vertex: null, bound: Math.min(all?.bound ?? 0, one.length), claim: 'found' }
@@ -140,7 +140,7 @@ function* validOfAll(
 /** Moves that change nothing in doubles, or no verdict, are doubled as often as this. */
 const DOUBLINGS = 64
 
-/** Twice the move that makes jacdet zero, or as far as it takes. */
+/** Twice the move that makes jacdet zero, or more until the verdict changes. */
 function invalidBeyond(core: Core, vertices: Vertices, moves: readonly Vec3[], scaled: ScaledElement): Vertices | null {
   for (let n = 1; n <= DOUBLINGS; n++) {
     const longer = moves.map(move => map3(axis => 2 ** n * move[axis]))
