@@ -3,6 +3,7 @@
  * its words in the scene, copies those of the point that is pointed at. Where the clipboard is closed the digits stand there
  * selected instead. In a table arrow keys go from one number to the next.
  */
+import { html, nothing, render } from 'lit-html'
 import { copyText } from '../views/copy-text'
 
 const NUMBER = 'data'
@@ -57,26 +58,24 @@ export class Copying {
 
   async #copy(text: string, at: Element): Promise<void> {
     const isCopied = await copyText(text)
-    const digits = document.createElement('span')
-    digits.textContent = text
-    this.#told.replaceChildren(isCopied ? 'Copied ' : 'Copying is not allowed here: ', digits)
+    render(html`${isCopied ? 'Copied' : 'Copying is not allowed here:'} <span>${text}</span>`, this.#told)
     this.#place(at)
-    if (!isCopied) getSelection()?.selectAllChildren(digits)
+    if (!isCopied) getSelection()?.selectAllChildren(this.#told.lastElementChild as Element)
   }
 
   /** Puts the message under the copied number, within the element. */
   #place(at: Element): void {
     const told = this.#told
-    const frame = this.#lens.getBoundingClientRect()
+    const box = this.#lens.getBoundingClientRect()
     const { left, bottom } = at.getBoundingClientRect()
     const within = (from: number, room: number, scrolled = 0) =>
       `${Math.max(GAP, Math.min(room - GAP, from)) + scrolled}px`
-    told.style.left = within(left - frame.left, frame.width - told.offsetWidth)
-    told.style.top = within(bottom - frame.top + GAP, frame.height - told.offsetHeight, this.#lens.scrollTop)
+    told.style.left = within(left - box.left, box.width - told.offsetWidth)
+    told.style.top = within(bottom - box.top + GAP, box.height - told.offsetHeight, this.#lens.scrollTop)
   }
 
   #hide(): void {
-    this.#told.replaceChildren()
+    render(nothing, this.#told)
   }
 }
 

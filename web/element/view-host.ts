@@ -3,6 +3,7 @@
  * first seen, the slow ones step by step in later frames, and no two elements of a page make theirs
  * in the same frame.
  */
+import { html, render } from 'lit-html'
 import type { Cameras } from '../model/state'
 import type { Panel } from '../panels/panel'
 import { adoptStyles } from '../panels/style-sheets'
@@ -16,14 +17,25 @@ import { UpdateQueue } from './update-queue'
 /** The time of the last frame that made views, of all elements on the page. */
 let madeAt = -1
 
+/** Pages may style its parts. */
+const tree = html`<div class="element">
+  <div class="lens" part="lens">
+    <div class="head" part="head"></div>
+    <div class="stage" part="stage"></div>
+    <div class="side" part="panels"><div class="panel"></div><div class="folds"></div></div>
+  </div>
+  <div class="before" part="fallback"><img alt="" part="poster" hidden /><slot></slot></div>
+  <div class="caption" part="caption"><slot name="caption"></slot></div>
+</div>`
+
 export class ViewHost {
   /** The box around all that is the element's own. */
-  readonly lens = partBox('lens')
+  readonly lens: HTMLElement
   readonly #context: ViewContext
-  readonly #regions = { head: partBox('head'), stage: partBox('stage'), panel: box('panel'), folds: box('folds') }
+  readonly #regions: Readonly<Record<Panel['region'], HTMLElement>>
   /** The poster, and the content between the tags, until the views are made. */
-  readonly #before = partBox('before', 'fallback')
-  readonly #poster = document.createElement('img')
+  readonly #before: HTMLElement
+  readonly #poster: HTMLImageElement
   #views: readonly View[] = []
   /** Slow views join the others in the next frame: making and drawing them take one each. */
   #made: readonly { readonly panel: Panel; readonly view: View }[] = []
@@ -38,19 +50,12 @@ export class ViewHost {
   constructor(shadow: ShadowRoot, context: ViewContext, panels: readonly Panel[]) {
     this.#context = context
     adoptStyles(shadow, [css, said, marks, ...panels.map(panel => panel.styles), printing])
-    const { head, stage, panel, folds } = this.#regions
-    const frame = box('frame')
-    const side = partBox('side', 'panels')
-    const caption = partBox('caption')
-    this.#poster.alt = ''
-    this.#poster.hidden = true
-    this.#poster.part.add('poster')
-    this.#before.append(this.#poster, document.createElement('slot'))
-    caption.append(Object.assign(document.createElement('slot'), { name: 'caption' }))
-    side.append(panel, folds)
-    this.lens.append(head, stage, side)
-    frame.append(this.lens, this.#before, caption)
-    shadow.append(frame)
+    render(tree, shadow)
+    const box = (name: string) => shadow.querySelector(`.${name}`) as HTMLElement
+    this.lens = box('lens')
+    this.#regions = { head: box('head'), stage: box('stage'), panel: box('panel'), folds: box('folds') }
+    this.#before = box('before')
+    this.#poster = shadow.querySelector('img') as HTMLImageElement
   }
 
   /** True if everything is made and up to date. */
@@ -72,16 +77,11 @@ export class ViewHost {
     this.end()
     this.#unmade = [shown.filter(panel => !panel.prepare), shown.filter(panel => panel.prepare)]
     const panels = shown.filter(panel => panel.region === 'panel' || panel.region === 'folds')
+    const has = (region: Panel['region']) => shown.some(panel => panel.region === region)
     this.lens.classList.toggle('has-panel', panels.length > 0)
-    this.lens.classList.toggle(
-      'has-folds',
-      panels.some(panel => panel.region === 'folds'),
-    )
+    this.lens.classList.toggle('has-folds', has('folds'))
     this.lens.classList.toggle('has-line', panels.length === 1 && panels[0]?.name === 'verdict')
-    this.lens.classList.toggle(
-      'has-stage',
-      shown.some(panel => panel.region === 'stage'),
-    )
+    this.lens.classList.toggle('has-stage', has('stage'))
   }
 
   end(): void {
@@ -160,17 +160,4 @@ export class ViewHost {
     this.#views = [...this.#views, ...this.#made.map(({ view }) => view)]
     this.#made = []
   }
-}
-
-/** A box that pages may style as a part. */
-function partBox(name: string, part = name): HTMLElement {
-  const element = box(name)
-  element.part.add(part)
-  return element
-}
-
-function box(name: string): HTMLElement {
-  const element = document.createElement('div')
-  element.className = name
-  return element
 }

@@ -1,5 +1,6 @@
 /** Other checks of this element, each against the exact verdict. */
 import { html, render, type TemplateResult } from 'lit-html'
+import { guard } from 'lit-html/directives/guard.js'
 import type { Check, CheckId, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
@@ -16,8 +17,6 @@ const NO_LENGTH = 1e30
 class ChecksView implements View {
   readonly root = document.createElement('section')
   readonly updates: readonly Update[] = [frame => this.#draw(frame)]
-  #drawn: Report | null = null
-  #cube: ReferenceCube | null = null
   readonly #context: ViewContext
   readonly #listening = new AbortController()
   /** The check whose points are marked in the scene. */
@@ -37,10 +36,12 @@ class ChecksView implements View {
   }
 
   #draw({ state, report }: Frame): void {
-    if (report === null || (report === this.#drawn && state.referenceCube === this.#cube)) return
-    this.#drawn = report
-    this.#cube = state.referenceCube
-    render(template(report, state.referenceCube), this.root)
+    const { referenceCube } = state
+    if (report)
+      render(
+        guard([report, referenceCube], () => template(report, referenceCube)),
+        this.root,
+      )
   }
 
   dispose(): void {

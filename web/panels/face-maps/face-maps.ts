@@ -10,6 +10,7 @@ import { colourScaleOf, rampOf, type Theme } from '../../scene/paint/colour-map'
 import { type Palette, paletteOf } from '../../scene/paint/face-raster'
 import { figureOf } from '../../scene/paint/figure'
 import { ThemeReader } from '../../scene/paint/theme'
+import { inUnit } from '../../views/point-steps'
 import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../../views/view'
 import { boundsTable } from './bounds-table'
 import { FaceMap } from './face-map'
@@ -106,21 +107,19 @@ class FaceMapsView implements View {
 
   #build(): void {
     const inReadingOrder = this.#maps.toSorted((a, b) => readingOrder(a.face) - readingOrder(b.face))
-    const keys = document.createElement('span')
-    keys.id = 'face-map-keys'
-    keys.className = 'said'
-    keys.textContent = KEYS
     this.#readout.className = 'readout'
     this.#tooltip.className = 'tooltip'
     this.#tooltip.setAttribute('role', 'tooltip')
     this.#tooltip.hidden = true
     this.#net.className = 'face-net'
-    this.#net.append(...inReadingOrder.map(map => map.root), this.#readout, legend(), this.#overlay.root, this.#tooltip)
+    const roots = inReadingOrder.map(map => map.root)
+    render([roots, this.#readout, legend, this.#overlay.root, this.#tooltip], this.#net)
     // Words for pointers are silent; where keys move the point, its value is spoken.
     this.#net.addEventListener('focusin', () => this.#readout.setAttribute('aria-live', 'polite'))
     this.#net.addEventListener('focusout', () => this.#readout.setAttribute('aria-live', 'off'))
     this.root.className = 'face-maps'
-    this.root.append(this.#net, keys, this.#table, this.#words, this.#plots.root, this.#formulas)
+    const keys = html`<span id="face-map-keys" class="said">${KEYS}</span>`
+    render([this.#net, keys, this.#table, this.#words, this.#plots.root, this.#formulas], this.root)
   }
 
   readonly #actions = {
@@ -286,20 +285,9 @@ function readingOrder(face: number): number {
   return row * NET_COLUMNS + column
 }
 
-function legend(): HTMLElement {
-  const root = document.createElement('p')
-  root.className = 'legend'
-  const kinds = Object.entries(candidateShapes).map(
-    ([kind, d]) =>
-      html`<span><svg viewBox="-6 -6 12 12" aria-hidden="true"><path class="candidate" d=${d} /></svg>${kind}</span>`,
-  )
-  const minimum = html`<span><svg viewBox="-9 -9 18 18" aria-hidden="true"><circle class="ring" r="7" /></svg>minimum</span>`
-  render([kinds, minimum], root)
-  return root
-}
-
-function inUnit(value: number): number {
-  return Math.max(0, Math.min(1, value))
-}
+const legend = html`<p class="legend">${Object.entries(candidateShapes).map(
+  ([kind, d]) =>
+    html`<span><svg viewBox="-6 -6 12 12" aria-hidden="true"><path class="candidate" d=${d} /></svg>${kind}</span>`,
+)}<span><svg viewBox="-9 -9 18 18" aria-hidden="true"><circle class="ring" r="7" /></svg>minimum</span></p>`
 
 export const create: CreateView = context => new FaceMapsView(context)

@@ -7,6 +7,7 @@ import type { FaceReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
+import { inUnit, pointStep } from '../../views/point-steps'
 import { decimalText } from './formulas'
 
 export interface PlotsPicture {
@@ -33,7 +34,6 @@ const WIDTH = 180
 const HEIGHT = 110
 const BOX = { left: 1, right: WIDTH - 1, top: 19, bottom: HEIGHT - 21 }
 const SAMPLES = 80
-const STEPS = { plain: 1 / 16, shift: 1 / 4, alt: 1 / 64 }
 const KEYS: Readonly<Record<string, number>> = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }
 const ROOT_SHAPES = { kept: 'M-3.4 -3.4H3.4V3.4H-3.4Z', dropped: 'M-3 -3L3 3M-3 3L3 -3' }
 const MOST_ROOTS = 4
@@ -114,10 +114,7 @@ export class Plots {
       else if (event.key === 'Home') this.#choose(0)
       else if (event.key === 'End') this.#choose(1)
       else if (way === undefined) return
-      else {
-        const step = event.shiftKey ? STEPS.shift : event.altKey ? STEPS.alt : STEPS.plain
-        this.#choose(this.#t === null ? 0.5 : inUnit(this.#t + way * step))
-      }
+      else this.#choose(this.#t === null ? 0.5 : inUnit(this.#t + way * pointStep(event)))
       event.preventDefault()
     })
   }
@@ -234,8 +231,4 @@ function rangeOf(values: readonly (number | null)[]): readonly [number, number] 
 
 function xOf(t: number): number {
   return BOX.left + t * (BOX.right - BOX.left)
-}
-
-function inUnit(value: number): number {
-  return Math.max(0, Math.min(1, value))
 }

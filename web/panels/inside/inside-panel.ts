@@ -1,5 +1,6 @@
 /** The inside: its least jacdet against the boundary's, and a section, flat and in the scene. */
 import { html, render, type TemplateResult } from 'lit-html'
+import { guard } from 'lit-html/directives/guard.js'
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { formatBound, formatJacdet, formatNumber, formatPoint } from '../../model/decimal'
@@ -23,21 +24,20 @@ class InsidePanel implements View {
   readonly root = document.createElement('div')
   readonly updates: readonly Update[] = [frame => this.#drawMap(frame)]
   readonly #context: ViewContext
-  readonly #minima = document.createElement('div')
-  readonly #controls = document.createElement('div')
   readonly #map: SectionMap
-  readonly #readout = document.createElement('p')
-  readonly #places = document.createElement('div')
   readonly #theme: ThemeReader
   readonly #resizes: ResizeObserver
   #side = 0
   #report: Report | null = null
-  readonly #drawn = new Map<string, readonly unknown[]>()
 
   constructor(context: ViewContext) {
     this.#context = context
     this.#map = new SectionMap(point => context.dispatch({ type: 'probe', point }))
-    this.#build()
+    this.root.className = 'inside'
+    const speak = (live: string) => () => this.root.querySelector('.readout')?.setAttribute('aria-live', live)
+    this.#map.root.setAttribute('aria-describedby', 'section-keys')
+    this.#map.root.addEventListener('focus', speak('polite'))
+    this.#map.root.addEventListener('blur', speak('off'))
     this.#theme = new ThemeReader(this.root, () => context.requestFrame())
     this.#resizes = new ResizeObserver(entries => {
       const width = Math.floor(entries.at(-1)?.contentRect.width ?? 0)
@@ -65,46 +65,21 @@ class InsidePanel implements View {
       this.#map.update({ report, theme: this.#theme.read(), state, side: this.#side })
   }
 
-  #build(): void {
-    this.root.className = 'inside'
-    this.#readout.className = 'readout'
-    const keys = document.createElement('span')
-    keys.id = 'section-keys'
-    keys.className = 'said'
-    keys.textContent = KEYS
-    this.#map.root.setAttribute('aria-describedby', keys.id)
-    this.#map.root.addEventListener('focus', () => this.#readout.setAttribute('aria-live', 'polite'))
-    this.#map.root.addEventListener('blur', () => this.#readout.setAttribute('aria-live', 'off'))
-    this.root.append(this.#minima, this.#places, this.#controls, this.#map.root, keys, this.#readout)
-  }
-
-  /** True if any of it is new since the last call; remembers it. */
-  #isNew(part: string, ...shown: unknown[]): boolean {
-    const drawn = this.#drawn.get(part)
-    if (drawn && shown.every((value, i) => value === drawn[i])) return false
-    this.#drawn.set(part, shown)
-    return true
-  }
-
   #drawWords({ state, probe, zeroSurface }: Frame, report: Report): void {
     const { referenceCube: cube, section } = state
-    if (this.#isNew('minima', report, cube)) render(minima(report, cube), this.#minima)
-    const goal = minimizerOf(report)[section.axis]
-    if (this.#isNew('controls', goal === section.value, lowerInside(report) !== null, section)) {
-      render(this.#controlsOf(report, section), this.#controls)
-      const value = `${AXIS_NAMES[section.axis]} = ${formatNumber(section.value)}`
-      this.#map.root.setAttribute('aria-label', `Map of jacdet on the section ${value}`)
-    }
-    if (this.#isNew('readout', probe, report, section, cube)) {
-      const isHere = probe !== null && probe.point[section.axis] === section.value
-      render(
-        isHere ? readout(probe.point, probe.jacdet, probe.exponent, cube) : offSection(report, section),
-        this.#readout,
-      )
-    }
+    const isAtMinimum = minimizerOf(report)[section.axis] === section.value
     const isThere = zeroSurface && zeroSurface.triangles.length > 0
-    if (this.#isNew('places', state.faceDisplay === 'inside', state.referenceShown, isThere))
-      render(this.#placesOf(state, isThere), this.#places)
+    const isHere = probe !== null && probe.point[section.axis] === section.value
+    render(
+      html`<div>${guard([report, cube], () => minima(report, cube))}</div>
+        <div>${guard([state.faceDisplay, state.referenceShown, isThere], () => this.#placesOf(state, isThere))}</div>
+        <div>${guard([isAtMinimum, lowerInside(report) !== null, section], () => this.#controlsOf(report, section))}</div>
+        ${this.#map.root}<span id="section-keys" class="said">${KEYS}</span>
+        <p class="readout">${guard([probe, report, section, cube], () =>
+          isHere ? readout(probe.point, probe.jacdet, probe.exponent, cube) : offSection(report, section),
+        )}</p>`,
+      this.root,
+    )
   }
 
   /** Choices of where else the inside is shown. */
@@ -175,7 +150,7 @@ class InsidePanel implements View {
     const { axis } = this.#context.state().section
     if (this.#report) this.#show({ axis, value: minimizerOf(this.#report)[axis] })
     // The button is now disabled, and keys should not be lost with it.
-    this.#controls.querySelector<HTMLElement>('input[type=range]')?.focus({ preventScroll: true })
+    this.root.querySelector<HTMLElement>('input[type=range]')?.focus({ preventScroll: true })
   }
 }
 

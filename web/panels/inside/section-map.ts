@@ -2,12 +2,13 @@
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { axesOn, pointOn, sectionBernstein } from '../../core/section'
-import { formatJacdet } from '../../model/decimal'
+import { formatJacdet, formatNumber } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { Section, State } from '../../model/state'
 import { colourScaleInside, rampOf, type Theme } from '../../scene/paint/colour-map'
 import { type Palette, paintFace, paletteOf } from '../../scene/paint/face-raster'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
+import { inUnit, pointStep } from '../../views/point-steps'
 
 export interface SectionPicture {
   readonly report: Report
@@ -24,7 +25,6 @@ const GESTURE_SIZE = 80
 const MOST_PIXEL_RATIO = 2
 /** The probe moves in steps of 1/200. */
 const GRID = 200
-const STEPS = { plain: 1 / 16, shift: 1 / 4, alt: 1 / 64 }
 const RING = 8
 const CELL = { column: 0, row: 0, sToLeft: false, tDown: false }
 
@@ -40,7 +40,7 @@ export class SectionMap {
   readonly #canvas = document.createElement('canvas')
   readonly #context = this.#canvas.getContext('2d')
   readonly #svg = svg('svg', { 'aria-hidden': 'true' })
-  readonly #frame = svg('rect', { class: 'frame' })
+  readonly #border = svg('rect', { class: 'border' })
   readonly #rings = [svg('circle', { class: 'rim', r: RING }), svg('circle', { class: 'ring', r: RING })] as const
   readonly #minimizer = svg('g', { class: 'minimizer' }, ...this.#rings, svg('circle', { class: 'pupil', r: 3 }))
   readonly #label = svg('text', { class: 'value' })
@@ -59,7 +59,7 @@ export class SectionMap {
     this.root.className = 'section-map'
     this.root.tabIndex = 0
     this.root.setAttribute('role', 'img')
-    this.#svg.append(this.#frame, ...this.#names, ...this.#ends, this.#cross, this.#minimizer, this.#label)
+    this.#svg.append(this.#border, ...this.#names, ...this.#ends, this.#cross, this.#minimizer, this.#label)
     this.root.append(this.#canvas, this.#svg)
     this.#listen()
   }
@@ -95,9 +95,11 @@ export class SectionMap {
     this.#context?.putImageData(this.#image, 0, 0)
   }
 
-  #layOut({ axis }: Section, side: number): void {
+  #layOut({ axis, value }: Section, side: number): void {
+    const name = `${AXIS_NAMES[axis]} = ${formatNumber(value)}`
+    this.root.setAttribute('aria-label', `Map of jacdet on the section ${name}`)
     set(this.#svg, { width: side, height: side, viewBox: `0 0 ${side} ${side}` })
-    set(this.#frame, { width: side, height: side })
+    set(this.#border, { width: side, height: side })
     const [s, t] = axesOn(axis)
     const [sName, tName] = this.#names as [SVGTextElement, SVGTextElement]
     setText(sName, `${AXIS_NAMES[s]} →`)
@@ -165,15 +167,11 @@ export class SectionMap {
     const { axis, value } = this.#section
     const probe = this.#probe?.[axis] === value ? this.#probe : null
     if (direction) {
-      const step = event.shiftKey ? STEPS.shift : event.altKey ? STEPS.alt : STEPS.plain
+      const step = pointStep(event)
       const [s, t] = axesOn(axis).map(a => probe?.[a] ?? 0.5) as [number, number]
       this.#lookAt(inUnit(s + step * direction[0]), inUnit(t + step * direction[1]))
     } else if (event.key === 'Escape' && probe) this.#look(null)
     else return
     event.preventDefault()
   }
-}
-
-function inUnit(value: number): number {
-  return Math.max(0, Math.min(1, value))
 }

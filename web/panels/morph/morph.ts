@@ -1,5 +1,6 @@
 /** The way between two elements: the boundary minimum along it, and the doubles at which the verdict changes. */
 import { html, render, type TemplateResult } from 'lit-html'
+import { guard } from 'lit-html/directives/guard.js'
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
@@ -27,18 +28,13 @@ class MorphView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
   readonly #graph = new MorphGraph()
-  readonly #ends = document.createElement('div')
-  readonly #slide = document.createElement('div')
-  readonly #words = document.createElement('div')
   #morph: Morph | null = null
   #tau = 1
   #isSliding = false
-  #drawn: readonly unknown[] = []
 
   constructor(context: ViewContext) {
     this.#context = context
     this.root.className = 'morph'
-    this.root.append(this.#ends, this.#graph.root, this.#slide, this.#words)
   }
 
   update(frame: Frame): void {
@@ -52,12 +48,12 @@ class MorphView implements View {
     if (here !== null) this.#tau = here
     this.#graph.update(morph, here, state.referenceCube)
     const ends = sliceOf(endsSlice, state)
-    const drawn = [morph, here, report, ends, state.referenceCube, state.gestureStart === null]
-    if (drawn.every((value, i) => value === this.#drawn[i])) return
-    this.#drawn = drawn
-    render(this.#endsOf(ends), this.#ends)
-    render(this.#slider(here, report, state.referenceCube), this.#slide)
-    render(this.#crossings(morph, here), this.#words)
+    const shown = [morph, here, report, ends, state.referenceCube, state.gestureStart === null]
+    const template = () => html`<div>${this.#endsOf(ends)}</div>
+      ${this.#graph.root}
+      <div>${this.#slider(here, report, state.referenceCube)}</div>
+      <div>${this.#crossings(morph, here)}</div>`
+    render(guard(shown, template), this.root)
   }
 
   dispose(): void {
@@ -155,7 +151,7 @@ class MorphView implements View {
 
   #forget(): void {
     for (const { end } of ENDS) this.#keep(end, null)
-    this.#ends.querySelector('button')?.focus()
+    this.root.querySelector('button')?.focus()
   }
 
   /** The ends no longer follow the element, or the way would change under the slider. */

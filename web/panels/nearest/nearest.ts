@@ -1,5 +1,6 @@
 /** The least moves to the other verdict, to preview and to apply. */
 import { html, render, type TemplateResult } from 'lit-html'
+import { guard } from 'lit-html/directives/guard.js'
 import { formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import type { State } from '../../model/state'
@@ -17,7 +18,6 @@ class NearestView implements View {
   readonly #context: ViewContext
   /** The vertices after the last move that was applied. */
   #applied: Vertices | null = null
-  #drawn: readonly unknown[] = []
 
   constructor(context: ViewContext) {
     this.#context = context
@@ -31,10 +31,11 @@ class NearestView implements View {
     const known = nearest?.vertices === state.vertices ? nearest : null
     const valid = report?.valid ?? null
     const isMoving = state.gestureStart !== null
-    const drawn = [valid, known, isMoving, state.preview, this.#applied === state.vertices]
-    if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
-    this.#drawn = drawn
-    render(this.#template(valid, isMoving, known, state), this.root)
+    const shown = [valid, known, isMoving, state.preview, this.#applied === state.vertices]
+    render(
+      guard(shown, () => this.#template(valid, isMoving, known, state)),
+      this.root,
+    )
   }
 
   dispose(): void {

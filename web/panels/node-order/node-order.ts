@@ -1,5 +1,6 @@
 /** Other node orders that make a valid element of the same eight points, to preview and to use. */
 import { html, render, svg, type TemplateResult } from 'lit-html'
+import { guard } from 'lit-html/directives/guard.js'
 import type { Vertices } from '../../model/hexahedron'
 import { type NodeOrder, nodeOrders } from '../../model/node-orders'
 import type { State } from '../../model/state'
@@ -16,7 +17,6 @@ class NodeOrderView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
   #used: { readonly vertices: Vertices; readonly name: string } | null = null
-  #drawn: readonly unknown[] = []
 
   constructor(context: ViewContext) {
     this.#context = context
@@ -29,10 +29,11 @@ class NodeOrderView implements View {
     if (state.preview?.order && !state.openPanels.includes('node-order')) this.#preview(null)
     const isStale = triedOrders?.vertices !== state.vertices
     const isValid = report?.valid ?? null
-    const drawn = [isValid, triedOrders, isStale, state.referenceCube, state.preview, this.#used, state.start]
-    if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
-    this.#drawn = drawn
-    render(this.#template(isValid, isStale ? null : triedOrders, state), this.root)
+    const shown = [isValid, triedOrders, isStale, state.referenceCube, state.preview, this.#used, state.start]
+    render(
+      guard(shown, () => this.#template(isValid, isStale ? null : triedOrders, state)),
+      this.root,
+    )
   }
 
   dispose(): void {

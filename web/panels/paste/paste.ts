@@ -1,6 +1,5 @@
 /** A box to paste into, a button for files, and the formats; the outcome is said here, too. */
 import { html, nothing, render } from 'lit-html'
-import type { Reading } from '../../input/reading'
 import { formatNames, otherInputs } from '../../mesh/format-names'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { statusSentence } from '../reading/reading-words'
@@ -11,23 +10,15 @@ export const styles = css
 class PasteView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
-  #drawn: Reading | null = null
 
   constructor(context: ViewContext) {
     this.#context = context
     this.root.className = 'paste'
-    this.#render(null)
-  }
-
-  update({ reading }: Frame): void {
-    if (reading === this.#drawn) return
-    this.#drawn = reading
-    this.#render(reading)
   }
 
   dispose(): void {}
 
-  #render(reading: Reading | null): void {
+  update({ reading }: Frame): void {
     render(
       html`<p>
           Press Ctrl+V (⌘V), drop a text or files anywhere on Hexlens, or use the box. Files that belong together, such as a .pvtu and

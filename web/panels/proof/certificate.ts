@@ -1,5 +1,6 @@
 /** The proof of the verdict, on request, to check without this page, and the file for a checker. */
 import { html, render, type TemplateResult } from 'lit-html'
+import { guard } from 'lit-html/directives/guard.js'
 import { type Certificate, type CertifiedInterval, certificateJson } from '../../core/exact/certificate'
 import { faces } from '../../model/hexahedron'
 import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
@@ -40,7 +41,6 @@ class CertificateView implements View {
   readonly #context: ViewContext
   /** The last copy, and its proof; reported for as long as that proof is shown. */
   #copied: { readonly proof: Proof; readonly what: 'numbers' | 'json' | 'nothing' } | null = null
-  #drawn: readonly unknown[] = []
 
   constructor(context: ViewContext) {
     this.#context = context
@@ -55,10 +55,11 @@ class CertificateView implements View {
     const { proofShown } = sliceOf(proofSlice, state)
     this.root.hidden = report === null
     const isStale = proof !== null && proof.vertices !== state.vertices
-    const drawn = [proofShown, state.referenceCube, proof, isStale, this.#copied]
-    if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
-    this.#drawn = drawn
-    render(this.#template(proofShown, state.referenceCube, proof, isStale), this.root)
+    const shown = [proofShown, state.referenceCube, proof, isStale, this.#copied]
+    render(
+      guard(shown, () => this.#template(proofShown, state.referenceCube, proof, isStale)),
+      this.root,
+    )
   }
 
   dispose(): void {}
