@@ -218,14 +218,14 @@ export class HexLens extends ReflectingElement {
 
   /** The scene as it is, with the vertices inside: dropped on an element it opens them. Rejects with HexLensError. */
   async toPNG(): Promise<Blob> {
-    const [{ pngOf }, figure] = await Promise.all([import('./pictures'), this.#figure('scene')])
-    return pngOf(figure, this.#store.state.vertices)
+    const [{ figurePng }, figure] = await Promise.all([import('../views/figure-files'), this.#figure('scene')])
+    return figurePng(figure, this.#store.state.vertices)
   }
 
   /** The scene, or the face maps where they are open, as a document that needs nothing else. Rejects with HexLensError. */
   async toSVG(name: FigureName = 'scene'): Promise<string> {
-    const [{ svgOf }, figure] = await Promise.all([import('./pictures'), this.#figure(name)])
-    return svgOf(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
+    const [{ figureSvg }, figure] = await Promise.all([import('../views/figure-files'), this.#figure(name)])
+    return figureSvg(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
   }
 
   /**

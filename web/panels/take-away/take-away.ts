@@ -1,15 +1,14 @@
 /** The element as files and texts: pictures, report, other programs' formats, link, paper. */
 import { html, render, type TemplateResult } from 'lit-html'
+import { guard } from 'lit-html/directives/guard.js'
 import { version } from '../../../package.json'
 import type { Report } from '../../core/report'
 import { reportJson } from '../../core/report-json'
 import { jacdetInFull } from '../../model/decimal'
-import { encodePermalink } from '../../model/permalink'
-import { PNG_KEYWORD, withText } from '../../model/png-text'
 import { copyText } from '../../views/copy-text'
+import { figurePng, figureSvg } from '../../views/figure-files'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Figure, FigureName, Frame, View, ViewContext } from '../../views/view'
-import { figurePng, figureSvg } from './figure-files'
 import { bibtex } from './formats/bibtex'
 import { writers } from './formats/writers'
 import css from './take-away.css?inline'
@@ -37,10 +36,8 @@ class TakeAwayView implements View {
   readonly #context: ViewContext
   readonly #rows: readonly Row[]
   #report: Report | null = null
-  #drawnWithout: boolean | null = null
   /** The last thing done; reported until the element is another. */
   #done: { readonly title: string; readonly link: string; readonly message: string } | null = null
-  #isDoneDrawn = true
 
   constructor(context: ViewContext) {
     this.#context = context
@@ -99,15 +96,12 @@ class TakeAwayView implements View {
 
   update({ report }: Frame): void {
     this.#report = report
-    if (this.#done && this.#done.link !== this.#context.permalink()) {
-      this.#done = null
-      this.#isDoneDrawn = false
-    }
+    if (this.#done && this.#done.link !== this.#context.permalink()) this.#done = null
     const without = report === null
-    if (this.#isDoneDrawn && without === this.#drawnWithout) return
-    this.#isDoneDrawn = true
-    this.#drawnWithout = without
-    render(this.#template(without), this.root)
+    render(
+      guard([without, this.#done], () => this.#template(without)),
+      this.root,
+    )
   }
 
   dispose(): void {}
@@ -142,7 +136,6 @@ class TakeAwayView implements View {
 
   #tell(title: string, message: string): void {
     this.#done = { title, link: this.#context.permalink(), message }
-    this.#isDoneDrawn = false
     this.#context.requestFrame()
   }
 
@@ -172,16 +165,16 @@ class TakeAwayView implements View {
   }
 
   async #savePng(): Promise<void> {
-    const fragment = encodePermalink(this.#context.state().vertices)
+    const { vertices } = this.#context.state()
     const name = this.#name
-    const picture = await figurePng(await this.#figure('scene'))
-    await this.#save('PNG', withText(picture, PNG_KEYWORD, fragment), 'png', 'image/png', name)
+    const picture = await figurePng(await this.#figure('scene'), vertices)
+    await this.#save('PNG', picture, 'png', 'image/png', name)
   }
 
   async #saveSvg(which: FigureName): Promise<void> {
-    const fragment = encodePermalink(this.#context.state().vertices)
+    const { vertices } = this.#context.state()
     const name = this.#name
-    const text = figureSvg(await this.#figure(which), name, fragment)
+    const text = figureSvg(await this.#figure(which), vertices, name)
     const title = which === 'scene' ? 'SVG' : 'SVG of the face maps'
     await this.#save(title, text, 'svg', 'image/svg+xml', which === 'scene' ? name : `${name}-face-maps`)
   }
