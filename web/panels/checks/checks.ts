@@ -1,10 +1,10 @@
 /** Other checks of this element, each against the exact verdict. */
 import { html, render, type TemplateResult } from 'lit-html'
-import { guard } from 'lit-html/directives/guard.js'
 import type { Check, CheckId, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { copyable, copyableJacdet } from '../../views/copyable'
+import { isNew } from '../../views/is-new'
 import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
 import { checks as descriptions } from './check-words'
 import css from './checks.css?inline'
@@ -37,11 +37,7 @@ class ChecksView implements View {
 
   #draw({ state, report }: Frame): void {
     const { referenceCube } = state
-    if (report)
-      render(
-        guard([report, referenceCube], () => template(report, referenceCube)),
-        this.root,
-      )
+    if (report && isNew(this.root, report, referenceCube)) render(template(report, referenceCube), this.root)
   }
 
   dispose(): void {

@@ -10,6 +10,7 @@ import { colourScaleOf, rampOf, type Theme } from '../../scene/paint/colour-map'
 import { type Palette, paletteOf } from '../../scene/paint/face-raster'
 import { figureOf } from '../../scene/paint/figure'
 import { ThemeReader } from '../../scene/paint/theme'
+import { isNew } from '../../views/is-new'
 import { inUnit } from '../../views/point-steps'
 import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../../views/view'
 import { boundsTable } from './bounds-table'
@@ -36,8 +37,6 @@ const GESTURE_SIZE = 64
 const KEYS = 'Arrow keys move the point over this face. Escape removes it. Enter shows the face’s quartic.'
 const HINT = 'Point at a map to read jacdet there, or use the arrow keys.'
 
-type Part = 'marks' | 'readout' | 'words' | 'formulas'
-
 class FaceMapsView implements View {
   readonly root = document.createElement('div')
   readonly updates: readonly Update[]
@@ -61,7 +60,6 @@ class FaceMapsView implements View {
   #lookedAt = 0
   #looked: { readonly by: 'maps' | 'marks' | 'plots'; readonly point: Vec3 } | null = null
   #polynomials: { readonly face: FaceReport; readonly of: FacePolynomials } | null = null
-  readonly #drawn = new Map<Part, readonly unknown[]>()
 
   constructor(context: ViewContext) {
     this.#context = context
@@ -194,14 +192,6 @@ class FaceMapsView implements View {
     this.#net.style.setProperty('--cell', `${cell}px`)
   }
 
-  /** True if any of it is new since the last call; remembers it. */
-  #isNew(part: Part, ...shown: unknown[]): boolean {
-    const drawn = this.#drawn.get(part)
-    if (drawn && shown.every((value, i) => value === drawn[i])) return false
-    this.#drawn.set(part, shown)
-    return true
-  }
-
   #drawMap(map: FaceMap, { state, isForPaper }: Frame, report: Report): void {
     const theme = this.#theme.read()
     if (this.#palette?.theme !== theme) this.#palette = { theme, palette: paletteOf(rampOf(theme), theme) }
@@ -221,13 +211,13 @@ class FaceMapsView implements View {
   #drawMarks({ state }: Frame, report: Report): void {
     const { probe, highlight, referenceCube } = state
     const { selectedFace } = sliceOf(faceSlice, state)
-    if (!this.#isNew('marks', report, this.#cell, probe, selectedFace, highlight, referenceCube)) return
+    if (!isNew(this.#overlay, report, this.#cell, probe, selectedFace, highlight, referenceCube)) return
     for (const { root, face } of this.#maps) root.setAttribute('aria-pressed', String(face === selectedFace))
     this.#overlay.update({ state, report, cell: this.#cell })
   }
 
   #drawReadout({ state, probe }: Frame, report: Report): void {
-    if (!this.#isNew('readout', report, probe, state.referenceCube, this.#cell, this.#lookedAt)) return
+    if (!isNew(this.#readout, report, probe, state.referenceCube, this.#cell, this.#lookedAt)) return
     const onFaces = probe === null ? [] : faces.filter((_, face) => isOnFace(face, probe.point))
     const isOn = probe !== null && onFaces.length > 0
     const value = isOn ? formatJacdet(probe.jacdet, probe.exponent, state.referenceCube) : ''
@@ -257,7 +247,7 @@ class FaceMapsView implements View {
   #drawWords({ state }: Frame, report: Report): void {
     const { referenceCube } = state
     const { selectedFace } = sliceOf(faceSlice, state)
-    if (!this.#isNew('words', report, referenceCube, selectedFace)) return
+    if (!isNew(this.#words, report, referenceCube, selectedFace)) return
     render(boundsTable(report, referenceCube, selectedFace), this.#table)
     render(quarticWords(report, report.faces[selectedFace] as FaceReport, referenceCube), this.#words)
   }
@@ -265,7 +255,7 @@ class FaceMapsView implements View {
   #drawFormulas({ state }: Frame, report: Report): void {
     const { referenceCube } = state
     const { selectedFace } = sliceOf(faceSlice, state)
-    if (!this.#isNew('formulas', report, referenceCube, selectedFace)) return
+    if (!isNew(this.#formulas, report, referenceCube, selectedFace)) return
     const face = report.faces[selectedFace] as FaceReport
     render(formulas(face, this.#polynomialsOf(face), report.exponent, referenceCube), this.#formulas)
   }

@@ -1,6 +1,5 @@
 /** The inside: its least jacdet against the boundary's, and a section, flat and in the scene. */
 import { html, render, type TemplateResult } from 'lit-html'
-import { guard } from 'lit-html/directives/guard.js'
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { formatBound, formatJacdet, formatNumber, formatPoint } from '../../model/decimal'
@@ -67,17 +66,14 @@ class InsidePanel implements View {
 
   #drawWords({ state, probe, zeroSurface }: Frame, report: Report): void {
     const { referenceCube: cube, section } = state
-    const isAtMinimum = minimizerOf(report)[section.axis] === section.value
     const isThere = zeroSurface && zeroSurface.triangles.length > 0
     const isHere = probe !== null && probe.point[section.axis] === section.value
     render(
-      html`<div>${guard([report, cube], () => minima(report, cube))}</div>
-        <div>${guard([state.faceDisplay, state.referenceShown, isThere], () => this.#placesOf(state, isThere))}</div>
-        <div>${guard([isAtMinimum, lowerInside(report) !== null, section], () => this.#controlsOf(report, section))}</div>
+      html`<div>${minima(report, cube)}</div>
+        <div>${this.#placesOf(state, isThere)}</div>
+        <div>${this.#controlsOf(report, section)}</div>
         ${this.#map.root}<span id="section-keys" class="said">${KEYS}</span>
-        <p class="readout">${guard([probe, report, section, cube], () =>
-          isHere ? readout(probe.point, probe.jacdet, probe.exponent, cube) : offSection(report, section),
-        )}</p>`,
+        <p class="readout">${isHere ? readout(probe.point, probe.jacdet, probe.exponent, cube) : offSection(report, section)}</p>`,
       this.root,
     )
   }

@@ -8,6 +8,7 @@ import type { Section, State } from '../../model/state'
 import { colourScaleInside, rampOf, type Theme } from '../../scene/paint/colour-map'
 import { type Palette, paintFace, paletteOf } from '../../scene/paint/face-raster'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
+import { isNew } from '../../views/is-new'
 import { inUnit, pointStep } from '../../views/point-steps'
 
 export interface SectionPicture {
@@ -52,7 +53,6 @@ export class SectionMap {
   #palette: { readonly theme: Theme; readonly palette: Palette } | null = null
   #section: Section = { axis: 2, value: 0.5 }
   #probe: Vec3 | null = null
-  #drawn: readonly unknown[] = []
 
   constructor(look: (point: Vec3 | null) => void) {
     this.#look = look
@@ -69,11 +69,8 @@ export class SectionMap {
     this.#section = section
     this.#probe = state.probe
     const isMoving = state.gestureStart !== null
-    const drawn = [section, report, theme, side, isMoving, state.probe, state.referenceCube]
-    if (drawn.every((value, i) => value === this.#drawn[i])) return
-    const isPainted = drawn.slice(0, 5).every((value, i) => value === this.#drawn[i])
-    this.#drawn = drawn
-    if (!isPainted) this.#paint(section, report, theme, side, isMoving)
+    if (!isNew(this, section, report, theme, side, isMoving, state.probe, state.referenceCube)) return
+    if (isNew(this.#canvas, section, report, theme, side, isMoving)) this.#paint(section, report, theme, side, isMoving)
     this.#layOut(section, side)
     this.#mark(section, report, state, side)
   }

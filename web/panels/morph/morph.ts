@@ -1,12 +1,12 @@
 /** The way between two elements: the boundary minimum along it, and the doubles at which the verdict changes. */
 import { html, render, type TemplateResult } from 'lit-html'
-import { guard } from 'lit-html/directives/guard.js'
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
 import { elementAt, placeOnWay } from '../../model/way'
 import { copyable, copyableJacdet } from '../../views/copyable'
+import { isNew } from '../../views/is-new'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './morph.css?inline'
@@ -48,12 +48,14 @@ class MorphView implements View {
     if (here !== null) this.#tau = here
     this.#graph.update(morph, here, state.referenceCube)
     const ends = sliceOf(endsSlice, state)
-    const shown = [morph, here, report, ends, state.referenceCube, state.gestureStart === null]
-    const template = () => html`<div>${this.#endsOf(ends)}</div>
-      ${this.#graph.root}
-      <div>${this.#slider(here, report, state.referenceCube)}</div>
-      <div>${this.#crossings(morph, here)}</div>`
-    render(guard(shown, template), this.root)
+    if (!isNew(this.root, morph, here, report, ends, state.referenceCube, state.gestureStart === null)) return
+    render(
+      html`<div>${this.#endsOf(ends)}</div>
+        ${this.#graph.root}
+        <div>${this.#slider(here, report, state.referenceCube)}</div>
+        <div>${this.#crossings(morph, here)}</div>`,
+      this.root,
+    )
   }
 
   dispose(): void {

@@ -1,10 +1,10 @@
 /** The least moves to the other verdict, to preview and to apply. */
 import { html, render, type TemplateResult } from 'lit-html'
-import { guard } from 'lit-html/directives/guard.js'
 import { formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import { copyable } from '../../views/copyable'
+import { isNew } from '../../views/is-new'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './nearest.css?inline'
@@ -31,11 +31,8 @@ class NearestView implements View {
     const known = nearest?.vertices === state.vertices ? nearest : null
     const valid = report?.valid ?? null
     const isMoving = state.gestureStart !== null
-    const shown = [valid, known, isMoving, state.preview, this.#applied === state.vertices]
-    render(
-      guard(shown, () => this.#template(valid, isMoving, known, state)),
-      this.root,
-    )
+    if (isNew(this.root, valid, known, isMoving, state.preview, this.#applied === state.vertices))
+      render(this.#template(valid, isMoving, known, state), this.root)
   }
 
   dispose(): void {

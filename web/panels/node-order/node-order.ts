@@ -1,10 +1,10 @@
 /** Other node orders that make a valid element of the same eight points, to preview and to use. */
 import { html, render, svg, type TemplateResult } from 'lit-html'
-import { guard } from 'lit-html/directives/guard.js'
 import type { Vertices } from '../../model/hexahedron'
 import { type NodeOrder, nodeOrders } from '../../model/node-orders'
 import type { State } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
+import { isNew } from '../../views/is-new'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './node-order.css?inline'
@@ -29,11 +29,8 @@ class NodeOrderView implements View {
     if (state.preview?.order && !state.openPanels.includes('node-order')) this.#preview(null)
     const isStale = triedOrders?.vertices !== state.vertices
     const isValid = report?.valid ?? null
-    const shown = [isValid, triedOrders, isStale, state.referenceCube, state.preview, this.#used, state.start]
-    render(
-      guard(shown, () => this.#template(isValid, isStale ? null : triedOrders, state)),
-      this.root,
-    )
+    if (isNew(this.root, isValid, triedOrders, isStale, state.referenceCube, state.preview, this.#used, state.start))
+      render(this.#template(isValid, isStale ? null : triedOrders, state), this.root)
   }
 
   dispose(): void {

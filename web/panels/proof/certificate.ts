@@ -1,10 +1,10 @@
 /** The proof of the verdict, on request, to check without this page, and the file for a checker. */
 import { html, render, type TemplateResult } from 'lit-html'
-import { guard } from 'lit-html/directives/guard.js'
 import { type Certificate, type CertifiedInterval, certificateJson } from '../../core/exact/certificate'
 import { faces } from '../../model/hexahedron'
 import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
 import { copyText } from '../../views/copy-text'
+import { isNew } from '../../views/is-new'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
@@ -55,11 +55,8 @@ class CertificateView implements View {
     const { proofShown } = sliceOf(proofSlice, state)
     this.root.hidden = report === null
     const isStale = proof !== null && proof.vertices !== state.vertices
-    const shown = [proofShown, state.referenceCube, proof, isStale, this.#copied]
-    render(
-      guard(shown, () => this.#template(proofShown, state.referenceCube, proof, isStale)),
-      this.root,
-    )
+    if (isNew(this.root, proofShown, state.referenceCube, proof, isStale, this.#copied))
+      render(this.#template(proofShown, state.referenceCube, proof, isStale), this.root)
   }
 
   dispose(): void {}

@@ -2,6 +2,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { ReadCells, Reading, ShownCell } from '../../input/reading'
 import type { Vertices } from '../../model/hexahedron'
+import { isNew } from '../../views/is-new'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import type { CellList } from './cell-list'
 import listCss from './cell-list.css?inline'
@@ -15,7 +16,6 @@ class ReadingView implements View {
   isLoading = false
   readonly #context: ViewContext
   #list: CellList | null = null
-  #drawn: readonly unknown[] = []
 
   constructor(context: ViewContext) {
     this.#context = context
@@ -28,9 +28,7 @@ class ReadingView implements View {
     const vertices = state.gestureStart ?? state.vertices
     const cell = reading?.state === 'read' ? reading.cellOf(vertices) : null
     const isValid = state.gestureStart === null ? (report?.valid ?? null) : null
-    const drawn = [reading, cell, isValid, this.#list]
-    if (drawn.every((value, i) => value === this.#drawn[i])) return
-    this.#drawn = drawn
+    if (!isNew(this.root, reading, cell, isValid, this.#list)) return
     this.#render(reading, cell, isValid)
     if (reading?.state !== 'read' || reading.cells.count === 1) this.#list = null
     else if (this.#list?.cells === reading.cells) this.#list.setShown(cell?.cell ?? null)

@@ -1,12 +1,12 @@
 /** The element as files and texts: pictures, report, other programs' formats, link, paper. */
 import { html, render, type TemplateResult } from 'lit-html'
-import { guard } from 'lit-html/directives/guard.js'
 import { version } from '../../../package.json'
 import type { Report } from '../../core/report'
 import { reportJson } from '../../core/report-json'
 import { jacdetInFull } from '../../model/decimal'
 import { copyText } from '../../views/copy-text'
 import { figurePng, figureSvg } from '../../views/figure-files'
+import { isNew } from '../../views/is-new'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Figure, FigureName, Frame, View, ViewContext } from '../../views/view'
 import { bibtex } from './formats/bibtex'
@@ -98,10 +98,7 @@ class TakeAwayView implements View {
     this.#report = report
     if (this.#done && this.#done.link !== this.#context.permalink()) this.#done = null
     const without = report === null
-    render(
-      guard([without, this.#done], () => this.#template(without)),
-      this.root,
-    )
+    if (isNew(this.root, without, this.#done)) render(this.#template(without), this.root)
   }
 
   dispose(): void {}
