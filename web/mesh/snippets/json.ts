@@ -124,6 +124,8 @@ function nodesOf(value: unknown): number[] | null {
   const [nodes, ...others] = Object.entries(value).filter(([, inner]) => Array.isArray(inner))
   if (nodes === undefined || others.length > 0 || !/node|conn|vert|ids/i.test(nodes[0])) return null
   const list = nodes[1] as unknown[]
+  // The 24 coordinates of an element, as `analyze` reads them, are no nodes, even where all are whole numbers.
+  if (nodes[0] === 'vertices' && list.length === 24) return null
   return list.length > 3 && list.every(Number.isInteger) ? (list as number[]) : null
 }
 
