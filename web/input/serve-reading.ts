@@ -9,6 +9,7 @@ import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { MissingFiles, readTogether } from '../mesh/read-together'
+import type { ReadingCore } from '../mesh/reading-core'
 import { fileOfBytes, type MeshFile } from '../mesh/source'
 import { cellClassifier } from './classify-cells'
 import { meshFileOf } from './file-reading'
@@ -27,6 +28,8 @@ const PROGRESS_INTERVAL = 100
 /** What it computes with. */
 export interface ReadingEngine {
   readonly core: CoreSources
+  /** Null where there is none; readers then do without. */
+  readonly readingCore: () => Promise<ReadingCore | null>
   readonly batchModule: () => Promise<WebAssembly.Module>
 }
 
@@ -39,7 +42,7 @@ export function serveReading(engine: ReadingEngine): void {
 }
 
 async function answer(request: ReadingRequest, engine: ReadingEngine): Promise<void> {
-  const check = await checkOf(meshOf(filesOf(request)), engine)
+  const check = await checkOf(meshOf(filesOf(request), await engine.readingCore()), engine)
   if (check.hexahedra === 0) {
     const { format, sentences } = summaryOf(check)
     throw new MeshRefusal([`Read as ${format}: no hexahedra of eight nodes.`, ...sentences].join(' '))
@@ -53,8 +56,8 @@ function filesOf(request: ReadingRequest): MeshFile[] {
   return [fileOfBytes('The text', new TextEncoder().encode(request.text))]
 }
 
-function meshOf(files: readonly MeshFile[]): Mesh {
-  const meshes = readTogether(files, { onProgress: progressOf('reading'), throwIfCancelled: () => {} })
+function meshOf(files: readonly MeshFile[], core: ReadingCore | null): Mesh {
+  const meshes = readTogether(files, { onProgress: progressOf('reading'), throwIfCancelled: () => {}, core })
   const [first, ...others] = meshes
   if (!first) throw new MeshRefusal('There is no mesh in it.')
   return joined([first, ...others])

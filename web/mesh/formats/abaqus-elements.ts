@@ -5,7 +5,7 @@ import type { AbaqusPart } from './abaqus-part'
 import { type Reading, type Section, wholeNumber } from './abaqus-reading'
 import { type AbaqusType, abaqusType, ORDER_OF_20, ORDER_OF_27 } from './abaqus-types'
 import type { IdRanges } from './id-ranges'
-import type { Runs } from './runs'
+import type { Runs } from '../runs'
 
 export function elementSection(reading: Reading): Section {
   const { parameters } = reading.keyword
