@@ -1,6 +1,7 @@
 /** One file read by the readers of web/mesh in a process of its own: prints the time it took and the memory beyond the start. */
 import { readFileSync } from 'node:fs'
 import { performance } from 'node:perf_hooks'
+import { loadReadingCore } from '../../web/core/reading-core'
 import { openMeshFile } from '../../web/cli/mesh-file'
 import { readMeshes } from '../../web/mesh/read-mesh'
 
@@ -10,11 +11,12 @@ function memory(name: 'VmHWM' | 'VmRSS'): number {
 }
 
 const path = process.argv[2] as string
+const core = await loadReadingCore(readFileSync('build/hexlens-reading.wasm'))
 const before = memory('VmRSS')
 const { file, find, close } = await openMeshFile(path, process.stdin)
 const begun = performance.now()
 const used = process.cpuUsage()
-const [mesh] = readMeshes(file, { find })
+const [mesh] = readMeshes(file, { find, core })
 const milliseconds = performance.now() - begun
 const { user, system } = process.cpuUsage(used)
 const cpu = (user + system) / 1000

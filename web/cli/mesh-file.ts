@@ -74,7 +74,8 @@ function openPath(path: string): OpenPath {
 const MOST_AT_ONCE = 2 ** 30
 
 function slice(descriptor: number, name: string, from: number, to: number): Uint8Array {
-  const bytes = new Uint8Array(to - from)
+  // Not filled with zeros first.
+  const bytes = plain(Buffer.allocUnsafeSlow(to - from))
   for (let done = 0; done < bytes.length; ) {
     const count = readSync(descriptor, bytes, done, Math.min(bytes.length - done, MOST_AT_ONCE), from + done)
     if (count === 0) throw new Refusal(`${name} has become shorter while it was read.`)

@@ -1,4 +1,5 @@
 /** Numbers of a binary file, one after the other or in bulk, of either byte order: read in pieces. Refuses what lies beyond the end. */
+import { MACHINE_IS_LITTLE_ENDIAN, swapBytes } from './endian'
 import { MeshRefusal } from './mesh'
 import type { MeshFile } from './source'
 
@@ -6,8 +7,6 @@ import type { MeshFile } from './source'
 const FIRST_PIECE = 4096
 const LARGEST_PIECE = 1024 * 1024
 const TWO_32 = 2 ** 32
-
-export const MACHINE_IS_LITTLE_ENDIAN = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1
 
 export class BinaryCursor {
   readonly #file: MeshFile
@@ -125,13 +124,13 @@ export class BinaryCursor {
       return this.#few.subarray(0, count)
     }
     const bytes = this.bytes(4 * count, what)
-    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(bytes, 4)
+    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swapBytes(bytes, 4)
     return new Int32Array(bytes.buffer)
   }
 
   float64s(count: number, what: string): Float64Array {
     const bytes = this.bytes(8 * count, what)
-    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(bytes, 8)
+    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swapBytes(bytes, 8)
     return new Float64Array(bytes.buffer)
   }
 
@@ -139,7 +138,7 @@ export class BinaryCursor {
   ints(count: number, bytes: 4 | 8, what: string): Float64Array {
     if (bytes === 4) return new Float64Array(this.int32s(count, what))
     const raw = this.bytes(8 * count, what)
-    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(raw, 8)
+    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swapBytes(raw, 8)
     const [low, high] = MACHINE_IS_LITTLE_ENDIAN ? [0, 1] : [1, 0]
     const words = new Uint32Array(raw.buffer)
     const values = new Float64Array(count)
@@ -149,19 +148,5 @@ export class BinaryCursor {
       values[i] = value
     }
     return values
-  }
-}
-
-function swap(bytes: Uint8Array, size: 4 | 8): void {
-  const words = new Uint32Array(bytes.buffer)
-  for (let i = 0; i < words.length; ++i) {
-    const word = words[i] as number
-    words[i] = (word << 24) | ((word & 0xff00) << 8) | ((word >>> 8) & 0xff00) | (word >>> 24)
-  }
-  if (size === 4) return
-  for (let i = 0; i + 1 < words.length; i += 2) {
-    const word = words[i] as number
-    words[i] = words[i + 1] as number
-    words[i + 1] = word
   }
 }

@@ -3,6 +3,7 @@
  * an error, before the first word that does not fit; who asked knows what was expected there.
  */
 import { doubleOfDigits } from './decimal'
+import type { ReadingCore } from './reading-core'
 import type { MeshFile } from './source'
 import { numberOf } from './text-cursor'
 
@@ -21,6 +22,7 @@ const POWERS_OF_TEN = Float64Array.from({ length: 23 }, (_, i) => Number(`1e${i}
 export class NumberRun {
   readonly #file: MeshFile
   readonly #to: number
+  readonly #core: ReadingCore | null
   readonly #onPiece: (position: number) => void
   #bytes: Uint8Array = new Uint8Array(0)
   /** Where `#bytes` begins in the file. */
@@ -31,10 +33,17 @@ export class NumberRun {
   mostDigits = 0
 
   /** Numbers in bytes [from, to) of the file; `onPiece` is called now and then with the byte that is next, and may throw. */
-  constructor(file: MeshFile, from: number, to: number, onPiece: (position: number) => void = () => {}) {
+  constructor(
+    file: MeshFile,
+    from: number,
+    to: number,
+    core: ReadingCore | null,
+    onPiece: (position: number) => void = () => {},
+  ) {
     this.#file = file
     this.#start = from
     this.#to = to
+    this.#core = core
     this.#onPiece = onPiece
   }
 
@@ -88,7 +97,7 @@ export class NumberRun {
       this.#fill()
       const limit = this.#safeLimit()
       const before = i
-      i = this.#numbersUpTo(limit, list, i, to)
+      i = this.#core === null ? this.#numbersUpTo(limit, list, i, to) : this.#numbersBy(this.#core, limit, list, i, to)
       if (i === before && !this.#fill()) break
     }
     return i
@@ -98,6 +107,15 @@ export class NumberRun {
   #safeLimit(): number {
     const { length } = this.#bytes
     return this.#start + length >= this.#to ? length : length - LONGEST_NUMBER
+  }
+
+  /** The one at which the core stops may be a number that it does not know. */
+  #numbersBy(core: ReadingCore, limit: number, list: Float64Array, from: number, to: number): number {
+    const { count, bytes, mostDigits } = core.numbers(this.#bytes, this.#at, limit, list, from, to)
+    this.#at += bytes
+    this.mostDigits = Math.max(this.mostDigits, mostDigits)
+    const next = from + count
+    return this.#numbersUpTo(limit, list, next, Math.min(to, next + 1))
   }
 
   #numbersUpTo(limit: number, list: Float64Array, from: number, to: number): number {
@@ -186,6 +204,11 @@ export class NumberRun {
       const limit = this.#safeLimit()
       const before = i
       const bytes = this.#bytes
+      if (this.#core !== null) {
+        const { count, bytes: used } = this.#core.indices(bytes, this.#at, limit, list, i, to)
+        this.#at += used
+        i += count
+      }
       let at = this.#at
       for (; i < to; ++i) {
         at = afterBlanks(bytes, at)

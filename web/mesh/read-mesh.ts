@@ -18,6 +18,7 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
     find: options.find ?? (() => null),
     onProgress: options.onProgress ?? (() => {}),
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),
+    core: options.core ?? null,
   }
   const here = named(file)
   if (here.size === 0) throw new MeshRefusal(`${here.name}: the file is empty.`)

@@ -1,5 +1,6 @@
 /** Files as readers see them: bytes that are read when they are asked for, in a worker or in Node. */
 import type { Mesh } from './mesh'
+import type { ReadingCore } from './reading-core'
 
 export interface MeshFile {
   readonly name: string
@@ -17,6 +18,8 @@ export interface ReadOptions {
   readonly onProgress: (part: number) => void
   /** Throws if the reading is no longer wanted. */
   readonly throwIfCancelled: () => void
+  /** What does the slow parts by wasm; null where that may not run. */
+  readonly core: ReadingCore | null
 }
 
 /** One of the formats: a file of its own in formats/. */

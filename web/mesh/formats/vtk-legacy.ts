@@ -2,13 +2,14 @@
  * VTK's legacy files, versions 1 to 5: unstructured grids, and structured and rectilinear grids and structured points, whose cells are
  * implied; in text, several after each other, or in big-endian binary.
  */
+import { swapBytes } from '../endian'
 import { type CoordinatePlaces, type Mesh, MeshRefusal } from '../mesh'
 import { lineAt, NumberRun } from '../number-run'
 import { isEllipsis } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 import { MOST_IMPLIED_CELLS, type Precision, VtkMesh } from './vtk-mesh'
-import { NUMBER_SIZES, type NumberList, type NumberType, putNumbers, swapBytes } from './vtu-arrays'
+import { alignedTo, NUMBER_SIZES, type NumberList, type NumberType, putNumbers } from './vtu-arrays'
 
 const CHUNK = 1024 * 1024
 const FIRST_PIECE = 4096
@@ -235,7 +236,7 @@ class LegacyDataset {
 
   #triple(): [number, number, number] {
     const three = new Float64Array(3)
-    const run = new NumberRun(this.#file, this.#cursor.position, this.#file.size)
+    const run = new NumberRun(this.#file, this.#cursor.position, this.#file.size, this.#options.core)
     if (run.numbers(three, 0, 3) < 3)
       this.#refuseAt(run.position, `${shown(run.nextWord())} stands where a number was expected.`)
     this.#cursor.goTo({ position: run.position })
@@ -255,7 +256,7 @@ class LegacyDataset {
     if (this.isBinary) return this.#binaryList(count, type, make, what)
     const from = this.#cursor.position
     const list = make(Math.min(count, Math.ceil((this.#file.size - from) / 2)))
-    const run = new NumberRun(this.#file, from, this.#file.size, position => this.#report(position))
+    const run = new NumberRun(this.#file, from, this.#file.size, this.#options.core, position => this.#report(position))
     const filled = list instanceof Float64Array ? run.numbers(list, 0, list.length) : run.indices(list, 0, list.length)
     this.#digits = Math.max(this.#digits, run.mostDigits)
     if (filled < count) {
@@ -284,7 +285,7 @@ class LegacyDataset {
     const list = make(count)
     for (let filled = 0; filled < count; ) {
       const bytes = this.#file.read(at, Math.min(end, at + CHUNK))
-      const aligned = bytes.byteOffset % size === 0 ? bytes : bytes.slice()
+      const aligned = alignedTo(size, bytes)
       swapBytes(aligned, size)
       const bad = putNumbers(type, aligned, list, filled)
       if (bad !== null)
@@ -435,7 +436,7 @@ class LegacyDataset {
   }
 
   #passNumbers(count: number): void {
-    const run = new NumberRun(this.#file, this.#cursor.position, this.#file.size)
+    const run = new NumberRun(this.#file, this.#cursor.position, this.#file.size, this.#options.core)
     const some = new Float64Array(1024)
     for (let left = count; left > 0; left -= some.length) {
       const part = Math.min(left, some.length)

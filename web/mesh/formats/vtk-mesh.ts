@@ -262,6 +262,7 @@ export class VtkMesh {
   }
 
   #precisionNote(points: Float64Array): void {
+    if (!this.#isFloat32 && this.#digits === 0) return
     const note = this.#isFloat32 ? float32Note(largestOf(points)) : printedDigits(this.#digits, points).note()
     if (note !== null) this.note(note)
   }

@@ -5,8 +5,10 @@
 import { DamagedStream, unzlib } from '../codecs/inflate'
 import { unlz4 } from '../codecs/lz4'
 import { unxz } from '../codecs/xz'
+import { MACHINE_IS_LITTLE_ENDIAN, swapBytes } from '../endian'
 import { MeshRefusal } from '../mesh'
 import { lineAt, NumberRun } from '../number-run'
+import type { ReadingCore } from '../reading-core'
 import { isEllipsis } from '../snippet-text'
 import type { MeshFile, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
@@ -66,10 +68,13 @@ export interface ReadArray<T extends NumberList> {
   readonly digits: number
 }
 
-export const decompressors: Readonly<Record<string, (input: Uint8Array, output: Uint8Array) => void>> = {
-  vtkZLibDataCompressor: unzlib,
-  vtkLZ4DataCompressor: unlz4,
-  vtkLZMADataCompressor: unxz,
+/** What inflates the blocks of a file; undefined for a compressor that VTK does not have. */
+export function decompressorNamed(name: string, core: ReadingCore | null): Storage['decompress'] | undefined {
+  if (name === 'vtkLZ4DataCompressor') return unlz4
+  if (name === 'vtkLZMADataCompressor') return unxz
+  if (name !== 'vtkZLibDataCompressor') return undefined
+  // What is wrong with a stream is found out here.
+  return (input, output) => core?.unzlib(input, output) || unzlib(input, output)
 }
 
 /** So many bytes are made numbers at once; a multiple of all sizes. */
@@ -106,7 +111,7 @@ function readText<T extends NumberList>(
 ): ReadArray<T> {
   // A number and a blank are two bytes.
   const list = make(Math.min(count, Math.ceil((array.to - array.from) / 2)))
-  const run = new NumberRun(file, array.from, array.to, position => {
+  const run = new NumberRun(file, array.from, array.to, options.core, position => {
     options.throwIfCancelled()
     options.onProgress(position / file.size)
   })
@@ -278,7 +283,7 @@ class BinaryArray<T extends NumberList> {
     this.#source = this.#open()
     // What is there allows so much; if more comes out of it, the list grows with it.
     const allowed = Math.floor((ALWAYS_ALLOWED + 8 * this.#source.left) / 8)
-    this.#list = make(Math.min(count, allowed))
+    this.#list = make(this.#canBeViewed() ? 0 : Math.min(count, allowed))
   }
 
   #refuse(what: string): never {
@@ -338,11 +343,27 @@ class BinaryArray<T extends NumberList> {
     }
   }
 
+  /** Whether the bytes of the file are the list. */
+  #canBeViewed(): boolean {
+    const { isLittleEndian, decompress } = this.#storage
+    return (
+      this.#array.type === 'Float64' &&
+      this.#source instanceof RawBytes &&
+      isLittleEndian === MACHINE_IS_LITTLE_ENDIAN &&
+      decompress === null
+    )
+  }
+
   #readPlain(): void {
     const bytes = this.#header(1)[0] as number
     this.#checkLength(bytes)
     if (bytes > this.#source.left)
       this.#refuse(`needs ${bytes} bytes from here on, and the file has ${this.#source.left}: it is cut off.`)
+    if (this.#canBeViewed()) {
+      const { buffer, byteOffset, byteLength } = alignedTo(this.#size, this.#take(bytes))
+      this.#list = new Float64Array(buffer, byteOffset, byteLength / this.#size) as T
+      return
+    }
     for (let left = bytes; left > 0; ) {
       const chunk = this.#take(Math.min(left, CHUNK))
       left -= chunk.length
@@ -398,7 +419,7 @@ class BinaryArray<T extends NumberList> {
       longer.set(this.#list as never)
       this.#list = longer
     }
-    const aligned = bytes.byteOffset % this.#size === 0 ? bytes : bytes.slice()
+    const aligned = alignedTo(this.#size, bytes)
     if (!this.#storage.isLittleEndian) swapBytes(aligned, this.#size)
     const bad = putNumbers(this.#array.type, aligned, this.#list, this.#filled)
     if (bad !== null)
@@ -407,16 +428,9 @@ class BinaryArray<T extends NumberList> {
   }
 }
 
-/** Turns the bytes of each number of `size` bytes around. */
-export function swapBytes(bytes: Uint8Array, size: number): void {
-  if (size === 1) return
-  for (let at = 0; at < bytes.length; at += size) {
-    for (let low = at, high = at + size - 1; low < high; ++low, --high) {
-      const byte = bytes[low] as number
-      bytes[low] = bytes[high] as number
-      bytes[high] = byte
-    }
-  }
+/** The bytes, at a multiple of `size` in their buffer. */
+export function alignedTo(size: number, bytes: Uint8Array): Uint8Array {
+  return bytes.byteOffset % size === 0 ? bytes : bytes.slice()
 }
 
 /**

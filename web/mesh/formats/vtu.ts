@@ -9,7 +9,7 @@ import { XmlScanner, type XmlTag } from '../xml-scanner'
 import { VtkMesh } from './vtk-mesh'
 import {
   type DataArray,
-  decompressors,
+  decompressorNamed,
   NUMBER_SIZES,
   type NumberType,
   type ReadArray,
@@ -344,7 +344,7 @@ function storageOf(scanner: XmlScanner, file: MeshFile, options: ReadOptions, { 
   if (headerType !== 'UInt32' && headerType !== 'UInt64')
     scanner.refuse(from, `the header type is ${shown(headerType)}: UInt32 or UInt64 was expected.`)
   const compressor = attributes.get('compressor') ?? ''
-  const decompress = compressor === '' ? null : decompressors[compressor]
+  const decompress = compressor === '' ? null : decompressorNamed(compressor, options.core)
   if (decompress === undefined)
     scanner.refuse(
       from,
