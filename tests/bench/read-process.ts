@@ -1,8 +1,8 @@
 /** One file read by the readers of web/mesh in a process of its own: prints the time it took and the memory beyond the start. */
 import { readFileSync } from 'node:fs'
 import { performance } from 'node:perf_hooks'
-import { loadReadingCore } from '../../web/core/reading-core'
 import { openMeshFile } from '../../web/cli/mesh-file'
+import { loadReadingCore } from '../../web/core/reading-core'
 import { readMeshes } from '../../web/mesh/read-mesh'
 
 /** In kilobytes, as Linux knows them. */

@@ -50,7 +50,7 @@ function withTruePlaces(mesh: Mesh): Mesh {
 
 /** The file with the name under which people are told of it. */
 function named(file: MeshFile): MeshFile {
-  return { name: shown(file.name).slice(1, -1), size: file.size, read: (from, to) => file.read(from, to) }
+  return { name: shown(file.name).slice(1, -1), size: file.size, read: (from, to, into) => file.read(from, to, into) }
 }
 
 function headOf(file: MeshFile): Uint8Array {

@@ -26,10 +26,17 @@ export function isText(head: Uint8Array): boolean {
 }
 
 const latin1 = new TextDecoder('latin1')
+/** Each format looks at the same head. */
+const texts = new WeakMap<Uint8Array, string>()
 
 /** The first bytes of a file as text in which marks of a format are looked for. */
 export function headText(head: Uint8Array, most = head.length): string {
-  return latin1.decode(head.subarray(0, most))
+  let text = texts.get(head)
+  if (text === undefined) {
+    text = latin1.decode(head)
+    texts.set(head, text)
+  }
+  return text.slice(0, most)
 }
 
 const LONGEST_ELLIPSIS = 200

@@ -5,8 +5,8 @@ import type { ReadingCore } from './reading-core'
 export interface MeshFile {
   readonly name: string
   readonly size: number
-  /** A copy of the bytes [from, to), which must lie in the file. */
-  read(from: number, to: number): Uint8Array
+  /** A copy of the bytes [from, to), which must lie in the file; it may be in `into`, if that is given, which is as long at least. */
+  read(from: number, to: number, into?: Uint8Array): Uint8Array
 }
 
 /** What was dropped or lies beside the file, by its name as the file writes it; null for what is not there. */

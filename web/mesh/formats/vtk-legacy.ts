@@ -2,16 +2,15 @@
  * VTK's legacy files, versions 1 to 5: unstructured grids, and structured and rectilinear grids and structured points, whose cells are
  * implied; in text, several after each other, or in big-endian binary.
  */
-import { swapBytes } from '../endian'
 import { type CoordinatePlaces, type Mesh, MeshRefusal } from '../mesh'
 import { lineAt, NumberRun } from '../number-run'
-import { isEllipsis } from '../snippet-text'
+import { headText, isEllipsis } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
-import { MOST_IMPLIED_CELLS, type Precision, VtkMesh } from './vtk-mesh'
+import { firstFall, MOST_IMPLIED_CELLS, type Precision, VtkMesh } from './vtk-mesh'
 import { alignedTo, NUMBER_SIZES, type NumberList, type NumberType, putNumbers } from './vtu-arrays'
 
-const CHUNK = 1024 * 1024
+const CHUNK = 256 * 1024
 const FIRST_PIECE = 4096
 const MAGIC = '# vtk DataFile Version'
 /** A part of a file that somebody has cut out begins with one of its sections. */
@@ -46,7 +45,7 @@ export const vtkLegacy: MeshFormat = {
   name: 'VTK',
 
   recognizes(head, name) {
-    const text = new TextDecoder('latin1').decode(head)
+    const text = headText(head)
     if (/^(?:\u00ef\u00bb\u00bf)?\s*# vtk DataFile/i.test(text)) return 'yes'
     return name.endsWith('.vtk') || /^# vtk DataFile/im.test(text) || SECTION.test(text) ? 'maybe' : 'no'
   },
@@ -283,11 +282,10 @@ class LegacyDataset {
       this.#refuseAt(at, `${has}: the file is cut off.`)
     }
     const list = make(count)
+    const piece = new Uint8Array(Math.min(CHUNK, size * count))
     for (let filled = 0; filled < count; ) {
-      const bytes = this.#file.read(at, Math.min(end, at + CHUNK))
-      const aligned = alignedTo(size, bytes)
-      swapBytes(aligned, size)
-      const bad = putNumbers(type, aligned, list, filled)
+      const bytes = this.#file.read(at, Math.min(end, at + CHUNK), piece)
+      const bad = putNumbers(type, alignedTo(size, bytes), true, list, filled)
       if (bad !== null)
         this.#refuseAt(
           at + size * bad.at,
@@ -386,7 +384,7 @@ class LegacyDataset {
       this.#refuse(`${shown(keyword)} stands where CONNECTIVITY was expected.`)
     const connectivity = this.#list(size, this.#typeOf(this.#cursor.word()), uint32, 'index')
     if (offsets.length > 0 && offsets[0] !== 0) this.#refuse(`the first offset is ${offsets[0]}, where 0 was expected.`)
-    const falling = offsets.findIndex((offset, i) => i > 0 && offset < (offsets[i - 1] as number))
+    const falling = firstFall(offsets)
     if (falling > 0)
       this.#refuse(`offset ${falling} is ${offsets[falling]}, less than ${offsets[falling - 1]}, the one before.`)
     const isElided = offsets.length < count || connectivity.length < size

@@ -144,6 +144,11 @@ export class VtkMesh {
         counts[type] = (counts[type] as number) + 1
         continue
       }
+      if (type === 12 && size === 8 && largestOfEight(connectivity, start) < pointCount) {
+        if (filled !== start) for (let i = 0; i < 8; ++i) connectivity[filled + i] = connectivity[start + i] as number
+        filled += 8
+        continue
+      }
       let isWhole = true
       for (let at = start; at < end; ++at) {
         const point = connectivity[at] as number
@@ -153,11 +158,6 @@ export class VtkMesh {
       }
       if (!isWhole) {
         missing++
-        continue
-      }
-      if (type === 12 && size === 8) {
-        if (filled !== start) for (let i = 0; i < 8; ++i) connectivity[filled + i] = connectivity[start + i] as number
-        filled += 8
         continue
       }
       const known = vtkCellTypes.get(type)
@@ -289,6 +289,18 @@ export class VtkMesh {
       steps: this.steps,
     }
   }
+}
+
+function largestOfEight(list: Uint32Array, from: number): number {
+  let largest = list[from] as number
+  for (let at = from + 1; at < from + 8; ++at) if ((list[at] as number) > largest) largest = list[at] as number
+  return largest
+}
+
+/** The place of the first number that is less than the one before; -1 if there is none. */
+export function firstFall(list: Uint32Array): number {
+  for (let i = 1; i < list.length; ++i) if ((list[i] as number) < (list[i - 1] as number)) return i
+  return -1
 }
 
 function joined<T extends Float64Array | Uint32Array>(parts: T[], make: (length: number) => T): T {

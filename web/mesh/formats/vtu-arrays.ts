@@ -5,7 +5,7 @@
 import { DamagedStream, unzlib } from '../codecs/inflate'
 import { unlz4 } from '../codecs/lz4'
 import { unxz } from '../codecs/xz'
-import { MACHINE_IS_LITTLE_ENDIAN, swapBytes } from '../endian'
+import { copySwapped, MACHINE_IS_LITTLE_ENDIAN, swapBytes, swappedWord } from '../endian'
 import { MeshRefusal } from '../mesh'
 import { lineAt, NumberRun } from '../number-run'
 import type { ReadingCore } from '../reading-core'
@@ -78,7 +78,7 @@ export function decompressorNamed(name: string, core: ReadingCore | null): Stora
 }
 
 /** So many bytes are made numbers at once; a multiple of all sizes. */
-const CHUNK = 1024 * 1024
+const CHUNK = 256 * 1024
 const ALWAYS_ALLOWED = 64 * 1024 * 1024
 
 /**
@@ -141,6 +141,7 @@ interface ByteSource {
 }
 
 class RawBytes implements ByteSource {
+  #piece = new Uint8Array(0)
   constructor(
     private readonly file: MeshFile,
     public position: number,
@@ -149,7 +150,15 @@ class RawBytes implements ByteSource {
     return this.file.size - this.position
   }
   take(count: number): Uint8Array {
-    const bytes = this.file.read(this.position, this.position + count)
+    if (count <= CHUNK && count > this.#piece.length) this.#piece = new Uint8Array(count)
+    return this.#read(count, count <= CHUNK ? this.#piece : undefined)
+  }
+  /** In memory that nothing else uses. */
+  takeAll(count: number): Uint8Array {
+    return this.#read(count)
+  }
+  #read(count: number, into?: Uint8Array): Uint8Array {
+    const bytes = this.file.read(this.position, this.position + count, into)
     this.position += count
     return bytes
   }
@@ -359,8 +368,8 @@ class BinaryArray<T extends NumberList> {
     this.#checkLength(bytes)
     if (bytes > this.#source.left)
       this.#refuse(`needs ${bytes} bytes from here on, and the file has ${this.#source.left}: it is cut off.`)
-    if (this.#canBeViewed()) {
-      const { buffer, byteOffset, byteLength } = alignedTo(this.#size, this.#take(bytes))
+    if (this.#source instanceof RawBytes && this.#canBeViewed()) {
+      const { buffer, byteOffset, byteLength } = alignedTo(this.#size, this.#source.takeAll(bytes))
       this.#list = new Float64Array(buffer, byteOffset, byteLength / this.#size) as T
       return
     }
@@ -420,8 +429,7 @@ class BinaryArray<T extends NumberList> {
       this.#list = longer
     }
     const aligned = alignedTo(this.#size, bytes)
-    if (!this.#storage.isLittleEndian) swapBytes(aligned, this.#size)
-    const bad = putNumbers(this.#array.type, aligned, this.#list, this.#filled)
+    const bad = putNumbers(this.#array.type, aligned, !this.#storage.isLittleEndian, this.#list, this.#filled)
     if (bad !== null)
       this.#refuse(`has ${bad.value} as its number ${this.#filled + bad.at}, where an index from 0 on was expected.`)
     this.#filled += count
@@ -434,18 +442,29 @@ export function alignedTo(size: number, bytes: Uint8Array): Uint8Array {
 }
 
 /**
- * Puts little-endian numbers into a list from place `from` on. For a list of whole numbers the first that is negative, not whole or too
- * large is returned, with its place; coordinates may be anything.
+ * Puts numbers into a list from place `from` on, little-endian ones or, if `isSwapped`, others, whose bytes are then turned around. For a
+ * list of whole numbers the first that is negative, not whole or too large is returned, with its place; coordinates may be anything.
  */
 export function putNumbers(
   type: NumberType,
   bytes: Uint8Array,
+  isSwapped: boolean,
   list: NumberList,
   from: number,
 ): { at: number; value: string } | null {
   const { buffer, byteOffset, length } = bytes
   const count = length / NUMBER_SIZES[type]
-  if (type === 'Int64' || type === 'UInt64') {
+  const isLong = type === 'Int64' || type === 'UInt64'
+  if (isLong && list instanceof Uint32Array && putLowHalves(bytes, isSwapped, list, from)) return null
+  if (isSwapped && type === 'Float64' && list instanceof Float64Array) {
+    copySwapped(
+      new Uint32Array(buffer, byteOffset, 2 * count),
+      new Uint32Array(list.buffer, list.byteOffset + 8 * from, 2 * count),
+    )
+    return null
+  }
+  if (isSwapped) swapBytes(bytes, NUMBER_SIZES[type])
+  if (isLong) {
     const halves = new Uint32Array(buffer, byteOffset, 2 * count)
     if (list instanceof Float64Array) {
       const isSigned = type === 'Int64'
@@ -476,6 +495,23 @@ export function putNumbers(
     list[from + i] = value
   }
   return null
+}
+
+/** Of integers of 64 bits; false if one of them has more. */
+function putLowHalves(bytes: Uint8Array, isSwapped: boolean, list: Uint32Array, from: number): boolean {
+  const halves = new Uint32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4)
+  let high = 0
+  if (isSwapped)
+    for (let i = 0, to = from; i < halves.length; i += 2, ++to) {
+      high |= halves[i] as number
+      list[to] = swappedWord(halves[i + 1] as number)
+    }
+  else
+    for (let i = 0, to = from; i < halves.length; i += 2, ++to) {
+      high |= halves[i + 1] as number
+      list[to] = halves[i] as number
+    }
+  return high === 0
 }
 
 function viewOf(type: Exclude<NumberType, 'Int64' | 'UInt64'>, buffer: ArrayBuffer, offset: number, count: number) {
