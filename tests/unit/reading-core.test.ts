@@ -184,7 +184,7 @@ test('whole numbers up to the largest of the list', () => {
 describe('rows', () => {
   const read = (text: string, pattern: string) => {
     const bytes = bytesOf(text)
-    const row = new RowPattern(pattern)
+    const row = new RowPattern(pattern.split(' '))
     const { count, bytes: used, numbers, places } = core.rows(bytes, 0, bytes.length, row)
     const words = Array.from(places.subarray(0, count * row.realCount), place =>
       text.slice(place & 0xffffff, (place & 0xffffff) + (place >>> 24)),
@@ -209,12 +209,12 @@ describe('rows', () => {
 
   test('in columns, whose exponents may have no letter', () => {
     const text = 'GRID           1           1.0-3-1.5    .25\nGRID    2                      1       2\n'
-    expect(read(text, 'GRID8 whole8 blank8 real8 real8 real8 end')).toEqual({
+    expect(read(text, '=GRID blank4 whole8 blank8 real8 real8 real8 end')).toEqual({
       numbers: [1, 0.001, -1.5, 0.25],
       rest: 'GRID    2                      1       2\n',
       words: ['1.0-3', '-1.5', '.25'],
     })
-    expect(read(text.slice(0, -1), 'GRID8 whole8 blank8 real8 real8 real8 end').rest).toBe(text.slice(44, -1))
+    expect(read(text.slice(0, -1), '=GRID blank4 whole8 blank8 real8 real8 real8 end').rest).toBe(text.slice(44, -1))
   })
 
   test('that the text cuts are not taken', () => {

@@ -6,7 +6,7 @@ export interface Taken {
   readonly count: number
   /** Bytes from where it began to behind the last of them. */
   readonly bytes: number
-  /** Significant digits of numbers with a point or an exponent: the most, and the most of one that is no double. */
+  /** Significant digits of real numbers, in runs those with a point or an exponent: the most, and the most of one that is no double. */
   readonly mostDigits: number
   readonly mostRounded: number
 }
@@ -47,13 +47,17 @@ export class RowPattern {
   readonly lineCount: number
 
   /**
-   * Parts between blanks: "end" of the line, ","; "whole" and "real" numbers, each with the width of its columns or none; "blank8": so many
-   * columns; and words as they are, in capitals, which are as wide as their last number says: "GRID8".
+   * Parts: "end" of the line, ","; "whole" and "real" numbers, each with the width of its columns or, between blanks or commas, none; "blank8",
+   * so many columns; and what begins with "=": the bytes behind it.
    */
-  constructor(text: string) {
+  constructor(rowParts: readonly string[]) {
     const bytes: number[] = []
     let [wholes, reals, lines] = [0, 0, 0]
-    for (const part of text.split(' ')) {
+    for (const part of rowParts) {
+      if (part.startsWith('=')) {
+        bytes.push(BYTES, part.length - 1, ...new TextEncoder().encode(part.slice(1)))
+        continue
+      }
       const [, name = '', digits = ''] = /^(\D+)(\d*)$/.exec(part) ?? []
       const width = Number(digits)
       if (name === 'end') {
@@ -64,14 +68,62 @@ export class RowPattern {
       else if (name === 'whole') {
         bytes.push(WHOLE, width)
         wholes++
-      } else if (name === 'real') {
+      } else {
         bytes.push(REAL, width)
         reals++
-      } else bytes.push(BYTES, width, ...new TextEncoder().encode(name.padEnd(width)))
+      }
     }
     this.bytes = Uint8Array.from(bytes)
     this.numberCount = wholes + reals
     this.realCount = reals
     this.lineCount = lines
+  }
+}
+
+/** Rows with where they lie. */
+export interface FileRows extends TakenRows {
+  readonly pattern: RowPattern
+  /** The byte of the file at which they begin, from which `places` count. */
+  readonly start: number
+  /** The line of the file in which they begin. */
+  readonly line: number
+}
+
+/** Where in the file the real number of this index begins, and how many bytes it has. */
+export function placeOfReal({ start, places }: FileRows, index: number): readonly [from: number, length: number] {
+  const place = places[index] as number
+  return [start + (place & 0xffffff), place >>> 24]
+}
+
+const FEWEST_BYTES = 2048
+const MOST_BYTES = 1024 * 1024
+/** So many records are read without looking for rows, if they were none before. */
+const MOST_PASSED = 63
+
+/** How far ahead it is worth to look for rows: farther each time they were there, and seldom where they were not. */
+export class RowSearch {
+  readonly #core: ReadingCore | null
+  #bytes = FEWEST_BYTES
+  #passed = 0
+  #left = 0
+
+  constructor(core: ReadingCore | null) {
+    this.#core = core
+  }
+
+  /** Rows of the pattern from byte `at` on; null if there are none, or it is not worth to look. */
+  rows(bytes: Uint8Array, at: number, pattern: RowPattern): TakenRows | null {
+    if (this.#core === null || this.#left-- > 0) return null
+    const taken = this.#core.rows(bytes, at, Math.min(bytes.length, at + this.#bytes), pattern)
+    if (taken.count === 0) {
+      this.#bytes = FEWEST_BYTES
+      this.#passed = Math.min(2 * this.#passed + 1, MOST_PASSED)
+      this.#left = this.#passed
+      return null
+    }
+    this.#bytes = Math.min(2 * this.#bytes, MOST_BYTES)
+    this.#passed = 0
+    this.#left = 0
+    return taken
   }
 }

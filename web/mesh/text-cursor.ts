@@ -4,6 +4,7 @@
  */
 import { doubleOfDigits } from './decimal'
 import { MeshRefusal } from './mesh'
+import type { FileRows, RowPattern, RowSearch } from './reading-core'
 import type { MeshFile } from './source'
 
 const PIECE = 4 * 1024 * 1024
@@ -142,6 +143,17 @@ export class TextCursor {
     this.#at += length
     if (this.peek() === LF) this.skip()
     return line.endsWith('\r') ? line.slice(0, -1) : line
+  }
+
+  /** Rows of a pattern from here on; they are passed. Null where none is seen. */
+  rows(search: RowSearch, pattern: RowPattern): FileRows | null {
+    this.#fill()
+    const [start, line] = [this.position, this.#line]
+    const taken = search.rows(this.#bytes, this.#at, pattern)
+    if (taken === null) return null
+    this.#at += taken.bytes
+    this.#line += taken.count * pattern.lineCount
+    return { ...taken, pattern, start, line }
   }
 
   /** What is ahead in the line, at most so many bytes; it is not passed. */

@@ -18,7 +18,6 @@ static inline bool ends_word(const uint8_t *at, const uint8_t *end)
 
 static void note_digits(hl_taken *taken, const hl_decimal *number)
 {
-    if (number->is_whole) return;
     const uint32_t digits = (uint32_t)number->digits;
     if (digits > taken->most_digits) taken->most_digits = digits;
     if (digits > taken->most_rounded && !hl_is_exact(number)) taken->most_rounded = digits;
@@ -38,7 +37,7 @@ hl_taken hl_numbers(const uint8_t *from, const uint8_t *limit, const uint8_t *en
         /* What is so long may be cut at `end`. */
         if (at == NULL || !ends_word(at, end) || at - first > LONGEST_WORD) break;
         list[taken.count++] = hl_double_of(&number);
-        note_digits(&taken, &number);
+        if (!number.is_whole) note_digits(&taken, &number);
         last = at;
     }
     taken.bytes = (uint32_t)(last - from);

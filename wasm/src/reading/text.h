@@ -10,7 +10,7 @@
 typedef struct hl_taken {
     uint32_t count; /* numbers of a run, rows of a table */
     uint32_t bytes; /* from the beginning to behind the last of them */
-    /* Significant digits of numbers with a point or an exponent: the most, and the most of one that is no double. */
+    /* Significant digits of real numbers, in runs those with a point or an exponent: the most, and the most of one that is no double. */
     uint32_t most_digits, most_rounded;
 } hl_taken;
 

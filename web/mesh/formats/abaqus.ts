@@ -4,6 +4,7 @@
  */
 import type { Mesh } from '../mesh'
 import { PrintedDigits } from '../precision'
+import { type FileRows, RowPattern } from '../reading-core'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
@@ -26,6 +27,14 @@ const REFUSED = new Set([
 ])
 
 const passOver = () => {}
+
+const NODE_ROW = new RowPattern(['whole', ',', 'real', ',', 'real', ',', 'real', 'end'])
+const HEXAHEDRON_ROW = new RowPattern(['whole', ...Array.from({ length: 8 }, () => [',', 'whole']).flat(), 'end'])
+
+/** The first number of each row. */
+function addFirst({ pattern, count, numbers }: FileRows, ids: IdRanges): void {
+  for (let row = 0; row < count; ++row) ids.add(numbers[pattern.numberCount * row] as number)
+}
 
 interface Instance {
   readonly name: string
@@ -237,6 +246,13 @@ class AbaqusReader {
   #nodeLine(ids: IdRanges | null, isCylindrical: boolean): void {
     const lines = this.#lines
     const model = this.#part.model
+    const rows = this.#isFar ? null : lines.rows(NODE_ROW)
+    if (rows !== null) {
+      model.defineRows(lines, rows)
+      this.#precision.seeAll(rows)
+      if (ids !== null) addFirst(rows, ids)
+      return
+    }
     lines.splitAtCommas()
     const id = lines.id(0, 'a node number')
     if (lines.fieldCount > 8 || (lines.fieldCount === 8 && !lines.isFieldBlank(7)))
@@ -453,6 +469,13 @@ class AbaqusReader {
     }
     this.#readLine = () => {
       const lines = this.#lines
+      const rows = id < 0 && type.kind === 'hexahedron' ? lines.rows(HEXAHEDRON_ROW) : null
+      if (rows !== null) {
+        const first = model.addRows(rows)
+        for (let row = 0; row < rows.count; ++row) into?.cells.add(first + row)
+        if (into !== null) addFirst(rows, into.ids)
+        return
+      }
       lines.splitAtCommas()
       let fields = lines.fieldCount
       const goesOn = lines.isFieldBlank(fields - 1)

@@ -5,6 +5,7 @@
 import { doubleOfDigits } from '../decimal'
 import { MeshRefusal } from '../mesh'
 import type { PrintedDigits } from '../precision'
+import { type FileRows, type RowPattern, RowSearch } from '../reading-core'
 import type { MeshFile, ReadOptions } from '../source'
 import { numberOf, shown } from '../text-cursor'
 
@@ -27,6 +28,7 @@ export class TextLines {
   #next = 0
   #indent = 0
   #isHeld = false
+  readonly #rowSearch: RowSearch
 
   bytes = new Uint8Array(0)
   /** The line is the bytes [from, to), without its end and the blanks before that. */
@@ -47,6 +49,7 @@ export class TextLines {
   constructor(file: MeshFile, options: ReadOptions) {
     this.file = file
     this.#options = options
+    this.#rowSearch = new RowSearch(options.core)
     this.#lookForIndent()
   }
 
@@ -101,6 +104,20 @@ export class TextLines {
     if (!this.#nextRaw()) return false
     if (this.#indent > 0) this.from = Math.min(this.to, this.from + this.#indent)
     return true
+  }
+
+  /** Rows of a pattern that begin with this line; they are passed. Null where none is seen. */
+  rows(pattern: RowPattern): FileRows | null {
+    if (this.#indent > 0) return null
+    const at = this.from
+    const taken = this.#rowSearch.rows(this.bytes, at, pattern)
+    if (taken === null) return null
+    const line = this.number
+    this.#next = at + taken.bytes
+    this.number += taken.count * pattern.lineCount - 1
+    this.from = this.#next - 1
+    this.to = this.from
+    return { ...taken, pattern, start: this.#start + at, line }
   }
 
   #nextRaw(): boolean {

@@ -24,7 +24,9 @@ export class TypedList<T extends Numbers> {
     this.values = longer
   }
 
+  /** All of it; the list may no longer be changed then. */
   whole(): T {
-    return this.values.slice(0, this.length) as T
+    const values = this.values.subarray(0, this.length)
+    return (2 * this.length < this.values.length ? values.slice() : values) as T
   }
 }
