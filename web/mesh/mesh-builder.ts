@@ -1,6 +1,8 @@
 /** Puts a mesh together from what a reader meets: points by the file's ids or in a row, cells of any type, names. */
+import { IdIndex } from './id-index'
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
-import { NodeIds } from './node-ids'
+import { PlaceList } from './place-list'
+import { Runs } from './runs'
 
 /** What other cells are called, and how many nodes they have, where that is fixed. */
 export type OtherCell =
@@ -43,8 +45,10 @@ class Growing<T extends Float64Array | Uint32Array | Uint16Array> {
     longer.set(this.#list.subarray(0, this.#length) as never)
     this.#list = longer
   }
+  /** All of it; it may no longer be changed then. */
   whole(): T {
-    return (this.#length === this.#list.length ? this.#list : this.#list.slice(0, this.#length)) as T
+    const list = this.#list.subarray(0, this.#length)
+    return (2 * this.#length < this.#list.length ? list.slice() : list) as T
   }
 }
 
@@ -54,13 +58,15 @@ export class MeshBuilder {
   readonly #points = new Growing(length => new Float64Array(length))
   readonly #cells = new Growing(length => new Uint32Array(length))
   readonly #corners = new Growing(length => new Uint32Array(length))
-  readonly #tokensFrom = new Growing(length => new Float64Array(length))
+  readonly #tokensFrom = new PlaceList()
   readonly #tokenLengths = new Growing(length => new Uint16Array(length))
-  readonly #ids: (number | string)[] = []
-  readonly #blocks = new Map<string, number[]>()
+  readonly #ids = new Growing(length => new Float64Array(length))
+  /** All ids so far, if one of them is no number. */
+  #names: string[] | null = null
+  readonly #blocks = new Map<string, Runs>()
   readonly #other = new Map<string, number>()
   readonly #notes: string[] = []
-  readonly #pointOfId = new NodeIds()
+  readonly #pointOfId = new IdIndex()
   #straight: number | null = null
   isOrderStated = true
   isCutOff = false
@@ -111,17 +117,18 @@ export class MeshBuilder {
 
   /** A point that the file calls `id`. Refuses an id that is there already with other coordinates. */
   pointWithId(id: number, x: number, y: number, z: number): void {
-    if (!this.#pointOfId.add(id, this.pointCount)) this.refuse(`node ${id} is defined twice.`)
+    if (this.hasPointWithId(id)) this.refuse(`node ${id} is defined twice.`)
+    this.#pointOfId.set(id, this.pointCount)
     this.point(x, y, z)
   }
 
   hasPointWithId(id: number): boolean {
-    return this.#pointOfId.indexOf(id) >= 0
+    return this.#pointOfId.get(id) >= 0
   }
 
   /** The point of this id, -1 if there is none. */
   findId(id: number): number {
-    return this.#pointOfId.indexOf(id)
+    return this.#pointOfId.get(id)
   }
 
   /** Refuses an id that no point has. */
@@ -134,8 +141,19 @@ export class MeshBuilder {
   /** A cell of eight nodes, indices of points in VTK_HEXAHEDRON order; its id may be null. Returns its index. */
   hexahedron(indices: readonly number[], id: number | string | null = null): number {
     for (const index of indices) this.#cells.push(index)
-    if (id !== null) this.#ids.push(id)
+    if (id !== null) this.#addId(id)
     return this.cellCount - 1
+  }
+
+  #addId(id: number | string): void {
+    if (this.#names === null && typeof id === 'string') this.#names = Array.from(this.#ids.whole(), String)
+    if (this.#names === null) this.#ids.push(id as number)
+    else this.#names.push(String(id))
+  }
+
+  #allIds(): Float64Array | readonly string[] | null {
+    const ids = this.#names ?? this.#ids.whole()
+    return ids.length === this.cellCount && this.cellCount > 0 ? ids : null
   }
 
   /** The eight corners of a cell that is not trilinear; whether its further nodes lie at the middles, or null if that was not looked at. */
@@ -150,9 +168,12 @@ export class MeshBuilder {
 
   /** Puts a cell into the block, part or set of this name. */
   inBlock(name: string, cell: number): void {
-    const cells = this.#blocks.get(name)
-    if (cells) cells.push(cell)
-    else this.#blocks.set(name, [cell])
+    let cells = this.#blocks.get(name)
+    if (cells === undefined) {
+      cells = new Runs()
+      this.#blocks.set(name, cells)
+    }
+    cells.add(cell)
   }
 
   note(sentence: string): void {
@@ -161,7 +182,7 @@ export class MeshBuilder {
 
   #tokens(): CoordinatePlaces | null {
     if (this.#tokensFrom.length !== this.#points.length || this.pointCount === 0) return null
-    return { kind: 'tokens', from: this.#tokensFrom.whole(), lengths: this.#tokenLengths.whole() }
+    return { kind: 'tokens', from: this.#tokensFrom.upTo(this.#points.length), lengths: this.#tokenLengths.whole() }
   }
 
   /** The mesh. Refuses an index out of range. */
@@ -175,17 +196,12 @@ export class MeshBuilder {
       if (bad >= 0)
         this.refuse(`cell ${Math.floor(bad / 8)} names point ${list[bad]}; the points are 0 to ${count - 1}.`)
     }
-    const ids = this.#ids.length === this.cellCount && this.cellCount > 0 ? this.#ids : null
-    const areNumbers = ids?.every(id => typeof id === 'number') ?? false
-    const blocks: Block[] = [...this.#blocks].map(([name, list]) => ({
-      name,
-      cells: isAscending(list) ? Uint32Array.from(list) : Uint32Array.from(new Set(list)).sort(),
-    }))
+    const blocks: Block[] = [...this.#blocks].map(([name, runs]) => ({ name, cells: runs.sorted() }))
     return {
       format: this.#format,
       points,
       cells,
-      ids: ids === null ? null : areNumbers ? Float64Array.from(ids as number[]) : ids.map(String),
+      ids: this.#allIds(),
       blocks,
       notTrilinear: corners.length > 0 ? { corners, straight: this.#straight } : NOTHING_NOT_TRILINEAR,
       other: this.#other,
@@ -196,9 +212,4 @@ export class MeshBuilder {
       steps: this.steps,
     }
   }
-}
-
-function isAscending(list: readonly number[]): boolean {
-  for (let i = 1; i < list.length; ++i) if ((list[i] as number) <= (list[i - 1] as number)) return false
-  return true
 }

@@ -1,10 +1,10 @@
 /** A part of an Abaqus model: its nodes and elements, its sets, and what is generated from them. */
 import type { OtherCell } from '../mesh-builder'
 import { shown } from '../text-cursor'
-import { IdIndex } from './id-index'
+import { IdIndex } from '../id-index'
 import { countOf, IdOrder, type IdRange, IdRanges, mergedRanges } from './id-ranges'
 import { MOST_IMPLIED, type Move, NodeModel } from './node-model'
-import { Runs } from './runs'
+import { Runs } from '../runs'
 import type { TextLines } from './text-lines'
 import { TypedList } from './typed-list'
 

@@ -14,7 +14,7 @@ import { type AbaqusType, abaqusType, ORDER_OF_20, ORDER_OF_27 } from './abaqus-
 import type { IdRanges } from './id-ranges'
 import { cross, type Frame, minus, outOfFrame, type Rotation, rigidMove, scaled, unit, type Vector } from './movement'
 import { collect, type Placement } from './node-model'
-import type { Runs } from './runs'
+import type { Runs } from '../runs'
 import { TextLines } from './text-lines'
 
 const STAR = 42

@@ -5,7 +5,7 @@ import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { collect, NodeModel } from './node-model'
-import { Runs } from './runs'
+import { Runs } from '../runs'
 import { TextLines } from './text-lines'
 
 const [SPACE, DOLLAR, STAR] = [32, 36, 42] as const

@@ -11,7 +11,7 @@ import type { Vector } from './movement'
 import { addFields, Card, GRID_X, type LineLayout, plainMnemonic, shortText, splitCard } from './nastran-card'
 import { type FrameKind, Frames } from './nastran-frames'
 import { collect, NodeModel } from './node-model'
-import { Runs } from './runs'
+import { Runs } from '../runs'
 import { TextLines } from './text-lines'
 
 const DEEPEST_INCLUDE = 16
