@@ -2,6 +2,7 @@
 import { MeshBuilder } from '../mesh-builder'
 import { areAtMiddles } from '../middles'
 import { PrintedDigits } from '../precision'
+import type { FileRows } from '../reading-core'
 import type { GmshType } from './gmsh-types'
 
 /** What can say where in the file it is: a cursor. */
@@ -32,6 +33,24 @@ export class GmshMesh {
   node(place: Place, id: number, x: number, y: number, z: number): void {
     if (this.builder.findId(id) >= 0) place.refuse(`node ${id} is defined twice.`)
     this.builder.pointWithId(id, x, y, z)
+  }
+
+  /** Nodes of rows that end with three coordinates, whose ids stand first or are given. */
+  nodeRows(place: Place, rows: FileRows, ids: ArrayLike<number> | null = null, from = 0): void {
+    const { pattern, count, numbers, places, start } = rows
+    let largest = 0
+    for (let row = 0; row < count; ++row) {
+      const at = pattern.numberCount * (row + 1) - 3
+      const id = (ids === null ? numbers[pattern.numberCount * row] : ids[from + row]) as number
+      const [x, y, z] = [numbers[at] as number, numbers[at + 1] as number, numbers[at + 2] as number]
+      this.node(place, id, x, y, z)
+      largest = Math.max(largest, Math.abs(x), Math.abs(y), Math.abs(z))
+      for (let axis = 0; axis < 3; ++axis) {
+        const token = places[3 * row + axis] as number
+        this.builder.coordinateToken(start + (token & 0xffffff), token >>> 24)
+      }
+    }
+    this.digits.seeRounded(rows.mostRounded, largest)
   }
 
   nameGroup(dimension: number | null, tag: number, name: string): void {

@@ -247,7 +247,9 @@ class GmshReader {
   }
 
   #text(): GmshText {
-    return new GmshText(this.#cursor, this.#mesh, this.#isSnippet, position => this.#onRecord(position))
+    return new GmshText(this.#cursor, this.#mesh, this.#isSnippet, this.#options.core, position =>
+      this.#onRecord(position),
+    )
   }
 
   #nodes(name: string): void {

@@ -62,6 +62,7 @@ class MeditReader {
       endsSection: cursor => isKeyword(cursor.peekLine(LINE_HEAD)),
       hasComments: true,
       hasEnds: false,
+      core: options.core,
       onRecord: position => {
         if (this.#seen++ % 65_536 > 0) return
         this.#options.throwIfCancelled()

@@ -84,6 +84,7 @@ class MfemReader {
       endsSection: ahead => isSection(ahead.peekLine(LINE_HEAD)),
       hasComments: true,
       hasEnds: false,
+      core: options.core,
       onRecord: position => {
         if (this.#seen++ % 65_536 > 0) return
         this.#options.throwIfCancelled()
