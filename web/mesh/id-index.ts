@@ -14,6 +14,8 @@ export class IdIndex {
   #near = new Uint32Array(0)
   #base = 0
   #nearCount = 0
+  /** The array may reach as far as if there were so many ids already. */
+  #expected = 0
   #nearLeast = Number.POSITIVE_INFINITY
   #nearMost = -1
   #far: Map<number, number>[] | null = null
@@ -25,6 +27,11 @@ export class IdIndex {
 
   get count(): number {
     return this.#nearCount + this.#farCount
+  }
+
+  /** So many ids may come: no more than there is memory for, 16 bytes each. */
+  expect(count: number): void {
+    this.#expected = Math.max(this.#expected, count)
   }
 
   /** The place of an id, or -1. */
@@ -40,7 +47,7 @@ export class IdIndex {
     if (!(at >= 0 && at < this.#near.length)) {
       const least = Math.min(this.#nearLeast, id)
       const most = Math.max(this.#nearMost, id)
-      if (most - least >= SPARSEST * this.#nearCount + SOME) {
+      if (most - least >= SPARSEST * Math.max(this.#nearCount, this.#expected) + SOME) {
         this.#setFar(id, place)
         return
       }

@@ -2,7 +2,9 @@
 import { IdIndex } from './id-index'
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
 import { PlaceList } from './place-list'
+import type { FileRows } from './reading-core'
 import { Runs } from './runs'
+import { TypedList } from './typed-list'
 
 /** What other cells are called, and how many nodes they have, where that is fixed. */
 export type OtherCell =
@@ -17,50 +19,15 @@ export type OtherCell =
   | 'polyhedron'
   | 'other'
 
-/** A list of numbers that grows. */
-class Growing<T extends Float64Array | Uint32Array | Uint16Array> {
-  #list: T
-  #length = 0
-  constructor(private readonly make: (length: number) => T) {
-    this.#list = make(1024)
-  }
-  push(value: number): void {
-    if (this.#length === this.#list.length) {
-      const longer = this.make(2 * this.#length)
-      longer.set(this.#list as never)
-      this.#list = longer
-    }
-    this.#list[this.#length++] = value
-  }
-  get length(): number {
-    return this.#length
-  }
-  at(index: number): number {
-    return this.#list[index] as number
-  }
-  /** Makes place for so many more; nobody may ask for more than the size of the file allows. */
-  reserve(more: number): void {
-    if (this.#length + more <= this.#list.length) return
-    const longer = this.make(this.#length + more)
-    longer.set(this.#list.subarray(0, this.#length) as never)
-    this.#list = longer
-  }
-  /** All of it; it may no longer be changed then. */
-  whole(): T {
-    const list = this.#list.subarray(0, this.#length)
-    return (2 * this.#length < this.#list.length ? list.slice() : list) as T
-  }
-}
-
 export class MeshBuilder {
   readonly #format: string
   readonly #fileName: string
-  readonly #points = new Growing(length => new Float64Array(length))
-  readonly #cells = new Growing(length => new Uint32Array(length))
-  readonly #corners = new Growing(length => new Uint32Array(length))
+  readonly #points = new TypedList(Float64Array)
+  readonly #cells = new TypedList(Uint32Array)
+  readonly #corners = new TypedList(Uint32Array)
   readonly #tokensFrom = new PlaceList()
-  readonly #tokenLengths = new Growing(length => new Uint16Array(length))
-  readonly #ids = new Growing(length => new Float64Array(length))
+  readonly #tokenLengths = new TypedList(Uint16Array)
+  readonly #ids = new TypedList(Float64Array)
   /** All ids so far, if one of them is no number. */
   #names: string[] | null = null
   readonly #blocks = new Map<string, Runs>()
@@ -98,13 +65,26 @@ export class MeshBuilder {
 
   /** Coordinate 0, 1 or 2 of a point that is there. */
   coordinate(point: number, axis: number): number {
-    return this.#points.at(3 * point + axis)
+    return this.#points.values[3 * point + axis] as number
   }
 
   /** Makes place for so many more points and cells, where the size of the file allows them. */
   reserve(points: number, cells: number): void {
-    this.#points.reserve(3 * points)
-    this.#cells.reserve(8 * cells)
+    this.#points.reserve(this.#points.length + 3 * points)
+    this.#cells.reserve(this.#cells.length + 8 * cells)
+  }
+
+  /** Makes place for the rows of nodes or hexahedra that may be ahead. */
+  expectRows({ count, ahead }: FileRows, what: 'nodes' | 'hexahedra'): void {
+    if (what === 'hexahedra') {
+      this.#cells.reserveMore(8 * count, 8 * ahead)
+      this.#ids.reserveMore(count, ahead)
+      return
+    }
+    this.#pointOfId.expect(this.pointCount + ahead)
+    this.#points.reserveMore(3 * count, 3 * ahead)
+    this.#tokensFrom.reserve(3 * (this.pointCount + count), 3 * (this.pointCount + ahead))
+    this.#tokenLengths.reserveMore(3 * count, 3 * ahead)
   }
 
   /** The next point in a row; returns its index. */

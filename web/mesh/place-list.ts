@@ -21,6 +21,11 @@ export class PlaceList {
     return this.#values.subarray(0, count)
   }
 
+  /** Room for `count` in all, and where there is none for `expected`. */
+  reserve(count: number, expected: number): void {
+    if (count > this.#values.length) this.#grow(Math.max(count, expected))
+  }
+
   #grow(count: number): void {
     const length = Math.max(count, 2 * this.#values.length)
     const longer = this.#values instanceof Uint32Array ? new Uint32Array(length) : new Float64Array(length)

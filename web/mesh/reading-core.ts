@@ -87,6 +87,13 @@ export interface FileRows extends TakenRows {
   readonly start: number
   /** The line of the file in which they begin. */
   readonly line: number
+  /** So many rows the file has at most from here on, if the others are as long. */
+  readonly ahead: number
+}
+
+/** Of rows that begin at byte `start` of a file of `size` bytes. */
+export function rowsAhead({ count, bytes }: TakenRows, start: number, size: number): number {
+  return Math.ceil(((size - start) / bytes) * count)
 }
 
 /** Where in the file the real number of this index begins, and how many bytes it has. */

@@ -4,7 +4,7 @@
  */
 import { doubleOfDigits } from './decimal'
 import { MeshRefusal } from './mesh'
-import type { FileRows, RowPattern, RowSearch } from './reading-core'
+import { type FileRows, type RowPattern, type RowSearch, rowsAhead } from './reading-core'
 import type { MeshFile } from './source'
 
 const PIECE = 4 * 1024 * 1024
@@ -153,7 +153,7 @@ export class TextCursor {
     if (taken === null) return null
     this.#at += taken.bytes
     this.#line += taken.count * pattern.lineCount
-    return { ...taken, pattern, start, line }
+    return { ...taken, pattern, start, line, ahead: rowsAhead(taken, start, this.#file.size) }
   }
 
   /** What is ahead in the line, at most so many bytes; it is not passed. */

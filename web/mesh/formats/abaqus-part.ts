@@ -6,7 +6,7 @@ import { countOf, IdOrder, type IdRange, IdRanges, mergedRanges } from './id-ran
 import { MOST_IMPLIED, type Move, NodeModel } from './node-model'
 import { Runs } from '../runs'
 import type { TextLines } from './text-lines'
-import { TypedList } from './typed-list'
+import { TypedList } from '../typed-list'
 
 interface NodeSet {
   readonly ids: IdRanges

@@ -39,6 +39,7 @@ export class GmshMesh {
   nodeRows(place: Place, rows: FileRows, ids: ArrayLike<number> | null = null, from = 0): void {
     const { pattern, count, numbers, places, start } = rows
     let largest = 0
+    this.builder.expectRows(rows, 'nodes')
     for (let row = 0; row < count; ++row) {
       const at = pattern.numberCount * (row + 1) - 3
       const id = (ids === null ? numbers[pattern.numberCount * row] : ids[from + row]) as number

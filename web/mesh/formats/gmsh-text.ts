@@ -6,7 +6,7 @@ import { LINE_HEAD, TextRecords } from '../text-records'
 import type { Version } from './gmsh-binary'
 import type { GmshMesh } from './gmsh-mesh'
 import { type GmshType, gmshTypes } from './gmsh-types'
-import { TypedList } from './typed-list'
+import { TypedList } from '../typed-list'
 
 const DOLLAR = 36
 const HEXAHEDRON_TYPE = '5'
@@ -209,6 +209,7 @@ export class GmshText {
     if (rows === null) return 0
     const { pattern, count, numbers } = rows
     const tagCount = pattern.numberCount - 9
+    this.#mesh.builder.expectRows(rows, 'hexahedra')
     for (let row = 0; row < count; ++row) {
       const at = pattern.numberCount * row
       const group = tagCount > 0 ? (numbers[at + 1] as number) : 0
@@ -282,6 +283,7 @@ export class GmshText {
         if (rows !== null) {
           if (whole + rows.count > elements)
             cursor.refuse(`a block of ${elements} elements has more lines of ${rows.pattern.numberCount} numbers.`)
+          this.#mesh.builder.expectRows(rows, 'hexahedra')
           for (let row = 0; row < rows.count; ++row) this.#hexahedron(rows, row, names)
           whole += rows.count - 1
           records.onRecord()

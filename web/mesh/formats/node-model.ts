@@ -19,7 +19,7 @@ import { IdIndex } from '../id-index'
 import { Runs } from '../runs'
 import type { TextLines } from './text-lines'
 import { PlaceList } from '../place-list'
-import { TypedList } from './typed-list'
+import { TypedList } from '../typed-list'
 
 /** Generated or repeated points and cells, as implied ones. */
 export const MOST_IMPLIED = 50_000_000
@@ -147,8 +147,15 @@ export class NodeModel {
 
   /** Nodes of rows that begin with the id and end with the coordinates; `onSlot` is given their slots. */
   defineRows(lines: TextLines, rows: FileRows, onSlot: (slot: number) => void = () => {}): void {
-    const { pattern, count, numbers, places, line, start } = rows
+    const { pattern, count, numbers, places, line, start, ahead } = rows
     const width = pattern.numberCount
+    this.#index.expect(this.nodeCount + ahead)
+    this.points.reserveMore(3 * count, 3 * ahead)
+    this.nodeIds.reserveMore(count, ahead)
+    if (this.#hasPlaces) {
+      this.#placeFrom.reserve(3 * (this.nodeCount + count), 3 * ahead)
+      this.#placeLength.reserveMore(3 * (this.nodeCount + count) - this.#placeLength.length, 3 * (this.nodeCount + ahead))
+    }
     for (let row = 0; row < count; ++row) {
       const at = width * (row + 1) - 3
       const [x, y, z] = [numbers[at] as number, numbers[at + 1] as number, numbers[at + 2] as number]
@@ -162,8 +169,10 @@ export class NodeModel {
   }
 
   /** Hexahedra of rows that begin with the id and end with the eight nodes; returns the index of the first. */
-  addRows({ pattern, count, numbers }: FileRows): number {
+  addRows({ pattern, count, numbers, ahead }: FileRows): number {
     const first = this.cellCount
+    this.cells.reserveMore(8 * count, 8 * ahead)
+    this.cellIds.reserveMore(count, ahead)
     const width = pattern.numberCount
     for (let row = 0; row < count; ++row) {
       const at = width * (row + 1) - 8

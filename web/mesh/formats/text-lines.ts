@@ -5,7 +5,7 @@
 import { doubleOfDigits } from '../decimal'
 import { MeshRefusal } from '../mesh'
 import type { PrintedDigits } from '../precision'
-import { type FileRows, type RowPattern, RowSearch } from '../reading-core'
+import { type FileRows, type RowPattern, RowSearch, rowsAhead } from '../reading-core'
 import type { MeshFile, ReadOptions } from '../source'
 import { numberOf, shown } from '../text-cursor'
 
@@ -117,7 +117,8 @@ export class TextLines {
     this.number += taken.count * pattern.lineCount - 1
     this.from = this.#next - 1
     this.to = this.from
-    return { ...taken, pattern, start: this.#start + at, line }
+    const start = this.#start + at
+    return { ...taken, pattern, start, line, ahead: rowsAhead(taken, start, this.file.size) }
   }
 
   #nextRaw(): boolean {
