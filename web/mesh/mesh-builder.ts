@@ -70,6 +70,7 @@ export class MeshBuilder {
 
   /** Makes place for so many more points and cells, where the size of the file allows them. */
   reserve(points: number, cells: number): void {
+    this.#pointOfId.expect(this.pointCount + points)
     this.#points.reserve(this.#points.length + 3 * points)
     this.#cells.reserve(this.#cells.length + 8 * cells)
   }

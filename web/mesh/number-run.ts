@@ -3,6 +3,7 @@
  * an error, before the first word that does not fit; who asked knows what was expected there.
  */
 import { doubleOfDigits } from './decimal'
+import { FilePiece } from './file-piece'
 import type { ReadingCore } from './reading-core'
 import type { MeshFile } from './source'
 import { numberOf } from './text-cursor'
@@ -25,6 +26,7 @@ export class NumberRun {
   readonly #core: ReadingCore | null
   readonly #onPiece: (position: number) => void
   #bytes: Uint8Array = new Uint8Array(0)
+  readonly #memory = new FilePiece()
   /** Where `#bytes` begins in the file. */
   #start: number
   #at = 0
@@ -76,14 +78,7 @@ export class NumberRun {
     if (had > LONGEST_NUMBER || more <= 0) return false
     this.#onPiece(this.position)
     this.#piece = Math.min(PIECE, 2 * this.#piece)
-    const read = this.#file.read(from, from + more)
-    if (had === 0) this.#bytes = read
-    else {
-      const bytes = new Uint8Array(had + more)
-      bytes.set(this.#bytes.subarray(this.#at))
-      bytes.set(read, had)
-      this.#bytes = bytes
-    }
+    this.#bytes = this.#memory.next(this.#file, this.#bytes.subarray(this.#at), from, from + more)
     this.#start += this.#at
     if (had === 0) this.#start = from
     this.#at = 0

@@ -3,11 +3,12 @@
  * of other characters are part of words.
  */
 import { doubleOfDigits } from './decimal'
+import { FilePiece } from './file-piece'
 import { MeshRefusal } from './mesh'
 import { type FileRows, type RowPattern, type RowSearch, rowsAhead } from './reading-core'
 import type { MeshFile } from './source'
 
-const PIECE = 4 * 1024 * 1024
+const PIECE = 1024 * 1024
 /** A word or a number is no longer. */
 const LONGEST_WORD = 4096
 /** A line that is asked for as text is no longer. */
@@ -22,6 +23,7 @@ const decoder = new TextDecoder('latin1')
 
 export class TextCursor {
   readonly #file: MeshFile
+  readonly #piece = new FilePiece()
   #bytes = new Uint8Array(0)
   /** Where `#bytes` begins in the file. */
   #start = 0
@@ -78,12 +80,9 @@ export class TextCursor {
     const left = this.#bytes.length - this.#at
     if (left >= ahead || this.#start + this.#bytes.length >= this.#file.size) return
     const from = this.#start + this.#bytes.length
-    const more = this.#file.read(from, Math.min(this.#file.size, from + Math.max(PIECE, ahead)))
-    const bytes = new Uint8Array(left + more.length)
-    bytes.set(this.#bytes.subarray(this.#at))
-    bytes.set(more, left)
+    const to = Math.min(this.#file.size, from + Math.max(PIECE, ahead))
+    this.#bytes = this.#piece.next(this.#file, this.#bytes.subarray(this.#at), from, to)
     this.#start += this.#at
-    this.#bytes = bytes
     this.#at = 0
   }
 

@@ -458,13 +458,15 @@ class AbaqusReader {
       if (type.kind === 'hexahedron') {
         const cell = model.addHexahedron(id, slots)
         into?.cells.add(cell)
-      } else
+      } else {
+        const order = type.nodes === 27 ? ORDER_OF_27 : ORDER_OF_20
         model.addQuadratic(
           id,
           slots,
-          (type.nodes === 27 ? ORDER_OF_27 : ORDER_OF_20).map(at => (at < count ? at : -1)),
+          order.map(at => (at < count ? at : -1)),
         )
-      into?.ids.add(id)
+        into?.ids.add(id)
+      }
       id = -1
     }
     this.#readLine = () => {
@@ -473,7 +475,6 @@ class AbaqusReader {
       if (rows !== null) {
         const first = model.addRows(rows)
         for (let row = 0; row < rows.count; ++row) into?.cells.add(first + row)
-        if (into !== null) addFirst(rows, into.ids)
         return
       }
       lines.splitAtCommas()

@@ -167,8 +167,13 @@ class NastranReader {
       return true
     }
     const first = this.#model.addRows(rows)
-    for (let row = 0; row < count; ++row)
-      this.#model.block(`PID ${numbers[pattern.numberCount * row + 1]}`).add(first + row)
+    let [last, cells] = [-1, new Runs()]
+    for (let row = 0; row < count; ++row) {
+      const property = numbers[pattern.numberCount * row + 1] as number
+      if (property !== last) cells = this.#model.block(`PID ${property}`)
+      last = property
+      cells.add(first + row)
+    }
     return true
   }
 

@@ -4,12 +4,13 @@
  */
 import { doubleOfDigits } from '../decimal'
 import { MeshRefusal } from '../mesh'
+import { FilePiece } from '../file-piece'
 import type { PrintedDigits } from '../precision'
 import { type FileRows, type RowPattern, RowSearch, rowsAhead } from '../reading-core'
 import type { MeshFile, ReadOptions } from '../source'
 import { numberOf, shown } from '../text-cursor'
 
-const PIECE = 4 * 1024 * 1024
+const PIECE = 1024 * 1024
 const LONGEST_LINE = 1024 * 1024
 const HEAD = 65_536
 
@@ -30,6 +31,9 @@ export class TextLines {
   #isHeld = false
   readonly #rowSearch: RowSearch
 
+  readonly #piece = new FilePiece()
+
+  /** They are others when the next line has been read. */
   bytes = new Uint8Array(0)
   /** The line is the bytes [from, to), without its end and the blanks before that. */
   from = 0
@@ -156,13 +160,9 @@ export class TextLines {
     this.#options.throwIfCancelled()
     this.#options.onProgress(begin / size)
     const left = this.bytes.length - this.#next
-    const more = this.file.read(begin, Math.min(size, begin + PIECE))
-    const bytes = new Uint8Array(left + more.length)
-    bytes.set(this.bytes.subarray(this.#next))
-    bytes.set(more, left)
+    this.bytes = this.#piece.next(this.file, this.bytes.subarray(this.#next), begin, Math.min(size, begin + PIECE))
     this.#start += this.#next
     this.#next = 0
-    this.bytes = bytes
     if (left > LONGEST_LINE) this.refuse('the line is longer than lines of a mesh are.', this.number + 1)
   }
 

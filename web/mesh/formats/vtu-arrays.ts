@@ -6,6 +6,7 @@ import { DamagedStream, unzlib } from '../codecs/inflate'
 import { unlz4 } from '../codecs/lz4'
 import { unxz } from '../codecs/xz'
 import { copySwapped, MACHINE_IS_LITTLE_ENDIAN, swapBytes, swappedWord } from '../endian'
+import { FilePiece } from '../file-piece'
 import { MeshRefusal } from '../mesh'
 import { lineAt, NumberRun } from '../number-run'
 import type { ReadingCore } from '../reading-core'
@@ -176,6 +177,7 @@ for (const blank of [9, 10, 13, 32]) BASE64[blank] = BLANK
 /** Each four digits are three bytes; with padding, which may stand in the middle where streams follow each other, one or two. */
 class Base64Bytes implements ByteSource {
   #text = new Uint8Array(0)
+  readonly #memory = new FilePiece()
   #textStart: number
   #at = 0
   /** How much text is read next: short arrays read no more than they need. */
@@ -224,11 +226,8 @@ class Base64Bytes implements ByteSource {
     const more = Math.min(this.#piece, this.to - from)
     if (had >= 64 || more <= 0) return
     this.#piece = Math.min(CHUNK, 2 * this.#piece)
-    const text = new Uint8Array(had + more)
-    text.set(this.#text.subarray(this.#at))
-    text.set(this.file.read(from, from + more), had)
+    this.#text = this.#memory.next(this.file, this.#text.subarray(this.#at), from, from + more)
     this.#textStart += this.#at
-    this.#text = text
     this.#at = 0
   }
 
