@@ -119,6 +119,21 @@ export class MeshBuilder {
     return index
   }
 
+  /** A cell of the points with the eight ids `nodes[from]` and following; -1, and nothing is added, if one of them is not there. */
+  hexahedronByIds(nodes: ArrayLike<number>, from: number, id: number): number {
+    const { length } = this.#cells
+    this.#cells.reserve(length + 8)
+    const { values } = this.#cells
+    for (let i = 0; i < 8; ++i) {
+      const index = this.#pointOfId.get(nodes[from + i] as number)
+      if (index < 0) return -1
+      values[length + i] = index
+    }
+    this.#cells.length = length + 8
+    this.#addId(id)
+    return this.cellCount - 1
+  }
+
   /** A cell of eight nodes, indices of points in VTK_HEXAHEDRON order; its id may be null. Returns its index. */
   hexahedron(indices: readonly number[], id: number | string | null = null): number {
     for (const index of indices) this.#cells.push(index)

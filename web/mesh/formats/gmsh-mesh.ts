@@ -98,6 +98,13 @@ export class GmshMesh {
     from: number,
     blocks: readonly string[],
   ): void {
+    if (kind === 'hexahedron') {
+      const cell = this.builder.hexahedronByIds(nodes, from, id)
+      if (cell >= 0) {
+        for (const block of blocks) this.builder.inBlock(block, cell)
+        return
+      }
+    }
     const indices = this.#indices
     indices.length = count
     for (let i = 0; i < count; ++i) {
@@ -109,13 +116,10 @@ export class GmshMesh {
       }
       indices[i] = index
     }
-    if (kind === 'hexahedron') {
-      const cell = this.builder.hexahedron(indices, id)
-      for (const block of blocks) this.builder.inBlock(block, cell)
-    } else if (kind === 'curved') {
+    if (kind === 'curved') {
       const corners = indices.slice(0, 8)
       const at = (point: number, axis: number) => this.builder.coordinate(point, axis)
       this.builder.notTrilinear(corners, areAtMiddles(at, corners, indices.slice(8)))
-    } else this.builder.otherCell(kind)
+    } else if (kind !== 'hexahedron') this.builder.otherCell(kind)
   }
 }

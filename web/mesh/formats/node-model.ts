@@ -174,11 +174,15 @@ export class NodeModel {
     this.cells.reserveMore(8 * count, 8 * ahead)
     this.cellIds.reserveMore(count, ahead)
     const width = pattern.numberCount
+    const [cells, ids] = [this.cells.values, this.cellIds.values]
+    let next = this.cells.length
     for (let row = 0; row < count; ++row) {
       const at = width * (row + 1) - 8
-      for (let v = 0; v < 8; ++v) this.cells.push(this.slot(numbers[at + v] as number))
-      this.cellIds.push(numbers[width * row] as number)
+      for (let v = 0; v < 8; ++v) cells[next++] = this.slot(numbers[at + v] as number)
+      ids[first + row] = numbers[width * row] as number
     }
+    this.cells.length = next
+    this.cellIds.length = first + count
     return first
   }
 
