@@ -18,6 +18,7 @@ const TWIN = './hexlens.twin.js'
 const insides = {
   [source('element/core-sources.ts')]: source('package/core-inside.ts'),
   [source('cli/read-core.ts')]: source('element/fetch-core.ts'),
+  [source('cli/read-reading-core.ts')]: source('package/reading-inside.ts'),
   [source('cli/batch-sources.ts')]: source('package/batch-inside.ts'),
   [source('element/page-parts.ts')]: source('package/no-page-parts.ts'),
   [source('views/paste/start-reading-worker.ts')]: source('package/no-reading-worker.ts'),

@@ -11,15 +11,12 @@ function memory(name: 'VmHWM' | 'VmRSS'): number {
 }
 
 const path = process.argv[2] as string
-const core = await loadReadingCore(readFileSync('build/hexlens-reading.wasm'))
+const core = await loadReadingCore(readFileSync(new URL('../hexlens-reading.wasm', import.meta.url)))
 const before = memory('VmRSS')
 const { file, find, close } = await openMeshFile(path, process.stdin)
 const begun = performance.now()
-const used = process.cpuUsage()
 const [mesh] = readMeshes(file, { find, core })
 const milliseconds = performance.now() - begun
-const { user, system } = process.cpuUsage(used)
-const cpu = (user + system) / 1000
 close()
 if (!mesh) throw new Error(`${path} has no mesh.`)
 const { points, cells, ids } = mesh
@@ -27,7 +24,6 @@ const arrays = points.byteLength + cells.byteLength + (ids instanceof Float64Arr
 console.log(
   JSON.stringify({
     milliseconds,
-    cpu,
     megabytes: (memory('VmHWM') - before) / 1024,
     arrays: arrays / 2 ** 20,
     hexahedra: cells.length / 8,

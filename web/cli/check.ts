@@ -5,6 +5,7 @@ import { checkMesh, type ExitStatus, exitOf, gravestExit, type MeshCheck } from 
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import { readMeshes } from '../mesh/read-mesh'
+import type { ReadingCore } from '../mesh/reading-core'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
 import { openMeshFile } from './mesh-file'
@@ -17,6 +18,7 @@ import { textOutput } from './outputs/text'
 import { vtuOutput } from './outputs/vtu'
 import { ProgressLine } from './progress'
 import { fetchCore } from './read-core'
+import { fetchReadingCore } from './read-reading-core'
 import { FileSink } from './sink'
 import { Buffered, Refusal, type Streams } from './streams'
 
@@ -35,13 +37,13 @@ export async function check(args: readonly string[], streams: Streams): Promise<
   const outputs = outputsOf(wanted, streams, say)
   const exits: ExitStatus[] = []
   let current = ''
-  const core = await fetchCore()
+  const [core, readingCore] = await Promise.all([fetchCore(), fetchReadingCore()])
   const cells = await startCellClassifier(({ done, total }) => progress.show(`${current}: deciding`, done / total))
   try {
     for (const file of wanted.files) {
       current = withoutControls(file)
       const lists = Object.assign({}, ...outputs.map(({ output }) => output.lists))
-      const result = await resultOf(file, { wanted, lists, core, cells, streams, progress })
+      const result = await resultOf(file, { wanted, lists, core, readingCore, cells, streams, progress })
       exits.push(result.exit)
       progress.clear()
       if ('error' in result && wanted.ids !== null) say(result.error)
@@ -64,6 +66,7 @@ interface Work {
   readonly wanted: CheckArguments
   readonly lists: Output['lists']
   readonly core: Core
+  readonly readingCore: ReadingCore | null
   readonly cells: CellClassifier
   readonly streams: Streams
   readonly progress: ProgressLine
@@ -86,12 +89,17 @@ function isAboutMemory({ message }: RangeError): boolean {
   return /allocation failed|array length|memory/i.test(message)
 }
 
-async function meshOf(path: string, { wanted, streams, progress }: Work): Promise<Mesh> {
+async function meshOf(path: string, { wanted, readingCore, streams, progress }: Work): Promise<Mesh> {
   const { file, find, close } = await openMeshFile(path, streams.input)
   try {
     const name = withoutControls(path)
     const onProgress = (part: number) => progress.show(`${name}: reading`, part)
-    const meshes = readMeshes(file, { find, onProgress, ...(wanted.format === null ? {} : { format: wanted.format }) })
+    const meshes = readMeshes(file, {
+      find,
+      onProgress,
+      core: readingCore,
+      ...(wanted.format === null ? {} : { format: wanted.format }),
+    })
     const [first, ...others] = meshes
     if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
     return joined([first, ...others])

@@ -25,6 +25,15 @@ const LONGEST_NUMBER = 1024
 /** With the blank behind it; windows that are too short for what is wanted are followed by others. */
 const USUAL_NUMBER = 24
 
+/** Null where WebAssembly may not run, or the bytes do not arrive: readers then do without. */
+export async function readingCoreOf(bytes: () => Promise<BufferSource>): Promise<ReadingCore | null> {
+  try {
+    return await loadReadingCore(await bytes())
+  } catch {
+    return null
+  }
+}
+
 /** Rejects with the engine's own error where WebAssembly is missing, forbidden, or the bytes are others. */
 export async function loadReadingCore(bytes: BufferSource): Promise<ReadingCore> {
   const { instance } = await WebAssembly.instantiate(bytes, {})

@@ -87,8 +87,7 @@ export class TextRecords {
       }
       if (count === declared) this.cursor.refuse(`there are more ${what} than the ${declared} that were declared.`)
       const rows = readRows()
-      if (count + rows > declared)
-        this.cursor.refuse(`there are more ${what} than the ${declared} that were declared.`)
+      if (count + rows > declared) this.cursor.refuse(`there are more ${what} than the ${declared} that were declared.`)
       if (rows > 0) count += rows - 1
       else if (!read()) {
         this.check('end', count, declared, what)

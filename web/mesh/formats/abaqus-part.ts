@@ -1,12 +1,13 @@
 /** A part of an Abaqus model: its nodes and elements, its sets, and what is generated from them. */
-import type { OtherCell } from '../mesh-builder'
-import { shown } from '../text-cursor'
+
 import { IdIndex } from '../id-index'
+import type { OtherCell } from '../mesh-builder'
+import { Runs } from '../runs'
+import { shown } from '../text-cursor'
+import { TypedList } from '../typed-list'
 import { countOf, IdOrder, type IdRange, IdRanges, mergedRanges } from './id-ranges'
 import { MOST_IMPLIED, type Move, NodeModel } from './node-model'
-import { Runs } from '../runs'
 import type { TextLines } from './text-lines'
-import { TypedList } from '../typed-list'
 
 interface NodeSet {
   readonly ids: IdRanges

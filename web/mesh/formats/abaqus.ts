@@ -5,6 +5,7 @@
 import type { Mesh } from '../mesh'
 import { PrintedDigits } from '../precision'
 import { type FileRows, RowPattern } from '../reading-core'
+import type { Runs } from '../runs'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
@@ -14,7 +15,6 @@ import { type AbaqusType, abaqusType, ORDER_OF_20, ORDER_OF_27 } from './abaqus-
 import type { IdRanges } from './id-ranges'
 import { cross, type Frame, minus, outOfFrame, type Rotation, rigidMove, scaled, unit, type Vector } from './movement'
 import { collect, type Placement } from './node-model'
-import type { Runs } from '../runs'
 import { TextLines } from './text-lines'
 
 const STAR = 42

@@ -3,10 +3,10 @@ import { type FileRows, type ReadingCore, RowPattern } from '../reading-core'
 import { isEllipsis } from '../snippet-text'
 import { shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, TextRecords } from '../text-records'
+import { TypedList } from '../typed-list'
 import type { Version } from './gmsh-binary'
 import type { GmshMesh } from './gmsh-mesh'
 import { type GmshType, gmshTypes } from './gmsh-types'
-import { TypedList } from '../typed-list'
 
 const DOLLAR = 36
 const HEXAHEDRON_TYPE = '5'
@@ -65,8 +65,7 @@ export class GmshText {
     if (version <= 2) {
       const readRows = () => (isParametric ? 0 : this.#nodeRows(NODE_ROW))
       this.#records.all(first, 'nodes', () => this.#node(this.#id('a node'), isParametric), readRows)
-    }
-    else this.#nodes4(first, second, version)
+    } else this.#nodes4(first, second, version)
     if (this.#records.isElided) this.#mesh.mayLackNodes = true
     return version
   }
@@ -81,8 +80,7 @@ export class GmshText {
         () => this.#element2(version),
         () => this.#elementRows2(version),
       )
-    }
-    else this.#elements4(first, second, version)
+    } else this.#elements4(first, second, version)
     return version
   }
 

@@ -3,6 +3,7 @@
  * One pass: an id that an element names first gets its place then, and its coordinates when they come.
  */
 
+import { IdIndex } from '../id-index'
 import {
   type Block,
   type CoordinatePlaces,
@@ -12,14 +13,13 @@ import {
   type NotTrilinear,
 } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
+import { PlaceList } from '../place-list'
 import { largestOf, type PrintedDigits } from '../precision'
 import type { FileRows } from '../reading-core'
-import { shown } from '../text-cursor'
-import { IdIndex } from '../id-index'
 import { Runs } from '../runs'
-import type { TextLines } from './text-lines'
-import { PlaceList } from '../place-list'
+import { shown } from '../text-cursor'
 import { TypedList } from '../typed-list'
+import type { TextLines } from './text-lines'
 
 /** Generated or repeated points and cells, as implied ones. */
 export const MOST_IMPLIED = 50_000_000
@@ -154,7 +154,10 @@ export class NodeModel {
     this.nodeIds.reserveMore(count, ahead)
     if (this.#hasPlaces) {
       this.#placeFrom.reserve(3 * (this.nodeCount + count), 3 * ahead)
-      this.#placeLength.reserveMore(3 * (this.nodeCount + count) - this.#placeLength.length, 3 * (this.nodeCount + ahead))
+      this.#placeLength.reserveMore(
+        3 * (this.nodeCount + count) - this.#placeLength.length,
+        3 * (this.nodeCount + ahead),
+      )
     }
     for (let row = 0; row < count; ++row) {
       const at = width * (row + 1) - 3

@@ -3,8 +3,8 @@
  * numbers straight from the bytes. A text that is indented as a whole is read as it was before.
  */
 import { doubleOfDigits } from '../decimal'
-import { MeshRefusal } from '../mesh'
 import { FilePiece } from '../file-piece'
+import { MeshRefusal } from '../mesh'
 import type { PrintedDigits } from '../precision'
 import { type FileRows, type RowPattern, RowSearch, rowsAhead } from '../reading-core'
 import type { MeshFile, ReadOptions } from '../source'
