@@ -2,7 +2,7 @@
  * One mesh of a million hexahedra in every format, read here and by VTK, meshio and Gmsh: each reading in a process of its own, in turns,
  * by the clock without the start of the process; and the memory beyond it. First all of the files go through `hexlens check`.
  *
- *     --quick   27,000 hexahedra, one round;  --check   no timings;  --formats=NAME,...   files whose names have one of these
+ *     --quick   27,000 hexahedra, one round;  --check   no timings;  --rounds=N;  --formats=NAME,...   files whose names have one of these
  */
 import { spawnSync } from 'node:child_process'
 import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs'
@@ -49,7 +49,8 @@ export async function main(options: readonly string[]): Promise<void> {
   if (options.includes('--check')) return
   await bundleReader()
   const readings = new Map<string, Reading[]>()
-  for (let round = 0; round < (isQuick ? 1 : ROUNDS); ++round)
+  const rounds = Number(options.find(option => option.startsWith('--rounds='))?.slice('--rounds='.length))
+  for (let round = 0; round < (rounds || (isQuick ? 1 : ROUNDS)); ++round)
     for (const name of names)
       for (let i = 0; i < READERS.length; ++i) {
         // Each goes first in turn.

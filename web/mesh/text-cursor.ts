@@ -252,6 +252,22 @@ export class TextCursor {
   }
 }
 
+/** One of many rows, of which something may be wrong. */
+export class RowPlace {
+  row = 0
+  readonly #cursor: TextCursor
+  readonly #rows: FileRows
+
+  constructor(cursor: TextCursor, rows: FileRows) {
+    this.#cursor = cursor
+    this.#rows = rows
+  }
+
+  refuse(what: string): never {
+    return this.#cursor.refuse(what, this.#rows.line + this.#rows.pattern.lineCount * this.row)
+  }
+}
+
 function isEndOfNumber(byte: number | undefined): boolean {
   return byte === undefined || byte <= SPACE || byte === 44
 }

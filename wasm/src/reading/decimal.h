@@ -9,15 +9,15 @@
 
 /* A number of a text: sign * leading * 10^exponent, and more digits behind `leading` if has_more. */
 typedef struct hl_decimal {
-    const uint8_t *first; /* the first digit or the point */
-    const uint8_t *last;  /* behind the last digit, before the exponent */
-    uint64_t leading;     /* the first 19 significant digits */
-    int32_t exponent;     /* of ten, of `leading` */
-    int32_t stated;       /* the exponent that is written, 0 if none is */
-    int32_t digits;       /* significant ones: from the first that is not 0 */
-    bool is_negative;
-    bool is_whole; /* without a point and an exponent */
-    bool has_more; /* a digit other than 0 behind `leading` */
+  const uint8_t *first; /* the first digit or the point */
+  const uint8_t *last;  /* behind the last digit, before the exponent */
+  uint64_t leading;     /* the first 19 significant digits */
+  int32_t exponent;     /* of ten, of `leading` */
+  int32_t stated;       /* the exponent that is written, 0 if none is */
+  int32_t digits;       /* significant ones: from the first that is not 0 */
+  bool is_negative;
+  bool is_whole; /* without a point and an exponent */
+  bool has_more; /* a digit other than 0 behind `leading` */
 } hl_decimal;
 
 /*

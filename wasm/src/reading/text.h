@@ -8,10 +8,10 @@
 
 /* What was read of a text. */
 typedef struct hl_taken {
-    uint32_t count; /* numbers of a run, rows of a table */
-    uint32_t bytes; /* from the beginning to behind the last of them */
-    /* Significant digits of real numbers, in runs those with a point or an exponent: the most, and the most of one that is no double. */
-    uint32_t most_digits, most_rounded;
+  uint32_t count; /* numbers of a run, rows of a table */
+  uint32_t bytes; /* from the beginning to behind the last of them */
+  /* Significant digits of real numbers, in runs those with a point or an exponent: the most, and the most of one that is no double. */
+  uint32_t most_digits, most_rounded;
 } hl_taken;
 
 /*
@@ -26,19 +26,19 @@ hl_taken hl_indices(const uint8_t *from, const uint8_t *limit, const uint8_t *en
 
 /* What a row has, one after the other; each but COMMA, BLANKS and LINE_END with its width: 0 for a word between blanks or commas, else columns. */
 enum {
-    HL_LINE_END, /* blanks, and the end of the line */
-    HL_COMMA,    /* blanks around a comma */
-    HL_BLANKS,   /* so many columns */
-    HL_WHOLE,    /* a number in digits alone, below 10^15 */
-    HL_REAL,     /* a number, whose exponent may be without its letter in columns */
-    HL_BYTES     /* so many bytes that follow in the pattern */
+  HL_LINE_END, /* blanks, and the end of the line */
+  HL_COMMA,    /* blanks around a comma */
+  HL_BLANKS,   /* so many columns */
+  HL_WHOLE,    /* a number in digits alone, below 10^15 */
+  HL_REAL,     /* a number, whose exponent may be without its letter in columns */
+  HL_BYTES     /* so many bytes that follow in the pattern */
 };
 
 /*
  * Rows of a pattern from `from` on: of each its numbers into `numbers`, and of each HL_REAL, where `places` is not NULL, its first byte from
  * `from` on and in the upper 8 bits how many it has. They end before the first row that does not fit or is not whole before `end`.
  */
-hl_taken hl_rows(const uint8_t *from, const uint8_t *end, const uint8_t *pattern, uint32_t pattern_length, double *numbers,
-                 uint32_t *places, uint32_t most_rows);
+hl_taken hl_rows(const uint8_t *from, const uint8_t *end, const uint8_t *pattern, uint32_t pattern_length,
+                 double *numbers, uint32_t *places, uint32_t most_rows);
 
 #endif

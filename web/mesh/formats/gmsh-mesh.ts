@@ -3,6 +3,7 @@ import { MeshBuilder } from '../mesh-builder'
 import { areAtMiddles } from '../middles'
 import { PrintedDigits } from '../precision'
 import type { FileRows } from '../reading-core'
+import type { RowPlace } from '../text-cursor'
 import type { GmshType } from './gmsh-types'
 
 /** What can say where in the file it is: a cursor. */
@@ -36,7 +37,7 @@ export class GmshMesh {
   }
 
   /** Nodes of rows that end with three coordinates, whose ids stand first or are given. */
-  nodeRows(place: Place, rows: FileRows, ids: ArrayLike<number> | null = null, from = 0): void {
+  nodeRows(place: RowPlace, rows: FileRows, ids: ArrayLike<number> | null = null, from = 0): void {
     const { pattern, count, numbers, places, start } = rows
     let largest = 0
     this.builder.expectRows(rows, 'nodes')
@@ -44,6 +45,7 @@ export class GmshMesh {
       const at = pattern.numberCount * (row + 1) - 3
       const id = (ids === null ? numbers[pattern.numberCount * row] : ids[from + row]) as number
       const [x, y, z] = [numbers[at] as number, numbers[at + 1] as number, numbers[at + 2] as number]
+      place.row = row
       this.node(place, id, x, y, z)
       largest = Math.max(largest, Math.abs(x), Math.abs(y), Math.abs(z))
       for (let axis = 0; axis < 3; ++axis) {

@@ -1,7 +1,7 @@
 /** Nodes and elements of Gmsh's files as text, of all versions. */
 import { type FileRows, type ReadingCore, RowPattern } from '../reading-core'
 import { isEllipsis } from '../snippet-text'
-import { shown, type TextCursor } from '../text-cursor'
+import { RowPlace, shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, TextRecords } from '../text-records'
 import { TypedList } from '../typed-list'
 import type { Version } from './gmsh-binary'
@@ -184,7 +184,7 @@ export class GmshText {
       const rows = hasParameters ? null : this.#records.rows(COORDINATES_ROW)
       if (rows !== null) {
         if (seen + rows.count > nodes) this.#cursor.refuse(`a block of ${nodes} nodes has more lines of coordinates.`)
-        this.#mesh.nodeRows(this.#cursor, rows, ids.values, seen)
+        this.#mesh.nodeRows(new RowPlace(this.#cursor, rows), rows, ids.values, seen)
         seen += rows.count - 1
       } else if (!this.#node(ids.values[seen] as number, hasParameters)) return seen
       this.#records.onRecord()
@@ -195,7 +195,7 @@ export class GmshText {
   /** How many there were. */
   #nodeRows(pattern: RowPattern): number {
     const rows = this.#records.rows(pattern)
-    if (rows !== null) this.#mesh.nodeRows(this.#cursor, rows)
+    if (rows !== null) this.#mesh.nodeRows(new RowPlace(this.#cursor, rows), rows)
     return rows?.count ?? 0
   }
 
@@ -206,22 +206,24 @@ export class GmshText {
     const rows = this.#records.rows(elementRow(version, version === 1 ? ` ${type} ` : head, Number(tags)))
     if (rows === null) return 0
     const { pattern, count, numbers } = rows
+    const place = new RowPlace(this.#cursor, rows)
     const tagCount = pattern.numberCount - 9
     this.#mesh.builder.expectRows(rows, 'hexahedra')
     for (let row = 0; row < count; ++row) {
       const at = pattern.numberCount * row
       const group = tagCount > 0 ? (numbers[at + 1] as number) : 0
       const volume = tagCount > 1 ? (numbers[at + 2] as number) : 0
-      this.#hexahedron(rows, row, this.#mesh.blocksOfElement(group, volume))
+      this.#hexahedron(place, rows, row, this.#mesh.blocksOfElement(group, volume))
     }
     return count
   }
 
   /** Of a row that begins with the id and ends with the nodes. */
-  #hexahedron({ pattern, numbers }: FileRows, row: number, blocks: readonly string[]): void {
+  #hexahedron(place: RowPlace, { pattern, numbers }: FileRows, row: number, blocks: readonly string[]): void {
+    place.row = row
     const width = pattern.numberCount
     const type = gmshTypes.get(Number(HEXAHEDRON_TYPE)) as GmshType
-    this.#mesh.element(this.#cursor, type, numbers[width * row] as number, numbers, width * (row + 1) - 8, blocks)
+    this.#mesh.element(place, type, numbers[width * row] as number, numbers, width * (row + 1) - 8, blocks)
   }
 
   /** MSH 1: id, type, group, volume, number of nodes; MSH 2: id, type, number of tags, tags. Then the nodes. */
@@ -282,7 +284,8 @@ export class GmshText {
           if (whole + rows.count > elements)
             cursor.refuse(`a block of ${elements} elements has more lines of ${rows.pattern.numberCount} numbers.`)
           this.#mesh.builder.expectRows(rows, 'hexahedra')
-          for (let row = 0; row < rows.count; ++row) this.#hexahedron(rows, row, names)
+          const place = new RowPlace(cursor, rows)
+          for (let row = 0; row < rows.count; ++row) this.#hexahedron(place, rows, row, names)
           whole += rows.count - 1
           records.onRecord()
           continue
