@@ -98,9 +98,15 @@ export class MeshBuilder {
 
   /** A point that the file calls `id`. Refuses an id that is there already with other coordinates. */
   pointWithId(id: number, x: number, y: number, z: number): void {
-    if (this.hasPointWithId(id)) this.refuse(`node ${id} is defined twice.`)
+    if (!this.newPointWithId(id, x, y, z)) this.refuse(`node ${id} is defined twice.`)
+  }
+
+  /** The same; false, and nothing is added, if the id is there already. */
+  newPointWithId(id: number, x: number, y: number, z: number): boolean {
+    if (this.hasPointWithId(id)) return false
     this.#pointOfId.set(id, this.pointCount)
     this.point(x, y, z)
+    return true
   }
 
   hasPointWithId(id: number): boolean {
@@ -170,6 +176,11 @@ export class MeshBuilder {
       this.#blocks.set(name, cells)
     }
     cells.add(cell)
+  }
+
+  /** Puts all cells from this one on into the block. */
+  restInBlock(name: string, from: number): void {
+    for (let cell = from; cell < this.cellCount; ++cell) this.inBlock(name, cell)
   }
 
   note(sentence: string): void {

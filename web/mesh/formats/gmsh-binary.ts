@@ -146,8 +146,10 @@ export function readElements4(section: BinarySection): void {
     for (let done = 0; done < elements; ) {
       const some = Math.max(1, Math.min(elements - done, Math.floor((2 * AT_ONCE) / length)))
       const numbers = cursor.ints(some * length, idBytes, 'elements')
-      for (let at = 0; at < numbers.length; at += length)
-        mesh.element(cursor, type, numbers[at] as number, numbers, at + 1, names)
+      if (type.kind === 'hexahedron') mesh.hexahedra(cursor, type, numbers, names)
+      else
+        for (let at = 0; at < numbers.length; at += length)
+          mesh.element(cursor, type, numbers[at] as number, numbers, at + 1, names)
       done += some
       onRecord(cursor.position)
     }

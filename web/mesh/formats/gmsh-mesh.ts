@@ -32,8 +32,7 @@ export class GmshMesh {
   }
 
   node(place: Place, id: number, x: number, y: number, z: number): void {
-    if (this.builder.findId(id) >= 0) place.refuse(`node ${id} is defined twice.`)
-    this.builder.pointWithId(id, x, y, z)
+    if (!this.builder.newPointWithId(id, x, y, z)) place.refuse(`node ${id} is defined twice.`)
   }
 
   /** Nodes of rows that end with three coordinates, whose ids stand first or are given. */
@@ -89,6 +88,15 @@ export class GmshMesh {
       this.#blocks.set(key, blocks)
     }
     return blocks
+  }
+
+  /** Hexahedra one after the other, each with its id and those of its nodes. */
+  hexahedra(place: Place, type: GmshType, numbers: ArrayLike<number>, blocks: readonly string[]): void {
+    const first = this.builder.cellCount
+    for (let at = 0; at < numbers.length; at += 9)
+      if (this.builder.hexahedronByIds(numbers, at + 1, numbers[at] as number) < 0)
+        this.element(place, type, numbers[at] as number, numbers, at + 1, [])
+    for (const block of blocks) this.builder.restInBlock(block, first)
   }
 
   /** An element by the ids of its nodes, which are `nodes[from]` and following. */
