@@ -33,7 +33,7 @@ const securityPolicy: Plugin = {
 }
 
 export default defineConfig({
-  root: `${root}web/app`,
+  root: `${root}web/pages`,
   base: './',
   appType: 'mpa',
   publicDir: `${root}public`,
@@ -49,7 +49,7 @@ export default defineConfig({
     // Sizes are judged by npm run check.
     chunkSizeWarningLimit: 1000,
     rolldownOptions: {
-      input: [...appPages.map(({ file }) => file), 'embed'].map(file => `${root}web/app/${file}.html`),
+      input: [...appPages.map(({ file }) => file), 'embed'].map(file => `${root}web/pages/${file}.html`),
       checks: { bundlerTimings: false },
     },
     assetsInlineLimit: file => (file.endsWith('.wasm') ? false : undefined),

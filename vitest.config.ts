@@ -4,8 +4,9 @@ export default defineConfig({
   test: {
     include: ['tests/**/*.test.ts'],
     environment: 'node',
-    // A guard against hanging, not a measurement: machines may be slow and busy.
+    // Guards against hanging, not measurements: machines may be slow and busy.
     testTimeout: 120_000,
+    hookTimeout: 120_000,
     allowOnly: false,
     // Node 20 may crash when a thread is ended while code of its is still being optimized in the background.
     execArgv: ['--no-concurrent-recompilation'],

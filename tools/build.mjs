@@ -9,8 +9,8 @@ import { setup } from './setup.mjs'
 
 export const viteConfig = join(root, 'vite.config.ts')
 
-/** The Python package carries it. */
-const ANYWIDGET = 'hexlens.anywidget.js'
+/** The Python package carries them. */
+const OF_PYTHON = ['hexlens.anywidget.js', 'hexlens.mesh-worker.js']
 
 /** Builds the page into a folder; resolves to what Vite wrote. */
 export async function buildPage(folder) {
@@ -27,7 +27,7 @@ if (isScript(import.meta.url)) {
     await setup()
     await buildPage('dist/app')
     await buildPackage('dist')
-    copyFileSync(join(root, 'dist', ANYWIDGET), join(root, 'python', 'hexlens', ANYWIDGET))
+    for (const name of OF_PYTHON) copyFileSync(join(root, 'dist', name), join(root, 'python', 'hexlens', name))
     process.stdout.write('The page is in dist/app, the package’s scripts and types are in dist.\n')
   })
 }

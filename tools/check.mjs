@@ -8,6 +8,14 @@ import { biome, Failure, root, run, runMain, tsc } from './run.mjs'
 import { setup } from './setup.mjs'
 import { checkSizes } from './sizes.mjs'
 
+const importsCheck = [
+  process.execPath,
+  join(root, 'node_modules/dependency-cruiser/bin/dependency-cruise.mjs'),
+  '--config',
+  '.dependency-cruiser.cjs',
+  'web',
+]
+
 /** Each resolves to the lines of complaint, none when all is well, and may print. */
 const checks = [
   {
@@ -16,6 +24,7 @@ const checks = [
   },
   { name: 'C formatter', complaints: formatOfC },
   { name: 'types (tsc)', complaints: () => output([process.execPath, tsc, '--pretty', 'false']) },
+  { name: 'imports (dependency-cruiser)', complaints: () => output(importsCheck) },
   { name: 'C warnings', complaints: () => output(['make', '-C', 'wasm', '--no-print-directory', 'warnings']) },
   { name: 'element reference', complaints: staleReference },
   { name: 'lock file', complaints: addressesInLock },
@@ -53,8 +62,8 @@ async function formatOfC() {
 }
 
 async function staleReference() {
-  const names = elementReference({ check: true })
-  return names.length === 0 ? [] : [...names, 'These are not as web/element/interface.json says: npm run reference']
+  const names = await elementReference({ check: true })
+  return names.length === 0 ? [] : [...names, 'These are not as the sources say: npm run reference']
 }
 
 /** Where a package comes from is the installing machine's affair. */

@@ -1,5 +1,5 @@
-// What web/element/interface.json says of the element, for tools (custom-elements.json) and for people (docs/element.md).
-// --check: complains of the files that are not as they would be written.
+// What the sources say of the element and of its documents, for tools and for people: custom-elements.json and docs/element.md from
+// web/element/interface.json, docs/*.schema.json from the readers. --check: complains of the files that are not as they would be written.
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -9,9 +9,9 @@ import { isScript, root, runMain } from './run.mjs'
 const SOURCE = 'web/element/interface.json'
 
 /** Names of the files that are not up to date; written unless only checked. */
-export function elementReference({ check }) {
+export async function elementReference({ check }) {
   const element = JSON.parse(readFileSync(join(root, SOURCE), 'utf8'))
-  const texts = { 'custom-elements.json': manifest(element), 'docs/element.md': page(element) }
+  const texts = { 'custom-elements.json': manifest(element), 'docs/element.md': page(element), ...(await schemas()) }
   const stale = Object.keys(texts).filter(name => textOf(name) !== texts[name])
   if (!check) for (const name of stale) writeFileSync(join(root, name), texts[name])
   return stale
@@ -24,6 +24,22 @@ function textOf(name) {
     return null
   }
 }
+
+/** Readers of documents know their JSON Schemas. A server, since panels bring their style sheets along. */
+async function schemas() {
+  const { createServer } = await import('vite') // not before it is installed
+  const server = await createServer({
+    root,
+    configFile: false,
+    logLevel: 'silent',
+    server: { middlewareMode: true, ws: false },
+  })
+  const { stateJsonSchema, challengeJsonSchema } = await server.ssrLoadModule('/web/pages/schemas.ts')
+  await server.close()
+  return { 'docs/state.schema.json': json(stateJsonSchema), 'docs/challenge.schema.json': json(challengeJsonSchema) }
+}
+
+const json = value => `${JSON.stringify(value, null, 2)}\n`
 
 /** As https://github.com/webcomponents/custom-elements-manifest has it, version 2.1.0. */
 function manifest(element) {
@@ -97,6 +113,7 @@ function page(element) {
   return [
     `# \`<${element.tag}>\``,
     element.summary,
+    'For authors who put the element into their pages: every name it understands. `docs/embedding.md` has the first steps.',
     `Written by \`npm run reference\` from \`${SOURCE}\`.`,
     '## Attributes',
     table(
@@ -150,7 +167,7 @@ function table(head, rows) {
 if (isScript(import.meta.url)) {
   await runMain(async () => {
     const { check } = parseArgs({ options: { check: { type: 'boolean', default: false } } }).values
-    const stale = elementReference({ check })
+    const stale = await elementReference({ check })
     for (const name of stale)
       process.stdout.write(`${name} ${check ? 'is not up to date: npm run reference' : 'written'}\n`)
     return check && stale.length > 0 ? 1 : 0

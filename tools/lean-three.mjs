@@ -4,20 +4,41 @@
 // Only for builds, whose tests then run on it; `npm run dev` has three.js as it is.
 
 import { existsSync } from 'node:fs'
-import { join } from 'node:path'
+import { basename, join } from 'node:path'
 import { Failure, root } from './run.mjs'
 
 const source = join(root, 'node_modules', 'three', 'src')
 
+/**
+ * Classes that are made and not asked for anything: there are no textures and no targets but the canvas, nothing is sorted or culled by
+ * its bounds, and OrbitControls wants its ray only where it does not pan in the plane of the screen.
+ */
+const idle = [
+  'math/Box3',
+  'math/FrustumArray',
+  'math/Plane',
+  'math/Ray',
+  'math/Sphere',
+  'renderers/WebGLRenderTarget',
+  'renderers/webgl/WebGLMorphtargets',
+  'renderers/webgl/WebGLOutput',
+  'textures/CubeDepthTexture',
+  'textures/CubeTexture',
+  'textures/Data3DTexture',
+  'textures/DataArrayTexture',
+  'textures/DepthTexture',
+  'textures/Texture',
+]
+
 /** What stands for a module of three/src: as much of it as WebGLRenderer calls when it draws a RawShaderMaterial. */
 const standIns = {
+  ...Object.fromEntries(idle.map(name => [`${name}.js`, `export class ${basename(name)} {}`])),
   // What is drawn here is never culled: its vertices are where the shader puts them.
   'math/Frustum.js': `
     export class Frustum {
       setFromProjectionMatrix() { return this }
       intersectsObject() { return true }
     }`,
-  'math/FrustumArray.js': 'export class FrustumArray {}',
   'objects/Mesh.js': `
     import { Object3D } from '../core/Object3D.js'
     export class Mesh extends Object3D {
@@ -85,8 +106,6 @@ const standIns = {
         material.uniformsNeedUpdate = false
       }
     }`,
-  'renderers/webgl/WebGLMorphtargets.js': 'export class WebGLMorphtargets {}',
-  'renderers/webgl/WebGLOutput.js': 'export class WebGLOutput {}',
   'renderers/webgl/WebGLShadowMap.js': `
     export class WebGLShadowMap {
       render() {}
@@ -123,6 +142,7 @@ export const leanThree = {
   name: 'hexlens-lean-three',
   apply: 'build',
   enforce: 'pre',
+  config: () => ({ define: { __THREE_DEVTOOLS__: 'undefined' } }),
   buildStart() {
     const missing = Object.keys(standIns).filter(name => !existsSync(join(source, name)))
     if (missing.length > 0) throw new Failure(`This three.js has no ${missing.join(', ')}: mend tools/lean-three.mjs.`)

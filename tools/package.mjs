@@ -14,25 +14,13 @@ const WASM = /^virtual:(.*\.wasm)\.deflated$/
 const BATCH_WORKER = 'virtual:hexlens.batch-worker'
 const TWIN = './hexlens.twin.js'
 
-/** What is another in one file. */
-const insides = {
-  [source('element/core-sources.ts')]: source('package/core-inside.ts'),
-  [source('cli/read-core.ts')]: source('element/fetch-core.ts'),
-  [source('cli/read-reading-core.ts')]: source('package/reading-inside.ts'),
-  [source('cli/batch-sources.ts')]: source('package/batch-inside.ts'),
-  [source('element/page-parts.ts')]: source('package/no-page-parts.ts'),
-  [source('views/paste/start-reading-worker.ts')]: source('package/no-reading-worker.ts'),
-}
-
 const insideOneFile = {
   name: 'hexlens-inside-one-file',
   enforce: 'pre',
-  async resolveId(id, importer) {
+  resolveId(id) {
     if (id.endsWith('/hexlens-twin.js')) return { id: TWIN, external: true }
     if (WASM.test(id) || id === BATCH_WORKER) return id
-    if (!id.startsWith('.')) return null
-    const resolved = await this.resolve(id, importer, { skipSelf: true })
-    return insides[resolved?.id] ?? null
+    return null
   },
   /** What is loaded on demand is there already: as plain imports the modules share one scope, which is smaller. */
   transform(code, id) {
@@ -50,10 +38,23 @@ const insideOneFile = {
     if (id === BATCH_WORKER) return `export default ${JSON.stringify(await scriptOf(batchWorker))}`
     const [, name] = WASM.exec(id) ?? []
     if (name === undefined) return null
-    const { default: zopfli } = await import('@gfx/zopfli') // not before it is installed
-    const deflated = await promisify(zopfli.zlib)(readFileSync(join(root, 'build', name)), { numiterations: 15 })
-    return `export default '${Buffer.from(deflated).toString('base64')}'`
+    return `export default '${await deflatedText(name)}'`
   },
+}
+
+const deflatedTexts = new Map()
+
+/** Several scripts hold the same wasm, and deflating it takes seconds. */
+function deflatedText(name) {
+  const text = deflatedTexts.get(name) ?? deflate(name)
+  deflatedTexts.set(name, text)
+  return text
+}
+
+async function deflate(name) {
+  const { default: zopfli } = await import('@gfx/zopfli') // not before it is installed
+  const deflated = await promisify(zopfli.zlib)(readFileSync(join(root, 'build', name)), { numiterations: 15 })
+  return Buffer.from(deflated).toString('base64')
 }
 
 /** lit-html as it runs on a server too, and without the global in which it notes its version: a guest leaves nothing behind. */
@@ -97,6 +98,18 @@ const batchWorker = {
   plugins: [],
 }
 
+/**
+ * In no module format. A page may start a worker from its own origin alone: from elsewhere, and from file://, it loads this as a script,
+ * which then gives itself to the page as a function.
+ */
+const meshWorker = {
+  file: 'hexlens.mesh-worker.js',
+  format: 'iife',
+  entry: ours('mesh-worker.ts'),
+  plugins: [insideOneFile],
+  around: ['(function work(){if(self.document)document.currentScript.work=work;else{', '}})()'],
+}
+
 const bundles = [
   { file: 'hexlens.es.js', format: 'es', entry: ours('hexlens.ts'), plugins: [insideOneFile, modestLit, leanThree] },
   { file: 'hexlens.iife.js', format: 'iife', entry: ours('script.ts'), plugins: [insideOneFile, modestLit, leanThree] },
@@ -109,6 +122,8 @@ const bundles = [
   { file: 'hexlens.core.js', format: 'es', entry: ours('core.ts'), plugins: [insideOneFile] },
   { file: 'hexlens.batch.js', format: 'es', entry: ours('batch.ts'), plugins: [insideOneFile] },
   batchWorker,
+  { file: 'hexlens.mesh.js', format: 'es', entry: ours('mesh.ts'), plugins: [insideOneFile] },
+  meshWorker,
   {
     file: 'hexlens.anywidget.js',
     format: 'es',
@@ -154,7 +169,7 @@ async function scriptOf(bundle) {
   return output[0].code
 }
 
-function configOf({ file, format, entry, plugins }, where) {
+function configOf({ file, format, entry, plugins, around: [before, after] = ['', ''] }, where) {
   return {
     configFile: false,
     root,
@@ -166,8 +181,9 @@ function configOf({ file, format, entry, plugins }, where) {
       ...where,
       lib: { entry, formats: [format], name: 'hexlens', fileName: () => file },
       rolldownOptions: {
-        output: { codeSplitting: false, minify: true, postBanner: BANNER },
-        checks: { bundlerTimings: false },
+        output: { codeSplitting: false, minify: true, postBanner: `${BANNER}\n${before}`, postFooter: after },
+        // A plain script has no import.meta and does without.
+        checks: { bundlerTimings: false, emptyImportMeta: false },
       },
     },
   }
@@ -178,7 +194,9 @@ async function writeTypes(outDir) {
   rmSync(outDir, { recursive: true, force: true })
   const project = join(root, 'tsconfig.types.json')
   await must(process.execPath, [tsc, '-p', project, '--outDir', outDir], 'The types were not written.')
-  const named = new Set(['package/hexlens', 'package/core', 'package/batch'].map(name => join(outDir, `${name}.d.ts`)))
+  const named = new Set(
+    ['package/hexlens', 'package/core', 'package/batch', 'package/mesh'].map(name => join(outDir, `${name}.d.ts`)),
+  )
   for (const path of named) {
     const text = readFileSync(path, 'utf8').replace(/(from |import\()'(\.[^']+)'/g, (_, before, name) => {
       named.add(join(dirname(path), `${name}.d.ts`))

@@ -1,6 +1,6 @@
 // The pages of the app, which the build makes, and what it writes into each: the only place that lists them.
 
-/** `file` is in web/app, without its .html. */
+/** `file` is in web/pages, without its .html. */
 export const appPages = [
   { file: 'index', name: 'Lens' },
   { file: 'lessons', name: 'Lessons' },

@@ -49,6 +49,7 @@ const steps = [
   { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'unit', 'test'] },
   { what: 'the Python packages', isDone: hostsAreCurrent, run: installHosts, for: ['unit', 'test'] },
   { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
+  { what: 'the fonts of the visual tests', isDone: hasVisualFonts, run: installVisualFonts, for: ['test'] },
   { what: 'Firefox, WebKitGTK and a screen for them', isDone: otherBrowsers, run: installOtherBrowsers, for: ['test'] },
 ]
 
@@ -268,6 +269,19 @@ async function installChromium(say) {
   )
   if (await findChromium()) return
   throw new Failure(`Playwright's Chromium does not start here: it lacks libraries. ${installAdvice(['chromium'])}`)
+}
+
+/** Where systems put DejaVu; tests/visual/fonts.conf has the same. */
+const FONT_FOLDERS = ['/usr/share/fonts/truetype/dejavu', '/usr/share/fonts/TTF', '/usr/share/fonts/dejavu']
+const VISUAL_FONTS = ['DejaVuSans.ttf', 'DejaVuSans-Bold.ttf', 'DejaVuSansMono.ttf', 'DejaVuMathTeXGyre.ttf']
+
+function hasVisualFonts() {
+  const isThere = font => FONT_FOLDERS.some(folder => existsSync(join(folder, font)))
+  return !hasOtherBrowsers || VISUAL_FONTS.every(isThere)
+}
+
+async function installVisualFonts(say) {
+  await installDebianPackages(say, 'the fonts of the visual tests', ['fonts-dejavu-core', 'fonts-dejavu-extra'])
 }
 
 /** Names where they are not Debian's. */

@@ -1,4 +1,4 @@
-// What the page makes a browser load before it is live, the one-file widget, and batches, against the budgets of the design.
+// What the page makes a browser load before it is live, the one-file widget, batches and what reads meshes, against the budgets of the design.
 
 import { readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
@@ -8,13 +8,15 @@ import { buildScripts } from './package.mjs'
 import { root } from './run.mjs'
 
 /** In bytes after gzip. */
-const BUDGETS = { wasm: 24_000, firstLoad: 230_000, widget: 195_000, batch: 100_000 }
+const BUDGETS = { wasm: 24_000, firstLoad: 230_000, widget: 190_000, batch: 100_000, mesh: 90_000, meshWorker: 215_000 }
 
 /** With their budgets. */
 const SCRIPTS = {
   'hexlens.es.js': BUDGETS.widget,
   'hexlens.iife.js': BUDGETS.widget,
   'hexlens.batch.js': BUDGETS.batch,
+  'hexlens.mesh.js': BUDGETS.mesh,
+  'hexlens.mesh-worker.js': BUDGETS.meshWorker,
 }
 
 /** Builds page and scripts and resolves to { table, exceeded }: lines to print, and whether a budget is exceeded. */

@@ -100,8 +100,8 @@ async function native({ fast }) {
   return judged(result, status)
 }
 
-/** A hundred thousand verdicts, each proved; and some of test:exact. */
-const LONG_UNIT_TESTS = ['--exclude', 'tests/property/**', '--exclude', 'tests/exact/**']
+/** A hundred thousand verdicts, each proved; and some of test:exact and test:read. */
+const LONG_UNIT_TESTS = ['tests/property/**', 'tests/exact/**', 'tests/read/**'].flatMap(path => ['--exclude', path])
 
 async function unit({ fast }) {
   const file = join(results, 'unit.json')

@@ -11,6 +11,9 @@ __all__ = ["HexLens"]
 CUBE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]
 
 
+_MESH_WORKER = Path(__file__).parent / "hexlens.mesh-worker.js"
+
+
 class Vertices(traitlets.TraitType):
     """Eight points as an array of 8 x 3 doubles, which cannot be written into: assign another one instead."""
 
@@ -62,3 +65,9 @@ class HexLens(anywidget.AnyWidget):
 
     def __init__(self, vertices=None, **keywords):
         super().__init__(**({} if vertices is None else {"vertices": vertices}), **keywords)
+        self.on_msg(self._answer)
+
+    def _answer(self, _widget, content, _buffers):
+        """Sends the script that reads what is pasted, once it is asked for: a notebook need not keep it."""
+        if content == "mesh-worker":
+            self.send("mesh-worker", [_MESH_WORKER.read_bytes()])

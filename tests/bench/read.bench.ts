@@ -10,7 +10,7 @@ import { availableParallelism, cpus, loadavg } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { build } from 'esbuild'
-import { main as hexlens } from '../../web/cli/main'
+import { main as hexlens } from '../../web/cli/from-sources'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 const folder = join(root, 'build', 'bench')

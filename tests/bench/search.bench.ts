@@ -1,15 +1,15 @@
 /** Elements a second of each search that the page offers, with one worker and with two, in turns; medians of five. --quick: of three. */
 import { performance } from 'node:perf_hooks'
-import { searches } from '../../web/content/searches'
-import type { Answer, Request } from '../../web/search/messages'
-import { Search } from '../../web/search/search'
+import type { Answer, Request } from '../../web/pages/search/hunt/messages'
+import { Search } from '../../web/pages/search/hunt/search'
+import { searches } from '../../web/pages/search/searches'
 import { batchModules, bundledWorker, nodePort } from '../unit/node-workers'
 
 const MILLISECONDS = 2000
 
 export async function main(options: readonly string[]): Promise<void> {
   const trials = options.includes('--quick') ? 3 : 5
-  const worker = await bundledWorker('web/search/worker.ts')
+  const worker = await bundledWorker('web/pages/search/hunt/worker.ts')
   for (const { id, property, measure, distribution } of searches) {
     const rates: number[][] = [[], []]
     let share = 0

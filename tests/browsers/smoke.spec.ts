@@ -1,6 +1,6 @@
 /** The built page in Firefox and in WebKit, by their own pointer and keys: the project names the browser. */
 import { test as base, expect } from '@playwright/test'
-import { gallery } from '../../web/content/gallery'
+import { gallery } from '../../web/pages/gallery/gallery'
 import { serveWatched } from './watched-page'
 import { type BrowserName, type Driver, KEYS, type Point, startBrowser } from './webdriver'
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MANY = 2880, LONGEST = 33 };
+enum { MANY = TIMES(2880), LONGEST = 33 };
 
 /* The lists of hl_batch: where the pointer is, and how many bytes a cell has. */
 enum {
@@ -309,9 +309,10 @@ static void every_cell_is_answered_alone(void) {
     ++classes[answers_alone[n].element_class];
     exact += answers_alone[n].minimum.is_exact;
   }
-  CHECK(verdicts[HL_VALID] > 500 && verdicts[HL_INVALID] > 500 && exact > 250, "%d valid, %d invalid, %d exact",
-        verdicts[HL_VALID], verdicts[HL_INVALID], exact);
-  for (int i = HL_CLASS_VALID; i <= HL_CLASS_COLLAPSED; ++i) CHECK(classes[i] > 10, "%d of class %d", classes[i], i);
+  CHECK(verdicts[HL_VALID] > TIMES(500) && verdicts[HL_INVALID] > TIMES(500) && exact > TIMES(250),
+        "%d valid, %d invalid, %d exact", verdicts[HL_VALID], verdicts[HL_INVALID], exact);
+  for (int i = HL_CLASS_VALID; i <= HL_CLASS_COLLAPSED; ++i)
+    CHECK(classes[i] > TIMES(10), "%d of class %d", classes[i], i);
 }
 
 static void every_list_is_as_alone(void) {
@@ -379,7 +380,7 @@ static void every_length_is_as_alone(void) {
   for (int k = 0; k < kernel_count; ++k)
     for (size_t length = 0; length <= LONGEST; ++length)
       for (int indexed = 0; indexed < 2; ++indexed) {
-        const size_t first = 80 * length;
+        const size_t first = MANY / 36 * length;
         double *own = malloc((length * 24 + 1) * sizeof(double)); /* so that a sanitizer sees what is read behind it */
         uint32_t *indices = malloc((length * 8 + 1) * sizeof(uint32_t));
         for (size_t i = 0; i < length * 24; ++i) own[i] = hexahedra[24 * first + i];

@@ -110,7 +110,7 @@ static small_face face_of_well(const well *x) {
 }
 
 static void wells_have_the_sign_of_their_least_value(void) {
-  for (long n = 0; n < 800; ++n) {
+  for (long n = 0; n < TIMES(800); ++n) {
     const well x = random_well(n % 4 == 0 ? 0 : n % 4 == 1 ? -1 : between(-1, 2));
     const small_face f = face_of_well(&x);
     has_sign(&f, (x.e > 0) - (x.e < 0), "well", n);
@@ -119,7 +119,7 @@ static void wells_have_the_sign_of_their_least_value(void) {
 
 /* s* = 1/2 + k x^2 with x = t - u/r, D = 4 m x^2 - 16 k^2 x^4: a double root with a value of 0, and positive edges since m > 4 k^2. */
 static void touches_on_curved_valleys(void) {
-  for (long n = 0; n < 120; ++n) {
+  for (long n = 0; n < TIMES(120); ++n) {
     const int64_t r = n % 2 ? between(2, 40) : (int64_t)2 << between(0, 4), u = between(1, r - 1), m = between(5, 9);
     const quadratic square = product_of_lines(1, r, u, r, u), whole = times(2 * r * r, one); /* 2 r^2 x^2 and 2 r^2 */
     const small_face f =
@@ -130,7 +130,7 @@ static void touches_on_curved_valleys(void) {
 
 /* (1 + x) s^2 - s + (1 - x + x^2)/4 with x = t - u/r: D = x^3/4. */
 static void triple_roots_are_negative_on_one_side(void) {
-  for (long n = 0; n < 200; ++n) {
+  for (long n = 0; n < TIMES(200); ++n) {
     const int64_t r = n % 2 ? between(2, 40) : (int64_t)2 << between(0, 4), u = between(1, r - 1);
     const quadratic whole = times(8 * r * r, one), x = {{-8 * r * u, 4 * r * (r - 2 * u), 8 * r * (r - u)}},
                     square = product_of_lines(1, r, u, r, u);
@@ -144,7 +144,7 @@ static void triple_roots_are_negative_on_one_side(void) {
 /* beta_0 = a P^2, beta_2 = c Q^2, beta_1 = k P Q for lines P and Q in t: D = (a c - k^2) P^2 Q^2, identically 0 for k^2 = a c. For
    k > 0 beta_1 < 0 between the roots of P and Q alone, for k < 0 at the ends as well: then the edges are negative for k^2 > a c. */
 static void edges_that_touch_zero_inside(void) {
-  for (long n = 0; n < 120; ++n) {
+  for (long n = 0; n < TIMES(120); ++n) {
     const int64_t r = between(2, 30), u = between(1, r - 1), v = n % 3 ? between(2, 30) : r,
                   x = n % 3 ? between(1, v - 1) : u, a = between(1, 4), c = between(1, 4), k = between(-2, 5);
     const small_face f = {
@@ -175,7 +175,7 @@ static void edges_that_are_zero(void) {
 
 /* beta_1 = -P^2 with its double root inside, beta_0 = beta_2 = P^2 + e: D = 2 e P^2 + e^2. */
 static void middles_with_a_double_root(void) {
-  for (long n = 0; n < 300; ++n) {
+  for (long n = 0; n < TIMES(300); ++n) {
     const int64_t r = between(2, 50), u = between(1, r - 1), e = n % 2;
     const quadratic square = product_of_lines(1, r, u, r, u), edge = plus(square, one, e);
     const small_face f = {{edge, times(-1, square), edge}};
@@ -204,7 +204,7 @@ static int64_t least_on_edges(const well *x) {
 }
 
 static void minima_of_wells_are_found(void) {
-  for (long n = 0; n < 1200; ++n) {
+  for (long n = 0; n < TIMES(1200); ++n) {
     workspace w = whole_workspace();
     well x = random_well(0);
     const int64_t edges = least_on_edges(&x);
@@ -233,7 +233,7 @@ static void minima_of_wells_are_found(void) {
 
 /* The floor that a search stays above can be the minimum itself, as here: four times -1. */
 static void searches_end_where_the_floor_is_the_minimum(void) {
-  for (long n = 0; n < 3000; ++n) {
+  for (long n = 0; n < TIMES(3000); ++n) {
     workspace w = {.limbs = limbs, .capacity = 40000};
     well x = random_well(-1);
     const small_face f = face_of_well(&x);
@@ -247,7 +247,7 @@ static void searches_end_where_the_floor_is_the_minimum(void) {
 
 /* Also where the place is hidden by what is 2^-80 of the largest coefficient, and where the roots of the doubles are elsewhere. */
 static void places_of_touching_are_found(void) {
-  for (long n = 0; n < 2000; ++n) {
+  for (long n = 0; n < TIMES(2000); ++n) {
     workspace w = whole_workspace();
     const well x = random_well(0);
     const small_face f = face_of_well(&x);
@@ -297,7 +297,7 @@ static void any_hexahedron(long n, double v[24]) {
 }
 
 static void volumes_are_the_mean_of_the_coefficients(void) {
-  for (long n = 0; n < 6000; ++n) {
+  for (long n = 0; n < TIMES(6000); ++n) {
     double v[24];
     any_hexahedron(n, v);
     workspace w = whole_workspace();
@@ -344,7 +344,7 @@ static hl_report analyzed(const double v[24]) {
 
 static void classes_are_what_they_say(void) {
   int counts[5] = {0};
-  for (long n = 0; n < 1500; ++n) {
+  for (long n = 0; n < TIMES(1500); ++n) {
     double v[24], moved[24];
     int to[8];
     any_hexahedron(n, v);
@@ -370,7 +370,8 @@ static void classes_are_what_they_say(void) {
     CHECK(c != HL_CLASS_COLLAPSED || (isnan(one_of_them.relative_minimum) && one_of_them.is_exact), "%ld: collapsed",
           n);
   }
-  for (int i = HL_CLASS_VALID; i <= HL_CLASS_COLLAPSED; ++i) CHECK(counts[i] > 20, "%d of class %d", counts[i], i);
+  for (int i = HL_CLASS_VALID; i <= HL_CLASS_COLLAPSED; ++i)
+    CHECK(counts[i] > TIMES(20), "%d of class %d", counts[i], i);
 }
 
 static void shapes_are_seen_in_every_numbering(void) {
@@ -419,7 +420,7 @@ static void shapes_are_seen_in_every_numbering(void) {
 /* Strictly inside of what it is on, the minimizer among them, the same as from hl_boundary_minimum; roots in order. */
 static void candidates_are_in_their_places(void) {
   long exact = 0;
-  for (long n = 0; n < 2400; ++n) {
+  for (long n = 0; n < TIMES(2400); ++n) {
     double v[24];
     any_hexahedron(n, v);
     hl_report report;
@@ -458,7 +459,7 @@ static void candidates_are_in_their_places(void) {
               fabs(report.minimizer.value) == DBL_MIN,
           "%ld: two minima", n);
   }
-  CHECK(exact > 200, "%ld exact", exact);
+  CHECK(exact > TIMES(200), "%ld exact", exact);
 }
 
 int main(void) {

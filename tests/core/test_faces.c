@@ -89,7 +89,7 @@ static void check_hard_face(const double vertices[24], const char *what, long nu
 /* A shallow valley: a and B of size e where the minimum is, up to 1 elsewhere, as a = a0 + a1 x, B = B0 + B1 x + B2 x^2,
    c = c1 x + c2 x^2 with x = t - t0. P is of size e^2 and less there, below the rounding errors of P on [0,1]. */
 static void shallow_valleys(void) {
-  for (long n = 0; n < 20000; ++n) {
+  for (long n = 0; n < TIMES(20000); ++n) {
     double e = pow(10, -2 - 14 * random_unit(&stream)), slope = n % 2 ? sqrt(e) : e;
     double t0 = 0.1 + 0.8 * random_unit(&stream), s0 = 0.2 + 0.6 * random_unit(&stream);
     double a0 = e * (0.5 + random_unit(&stream)), a1 = slope * random_normal(&stream);
@@ -107,7 +107,7 @@ static void shallow_valleys(void) {
 
 /* Coefficients of very different sizes, many of them 0: P of any degree, identically zero, a or b zero or of either sign. */
 static void random_polynomials(void) {
-  for (long n = 0; n < 20000; ++n) {
+  for (long n = 0; n < TIMES(20000); ++n) {
     double power[3][3] = {{0}}, vertices[24];
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3 - (i == 2); ++j)
@@ -120,7 +120,7 @@ static void random_polynomials(void) {
 
 /* f = (s - s0)^2 a(t) + c(t): the minimum lies where a touches or nearly touches 0, near an end of the face or inside. */
 static void squares(void) {
-  for (long n = 0; n < 20000; ++n) {
+  for (long n = 0; n < TIMES(20000); ++n) {
     double s0 = random_unit(&stream), zero = n % 2 ? -pow(10, -16 * random_unit(&stream)) : random_unit(&stream);
     double a1 = n % 4 < 2 ? 1 : -1, a0 = -a1 * zero, t0 = random_unit(&stream) * (n % 3 ? 1 : 1e-6);
     double c2 = pow(10, -16 * random_unit(&stream)), b1 = 1e-3 * random_normal(&stream) * c2;
@@ -138,7 +138,7 @@ static void squares(void) {
 static void tiny_faces_scale_exactly(void) {
   static const double base[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 1, 0}}; /* vertices 0 to 3 */
   long kept = 0;
-  for (long n = 0; n < 2000; ++n) {
+  for (long n = 0; n < TIMES(2000); ++n) {
     double w[4][3];
     for (int v = 0; v < 4; ++v)
       for (int r = 0; r < 3; ++r) w[v][r] = base[v][r] == 0 ? random_normal(&stream) : 0;
@@ -171,7 +171,7 @@ static void tiny_faces_scale_exactly(void) {
       }
     }
   }
-  CHECK(kept > 300, "only %ld roots were kept", kept);
+  CHECK(kept > TIMES(300), "only %ld roots were kept", kept);
 }
 
 /* What the minimum query asks before it solves a face: never no for one with a value below the bound, however little. */
@@ -180,7 +180,7 @@ static void faces_that_are_lower_are_not_passed_over(void) {
                                      {2, 6, 10, 11}, {0, 1, 2, 3},  {4, 5, 6, 7}};
   static const double sigmas[4] = {0.3, 0.5, 1, 2};
   long asked = 0;
-  for (long n = 0; n < 50000; ++n) {
+  for (long n = 0; n < TIMES(50000); ++n) {
     double vertices[24], bernstein[27];
     edge_vectors edges;
     if (n % 2) {
@@ -210,7 +210,7 @@ static void faces_that_are_lower_are_not_passed_over(void) {
       }
     }
   }
-  CHECK(asked > 10000, "only %ld faces were asked about", asked);
+  CHECK(asked > TIMES(10000), "only %ld faces were asked about", asked);
 }
 
 int main(void) {

@@ -40,7 +40,7 @@ static void paper_counterexample_has_boundary_minimum_zero(void) {
 
 /* Bernstein form, DF's columns and the definition agree inside the cube; the columns are differences of F. */
 static void bernstein_form_is_jacdet(void) {
-  for (long n = 0; n < 2000; ++n) {
+  for (long n = 0; n < TIMES(2000); ++n) {
     double vertices[24];
     random_hexahedron(&stream, 0.1 + random_unit(&stream), vertices);
     hl_report report = analyzed(vertices);
@@ -81,7 +81,7 @@ static void bernstein_form_is_jacdet(void) {
 
 /* P by its definition 4a^2c' - 2abb' + a'b^2 from the powers of s and t, against the reported Bernstein form. */
 static void quartic_is_its_definition(void) {
-  for (long n = 0; n < 2000; ++n) {
+  for (long n = 0; n < TIMES(2000); ++n) {
     double vertices[24];
     random_hexahedron(&stream, 0.1 + random_unit(&stream), vertices);
     hl_report report = analyzed(vertices);
@@ -114,7 +114,7 @@ static void quartic_is_its_definition(void) {
 }
 
 static void scaling_by_powers_of_two_is_exact(void) {
-  for (long n = 0; n < 500; ++n) {
+  for (long n = 0; n < TIMES(500); ++n) {
     double vertices[24], scaled[24];
     random_hexahedron(&stream, 0.5, vertices);
     hl_report report = analyzed(vertices);
@@ -130,7 +130,7 @@ static void scaling_by_powers_of_two_is_exact(void) {
 
 /* One axis a millionth or a million times the others: jacdet scales by the product, exactly. */
 static void scaling_of_one_axis_is_exact(void) {
-  for (long n = 0; n < 500; ++n) {
+  for (long n = 0; n < TIMES(500); ++n) {
     double vertices[24], scaled[24];
     random_hexahedron(&stream, 0.5, vertices);
     hl_report report = analyzed(vertices);
@@ -142,7 +142,7 @@ static void scaling_of_one_axis_is_exact(void) {
 
 /* Sizes whose jacdet no double holds: mantissa and exponent carry it, and nothing else changes. */
 static void sizes_beyond_the_doubles(void) {
-  for (long n = 0; n < 200; ++n) {
+  for (long n = 0; n < TIMES(200); ++n) {
     double vertices[24], scaled[24];
     random_hexahedron(&stream, 0.3, vertices);
     hl_report report = analyzed(vertices);
@@ -165,7 +165,7 @@ static void sizes_beyond_the_doubles(void) {
 }
 
 static void translation_changes_nothing(void) {
-  for (long n = 0; n < 500; ++n) {
+  for (long n = 0; n < TIMES(500); ++n) {
     double vertices[24], moved[24];
     for (int i = 0; i < 24; ++i) vertices[i] = unit_cube[i] + floor(256 * random_normal(&stream)) / 1024;
     for (int i = 0; i < 24; ++i) moved[i] = vertices[i] + (double)(1 << 20) * (i % 3 - 1);
@@ -180,7 +180,7 @@ static void translation_changes_nothing(void) {
 /* The 48 symmetries of the cube: relabelled by a rotation the minimum stays, by a reflection jacdet is negated. */
 static void symmetries_of_the_cube(void) {
   static const int permutations[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
-  for (long n = 0; n < 300; ++n) {
+  for (long n = 0; n < TIMES(300); ++n) {
     double vertices[24], relabelled[24];
     random_hexahedron(&stream, 0.4, vertices);
     hl_report report = analyzed(vertices);
@@ -248,7 +248,7 @@ static void collapsed_elements(void) {
 
 /* Coordinates from -2 to 2: collapsed edges, flat faces, P of any degree or 0, multiple roots, ties. */
 static void small_integers(void) {
-  for (long n = 0; n < 50000; ++n) {
+  for (long n = 0; n < TIMES(50000); ++n) {
     double vertices[24];
     for (int i = 0; i < 24; ++i) vertices[i] = (double)(random_bits(&stream) % 5) - 2;
     hl_report report = analyzed(vertices);
@@ -258,7 +258,7 @@ static void small_integers(void) {
 
 /* Doubles with any bits: a status, or finite numbers and no minus zero; never a hang. Meant for the sanitizers. */
 static void any_bits(void) {
-  for (long n = 0; n < 3000; ++n) {
+  for (long n = 0; n < TIMES(3000); ++n) {
     double vertices[24];
     for (int i = 0; i < 24; ++i) {
       uint64_t bits = random_bits(&stream);

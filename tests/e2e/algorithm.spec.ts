@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test'
-import { presets, presetVertices } from '../../web/content/presets'
+import { presets, presetVertices } from '../../web/model/presets'
 import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, type Lens, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]

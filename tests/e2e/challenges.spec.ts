@@ -1,7 +1,7 @@
 import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
-import { challenges } from '../../web/content/challenges'
-import { challengeFragment } from '../../web/model/challenge-link'
+import { challengeFragment } from '../../web/pages/challenges/challenge-link'
+import { challenges } from '../../web/pages/challenges/challenges'
 import { expect, expectLargeTargets, inSchemesAndWidths, type Lens, test } from './lens'
 
 const column = (page: Page) => page.locator('#column')

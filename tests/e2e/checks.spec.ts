@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs'
 import type { Page } from '@playwright/test'
-import { checks } from '../../web/content/checks'
-import { presets, presetVertices } from '../../web/content/presets'
 import type { CheckId } from '../../web/core/report'
+import { presets, presetVertices } from '../../web/model/presets'
+import { checks } from '../../web/panels/checks/check-words'
 import { expect, test } from './lens'
 
 /** Valid elements, proved by exact subdivision, that a subdivision which gives up past depth 4 rejects. */

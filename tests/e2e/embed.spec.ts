@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test'
-import { hosts } from '../../web/model/embed/hosts'
+import { hosts } from '../../web/panels/embed/hosts'
 import { expect, expectAxeFindsNothing, SCHEMES_AND_WIDTHS, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]

@@ -1,10 +1,10 @@
 import type { Locator, Page } from '@playwright/test'
-import { presets, presetVertices } from '../../web/content/presets'
 import type { Report } from '../../web/core/report'
 import { formatJacdet, formatNumber } from '../../web/model/decimal'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
-import { colourScaleOf, type Rgb, rampColour, rampOf, rampPosition } from '../../web/views/colour-map'
-import { pointInCell } from '../../web/views/face-maps/net'
+import { presets, presetVertices } from '../../web/model/presets'
+import { pointInCell } from '../../web/panels/face-maps/net'
+import { colourScaleOf, type Rgb, rampColour, rampOf, rampPosition } from '../../web/scene/paint/colour-map'
 import { core } from '../unit/core-fixtures'
 import { expect, expectAxeFindsNothing, inSchemesAndWidths, type Lens, test } from './lens'
 

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test'
-import { presets, presetVertices } from '../../web/content/presets'
-import { elementAt } from '../../web/model/morph'
+import { presets, presetVertices } from '../../web/model/presets'
+import { elementAt } from '../../web/model/way'
 import { expect, expectAxeFindsNothing, inSchemesAndWidths, type Lens, test } from './lens'
 
 const cube = presetVertices(presets.find(({ id }) => id === 'cube') ?? presets[0])

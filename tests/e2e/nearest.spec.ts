@@ -1,4 +1,4 @@
-import { presets, presetVertices } from '../../web/content/presets'
+import { presets, presetVertices } from '../../web/model/presets'
 import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, test } from './lens'
 
 const cube = presetVertices(presets.find(({ id }) => id === 'cube') ?? presets[0])
@@ -30,7 +30,7 @@ test('the nearest element of the other verdict is found, looked at, applied and 
     await expect(lens.verdict).toHaveText(/^INVALID/)
     await expect(panel.locator('.answer')).toBeFocused()
     await expect(panel).toContainText(
-      'The move was made; Undo takes it back. How little has to move to make this element valid?',
+      'The move is applied. Undo takes it back. How little has to move to make this element valid?',
     )
     await expect(ghost).toBeHidden()
     const moved = await lens.vertices()
@@ -44,7 +44,7 @@ test('the nearest element of the other verdict is found, looked at, applied and 
 
   await test.step('while the element is being changed it waits, and looks at the new one', async () => {
     await lens.field(6, 'z').fill('-1')
-    await expect(panel).toContainText('It is looked for when this change is done.')
+    await expect(panel).toContainText('The search starts when this change is done.')
     await lens.field(6, 'z').press('Enter')
     await lens.field(6, 'z').blur()
     await expect(panel).toContainText('to make this element valid?')

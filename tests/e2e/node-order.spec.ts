@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test'
-import { nodeOrders } from '../../web/content/node-orders'
-import { presets, presetVertices } from '../../web/content/presets'
 import { reordered } from '../../web/model/node-order'
+import { nodeOrders } from '../../web/model/node-orders'
+import { presets, presetVertices } from '../../web/model/presets'
 import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, type Lens, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]

@@ -1,4 +1,4 @@
-import { presets, presetVertices } from '../../web/content/presets'
+import { presets, presetVertices } from '../../web/model/presets'
 import { expect, test } from './lens'
 
 test('every preset gets the verdict it claims, and the first looks fine and is not', async ({ lens }) => {

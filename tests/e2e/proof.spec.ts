@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises'
 import type { Page } from '@playwright/test'
-import { presets, presetVertices } from '../../web/content/presets'
 import { certificateJson, certify } from '../../web/core/exact/certificate'
-import { runsOf } from '../../web/views/certificate/runs'
+import { presets, presetVertices } from '../../web/model/presets'
+import { runsOf } from '../../web/panels/proof/runs'
 import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, sidewaysOverflow, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
@@ -37,12 +37,12 @@ test('the proof opens, follows the element, and names intervals and reasons', as
     await expect(proof).toContainText('Knupp’s conjecture')
     await lens.field(6, 'z').fill('-3')
     await expect(lens.verdict).toHaveText(/^INVALID/)
-    await expect(proof).toContainText('It follows when this change is done.')
+    await expect(proof).toContainText('The proof follows when this change is done.')
     await expect(proof).toContainText('Knupp’s conjecture')
     await lens.field(6, 'z').press('Enter')
     await lens.field(6, 'z').blur()
     await expect(proof).toContainText('which is not positive')
-    await expect(proof).not.toContainText('It follows when this change is done.')
+    await expect(proof).not.toContainText('The proof follows when this change is done.')
     await lens.button('Undo').click()
     await expect(proof).toContainText('Knupp’s conjecture')
   })
@@ -109,10 +109,10 @@ test('axe finds nothing in an open proof, also in one that waits', async ({ lens
     for (const vertices of [presetVertices(presets[0]), depthGuard]) {
       await lens.set(vertices)
       await lens.field(0, 'x').fill('0.1')
-      await expect(proofOf(page)).toContainText('It follows when this change is done.')
+      await expect(proofOf(page)).toContainText('The proof follows when this change is done.')
       await expectAxeFindsNothing(page, '.certificate')
       await lens.field(0, 'x').blur()
-      await expect(proofOf(page)).not.toContainText('It follows when this change is done.')
+      await expect(proofOf(page)).not.toContainText('The proof follows when this change is done.')
       await expectAxeFindsNothing(page, '.certificate')
       expect(await sidewaysOverflow(page)).toBe(0)
     }

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test'
-import { colourScaleOf, type Rgb, rampColour, rampOf, rampPosition } from '../../web/views/colour-map'
+import { colourScaleOf, type Rgb, rampColour, rampOf, rampPosition } from '../../web/scene/paint/colour-map'
 import { expect, type Lens, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]

@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises'
 import type { Page } from '@playwright/test'
 import { readHexahedron } from '../../web/cli/read-hexahedra'
-import { gallery } from '../../web/content/gallery'
-import { elementVertices } from '../../web/content/gallery-vertices'
+import { gallery } from '../../web/pages/gallery/gallery'
+import { elementVertices } from '../../web/pages/gallery/gallery-vertices'
 import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, test } from './lens'
 
 /** How many elements were looked at, and how many found. */

@@ -381,7 +381,7 @@ test('a second copy of the script does no harm', async ({ page }) => {
   await expect(page.getByRole('status', { name: 'Verdict' })).toHaveText(/^INVALID/)
   await page.evaluate(async () => {
     const loaded = performance.getEntriesByType('resource').map(({ name }) => name)
-    const script = loaded.find(name => /\/hex-lens-[^/]*\.js$/.test(name))
+    const script = loaded.find(name => /\/element-[^/]*\.js$/.test(name))
     const first = customElements.get('hex-lens')
     await import(`${script}?again`)
     if (customElements.get('hex-lens') !== first) throw new Error('defined anew')

@@ -199,18 +199,18 @@ test('in Node, with vectors and without; a classifier that is not closed lets th
   expect(node('--import', './node/no-vectors.js', 'node/main.js')).toBe(printed)
 })
 
-test('the lines of the README answer', () => {
-  const section = readFileSync(join(root, 'README.md'), 'utf8')
+test('the lines of docs/batches.md answer', () => {
+  const section = readFileSync(join(root, 'docs/batches.md'), 'utf8')
     .split(/^## /m)
-    .find(part => part.startsWith('Many elements'))
+    .find(part => part.startsWith('In JavaScript'))
   const lines = section?.split('\n').filter(line => line.startsWith('    '))
   const snippet = lines?.slice(0, 1 + lines.findIndex(line => line.includes('close()'))).join('\n')
   const run = (points: string, cells = '0, 1, 2, 3, 4, 5, 6, 7') => {
     const given = `const points = new Float64Array([${points}])
       const cells = new Uint32Array([${cells}])
       const [signal, onProgress] = [AbortSignal.timeout(60_000), () => {}]`
-    writeFileSync(join(elsewhere, 'readme.js'), `${given}\n${snippet}`)
-    return node('readme.js')
+    writeFileSync(join(elsewhere, 'documented.js'), `${given}\n${snippet}`)
+    return node('documented.js')
   }
   const cube = '0,0,0, 1,0,0, 1,1,0, 0,1,0, 0,0,1, 1,0,1, 1,1,1, 0,1,1'
   expect(run(cube)).toMatch(/^1 Uint8Array\(1\) \[ 1 \] \{\s*values: Float64Array\(1\) \[ 1 \]/)

@@ -2,15 +2,11 @@
 import { createReadStream, statSync } from 'node:fs'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
-import { tmpdir } from 'node:os'
 import { extname, join, normalize } from 'node:path'
-import { fileURLToPath } from 'node:url'
 import { test as base } from '../e2e/lens'
+import { elsewhere, packOnce, root } from './pack'
 
-export const root = fileURLToPath(new URL('../..', import.meta.url)).replace(/[\\/]$/, '')
-
-/** pack.setup.ts fills it; of each port that tests run at one. */
-export const elsewhere = join(tmpdir(), `hexlens-elsewhere-${process.env.HEXLENS_TEST_PORT ?? 41735}`)
+export { elsewhere, root }
 
 /** Anyone's static server. No wasm type among them: the package must not need one. */
 const MEDIA_TYPES: Record<string, string> = {
@@ -48,7 +44,15 @@ async function serve(folder: string): Promise<{ origin: string; close(): Promise
 }
 
 /** `baseURL` is the folder's server. */
-export const test = base.extend<object, { served: string }>({
+export const test = base.extend<object, { packed: undefined; served: string }>({
+  packed: [
+    // biome-ignore lint/correctness/noEmptyPattern: Playwright reads which fixtures are asked for
+    async ({}, use) => {
+      await packOnce()
+      await use(undefined)
+    },
+    { scope: 'worker', auto: true, timeout: 300_000 },
+  ],
   served: [
     // biome-ignore lint/correctness/noEmptyPattern: Playwright reads which fixtures are asked for
     async ({}, use) => {

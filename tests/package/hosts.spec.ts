@@ -11,6 +11,8 @@ import { documented } from '../unit/embed-fixture'
 import { snippetsOf } from './documentation'
 import { elsewhere, expect, root, test } from './elsewhere'
 
+test.describe.configure({ mode: 'parallel' })
+
 const hosts = join(root, 'build/hosts/bin')
 const dist = join(elsewhere, 'node_modules/hexlens/dist')
 
@@ -130,7 +132,8 @@ test('Jupyter: what is moved moves the array, and what is assigned moves the pic
   const folder = site('jupyter', '.')
   const python = join(folder, 'python')
   cpSync(join(root, 'python'), python, { recursive: true })
-  copyFileSync(join(dist, 'hexlens.anywidget.js'), join(python, 'hexlens/hexlens.anywidget.js'))
+  for (const name of ['hexlens.anywidget.js', 'hexlens.mesh-worker.js'])
+    copyFileSync(join(dist, name), join(python, 'hexlens', name))
   execFileSync(
     join(hosts, 'uv'),
     [
@@ -210,6 +213,13 @@ test('Jupyter: what is moved moves the array, and what is assigned moves the pic
           .then(vertices => vertices.slice(0, 3).map(value => (Object.is(value, -0) ? '-0' : String(value)))),
       )
       .toEqual(['-0', '5e-324', '0.1'])
+    // The kernel sends the script that reads.
+    await lens.element.evaluate(element =>
+      (element as HTMLElementTagNameMap['hex-lens']).offer('0 0 0 2 0 0 2 1 0 0 1 0 0 0 1 2 0 1 2 1 1 0 1 1'),
+    )
+    await expect
+      .poll(() => lens.vertices())
+      .toEqual([0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0, 0, 0, 1, 2, 0, 1, 2, 1, 1, 0, 1, 1])
   } finally {
     jupyter.kill()
     await ended

@@ -34,10 +34,16 @@ async function openEveryPanel(lens: Lens): Promise<void> {
 test('in Node the core answers without a DOM, by wasm and by its twin alike, and its types are whole', async () => {
   write(
     'core.mjs',
-    `import { loadCore, presets, presetVertices, readElements, reportJson } from 'hexlens/core'
+    `import { loadCore, presets, presetVertices, reportJson } from 'hexlens/core'
+     import { fileOfBytes, MeshRefusal, readMeshes, verticesOf } from 'hexlens/mesh'
      const core = await loadCore()
-     const read = readElements(process.argv[2])
-     const vertices = read.reading.elements[0].vertices
+     const [mesh] = readMeshes(fileOfBytes('pasted', new TextEncoder().encode(process.argv[2])))
+     const vertices = verticesOf(mesh, 0)
+     try {
+       readMeshes(fileOfBytes('empty', new Uint8Array(0)))
+     } catch (error) {
+       if (!(error instanceof MeshRefusal)) throw error
+     }
      const report = core.analyze(vertices).value
      const certificate = core.certificate(vertices).value
      const proofs = presets.map(preset => core.certificate(presetVertices(preset, () => 0.5)).value.valid)
@@ -56,6 +62,10 @@ test('in Node the core answers without a DOM, by wasm and by its twin alike, and
   write(
     'typed.ts',
     `import { loadCore, type Report } from 'hexlens/core'
+     import { fileOfBytes, type Mesh, readMeshes } from 'hexlens/mesh'
+     export const meshes: readonly Mesh[] = readMeshes(fileOfBytes('a.vtu', new Uint8Array(8)))
+     // @ts-expect-error A mesh has points, not a number of them.
+     export const points: number = meshes[0]?.points
      const result = (await loadCore()).analyze([])
      export const report: Report | string = result.ok ? result.value : result.error.code
      // @ts-expect-error A Report is no number: the types are there.
@@ -123,6 +133,63 @@ test('from file:// one script is all there is', async ({ page }) => {
   expect(complaints).toEqual([])
 })
 
+const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
+
+/** As if it were pasted. */
+async function offer(lens: Lens, text: string): Promise<void> {
+  await lens.element.evaluate((element, given) => (element as HTMLElementTagNameMap['hex-lens']).offer(given), text)
+}
+
+const readRegion = (lens: Lens) => lens.page.getByRole('region', { name: 'What was read' })
+
+test('what is pasted is read by the worker beside the script, from the same place, from another and from file://', async ({
+  page,
+  served,
+}) => {
+  const lens = new Lens(page)
+  write('here.html', element(`<script type="module" src="${dist}/hexlens.es.js"></script>`))
+  const elsewhereOf = served.replace('127.0.0.1', 'localhost')
+  write('there.html', element(`<script defer src="${elsewhereOf}/${dist}/hexlens.iife.js"></script>`))
+  for (const address of [
+    `${served}/here.html`,
+    `${served}/there.html`,
+    pathToFileURL(join(elsewhere, 'file.html')).href,
+  ]) {
+    if (address.startsWith('file:'))
+      write('file.html', element(`<script defer src="${dist}/hexlens.iife.js"></script>`))
+    await lens.open(address)
+    await offer(lens, cube.join(' '))
+    await expect(readRegion(lens), address).toContainText('Eight points taken in the order of the text.')
+    expect(await lens.vertices()).toEqual(cube)
+  }
+})
+
+test.describe('where the worker is not beside the script', () => {
+  test.use({ expectedErrors: /Failed to load resource/ })
+
+  test('a sentence says so, and where it is can be said', async ({ lens }) => {
+    mkdirSync(join(elsewhere, 'alone'), { recursive: true })
+    cpSync(join(elsewhere, dist, 'hexlens.es.js'), join(elsewhere, 'alone/hexlens.es.js'))
+    write(
+      'alone.html',
+      element(
+        `<script type="module">import { setMeshWorker } from './alone/hexlens.es.js'; globalThis.setMeshWorker = setMeshWorker</script>`,
+      ),
+    )
+    await lens.open('alone.html')
+    await offer(lens, cube.join(' '))
+    await expect(lens.page.getByRole('alert')).toContainText(
+      'Nothing was read: the worker that reads did not start: hexlens.mesh-worker.js was not loaded from beside the script',
+    )
+    await lens.page.evaluate(
+      address => (globalThis as unknown as { setMeshWorker(at: string): void }).setMeshWorker(address),
+      `${dist}/hexlens.mesh-worker.js`,
+    )
+    await offer(lens, cube.join(' '))
+    await expect(readRegion(lens)).toContainText('Eight points taken in the order of the text.')
+  })
+})
+
 test.describe('under a strict policy', () => {
   test.use({ expectedErrors: /violates the following|policy: script-src forbids wasm-eval/ })
 
@@ -139,6 +206,18 @@ test.describe('under a strict policy', () => {
     await lens.open('policy.html')
     expect((await twin).ok()).toBe(true)
     await expect(lens.verdict).toHaveText(/^INVALID/)
+    const { vertices } = await lens.element.evaluate(element => {
+      const { vertices } = element as HTMLElementTagNameMap['hex-lens']
+      return { vertices }
+    })
+    await offer(
+      lens,
+      JSON.stringify([
+        { name: 'a', vertices: cube },
+        { name: 'b', vertices },
+      ]),
+    )
+    await expect(readRegion(lens)).toContainText('2 hexahedra, 1 INVALID, 1 valid.')
     write(
       'worker.js',
       `import { loadCore } from './${dist}/hexlens.core.js'

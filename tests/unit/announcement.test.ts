@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest'
 import type { Report } from '../../web/core/report'
 import { createStore } from '../../web/model/store'
-import { announcement } from '../../web/views/announcer/announcement'
+import { announcement } from '../../web/panels/announcer/announcement'
 
 const vertices = [0, 0, 0, 1, 0, 0, 1, 1, 0, 1.25, 0.5, -1, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 

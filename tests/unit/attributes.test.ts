@@ -1,8 +1,13 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { readAttribute, readVertices, verticesText } from '../../web/element/attributes'
+import { type AttributeName, readAttribute, readVertices, verticesText, viewNames } from '../../web/element/attributes'
 import { HexLensError } from '../../web/element/hex-lens-error'
+import { panels } from '../../web/panels/list'
 import { unitCube } from './core-fixtures'
+
+function attribute<Name extends AttributeName>(name: Name, text: string | null) {
+  return readAttribute(name, text, viewNames({ panels, otherPanels: [] }))
+}
 
 function refusalOf(read: () => unknown): string {
   try {
@@ -46,34 +51,34 @@ describe('the attribute vertices', () => {
 
 describe('the other attributes', () => {
   it('have a meaning where they are not there', () => {
-    expect(readAttribute('views', null)).toEqual(['scene', 'verdict'])
-    expect(readAttribute('controls', null)).toEqual(['faces', 'reference', 'turn', 'fit', 'help'])
-    expect(readAttribute('theme', null)).toBe('auto')
-    expect([readAttribute('readonly', null), readAttribute('readonly', '')]).toEqual([false, true])
+    expect(attribute('views', null)).toEqual(['scene', 'verdict'])
+    expect(attribute('controls', null)).toEqual(['faces', 'reference', 'turn', 'fit', 'help'])
+    expect(attribute('theme', null)).toBe('auto')
+    expect([attribute('readonly', null), attribute('readonly', '')]).toEqual([false, true])
     for (const name of ['vertices', 'preset', 'camera', 'poster', 'label'] as const)
-      expect(readAttribute(name, null)).toBeNull()
+      expect(attribute(name, null)).toBeNull()
   })
 
   it('list words, all or none', () => {
-    expect(readAttribute('views', ' verdict,scene ')).toEqual(['verdict', 'scene'])
-    expect(readAttribute('views', 'all')).toContain('take-away')
-    expect(readAttribute('controls', 'none')).toEqual([])
-    expect(readAttribute('preset', 'cube')?.id).toBe('cube')
+    expect(attribute('views', ' verdict,scene ')).toEqual(['verdict', 'scene'])
+    expect(attribute('views', 'all')).toContain('take-away')
+    expect(attribute('controls', 'none')).toEqual([])
+    expect(attribute('preset', 'cube')?.id).toBe('cube')
   })
 
   it('say from where to look: azimuth, elevation and zoom', () => {
-    expect(readAttribute('camera', '0 0')).toEqual({ direction: [1, 0, 0], zoom: 1, pan: [0, 0, 0] })
-    const view = readAttribute('camera', '90deg, 45deg, 2.5')
+    expect(attribute('camera', '0 0')).toEqual({ direction: [1, 0, 0], zoom: 1, pan: [0, 0, 0] })
+    const view = attribute('camera', '90deg, 45deg, 2.5')
     expect(view?.zoom).toBe(2.5)
     expect(view?.direction[1]).toBeCloseTo(Math.SQRT1_2, 15)
     expect(view?.direction[2]).toBeCloseTo(Math.SQRT1_2, 15)
   })
 
   it('are refused with a sentence that says what is known', () => {
-    expect(refusalOf(() => readAttribute('views', 'scene vredict'))).toMatch(/“vredict” is none of toolbar, verdict, /)
-    expect(refusalOf(() => readAttribute('preset', 'cubes'))).toMatch(/“cubes” is none of looks-fine, cube, /)
-    expect(refusalOf(() => readAttribute('theme', 'sepia'))).toMatch(/“sepia” is none of auto, light, dark\./)
+    expect(refusalOf(() => attribute('views', 'scene vredict'))).toMatch(/“vredict” is none of toolbar, verdict, /)
+    expect(refusalOf(() => attribute('preset', 'cubes'))).toMatch(/“cubes” is none of looks-fine, cube, /)
+    expect(refusalOf(() => attribute('theme', 'sepia'))).toMatch(/“sepia” is none of auto, light, dark\./)
     for (const text of ['', '1', '0 91', '0 0 0', 'x 1', '1e999 0', '0 0 1 2'])
-      expect(refusalOf(() => readAttribute('camera', text))).toMatch(/^bad-attribute: .*azimuth and elevation/)
+      expect(refusalOf(() => attribute('camera', text))).toMatch(/^bad-attribute: .*azimuth and elevation/)
   })
 })

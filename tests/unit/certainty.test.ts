@@ -1,8 +1,8 @@
 /** What the verdict says about its own certainty, against the reports it says it of. */
 import { describe, expect, it } from 'vitest'
+import { approximation, lowerInside } from '../../web/core/inside'
 import type { Report } from '../../web/core/report'
-import { approximation, lowerInside } from '../../web/views/inside'
-import { certainBy, noLowerInside } from '../../web/views/verdict/certainty'
+import { certainBy, noLowerInside } from '../../web/panels/verdict/certainty'
 import { cases, caseVertices, core, depthGuardCases, randomHexahedron, randomSource } from './core-fixtures'
 
 function reportOf(vertices: readonly number[]): Report {

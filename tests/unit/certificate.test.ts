@@ -1,7 +1,7 @@
 /** Certificates against the answers known from elsewhere, and against an independent checker that must also refuse. */
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
 import { faces, type Vec3, type Vertices } from '../../web/model/hexahedron'
+import { presets, presetVertices } from '../../web/model/presets'
 import { certificateOf, checked, type Loose } from './certificate-checker'
 import { cases, caseVertices, depthGuardCases, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 import { exactJacdet } from './exact'

@@ -1,10 +1,10 @@
 /** What the page of challenges keeps in the browser, against storages that keep, refuse, or hold what somebody else has written. */
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import { Progress } from '../../web/app/challenges/progress'
-import { conditionInWords, numbersInWords } from '../../web/app/challenges/words'
-import { challenges } from '../../web/content/challenges'
-import { type Challenge, readChallenge } from '../../web/model/challenge'
 import { parseCondition } from '../../web/model/condition'
+import { type Challenge, readChallenge } from '../../web/pages/challenges/challenge'
+import { challenges } from '../../web/pages/challenges/challenges'
+import { Progress } from '../../web/pages/challenges/progress'
+import { conditionInWords, numbersInWords } from '../../web/pages/challenges/words'
 import { core, unitCube } from './core-fixtures'
 
 const KEY = 'hexlens-challenges'

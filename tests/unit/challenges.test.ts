@@ -2,8 +2,11 @@
 import { readFileSync } from 'node:fs'
 import Ajv2020 from 'ajv/dist/2020.js'
 import { describe, expect, it } from 'vitest'
-import { challenges, type NamedChallenge } from '../../web/content/challenges'
-import { quantitiesOf } from '../../web/content/quantities'
+import { quantitiesOf } from '../../web/core/quantities'
+import { NUMBERS } from '../../web/model/condition/names'
+import type { Vertices } from '../../web/model/hexahedron'
+import { twistOf } from '../../web/model/twist'
+import { elementAt } from '../../web/model/way'
 import {
   type Challenge,
   type ChallengeDocument,
@@ -12,12 +15,9 @@ import {
   MOST_CHARACTERS,
   readChallenge,
   readChallengeText,
-} from '../../web/model/challenge'
-import { challengeFragment, readChallengePlace } from '../../web/model/challenge-link'
-import { NUMBERS } from '../../web/model/condition/names'
-import type { Vertices } from '../../web/model/hexahedron'
-import { elementAt } from '../../web/model/morph'
-import { twistOf } from '../../web/model/twist'
+} from '../../web/pages/challenges/challenge'
+import { challengeFragment, readChallengePlace } from '../../web/pages/challenges/challenge-link'
+import { challenges, type NamedChallenge } from '../../web/pages/challenges/challenges'
 import { caseVertices, core, unitCube } from './core-fixtures'
 
 const schema = JSON.parse(readFileSync(new URL('../../docs/challenge.schema.json', import.meta.url), 'utf8'))

@@ -2,7 +2,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { expect, it } from 'vitest'
-import { main } from '../../web/cli/main'
+import { main } from '../../web/cli/from-sources'
 import { openMeshFile } from '../../web/cli/mesh-file'
 import { joined } from '../../web/mesh/join-meshes'
 import { readMeshes } from '../../web/mesh/read-mesh'

@@ -1,7 +1,7 @@
 /** The checks as the page describes them, against those that the core asks. */
 import { expect, it } from 'vitest'
-import { checks } from '../../web/content/checks'
 import type { CheckId } from '../../web/core/report'
+import { checks } from '../../web/panels/checks/check-words'
 import { core, unitCube } from './core-fixtures'
 
 it('every check of a report is described in words, and no other', () => {

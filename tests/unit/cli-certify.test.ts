@@ -2,7 +2,7 @@
 import { execFileSync } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
-import { main } from '../../web/cli/main'
+import { main } from '../../web/cli/from-sources'
 import { certificateOf, checked } from './certificate-checker'
 import { cases, unitCube } from './core-fixtures'
 

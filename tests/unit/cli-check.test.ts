@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url'
 import { promisify } from 'node:util'
 import Ajv2020 from 'ajv/dist/2020.js'
 import { afterAll, describe, expect, it } from 'vitest'
-import { main } from '../../web/cli/main'
+import { main } from '../../web/cli/from-sources'
 import { core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 import { collapsedEdge, invalidCorner, mirroredCube, moved, mshText, notFinite, voxelOrder } from './mesh-fixtures'
 
@@ -28,6 +28,14 @@ const someInvalid = fileOf(
 const notAnswered = fileOf('unanswered.msh', mshText([unitCube, notFinite]))
 const damaged = fileOf('damaged.msh', '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0\n')
 const missing = join(folder, 'missing.msh')
+
+function vtuText(element: readonly number[]): string {
+  const array = (type: string, name: string, values: readonly number[]) =>
+    `<DataArray type="${type}" Name="${name}" format="ascii">${values.join(' ')}</DataArray>`
+  return `<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="1">
+    <Points>${array('Float64', 'Points', element)}</Points><Cells>${array('Int32', 'connectivity', [0, 1, 2, 3, 4, 5, 6, 7])}
+    ${array('Int32', 'offsets', [8])}${array('UInt8', 'types', [12])}</Cells></Piece></UnstructuredGrid></VTKFile>`
+}
 
 async function check(args: readonly string[], input = '') {
   let [output, errors] = ['', '']
@@ -129,6 +137,18 @@ describe('what people read', () => {
     expect((await check([allValid, '--worst=2'])).output).toMatch(/\n {4}1 .* all\n {4}2 .* all\n$/)
   })
 
+  it('is for the time step that is asked for', async () => {
+    for (const [i, element] of [unitCube, mirroredCube].entries()) fileOf(`${i}.vtu`, vtuText(element))
+    const sets = [0, 1].map(i => `<DataSet timestep="${i}" file="${i}.vtu"/>`).join('')
+    const steps = fileOf('steps.pvd', `<VTKFile type="Collection"><Collection>${sets}</Collection></VTKFile>`)
+    expect((await check([steps])).status).toBe(0)
+    const last = await check([steps, '--step', 'last'])
+    expect([last.status, last.output.includes('Time step 2 of 2 was read')]).toEqual([1, true])
+    expect((await check([steps, '--step=1'])).status).toBe(0)
+    expect((await check([steps, '--step=3'])).status).toBe(2)
+    expect((await check([steps, '--step=0'])).errors).toMatch(/--step wants a number from 1 on or last, not 0/)
+  })
+
   it('says for each file what is wrong with it', async () => {
     const { status, output } = await check([damaged, missing, notAnswered])
     expect(status).toBe(2)
@@ -136,6 +156,13 @@ describe('what people read', () => {
     expect(output).toMatch(/missing\.msh: not read\.\n {2}missing\.msh cannot be read: it is not there\.\n\n/)
     expect(output).toMatch(/2 hexahedra, 1 valid, 1 unanswered/)
     expect(output).toMatch(/exit status 3, or 0 with --allow-unchecked/)
+  })
+
+  it('has no such characters where a file is not there', async () => {
+    const { output, status } = await check(['no\u202esuch\u001b[31m.msh'])
+    expect(status).toBe(2)
+    expect(output).toContain('nosuch[31m.msh cannot be read')
+    for (const character of ['\u202e', '\u001b']) expect(output).not.toContain(character)
   })
 
   it('has no control or bidirectional characters of names', async () => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { coordinateText, fieldText, readCoordinate } from '../../web/views/vertices/coordinate-text'
+import { coordinateText, fieldText, readCoordinate } from '../../web/panels/vertices/coordinate-text'
 
 describe('a coordinate as text', () => {
   it('is the shortest that reads back as the same double', () => {

@@ -2,6 +2,8 @@
 import { readFileSync } from 'node:fs'
 import { loadCore } from '../../web/core/core'
 
+export { randomSource } from './random'
+
 export const wasmBytes = readFileSync(new URL('../../build/hexlens.wasm', import.meta.url))
 
 export const core = await loadCore(wasmBytes)
@@ -40,17 +42,6 @@ for (const { name, vertices, bits } of cases) {
 }
 
 export const unitCube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
-
-/** Replayable: Mulberry32. */
-export function randomSource(seed: number): () => number {
-  let state = seed
-  return () => {
-    state = (state + 0x6d2b79f5) | 0
-    let z = Math.imul(state ^ (state >>> 15), 1 | state)
-    z = (z + Math.imul(z ^ (z >>> 7), 61 | z)) ^ z
-    return ((z ^ (z >>> 14)) >>> 0) / 2 ** 32
-  }
-}
 
 /** The unit cube with independent normal displacements. */
 export function randomHexahedron(random: () => number, sigma: number): number[] {

@@ -3,7 +3,8 @@ import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { attributeNames } from '../../web/element/attributes'
 import { HexLens } from '../../web/element/hex-lens'
-import { parts } from '../../web/element/parts'
+import { panels } from '../../web/panels/list'
+import { nearest } from '../../web/panels/nearest'
 
 const read = (path: string) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8')
 const table = JSON.parse(read('web/element/interface.json'))
@@ -29,15 +30,17 @@ describe('the table of the element’s interface', () => {
   })
 
   it('has the events that are told', () => {
-    const told = [...read('web/element/hex-lens.ts').matchAll(/#tell\('([\w-]+)'/g)].map(match => match[1])
+    const source = read('web/element/hex-lens.ts') + read('web/element/changes.ts')
+    const told = [...source.matchAll(/\btell\('(hex-[\w-]+)'/g)].map(match => match[1])
     expect([...new Set(told)].sort()).toEqual(names('events').sort())
   })
 
   it('has a CSS part of every view, and says each that can be chosen', () => {
-    const views = parts.map(part => part.name)
+    const all = [...panels, nearest]
+    const views = all.map(({ name }) => name)
     expect(names('parts')).toEqual(expect.arrayContaining(views))
     const { text } = table.attributes.find(({ name }: { name: string }) => name === 'views')
-    for (const { name, always } of parts) if (!always) expect(text).toContain(`\`${name}\``)
+    for (const { name, always, with: other } of all) if (!always && !other) expect(text).toContain(`\`${name}\``)
     const own = [...read('web/element/show.ts').matchAll(/place\('(\w+)'(?:, '(\w+)')?\)/g)].map(
       match => match[2] ?? match[1],
     )
@@ -45,7 +48,7 @@ describe('the table of the element’s interface', () => {
   })
 
   it('has the slots and the custom properties of the style sheet', () => {
-    const styles = read('web/element/hex-lens.css') + read('web/element/style-sheets.ts')
+    const styles = read('web/element/hex-lens.css') + read('web/panels/style-sheets.ts')
     const used = new Set([...styles.matchAll(/--hl-[\w-]+/g)].map(([name]) => name))
     used.delete('--hl-scheme') // follows the attribute theme
     expect(names('customProperties').sort()).toEqual([...used].sort())

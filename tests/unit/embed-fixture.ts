@@ -1,6 +1,7 @@
-/** The element of docs/embedding.md: nine-point and Gauss-point checks pass it, and it is invalid. */
-import type { Embed } from '../../web/model/embed/embed'
+/** The element of docs/embedding.md: nine-point and Gauss-point checks accept it, and it is invalid. */
+
 import { encodePermalink } from '../../web/model/permalink'
+import type { Embed } from '../../web/panels/embed/embed-lines'
 
 const vertices = [0, 1, 0, 1, 1, -4, 1, 4, -3, -2, -1, -2, -4, 1, 4, 4, -1, 4, 4, 1, 3, -2, 3, 1]
 
@@ -11,7 +12,7 @@ export const documented: Embed = {
   readonly: false,
   camera: null,
   height: 560,
-  label: 'A hexahedron that nine-point checks pass and that is invalid',
+  label: 'A hexahedron that nine-point checks accept and that is invalid',
   link: `https://example.org/hexlens/#${encodePermalink(vertices)}`,
   poster: 'hexlens.png',
 }

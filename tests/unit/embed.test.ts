@@ -1,10 +1,9 @@
 /** What docs/embedding.md tells authors to write is what "Copy embed" gives them. */
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
-import { pageParts } from '../../web/element/page-parts'
-import { parts } from '../../web/element/parts'
-import { attributesOf, cameraText, embeddableViews, verticesText } from '../../web/model/embed/embed'
-import { hosts } from '../../web/model/embed/hosts'
+import { attributesOf, cameraText, embeddableViews, verticesText } from '../../web/panels/embed/embed-lines'
+import { hosts } from '../../web/panels/embed/hosts'
+import { panels } from '../../web/panels/list'
 import { documented } from './embed-fixture'
 
 const text = readFileSync(new URL('../../docs/embedding.md', import.meta.url), 'utf8')
@@ -43,10 +42,8 @@ it('what a label says does not end its attribute, and what an element has by its
   expect(attributesOf({ ...documented, views: [] })).toContainEqual(['views', 'none'])
 })
 
-it('every part can be chosen, but for what is always there and the panel that asks', () => {
-  const chosen = parts
-    .filter(part => !part.always && part.name !== 'embed' && !pageParts.includes(part))
-    .map(({ name }) => name)
+it('every panel can be chosen, but for what is always there and the panel that asks', () => {
+  const chosen = panels.filter(panel => !panel.always && !panel.with && panel.name !== 'embed').map(({ name }) => name)
   expect(embeddableViews.map(({ name }) => name).toSorted()).toEqual(chosen.toSorted())
 })
 

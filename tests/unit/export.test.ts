@@ -3,12 +3,14 @@ import { crc32 } from 'node:zlib'
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
 import { loadCore } from '../../web/core/core'
-import { hexadecimal } from '../../web/model/export/c'
-import { reportJson } from '../../web/model/export/report-json'
-import { writers } from '../../web/model/export/writers'
-import { readElements } from '../../web/model/import/import'
+import { reportJson } from '../../web/core/report-json'
+import { readMeshes } from '../../web/mesh/read-mesh'
+import { fileOfBytes } from '../../web/mesh/source'
 import { decodePermalink, encodePermalink } from '../../web/model/permalink'
 import { isPng, textOf, withText } from '../../web/model/png-text'
+import { hexadecimal } from '../../web/panels/take-away/formats/c'
+import { writers } from '../../web/panels/take-away/formats/writers'
+import { readText, verticesOf } from './mesh-expectations'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 const coordinates = fc.array(fc.double({ noNaN: true, noDefaultInfinity: true }), { minLength: 24, maxLength: 24 })
@@ -22,11 +24,15 @@ const png = Uint8Array.from(
   character => character.charCodeAt(0),
 )
 
+function elementsOf(text: string): number[][] {
+  const mesh = readText('the text', text)
+  return Array.from({ length: mesh.cells.length / 8 }, (_, cell) => verticesOf(mesh, cell))
+}
+
 test.each(writers.map(writer => [writer.title, writer] as const))('%s reads back bit for bit', (_, writer) => {
   fc.assert(
     fc.property(coordinates, vertices => {
-      const result = readElements(writer.write(vertices, 'hexahedron'))
-      expect(result.ok && result.reading.elements.map(element => element.vertices)).toEqual([vertices])
+      expect(elementsOf(writer.write(vertices, 'hexahedron'))).toEqual([vertices])
     }),
     { examples: [[hard], [cube]] },
   )
@@ -42,8 +48,8 @@ test('a JSON report reads back bit for bit, and says all of the report', async (
   expect(vertices.flat()).toEqual(analysis.value.vertices)
   const { vertices: _, ...expected } = analysis.value
   expect(rest).toEqual(expected)
-  const result = readElements(text)
-  expect(result.ok && result.reading.elements).toEqual([{ name: 'a', vertices: analysis.value.vertices }])
+  expect(elementsOf(text)).toEqual([analysis.value.vertices])
+  expect(readText('report.json', text).ids).toEqual(['a'])
 })
 
 test('hexadecimal floats are written as printf("%a") does', () => {
@@ -69,6 +75,15 @@ test('a PNG keeps its text bit for bit, and stays a PNG', () => {
       expect(read.ok && read.value).toEqual(vertices)
     }),
     { examples: [[hard]] },
+  )
+})
+
+test('a PNG is read as its element, bit for bit, and one without an element is refused', () => {
+  const bytes = withText(png, 'hexlens', encodePermalink(hard))
+  const [mesh] = readMeshes(fileOfBytes('a.png', bytes))
+  expect(mesh && verticesOf(mesh, 0)).toEqual(hard)
+  expect(() => readMeshes(fileOfBytes('a.png', png))).toThrow(
+    /^a\.png: this is an image\. .* which has its element inside\.$/,
   )
 })
 

@@ -9,7 +9,7 @@ import {
   placeOnFace,
   placesOf,
   pointInCell,
-} from '../../web/views/face-maps/net'
+} from '../../web/panels/face-maps/net'
 
 const CORNERS = [
   [0, 0],

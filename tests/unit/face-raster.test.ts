@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import type { Report } from '../../web/core/report'
 import { faces, vertexReference } from '../../web/model/hexahedron'
+import { netCells, pointInCell } from '../../web/panels/face-maps/net'
 import {
   colourScaleOf,
   HATCH_PERIOD,
@@ -9,9 +10,8 @@ import {
   rampOf,
   rampPosition,
   type Theme,
-} from '../../web/views/colour-map'
-import { netCells, pointInCell } from '../../web/views/face-maps/net'
-import { paintFace, paletteOf } from '../../web/views/face-raster'
+} from '../../web/scene/paint/colour-map'
+import { paintFace, paletteOf } from '../../web/scene/paint/face-raster'
 import { core, randomHexahedron, randomSource } from './core-fixtures'
 
 const hex = (text: string): Rgb =>

@@ -1,13 +1,13 @@
 /** The gallery: each claim holds, exactly; what is said to be a test case or a preset is that one, bit for bit. */
 import { describe, expect, it } from 'vitest'
-import { challenges } from '../../web/content/challenges'
-import { gallery } from '../../web/content/gallery'
-import { elementVertices } from '../../web/content/gallery-vertices'
-import { lessons } from '../../web/content/lessons'
-import { quantitiesOf } from '../../web/content/quantities'
+import { quantitiesOf } from '../../web/core/quantities'
 import { isMet, parseCondition } from '../../web/model/condition'
-import { rampOf, type Theme } from '../../web/views/colour-map'
-import { thumbnailAddress, thumbnailMarkup, thumbnailText } from '../../web/views/thumbnail/thumbnail'
+import { challenges } from '../../web/pages/challenges/challenges'
+import { gallery } from '../../web/pages/gallery/gallery'
+import { elementVertices } from '../../web/pages/gallery/gallery-vertices'
+import { lessons } from '../../web/pages/lessons/content/lessons'
+import { rampOf, type Theme } from '../../web/scene/paint/colour-map'
+import { thumbnailAddress, thumbnailMarkup, thumbnailText } from '../../web/scene/paint/thumbnail'
 import { cases, caseVertices, core, depthGuardCases, entry, unitCube } from './core-fixtures'
 
 const elements = gallery.flatMap(({ elements }) => elements)

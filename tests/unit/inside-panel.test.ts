@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
-import { insideSentence } from '../../web/views/inside-panel/inside-words'
-import { curveOf, heightOf } from '../../web/views/morph/curve'
+import { presets, presetVertices } from '../../web/model/presets'
+import { insideSentence } from '../../web/panels/inside/inside-words'
+import { curveOf, heightOf } from '../../web/panels/morph/curve'
 import { core } from './core-fixtures'
 
 function reportOf(id: string) {

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
 import { axesOn, gradientInside, pointOn, sectionBernstein, valueInside } from '../../web/core/section'
 import { type Surface, zeroSurface } from '../../web/core/zero-surface'
 import { type Axis, faces, type Vec3 } from '../../web/model/hexahedron'
+import { presets, presetVertices } from '../../web/model/presets'
 import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 
 function reportOf(vertices: readonly number[]) {

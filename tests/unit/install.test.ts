@@ -129,7 +129,8 @@ it('shows the functions of the header and nothing else', () => {
 })
 
 describe('the version', () => {
-  const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'))
+  const { version, author, homepage, repository, bugs } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'))
+  const python = readFileSync(join(root, 'python', 'pyproject.toml'), 'utf8')
 
   it('is the same everywhere', () => {
     const macro = (name: string) => new RegExp(`^#define ${name} (\\S+)$`, 'm').exec(header)?.[1]
@@ -139,7 +140,14 @@ describe('the version', () => {
     expect(run('pkg-config', ['--modversion', 'hexlens'], environment).trim()).toBe(version)
     expect(answerOfCMake('')).toMatch(new RegExp(`^${version} `))
     expect(printed).toMatch(`Hexlens ${version}\n`) // what hl_version() said
-    expect(readFileSync(join(root, 'python', 'pyproject.toml'), 'utf8')).toMatch(`version = "${version}"`)
+    expect(python).toMatch(`version = "${version}"`)
+  })
+
+  it('has the same authors and addresses in Python', () => {
+    expect(python).toMatch(`name = "${author}"`)
+    expect(python).toMatch(`Homepage = "${homepage}"`)
+    expect(python).toMatch(`Repository = "${repository.url.replace('git+', '')}"`)
+    expect(python).toMatch(`Issues = "${bugs.url}"`)
   })
 
   /** What the package's version file says to one who asks for a version. */

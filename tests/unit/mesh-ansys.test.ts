@@ -114,6 +114,38 @@ describe('blocks', () => {
     expect(refusal(`${NBLOCK}${NBLOCK.replace('1.0000000000000e+0', '2.0000000000000e+0')}`)).toContain(
       'is defined again',
     )
-    expect(refusal(`/PREP7\nN,1,0,0,0\nE,1,2,3,4,5,6,7,8\n`)).toContain('CDWRITE')
+    expect(refusal(`/PREP7\nN,1,0,0,0\nE,1,2,3,4,5,6,7,8\n`)).toContain('element 1 names node 2, which')
+  })
+})
+
+describe('commands of one node or element', () => {
+  const [bottom, top] = [ONE.slice(0, 4), ONE.slice(4)]
+  const commands = (...elements: string[]) =>
+    ['/PREP7', 'ET,1,SOLID185', ...ONE.map(id => `N,${id},${point(id - 1)} ! node`), ...elements].join('\n')
+
+  it('are read as the blocks are', () => {
+    const mesh = readText('a.inp', commands(`e,${ONE}`, `EN,12,${top},${bottom}`))
+    expect([...(mesh.ids ?? [])]).toEqual([1, 12])
+    expect(verticesOf(mesh, 0)).toEqual(CUBE)
+    expect(validity(mesh)).toMatchObject({ valid: 1, invalid: 1 })
+  })
+
+  it('number nodes on where no number is given, and leave out coordinates that are 0', () => {
+    const mesh = readText('a.cdb', `ET,1,185\nN,1\nN,,1\nN,,1,1\nN,,,1\nN,,,,1\nN,,1,,1\nN,,1,1,1\nN,,,1,1\nE,${ONE}`)
+    expect(verticesOf(mesh, 0)).toEqual(CUBE)
+  })
+
+  it('go on with EMORE', () => {
+    const middles = Array.from({ length: 12 }, (_, i) => `N,${i + 9},0.5,0.5,0.5`).join('\n')
+    const text = `ET,1,186\n${ONE.map(id => `N,${id},${point(id - 1)}`).join('\n')}\n${middles}\nE,${ONE}\nEMORE,9,10,11,12,13,14,15,16\nEMORE,17,18,19,20`
+    const mesh = readText('a.cdb', text)
+    expect([mesh.cells.length, mesh.notTrilinear.corners.length]).toEqual([0, 8])
+  })
+
+  it('are refused in a frame that is not read', () => {
+    expect(refusal(`ET,1,185\nCSYS,1\nN,1,1,90,0`)).toBe(
+      'a.cdb, line 3: N: coordinates in frame 1 are not read; frame 0 was expected.',
+    )
+    expect(refusal(`${NBLOCK}EMORE,1,2`)).toMatch(/EMORE: an element of E or EN was expected before it/)
   })
 })

@@ -1,9 +1,10 @@
 /** Meshes that are made for tests, and what checks them. */
 import { readFileSync } from 'node:fs'
 import { loadBatchCore } from '../../web/core/batch/batch-core'
-import { type CheckOptions, type ClassifyCells, checkMesh, type MeshCheck } from '../../web/mesh/check'
+import { type CheckOptions, type ClassifyCells, checkMesh } from '../../web/mesh/check'
 import type { Mesh } from '../../web/mesh/mesh'
 import { MeshBuilder } from '../../web/mesh/mesh-builder'
+import type { MeshCheck } from '../../web/mesh/mesh-check'
 import { core, unitCube } from './core-fixtures'
 
 const batch = await loadBatchCore(

@@ -269,6 +269,8 @@ describe('Gmsh', () => {
       `${HEADER}${NODES.replace('1 0\n', '1.00001 0\n')}$Elements\n1\n${ELEMENT}$EndElements\n`,
     )
     expect(noted.notes).toEqual(['Coordinates are printed with at most 6 digits: that can move one by up to 5e-6.'])
+    const thirds = NODES.replace('1 0\n', '0.667 0\n')
+    expect(one('a.msh', `${HEADER}${thirds}$Elements\n1\n${ELEMENT}$EndElements\n`).notes).toHaveLength(1)
     expect(one('a.msh', `${HEADER}${NODES}$Elements\n1\n${ELEMENT}$EndElements\n`).notes).toEqual([])
   })
 })

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
-import { type Morph, morphOf } from '../../web/core/morph'
-import { elementAt, placeOnWay } from '../../web/model/morph'
+import { presets, presetVertices } from '../../web/model/presets'
+import { elementAt, placeOnWay } from '../../web/model/way'
+import { type Morph, morphOf } from '../../web/panels/morph/morph-answer'
 import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 
 function preset(id: string) {

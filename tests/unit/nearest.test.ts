@@ -1,9 +1,14 @@
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
-import { leastVector } from '../../web/core/nearest/least-distance'
-import { type Nearest, type NearestAnswer, type NearestMove, searchNearest } from '../../web/core/nearest/nearest'
 import type { Vertices } from '../../web/model/hexahedron'
-import { elementAt } from '../../web/model/morph'
+import { presets, presetVertices } from '../../web/model/presets'
+import { elementAt } from '../../web/model/way'
+import { leastVector } from '../../web/panels/nearest/search/least-distance'
+import {
+  type Nearest,
+  type NearestAnswer,
+  type NearestMove,
+  searchNearest,
+} from '../../web/panels/nearest/search/nearest'
 import { caseVertices, core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 
 function nearestOf(vertices: Vertices): Nearest {

@@ -1,10 +1,10 @@
 /** Other orders of the eight points, and what trying them says. */
 import { describe, expect, it } from 'vitest'
-import { nodeOrders } from '../../web/content/node-orders'
-import { presets, presetVertices } from '../../web/content/presets'
-import { triedOrders } from '../../web/element/tried-orders'
 import type { Vertices } from '../../web/model/hexahedron'
 import { distinctOrders, orderClass, reflections, reordered, rotations } from '../../web/model/node-order'
+import { nodeOrders } from '../../web/model/node-orders'
+import { presets, presetVertices } from '../../web/model/presets'
+import { triedOrders } from '../../web/panels/node-order/tried-orders'
 import { cases, core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 
 const AS_GIVEN = [0, 1, 2, 3, 4, 5, 6, 7]

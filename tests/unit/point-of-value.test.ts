@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
 import { pointOfValue } from '../../web/core/point-of-value'
 import { valueInside } from '../../web/core/section'
+import { presets, presetVertices } from '../../web/model/presets'
 import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 
 const random = randomSource(20261126)

@@ -1,9 +1,9 @@
 /** What the presets claim, in exact arithmetic where a point or an edge decides it. */
 import { describe, expect, it } from 'vitest'
-import { nodeOrders } from '../../web/content/node-orders'
-import { type Preset, presets, presetVertices } from '../../web/content/presets'
 import { type Vec3, vertexReference } from '../../web/model/hexahedron'
 import { reordered } from '../../web/model/node-order'
+import { nodeOrders } from '../../web/model/node-orders'
+import { type Preset, presets, presetVertices } from '../../web/model/presets'
 import { cases, caseVertices, core, randomSource } from './core-fixtures'
 import { edgesArePositive, exactJacdet, verticesArePositive } from './exact'
 

@@ -1,9 +1,11 @@
 /** How a proof is shown: long numbers cut, neighbouring intervals taken together. */
 import { describe, expect, it } from 'vitest'
 import { type CertifiedInterval, certify } from '../../web/core/exact/certificate'
+import { sliceChange, sliceOf } from '../../web/model/state'
 import { createStore } from '../../web/model/store'
-import { fullText, rationalText, roundedText } from '../../web/views/certificate/rational-text'
-import { runsOf } from '../../web/views/certificate/runs'
+import { proofSlice } from '../../web/panels/proof/proof-question'
+import { fullText, rationalText, roundedText } from '../../web/panels/proof/rational-text'
+import { runsOf } from '../../web/panels/proof/runs'
 import { cases, core, depthGuardCases, entry, unitCube } from './core-fixtures'
 
 const rational = (numerator: bigint, denominator = 1n) => ({ numerator, denominator })
@@ -64,12 +66,13 @@ describe('asking for a proof', () => {
 
   it('is no step of history', () => {
     const store = createStore(unitCube, null)
-    expect(store.state.proofShown).toBe(false)
-    store.dispatch({ type: 'show-proof', proofShown: true })
-    expect(store.state).toMatchObject({ proofShown: true, canUndo: false })
+    const isShown = () => sliceOf(proofSlice, store.state).proofShown
+    expect(isShown()).toBe(false)
+    store.dispatch(sliceChange(proofSlice, { proofShown: true }))
+    expect([isShown(), store.state.canUndo]).toEqual([true, false])
     store.dispatch({ type: 'undo' })
-    expect(store.state.proofShown).toBe(true)
-    store.dispatch({ type: 'show-proof', proofShown: false })
-    expect(store.state.proofShown).toBe(false)
+    expect(isShown()).toBe(true)
+    store.dispatch(sliceChange(proofSlice, { proofShown: false }))
+    expect(isShown()).toBe(false)
   })
 })

@@ -1,6 +1,6 @@
 /** What reports answer to conditions: exact signs, whatever the doubles leave open, and numbers of any size. */
 import { describe, expect, it } from 'vitest'
-import { claims, numbers, quantitiesOf, shownNumber } from '../../web/content/quantities'
+import { claims, numbers, quantitiesOf, shownNumber } from '../../web/core/quantities'
 import type { Report } from '../../web/core/report'
 import { isMet, parseCondition, truthOf } from '../../web/model/condition'
 import { type Enclosure, isAtMost } from '../../web/model/condition/enclosure'

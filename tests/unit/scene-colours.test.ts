@@ -1,5 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
+import { spreadLabels } from '../../web/scene/overlay/colour-bar'
 import {
   colourScaleOf,
   luminance,
@@ -9,8 +10,7 @@ import {
   rampOf,
   rampPosition,
   type Theme,
-} from '../../web/views/colour-map'
-import { spreadLabels } from '../../web/views/scene/colour-bar'
+} from '../../web/scene/paint/colour-map'
 
 const hex = (text: string): Rgb =>
   [1, 3, 5].map(at => Number.parseInt(text.slice(at, at + 2), 16) / 255) as unknown as Rgb

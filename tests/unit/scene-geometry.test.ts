@@ -1,19 +1,19 @@
 import { describe, expect, it } from 'vitest'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
-import { DEFAULT_DIRECTION, SceneCamera } from '../../web/views/scene/camera'
-import { facePoint } from '../../web/views/scene/face-point'
+import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../web/scene/input/decimal-step'
+import { axisMoves, nextDisplay } from '../../web/scene/input/keyboard-input'
+import { pickHandle, pickRadius } from '../../web/scene/input/picking'
+import { VertexDrag } from '../../web/scene/input/vertex-drag'
 import {
   FACE_QUADS,
   FACE_TILES,
   quadsPerTileFor,
   tilesOfFaces,
   writeIndices,
-} from '../../web/views/scene/faces-geometry'
-import { axisMoves, nextDisplay } from '../../web/views/scene/keyboard-input'
-import { pickHandle, pickRadius } from '../../web/views/scene/picking'
-import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../web/views/scene/snapping'
-import { VertexDrag } from '../../web/views/scene/vertex-drag'
-import { extentOf, frameOf, toPhysical, toView, verticesInView } from '../../web/views/scene/view-frame'
+} from '../../web/scene/paint/faces-geometry'
+import { DEFAULT_DIRECTION, SceneCamera } from '../../web/scene/space/camera'
+import { facePoint } from '../../web/scene/space/patches'
+import { extentOf, toPhysical, toWorld, verticesInWorld, worldOf } from '../../web/scene/space/world'
 
 const cube = vertexReference.flat()
 const scaled = (factor: number, offset = 0) => cube.map(value => value * factor + offset)
@@ -23,42 +23,42 @@ const insets = { top: 50, right: 130, bottom: 70, left: 60 }
 function cameraOn(vertices: readonly number[], width = 800, height = 600): SceneCamera {
   const camera = new SceneCamera()
   camera.resize(width, height, insets)
-  camera.fit(verticesInView(frameOf(vertices), vertices), DEFAULT_DIRECTION)
-  camera.enclose(verticesInView(frameOf(vertices), vertices))
+  camera.fit(verticesInWorld(worldOf(vertices), vertices), DEFAULT_DIRECTION)
+  camera.enclose(verticesInWorld(worldOf(vertices), vertices))
   return camera
 }
 
-describe('the view frame', () => {
+describe('world space', () => {
   it.each([1, 1e-300, 1e150, 1e307, 2 ** -1060])('fills [-1,1]^3 with a cube of side %d', side => {
     const vertices = scaled(side)
-    for (const point of verticesInView(frameOf(vertices), vertices)) {
+    for (const point of verticesInWorld(worldOf(vertices), vertices)) {
       for (const coordinate of point) expect(Math.abs(coordinate)).toBeCloseTo(1, 6)
     }
   })
 
   it('has room for the greatest doubles on both sides', () => {
     const vertices = cube.map(value => (value ? Number.MAX_VALUE : -Number.MAX_VALUE))
-    for (const point of verticesInView(frameOf(vertices), vertices).flat()) expect(Math.abs(point)).toBeCloseTo(1)
+    for (const point of verticesInWorld(worldOf(vertices), vertices).flat()) expect(Math.abs(point)).toBeCloseTo(1)
     expect(extentOf(vertices)).toBe(Number.MAX_VALUE)
   })
 
   it('keeps a vertex far out of the picture finite, and in its direction', () => {
     for (const far of [1e30, 1e308, Number.MAX_VALUE]) {
-      const [x, y, z] = toView(frameOf(cube), [far, -far, 0.5])
+      const [x, y, z] = toWorld(worldOf(cube), [far, -far, 0.5])
       expect(Number.isFinite(x) && x > 1e6).toBe(true)
       expect([y, z]).toEqual([-x, 0])
     }
   })
 
   it('takes eight equal points', () => {
-    const frame = frameOf(Array(24).fill(3))
-    expect(toView(frame, [3, 3, 4])).toEqual([0, 0, 1])
+    const world = worldOf(Array(24).fill(3))
+    expect(toWorld(world, [3, 3, 4])).toEqual([0, 0, 1])
   })
 
   it('leads back to physical coordinates, never beyond the doubles', () => {
-    const frame = frameOf(scaled(10, 1e8))
-    expect(toPhysical(frame, toView(frame, [1e8 + 3, 1e8, 1e8 + 10]))).toEqual([1e8 + 3, 1e8, 1e8 + 10])
-    expect(toPhysical(frameOf(scaled(1e308)), [9, 0, 0])[0]).toBe(Number.MAX_VALUE)
+    const world = worldOf(scaled(10, 1e8))
+    expect(toPhysical(world, toWorld(world, [1e8 + 3, 1e8, 1e8 + 10]))).toEqual([1e8 + 3, 1e8, 1e8 + 10])
+    expect(toPhysical(worldOf(scaled(1e308)), [9, 0, 0])[0]).toBe(Number.MAX_VALUE)
   })
 })
 
@@ -69,7 +69,7 @@ describe('the camera', () => {
     [1200, 400],
   ])('fits every vertex into what is free of %d x %d and touches its border', (width, height) => {
     const points = cameraOn(cube, width, height)
-    const screen = verticesInView(frameOf(cube), cube).map(point => points.project(point))
+    const screen = verticesInWorld(worldOf(cube), cube).map(point => points.project(point))
     const gaps = screen.flatMap(({ x, y }) => [
       x - insets.left,
       width - insets.right - x,
@@ -137,16 +137,16 @@ describe('decimal steps', () => {
 describe('dragging', () => {
   const drag = (keys: Parameters<VertexDrag['moveTo']>[2], dx: number, dy: number, vertices = cube, vertex = 6) => {
     const camera = cameraOn(vertices)
-    const frame = frameOf(vertices)
+    const world = worldOf(vertices)
     const position = vertices.slice(3 * vertex, 3 * vertex + 3) as unknown as Vec3
-    const { x, y } = camera.project(toView(frame, position))
-    const to = new VertexDrag({ camera, frame, position, extent: extentOf(vertices), x: x + 5, y: y - 3 }).moveTo(
+    const { x, y } = camera.project(toWorld(world, position))
+    const to = new VertexDrag({ camera, world, position, extent: extentOf(vertices), x: x + 5, y: y - 3 }).moveTo(
       x + 5 + dx,
       y - 3 + dy,
       keys,
     )
-    const seen = camera.project(toView(frame, to))
-    const depths = [position, to].map(point => camera.depth(toView(frame, point))) as [number, number]
+    const seen = camera.project(toWorld(world, to))
+    const depths = [position, to].map(point => camera.depth(toWorld(world, point))) as [number, number]
     return { to, moved: [seen.x - x, seen.y - y] as const, depths }
   }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { convexHull, type LabelRequest, overlap, placeLabel } from '../../web/views/scene/label-place'
+import { convexHull, type LabelRequest, overlap, placeLabel } from '../../web/scene/overlay/label-place'
 
 const request: LabelRequest = {
   anchor: { x: 200, y: 150 },

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest'
 import type { Candidate, Report } from '../../web/core/report'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
-import { unitColumns } from '../../web/views/scene/arrows'
-import { DEFAULT_DIRECTION, type Ray, SceneCamera } from '../../web/views/scene/camera'
-import { bernsteinRoots, hitFaces, pointUnder, referenceOf } from '../../web/views/scene/face-hit'
-import { facePoint, patchPoint, sectionCorners } from '../../web/views/scene/face-point'
-import { nextCandidate } from '../../web/views/scene/probe-candidates'
-import { frameOf, verticesInView } from '../../web/views/scene/view-frame'
+import { bernsteinRoots, hitFaces, pointUnder, referenceOf } from '../../web/scene/input/face-hit'
+import { nextCandidate } from '../../web/scene/input/probe-input'
+import { unitColumns } from '../../web/scene/overlay/probe-mark'
+import { DEFAULT_DIRECTION, type Ray, SceneCamera } from '../../web/scene/space/camera'
+import { facePoint, patchPoint, sectionCorners } from '../../web/scene/space/patches'
+import { verticesInWorld, worldOf } from '../../web/scene/space/world'
 
 const cube = vertexReference
 const twisted: readonly Vec3[] = [
@@ -165,7 +165,7 @@ describe('the columns as arrows', () => {
 describe('what a pointer points at', () => {
   const camera = new SceneCamera()
   camera.resize(800, 600, { top: 0, right: 0, bottom: 0, left: 0 })
-  const vertices = verticesInView(frameOf(cube.flat()), cube.flat())
+  const vertices = verticesInWorld(worldOf(cube.flat()), cube.flat())
   camera.fit(vertices, DEFAULT_DIRECTION)
   camera.enclose(vertices)
   const handles = vertices.map(point => camera.project(point))
@@ -190,7 +190,7 @@ describe('what a pointer points at', () => {
 describe('what a pointer points at where the inside is shown', () => {
   const camera = new SceneCamera()
   camera.resize(800, 600, { top: 0, right: 0, bottom: 0, left: 0 })
-  const vertices = verticesInView(frameOf(twisted.flat()), twisted.flat())
+  const vertices = verticesInWorld(worldOf(twisted.flat()), twisted.flat())
   camera.fit(vertices, DEFAULT_DIRECTION)
   camera.enclose(vertices)
   const handles = vertices.map(point => camera.project(point))

@@ -1,5 +1,6 @@
 /** The form of a search in the address, and what is kept in a browser's storage, whatever that does. */
 import { afterEach, describe, expect, it, vi } from 'vitest'
+import { readHexahedron } from '../../web/cli/read-hexahedra'
 import {
   decodeForm,
   encodeForm,
@@ -8,13 +9,12 @@ import {
   kinds,
   questOf,
   withField,
-} from '../../web/app/search/form-state'
-import { exported, Kept } from '../../web/app/search/kept'
-import { Spokesman } from '../../web/app/search/spokesman'
-import { readHexahedron } from '../../web/cli/read-hexahedra'
-import { readElements } from '../../web/model/import/import'
-import { readQuest } from '../../web/search/quest'
+} from '../../web/pages/search/form-state'
+import { readQuest } from '../../web/pages/search/hunt/quest'
+import { exported, Kept } from '../../web/pages/search/kept'
+import { Spokesman } from '../../web/pages/search/spokesman'
 import { entry, unitCube } from './core-fixtures'
+import { readText, verticesOf } from './mesh-expectations'
 
 const decoded = (query: string) => decodeForm(new URLSearchParams(query))
 
@@ -154,10 +154,9 @@ describe('what is kept', () => {
     const readBack = (text: string) => JSON.parse(text).map(readHexahedron)
     expect(readBack(exported(list))).toEqual(list.map(({ name, vertices }) => ({ name, vertices })))
     expect(readBack(exported([]))).toEqual([])
-    const pasted = readElements(exported(list))
-    expect(pasted.ok ? pasted.reading.elements.map(({ vertices }) => vertices) : []).toEqual(
-      list.map(({ vertices }) => vertices),
-    )
+    const pasted = readText('found.json', exported(list))
+    expect(list.map((_, cell) => verticesOf(pasted, cell))).toEqual(list.map(({ vertices }) => vertices))
+    expect(pasted.ids).toEqual(['a', 'b "quoted"'])
   })
 })
 

@@ -1,19 +1,19 @@
 /** Searches with the real workers: what they find, whoever finds it, and what becomes of it when it is polished. */
 import { afterAll, expect, it } from 'vitest'
-import { quantitiesOf } from '../../web/content/quantities'
-import { ownSearch, searches } from '../../web/content/searches'
+import { quantitiesOf } from '../../web/core/quantities'
 import { isMet } from '../../web/model/condition'
-import { BLOCK } from '../../web/search/hunt'
-import type { Answer, Request } from '../../web/search/messages'
-import { type Quest, readQuest } from '../../web/search/quest'
-import { type Find, Ranking } from '../../web/search/ranking'
-import { polished, Search, type Workforce } from '../../web/search/search'
+import { BLOCK } from '../../web/pages/search/hunt/hunt'
+import type { Answer, Request } from '../../web/pages/search/hunt/messages'
+import { type Quest, readQuest } from '../../web/pages/search/hunt/quest'
+import { type Find, Ranking } from '../../web/pages/search/hunt/ranking'
+import { polished, Search, type Workforce } from '../../web/pages/search/hunt/search'
+import { ownSearch, searches } from '../../web/pages/search/searches'
 import { certificateOf, checked, type Loose } from './certificate-checker'
 import { core, entry, randomSource } from './core-fixtures'
 import { edgesArePositive, verticesArePositive } from './exact'
 import { batchModules, bundledWorker, endThreads, nodePort } from './node-workers'
 
-const worker = await bundledWorker('web/search/worker.ts')
+const worker = await bundledWorker('web/pages/search/hunt/worker.ts')
 afterAll(endThreads)
 
 function force(workers: number, module = batchModules.vectors): Workforce {

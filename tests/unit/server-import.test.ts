@@ -2,6 +2,7 @@ import { expect, it } from 'vitest'
 
 it('importing the element where there is no page does no harm', async () => {
   expect(['HTMLElement', 'document', 'customElements', 'CSSStyleSheet'].filter(name => name in globalThis)).toEqual([])
+  await import('../../web/pages/element')
   const { HexLens } = await import('../../web/element/hex-lens')
   expect(HexLens.observedAttributes).toContain('vertices')
 })

@@ -3,12 +3,16 @@ import Ajv2020 from 'ajv/dist/2020.js'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import type { Vertices } from '../../web/model/hexahedron'
-import { type Cameras, type CameraView, CONTROLS, type FaceDisplay, PANELS, type State } from '../../web/model/state'
+import { type Cameras, type CameraView, CONTROLS, type FaceDisplay, type State } from '../../web/model/state'
 import { readState, stateDocument } from '../../web/model/state-document'
 import { createStore } from '../../web/model/store'
+import { panels } from '../../web/panels/list'
+import { nearest } from '../../web/panels/nearest'
+import { knownPanels } from '../../web/panels/panel'
 import { unitCube } from './core-fixtures'
 
 const schema = JSON.parse(readFileSync(new URL('../../docs/state.schema.json', import.meta.url), 'utf8'))
+const known = knownPanels([...panels, nearest])
 const fits = new Ajv2020({ allErrors: true, strictTypes: false }).compile(schema)
 
 const double = fc.double({ noNaN: true, noDefaultInfinity: true })
@@ -33,33 +37,36 @@ const state: fc.Arbitrary<State> = fc.record({
   gestureStart: fc.constant(null),
   referenceCube: fc.constantFrom('unit', 'biunit'),
   faceDisplay: fc.constantFrom<FaceDisplay[]>('opaque', 'see-through', 'inside', 0, 1, 2, 3, 4, 5),
-  proofShown: fc.boolean(),
-  openPanels: fc.shuffledSubarray([...PANELS]),
+  openPanels: fc.shuffledSubarray([...known.names]),
   referenceShown: fc.boolean(),
   camerasLinked: fc.boolean(),
   probe: fc.constantFrom(null, [0, 0, 1] as const),
-  selectedFace: below(6),
   highlight: fc.constantFrom(null, { kind: 'edge', id: 3 } as const),
   helpShown: fc.boolean(),
   previewedOrder: fc.constantFrom(null, [1, 0, 3, 2, 5, 4, 7, 6]),
   lookedAt: fc.constantFrom(null, { points: [[0, 0.5, 1] as const], edges: true }),
   previewedMove: fc.option(vertices),
-  morphA: fc.option(vertices),
-  morphB: fc.option(vertices),
   section: fc.record({ axis: fc.constantFrom(0, 1, 2), value: within(0, 1) }),
-  following: fc.record({
-    query: fc.constantFrom('minimum', 'validity'),
-    variant: fc.constantFrom('roots', 'roots-b'),
-    step: below(26),
-  }),
   isReadonly: fc.boolean(),
   controls: fc.constantFrom(CONTROLS, []),
   canUndo: fc.boolean(),
   canRedo: fc.boolean(),
+  slices: fc.record({
+    proof: fc.record({ proofShown: fc.boolean() }),
+    'face-maps': fc.record({ selectedFace: below(6) }),
+    algorithm: fc.record({
+      following: fc.record({
+        query: fc.constantFrom('minimum', 'validity'),
+        variant: fc.constantFrom('roots', 'roots-b'),
+        step: below(26),
+      }),
+    }),
+    morph: fc.record({ morphA: fc.option(vertices), morphB: fc.option(vertices) }),
+  }),
 })
 
 function read(given: unknown) {
-  const result = readState(given)
+  const result = readState(given, known)
   if (!result.ok) throw new Error(result.error.message)
   return result.value
 }
@@ -87,7 +94,7 @@ describe('a state', () => {
   it('fits the schema, and through JSON every bit of it comes back', () => {
     fc.assert(
       fc.property(state, cameras, (given, looked) => {
-        const text = JSON.stringify(stateDocument(given, looked))
+        const text = JSON.stringify(stateDocument(given, looked, known))
         expect(fits(JSON.parse(text)), JSON.stringify(fits.errors)).toBe(true)
         const back = read(JSON.parse(text))
         expect(back).toEqual({ state: lastingOf(given), cameras: looked })
@@ -103,24 +110,29 @@ describe('a state', () => {
       openPanels: ['later', 'morph', 'morph'],
     })
     const fresh = lastingOf(createStore(unitCube, null).state)
-    expect(state).toEqual({ ...fresh, openPanels: ['morph'] })
+    const slices = Object.fromEntries(known.slices.map(({ name, first }) => [name, first]))
+    expect(state).toEqual({ ...fresh, slices, openPanels: ['morph'] })
   })
 
   it('of a later version is refused as that, of none as malformed', () => {
     for (const version of [2, 7, 1.5]) {
-      const result = readState({ version, vertices: unitCube })
+      const result = readState({ version, vertices: unitCube }, known)
       expect(result).toMatchObject({ ok: false, error: { code: 'unknown-version' } })
     }
     for (const given of [{ vertices: unitCube }, { version: '1', vertices: unitCube }, { version: 0 }, null, 'x', []]) {
-      expect(readState(given)).toMatchObject({ ok: false, error: { code: 'malformed-state' } })
+      expect(readState(given, known)).toMatchObject({ ok: false, error: { code: 'malformed-state' } })
     }
   })
 
   it('is read where the schema lets it through, and refused with a sentence that names the key where it does not', () => {
-    const whole = stateDocument(createStore(unitCube, 'cube').state, {
-      camera: { direction: [1, 0, 0], zoom: 2, pan: [0, 0, 0] },
-      referenceCamera: null,
-    })
+    const whole = stateDocument(
+      createStore(unitCube, 'cube').state,
+      {
+        camera: { direction: [1, 0, 0], zoom: 2, pan: [0, 0, 0] },
+        referenceCamera: null,
+      },
+      known,
+    )
     const odd = [
       undefined,
       null,
@@ -159,7 +171,7 @@ describe('a state', () => {
     for (const path of pathsOf(whole)) {
       for (const value of [...odd, ...lists, unitCube]) {
         const given = changed(whole, path, value)
-        const result = readState(given)
+        const result = readState(given, known)
         expect(result.ok, `${path.join('.')} = ${JSON.stringify(value)}`).toBe(fits(given))
         counts[result.ok ? 'read' : 'refused']++
         if (!result.ok && result.error.code === 'malformed-state') expect(result.error.message).toContain(path[0])

@@ -1,8 +1,10 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { vertexOf } from '../../web/model/hexahedron'
-import type { Action } from '../../web/model/state'
+import { type Action, sliceChange, sliceOf } from '../../web/model/state'
 import { createStore, HISTORY_LIMIT } from '../../web/model/store'
+import { faceSlice } from '../../web/panels/face-maps/selected-face'
+import { endsSlice } from '../../web/panels/morph/morph-question'
 import { unitCube } from './core-fixtures'
 
 const other = unitCube.map(x => 2 * x)
@@ -179,16 +181,17 @@ describe('the store', () => {
       { type: 'open-panel', panel: 'morph', isOpen: true },
       { type: 'open-panel', panel: 'morph', isOpen: true },
       { type: 'probe', point: [0, 0.5, 1] },
-      { type: 'select-face', face: 5 },
+      sliceChange(faceSlice, { selectedFace: 5 }),
     )
-    expect(target.state).toMatchObject({ openPanels: ['morph'], probe: [0, 0.5, 1], selectedFace: 5, canUndo: false })
+    expect(target.state).toMatchObject({ openPanels: ['morph'], probe: [0, 0.5, 1], canUndo: false })
+    expect(sliceOf(faceSlice, target.state)).toEqual({ selectedFace: 5 })
     const before = target.state
     target.dispatch({ type: 'probe', point: [0, 0.5, 1] })
     expect(target.state).toBe(before)
     target.dispatch({ type: 'open-panel', panel: 'morph', isOpen: false })
     expect(target.state.openPanels).toEqual([])
     expect(() => target.dispatch({ type: 'probe', point: [0, 0.5, 1.5] })).toThrow(RangeError)
-    expect(() => target.dispatch({ type: 'select-face', face: 6 })).toThrow(RangeError)
+    expect(() => target.dispatch(sliceChange(faceSlice, { selectedFace: 6 }))).toThrow(RangeError)
   })
 
   it('keeps the reference cube and linked cameras out of the history', () => {
@@ -257,14 +260,32 @@ describe('the store', () => {
       expect(() => target.dispatch({ type: 'preview-order', order: wrong })).toThrow(RangeError)
   })
 
+  it('begins without a history, and changes nothing where the numbers are there already', () => {
+    const target = dispatched(move(5), { type: 'begin', vertices: other, preset: null, start: unitCube })
+    expect(target.state).toMatchObject({ vertices: other, start: unitCube, canUndo: false, canRedo: false })
+    const before = target.state
+    target.dispatch({ type: 'set-vertices', vertices: other.slice(), preset: null })
+    expect(target.state).toBe(before)
+    target.dispatch({ type: 'set-vertices', vertices: other.slice(), preset: 'named' })
+    expect(target.state).toMatchObject({ preset: 'named', start: other, canUndo: true })
+    expect(target.state.vertices).toBe(before.vertices)
+    target.dispatch({ type: 'set-vertices', vertices: other.with(0, -0), preset: null })
+    expect(Object.is(target.state.vertices[0], -0)).toBe(true)
+    expect(() => target.dispatch({ type: 'begin', vertices: [1], preset: null, start: unitCube })).toThrow(RangeError)
+  })
+
   it('keeps the ends of a way out of the history, and refuses what is no element', () => {
-    const target = dispatched({ type: 'keep-morph-end', end: 'morphA', vertices: other })
-    expect(target.state).toMatchObject({ morphA: other, morphB: null, canUndo: false })
-    target.dispatch({ type: 'keep-morph-end', end: 'morphB', vertices: unitCube })
-    expect(target.state.morphB).toBe(target.state.vertices)
-    target.dispatch({ type: 'keep-morph-end', end: 'morphA', vertices: null })
-    expect(target.state.morphA).toBeNull()
-    expect(() => target.dispatch({ type: 'keep-morph-end', end: 'morphB', vertices: [1] })).toThrow(RangeError)
+    const target = dispatched(sliceChange(endsSlice, { morphA: other }))
+    expect(sliceOf(endsSlice, target.state)).toEqual({ morphA: other, morphB: null })
+    expect(target.state.canUndo).toBe(false)
+    target.dispatch(sliceChange(endsSlice, { morphB: unitCube }))
+    expect(sliceOf(endsSlice, target.state)).toEqual({ morphA: other, morphB: unitCube })
+    target.dispatch(sliceChange(endsSlice, { morphA: null }))
+    expect(sliceOf(endsSlice, target.state).morphA).toBeNull()
+    const before = target.state
+    target.dispatch(sliceChange(endsSlice, { morphA: null }))
+    expect(target.state).toBe(before)
+    expect(() => target.dispatch(sliceChange(endsSlice, { morphB: [1] }))).toThrow(RangeError)
   })
 
   it('after any actions undoes all the way to the start and redoes all the way back', () => {

@@ -1,9 +1,9 @@
 /** The steps of Algorithm 1 in words, and M as a staircase. */
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
-import { type TraceOptions, traceOf } from '../../web/core/trace'
-import { minimumPlot } from '../../web/views/algorithm/minimum-plot'
-import { answerSentence, stepOutcome, stepSentence, type TraceShown } from '../../web/views/algorithm/step-text'
+import { presets, presetVertices } from '../../web/model/presets'
+import { minimumPlot } from '../../web/panels/algorithm/minimum-plot'
+import { answerSentence, stepOutcome, stepSentence, type TraceShown } from '../../web/panels/algorithm/step-text'
+import { type TraceOptions, traceOf } from '../../web/panels/algorithm/trace'
 import { core, unitCube } from './core-fixtures'
 
 function shownOf(vertices: readonly number[], options: TraceOptions): TraceShown {

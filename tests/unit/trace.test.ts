@@ -1,8 +1,8 @@
 /** Algorithm 1 step by step against the report it is derived from, on hard cases, presets and random elements. */
 import { describe, expect, it } from 'vitest'
-import { presets, presetVertices } from '../../web/content/presets'
 import type { Candidate, Report } from '../../web/core/report'
-import { type TraceOptions, type TraceStep, traceOf } from '../../web/core/trace'
+import { presets, presetVertices } from '../../web/model/presets'
+import { type TraceOptions, type TraceStep, traceOf } from '../../web/panels/algorithm/trace'
 import { cases, core, depthGuardCases, randomHexahedron, randomSource } from './core-fixtures'
 
 const MINIMUM: TraceOptions = { query: 'minimum', variant: 'roots' }

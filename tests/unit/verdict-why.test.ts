@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import type { Candidate, CandidateKind, Report } from '../../web/core/report'
-import { placeName, whySentence } from '../../web/views/verdict/why'
+import { placeName, whySentence } from '../../web/panels/verdict/why'
 
 const candidate = (kind: CandidateKind, id: number, value: number): Candidate => ({
   kind,

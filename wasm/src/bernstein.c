@@ -62,31 +62,33 @@ void jacdet_bernstein(const edge_vectors *edges, double bernstein[27]) {
   cube_centre(bernstein);
 }
 
-static double magnitude(double x) { return x < 0 ? -x : x; }
-
-/* |a| x |b| with plus signs. */
-static void absolute_cross(const double a[3], const double b[3], double out[3]) {
-  out[0] = magnitude(a[1] * b[2]) + magnitude(a[2] * b[1]);
-  out[1] = magnitude(a[2] * b[0]) + magnitude(a[0] * b[2]);
-  out[2] = magnitude(a[0] * b[1]) + magnitude(a[1] * b[0]);
+/* A cross product with plus signs. */
+static void permanent_cross(const double a[3], const double b[3], double out[3]) {
+  out[0] = a[1] * b[2] + a[2] * b[1];
+  out[1] = a[2] * b[0] + a[0] * b[2];
+  out[2] = a[0] * b[1] + a[1] * b[0];
 }
 
-static double absolute_dot(const double a[3], const double b[3]) {
-  return magnitude(a[0] * b[0]) + magnitude(a[1] * b[1]) + magnitude(a[2] * b[2]);
+static void magnitudes_of(const double family[2][2][3], double magnitudes[2][2][3]) {
+  for (int i = 0; i < 12; ++i) magnitudes[i / 6][i / 3 % 2][i % 3] = fabs(family[i / 6][i / 3 % 2][i % 3]);
 }
 
-double greatest_permanent(const edge_vectors *e) {
+double greatest_permanent(const edge_vectors *edges) {
+  double u[2][2][3], v[2][2][3], w[2][2][3];
+  magnitudes_of(edges->u, u);
+  magnitudes_of(edges->v, v);
+  magnitudes_of(edges->w, w);
   double greatest = 0;
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       for (int k = 0; k < 2; ++k) {
         double n[3];
-        absolute_cross(e->u[j][k], e->v[i][k], n);
-        greatest = larger(greatest, absolute_dot(n, e->w[i][j]));
-        greatest = larger(greatest, absolute_dot(n, e->w[1 - i][j]));
-        greatest = larger(greatest, absolute_dot(n, e->w[i][1 - j]));
-        absolute_cross(e->u[j][k], e->v[i][1 - k], n);
-        greatest = larger(greatest, absolute_dot(n, e->w[i][j]));
+        permanent_cross(u[j][k], v[i][k], n);
+        greatest = larger(greatest, dot(n, w[i][j]));
+        greatest = larger(greatest, dot(n, w[1 - i][j]));
+        greatest = larger(greatest, dot(n, w[i][1 - j]));
+        permanent_cross(u[j][k], v[i][1 - k], n);
+        greatest = larger(greatest, dot(n, w[i][j]));
       }
   return greatest;
 }

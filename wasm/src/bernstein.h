@@ -6,6 +6,7 @@
 #include "topology.h"
 
 #include <float.h>
+#include <math.h>
 #if defined __wasm_simd128__
 #include <wasm_simd128.h>
 #endif
@@ -16,19 +17,19 @@ _Static_assert(FLT_EVAL_METHOD == 0 && DBL_MANT_DIG == 53, "plain IEEE doubles")
 /* y < x ? y : x and y > x ? y : x. Engines make a jump of WebAssembly's choice between two doubles, and one that is often
    mispredicted here; of its choice between vectors they do not. */
 #if defined __wasm_simd128__
-static inline double smaller(double x, double y) {
+HL_INLINE double smaller(double x, double y) {
   return wasm_f64x2_extract_lane(wasm_f64x2_pmin(wasm_f64x2_splat(x), wasm_f64x2_splat(y)), 0);
 }
-static inline double larger(double x, double y) {
+HL_INLINE double larger(double x, double y) {
   return wasm_f64x2_extract_lane(wasm_f64x2_pmax(wasm_f64x2_splat(x), wasm_f64x2_splat(y)), 0);
 }
 #else
-static inline double smaller(double x, double y) { return y < x ? y : x; }
-static inline double larger(double x, double y) { return y > x ? y : x; }
+HL_INLINE double smaller(double x, double y) { return y < x ? y : x; }
+HL_INLINE double larger(double x, double y) { return y > x ? y : x; }
 #endif
 
 /* (1-t) p + t q for t in [0,1], never outside [p,q]: rounding must not carry a value below its Bernstein bound. */
-static inline double lerp(double p, double q, double t) {
+HL_INLINE double lerp(double p, double q, double t) {
   double r = (1 - t) * p + t * q;
   return smaller(larger(r, smaller(p, q)), larger(p, q));
 }
@@ -46,10 +47,7 @@ static inline double least_of(const double *values, int count) {
 
 static inline double greatest_magnitude(const double *x, int count) {
   double greatest = 0;
-  for (int i = 0; i < count; ++i) {
-    double magnitude = x[i] < 0 ? -x[i] : x[i];
-    if (magnitude > greatest) greatest = magnitude;
-  }
+  for (int i = 0; i < count; ++i) greatest = larger(greatest, fabs(x[i]));
   return greatest;
 }
 

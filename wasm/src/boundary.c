@@ -175,10 +175,15 @@ int list_jacdets(hl_report *report, double *list[MAX_JACDETS]) {
 static int exponent_left(hl_report *report, int exponent) {
   double *jacdets[MAX_JACDETS];
   int count = list_jacdets(report, jacdets);
+  double least = INFINITY, greatest = 0; /* the least that is not 0 */
   for (int i = 0; i < count; ++i) {
-    const bool may_be_smaller = report->is_exact && (*jacdets[i] == DBL_MIN || *jacdets[i] == -DBL_MIN);
-    if (may_be_smaller || !is_normal_after_scaling(*jacdets[i], exponent)) return exponent;
+    const double size = fabs(*jacdets[i]);
+    if (report->is_exact && size == DBL_MIN) return exponent;
+    if (size != 0) least = smaller(least, size);
+    greatest = larger(greatest, size);
   }
+  if (greatest == 0) return 0;
+  if (!is_normal_after_scaling(least, exponent) || !is_normal_after_scaling(greatest, exponent)) return exponent;
   for (int i = 0; i < count; ++i) *jacdets[i] = times_power_of_two(*jacdets[i], exponent);
   return 0;
 }
@@ -200,11 +205,10 @@ void find_candidates(const double vertices[24], hl_report *report) {
   report->edge_minimum = least_candidate_value(report);
   for (int f = 0; f < HL_FACES; ++f) report_face(report, f);
 
-  for (int i = 0; i < report->candidate_count; ++i)
-    map_point(vertices, report->candidates[i].point, report->candidates[i].position);
+  for (int i = 0; i < report->candidate_count; ++i) map_candidate(vertices, &report->candidates[i]);
   report->minimizer = least_listed(report);
   report->maximizer = greatest_candidate(report->bernstein);
-  map_point(vertices, report->maximizer.point, report->maximizer.position);
+  map_candidate(vertices, &report->maximizer);
 }
 
 void complete_report(const double vertices[24], const edge_vectors *edges, precision given, const middle_point *middle,
@@ -331,7 +335,7 @@ hl_status hl_boundary_minimum(const double vertices[24], hl_variant variant, hl_
     minimum->minimizer.value = exact.minimum.mantissa;
     exponent = exact.minimum.exponent;
   }
-  map_point(vertices, minimum->minimizer.point, minimum->minimizer.position);
+  map_candidate(vertices, &minimum->minimizer);
   minimum->exponent = scaled_back(&minimum->minimizer.value, 1, exponent);
   return HL_OK;
 }

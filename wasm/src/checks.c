@@ -42,8 +42,7 @@ static double scaled_jacobian(double jacdet, int exponent, const column *u, cons
     if (ratio <= 1 && ratio >= -1) return ratio;
   }
   cross(u->vector, v->vector, normal);
-  double size = dot(normal, w->vector) / product;
-  if (size < 0) size = -size;
+  double size = fabs(dot(normal, w->vector) / product);
   if (size < 0x1p-960) size = 0x1p-960;
   return jacdet > 0 ? size : -size;
 }

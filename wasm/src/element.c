@@ -87,7 +87,7 @@ double relative_minimum(double minimum, int exponent, double volume, int volume_
   if (volume == 0) return NAN;
   if (minimum == 0) return 0;
   const int m = binary_exponent(minimum), v = binary_exponent(volume), power = exponent + m - volume_exponent - v;
-  const double ratio = times_power_of_two(minimum, -m) / times_power_of_two(volume < 0 ? -volume : volume, -v);
+  const double ratio = times_power_of_two(minimum, -m) / times_power_of_two(fabs(volume), -v);
   const double greatest = minimum < 0 ? -DBL_MAX : DBL_MAX, least = minimum < 0 ? -DBL_MIN : DBL_MIN;
   if (power > DBL_MAX_EXP) return greatest;
   if (power < DBL_MIN_EXP - 1) return least;

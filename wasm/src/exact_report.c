@@ -90,7 +90,7 @@ static void append(hl_report *report, const hl_candidate *candidate) {
 
 static void append_exact(const double vertices[24], hl_candidate candidate, double value, hl_report *report) {
   candidate.value = value;
-  map_point(vertices, candidate.point, candidate.position);
+  map_candidate(vertices, &candidate);
   append(report, &candidate);
 }
 
@@ -140,7 +140,7 @@ int exact_report(const double vertices[24], const edge_vectors *edges, const exa
   find_candidates(vertices, report);
   report->verdict = x->boundary.minimum.mantissa > 0 ? HL_VALID : HL_INVALID;
   report->minimizer = x->boundary.minimizer;
-  map_point(vertices, report->minimizer.point, report->minimizer.position);
+  map_candidate(vertices, &report->minimizer);
   report->minimizer.value = in_normal_units(x->boundary.minimum, x->unit);
   report->corner_minimum = in_normal_units(x->boundary.corner_minimum, x->unit);
   const precision given = {.boundary_error = x->error, .error = x->error, .exponent = x->unit};

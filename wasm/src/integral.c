@@ -52,8 +52,6 @@ static pair product_of(pair a, pair b) {
 
 static pair negated(pair a) { return (pair){-a.high, -a.low}; }
 
-static double magnitude(pair a) { return a.high < 0 ? -a.high : a.high; }
-
 static void column_of(const double vertices[24], const unsigned char pairs[2][2], pair out[3]) {
   for (int r = 0; r < 3; ++r) {
     out[r] = exact_sum(vertices[3 * pairs[0][1] + r], -vertices[3 * pairs[0][0] + r]);
@@ -92,7 +90,7 @@ static bool is_found_in_pairs(const double vertices[24], double *volume) {
       const int s = (r + 1) % 3, t = (r + 2) % 3;
       const pair minor = sum_of(product_of(a[s], b[t]), negated(product_of(a[t], b[s])));
       total = sum_of(total, product_of(minor, c[r]));
-      size += (magnitude(a[s]) * magnitude(b[t]) + magnitude(a[t]) * magnitude(b[s])) * magnitude(c[r]);
+      size += (fabs(a[s].high) * fabs(b[t].high) + fabs(a[t].high) * fabs(b[s].high)) * fabs(c[r].high);
     }
   }
   /* total / 12: the quotient, and what is left of it. */

@@ -16,6 +16,22 @@ void map_point(const double vertices[24], const double point[3], double position
   }
 }
 
+/* F is linear on edges. */
+void map_candidate(const double vertices[24], hl_candidate *candidate) {
+  int from = candidate->id, to = from;
+  double t = 0;
+  if (candidate->kind == HL_FACE) {
+    map_point(vertices, candidate->point, candidate->position);
+    return;
+  }
+  if (candidate->kind == HL_EDGE) {
+    from = edge_ends[candidate->id][0];
+    to = edge_ends[candidate->id][1];
+    t = candidate->point[edge_table[candidate->id].axis];
+  }
+  for (int r = 0; r < 3; ++r) candidate->position[r] = lerp(vertices[3 * from + r], vertices[3 * to + r], t) + 0.0;
+}
+
 /* A column is the bilinear mean of its four edge vectors over the two other coordinates, in ascending order. */
 void jacobian_columns(const edge_vectors *edges, const double point[3], double columns[3][3]) {
   const double (*const families[3])[2][3] = {edges->u, edges->v, edges->w};

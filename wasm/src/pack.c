@@ -1,11 +1,12 @@
 /* The report as a list of doubles, in the order of the structs of hexlens.h. web/core/unpack.ts reads the same order. */
 #include "hexlens.h"
+#include "topology.h"
 
 typedef struct cursor {
   double *next;
 } cursor;
 
-static void put(cursor *c, double value) { *c->next++ = value; }
+HL_INLINE void put(cursor *c, double value) { *c->next++ = value; }
 
 static void put_all(cursor *c, const double *values, int count) {
   for (int i = 0; i < count; ++i) put(c, values[i]);

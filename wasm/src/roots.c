@@ -7,7 +7,7 @@
 /* Doubles below 1 are at most this far apart: a shorter bracket says nothing more about a weight 1-t. */
 #define FINEST UNIT_ROUNDOFF
 
-static int sign_of(double x) { return (x > 0) - (x < 0); }
+HL_INLINE int sign_of(double x) { return (x > 0) - (x < 0); }
 
 /* Value and slope at t by de Casteljau's scheme. */
 static double value_at(const double *p, int degree, double t, double *slope) {
@@ -73,7 +73,7 @@ static int inner_sign(const double *p, int degree, int from, int direction) {
    a root of even multiplicity is not lost. */
 static int sign_at_extremum(const double *p, int degree, double t) {
   double magnitudes[HL_QUARTIC], slope;
-  for (int i = 0; i <= degree; ++i) magnitudes[i] = p[i] < 0 ? -p[i] : p[i];
+  for (int i = 0; i <= degree; ++i) magnitudes[i] = fabs(p[i]);
   double value = value_at(p, degree, t, &slope);
   double error = LEVEL_ROUNDINGS * degree * UNIT_ROUNDOFF * value_at(magnitudes, degree, t, &slope);
   return value > error ? 1 : value < -error ? -1 : 0;

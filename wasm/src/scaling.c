@@ -3,18 +3,19 @@
 #include "topology.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
 enum { EXPONENT_BIAS = 1023, LEAST_NORMAL = -1022, GREATEST = 1023 };
 
-static uint64_t bits_of(double x) {
+HL_INLINE uint64_t bits_of(double x) {
   uint64_t bits;
   memcpy(&bits, &x, sizeof bits);
   return bits;
 }
 
-static double power_of_two(int exponent) { /* LEAST_NORMAL <= exponent <= GREATEST */
+HL_INLINE double power_of_two(int exponent) { /* LEAST_NORMAL <= exponent <= GREATEST */
   uint64_t bits = (uint64_t)(exponent + EXPONENT_BIAS) << 52;
   double x;
   memcpy(&x, &bits, sizeof x);
@@ -43,8 +44,8 @@ bool is_normal_after_scaling(double x, int exponent) {
 }
 
 double times_power_of_two(double x, int exponent) {
-  if (x == 0) return x;
   if (exponent >= LEAST_NORMAL && exponent <= GREATEST) return x * power_of_two(exponent);
+  if (x == 0) return x;
   /* In quarters no factor leaves the doubles, and what lies between x and a normal result is exact. */
   int quarter = exponent / 4;
   double factor = power_of_two(quarter);
@@ -75,9 +76,7 @@ static void subtract_vertices(const double p[8][3], int axis, edge_vectors *edge
     }
 }
 
-static double magnitude(double x) { return x < 0 ? -x : x; }
-
-static double larger_magnitude(double greatest, double x) { return magnitude(x) > greatest ? magnitude(x) : greatest; }
+HL_INLINE double larger_magnitude(double greatest, double x) { return fabs(x) > greatest ? fabs(x) : greatest; }
 
 void scaled_edge_vectors(const double vertices[24], edge_vectors *edges) {
   double p[8][3];

@@ -29,11 +29,11 @@ static int ends_of_pieces(int tangents, end_of_piece ends[MAX_ENDS]) {
   return count;
 }
 
-static double between(double p, double q, double t) { return p + t * (q - p); }
+HL_INLINE double between(double p, double q, double t) { return p + t * (q - p); }
 
 /* (K1): the polar form at s and t is the value at (s + t)/2 of both tangents; the first two pieces' ends are those of [0,1]. Of the
    coefficients q[0], q[stride], q[2 * stride]. */
-static double value_below(const end_of_piece *at, const double *q, int stride) {
+HL_INLINE double value_below(const end_of_piece *at, const double *q, int stride) {
   const double q0 = q[0], q1 = q[stride], q2 = q[2 * stride];
   if (at->s != at->t) return between(between(q0, q1, at->s), between(q1, q2, at->s), at->t);
   const double end = at->s == 0 ? q0 : q2;
@@ -48,19 +48,12 @@ static double least_of_quadratic(const double q[3], double least) {
   return smaller(least, quadratic_at(q[0], q[1], q[2], r));
 }
 
-/* Of all quadratics in the variable `last` that the tangents in the two others leave. */
-static double bound_along(const double bernstein[27], int last, const end_of_piece *ends, int count) {
-  const int first = axis_stride[last == 0 ? 1 : 0], second = axis_stride[last == 2 ? 1 : 2], along = axis_stride[last];
-  double least = bernstein[0];
-  for (int m = 0; m < count; ++m) {
-    double plane[3][3];
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) plane[i][k] = value_below(&ends[m], bernstein + i * second + k * along, first);
-    for (int n = 0; n < count; ++n) {
-      double q[3];
-      for (int k = 0; k < 3; ++k) q[k] = value_below(&ends[n], &plane[0][k], 3);
-      least = least_of_quadratic(q, least);
-    }
+/* Of the quadratics that the tangents in the first of the two variables leave of a plane in both, or, by `stride` 1, in the second. */
+static double least_on_plane(const double plane[9], int stride, const end_of_piece *ends, int count, double least) {
+  for (int n = 0; n < count; ++n) {
+    double q[3];
+    for (int k = 0; k < 3; ++k) q[k] = value_below(&ends[n], plane + (4 - stride) * k, stride);
+    least = least_of_quadratic(q, least);
   }
   return least;
 }
@@ -68,8 +61,19 @@ static double bound_along(const double bernstein[27], int last, const end_of_pie
 double tangent_bound(const double bernstein[27], double error, int tangents) {
   end_of_piece ends[MAX_ENDS];
   const int count = ends_of_pieces(tangents, ends);
-  double bound = bound_along(bernstein, 0, ends, count);
-  for (int last = 1; last < 3; ++last) bound = larger(bound, bound_along(bernstein, last, ends, count));
+  double bounds[3]; /* by the variable that has no tangents */
+  for (int axis = 0; axis < 3; ++axis) bounds[axis] = bernstein[0];
+  for (int m = 0; m < count; ++m) {
+    double plane[9]; /* a piece's end in xi, then in eta */
+    for (int row = 0; row < 9; ++row)
+      plane[row] = value_below(&ends[m], bernstein + first_of_row(0, row), axis_stride[0]);
+    bounds[1] = least_on_plane(plane, 1, ends, count, bounds[1]);
+    bounds[2] = least_on_plane(plane, 3, ends, count, bounds[2]);
+    for (int row = 0; row < 9; ++row)
+      plane[row] = value_below(&ends[m], bernstein + first_of_row(1, row), axis_stride[1]);
+    bounds[0] = least_on_plane(plane, 1, ends, count, bounds[0]);
+  }
+  const double bound = larger(larger(bounds[0], bounds[1]), bounds[2]);
   const double off = GROWTH * error + ROUNDING * UNIT_ROUNDOFF * greatest_magnitude(bernstein, 27);
   return bound > off ? bound : smaller(bound, 0);
 }

@@ -29,8 +29,6 @@ typedef struct search {
   double lower; /* the least bound of a settled part */
 } search;
 
-static double magnitude(double x) { return x < 0 ? -x : x; }
-
 static bool can_be_settled(const search *s, double bound) { return bound >= s->best - TOLERANCE * s->unit; }
 
 static void settle(search *s, double bound) { s->lower = smaller(s->lower, bound); }
@@ -204,7 +202,7 @@ static int axis_to_halve(const part *p) {
     if (p->width[axis] <= 1.0 / ((long long)1 << MAX_HALVINGS)) continue;
     for (int i = 0; i < 27; ++i) {
       if (axis_digit(i, axis) == 2) continue;
-      double difference = magnitude(p->b[i + axis_stride[axis]] - p->b[i]);
+      double difference = fabs(p->b[i + axis_stride[axis]] - p->b[i]);
       if (chosen < 0 || difference > greatest) {
         chosen = axis;
         greatest = difference;

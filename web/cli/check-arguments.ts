@@ -7,6 +7,8 @@ export type IdKind = (typeof ID_KINDS)[number]
 export interface CheckArguments {
   readonly files: readonly string[]
   readonly format: string | null
+  /** Which time step, counted from 0. */
+  readonly step: number | 'last'
   readonly json: boolean
   /** Null where it is not said; Infinity for all. */
   readonly worst: number | null
@@ -29,6 +31,7 @@ const options = new Map<string, Option>([
   ['--json', flag(() => ({ json: true }))],
   ['--allow-unchecked', flag(() => ({ allowsUnchecked: true }))],
   ['--format', { value: 'the name of a format', read: format => ({ format }) }],
+  ['--step', { value: 'a number from 1 on or last', read: text => ({ step: readStep(text) }) }],
   ['--csv', { value: 'a file', read: csv => ({ csv }) }],
   ['--junit', { value: 'a file', read: junit => ({ junit }) }],
   ['--annotate', { value: 'a file', read: annotate => ({ annotate }) }],
@@ -48,6 +51,7 @@ export function readCheckArguments(args: readonly string[]): CheckArguments {
   const values: CheckArguments = {
     files,
     format: null,
+    step: 0,
     json: false,
     worst: null,
     minRelative: null,
@@ -101,6 +105,12 @@ function readWorst(text: string): number {
   if (text === 'all') return Infinity
   if (/^\d{1,15}$/.test(text)) return Number(text)
   throw wrong(`--worst wants a count or all, not ${text}`)
+}
+
+function readStep(text: string): number | 'last' {
+  if (text === 'last') return text
+  if (/^[1-9]\d{0,8}$/.test(text)) return Number(text) - 1
+  throw wrong(`--step wants a number from 1 on or last, not ${text}`)
 }
 
 const DECIMAL = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$/

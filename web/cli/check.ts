@@ -1,13 +1,15 @@
 /** `hexlens check`: meshes in, verdicts out, file by file; the exit status is the gravest. */
 import { realpathSync } from 'node:fs'
 import type { Core } from '../core/report'
-import { checkMesh, type ExitStatus, exitOf, gravestExit, type MeshCheck } from '../mesh/check'
+import { checkMesh, type ExitStatus, exitOf, gravestExit } from '../mesh/check'
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
+import type { MeshCheck } from '../mesh/mesh-check'
 import { readMeshes } from '../mesh/read-mesh'
 import type { ReadingCore } from '../mesh/reading-core'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
+import type { Engine } from './engine'
 import { openMeshFile } from './mesh-file'
 import { csvOutput } from './outputs/csv'
 import { idsOutput } from './outputs/ids'
@@ -17,8 +19,6 @@ import { type FileResult, type Output, withoutControls } from './outputs/output'
 import { textOutput } from './outputs/text'
 import { vtuOutput } from './outputs/vtu'
 import { ProgressLine } from './progress'
-import { fetchCore } from './read-core'
-import { fetchReadingCore } from './read-reading-core'
 import { FileSink } from './sink'
 import { Buffered, Refusal, type Streams } from './streams'
 
@@ -26,7 +26,7 @@ import { Buffered, Refusal, type Streams } from './streams'
 const WORST = 10
 
 /** Throws a Refusal for a wrong call, and where something cannot be written. */
-export async function check(args: readonly string[], streams: Streams): Promise<ExitStatus> {
+export async function check(args: readonly string[], engine: Engine, streams: Streams): Promise<ExitStatus> {
   const wanted = readCheckArguments(args)
   refuseOverwriting(wanted)
   const progress = new ProgressLine(streams.errors.isTTY ? streams.errors : null)
@@ -37,8 +37,10 @@ export async function check(args: readonly string[], streams: Streams): Promise<
   const outputs = outputsOf(wanted, streams, say)
   const exits: ExitStatus[] = []
   let current = ''
-  const [core, readingCore] = await Promise.all([fetchCore(), fetchReadingCore()])
-  const cells = await startCellClassifier(({ done, total }) => progress.show(`${current}: deciding`, done / total))
+  const [core, readingCore] = await Promise.all([engine.core(), engine.readingCore()])
+  const cells = await startCellClassifier(engine, ({ done, total }) =>
+    progress.show(`${current}: deciding`, done / total),
+  )
   try {
     for (const file of wanted.files) {
       current = withoutControls(file)
@@ -94,12 +96,9 @@ async function meshOf(path: string, { wanted, readingCore, streams, progress }: 
   try {
     const name = withoutControls(path)
     const onProgress = (part: number) => progress.show(`${name}: reading`, part)
-    const meshes = readMeshes(file, {
-      find,
-      onProgress,
-      core: readingCore,
-      ...(wanted.format === null ? {} : { format: wanted.format }),
-    })
+    const { step, format } = wanted
+    const options = { find, onProgress, step, core: readingCore, ...(format === null ? {} : { format }) }
+    const meshes = readMeshes(file, options)
     const [first, ...others] = meshes
     if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
     return joined([first, ...others])

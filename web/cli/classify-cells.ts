@@ -7,7 +7,7 @@ import { Pool } from '../core/batch/pool'
 import { threadPort } from '../core/batch/ports'
 import { defaultWorkers } from '../core/batch/start'
 import type { ClassifyCells } from '../mesh/check'
-import { batchModule, workerScript } from './batch-sources'
+import type { Engine } from './engine'
 
 export interface CellClassifier {
   readonly classify: ClassifyCells
@@ -18,7 +18,10 @@ export interface CellClassifier {
 /** In cells: one piece of a pool. */
 const FEW = 16_384
 
-export async function startCellClassifier(onProgress: (progress: Progress) => void): Promise<CellClassifier> {
+export async function startCellClassifier(
+  { batchModule, workerScript }: Engine,
+  onProgress: (progress: Progress) => void,
+): Promise<CellClassifier> {
   const module = await batchModule()
   const core = await loadBatchCore(module)
   let classifier: Classifier | undefined

@@ -1,8 +1,9 @@
 /** `analyze` and `certify`: a JSON list of elements in, a list of answers out, entry by entry, however long the list is. */
 import { createReadStream } from 'node:fs'
 import type { Core } from '../core/report'
+import type { Engine } from './engine'
 import { jsonEntries } from './json-entries'
-import { fetchCore } from './read-core'
+import { jsonText } from './json-text'
 import { type NamedHexahedron, readHexahedron } from './read-hexahedra'
 import { Buffered, Refusal, type Streams } from './streams'
 
@@ -10,12 +11,17 @@ import { Buffered, Refusal, type Streams } from './streams'
 export type AnswerTo = (core: Core, hexahedron: NamedHexahedron) => object
 
 /** Throws a Refusal; the list is then left open, and nothing is printed where the input is short. */
-export async function answerElements(answerTo: AnswerTo, file: string, streams: Streams): Promise<void> {
-  const core = await fetchCore()
+export async function answerElements(
+  answerTo: AnswerTo,
+  file: string,
+  engine: Engine,
+  streams: Streams,
+): Promise<void> {
+  const core = await engine.core()
   const output = new Buffered(streams.output)
   let count = 0
   for await (const entry of jsonEntries(file === '-' ? streams.input : chunksOf(file))) {
-    const answer = JSON.stringify(answerTo(core, readHexahedron(entry, count)))
+    const answer = jsonText(answerTo(core, readHexahedron(entry, count)))
     await output.write(`${count++ === 0 ? '[\n' : ',\n'}${answer}`)
   }
   await output.write(count === 0 ? '[]\n' : '\n]\n')

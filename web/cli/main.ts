@@ -1,8 +1,9 @@
-/** The command line: which command is meant, and its exit status. tools/hexlens.mjs and web/package/cli.ts run it. */
+/** The command line: which command is meant, and its exit status. web/cli/from-sources.ts and web/package/cli.ts run it. */
 import { analysis } from './analysis'
 import { certification } from './certification'
 import { check } from './check'
 import { type AnswerTo, answerElements } from './elements'
+import type { Engine } from './engine'
 import { processStreams, Refusal, type Streams } from './streams'
 import { CHECK_USAGE, USAGE } from './usage'
 
@@ -18,7 +19,11 @@ const OK = 0
 const REFUSED = 2
 
 /** Runs one command; resolves to the exit status, 2 for a wrong call or input; `check` has others. */
-export async function main(args: readonly string[], streams: Streams = processStreams()): Promise<number> {
+export async function main(
+  args: readonly string[],
+  engine: Engine,
+  streams: Streams = processStreams(),
+): Promise<number> {
   const [name = '', ...rest] = args
   try {
     if (isHelp(name) || (elementCommands.has(name) && isHelp(rest[0]))) {
@@ -26,14 +31,14 @@ export async function main(args: readonly string[], streams: Streams = processSt
       return OK
     }
     if (name === 'check') {
-      if (!rest.some(isHelp)) return await check(rest, streams)
+      if (!rest.some(isHelp)) return await check(rest, engine, streams)
       await streams.output.write(CHECK_USAGE)
       return OK
     }
     const answerTo = elementCommands.get(name)
     const [file, ...more] = rest
     if (answerTo !== undefined && file !== undefined && more.length === 0) {
-      await answerElements(answerTo, file, streams)
+      await answerElements(answerTo, file, engine, streams)
       return OK
     }
     streams.errors.write(USAGE)

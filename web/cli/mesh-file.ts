@@ -2,6 +2,7 @@
 import { closeSync, fstatSync, openSync, readFileSync, readSync } from 'node:fs'
 import { basename, dirname, resolve } from 'node:path'
 import { type FindFile, fileOfBytes, type MeshFile } from '../mesh/source'
+import { shown } from '../mesh/text-cursor'
 import { Refusal, reasonOf, type Streams } from './streams'
 
 /** What is held open while a mesh is read. */
@@ -51,7 +52,7 @@ function filesBeside(folder: string, found: OpenPath[]): FindFile {
 }
 
 function openPath(path: string): OpenPath {
-  const name = basename(path)
+  const name = shown(basename(path)).slice(1, -1)
   try {
     const descriptor = openSync(path, 'r')
     const status = fstatSync(descriptor)

@@ -1,4 +1,5 @@
 /** An entry of what `analyze` and `certify` accept, a JSON list of {"name", "vertices": [[x, y, z], ... 8]}. Pure; further keys are ignored. */
+import { shown } from '../mesh/text-cursor'
 import { VERTEX_COUNT, type Vertices } from '../model/hexahedron'
 import { described } from './json-entries'
 import { Refusal } from './streams'
@@ -33,7 +34,7 @@ export function readHexahedron(entry: unknown, index: number): NamedHexahedron {
 
 function named(entry: unknown): string {
   const name = (entry as { name?: unknown } | null)?.name
-  return typeof name === 'string' ? ` (${JSON.stringify(name)})` : ''
+  return typeof name === 'string' ? ` (${shown(name)})` : ''
 }
 
 function counted(list: readonly unknown[], one: string, many: string): string {

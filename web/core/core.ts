@@ -73,8 +73,9 @@ export function coreOf(wasm: CoreExports): Core {
   }
 
   function analyze(vertices: Vertices): Result<Report> {
-    const own = Object.freeze(Array.from(vertices))
-    return answer(own, [], wasm.analyze, () => unpackReport(new Unpacker(output), own))
+    return answer(vertices, [], wasm.analyze, () =>
+      unpackReport(new Unpacker(output), Object.freeze(Array.from(vertices))),
+    )
   }
 
   function isValid(vertices: Vertices): Result<boolean> {

@@ -1,6 +1,6 @@
 /** Two neighbouring doubles between which the verdict changes on the straight way from one element to another. */
 import type { Vertices } from '../model/hexahedron'
-import { elementAt } from '../model/morph'
+import { elementAt } from '../model/way'
 import type { Core } from './report'
 
 /** Places on a way, in [0,1]: the verdict at `near` is that at the end where the search began, at `far` the other. */

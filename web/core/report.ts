@@ -71,7 +71,7 @@ export interface VolumeMinimum {
   readonly position: Vec3
 }
 
-/** What other programs look at: web/content/checks.ts says who and how. */
+/** What other programs look at: web/panels/checks/check-words.ts says who and how. */
 export type CheckId =
   | 'corners'
   | 'corners-and-centre'

@@ -58,8 +58,8 @@ export class Unpacker {
     this.#at += count
     if (this.#at > this.#packed.length) throw new Error(DISAGREE)
     const packed = this.#packed
-    const list: number[] = []
-    for (let i = from; i < from + count; ++i) list.push(packed[i] as number)
+    const list = new Array<number>(count)
+    for (let i = 0; i < count; ++i) list[i] = packed[from + i] as number
     return list
   }
 
@@ -73,10 +73,10 @@ export class Unpacker {
     return name
   }
 
-  list<T>(read: () => T): T[] {
+  list<T>(read: (packed: Unpacker) => T): T[] {
     const count = this.number()
     const list: T[] = []
-    for (let i = 0; i < count; ++i) list.push(read())
+    for (let i = 0; i < count; ++i) list.push(read(this))
     return list
   }
 }
@@ -120,7 +120,7 @@ function readFace(packed: Unpacker, id: number): FaceReport {
     quartic: packed.numbers(5),
     quarticExponent: packed.number(),
     quarticIsZero: packed.flag(),
-    roots: packed.list(() => readRoot(packed)),
+    roots: packed.list(readRoot),
   }
 }
 
@@ -174,7 +174,7 @@ export function unpackReport(packed: Unpacker, vertices: Vertices): Report {
     scaledJacobian: packed.number(),
     bernstein: packed.numbers(27),
     faces: [0, 1, 2, 3, 4, 5].map(face => readFace(packed, face)),
-    candidates: packed.list(() => readCandidate(packed)),
+    candidates: packed.list(readCandidate),
     ...readElement(packed),
   }
 }

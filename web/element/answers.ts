@@ -2,44 +2,42 @@
  * What the core says of a state. Each answer is computed when a frame first needs it and kept for as long as it is true; what takes long
  * is computed between gestures, and only while somebody looks at it.
  */
-import { type Morph, morphOf } from '../core/morph'
 import type { Core, JacobianReport, Report } from '../core/report'
 import { type Surface, zeroSurface } from '../core/zero-surface'
 import type { Vertices } from '../model/hexahedron'
 import type { State } from '../model/state'
-import type { Frame, Proof, TriedOrders } from '../views/view'
-import { type PartAnswers, parts } from './parts'
-import { triedOrders } from './tried-orders'
+import type { Inquiry, Panel } from '../panels/panel'
+import type { Frame } from '../views/view'
 
 /** Cells of the grid along each axis from which the surface jacdet = 0 is made, between gestures and in one. */
 const SURFACE_CELLS = 24
 const GESTURE_SURFACE_CELLS = 8
 
-type Answered = Pick<Frame, 'report' | 'proof' | 'triedOrders' | 'zeroSurface' | 'probe' | 'morph' | 'nearest'>
+type Answered = Pick<Frame, 'report' | 'zeroSurface' | 'probe' | 'answers'>
 
 export class Answers {
   /** Null while it is loading, or if it could not start: then there are no answers. */
   core: Core | null = null
   readonly #onFailure: (message: string) => void
   #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
-  #proof: Proof | null = null
-  #triedOrders: TriedOrders | null = null
   #zeroSurface: { readonly report: Report; readonly cells: number; readonly surface: Surface } | null = null
-  #morph: Morph | null = null
-  readonly #ofParts: readonly PartAnswers[]
+  /** By the names of the panels that ask. */
+  readonly #inquiries: readonly (readonly [string, Inquiry<unknown>])[]
 
   /**
-   * `onFailure` is told, in a sentence, of vertices that the core could not analyse; `onNews` when a part's answers, which may take
-   * long, have come further.
+   * `onFailure` is told, in a sentence, of vertices that the core could not analyse; `onNews` when the answer to a panel's question,
+   * which may take long, has come further.
    */
-  constructor(onFailure: (message: string) => void, onNews: () => void) {
+  constructor(panels: readonly Panel[], onFailure: (message: string) => void, onNews: () => void) {
     this.#onFailure = onFailure
-    this.#ofParts = parts.flatMap(({ answers }) => (answers ? [answers(onNews)] : []))
+    this.#inquiries = panels.flatMap(({ question }) =>
+      question ? [[question.name, question.start(onNews)] as const] : [],
+    )
   }
 
   /** Ends what is still being looked for. */
   stop(): void {
-    for (const answers of this.#ofParts) answers.stop()
+    for (const [, inquiry] of this.#inquiries) inquiry.stop?.()
   }
 
   report(vertices: Vertices): Report | null {
@@ -57,36 +55,21 @@ export class Answers {
     const report = this.report(state.vertices)
     return {
       report,
-      proof: this.#proved(state),
-      triedOrders: this.#tried(state),
       zeroSurface: this.#surfaced(state, report),
       probe: report && this.probed(state),
-      morph: this.#morphed(state),
-      nearest: null,
-      ...(this.core && Object.assign({}, ...this.#ofParts.map(answers => answers.of(this.core as Core, state)))),
+      answers: this.#answered(state, report),
     }
+  }
+
+  #answered(state: State, report: Report | null): Frame['answers'] {
+    const { core } = this
+    if (core === null || report === null) return {}
+    return Object.fromEntries(this.#inquiries.map(([name, inquiry]) => [name, inquiry.answer(core, state, report)]))
   }
 
   probed({ vertices, probe }: State): JacobianReport | null {
     const result = probe && this.core?.jacobian(vertices, probe)
     return result?.ok ? result.value : null
-  }
-
-  #proved({ vertices, gestureStart, proofShown }: State): Proof | null {
-    if (!proofShown || this.#analyzed === null) this.#proof = null
-    else if (this.core && this.#proof?.vertices !== vertices && (this.#proof === null || gestureStart === null)) {
-      const result = this.core.certificate(vertices)
-      this.#proof = result.ok ? { vertices, certificate: result.value } : null
-    }
-    return this.#proof
-  }
-
-  /** Of invalid elements only. */
-  #tried({ vertices, gestureStart, openPanels }: State): TriedOrders | null {
-    if (!openPanels.includes('node-order') || this.#analyzed === null) this.#triedOrders = null
-    else if (this.core && gestureStart === null && this.#triedOrders?.vertices !== vertices)
-      this.#triedOrders = this.#analyzed.report.valid ? null : triedOrders(this.core, vertices)
-    return this.#triedOrders
   }
 
   /** Coarser while a gesture runs; what is already finer stays. */
@@ -96,13 +79,5 @@ export class Answers {
     if (this.#zeroSurface?.report !== report || this.#zeroSurface.cells < cells)
       this.#zeroSurface = { report, cells, surface: zeroSurface(report.bernstein, cells) }
     return this.#zeroSurface.surface
-  }
-
-  #morphed({ vertices, start, morphA, morphB, gestureStart, openPanels }: State): Morph | null {
-    const [a, b] = [morphA ?? start, morphB ?? vertices]
-    if (!openPanels.includes('morph') || this.core === null || this.#analyzed === null) this.#morph = null
-    else if (gestureStart === null && (this.#morph?.a !== a || this.#morph.b !== b))
-      this.#morph = morphOf(this.core, a, b)
-    return this.#morph
   }
 }

@@ -1,14 +1,15 @@
 /** The attributes of `<hex-lens>`: what each may say, and in which sentence it is refused. */
-import { type Preset, presets } from '../content/presets'
+
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
-import { type CameraView, CONTROLS, type Control, PANELS } from '../model/state'
+import { type Preset, presets } from '../model/presets'
+import { type CameraView, CONTROLS, type Control } from '../model/state'
+import type { Composition } from './composition'
 import { HexLensError } from './hex-lens-error'
-import { parts } from './parts'
 
 export interface Attributes {
   readonly vertices: Vertices | null
   readonly preset: Preset | null
-  /** Names of parts. */
+  /** Names of panels. */
   readonly views: readonly string[]
   readonly controls: readonly Control[]
   readonly camera: CameraView | null
@@ -22,19 +23,32 @@ export type AttributeName = keyof Attributes
 export type Theme = (typeof THEMES)[number]
 
 const THEMES = ['auto', 'light', 'dark'] as const
-const FIRST_VIEWS = ['scene', 'verdict']
+export const FIRST_VIEWS = ['scene', 'verdict']
 const DECIMAL = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i
 /** As far as the reader can turn; and as much nearer or farther than all in view as a state may say. */
 const MOST_ELEVATION = 90
 const ZOOMS = [0.001, 1000] as const
 
+/** The names that the attribute `views` may have: panels that there are, and others that are passed over. */
+export interface ViewNames {
+  readonly known: readonly string[]
+  readonly passedOver: readonly string[]
+}
+
+export function viewNames({ panels, otherPanels }: Pick<Required<Composition>, 'panels' | 'otherPanels'>): ViewNames {
+  return {
+    known: panels.filter(panel => !panel.always && !panel.with).map(({ name }) => name),
+    passedOver: otherPanels,
+  }
+}
+
 /** What an attribute says; null is one that is not there. Throws HexLensError. */
-type Read<T> = (text: string | null) => T
+type Read<T> = (text: string | null, views: ViewNames) => T
 
 const readers: { readonly [Name in AttributeName]: Read<Attributes[Name]> } = {
   vertices: text => (text === null ? null : readVertices(text)),
   preset: text => (text === null ? null : readPreset(text)),
-  views: text => (text === null ? FIRST_VIEWS : readViews(text)),
+  views: (text, names) => (text === null ? FIRST_VIEWS : readViews(text, names)),
   controls: text => (text === null ? CONTROLS : words('controls', text, CONTROLS)),
   camera: text => (text === null ? null : readCamera(text)),
   theme: text => oneOf('theme', text ?? 'auto', THEMES),
@@ -45,8 +59,12 @@ const readers: { readonly [Name in AttributeName]: Read<Attributes[Name]> } = {
 
 export const attributeNames = Object.keys(readers) as AttributeName[]
 
-export function readAttribute<Name extends AttributeName>(name: Name, text: string | null): Attributes[Name] {
-  return readers[name](text)
+export function readAttribute<Name extends AttributeName>(
+  name: Name,
+  text: string | null,
+  views: ViewNames,
+): Attributes[Name] {
+  return readers[name](text, views)
 }
 
 /** As the attribute `vertices` says them, bit for bit. */
@@ -109,11 +127,8 @@ function direction(azimuthDegrees: number, elevationDegrees: number): Vec3 {
   return [across * Math.cos(azimuth), across * Math.sin(azimuth), Math.sin(elevation)]
 }
 
-/** Panels that only some page adds are passed over where they are not. */
-function readViews(text: string): readonly string[] {
-  const known = parts.filter(part => !part.always).map(part => part.name)
-  const elsewhere: readonly string[] = PANELS.filter(name => !known.includes(name))
-  const given = text.split(/[\s,]+/).filter(word => !elsewhere.includes(word))
+function readViews(text: string, { known, passedOver }: ViewNames): readonly string[] {
+  const given = text.split(/[\s,]+/).filter(word => !passedOver.includes(word))
   return words('views', given.join(' '), known)
 }
 

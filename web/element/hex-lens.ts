@@ -3,34 +3,40 @@
  * one frame's truth to every view. Nothing is scheduled while nothing changes, nothing is drawn while nobody sees it.
  * docs/element.md lists attributes, properties, methods, events, slots, parts and custom properties.
  *
- * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `offer` takes a text
- * or a file with eight points in it; `raise` and `clear` are for what the page has to say about a problem.
+ * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `raise` and `clear` are
+ * for what the page has to say about a problem.
  */
-import { type Preset, presets, presetVertices } from '../content/presets'
+
+import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
+import { InputReader } from '../input/input-reader'
+import { listenForInput } from '../input/pasted-input'
 import { jacdetInFull } from '../model/decimal'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
-import type { Action, Cameras, State } from '../model/state'
+import { type Preset, presets, presetVertices } from '../model/presets'
+import type { Action, Cameras } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
-import { createStore, type Store } from '../model/store'
-import type { Figure, FigureName, Frame, Offer, Problem, ViewHost } from '../views/view'
+import { createStore } from '../model/store'
+import { knownPanels, type Panel } from '../panels/panel'
+import type { Figure, FigureName, Frame, Problem, ViewHost } from '../views/view'
 import { Answers } from './answers'
 import {
   type AttributeName,
   type Attributes,
   attributeNames,
   checkedVertices,
+  FIRST_VIEWS,
   readAttribute,
   readVertices,
   verticesText,
+  viewNames,
 } from './attributes'
+import { Changes } from './changes'
+import type { Composition } from './composition'
 import { Copying } from './copying'
-import { fetchCore } from './fetch-core'
+import { type DueFrame, FrameLoop } from './frame-loop'
 import { HexLensError } from './hex-lens-error'
-import { listenForOffers } from './offers'
-import { type Part, parts } from './parts'
-import { Printing } from './printing'
 import { ReflectingElement } from './reflecting-element'
 import { asksForHelp, historyStep } from './shortcuts'
 import { Show } from './show'
@@ -55,73 +61,76 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
 
 export class HexLens extends ReflectingElement {
   static readonly observedAttributes = attributeNames
+  /** Set once, before an element is made. */
+  static composition: Required<Composition>
 
   readonly #host: ViewHost = {
     state: () => this.#store.state,
     dispatch: action => this.#dispatchOfReader(action),
     raise: problem => this.raise(problem),
     clear: code => this.clear(code),
-    requestFrame: () => this.#schedule(),
+    requestFrame: () => this.#frames.schedule(),
     permalink: () => this.permalink,
     figure: name => this.#show.figure(name),
+    input: {
+      read: input => this.#input.read(input),
+      close: () => this.#input.close(),
+      show: (cell, order) => this.#input.show(cell, order),
+    },
   }
   readonly #show: Show
   readonly #answers = new Answers(
+    HexLens.composition.panels,
     message => this.raise({ code: 'core-failed', message }),
-    () => this.#schedule(),
+    () => this.#frames.schedule(),
   )
   readonly #problems = new Map<Problem['code'], Problem>()
-  #store: Store = createStore(presetVertices(presets[0]), presets[0].id)
-  #committed: Vertices = this.#store.state.vertices
-  #drawn: Vertices | null = null
-  /** Names of parts, as the attribute last said them. */
-  #viewNames: readonly string[] = readAttribute('views', null)
-  #offer: Offer | null = null
+  readonly #store = createStore(presetVertices(presets[0]), presets[0].id)
+  readonly #changes = new Changes(this.#store.state.vertices, {
+    tell: (event: string, detail: unknown = null) => this.#tell(event, detail),
+    reflect: () => this.#reflect(),
+  })
+  readonly #frames = new FrameLoop(this, frame => this.#onFrame(frame))
+  /** Names of panels, as the attribute last said them. */
+  #viewNames: readonly string[] = FIRST_VIEWS
+  readonly #input = new InputReader(HexLens.composition.readingWorker, {
+    take: vertices => {
+      this.#setVertices(vertices, null)
+      return this.#store.state.vertices
+    },
+    refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
+    onNews: () => this.#frames.schedule(),
+  })
   #cameras: Cameras | null = null
   #drawnCameras: Cameras | null = null
-  #toldValid: boolean | null = null
-  #frameRequest = 0
-  /** Whether there is more to draw than what waits for its turn. */
-  #isNews = false
-  #visibility: IntersectionObserver | null = null
-  #printing: Printing | null = null
-  #isInView = false
-  /** Pictures asked for, which are drawn although nobody sees them. */
-  #picturesDue = 0
   #isReflecting = false
 
   constructor() {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
-    this.#show = new Show(shadow, this.#host)
+    this.#show = new Show(shadow, this.#host, HexLens.composition.panels)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
     new Copying(this.#show.lens, () => this.#pointInFull())
-    listenForOffers(shadow, this.#show.lens, {
-      isWelcome: () => this.#shownParts.some(part => part.name === 'paste'),
-      take: offer => this.offer(offer),
+    listenForInput(shadow, this.#show.lens, {
+      isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
+      take: input => this.#input.read(input),
     })
   }
 
   connectedCallback(): void {
     for (const name of EARLY) this.#adopt(name)
-    this.#show.begin(this.#shownParts)
-    this.#printing = new Printing(this, () => this.#drawAtOnce())
-    this.#visibility = new IntersectionObserver(entries => this.#onVisibility(entries))
-    this.#visibility.observe(this)
+    this.#show.begin(this.#shownPanels)
+    this.#frames.start()
     if (this.#answers.core === null) void this.#start()
-    else this.#schedule()
+    else this.#frames.schedule()
   }
 
   disconnectedCallback(): void {
     this.#cameras = this.#camerasNow
-    cancelAnimationFrame(this.#frameRequest)
-    this.#frameRequest = 0
-    this.#visibility?.disconnect()
-    this.#printing?.dispose()
-    this.#isInView = false
+    this.#frames.stop()
     this.#answers.stop()
     this.#show.end()
-    this.#offer = null
+    this.#input.close()
   }
 
   attributeChangedCallback(name: AttributeName): void {
@@ -146,18 +155,18 @@ export class HexLens extends ReflectingElement {
   }
 
   get state(): StateDocument {
-    return stateDocument(this.#store.state, this.#camerasNow)
+    return stateDocument(this.#store.state, this.#camerasNow, knownPanels(HexLens.composition.panels))
   }
 
   /** Throws HexLensError for what the schema does not let through. What it changes of the element is one step to undo. */
   set state(given: StateDocument) {
-    const result = readState(given)
+    const result = readState(given, knownPanels(HexLens.composition.panels))
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
     const { state, cameras } = result.value
-    if (this.#drawn === null) this.#begin(state.vertices, state.preset, state.start)
+    if (!this.#changes.haveBegun) this.#begin(state.vertices, state.preset, state.start)
     this.#cameras = cameras
     this.#store.dispatch({ type: 'restore', state })
-    this.#schedule()
+    this.#frames.schedule()
   }
 
   get preset(): string | null {
@@ -166,7 +175,7 @@ export class HexLens extends ReflectingElement {
 
   /** Throws HexLensError unless there is such a preset. */
   set preset(id: string | null) {
-    const preset = readAttribute('preset', id)
+    const preset = readAttribute('preset', id, viewNames(HexLens.composition))
     if (preset) this.#setVertices(presetVertices(preset), preset.id)
   }
 
@@ -182,7 +191,7 @@ export class HexLens extends ReflectingElement {
 
   /** Whether all that is to be seen is there: views are made when the element is seen, panels come when they are opened. */
   get complete(): boolean {
-    return this.#isSeen && this.#drawn !== null && this.#frameRequest === 0 && this.#show.isComplete
+    return this.#frames.isSeen && this.#changes.haveBegun && this.#frames.isIdle && this.#show.isComplete
   }
 
   undo(): void {
@@ -196,7 +205,7 @@ export class HexLens extends ReflectingElement {
   /** What the core says of any 24 numbers, by default of the element's own. Rejects with HexLensError. */
   async analyze(given: ArrayLike<number> = this.#store.state.vertices): Promise<Report> {
     const vertices = checkedVertices(given)
-    const core = await fetchCore().catch(reason => {
+    const core = await fetchCore(HexLens.composition.core).catch(reason => {
       throw new HexLensError(
         'no-core',
         `The core did not start (${reason instanceof Error ? reason.message : reason}).`,
@@ -219,22 +228,24 @@ export class HexLens extends ReflectingElement {
     return svgOf(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
   }
 
-  /** The panel that reads it opens; what it finds becomes the element, as one step to undo. */
-  offer(offer: Offer): void {
-    this.#offer = offer
-    this.#dispatch({ type: 'open-panel', panel: 'paste', isOpen: true })
-    this.#schedule()
+  /**
+   * Reads a text, a file, or files that belong together, as if it were dropped here. One element becomes the element, as one step to undo;
+   * of several the reader chooses one where the view `paste` is shown. What cannot be read is told by `hex-error`.
+   */
+  offer(given: string | File | readonly File[]): void {
+    if (typeof given === 'string') this.#input.read({ text: given })
+    else this.#input.read({ files: given instanceof File ? [given] : given })
   }
 
   raise(problem: Problem): void {
     if (this.#problems.get(problem.code)?.message === problem.message) return
     this.#problems.set(problem.code, problem)
-    this.#schedule()
+    this.#frames.schedule()
     this.#tell('hex-error', problem)
   }
 
   clear(code: Problem['code']): void {
-    if (this.#problems.delete(code)) this.#schedule()
+    if (this.#problems.delete(code)) this.#frames.schedule()
   }
 
   /** A property set before the class was there hides the class's own. */
@@ -250,27 +261,27 @@ export class HexLens extends ReflectingElement {
     const takes: { readonly [Name in AttributeName]: (value: Attributes[Name]) => void } = {
       vertices: vertices => this.#takeElement(vertices, null),
       preset: preset => this.#takeElement(null, preset),
-      views: names => this.#showParts(names),
+      views: names => this.#showPanels(names),
       controls: controls => this.#dispatch({ type: 'offer-controls', controls }),
       camera: camera => {
         this.#cameras = { camera, referenceCamera: this.#camerasNow.referenceCamera }
-        this.#schedule()
+        this.#frames.schedule()
       },
       theme: () => {}, // the style sheet does it
       readonly: isReadonly => {
         this.#dispatch({ type: 'hold', isReadonly })
-        this.#showParts(this.#viewNames)
+        this.#showPanels(this.#viewNames)
       },
       poster: poster => this.#show.setPoster(poster),
       label: label => this.#show.setLabel(label),
     }
     const take = takes[name] as (value: unknown) => void
-    take(readAttribute(name, this.getAttribute(name)))
+    take(readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition)))
   }
 
   /** Before the first frame both attributes say what the element starts from, in whichever order they come. */
   #takeElement(vertices: Vertices | null, preset: Preset | null): void {
-    if (this.#drawn === null) {
+    if (!this.#changes.haveBegun) {
       const own = vertices ?? this.#understood('vertices')
       const from = preset ?? this.#understood('preset')
       const start = from && from.valid !== null ? presetVertices(from) : own
@@ -283,37 +294,36 @@ export class HexLens extends ReflectingElement {
   /** What an attribute says; null where that is nothing, or nothing to be understood. */
   #understood<Name extends AttributeName>(name: Name): Attributes[Name] | null {
     try {
-      return readAttribute(name, this.getAttribute(name))
+      return readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition))
     } catch {
       return null // it is complained about in its own turn
     }
   }
 
-  get #shownParts(): readonly Part[] {
+  get #shownPanels(): readonly Panel[] {
     const isHeld = this.#store.state.isReadonly
-    return parts.filter(part => part.always || (this.#viewNames.includes(part.name) && !(isHeld && part.changes)))
+    return HexLens.composition.panels.filter(
+      panel => panel.always || (this.#viewNames.includes(panel.with ?? panel.name) && !(isHeld && panel.changes)),
+    )
   }
 
-  #showParts(names: readonly string[]): void {
+  #showPanels(names: readonly string[]): void {
     this.#viewNames = names
     if (!this.isConnected) return
     this.#cameras = this.#camerasNow
-    this.#show.begin(this.#shownParts)
-    this.#schedule()
+    this.#show.begin(this.#shownPanels)
+    this.#frames.schedule()
   }
 
   #setVertices(vertices: Vertices, preset: string | null): void {
-    if (this.#drawn === null) this.#begin(vertices, preset, vertices)
-    else this.#dispatch({ type: 'set-vertices', vertices, preset })
+    if (this.#changes.haveBegun) this.#dispatch({ type: 'set-vertices', vertices, preset })
+    else this.#begin(vertices, preset, vertices)
   }
 
   /** What is set before the first frame is what the element starts from, not a step to undo. */
   #begin(vertices: Vertices, preset: string | null, start: Vertices): void {
-    const { isReadonly, controls } = this.#store.state
-    this.#store = createStore(vertices, preset, start)
-    this.#store.dispatch({ type: 'hold', isReadonly })
-    this.#store.dispatch({ type: 'offer-controls', controls })
-    this.#committed = this.#store.state.vertices
+    this.#store.dispatch({ type: 'begin', vertices, preset, start })
+    this.#changes.begin(this.#store.state.vertices)
   }
 
   /** As the reader has turned them, or as they were asked for. */
@@ -325,7 +335,7 @@ export class HexLens extends ReflectingElement {
   #dispatch(action: Action): void {
     const before = this.#store.state
     this.#store.dispatch(action)
-    if (this.#store.state !== before) this.#schedule()
+    if (this.#store.state !== before) this.#frames.schedule()
   }
 
   #dispatchOfReader(action: Action): void {
@@ -334,12 +344,12 @@ export class HexLens extends ReflectingElement {
 
   /** The core comes before the first frame, unless it is slow to come. */
   async #start(): Promise<void> {
-    const slow = setTimeout(() => this.#schedule(), PATIENCE_MS)
+    const slow = setTimeout(() => this.#frames.schedule(), PATIENCE_MS)
     try {
-      this.#answers.core = await fetchCore()
+      this.#answers.core = await fetchCore(HexLens.composition.core)
       this.clear('core-failed')
-      if (this.isConnected) this.#tellChanges(this.#store.state)
-      this.#schedule()
+      if (this.isConnected) this.#changes.tell(this.#store.state, this.report)
+      this.#frames.schedule()
     } catch (reason) {
       const why = reason instanceof Error ? reason.message : String(reason)
       this.raise({
@@ -351,76 +361,21 @@ export class HexLens extends ReflectingElement {
     }
   }
 
-  get #isForPaper(): boolean {
-    return this.#printing?.isOn ?? false
-  }
-
-  /** Paper shows what is far down the page, too. */
-  get #isSeen(): boolean {
-    return this.#isInView || this.#picturesDue > 0 || this.#isForPaper
-  }
-
-  #onVisibility(entries: readonly IntersectionObserverEntry[]): void {
-    this.#isInView = entries.at(-1)?.isIntersecting ?? false
-    if (this.#isInView) this.#schedule()
-  }
-
-  #schedule(): void {
-    this.#isNews = true
-    this.#request()
-  }
-
-  #request(): void {
-    if (this.isConnected && this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(this.#onFrame)
-  }
-
-  readonly #onFrame = (time: number): void => {
-    this.#frameRequest = 0
-    const isNews = this.#isNews
-    this.#isNews = false
+  #onFrame({ time, isNews, isSeen, isForPaper }: DueFrame) {
     const { state } = this.#store
-    this.#tellChanges(state)
-    if (this.#isSeen) this.#draw(state, isNews, time)
-  }
-
-  /** Before the pages are made: every view of it, in this very moment. */
-  #drawAtOnce(): void {
-    cancelAnimationFrame(this.#frameRequest)
-    do {
-      this.#isNews = true
-      this.#onFrame(Number.NaN) // no frame of the page that others might have a part in
-    } while (this.#isForPaper && this.#show.isUnmade)
-  }
-
-  #draw(state: State, isNews: boolean, time: number): void {
+    this.#changes.tell(state, this.#answers.report(state.vertices))
+    if (!isSeen) return { isWaiting: false, isUnmade: false }
     const frame: Frame = {
       state,
       ...this.#answers.of(state),
-      offer: this.#offer,
+      reading: this.#input.reading,
       cameras: this.#cameras,
       problems: [...this.#problems.values()],
-      isForPaper: this.#isForPaper,
+      isForPaper,
     }
     this.#show.draw(frame, isNews, time)
     this.#drawnCameras = frame.cameras
-    if (this.#show.isWaiting) this.#request()
-  }
-
-  /** To the page, seen or not. */
-  #tellChanges({ vertices, gestureStart }: State): void {
-    const report = this.#answers.report(vertices)
-    const moved = this.#drawn !== null && this.#drawn !== vertices
-    this.#drawn = vertices
-    if (moved) this.#tell('hex-input')
-    if (report && report.valid !== this.#toldValid) {
-      this.#toldValid = report.valid
-      this.#tell('hex-verdict', { valid: report.valid })
-    }
-    if (gestureStart === null && this.#committed !== vertices) {
-      this.#committed = vertices
-      this.#reflect()
-      this.#tell('hex-change')
-    }
+    return this.#show
   }
 
   /** The attributes say what is there now. */
@@ -434,18 +389,14 @@ export class HexLens extends ReflectingElement {
     for (const name of ['vertices', 'preset'] as const) this.clear(`bad-${name}`)
   }
 
-  async #figure(name: FigureName): Promise<Figure> {
-    this.#picturesDue++
-    this.#schedule()
-    try {
-      await fetchCore().catch(() => {}) // without it there are lines, and they are drawn
+  #figure(name: FigureName): Promise<Figure> {
+    return this.#frames.whileDrawn(async () => {
+      await fetchCore(HexLens.composition.core).catch(() => {}) // without it there are lines, and they are drawn
       while (this.isConnected && !this.complete) await new Promise(requestAnimationFrame)
       const figure = this.#show.figure(name)
       if (figure === null) throw new HexLensError('no-picture', `There is no picture of the ${name} on the page.`)
       return figure
-    } finally {
-      this.#picturesDue--
-    }
+    })
   }
 
   /** Of what is pointed at: every number with all its digits. */
@@ -479,9 +430,6 @@ function presetOf(vertices: Vertices): string | null {
   const isThis = (known: Vertices) => known.every((value, i) => Object.is(value, vertices[i]))
   return presets.find(preset => preset.valid !== null && isThis(presetVertices(preset)))?.id ?? null
 }
-
-// On a server there is nothing to define it in; on a page a second copy of this script leaves the first one's alone.
-if (globalThis.customElements && !customElements.get('hex-lens')) customElements.define('hex-lens', HexLens)
 
 declare global {
   interface HTMLElementTagNameMap {

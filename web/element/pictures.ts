@@ -3,7 +3,7 @@
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import { PNG_KEYWORD, withText } from '../model/png-text'
-import { figurePng, figureSvg } from '../views/take-away/figure-files'
+import { figurePng, figureSvg } from '../panels/take-away/figure-files'
 import type { Figure } from '../views/view'
 
 /** With the vertices inside: dropped on an element it opens them. */

@@ -3,13 +3,13 @@
  * slow ones in later frames and piece by piece, and no two elements of a page make theirs in the same frame.
  */
 import type { Cameras } from '../model/state'
-import marks from '../views/marks.css?inline'
+import type { Panel } from '../panels/panel'
+import { adoptStyles } from '../panels/style-sheets'
+import marks from '../scene/overlay/marks.css?inline'
 import said from '../views/said.css?inline'
 import type { Figure, FigureName, Frame, View, ViewHost } from '../views/view'
 import css from './hex-lens.css?inline'
-import { type Part, parts } from './parts'
 import printing from './printing.css?inline'
-import { adoptStyles } from './style-sheets'
 import { Turns } from './turns'
 
 /** When an element last made views: all frames at one time are one frame of the page. */
@@ -25,18 +25,18 @@ export class Show {
   readonly #poster = document.createElement('img')
   #views: readonly View[] = []
   /** Slow ones, which join the others in the next frame: to make and to draw them are a frame's work each. */
-  #made: readonly { readonly part: Part; readonly view: View }[] = []
-  /** Parts to be made in the next frame, in the one after it, … */
-  #unmade: readonly (readonly Part[])[] = []
-  /** Of the parts that are next: whether what they need has been asked for. */
+  #made: readonly { readonly panel: Panel; readonly view: View }[] = []
+  /** Panels to be made in the next frame, in the one after it, … */
+  #unmade: readonly (readonly Panel[])[] = []
+  /** Of the panels that are next: whether what they need has been asked for. */
   #isPrepared = false
-  /** Whether the last frame had a number, or none will come: the slow parts wait for that. */
+  /** Whether the last frame had a number, or none will come: the slow ones wait for that. */
   #isAnswered = false
   #turns = new Turns()
 
-  constructor(shadow: ShadowRoot, host: ViewHost) {
+  constructor(shadow: ShadowRoot, host: ViewHost, panels: readonly Panel[]) {
     this.#host = host
-    adoptStyles(shadow, [css, said, marks, ...parts.map(part => part.styles), printing])
+    adoptStyles(shadow, [css, said, marks, ...panels.map(panel => panel.styles), printing])
     const { head, stage, panel, folds } = this.#places
     const frame = inner('frame')
     const side = place('side', 'panels')
@@ -67,19 +67,19 @@ export class Show {
     return (this.isUnmade && !isHeld) || this.#turns.isWaiting
   }
 
-  begin(shown: readonly Part[]): void {
+  begin(shown: readonly Panel[]): void {
     this.end()
-    this.#unmade = [shown.filter(part => !part.prepare), shown.filter(part => part.prepare)]
-    const panels = shown.filter(part => part.place === 'panel' || part.place === 'folds')
+    this.#unmade = [shown.filter(panel => !panel.prepare), shown.filter(panel => panel.prepare)]
+    const panels = shown.filter(panel => panel.place === 'panel' || panel.place === 'folds')
     this.lens.classList.toggle('has-panel', panels.length > 0)
     this.lens.classList.toggle(
       'has-folds',
-      panels.some(part => part.place === 'folds'),
+      panels.some(panel => panel.place === 'folds'),
     )
     this.lens.classList.toggle('has-line', panels.length === 1 && panels[0]?.name === 'verdict')
     this.lens.classList.toggle(
       'has-stage',
-      shown.some(part => part.place === 'stage'),
+      shown.some(panel => panel.place === 'stage'),
     )
   }
 
@@ -139,22 +139,22 @@ export class Show {
     if (this.#unmade.length === 0 || isHeld || madeAt === time) return joins
     madeAt = time
     const [due = [], ...later] = this.#unmade
-    const isSlow = due.some(part => part.prepare)
+    const isSlow = due.some(panel => panel.prepare)
     if (isSlow && !this.#isPrepared) {
-      for (const part of due) part.prepare?.()
+      for (const panel of due) panel.prepare?.()
       this.#isPrepared = true
       return joins
     }
-    this.#made = due.map(part => ({ part, view: part.create(this.#host) }))
+    this.#made = due.map(panel => ({ panel, view: panel.create(this.#host) }))
     this.#unmade = later
     if (!isSlow) this.#join()
     return joins || !isSlow
   }
 
   #join(): void {
-    for (const { part, view } of this.#made) {
-      view.root.part.add(part.name)
-      this.#places[part.place].append(view.root)
+    for (const { panel, view } of this.#made) {
+      view.root.part.add(panel.name)
+      this.#places[panel.place].append(view.root)
     }
     this.#views = [...this.#views, ...this.#made.map(({ view }) => view)]
     this.#made = []

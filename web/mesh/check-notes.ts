@@ -1,18 +1,27 @@
 /** Sentences that the answers add to a mesh's own notes. */
 
-import type { MeshCheck } from './check'
+import { counted } from './check-summary'
+import type { MeshCheck } from './mesh-check'
 import { shown } from './text-cursor'
 
 type Answered = Omit<MeshCheck, 'notes'>
 
 export function checkNotes(check: Answered): string[] {
+  return [orderNote(check), ...otherNotes(check)].filter(note => note !== null)
+}
+
+/** For those who say of the order in words of their own. */
+export function notesBesideOrder(check: Answered): string[] {
+  return otherNotes(check).filter(note => note !== null)
+}
+
+function otherNotes(check: Answered): (string | null)[] {
   return [
-    orderNote(check),
     mirroredNote(check),
     unansweredNote(check),
     notTrilinearNote(check),
     check.mesh.isCutOff ? 'The file is cut off: the answer is for what is whole in it.' : null,
-  ].filter(note => note !== null)
+  ]
 }
 
 function mirroredNote({ mirrored, hexahedra }: Answered): string | null {
@@ -63,10 +72,6 @@ function orderNote(check: Answered): string | null {
 function nameOf({ idOf }: Answered, cell: number): string {
   const id = idOf(cell)
   return id === null ? `with index ${cell}` : shown(id).slice(1, -1)
-}
-
-function counted(count: number, one: string, many: string): string {
-  return `${count} ${count === 1 ? one : many}`
 }
 
 function lowerFirst(sentence: string): string {

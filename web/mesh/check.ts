@@ -3,14 +3,15 @@
  * single elements are answered by whoever is given, so that it runs on a page and in Node.
  */
 
-import type { NodeOrder } from '../content/node-orders'
 import type { Classification } from '../core/batch/classify'
 import { STATUSES, type Wanted } from '../core/batch/lists'
-import type { Core, Report } from '../core/report'
+import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
+import type { NodeOrder } from '../model/node-orders'
 import { checkNotes } from './check-notes'
 import { coincidentCells } from './coincident'
 import type { Mesh } from './mesh'
+import { type CheckAnswers, type MeshCheck, NEEDED, type Standing } from './mesh-check'
 import { openOrdersOf } from './open-orders'
 import { verticesOf } from './vertices-of'
 import { worstFirst } from './worst'
@@ -33,44 +34,6 @@ export interface CheckOptions {
   readonly lists?: Wanted
 }
 
-/** Without these there are no counts. */
-const NEEDED = { relativeMinima: true, classes: true, statuses: true } as const
-type Answers = Classification<typeof NEEDED & Wanted>
-
-/** What a cell counts as. */
-export type Standing = 'valid' | 'invalid' | 'unanswered' | 'degenerate'
-
-export interface MeshCheck {
-  readonly mesh: Mesh
-  /** One entry a cell: also for those that count as something else, in the order of the text where none is stated. */
-  readonly answers: Answers
-  readonly hexahedra: number
-  readonly valid: number
-  readonly invalid: number
-  readonly unanswered: number
-  /** Cells with coincident vertices. */
-  readonly degenerate: number
-  readonly below: number
-  /** jacdet < 0 everywhere: cells that are valid when numbered the other way round. */
-  readonly mirrored: number
-  readonly notTrilinear: { readonly count: number; readonly validByCorners: number }
-  /** The mesh's, and what the answers add. */
-  readonly notes: readonly string[]
-  /** Indices of cells, worst first. */
-  readonly worst: Uint32Array
-  /** Where the order of the nodes is not stated: invalid cells that are valid in another order, with the first such order. They are unanswered. */
-  readonly openOrders: ReadonlyMap<number, NodeOrder>
-  standingOf(cell: number): Standing
-  isAnswered(cell: number): boolean
-  isBelow(cell: number): boolean
-  /** Null where the file has no ids. */
-  idOf(cell: number): string | null
-  /** The name of the first block that the cell is in, as the file has it. */
-  blockOf(cell: number): string | null
-  /** Everything about the cell; or, for one that is unanswered, why. */
-  answerTo(cell: number): { readonly report: Report } | { readonly why: string }
-}
-
 export async function checkMesh(
   mesh: Mesh,
   { classify, core }: { readonly classify: ClassifyCells; readonly core: Core },
@@ -78,7 +41,7 @@ export async function checkMesh(
 ): Promise<MeshCheck> {
   const { points, cells, notTrilinear } = mesh
   const hexahedra = cells.length / 8
-  const answers: Answers = await classify(points, cells, { ...lists, ...NEEDED })
+  const answers: CheckAnswers = await classify(points, cells, { ...lists, ...NEEDED })
   const byCorners = await classify(points, notTrilinear.corners, {})
   const coincident = coincidentCells(points, cells, answers.valid)
 
@@ -136,23 +99,27 @@ export async function checkMesh(
 }
 
 /** A cell of volume 0 is below everything if its minimum is negative, else it stands among the zeros. */
-function isLess({ relativeMinima, classes }: Answers, cell: number, bound: number): boolean {
+function isLess({ relativeMinima, classes }: CheckAnswers, cell: number, bound: number): boolean {
   const relative = relativeMinima[cell] as number
   if (!Number.isNaN(relative)) return relative < bound
   return CLASSES[classes[cell] as number] === 'collapsed' ? bound > 0 : true
 }
 
 /** The blocks are gone through when a cell's is first asked for. */
-function blocksByCell({ cells, blocks }: Mesh): (cell: number) => string | null {
-  let places: Uint32Array | undefined
+function blocksByCell(mesh: Mesh): (cell: number) => string | null {
+  let places: Uint32Array | null | undefined
   return cell => {
-    if (blocks.length === 0) return null
-    if (!places) {
-      places = new Uint32Array(cells.length / 8).fill(blocks.length)
-      for (let i = blocks.length - 1; i >= 0; --i) for (const own of blocks[i]?.cells ?? []) places[own] = i
-    }
-    return blocks[places[cell] as number]?.name ?? null
+    places ??= firstBlocks(mesh)
+    return mesh.blocks[places?.[cell] ?? mesh.blocks.length]?.name ?? null
   }
+}
+
+/** For each cell the place of the first block that it is in, the count of blocks where it is in none; null without blocks. */
+export function firstBlocks({ cells, blocks }: Mesh): Uint32Array | null {
+  if (blocks.length === 0) return null
+  const places = new Uint32Array(cells.length / 8).fill(blocks.length)
+  for (let i = blocks.length - 1; i >= 0; --i) for (const own of blocks[i]?.cells ?? []) places[own] = i
+  return places
 }
 
 /** 0 all valid; 1 invalid ones, or some below the bound; 2 unreadable; 3 nothing invalid, but not all could be answered. */

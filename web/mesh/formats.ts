@@ -13,6 +13,7 @@ import { nastran } from './formats/nastran'
 import { ncdump } from './formats/ncdump'
 import { obj } from './formats/obj'
 import { ovm } from './formats/ovm'
+import { picture } from './formats/picture'
 import { refused } from './formats/refused'
 import { tecplot } from './formats/tecplot'
 import { text } from './formats/text'
@@ -41,6 +42,7 @@ export const formats: readonly MeshFormat[] = [
   blockMeshDict,
   ncdump,
   obj,
+  picture,
   link,
   refused,
   text, // last: what no other claims

@@ -2,6 +2,7 @@
  * The order of a cell's eight points from its six faces, as formats that know only faces have it. A face goes around anticlockwise seen
  * from outside, so the first one backwards is the bottom, and each of its points has one edge that leaves it: to the point above.
  */
+import { rotations } from '../model/node-order'
 
 /** Eight points in VTK_HEXAHEDRON order, the first face as bottom with its point `first`; null if the faces are not those of a hexahedron. */
 export function hexahedronOfFaces(faces: readonly (readonly number[])[], first = faces[0]?.[0]): number[] | null {
@@ -33,5 +34,12 @@ export function hexahedronOfFaces(faces: readonly (readonly number[])[], first =
   const sides = [0, 1, 2, 3].every(i => next.has(`${top[i]} ${bottom[i]}`) && next.has(`${bottom[i]} ${top[i]}`))
   const lid = next.get(`${top[0]} ${top[1]}`)
   const face = lid === undefined ? undefined : faces[lid]
-  return sides && face !== undefined && top.every(point => face.includes(point)) ? eight : null
+  return sides && face !== undefined && top.every(point => face.includes(point)) ? numbered(eight) : null
+}
+
+/** In the order of their numbers, if that is one of the 24 in which the faces allow to name them. */
+function numbered(eight: readonly number[]): number[] {
+  const ascending = eight.toSorted((a, b) => a - b)
+  const isTurned = rotations.some(rotation => rotation.every((v, i) => ascending[v] === eight[i]))
+  return isTurned ? ascending : [...eight]
 }

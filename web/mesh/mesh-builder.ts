@@ -1,9 +1,12 @@
 /** Puts a mesh together from what a reader meets: points by the file's ids or in a row, cells of any type, names. */
+import type { Vertices } from '../model/hexahedron'
 import { IdIndex } from './id-index'
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
 import { PlaceList } from './place-list'
+import { PrintedDigits } from './precision'
 import type { FileRows } from './reading-core'
 import { Runs } from './runs'
+import type { TextCursor } from './text-cursor'
 import { TypedList } from './typed-list'
 
 /** What other cells are called, and how many nodes they have, where that is fixed. */
@@ -34,6 +37,8 @@ export class MeshBuilder {
   readonly #other = new Map<string, number>()
   readonly #notes: string[] = []
   readonly #pointOfId = new IdIndex()
+  /** Of coordinates in text; they become a note where printing has rounded. */
+  readonly digits = new PrintedDigits()
   #straight: number | null = null
   isOrderStated = true
   isCutOff = false
@@ -61,6 +66,14 @@ export class MeshBuilder {
   coordinateToken(from: number, length: number): void {
     this.#tokensFrom.push(from)
     this.#tokenLengths.push(length)
+  }
+
+  /** Reads the next coordinate, and keeps where and with how many digits it is written. */
+  readCoordinate(cursor: TextCursor): number {
+    const value = cursor.number('a coordinate')
+    this.coordinateToken(cursor.numberFrom, cursor.position - cursor.numberFrom)
+    this.digits.see(value, cursor.digits)
+    return value
   }
 
   /** Coordinate 0, 1 or 2 of a point that is there. */
@@ -192,6 +205,14 @@ export class MeshBuilder {
     return { kind: 'tokens', from: this.#tokensFrom.upTo(this.#points.length), lengths: this.#tokenLengths.whole() }
   }
 
+  /** The mesh of one element, in this project's own order. */
+  meshOfOne(vertices: Vertices): Mesh {
+    for (let v = 0; v < 24; v += 3)
+      this.point(vertices[v] as number, vertices[v + 1] as number, vertices[v + 2] as number)
+    this.hexahedron([0, 1, 2, 3, 4, 5, 6, 7])
+    return this.mesh()
+  }
+
   /** The mesh. Refuses an index out of range. */
   mesh(): Mesh {
     const points = this.#points.whole()
@@ -203,6 +224,8 @@ export class MeshBuilder {
       if (bad >= 0)
         this.refuse(`cell ${Math.floor(bad / 8)} names point ${list[bad]}; the points are 0 to ${count - 1}.`)
     }
+    const precision = this.digits.note()
+    if (precision !== null) this.note(precision)
     const blocks: Block[] = [...this.#blocks].map(([name, runs]) => ({ name, cells: runs.sorted() }))
     return {
       format: this.#format,

@@ -57,4 +57,7 @@ export type CoordinatePlaces =
 /** A file that is none of ours, or damaged: one sentence with the place and what was expected. */
 export class MeshRefusal extends Error {}
 
+/** Points and cells that a file implies or has generated beyond this are refused. */
+export const MOST_IMPLIED_CELLS = 50_000_000
+
 export const NOTHING_NOT_TRILINEAR: NotTrilinear = { corners: new Uint32Array(0), straight: null }

@@ -1,6 +1,7 @@
-/** Whether the further nodes of a cell of 20 or 27 nodes lie at the middles of its edges and faces, in whatever order they are. */
+/** Where the further nodes of cells of 20 or 27 nodes lie: at the middles of edges and faces and of the whole. */
 
-const EDGES = [
+/** The corners at whose middle each node lies: edges in VTK's order, faces -xi, +xi, -eta, +eta, -zeta, +zeta, the whole. */
+export const EDGE_MIDDLES: readonly (readonly number[])[] = [
   [0, 1],
   [1, 2],
   [2, 3],
@@ -13,21 +14,34 @@ const EDGES = [
   [1, 5],
   [2, 6],
   [3, 7],
-] as const
-const FACES = [
+]
+export const FACE_MIDDLES: readonly (readonly number[])[] = [
   [0, 3, 7, 4],
   [1, 2, 6, 5],
   [0, 1, 5, 4],
   [3, 2, 6, 7],
   [0, 1, 2, 3],
   [4, 5, 6, 7],
-] as const
-const ALL = [0, 1, 2, 3, 4, 5, 6, 7] as const
-const MIDDLES_OF_20: readonly (readonly number[])[] = EDGES
-const MIDDLES_OF_27: readonly (readonly number[])[] = [...EDGES, ...FACES, ALL]
+]
+export const ALL_MIDDLES: readonly (readonly number[])[] = [...EDGE_MIDDLES, ...FACE_MIDDLES, [0, 1, 2, 3, 4, 5, 6, 7]]
+
+/** Whether a point is within the tolerance of the mean of others, along each axis; false where one is not finite. */
+export function isAtMean(
+  coordinate: (point: number, axis: number) => number,
+  point: number,
+  others: readonly number[],
+  tolerance: number,
+): boolean {
+  for (let axis = 0; axis < 3; ++axis) {
+    let sum = 0
+    for (const other of others) sum += coordinate(other, axis)
+    if (!(Math.abs(coordinate(point, axis) - sum / others.length) <= tolerance)) return false
+  }
+  return true
+}
 
 /**
- * `corners` and `others` are indices of points. A middle is a sum of up to eight coordinates and a division, each within half a unit in
+ * Whether the further nodes lie at the middles, in whatever order they are. `corners` and `others` are indices of points. A middle is a sum of up to eight coordinates and a division, each within half a unit in
  * the last place, and so are printed coordinates of 16 digits: 2^-48 of the largest coordinate is above all of these. Null for cells that
  * have neither 12 nor 19 further nodes.
  */
@@ -36,19 +50,16 @@ export function areAtMiddles(
   corners: readonly number[],
   others: readonly number[],
 ): boolean | null {
-  const middles = others.length === 12 ? MIDDLES_OF_20 : others.length === 19 ? MIDDLES_OF_27 : null
+  const middles = others.length === 12 ? EDGE_MIDDLES : others.length === 19 ? ALL_MIDDLES : null
   if (middles === null) return null
   let size = 0
   for (const corner of corners)
     for (let axis = 0; axis < 3; ++axis) size = Math.max(size, Math.abs(coordinate(corner, axis)))
   const tolerance = size * 2 ** -48
-  const wanted = middles.map(middle =>
-    [0, 1, 2].map(axis => middle.reduce((sum, i) => sum + coordinate(corners[i] as number, axis), 0) / middle.length),
-  )
-  const isAt = (point: number, place: readonly number[]) =>
-    place.every((value, axis) => Math.abs(coordinate(point, axis) - value) <= tolerance)
+  const wanted = middles.map(middle => middle.map(i => corners[i] as number))
+  const isAt = (point: number, mean: readonly number[]) => isAtMean(coordinate, point, mean, tolerance)
   return (
-    wanted.every((place, i) => isAt(others[i] as number, place) || others.some(other => isAt(other, place))) &&
-    others.every((other, i) => isAt(other, wanted[i] as number[]) || wanted.some(place => isAt(other, place)))
+    wanted.every((mean, i) => isAt(others[i] as number, mean) || others.some(other => isAt(other, mean))) &&
+    others.every((other, i) => isAt(other, wanted[i] as number[]) || wanted.some(mean => isAt(other, mean)))
   )
 }

@@ -1,7 +1,8 @@
 /** Cells whose verdict hangs on an order of nodes that nobody has stated. */
-import { type NodeOrder, nodeOrders } from '../content/node-orders'
+
 import type { Core } from '../core/report'
 import { reordered } from '../model/node-order'
+import { type NodeOrder, nodeOrders } from '../model/node-orders'
 import type { Mesh } from './mesh'
 import { verticesOf } from './vertices-of'
 

@@ -2,8 +2,8 @@
 
 /** All of a double. */
 const MOST_DIGITS = 17
-/** Decimals so short were typed, not rounded. */
-const FEWEST_DIGITS = 4
+/** Decimals of one or two digits are steps that somebody typed; with three, thirds are already rounded ones. */
+const FEWEST_DIGITS = 3
 
 /** How coordinates are printed: with how many digits, and whether one of them is no double, so that printing has rounded it. */
 export class PrintedDigits {

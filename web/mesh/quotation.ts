@@ -1,5 +1,5 @@
 /** Texts as mails and issues hold them: lines that are quoted with ">", and code between fences. */
-import { LARGEST_STRING, utf16Of } from './snippet-text'
+import { LARGEST_SNIPPET, LARGEST_STRING, utf16Of } from './snippet-text'
 import { fileOfBytes, type MeshFile } from './source'
 
 const [TAB, LF, CR, SPACE, ZERO, NINE, LESS, GREATER, BACKTICK, TILDE] = [
@@ -10,6 +10,7 @@ const LONGEST_FENCE = 40
 /** A row of so many marks is a ruler in a log. */
 const RULER = 6
 const FEWEST_QUOTED = 3
+const [ESCAPE, BRACKET] = [27, 91] as const
 
 /** A line is the bytes [from, to). */
 interface Line {
@@ -18,8 +19,8 @@ interface Line {
 }
 
 /**
- * The text without what mail and Markdown put around it. Marks of quotation, fences, the words outside of them, no-break spaces and a byte
- * order mark become blanks, so that lines and bytes keep their places; UTF-16 becomes UTF-8. The file itself where there is nothing of that, or
+ * The text without what mail and Markdown put around it. Marks of quotation, fences, the words outside of them, terminals' colours, no-break
+ * spaces and a byte order mark become blanks, so that lines and bytes keep their places; UTF-16 becomes UTF-8. The file itself where there is nothing of that, or
  * where it is binary or large.
  */
 export function withoutQuotation(file: MeshFile): MeshFile {
@@ -28,10 +29,11 @@ export function withoutQuotation(file: MeshFile): MeshFile {
   const encoding = utf16Of(original)
   const bytes = encoding === null ? original : new TextEncoder().encode(new TextDecoder(encoding).decode(original))
   if (bytes.includes(0)) return file
+  const isUncoloured = blankColours(bytes)
   const isUnquoted = blankQuotation(bytes)
   const isUnfenced = blankFences(bytes)
   const isPlain = blankOddSpaces(bytes)
-  return isUnquoted || isUnfenced || isPlain || encoding !== null ? fileOfBytes(file.name, bytes) : file
+  return isUncoloured || isUnquoted || isUnfenced || isPlain || encoding !== null ? fileOfBytes(file.name, bytes) : file
 }
 
 /**
@@ -69,9 +71,36 @@ function quoteEnd(bytes: Uint8Array, from: number, to: number): number {
   return end
 }
 
-/** Fences, and what stands outside of them if there are numbers inside. A fence that does not end goes to the end. */
-function blankFences(bytes: Uint8Array): boolean {
-  if (!bytes.includes(BACKTICK) && !bytes.includes(TILDE)) return false
+const MOST_BLOCKS = 16
+
+export interface FencedBlock {
+  /** The whole text with all blank but the block, so that lines and bytes keep their places. */
+  readonly file: MeshFile
+  readonly text: Uint8Array
+}
+
+/** What stands in each of several fences; none where there is but one. */
+export function fencedBlocks(file: MeshFile): FencedBlock[] {
+  if (file.size > LARGEST_SNIPPET) return []
+  const bytes = file.read(0, file.size)
+  if (utf16Of(bytes) !== null || bytes.includes(0)) return []
+  blankColours(bytes)
+  blankQuotation(bytes)
+  const fences = fencesOf(bytes)
+  const blocks: FencedBlock[] = []
+  for (let i = 0; i < fences.length && blocks.length < MOST_BLOCKS; i += 2) {
+    const [from, to] = [(fences[i] as Line).to, fences[i + 1]?.from ?? bytes.length]
+    if (!hasDigit(bytes, from, to)) continue
+    const own = bytes.slice()
+    blank(own, 0, from)
+    blank(own, to, own.length)
+    blocks.push({ file: fileOfBytes(file.name, own), text: bytes.subarray(from, to) })
+  }
+  return blocks.length > 1 ? blocks : []
+}
+
+function fencesOf(bytes: Uint8Array): Line[] {
+  if (!bytes.includes(BACKTICK) && !bytes.includes(TILDE)) return []
   const fences: Line[] = []
   for (const { from, to } of linesOf(bytes)) {
     const at = skipBlanks(bytes, from, to)
@@ -82,6 +111,12 @@ function blankFences(bytes: Uint8Array): boolean {
     if (end - at < 3 || end - at >= RULER) continue
     fences.push({ from, to: to - at <= LONGEST_FENCE ? to : at + 3 })
   }
+  return fences
+}
+
+/** Fences, and what stands outside of them if there are numbers inside. A fence that does not end goes to the end. */
+function blankFences(bytes: Uint8Array): boolean {
+  const fences = fencesOf(bytes)
   if (fences.length === 0) return false
   // One fence alone may end a block whose beginning was not copied.
   const isBegun = fences.length > 1 || !hasDigit(bytes, 0, (fences[0] as Line).from)
@@ -91,6 +126,23 @@ function blankFences(bytes: Uint8Array): boolean {
   if (isBegun && starts.some((from, part) => isInside(part) && hasDigit(bytes, from, ends[part] as number)))
     for (const [part, from] of starts.entries()) if (!isInside(part)) blank(bytes, from, ends[part] as number)
   for (const { from, to } of fences) bytes.fill(SPACE, from, to)
+  return true
+}
+
+/** What terminals take for colours, if one of them ends another: an escape, a bracket, numbers and a letter. */
+function blankColours(bytes: Uint8Array): boolean {
+  const found: Line[] = []
+  let hasEnds = false
+  for (let at = bytes.indexOf(ESCAPE); at >= 0; at = bytes.indexOf(ESCAPE, at + 1)) {
+    if (bytes[at + 1] !== BRACKET) continue
+    let end = at + 2
+    // Digits, colons and semicolons.
+    while (end < at + LONGEST_FENCE && (bytes[end] as number) >> 4 === 3) end++
+    hasEnds ||= end === at + 2 || (bytes[at + 2] === ZERO && end === at + 3)
+    found.push({ from: at, to: Math.min(end + 1, bytes.length) })
+  }
+  if (!hasEnds) return false
+  for (const { from, to } of found) bytes.fill(SPACE, from, to)
   return true
 }
 

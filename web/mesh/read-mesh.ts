@@ -1,8 +1,9 @@
 /** Bytes in, meshes out: the one entry for all that is pasted, dropped, opened or named on the command line. */
 import { formats } from './formats'
+import { refused } from './formats/refused'
 import { gunzipped, gunzippedHead, isGzip } from './gzip'
 import { type Mesh, MeshRefusal } from './mesh'
-import { withoutQuotation } from './quotation'
+import { fencedBlocks, withoutQuotation } from './quotation'
 import { utf16Of } from './snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from './source'
 import { shown } from './text-cursor'
@@ -16,6 +17,7 @@ const HEAD = 65_536
 export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { format?: string } = {}): readonly Mesh[] {
   const all: ReadOptions = {
     find: options.find ?? (() => null),
+    step: options.step ?? 0,
     onProgress: options.onProgress ?? (() => {}),
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),
     core: options.core ?? null,
@@ -30,6 +32,8 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
   if (isPacked && wanted === null) formatOf(gunzippedHead(here, HEAD), name)
   try {
     const whole = isPacked ? gunzipped(here) : here
+    const several = wanted === null ? meshesInFences(whole, all) : []
+    if (several.length > 0) return several
     const plain = withoutQuotation(whole)
     const format = wanted ?? formatOf(headOf(plain), name)
     const meshes = format.read(plain, all)
@@ -41,6 +45,18 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
     if (!(error instanceof RangeError)) throw error
     throw new MeshRefusal(`${here.name}: reading it needs more memory than there is here (${error.message}).`)
   }
+}
+
+/** Where fences hold files of different formats, the meshes of each; else none, and the text is read as one. */
+function meshesInFences(file: MeshFile, options: ReadOptions): Mesh[] {
+  const known = fencedBlocks(file).flatMap(({ file: block, text }) => {
+    const format = formats.find(({ recognizes }) => recognizes(text.subarray(0, HEAD), '') === 'yes')
+    return format === undefined || format === refused ? [] : [{ block, format }]
+  })
+  if (new Set(known.map(({ format }) => format)).size < 2) return []
+  return known
+    .flatMap(({ block, format }) => format.read(block, options))
+    .map(mesh => ({ ...mesh, coordinatePlaces: null }))
 }
 
 /** In a quoted text marks stand between the coordinates of a run, which are at their places one by one. */

@@ -25,27 +25,40 @@ export function isText(head: Uint8Array): boolean {
   return utf16Of(head) !== null || !head.includes(0)
 }
 
-const latin1 = new TextDecoder('latin1')
+/** Bytes: so many arguments are no burden to a call. */
+const AT_ONCE = 8192
 /** Each format looks at the same head. */
 const texts = new WeakMap<Uint8Array, string>()
 
-/** The first bytes of a file as text in which marks of a format are looked for. */
+/**
+ * The first bytes of a file as text in which marks of a format are looked for, a character for each byte. Browsers take the decoder called
+ * latin1 for that of Windows, which has other characters from 0x80 to 0x9f.
+ */
 export function headText(head: Uint8Array, most = head.length): string {
   let text = texts.get(head)
   if (text === undefined) {
-    text = latin1.decode(head)
+    text = ''
+    for (let at = 0; at < head.length; at += AT_ONCE) text += String.fromCharCode(...head.subarray(at, at + AT_ONCE))
     texts.set(head, text)
   }
   return text.slice(0, most)
 }
 
 const LONGEST_ELLIPSIS = 200
-/** "...", "[...]", "# ... 3000 more", a dot or a colon alone, and the characters for dots as the bytes of UTF-8 look in Latin 1. */
-const DOTS = /^[[({<*#/%!;,|\s-]*(?:\.\.|\. \.|\u2026|\u22ee|\u00e2\u0080\u00a6|\u00e2\u008b\u00ae|[.:]$)/
+/** "...", "[...]", "# ... 3000 more", a dot or a colon alone, and the characters for dots as the bytes of UTF-8 look in Latin 1 and Windows'. */
+const DOTS =
+  /^[[({<*#/%!;,|\s-]*(?:\.\.|\. \.|\u2026|\u22ee|\u00e2[\u0080\u20ac]\u00a6|\u00e2[\u008b\u2039]\u00ae|[.:]$)/
 const WORDS = /^[[({<*#/%!;,|\s-]*(?:snip|cut|omitted|truncated|skipped|etc)\b/i
 
 /** Whether a line stands for what was left out. */
 export function isEllipsis(line: string): boolean {
   const text = line.trim()
   return text.length > 0 && text.length <= LONGEST_ELLIPSIS && (DOTS.test(text) || WORDS.test(text))
+}
+
+/** What is said of points that are taken as they come. */
+export function orderOfText(cellCount: number): string {
+  return cellCount === 1
+    ? 'Eight points taken in the order of the text.'
+    : 'Points taken in the order of the text, eight for each element.'
 }

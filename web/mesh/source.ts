@@ -16,6 +16,8 @@ export interface ReadOptions {
   readonly find: FindFile
   /** Called now and then with the part of the file that has been read, from 0 to 1. */
   readonly onProgress: (part: number) => void
+  /** Which time step is read, counted from 0, of a file that has several. */
+  readonly step: number | 'last'
   /** Throws if the reading is no longer wanted. */
   readonly throwIfCancelled: () => void
   /** What does the slow parts by wasm; null where that may not run. */

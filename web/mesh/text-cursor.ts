@@ -6,7 +6,10 @@ import { doubleOfDigits } from './decimal'
 import { FilePiece } from './file-piece'
 import { MeshRefusal } from './mesh'
 import { type FileRows, type RowPattern, type RowSearch, rowsAhead } from './reading-core'
+import { shown } from './shown'
 import type { MeshFile } from './source'
+
+export { shown, withoutControls } from './shown'
 
 const PIECE = 1024 * 1024
 /** A word or a number is no longer. */
@@ -247,7 +250,10 @@ export class TextCursor {
   /** The next integer from 0 to 2^53. */
   count(expected = 'a count'): number {
     const value = this.number(expected)
-    if (!Number.isSafeInteger(value) || value < 0) this.refuse(`${value} is not ${expected}.`)
+    if (!Number.isSafeInteger(value) || value < 0) {
+      const word = decoder.decode(this.#bytes.subarray(this.numberFrom - this.#start, this.#at))
+      this.refuse(`${shown(word)} is not ${expected}.`)
+    }
     return value
   }
 }
@@ -289,24 +295,12 @@ export function numberOf(word: string): number | null {
   return !/^inf/i.test(name) ? Number.NaN : sign === '-' ? -Infinity : Infinity
 }
 
-function significantDigits(word: string): number {
+/** With how many a number is written, without zeros in front. */
+export function significantDigits(word: string): number {
   let digits = 0
   for (const character of word) {
     if (character >= '0' && character <= '9') digits += digits > 0 || character !== '0' ? 1 : 0
     else if (character > '9') break
   }
   return digits
-}
-
-const MOST_SHOWN = 60
-
-/** A name or a word of a file for people: without control and bidirectional characters, cut to a length, in quotes. */
-export function shown(word: string): string {
-  const plain = withoutControls(word)
-  return `“${plain.length > MOST_SHOWN ? `${plain.slice(0, MOST_SHOWN)}…` : plain}”`
-}
-
-/** Without control and bidirectional characters, whole. */
-export function withoutControls(text: string): string {
-  return text.replace(/[\p{Cc}\p{Cf}\u2028\u2029]/gu, '')
 }

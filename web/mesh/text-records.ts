@@ -97,6 +97,36 @@ export class TextRecords {
     }
   }
 
+  /**
+   * Reads points, which are counted and have no ids: of those after "..." it cannot be told which they are, so they are passed. Whether some
+   * are left out.
+   */
+  points(declared: number, what: string, read: (index: number) => boolean): boolean {
+    let next = this.next(what)
+    let count = 0
+    for (; next === 'record' && !this.isElided; next = this.next(what)) {
+      if (count === declared) this.cursor.refuse(`there are more ${what} than the ${declared} that were declared.`)
+      if (!read(count)) {
+        next = 'end'
+        break
+      }
+      count++
+      this.onRecord()
+    }
+    this.check(next, count, declared, what)
+    if (this.isElided && next === 'record') this.passSection()
+    return this.isElided
+  }
+
+  /** Passes the rest of a section. */
+  passSection(): void {
+    const { cursor } = this
+    do {
+      cursor.skipLine()
+      cursor.skipBlanks()
+    } while (!cursor.isAtEnd && !this.#options.endsSection(cursor))
+  }
+
   onRecord(): void {
     this.#options.onRecord(this.cursor.position)
   }

@@ -1,65 +1,98 @@
 /**
- * Readers of plain data that a person or a program wrote as JSON: each takes a value and its path, and gives what it means or throws
- * Refused with a sentence. Numbers are JSON's, so every double comes back bit for bit, except that -0 is "-0".
+ * Readers of plain data that a person or a program wrote as JSON. Each takes a value and its path, and gives what it means or throws
+ * Refused with a sentence; it also knows the JSON Schema of what it takes, and how to write it. Numbers are JSON's, so every double
+ * comes back bit for bit, except that -0 is "-0".
  */
 import { COORDINATE_COUNT, type Vertices } from './hexahedron'
 
 export type Coordinate = number | '-0'
 
-/** Of a value, called by its path; throws Refused with a sentence. */
-export type Reader<T> = (value: unknown, path: string) => T
+export interface Reader<T> {
+  (value: unknown, path: string): T
+  /** What it takes, as JSON Schema 2020-12. */
+  readonly schema: Schema
+  /** The value as JSON has it. */
+  readonly write: (value: T) => unknown
+}
+
+export type Schema = Readonly<Record<string, unknown>>
 export type Readers<T> = { readonly [Key in keyof T]: Reader<T[Key]> }
 
 export class Refused extends Error {}
 
-export const flag: Reader<boolean> = (value, path) => {
+export function reader<T>(
+  schema: Schema,
+  read: (value: unknown, path: string) => T,
+  write: (value: T) => unknown = value => value,
+): Reader<T> {
+  return Object.assign((given: unknown, path: string) => read(given, path), { schema, write })
+}
+
+/** The same, with a sentence for the schema. */
+export function described<T>(description: string, inner: Reader<T>): Reader<T> {
+  return reader({ ...inner.schema, description }, inner, inner.write)
+}
+
+export const flag = reader({ type: 'boolean' }, (value, path) => {
   if (typeof value !== 'boolean') throw new Refused(`${path} has to be true or false.`)
   return value
-}
+})
 
-export const text: Reader<string> = (value, path) => {
+export const text = reader({ type: 'string' }, (value, path) => {
   if (typeof value !== 'string') throw new Refused(`${path} has to be a text.`)
   return value
-}
+})
 
 export function oneOf<const Choices extends readonly unknown[]>(...choices: Choices): Reader<Choices[number]> {
-  return (value, path) => {
+  return reader({ enum: choices }, (value, path) => {
     if (!choices.includes(value)) throw new Refused(`${path} has to be one of ${choices.join(', ')}.`)
-    return value
-  }
+    return value as Choices[number]
+  })
 }
 
-export function between(least: number, greatest: number): Reader<number> {
-  return (value, path) => {
-    if (typeof value !== 'number' || !(value >= least && value <= greatest))
-      throw new Refused(`${path} has to be a number from ${least} to ${greatest}.`)
+export function between(minimum: number, maximum: number): Reader<number> {
+  return reader({ type: 'number', minimum, maximum }, (value, path) => {
+    if (typeof value !== 'number' || !(value >= minimum && value <= maximum))
+      throw new Refused(`${path} has to be a number from ${minimum} to ${maximum}.`)
     return value
-  }
+  })
 }
 
 export function indexBelow(count: number): Reader<number> {
-  return (value, path) => {
-    if (!Number.isInteger(between(0, count - 1)(value, path))) throw new Refused(`${path} has to be a whole number.`)
+  const number = between(0, count - 1)
+  return reader({ ...number.schema, type: 'integer' }, (value, path) => {
+    if (!Number.isInteger(number(value, path))) throw new Refused(`${path} has to be a whole number.`)
     return value as number
-  }
+  })
 }
 
-export function orNull<T>(reader: Reader<T>): Reader<T | null> {
-  return (value, path) => (value === null ? null : reader(value, path))
+export function orNull<T>(inner: Reader<T>): Reader<T | null> {
+  return reader(
+    { anyOf: [{ type: 'null' }, inner.schema] },
+    (value, path) => (value === null ? null : inner(value, path)),
+    value => (value === null ? null : inner.write(value)),
+  )
 }
 
-/** Other keys are ignored; the value of one that is missing is its default, or it is refused. */
-export function record<T>(readers: Readers<T>, defaults: Partial<T>): Reader<T> {
-  return (value, path) => {
-    const given = object(value, path)
-    const keys = Object.keys(readers) as (keyof T & string)[]
-    return Object.fromEntries(
-      keys.map(key => {
-        if (given[key] === undefined && key in defaults) return [key, defaults[key]]
-        return [key, readers[key](given[key], `${path}.${key}`)]
-      }),
-    ) as T
+/** Other keys are ignored. One that is missing has its default, or is refused unless it is `optional`. */
+export function record<T>(readers: Readers<T>, defaults: Partial<T>, optional: readonly (keyof T)[] = []): Reader<T> {
+  const keys = Object.keys(readers) as (keyof T & string)[]
+  const each = <V>(of: (key: keyof T & string) => V) => Object.fromEntries(keys.map(key => [key, of(key)]))
+  const isLeftOut = (key: keyof T) => key in defaults || optional.includes(key)
+  const withDefault = (key: keyof T & string) => {
+    const { schema, write } = readers[key]
+    return key in defaults ? { ...schema, default: write(defaults[key] as T[typeof key]) } : schema
   }
+  return reader(
+    { type: 'object', required: keys.filter(key => !isLeftOut(key)), properties: each(withDefault) },
+    (value, path) => {
+      const given = object(value, path)
+      return each(key =>
+        given[key] === undefined && isLeftOut(key) ? defaults[key] : readers[key](given[key], `${path}.${key}`),
+      ) as T
+    },
+    value => each(key => readers[key].write(value[key])),
+  )
 }
 
 export function object(value: unknown, path: string): Readonly<Record<string, unknown>> {
@@ -74,12 +107,25 @@ export function list(value: unknown, path: string, length?: number): readonly un
   return value
 }
 
-export const coordinates: Reader<Vertices> = (value, path) =>
-  list(value, path, COORDINATE_COUNT).map((coordinate, i) => {
-    if (coordinate === '-0') return -0
-    if (!Number.isFinite(coordinate)) throw new Refused(`${path}[${i}] has to be a finite number, or "-0".`)
-    return coordinate as number
-  })
+export const COORDINATES_SCHEMA: Schema = {
+  description:
+    'Eight vertices x, y, z in VTK_HEXAHEDRON order, flat, finite doubles. Minus zero is the string "-0", since JavaScript’s JSON.stringify loses its sign.',
+  type: 'array',
+  minItems: COORDINATE_COUNT,
+  maxItems: COORDINATE_COUNT,
+  items: { anyOf: [{ type: 'number' }, { const: '-0' }] },
+}
+
+export const coordinates = reader<Vertices>(
+  { $ref: '#/$defs/vertices' },
+  (value, path) =>
+    list(value, path, COORDINATE_COUNT).map((coordinate, i) => {
+      if (coordinate === '-0') return -0
+      if (!Number.isFinite(coordinate)) throw new Refused(`${path}[${i}] has to be a finite number, or "-0".`)
+      return coordinate as number
+    }),
+  written,
+)
 
 export function written(vertices: Vertices): Coordinate[] {
   return vertices.map(value => (Object.is(value, -0) ? '-0' : value))

@@ -1,12 +1,14 @@
 /**
- * `element.state`: what the page is about as plain data to keep as JSON, and its reader. The schema, docs/state.schema.json,
- * says what each key means. Version 1 is read for ever: keys may be added to it, and a reader ignores those that it does not know;
+ * `element.state`: what the page is about as plain data to keep as JSON, and its reader. docs/state.schema.json, written from these
+ * readers, says what each key means. Version 1 is read for ever: keys may be added to it, and a reader ignores those that it does not know;
  * where one is missing, it is as in a new element.
  */
 import {
   between,
+  COORDINATES_SCHEMA,
   type Coordinate,
   coordinates,
+  described,
   flag,
   indexBelow,
   list,
@@ -15,24 +17,31 @@ import {
   orNull,
   type Reader,
   Refused,
+  reader,
   record,
+  type Schema,
   text,
-  written,
 } from './document-readers'
 import { faces, VERTEX_COUNT, type Vec3, type Vertices } from './hexahedron'
-import { type Cameras, type CameraView, type LastingState, PANELS, type PanelId, STEP_COUNT, type State } from './state'
+import { type AnySlice, type Cameras, type CameraView, type LastingState, type State, sliceOf } from './state'
 import { SHOWN_FIRST } from './store'
 
 export const STATE_VERSION = 1
 
-type VerticesKey = 'vertices' | 'start' | 'morphA' | 'morphB'
-
-export interface StateDocument extends Omit<LastingState, VerticesKey>, Cameras {
+/** Of the element itself. */
+export interface ElementDocument extends Omit<LastingState, 'vertices' | 'start' | 'slices'>, Cameras {
   readonly version: typeof STATE_VERSION
   readonly vertices: readonly Coordinate[]
   readonly start: readonly Coordinate[]
-  readonly morphA: readonly Coordinate[] | null
-  readonly morphB: readonly Coordinate[] | null
+}
+
+/** With what panels keep, each under keys of its own. */
+export type StateDocument = ElementDocument & Readonly<Record<string, unknown>>
+
+/** The panels that there are: their names and their slices. */
+export interface KnownPanels {
+  readonly names: readonly string[]
+  readonly slices: readonly AnySlice[]
 }
 
 export interface StateError {
@@ -45,41 +54,26 @@ export type StateResult =
   | { readonly ok: true; readonly value: { readonly state: LastingState; readonly cameras: Cameras } }
   | { readonly ok: false; readonly error: StateError }
 
-export function stateDocument(state: State, { camera, referenceCamera }: Cameras): StateDocument {
-  const {
-    gestureStart,
-    probe,
-    highlight,
-    previewedOrder,
-    previewedMove,
-    helpShown,
-    isReadonly,
-    controls,
-    canUndo,
-    canRedo,
-    ...lasting
-  } = state
-  return {
-    version: STATE_VERSION,
-    ...lasting,
-    vertices: written(state.vertices),
-    start: written(state.start),
-    morphA: state.morphA && written(state.morphA),
-    morphB: state.morphB && written(state.morphB),
-    camera,
-    referenceCamera,
-  }
+export function stateDocument(state: State, cameras: Cameras, { names, slices }: KnownPanels): StateDocument {
+  const own = elementReader(names).write({ ...state, ...cameras })
+  const kept = slices.map(slice => sliceReader(slice).write(sliceOf(slice, state)))
+  return Object.assign({ version: STATE_VERSION }, own, ...kept)
 }
 
 /** Reads what `stateDocument` or a person wrote, or what JSON.parse made of it. */
-export function readState(given: unknown): StateResult {
+export function readState(given: unknown, { names, slices }: KnownPanels): StateResult {
   try {
     const { version } = object(given, 'state')
     if (typeof version === 'number' && version > STATE_VERSION)
       return refusal('unknown-version', `The state is of version ${version}, which is not known here.`)
     if (version !== STATE_VERSION) throw new Refused(`The state’s version has to be ${STATE_VERSION}.`)
-    const { camera, referenceCamera, start, ...others } = readDocument(given, 'state')
-    const state = { ...others, start: start ?? others.vertices }
+    const { camera, referenceCamera, start, ...shown } = elementReader(names)(given, 'state')
+    const kept = slices.map(slice => [slice.name, sliceReader(slice)(given, 'state')])
+    const state = {
+      ...shown,
+      start: (start as Vertices | undefined) ?? shown.vertices,
+      slices: Object.fromEntries(kept),
+    }
     return { ok: true, value: { state, cameras: { camera, referenceCamera } } }
   } catch (reason) {
     if (reason instanceof Refused) return refusal('malformed-state', reason.message)
@@ -87,53 +81,91 @@ export function readState(given: unknown): StateResult {
   }
 }
 
+/** JSON Schema of all that a document has. */
+export function stateSchema({ names, slices }: KnownPanels): Schema {
+  const records = [elementReader(names), ...slices.map(sliceReader)].map(({ schema }) => schema)
+  const properties = Object.assign({ version: { const: STATE_VERSION } }, ...records.map(each => each.properties))
+  return {
+    type: 'object',
+    required: ['version', ...records.flatMap(each => each.required)],
+    properties,
+    $defs: { vertices: COORDINATES_SCHEMA, camera: cameraSchema },
+  }
+}
+
+const sliceReader = ({ readers, first }: AnySlice) => record(readers, first)
+
 /** Panels of a later program are left out. */
-const panels: Reader<readonly PanelId[]> = (value, path) => {
-  const names = new Set(list(value, path).map((name, i) => text(name, `${path}[${i}]`)))
-  return [...names].filter((name): name is PanelId => PANELS.some(panel => panel === name))
+function panelNames(known: readonly string[]): Reader<readonly string[]> {
+  return reader<readonly string[]>({ type: 'array', items: { type: 'string' } }, (value, path) => {
+    const names = new Set(list(value, path).map((name, i) => text(name, `${path}[${i}]`)))
+    return [...names].filter(name => known.includes(name))
+  })
 }
 
-const pan: Reader<Vec3> = (value, path) =>
-  list(value, path, 3).map((x, i) => between(-1000, 1000)(x, `${path}[${i}]`)) as unknown as Vec3
+const vector = { type: 'array', minItems: 3, maxItems: 3, items: { type: 'number', minimum: -1000, maximum: 1000 } }
 
-const direction: Reader<Vec3> = (value, path) => {
-  const vector = pan(value, path)
-  if (vector.every(x => Math.abs(x) < 1e-6)) throw new Refused(`${path} has to point somewhere.`)
-  return vector
-}
+const pan: Reader<Vec3> = reader(
+  vector,
+  (value, path) => list(value, path, 3).map((x, i) => between(-1000, 1000)(x, `${path}[${i}]`)) as unknown as Vec3,
+)
 
-const cameraView: Reader<CameraView> = record<CameraView>(
-  { direction, zoom: between(0.001, 1000), pan },
+const direction: Reader<Vec3> = reader(
+  { ...vector, contains: { anyOf: [{ minimum: 1e-6 }, { maximum: -1e-6 }] } },
+  (value, path) => {
+    const given = pan(value, path)
+    if (given.every(x => Math.abs(x) < 1e-6)) throw new Refused(`${path} has to point somewhere.`)
+    return given
+  },
+)
+
+const cameraRecord = record<CameraView>(
+  {
+    direction: described('From what is looked at to the eye, of any length, z up.', direction),
+    zoom: described('How many times nearer the eye is than where the element just fits in.', between(0.001, 1000)),
+    pan: described(
+      'What the view turns about, away from where it is when the element just fits in, along x, y and z, in halves of the longest side of its bounding box.',
+      pan,
+    ),
+  },
   { zoom: 1, pan: [0, 0, 0] },
 )
+const cameraSchema = cameraRecord.schema
+const camera = reader({ $ref: '#/$defs/camera' }, cameraRecord)
 
-type Read = Omit<LastingState, 'start'> & Cameras & { readonly start: Vertices | null }
+type Read = Omit<LastingState, 'start' | 'slices'> & Cameras & { readonly start: Vertices }
 
-const readDocument: Reader<Read> = record<Read>(
-  {
-    vertices: coordinates,
-    preset: orNull(text),
-    start: coordinates,
-    selectedVertex: indexBelow(VERTEX_COUNT),
-    referenceCube: oneOf('unit', 'biunit'),
-    faceDisplay: oneOf('opaque', 'see-through', 'inside', ...faces.keys()),
-    proofShown: flag,
-    openPanels: panels,
-    referenceShown: flag,
-    camerasLinked: flag,
-    selectedFace: indexBelow(faces.length),
-    morphA: orNull(coordinates),
-    morphB: orNull(coordinates),
-    section: record({ axis: oneOf(0, 1, 2), value: between(0, 1) }, {}),
-    following: record(
-      { query: oneOf('minimum', 'validity'), variant: oneOf('roots', 'roots-b'), step: indexBelow(STEP_COUNT) },
-      SHOWN_FIRST.following,
-    ),
-    camera: orNull(cameraView),
-    referenceCamera: orNull(cameraView),
-  },
-  { ...SHOWN_FIRST, preset: null, start: null, camera: null, referenceCamera: null },
-)
+const elementReader = (panels: readonly string[]) =>
+  record<Read>(
+    {
+      vertices: described('The element, in VTK_HEXAHEDRON order.', coordinates),
+      preset: described(
+        'The preset that the element started from, by its id; null if it came from elsewhere.',
+        orNull(text),
+      ),
+      start: described('What Reset goes back to; the same as `vertices` where it is missing.', coordinates),
+      selectedVertex: indexBelow(VERTEX_COUNT),
+      referenceCube: described(
+        'The units of jacdet: of the map from [0,1]^3, or from [-1,1]^3.',
+        oneOf('unit', 'biunit'),
+      ),
+      faceDisplay: described(
+        'How the faces are drawn: all opaque, see-through, hardly seen around what is inside, or one face alone, -xi, +xi, -eta, +eta, -zeta, +zeta.',
+        oneOf('opaque', 'see-through', 'inside', ...faces.keys()),
+      ),
+      openPanels: described(`The panels that are open, of ${panels.join(', ')}.`, panelNames(panels)),
+      referenceShown: described('Whether the reference cube stands beside the element.', flag),
+      camerasLinked: described('Whether turning the element turns the reference cube, and the other way round.', flag),
+      section: described(
+        'The section of Inside: xi, eta or zeta (axis 0, 1, 2) is `value`.',
+        record({ axis: oneOf(0, 1, 2), value: between(0, 1) }, {}),
+      ),
+      camera: described('How the element is looked at; null is the default view.', orNull(camera)),
+      referenceCamera: described('How the reference cube is looked at.', orNull(camera)),
+    },
+    { ...SHOWN_FIRST, preset: null, camera: null, referenceCamera: null },
+    ['start'],
+  )
 
 function refusal(code: StateError['code'], message: string): StateResult {
   return { ok: false, error: { code, message } }

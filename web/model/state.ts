@@ -1,4 +1,5 @@
 /** What the page is about, as plain data, and every way it can change. No DOM, no three.js, no wasm. */
+import type { Readers } from './document-readers'
 import type { Axis, Vec3, Vertices } from './hexahedron'
 
 /** jacdet of the map from [0,1]^3, or from [-1,1]^3 as finite element codes use it (an eighth). */
@@ -6,20 +7,6 @@ export type ReferenceCube = 'unit' | 'biunit'
 
 /** How the faces are drawn: all opaque, see-through, hardly seen around what is inside, or one face alone (0..5). */
 export type FaceDisplay = 'opaque' | 'see-through' | 'inside' | number
-
-/** Panels below the first screen's; each is closed, and not even loaded, until it is asked for. */
-export const PANELS = [
-  'face-maps',
-  'algorithm',
-  'inside',
-  'node-order',
-  'morph',
-  'nearest',
-  'paste',
-  'take-away',
-  'embed',
-] as const
-export type PanelId = (typeof PANELS)[number]
 
 /** A part of the element: vertex 0..7, edge 0..11 or face 0..5, by `kind`. */
 export interface ElementPart {
@@ -37,23 +24,6 @@ export interface LookedAt {
 export interface Section {
   readonly axis: Axis
   readonly value: number
-}
-
-/** What Algorithm 1 is asked: the boundary minimum, or only whether all of the boundary is positive. */
-export type Query = 'minimum' | 'validity'
-
-/** Whether a face's Bernstein bound is looked at before its quartic is solved (`roots-b`) or not (`roots`). */
-export type Variant = 'roots' | 'roots-b'
-
-/** Steps of Algorithm 1: 8 vertices, 12 edges, 6 faces. */
-export const STEP_COUNT = 26
-
-/** How Algorithm 1 is followed, and to which of its steps, or the last one where it ends before. */
-export interface Following {
-  readonly query: Query
-  readonly variant: Variant
-  /** 0..25. */
-  readonly step: number
 }
 
 /** Buttons of the scene that an author may leave out. */
@@ -87,17 +57,14 @@ export interface State {
   readonly gestureStart: Vertices | null
   readonly referenceCube: ReferenceCube
   readonly faceDisplay: FaceDisplay
-  /** Whether the proof of the verdict is wanted. */
-  readonly proofShown: boolean
-  readonly openPanels: readonly PanelId[]
+  /** Names of panels. */
+  readonly openPanels: readonly string[]
   /** Whether the reference cube stands beside the element. */
   readonly referenceShown: boolean
   /** Whether turning the element turns the reference cube, and the other way round. */
   readonly camerasLinked: boolean
   /** A point (xi, eta, zeta) of [0,1]^3 that is pointed at, for every view to mark; null when none is. */
   readonly probe: Vec3 | null
-  /** The face 0..5 that is looked at closely. */
-  readonly selectedFace: number
   /** The part that is spoken of, for every view to mark; null when none is. */
   readonly highlight: ElementPart | null
   /** What the check that is pointed at looks at, for the scene to mark; null when none is. */
@@ -106,11 +73,7 @@ export interface State {
   readonly previewedOrder: readonly number[] | null
   /** Where all vertices would go in a move that is looked at. */
   readonly previewedMove: Vertices | null
-  /** Ends of a way between two elements, where they were kept: else it goes from `start` to `vertices`. */
-  readonly morphA: Vertices | null
-  readonly morphB: Vertices | null
   readonly section: Section
-  readonly following: Following
   /** Whether the sheet of keys is on the screen. */
   readonly helpShown: boolean
   /** Whether the reader may only look. */
@@ -118,6 +81,8 @@ export interface State {
   readonly controls: readonly Control[]
   readonly canUndo: boolean
   readonly canRedo: boolean
+  /** What panels keep, by their names; what is not there is as in a new element. */
+  readonly slices: Readonly<Record<string, object>>
 }
 
 /** What outlives the page: all but what is under way, pointed at or spoken of, the history, and what an author allows. */
@@ -143,6 +108,8 @@ export type Action =
   | { readonly type: 'move-coordinate'; readonly index: number; readonly to: number }
   /** All vertices, likewise; preset and start stay. */
   | { readonly type: 'move-all'; readonly vertices: Vertices }
+  /** What the element starts from, without a history; `start` is what Reset goes back to. */
+  | { readonly type: 'begin'; readonly vertices: Vertices; readonly preset: string | null; readonly start: Vertices }
   /** The whole element replaced: a preset, a link, the `vertices` property. `preset` is the preset's id if it is one. */
   | { readonly type: 'set-vertices'; readonly vertices: Vertices; readonly preset: string | null }
   /** A gesture is one undo step by intent: begin, any number of moves, then commit, or cancel to restore. */
@@ -155,26 +122,44 @@ export type Action =
   | { readonly type: 'select-vertex'; readonly vertex: number }
   | { readonly type: 'show-reference-cube'; readonly referenceCube: ReferenceCube }
   | { readonly type: 'show-faces'; readonly faceDisplay: FaceDisplay }
-  | { readonly type: 'show-proof'; readonly proofShown: boolean }
   /** Opening `inside` shows the inside in the scene, closing it the faces again. */
-  | { readonly type: 'open-panel'; readonly panel: PanelId; readonly isOpen: boolean }
+  | { readonly type: 'open-panel'; readonly panel: string; readonly isOpen: boolean }
   | { readonly type: 'show-reference'; readonly referenceShown: boolean }
   | { readonly type: 'link-cameras'; readonly camerasLinked: boolean }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
   | { readonly type: 'show-help'; readonly helpShown: boolean }
-  | { readonly type: 'select-face'; readonly face: number }
   | { readonly type: 'highlight'; readonly part: ElementPart | null }
   | { readonly type: 'look-at'; readonly lookedAt: LookedAt | null }
   /** Looked at until the vertices change. */
   | { readonly type: 'preview-order'; readonly order: readonly number[] | null }
   | { readonly type: 'preview-move'; readonly vertices: Vertices | null }
-  /** Null lets the end follow the element again. */
-  | { readonly type: 'keep-morph-end'; readonly end: 'morphA' | 'morphB'; readonly vertices: Vertices | null }
   | { readonly type: 'show-section'; readonly section: Section }
-  | { readonly type: 'follow'; readonly following: Following }
+  | { readonly type: 'change-slice'; readonly slice: AnySlice; readonly change: object }
   | { readonly type: 'hold'; readonly isReadonly: boolean }
   | { readonly type: 'offer-controls'; readonly controls: readonly Control[] }
   /** Everything at once; what this changes of the element is one step to undo. */
   | { readonly type: 'restore'; readonly state: LastingState }
 
 export type Dispatch = (action: Action) => void
+/** A panel's own part of the state. It outlives the page, and is no part of the history. */
+export interface Slice<T extends object> {
+  /** The panel's. */
+  readonly name: string
+  /** In a new element. */
+  readonly first: T
+  /** Its keys in the state's document, beside those of the element and of other panels. */
+  readonly readers: Readers<T>
+  /** Throws RangeError for what no caller may send. */
+  readonly check?: (value: T) => void
+}
+
+// biome-ignore lint/suspicious/noExplicitAny: a list holds slices of all types, and each is used with its own values alone.
+export type AnySlice = Slice<any>
+
+export function sliceOf<T extends object>({ name, first }: Slice<T>, { slices }: Pick<State, 'slices'>): T {
+  return (slices[name] as T | undefined) ?? first
+}
+
+export function sliceChange<T extends object>(slice: Slice<T>, change: Partial<T>): Action {
+  return { type: 'change-slice', slice, change }
+}

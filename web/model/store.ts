@@ -21,9 +21,8 @@ import {
   type ElementPart,
   type FaceDisplay,
   type LastingState,
-  type PanelId,
-  STEP_COUNT,
   type State,
+  sliceOf,
 } from './state'
 
 export interface Store {
@@ -35,7 +34,8 @@ export interface Store {
    * - `undo` in a gesture that moved something takes back that gesture alone; in one that did not, the step before it.
    * - `redo`, `reset` in a gesture cancel it first.
    * - `restore` cancels a gesture that still runs.
-   * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one.
+   * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one. Numbers that are
+   *   already there change nothing, unless they are now called by a preset's name.
    *
    * Throws RangeError for what no caller may send: not 24 finite coordinates, no such vertex, coordinate, face or step, a
    * place outside the reference cube, no order of eight vertices.
@@ -60,23 +60,19 @@ export const SHOWN_FIRST: Shown = {
   selectedVertex: 0,
   referenceCube: 'unit',
   faceDisplay: 'opaque',
-  proofShown: false,
   openPanels: [],
   referenceShown: false,
   camerasLinked: false,
   probe: null,
-  selectedFace: 0,
   highlight: null,
   lookedAt: null,
   previewedOrder: null,
   previewedMove: null,
-  morphA: null,
-  morphB: null,
   section: { axis: 2, value: 0.5 },
-  following: { query: 'minimum', variant: 'roots-b', step: 0 },
   helpShown: false,
   isReadonly: false,
   controls: CONTROLS,
+  slices: {},
 }
 
 const UNLOOKED = { previewedOrder: null, previewedMove: null }
@@ -171,8 +167,18 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
       case 'move-all':
         change({ ...present, vertices: kept(present.vertices, accepted(action.vertices)) })
         break
+      case 'begin': {
+        const start = accepted(action.start)
+        present = { vertices: kept(start, accepted(action.vertices)), preset: action.preset, start }
+        past = []
+        future = []
+        gestureStart = null
+        break
+      }
       case 'set-vertices': {
         const vertices = kept(present.vertices, accepted(action.vertices))
+        const isNamed = action.preset !== null && action.preset !== present.preset
+        if (vertices === present.vertices && !isNamed) break
         change({ vertices, preset: action.preset, start: kept(present.start, vertices) })
         break
       }
@@ -206,9 +212,6 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
         if (typeof action.faceDisplay === 'number') checkIndex(action.faceDisplay, faces.length, 'face')
         shown = { ...shown, faceDisplay: action.faceDisplay }
         break
-      case 'show-proof':
-        shown = { ...shown, proofShown: action.proofShown }
-        break
       case 'open-panel':
         shown = {
           ...shown,
@@ -229,9 +232,6 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
         if (action.point) checkInCube(action.point)
         shown = { ...shown, probe: samePoint(shown.probe, action.point) ? shown.probe : action.point }
         break
-      case 'select-face':
-        shown = { ...shown, selectedFace: checkIndex(action.face, faces.length, 'face') }
-        break
       case 'highlight':
         if (action.part) checkIndex(action.part.id, PART_COUNTS[action.part.kind], action.part.kind)
         shown = { ...shown, highlight: samePart(shown.highlight, action.part) ? shown.highlight : action.part }
@@ -247,17 +247,18 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
         if (action.vertices) checkFinite(action.vertices)
         shown = { ...shown, previewedMove: action.vertices }
         break
-      case 'keep-morph-end':
-        shown = { ...shown, [action.end]: action.vertices && kept(present.vertices, accepted(action.vertices)) }
-        break
       case 'show-section':
         checkWithin(action.section.value, 0, 1)
         shown = { ...shown, section: action.section }
         break
-      case 'follow':
-        checkIndex(action.following.step, STEP_COUNT, 'step')
-        shown = { ...shown, following: action.following }
+      case 'change-slice': {
+        const { slice, change } = action
+        const before = sliceOf(slice, shown)
+        const after = { ...before, ...change }
+        slice.check?.(after)
+        if (!sameEntries(before, after)) shown = { ...shown, slices: { ...shown.slices, [slice.name]: after } }
         break
+      }
       case 'hold':
         shown = { ...shown, isReadonly: action.isReadonly }
         break
@@ -287,7 +288,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
       apply(action)
       if (present.vertices !== vertices) shown = withoutPreview(shown)
       const next = currentState()
-      if (!sameState(state, next)) state = next
+      if (!sameEntries(state, next)) state = next
     },
   }
 }
@@ -298,7 +299,8 @@ function accepted(vertices: Vertices): Vertices {
   return vertices.slice()
 }
 
-function checkFinite(vertices: Vertices): void {
+/** Throws RangeError unless these are 24 finite numbers. */
+export function checkFinite(vertices: Vertices): void {
   if (vertices.length !== COORDINATE_COUNT || !vertices.every(Number.isFinite))
     throw new RangeError(`A hexahedron is 24 finite numbers, not ${vertices.length} with ${vertices.join(', ')}.`)
 }
@@ -313,7 +315,7 @@ function checkedVertex(vertex: number): number {
   return checkIndex(vertex, VERTEX_COUNT, 'vertex')
 }
 
-function checkIndex(index: number, count: number, what: string): number {
+export function checkIndex(index: number, count: number, what: string): number {
   if (!Number.isInteger(index) || index < 0 || index >= count) throw new RangeError(`There is no ${what} ${index}.`)
   return index
 }
@@ -345,7 +347,7 @@ function withInside(display: FaceDisplay, isShown: boolean): FaceDisplay {
   return display === 'inside' ? 'opaque' : display
 }
 
-function withPanel(open: readonly PanelId[], panel: PanelId, isOpen: boolean): readonly PanelId[] {
+function withPanel(open: readonly string[], panel: string, isOpen: boolean): readonly string[] {
   if (open.includes(panel) === isOpen) return open
   return isOpen ? [...open, panel] : open.filter(other => other !== panel)
 }
@@ -363,6 +365,6 @@ function sameSnapshot(a: Snapshot, b: Snapshot): boolean {
   return sameBits(a.vertices, b.vertices) && a.preset === b.preset && sameBits(a.start, b.start)
 }
 
-function sameState(a: State, b: State): boolean {
-  return (Object.keys(a) as (keyof State)[]).every(key => Object.is(a[key], b[key]))
+function sameEntries<T extends object>(a: T, b: T): boolean {
+  return (Object.keys(b) as (keyof T)[]).every(key => Object.is(a[key], b[key]))
 }

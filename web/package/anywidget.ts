@@ -2,7 +2,8 @@
  * The element as the front end of a Jupyter widget (anywidget's `render`). `vertices` goes both ways as the bytes of 24 doubles, little
  * end first, so every bit arrives; the verdict goes to Python once a change is done.
  */
-import '../element/hex-lens'
+import './hexlens'
+import { setMeshWorker } from './mesh-worker-beside'
 
 type Lens = HTMLElementTagNameMap['hex-lens']
 
@@ -10,11 +11,39 @@ interface Model {
   get(name: string): unknown
   set(name: string, value: unknown): void
   save_changes(): void
-  on(event: string, listener: () => void): void
-  off(event: string, listener: () => void): void
+  on(event: string, listener: Listener): void
+  off(event: string, listener: Listener): void
+  send(content: unknown): void
 }
 
+type Listener = (content?: unknown, buffers?: readonly DataView[]) => void
+
+/** How long the kernel may take to answer, in milliseconds. */
+const PATIENCE_MS = 30_000
+
 const ATTRIBUTES = ['views', 'controls', 'camera', 'theme', 'label']
+
+/** Nothing lies beside a notebook's script: the kernel sends the one that reads. */
+function meshWorkerFrom(model: Model): Promise<string> {
+  return new Promise((resolve, reject) => {
+    const end = () => {
+      clearTimeout(deadline)
+      model.off('msg:custom', onMessage)
+    }
+    const onMessage: Listener = (content, buffers) => {
+      const [bytes] = buffers ?? []
+      if (content !== 'mesh-worker' || !bytes) return
+      end()
+      resolve(URL.createObjectURL(new Blob([bytes as DataView<ArrayBuffer>], { type: 'text/javascript' })))
+    }
+    const deadline = setTimeout(() => {
+      end()
+      reject(new Error('the notebook’s kernel, which has its script, does not answer'))
+    }, PATIENCE_MS)
+    model.on('msg:custom', onMessage)
+    model.send('mesh-worker')
+  })
+}
 
 function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
   const lens = document.createElement('hex-lens') as Lens
@@ -40,6 +69,7 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
     model.set('boundary_minimum', report && report.exponent === 0 ? report.boundaryMinimum : null)
     model.save_changes()
   }
+  setMeshWorker(() => meshWorkerFrom(model))
   toLens()
   model.on('change:vertices', toLens)
   lens.addEventListener('hex-change', toPython)

@@ -8,14 +8,12 @@
  */
 
 import workerSource from 'virtual:hexlens.batch-worker'
-import vectors from 'virtual:hexlens-batch.wasm.deflated'
-import scalar from 'virtual:hexlens-scalar.wasm.deflated'
 import { type Classifier, classifierOn } from '../core/batch/classify'
 import type { WorkerPort } from '../core/batch/messages'
 import { Pool } from '../core/batch/pool'
 import { pagePort, threadPort } from '../core/batch/ports'
-import { compiledOf, defaultWorkers } from '../core/batch/start'
-import { inflated } from './inflate'
+import { defaultWorkers } from '../core/batch/start'
+import { batchInside } from './batch-inside'
 
 export type { Counts } from '../core/batch/batch-core'
 export type {
@@ -52,7 +50,7 @@ export async function startClassifier({
   workers = defaultWorkers(),
   workerUrl,
 }: ClassifierOptions = {}): Promise<Classifier> {
-  const module = await compiledOf({ vectors: () => inflated(vectors), scalar: () => inflated(scalar) })
+  const module = await batchInside()
   return classifierOn(new Pool(module, workers, () => spawn(workerUrl)))
 }
 

@@ -3,7 +3,7 @@ import base64 from 'virtual:hexlens.wasm.deflated'
 import type { CoreSources } from '../core/start-core'
 import { inflated } from './inflate'
 
-export const coreSources: CoreSources = {
+export const coreInside: CoreSources = {
   wasm: () => inflated(base64),
   twin: () => import('../../build/hexlens-twin.js'),
 }

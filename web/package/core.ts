@@ -5,11 +5,18 @@
  *     const result = core.analyze(vertices)   // { ok: true, value: Report } or { ok: false, error: CoreError }
  */
 
-export { type Preset, presets, presetVertices } from '../content/presets'
+import { fetchCore } from '../core/fetch-core'
+import type { Core } from '../core/report'
+import { coreInside } from './core-inside'
+
 export { type Certificate, certificateJson } from '../core/exact/certificate'
 export type * from '../core/report'
-export { fetchCore as loadCore } from '../element/fetch-core'
-export { reportJson } from '../model/export/report-json'
+export { reportJson } from '../core/report-json'
 export type { Vec3, Vertices } from '../model/hexahedron'
-export { type ImportResult, readElements } from '../model/import/import'
 export { decodePermalink, encodePermalink, type PermalinkResult } from '../model/permalink'
+export { type Preset, presets, presetVertices } from '../model/presets'
+
+/** Rejects, with a sentence, where neither WebAssembly nor its twin starts. */
+export function loadCore(): Promise<Core> {
+  return fetchCore(coreInside)
+}

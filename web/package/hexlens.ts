@@ -1,3 +1,11 @@
-/** The package's element: importing it defines `<hex-lens>`. */
+/** The package's element: importing it defines `<hex-lens>`, with all but the panels that only the pages have. */
+import { define } from '../element/define'
+import { panels } from '../panels/list'
+import { coreInside } from './core-inside'
+import { readingWorkerBeside } from './mesh-worker-beside'
+
 export { HexLens } from '../element/hex-lens'
 export { HexLensError, type HexLensErrorCode } from '../element/hex-lens-error'
+export { setMeshWorker } from './mesh-worker-beside'
+
+define({ core: coreInside, panels, otherPanels: ['nearest'], readingWorker: async () => readingWorkerBeside })

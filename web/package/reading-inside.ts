@@ -4,6 +4,6 @@ import { readingCoreOf } from '../core/reading-core'
 import type { ReadingCore } from '../mesh/reading-core'
 import { inflated } from './inflate'
 
-export function fetchReadingCore(): Promise<ReadingCore | null> {
+export function readingInside(): Promise<ReadingCore | null> {
   return readingCoreOf(() => inflated(base64))
 }

@@ -1,2 +1,2 @@
 /** The package's element for a script tag: no exports, no globals. */
-import '../element/hex-lens'
+import './hexlens'

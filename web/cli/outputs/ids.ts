@@ -1,8 +1,8 @@
 /** `--ids`: the invalid hexahedra by their ids, as the input of a program or one on a line. */
-import type { MeshCheck } from '../../mesh/check'
+import type { MeshCheck } from '../../mesh/mesh-check'
 import type { IdKind } from '../check-arguments'
 import { Refusal } from '../streams'
-import { type Output, withoutControls } from './output'
+import { type Output, shown, withoutControls } from './output'
 
 /** Abaqus reads 16 entries of a line at most. */
 const ABAQUS_A_LINE = 16
@@ -21,7 +21,8 @@ export function idsOutput(kind: IdKind, fileCount: number, say: (sentence: strin
       if (ids.length > 0 && check.mesh.ids === null)
         say(`${withoutControls(file)} has no ids: these are indices from 0, in the file's order.`)
       const foreign = kind === 'nastran' ? ids.find(id => !/^\d+$/.test(id)) : undefined
-      if (foreign !== undefined) throw new Refusal(`${withoutControls(file)}: Nastran has no id such as ${foreign}.`)
+      if (foreign !== undefined)
+        throw new Refusal(`${withoutControls(file)}: Nastran has no id such as ${shown(foreign)}.`)
       const comment = `${COMMENTS[kind]} ${withoutControls(file)}: ${ids.length} invalid`
       if (fileCount > 1) yield `${comment}\n`
       if (ids.length > 0) yield* writers[kind](ids, ++sets)

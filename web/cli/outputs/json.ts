@@ -1,6 +1,7 @@
 /** `--json`: docs/check.schema.json. Written cell by cell, for there may be millions. */
-import type { MeshCheck } from '../../mesh/check'
+import type { MeshCheck } from '../../mesh/mesh-check'
 import { jsonNumber } from '../json-number'
+import { jsonText } from '../json-text'
 import type { Output } from './output'
 
 export function jsonOutput(): Output {
@@ -70,15 +71,4 @@ const UNANSWERED = {
   minimizer: null,
   decided_by: null,
   accepted_by: [],
-}
-
-/** Names from files stay whole, but control and bidirectional characters are escaped: a terminal may show the text. */
-function jsonText(value: object): string {
-  return JSON.stringify(value).replace(/[\p{Cc}\p{Cf}\u2028\u2029]/gu, character =>
-    Array.from({ length: character.length }, (_, i) => escaped(character.charCodeAt(i))).join(''),
-  )
-}
-
-function escaped(unit: number): string {
-  return `\\u${unit.toString(16).padStart(4, '0')}`
 }

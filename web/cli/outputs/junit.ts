@@ -1,5 +1,6 @@
 /** `--junit`: a suite for each file, with a case for the reading, one for validity, one for the bound and one for what is unanswered. */
-import { isWhollyAnswered, type MeshCheck } from '../../mesh/check'
+import { isWhollyAnswered } from '../../mesh/check'
+import type { MeshCheck } from '../../mesh/mesh-check'
 import { speakJacdet, speakNumber } from '../../model/decimal'
 import { counted, type FileResult, type Output } from './output'
 

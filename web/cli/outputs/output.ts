@@ -1,6 +1,7 @@
 /** What the outputs of `check` have in common: each turns the results, file by file, into text or bytes. */
 import type { Wanted } from '../../core/batch/lists'
-import type { ExitStatus, MeshCheck } from '../../mesh/check'
+import type { ExitStatus } from '../../mesh/check'
+import type { MeshCheck } from '../../mesh/mesh-check'
 
 export type FileResult = { readonly file: string; readonly exit: ExitStatus } & (
   | { readonly check: MeshCheck }
@@ -15,10 +16,6 @@ export interface Output {
   end(exit: ExitStatus): Iterable<string>
 }
 
+export { counted } from '../../mesh/check-summary'
 /** Names of files and from files, for people. */
 export { shown, withoutControls } from '../../mesh/text-cursor'
-
-/** "1 wedge", "2 wedges". */
-export function counted(count: number, one: string, many: string): string {
-  return `${count} ${count === 1 ? one : many}`
-}

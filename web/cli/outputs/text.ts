@@ -1,7 +1,9 @@
 /** What people read: a verdict, what it is based on, and the worst cells. */
-import { isWhollyAnswered, type MeshCheck } from '../../mesh/check'
+import { isWhollyAnswered } from '../../mesh/check'
+import { countSentences, headline } from '../../mesh/check-summary'
+import type { MeshCheck } from '../../mesh/mesh-check'
 import { formatPoint, speakJacdet, speakNumber } from '../../model/decimal'
-import { counted, type Output, shown, withoutControls } from './output'
+import { type Output, shown, withoutControls } from './output'
 
 export interface TextOptions {
   /** Whether the worst are listed even where nothing is wrong with them. */
@@ -25,43 +27,14 @@ export function textOutput(options: TextOptions): Output {
 }
 
 function* lines(file: string, check: MeshCheck, options: TextOptions): Generator<string> {
-  const { mesh, degenerate, below, notes } = check
+  const { mesh, below, notes } = check
   yield `${file} (${mesh.format}): ${headline(check, options)}`
   if (options.minRelative !== null) yield `  ${below} with a relative minimum below ${options.minRelative}.`
-  if (degenerate > 0) {
-    const cells = counted(degenerate, 'hexahedron has', 'hexahedra have')
-    yield `  ${cells} coincident vertices${options.skipsDegenerate ? ' and count neither as valid nor as invalid' : ''}.`
-  }
-  if (mesh.other.size > 0)
-    yield `  Not checked: ${[...mesh.other].map(([type, count]) => ofType(count, type)).join(', ')}.`
+  for (const sentence of countSentences(check, options)) yield `  ${sentence}`
   for (const note of notes) yield `  ${note}`
   if (!isWhollyAnswered(check) && check.invalid === 0 && below === 0)
     yield '  Not all could be answered: exit status 3, or 0 with --allow-unchecked.'
   yield* worstLines(check, options)
-}
-
-function headline({ hexahedra, valid, invalid, unanswered, degenerate }: MeshCheck, options: TextOptions): string {
-  const all = counted(hexahedra, 'hexahedron', 'hexahedra')
-  if (hexahedra === 0) return 'no hexahedra of eight nodes.'
-  if (valid === hexahedra) return hexahedra === 1 ? '1 hexahedron, VALID.' : `${all}, all VALID.`
-  const parts = [
-    invalid > 0 ? `${invalid} INVALID` : null,
-    valid > 0 ? `${valid} valid` : null,
-    unanswered > 0 ? `${unanswered} unanswered` : null,
-    options.skipsDegenerate && degenerate > 0 ? `${degenerate} degenerate` : null,
-  ]
-  return `${all}, ${parts.filter(part => part !== null).join(', ')}.`
-}
-
-const PLURALS = new Map([
-  ['tetrahedron', 'tetrahedra'],
-  ['polyhedron', 'polyhedra'],
-  ['vertex', 'vertices'],
-  ['other', 'others'],
-])
-
-function ofType(count: number, type: string): string {
-  return counted(count, type, PLURALS.get(type) ?? `${type}s`)
 }
 
 function* worstLines(check: MeshCheck, options: TextOptions): Generator<string> {

@@ -2,7 +2,7 @@
  * `--annotate`: the hexahedra as an uncompressed VTU with appended raw data, and as cell arrays what is said of each: valid (255 where
  * a cell is unanswered), boundary_min, relative_min and volume (NaN where there is none).
  */
-import type { MeshCheck } from '../../mesh/check'
+import type { MeshCheck } from '../../mesh/mesh-check'
 import type { Output } from './output'
 
 const VTK_HEXAHEDRON = 12

@@ -1,17 +1,15 @@
 /** Batches in the browser: the wasm and the workers as the built page serves them. */
-
-import vectorUrl from '../../../build/hexlens-batch.wasm?url'
-import scalarUrl from '../../../build/hexlens-scalar.wasm?url'
 import type { Result } from '../report'
+import { batchFiles } from './batch-files'
 import { type Classification, type Classifier, type ClassifyOptions, classifierOn } from './classify'
 import type { WorkerPort } from './messages'
 import { Pool } from './pool'
 import { pagePort } from './ports'
-import { compiledOf, defaultWorkers } from './start'
+import { defaultWorkers } from './start'
 
 /** Rejects when the wasm cannot be had or may not run. */
 export async function startClassifier(workers = defaultWorkers()): Promise<Classifier> {
-  return classifierOn(new Pool(await batchModule(), workers, spawn))
+  return classifierOn(new Pool(await batchFiles(), workers, spawn))
 }
 
 let shared: Promise<Classifier> | undefined
@@ -32,14 +30,4 @@ export async function classify<W extends ClassifyOptions>(
 function spawn(): WorkerPort {
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
   return pagePort(worker, 'its script was not loaded.')
-}
-
-export function batchModule(): Promise<WebAssembly.Module> {
-  return compiledOf({ vectors: () => bytesAt(vectorUrl), scalar: () => bytesAt(scalarUrl) })
-}
-
-async function bytesAt(url: string): Promise<ArrayBuffer> {
-  const response = await fetch(url)
-  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim())
-  return response.arrayBuffer()
 }

@@ -1,5 +1,6 @@
 /** Workers as the pool sees them: a page's Worker, and a thread of Node. */
 import type { Worker as Thread } from 'node:worker_threads'
+import { whenReleased } from '../worker-lock'
 import type { Answer, WorkerPort } from './messages'
 
 /** `blocked` is said when a script was not loaded: browsers give no reason then. */
@@ -24,10 +25,6 @@ export function pagePort(worker: Worker, blocked: string): WorkerPort {
 
 const ENDED = 'it was ended.'
 const UNREADABLE = 'its answer could not be read.'
-
-function whenReleased(lock: string, call: () => void): void {
-  navigator.locks.request(lock, call).catch(() => {}) // a page that is being left has no more locks
-}
 
 /** Without work the thread does not keep the process from ending. */
 export function threadPort(thread: Thread): WorkerPort {

@@ -1,4 +1,5 @@
 /** A worker for batches, in a browser or in Node: one wasm instance, one piece after another. */
+import { heldLock } from '../worker-lock'
 import { type BatchCore, loadBatchCore } from './batch-core'
 import { listsIn } from './lists'
 import { type Answer, memoryOf, type Request } from './messages'
@@ -31,22 +32,9 @@ scope.onmessage = ({ data }) => {
 }
 
 async function start(module: WebAssembly.Module): Promise<BatchCore> {
-  const [core, lock] = await Promise.all([loadBatchCore(module), isInBrowser ? heldLock() : null])
+  const [core, lock] = await Promise.all([loadBatchCore(module), isInBrowser ? heldLock('hexlens-batch') : null])
   scope.postMessage({ kind: 'started', lock }, [])
   return core
-}
-
-/** Nothing but its lock's release tells a page of a worker that was ended from outside. */
-function heldLock(): Promise<string | null> {
-  return new Promise(resolve => {
-    if (!navigator.locks) return resolve(null)
-    const name = `hexlens-batch-${crypto.randomUUID()}`
-    const held = () => {
-      resolve(name)
-      return new Promise<never>(() => {})
-    }
-    navigator.locks.request(name, held).catch(() => resolve(null))
-  })
 }
 
 async function classify({ piece, block, wanted }: Request & { readonly kind: 'classify' }): Promise<void> {

@@ -254,9 +254,10 @@ class Inflater {
     let bits = this.#bits
     try {
       for (;;) {
+        // Each symbol moves on, so that a stream without an end is noticed here.
+        if (at > lastAt) throw new DamagedStream(ENDS_EARLY)
         // A symbol takes up to 15 bits; up to 30 are held.
         if (bits < 15) {
-          if (at > lastAt) throw new DamagedStream(ENDS_EARLY)
           held |= ((input[at] as number) | ((input[at + 1] as number) << 8)) << bits
           at += 2
           bits += 16

@@ -1,12 +1,13 @@
 /** A part of an Abaqus model: its nodes and elements, its sets, and what is generated from them. */
 
 import { IdIndex } from '../id-index'
+import { MOST_IMPLIED_CELLS } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
 import { Runs } from '../runs'
 import { shown } from '../text-cursor'
 import { TypedList } from '../typed-list'
 import { countOf, IdOrder, type IdRange, IdRanges, mergedRanges } from './id-ranges'
-import { MOST_IMPLIED, type Move, NodeModel } from './node-model'
+import { type Move, NodeModel } from './node-model'
 import type { TextLines } from './text-lines'
 
 interface NodeSet {
@@ -124,7 +125,8 @@ export class AbaqusPart {
 
   #imply(lines: TextLines, count: number): void {
     this.#implied += count
-    if (!(this.#implied <= MOST_IMPLIED)) lines.refuse(`more than ${MOST_IMPLIED} nodes and elements are generated.`)
+    if (!(this.#implied <= MOST_IMPLIED_CELLS))
+      lines.refuse(`more than ${MOST_IMPLIED_CELLS} nodes and elements are generated.`)
   }
 
   #coordinates(lines: TextLines, id: number): readonly [number, number, number] {

@@ -1,9 +1,10 @@
-/** Ansys archives: NBLOCK and EBLOCK by the widths that their format lines give, element types, components. */
+/** Ansys archives: NBLOCK and EBLOCK by the widths that their format lines give, commands N, E, EN and EMORE, element types, components. */
 import type { Mesh } from '../mesh'
 import { PrintedDigits } from '../precision'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
+import { AnsysCommands, filledFields, MOST_NODES } from './ansys-commands'
 import { type AnsysType, ansysType } from './ansys-types'
 import { IdOrder } from './id-ranges'
 import { collect, NodeModel } from './node-model'
@@ -18,13 +19,13 @@ const QUADRATIC: AnsysType = { kind: 'quadratic' }
 const SOLID_FIELDS = 11
 /** Of another block: number, section, real constants, material, frame. */
 const NONSOLID_FIELDS = 5
-const MOST_NODES = 32
 
 export const ansysCdb: MeshFormat = {
   name: 'Ansys',
   recognizes(head, name) {
     const text = headText(head)
     if (/^[> \t]*[NE]BLOCK[ \t]*,/im.test(text)) return 'yes'
+    if (/^[ \t]*ET[ \t]*,[ \t]*\d+[ \t]*,/im.test(text) && /^[ \t]*N[ \t]*,[ \t]*\d+[ \t]*,/im.test(text)) return 'yes'
     return name.endsWith('.cdb') || /^[> \t]*\/PREP7/im.test(text) ? 'maybe' : 'no'
   },
   read: (file, options) => [new AnsysReader(file, options).read()],
@@ -51,10 +52,14 @@ class AnsysReader {
   #currentType = 1
   #isCutOff = false
   #degenerate = 0
+  readonly #commands: AnsysCommands
 
   constructor(file: MeshFile, options: ReadOptions) {
     this.#file = file
     this.#lines = new TextLines(file, options)
+    this.#commands = new AnsysCommands(this.#lines, this.#model, this.#precision, (id, nodes, line) =>
+      this.#element(id, this.#typeOf(this.#currentType), nodes, nodes.length, new Uint32Array(MOST_NODES), line),
+    )
   }
 
   read(): Mesh {
@@ -63,6 +68,7 @@ class AnsysReader {
       if (lines.isElision) this.#isCutOff = true
       else this.#command()
     }
+    this.#commands.endElement()
     this.#makeBlocks()
     if (this.#degenerate > 0)
       this.#notes.push(
@@ -112,17 +118,19 @@ class AnsysReader {
         if (Number(rest[1]) === 1) this.#firstOptions.set(Number(rest[0]), Number(rest[2]))
         break
       case 'TYPE':
+        this.#commands.endElement()
         this.#currentType = Number(rest[0])
         break
       case 'N':
-        if (!/^R/i.test(rest[0] ?? '') || rest[2] !== '-1')
-          lines.refuse('N: nodes outside of an NBLOCK are not read here; write the archive with CDWRITE, BLOCKED.')
+        if (!/^R/i.test(rest[0] ?? '')) this.#commands.node()
+        break
+      case 'CSYS':
+        this.#commands.frame = Number(rest[0] || 0)
         break
       case 'E':
       case 'EN':
-        lines.refuse(
-          `${name}: elements outside of an EBLOCK are not read here; write the archive with CDWRITE, BLOCKED.`,
-        )
+      case 'EMORE':
+        this.#commands.element(name.toUpperCase())
     }
   }
 
@@ -402,13 +410,6 @@ class AnsysReader {
 
 function isMinusOne(lines: TextLines): boolean {
   return lines.text().trim() === '-1'
-}
-
-/** Fields up to the last that is not blank. */
-function filledFields(lines: TextLines): number {
-  let count = lines.fieldCount
-  while (count > 0 && lines.isFieldBlank(count - 1)) count--
-  return count
 }
 
 function isRepeating(nodes: Float64Array): boolean {

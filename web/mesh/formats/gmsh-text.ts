@@ -33,6 +33,8 @@ function elementRow(version: Version, head: string, tags: number): RowPattern {
   return row
 }
 
+const ENTITY = /^\s*[0-3]\s+\d+(?:\s|$)/
+
 export class GmshText {
   readonly #cursor: TextCursor
   readonly #mesh: GmshMesh
@@ -64,7 +66,8 @@ export class GmshText {
     const [first = Infinity, second = Infinity] = header
     if (version <= 2) {
       const readRows = () => (isParametric ? 0 : this.#nodeRows(NODE_ROW))
-      this.#records.all(first, 'nodes', () => this.#node(this.#id('a node'), isParametric), readRows)
+      const readNode = () => this.#node(this.#id('a node'), isParametric, version === 1)
+      this.#records.all(first, 'nodes', readNode, readRows)
     } else this.#nodes4(first, second, version)
     if (this.#records.isElided) this.#mesh.mayLackNodes = true
     return version
@@ -106,7 +109,7 @@ export class GmshText {
   }
 
   /** Three coordinates, which are in the same line; false where the text ends among them. */
-  #node(id: number, hasParameters: boolean): boolean {
+  #node(id: number, hasParameters: boolean, mayHaveEntity = false): boolean {
     const records = this.#records
     if (!records.hasField('a coordinate')) return false
     const x = this.#coordinate()
@@ -114,9 +117,12 @@ export class GmshText {
     const y = this.#coordinate()
     if (!records.hasField('a coordinate')) return false
     const z = this.#coordinate()
-    if (!hasParameters) records.endLine('a node')
+    // Into files of version 1 Gmsh writes the dimension and the tag of a node's entity, and parameters, without saying so.
+    const hasEntity =
+      hasParameters || (mayHaveEntity && this.#cursor.hasMoreOnLine() && ENTITY.test(this.#cursor.peekLine(LINE_HEAD)))
+    if (!hasEntity) records.endLine('a node')
     this.#mesh.node(this.#cursor, id, x, y, z)
-    if (hasParameters) this.#cursor.skipLine()
+    if (hasEntity) this.#cursor.skipLine()
     return true
   }
 

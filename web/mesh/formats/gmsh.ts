@@ -55,7 +55,7 @@ class GmshReader {
   }
 
   mesh(): Mesh {
-    for (let begun = false; ; begun = true) {
+    for (let begun = false; ; ) {
       const start = this.#nextSection()
       if (start === null) break
       if (start.name === 'MeshFormat' && begun) {
@@ -67,6 +67,7 @@ class GmshReader {
         break
       }
       this.#section(start.name)
+      begun ||= start.name !== 'Comments'
     }
     if (!this.#hasNodes) this.#cursor.refuse('the nodes were expected, in $Nodes or $NOD; there are none.')
     if (this.#lateElements !== null) {

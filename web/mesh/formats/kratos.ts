@@ -2,7 +2,7 @@
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { headText } from '../snippet-text'
 import type { MeshFormat } from '../source'
-import { shown, TextCursor } from '../text-cursor'
+import { shown, significantDigits, TextCursor } from '../text-cursor'
 
 /** By the number of nodes in three dimensions, where the name says no more. */
 const BY_NODES: Readonly<Record<number, OtherCell>> = {
@@ -45,6 +45,7 @@ export const kratos: MeshFormat = {
         const [id, x, y, z] = words.map(Number)
         if (words.length < 4 || !ID.test(first)) cursor.refuse('a node has an id and three coordinates.')
         if ([x, y, z].some(value => Number.isNaN(value))) cursor.refuse(`the coordinates of node ${id} are no numbers.`)
+        for (const word of words.slice(1, 4)) builder.digits.see(Number(word), significantDigits(word))
         builder.pointWithId(id as number, x as number, y as number, z as number)
       } else if (depth === 1 && (block === 'Elements' || block === 'Geometries')) {
         if (!words.every(word => ID.test(word)))

@@ -15,9 +15,6 @@ export const link: MeshFormat = {
     const builder = new MeshBuilder('a link', file.name)
     const [fragment = ''] = FRAGMENT.exec(snippetText(file) ?? '') ?? []
     const result = decodePermalink(fragment)
-    if (!result.ok) return builder.refuse(result.error.message)
-    for (let v = 0; v < 8; v++) builder.point(...(result.value.slice(3 * v, 3 * v + 3) as [number, number, number]))
-    builder.hexahedron([0, 1, 2, 3, 4, 5, 6, 7])
-    return [builder.mesh()]
+    return result.ok ? [builder.meshOfOne(result.value)] : builder.refuse(result.error.message)
   },
 }

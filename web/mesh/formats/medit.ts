@@ -132,24 +132,14 @@ class MeditReader {
       if (this.#hasVertices && cells.kind !== 'curved') this.#cells(cells)
       else {
         this.#late.push({ position: this.#cursor.position, line: this.#cursor.line, cells })
-        this.#pass()
+        this.#records.passSection()
       }
     } else if (counted) {
       this.#hasCells = true
       this.#mesh.builder.otherCell(counted, this.#cursor.count('a number of cells'))
-      this.#pass()
+      this.#records.passSection()
     } else if (/^HexahedraQ[1-4]Ordering$/.test(name)) this.#ordering(name)
-    else this.#pass()
-  }
-
-  /** Passes a section that nobody needs. */
-  #pass(): void {
-    const cursor = this.#cursor
-    for (;;) {
-      cursor.skipLine()
-      cursor.skipBlanks()
-      if (cursor.isAtEnd || isKeyword(cursor.peekLine(LINE_HEAD))) return
-    }
+    else this.#records.passSection()
   }
 
   /** How many numbers the first record has; null where records are not lines. */
@@ -171,26 +161,10 @@ class MeditReader {
     const inLine = this.#numbersInLine(3)
     if (records.isElided) {
       this.#mesh.mayLackVertices = true
-      this.#pass()
+      this.#records.passSection()
       return
     }
-    let seen = 0
-    let next = records.next('vertices')
-    for (; next === 'record' && !records.isElided; next = records.next('vertices')) {
-      if (seen === count) cursor.refuse(`there are more vertices than the ${count} that were declared.`)
-      if (!this.#vertex(inLine)) {
-        next = 'end'
-        break
-      }
-      seen++
-      records.onRecord()
-    }
-    records.check(next, seen, count, 'vertices')
-    // Vertices have no ids: which those after "..." are cannot be told.
-    if (records.isElided) {
-      this.#mesh.mayLackVertices = true
-      if (next === 'record') this.#pass()
-    }
+    if (records.points(count, 'vertices', () => this.#vertex(inLine))) this.#mesh.mayLackVertices = true
   }
 
   /** False where the text ends in the middle. */

@@ -187,26 +187,17 @@ class MfemReader {
     } else if (name === 'elements') {
       if (this.#elements !== null) cursor.refuse('there are elements twice.')
       this.#elements = here()
-      this.#pass()
+      this.#records.passSection()
     } else if (name === 'boundary') {
       this.#boundary = here()
-      this.#pass()
+      this.#records.passSection()
     } else if (name === 'vertices') this.#readVertices()
     else if (name === 'coordinates' && this.#isNonConforming) this.#readVertices()
     else if (name === 'nodes') this.#readNodes()
     else if (name === 'attribute_sets') this.#readSets()
     else if (name === 'rank') this.#rank = cursor.count('a rank')
     else if (name === 'vertex_parents' && this.#isNonConforming) this.#readParents()
-    else this.#pass()
-  }
-
-  #pass(): void {
-    const cursor = this.#cursor
-    for (;;) {
-      cursor.skipLine()
-      cursor.skipBlanks()
-      if (cursor.isAtEnd || isSection(cursor.peekLine(LINE_HEAD))) return
-    }
+    else this.#records.passSection()
   }
 
   #readVertices(): void {
@@ -219,21 +210,7 @@ class MfemReader {
     if (records.next('vertices') !== 'record' || count === 0) return
     const dimension = cursor.count('the dimension of the space')
     if (dimension !== 3) cursor.refuse(`the vertices have ${dimension} coordinates; 3 were expected.`)
-    let seen = 0
-    let next = records.next('vertices')
-    for (; next === 'record' && !records.isElided; next = records.next('vertices')) {
-      if (seen === count) cursor.refuse(`there are more vertices than the ${count} that were declared.`)
-      if (!this.#readVertex(seen)) {
-        next = 'end'
-        break
-      }
-      seen++
-      records.onRecord()
-    }
-    records.check(next, seen, count, 'vertices')
-    if (!records.isElided) return
-    this.#mayLackVertices = true
-    if (next === 'record') this.#pass()
+    this.#mayLackVertices = records.points(count, 'vertices', id => this.#readVertex(id))
   }
 
   #readVertex(id: number): boolean {

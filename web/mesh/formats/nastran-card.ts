@@ -57,7 +57,10 @@ export class Card {
   id(field: number, what: string, lines: TextLines): number {
     const value = this.values[field] as number
     if (this.isGiven[field] !== 1) lines.refuse(`${this.name}: ${what} is missing.`, this.line)
-    if (!Number.isSafeInteger(value) || value < 0) lines.refuse(`${this.name}: ${value} is not ${what}.`, this.line)
+    if (!Number.isSafeInteger(value) || value < 0) {
+      const written = Number.isFinite(value) ? `${value}` : 'what stands there'
+      lines.refuse(`${this.name}: ${written} is not ${what}.`, this.line)
+    }
     return value
   }
 

@@ -9,10 +9,12 @@ import {
   type CoordinatePlaces,
   type Mesh,
   MeshRefusal,
+  MOST_IMPLIED_CELLS,
   NOTHING_NOT_TRILINEAR,
   type NotTrilinear,
 } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
+import { ALL_MIDDLES, isAtMean } from '../middles'
 import { PlaceList } from '../place-list'
 import { largestOf, type PrintedDigits } from '../precision'
 import type { FileRows } from '../reading-core'
@@ -20,9 +22,6 @@ import { Runs } from '../runs'
 import { shown } from '../text-cursor'
 import { TypedList } from '../typed-list'
 import type { TextLines } from './text-lines'
-
-/** Generated or repeated points and cells, as implied ones. */
-export const MOST_IMPLIED = 50_000_000
 
 /** A slot without a node, of an element of 20 nodes that has fewer. */
 export const NO_NODE = 0xffffffff
@@ -33,33 +32,6 @@ export const QUADRATIC_SLOTS = 27
 const NAMED = 0
 const DEFINED = 1
 const SHORT = 2
-
-/** Corners whose middle a further node is, for the slots 8 to 26. */
-const CORNERS_OF_SLOT: readonly (readonly number[])[] = [
-  ...[
-    [0, 1],
-    [1, 2],
-    [2, 3],
-    [3, 0],
-    [4, 5],
-    [5, 6],
-    [6, 7],
-    [7, 4],
-    [0, 4],
-    [1, 5],
-    [2, 6],
-    [3, 7],
-  ],
-  ...[
-    [0, 3, 7, 4],
-    [1, 2, 6, 5],
-    [0, 1, 5, 4],
-    [3, 2, 6, 7],
-    [0, 1, 2, 3],
-    [4, 5, 6, 7],
-  ],
-  [0, 1, 2, 3, 4, 5, 6, 7],
-]
 
 /** Moves a point in place: coordinates at `at`, `at + 1`, `at + 2`. */
 export type Move = (points: Float64Array, at: number) => void
@@ -365,9 +337,9 @@ export function collect({ format, fileName, placements, precision, notes, isCutO
   const total = (count: (model: NodeModel) => number) => placements.reduce((sum, { model }) => sum + count(model), 0)
   const [pointCount, cellCount] = [total(model => model.nodeCount), total(model => model.cellCount)]
   const quadraticCount = total(model => model.quadraticIds.length)
-  if (placements.length > 1 && Math.max(pointCount, cellCount, quadraticCount) > MOST_IMPLIED)
+  if (placements.length > 1 && Math.max(pointCount, cellCount, quadraticCount) > MOST_IMPLIED_CELLS)
     throw new MeshRefusal(
-      `${shown(fileName).slice(1, -1)}: its instances have ${Math.max(pointCount, cellCount)} nodes or elements; ${MOST_IMPLIED} are read at most.`,
+      `${shown(fileName).slice(1, -1)}: its instances have ${Math.max(pointCount, cellCount)} nodes or elements; ${MOST_IMPLIED_CELLS} are read at most.`,
     )
 
   // What stands alone where it was drawn is the mesh.
@@ -449,14 +421,8 @@ function notTrilinearOf(quadratic: Uint32Array, points: Float64Array, precision:
 }
 
 function isStraight(quadratic: Uint32Array, at: number, points: Float64Array, tolerance: number): boolean {
-  for (const [i, corners] of CORNERS_OF_SLOT.entries()) {
-    const node = quadratic[at + 8 + i] as number
-    if (node === NO_NODE) continue
-    for (let axis = 0; axis < 3; ++axis) {
-      let sum = 0
-      for (const corner of corners) sum += points[3 * (quadratic[at + corner] as number) + axis] as number
-      if (!(Math.abs((points[3 * node + axis] as number) - sum / corners.length) <= tolerance)) return false
-    }
-  }
-  return true
+  const coordinate = (slot: number, axis: number) => points[3 * (quadratic[at + slot] as number) + axis] as number
+  return ALL_MIDDLES.every(
+    (corners, i) => quadratic[at + 8 + i] === NO_NODE || isAtMean(coordinate, 8 + i, corners, tolerance),
+  )
 }

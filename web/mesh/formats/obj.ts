@@ -6,7 +6,7 @@ import { hexahedronOfFaces } from '../hexahedron-of-faces'
 import { MeshBuilder } from '../mesh-builder'
 import { headText } from '../snippet-text'
 import type { MeshFormat } from '../source'
-import { numberOf, shown, TextCursor } from '../text-cursor'
+import { numberOf, shown, significantDigits, TextCursor } from '../text-cursor'
 
 export const obj: MeshFormat = {
   name: 'OBJ',
@@ -35,6 +35,8 @@ export const obj: MeshFormat = {
           .map(word => numberOf(word) ?? cursor.refuse(`${shown(word)} is not a coordinate.`))
         if (x === undefined || y === undefined || z === undefined)
           return cursor.refuse('a point has three coordinates.')
+        for (const [axis, value] of [x, y, z].entries())
+          builder.digits.see(value, significantDigits(words[axis] as string))
         builder.point(x, y, z)
       } else if (keyword === 'f') {
         const face = words.map(word => {

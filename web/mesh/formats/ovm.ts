@@ -39,7 +39,7 @@ export const ovm: MeshFormat = {
     }
     const points = count('Vertices')
     for (let i = 0; i < points; i++)
-      builder.point(cursor.number('a coordinate'), cursor.number('a coordinate'), cursor.number('a coordinate'))
+      builder.point(builder.readCoordinate(cursor), builder.readCoordinate(cursor), builder.readCoordinate(cursor))
     const edges = count('Edges')
     const ends = Float64Array.from({ length: 2 * edges }, () => index(points, 'vertex'))
     const faceCount = count('Faces')

@@ -4,7 +4,7 @@
  */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { headText } from '../snippet-text'
-import { titledColumns } from '../snippets/interpret'
+import { titledColumns } from '../snippets/point-set'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 
@@ -161,17 +161,29 @@ class Reader {
         const length = ofCells.has(variable) ? cells : nodes
         for (let i = 0; i < length; i++) {
           const value = cursor.number('a value')
-          if (into !== undefined) into[i] = value
+          if (into === undefined) continue
+          builder.digits.see(value, cursor.digits)
+          into[i] = value
         }
         this.#progress()
       }
       const [x, y, z] = axes as [Float64Array, Float64Array, Float64Array]
       for (let i = 0; i < nodes; i++) builder.point(x[i] as number, y[i] as number, z[i] as number)
     } else {
-      const row = new Float64Array(this.#variables)
+      const list = () => new Float64Array(this.#variables)
+      const [row, from, to, digits] = [list(), list(), list(), list()]
       const [x = 0, y = 1, z = 2] = this.#axes
       for (let i = 0; i < nodes; i++) {
-        for (let variable = 0; variable < row.length; variable++) row[variable] = cursor.number('a value')
+        for (let variable = 0; variable < row.length; variable++) {
+          row[variable] = cursor.number('a value')
+          from[variable] = cursor.numberFrom
+          to[variable] = cursor.position
+          digits[variable] = cursor.digits
+        }
+        for (const axis of [x, y, z]) {
+          builder.digits.see(row[axis] as number, digits[axis] as number)
+          builder.coordinateToken(from[axis] as number, (to[axis] as number) - (from[axis] as number))
+        }
         builder.point(row[x] as number, row[y] as number, row[z] as number)
         if (i % 65_536 === 0) this.#progress()
       }

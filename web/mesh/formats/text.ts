@@ -4,10 +4,12 @@
  */
 import { type Mesh, MeshRefusal } from '../mesh'
 import { isText, LARGEST_STRING, snippetText } from '../snippet-text'
+import { tablesOfAssignments, tablesOfSetIds, tablesOfVectors } from '../snippets/assigned'
 import { meshOfTables } from '../snippets/interpret'
 import { meshOfJson } from '../snippets/json'
 import { tablesOfLines, withDecimalPoints } from '../snippets/lines'
 import { tablesOfLists } from '../snippets/lists'
+import { withoutTags } from '../snippets/markup'
 import { tablesOfMatlab } from '../snippets/matlab-print'
 import { meshOfNumbers } from '../snippets/plain-numbers'
 import { Tokens } from '../snippets/tokens'
@@ -20,7 +22,7 @@ export const text: MeshFormat = {
     if (file.size > LARGEST_STRING) return [meshOfNumbers(file, options)]
     const whole = snippetText(file)
     if (whole === null) throw new MeshRefusal(`${file.name}: this is binary, and in no format that is known here.`)
-    return [meshOfText(whole, file, options)]
+    return [meshOfText(withoutTags(whole), file, options)]
   },
 }
 
@@ -29,7 +31,7 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
   const json = meshOfJson(whole, fileName)
   if (json !== null) return json
   throwIfCancelled()
-  const hasOwnOrder = /\bskfem\b|\bmesh\.t\b|\bMeshHex\b/.test(whole)
+  const hasOwnOrder = /\bskfem\b|\bmesh\.t\b|\bMeshHex\b|\bdolfinx\b|\bcreate_mesh\(|\bCellData<|\bdealii\b/.test(whole)
   const decimal = withDecimalPoints(whole)
   const text = decimal ?? whole
   let refusal: MeshRefusal | null = null
@@ -42,13 +44,20 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
       return null
     }
   }
-  const lists = orRefused(() => meshOfTables(tablesOfLists(text), { format: languageOf(text), fileName, hasOwnOrder }))
+  const lists = orRefused(() =>
+    meshOfTables([...tablesOfAssignments(text), ...tablesOfVectors(text), ...tablesOfLists(text)], {
+      format: languageOf(text),
+      fileName,
+      hasOwnOrder,
+    }),
+  )
   if (lists?.isOrderStated || (lists !== null && hasOwnOrder)) return lists
   throwIfCancelled()
   const matlab = lists ?? meshOfTables(tablesOfMatlab(text), { format: 'MATLAB', fileName })
   if (matlab?.isOrderStated) return matlab
   throwIfCancelled()
-  const { tables, mixed, numbers, points } = tablesOfLines(text)
+  const { tables: found, mixed, numbers, points } = tablesOfLines(text)
+  const tables = [...found, ...tablesOfSetIds(text)]
   // A text whose lines have cells of their own is read by these, and refused if they are not understood.
   if (matlab !== null && refusal === null && !tables.some(hasWideIntegers)) return matlab
   if (mixed !== null && refusal === null) throw new MeshRefusal(`${fileName}: ${mixed}`)
@@ -85,7 +94,7 @@ function languageOf(text: string): string {
   return /\[[^[\]]{0,1000};/.test(head.slice(0, 5000)) ? 'MATLAB' : 'lists of numbers'
 }
 
-const SEPARATORS = ',;:|/=()[]{}<>\'"&'
+const SEPARATORS = ',;:|/=()[]{}<>\'"&-'
 const MOST_NUMBERS = 24 * 100_000
 
 /** Nothing but numbers, in lines of the same length but for the last; null for other texts. */
@@ -105,6 +114,8 @@ function flatNumbers(text: string, fileName: string): Mesh | null {
       if (onLine > 0) widths.push(onLine)
       onLine = 0
       if (kind === 'end') break
+    } else if (kind === 'word' && values.length === 0 && onLine === 0 && isHeading(text, tokens.from)) {
+      tokens.to = text.indexOf('\n', tokens.to)
     } else if (kind === 'word' || !SEPARATORS.includes(tokens.word)) return null
   }
   const [width = 0] = widths
@@ -128,9 +139,15 @@ function flatNumbers(text: string, fileName: string): Mesh | null {
   return meshOfTables([table], { format: 'numbers', fileName })
 }
 
+/** A line before all numbers that has words and no digit. */
+function isHeading(text: string, from: number): boolean {
+  return /^[^\n\d]{1,80}\n/.test(text.slice(from, from + 100))
+}
+
 function nothingIn(text: string, numbers: number, points: number): string {
   if (text.trim() === '') return 'there is no text in it.'
-  const seen = `${numbers} ${numbers === 1 ? 'number was' : 'numbers were'} found; an element needs 24.`
+  const need = numbers < 24 ? 'an element needs 24' : 'but no eight points of three numbers that belong together'
+  const seen = `${numbers} ${numbers === 1 ? 'number was' : 'numbers were'} found${numbers < 24 ? ';' : ','} ${need}.`
   return points > 0 && 3 * points !== numbers
     ? `${seen} ${points} ${points === 1 ? 'point' : 'points'} of three coordinates ${points === 1 ? 'is' : 'are'} among them; an element has 8.`
     : seen

@@ -42,9 +42,9 @@ export const ucd: MeshFormat = {
       const id = cursor.count('the number of a node')
       builder.pointWithId(
         id,
-        cursor.number('a coordinate'),
-        cursor.number('a coordinate'),
-        cursor.number('a coordinate'),
+        builder.readCoordinate(cursor),
+        builder.readCoordinate(cursor),
+        builder.readCoordinate(cursor),
       )
       if (i % 65_536 === 0) {
         throwIfCancelled()

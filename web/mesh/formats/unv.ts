@@ -68,7 +68,12 @@ function readNodes(cursor: TextCursor, builder: MeshBuilder): void {
   while (!isAtEndOfSet(cursor)) {
     const id = cursor.count('the number of a node')
     cursor.skipLine()
-    builder.pointWithId(id, cursor.number('a coordinate'), cursor.number('a coordinate'), cursor.number('a coordinate'))
+    builder.pointWithId(
+      id,
+      builder.readCoordinate(cursor),
+      builder.readCoordinate(cursor),
+      builder.readCoordinate(cursor),
+    )
     cursor.skipLine()
   }
 }

@@ -1,5 +1,6 @@
 /** The cell types of VTK (vtkCellType.h): how many nodes they have, and what becomes of them here. */
 import type { OtherCell } from '../mesh-builder'
+import { ALL_MIDDLES, EDGE_MIDDLES, FACE_MIDDLES } from '../middles'
 
 export const [VTK_PIXEL, VTK_VOXEL, VTK_HEXAHEDRON, VTK_POLYHEDRON] = [8, 11, 12, 42] as const
 
@@ -10,32 +11,6 @@ export interface VtkCellType {
   /** For cells that are not trilinear: the corners at whose middle each further node lies, or the cell's lattice of any order. */
   readonly middles?: readonly (readonly number[])[] | 'lattice'
 }
-
-const EDGES = [
-  [0, 1],
-  [1, 2],
-  [2, 3],
-  [3, 0],
-  [4, 5],
-  [5, 6],
-  [6, 7],
-  [7, 4],
-  [0, 4],
-  [1, 5],
-  [2, 6],
-  [3, 7],
-]
-const SIDES = [
-  [0, 4, 7, 3],
-  [1, 2, 6, 5],
-  [0, 1, 5, 4],
-  [3, 7, 6, 2],
-]
-const ENDS = [
-  [0, 3, 2, 1],
-  [4, 5, 6, 7],
-]
-const WHOLE = [0, 1, 2, 3, 4, 5, 6, 7]
 
 export const vtkCellTypes: ReadonlyMap<number, VtkCellType> = new Map<number, VtkCellType>([
   [0, { kind: 'other', nodes: 0 }],
@@ -59,15 +34,15 @@ export const vtkCellTypes: ReadonlyMap<number, VtkCellType> = new Map<number, Vt
   [22, { kind: 'triangle', nodes: 6 }],
   [23, { kind: 'quadrilateral', nodes: 8 }],
   [24, { kind: 'tetrahedron', nodes: 10 }],
-  [25, { kind: 'not trilinear', nodes: 20, middles: EDGES }],
+  [25, { kind: 'not trilinear', nodes: 20, middles: EDGE_MIDDLES }],
   [26, { kind: 'wedge', nodes: 15 }],
   [27, { kind: 'pyramid', nodes: 13 }],
   [28, { kind: 'quadrilateral', nodes: 9 }],
-  [29, { kind: 'not trilinear', nodes: 27, middles: [...EDGES, ...SIDES, ...ENDS, WHOLE] }],
+  [29, { kind: 'not trilinear', nodes: 27, middles: ALL_MIDDLES }],
   [30, { kind: 'quadrilateral', nodes: 6 }],
   [31, { kind: 'wedge', nodes: 12 }],
   [32, { kind: 'wedge', nodes: 18 }],
-  [33, { kind: 'not trilinear', nodes: 24, middles: [...EDGES, ...SIDES] }],
+  [33, { kind: 'not trilinear', nodes: 24, middles: [...EDGE_MIDDLES, ...FACE_MIDDLES.slice(0, 4)] }],
   [34, { kind: 'triangle', nodes: 7 }],
   [35, { kind: 'line', nodes: 4 }],
   [36, { kind: 'polygon', nodes: 0 }],

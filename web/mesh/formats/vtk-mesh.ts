@@ -1,10 +1,9 @@
 /** Makes a Mesh of what VTK's files hold: points, nodes of cells in a row, where each cell ends and its type; one grid or several. */
-import type { Block, CoordinatePlaces, Mesh } from '../mesh'
+import { type Block, type CoordinatePlaces, type Mesh, MOST_IMPLIED_CELLS } from '../mesh'
+import { isAtMean } from '../middles'
 import { float32Note, largestOf, printedDigits } from '../precision'
-import { latticeOf, VOXEL_ORDER, VTK_POLYHEDRON, type VtkCellType, vtkCellTypes } from './vtk-cells'
-
-/** Implied cells beyond this are refused. */
-export const MOST_IMPLIED_CELLS = 50_000_000
+import type { CellData } from './vtk-cell-data'
+import { latticeOf, VOXEL_ORDER, VTK_HEXAHEDRON, VTK_POLYHEDRON, type VtkCellType, vtkCellTypes } from './vtk-cells'
 
 /** How coordinates are stored: that of the coarsest grid counts. */
 export interface Precision {
@@ -26,6 +25,7 @@ export interface VtkGrid {
   /** Whether a polyhedron's nodes are its faces as a row of numbers, as in legacy files, and no points. */
   readonly hasFaceStreams: boolean
   readonly precision: Precision
+  readonly cellData: CellData | null
 }
 
 const lattices = new Map<string, Uint8Array>()
@@ -36,7 +36,10 @@ export class VtkMesh {
   readonly #points: Float64Array[] = []
   readonly #cells: Uint32Array[] = []
   readonly #corners: Uint32Array[] = []
-  readonly #blocks: Block[] = []
+  /** Indices of cells by the name of their block. */
+  readonly #blocks = new Map<string, number[]>()
+  readonly #grids: Block[] = []
+  #ids: number[] | null = []
   readonly #other = new Map<string, number>()
   readonly #notes: string[] = []
   #pointCount = 0
@@ -71,10 +74,26 @@ export class VtkMesh {
   /** Adds a grid, with its cells as a block of this name if there is one. Refuses cells that name points that do not exist. */
   add(grid: VtkGrid, block: string | null = null): void {
     const before = this.#cellCount
-    const cells = this.#convert(grid)
+    const places: number[] | null = grid.cellData === null ? null : []
+    const cells = this.#convert(grid, places)
     this.#addPart(grid.points, cells, grid.precision)
+    this.#addCellData(grid.cellData, places ?? [], before, cells.length / 8)
     if (block !== null)
-      this.#blocks.push({ name: block, cells: Uint32Array.from({ length: cells.length / 8 }, (_, i) => before + i) })
+      this.#grids.push({ name: block, cells: Uint32Array.from({ length: cells.length / 8 }, (_, i) => before + i) })
+  }
+
+  /** `places` says which of the grid's cells each hexahedron is. Ids count only if all grids have them. */
+  #addCellData(data: CellData | null, places: readonly number[], before: number, count: number): void {
+    if (data?.ids) for (const place of places) this.#ids?.push(data.ids[place] as number)
+    else if (count > 0) this.#ids = null
+    if (!data?.blocks) return
+    const { name, values } = data.blocks
+    for (const [i, place] of places.entries()) {
+      const block = `${name} ${values[place]}`
+      const cells = this.#blocks.get(block)
+      if (cells) cells.push(before + i)
+      else this.#blocks.set(block, [before + i])
+    }
   }
 
   /** Adds a grid whose cells are implied by its numbers of points along the axes; a flat one has no hexahedra that need its points. */
@@ -123,7 +142,7 @@ export class VtkMesh {
   }
 
   /** The hexahedra of the grid, moved to the front of its connectivity: a cell's place there is never before its new one. */
-  #convert(grid: VtkGrid): Uint32Array {
+  #convert(grid: VtkGrid, places: number[] | null): Uint32Array {
     const { points, connectivity, ends, types, declaredPoints } = grid
     const pointCount = points.length / 3
     const counts = new Uint32Array(256)
@@ -144,9 +163,10 @@ export class VtkMesh {
         counts[type] = (counts[type] as number) + 1
         continue
       }
-      if (type === 12 && size === 8 && largestOfEight(connectivity, start) < pointCount) {
+      if (type === VTK_HEXAHEDRON && size === 8 && largestOfEight(connectivity, start) < pointCount) {
         if (filled !== start) for (let i = 0; i < 8; ++i) connectivity[filled + i] = connectivity[start + i] as number
         filled += 8
+        places?.push(cell)
         continue
       }
       let isWhole = true
@@ -169,6 +189,7 @@ export class VtkMesh {
         const nodes = VOXEL_ORDER.map(i => connectivity[start + i] as number)
         connectivity.set(nodes, filled)
         filled += 8
+        places?.push(cell)
       } else if (known.kind === 'not trilinear') {
         if (size < 8) this.#refuse(`cell ${cell} of type ${type} has ${size} points; it must have at least 8.`)
         const nodes = connectivity.subarray(start, end)
@@ -176,6 +197,7 @@ export class VtkMesh {
           // A Lagrange hexahedron of order 1 is trilinear.
           connectivity.copyWithin(filled, start, end)
           filled += 8
+          places?.push(cell)
           continue
         }
         for (let i = 0; i < 8; ++i) corners.push((nodes[i] as number) + this.#pointCount)
@@ -278,14 +300,14 @@ export class VtkMesh {
       format: this.#format,
       points,
       cells,
-      ids: null,
-      blocks: this.#blocks,
+      ids: this.#ids !== null && this.#ids.length > 0 ? Float64Array.from(this.#ids) : null,
+      blocks: [...[...this.#blocks].map(([name, list]) => ({ name, cells: Uint32Array.from(list) })), ...this.#grids],
       notTrilinear: { corners, straight: this.#straight },
       other: this.#other,
       notes: this.#notes,
       isOrderStated: this.#isOrderStated,
       isCutOff: this.#isCutOff,
-      coordinatePlaces: this.#points.length === 1 ? this.coordinatePlaces : null,
+      coordinatePlaces: this.#points.length === 1 && points.length > 0 ? this.coordinatePlaces : null,
       steps: this.steps,
     }
   }
@@ -346,14 +368,8 @@ function areNodesAtMiddles(
     if ((order + 1) ** 3 !== nodes.length || order > 255) return null
     return [false, true].some(hasOldEdges => isOnLattice(points, nodes, order, hasOldEdges, within))
   }
-  return middles.every((corners, i) => {
-    const node = nodes[8 + i] as number
-    return [0, 1, 2].every(axis => {
-      let sum = 0
-      for (const v of corners) sum += points[3 * (nodes[v] as number) + axis] as number
-      return Math.abs(sum / corners.length - (points[3 * node + axis] as number)) <= within
-    })
-  })
+  const coordinate = (node: number, axis: number) => points[3 * (nodes[node] as number) + axis] as number
+  return middles.every((corners, i) => isAtMean(coordinate, 8 + i, corners, within))
 }
 
 function isOnLattice(

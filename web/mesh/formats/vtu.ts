@@ -1,12 +1,13 @@
 /**
  * VTU, the XML file of VTK's unstructured grids, in all its encodings; .pvtu, which names the pieces of one, and .pvd, which names those of
- * its time steps, of which the first is read.
+ * its time steps, of which one is read.
  */
 import { type Mesh, MeshRefusal } from '../mesh'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { XmlScanner, type XmlTag } from '../xml-scanner'
+import { type CellData, cellDataOf, cellDataRank } from './vtk-cell-data'
 import { firstFall, VtkMesh } from './vtk-mesh'
 import {
   type DataArray,
@@ -27,6 +28,10 @@ interface Piece {
   readonly points: number
   readonly cells: number
   readonly arrays: Map<string, DataArray>
+  /** Those of cells that may be ids or blocks. */
+  readonly cellArrays: Map<string, DataArray>
+  /** The array of cells that the file calls global ids. */
+  globalIds: string | null
 }
 
 /** What one <VTKFile> has. */
@@ -36,6 +41,8 @@ interface VtkDocument {
   readonly pieces: Piece[]
   /** Tags <Piece Source> of .pvtu and <DataSet file> of .pvd. */
   readonly sources: XmlTag[]
+  /** The time of the one grid, as an array of the file. */
+  time: DataArray | null
   isComplete: boolean
 }
 
@@ -76,6 +83,10 @@ function refuse(file: MeshFile, what: string): never {
 function readDocument(document: VtkDocument, file: MeshFile, options: ReadOptions, mesh: VtkMesh): void {
   if (document.type === PARALLEL_GRID || document.type === COLLECTION) readSources(document, file, options, mesh)
   else readPieces(document, mesh, null)
+  if (document.time !== null && mesh.steps.length === 0) {
+    const { list } = readArray(document.storage, document.time, 1, length => new Float64Array(length))
+    mesh.steps = [String(list[0])]
+  }
   if (document.isComplete) return
   mesh.setCutOff()
   mesh.note('The end of the file is missing: there is no </VTKFile>. What is whole was read.')
@@ -85,10 +96,14 @@ function readSources(document: VtkDocument, file: MeshFile, options: ReadOptions
   const isCollection = document.type === COLLECTION
   const stepOf = (tag: XmlTag) => tag.attributes.get('timestep') ?? '0'
   const steps = [...new Set(document.sources.map(stepOf))]
-  const sources = isCollection ? document.sources.filter(tag => stepOf(tag) === steps[0]) : document.sources
+  const step = options.step === 'last' ? steps.length - 1 : options.step
+  if (isCollection && step >= steps.length && steps.length > 0)
+    refuse(file, `it has ${steps.length} time steps, and step ${step + 1} was asked for.`)
+  const sources = isCollection ? document.sources.filter(tag => stepOf(tag) === steps[step]) : document.sources
   if (sources.length === 0) refuse(file, `it names no ${isCollection ? 'file' : 'piece'}.`)
   if (isCollection) mesh.steps = steps
-  if (steps.length > 1) mesh.note(`The first of ${steps.length} time steps was read: ${shown(steps[0] as string)}.`)
+  if (isCollection && steps.length > 1)
+    mesh.note(`Time step ${step + 1} of ${steps.length} was read: ${shown(steps[step] as string)}.`)
   const names = sources.map(tag => tag.attributes.get(isCollection ? 'file' : 'Source') ?? '')
   const found = names.map(name => options.find(name))
   const missing = names.filter((_, i) => found[i] === null)
@@ -169,12 +184,22 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
       declaredCells: cellCount,
       hasFaceStreams: false,
       precision: { isFloat32, digits },
+      cellData: cellData(storage, piece),
     },
     block,
   )
   if (isOnly && block === null && pointCount > 0 && coordinates.length === 3 * pointCount)
     setPlaces(storage, arrayOf('Points'), mesh)
   return ghostCount(storage, arrays.get('vtkGhostType'), cellCount)
+}
+
+function cellData(storage: Storage, { cells, cellArrays, globalIds }: Piece): CellData | null {
+  const arrays = new Map<string, Float64Array>()
+  for (const [name, array] of cellArrays) {
+    const { list } = readArray(storage, array, cells, length => new Float64Array(length), true)
+    if (list.length === cells) arrays.set(name, list)
+  }
+  return arrays.size === 0 ? null : cellDataOf(arrays, globalIds)
 }
 
 /** The coordinates are a run of the text, or one block of the file if they are neither in base64 nor packed. */
@@ -226,7 +251,7 @@ class DocumentScan {
     this.#file = file
     const type = root.attributes.get('type') ?? ''
     const storage = storageOf(scanner, file, options, root)
-    const document = { type, storage, pieces: [] as Piece[], sources: [] as XmlTag[], isComplete: false }
+    const document = { type, storage, pieces: [] as Piece[], sources: [] as XmlTag[], time: null, isComplete: false }
     this.document = document
     if (![GRID, PARALLEL_GRID, COLLECTION].includes(type)) refuseType(file, type)
     for (let tag = scanner.next(); tag !== null; tag = scanner.next()) {
@@ -270,15 +295,28 @@ class DocumentScan {
     if (tag.name === 'Piece' && parent === GRID) document.pieces.push(this.#piece(tag))
     else if ((tag.name === 'Piece' && parent === PARALLEL_GRID) || (tag.name === 'DataSet' && parent === COLLECTION))
       document.sources.push(tag)
+    else if (tag.name === 'CellData' && parent === 'Piece') {
+      const piece = document.pieces.at(-1)
+      if (piece !== undefined) piece.globalIds = tag.attributes.get('GlobalIds') ?? null
+    } else if (tag.name === 'DataArray' && parent === 'FieldData' && isTime(tag))
+      document.time = this.#array(tag, 'TimeValue')
     else if (tag.name === 'DataArray') {
       const piece = document.pieces.at(-1)
       const name = parent === 'Points' ? 'Points' : (tag.attributes.get('Name') ?? '')
       const isNeeded = parent === 'Points' || parent === 'Cells' || (parent === 'CellData' && name === 'vtkGhostType')
-      if (piece === undefined || !isNeeded || !this.#open.includes('Piece')) return
+      if (piece === undefined || !this.#open.includes('Piece')) return
+      if (parent === 'CellData' && this.#isCellArray(tag, name, piece))
+        piece.cellArrays.set(name, this.#array(tag, name))
+      if (!isNeeded) return
       if (!['Points', 'connectivity', 'offsets', 'types', 'vtkGhostType'].includes(name)) return
       if (piece.arrays.has(name)) this.#scanner.refuse(tag.from, `a second array ${shown(name)} stands in one <Piece>.`)
       piece.arrays.set(name, this.#array(tag, name))
     }
+  }
+
+  #isCellArray({ attributes }: XmlTag, name: string, { globalIds }: Piece): boolean {
+    const isOne = (attributes.get('NumberOfComponents') ?? '1').trim() === '1'
+    return isOne && (attributes.get('type') ?? '') in NUMBER_SIZES && (name === globalIds || cellDataRank(name) >= 0)
   }
 
   #piece(tag: XmlTag): Piece {
@@ -291,7 +329,7 @@ class DocumentScan {
     const [points, cells] = [countOf('NumberOfPoints'), countOf('NumberOfCells')]
     if (Math.max(points, cells) > 0xffffffff)
       this.#scanner.refuse(tag.from, 'more than 2^32 points or cells are not read.')
-    return { at: tag.from, points, cells, arrays: new Map() }
+    return { at: tag.from, points, cells, arrays: new Map(), cellArrays: new Map(), globalIds: null }
   }
 
   #array(tag: XmlTag, name: string): DataArray {
@@ -352,6 +390,13 @@ function storageOf(scanner: XmlScanner, file: MeshFile, options: ReadOptions, { 
       `the compressor is ${shown(compressor)}: vtkZLib-, vtkLZ4- or vtkLZMADataCompressor was expected.`,
     )
   return { file, options, isLittleEndian: order === 'LittleEndian', headerType, decompress, appended: null }
+}
+
+function isTime({ attributes }: XmlTag): boolean {
+  const isOne = (attributes.get('NumberOfTuples') ?? '1').trim() === '1'
+  return (
+    isOne && /^time(?:value)?$/i.test(attributes.get('Name') ?? '') && (attributes.get('type') ?? '') in NUMBER_SIZES
+  )
 }
 
 const END = '</VTKFile>'

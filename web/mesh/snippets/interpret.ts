@@ -6,18 +6,14 @@ import { hexahedronOfFaces } from '../hexahedron-of-faces'
 import type { Mesh } from '../mesh'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { printedDigits } from '../precision'
+import { orderOfText } from '../snippet-text'
 import { shown } from '../text-cursor'
-import {
-  areAllIntegers,
-  areDistinct,
-  column,
-  countsUp,
-  inRowsOf,
-  isConstant,
-  type NumberTable,
-  transposed,
-  widthOf,
-} from './number-table'
+import { type CellRows, cellRowsOf } from './cell-rows'
+import { likelierLayout } from './layouts'
+import { pairs } from './named-points'
+import { areAllIntegers, areDistinct, inRowsOf, type NumberTable, widthOf } from './number-table'
+import { EIGHT, type PointSet, pointSetOf, withAxesJoined, withIdsJoined } from './point-set'
+import { CELL_NAME, isNamed, NO_POINT_NAME } from './table-names'
 
 export interface Origin {
   readonly format: string
@@ -26,24 +22,6 @@ export interface Origin {
   readonly hasOwnOrder?: boolean
 }
 
-/** Points, with what the text calls them. */
-interface PointSet {
-  readonly points: readonly (readonly number[])[]
-  readonly ids: readonly number[] | null
-  readonly labels: readonly (string | null)[] | null
-  readonly table: NumberTable
-}
-
-const EIGHT = 8
-const COORDINATES = 24
-
-const POINT_NAME = /point|coord|vert|node|xyz|pos|corner|doflocs|^p$|\.p$|^x$/i
-const NO_POINT_NAME = /normal|disp|velo|force|gradient|colou?r|uv|tangent|stress|strain|jacob|weight/i
-const CELL_NAME =
-  /cell|elem|conn|face|quad|tri|tet|hex|brick|topol|simpli|ien|lnods|index|indic|edge|prism|wedge|pyra|^t$|\.t$/i
-const NO_CELL_NAME = /type|tag|material|region|flag|rank|colou?r|cell_?data|size|shape|count|offset/i
-const HEXAHEDRON_NAME = /hex|brick|c3d8|q1|cube/i
-const TRIANGLE_NAME = /tri|face|index|indic|simpli|^t$|\.t$/i
 const OTHER_TYPES: readonly (readonly [RegExp, OtherCell])[] = [
   [/quad|face/i, 'quadrilateral'],
   [/tet/i, 'tetrahedron'],
@@ -55,48 +33,29 @@ const OTHER_TYPES: readonly (readonly [RegExp, OtherCell])[] = [
 
 /** The mesh that the tables are, null if they are none. Throws a MeshRefusal where they cannot be understood with certainty. */
 export function meshOfTables(all: readonly NumberTable[], origin: Origin): Mesh | null {
-  const tables = withAxesJoined(all)
+  const tables = withIdsJoined(withAxesJoined(all))
   const builder = new MeshBuilder(origin.format, origin.fileName)
   const sets = tables.flatMap(table => pointSetOf(table, builder) ?? [])
   const parts = pairs(tables, sets, builder)
   if (parts.length > 0) {
     for (const { set, cells } of parts) addCells(set, cells, builder)
-    if (origin.hasOwnOrder) builder.isOrderStated = false
+    if (origin.hasOwnOrder) {
+      builder.isOrderStated = false
+      builder.note('The nodes of each cell are taken in the order of the text.')
+    }
   } else {
     refuseLeftCells(tables, sets, builder)
     const bare = sets.filter(({ table }) => !isNamed(table, NO_POINT_NAME))
     refuseMixedIntegers(bare, builder)
     if (addEights(bare, builder) === 0) return null
     builder.isOrderStated = false
-    builder.note('The text names no cells: its points are taken in their order, eight for each element.')
+    builder.note(orderOfText(builder.cellCount))
   }
   if (builder.cellCount === 0 && parts.length === 0) return null
   const digits = sets.reduce((most, { table }) => Math.max(most, table.digits), 0)
   const mesh = builder.mesh()
   const note = printedDigits(digits, mesh.points).note()
   return note === null ? mesh : { ...mesh, notes: [...mesh.notes, note] }
-}
-
-/** Three lists of equal length that are called x, y and z are one of points. */
-function withAxesJoined(tables: readonly NumberTable[]): NumberTable[] {
-  const joined: NumberTable[] = []
-  for (const table of tables) {
-    joined.push(table)
-    const three = joined.slice(-3)
-    const ends = three.map(({ names }) => (names.at(-1) ?? '').toLowerCase().replace(/s$/, '').at(-1)).join('')
-    const [width] = three.map(widthOf)
-    const areAlike = three.every(other => other.rows.length === 1 && widthOf(other) === width)
-    if (ends !== 'xyz' || !areAlike || (width ?? 0) < EIGHT) continue
-    joined.splice(-3, 3, {
-      ...table,
-      names: ['points'],
-      rows: transposed(three.map(({ rows }) => rows[0] as readonly number[])),
-      integers: [false, false, false],
-      isCut: three.some(({ isCut }) => isCut),
-      digits: Math.max(...three.map(({ digits }) => digits)),
-    })
-  }
-  return joined
 }
 
 /** Tables of integers beside one with decimals are no points, whatever they are. */
@@ -122,247 +81,6 @@ function refuseLeftCells(tables: readonly NumberTable[], sets: readonly PointSet
       `beside the points stands a table of ${width} integers a row that seems to name points, but not those that are there.`,
     )
   }
-}
-
-function isNamed({ names }: NumberTable, pattern: RegExp): boolean {
-  return names.some(name => pattern.test(name))
-}
-
-/** The points that a table may be; null if it is no table of points. */
-function pointSetOf(table: NumberTable, builder: MeshBuilder): PointSet | null {
-  const set = anyPointSetOf(table, builder)
-  return set === null || set.points.length < EIGHT ? null : set
-}
-
-function anyPointSetOf(table: NumberTable, builder: MeshBuilder): PointSet | null {
-  if (isCellsAlone(table)) return null
-  const width = widthOf(table)
-  const count = table.rows.length
-  const set = (points: readonly (readonly number[])[], ids: readonly number[] | null = null): PointSet => ({
-    points,
-    ids,
-    labels: points.length === count ? table.labels : null,
-    table,
-  })
-  if (table.header !== null) {
-    const columns = titledColumns(table.header)
-    if (columns !== null) {
-      const id = table.header.findIndex(title => /\b(?:id|node|index|no|nr|number|#)\b/i.test(title))
-      const ids = id >= 0 && !columns.includes(id) ? column(table, id) : null
-      const points = table.rows.map(row => columns.map(c => row[c] as number))
-      return set(points, ids !== null && areDistinct(ids) ? ids : null)
-    }
-  }
-  if (width === 3) return set(table.rows, table.ids !== null && areDistinct(table.ids) ? table.ids : null)
-  if (count === 3 && width >= EIGHT && (width % COORDINATES !== 0 || isNamed(table, POINT_NAME)))
-    return set(transposed(table.rows))
-  if (width > 0 && width % COORDINATES === 0) return set(inRowsOf(table.rows.flat(), 3))
-  if (count === 1 && width % 3 === 0 && width > 3 && isNamed(table, POINT_NAME))
-    return set(inRowsOf(table.rows.flat(), 3))
-  if (width === COORDINATES + 1 && table.integers[0] && areDistinct(column(table, 0))) {
-    const points = table.rows.flatMap(row => inRowsOf(row.slice(1), 3))
-    const labels = table.rows.flatMap(row => Array.from({ length: EIGHT }, () => String(row[0])))
-    return { points, ids: null, labels, table }
-  }
-  if (width === 4 || width === 5) return numberedPoints(table, width, set, builder)
-  return null
-}
-
-/** Rows of four or five: an index before the coordinates, an element's and an index, or a reference after them. */
-function numberedPoints(
-  table: NumberTable,
-  width: 4 | 5,
-  set: (points: readonly (readonly number[])[], ids?: readonly number[] | null) => PointSet,
-  builder: MeshBuilder,
-): PointSet | null {
-  if (table.rows.length < EIGHT) return null
-  const columns = Array.from({ length: width }, (_, c) => column(table, c))
-  const [first, second] = columns as [number[], number[]]
-  const last = columns[width - 1] as number[]
-  const isId = (values: readonly number[], c: number) => table.integers[c] === true && isDistinctInEights(values)
-  const isReference = table.integers[width - 1] === true && (isConstant(last) || countsUp(last))
-  const from = (c: number) => table.rows.map(row => row.slice(c, c + 3))
-  const named = (ids: readonly number[]) => (areDistinct(ids) ? ids : null)
-  if (width === 4) {
-    const hasId = isId(first, 0)
-    if (hasId && !isReference) return set(from(1), named(first))
-    if (isReference && !(hasId && countsUp(first))) return set(from(0), countsUp(last) ? last : null)
-    if (areAllIntegers(table) && !table.labels?.some(label => label !== null)) return null
-  } else {
-    if (
-      isId(first, 0) &&
-      isReference &&
-      !(table.integers[1] && isDistinctInEights(second) && isConstantInEights(first))
-    )
-      return set(from(1), named(first))
-    if (table.integers[0] && isConstantInEights(first) && isId(second, 1)) {
-      const labels = first.map(String)
-      return { points: from(2), ids: named(second), labels, table }
-    }
-    if (areAllIntegers(table)) return null
-  }
-  if (table.rows.length % EIGHT !== 0) return null
-  return builder.refuse(
-    `a table of ${table.rows.length} rows has ${width} columns, and nothing says which three of them are x, y and z.`,
-  )
-}
-
-/** An index may begin anew with each element. */
-function isDistinctInEights(values: readonly number[]): boolean {
-  if (areDistinct(values)) return true
-  return values.length % EIGHT === 0 && inRowsOf(values, EIGHT).every(areDistinct)
-}
-
-function isConstantInEights(values: readonly number[]): boolean {
-  return values.length % EIGHT === 0 && inRowsOf(values, EIGHT).every(isConstant)
-}
-
-const AXES = ['x', 'y', 'z'] as const
-
-/** The columns that their titles call x, y and z: "X", "x [m]", "coord_y", "Points:0", "Points_0"; null where there are not three. */
-export function titledColumns(header: readonly string[]): readonly number[] | null {
-  const titles = header.map(title => title.trim().toLowerCase().slice(0, 40))
-  const tests: readonly ((title: string, axis: number) => boolean)[] = [
-    (title, axis) => title === `points:${axis}` || title === `points_${axis}` || title === `points:${AXES[axis]}`,
-    (title, axis) => title === `points_${AXES[axis]}`,
-    (title, axis) => title.replace(/[([{].*$/, '').trim() === AXES[axis],
-    (title, axis) =>
-      title.length < 16 && /^(?:coord|pos|point|node|vert)/.test(title) && title.endsWith(AXES[axis] as string),
-    (title, axis) =>
-      title === `${AXES[axis]}0` || title === `${AXES[axis]}-coordinate` || title === `${AXES[axis]} coordinate`,
-    (title, axis) => /^(?:coord|pos|point)/.test(title) && new RegExp(`[^\\d]${axis}$`).test(title),
-  ]
-  for (const test of tests) {
-    const found = AXES.map((_, axis) => titles.findIndex(title => test(title, axis)))
-    if (found.every(c => c >= 0) && new Set(found).size === 3) return found
-  }
-  return null
-}
-
-/** Integers that their name says are cells, so they are no points. */
-function isCellsAlone(table: NumberTable): boolean {
-  const name = table.names.at(-1) ?? ''
-  const pattern = widthOf(table) === 3 ? TRIANGLE_NAME : CELL_NAME
-  return areAllIntegers(table) && !isNamed(table, NO_CELL_NAME) && pattern.test(name) && !POINT_NAME.test(name)
-}
-
-interface Part {
-  readonly set: PointSet
-  readonly cells: readonly NumberTable[]
-}
-
-/** Cells with the points that they name: those before them, else those after. */
-function pairs(tables: readonly NumberTable[], sets: readonly PointSet[], builder: MeshBuilder): Part[] {
-  const parts = new Map<PointSet, NumberTable[]>()
-  const setOf = new Map(sets.map(set => [set.table, set]))
-  const before = new Candidates()
-  const waiting: NumberTable[] = []
-  let wasCells = false
-  for (const table of tables) {
-    const set = setOf.get(table)
-    const known = before.first
-    if (isCells(table, known ?? sets[0] ?? null, set !== undefined)) {
-      if (known === null) waiting.push(table)
-      else addTo(parts, before.only(builder), table)
-      wasCells = true
-    } else if (set !== undefined) {
-      if (wasCells) before.clear()
-      wasCells = false
-      before.add(set)
-    }
-  }
-  if (waiting.length > 0 && sets.length > 0) {
-    const all = new Candidates()
-    for (const set of sets) all.add(set)
-    for (const table of waiting) addTo(parts, all.only(builder), table)
-  }
-  return [...parts].map(([set, cells]) => ({ set, cells }))
-}
-
-function addTo(parts: Map<PointSet, NumberTable[]>, set: PointSet, table: NumberTable): void {
-  const cells = parts.get(set)
-  if (cells) cells.push(table)
-  else parts.set(set, [table])
-}
-
-/** Tables of points that cells may name: of several, the one whose name says so. */
-class Candidates {
-  #named: PointSet[] = []
-  #others: PointSet[] = []
-
-  add(set: PointSet): void {
-    if (isNamed(set.table, NO_POINT_NAME)) return
-    if (isNamed(set.table, POINT_NAME)) this.#named.push(set)
-    else this.#others.push(set)
-  }
-
-  clear(): void {
-    this.#named = []
-    this.#others = []
-  }
-
-  get first(): PointSet | null {
-    return this.#named[0] ?? this.#others[0] ?? null
-  }
-
-  only(builder: MeshBuilder): PointSet {
-    const count = this.#named.length || this.#others.length
-    if (count > 1)
-      builder.refuse(`${count} tables of points stand before the cells, and nothing says which of them these name.`)
-    return this.first as PointSet
-  }
-}
-
-/** Whether a table names points of `set`: by its name, or because it is of integers that all are numbers of points. */
-function isCells(table: NumberTable, set: PointSet | null, mayBePoints: boolean): boolean {
-  if (set === null || set.table === table || !areAllIntegers(table)) return false
-  if (table.rows.length === 1 && (table.rows[0]?.length ?? 0) < 2) return false
-  const isCalledSo = isNamed(table, CELL_NAME) && !isNamed(table, NO_CELL_NAME)
-  if (isCalledSo && !mayBePoints) return true
-  // Integers under points that are written with decimals are no points if all of them are numbers of points.
-  if (mayBePoints && !isCalledSo && areAllIntegers(set.table)) return false
-  const width = widthOf(table)
-  if (width < 3) return isCalledSo
-  const isKnown = knownIds(set)
-  const { rows } = table
-  if (prefixedCells(rows.flat()) !== null) return true
-  const isNode = (row: readonly number[]) => row.every(isKnown) && areDistinct(row)
-  if (rows.length === EIGHT && width !== EIGHT && transposed(rows).every(isNode)) return true
-  return rows.every(row => isNode(row.slice(-Math.min(4, row.length))))
-}
-
-/** Sets of ids, made once however many tables are looked at. */
-const knownOf = new WeakMap<readonly number[], ReadonlySet<number>>()
-
-/** Whether a number may be that of a point: by the ids of the text, or counted from 0 or 1. */
-function knownIds({ ids, points }: PointSet): (id: number) => boolean {
-  if (ids === null) return id => id >= 0 && id <= points.length
-  const known = knownOf.get(ids) ?? new Set(ids)
-  knownOf.set(ids, known)
-  return id => known.has(id)
-}
-
-/** VTK's way: how many nodes, then these, for each cell. Null if the numbers are no such list. */
-function prefixedCells(values: readonly number[]): number[][] | null {
-  const cells: number[][] = []
-  let at = 0
-  while (at < values.length) {
-    const size = values[at] as number
-    if (!VTK_SIZES.has(size)) return null
-    cells.push(values.slice(at + 1, at + 1 + size))
-    at += size + 1
-  }
-  return at === values.length && cells.length > 0 && cells.every(areDistinct) ? cells : null
-}
-
-const VTK_SIZES = new Set([3, 4, 5, 6, 8, 10, 20, 27])
-
-/** Cells of one table: of eight nodes, or of others. */
-interface CellRows {
-  readonly table: NumberTable
-  readonly hexahedra: readonly (readonly number[])[]
-  readonly others: readonly (readonly number[])[]
-  readonly ids: readonly number[] | null
 }
 
 function addCells(set: PointSet, tables: readonly NumberTable[], builder: MeshBuilder): void {
@@ -442,70 +160,8 @@ function cutOff(builder: MeshBuilder): void {
 }
 
 const STRAIGHT = [0, 1, 2, 3, 4, 5, 6, 7]
+
 const VOXEL = [0, 1, 3, 2, 4, 5, 7, 6]
-
-/** The nodes of each cell, wherever they stand in the rows. */
-function cellRowsOf(table: NumberTable, set: PointSet, builder: MeshBuilder): CellRows {
-  const hexahedra = (rows: readonly (readonly number[])[], ids: readonly number[] | null = null): CellRows => ({
-    table,
-    hexahedra: rows,
-    others: [],
-    ids,
-  })
-  const width = widthOf(table)
-  const { rows } = table
-  const isList = rows.length === 1 && width > EIGHT
-  const flat = rows.flat()
-  const isFlat = isList && width % EIGHT === 0 && inRowsOf(flat, EIGHT).every(areDistinct)
-  const prefixed = prefixedCells(flat)
-  if (prefixed !== null && isFlat && isList)
-    return builder.refuse(
-      `${width} integers under the points may be cells of eight, or each cell after its number of nodes.`,
-    )
-  if (prefixed !== null) {
-    const others = prefixed.filter(row => row.length !== EIGHT)
-    return { table, hexahedra: prefixed.filter(row => row.length === EIGHT), others, ids: null }
-  }
-  if (width === EIGHT) return hexahedra(rows)
-  if (rows.length === EIGHT && transposed(rows).every(areDistinct)) return hexahedra(transposed(rows))
-  if (isFlat && isNamed(table, CELL_NAME)) return hexahedra(inRowsOf(flat, EIGHT))
-  if (width < EIGHT || width > WIDEST_ROW) return { table, hexahedra: [], others: rows, ids: null }
-  const from = nodesFrom(table, width, knownIds(set), builder)
-  const first = column(table, 0)
-  return hexahedra(
-    rows.map(row => row.slice(from, from + EIGHT)),
-    from > 0 && areDistinct(first) ? first : null,
-  )
-}
-
-/** Columns that a row of a cell may have: its id, type, tags and eight nodes. */
-const WIDEST_ROW = 14
-
-/** The column at which the eight nodes of a row begin. */
-function nodesFrom(table: NumberTable, width: number, isKnown: (id: number) => boolean, builder: MeshBuilder): number {
-  const last = width - EIGHT
-  const fits = (from: number) =>
-    table.rows.every(row => {
-      const eight = row.slice(from, from + EIGHT)
-      return eight.every(isKnown) && areDistinct(eight)
-    })
-  const possible = Array.from({ length: last + 1 }, (_, from) => from).filter(fits)
-  const [only] = possible
-  const isReference = table.rows.length > 1 && isConstant(column(table, width - 1))
-  if (possible.length === 1 && only !== undefined) return only
-  if (last === 1 && isReference && (possible.length === 0 || possible.includes(0))) return 0
-  const leading = Array.from({ length: last }, (_, c) => column(table, c))
-  const areTags = leading.every(values => isConstant(values) || areDistinct(values))
-  if (
-    areTags &&
-    !isReference &&
-    (possible.length === 0 ? last === 1 && isNamed(table, HEXAHEDRON_NAME) : possible.includes(last))
-  )
-    return last
-  return builder.refuse(
-    `under the points stands a table of ${width} integers a row, and which eight of them are the nodes of a cell is not clear.`,
-  )
-}
 
 /** Cells of other kinds: counted where their name says what they are; quadrilaterals are kept, for they may be a hexahedron's faces. */
 function addOthers(
@@ -540,26 +196,35 @@ function addOthers(
 function addFaces(faces: readonly (readonly number[])[], builder: MeshBuilder): void {
   if (faces.length === 0) return
   const cells =
-    builder.cellCount === 0 && faces.length % 6 === 0
-      ? inRowsOf(faces as never, 6).map(six => hexahedronOfFaces(six as never))
-      : []
+    builder.cellCount === 0 && faces.length % 6 === 0 ? inRowsOf(faces, 6).map(six => hexahedronOfFaces(six)) : []
   if (cells.length > 0 && cells.every(cell => cell !== null)) {
     for (const cell of cells) builder.hexahedron(cell)
     builder.note('The order of the points comes from the six faces of each hexahedron.')
   } else builder.otherCell('quadrilateral', faces.length)
 }
 
+/** What makes a list in some language, and names none. */
+const IS_LIST = /(?:^|\.)(?:array|matrix|list|vector)$/i
+
 /** How many elements were added. */
 function addEights(sets: readonly PointSet[], builder: MeshBuilder): number {
   let count = 0
-  for (const { points, labels, table } of sets) {
+  for (const { points: usual, labels, table } of sets) {
+    const other = likelierLayout(usual, table)
+    const points = other ?? usual
+    if (other !== null)
+      builder.note(
+        widthOf(table) === EIGHT
+          ? 'The three rows of eight were taken as eight points one after the other: as x, y and z they make no element.'
+          : 'The 24 numbers were taken as eight x, eight y and eight z: as eight points one after the other they make no element.',
+      )
     if (points.length < EIGHT || (points.length % EIGHT !== 0 && !table.isCut)) continue
     const whole = Math.floor(points.length / EIGHT)
     for (let i = 0; i < whole; i++) {
       const first = builder.pointCount
       for (const [x, y, z] of points.slice(EIGHT * i, EIGHT * (i + 1)))
         builder.point(x as number, y as number, z as number)
-      const name = table.names.at(-1)
+      const name = table.names.findLast(word => !IS_LIST.test(word))
       const label = labels?.[EIGHT * i] ?? (name === undefined ? null : whole === 1 ? name : `${name}, ${i}`)
       const index = STRAIGHT.map(v => first + v)
       builder.hexahedron(index, label !== null && /^\d{1,15}$/.test(label) ? Number(label) : label)

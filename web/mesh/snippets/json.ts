@@ -34,7 +34,7 @@ function search(whole: unknown): Found {
     const { value, names } = entry
     if (Array.isArray(value)) {
       const rows = rowsOf(value)
-      if (rows !== null) found.tables.push(tableOf(rows, names))
+      if (rows !== null) found.tables.push({ ...tableOf(rows, names), ids: idsOf(value) })
       else
         for (let i = value.length - 1; i >= 0; i--)
           if (typeof value[i] === 'object') waiting.push({ value: value[i], names })
@@ -44,6 +44,8 @@ function search(whole: unknown): Found {
           name: typeof value.name === 'string' ? value.name : (names.at(-1) ?? ''),
           vertices: value.vertices,
         })
+      else if (isNumbered(value))
+        found.tables.push({ ...tableOf(Object.values(value), names), ids: Object.keys(value).map(Number) })
       else {
         for (const [key, inner] of Object.entries(value).reverse())
           if (typeof inner === 'object') waiting.push({ value: inner, names: [...names.slice(-6), key] })
@@ -61,15 +63,15 @@ interface Own {
 /** An object whose `vertices` are those of one element, with nothing in it that names them. */
 function isOwn(value: object): value is Own {
   if (!('vertices' in value) || !Array.isArray(value.vertices)) return false
-  const others = Object.entries(value).filter(([key, inner]) => key !== 'vertices' && Array.isArray(inner))
   const isSmall = value.vertices.length <= 8 || value.vertices.length === 24
-  return (
-    isSmall &&
-    others.every(
-      ([, inner]) =>
-        !/cell|elem|face|conn|hex|index|indic/i.test(JSON.stringify(Object.keys(value))) || inner === value.vertices,
-    )
-  )
+  return isSmall && !Object.entries(value).some(([key, inner]) => CELLS.test(key) && mayBeCells(inner))
+}
+
+const CELLS = /cell|elem|face|conn|hex|index|indic/i
+
+/** Eight whole numbers, in lists of lists or not. */
+function mayBeCells(value: unknown): boolean {
+  return Array.isArray(value) && value.flat().filter(Number.isInteger).length >= 8
 }
 
 /** Rows of numbers at any depth of lists; objects with x, y and z are rows as well. */
@@ -86,13 +88,45 @@ function rowsOf(list: readonly unknown[]): number[][] | null {
     ) {
       for (const row of entry as number[][]) rows.push(row)
     } else if (isPoint(entry)) rows.push([entry.x, entry.y, entry.z])
-    else return null
+    else {
+      const nodes = nodesOf(entry)
+      if (nodes === null) return null
+      rows.push(nodes)
+    }
   }
   return rows
 }
 
 function isNumber(value: unknown): value is number {
   return typeof value === 'number'
+}
+
+/** An object whose keys are numbers of points or cells: {"1": [0, 0, 0], "2": [1, 0, 0]}. */
+function isNumbered(value: object): value is Record<string, number[]> {
+  const entries = Object.entries(value)
+  return (
+    entries.length > 0 &&
+    entries.every(([key, row]) => /^\d{1,15}$/.test(key) && Array.isArray(row) && row.length > 0 && row.every(isNumber))
+  )
+}
+
+/** The ids of a list of objects, null where not every one has its own. */
+function idsOf(list: readonly unknown[]): number[] | null {
+  const ids = list.map(entry =>
+    typeof entry === 'object' && entry !== null && 'id' in entry ? Number(entry.id) : Number.NaN,
+  )
+  return ids.every(id => Number.isInteger(id)) && new Set(ids).size === ids.length ? ids : null
+}
+
+/** The nodes of an object that is a cell: the only list in it, of integers. */
+function nodesOf(value: unknown): number[] | null {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) return null
+  const [nodes, ...others] = Object.entries(value).filter(([, inner]) => Array.isArray(inner))
+  if (nodes === undefined || others.length > 0 || !/node|conn|vert|ids/i.test(nodes[0])) return null
+  const list = nodes[1] as unknown[]
+  // The 24 coordinates of an element, as `analyze` reads them, are no nodes, even where all are whole numbers.
+  if (nodes[0] === 'vertices' && list.length === 24) return null
+  return list.length > 3 && list.every(Number.isInteger) ? (list as number[]) : null
 }
 
 function isPoint(value: unknown): value is { x: number; y: number; z: number } {
@@ -135,7 +169,8 @@ function ownElements({ own }: Found, fileName: string): Mesh | null {
 }
 
 function pointsOf(vertices: unknown): number[][] | null {
-  const rows = Array.isArray(vertices) ? rowsOf(vertices) : null
+  // JSON has no -0, which the state of an element therefore writes as a text.
+  const rows = Array.isArray(vertices) ? rowsOf(vertices.map(value => (value === '-0' ? -0 : value))) : null
   if (rows === null) return null
   if (rows.length === 1 && rows[0]?.length === 24) return inRowsOf(rows[0], 3)
   if (rows.length === 8 && rows.every(row => row.length === 3)) return rows

@@ -2,7 +2,10 @@
  * Numbers on lines that are written alike: tables, logs, CSV, LaTeX, what programs print of an element's points. Lines that differ in
  * their numbers alone belong together, wherever they stand in the text.
  */
+
 import type { NumberTable } from './number-table'
+import { titledColumns } from './point-set'
+import { NO_POINT_NAME } from './table-names'
 import { isWordCharacter, Tokens } from './tokens'
 
 /** Dates and times are no coordinates. */
@@ -23,6 +26,13 @@ const POINT_WORD = /node|vert|point|pt|grid|corner|^id$|^p$|^v$|^n$/i
 
 /** A comma behind a number at the end of a line, or Nastran's mark for the next one. */
 const GOES_ON = /\d\s{0,9},\s{0,9}(?:\+\w{0,7})?\s{0,9}$/
+
+/** Marks between the numbers of a run: of CSV, tables, LaTeX, box drawing. */
+const BETWEEN = ',;|&"$│┃║，、'
+/** Units of length behind each number. */
+const UNIT = /^(?:[cmkµn]?m|inch|ft)$/
+/** What ends all lines of a list but the last, or the last alone. */
+const END_MARKS = /[\\)\]}/.'│┃║]+$/
 
 const COMMA = 44
 
@@ -136,11 +146,13 @@ export function tablesOfLines(text: string): TextLines {
       continue
     }
     if (element !== undefined) label = element
-    const all = (read.runs.length > 1 && read.runs.length % 8 === 0) || read.runs.length > MOST_PLACES
+    const long = read.runs.filter(({ values }) => values.length >= 3).length
+    const all = (long > 1 && long % 8 === 0) || long > MOST_PLACES
     for (const [i, run] of read.runs.entries()) {
       if (run.values.length === 3 || run.values.length === 4) points++
       if (run.values.length < 3) continue
-      const key = `${cuts} ${run.values.length} ${all ? '' : i} ${read.skeleton}`
+      const title = isNoPointTitle(heading) ? heading.join(' ') : ''
+      const key = `${cuts} ${run.values.length} ${all ? '' : i} ${read.skeleton} ${title}`
       let group = groups.get(key)
       if (group === undefined) {
         const titles = read.runs.length === 1 ? headerOf(before, run.values.length) : null
@@ -209,10 +221,17 @@ function mixture(groups: readonly Group[], mentions: readonly Mention[]): string
   return null
 }
 
+/** Under "Jacobian:" and its kin stand no points, however they are written. */
+function isNoPointTitle(heading: readonly string[]): boolean {
+  return heading.some(word => NO_POINT_NAME.test(word))
+}
+
 function headerOf(line: Line | null, count: number): readonly string[] | null {
   if (line === null || line.runs.some(({ values }) => values.length > 2)) return null
   const titles = line.words
-  return titles.length === count ? titles : null
+  if (titles.length === count) return titles
+  // The rows' numbers, which stand before them without a title.
+  return titles.length === count - 1 && titledColumns(titles) !== null ? ['#', ...titles] : null
 }
 
 function* linesOf(text: string): Generator<{ readonly raw: string; readonly number: number }> {
@@ -261,8 +280,7 @@ function readLine(raw: string, number: number): Line {
       word = token
       if (/^[xyz]\d?$/i.test(token)) axes.push(token[0] as string)
     }
-    const isBetween =
-      kind === 'mark' && (token === ',' || token === ';' || token === '|' || token === '&' || token === '"')
+    const isBetween = kind === 'word' ? isOpen && UNIT.test(token) : BETWEEN.includes(token)
     if (!isBetween) {
       isOpen = false
       if (skeleton.length < LONGEST_SKELETON) skeleton += kind === 'word' ? ` ${token.replace(/\d+/g, '#')}` : token
@@ -272,7 +290,7 @@ function readLine(raw: string, number: number): Line {
   return {
     number,
     runs: labelled ?? runs,
-    skeleton: labelled === null ? skeleton : skeleton.replace(/#/g, ''),
+    skeleton: (labelled === null ? skeleton : skeleton.replace(/#/g, '')).replace(END_MARKS, ''),
     words: wordsOf(raw),
     digits,
     isOpen: GOES_ON.test(raw.slice(-30)),

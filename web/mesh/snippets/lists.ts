@@ -1,12 +1,14 @@
 /**
  * Lists of numbers in brackets, as languages write and print them: Python, NumPy, C, JavaScript, Julia, MATLAB, R, Mathematica; and lists
- * without brackets behind a name. The brackets are a stack, so depth costs memory alone; each list is handed on once.
+ * without brackets behind a name. The brackets are a stack; each list is handed on once.
  */
 import type { NumberTable } from './number-table'
 import { inRowsOf, transposed } from './number-table'
 import { Tokens } from './tokens'
 
 const [OPENING, CLOSING] = ['([{', ')]}']
+/** Lists of numbers are not nested as deep; brackets that are count for nothing. */
+const DEEPEST = 100
 /** Characters behind a list in which a change of its shape is looked for. */
 const BEHIND = 160
 
@@ -17,6 +19,8 @@ class List {
   readonly breaks: number[] = []
   hasCommas = false
   hasSemicolons = false
+  /** Whether its numbers follow C++'s <<. */
+  isStreamed = false
   /** Whether words or strings stand in it. */
   isMixed = false
   areIntegers = true
@@ -28,13 +32,16 @@ class List {
   pending = ''
   /** Behind its closing bracket. */
   end = 0
+  readonly depth: number
   constructor(
     readonly opener: string,
     readonly callee: string,
     readonly names: readonly string[],
     readonly from: number,
     readonly parent: List | null,
-  ) {}
+  ) {
+    this.depth = parent === null ? 0 : parent.depth + 1
+  }
 }
 
 /** The tables that the lists of a text are, in its order. */
@@ -56,16 +63,22 @@ class ListReader {
   #isLineStart = true
   /** Behind a name and "=": numbers may follow without brackets. */
   #isAssigned = false
+  #isStreamed = false
   /** Whether the last word was a string. */
   #isString = false
   #promptWord = ''
   #hasNoCommentEnd = false
+  /** How many brackets are open that are too deep for a list. */
+  #deeper = 0
   readonly #hasPrompts: boolean
+  /** Whether Eigen's matrices in it have three rows. */
+  readonly #hasThreeRows: boolean
 
   constructor(text: string) {
     this.#text = text
     this.#tokens = new Tokens(text, 0, true)
     this.#hasPrompts = text.includes('>>>')
+    this.#hasThreeRows = /\bMatrix(?:<\s?\w+\s?,\s?3\s?,\s?(?!3\b)|3X[df]\b)/.test(text.slice(0, 20_000))
     this.#isOneBased =
       /\b(?:Float64|Matrix\{|julia|msh\.|using Ferrite)|^[ \t]*\w{1,60}[ \t]*=[ \t]*\[[^[\]\n]{0,200};/m.test(
         text.slice(0, 20_000),
@@ -167,10 +180,12 @@ class ListReader {
       if (text[at + 1] === ':') return
       list.pending = list.lastWord
       this.#isAssigned = list.parent === null && list.pending !== ''
+      this.#isStreamed = false
     } else if (mark === '<' && text[at + 1] === '<') {
       this.#tokens.to = at + 2
       list.pending = list.lastWord
       this.#isAssigned = list.parent === null
+      this.#isStreamed = true
     } else if (mark === '>' && text.startsWith('>>>', at)) {
       this.#tokens.to = at + 3
       this.#endPlain()
@@ -184,8 +199,15 @@ class ListReader {
       this.#open(mark, this.#wordEnd === at ? this.#word : '')
     } else if (CLOSING.includes(mark)) {
       this.#endPlain()
-      if (this.#list.parent !== null) this.#close(at + 1)
-    } else if (mark === '|' || mark === '&' || mark === '\\') list.isMixed = list.parent !== null
+      if (this.#deeper > 0) this.#deeper--
+      else if (this.#list.parent !== null) this.#close(at + 1)
+    } else if (mark === '&' && this.#isFortranEnd(at)) this.#isLineStart = false
+    else if (mark === '|' || mark === '&' || mark === '\\') list.isMixed = list.parent !== null
+  }
+
+  /** Fortran's mark for a line that goes on, at its end or at the beginning of the next one. */
+  #isFortranEnd(at: number): boolean {
+    return this.#isLineStart || /^&[ \t]*(?:\n|$|![^\n]{0,200}\n)/.test(this.#text.slice(at, at + BEHIND))
   }
 
   /** ">>> mesh.points": what is printed below has this name. */
@@ -229,6 +251,11 @@ class ListReader {
 
   #open(opener: string, callee: string): void {
     const parent = this.#list
+    if (parent.depth === DEEPEST) {
+      parent.isMixed = true
+      this.#deeper++
+      return
+    }
     const own = parent.pending || (parent.parent === null ? this.#promptWord : '') || (callee ? '' : parent.lastWord)
     const isNew = own !== '' && own !== parent.names.at(-1)
     this.#list = new List(
@@ -238,6 +265,7 @@ class ListReader {
       this.#tokens.from,
       parent,
     )
+    this.#list.isStreamed = opener === '=' && this.#isStreamed
     this.#isAssigned = false
   }
 
@@ -284,7 +312,8 @@ class ListReader {
 
   #hand(list: List): void {
     const { rows, isCut, areIntegers, digits } = rowsOf(list)
-    if (rows.length === 0) return
+    // One number is neither a point nor a cell.
+    if (rows.length === 0 || (rows.length === 1 && (rows[0] as readonly number[]).length < 2)) return
     const shaped = this.#shaped(rows, list)
     const width = shaped.reduce((most, row) => Math.max(most, row.length), 0)
     this.#tables.push({
@@ -302,8 +331,14 @@ class ListReader {
 
   /** A list of 24 that the code around it makes a matrix of: row by row, or column by column. */
   #shaped(rows: number[][], list: List): number[][] {
+    const [values, shape] = rows as [number[], number[]?]
+    if (rows.length === 2 && shape?.length === 2 && (shape[0] as number) * (shape[1] as number) === values.length) {
+      // NumPy's function goes by rows, that of Fortran by columns.
+      const isByRows = /\.reshape$/.test(list.callee)
+      return shape[isByRows ? 0 : 1] === 3 ? inRowsOf(values, values.length / 3) : [values]
+    }
     if (rows.length !== 1) return rows
-    const [values] = rows as [number[]]
+    if (list.isStreamed && this.#hasThreeRows) return inRowsOf(values, values.length / 3)
     const behind = this.#text.slice(list.end, list.end + BEHIND)
     const method = /^[^\n]{0,60}?\.reshape\s*\(\s*[([]?\s*(-?\d{1,9})\s*,\s*(-?\d{1,9})([^\n]{0,40})/.exec(behind)
     if (method !== null) {
@@ -313,6 +348,8 @@ class ListReader {
       return rows
     }
     const callee = list.parent?.callee ?? ''
+    // NumPy's function goes by rows, those of Julia, MATLAB and Fortran go by columns.
+    if (/\.reshape$/.test(callee) && /^[^\d\n]{0,20}3\s*,/.test(behind)) return inRowsOf(values, values.length / 3)
     if (callee === 'reshape' || callee === 'matrix') {
       const around = `${this.#text.slice(Math.max(list.from - 40, list.parent?.from ?? 0), list.from)} ${behind}`
       const isByRows = /byrow\s*=\s*T/.test(around)
@@ -339,7 +376,7 @@ function rowsOf(list: List): { rows: number[][]; isCut: boolean; areIntegers: bo
     const { list: inner } = top
     if (inner.lists.length === 0) {
       const values = inner.cutAt === null ? inner.values : inner.values.slice(0, inner.cutAt.values)
-      const parts = splitAt(values, inner.breaks)
+      const parts = isBrokenWhereFull(inner) ? [values] : splitAt(values, inner.breaks)
       // A row that was left in the middle is no row.
       if (inner.cutAt !== null && inner.parent?.opener !== '' && parts.length > 0 && inner.opener !== '=') parts.pop()
       for (const part of parts) rows.push(part)
@@ -364,4 +401,13 @@ function splitAt(values: number[], breaks: readonly number[]): number[][] {
     from = Math.max(from, to)
   }
   return rows
+}
+
+/** Whether a list, as NumPy prints it, has new lines where one was full: a matrix would have rows of other lengths. */
+function isBrokenWhereFull({ values, breaks, areIntegers, hasSemicolons }: List): boolean {
+  const [width = 0] = breaks
+  if (width === 0 || hasSemicolons || values.length % 24 > 0) return false
+  const rows = Math.ceil(values.length / width)
+  const isEven = breaks.every((end, i) => end === width * (i + 1)) && values.length === width * rows
+  return !isEven || (!areIntegers && width > 5 && width !== 8 && width % 24 > 1)
 }

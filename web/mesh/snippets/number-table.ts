@@ -52,6 +52,6 @@ export function transposed(rows: readonly (readonly number[])[]): number[][] {
 }
 
 /** One long list cut into rows. */
-export function inRowsOf(values: readonly number[], width: number): number[][] {
+export function inRowsOf<T>(values: readonly T[], width: number): T[][] {
   return Array.from({ length: Math.floor(values.length / width) }, (_, i) => values.slice(width * i, width * (i + 1)))
 }

@@ -4,6 +4,7 @@
  */
 import type { Mesh } from '../mesh'
 import { MeshBuilder } from '../mesh-builder'
+import { orderOfText } from '../snippet-text'
 import type { MeshFile, ReadOptions } from '../source'
 import { TextCursor } from '../text-cursor'
 
@@ -53,6 +54,6 @@ export function meshOfNumbers(file: MeshFile, { onProgress, throwIfCancelled }: 
     builder.refuse(`${count} numbers were found; elements of 24 each need a multiple of 24.`)
   for (let first = 0; first < count / 3; first += 8) builder.hexahedron([0, 1, 2, 3, 4, 5, 6, 7].map(v => first + v))
   builder.isOrderStated = false
-  builder.note('The text names no cells: its points are taken in their order, eight for each element.')
+  builder.note(orderOfText(builder.cellCount))
   return builder.mesh()
 }

@@ -2,18 +2,24 @@
  * A pasted text cut into numbers, words, strings and marks, in one pass: each character is looked at a bounded number of times, however
  * the text is made.
  */
+import { asDouble } from '../../model/decimal'
 
 export type TokenKind = 'number' | 'word' | 'string' | 'mark' | 'line' | 'end'
 
 /**
- * A decimal number, an exponent in E, D or Q, C's suffixes and hexadecimal floats; or what programs print for what is none. What follows
- * must not go on as a word. It is tried once a word, and a word it fails on is passed over whole.
+ * A decimal number, an exponent in E, D, Q or Mathematica's *^, the suffixes of C, Rust and Fortran, and hexadecimal floats; or what programs
+ * print for what is none. What follows must not go on as a word. It is tried once a word, and a word it fails on is passed over whole.
  */
 const NUMBER =
-  /[-+−]?(?:0[xX][\da-fA-F]+(?:\.[\da-fA-F]*)?[pP][-+]?\d+|(?:\d+(?:\.\d*)?|\.\d+)(?:[eEdDqQ][-+]?\d+)?|(?:[nN]a[nN]|NAN|inf|Inf|INF|Infinity|infinity)(?![.\w]))[fFlL]?(?!\w|\.\d)/y
+  /[-+−–]?(?:0[xX][\da-fA-F]+(?:\.[\da-fA-F]*)?[pP][-+]?\d+|(?:\d+(?:\.\d*)?|\.\d+)(?:(?:[eEdDqQ]|\*\^)[-+]?\d+)?|(?:[nN]a[nN]|NAN|inf|Inf|INF|Infinity|infinity)(?![.\w]))(?:[fFlL]|_?[fi](?:32|64)|_(?:[A-Za-z]\w{0,9}|4|8|16))?(?!\w|\.\d)/y
+const SUFFIX = /(?:_\w+|[fi](?:32|64)|[fl])$/
 const HEXADECIMAL = /^([-+]?)0x([\da-f]+)\.?([\da-f]*)p([-+]?\d+)$/
 
-const [LF, QUOTE, APOSTROPHE, MINUS, PLUS, DOT, TRUE_MINUS] = [10, 34, 39, 45, 43, 46, 0x2212] as const
+/** Digits: zeros beyond those of a double are no matter. */
+const LONGEST_HEXADECIMAL = 40
+
+const [LF, QUOTE, APOSTROPHE, ASTERISK, MINUS, PLUS, DOT] = [10, 34, 39, 42, 45, 43, 46] as const
+const [TRUE_MINUS, DASH] = [0x2212, 0x2013] as const
 
 export class Tokens {
   readonly text: string
@@ -59,7 +65,7 @@ export class Tokens {
     const code = text.charCodeAt(at)
     this.to = at + 1
     if (code === LF) return 'line'
-    const isSign = code === MINUS || code === PLUS || code === TRUE_MINUS
+    const isSign = code === MINUS || code === PLUS || code === TRUE_MINUS || code === DASH
     const before = at > 0 ? text.charCodeAt(at - 1) : LF
     const mayBegin = isSign ? !isLetter(before) : isWordCharacter(code) || (code === DOT && !isWordCharacter(before))
     if (mayBegin && before !== DOT && this.#number(at)) return 'number'
@@ -92,7 +98,8 @@ export class Tokens {
 }
 
 export function isBlank(code: number): boolean {
-  return code !== LF && (code <= 32 || code === 0xa0 || code === 0x2007 || code === 0x202f || code === 0x200b)
+  if (code <= 32) return code !== LF
+  return code === 0xa0 || (code >= 0x2000 && code <= 0x200b) || code === 0x202f || code === 0x3000 || code === 0xfeff
 }
 
 function isLetter(code: number): boolean {
@@ -116,15 +123,20 @@ function endOfString(text: string, at: number, quote: number): number {
 function doubleOf(found: string): number {
   const quick = Number(found)
   if (!Number.isNaN(quick)) return quick
-  const plain = found.replace('−', '-').toLowerCase()
+  const plain = found.replace(/^[−–]/, '-').toLowerCase()
   if (plain.includes('nan')) return Number.NaN
   if (plain.includes('inf')) return plain.startsWith('-') ? -Infinity : Infinity
-  if (!plain.includes('x')) return Number(plain.replace(/[fl]$/, '').replace(/[dq]/, 'e'))
+  if (!plain.includes('x')) return Number(plain.replace(SUFFIX, '').replace(/[dq]|\*\^/, 'e'))
   const [, sign = '', whole = '', fraction = '', power = ''] = HEXADECIMAL.exec(plain.replace(/[fl]$/, '')) ?? []
-  // Digits beyond the doubles' 53 bits would be rounded twice.
-  if (`${whole}${fraction}`.replace(/^0+/, '').length > 13) return Number.NaN
-  const value = Number(`0x${whole}${fraction}`) * 2 ** (Number(power) - 4 * fraction.length)
-  return sign === '-' ? -value : value
+  return doubleOfHexadecimal(sign, `${whole}${fraction}`, Number(power) - 4 * fraction.length)
+}
+
+/** NaN for what is no double: nothing is rounded that was written bit for bit. */
+function doubleOfHexadecimal(sign: string, digits: string, exponent: number): number {
+  const integer = BigInt(`0x${digits === '' ? '0' : digits.slice(0, LONGEST_HEXADECIMAL)}`)
+  const mantissa = Number(integer)
+  if (digits.length > LONGEST_HEXADECIMAL || BigInt(mantissa) !== integer) return Number.NaN
+  return asDouble(sign === '-' ? -mantissa : mantissa, exponent) ?? Number.NaN
 }
 
 function isInteger(found: string): boolean {
@@ -141,7 +153,7 @@ function significantDigits(found: string): number {
     const code = found.charCodeAt(i)
     if (code >= 48 && code <= 57) {
       if (code !== 48 || digits > 0) digits++
-    } else if (isLetter(code)) break
+    } else if (isLetter(code) || code === ASTERISK) break
   }
   return digits
 }

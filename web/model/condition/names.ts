@@ -1,4 +1,4 @@
-/** What a condition can speak of; web/content/quantities.ts says in words what each is. */
+/** What a condition can speak of; web/core/quantities.ts says in words what each is. */
 
 /** True or false. */
 export const CLAIMS = ['valid'] as const

@@ -1,0 +1,123 @@
+/** Reads one mutation and says what is wrong with what comes out. */
+
+import { readFileSync } from 'node:fs'
+import { gunzipSync } from 'node:zlib'
+import { MeshRefusal } from '../../web/mesh/mesh'
+import { readMeshes } from '../../web/mesh/read-mesh'
+import type { MeshFile } from '../../web/mesh/source'
+import { allocations } from './allocations'
+import { corpus } from './corpus'
+import { type Mutation, mutationOf } from './mutations'
+import { faultOfMesh, faultOfSentence } from './well-formed'
+
+export interface Reading {
+  readonly number: number
+  readonly mutation: Mutation
+  readonly outcome: 'mesh' | 'sentence'
+  /** What is wrong, null if nothing is. */
+  readonly fault: string | null
+  readonly milliseconds: number
+  /** How many times its size, or 4 kB for a small one, was read of the file. */
+  readonly timesRead: number
+}
+
+const MOST_MILLISECONDS = 2000
+/** Recognizing, quotation, headers and body, and sections that are gone back to. */
+const MOST_TIMES_READ = 16
+/** What is slow is tried again: memory may have been cleaned up in that time. */
+const TRIES = 3
+const MEGABYTE = 1024 * 1024
+
+export function reading(seed: number, number: number): Reading {
+  const mutation = mutationOf(seed, number)
+  let result = once(mutation)
+  for (let left = TRIES - 1; left > 0 && result.milliseconds > MOST_MILLISECONDS; --left) {
+    const again = once(mutation)
+    if (again.milliseconds < result.milliseconds) result = again
+  }
+  if (result.timesRead > MOST_TIMES_READ) result = { ...result, fault: `it is read ${result.timesRead} times over` }
+  if (result.fault !== null || result.milliseconds <= MOST_MILLISECONDS) return result
+  return { ...result, fault: `it takes ${Math.round(result.milliseconds)} ms` }
+}
+
+function once(mutation: Mutation): Reading {
+  return { number: mutation.number, mutation, ...ended(mutation.name, mutation.bytes) }
+}
+
+export type Ended = Pick<Reading, 'outcome' | 'fault' | 'milliseconds' | 'timesRead'>
+
+/** How reading these bytes ends. */
+export function ended(name: string, bytes: Uint8Array): Ended {
+  let read = 0
+  const file: MeshFile = {
+    name,
+    size: bytes.length,
+    read(from, to) {
+      if (!(from >= 0 && from <= to && to <= bytes.length)) throw new Error(`read(${from}, ${to}) of ${bytes.length}`)
+      read += to - from
+      return bytes.slice(from, to)
+    },
+  }
+  let beside = 0
+  const find = (wanted: string): MeshFile | null => {
+    const found = corpus.find(other => other.name === wanted.replace(/^.*[\\/]/, ''))
+    if (found === undefined) return null
+    beside += found.bytes.length
+    return { name: found.name, size: found.bytes.length, read: (from, to) => found.bytes.slice(from, to) }
+  }
+  allocations.largest = 0
+  allocations.sum = 0
+  const start = millisecondsOfThread()
+  let outcome: Reading['outcome'] = 'mesh'
+  let fault: string | null = null
+  let made = 0
+  let milliseconds = 0
+  try {
+    const meshes = readMeshes(file, { find })
+    milliseconds = millisecondsOfThread() - start
+    if (meshes.length === 0) fault = 'no mesh and no sentence'
+    for (const mesh of meshes) {
+      made += mesh.points.byteLength + mesh.cells.byteLength + mesh.notTrilinear.corners.byteLength
+      fault ??= faultOfMesh(mesh, bytes)
+    }
+  } catch (error) {
+    milliseconds = millisecondsOfThread() - start
+    outcome = 'sentence'
+    if (!(error instanceof MeshRefusal)) fault = (error as Error).stack ?? String(error)
+    else {
+      const problem = faultOfSentence(error.message)
+      if (problem !== null) fault = `“${error.message}”: ${problem}`
+      else if (!namesFile(error.message, name)) fault = `“${error.message}”: the file is not named`
+    }
+  }
+  const size = Math.max(bytes.length + beside, unpackedSize(bytes))
+  // A packed file may have as much again as it states.
+  const allowed = 64 * MEGABYTE + (bytes[0] === 0x1f ? 32 : 8) * size + made
+  if (allocations.largest > allowed)
+    fault ??= `it allocates ${allocations.largest} bytes at once, ${allowed} are allowed`
+  if (allocations.sum > 4 * allowed) fault ??= `it allocates ${allocations.sum} bytes, ${4 * allowed} are allowed`
+  return { outcome, fault, milliseconds, timesRead: read / Math.max(bytes.length, 4096) }
+}
+
+/** On the processor, where Linux says it: a busy machine slows no file down. Elsewhere by the clock. */
+function millisecondsOfThread(): number {
+  try {
+    return Number(readFileSync('/proc/thread-self/schedstat', 'utf8').split(' ')[0]) / 1e6
+  } catch {
+    return performance.now()
+  }
+}
+
+function namesFile(message: string, name: string): boolean {
+  const plain = name.replace(/[\p{Cc}\p{Cf}\u2028\u2029]/gu, '').replace(/\.gz$/i, '')
+  return message.includes(plain.slice(0, 50)) || corpus.some(other => message.startsWith(other.name))
+}
+
+function unpackedSize(bytes: Uint8Array): number {
+  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return 0
+  try {
+    return gunzipSync(bytes, { maxOutputLength: 256 * MEGABYTE }).length
+  } catch {
+    return 0
+  }
+}

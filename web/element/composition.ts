@@ -1,0 +1,12 @@
+/** What an element is made of. */
+import type { CoreSources } from '../core/start-core'
+import type { ReadingWorker } from '../input/read-input'
+import type { Panel } from '../panels/panel'
+
+export interface Composition {
+  readonly core: CoreSources
+  readonly panels: readonly Panel[]
+  readonly readingWorker: () => Promise<ReadingWorker>
+  /** Names in the attribute `views` that mean panels of other builds. */
+  readonly otherPanels?: readonly string[]
+}

@@ -1,0 +1,37 @@
+/** What has become of the last input, for views. */
+
+import type { CheckedCells } from '../mesh/checked-cells'
+import type { Vertices } from '../model/hexahedron'
+import type { NodeOrder } from '../model/node-orders'
+import type { ReadingStep, ReadSummary } from './messages'
+import type { PastedInput } from './pasted-input'
+
+export type Reading =
+  | { readonly state: 'under-way'; readonly name: string; readonly step: ReadingStep; readonly part: number }
+  | { readonly state: 'refused'; readonly message: string }
+  | ReadCells
+
+export interface ReadCells {
+  readonly state: 'read'
+  readonly summary: ReadSummary
+  /** At least one. */
+  readonly cells: CheckedCells
+  /** The cell that an element is, by the very list of its vertices; null for one that was not read or has been changed. */
+  cellOf(vertices: Vertices): ShownCell | null
+}
+
+export interface ShownCell {
+  readonly cell: number
+  readonly id: string
+  /** The order whose button was pressed: the vertices are in it. */
+  readonly order: NodeOrder | null
+}
+
+/** What views may ask for. */
+export interface InputHost {
+  read(input: PastedInput): void
+  /** Ends what is under way, or puts away what was read. */
+  close(): void
+  /** Makes a cell the element, as one step to undo; with `order`, in that order of its nodes. */
+  show(cell: number, order?: NodeOrder): void
+}

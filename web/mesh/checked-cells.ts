@@ -1,0 +1,141 @@
+/** The cells of a checked mesh as a list, worst first, for whoever shows them: all of them, each answered when it is asked for. */
+
+import type { Vertices } from '../model/hexahedron'
+import { type NodeOrder, nodeOrders } from '../model/node-orders'
+import type { Mesh } from './mesh'
+import type { Standing } from './mesh-check'
+import { shown } from './shown'
+import { verticesOf } from './vertices-of'
+
+export const STANDINGS: readonly Standing[] = ['valid', 'invalid', 'unanswered', 'degenerate']
+
+/** Names one after the other in UTF-8; name i ends where `ends[i]` says. */
+export interface PackedNames {
+  readonly bytes: Uint8Array<ArrayBuffer>
+  readonly ends: Uint32Array<ArrayBuffer>
+}
+
+/** What a worker hands over without copying. */
+export interface CheckedColumns extends Pick<Mesh, 'points' | 'cells' | 'isOrderStated'> {
+  readonly ids: Float64Array | PackedNames | null
+  readonly blockNames: readonly string[]
+  readonly blocks: Uint32Array | null
+  /** Places in STANDINGS. */
+  readonly standings: Uint8Array
+  readonly relativeMinima: Float64Array
+  /** Cells, worst first: all of them. */
+  readonly worst: Uint32Array
+  /** Ids of node orders in which cells are valid whose own is not stated. */
+  readonly openOrders: ReadonlyMap<number, string>
+}
+
+export interface ListedCell {
+  /** Counted from 0 in the file's order. */
+  readonly cell: number
+  /** What the file calls it, or the cell's index where it has no ids; safe to show. */
+  readonly id: string
+  readonly block: string | null
+  readonly standing: Standing
+  /** NaN where the volume is 0, or there is no answer. */
+  readonly relativeMinimum: number
+  /** Why there is no answer; null where there is one. */
+  readonly why: string | null
+}
+
+export class CheckedCells {
+  readonly #columns: CheckedColumns
+
+  constructor(columns: CheckedColumns) {
+    this.#columns = columns
+  }
+
+  get count(): number {
+    return this.#columns.worst.length
+  }
+
+  get hasIds(): boolean {
+    return this.#columns.ids !== null
+  }
+
+  get hasBlocks(): boolean {
+    return this.#columns.blockNames.length > 0
+  }
+
+  get isOrderStated(): boolean {
+    return this.#columns.isOrderStated
+  }
+
+  /** By its place in the list, from 0, the worst. */
+  at(place: number): ListedCell {
+    const { blocks, blockNames, standings, relativeMinima, worst } = this.#columns
+    const cell = worst[place] as number
+    return {
+      cell,
+      id: shown(this.#idOf(cell)).slice(1, -1),
+      block: blockNames[blocks?.[cell] ?? blockNames.length] ?? null,
+      standing: STANDINGS[standings[cell] as number] as Standing,
+      relativeMinimum: relativeMinima[cell] as number,
+      why: this.#whyUnanswered(cell),
+    }
+  }
+
+  placeOf(cell: number): number {
+    return this.#columns.worst.indexOf(cell)
+  }
+
+  /** The next cell after `after` that the file calls so, from the first again behind the last; null if there is none. */
+  find(id: string, after = -1): number | null {
+    const { ids } = this.#columns
+    const count = this.count
+    const isIt =
+      ids === null
+        ? (cell: number) => String(cell) === id
+        : ids instanceof Float64Array
+          ? isNumber(ids, Number(id === '' ? Number.NaN : id))
+          : isName(ids, new TextEncoder().encode(id))
+    for (let step = 1; step <= count; ++step) {
+      const cell = (after + step) % count
+      if (isIt(cell)) return cell
+    }
+    return null
+  }
+
+  /** 24 coordinates; null where one is not finite. */
+  verticesOf(cell: number): Vertices | null {
+    const vertices = verticesOf(this.#columns, cell)
+    return vertices.every(Number.isFinite) ? vertices : null
+  }
+
+  /** The order in which the cell is valid, where its own is not stated and it is not valid in that of the text. */
+  openOrderOf(cell: number): NodeOrder | null {
+    const id = this.#columns.openOrders.get(cell)
+    return nodeOrders.find(order => order.id === id) ?? null
+  }
+
+  #idOf(cell: number): string {
+    const { ids } = this.#columns
+    if (ids === null) return String(cell)
+    if (ids instanceof Float64Array) return String(ids[cell])
+    return new TextDecoder().decode(ids.bytes.subarray(cell === 0 ? 0 : ids.ends[cell - 1], ids.ends[cell]))
+  }
+
+  #whyUnanswered(cell: number): string | null {
+    if (STANDINGS[this.#columns.standings[cell] as number] !== 'unanswered') return null
+    const order = this.openOrderOf(cell)
+    if (order) return `order not stated; valid in the order “${order.name}”`
+    const vertices = verticesOf(this.#columns, cell)
+    const bad = vertices.findIndex(value => !Number.isFinite(value))
+    return bad < 0 ? 'not answered' : `vertex ${Math.floor(bad / 3)} ${'xyz'[bad % 3]} is ${vertices[bad]}`
+  }
+}
+
+function isNumber(ids: Float64Array, wanted: number): (cell: number) => boolean {
+  return cell => ids[cell] === wanted
+}
+
+function isName({ bytes, ends }: PackedNames, wanted: Uint8Array): (cell: number) => boolean {
+  return cell => {
+    const from = cell === 0 ? 0 : (ends[cell - 1] as number)
+    return (ends[cell] as number) - from === wanted.length && wanted.every((byte, i) => bytes[from + i] === byte)
+  }
+}

@@ -1,0 +1,32 @@
+/** What the readers of Abaqus's keywords have in common: where they are, and what the lines under a keyword are for. */
+import type { PrintedDigits } from '../precision'
+import { shown } from '../text-cursor'
+import type { Keyword } from './abaqus-keyword'
+import type { AbaqusPart } from './abaqus-part'
+import type { Frame } from './movement'
+import type { TextLines } from './text-lines'
+
+export interface Reading {
+  /** Those of the file that is being read: one that is included has its own. */
+  lines: TextLines
+  keyword: Keyword
+  part: AbaqusPart
+  /** That of *SYSTEM, in which nodes are given. */
+  frame: Frame | null
+  readonly precision: PrintedDigits
+  readonly notes: string[]
+}
+
+/** What is done with each data line of a keyword, and when they end. */
+export interface Section {
+  readonly line: () => void
+  readonly end?: () => void
+}
+
+/** The whole number that a parameter of the keyword has. */
+export function wholeNumber({ keyword, lines }: Reading, parameter: string): number {
+  const text = keyword.parameters.get(parameter) ?? ''
+  if (!/^[-+]?\d{1,15}$/.test(text))
+    lines.refuse(`${shown(keyword.written)}: ${parameter} with a whole number was expected.`)
+  return Number(text)
+}

@@ -1,0 +1,44 @@
+/** What is said of a mesh. */
+import type { Classification } from '../core/batch/classify'
+import type { Wanted } from '../core/batch/lists'
+import type { Report } from '../core/report'
+import type { NodeOrder } from '../model/node-orders'
+import type { Mesh } from './mesh'
+
+/** Without these there are no counts. */
+export const NEEDED = { relativeMinima: true, classes: true, statuses: true } as const
+export type CheckAnswers = Classification<typeof NEEDED & Wanted>
+
+/** What a cell counts as. */
+export type Standing = 'valid' | 'invalid' | 'unanswered' | 'degenerate'
+
+export interface MeshCheck {
+  readonly mesh: Mesh
+  /** One entry a cell: also for those that count as something else, in the order of the text where none is stated. */
+  readonly answers: CheckAnswers
+  readonly hexahedra: number
+  readonly valid: number
+  readonly invalid: number
+  readonly unanswered: number
+  /** Cells with coincident vertices. */
+  readonly degenerate: number
+  readonly below: number
+  /** jacdet < 0 everywhere: cells that are valid when numbered the other way round. */
+  readonly mirrored: number
+  readonly notTrilinear: { readonly count: number; readonly validByCorners: number }
+  /** The mesh's, and what the answers add. */
+  readonly notes: readonly string[]
+  /** Indices of cells, worst first. */
+  readonly worst: Uint32Array
+  /** Where the order of the nodes is not stated: invalid cells that are valid in another order, with the first such order. They are unanswered. */
+  readonly openOrders: ReadonlyMap<number, NodeOrder>
+  standingOf(cell: number): Standing
+  isAnswered(cell: number): boolean
+  isBelow(cell: number): boolean
+  /** Null where the file has no ids. */
+  idOf(cell: number): string | null
+  /** The name of the first block that the cell is in, as the file has it. */
+  blockOf(cell: number): string | null
+  /** Everything about the cell; or, for one that is unanswered, why. */
+  answerTo(cell: number): { readonly report: Report } | { readonly why: string }
+}

@@ -1,0 +1,14 @@
+/** Names and words out of files, for people. */
+
+const MOST_SHOWN = 60
+
+/** A name or a word of a file for people: without control and bidirectional characters, cut to a length, in quotes. */
+export function shown(word: string): string {
+  const plain = withoutControls(word)
+  return `“${plain.length > MOST_SHOWN ? `${plain.slice(0, MOST_SHOWN)}…` : plain}”`
+}
+
+/** Without control and bidirectional characters, whole. */
+export function withoutControls(text: string): string {
+  return text.replace(/[\p{Cc}\p{Cf}\u2028\u2029]/gu, '')
+}

@@ -1,0 +1,47 @@
+/**
+ * 24 numbers without more may be eight points one after the other, or eight x, then eight y, then eight z. Where the usual reading has not
+ * one element with J > 0 at its corners, and the other has nothing else, it is the other.
+ */
+import { inRowsOf, type NumberTable, transposed, widthOf } from './number-table'
+
+const EIGHT = 8
+const COORDINATES = 24
+/** The ends of the three edges at each vertex, in the order of a right-handed frame. */
+const NEIGHBOURS = [
+  [1, 3, 4],
+  [2, 0, 5],
+  [3, 1, 6],
+  [0, 2, 7],
+  [7, 5, 0],
+  [4, 6, 1],
+  [5, 7, 2],
+  [6, 4, 3],
+] as const
+
+type Points = readonly (readonly number[])[]
+
+/** The points of the table in the other layout, if they are likelier so; else null. */
+export function likelierLayout(points: Points, table: NumberTable): Points | null {
+  const other = otherLayout(table)
+  if (other === null || other.length !== points.length || table.header !== null) return null
+  const isPositive = (element: Points) => NEIGHBOURS.every((_, v) => cornerDeterminant(element, v) > 0)
+  if (inRowsOf(points, EIGHT).some(isPositive)) return null
+  return inRowsOf(other, EIGHT).every(isPositive) ? other : null
+}
+
+function otherLayout(table: NumberTable): Points | null {
+  const { rows } = table
+  const width = widthOf(table)
+  if (width === COORDINATES) return rows.flatMap(row => transposed(inRowsOf(row, EIGHT)))
+  return rows.length === 3 && width === EIGHT ? inRowsOf(rows.flat(), 3) : null
+}
+
+function cornerDeterminant(element: Points, v: number): number {
+  const [px = 0, py = 0, pz = 0] = element[v] ?? []
+  const [a, b, c] = (NEIGHBOURS[v] ?? []).map(n => {
+    const [x = 0, y = 0, z = 0] = element[n] ?? []
+    return [x - px, y - py, z - pz] as const
+  })
+  if (a === undefined || b === undefined || c === undefined) return 0
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+}

@@ -1,0 +1,14 @@
+/** What the names before tables of numbers tell. */
+import type { NumberTable } from './number-table'
+
+export const POINT_NAME = /point|coord|vert|node|xyz|pos|corner|doflocs|^p$|\.p$|^x$/i
+export const NO_POINT_NAME = /normal|disp|velo|force|gradient|colou?r|uv|tangent|stress|strain|jacob|weight/i
+export const CELL_NAME =
+  /cell|elem|conn|face|quad|tri|tet|hex|brick|topol|simpli|ien|lnods|index|indic|edge|prism|wedge|pyra|^t$|\.t$/i
+export const NO_CELL_NAME = /type|tag|material|region|flag|rank|colou?r|cell_?data|size|shape|count|offset/i
+export const HEXAHEDRON_NAME = /hex|brick|c3d8|q1|cube/i
+export const TRIANGLE_NAME = /tri|face|index|indic|simpli|^t$|\.t$/i
+
+export function isNamed({ names }: NumberTable, pattern: RegExp): boolean {
+  return names.some(name => pattern.test(name))
+}

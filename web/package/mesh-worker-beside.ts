@@ -1,0 +1,48 @@
+/** The worker that reads is a file beside the script, which would be half as large again with it inside, and is loaded when it is needed. */
+import type { ReadingWorker } from '../input/read-input'
+
+const NAME = 'hexlens.mesh-worker.js'
+const BLOCKED = `${NAME} was not loaded from beside the script, or a policy of the page forbids it`
+
+/** Of a module its own address; of a plain script that of the tag, which only says so while it runs first. */
+const script = globalThis.document?.currentScript
+const here: string | undefined = script && 'src' in script ? script.src : import.meta.url
+
+let findAddress = async (): Promise<string | URL> => new URL(NAME, here ?? document.baseURI)
+
+/** For pages where the file lies elsewhere, as bundlers may have it: its address, or where to ask for that. */
+export function setMeshWorker(address: string | URL | (() => Promise<string | URL>)): void {
+  findAddress = typeof address === 'function' ? address : async () => address
+}
+
+export const readingWorkerBeside: ReadingWorker = {
+  async start() {
+    const address = new URL(await findAddress(), document.baseURI)
+    const isOwn = address.origin === location.origin && address.protocol !== 'file:'
+    return new Worker(isOwn ? address : await addressOfCopy(address.href))
+  },
+  blocked: BLOCKED,
+}
+
+type HandedOver = HTMLScriptElement & { readonly work?: () => void }
+
+const copies = new Map<string, Promise<string>>()
+
+/** From another origin, or from file://, a page starts no worker; loaded as a script, the file gives itself as a function. */
+function addressOfCopy(address: string): Promise<string> {
+  const copy = copies.get(address) ?? copied(address)
+  copies.set(address, copy)
+  copy.catch(() => copies.delete(address))
+  return copy
+}
+
+async function copied(address: string): Promise<string> {
+  const script: HandedOver = document.createElement('script')
+  await new Promise((resolve, reject) => {
+    script.onload = resolve
+    script.onerror = () => reject(new Error(BLOCKED))
+    script.src = address
+    document.head.append(script)
+  }).finally(() => script.remove())
+  return URL.createObjectURL(new Blob([`(${script.work})()`], { type: 'text/javascript' }))
+}

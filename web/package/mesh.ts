@@ -1,0 +1,12 @@
+/**
+ * `hexlens/mesh`: meshes out of files and texts, as `hexlens check` and the page read them, in Node, a worker or a page.
+ *
+ *     const [mesh] = readMeshes(fileOfBytes('part.inp', bytes))   // or throws a MeshRefusal, whose message is a sentence
+ *     const { points, cells } = mesh                               // as `hexlens/batch` takes them
+ *     const vertices = verticesOf(mesh, 0)                         // as `hexlens/core` takes them
+ */
+export { type Block, type Mesh, MeshRefusal, type NotTrilinear } from '../mesh/mesh'
+export { readMeshes } from '../mesh/read-mesh'
+export { MissingFiles, readTogether } from '../mesh/read-together'
+export { type FindFile, fileOfBytes, type MeshFile, type ReadOptions } from '../mesh/source'
+export { verticesOf } from '../mesh/vertices-of'

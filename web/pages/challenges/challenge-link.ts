@@ -1,0 +1,57 @@
+/**
+ * What the page of challenges is opened with, in the fragment of its address: one of its own challenges by id, or a teacher's as JSON in
+ * percent-encoding; with it, as in any link of Hexlens, the 24 doubles of a solution bit for bit.
+ *
+ *     #challenge=one-vertex        #challenge=one-vertex&v=1&vertices=0,0,0,…        #own=%7B%22version%22…        #write
+ */
+import type { Vertices } from '../../model/hexahedron'
+import { decodePermalink, encodePermalink } from '../../model/permalink'
+
+export type ChallengePlace =
+  | { readonly kind: 'list' }
+  | { readonly kind: 'write' }
+  | { readonly kind: 'challenge'; readonly id: string; readonly vertices: Vertices | null }
+  | { readonly kind: 'own'; readonly json: string; readonly vertices: Vertices | null }
+
+export type ChallengePlaceResult =
+  | { readonly ok: true; readonly value: ChallengePlace }
+  | { readonly ok: false; readonly message: string }
+
+/** The fragment without its '#'. Throws RangeError unless given 24 finite numbers, or none. */
+export function challengeFragment(place: ChallengePlace): string {
+  if (place.kind === 'list') return ''
+  if (place.kind === 'write') return 'write'
+  const what = place.kind === 'own' ? `own=${encodeURIComponent(place.json)}` : `challenge=${place.id}`
+  return place.vertices ? `${what}&${encodePermalink(place.vertices)}` : what
+}
+
+/** With or without its '#'. */
+export function readChallengePlace(fragment: string): ChallengePlaceResult {
+  const text = fragment.replace(/^#/, '')
+  if (text === '') return { ok: true, value: { kind: 'list' } }
+  if (text === 'write') return { ok: true, value: { kind: 'write' } }
+  const [, what, given, link] = /^(challenge|own)=([^&]+)(?:&(.*))?$/s.exec(text) ?? []
+  if (given === undefined)
+    return broken('it should begin with challenge= or own=, and what comes then should not be empty')
+  const value = percentDecoded(given)
+  if (value === null) return broken('its percent-encoding is cut off or not UTF-8')
+  const solution = link === undefined ? null : decodePermalink(link)
+  if (solution?.ok === false) return { ok: false, message: solution.error.message }
+  const vertices = solution?.value ?? null
+  return {
+    ok: true,
+    value: what === 'own' ? { kind: 'own', json: value, vertices } : { kind: 'challenge', id: value, vertices },
+  }
+}
+
+function broken(why: string): ChallengePlaceResult {
+  return { ok: false, message: `The link is broken: ${why}.` }
+}
+
+function percentDecoded(text: string): string | null {
+  try {
+    return decodeURIComponent(text)
+  } catch {
+    return null
+  }
+}

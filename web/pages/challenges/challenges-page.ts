@@ -1,0 +1,197 @@
+/**
+ * The page Challenges: what the address is about stands beside the lens and is judged with every report. The element as it is goes into
+ * the address, so that reload, bookmark and link return to it.
+ */
+import { html, render } from 'lit-html'
+import { quantitiesOf, shownNumber } from '../../core/quantities'
+import { challenges } from './challenges'
+import '../element'
+import { historyStep } from '../../element/shortcuts'
+import { written } from '../../model/document-readers'
+import type { Vertices } from '../../model/hexahedron'
+import { copyText } from '../../views/copy-text'
+import { type Challenge, judged, readChallenge, readChallengeText } from './challenge'
+import { type ChallengePlace, challengeFragment, readChallengePlace } from './challenge-link'
+import { type Actions, challengeColumn, listColumn, type Opened } from './column'
+import { Progress } from './progress'
+import { WriteForm } from './write-form'
+import '../skip'
+
+const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
+const column = document.createElement('div')
+document.querySelector('#column')?.append(column)
+
+const progress = new Progress()
+let form: WriteForm | null = null
+let complaint: string | null = null
+let place: ChallengePlace = { kind: 'list' }
+let opened: Opened | null = null
+/** What was last put there by the page, not by the reader. */
+let given: Vertices = []
+
+function open(): void {
+  const result = readChallengePlace(location.hash)
+  place = result.ok ? result.value : { kind: 'list' }
+  complaint = result.ok ? null : result.message
+  opened = null
+  form = place.kind === 'write' ? new WriteForm(() => lens.vertices, draw) : null
+  if (place.kind === 'challenge') openNamed(place.id, place.vertices)
+  if (place.kind === 'own') openOwn(place.json, place.vertices)
+  judge()
+}
+
+function openNamed(id: string, vertices: Vertices | null): void {
+  const named = challenges.find(challenge => challenge.id === id)
+  const result = named && readChallenge(named)
+  if (result?.ok) begin(id, result.value, vertices)
+  else refuse(`There is no challenge “${id.slice(0, 40)}”.`)
+}
+
+function openOwn(json: string, vertices: Vertices | null): void {
+  const result = readChallengeText(json)
+  if (result.ok) begin(null, result.value, vertices)
+  else refuse(result.error.message)
+}
+
+function refuse(message: string): void {
+  complaint = message
+  place = { kind: 'list' }
+}
+
+function begin(id: string | null, challenge: Challenge, vertices: Vertices | null): void {
+  opened = {
+    id,
+    challenge,
+    report: null,
+    judgement: null,
+    outcome: 'open',
+    isHintShown: false,
+    copying: null,
+    toBeat: null,
+  }
+  put(vertices ?? challenge.start, challenge.start)
+  void measureSolution(challenge)
+}
+
+/** What is to be beaten. */
+async function measureSolution(challenge: Challenge): Promise<void> {
+  const { record, solution, start } = challenge
+  if (record === null || solution === null) return
+  const report = await lens.analyze(solution).catch(() => null) // without a core there is no number
+  if (report && opened?.challenge === challenge) change({ toBeat: shownNumber(record.quantity, report, start).value })
+}
+
+/** One step to undo, unless it is the first thing there. */
+function put(vertices: Vertices, start: Vertices): void {
+  given = vertices
+  lens.state = { ...lens.state, preset: null, start: written(start), vertices: written(vertices) }
+}
+
+/** With every report: the marks. That it is solved is said when the move is done, or of what is opened. */
+function judge(): void {
+  if (opened) {
+    const { report } = lens
+    const isOpening = opened.judgement === null
+    const judgement = report && judged(opened.challenge, quantitiesOf(report, opened.challenge.start))
+    opened = { ...opened, report, judgement, outcome: judgement?.isSolved ? opened.outcome : 'open' }
+    if (isOpening) conclude(opened)
+  }
+  draw()
+}
+
+function conclude(concluded: Opened): void {
+  if (!concluded.judgement?.isSolved) return
+  const { solution } = concluded.challenge
+  const isStored = solution !== null && sameBits(lens.vertices, solution)
+  opened = { ...concluded, outcome: isStored ? 'shown' : 'solved' }
+}
+
+/** With every change that is done: whether the reader has solved it. */
+function settle(): void {
+  if (opened === null) return
+  const { vertices } = lens
+  opened = { ...opened, copying: null }
+  judge()
+  conclude(opened)
+  if (opened.outcome === 'solved' && opened.id !== null && !sameBits(vertices, given)) keep(opened.id, opened)
+  if (place.kind === 'challenge' || place.kind === 'own') {
+    place = { ...place, vertices }
+    history.replaceState(history.state, '', `#${challengeFragment(place)}`)
+  }
+  draw()
+}
+
+function keep(id: string, { challenge: { record, start }, report }: Opened): void {
+  const before = progress.of(id)
+  const value = record && report && shownNumber(record.quantity, report, start).value
+  const isBetter = (now: number, best: number) => (record?.best === 'greatest' ? now > best : now < best)
+  const best = before?.best ?? null
+  if (value === null) {
+    if (before === null) progress.add(id, { best: null })
+  } else if (best === null || isBetter(value, best)) progress.add(id, { best: value })
+}
+
+function sameBits(one: Vertices, other: Vertices): boolean {
+  return one.length === other.length && one.every((value, i) => Object.is(value, other[i]))
+}
+
+const actions: Actions = {
+  undo: () => lens.undo(),
+  restart: () => opened && put(opened.challenge.start, opened.challenge.start),
+  showSolution: () => opened?.challenge.solution && put(opened.challenge.solution, opened.challenge.start),
+  toggleHint: () => change({ isHintShown: !opened?.isHintShown }),
+  copyLink: async () => {
+    const address = new URL(location.href)
+    address.hash = challengeFragment({ ...place, vertices: lens.vertices } as ChallengePlace)
+    const isCopied = await copyText(address.href)
+    change({
+      copying: isCopied
+        ? { text: 'The link is copied: it opens this challenge with the element as it is.', link: null }
+        : { text: 'Copying is not allowed here. This is the link:', link: address.href },
+    })
+  },
+  forget: () => {
+    progress.forget()
+    draw()
+    document.querySelector<HTMLElement>('#column')?.focus({ preventScroll: true })
+  },
+}
+
+function change(some: Partial<Opened>): void {
+  if (opened) opened = { ...opened, ...some }
+  draw()
+}
+
+const title = document.title
+
+function draw(): void {
+  document.title = opened ? `Hexlens: ${opened.challenge.title}` : title
+  const content =
+    form?.column() ?? (opened ? challengeColumn(opened, progress, actions) : listColumn(progress, complaint, actions))
+  render(html`${content}`, column)
+}
+
+/** The numbers stand beside the scene where there is room: on smaller screens it would be crowded out. */
+const isRoomy = matchMedia('(min-width: 84rem)')
+function chooseViews(): void {
+  lens.setAttribute('views', isRoomy.matches ? 'scene verdict vertices' : 'scene verdict')
+}
+
+chooseViews()
+isRoomy.addEventListener('change', chooseViews)
+open()
+addEventListener('hashchange', () => {
+  open()
+  column.querySelector<HTMLElement>('.title')?.focus({ preventScroll: true })
+  document.querySelector('#column')?.scrollIntoView({ block: 'nearest' })
+})
+lens.addEventListener('hex-input', judge)
+lens.addEventListener('hex-verdict', judge)
+lens.addEventListener('hex-change', settle)
+// With the focus nowhere, undo and redo can only mean the element.
+addEventListener('keydown', event => {
+  const step = event.target === document.body ? historyStep(event) : null
+  if (step === null) return
+  event.preventDefault()
+  lens[step]()
+})

@@ -1,0 +1,90 @@
+/**
+ * The page: `<hex-lens>` with what it shows kept in the address, so that bookmark and link work, and in the session beside the
+ * entry of the history, so that reload, Back and Forward return to the same place.
+ */
+import { presets, presetVertices } from '../../model/presets'
+import '../element'
+import { historyStep } from '../../element/shortcuts'
+import { onPaste } from '../../input/pasted-input'
+import { decodePermalink } from '../../model/permalink'
+import { keepPlace, type Place, placeAt, presentEntry } from '../places'
+import { scrollOf, scrollTo } from '../scroll'
+
+const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
+
+let entry = presentEntry()
+/** The preset that the address is about: another one is another page to go back from. */
+let preset: string | null = null
+/** As it was before what the reader does now. */
+let before: Place
+
+function present(): Place {
+  return { state: lens.state, scroll: scrollOf(lens) }
+}
+
+function settle(): void {
+  preset = lens.preset
+  before = present()
+}
+
+function openAddress(): void {
+  const link = decodePermalink(location.hash)
+  const vertices = link.ok ? link.value : link.error.code === 'absent' ? presetVertices(presets[0]) : null
+  const place = placeAt(entry)
+  if (vertices) {
+    if (place) open(place, vertices)
+    else lens.vertices = vertices
+    lens.clear('link-broken')
+  } else if (!link.ok) {
+    lens.raise({ code: 'link-broken', message: `${link.error.message} The element shown is not the link’s.` })
+  }
+  settle()
+}
+
+/** The address has the last word on the vertices. */
+function open({ state, scroll }: Place, vertices: readonly number[]): void {
+  try {
+    lens.state = { ...state, vertices }
+    scrollTo(lens, scroll)
+  } catch {
+    lens.vertices = vertices // what another version of the page kept
+  }
+}
+
+history.scrollRestoration = 'manual'
+openAddress()
+addEventListener('popstate', () => {
+  keepPlace(entry, present())
+  entry = presentEntry()
+  openAddress()
+})
+addEventListener('pagehide', () => keepPlace(entry, present()))
+for (const type of ['pointerdown', 'keydown'] as const)
+  addEventListener(
+    type,
+    () => {
+      before = present()
+    },
+    { capture: true, passive: true },
+  )
+
+lens.addEventListener('hex-change', () => {
+  lens.clear('link-broken')
+  if (lens.preset !== null && lens.preset !== preset) {
+    keepPlace(entry, before)
+    history.pushState(null, '', lens.permalink)
+    entry = presentEntry()
+  } else history.replaceState(history.state, '', lens.permalink)
+  settle()
+})
+
+// With the focus nowhere, undo, redo and paste can only mean the element. (A lone character must not mean anything there: WCAG 2.1.4.)
+addEventListener('keydown', event => {
+  const step = event.target === document.body ? historyStep(event) : null
+  if (step === null) return
+  event.preventDefault()
+  lens[step]()
+})
+addEventListener('paste', event => {
+  if (event.target === document.body) onPaste(event, input => lens.offer('text' in input ? input.text : input.files))
+})

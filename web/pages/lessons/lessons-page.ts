@@ -1,0 +1,190 @@
+/**
+ * The page of the lessons: steps in the column beside the lens. The step that is read decides what the lens shows; the address names
+ * it, so that a link, Back and a reload return to it, and to what the reader has done there.
+ */
+import { render } from 'lit-html'
+import type { Report } from '../../core/report'
+import type { Lesson } from './content/lessons'
+import '../element'
+import { keepPlace, type Place, placeAt, presentEntry } from '../places'
+import { scrollToTop } from '../scroll'
+import { complaintAbout, hashOf, neighbour, placeOf, type StepPlace, stepAt } from './address'
+import { type ColumnActions, column } from './column'
+import { stateOf, verticesOf } from './step-state'
+import '../skip'
+
+const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
+const root = document.querySelector('.column') as HTMLElement
+
+/** After the last scroll event, in milliseconds: steps that are only passed by are not shown. */
+const SETTLED = 120
+/** How far down the free part of the window the line is at which one reads. */
+const READING = 0.42
+
+const own = new Map<Lesson, readonly (Report | undefined)[]>()
+let place = placeOf(location.hash)
+let entry = presentEntry()
+/** Where `show` has scrolled to: that is no scrolling of the reader's. */
+let scrolledTo = -1
+let settling = 0
+let width = innerWidth
+
+const actions: ColumnActions = {
+  go: to => {
+    keepPlace(entry, present())
+    history.pushState(null, '', hashOf(to))
+    entry = presentEntry()
+    show(to)
+  },
+  restore: () => apply(),
+}
+
+function draw(): void {
+  const start = verticesOf(stepAt(place))
+  const isChanged = lens.vertices.some((value, i) => value !== start[i])
+  const complaint = complaintAbout(location.hash)
+  render(column({ place, live: lens.report, own: own.get(place.lesson) ?? [], isChanged, complaint }, actions), root)
+}
+
+/** The lens shows the step that is read. */
+function apply(): void {
+  const step = stepAt(place)
+  if (lens.views !== step.views) lens.views = step.views
+  lens.state = stateOf(step)
+  scrollToTop(lens)
+  draw()
+}
+
+function enter(to: StepPlace): void {
+  const isNewLesson = to.lesson !== place.lesson
+  place = to
+  document.title = `${to.lesson.title}: Hexlens lessons`
+  apply()
+  if (isNewLesson || !own.has(to.lesson)) void analyze(to.lesson)
+}
+
+/** What changes above the step that is read does not move it: drawings of steps before it come late, their tools go. */
+function holding(step: number, change: () => void): void {
+  const before = topOf(step)
+  change()
+  const by = topOf(step) - before
+  if (by === 0) return
+  scrollBy({ top: by, behavior: 'instant' })
+  if (scrolledTo >= 0) scrolledTo = scrollY
+}
+
+/** Enters a step and has it in sight. */
+function show(to: StepPlace): void {
+  enter(to)
+  reveal(to.step)
+}
+
+function reveal(step: number): void {
+  if (step === 0) scrollTo(0, 0)
+  else articleOf(step)?.scrollIntoView({ block: 'start', behavior: 'instant' })
+  scrolledTo = scrollY
+}
+
+async function analyze(lesson: Lesson): Promise<void> {
+  const reports = await Promise.all(lesson.steps.map(step => lens.analyze(verticesOf(step)).catch(() => undefined)))
+  own.set(lesson, reports) // without a core there are none, and the lens says so
+  holding(place.step, draw)
+}
+
+function articleOf(step: number): Element | undefined {
+  return root.querySelectorAll('.step')[step]
+}
+
+function topOf(step: number): number {
+  return articleOf(step)?.getBoundingClientRect().top ?? 0
+}
+
+/** Where the step is in the window: its place on the page depends on the drawings before it, which come late. */
+function present(): Place {
+  return { state: lens.state, scroll: [topOf(place.step)] }
+}
+
+/** What the address says, with what the reader had done when this was left. */
+function open(): void {
+  const kept = placeAt(entry)
+  show(placeOf(location.hash))
+  if (!kept) return
+  try {
+    lens.state = kept.state
+    scrollBy({ top: topOf(place.step) - (kept.scroll[0] ?? 0), behavior: 'instant' })
+    scrolledTo = scrollY
+    draw()
+  } catch {
+    apply() // what another version of the page kept
+  }
+}
+
+/** The last step that begins above the line at which one reads. */
+function stepInSight(): number {
+  const { top, bottom } = lens.getBoundingClientRect()
+  const free = Math.max(0, root.getBoundingClientRect().left > 0 ? top : bottom)
+  const line = free + READING * (innerHeight - free)
+  const isAtEnd = scrollY + innerHeight >= document.documentElement.scrollHeight - 2
+  const tops = [...root.querySelectorAll('.step')].map(article => article.getBoundingClientRect().top)
+  return isAtEnd
+    ? tops.length - 1
+    : Math.max(
+        0,
+        tops.findLastIndex(value => value <= line),
+      )
+}
+
+function onSettled(): void {
+  if (Math.abs(scrollY - scrolledTo) < 2) return
+  scrolledTo = -1
+  const step = stepInSight()
+  if (step === place.step) return
+  holding(step, () => enter({ ...place, step }))
+  history.replaceState(history.state, '', hashOf(place))
+}
+
+function onKey(event: KeyboardEvent): void {
+  const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : null
+  const isOthers = event.altKey || event.ctrlKey || event.metaKey || event.shiftKey || event.target === lens
+  const to = by && !isOthers ? neighbour(place, by) : null
+  if (!to) return
+  event.preventDefault()
+  const isInSteps = document.activeElement?.closest('.step') != null
+  actions.go(to)
+  if (isInSteps) articleOf(to.step)?.querySelector<HTMLElement>('h2 a')?.focus({ preventScroll: true })
+}
+
+history.scrollRestoration = 'manual'
+root.replaceChildren()
+draw()
+open()
+for (const type of ['hex-input', 'hex-change', 'hex-verdict']) lens.addEventListener(type, draw)
+addEventListener('keydown', onKey)
+addEventListener(
+  'scroll',
+  () => {
+    clearTimeout(settling)
+    settling = window.setTimeout(onSettled, SETTLED)
+  },
+  { passive: true },
+)
+addEventListener('resize', () => {
+  if (innerWidth === width) return // only a bar of the browser has come or gone
+  width = innerWidth
+  reveal(place.step)
+})
+root.addEventListener('click', event => {
+  const link = (event.target as Element).closest<HTMLAnchorElement>('a[href^="#"]')
+  if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return
+  event.preventDefault()
+  link.closest('details')?.removeAttribute('open')
+  const { lesson } = place
+  actions.go(placeOf(link.hash))
+  if (place.lesson !== lesson) root.focus({ preventScroll: true })
+})
+addEventListener('popstate', () => {
+  keepPlace(entry, present())
+  entry = presentEntry()
+  open()
+})
+addEventListener('pagehide', () => keepPlace(entry, present()))

@@ -1,0 +1,142 @@
+/** The form of a search: what is looked for, among which elements. */
+import { html, nothing, type TemplateResult } from 'lit-html'
+import { claims, numbers } from '../../core/quantities'
+import { VERTEX_COUNT } from '../../model/hexahedron'
+import { type FormState, grids, kindOf, kinds } from './form-state'
+import type { QuestError } from './hunt/quest'
+import { symmetries } from './hunt/symmetry'
+
+export interface FormProps {
+  readonly form: FormState
+  readonly errors: readonly QuestError[]
+  onChange(name: keyof FormState, value: string): void
+  onSubmit(): void
+}
+
+export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): TemplateResult {
+  const listen = (name: keyof FormState) => (event: Event) =>
+    onChange(name, (event.target as HTMLInputElement | HTMLSelectElement).value)
+  const choice = (name: keyof FormState, label: string, options: readonly (readonly [string, string])[]) =>
+    html`<label class="choice"
+      ><span>${label}</span>
+      <select name=${name} .value=${form[name]} @change=${listen(name)}>
+        ${options.map(([value, title]) => html`<option value=${value} ?selected=${value === form[name]}>${title}</option>`)}
+      </select></label
+    >`
+  const number = (name: keyof FormState, label: string, field: QuestError['field']) =>
+    html`<input
+      class="number"
+      name=${name}
+      aria-label=${label}
+      inputmode="decimal"
+      autocomplete="off"
+      .value=${form[name]}
+      aria-invalid=${errors.some(error => error.field === field) ? 'true' : nothing}
+      aria-describedby=${`${field}-error`}
+      @input=${listen(name)}
+    />`
+  const submit = (event: Event) => {
+    event.preventDefault()
+    onSubmit()
+  }
+  const law = (value: FormState['law']) =>
+    html`<input type="radio" name="law" value=${value} .checked=${form.law === value} @change=${listen('law')} />`
+
+  return html`<form id="quest" class="quest" @submit=${submit}>
+    ${choice(
+      'find',
+      'Find',
+      kinds.map(({ id, title }) => [id, title]),
+    )}
+    <p class="quiet">${kindOf(form.find)?.note}</p>
+    ${condition('property', 'Property', form, errors, listen('property'))}
+    ${condition('measure', 'Most extreme where this is greatest', form, errors, listen('measure'))}
+    ${vocabulary()}
+    <fieldset>
+      <legend>Among these elements</legend>
+      <div class="law">
+        <label>${law('normal')} the unit cube, moved by chance</label>
+        <label>sigma ${number('sigma', 'Sigma', 'distribution')}</label>
+      </div>
+      <div class="law">
+        <label>${law('box')} anywhere in a box</label>
+        <span
+          >from ${number('least', 'Least coordinate of the box', 'distribution')} to
+          ${number('greatest', 'Greatest coordinate of the box', 'distribution')}</span
+        >
+      </div>
+      <div class="choices">
+        ${choice('grid', 'Coordinates', Object.entries(grids))}
+        ${choice(
+          'moved',
+          'Vertices that move',
+          Array.from({ length: VERTEX_COUNT }, (_, i) => [
+            String(i + 1),
+            i + 1 === VERTEX_COUNT ? 'all 8' : String(i + 1),
+          ]),
+        )}
+        ${choice(
+          'symmetry',
+          'Symmetry',
+          Object.entries(symmetries).map(([name, { title }]) => [name, title]),
+        )}
+        <label class="choice"><span>Seed</span>${number('seed', 'Seed', 'seed')}</label>
+      </div>
+      ${complaint('distribution', errors)} ${complaint('seed', errors)}
+    </fieldset>
+  </form>`
+}
+
+function condition(
+  name: 'property' | 'measure',
+  label: string,
+  form: FormState,
+  errors: readonly QuestError[],
+  onInput: (event: Event) => void,
+): TemplateResult {
+  const error = errors.find(({ field }) => field === name)
+  return html`<label class="condition"
+      ><span>${label}</span>
+      <input
+        name=${name}
+        autocomplete="off"
+        autocapitalize="none"
+        spellcheck="false"
+        .value=${form[name]}
+        aria-invalid=${error ? 'true' : nothing}
+        aria-describedby=${`${name}-error`}
+        @input=${onInput}
+    /></label>
+    <div class="complaint" id=${`${name}-error`}>${error ? [place(form[name], error.at ?? 0), error.message] : nothing}</div>`
+}
+
+/** What follows the place is there to find it by, however much somebody has pasted. */
+const MOST_AFTER = 80
+
+/** The text again, up to where it is not understood, and what comes then. */
+function place(text: string, at: number): TemplateResult {
+  const [before, here, after] = [text.slice(0, at), text.charAt(at) || ' ', text.slice(at + 1, at + MOST_AFTER)]
+  return html`<code aria-hidden="true">${before}<mark>${here}</mark>${after}</code
+    ><span class="said">At character ${at + 1}:</span> `
+}
+
+function complaint(field: QuestError['field'], errors: readonly QuestError[]): TemplateResult {
+  return html`<div class="complaint" id=${`${field}-error`}>
+    ${errors.filter(error => error.field === field).map(({ message }) => message)}
+  </div>`
+}
+
+function vocabulary(): TemplateResult {
+  return html`<details class="vocabulary">
+    <summary>What a property can say</summary>
+    <p>
+      Numbers and fractions as 1/4; + − * / and parentheses; &lt; &lt;= &gt; &gt;= = !=, also in chains as 0 &lt; a &lt; b; and, or, not. The
+      names:
+    </p>
+    <dl>
+      ${Object.entries({ ...claims, ...numbers }).map(
+        ([name, { sentence }]) => html`<dt><code>${name}</code></dt><dd>${sentence}</dd>`,
+      )}
+    </dl>
+  </details>`
+}

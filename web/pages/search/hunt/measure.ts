@@ -1,0 +1,49 @@
+/** A number that a search orders its finds by, written as in a condition: "-boundary_min / boundary_max". */
+import { shownNumber } from '../../../core/quantities'
+import type { Report } from '../../../core/report'
+import { type ConditionError, parseCondition } from '../../../model/condition'
+import type { NumberNode } from '../../../model/condition/parse'
+import type { Vertices } from '../../../model/hexahedron'
+
+export type MeasureResult =
+  | { readonly ok: true; readonly value: NumberNode }
+  | { readonly ok: false; readonly error: ConditionError }
+
+/** What ends the text is a comparison of ours. */
+const COMPARED = ' > 0'
+
+export function parseMeasure(text: string): MeasureResult {
+  if (text.trim() === '') return { ok: false, error: { message: 'There is no number to go by.', at: 0 } }
+  const result = parseCondition(text + COMPARED)
+  if (!result.ok) return { ok: false, error: { ...result.error, at: Math.min(result.error.at, text.length) } }
+  const { claim } = result.value
+  if (claim.kind !== 'chain' || claim.terms.length !== 2)
+    return { ok: false, error: { message: 'What is wanted here is one number, not a comparison.', at: 0 } }
+  return { ok: true, value: claim.terms[0] as NumberNode }
+}
+
+/** In doubles: an order to look at, no verdict. Minus infinity for what is no number. */
+export function measured(node: NumberNode, report: Report, start: Vertices): number {
+  const value = doubleOf(node, report, start)
+  return Number.isNaN(value) ? -Infinity : value
+}
+
+function doubleOf(node: NumberNode, report: Report, start: Vertices): number {
+  if (node.kind === 'constant') return Number(node.value.lower.numerator) / Number(node.value.lower.denominator)
+  if (node.kind === 'number') {
+    const { value, exponent } = shownNumber(node.name, report, start)
+    return value * 2 ** exponent
+  }
+  if (node.kind === 'minus') return -doubleOf(node.of, report, start)
+  const [left, right] = [doubleOf(node.left, report, start), doubleOf(node.right, report, start)]
+  switch (node.kind) {
+    case '+':
+      return left + right
+    case '-':
+      return left - right
+    case '*':
+      return left * right
+    case '/':
+      return left / right
+  }
+}

@@ -1,0 +1,191 @@
+/**
+ * A search under way: workers go through the stream of elements piece by piece, and what they find is taken in the stream's order, so
+ * that after so many elements the finds are the same however many workers there are.
+ */
+import type { Vertices } from '../../../model/hexahedron'
+import { BLOCK, type Haul } from './hunt'
+import type { Answer, WorkerPort } from './messages'
+import type { Polished } from './polish'
+import type { Quest } from './quest'
+import { type Find, type Order, Ranking } from './ranking'
+
+export interface Workforce {
+  /** hexlens-batch.wasm or hexlens-scalar.wasm, compiled. */
+  readonly module: WebAssembly.Module
+  readonly workers: number
+  readonly spawn: () => WorkerPort
+}
+
+/** So that a worker has its next piece when it is done with one. */
+const PIECES_AHEAD = 2
+
+/**
+ * Pieces grow and shrink so that a worker is heard of about ten times a second, whether an element takes a microsecond or, where each is
+ * analysed exactly, milliseconds. What is found does not depend on it.
+ */
+const PIECE_MILLISECONDS = 100
+const MOST_BLOCKS = 256
+
+/** How long to wait, after a stop, for what is under way. */
+const PATIENCE = 1000
+
+export class Search {
+  readonly quest: Quest
+  readonly #workforce: Workforce
+  readonly #onNews: () => void
+  readonly #onFailure: (reason: Error) => void
+  readonly #ports: WorkerPort[] = []
+  /** When each worker last answered or was begun. */
+  readonly #heard = new Map<WorkerPort, number>()
+  /** Pieces done before an earlier one, by their first blocks. */
+  readonly #early = new Map<number, Haul>()
+  readonly #rankings: Readonly<Record<Order, Ranking>> = {
+    beauty: new Ranking('beauty'),
+    extremeness: new Ranking('extremeness'),
+  }
+  /** Blocks: the next to be handed out, those taken in, where to end, and how many a piece has. */
+  #next = 0
+  #taken = 0
+  #most = Infinity
+  #blocks = 1
+  #found = 0
+  #isRunning = false
+
+  /** `onNews` is told whenever there is more; `onFailure` once, where a worker does not start or breaks: the search is over then. */
+  constructor(quest: Quest, workforce: Workforce, onNews: () => void, onFailure: (reason: Error) => void) {
+    this.quest = quest
+    this.#workforce = workforce
+    this.#onNews = onNews
+    this.#onFailure = onFailure
+  }
+
+  get isRunning(): boolean {
+    return this.#isRunning
+  }
+
+  /** Elements looked at, all of the stream up to there. */
+  get elements(): number {
+    return this.#taken * BLOCK
+  }
+
+  /** How many of them have the property. */
+  get found(): number {
+    return this.#found
+  }
+
+  finds(order: Order): readonly Find[] {
+    return this.#rankings[order].finds
+  }
+
+  /** Begins, or goes on where it was stopped; until so many elements have been looked at, if that is said. */
+  start(elements = Infinity): void {
+    this.#most = Math.ceil(elements / BLOCK)
+    if (this.#isRunning || this.#next >= this.#most) return
+    this.#isRunning = true
+    while (this.#ports.length < this.#workforce.workers) this.#ports.push(this.#begin())
+    for (const port of this.#ports) this.#heard.set(port, performance.now())
+    for (let ahead = 0; ahead < PIECES_AHEAD; ++ahead) for (const port of this.#ports) this.#send(port)
+  }
+
+  /** Takes in what is under way and nothing more; what takes too long is left, to be done anew when the search goes on. */
+  stop(patience = PATIENCE): void {
+    if (!this.#isRunning) return
+    this.#most = 0
+    this.#settle()
+    if (this.#isRunning) setTimeout(() => this.#leave(), patience)
+    else this.#onNews()
+  }
+
+  #leave(): void {
+    if (!this.#isRunning || this.#most > 0) return
+    this.dispose()
+    this.#onNews()
+  }
+
+  /** Ends the workers. What was found stays, and `start` begins others. */
+  dispose(): void {
+    this.#isRunning = false
+    this.#next = this.#taken
+    this.#early.clear()
+    for (const port of this.#ports.splice(0)) {
+      port.onmessage = null
+      port.terminate()
+    }
+  }
+
+  #begin(): WorkerPort {
+    const port = this.#workforce.spawn()
+    port.onmessage = ({ data }) => this.#take(port, data)
+    port.onerror = ({ message }) => this.#fail(brokenWorker(message))
+    port.postMessage({ kind: 'start', module: this.#workforce.module })
+    port.postMessage({ kind: 'quest', quest: this.quest })
+    return port
+  }
+
+  #send(port: WorkerPort): void {
+    const blocks = Math.min(this.#blocks, this.#most - this.#next)
+    if (blocks <= 0) return
+    port.postMessage({ kind: 'hunt', piece: { first: this.#next, blocks } })
+    this.#next += blocks
+  }
+
+  #take(port: WorkerPort, answer: Answer): void {
+    if (answer.kind === 'failed') this.#fail(answer.message)
+    if (answer.kind !== 'haul') return
+    this.#measure(port, answer.haul)
+    this.#send(port)
+    this.#early.set(answer.haul.piece.first, answer.haul)
+    for (let haul = this.#early.get(this.#taken); haul; haul = this.#early.get(this.#taken)) {
+      this.#early.delete(this.#taken)
+      this.#taken += haul.piece.blocks
+      this.#found += haul.found
+      for (const ranking of Object.values(this.#rankings)) for (const find of haul.finds) ranking.add(find)
+    }
+    this.#settle()
+    this.#onNews()
+  }
+
+  #measure(port: WorkerPort, { piece }: Haul): void {
+    const now = performance.now()
+    const took = now - (this.#heard.get(port) ?? now)
+    this.#heard.set(port, now)
+    const fitting = (piece.blocks * PIECE_MILLISECONDS) / Math.max(took, 1)
+    // No more than twice as many at a time: the first ones take long, and one may be an exception.
+    this.#blocks = Math.floor(Math.max(1, Math.min(fitting, 2 * this.#blocks, MOST_BLOCKS)))
+  }
+
+  #settle(): void {
+    if (this.#taken === this.#next && this.#next >= this.#most) this.#isRunning = false
+  }
+
+  #fail(message: string): void {
+    this.dispose()
+    this.#onFailure(new Error(message))
+  }
+}
+
+/** In a worker of its own, which ends with it. Rejects with the signal's reason, or where the worker fails. */
+export function polished(
+  quest: Quest,
+  vertices: Vertices,
+  { module, spawn }: Pick<Workforce, 'module' | 'spawn'>,
+  { signal, onStep = () => {} }: { signal?: AbortSignal; onStep?: (simpler: Polished) => void } = {},
+): Promise<Polished> {
+  const port = spawn()
+  return new Promise<Polished>((resolve, reject) => {
+    signal?.throwIfAborted()
+    signal?.addEventListener('abort', () => reject(signal.reason))
+    port.onerror = ({ message }) => reject(new Error(brokenWorker(message)))
+    port.onmessage = ({ data }) => {
+      if (data.kind === 'simpler') onStep(data.polished)
+      if (data.kind === 'polished') resolve(data.polished)
+      if (data.kind === 'failed') reject(new Error(data.message))
+    }
+    port.postMessage({ kind: 'start', module })
+    port.postMessage({ kind: 'polish', quest, vertices })
+  }).finally(() => port.terminate())
+}
+
+function brokenWorker(reason = 'the browser gives no reason'): string {
+  return `a worker did not start or broke (${reason}).`
+}

@@ -1,0 +1,352 @@
+/**
+ * The page Search: a form, a search in workers, what it found as small pictures, and what the reader keeps. The form's state is in the
+ * address's query, the element in the lens in its fragment.
+ */
+import { html, nothing, render, type TemplateResult } from 'lit-html'
+import { quantitiesOf } from '../../core/quantities'
+import '../element'
+import { isMet } from '../../model/condition'
+import { formatNumber } from '../../model/decimal'
+import type { Vertices } from '../../model/hexahedron'
+import { decodePermalink, encodePermalink } from '../../model/permalink'
+import { saveFile } from '../../views/save-file'
+import { Pictures } from '../pictures'
+import { formTemplate } from './form'
+import { decodeForm, encodeForm, type FormState, questOf, withField } from './form-state'
+import { workforce } from './hunt'
+import { startOf } from './hunt/distribution'
+import { measured } from './hunt/measure'
+import { type ReadQuest, readQuest } from './hunt/quest'
+import type { Find, Order } from './hunt/ranking'
+import { polished, Search, type Workforce } from './hunt/search'
+import { exported, Kept, type KeptElement } from './kept'
+import { type Choice, choicesTemplate } from './results'
+import { Spokesman } from './spokesman'
+import '../skip'
+
+const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
+const root = document.querySelector('.searching') as HTMLElement
+
+/** In milliseconds: more often nobody reads the numbers. */
+const REDRAW = 500
+const SOON = 20
+
+/** Of the best so far, while they change from moment to moment. */
+const MOST_WHILE_RUNNING = 12
+
+const pictures = new Pictures(lens, root, () => schedule())
+const kept = new Kept(() => localStorage)
+const spokesman = new Spokesman(document.querySelector('.news') as HTMLElement)
+
+let { form, problems } = decodeForm(new URLSearchParams(location.search))
+let read = readQuest(questOf(form))
+/** The last one that was begun, and what the form then asked to find. */
+let search: Search | null = null
+let searchedFor = form.find
+let order: Order = 'beauty'
+/** Milliseconds that the search has run, and since when it runs again. */
+let [ran, since] = [0, 0]
+/** What the lens was last given from this page. */
+let chosen: Choice | null = null
+let polishing: { readonly controller: AbortController; steps: number } | null = null
+let failure: string | null = null
+let redrawAt: ReturnType<typeof setTimeout> | undefined
+
+function schedule(delay = search?.isRunning ? REDRAW : SOON): void {
+  redrawAt ??= setTimeout(draw, delay)
+}
+
+function draw(): void {
+  clearTimeout(redrawAt)
+  redrawAt = undefined
+  const finds = search?.finds(order).slice(0, search.isRunning ? MOST_WHILE_RUNNING : undefined) ?? []
+  pictures.begin([...finds, ...kept.elements].map(({ vertices }) => vertices))
+  render(template(finds), root)
+  if (pictures.isBehind) schedule(SOON)
+}
+
+function template(finds: readonly Find[]): TemplateResult {
+  return html`${problems.map(problem => html`<p class="complaint" role="alert">${problem}</p>`)}
+    ${formTemplate({ form, errors: read.ok ? [] : read.errors, onChange: change, onSubmit: begin })} ${running()} ${inTheLens()}
+    ${found(finds)} ${keptTemplate()}`
+}
+
+/** The form may have been changed since. */
+function isOfTheForm({ quest }: Search): boolean {
+  return read.ok && JSON.stringify(quest) === JSON.stringify(read.value.quest)
+}
+
+function running(): TemplateResult {
+  const isRunning = search?.isRunning ?? false
+  const canGoOn = search !== null && !isRunning && search.elements > 0 && isOfTheForm(search)
+  return html`<div class="run">
+      ${
+        isRunning
+          ? html`<button type="button" @click=${stop}>Stop</button>`
+          : html`<button type="submit" form="quest" ?disabled=${!read.ok}>${canGoOn ? 'Start anew' : 'Start'}</button>
+              ${canGoOn ? html`<button type="button" @click=${goOn}>Go on</button>` : nothing}`
+      }
+      <p class="counts">${counts()}</p>
+    </div>
+    ${failure === null ? nothing : html`<p class="complaint" role="alert">${failure}</p>`}`
+}
+
+function counts(): string {
+  if (!search || search.elements === 0) return search?.isRunning ? 'Starting …' : ''
+  const seconds = (ran + (search.isRunning ? performance.now() - since : 0)) / 1000
+  const rate = `${thousands(Math.round(search.elements / seconds / 1000) * 1000)} a second`
+  return `${thousands(search.elements)} elements, ${rate}; ${thousands(search.found)} found`
+}
+
+function thousands(count: number): string {
+  return count.toLocaleString('en')
+}
+
+function inTheLens(): TemplateResult | typeof nothing {
+  const { report } = lens
+  if (!read.ok || !report) return nothing
+  const has = isMet(read.value.property, quantitiesOf(report, read.value.start))
+  return html`<section aria-labelledby="in-lens">
+    <h2 id="in-lens">In the lens</h2>
+    <p>${has ? extremeness(read.value, report) : 'The element in the lens does not have the property.'}</p>
+    <div class="actions">
+      <button type="button" ?disabled=${isKept(lens.vertices)} @click=${keep}>${isKept(lens.vertices) ? 'Kept' : 'Keep'}</button>
+      ${
+        polishing
+          ? html`<button type="button" @click=${() => polishing?.controller.abort()}>Cancel</button>
+              <span class="quiet">Polishing, ${polishing.steps} ${polishing.steps === 1 ? 'step' : 'steps'} so far</span>`
+          : html`<button type="button" ?disabled=${!has} @click=${startPolishing}>Polish</button>`
+      }
+      <a class="button" href=${`./#${encodePermalink(lens.vertices)}`}>Open on the page Lens</a>
+    </div>
+  </section>`
+}
+
+function extremeness({ quest, measure, start }: ReadQuest, report: NonNullable<typeof lens.report>): TemplateResult {
+  return html`It has the property; <code>${quest.measure}</code> is ${formatNumber(measured(measure, report, start))}.`
+}
+
+function found(finds: readonly Find[]): TemplateResult | typeof nothing {
+  if (!search) return nothing
+  const sorted = (value: Order, label: string) =>
+    html`<label><input type="radio" name="order" .checked=${order === value} @change=${() => sort(value)} /> ${label}</label>`
+  return html`<section aria-labelledby="found">
+    <div class="head">
+      <h2 id="found">Found</h2>
+      <div class="order" role="radiogroup" aria-label="Order">
+        ${sorted('beauty', 'simplest first')} ${sorted('extremeness', 'most extreme first')}
+      </div>
+    </div>
+    ${
+      finds.length === 0
+        ? html`<p class="quiet">${search.isRunning ? 'Nothing yet.' : 'Nothing so far.'}</p>`
+        : [
+            choicesTemplate({ label: 'Found', choices: finds.map(choiceOf), pictures, isShown, onChoose: choose }),
+            html`<button type="button" @click=${() => save('found', finds.map(choiceOf))}>Export what is found</button>`,
+          ]
+    }
+  </section>`
+}
+
+function keptTemplate(): TemplateResult | typeof nothing {
+  const { elements, lasting } = kept
+  if (elements.length === 0 && lasting !== 'later') return nothing
+  const choices = elements.map(element => ({ ...element, caption: element.name }))
+  return html`<section aria-labelledby="kept">
+    <h2 id="kept">Kept</h2>
+    ${LASTING[lasting] === '' ? nothing : html`<p class="quiet">${LASTING[lasting]}</p>`}
+    ${choicesTemplate({ label: 'Kept', choices, pictures, isShown, onChoose: choose, onRemove: remove })}
+    ${
+      elements.length > 0
+        ? html`<button type="button" @click=${() => save('kept', elements)}>Export what is kept</button>`
+        : nothing
+    }
+  </section>`
+}
+
+const LASTING: Readonly<Record<Kept['lasting'], string>> = {
+  lasting: '',
+  fleeting:
+    'This browser stores nothing for this page. These elements are gone when the page is closed: export them to keep them.',
+  later:
+    'A later version of this page has kept elements here. They stay as they are. What you keep now is gone when this page is closed.',
+}
+
+function choiceOf(find: Find): Choice {
+  const value = order === 'beauty' ? movedText(find) : formatNumber(find.extremeness)
+  return { vertices: find.vertices, name: `${searchedFor}-${search?.quest.seed}-${find.index}`, caption: value }
+}
+
+function movedText({ vertices }: Find): string {
+  const start = search ? startOf(search.quest.distribution) : vertices
+  const moved = [0, 1, 2, 3, 4, 5, 6, 7].filter(v =>
+    [0, 1, 2].some(r => vertices[3 * v + r] !== start[3 * v + r]),
+  ).length
+  return `${moved} moved`
+}
+
+function isShown(vertices: Vertices): boolean {
+  return isSame(vertices, lens.vertices)
+}
+
+function isKept(vertices: Vertices): boolean {
+  return kept.elements.some(element => isSame(element.vertices, vertices))
+}
+
+function isSame(a: Vertices, b: Vertices): boolean {
+  return a.every((x, i) => x === b[i])
+}
+
+function change(name: keyof FormState, value: string): void {
+  form = withField(form, name, value)
+  problems = []
+  read = readQuest(questOf(form))
+  search?.stop()
+  failure = null
+  address()
+  draw()
+}
+
+/** The form and the element, as the address has them. */
+function address(): void {
+  history.replaceState(history.state, '', `?${encodeForm(form)}#${encodePermalink(lens.vertices)}`)
+}
+
+async function begin(): Promise<void> {
+  if (!read.ok) return
+  const { quest } = read.value
+  failure = null
+  ran = 0
+  search?.dispose()
+  try {
+    search = new Search(quest, await workersOrWhyNot(), news, fail)
+    searchedFor = form.find
+  } catch (reason) {
+    return fail(reason as Error)
+  }
+  spokesman.begin()
+  goOn()
+}
+
+async function workersOrWhyNot(): Promise<Workforce> {
+  try {
+    return await workforce()
+  } catch (reason) {
+    throw new Error(`searching and polishing need WebAssembly (${reason instanceof Error ? reason.message : reason}).`)
+  }
+}
+
+function goOn(): void {
+  since = performance.now()
+  search?.start()
+  draw()
+}
+
+function stop(): void {
+  search?.stop()
+}
+
+/** More was looked at; after `stop` the last of it too. */
+function news(): void {
+  if (!search) return
+  spokesman.report(search)
+  if (!search.isRunning) ran += performance.now() - since
+  schedule()
+}
+
+function fail(reason: Error): void {
+  failure = `This did not work: ${reason.message}`
+  draw()
+}
+
+function sort(value: Order): void {
+  order = value
+  draw()
+}
+
+function choose(choice: Choice): void {
+  chosen = choice
+  lens.vertices = choice.vertices
+  address()
+  draw()
+}
+
+/** The name of what was chosen; with a word more where the reader has moved a vertex since. */
+function nameInLens(): string {
+  if (chosen === null) return 'element'
+  return isShown(chosen.vertices) ? chosen.name : `${chosen.name}-changed`
+}
+
+function keep(): void {
+  keepAs(nameInLens(), lens.vertices)
+}
+
+function keepAs(name: string, vertices: Vertices): void {
+  kept.add({ name, vertices, property: form.property })
+  spokesman.say(`Kept as ${name}.`)
+  draw()
+}
+
+function remove({ name, vertices }: Choice): void {
+  kept.remove({ name, vertices, property: '' })
+  draw()
+}
+
+function save(what: string, elements: readonly (Choice | KeptElement)[]): void {
+  const property = search?.quest.property ?? ''
+  saveFile(`hexlens-${what}.json`, exported(elements.map(element => ({ property, ...element }))), 'application/json')
+}
+
+async function startPolishing(): Promise<void> {
+  if (!read.ok || polishing) return
+  const { quest } = read.value
+  const name = `${nameInLens()}-polished`
+  const job = { controller: new AbortController(), steps: 0 }
+  polishing = job
+  draw()
+  try {
+    const { vertices } = await polished(quest, lens.vertices, await workersOrWhyNot(), {
+      signal: job.controller.signal,
+      onStep: () => {
+        job.steps += 1
+        schedule()
+      },
+    })
+    polishing = null
+    kept.add({ name, vertices, property: quest.property })
+    choose({ name, vertices, caption: name })
+    spokesman.say(job.steps > 0 ? `Polished in ${job.steps} steps, and kept.` : 'It cannot be made simpler here. Kept.')
+  } catch (reason) {
+    polishing = null
+    if (!job.controller.signal.aborted) return fail(reason as Error)
+    spokesman.say('Polishing was cancelled.')
+  }
+  draw()
+}
+
+/** As beside.css has it: where the lens is above the column it has room for the scene and a line or two. */
+const narrow = matchMedia('(max-width: 55.99rem)')
+const chooseViews = () => {
+  lens.views = narrow.matches ? 'scene verdict' : 'scene verdict checks'
+}
+
+chooseViews()
+narrow.addEventListener('change', chooseViews)
+function openLink(): void {
+  const link = decodePermalink(location.hash)
+  if (link.ok) lens.vertices = link.value
+  else if (link.error.code !== 'absent') lens.raise({ code: 'link-broken', message: link.error.message })
+}
+
+openLink()
+addEventListener('hashchange', openLink)
+for (const type of ['hex-change', 'hex-verdict'] as const) lens.addEventListener(type, () => schedule())
+lens.addEventListener('hex-change', () => {
+  lens.clear('link-broken')
+  address()
+})
+addEventListener('storage', () => {
+  kept.read()
+  schedule()
+})
+draw()

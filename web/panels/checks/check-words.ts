@@ -1,0 +1,96 @@
+/**
+ * Other checks of a hexahedron, by what the report calls them: who uses each and what it looks at. docs/algorithm.md,
+ * section 9, says how their numbers are computed.
+ */
+import type { CheckId } from '../../core/report'
+import { type Vec3, vertexReference } from '../../model/hexahedron'
+import type { LookedAt } from '../../model/state'
+
+export interface CheckDescription {
+  readonly name: string
+  /** Programs or methods that ask this; null where it is nobody's in particular. */
+  readonly usedBy: string | null
+  /** Plain looksAts. */
+  readonly looksAt: string
+  /** The number is a jacdet, or one without a unit that is the same on every reference cube. */
+  readonly unit: 'jacdet' | 'none'
+  /** What the scene marks of it. */
+  readonly marks: LookedAt
+}
+
+const ENDS_AND_MIDDLE = [0, 1 / 2, 1]
+const gaussAbscissae = (offset: number) => [(1 - offset) / 2, (1 + offset) / 2]
+
+/** All points with coordinates among these. */
+function grid(coordinates: readonly number[]): readonly Vec3[] {
+  return coordinates.flatMap(x => coordinates.flatMap(y => coordinates.map((z): Vec3 => [x, y, z])))
+}
+
+function at(points: readonly Vec3[]): LookedAt {
+  return { points, edges: false }
+}
+
+export const checks: Readonly<Record<CheckId, CheckDescription>> = {
+  corners: {
+    name: 'Eight corners',
+    usedBy: 'deal.II',
+    looksAt: 'The least jacdet at the eight vertices.',
+    unit: 'jacdet',
+    marks: at(vertexReference),
+  },
+  'corners-and-centre': {
+    name: 'Corners and centre',
+    usedBy: 'Verdict in VTK, PyVista, ParaView',
+    looksAt:
+      'The least of jacdet over three lengths, at the vertices and the centre. It is from −1 to 1, or 1e30 if an edge or an axis has no length.',
+    unit: 'none',
+    marks: at([...vertexReference, [1 / 2, 1 / 2, 1 / 2]]),
+  },
+  'gauss-2': {
+    name: '2×2×2 Gauss points',
+    usedBy: 'solvers',
+    looksAt: 'The least jacdet at eight points inside: a solver with full integration evaluates it there.',
+    unit: 'jacdet',
+    marks: at(grid(gaussAbscissae(Math.sqrt(1 / 3)))),
+  },
+  'gauss-3': {
+    name: '3×3×3 Gauss points',
+    usedBy: null,
+    looksAt: 'The least jacdet at the 27 points of the next finer integration rule.',
+    unit: 'jacdet',
+    marks: at(grid([...gaussAbscissae(Math.sqrt(3 / 5)), 1 / 2])),
+  },
+  edges: {
+    name: 'Twelve edges',
+    usedBy: null,
+    looksAt: 'The least jacdet along the twelve edges, from the quadratic on each edge, not from samples.',
+    unit: 'jacdet',
+    marks: { points: [], edges: true },
+  },
+  bernstein: {
+    name: 'One Bernstein bound',
+    usedBy: null,
+    looksAt:
+      'The least of the 27 Bernstein coefficients, from 20 samples. It is a lower bound of jacdet, often a poor one: it rejects some valid elements.',
+    unit: 'jacdet',
+    // Corners and middles of edges: two coordinates at least are at an end.
+    marks: at(grid(ENDS_AND_MIDDLE).filter(point => point.filter(x => x === 1 / 2).length < 2)),
+  },
+  subdivision: {
+    name: 'Subdivision to depth\u00a04',
+    usedBy: 'HXT',
+    looksAt:
+      'The number at which cutting into eight stops. An element still open at depth 4 is rejected, valid or not.',
+    unit: 'jacdet',
+    // The corners of the first eight parts; the later ones depend on the element.
+    marks: at(grid(ENDS_AND_MIDDLE)),
+  },
+  tangents: {
+    name: 'Four tangents',
+    usedBy: 'Knabner, Korotov, Summ',
+    looksAt:
+      'A lower bound of jacdet, by four tangents in two variables. If it is positive, it certifies the element. Otherwise it says nothing.',
+    unit: 'jacdet',
+    marks: at(grid([0, 1 / 3, 2 / 3, 1])),
+  },
+}

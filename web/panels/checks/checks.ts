@@ -1,0 +1,127 @@
+/** Who would notice: what other checks say of this element, each against the exact verdict. */
+import { html, render, type TemplateResult } from 'lit-html'
+import type { Check, CheckId, Report } from '../../core/report'
+import { formatNumber } from '../../model/decimal'
+import type { ReferenceCube } from '../../model/state'
+import { copyable, copyableJacdet } from '../../views/copyable'
+import type { CreateView, Frame, Turn, View, ViewHost } from '../../views/view'
+import { checks as descriptions } from './check-words'
+import css from './checks.css?inline'
+
+export const checksStyles = css
+
+/** Verdict's number where it finds a length of zero. */
+const NO_LENGTH = 1e30
+
+class ChecksView implements View {
+  readonly root = document.createElement('section')
+  readonly turns: readonly Turn[] = [frame => this.#draw(frame)]
+  #drawn: Report | null = null
+  #cube: ReferenceCube | null = null
+  readonly #host: ViewHost
+  readonly #listening = new AbortController()
+  /** The check whose points are marked in the scene. */
+  #marked: CheckId | null = null
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.root.className = 'checks'
+    this.root.setAttribute('role', 'group')
+    this.root.setAttribute('aria-labelledby', 'checks-title')
+    this.#listen()
+  }
+
+  update({ report }: Frame): void {
+    this.root.hidden = report === null
+    if (report === null) this.#mark(null)
+  }
+
+  #draw({ state, report }: Frame): void {
+    if (report === null || (report === this.#drawn && state.referenceCube === this.#cube)) return
+    this.#drawn = report
+    this.#cube = state.referenceCube
+    render(template(report, state.referenceCube), this.root)
+  }
+
+  dispose(): void {
+    this.#listening.abort()
+    this.#mark(null)
+  }
+
+  /** A row is pointed at by the mouse, by the focus of its number, or by a tap, which holds until the next one elsewhere. */
+  #listen(): void {
+    const { signal } = this.#listening
+    const { root } = this
+    const markRow = (event: Event) => this.#mark(checkOf(event.target))
+    const markFocused = () => this.#mark(checkOf(root.querySelector(':focus')))
+    root.addEventListener('pointerover', event => event.pointerType === 'mouse' && markRow(event), { signal })
+    root.addEventListener('pointerleave', event => event.pointerType === 'mouse' && markFocused(), { signal })
+    root.addEventListener('click', markRow, { signal })
+    root.addEventListener('focusin', markRow, { signal })
+    root.addEventListener('focusout', () => this.#mark(null), { signal })
+    const leave = (event: Event) => !event.composedPath().includes(root) && this.#mark(null)
+    document.addEventListener('click', leave, { signal }) // a scroll to the scene is none
+  }
+
+  #mark(id: CheckId | null): void {
+    if (id === this.#marked) return
+    this.#marked = id
+    this.#host.dispatch({ type: 'look-at', lookedAt: id && descriptions[id].marks })
+  }
+}
+
+function checkOf(target: EventTarget | null): CheckId | null {
+  const row = target instanceof Element ? target.closest<HTMLElement>('[data-check]') : null
+  return (row?.dataset.check as CheckId | undefined) ?? null
+}
+
+function template(report: Report, cube: ReferenceCube): TemplateResult {
+  return html`<h2 id="checks-title">Who would notice?</h2>
+    <table aria-labelledby="checks-title">
+      <thead>
+        <tr><th scope="col"><span class="said">Check</span></th><th scope="col">number</th><th scope="col">answer</th></tr>
+      </thead>
+      <tbody>
+        ${report.checks.map((check, i) => row(check, report, cube, i === 0))}
+      </tbody>
+    </table>
+    <details>
+      <summary>What each looks at</summary>
+      <p>Point at a row, and the scene marks it.</p>
+      <dl>
+        ${report.checks.map(({ id }) => html`<div><dt>${descriptions[id].name}</dt><dd>${descriptions[id].looksAt}</dd></div>`)}
+      </dl>
+    </details>`
+}
+
+function row(
+  { id, value, passes }: Check,
+  { valid, exponent }: Report,
+  cube: ReferenceCube,
+  isTabStop: boolean,
+): TemplateResult {
+  const { name, usedBy, unit } = descriptions[id]
+  const [yes, no] = id === 'tangents' ? ['certifies', 'does not'] : ['accepts', 'rejects']
+  const number =
+    unit === 'none'
+      ? copyable(formatNumber(value), String(value), { isTabStop })
+      : copyableJacdet(value, exponent, cube, { isTabStop })
+  const { said, mark } = judged(passes, valid, id)
+  return html`<tr data-check=${id} class=${mark === '✗' ? 'is-wrong' : ''}>
+    <th scope="row"><span>${name}</span>${usedBy ? html` <span class="by">${usedBy}</span>` : ''}
+      ${unit === 'none' && value === NO_LENGTH ? html`<span class="by">1e30: an edge or axis has no length to it</span>` : ''}</th>
+    <td class=${value < 0 ? 'negative' : ''}>${number}</td>
+    <td>
+      ${passes ? yes : no}<span class="said">: ${said}</span>
+      <span class="mark" aria-hidden="true">${mark}</span>
+    </td>
+  </tr>`
+}
+
+/** Against the exact verdict; a check that can only certify is not wrong about what it leaves open. */
+function judged(passes: boolean, valid: boolean, id: CheckId): { said: string; mark: string } {
+  if (passes === valid) return { said: 'agrees', mark: '✓' }
+  return id === 'tangents' && !passes ? { said: 'leaves it open', mark: '–' } : { said: 'wrong', mark: '✗' }
+}
+
+export const createChecks: CreateView = host => new ChecksView(host)

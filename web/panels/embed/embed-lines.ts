@@ -1,0 +1,89 @@
+/** What is embedded elsewhere: an element and how it is shown there, and its markup, which the hosts' snippets share. */
+
+import type { Vertices } from '../../model/hexahedron'
+import type { CameraView } from '../../model/state'
+import { pointsOf } from '../../model/written-element'
+
+/** As the element's attribute names them. */
+export const THEMES = ['auto', 'light', 'dark'] as const
+export type ThemeName = (typeof THEMES)[number]
+
+/** Names of parts in the attribute `views`, in the order in which they are shown. */
+export const embeddableViews = [
+  { name: 'scene', title: 'Scene' },
+  { name: 'verdict', title: 'Verdict' },
+  { name: 'proof', title: 'Proof' },
+  { name: 'checks', title: 'Who would notice' },
+  { name: 'vertices', title: 'Vertices' },
+  { name: 'face-maps', title: 'Face maps' },
+  { name: 'algorithm', title: 'Algorithm 1' },
+  { name: 'inside', title: 'Inside' },
+  { name: 'node-order', title: 'Node order' },
+  { name: 'morph', title: 'Morph' },
+  { name: 'paste', title: 'Paste or drop' },
+  { name: 'take-away', title: 'Take away' },
+  { name: 'toolbar', title: 'Presets, undo' },
+] as const
+
+export interface Embed {
+  readonly vertices: Vertices
+  /** Names of parts, `scene` and `verdict` for two. */
+  readonly views: readonly string[]
+  readonly theme: ThemeName
+  readonly readonly: boolean
+  /** Azimuth, elevation, zoom as the attribute says them; null is the default view. */
+  readonly camera: string | null
+  /** CSS pixels. */
+  readonly height: number
+  /** Said by screen readers, and in the picture's place. */
+  readonly label: string
+  /** The address that opens the element, for readers without JavaScript. */
+  readonly link: string
+  /** File name of the picture that stands for it until it runs, or where nothing does. */
+  readonly poster: string
+}
+
+/** The attributes besides `vertices` that differ from what an element has by itself. */
+export function attributesOf({ views, theme, readonly, camera, label }: Embed): readonly (readonly [string, string])[] {
+  return [
+    ['label', label] as const,
+    ...(views.join(' ') === 'scene verdict' ? [] : [['views', views.join(' ') || 'none'] as const]),
+    ...(camera === null ? [] : [['camera', camera] as const]),
+    ...(theme === 'auto' ? [] : [['theme', theme] as const]),
+    ...(readonly ? [['readonly', ''] as const] : []),
+  ]
+}
+
+/** The element with a link and a picture for readers without JavaScript; `style` is the host's way to say a height. */
+export function elementMarkup(embed: Embed, style: string): string {
+  const attributes = attributesOf(embed).map(([name, value]) => (value === '' ? name : `${name}="${escaped(value)}"`))
+  return [
+    '<hex-lens',
+    `  vertices="${verticesText(embed.vertices)}"`,
+    ...attributes.map(attribute => `  ${attribute}`),
+    `  ${style}`,
+    '>',
+    `  <a href="${escaped(embed.link)}"><img src="${escaped(embed.poster)}" alt="${escaped(embed.label)}" /></a>`,
+    '</hex-lens>',
+  ].join('\n')
+}
+
+/** Azimuth and elevation in whole tenths of a degree, and the zoom, as the attribute says them. */
+export function cameraText({ direction: [x, y, z], zoom }: CameraView): string {
+  const degrees = (radians: number) => Number(((radians * 180) / Math.PI).toFixed(1))
+  const elevation = Math.atan2(z, Math.hypot(x, y))
+  return `${degrees(Math.atan2(y, x))} ${degrees(elevation)} ${Number(zoom.toPrecision(3))}`
+}
+
+/** Points with commas between, each number the shortest decimal that reads back as the same double. */
+export function verticesText(vertices: Vertices): string {
+  return pointsOf(vertices)
+    .map(point => point.map(value => (Object.is(value, -0) ? '-0' : String(value))).join(' '))
+    .join(', ')
+}
+
+const ENTITIES: Readonly<Record<string, string>> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' }
+
+export function escaped(text: string): string {
+  return text.replace(/[&<>"]/g, character => ENTITIES[character] as string)
+}

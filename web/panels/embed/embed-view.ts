@@ -1,0 +1,208 @@
+/** The element for somebody's documentation: lines to copy for each kind of site, and how they look there. */
+import { html, nothing, render, type TemplateResult } from 'lit-html'
+import type { Vertices } from '../../model/hexahedron'
+import { copyText } from '../../views/copy-text'
+import { saveFile } from '../../views/save-file'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import css from './embed.css?inline'
+import { cameraText, type Embed, embeddableViews, THEMES, type ThemeName, verticesText } from './embed-lines'
+import { type Host, hosts, type Snippet } from './hosts'
+
+export const styles = css
+
+const PICTURE = 'hexlens.png'
+const HEIGHTS = { least: 160, most: 4000, step: 20 } as const
+/** The preview's events are not those of the element around it. */
+const EVENTS = ['hex-input', 'hex-change', 'hex-verdict', 'hex-error']
+
+/** What the author chose. */
+interface Choice {
+  readonly host: Host
+  readonly views: readonly string[]
+  readonly theme: ThemeName
+  readonly readonly: boolean
+  readonly camera: string | null
+  readonly height: number
+  /** Null while it is what the verdict makes of it. */
+  readonly label: string | null
+}
+
+class EmbedView implements View {
+  readonly root = document.createElement('div')
+  readonly #host: ViewHost
+  readonly #preview = document.createElement('hex-lens')
+  #choice: Choice = {
+    host: hosts[0],
+    views: ['scene', 'verdict'],
+    theme: 'auto',
+    readonly: false,
+    camera: null,
+    height: 480,
+    label: null,
+  }
+  #vertices: Vertices
+  #valid: boolean | null = null
+  #said = ''
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.#vertices = host.state().vertices
+    this.root.className = 'embed'
+    for (const name of EVENTS) this.#preview.addEventListener(name, event => event.stopPropagation())
+    this.#render()
+  }
+
+  update({ state, report }: Frame): void {
+    const valid = report?.valid ?? null
+    if (state.gestureStart !== null || (state.vertices === this.#vertices && valid === this.#valid)) return
+    this.#vertices = state.vertices
+    this.#valid = valid
+    this.#said = ''
+    this.#render()
+  }
+
+  dispose(): void {
+    this.#preview.remove()
+  }
+
+  get #embed(): Embed {
+    const { host: _, label, ...choice } = this.#choice
+    const said = this.#valid === null ? 'A hexahedron' : `${this.#valid ? 'A valid' : 'An invalid'} hexahedron`
+    return {
+      ...choice,
+      vertices: this.#vertices,
+      label: label ?? said,
+      link: this.#host.permalink(),
+      poster: PICTURE,
+    }
+  }
+
+  #choose(change: Partial<Choice>): void {
+    this.#choice = { ...this.#choice, ...change }
+    this.#said = ''
+    this.#render()
+  }
+
+  #render(): void {
+    const embed = this.#embed
+    this.#showPreview(embed)
+    render(this.#template(embed), this.root)
+  }
+
+  #showPreview(embed: Embed): void {
+    const attributes: Readonly<Record<string, string | null>> = {
+      vertices: verticesText(embed.vertices),
+      views: embed.views.join(' ') || 'none',
+      theme: embed.theme,
+      label: `Preview: ${embed.label}`,
+      readonly: embed.readonly ? '' : null,
+      camera: embed.camera,
+    }
+    for (const [name, value] of Object.entries(attributes)) {
+      if (value === this.#preview.getAttribute(name)) continue
+      if (value === null) this.#preview.removeAttribute(name)
+      else this.#preview.setAttribute(name, value)
+    }
+    this.#preview.style.width = '100%'
+    this.#preview.style.height = `${embed.height}px`
+  }
+
+  #template(embed: Embed): TemplateResult {
+    const { host, theme, readonly, camera } = this.#choice
+    return html`
+      <div class="choices">
+        <label>For
+          <select @change=${(event: Event) => this.#choose({ host: hosts[selected(event).selectedIndex] ?? hosts[0] })}>
+            ${hosts.map(each => html`<option ?selected=${each === host}>${each.title}</option>`)}
+          </select>
+        </label>
+        <label>Height
+          <input type="number" min=${HEIGHTS.least} max=${HEIGHTS.most} step=${HEIGHTS.step} .value=${String(embed.height)}
+            @change=${(event: Event) => this.#chooseHeight(event.target as HTMLInputElement)}> px
+        </label>
+        <label>Colours
+          <select @change=${(event: Event) => this.#choose({ theme: THEMES[selected(event).selectedIndex] ?? 'auto' })}>
+            ${THEMES.map(each => html`<option ?selected=${each === theme}>${each === 'auto' ? 'as the reader’s' : each}</option>`)}
+          </select>
+        </label>
+        <label><input type="checkbox" .checked=${readonly} @change=${(event: Event) => this.#choose({ readonly: isChecked(event) })}> To be looked at only</label>
+      </div>
+      <fieldset>
+        <legend>Shown</legend>
+        ${embeddableViews.map(({ name, title }) => this.#viewChoice(name, title))}
+      </fieldset>
+      <label class="description">Description, for screen readers and in the picture’s place
+        <input type="text" .value=${embed.label} placeholder=${embed.label}
+          @change=${(event: Event) => this.#choose({ label: (event.target as HTMLInputElement).value.trim() || null })}>
+      </label>
+      ${host.untested ? html`<p>Not tested in ${host.title} itself.</p>` : nothing}
+      ${[...host.setup, host.place(embed)].map(snippet => this.#snippet(snippet))}
+      <p class="actions">
+        <button type="button" @click=${() => this.#savePicture()}>Download ${PICTURE}</button>
+        <span>the preview as a picture, for readers without JavaScript; it goes beside the page</span>
+      </p>
+      <p aria-live="polite" class="told">${this.#said}</p>
+      <h3>Preview</h3>
+      <div class="preview">${this.#preview}</div>
+      <p class="actions">
+        <button type="button" @click=${() => this.#choose({ camera: this.#previewCamera })}>Keep this view</button>
+        ${camera === null ? html`<span>turned and zoomed as in the preview</span>` : html`<button type="button" @click=${() => this.#choose({ camera: null })}>Forget it</button>`}
+      </p>`
+  }
+
+  #viewChoice(name: string, title: string): TemplateResult {
+    const { views } = this.#choice
+    const choose = (event: Event) => {
+      const chosen = isChecked(event) ? [...views, name] : views.filter(view => view !== name)
+      this.#choose({ views: embeddableViews.map(view => view.name).filter(view => chosen.includes(view)) })
+    }
+    return html`<label><input type="checkbox" .checked=${views.includes(name)} @change=${choose}> ${title}</label>`
+  }
+
+  #snippet({ place, text }: Snippet): TemplateResult {
+    const title = place.includes('.') ? place : `${place[0]?.toUpperCase()}${place.slice(1)}`
+    return html`<div class="snippet">
+      <p><span>${title}</span><button type="button" aria-label=${`Copy: ${place}`} @click=${() => this.#copy(place, text)}>Copy</button></p>
+      <pre tabindex="0" aria-label=${title}><code>${text}</code></pre>
+    </div>`
+  }
+
+  #chooseHeight(field: HTMLInputElement): void {
+    const height = Math.round(field.valueAsNumber)
+    if (height >= HEIGHTS.least && height <= HEIGHTS.most) this.#choose({ height })
+    else this.#tell(`A height is between ${HEIGHTS.least} and ${HEIGHTS.most} pixels.`)
+  }
+
+  get #previewCamera(): string | null {
+    const { camera } = this.#preview.state
+    return camera && cameraText(camera)
+  }
+
+  #tell(sentence: string): void {
+    this.#said = sentence
+    this.#render()
+  }
+
+  async #copy(place: string, text: string): Promise<void> {
+    this.#tell((await copyText(text)) ? `Copied: ${place}.` : 'The browser does not allow copying here.')
+  }
+
+  async #savePicture(): Promise<void> {
+    try {
+      saveFile(PICTURE, await this.#preview.toPNG(), 'image/png')
+      this.#tell(`Saved as ${PICTURE}.`)
+    } catch (reason) {
+      this.#tell(`This could not be drawn (${reason instanceof Error ? reason.message : reason}).`)
+    }
+  }
+}
+
+function selected(event: Event): HTMLSelectElement {
+  return event.target as HTMLSelectElement
+}
+
+function isChecked(event: Event): boolean {
+  return (event.target as HTMLInputElement).checked
+}
+
+export const create: CreateView = host => new EmbedView(host)

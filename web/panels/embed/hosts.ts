@@ -1,0 +1,183 @@
+/** How an element is put into each kind of documentation: what the site needs once, and what stands where the element is to be. */
+
+import { encodePermalink } from '../../model/permalink'
+import { pointsOf } from '../../model/written-element'
+import { attributesOf, type Embed, elementMarkup, escaped } from './embed-lines'
+
+export interface Snippet {
+  /** Where it goes: a file's name, or words. */
+  readonly place: string
+  /** As fences of Markdown name it. */
+  readonly language: string
+  readonly text: string
+}
+
+export interface Host {
+  readonly id: string
+  readonly title: string
+  /** It cannot be had where the tests run. */
+  readonly untested?: true
+  /** Once for a site: what is to be copied where, and the lines that load it. */
+  readonly setup: readonly Snippet[]
+  /** For each element. */
+  place(embed: Embed): Snippet
+}
+
+const STYLE = ({ height }: Embed) => `style="display: block; width: 100%; height: ${height}px"`
+
+function indented(text: string, by: string): string {
+  return text.replace(/^(?=.)/gm, by)
+}
+
+/** The picture is a file beside the page that shows it. */
+const html = (place: string) => (embed: Embed) => ({
+  place,
+  language: 'html',
+  text: elementMarkup(embed, STYLE(embed)),
+})
+
+const sphinxSetup: Snippet = {
+  place: 'conf.py',
+  language: 'python',
+  text: 'html_static_path = ["_static"]\nhtml_js_files = [("hexlens.iife.js", {"defer": "defer"})]',
+}
+
+/** Sphinx copies nothing that raw HTML names. */
+function inStatic(embed: Embed): Embed {
+  return { ...embed, poster: `_static/${embed.poster}` }
+}
+
+export const hosts: readonly [Host, ...Host[]] = [
+  {
+    id: 'html',
+    title: 'HTML',
+    setup: [{ place: 'in the head', language: 'html', text: '<script defer src="hexlens.iife.js"></script>' }],
+    place: html('in the body'),
+  },
+  {
+    id: 'iframe',
+    title: 'iframe',
+    setup: [
+      {
+        place: 'once on the page',
+        language: 'html',
+        text: [
+          '<script>',
+          "  addEventListener('message', ({ data, source }) => {",
+          "    if (data?.type !== 'hexlens-resize') return",
+          "    for (const frame of document.querySelectorAll('iframe'))",
+          `      if (frame.contentWindow === source) frame.style.height = data.height + 'px'`,
+          '  })',
+          '</script>',
+        ].join('\n'),
+      },
+    ],
+    place: embed => {
+      const query = new URLSearchParams(attributesOf(embed).map(([name, value]) => [name, value]))
+      const address = `hexlens/embed.html?${query}#${encodePermalink(embed.vertices)}`
+      return {
+        place: 'in the body',
+        language: 'html',
+        text: [
+          '<iframe',
+          `  src="${escaped(address)}"`,
+          `  title="${escaped(embed.label)}"`,
+          '  loading="lazy"',
+          `  style="width: 100%; height: ${embed.height}px; border: 0"`,
+          '></iframe>',
+        ].join('\n'),
+      }
+    },
+  },
+  {
+    id: 'sphinx',
+    title: 'Sphinx',
+    setup: [sphinxSetup],
+    place: embed => ({
+      place: 'in a page, index.rst',
+      language: 'rst',
+      text: `.. raw:: html\n\n${indented(elementMarkup(inStatic(embed), STYLE(embed)), '   ')}`,
+    }),
+  },
+  {
+    id: 'myst',
+    title: 'MyST in Sphinx',
+    setup: [{ ...sphinxSetup, text: `extensions = ["myst_parser"]\n${sphinxSetup.text}` }],
+    place: embed => ({
+      place: 'in a page, index.md',
+      language: 'markdown',
+      text: `\`\`\`{raw} html\n${elementMarkup(inStatic(embed), STYLE(embed))}\n\`\`\``,
+    }),
+  },
+  {
+    id: 'mkdocs',
+    title: 'MkDocs',
+    setup: [
+      { place: 'mkdocs.yml', language: 'yaml', text: 'extra_javascript:\n  - path: hexlens.iife.js\n    defer: true' },
+    ],
+    place: embed => ({
+      place: 'in a page, index.md',
+      language: 'markdown',
+      text: `<div>\n${elementMarkup(embed, STYLE(embed))}\n</div>`,
+    }),
+  },
+  {
+    id: 'mdx',
+    title: 'MDX',
+    setup: [{ place: 'at the top of the page, page.mdx', language: 'mdx', text: "import 'hexlens'" }],
+    place: embed => ({
+      place: 'in the page',
+      language: 'mdx',
+      text: elementMarkup(embed, `style={{ display: 'block', width: '100%', height: ${embed.height} }}`),
+    }),
+  },
+  {
+    id: 'quarto',
+    title: 'Quarto',
+    untested: true,
+    setup: [
+      {
+        place: 'at the top of the page, page.qmd',
+        language: 'yaml',
+        text: [
+          '---',
+          'resources: [hexlens.iife.js]',
+          'format:',
+          '  html:',
+          '    include-in-header:',
+          '      text: \'<script defer src="hexlens.iife.js"></script>\'',
+          '---',
+        ].join('\n'),
+      },
+    ],
+    place: embed => ({
+      place: 'in the page',
+      language: 'markdown',
+      text: `\`\`\`{=html}\n${elementMarkup(embed, STYLE(embed))}\n\`\`\``,
+    }),
+  },
+  {
+    id: 'jupyter',
+    title: 'Jupyter',
+    setup: [{ place: 'in a cell', language: 'python', text: 'from hexlens import HexLens' }],
+    place: ({ vertices, views, height }) => ({
+      place: 'in the next cell',
+      language: 'python',
+      text: [
+        'lens = HexLens(',
+        '    [',
+        ...pointsOf(vertices).map(point => `        [${point.map(pythonNumber).join(', ')}],`),
+        '    ],',
+        `    views="${views.join(' ')}",`,
+        `    height=${height},`,
+        ')',
+        'lens',
+      ].join('\n'),
+    }),
+  },
+]
+
+/** Whole numbers stay short: NumPy makes doubles of them; but a bare -0 is Python's integer 0. */
+function pythonNumber(value: number): string {
+  return Object.is(value, -0) ? '-0.0' : String(value)
+}

@@ -1,0 +1,7 @@
+import { fold } from '../fold'
+import type { Panel } from '../panel'
+
+export const embed: Panel = {
+  ...fold({ name: 'embed', title: 'Copy embed', load: () => import('./embed-view') }),
+  place: 'panel',
+}

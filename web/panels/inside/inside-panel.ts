@@ -1,0 +1,235 @@
+/** What is inside: the least jacdet there against the boundary's, and a section that slides, here flat and in the scene in its place. */
+import { html, render, type TemplateResult } from 'lit-html'
+import { approximation, lowerInside } from '../../core/inside'
+import type { Report } from '../../core/report'
+import { formatBound, formatJacdet, formatNumber, formatPoint } from '../../model/decimal'
+import type { Axis, Vec3 } from '../../model/hexahedron'
+import type { ReferenceCube, Section, State } from '../../model/state'
+import { ThemeReader } from '../../scene/paint/theme'
+import { copyableJacdet, copyablePoint } from '../../views/copyable'
+import type { CreateView, Frame, Turn, View, ViewHost } from '../../views/view'
+import css from './inside-panel.css?inline'
+import { insideSentence } from './inside-words'
+import { AXIS_NAMES, SectionMap } from './section-map'
+
+export const styles = css
+
+const LARGEST_SIDE = 340
+const MARGIN = 22
+const STEP = 0.01
+const KEYS = 'Arrow keys move the point over the section. Escape removes it.'
+
+class InsidePanel implements View {
+  readonly root = document.createElement('div')
+  readonly turns: readonly Turn[] = [frame => this.#drawMap(frame)]
+  readonly #host: ViewHost
+  readonly #minima = document.createElement('div')
+  readonly #controls = document.createElement('div')
+  readonly #map: SectionMap
+  readonly #readout = document.createElement('p')
+  readonly #places = document.createElement('div')
+  readonly #theme: ThemeReader
+  readonly #resizes: ResizeObserver
+  #side = 0
+  #report: Report | null = null
+  readonly #drawn = new Map<string, readonly unknown[]>()
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.#map = new SectionMap(point => host.dispatch({ type: 'probe', point }))
+    this.#build()
+    this.#theme = new ThemeReader(this.root, () => host.requestFrame())
+    this.#resizes = new ResizeObserver(entries => {
+      const width = Math.floor(entries.at(-1)?.contentRect.width ?? 0)
+      this.#side = Math.max(0, Math.min(LARGEST_SIDE, width - MARGIN))
+      host.requestFrame()
+    })
+    this.#resizes.observe(this.root)
+  }
+
+  update(frame: Frame): void {
+    const { report, state } = frame
+    this.root.hidden = report === null
+    this.#report = report
+    if (report === null || !state.openPanels.includes('inside')) return
+    this.#drawWords(frame, report)
+  }
+
+  dispose(): void {
+    this.#theme.dispose()
+    this.#resizes.disconnect()
+  }
+
+  #drawMap({ report, state }: Frame): void {
+    if (report !== null && this.#side > 0)
+      this.#map.update({ report, theme: this.#theme.read(), state, side: this.#side })
+  }
+
+  #build(): void {
+    this.root.className = 'inside'
+    this.#readout.className = 'readout'
+    const keys = document.createElement('span')
+    keys.id = 'section-keys'
+    keys.className = 'said'
+    keys.textContent = KEYS
+    this.#map.root.setAttribute('aria-describedby', keys.id)
+    this.#map.root.addEventListener('focus', () => this.#readout.setAttribute('aria-live', 'polite'))
+    this.#map.root.addEventListener('blur', () => this.#readout.setAttribute('aria-live', 'off'))
+    this.root.append(this.#minima, this.#places, this.#controls, this.#map.root, keys, this.#readout)
+  }
+
+  /** Whether any of it is new since the last time, and remembers it. */
+  #isNew(part: string, ...shown: unknown[]): boolean {
+    const drawn = this.#drawn.get(part)
+    if (drawn && shown.every((value, i) => value === drawn[i])) return false
+    this.#drawn.set(part, shown)
+    return true
+  }
+
+  #drawWords({ state, probe, zeroSurface }: Frame, report: Report): void {
+    const { referenceCube: cube, section } = state
+    if (this.#isNew('minima', report, cube)) render(minima(report, cube), this.#minima)
+    const goal = minimizerOf(report)[section.axis]
+    if (this.#isNew('controls', goal === section.value, lowerInside(report) !== null, section)) {
+      render(this.#controlsOf(report, section), this.#controls)
+      const value = `${AXIS_NAMES[section.axis]} = ${formatNumber(section.value)}`
+      this.#map.root.setAttribute('aria-label', `Map of jacdet on the section ${value}`)
+    }
+    if (this.#isNew('readout', probe, report, section, cube)) {
+      const isHere = probe !== null && probe.point[section.axis] === section.value
+      render(
+        isHere ? readout(probe.point, probe.jacdet, probe.exponent, cube) : offSection(report, section),
+        this.#readout,
+      )
+    }
+    const isThere = zeroSurface && zeroSurface.triangles.length > 0
+    if (this.#isNew('places', state.faceDisplay === 'inside', state.referenceShown, isThere))
+      render(this.#placesOf(state, isThere), this.#places)
+  }
+
+  /** Where else the inside is shown. */
+  #placesOf({ faceDisplay, referenceShown }: State, isThere: boolean | null): TemplateResult {
+    const isInScene = faceDisplay === 'inside'
+    const show = (event: Event) => (event.target as HTMLInputElement).checked
+    return html`<fieldset class="places">
+        <legend>Shown in space</legend>
+        <label
+          ><input
+            type="checkbox"
+            .checked=${isInScene}
+            @change=${(event: Event) =>
+              this.#host.dispatch({ type: 'show-faces', faceDisplay: show(event) ? 'inside' : 'opaque' })}
+          />in the element</label
+        >
+        <label
+          ><input
+            type="checkbox"
+            .checked=${referenceShown}
+            @change=${(event: Event) => this.#host.dispatch({ type: 'show-reference', referenceShown: show(event) })}
+          />and in the reference cube</label
+        >
+      </fieldset>
+      <p class="caption">${surfaceWords(isThere)}</p>`
+  }
+
+  #controlsOf(report: Report, { axis, value }: Section): TemplateResult {
+    const name = AXIS_NAMES[axis]
+    const goal = minimizerOf(report)
+    return html`<fieldset class="axes">
+        <legend>Section at</legend>
+        ${AXIS_NAMES.map(
+          (other, i) => html`<label
+            ><input
+              type="radio"
+              name="section-axis"
+              .checked=${i === axis}
+              @change=${() => this.#show({ axis: i as Axis, value })}
+            /><span>${other}</span></label
+          >`,
+        )}
+      </fieldset>
+      <label class="slide">
+        <span>${name} = <output>${formatNumber(value)}</output></span>
+        <input
+          type="range"
+          min="0"
+          max="1"
+          step=${STEP}
+          .value=${String(value)}
+          aria-label=${`Section at ${name}`}
+          aria-valuetext=${formatNumber(value)}
+          @input=${(event: Event) => this.#show({ axis, value: (event.target as HTMLInputElement).valueAsNumber })}
+        />
+      </label>
+      <button type="button" ?disabled=${goal[axis] === value} @click=${() => this.#goToMinimum()}>
+        ${lowerInside(report) ? 'Go to the minimum inside' : 'Go to the minimum'}
+      </button>`
+  }
+
+  #show(section: Section): void {
+    this.#host.dispatch({ type: 'show-section', section })
+    this.#host.dispatch({ type: 'probe', point: null })
+  }
+
+  #goToMinimum(): void {
+    const { axis } = this.#host.state().section
+    if (this.#report) this.#show({ axis, value: minimizerOf(this.#report)[axis] })
+    // The button is now disabled, and keys should not be lost with it.
+    this.#controls.querySelector<HTMLElement>('input[type=range]')?.focus({ preventScroll: true })
+  }
+}
+
+function surfaceWords(isThere: boolean | null): string {
+  if (isThere === null) return 'The section and the surface J = 0 can be shown in space.'
+  return isThere
+    ? 'Red: the surface J = 0, around the negative part. The section cuts through both.'
+    : 'J is zero nowhere inside, so there is no surface J = 0.'
+}
+
+function minimizerOf(report: Report): Vec3 {
+  return lowerInside(report)?.point ?? report.minimizer.point
+}
+
+function minima(report: Report, cube: ReferenceCube): TemplateResult {
+  const { exponent, boundaryMinimum, boundaryMinimumError, minimizer, volumeMinimum } = report
+  const inside = lowerInside(report)
+  const { lower, upper, point } = volumeMinimum
+  const volume = approximation(volumeMinimum)
+  const isExact = lower === upper
+  return html`<p class="why">${insideSentence(report, cube)}</p>
+    <table aria-label="Boundary minimum and volume minimum">
+      <tbody>
+        <tr>
+          <th scope="row">On the boundary</th>
+          <td><b>${copyableJacdet(boundaryMinimum, exponent, cube)}</b></td>
+          <td>${boundaryMinimumError === 0 ? 'exactly' : `± ${formatBound(boundaryMinimumError, exponent, cube)}`}<br />at ${copyablePoint(minimizer.point)}</td>
+        </tr>
+        <tr>
+          <th scope="row">In the whole element</th>
+          <td>${inside ? html`<b>${copyableJacdet(volume.value, exponent, cube)}</b>` : 'the same'}</td>
+          <td>
+            ${isExact ? 'exactly' : html`between ${formatJacdet(lower, exponent, cube, 'down')} and ${formatJacdet(upper, exponent, cube, 'up')}`}
+            ${inside ? html`<br />at ${copyablePoint(point)}` : ''}
+          </td>
+        </tr>
+      </tbody>
+    </table>`
+}
+
+function jacdet(value: number, exponent: number, cube: ReferenceCube): TemplateResult {
+  return html`<b class=${value < 0 ? 'negative' : ''}>${formatJacdet(value, exponent, cube)}</b>`
+}
+
+function readout(point: Vec3, value: number, exponent: number, cube: ReferenceCube): TemplateResult {
+  return html`J = ${jacdet(value, exponent, cube)} at ${formatPoint(point)}`
+}
+
+/** The hint, or where the minimizer is that is marked although it does not lie on the section. */
+function offSection(report: Report, { axis, value }: Section): string {
+  const at = minimizerOf(report)[axis]
+  if (at === value) return 'Point at the section to read jacdet there, or use the arrow keys.'
+  const off = formatNumber(Math.abs(at - value))
+  return `The minimum is not on this section: it is ${off} ${at > value ? 'above' : 'below'} it in ${AXIS_NAMES[axis]}, marked where it projects.`
+}
+
+export const create: CreateView = host => new InsidePanel(host)

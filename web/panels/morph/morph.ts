@@ -1,0 +1,206 @@
+/** The way between two elements: the boundary minimum along it, and the doubles at which the verdict changes. */
+import { html, render, type TemplateResult } from 'lit-html'
+import type { Report } from '../../core/report'
+import { formatJacdet } from '../../model/decimal'
+import type { Vertices } from '../../model/hexahedron'
+import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
+import { elementAt, placeOnWay } from '../../model/way'
+import { copyable, copyableJacdet } from '../../views/copyable'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { answerTo } from '../panel'
+import css from './morph.css?inline'
+import type { Morph } from './morph-answer'
+import { MorphGraph } from './morph-graph'
+import { type Ends, endsSlice, morphQuestion } from './morph-question'
+
+export const styles = css
+
+type End = keyof Ends
+
+const STEP = 0.001
+const ENDS: readonly { readonly end: End; readonly name: string; readonly follows: string }[] = [
+  { end: 'morphA', name: 'A', follows: 'the start, what Reset goes back to' },
+  { end: 'morphB', name: 'B', follows: 'the element as it is' },
+]
+
+class MorphView implements View {
+  readonly root = document.createElement('div')
+  readonly #host: ViewHost
+  readonly #graph = new MorphGraph()
+  readonly #ends = document.createElement('div')
+  readonly #slide = document.createElement('div')
+  readonly #words = document.createElement('div')
+  #morph: Morph | null = null
+  #tau = 1
+  #isSliding = false
+  #drawn: readonly unknown[] = []
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.root.className = 'morph'
+    this.root.append(this.#ends, this.#graph.root, this.#slide, this.#words)
+  }
+
+  update(frame: Frame): void {
+    const { state, report } = frame
+    const morph = answerTo(morphQuestion, frame)
+    if (!state.openPanels.includes('morph')) return
+    this.#morph = morph
+    this.root.hidden = morph === null
+    if (morph === null || report === null) return
+    const here = placeOnWay(morph.a, morph.b, state.vertices, this.#tau)
+    if (here !== null) this.#tau = here
+    this.#graph.update(morph, here, state.referenceCube)
+    const ends = sliceOf(endsSlice, state)
+    const drawn = [morph, here, report, ends, state.referenceCube, state.gestureStart === null]
+    if (drawn.every((value, i) => value === this.#drawn[i])) return
+    this.#drawn = drawn
+    render(this.#endsOf(ends), this.#ends)
+    render(this.#slider(here, report, state.referenceCube), this.#slide)
+    render(this.#crossings(morph, here), this.#words)
+  }
+
+  dispose(): void {
+    this.#commit()
+  }
+
+  #endsOf(ends: Ends): TemplateResult {
+    return html`<dl>
+        ${ENDS.map(
+          ({ end, name, follows }) => html`<div>
+            <dt>${name}</dt>
+            <dd>${ends[end] === null ? follows : 'kept'}</dd>
+            <dd><button type="button" @click=${() => this.#keep(end, this.#host.state().vertices)}>Keep as ${name}</button></dd>
+          </div>`,
+        )}
+      </dl>
+      ${
+        ends.morphA === null && ends.morphB === null
+          ? ''
+          : html`<p><button type="button" @click=${() => this.#forget()}>Forget both</button></p>`
+      }`
+  }
+
+  #slider(here: number | null, report: Report, cube: ReferenceCube): TemplateResult {
+    const { valid: isValid, boundaryMinimum, exponent } = report
+    const minimum = formatJacdet(boundaryMinimum, exponent, cube)
+    const text = here === null ? 'not on the way' : `${here}, ${isValid ? 'valid' : 'invalid'}, minimum ${minimum}`
+    return html`<label class="slide">
+        <input
+          type="range"
+          min="0"
+          max="1"
+          step=${STEP}
+          .value=${String(this.#tau)}
+          aria-label="Place between A and B"
+          aria-valuetext=${text}
+          @input=${(event: Event) => this.#slideTo((event.target as HTMLInputElement).valueAsNumber)}
+          @change=${() => this.#commit()}
+          @blur=${() => this.#commit()}
+          @keydown=${(event: KeyboardEvent) => this.#onKey(event)}
+        />
+      </label>
+      <p class="place">
+        ${
+          here === null
+            ? 'The element is not on the way from A to B. Move the slider to put it there.'
+            : html`τ = <b>${copyable(String(here), String(here))}</b>
+              <span class="says">${isValid ? 'valid' : 'invalid'}, min J = ${copyableJacdet(boundaryMinimum, exponent, cube)}</span>`
+        }
+      </p>`
+  }
+
+  #crossings({ a, b, samples, crossings }: Morph, here: number | null): TemplateResult {
+    if (a === b || a.every((value, i) => Object.is(value, b[i])))
+      return html`<p class="note">A and B are the same element. Move a vertex, or keep this one as A and choose another preset.</p>`
+    if (crossings.length === 0)
+      return html`<p class="note">
+        ${samples[0]?.valid ? 'Valid' : 'Invalid'} at every place looked at from A to B: the verdict was not seen to change.
+      </p>`
+    return html`<table aria-label="Where the verdict changes">
+        <tbody>
+          ${crossings.map(
+            ({ validTau, invalidTau }, i) =>
+              html`${this.#crossing('Last valid', validTau, crossings.length > 1 ? i + 1 : 0, here)}
+              ${this.#crossing('First invalid', invalidTau, crossings.length > 1 ? i + 1 : 0, here)}`,
+          )}
+        </tbody>
+      </table>
+      <p class="note">
+        No double lies between the last valid and the first invalid τ, and each verdict is exact. The way is A + τ (B − A), with
+        every coordinate in doubles.
+      </p>`
+  }
+
+  #crossing(name: string, tau: number, number: number, here: number | null): TemplateResult {
+    return html`<tr>
+      <th scope="row">
+        <button
+          type="button"
+          class="on-paper"
+          aria-label=${number > 0 ? `${name}, change ${number}` : name}
+          aria-pressed=${tau === here}
+          @click=${() => this.#jump(tau)}
+        >
+          ${name}
+        </button>
+      </th>
+      <td>τ = ${copyable(String(tau), String(tau))}</td>
+    </tr>`
+  }
+
+  #keep(end: End, vertices: Vertices | null): void {
+    this.#host.dispatch(sliceChange(endsSlice, { [end]: vertices }))
+  }
+
+  #forget(): void {
+    for (const { end } of ENDS) this.#keep(end, null)
+    this.#ends.querySelector('button')?.focus()
+  }
+
+  /** The ends no longer follow the element, or the way would change under the slider. */
+  #hold({ a, b }: Morph): void {
+    const { morphA, morphB } = sliceOf(endsSlice, this.#host.state())
+    if (morphA === null) this.#keep('morphA', a)
+    if (morphB === null) this.#keep('morphB', b)
+  }
+
+  #slideTo(tau: number): void {
+    const morph = this.#morph
+    if (morph === null) return
+    if (!this.#isSliding) {
+      this.#hold(morph)
+      this.#host.dispatch({ type: 'begin-gesture' })
+      this.#isSliding = true
+    }
+    this.#moveTo(morph, tau)
+  }
+
+  #jump(tau: number): void {
+    const morph = this.#morph
+    if (morph === null) return
+    this.#commit()
+    this.#hold(morph)
+    this.#moveTo(morph, tau)
+  }
+
+  #moveTo({ a, b }: Morph, tau: number): void {
+    this.#tau = tau
+    this.#host.dispatch({ type: 'move-all', vertices: elementAt(a, b, tau) })
+  }
+
+  #commit(): void {
+    if (!this.#isSliding) return
+    this.#isSliding = false
+    this.#host.dispatch({ type: 'commit-gesture' })
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    if (event.key !== 'Escape' || !this.#isSliding) return
+    this.#isSliding = false
+    this.#host.dispatch({ type: 'cancel-gesture' })
+    event.preventDefault()
+  }
+}
+
+export const create: CreateView = host => new MorphView(host)

@@ -1,0 +1,175 @@
+/** How little has to move for the other verdict: of one vertex, of each, of all together; to look at and to apply. */
+import { html, render, type TemplateResult } from 'lit-html'
+import { formatNumber } from '../../model/decimal'
+import type { Vertices } from '../../model/hexahedron'
+import type { State } from '../../model/state'
+import { copyable } from '../../views/copyable'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { answerTo } from '../panel'
+import css from './nearest.css?inline'
+import { nearestQuestion } from './nearest-question'
+import type { Nearest, NearestAnswer, NearestMove } from './search/nearest'
+
+export const styles = css
+
+class NearestView implements View {
+  readonly root = document.createElement('div')
+  readonly #host: ViewHost
+  /** What the last move applied has made. */
+  #applied: Vertices | null = null
+  #drawn: readonly unknown[] = []
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.root.className = 'nearest'
+  }
+
+  update(frame: Frame): void {
+    const { state, report } = frame
+    const nearest = answerTo(nearestQuestion, frame)
+    if (!state.openPanels.includes('nearest')) this.#preview(null)
+    const known = nearest?.vertices === state.vertices ? nearest : null
+    const valid = report?.valid ?? null
+    const isMoving = state.gestureStart !== null
+    const drawn = [valid, known, isMoving, state.previewedMove, this.#applied === state.vertices]
+    if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
+    this.#drawn = drawn
+    render(this.#template(valid, isMoving, known, state), this.root)
+  }
+
+  dispose(): void {
+    this.#preview(null)
+  }
+
+  #template(valid: boolean | null, isMoving: boolean, nearest: Nearest | null, state: State): TemplateResult {
+    return html`<p tabindex="-1" class="answer">${this.#answer(valid, isMoving, state)}</p>
+      ${valid === null || isMoving ? '' : [this.#moves(valid, nearest, state), this.#each(valid, nearest, state)]}`
+  }
+
+  #answer(valid: boolean | null, isMoving: boolean, { vertices }: State): string {
+    if (valid === null) return 'There is no verdict, so there is none to change.'
+    if (isMoving) return 'The search starts when this change is done.'
+    const applied = this.#applied === vertices ? 'The move is applied. Undo takes it back. ' : ''
+    return `${applied}How little has to move to make this element ${other(valid)}?`
+  }
+
+  #moves(valid: boolean, nearest: Nearest | null, state: State): TemplateResult {
+    return html`<dl>
+      <div>
+        <dt>One vertex</dt>
+        <dd>${nearest?.ofOne === undefined ? LOOKING : this.#best(nearest.ofOne, valid, nearest, state)}</dd>
+      </div>
+      <div>
+        <dt>All eight</dt>
+        <dd>${nearest?.ofAll === undefined ? LOOKING : this.#all(nearest.ofAll, valid, state)}</dd>
+      </div>
+    </dl>`
+  }
+
+  #best(one: NearestMove | null, valid: boolean, { ofVertex }: Nearest, state: State): TemplateResult {
+    if (one === null) {
+      const isCertain = ofVertex.every(answer => answer === 'impossible')
+      return html`<p>
+        ${
+          isCertain
+            ? `No vertex alone can make it ${other(valid)}, wherever it goes.`
+            : `No move of one vertex was found that makes it ${other(valid)}.`
+        }
+      </p>`
+    }
+    return html`<p>Vertex ${one.vertex} by <b>${lengthOf(one.length)}</b></p>
+      ${claim(one)}${this.#buttons(one, `vertex ${one.vertex}`, state)}`
+  }
+
+  #all(move: NearestAnswer, valid: boolean, state: State): TemplateResult {
+    if (move === null || move === 'impossible')
+      return html`<p>No move was found that makes it ${other(valid)} and is shorter than others.</p>`
+    return html`<p>Together by <b>${lengthOf(move.length)}</b>, the farthest by ${lengthOf(move.longest)}</p>
+      ${claim(move)}${this.#buttons(move, 'all eight', state)}`
+  }
+
+  #buttons(move: NearestMove, what: string, state: State): TemplateResult {
+    const isOpen = state.previewedMove === move.vertices
+    return html`<p class="go">
+      <button
+        type="button"
+        aria-label=${`Preview the move of ${what}`}
+        aria-pressed=${isOpen}
+        @click=${() => this.#preview(isOpen ? null : move.vertices)}
+      >
+        Preview
+      </button>
+      <button type="button" aria-label=${`Apply the move of ${what}`} @click=${() => this.#apply(move)}>Apply</button>
+    </p>`
+  }
+
+  #each(valid: boolean, nearest: Nearest | null, state: State): TemplateResult {
+    return html`<details>
+        <summary>Each vertex alone</summary>
+        <ol start="0">
+          ${(nearest?.ofVertex ?? []).map((answer, vertex) => this.#row(answer, vertex, state))}
+        </ol>
+      </details>
+      <details>
+        <summary>What these lengths are, and what is certain</summary>
+        <p>
+          A length is Euclidean: the square root of the sum of the squared changes of all coordinates. For one vertex it is how far
+          the vertex moves.
+        </p>
+        <p>
+          The verdicts are exact on both sides. On the straight way to the element found, the place before it, a double away, still
+          ${valid ? 'is valid' : 'is invalid'}. If this element itself is on the border, the two are at most 2⁻⁶⁴ of the way apart.
+        </p>
+        <p>
+          If one vertex moves, jacdet at each point is affine in it. So the places that make a valid element are convex, and the
+          nearest is found with a bound for all others. If all vertices move, a bound is known too. If it is smaller than the move,
+          quite different moves may be shorter.
+        </p>
+      </details>`
+  }
+
+  #row(answer: NearestAnswer, vertex: number, state: State): TemplateResult {
+    if (answer === 'impossible') return html`<li><span>Vertex ${vertex}</span> <span class="says">cannot</span></li>`
+    if (answer === null) return html`<li><span>Vertex ${vertex}</span> <span class="says">none was found</span></li>`
+    return html`<li>
+      <span>Vertex ${vertex}</span>
+      <span>${lengthOf(answer.length)}</span>
+      ${this.#buttons(answer, `vertex ${vertex} alone`, state)}
+    </li>`
+  }
+
+  #preview(vertices: Vertices | null): void {
+    this.#host.dispatch({ type: 'preview-move', vertices })
+  }
+
+  /** One step to undo. What is said is new, so the focus moves there. */
+  #apply({ vertices }: NearestMove): void {
+    this.#host.dispatch({ type: 'move-all', vertices })
+    this.#applied = this.#host.state().vertices
+    this.root.querySelector<HTMLElement>('.answer')?.focus({ preventScroll: true })
+  }
+}
+
+const LOOKING = html`<p class="says">looking…</p>`
+
+function other(valid: boolean): string {
+  return valid ? 'invalid' : 'valid'
+}
+
+function lengthOf(length: number): TemplateResult {
+  return copyable(formatNumber(length), String(length))
+}
+
+function claim({ claim: known, bound }: NearestMove): TemplateResult {
+  const least = bound > 0 ? html` None shorter than ${lengthOf(bound)} is enough.` : ''
+  switch (known) {
+    case 'least':
+      return html`<p class="says">As short as any such move can be, to one part in a million.</p>`
+    case 'local':
+      return html`<p class="says">A local optimum: no small change of this move makes it shorter.${least}</p>`
+    case 'found':
+      return html`<p class="says">The shortest that was found; a change of it may make it shorter.${least}</p>`
+  }
+}
+
+export const create: CreateView = host => new NearestView(host)

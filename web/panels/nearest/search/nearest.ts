@@ -1,0 +1,227 @@
+/**
+ * The nearest elements of the other verdict: by moves of one vertex, each in turn, and of all eight together. Lengths are Euclidean,
+ * of all coordinates that move. What is found is certain on both sides: docs/algorithm.md 12.
+ */
+
+import { changesBetween, verdictOf } from '../../../core/crossing'
+import { timesPowerOfTwo } from '../../../core/power-of-two'
+import type { Core } from '../../../core/report'
+import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../../model/hexahedron'
+import { elementAt } from '../../../model/way'
+import { moveDownhill, moveOfAll, moveOfVertex, ofAllVertices, ofVertex } from './distances'
+import { leastOnBoundary } from './least-on-boundary'
+import { analyzed, movedVertices, nearestValidOfAll, nearestValidOfVertex } from './nearest-valid'
+import { columnsAt, map3, type ScaledElement, scaledElement } from './scaled-element'
+
+export interface NearestMove {
+  /** The vertex that moves; null where all may. */
+  readonly vertex: number | null
+  /** The element of the other verdict. */
+  readonly vertices: Vertices
+  /** On the straight way to it, the place one double before: still of the element's own verdict. */
+  readonly before: Vertices
+  /** Of all coordinates together; of one vertex its own way. */
+  readonly length: number
+  /** The way of the vertex that moves most. */
+  readonly longest: number
+  /** No such move shorter than this leads to the other verdict, for certain; 0 where nothing is known. */
+  readonly bound: number
+  /** `least`: as short as any, to one part in a million. `local`: no small change makes it shorter. `found`: neither is known. */
+  readonly claim: 'least' | 'local' | 'found'
+}
+
+/** Null: none was found. `impossible`: none for certain, up to a million times the element's size. */
+export type NearestAnswer = NearestMove | 'impossible' | null
+
+export interface Nearest {
+  readonly vertices: Vertices
+  readonly valid: boolean
+  /** Of vertices 0, 1, …, as far as they are done. */
+  readonly ofVertex: readonly NearestAnswer[]
+  /** The shortest of one vertex: null if there is none, undefined until all are done. */
+  readonly ofOne: NearestMove | null | undefined
+  /** Undefined until it is done. */
+  readonly ofAll: NearestAnswer | undefined
+}
+
+/** In units of the element's largest edge component. */
+const OUT_OF_REACH = 2 ** 20
+const LEAST = 2 ** -20
+
+/** Pauses every few thousandths of a second (a twisted element can take some tenths) and says what is known by then. */
+export function* searchNearest(core: Core, vertices: Vertices): Generator<Nearest, Nearest> {
+  const valid = verdictOf(core, vertices)
+  const scaled = scaledElement(vertices)
+  let nearest: Nearest = { vertices, valid, ofVertex: [], ofOne: undefined, ofAll: undefined }
+  for (let vertex = 0; vertex < VERTEX_COUNT; vertex++) {
+    const search = valid
+      ? invalidOfVertex(core, vertices, scaled as ScaledElement, vertex)
+      : validOfVertex(core, vertices, scaled, vertex)
+    const answer = yield* paused(search, nearest)
+    nearest = { ...nearest, ofVertex: [...nearest.ofVertex, answer] }
+    yield nearest
+  }
+  nearest = { ...nearest, ofOne: bestOf(nearest.ofVertex) }
+  const search = valid
+    ? invalidOfAll(core, vertices, scaled as ScaledElement)
+    : validOfAll(core, vertices, scaled, nearest.ofOne ?? null)
+  const ofAll = yield* paused(search, nearest)
+  return { ...nearest, ofAll: shorterOf(ofAll, nearest.ofOne ?? null) }
+}
+
+/** A move of one vertex is one of all eight: where doubles are coarse it may be the shorter, or the only one found. */
+function shorterOf(all: NearestAnswer, one: NearestMove | null): NearestAnswer {
+  if (one === null || all === 'impossible' || (all !== null && all.length <= one.length)) return all
+  return { ...one, vertex: null, bound: Math.min(all?.bound ?? 0, one.length), claim: 'found' }
+}
+
+function* paused<T>(search: Generator<undefined, T>, nearest: Nearest): Generator<Nearest, T> {
+  for (;;) {
+    const { done, value } = search.next()
+    if (done) return value as T
+    yield nearest
+  }
+}
+
+/** The shortest move, of any vertex. */
+function bestOf(answers: readonly NearestAnswer[]): NearestMove | null {
+  const moves = answers.filter(answer => answer !== null && answer !== 'impossible')
+  return moves.reduce<NearestMove | null>(
+    (best, move) => (best === null || move.length < best.length ? move : best),
+    null,
+  )
+}
+
+function* invalidOfVertex(
+  core: Core,
+  vertices: Vertices,
+  scaled: ScaledElement,
+  vertex: number,
+): Generator<undefined, NearestAnswer> {
+  const { point, bound } = yield* leastOnBoundary(scaled.edges, ofVertex(vertex))
+  const target = invalidBeyond(core, vertices, moveOfVertex(scaled.edges, point, vertex), scaled)
+  return yield* moveTo(core, vertices, target, { vertex, bound: inUnits(bound, scaled), isLocal: true })
+}
+
+function* invalidOfAll(core: Core, vertices: Vertices, scaled: ScaledElement): Generator<undefined, NearestAnswer> {
+  const { point, bound } = yield* leastOnBoundary(scaled.edges, ofAllVertices)
+  const least = moveOfAll(scaled.edges, point)
+  const moves = least ?? moveDownhill(scaled.edges, analyzed(core, vertices).minimizer.point)
+  const target = invalidBeyond(core, vertices, moves, scaled)
+  return yield* moveTo(core, vertices, target, { vertex: null, bound: inUnits(bound, scaled), isLocal: least !== null })
+}
+
+function* validOfVertex(
+  core: Core,
+  vertices: Vertices,
+  scaled: ScaledElement | null,
+  vertex: number,
+): Generator<undefined, NearestAnswer> {
+  if (scaled === null) return 'impossible' // seven vertices in one point
+  const { vertices: target, bound, isLocallyLeast } = yield* nearestValidOfVertex(core, vertices, scaled, vertex)
+  if (target === null) return bound > OUT_OF_REACH ? 'impossible' : null
+  return yield* moveTo(core, vertices, target, { vertex, bound: inUnits(bound, scaled), isLocal: isLocallyLeast })
+}
+
+function* validOfAll(
+  core: Core,
+  vertices: Vertices,
+  scaled: ScaledElement | null,
+  one: NearestMove | null,
+): Generator<undefined, NearestAnswer> {
+  if (scaled === null) return null // however small a cube is taken, a smaller one is nearer
+  const box = yield* wayToBox(core, vertices, scaled)
+  const others = [one?.vertices, box].filter(other => other !== undefined && other !== null)
+  const { vertices: target, bound, isLocallyLeast } = yield* nearestValidOfAll(core, vertices, scaled, others)
+  const found = target ?? one?.vertices ?? box
+  return yield* moveTo(core, vertices, found, { vertex: null, bound: inUnits(bound, scaled), isLocal: isLocallyLeast })
+}
+
+/** Where moves change nothing in doubles, or turn nothing, they are doubled as often as this. */
+const DOUBLINGS = 64
+
+/** Twice the move that makes jacdet zero, or as far as it takes. */
+function invalidBeyond(core: Core, vertices: Vertices, moves: readonly Vec3[], scaled: ScaledElement): Vertices | null {
+  for (let n = 1; n <= DOUBLINGS; n++) {
+    const longer = moves.map(move => map3(axis => 2 ** n * move[axis]))
+    const target = movedVertices(vertices, longer, scaled)
+    if (!target.every(Number.isFinite)) return null
+    if (!verdictOf(core, target)) return target
+  }
+  return null
+}
+
+/** A box with the element's mean edges, if that is right-handed, else a cube; or where the way to it becomes valid. */
+function* wayToBox(
+  core: Core,
+  vertices: Vertices,
+  { edges, exponent }: ScaledElement,
+): Generator<undefined, Vertices | null> {
+  const mean = columnsAt(edges, [0.5, 0.5, 0.5])
+  const size = Math.max(...mean.flat().map(Math.abs), 2 ** -10)
+  const frames = [mean, map3(column => map3(axis => (axis === column ? size : 0)))]
+  const boxes = frames.map(frame =>
+    vertexReference.flatMap(corner =>
+      map3(axis => {
+        const about = corner.reduce((sum, x, column) => sum + (x - 0.5) * (frame[column]?.[axis] as number), 0)
+        return centre(vertices, axis) + timesPowerOfTwo(about, exponent)
+      }),
+    ),
+  )
+  const box = boxes.find(candidate => candidate.every(Number.isFinite) && verdictOf(core, candidate))
+  if (box === undefined) return null
+  const { far } = yield* changesBetween(core, vertices, box, { near: 0, far: 1 })
+  return elementAt(vertices, box, far)
+}
+
+function centre(vertices: Vertices, axis: 0 | 1 | 2): number {
+  return vertexReference.reduce((sum, _, v) => sum + vertexOf(vertices, v)[axis] / VERTEX_COUNT, 0)
+}
+
+interface Known {
+  readonly vertex: number | null
+  readonly bound: number
+  readonly isLocal: boolean
+}
+
+/**
+ * Of the way: an element that is itself on the border has neighbours of the other verdict 5e-324 away, of coordinates that span so
+ * many powers of two that exact arithmetic takes seconds for them.
+ */
+const LEAST_PART = 2 ** -64
+
+/** As near as doubles allow on the straight way to the target, which is of the other verdict. */
+function* moveTo(
+  core: Core,
+  vertices: Vertices,
+  target: Vertices | null,
+  { vertex, bound, isLocal }: Known,
+): Generator<undefined, NearestAnswer> {
+  if (!target?.every(Number.isFinite) || verdictOf(core, target) === verdictOf(core, vertices)) return null
+  const { near, far } = yield* changesBetween(core, vertices, target, { near: 0, far: 1 }, LEAST_PART)
+  const found = elementAt(vertices, target, far)
+  const ways = vertexReference.map((_, v) =>
+    Math.hypot(...map3(axis => vertexOf(found, v)[axis] - vertexOf(vertices, v)[axis])),
+  )
+  const length = Math.hypot(...ways)
+  const isFine = LEAST * length >= spacingOf(vertices)
+  const claim = length * (1 - LEAST) <= bound ? 'least' : isLocal && isFine ? 'local' : 'found'
+  return {
+    vertex,
+    vertices: found,
+    before: elementAt(vertices, target, near),
+    length,
+    longest: Math.max(...ways),
+    bound: Math.min(bound, length),
+    claim,
+  }
+}
+
+/** At least that of neighbouring doubles at the coordinates: a move that is hardly longer is what they allow, not what is shortest. */
+function spacingOf(vertices: Vertices): number {
+  return Math.max(2 ** -52 * Math.max(...vertices.map(Math.abs)), Number.MIN_VALUE)
+}
+
+function inUnits(length: number, { exponent }: ScaledElement): number {
+  return timesPowerOfTwo(length, exponent)
+}

@@ -1,0 +1,131 @@
+/** Whether another node order makes a valid element of the same eight points: which, to look at and to use. */
+import { html, render, svg, type TemplateResult } from 'lit-html'
+import type { Vertices } from '../../model/hexahedron'
+import { type NodeOrder, nodeOrders } from '../../model/node-orders'
+import type { State } from '../../model/state'
+import { copyableJacdet } from '../../views/copyable'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { answerTo } from '../panel'
+import css from './node-order.css?inline'
+import { type HelpfulOrder, type TriedOrders, triedOrdersQuestion } from './tried-orders'
+import { wireframe } from './wireframe'
+
+export const styles = css
+
+class NodeOrderView implements View {
+  readonly root = document.createElement('div')
+  readonly #host: ViewHost
+  #used: { readonly vertices: Vertices; readonly name: string } | null = null
+  #drawn: readonly unknown[] = []
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.root.className = 'node-order'
+  }
+
+  update(frame: Frame): void {
+    const { state, report } = frame
+    const triedOrders = answerTo(triedOrdersQuestion, frame)
+    if (!state.openPanels.includes('node-order')) this.#preview(null)
+    const isStale = triedOrders?.vertices !== state.vertices
+    const isValid = report?.valid ?? null
+    const drawn = [isValid, triedOrders, isStale, state.referenceCube, state.previewedOrder, this.#used, state.start]
+    if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
+    this.#drawn = drawn
+    render(this.#template(isValid, isStale ? null : triedOrders, state), this.root)
+  }
+
+  dispose(): void {
+    this.#preview(null)
+  }
+
+  #template(isValid: boolean | null, tried: TriedOrders | null, state: State): TemplateResult {
+    return html`<p tabindex="-1" class="answer">${this.#answer(isValid, tried)}</p>
+      ${isValid === false && tried ? [this.#list(tried, state), triedList(tried)] : ''}`
+  }
+
+  #answer(isValid: boolean | null, tried: TriedOrders | null): string {
+    if (isValid === null) return 'There is no verdict, so there is nothing to compare.'
+    if (isValid) {
+      const { vertices } = this.#host.state()
+      const used =
+        this.#used?.vertices === vertices ? `The points were taken as “${this.#used.name}”; Undo takes that back. ` : ''
+      return `${used}The element is valid in the order its points are in, so no other is looked for.`
+    }
+    if (tried === null) return 'The orders are tried when this change is done.'
+    const { count, helpful } = tried
+    if (helpful.length === 0) return `None of the ${count} orders tried makes it valid.`
+    return helpful.length === 1
+      ? `Of ${count} other orders of the same eight points, one makes it valid:`
+      : `Of ${count} other orders of the same eight points, ${helpful.length} make it valid:`
+  }
+
+  #list({ vertices, helpful }: TriedOrders, state: State): TemplateResult {
+    return html`<ul>
+      ${helpful.map(order => this.#order(order, vertices, state))}
+    </ul>`
+  }
+
+  #order(helpful: HelpfulOrder, given: Vertices, state: State): TemplateResult {
+    const { orders, vertices, boundaryMinimum, exponent } = helpful
+    const { name, permutation } = orders[0] as NodeOrder
+    const isOpen = state.previewedOrder === permutation
+    return html`<li>
+      <p class="names">${orders.map(order => html`<span><strong>${order.name}</strong>${usedBy(order)}</span>`)}</p>
+      <p class="says">${orders.map(order => order.says).join(' ')}</p>
+      <p class="go">
+        <button
+          type="button"
+          aria-label=${`Preview ${name}`}
+          aria-expanded=${isOpen}
+          @click=${() => this.#preview(isOpen ? null : permutation)}
+        >
+          Preview
+        </button>
+        <button type="button" aria-label=${`Use this order: ${name}`} @click=${() => this.#use(helpful)}>Use this order</button>
+        <span>min J = ${copyableJacdet(boundaryMinimum, exponent, state.referenceCube)}</span>
+      </p>
+      ${isOpen ? html`<div class="pictures">${picture(given, 'as it is', false)}${picture(vertices, name, true)}</div>` : ''}
+    </li>`
+  }
+
+  #preview(order: readonly number[] | null): void {
+    this.#host.dispatch({ type: 'preview-order', order })
+  }
+
+  /** One step to undo. The button goes, so the focus moves to the sentence that says what happened. */
+  #use({ orders, vertices }: HelpfulOrder): void {
+    this.#host.dispatch({ type: 'set-vertices', vertices, preset: null })
+    this.#used = { vertices: this.#host.state().vertices, name: orders[0]?.name ?? '' }
+    this.root.querySelector<HTMLElement>('.answer')?.focus({ preventScroll: true })
+  }
+}
+
+function usedBy(order: NodeOrder): TemplateResult | string {
+  return order.usedBy ? html` <span class="by">${order.usedBy}</span>` : ''
+}
+
+function triedList({ count }: TriedOrders): TemplateResult {
+  return html`<details>
+    <summary>The ${count} orders tried</summary>
+    <dl>
+      ${nodeOrders.map(order => html`<div><dt>${order.name}${usedBy(order)}</dt><dd>${order.says}</dd></div>`)}
+    </dl>
+    <p>Turning the numbers by one of the cube’s 24 rotations changes nothing, so orders that differ by one are tried once.</p>
+  </details>`
+}
+
+/** Numbered in its own order. */
+function picture(vertices: Vertices, name: string, isValid: boolean): TemplateResult {
+  const { points, path } = wireframe(vertices)
+  const word = isValid ? 'valid' : 'invalid'
+  return html`<figure>
+    <svg viewBox="-126 -122 252 244" role="img" aria-label=${`The element ${isValid ? `in the order ${name}` : name}: ${word}`}>
+      <path d=${path} />
+      ${points.map(({ x, y }, v) => svg`<text x=${112 * x} y=${112 * y}>${v}</text>`)}
+    </svg>
+    <figcaption>${name}: ${word}</figcaption>
+  </figure>`
+}
+
+export const create: CreateView = host => new NodeOrderView(host)

@@ -1,0 +1,62 @@
+/** A box to paste into, files to open, and what can be read. What is read is said beside the verdict; here, too, for who looks here. */
+import { html, nothing, render } from 'lit-html'
+import type { Reading } from '../../input/reading'
+import { formatNames, otherInputs } from '../../mesh/format-names'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { statusSentence } from '../reading/reading-words'
+import css from './paste.css?inline'
+
+export const styles = css
+
+class PasteView implements View {
+  readonly root = document.createElement('div')
+  readonly #host: ViewHost
+  #drawn: Reading | null = null
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.root.className = 'paste'
+    this.#render(null)
+  }
+
+  update({ reading }: Frame): void {
+    if (reading === this.#drawn) return
+    this.#drawn = reading
+    this.#render(reading)
+  }
+
+  dispose(): void {}
+
+  #render(reading: Reading | null): void {
+    render(
+      html`<p>
+          Press Ctrl+V (⌘V), drop a text or files anywhere on Hexlens, or use the box. Files that belong together, such as a .pvtu and
+          its pieces, are given together.
+        </p>
+        <label for="paste-text">Text with eight points, or a part of a mesh file</label>
+        <textarea id="paste-text" rows="5" spellcheck="false" autocomplete="off" autocapitalize="off"></textarea>
+        <p class="actions">
+          <button type="button" @click=${this.#onRead}>Read it</button>
+          <button type="button" @click=${() => this.root.querySelector('input')?.click()}>Open files</button>
+          <input type="file" multiple hidden @change=${this.#onFiles} />
+        </p>
+        ${reading ? html`<p class="outcome">${statusSentence(reading)}</p>` : nothing}
+        <p class="known">Read are ${formatNames.join(', ')}, gzipped or not; ${otherInputs}.</p>
+        <p class="private">Nothing that is pasted, dropped or typed here leaves the browser.</p>`,
+      this.root,
+    )
+  }
+
+  readonly #onRead = (): void => {
+    this.#host.input.read({ text: this.root.querySelector('textarea')?.value ?? '' })
+  }
+
+  readonly #onFiles = (event: Event): void => {
+    const input = event.target as HTMLInputElement
+    const files = Array.from(input.files ?? [])
+    input.value = ''
+    if (files.length > 0) this.#host.input.read({ files })
+  }
+}
+
+export const create: CreateView = host => new PasteView(host)

@@ -1,0 +1,10 @@
+import type { Panel } from '../panel'
+import { createProblems, problemsStyles } from './problems'
+
+export const problems: Panel = {
+  name: 'problems',
+  place: 'head',
+  create: createProblems,
+  styles: problemsStyles,
+  always: true,
+}

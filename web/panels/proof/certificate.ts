@@ -1,0 +1,189 @@
+/** The proof of the verdict, on request: what anyone can check without this page, and the file that a checker takes. */
+import { html, render, type TemplateResult } from 'lit-html'
+import { type Certificate, type CertifiedInterval, certificateJson } from '../../core/exact/certificate'
+import { faces } from '../../model/hexahedron'
+import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
+import { copyText } from '../../views/copy-text'
+import { saveFile } from '../../views/save-file'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { answerTo } from '../panel'
+import css from './certificate.css?inline'
+import { type Proof, proofQuestion, proofSlice } from './proof-question'
+import { fullText, rationalText, roundedText } from './rational-text'
+import { type Run, runsOf } from './runs'
+
+export const certificateStyles = css
+
+/** Runs of intervals shown of one face; the file has all. */
+const SHOWN_RUNS = 8
+
+type Invalid = Extract<Certificate, { valid: false }>
+type Valid = Extract<Certificate, { valid: true }>
+
+interface Reason {
+  readonly formula: string
+  readonly because: string
+}
+
+const REASONS: Readonly<Record<CertifiedInterval['by'], Reason>> = {
+  b: { formula: 'b ≥ 0', because: 'in s it rises or is concave: nowhere below its lower end.' },
+  '2a+b': { formula: '2a + b ≤ 0', because: 'in s it falls or is concave: nowhere below its lower end.' },
+  middle: {
+    formula: 'c + b/2 > 0',
+    because: 'with c and a + b + c these are the Bernstein coefficients in s, all positive.',
+  },
+  D: { formula: '4ac > b²', because: 'in s it is a parabola that never reaches zero.' },
+}
+
+class CertificateView implements View {
+  readonly root = document.createElement('section')
+  readonly #host: ViewHost
+  /** What was copied last, and of which proof; told for as long as that proof is shown. */
+  #copied: { readonly proof: Proof; readonly what: 'numbers' | 'json' | 'nothing' } | null = null
+  #drawn: readonly unknown[] = []
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.root.className = 'certificate'
+    this.root.setAttribute('role', 'group')
+    this.root.setAttribute('aria-label', 'Proof')
+  }
+
+  update(frame: Frame): void {
+    const { state, report } = frame
+    const proof = answerTo(proofQuestion, frame)
+    const { proofShown } = sliceOf(proofSlice, state)
+    this.root.hidden = report === null
+    const isStale = proof !== null && proof.vertices !== state.vertices
+    const drawn = [proofShown, state.referenceCube, proof, isStale, this.#copied]
+    if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
+    this.#drawn = drawn
+    render(this.#template(proofShown, state.referenceCube, proof, isStale), this.root)
+  }
+
+  dispose(): void {}
+
+  #template(proofShown: boolean, cube: ReferenceCube, proof: Proof | null, isStale: boolean): TemplateResult {
+    return html`<p class="bar">
+        <button
+          type="button"
+          aria-expanded=${proofShown}
+          aria-controls="proof"
+          @click=${() => this.#host.dispatch(sliceChange(proofSlice, { proofShown: !proofShown }))}
+        >
+          ${proofShown ? 'Hide the proof' : 'Show the proof'}
+        </button>
+        <span aria-live="polite">${isStale ? 'The proof follows when this change is done.' : ''}</span>
+      </p>
+      <div id="proof" class=${isStale ? 'is-stale' : ''} ?hidden=${!proofShown}>${proof && this.#proof(proof, cube)}</div>`
+  }
+
+  #proof(proof: Proof, cube: ReferenceCube): TemplateResult {
+    const { certificate } = proof
+    const copied = this.#copied?.proof === proof ? this.#copied.what : null
+    return html`${certificate.valid ? validProof(certificate) : invalidProof(certificate, cube)}
+      <p class="actions">
+        ${
+          certificate.valid
+            ? ''
+            : html`<button type="button" @click=${() => this.#copy(proof, 'numbers', numbersText(certificate))}>
+              ${copied === 'numbers' ? 'Copied' : 'Copy point and value'}
+            </button>`
+        }
+        <button type="button" @click=${() => this.#copy(proof, 'json', this.#file(proof).text)}>
+          ${copied === 'json' ? 'Copied' : 'Copy JSON'}
+        </button>
+        <button type="button" @click=${() => this.#download(proof)}>Download</button>
+        <span aria-live="polite">${copied === 'nothing' ? 'Copying is not allowed here. Download gives the same.' : ''}</span>
+      </p>
+      <p class="check">
+        To check it without this page: <code>python3 tests/certificates/check_certificates.py FILE.json</code>.
+        <code>npm run -s hexlens -- certify</code> makes the same of a list of elements.
+      </p>`
+  }
+
+  /** A list of one, as the command line prints it and the checker takes it. */
+  #file({ vertices, certificate }: Proof): { readonly name: string; readonly text: string } {
+    const { preset, start } = this.#host.state()
+    const name = preset !== null && start === vertices ? preset : 'hexahedron'
+    return { name, text: `[\n${JSON.stringify(certificateJson(name, vertices, certificate))}\n]\n` }
+  }
+
+  async #copy(proof: Proof, what: 'numbers' | 'json', text: string): Promise<void> {
+    this.#copied = { proof, what: (await copyText(text)) ? what : 'nothing' }
+    this.#host.requestFrame()
+  }
+
+  #download(proof: Proof): void {
+    const { name, text } = this.#file(proof)
+    saveFile(`${name}-certificate.json`, text, 'application/json')
+  }
+}
+
+function invalidProof({ point, jacdet }: Invalid, cube: ReferenceCube): TemplateResult {
+  const shown = cube === 'unit' ? jacdet : eighth(jacdet)
+  const value = html`<span class=${jacdet.numerator < 0n ? 'number negative' : 'number'}>${rationalText(shown)}</span>${roundedText(shown)}`
+  return html`<p>
+      At (ξ, η, ζ) = <span class="number">(${point.map(rationalText).join(', ')})</span> the jacdet is exactly ${value},
+      which is not positive.
+    </p>
+    <p class="why">
+      One evaluation of the definition in rational numbers shows
+      it.${cube === 'unit' ? '' : ' The file has it on [0,1]³, eight times this.'}
+    </p>`
+}
+
+/** In lowest terms again. */
+function eighth({ numerator, denominator }: Invalid['jacdet']): Invalid['jacdet'] {
+  const common = [8n, 4n, 2n].find(factor => numerator % factor === 0n) ?? 1n
+  return numerator === 0n
+    ? { numerator, denominator }
+    : { numerator: numerator / common, denominator: (denominator * 8n) / common }
+}
+
+/** "(1/2, 1, 1), -1/128": in full, for programs. */
+function numbersText({ point, jacdet }: Invalid): string {
+  return `(${point.map(fullText).join(', ')}), ${fullText(jacdet)}`
+}
+
+function validProof({ faces: intervals }: Valid): TemplateResult {
+  const runs = intervals.map(runsOf)
+  const used = (Object.keys(REASONS) as CertifiedInterval['by'][]).filter(by =>
+    runs.some(list => list.some(run => run.by === by)),
+  )
+  return html`<p>
+      On a face jacdet is <span class="formula">a(t) s² + b(t) s + c(t)</span>, with s and t in the order of ξ, η, ζ. On each
+      interval of t it is positive at <span class="formula">s = 0</span> and <span class="formula">s = 1</span>. In between it is
+      positive for the reason given.
+    </p>
+    <table aria-label="Intervals of each face">
+      <thead>
+        <tr><th scope="col">face</th><th scope="col">t from … to …</th><th scope="col">intervals</th><th scope="col">reason</th></tr>
+      </thead>
+      ${runs.map((list, face) => faceRows(list, face))}
+    </table>
+    <dl>
+      ${used.map(by => html`<div><dt>${REASONS[by].formula}</dt><dd>${REASONS[by].because}</dd></div>`)}
+    </dl>
+    <p class="why">
+      Each sign is that of whole numbers, the Bernstein coefficients on the interval. If jacdet is positive on the six faces, it is
+      positive everywhere: Knupp’s conjecture, now a theorem (P. Zhang, <cite>Validating Hexahedra through their Boundaries</cite>).
+    </p>`
+}
+
+function faceRows(runs: readonly Run[], face: number): TemplateResult {
+  const shown = runs.slice(0, SHOWN_RUNS)
+  const left = runs.slice(SHOWN_RUNS).reduce((sum, { count }) => sum + count, 0)
+  const rowCount = shown.length + (left > 0 ? 1 : 0)
+  return html`<tbody>
+    ${shown.map(
+      ({ from, to, count, by }, i) => html`<tr>
+        ${i === 0 ? html`<th scope="rowgroup" rowspan=${rowCount}>${faces[face]?.name}</th>` : ''}
+        <td>${rationalText(from)} to ${rationalText(to)}</td><td>${count}</td><td>${REASONS[by].formula}</td>
+      </tr>`,
+    )}
+    ${left > 0 ? html`<tr><td colspan="3">and ${left} more, all in the file</td></tr>` : ''}
+  </tbody>`
+}
+
+export const createCertificate: CreateView = host => new CertificateView(host)

@@ -1,0 +1,197 @@
+/**
+ * The cells of a checked mesh, worst first, one of which can be chosen: a listbox of which only the rows that are seen exist, however many
+ * there are. `onChoose` gets the index of the cell that is pressed, tapped, or chosen with Enter.
+ */
+import { html, nothing, render, type TemplateResult } from 'lit-html'
+import type { CheckedCells, ListedCell } from '../../mesh/checked-cells'
+import { formatJacdet } from '../../model/decimal'
+
+/** Browsers lay out nothing that is much higher, in pixels: beyond it scrolling goes on in larger steps. */
+const HIGHEST = 8_000_000
+/** Until it is measured. */
+const ROW_HEIGHT = 28
+
+export class CellList {
+  readonly root = document.createElement('div')
+  readonly cells: CheckedCells
+  readonly #onChoose: (cell: number) => void
+  readonly #size = new ResizeObserver(() => this.#measure())
+  #box: HTMLElement | null = null
+  #rowHeight = ROW_HEIGHT
+  #active = 0
+  #shown: number | null = null
+  #message = ''
+
+  constructor(cells: CheckedCells, onChoose: (cell: number) => void) {
+    this.cells = cells
+    this.#onChoose = onChoose
+    this.root.className = 'cell-list'
+    this.#render()
+    this.#box = this.root.querySelector('.rows')
+    this.#size.observe(this.root)
+  }
+
+  whenDrawn(): Promise<this> {
+    return new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(() => resolve(this))))
+  }
+
+  focus(): void {
+    this.#box?.focus({ preventScroll: true })
+    this.root.scrollIntoView({ block: 'nearest' })
+  }
+
+  /** The cell that the element is now; null where it is none of them. */
+  setShown(cell: number | null): void {
+    if (cell === this.#shown) return
+    this.#shown = cell
+    this.#render()
+  }
+
+  dispose(): void {
+    this.#size.disconnect()
+  }
+
+  #measure(): void {
+    const height = this.root.querySelector<HTMLElement>('[role=option]')?.offsetHeight ?? 0
+    if (height > 0) this.#rowHeight = height
+    this.#render()
+  }
+
+  /** How far the list is scrolled, in rows; it need not be a whole number. */
+  get #offset(): number {
+    const { range, rows } = this.#extent
+    return range > 0 ? ((this.#box?.scrollTop ?? 0) / range) * rows : 0
+  }
+
+  /** By how many pixels, and with that by how many rows, the list can be scrolled. */
+  get #extent() {
+    const view = this.#box?.clientHeight ?? 0
+    const rows = Math.max(0, this.cells.count - view / this.#rowHeight)
+    return { view, range: Math.max(0, this.#height - view), rows }
+  }
+
+  get #height(): number {
+    return Math.min(HIGHEST, this.cells.count * this.#rowHeight)
+  }
+
+  #render(): void {
+    const { view } = this.#extent
+    const offset = this.#offset
+    const first = Math.floor(offset)
+    const seen = Math.min(this.cells.count - first, Math.ceil(view / this.#rowHeight) + 1)
+    const top = (this.#box?.scrollTop ?? 0) - (offset - first) * this.#rowHeight
+    const places = Array.from({ length: Math.max(seen, 1) }, (_, i) => first + i)
+    const isActiveSeen = places.includes(this.#active)
+    const columns = this.cells.hasBlocks ? 'columns with-blocks' : 'columns'
+    const idName = this.cells.hasIds ? 'Cell' : 'Index'
+    render(
+      html`<form @submit=${this.#onGoTo}>
+          <label>Go to ${idName.toLowerCase()} <input autocomplete="off" spellcheck="false" inputmode=${this.cells.hasIds ? 'text' : 'numeric'} /></label>
+          <button type="submit">Go</button>
+        </form>
+        <div class=${columns} aria-hidden="true">
+          <span>${idName}</span><span>Verdict</span><span>Relative min.</span>${this.cells.hasBlocks ? html`<span>Block</span>` : nothing}
+        </div>
+        <div
+          class="rows"
+          role="listbox"
+          tabindex="0"
+          aria-label="Cells, worst first"
+          aria-activedescendant=${isActiveSeen ? `cell-at-${this.#active}` : nothing}
+          @scroll=${() => this.#render()}
+          @keydown=${this.#onKey}
+        >
+          <div class="extent" role="presentation" .style=${`height: ${this.#height}px`}>
+            <div role="presentation" .style=${`transform: translateY(${top}px)`}>
+              ${places.map(place => this.#row(place, columns))}
+            </div>
+          </div>
+        </div>
+        <p class="message" role="status">${this.#message}</p>`,
+      this.root,
+    )
+  }
+
+  #row(place: number, columns: string): TemplateResult {
+    const listed = this.cells.at(place)
+    const { cell, id, block, standing, why } = listed
+    const isShown = cell === this.#shown
+    return html`<div
+      role="option"
+      id=${`cell-at-${place}`}
+      class=${`${columns} ${place === this.#active ? 'active' : ''}`}
+      aria-selected=${isShown}
+      aria-setsize=${this.cells.count}
+      aria-posinset=${place + 1}
+      aria-label=${spoken(listed)}
+      @click=${() => this.#choose(place)}
+    >
+      <span>${id}</span><span class=${standing === 'invalid' ? 'negative' : ''}>${standing === 'invalid' ? 'INVALID' : standing}</span
+      ><span class=${why === null ? '' : 'why'}>${why ?? relative(listed)}</span>${
+        this.cells.hasBlocks ? html`<span>${block ?? '–'}</span>` : nothing
+      }
+    </div>`
+  }
+
+  readonly #onKey = (event: KeyboardEvent): void => {
+    const page = Math.max(1, Math.floor(this.#extent.view / this.#rowHeight) - 1)
+    const moves: Record<string, number> = {
+      ArrowDown: this.#active + 1,
+      ArrowUp: this.#active - 1,
+      PageDown: this.#active + page,
+      PageUp: this.#active - page,
+      Home: 0,
+      End: this.cells.count - 1,
+    }
+    if (event.altKey || event.ctrlKey || event.metaKey) return
+    const to = moves[event.key]
+    if (to !== undefined) this.#goTo(to)
+    else if (event.key === 'Enter' || event.key === ' ') this.#choose(this.#active)
+    else return
+    event.preventDefault()
+  }
+
+  readonly #onGoTo = (event: SubmitEvent): void => {
+    event.preventDefault()
+    const wanted = this.root.querySelector('input')?.value.trim() ?? ''
+    if (wanted === '') return
+    const cell = this.cells.find(wanted, this.cells.at(this.#active).cell)
+    this.#message = cell === null ? `There is no cell ${wanted}.` : ''
+    if (cell === null) this.#render()
+    else {
+      this.#goTo(this.cells.placeOf(cell))
+      this.#box?.focus()
+    }
+  }
+
+  /** Makes a place the active one, and has it seen. */
+  #goTo(place: number): void {
+    this.#active = Math.min(Math.max(place, 0), this.cells.count - 1)
+    const { view, range, rows } = this.#extent
+    const offset = this.#offset
+    const least = this.#active + 1 - view / this.#rowHeight
+    const wanted = this.#active < offset ? this.#active : Math.max(offset, least)
+    if (this.#box && wanted !== offset && rows > 0) this.#box.scrollTop = (wanted / rows) * range
+    this.#render()
+  }
+
+  #choose(place: number): void {
+    this.#active = place
+    const { cell, id, why } = this.cells.at(place)
+    const canBeShown = this.cells.verticesOf(cell) !== null
+    this.#message = canBeShown ? '' : `Cell ${id} cannot be shown: ${why}.`
+    this.#render()
+    if (canBeShown) this.#onChoose(cell)
+  }
+}
+
+function relative({ standing, relativeMinimum }: ListedCell): string {
+  if (standing === 'unanswered') return '–'
+  return Number.isNaN(relativeMinimum) ? 'volume 0' : formatJacdet(relativeMinimum, 0, 'unit')
+}
+
+function spoken(listed: ListedCell): string {
+  const { id, block, standing, why } = listed
+  const answer = why ?? `relative minimum ${relative(listed)}`
+  return `Cell ${id}, ${standing}, ${answer}${block === null ? '' : `, block ${block}`}`
+}

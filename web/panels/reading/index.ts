@@ -1,0 +1,11 @@
+import type { Panel } from '../panel'
+import { createReading, readingStyles } from './reading'
+
+export const reading: Panel = {
+  name: 'reading',
+  place: 'panel',
+  create: createReading,
+  styles: readingStyles,
+  with: 'paste',
+  changes: true,
+}

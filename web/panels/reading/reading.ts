@@ -1,0 +1,117 @@
+/** Beside the verdict: what the element was read from, and in which order of its nodes; of several cells the list to choose from. */
+import { html, nothing, render, type TemplateResult } from 'lit-html'
+import type { ReadCells, Reading, ShownCell } from '../../input/reading'
+import type { Vertices } from '../../model/hexahedron'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CellList } from './cell-list'
+import listCss from './cell-list.css?inline'
+import css from './reading.css?inline'
+import { notesOf, orderPhrase, statusSentence } from './reading-words'
+
+export const readingStyles = css + listCss
+
+class ReadingView implements View {
+  readonly root = document.createElement('section')
+  isLoading = false
+  readonly #host: ViewHost
+  #list: CellList | null = null
+  #drawn: readonly unknown[] = []
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.root.className = 'reading'
+    this.#render(null, null, null)
+  }
+
+  update({ reading, state, report }: Frame): void {
+    // While a gesture runs, what is said is of the element as it was.
+    const vertices = state.gestureStart ?? state.vertices
+    const cell = reading?.state === 'read' ? reading.cellOf(vertices) : null
+    const isValid = state.gestureStart === null ? (report?.valid ?? null) : null
+    const drawn = [reading, cell, isValid, this.#list]
+    if (drawn.every((value, i) => value === this.#drawn[i])) return
+    this.#drawn = drawn
+    this.#render(reading, cell, isValid)
+    if (reading?.state !== 'read' || reading.cells.count === 1) this.#list = null
+    else if (this.#list?.cells === reading.cells) this.#list.setShown(cell?.cell ?? null)
+    else void this.#makeList(reading, vertices)
+  }
+
+  dispose(): void {
+    this.#list?.dispose()
+  }
+
+  async #makeList(reading: ReadCells, vertices: Vertices): Promise<void> {
+    if (this.isLoading) return
+    this.isLoading = true
+    const { CellList } = await import('./cell-list')
+    this.isLoading = false
+    this.#list = new CellList(reading.cells, cell => this.#host.input.show(cell))
+    this.#list.setShown(reading.cellOf(vertices)?.cell ?? null)
+    this.#host.requestFrame()
+    this.#list.whenDrawn().then(list => list.focus())
+  }
+
+  /** A region of the page only while there is something in it. */
+  #render(reading: Reading | null, cell: ShownCell | null, isValid: boolean | null): void {
+    if (reading && isSaid(reading, cell)) this.root.setAttribute('aria-label', 'What was read')
+    else this.root.removeAttribute('aria-label')
+    render(
+      html`<p class="said" aria-live="polite">${reading && isSaid(reading, cell) ? heard(reading) : ''}</p>
+        ${reading && this.#content(reading, cell, isValid)}`,
+      this.root,
+    )
+  }
+
+  #content(reading: Reading, cell: ShownCell | null, isValid: boolean | null): TemplateResult | typeof nothing {
+    if (reading.state === 'refused' || !isSaid(reading, cell)) return nothing
+    if (reading.state === 'under-way')
+      return html`<p class="status">
+        <span>${statusSentence(reading)}</span>
+        <button type="button" @click=${() => this.#host.input.close()}>Cancel</button>
+      </p>`
+    const isList = reading.cells.count > 1
+    return html`<p class="status">
+        <span>${statusSentence(reading)}${isList && cell === null ? ' Choose one to look at it.' : ''}</span>
+        ${isList ? html`<button type="button" @click=${() => this.#host.input.close()}>Put away</button>` : nothing}
+      </p>
+      ${isList ? this.#list?.root : nothing} ${notes(reading, cell)}
+      ${cell && this.#order(reading, cell, isValid)}`
+  }
+
+  #order(reading: ReadCells, { cell, id, order }: ShownCell, isValid: boolean | null): TemplateResult | typeof nothing {
+    const whose = reading.cells.count > 1 ? `Cell ${id}: ` : ''
+    if (order)
+      return html`<p class="order" tabindex="-1">${whose}taken in ${orderPhrase(order)}; Undo takes that back.</p>`
+    const open = isValid === false ? reading.cells.openOrderOf(cell) : null
+    if (open === null) return nothing
+    return html`<p class="order">
+      <span>${whose}${whose === '' ? 'In' : 'in'} ${orderPhrase(open)} it is valid.</span>
+      <button type="button" @click=${() => this.#use(cell, open)}>Use it</button>
+    </p>`
+  }
+
+  /** The button goes, so the focus moves to the sentence that says what happened. */
+  #use(cell: number, order: NonNullable<ShownCell['order']>): void {
+    this.#host.input.show(cell, order)
+    const focus = () => this.root.querySelector<HTMLElement>('.order')?.focus({ preventScroll: true })
+    requestAnimationFrame(() => requestAnimationFrame(focus))
+  }
+}
+
+/** A refusal is said elsewhere, and one element only for as long as it is what was read. */
+function isSaid(reading: Reading, cell: ShownCell | null): boolean {
+  return reading.state === 'under-way' || (reading.state === 'read' && (reading.cells.count > 1 || cell !== null))
+}
+
+/** Without percentages, which would be read out one after the other. */
+function heard(reading: Reading): string {
+  return statusSentence(reading.state === 'under-way' ? { ...reading, part: 0 } : reading)
+}
+
+function notes(reading: ReadCells, cell: ShownCell | null): TemplateResult | typeof nothing {
+  const sentences = notesOf(reading, cell?.order ?? null)
+  return sentences.length === 0 ? nothing : html`<p class="notes">${sentences.join(' ')}</p>`
+}
+
+export const createReading: CreateView = host => new ReadingView(host)

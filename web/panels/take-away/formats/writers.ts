@@ -1,0 +1,9 @@
+/** What an element's vertices can be taken away as. */
+
+import type { Writer } from '../../../model/written-element'
+import { c } from './c'
+import { obj } from './obj'
+import { python } from './python'
+import { vtk } from './vtk'
+
+export const writers: readonly Writer[] = [python, c, vtk, obj]

@@ -1,0 +1,104 @@
+/** The line above everything: which element this is, the way back and forth, and the link to it. */
+import { html, nothing, render, type TemplateResult } from 'lit-html'
+import { type Preset, presets, presetVertices } from '../../model/presets'
+import type { State } from '../../model/state'
+import { copyText } from '../../views/copy-text'
+import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import css from './toolbar.css?inline'
+
+export const toolbarStyles = css
+
+/** The link that was copied or could not be; told for as long as it is the link to what is shown. */
+interface CopyOutcome {
+  readonly copied: boolean
+  readonly link: string
+}
+
+class ToolbarView implements View {
+  readonly root = document.createElement('div')
+  readonly #host: ViewHost
+  #outcome: CopyOutcome | null = null
+
+  constructor(host: ViewHost) {
+    this.#host = host
+    this.root.className = 'toolbar'
+  }
+
+  update({ state }: Frame): void {
+    if (this.#outcome && this.#outcome.link !== this.#host.permalink()) this.#outcome = null
+    const shown = shownPreset(state)
+    render(
+      html`<span class="brand">Hexlens</span>
+        <label class="preset">
+          <span>Preset</span>
+          <select class="on-paper" ?disabled=${state.isReadonly} @change=${this.#onPreset}>
+            <option value="" hidden .selected=${shown === undefined}>Custom</option>
+            ${presets.map(
+              preset => html`<option value=${preset.id} .selected=${shown === preset}>${preset.title}</option>`,
+            )}
+          </select>
+        </label>
+        ${shown?.valid === null && !state.isReadonly ? this.#another(shown) : nothing}
+        <p class="note" ?hidden=${state.preset === null}>${noteOf(state, shown)}</p>
+        <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : nothing}</p>
+        <div class="actions">
+          <button type="button" ?disabled=${!state.canUndo || state.isReadonly} @click=${() => this.#host.dispatch({ type: 'undo' })}>
+            Undo
+          </button>
+          <button type="button" ?disabled=${!state.canRedo || state.isReadonly} @click=${() => this.#host.dispatch({ type: 'redo' })}>
+            Redo
+          </button>
+          <button type="button" ?disabled=${state.isReadonly} @click=${() => this.#host.dispatch({ type: 'reset' })}>Reset</button>
+          <button type="button" @click=${this.#copyLink}>Copy link</button>
+        </div>
+        ${
+          this.#outcome?.copied === false
+            ? html`<div class="link" role="alert">
+                <label for="link">The browser did not let the link be copied. Here it is:</label>
+                <input id="link" readonly .value=${this.#outcome.link} @focus=${selectAll} />
+              </div>`
+            : nothing
+        }`,
+      this.root,
+    )
+  }
+
+  dispose(): void {}
+
+  #another(preset: Preset): TemplateResult {
+    return html`<button type="button" @click=${() => this.#open(preset)}>Another</button>`
+  }
+
+  readonly #onPreset = (event: Event): void => {
+    const preset = presets.find(({ id }) => id === (event.target as HTMLSelectElement).value)
+    if (preset) this.#open(preset)
+  }
+
+  #open(preset: Preset): void {
+    this.#host.dispatch({ type: 'set-vertices', vertices: presetVertices(preset), preset: preset.id })
+  }
+
+  readonly #copyLink = async (): Promise<void> => {
+    const link = this.#host.permalink()
+    this.#outcome = { copied: await copyText(link), link }
+    this.#host.requestFrame()
+  }
+}
+
+function selectAll(event: FocusEvent): void {
+  ;(event.target as HTMLInputElement).select()
+}
+
+/** The preset as long as the element is still what it started from. */
+function shownPreset({ preset, vertices, start }: State): Preset | undefined {
+  const isStart = vertices.every((value, index) => Object.is(value, start[index]))
+  return isStart ? presets.find(({ id }) => id === preset) : undefined
+}
+
+/** What the preset shows, or which one this was. */
+function noteOf({ preset }: State, shown: Preset | undefined): string {
+  const from = presets.find(({ id }) => id === preset)
+  return shown?.note ?? (from ? `Changed from “${from.title}”.` : '')
+}
+
+export const createToolbar: CreateView = host => new ToolbarView(host)

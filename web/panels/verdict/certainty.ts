@@ -1,0 +1,21 @@
+/** In a few words each: how the verdict became certain, and whether it is worse inside than on the boundary. */
+import { roundedUp } from '../../core/inside'
+import type { Report } from '../../core/report'
+import { formatBound, formatJacdet } from '../../model/decimal'
+import type { ReferenceCube } from '../../model/state'
+
+/** Each number in it is rounded to the side on which the claim still holds. */
+export function certainBy(report: Report, cube: ReferenceCube): string {
+  const { valid, decidedBy, exponent, boundaryMinimum, boundaryMinimumError, volumeMinimum } = report
+  if (decidedBy === 'exact') return 'exact arithmetic, not doubles'
+  if (valid) return `error bounds: all J ≥ ${formatJacdet(volumeMinimum.lower, exponent, cube, 'down')}`
+  const certainlyBelow = roundedUp(boundaryMinimum + boundaryMinimumError)
+  return `a witness: J ≤ ${formatJacdet(certainlyBelow, exponent, cube, 'up')} there`
+}
+
+/** For an invalid element that is not lower inside: how far below the boundary minimum it can still be. */
+export function noLowerInside(report: Report, cube: ReferenceCube): string {
+  const { exponent, boundaryMinimum, boundaryMinimumError, volumeMinimum } = report
+  const gap = roundedUp(roundedUp(boundaryMinimum + boundaryMinimumError) - volumeMinimum.lower)
+  return gap > 0 ? `nowhere lower, to within ${formatBound(gap, exponent, cube)}` : 'nowhere lower'
+}

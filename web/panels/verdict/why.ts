@@ -1,0 +1,66 @@
+/** One plain sentence for why a report is valid or invalid: the first of vertices, edges and faces that fails. */
+import { lowerInside } from '../../core/inside'
+import type { Candidate, CandidateKind, Report } from '../../core/report'
+import { VERTEX_COUNT } from '../../model/hexahedron'
+import { coincidenceSentence, zerosAtSight } from '../../views/coincidences'
+import { listed, partName } from '../../views/part-name'
+
+/** "at vertex 3,", "on edge 0–1 at" or "on face −ζ at": coordinates follow. */
+export function placeName({ kind, id }: Pick<Candidate, 'kind' | 'id'>): string {
+  return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${partName({ kind, id })} at`
+}
+
+/** Coincident vertices come first where they say all of it, else last. */
+export function whySentence(report: Report): string {
+  const coincidence = coincidenceSentence(report)
+  return isExplainedBy(zerosAtSight(report), report)
+    ? coincidence
+    : [sentenceWithoutCoincidences(report), coincidence].filter(sentence => sentence !== '').join(' ')
+}
+
+/** Whether those vertices are why the element is invalid: no others are not positive, and nothing is said of the element as a whole. */
+function isExplainedBy(zeros: readonly number[], report: Report): boolean {
+  if (zeros.length === 0 || report.class !== 'invalid' || lowerInsideOfZero(report)) return false
+  return notPositive(report, 'vertex').every(name => zeros.includes(Number(name)))
+}
+
+/** Nowhere negative on the boundary, and negative inside. */
+function lowerInsideOfZero(report: Report): boolean {
+  return report.boundaryMinimum === 0 && lowerInside(report) !== null
+}
+
+function sentenceWithoutCoincidences(report: Report): string {
+  if (report.valid) {
+    return 'The jacdet is positive on all six faces, so it is positive everywhere (Knupp’s conjecture, now a theorem).'
+  }
+  if (report.class === 'inverted') {
+    return 'The jacdet is negative everywhere: the element is inverted. The usual cause is a mirrored node order.'
+  }
+  if (report.class === 'collapsed') return 'The jacdet is 0 everywhere: the element is collapsed.'
+  if (lowerInsideOfZero(report)) {
+    return 'The jacdet is nowhere negative on the boundary, yet it is inside: the theorem needs a positive boundary, zero is not enough.'
+  }
+  if (report.boundaryMinimum === 0) {
+    return 'The minimum is exactly zero: the jacdet touches it, and a valid element must be strictly positive.'
+  }
+  if (report.cornerMinimum <= 0) return vertexSentence(notPositive(report, 'vertex'))
+  if (report.edgeMinimum <= 0) {
+    return `All eight vertices are positive, yet ${areNot('edge', notPositive(report, 'edge'))}.`
+  }
+  return `All eight vertices and all twelve edges are positive, yet ${areNot('face', notPositive(report, 'face'))}.`
+}
+
+function notPositive(report: Report, kind: CandidateKind): readonly string[] {
+  const ids = report.candidates.filter(c => c.kind === kind && c.value <= 0).map(c => c.id)
+  const names = [...new Set(ids)].sort((a, b) => a - b).map(id => partName({ kind, id }))
+  return kind === 'edge' ? names.sort() : names
+}
+
+function vertexSentence(names: readonly string[]): string {
+  if (names.length === VERTEX_COUNT) return 'None of the eight vertices is positive.'
+  return names.length === 1 ? `Vertex ${names[0]} is not positive.` : `Vertices ${listed(names)} are not positive.`
+}
+
+function areNot(kind: CandidateKind, names: readonly string[]): string {
+  return names.length === 1 ? `${kind} ${names[0]} is not` : `${kind}s ${listed(names)} are not`
+}

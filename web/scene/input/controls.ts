@@ -1,0 +1,113 @@
+/** The scene's few words and buttons: the legend of the marks, the display of the faces, turning, fit, help. */
+import type { Report } from '../../core/report'
+import { faces } from '../../model/hexahedron'
+import { CONTROLS, type Control, type FaceDisplay, type State } from '../../model/state'
+import { candidateShapes } from '../overlay/candidate-shapes'
+import { svg } from '../paint/svg'
+
+export interface ControlActions {
+  toggleHelp(): void
+  fit(): void
+  toggleReference(): void
+  showFaces(faceDisplay: FaceDisplay): void
+  /** In steps to the right and up. */
+  turn(right: number, up: number): void
+  zoom(factor: number): void
+}
+
+/** One press at a time, for those who cannot drag or pinch. */
+const TURNS: readonly (readonly [sign: string, name: string, act: (actions: ControlActions) => void])[] = [
+  ['←', 'Turn left', actions => actions.turn(-1, 0)],
+  ['→', 'Turn right', actions => actions.turn(1, 0)],
+  ['↑', 'Turn up', actions => actions.turn(0, 1)],
+  ['↓', 'Turn down', actions => actions.turn(0, -1)],
+  ['+', 'Zoom in', actions => actions.zoom(1.2)],
+  ['−', 'Zoom out', actions => actions.zoom(1 / 1.2)],
+]
+
+export class Controls {
+  readonly root = document.createElement('div')
+  readonly #faces = document.createElement('select')
+  readonly #help: HTMLButtonElement
+  readonly #reference: HTMLButtonElement
+  readonly #buttons: Readonly<Record<Control, HTMLElement>>
+  readonly #legend = document.createElement('p')
+  readonly #kinds: Readonly<Record<'edge' | 'face', HTMLElement>> = {
+    edge: legendEntry('edge', 'edge candidate'),
+    face: legendEntry('face', 'face candidate'),
+  }
+
+  constructor(actions: ControlActions) {
+    this.root.className = 'scene-controls'
+    this.#legend.append(this.#kinds.edge, this.#kinds.face)
+    this.#faces.append(
+      option('opaque', 'All faces'),
+      option('see-through', 'See-through'),
+      option('inside', 'Inside'),
+      ...faces.map((face, id) => option(String(id), `Face ${face.name} alone`)),
+    )
+    this.#faces.setAttribute('aria-label', 'Faces shown')
+    this.#faces.addEventListener('change', () => {
+      const { value } = this.#faces
+      actions.showFaces(/^\d$/.test(value) ? Number(value) : (value as FaceDisplay))
+    })
+    const fit = button('Fit', 'Bring the element into view (F)', () => actions.fit())
+    const turns = document.createElement('div')
+    turns.className = 'turns'
+    turns.id = 'scene-turns'
+    turns.hidden = true
+    turns.setAttribute('role', 'group')
+    turns.setAttribute('aria-label', 'Turn and zoom')
+    for (const [sign, name, act] of TURNS) {
+      const turn = button(sign, name, () => act(actions))
+      turn.setAttribute('aria-label', name)
+      turns.append(turn)
+    }
+    const turn = button('Turn', 'Turn and zoom by pressing buttons', () => {
+      turns.hidden = !turns.hidden
+      turn.setAttribute('aria-expanded', String(!turns.hidden))
+    })
+    turn.setAttribute('aria-expanded', 'false')
+    turn.setAttribute('aria-controls', turns.id)
+    const choice = document.createElement('span')
+    choice.className = 'choice'
+    choice.append(this.#faces)
+    this.#help = button('Help', 'What keys and pointers do (?)', () => actions.toggleHelp())
+    const beside = 'The same colours in (ξ, η, ζ), beside the element (R)'
+    this.#reference = button('Reference cube', beside, () => actions.toggleReference())
+    this.#buttons = { faces: choice, reference: this.#reference, turn, fit, help: this.#help }
+    this.root.append(this.#legend, turns, ...CONTROLS.map(control => this.#buttons[control]))
+  }
+
+  update({ faceDisplay, referenceShown, helpShown, controls }: State, report: Report | null): void {
+    for (const control of CONTROLS) this.#buttons[control].hidden = !controls.includes(control)
+    this.#help.setAttribute('aria-expanded', String(helpShown))
+    this.#reference.setAttribute('aria-pressed', String(referenceShown))
+    const value = String(faceDisplay)
+    if (this.#faces.value !== value) this.#faces.value = value
+    for (const kind of ['edge', 'face'] as const) {
+      this.#kinds[kind].hidden = !report?.candidates.some(candidate => candidate.kind === kind)
+    }
+  }
+}
+
+function button(text: string, title: string, onClick: () => void): HTMLButtonElement {
+  const made = document.createElement('button')
+  made.type = 'button'
+  made.textContent = text
+  made.title = title
+  made.addEventListener('click', onClick)
+  return made
+}
+
+function option(value: string, text: string): HTMLOptionElement {
+  return new Option(text, value)
+}
+
+function legendEntry(kind: 'edge' | 'face', text: string): HTMLElement {
+  const entry = document.createElement('span')
+  const icon = svg('svg', { viewBox: '-6 -6 12 12', width: 12, height: 12, 'aria-hidden': 'true' })
+  icon.append(svg('path', { class: 'candidate', d: candidateShapes[kind] }))
+  entry.append(icon, text)
+  return entry
+}

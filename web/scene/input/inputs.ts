@@ -1,0 +1,48 @@
+/** Pointer, keys and probe of one pane. Keys are the pointer's while it drags. */
+import type { InputTarget } from './input-target'
+import { KeyboardInput } from './keyboard-input'
+import { PointerInput } from './pointer-input'
+import { ProbeInput } from './probe-input'
+
+export class Inputs {
+  readonly probe: ProbeInput
+  readonly #element: HTMLElement
+  readonly #keyboard: KeyboardInput
+  readonly #pointer: PointerInput
+  readonly #listening = new AbortController()
+
+  constructor(target: InputTarget) {
+    this.#element = target.element
+    this.#keyboard = new KeyboardInput(target)
+    this.#pointer = new PointerInput(target, () => this.#keyboard.commit())
+    this.probe = new ProbeInput(target)
+    const { signal } = this.#listening
+    this.#element.addEventListener('keydown', this.#onKey, { signal })
+    this.#element.addEventListener('keyup', this.#onKey, { signal })
+    this.#element.addEventListener('blur', this.#onBlur, { signal })
+  }
+
+  get isDragging(): boolean {
+    return this.#pointer.isDragging
+  }
+
+  dispose(): void {
+    this.#listening.abort()
+    this.#keyboard.commit()
+    this.#pointer.dispose()
+    this.probe.dispose()
+  }
+
+  readonly #onKey = (event: KeyboardEvent): void => {
+    if (this.#pointer.isDragging) this.#pointer.onKey(event)
+    else if (event.type === 'keydown') {
+      delete this.#element.dataset.pointed
+      this.#keyboard.onKeyDown(event)
+    } else this.#keyboard.onKeyUp(event)
+  }
+
+  readonly #onBlur = (): void => {
+    delete this.#element.dataset.pointed
+    this.#keyboard.commit()
+  }
+}

@@ -1,0 +1,45 @@
+/** The part of the element that the page speaks of: a vertex with a ring around it, an edge drawn thick, a face outlined. */
+import { edgeVertices, faces } from '../../model/hexahedron'
+import type { ElementPart } from '../../model/state'
+import { px, set, show, svg } from '../paint/svg'
+import type { ScreenPoint } from '../space/camera'
+
+/** Radius of the ring: around the handle, and around the minimizer's ring if that is there too. */
+const RING = 17
+
+export class Highlight {
+  readonly root = svg('g', { class: 'highlight' })
+  readonly #halo = svg('path', { class: 'halo' })
+  readonly #line = svg('path', { class: 'line' })
+
+  constructor() {
+    this.root.append(this.#halo, this.#line)
+  }
+
+  update(part: ElementPart | null, handles: readonly ScreenPoint[]): void {
+    const corners = part ? cornersOf(part).map(v => handles[v] as ScreenPoint) : []
+    const isShown = part !== null && corners.every(({ depth }) => depth > 0)
+    show(this.root, isShown)
+    if (!isShown) return
+    this.root.setAttribute('data-part', `${part.kind}-${part.id}`)
+    const path = part.kind === 'vertex' ? ring(corners[0] as ScreenPoint) : polygon(corners)
+    set(this.#halo, { d: path })
+    set(this.#line, { d: path })
+  }
+}
+
+/** The part's vertices, a face's in turn. */
+function cornersOf({ kind, id }: ElementPart): readonly number[] {
+  if (kind === 'vertex') return [id]
+  if (kind === 'edge') return edgeVertices[id] ?? []
+  const [a, b, c, d] = faces[id]?.vertices ?? [0, 0, 0, 0]
+  return [a, b, d, c]
+}
+
+function ring({ x, y }: ScreenPoint): string {
+  return `M${px(x - RING)} ${px(y)}a${RING} ${RING} 0 1 0 ${2 * RING} 0a${RING} ${RING} 0 1 0 ${-2 * RING} 0Z`
+}
+
+function polygon(corners: readonly ScreenPoint[]): string {
+  return `M${corners.map(({ x, y }) => `${px(x)} ${px(y)}`).join('L')}Z`
+}

@@ -1,0 +1,25 @@
+/** Everything that an overlay is drawn from, but for the probe. */
+import type { Report } from '../../core/report'
+import type { Axis } from '../../model/hexahedron'
+import type { State } from '../../model/state'
+import type { SceneCamera, ScreenPoint } from '../space/camera'
+import type { Box } from '../space/layout'
+import type { World } from '../space/world'
+
+/** The running drag of the selected vertex, and the axis that it is held to. */
+export interface HandleDrag {
+  readonly axis: Axis | null
+  readonly byTouch: boolean
+}
+
+export interface OverlayPicture {
+  readonly state: State
+  readonly report: Report | null
+  readonly world: World
+  readonly camera: SceneCamera
+  /** The vertices on the screen. */
+  readonly handles: readonly ScreenPoint[]
+  readonly drag: HandleDrag | null
+  /** Boxes of words that the overlay's must not cover. */
+  readonly taken: readonly Box[]
+}

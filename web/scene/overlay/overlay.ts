@@ -1,0 +1,253 @@
+/** The SVG over the canvas: edges through the body, handles and their numbers, ghost, marks, axes. */
+import type { JacobianReport } from '../../core/report'
+import { formatNumber } from '../../model/decimal'
+import { edgeVertices, VERTEX_COUNT, type Vertices, vertexOf } from '../../model/hexahedron'
+import { moveTo, px, set, setText, show, svg } from '../paint/svg'
+import type { SceneCamera, ScreenPoint } from '../space/camera'
+import type { Box, Point } from '../space/layout'
+import { at, map3 } from '../space/vec3'
+import { toWorld, verticesInWorld, type World } from '../space/world'
+import { Highlight } from './highlight'
+import { meanOf, overlap } from './label-place'
+import { LookedAtMarks } from './looked-at-marks'
+import { Marks } from './marks'
+import type { OverlayPicture } from './overlay-picture'
+import { ProbeMark } from './probe-mark'
+import { type AxisLetters, Triad } from './triad'
+
+export interface OverlayKind {
+  readonly letters: AxisLetters
+  /** Vertices that cannot be moved are dots, and the minimizer has no label. */
+  readonly isFixed: boolean
+}
+
+const COORDINATE_WIDTH = 7.5
+const DIGIT_WIDTH = 8
+/** Radii of a handle, and of a vertex that cannot be moved. */
+const RADIUS = 6
+const FIXED_RADIUS = 3
+/** Handles this close are one to the eye. */
+const SAME_HANDLE = 3
+/** Distance from a handle's middle to the middle of its number. */
+const NUMBER_DISTANCE = 17
+/** The same with a ring around the handle: the minimizer's, or that of the vertex spoken of. */
+const RINGED_NUMBER_DISTANCE = 24
+
+interface Handle {
+  readonly group: SVGGElement
+  readonly number: SVGTextElement
+}
+
+export class Overlay {
+  readonly root = svg('svg', { class: 'scene-overlay lettered', 'aria-hidden': 'true' })
+  readonly #edgeHalo = svg('path', { class: 'edge-halo' })
+  readonly #edges = svg('path', { class: 'edges' })
+  readonly #ghostHalo = svg('path', { class: 'ghost-halo' })
+  readonly #ghost = svg('path', { class: 'ghost' })
+  readonly #ghostHandle = svg('circle', { class: 'ghost', r: 6 })
+  readonly #axisLine = svg('path', { class: 'axis-line' })
+  readonly #handles: readonly Handle[]
+  readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
+  readonly #highlight = new Highlight()
+  readonly #lookedAt = new LookedAtMarks()
+  readonly #marks: Marks
+  readonly #triad: Triad
+  readonly #probe = new ProbeMark()
+
+  constructor({ letters, isFixed }: OverlayKind) {
+    this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v, isFixed ? FIXED_RADIUS : RADIUS))
+    this.#marks = new Marks(!isFixed)
+    this.#triad = new Triad(letters)
+    this.root.append(
+      this.#edgeHalo,
+      this.#edges,
+      this.#highlight.root,
+      this.#axisLine,
+      this.#ghostHalo,
+      this.#ghost,
+      this.#ghostHandle,
+      this.#marks.candidates,
+      ...this.#handles.map(handle => handle.group),
+      this.#marks.minimizer,
+      this.#lookedAt.root,
+      this.#probe.root,
+      this.#coordinates,
+      this.#triad.root,
+    )
+  }
+
+  showHover(vertex: number | null): void {
+    this.#handles.forEach((handle, v) => {
+      handle.group.classList.toggle('hovered', v === vertex)
+    })
+  }
+
+  /** Everything but the probe. */
+  update(picture: OverlayPicture): void {
+    const { camera, handles } = picture
+    set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
+    const edges = edgePath(edgeVertices, handles)
+    set(this.#edgeHalo, { d: edges })
+    set(this.#edges, { d: edges })
+    this.#highlight.update(picture.state.highlight, handles)
+    this.#lookedAt.update(picture, edges)
+    const numbers = this.#updateHandles(picture)
+    this.#updateGhost(picture)
+    this.#updateAxisLine(picture)
+    const coordinates = this.#updateCoordinates(picture)
+    const taken = coordinates ? [...picture.taken, coordinates] : picture.taken
+    this.#marks.update({ ...picture, taken, numbers })
+    this.#triad.update(camera)
+  }
+
+  /** `readout` is the box of the words about the point, if there are any. */
+  updateProbe(probe: JacobianReport | null, world: World, camera: SceneCamera, readout: Box | null = null): void {
+    this.#probe.update(probe, world, camera)
+    this.#marks.makeWay(probe && readout)
+  }
+
+  /** Returns the middles of the numbers. */
+  #updateHandles({ handles, state, report, camera }: OverlayPicture): Point[] {
+    const middle = meanOf(handles)
+    const ringed = [report?.minimizer, state.highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
+    const texts = numberTexts(handles, state.previewedOrder)
+    const numbers = handles.map((at, v) => {
+      const { group, number } = this.#handles[v] as Handle
+      const text = texts[v] as string
+      setText(number, text)
+      show(group, at.depth > 0)
+      moveTo(group, at)
+      const [dx, dy] = [at.x - middle.x, at.y - middle.y]
+      const length = Math.hypot(dx, dy)
+      const [ux, uy] = length > 1 ? [dx / length, dy / length] : [0, -1]
+      const distance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
+      const half = (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
+      const x = ux * (distance + half)
+      // A long number stays in the picture.
+      const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
+      set(number, { x: px(inside), y: px(uy * distance) })
+      group.classList.toggle('selected', v === state.selectedVertex)
+      return { x: at.x + ux * distance, y: at.y + uy * distance }
+    })
+    const selected = this.#handles[state.selectedVertex]?.group
+    // The selected handle is drawn over its neighbours.
+    if (selected && selected.nextSibling !== this.#marks.minimizer) this.#marks.minimizer.before(selected)
+    return numbers
+  }
+
+  /** The edges of the vertex being moved as they were, or those of the order or the move that is previewed. */
+  #updateGhost({ state, world, camera, handles }: OverlayPicture): void {
+    const { vertices, gestureStart, selectedVertex, previewedOrder, previewedMove } = state
+    const moved = gestureStart !== null && gestureStart !== vertices
+    const moving = previewedMove === null ? [] : verticesThatDiffer(vertices, previewedMove)
+    for (const path of [this.#ghostHalo, this.#ghost])
+      show(path, moved || previewedOrder !== null || previewedMove !== null)
+    show(this.#ghostHandle, moved || moving.length === 1)
+    if (moved) {
+      const before = verticesInWorld(world, gestureStart).map(point => camera.project(point))
+      const own = edgeVertices.filter(edge => edge.includes(selectedVertex))
+      this.#drawGhost(edgePath(own, before))
+      moveTo(this.#ghostHandle, before[selectedVertex] as ScreenPoint)
+    } else if (previewedOrder !== null) {
+      const inOrder = previewedOrder.map(v => handles[v] as ScreenPoint)
+      this.#drawGhost(edgePath(edgeVertices, inOrder))
+    } else if (previewedMove !== null) {
+      const after = verticesInWorld(world, previewedMove).map(point => camera.project(point))
+      const own = edgeVertices.filter(edge => edge.some(v => moving.includes(v)))
+      this.#drawGhost(edgePath(own, after))
+      moveTo(this.#ghostHandle, after[moving[0] ?? 0] as ScreenPoint)
+    }
+  }
+
+  #drawGhost(path: string): void {
+    set(this.#ghostHalo, { d: path })
+    set(this.#ghost, { d: path })
+  }
+
+  /** The position of the vertex being moved, in words. Returns their box. */
+  #updateCoordinates({ state, drag, handles, camera, taken }: OverlayPicture): Box | null {
+    const isMoving = state.gestureStart !== null
+    show(this.#coordinates, isMoving)
+    if (!isMoving) return null
+    const handle = handles[state.selectedVertex] as ScreenPoint
+    const position = vertexOf(state.vertices, state.selectedVertex)
+    setText(this.#coordinates, `(${position.map(formatNumber).join(', ')})`)
+    const width = COORDINATE_WIDTH * (this.#coordinates.textContent?.length ?? 0)
+    const lift = drag?.byTouch ? 56 : 32
+    const x = clamp(handle.x, width / 2 + 8, camera.width - width / 2 - 8)
+    const beside = width / 2 + 28
+    const boxes = [
+      lineBox(x, handle.y - lift, width),
+      lineBox(x, handle.y + lift, width),
+      lineBox(handle.x - beside, handle.y, width),
+      lineBox(handle.x + beside, handle.y, width),
+    ] as const
+    const box = boxes.find(box => box.x > 4 && box.y > 4 && !taken.some(other => overlap(box, other))) ?? boxes[0]
+    set(this.#coordinates, { x: px(box.x + box.width / 2), y: px(box.y + box.height / 2) })
+    return box
+  }
+
+  /** The axis that the vertex is held to. */
+  #updateAxisLine({ state, drag, world, camera }: OverlayPicture): void {
+    const axis = drag?.axis ?? null
+    show(this.#axisLine, axis !== null)
+    if (axis === null) return
+    const middle = toWorld(world, vertexOf(state.vertices, state.selectedVertex))
+    const ends = [-4, 4].map(length => camera.project(map3(k => at(middle, k) + (k === axis ? length : 0))))
+    set(this.#axisLine, { d: edgePath([[0, 1]], ends) })
+  }
+}
+
+/** The box of a line of text with its middle at (x, y). */
+function lineBox(x: number, y: number, width: number): Box {
+  return { x: x - width / 2, y: y - 10, width, height: 20 }
+}
+
+function createHandle(vertex: number, radius: number): Handle {
+  const number = svg('text', { class: 'number', 'text-anchor': 'middle' }, String(vertex))
+  const group = svg(
+    'g',
+    { class: 'handle' },
+    svg('circle', { class: 'rim', r: radius + 2.5 }),
+    svg('circle', { class: 'dot', r: radius }),
+    number,
+  )
+  return { group, number }
+}
+
+/**
+ * Numbers of handles that coincide would hide each other: the first of them says them all, "2, 6". A vertex that the previewed
+ * order gives another number has both, "2 → 3".
+ */
+function numberTexts(handles: readonly ScreenPoint[], order: readonly number[] | null): readonly string[] {
+  const first = handles.map(({ x, y }) =>
+    handles.findIndex(other => Math.hypot(other.x - x, other.y - y) < SAME_HANDLE),
+  )
+  const name = (v: number) => (order === null || order[v] === v ? `${v}` : `${v} → ${order.indexOf(v)}`)
+  return handles.map((_, v) =>
+    [...first.keys()]
+      .filter(other => first[other] === v)
+      .map(name)
+      .join(', '),
+  )
+}
+
+function verticesThatDiffer(one: Vertices, other: Vertices): number[] {
+  return [...Array(VERTEX_COUNT).keys()].filter(v =>
+    [0, 1, 2].some(axis => !Object.is(one[3 * v + axis], other[3 * v + axis])),
+  )
+}
+
+/** Lines between those points that are in front of the eye. */
+function edgePath(edges: readonly (readonly [number, number])[], points: readonly ScreenPoint[]): string {
+  let path = ''
+  for (const [from, to] of edges) {
+    const [a, b] = [points[from], points[to]]
+    if (a && b && a.depth > 0 && b.depth > 0) path += `M${px(a.x)} ${px(a.y)}L${px(b.x)} ${px(b.y)}`
+  }
+  return path || 'M0 0'
+}
+
+function clamp(value: number, least: number, greatest: number): number {
+  return Math.max(least, Math.min(greatest, value))
+}

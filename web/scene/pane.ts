@@ -1,0 +1,105 @@
+/** A pane of the scene with a camera of its own: its element on the screen, the overlay over it, and its inputs. */
+import type { Vec3 } from '../model/hexahedron'
+import type { ViewHost } from '../views/view'
+import { pointUnder } from './input/face-hit'
+import type { InputTarget } from './input/input-target'
+import { Inputs } from './input/inputs'
+import { Overlay, type OverlayKind } from './overlay/overlay'
+import type { HandleDrag } from './overlay/overlay-picture'
+import type { Viewport } from './paint/picture'
+import type { ScreenPoint } from './space/camera'
+import { type Point, positionIn } from './space/layout'
+import { OrbitCamera } from './space/orbit-camera'
+import type { World } from './space/world'
+
+/** The scene as its panes see it. */
+export interface PaneScene extends Pick<InputTarget, 'probeNext' | 'toggleReference'> {
+  readonly host: ViewHost
+  /** Called at every move of a pane's camera. */
+  onTurn(orbit: OrbitCamera): void
+}
+
+export abstract class Pane implements InputTarget {
+  readonly element = document.createElement('div')
+  readonly host: ViewHost
+  readonly orbit: OrbitCamera
+  readonly inputs: Inputs
+  abstract readonly movesVertices: boolean
+  abstract readonly world: World
+  protected readonly overlay: Overlay
+  /** CSS pixels of one unit. */
+  protected unit = 1
+  /** The vertices on the screen when the picture was painted. */
+  protected seen: readonly ScreenPoint[] = []
+  readonly #scene: PaneScene
+
+  /** `description` is the id of the element that describes the pane. */
+  constructor(scene: PaneScene, kind: OverlayKind, description: string) {
+    this.#scene = scene
+    this.host = scene.host
+    this.overlay = new Overlay(kind)
+    const { element } = this
+    element.className = 'scene-stage'
+    element.tabIndex = 0
+    element.setAttribute('role', 'application')
+    element.setAttribute('aria-describedby', description)
+    element.append(this.overlay.root)
+    this.orbit = new OrbitCamera(element, () => scene.onTurn(this.orbit))
+    this.inputs = new Inputs(this)
+  }
+
+  get camera() {
+    return this.orbit.camera
+  }
+
+  /** The vertices in world space as they are now. */
+  abstract vertices(): readonly Vec3[]
+
+  abstract fit(toDefault: boolean): void
+
+  showHover(_vertex: number | null): void {}
+
+  showDrag(_drag: HandleDrag | null): void {}
+
+  positionOf(event: MouseEvent): Point {
+    return positionIn(this.element, this.unit, event)
+  }
+
+  handles(): readonly ScreenPoint[] {
+    return this.movesVertices ? this.seen : []
+  }
+
+  pointAt(x: number, y: number): Vec3 | null {
+    const seen = { camera: this.camera, vertices: this.vertices(), handles: this.seen, state: this.host.state() }
+    return pointUnder(seen, x, y)
+  }
+
+  turn(right: number, up: number): void {
+    this.orbit.turn(right, up)
+  }
+
+  zoom(factor: number): void {
+    this.orbit.zoom(factor)
+  }
+
+  probeNext(): void {
+    this.#scene.probeNext()
+  }
+
+  toggleReference(): void {
+    this.#scene.toggleReference()
+  }
+
+  dispose(): void {
+    this.inputs.dispose()
+    this.orbit.dispose()
+  }
+
+  /** Follows the vertices and the camera before the picture is painted. */
+  protected viewport(vertices: readonly Vec3[], left: number, top: number): Viewport {
+    const { camera } = this
+    camera.enclose(vertices)
+    this.seen = vertices.map(vertex => camera.project(vertex))
+    return { left, top, vertices, camera }
+  }
+}

@@ -1,0 +1,132 @@
+/**
+ * The reference cube [0,1]^3 beside the element: the same colours, marks and probe, in (xi, eta, zeta). It is drawn as the element
+ * whose vertices are the cube's own; they cannot be moved, so dragging and arrow keys turn it.
+ */
+import type { Candidate, JacobianReport, Report } from '../core/report'
+import { type Vec3, vertexReference } from '../model/hexahedron'
+import type { CameraView } from '../model/state'
+import type { Frame } from '../views/view'
+import type { Viewport } from './paint/picture'
+import { Pane, type PaneScene } from './pane'
+import { verticesInWorld, worldOf } from './space/world'
+
+const CUBE = vertexReference.flat()
+const WORLD = worldOf(CUBE)
+const CORNERS = verticesInWorld(WORLD, CUBE)
+const INSETS = { top: 56, right: 44, bottom: 72, left: 44 }
+const AXES: readonly [Vec3, Vec3, Vec3] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+]
+
+const HELP =
+  'Drag or the arrow keys turn it, plus and minus zoom, F fits. Point at a face, or tap it, and the same point is marked in space. P points at the minimizer, then at one candidate after another.'
+const HELP_ID = 'reference-help'
+
+export class ReferenceCube extends Pane {
+  readonly root = document.createElement('div')
+  readonly movesVertices = false
+  readonly world = WORLD
+  readonly #link = document.createElement('input')
+  /** Top left of the cube in the canvas. */
+  #left = 0
+  #top = 0
+  /** The camera to begin with once there is a size; null by default. */
+  #asked: CameraView | null
+  #hasSize = false
+  /** The report last shown, and the same with candidates at their points of the cube. */
+  #report: Report | null = null
+  #reportInCube: Report | null = null
+
+  constructor(scene: PaneScene, camera: CameraView | null) {
+    super(scene, { letters: ['ξ', 'η', 'ζ'], isFixed: true }, HELP_ID)
+    this.#asked = camera
+    this.root.className = 'reference'
+    this.element.setAttribute('aria-label', 'The reference cube, in xi, eta and zeta')
+    const help = document.createElement('p')
+    help.id = HELP_ID
+    help.hidden = true
+    help.textContent = HELP
+    this.root.append(this.element, help, this.#createLink())
+  }
+
+  /** Fills the box that the style sheet gives it. */
+  resize(unit: number): void {
+    const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.root
+    const view = this.cameraView()
+    this.unit = unit
+    this.#left = offsetLeft / unit
+    this.#top = offsetTop / unit
+    this.camera.resize(Math.max(offsetWidth, 1) / unit, Math.max(offsetHeight, 1) / unit, INSETS)
+    this.#hasSize = true
+    this.look(view)
+  }
+
+  cameraView(): CameraView | null {
+    return this.#hasSize ? this.orbit.cameraView(CORNERS, 1) : this.#asked
+  }
+
+  look(view: CameraView | null): void {
+    this.#asked = view
+    if (this.#hasSize) this.orbit.look(CORNERS, 1, view)
+  }
+
+  vertices(): readonly Vec3[] {
+    return CORNERS
+  }
+
+  prepare(): Viewport {
+    this.inputs.probe.update()
+    return this.viewport(CORNERS, this.#left, this.#top)
+  }
+
+  update({ state, report }: Frame): void {
+    this.#link.checked = state.camerasLinked
+    this.overlay.update({
+      state: { ...state, vertices: CUBE, gestureStart: null, previewedOrder: null, previewedMove: null },
+      report: this.#inCube(report),
+      world: WORLD,
+      camera: this.camera,
+      handles: this.seen,
+      drag: null,
+      taken: [],
+    })
+  }
+
+  /** The columns of the map's derivative are the images of the axes. */
+  updateProbe(probe: JacobianReport | null): void {
+    const inCube = probe && { ...probe, position: probe.point, columns: AXES, axisExponents: [0, 0, 0] as const }
+    this.overlay.updateProbe(inCube, WORLD, this.camera)
+  }
+
+  fit(toDefault: boolean): void {
+    this.orbit.fit(CORNERS, toDefault)
+    this.host.requestFrame()
+  }
+
+  #createLink(): HTMLElement {
+    const label = document.createElement('label')
+    label.className = 'reference-link'
+    label.title = 'Turning one turns the other'
+    this.#link.type = 'checkbox'
+    this.#link.addEventListener('change', () => {
+      this.host.dispatch({ type: 'link-cameras', camerasLinked: this.#link.checked })
+    })
+    label.append(this.#link, 'Link views')
+    return label
+  }
+
+  #inCube(report: Report | null): Report | null {
+    if (report === this.#report) return this.#reportInCube
+    const inCube = (candidate: Candidate): Candidate => ({ ...candidate, position: candidate.point })
+    this.#report = report
+    this.#reportInCube = report && {
+      ...report,
+      minimizer: inCube(report.minimizer),
+      volumeMinimum: { ...report.volumeMinimum, position: report.volumeMinimum.point },
+      candidates: report.candidates.map(inCube),
+    }
+    return this.#reportInCube
+  }
+}

@@ -1,0 +1,100 @@
+/**
+ * The part of space that the element's camera sees. It stays while vertices are moved; another element, or one that was typed
+ * out of the picture, is brought into sight.
+ */
+import type { Vertices } from '../../model/hexahedron'
+import type { CameraView, State } from '../../model/state'
+import type { ScreenPoint } from './camera'
+import type { OrbitCamera, Pose } from './orbit-camera'
+import { verticesInWorld, type World, worldOf } from './world'
+
+/** Reasons to look elsewhere since the last frame. */
+export interface Change {
+  /** Null before the first frame. */
+  readonly before: State | null
+  /** The camera before the pane was resized; null if it was not. */
+  readonly resized: { readonly camera: CameraView | null } | null
+  /** Whether a pointer in the scene moved the element: under it the picture must not move. */
+  readonly isDragged: boolean
+}
+
+/** Shares of the pane that an element must span to be in sight after a jump, and within an animation. */
+const LEAST_SHARE = { jump: 0.2, animation: 0.4 }
+
+export class Fitting {
+  world: World = { centre: [0, 0, 0], size: 1 }
+  readonly #orbit: OrbitCamera
+  #fitted: { readonly preset: string | null; readonly start: Vertices } | null = null
+  #onScreen: { readonly pose: Pose; readonly world: World } | null = null
+
+  constructor(orbit: OrbitCamera) {
+    this.#orbit = orbit
+  }
+
+  choose(state: State, { before, resized, isDragged }: Change): void {
+    const fitted = this.#fitted
+    const another = fitted === null || fitted.preset !== state.preset || fitted.start !== state.start
+    // A program that sets one element after another, none of them a preset, animates: the reader's camera stays.
+    const animated = another && fitted !== null && fitted.preset === null && state.preset === null
+    const jumped = before && before.vertices !== state.vertices && !before.gestureStart && !state.gestureStart
+    const typed = before?.gestureStart && !state.gestureStart && !isDragged
+    const share = animated ? LEAST_SHARE.animation : LEAST_SHARE.jump
+    this.#fitted = { preset: state.preset, start: state.start }
+    if ((another && !animated) || (jumped && !this.#isInSight(state, share)))
+      this.fit(state.vertices, another && !animated)
+    else if (typed && !this.#isInSight(state, 0)) this.fit(state.vertices, false)
+    else if (resized) this.#look(state.vertices, resized.camera)
+  }
+
+  /** The whole element on paper. */
+  putOnPaper(vertices: Vertices): void {
+    this.#onScreen ??= { pose: this.#orbit.pose, world: this.world }
+    this.fit(vertices, false)
+  }
+
+  /** Restores the camera that the reader had on the screen. */
+  leavePaper(): void {
+    if (this.#onScreen === null) return
+    this.world = this.#onScreen.world
+    this.#orbit.pose = this.#onScreen.pose
+    this.#onScreen = null
+  }
+
+  /** The whole element, along the same line of sight or in the default direction. */
+  fit(vertices: Vertices, toDefault: boolean): void {
+    this.world = worldOf(vertices)
+    this.#orbit.fit(verticesInWorld(this.world, vertices), toDefault)
+  }
+
+  look(vertices: Vertices, view: CameraView | null): void {
+    this.world = worldOf(vertices)
+    this.#look(vertices, view)
+  }
+
+  cameraView(vertices: Vertices): CameraView | null {
+    return this.#orbit.cameraView(verticesInWorld(this.world, vertices), this.#halfExtent(vertices))
+  }
+
+  #look(vertices: Vertices, view: CameraView | null): void {
+    this.#orbit.look(verticesInWorld(this.world, vertices), this.#halfExtent(vertices), view)
+  }
+
+  /** Half of the longest side of these vertices, in world space. */
+  #halfExtent(vertices: Vertices): number {
+    return worldOf(vertices).size / this.world.size
+  }
+
+  /** Whether the element is all there, and spans at least a share of the pane. */
+  #isInSight({ vertices }: State, share: number): boolean {
+    const { camera } = this.#orbit
+    camera.three.updateMatrixWorld()
+    const points = verticesInWorld(this.world, vertices).map(point => camera.project(point))
+    const { width, height } = camera
+    const inside = points.every(
+      ({ x, y, depth }) =>
+        depth > 0 && x > -0.05 * width && x < 1.05 * width && y > -0.05 * height && y < 1.05 * height,
+    )
+    const spread = (of: (p: ScreenPoint) => number) => Math.max(...points.map(of)) - Math.min(...points.map(of))
+    return inside && Math.max(spread(p => p.x) / width, spread(p => p.y) / height) > share
+  }
+}

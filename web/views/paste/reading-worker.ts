@@ -1,4 +1,0 @@
-/** Reads one long text beside the page. */
-import { readElements } from '../../model/import/import'
-
-addEventListener('message', ({ data }: MessageEvent<string>) => postMessage(readElements(data)))
