@@ -1,4 +1,6 @@
 /** What the worker does: it reads one input, decides its cells and hands all of it over. It is ended afterwards. */
+
+import type { ReadingCore } from '../core/reading-interface'
 import { type CoreSources, startCore } from '../core/start-core'
 import { heldLock } from '../core/worker-lock'
 import { checkMesh } from '../mesh/check'
@@ -9,7 +11,6 @@ import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { MissingFiles, readTogether } from '../mesh/read-together'
-import type { ReadingCore } from '../mesh/reading-core'
 import { fileOfBytes, type MeshFile } from '../mesh/source'
 import { cellClassifier } from './classify-cells'
 import { meshFileOf } from './file-reading'

@@ -1,7 +1,7 @@
 /** The section CELLS of VTK's legacy files: how many points each cell has and these, or since version 5 offsets and all points. */
 import { shown } from '../text-cursor'
-import { firstFall } from './vtk-mesh'
 import type { LegacyStream } from './vtk-legacy-stream'
+import { firstFall } from './vtk-mesh'
 
 /** What is there of the cells of an unstructured grid. */
 export interface LegacyCells {
