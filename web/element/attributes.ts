@@ -75,7 +75,7 @@ export function verticesText(vertices: Vertices): string {
 
 /** 24 numbers; commas, brackets and white space stand between them. */
 export function readVertices(text: string): Vertices {
-  const numbers = text.split(/[\s,;()[\]]+/).filter(part => part !== '')
+  const numbers = text.split(/[\s,;()[\]]+/).filter(word => word !== '')
   const bad = numbers.find(number => !DECIMAL.test(number))
   if (bad !== undefined) throw refusal('vertices', `“${shortened(bad)}” is not a number`)
   return checkedVertices(numbers.map(Number))
@@ -103,7 +103,7 @@ function readCamera(text: string): CameraView {
   const numbers = text
     .trim()
     .split(/[\s,]+/)
-    .map(part => part.replace(/(deg|°)$/, ''))
+    .map(word => word.replace(/(deg|°)$/, ''))
   const [azimuth, elevation, zoom] = numbers.map(Number) as [number, number, number?]
   const isRight =
     numbers.every(number => DECIMAL.test(number)) &&

@@ -250,7 +250,7 @@ function chosen(event: Event): string {
 function signedNumbers(text: string): (TemplateResult | string)[] {
   return text
     .split(/(−\d\S*?(?=[,;:.]?(?:\s|$)))/)
-    .map((part, i) => (i % 2 === 1 ? html`<span class="negative">${part}</span>` : part))
+    .map((text, i) => (i % 2 === 1 ? html`<span class="negative">${text}</span>` : text))
 }
 
 export const create: CreateView = context => new AlgorithmView(context)

@@ -136,7 +136,7 @@ class EmbedView implements View {
           @change=${(event: Event) => this.#choose({ label: (event.target as HTMLInputElement).value.trim() || null })}>
       </label>
       ${host.untested ? html`<p>Not tested in ${host.title} itself.</p>` : nothing}
-      ${[...host.setup, host.place(embed)].map(snippet => this.#snippet(snippet))}
+      ${[...host.setup, host.snippet(embed)].map(snippet => this.#snippet(snippet))}
       <p class="actions">
         <button type="button" @click=${() => this.#savePicture()}>Download ${PICTURE}</button>
         <span>the preview as a picture, for readers without JavaScript; it goes beside the page</span>

@@ -82,8 +82,8 @@ export class CellList {
     const first = Math.floor(offset)
     const seen = Math.min(this.cells.count - first, Math.ceil(view / this.#rowHeight) + 1)
     const top = (this.#box?.scrollTop ?? 0) - (offset - first) * this.#rowHeight
-    const places = Array.from({ length: Math.max(seen, 1) }, (_, i) => first + i)
-    const isActiveSeen = places.includes(this.#active)
+    const ranks = Array.from({ length: Math.max(seen, 1) }, (_, i) => first + i)
+    const isActiveSeen = ranks.includes(this.#active)
     const columns = this.cells.hasBlocks ? 'columns with-blocks' : 'columns'
     const idName = this.cells.hasIds ? 'Cell' : 'Index'
     render(
@@ -105,7 +105,7 @@ export class CellList {
         >
           <div class="extent" role="presentation" .style=${`height: ${this.#height}px`}>
             <div role="presentation" .style=${`transform: translateY(${top}px)`}>
-              ${places.map(place => this.#row(place, columns))}
+              ${ranks.map(rank => this.#row(rank, columns))}
             </div>
           </div>
         </div>
@@ -114,19 +114,19 @@ export class CellList {
     )
   }
 
-  #row(place: number, columns: string): TemplateResult {
-    const listed = this.cells.at(place)
+  #row(rank: number, columns: string): TemplateResult {
+    const listed = this.cells.at(rank)
     const { cell, id, block, standing, why } = listed
     const isShown = cell === this.#shown
     return html`<div
       role="option"
-      id=${`cell-at-${place}`}
-      class=${`${columns} ${place === this.#active ? 'active' : ''}`}
+      id=${`cell-at-${rank}`}
+      class=${`${columns} ${rank === this.#active ? 'active' : ''}`}
       aria-selected=${isShown}
       aria-setsize=${this.cells.count}
-      aria-posinset=${place + 1}
+      aria-posinset=${rank + 1}
       aria-label=${spoken(listed)}
-      @click=${() => this.#choose(place)}
+      @click=${() => this.#choose(rank)}
     >
       <span>${id}</span><span class=${standing === 'invalid' ? 'negative' : ''}>${standing === 'invalid' ? 'INVALID' : standing}</span
       ><span class=${why === null ? '' : 'why'}>${why ?? relative(listed)}</span>${
@@ -167,8 +167,8 @@ export class CellList {
   }
 
   /** Makes a row the active one, and scrolls to it. */
-  #goTo(place: number): void {
-    this.#active = Math.min(Math.max(place, 0), this.cells.count - 1)
+  #goTo(rank: number): void {
+    this.#active = Math.min(Math.max(rank, 0), this.cells.count - 1)
     const { view, range, rows } = this.#extent
     const offset = this.#offset
     const least = this.#active + 1 - view / this.#rowHeight
@@ -177,9 +177,9 @@ export class CellList {
     this.#render()
   }
 
-  #choose(place: number): void {
-    this.#active = place
-    const { cell, id, why } = this.cells.at(place)
+  #choose(rank: number): void {
+    this.#active = rank
+    const { cell, id, why } = this.cells.at(rank)
     const canBeShown = this.cells.verticesOf(cell) !== null
     this.#message = canBeShown ? '' : `Cell ${id} cannot be shown: ${why}.`
     this.#render()

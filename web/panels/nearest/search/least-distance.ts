@@ -121,9 +121,9 @@ function leastSquares(columns: readonly (readonly number[])[], target: readonly 
     const entries = q.map(() => 0)
     for (let pass = 0; pass < 2; pass++)
       for (const [i, basis] of q.entries()) {
-        const part = product(basis, rest)
-        entries[i] = (entries[i] as number) + part
-        rest = rest.map((value, k) => value - part * (basis[k] as number))
+        const along = product(basis, rest)
+        entries[i] = (entries[i] as number) + along
+        rest = rest.map((value, k) => value - along * (basis[k] as number))
       }
     const norm = length(rest)
     if (norm <= DEPENDENT * length(column)) return null

@@ -125,7 +125,7 @@ function* descend(
 ): Generator<undefined, Descent> {
   let at = start.flat()
   let margin = MARGIN.first * largest
-  let part = 1
+  let share = 1
   let before: number[] | null = null
   let points: readonly Vec3[] = []
   let best: Descent = { vertices: null, length: Number.POSITIVE_INFINITY, points: [], isSettled: false }
@@ -160,8 +160,8 @@ function* descend(
       if (margin < MARGIN.least * largest) break
     }
     points = points.filter((_, i) => (multipliers[i] as number) > 0)
-    if (before) part = product(before, step) < 0 ? part * LESS : Math.min(1, part * MORE)
-    const factor = Math.min(part, FIRST_STEP / (size || 1))
+    if (before) share = product(before, step) < 0 ? share * LESS : Math.min(1, share * MORE)
+    const factor = Math.min(share, FIRST_STEP / (size || 1))
     at = at.map((value, i) => value + factor * (step[i] as number))
     before = step
   }
