@@ -36,7 +36,7 @@ export class Analyzer {
     )
   }
 
-  /** Ends what is still being looked for. */
+  /** Ends searches that still run. */
   stop(): void {
     for (const [, inquiry] of this.#inquiries) inquiry.stop?.()
   }

@@ -10,7 +10,7 @@ export interface CheckDescription {
   readonly name: string
   /** Programs or methods that check this; null if there is none in particular. */
   readonly usedBy: string | null
-  /** The sites that it looks at, in words. */
+  /** Its samples in words. */
   readonly looksAt: string
   /** The number is a jacdet, or one without a unit that is the same on every reference cube. */
   readonly unit: 'jacdet' | 'none'

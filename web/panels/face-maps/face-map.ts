@@ -9,7 +9,7 @@ export interface FaceMapActions {
   leave(): void
   /** A step of the point by keys, in cells, to the right and down. */
   step(face: number, right: number, down: number): void
-  /** True if there was a mark to remove. */
+  /** True if there was a probe to remove. */
   clear(face: number): boolean
   select(face: number): void
 }

@@ -43,13 +43,13 @@ class FaceMapsView implements View {
   readonly #context: ViewContext
   readonly #net = document.createElement('div')
   readonly #maps: readonly FaceMap[]
-  readonly #overlay = new NetOverlay(candidate => this.#look('marks', candidate?.point ?? null))
+  readonly #overlay = new NetOverlay(candidate => this.#setProbe('marks', candidate?.point ?? null))
   readonly #readout = document.createElement('p')
   readonly #tooltip = document.createElement('p')
   readonly #table = document.createElement('div')
   readonly #words = document.createElement('div')
   readonly #formulas = document.createElement('div')
-  readonly #plots = new Plots(t => this.#lookAtRow(t))
+  readonly #plots = new Plots(t => this.#probeRow(t))
   readonly #theme: ThemeReader
   readonly #resizes: ResizeObserver
   #width = 0
@@ -57,8 +57,8 @@ class FaceMapsView implements View {
   #palette: { readonly theme: Theme; readonly palette: Palette } | null = null
   #report: Report | null = null
   /** The face last pointed at or focused: the tooltip stands beside the point's place there. */
-  #lookedAt = 0
-  #looked: { readonly by: 'maps' | 'marks' | 'plots'; readonly point: Vec3 } | null = null
+  #pointedFace = 0
+  #ownProbe: { readonly by: 'maps' | 'marks' | 'plots'; readonly point: Vec3 } | null = null
   #polynomials: { readonly face: FaceReport; readonly of: FacePolynomials } | null = null
 
   constructor(context: ViewContext) {
@@ -122,18 +122,18 @@ class FaceMapsView implements View {
 
   readonly #actions = {
     point: (face: number, x: number, y: number) => {
-      this.#lookedAt = face
+      this.#pointedFace = face
       const near = this.#candidateNear(face, x, y)
-      this.#look('maps', near?.point ?? pointInCell(face, Math.round(x * GRID) / GRID, Math.round(y * GRID) / GRID))
+      this.#setProbe('maps', near?.point ?? pointInCell(face, Math.round(x * GRID) / GRID, Math.round(y * GRID) / GRID))
     },
-    leave: () => this.#look('maps', null),
+    leave: () => this.#setProbe('maps', null),
     step: (face: number, right: number, down: number) => {
-      this.#lookedAt = face
+      this.#pointedFace = face
       const { probe } = this.#context.state()
       const { column, row } = netCells[face] as (typeof netCells)[number]
       const isHere = probe !== null && isOnFace(face, probe)
       const from = isHere ? placeOnFace(face, probe) : { x: column + 0.5, y: row + 0.5 }
-      this.#look('maps', pointInCell(face, inUnit(from.x - column + right), inUnit(from.y - row + down)))
+      this.#setProbe('maps', pointInCell(face, inUnit(from.x - column + right), inUnit(from.y - row + down)))
     },
     clear: (face: number) => {
       const { probe } = this.#context.state()
@@ -145,21 +145,21 @@ class FaceMapsView implements View {
   }
 
   /** A map ends no other probe than its own, such as when it is scrolled from under the pointer. */
-  #look(by: 'maps' | 'marks' | 'plots', point: Vec3 | null): void {
+  #setProbe(by: 'maps' | 'marks' | 'plots', point: Vec3 | null): void {
     const { probe } = this.#context.state()
-    const looked = this.#looked
-    const isOwn = looked?.by === by && probe !== null && looked.point.every((x, axis) => x === probe[axis])
+    const own = this.#ownProbe
+    const isOwn = own?.by === by && probe !== null && own.point.every((x, axis) => x === probe[axis])
     if (point === null && !isOwn) return
-    this.#looked = point && { by, point }
+    this.#ownProbe = point && { by, point }
     this.#context.dispatch({ type: 'probe', point })
   }
 
   /** Probes the point at which the face's row t has its least value. */
-  #lookAtRow(t: number | null): void {
+  #probeRow(t: number | null): void {
     const { selectedFace } = sliceOf(faceSlice, this.#context.state())
     const face = this.#report?.faces[selectedFace]
-    this.#lookedAt = selectedFace
-    this.#look(
+    this.#pointedFace = selectedFace
+    this.#setProbe(
       'plots',
       t === null || !face ? null : facePoint(selectedFace, leastInRow(this.#polynomialsOf(face), t), t),
     )
@@ -217,7 +217,7 @@ class FaceMapsView implements View {
   }
 
   #drawReadout({ state, probe }: Frame, report: Report): void {
-    if (!isNew(this.#readout, report, probe, state.referenceCube, this.#cell, this.#lookedAt)) return
+    if (!isNew(this.#readout, report, probe, state.referenceCube, this.#cell, this.#pointedFace)) return
     const onFaces = probe === null ? [] : faces.filter((_, face) => isOnFace(face, probe.point))
     const isOn = probe !== null && onFaces.length > 0
     const value = isOn ? formatJacdet(probe.jacdet, probe.exponent, state.referenceCube) : ''
@@ -235,7 +235,9 @@ class FaceMapsView implements View {
   /** Puts the tooltip above the candidate, or below if it would leave the net. */
   #placeTooltip(text: string, point: Vec3): void {
     const cell = this.#cell
-    const here = isOnFace(this.#lookedAt, point) ? placeOnFace(this.#lookedAt, point) : (placesOf(point)[0] as Place)
+    const here = isOnFace(this.#pointedFace, point)
+      ? placeOnFace(this.#pointedFace, point)
+      : (placesOf(point)[0] as Place)
     this.#tooltip.textContent = text
     const width = this.#tooltip.offsetWidth
     const left = Math.max(0, Math.min(NET_COLUMNS * cell - width, here.x * cell - width / 2))

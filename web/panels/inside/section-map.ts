@@ -48,14 +48,14 @@ export class SectionMap {
   readonly #cross = svg('g', { class: 'cross' }, svg('path', { class: 'halo' }), svg('path'))
   readonly #names = [0, 1].map(() => svg('text', { class: 'axis' }))
   readonly #ends = [0, 1, 2].map(i => svg('text', { class: i === 1 ? 'axis last' : 'axis' }, i === 0 ? '0' : '1'))
-  readonly #look: (point: Vec3 | null) => void
+  readonly #setProbe: (point: Vec3 | null) => void
   #image: ImageData | null = null
   #palette: { readonly theme: Theme; readonly palette: Palette } | null = null
   #section: Section = { axis: 2, value: 0.5 }
   #probe: Vec3 | null = null
 
-  constructor(look: (point: Vec3 | null) => void) {
-    this.#look = look
+  constructor(setProbe: (point: Vec3 | null) => void) {
+    this.#setProbe = setProbe
     this.root.className = 'section-map'
     this.root.tabIndex = 0
     this.root.setAttribute('role', 'img')
@@ -146,16 +146,16 @@ export class SectionMap {
     root.addEventListener('pointermove', ({ clientX, clientY }) => {
       const { left, top, width, height } = this.#canvas.getBoundingClientRect()
       const onGrid = (way: number) => Math.round(inUnit(way) * GRID) / GRID
-      this.#lookAt(onGrid((clientX - left) / width), onGrid(1 - (clientY - top) / height))
+      this.#probeAt(onGrid((clientX - left) / width), onGrid(1 - (clientY - top) / height))
     })
-    root.addEventListener('pointerleave', () => this.#look(null))
-    root.addEventListener('blur', () => this.#look(null))
+    root.addEventListener('pointerleave', () => this.#setProbe(null))
+    root.addEventListener('blur', () => this.#setProbe(null))
     root.addEventListener('keydown', event => this.#onKey(event))
   }
 
-  #lookAt(s: number, t: number): void {
+  #probeAt(s: number, t: number): void {
     const { axis, value } = this.#section
-    this.#look(pointOn(axis, value, s, t))
+    this.#setProbe(pointOn(axis, value, s, t))
   }
 
   #onKey(event: KeyboardEvent): void {
@@ -166,8 +166,8 @@ export class SectionMap {
     if (direction) {
       const step = pointStep(event)
       const [s, t] = axesOn(axis).map(a => probe?.[a] ?? 0.5) as [number, number]
-      this.#lookAt(inUnit(s + step * direction[0]), inUnit(t + step * direction[1]))
-    } else if (event.key === 'Escape' && probe) this.#look(null)
+      this.#probeAt(inUnit(s + step * direction[0]), inUnit(t + step * direction[1]))
+    } else if (event.key === 'Escape' && probe) this.#setProbe(null)
     else return
     event.preventDefault()
   }
