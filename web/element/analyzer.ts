@@ -10,7 +10,7 @@ import type { State } from '../model/state'
 import type { Inquiry, Panel } from '../panels/panel'
 import type { Frame } from '../views/view'
 
-/** Cells of the grid along each axis from which the surface jacdet = 0 is made, between gestures and in one. */
+/** Cells along each axis of the grid for the surface jacdet = 0, between gestures and in one. */
 const SURFACE_CELLS = 24
 const GESTURE_SURFACE_CELLS = 8
 

@@ -1,7 +1,8 @@
 /**
- * Pressing a number copies all its digits (`web/views/copyable.ts` makes such numbers) and says so beside it; C, or pressing
- * its words in the scene, copies those of the point that is pointed at. Where the clipboard is closed the digits stand there
- * selected instead. In a table arrow keys go from one number to the next.
+ * Pressing a number copies all its digits (`web/views/copyable.ts` makes such numbers) and says so
+ * beside it; C, or pressing the readout in the scene, copies those of the probe. If the clipboard
+ * is closed, the digits stand there selected instead. In a table arrow keys go from one number to
+ * the next.
  */
 import { html, nothing, render } from 'lit-html'
 import { copyText } from '../views/copy-text'

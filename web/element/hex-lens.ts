@@ -1,10 +1,11 @@
 /**
- * `<hex-lens>`: one hexahedron and everything said about it. It owns the state, asks the core once a frame and hands
- * one frame's truth to every view. Nothing is scheduled while nothing changes, nothing is drawn while nobody sees it.
- * docs/element.md lists attributes, properties, methods, events, slots, parts and custom properties.
+ * `<hex-lens>`: one hexahedron and everything said about it. It owns the state, asks the core once
+ * a frame and hands the same frame to every view. Nothing is scheduled while nothing changes,
+ * nothing is drawn while nobody sees it. docs/element.md lists attributes, properties, methods,
+ * events, slots, parts and custom properties.
  *
- * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `raise` and `clear` are
- * for what the page has to say about a problem.
+ * Beyond those, for the page around it: `permalink` is the address that opens this element again,
+ * bit for bit; `raise` and `clear` are for what the page has to say about a problem.
  */
 
 import { fetchCore } from '../core/fetch-core'
@@ -148,7 +149,7 @@ export class HexLens extends ReflectingElement {
     return this.#store.state.vertices.slice()
   }
 
-  /** Any array-like of 24 finite numbers, or a text with them. Throws HexLensError for anything else. */
+  /** Takes 24 finite numbers in an array-like or a text. Throws HexLensError for anything else. */
   set vertices(given: ArrayLike<number> | string) {
     const vertices = typeof given === 'string' ? readVertices(given) : checkedVertices(given)
     this.#setVertices(vertices, presetOf(vertices))
@@ -158,7 +159,7 @@ export class HexLens extends ReflectingElement {
     return stateDocument(this.#store.state, this.#camerasNow, knownPanels(HexLens.composition.panels))
   }
 
-  /** Throws HexLensError for what the schema does not let through. What it changes of the element is one step to undo. */
+  /** Throws HexLensError outside the schema. Changes of the element are one step to undo. */
   set state(given: StateDocument) {
     const result = readState(given, knownPanels(HexLens.composition.panels))
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
@@ -216,21 +217,22 @@ export class HexLens extends ReflectingElement {
     return result.value
   }
 
-  /** The scene as it is, with the vertices inside: dropped on an element it opens them. Rejects with HexLensError. */
+  /** The scene as it is; dropped on an element it opens the vertices. Rejects with HexLensError. */
   async toPNG(): Promise<Blob> {
     const [{ figurePng }, figure] = await Promise.all([import('../views/figure-files'), this.#figure('scene')])
     return figurePng(figure, this.#store.state.vertices)
   }
 
-  /** The scene, or the face maps where they are open, as a document that needs nothing else. Rejects with HexLensError. */
+  /** The scene, or the open face maps, as a document of its own. Rejects with HexLensError. */
   async toSVG(name: FigureName = 'scene'): Promise<string> {
     const [{ figureSvg }, figure] = await Promise.all([import('../views/figure-files'), this.#figure(name)])
     return figureSvg(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
   }
 
   /**
-   * Reads a text, a file, or files that belong together, as if it were dropped here. One element becomes the element, as one step to undo;
-   * of several the reader chooses one where the view `paste` is shown. What cannot be read is told by `hex-error`.
+   * Reads a text, a file, or files that belong together, as if it were dropped here. One element
+   * becomes the element, as one step to undo; of several the reader chooses one if the view `paste`
+   * is shown. `hex-error` tells what cannot be read.
    */
   offer(given: string | File | readonly File[]): void {
     if (typeof given === 'string') this.#input.read({ text: given })

@@ -6,7 +6,7 @@
  */
 import type { Update, View } from '../views/view'
 
-/** Milliseconds of a frame, from its first update on, in which updates may begin: less than a quarter of a frame at 60 a second. */
+/** Milliseconds of a frame in which updates may begin: an eighth of it at 60 a second. */
 const SHARE = 2
 
 export class UpdateQueue {

@@ -131,7 +131,7 @@ export class ViewHost {
     return this.#views.reduce<Figure | null>((found, view) => found ?? view.figure?.(name) ?? null, null)
   }
 
-  /** Makes what is due in this frame, unless another element has made its own in it. What is slow comes after the first number. */
+  /** Makes the views that are due, one element a frame; slow ones come after the first number. */
   #make({ report, problems }: Frame, time: number): boolean {
     const joins = this.#made.length > 0
     this.#join()

@@ -1,6 +1,7 @@
 /**
- * A panel that is closed at first: its heading is the button that opens it, and only then is its code loaded. While it is
- * closed its view is not updated, but for the frame that closes it, in which the view can stop what it has going.
+ * A panel that is closed at first: its heading is the button that opens it, and only then is its
+ * code loaded. A closed panel's view is not updated, but for the frame that closes it, in which the
+ * view can stop its timers.
  */
 import { html, render } from 'lit-html'
 import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../views/view'

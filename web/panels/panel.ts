@@ -1,6 +1,7 @@
 /**
- * A panel: one folder, and one line in the list of whoever composes an element. All of it is said here: its region, what it keeps
- * in the state, what it asks of the core, and the view that draws it.
+ * A panel: one folder, and one line in the list of whoever composes an element. All of it is said
+ * here: its region, what it keeps in the state, what it asks of the core, and the view that draws
+ * it.
  */
 import type { Core, Report } from '../core/report'
 import type { AnySlice, State } from '../model/state'

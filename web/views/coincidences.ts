@@ -17,8 +17,8 @@ export function coincidenceClause({ coincident }: Pick<Report, 'coincident'>): s
 }
 
 /**
- * The vertices at which jacdet is 0 because vertices coincide: one of them and a neighbour, which makes a column of DF zero, or two of its
- * neighbours, which makes two columns parallel.
+ * The vertices at which jacdet is 0 because vertices coincide: one of them and a neighbour, which
+ * makes a column of DF zero, or two of its neighbours, which makes two columns parallel.
  */
 export function zerosAtSight({ coincident }: Pick<Report, 'coincident'>): number[] {
   return vertexReference.flatMap((at, vertex) => {

@@ -1,4 +1,4 @@
-/** The one contract between the element and its views: they receive a frame and draw it; they emit actions, nothing else. */
+/** The contract between the element and its views: they draw a frame, and dispatch actions. */
 import type { JacobianReport, Report } from '../core/report'
 import type { Surface } from '../core/zero-surface'
 import type { InputHost, Reading } from '../input/reading'

@@ -1,4 +1,4 @@
-/** M over the steps as a staircase, for a small plot: places in its own units, no units of jacdet. */
+/** M over the steps as a staircase, for a small plot in its own units. */
 import type { TraceStep } from './trace'
 
 export interface PlotBox {

@@ -1,6 +1,7 @@
 /**
- * Algorithm 1 step by step (docs/algorithm.md 4 and 6), from a report alone: vertices, then edges, then faces in order, with
- * what each adds to M, the least jacdet so far. The report holds every candidate, whatever a query would have skipped.
+ * Algorithm 1 step by step (docs/algorithm.md 4 and 6), from a report alone: vertices, then edges,
+ * then faces in order, with what each adds to M, the least jacdet so far. The report holds every
+ * candidate, whatever a query would have skipped.
  */
 
 import type { Candidate, CandidateKind, Report } from '../../core/report'
@@ -67,7 +68,7 @@ export function traceOf(report: Report, { query, variant }: TraceOptions): reado
     const { lowerBound } = report.faces[id] as Report['faces'][number]
     if (query === 'validity') return lowerBound > 0
     const before = least as number
-    // Both are rounded where exact arithmetic decides; a candidate below M then says that the exact bound is, too.
+    // Exact arithmetic rounds both; a candidate below M then says that the exact bound is, too.
     return lowerBound >= before && found.every(({ value }) => value >= before)
   }
 

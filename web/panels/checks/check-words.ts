@@ -1,6 +1,6 @@
 /**
- * Other checks of a hexahedron, by what the report calls them: who uses each and what it looks at. docs/algorithm.md,
- * section 9, says how their numbers are computed.
+ * Other checks of a hexahedron, by their ids in the report: who uses each and what it looks at.
+ * docs/algorithm.md, section 9, says how their numbers are computed.
  */
 import type { CheckId } from '../../core/report'
 import { type Vec3, vertexReference } from '../../model/hexahedron'

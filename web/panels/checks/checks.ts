@@ -115,7 +115,7 @@ function row(
   </tr>`
 }
 
-/** Against the exact verdict; a check that can only certify is not wrong about what it leaves open. */
+/** Compares with the verdict; a check that only certifies is not wrong if it leaves it open. */
 function judged(passes: boolean, valid: boolean, id: CheckId): { said: string; mark: string } {
   if (passes === valid) return { said: 'agrees', mark: '✓' }
   return id === 'tangents' && !passes ? { said: 'leaves it open', mark: '–' } : { said: 'wrong', mark: '✗' }

@@ -54,7 +54,7 @@ export function attributesOf({ views, theme, readonly, camera, label }: Embed): 
   ]
 }
 
-/** The element with a link and a picture for readers without JavaScript; `style` is the host's way to say a height. */
+/** The element, a link and a picture for readers without JavaScript; `style` has its height. */
 export function elementMarkup(embed: Embed, style: string): string {
   const attributes = attributesOf(embed).map(([name, value]) => (value === '' ? name : `${name}="${escaped(value)}"`))
   return [
@@ -75,7 +75,7 @@ export function cameraText({ direction: [x, y, z], zoom }: CameraView): string {
   return `${degrees(Math.atan2(y, x))} ${degrees(elevation)} ${Number(zoom.toPrecision(3))}`
 }
 
-/** Points with commas between, each number the shortest decimal that reads back as the same double. */
+/** Points with commas between, in the shortest decimals that read back as the same doubles. */
 export function verticesText(vertices: Vertices): string {
   return pointsOf(vertices)
     .map(point => point.map(value => (Object.is(value, -0) ? '-0' : String(value))).join(' '))

@@ -1,4 +1,4 @@
-/** One face of the net: a button with the face's picture, which tells where on the face it is pointed at. */
+/** One face of the net: a button with the face's picture, which reports the point pointed at. */
 import { type FaceTopology, faces } from '../../model/hexahedron'
 import { type FaceRaster, paintFace } from '../../scene/paint/face-raster'
 import { inUnit, pointStep } from '../../views/point-steps'

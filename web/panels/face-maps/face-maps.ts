@@ -1,4 +1,4 @@
-/** The six faces unfolded as maps of jacdet, what settles each, and the quartic of the selected one. */
+/** The six faces as maps of jacdet, the bound of each, and the quartic of the selected one. */
 import { html, render } from 'lit-html'
 import { type FacePolynomials, facePolynomials, leastInRow } from '../../core/face-polynomials'
 import type { Candidate, FaceReport, Report } from '../../core/report'
@@ -30,7 +30,7 @@ const LARGEST_CELL = 108
 const NEAR = 7
 /** A map is pointed at in steps of 1/200, about half a pixel. */
 const GRID = 200
-/** More device pixels than this to a CSS pixel are not worth their time; while a gesture runs this many a side do. */
+/** The most device pixels to a CSS pixel; and pixels a side while a gesture runs. */
 const MOST_PIXEL_RATIO = 3
 const GESTURE_SIZE = 64
 

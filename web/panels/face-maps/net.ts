@@ -1,6 +1,7 @@
 /**
- * The cube unfolded: its side faces in a row, seen from outside with zeta upwards, the top and the bottom above and below −η. Places
- * are in cells from the net's upper left, x to the right and y down.
+ * The cube unfolded: its side faces in a row, seen from outside with zeta upwards, the top and the
+ * bottom above and below −η. Places are in cells from the net's upper left, x to the right and y
+ * down.
  */
 import { edgeVertices, type FaceTopology, faces, type Vec3, vertexReference } from '../../model/hexahedron'
 import type { MapCell } from '../../scene/paint/face-raster'
@@ -50,7 +51,7 @@ export function placeOnFace(face: number, point: Vec3): Place {
   return { x: column + (sToLeft ? 1 - point[s] : point[s]), y: row + (tDown ? point[t] : 1 - point[t]) }
 }
 
-/** Every place of a point in the net: one inside a face, up to three on an edge or at a vertex, none inside the cube. */
+/** All places of a point: one inside a face, up to three on an edge or vertex, none in the cube. */
 export function placesOf(point: Vec3): Place[] {
   const places = faces.flatMap((_, face) => (isOnFace(face, point) ? [placeOnFace(face, point)] : []))
   const isFirst = (place: Place, i: number) => places.findIndex(({ x, y }) => x === place.x && y === place.y) === i

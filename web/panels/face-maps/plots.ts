@@ -1,6 +1,6 @@
 /**
- * P, D, a and s* of the selected face over t in [0,1], with the roots of P. They share one t: that of the probe,
- * set by pointing at a plot or, as a slider, by keys.
+ * P, D, a and s* of the selected face over t in [0,1], with the roots of P. They share one t: that
+ * of the probe, set by pointing at a plot or, as a slider, by keys.
  */
 import { type FacePolynomials, valueAt, vertexInS } from '../../core/face-polynomials'
 import type { FaceReport } from '../../core/report'

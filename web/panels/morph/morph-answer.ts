@@ -1,6 +1,6 @@
 /**
- * The boundary minimum along the straight way from one element to another, and the places on it where the verdict changes:
- * two neighbouring doubles each, found by bisection with the certain verdict.
+ * The boundary minimum along the straight way from one element to another, and the tau where the
+ * verdict changes: two neighbouring doubles each, found by bisection with the certain verdict.
  */
 
 import { changeBetween, verdictOf } from '../../core/crossing'
@@ -35,7 +35,7 @@ export interface Morph {
 const INTERVALS = 64
 /** Samples around each crossing, so that the graph meets zero where it says it does. */
 const NEAR_CROSSING = [-1 / 256, 1 / 256]
-/** Golden sections of the two intervals about a turning point: its place to about 2^-27 of them, its value to all digits. */
+/** Golden sections about a turning point: its tau to about 2^-27 of them, its value in full. */
 const SECTIONS = 38
 const GOLDEN = (Math.sqrt(5) - 1) / 2
 
@@ -66,8 +66,8 @@ function sampleAt(core: Core, a: Vertices, b: Vertices, tau: number): MorphSampl
 }
 
 /**
- * A dip between valid neighbours, or a rise between invalid ones, may reach the other side between the samples; hardly if it
- * is farther from zero than the neighbours are from it.
+ * A dip between valid neighbours, or a rise between invalid ones, may reach the other side between
+ * the samples; hardly if it is farther from zero than the neighbours are from it.
  */
 function mayTouchZero(before: MorphSample, middle: MorphSample, after: MorphSample): boolean {
   if (before.valid !== middle.valid || after.valid !== middle.valid) return false
@@ -82,7 +82,7 @@ function difference(one: MorphSample, other: MorphSample): number {
   return one.minimum * 2 ** (one.exponent - other.exponent) - other.minimum
 }
 
-/** The least minimum between valid samples, the greatest between invalid ones, or the first on the other side. */
+/** The least minimum between valid samples, the greatest between invalid ones, or a crossing. */
 function turningPoint(
   core: Core,
   a: Vertices,

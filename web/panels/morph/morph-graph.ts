@@ -1,4 +1,4 @@
-/** The boundary minimum along the way, with the zero line, the changes of the verdict and the present place. */
+/** The boundary minimum along the way, zero, the changes of the verdict and the present tau. */
 import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'

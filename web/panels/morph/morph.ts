@@ -1,4 +1,4 @@
-/** The way between two elements: the boundary minimum along it, and the doubles at which the verdict changes. */
+/** The way between two elements: the boundary minimum, and doubles where the verdict changes. */
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'

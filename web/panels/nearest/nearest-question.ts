@@ -1,4 +1,4 @@
-/** The search for the nearest element of the other verdict: in slices, until it is done, the vertices change, or the panel is closed. */
+/** The search for the nearest element of the other verdict, in slices while the panel is open. */
 import type { Core } from '../../core/report'
 import type { Vertices } from '../../model/hexahedron'
 import type { Inquiry, Question } from '../panel'

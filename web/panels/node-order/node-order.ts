@@ -91,7 +91,7 @@ class NodeOrderView implements View {
     this.#context.dispatch({ type: 'preview', preview: order && { order } })
   }
 
-  /** One step to undo. The button goes, so the focus moves to the sentence that says what happened. */
+  /** One step to undo. The button goes, so the focus moves to the sentence about it. */
   #use({ orders, vertices }: HelpfulOrder): void {
     this.#context.dispatch({ type: 'set-vertices', vertices, preset: null })
     this.#used = { vertices: this.#context.state().vertices, name: orders[0]?.name ?? '' }

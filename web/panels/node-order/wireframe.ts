@@ -1,4 +1,4 @@
-/** A small picture of eight points joined as their order says: the twelve edges, seen as the scene is at first. */
+/** A small picture of the edges of eight points in an order, seen as the scene is at first. */
 import { edgeVertices, type Vertices } from '../../model/hexahedron'
 import { seen } from '../../scene/paint/plain-view'
 import { verticesInWorld, worldOf } from '../../scene/space/world'

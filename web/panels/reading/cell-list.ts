@@ -1,6 +1,7 @@
 /**
- * The cells of a checked mesh, worst first, one of which can be chosen: a listbox of which only the rows that are seen exist, however many
- * there are. `onChoose` gets the index of the cell that is pressed, tapped, or chosen with Enter.
+ * The cells of a checked mesh, worst first, one of which can be chosen: a listbox of which only the
+ * rows that are seen exist, however many there are. `onChoose` gets the index of the cell that is
+ * pressed, tapped, or chosen with Enter.
  */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { CheckedCells, ListedCell } from '../../mesh/checked-cells'

@@ -1,4 +1,4 @@
-/** The answer in words: valid or invalid, the minimum with its error bound and its place, why, and how that is certain. */
+/** The verdict in words: the minimum with its error bound and point, why, and how it is certain. */
 import { html, render, type TemplateResult } from 'lit-html'
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'

@@ -1,4 +1,4 @@
-/** One plain sentence for why a report is valid or invalid: the first of vertices, edges and faces that fails. */
+/** The reason for valid or not in a sentence: the first of vertices, edges, faces that fails. */
 import { lowerInside } from '../../core/inside'
 import type { Candidate, CandidateKind, Report } from '../../core/report'
 import { VERTEX_COUNT } from '../../model/hexahedron'

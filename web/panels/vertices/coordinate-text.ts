@@ -12,8 +12,9 @@ export function readCoordinate(text: string): number | null {
 }
 
 /**
- * The text as a number field can take it whole, or null. A browser drops what is not of a number without a word, and "0,25"
- * would be 25. A comma typed by itself means the decimal point; true minus signs are how this page writes them.
+ * The text as a number field can take it whole, or null. A browser drops what is not of a number
+ * without a word, and "0,25" would be 25. A comma typed by itself means the decimal point; true
+ * minus signs are how this page writes them.
  */
 export function fieldText(text: string): string | null {
   const plain = text === ',' ? '.' : text.trim().replaceAll('−', '-')

@@ -1,4 +1,4 @@
-/** The 24 coordinates as editable numbers. Typing is the same as dragging: live, one undo step, Escape takes it back. */
+/** The 24 coordinates as fields. Typing is like dragging: live, one undo step, ended by Escape. */
 import { html, render } from 'lit-html'
 import { COORDINATE_COUNT, VERTEX_COUNT } from '../../model/hexahedron'
 import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
@@ -110,7 +110,7 @@ class VerticesView implements View {
     this.#commit()
   }
 
-  /** The field's text from the value; what is being typed stays as it is while it says the same number. */
+  /** The field's text from the value; a text being typed stays while it is the same number. */
   #show(index: number): void {
     const input = this.#inputs[index] as HTMLInputElement
     const value = this.#values[index] as number

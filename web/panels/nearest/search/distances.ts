@@ -29,7 +29,7 @@ export function ofVertex(vertex: number): DistanceKind {
   }
 }
 
-/** DF^T DF and G^T G, upper triangles, rows of G the gradients of the shape functions: the least |DF u| / |G u|. */
+/** The least |DF u| / |G u|, from upper triangles of DF^T DF and G^T G; G has the rows dN_v. */
 export const ofAllVertices: DistanceKind = {
   entriesAt: (edges, point) => {
     const columns = columnsAt(edges, point)
@@ -152,7 +152,7 @@ export function moveDownhill(edges: readonly Vec3[], point: Vec3): Vec3[] {
   return gradients.map(gradient => map3(axis => factor * gradient[axis]))
 }
 
-/** The move of all vertices that takes DF u to zero: each along DF u (N5). Null where DF is singular in doubles. */
+/** The move of all vertices along DF u that takes it to zero (N5). Null if DF is singular. */
 export function moveOfAll(edges: readonly Vec3[], point: Vec3): Vec3[] | null {
   const least = leastQuotient(ofAllVertices.entriesAt(edges, point), 0)
   if (least === null) return null

@@ -1,6 +1,7 @@
 /**
- * The shortest vector d with rows . d >= sides, by Lawson and Hanson, *Solving Least Squares Problems*, chapter 23: their
- * LDP by NNLS. What it returns besides bounds the length of every such d from below: docs/algorithm.md (N9).
+ * The shortest vector d with rows . d >= sides, by Lawson and Hanson, *Solving Least Squares
+ * Problems*, chapter 23: their LDP by NNLS. What it returns besides bounds the length of every such
+ * d from below: docs/algorithm.md (N9).
  */
 
 export interface HalfSpaces {
@@ -18,12 +19,13 @@ export interface LeastVector {
 }
 
 /**
- * 1/(1 + |d|^2) of the farthest vector that counts, |d| = 10^5 in units of the farthest half-space: the number itself is right to ROUNDING
- * only, so of what is farther away fewer than four digits would be known.
+ * 1/(1 + |d|^2) of the farthest vector that counts, |d| = 10^5 in units of the farthest half-space:
+ * the number itself is right to ROUNDING only, so of what is farther away fewer than four digits
+ * would be known.
  */
 const NOTHING = 1e-10
 
-/** The most numbers in a column, and so the most columns that do not depend on each other: eight vertices and one. */
+/** The most numbers in a column, and the most independent columns: eight vertices and one. */
 const MOST = 25
 /** The most that rounding changes a double by, relative to it. */
 const UNIT_ROUNDOFF = 2 ** -53

@@ -18,7 +18,7 @@ export interface LeastDistance {
 /** A coefficient may be off by this: docs/algorithm.md (N7). */
 export const SLACK = 2 ** -40
 
-/** The value found is at most this much above the bound, relatively, unless there are too many patches. */
+/** The value is at most this much above the bound, relatively, if patches suffice. */
 export const TOLERANCE = 2 ** -22
 /** More patches would not help with surfaces of equal distances either. */
 const MOST_PATCHES = 4000

@@ -115,7 +115,7 @@ const MORE = 1.25
 const SETTLED = 2 ** -16
 const SETTLED_PER_MARGIN = 4
 
-/** The shortest move at which jacdet, made linear about the last one at its low points, exceeds the margin; then again. */
+/** The shortest move at which jacdet, linear about the last one, exceeds the margin; then again. */
 function* descend(
   core: Core,
   vertices: Vertices,

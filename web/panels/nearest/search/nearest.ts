@@ -1,6 +1,7 @@
 /**
- * The nearest elements of the other verdict: by moves of one vertex, each in turn, and of all eight together. Lengths are Euclidean,
- * of all coordinates that move. What is found is certain on both sides: docs/algorithm.md 12.
+ * The nearest elements of the other verdict: by moves of one vertex, each in turn, and of all eight
+ * together. Lengths are Euclidean, of all coordinates that move. What is found is certain on both
+ * sides: docs/algorithm.md 12.
  */
 
 import { changesBetween, verdictOf } from '../../../core/crossing'
@@ -26,7 +27,7 @@ export interface NearestMove {
   readonly longest: number
   /** A lower bound, for certain, of any such move's length; 0 if nothing is known. */
   readonly bound: number
-  /** `least`: as short as any, to one part in a million. `local`: no small change makes it shorter. `found`: neither is known. */
+  /** `least`: the shortest, to 1 in 10^6. `local`: no small change is shorter. `found`: neither. */
   readonly claim: 'least' | 'local' | 'found'
 }
 
@@ -151,7 +152,7 @@ function invalidBeyond(core: Core, vertices: Vertices, moves: readonly Vec3[], s
   return null
 }
 
-/** A box with the element's mean edges, if that is right-handed, else a cube; or where the way to it becomes valid. */
+/** A box with the element's mean edges, or a cube; or the element where the way becomes valid. */
 function* wayToBox(
   core: Core,
   vertices: Vertices,
