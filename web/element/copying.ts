@@ -5,6 +5,9 @@
  * the next.
  */
 import { html, nothing, render } from 'lit-html'
+import type { JacobianReport } from '../core/report'
+import { jacdetInFull } from '../model/decimal'
+import type { ReferenceCube } from '../model/state'
 import { copyText } from '../views/copy-text'
 
 const NUMBER = 'data'
@@ -85,4 +88,12 @@ function goOn(number: HTMLElement, way: 1 | -1): boolean {
   const numbers = [...(number.closest('table')?.querySelectorAll<HTMLElement>(NUMBER) ?? [])]
   numbers[numbers.indexOf(number) + way]?.focus()
   return numbers.length > 0
+}
+
+/** The numbers of the probe, with all their digits. */
+export function pointInFull(probe: JacobianReport | null, cube: ReferenceCube): string | null {
+  if (probe === null) return null
+  const { point, position } = probe
+  const jacdet = jacdetInFull(probe.jacdet, probe.exponent, cube)
+  return `jacdet = ${jacdet}, (xi, eta, zeta) = (${point.join(', ')}), (x, y, z) = (${position.join(', ')})`
 }

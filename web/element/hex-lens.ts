@@ -12,10 +12,9 @@ import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
 import { InputReader } from '../input/input-reader'
 import { listenForInput } from '../input/pasted-input'
-import { jacdetInFull } from '../model/decimal'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
-import { type Preset, presets, presetVertices } from '../model/presets'
+import { type Preset, presetOf, presets, presetVertices } from '../model/presets'
 import type { Action, Cameras } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore } from '../model/store'
@@ -35,11 +34,11 @@ import {
 } from './attributes'
 import { Changes } from './changes'
 import type { Composition } from './composition'
-import { Copying } from './copying'
+import { Copying, pointInFull } from './copying'
 import { type DueFrame, FrameLoop } from './frame-loop'
 import { HexLensError } from './hex-lens-error'
 import { ReflectingElement } from './reflecting-element'
-import { asksForHelp, historyStep } from './shortcuts'
+import { shortcut } from './shortcuts'
 import { ViewHost } from './view-host'
 
 /** A reader hardly notices this wait; a page that stays empty for longer looks broken. */
@@ -111,7 +110,10 @@ export class HexLens extends ReflectingElement {
     const shadow = this.attachShadow({ mode: 'open' })
     this.#views = new ViewHost(shadow, this.#context, HexLens.composition.panels)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
-    new Copying(this.#views.lens, () => this.#pointInFull())
+    new Copying(this.#views.lens, () => {
+      const { state } = this.#store
+      return pointInFull(this.#analyzer.probed(state), state.referenceCube)
+    })
     listenForInput(shadow, this.#views.lens, {
       isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
       take: input => this.#input.read(input),
@@ -401,36 +403,16 @@ export class HexLens extends ReflectingElement {
     })
   }
 
-  /** The numbers of the point that is pointed at, with all their digits. */
-  #pointInFull(): string | null {
-    const { state } = this.#store
-    const probe = this.#analyzer.probed(state)
-    if (probe === null) return null
-    const jacdet = jacdetInFull(probe.jacdet, probe.exponent, state.referenceCube)
-    return `jacdet = ${jacdet}, (xi, eta, zeta) = (${probe.point.join(', ')}), (x, y, z) = (${probe.position.join(', ')})`
-  }
-
   #onKeyDown(event: KeyboardEvent): void {
-    if (asksForHelp(event)) {
-      event.preventDefault()
-      this.#dispatch({ type: 'show-help', helpShown: !this.#store.state.helpShown })
-    }
-    const step = historyStep(event)
-    const midEdit = this.#store.state.gestureStart !== null || (event.target as Element).matches('[aria-invalid]')
-    if (step === null || midEdit || event.defaultPrevented) return
+    const action = shortcut(event, this.#store.state)
+    if (action === null) return
     event.preventDefault()
-    this.#dispatchOfReader({ type: step })
+    this.#dispatchOfReader(action)
   }
 
   #tell(name: string, detail: unknown = null): void {
     this.dispatchEvent(new CustomEvent(name, { bubbles: true, composed: true, detail }))
   }
-}
-
-/** The id of the preset that is these very numbers. */
-function presetOf(vertices: Vertices): string | null {
-  const isThis = (known: Vertices) => known.every((value, i) => Object.is(value, vertices[i]))
-  return presets.find(preset => preset.valid !== null && isThis(presetVertices(preset)))?.id ?? null
 }
 
 declare global {
