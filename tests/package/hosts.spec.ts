@@ -22,7 +22,7 @@ function site(name: string, files: string): string {
   rmSync(folder, { recursive: true, force: true })
   mkdirSync(join(folder, files), { recursive: true })
   copyFileSync(join(dist, 'hexlens.iife.js'), join(folder, files, 'hexlens.iife.js'))
-  copyFileSync(join(root, 'docs/first-screen.png'), join(folder, files, 'hexlens.png'))
+  copyFileSync(join(root, 'tests/visual/snapshots/index-desktop.png'), join(folder, files, 'hexlens.png'))
   return folder
 }
 
