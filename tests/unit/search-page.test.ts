@@ -1,28 +1,28 @@
 /** The form of a search in the address, and what is kept in a browser's storage, whatever that does. */
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { readHexahedron } from '../../web/cli/read-hexahedra'
+import { parseQuery } from '../../web/pages/search/engine/query'
 import {
   decodeForm,
   encodeForm,
   type FormState,
   formOf,
   kinds,
-  questOf,
+  queryOf,
   withField,
 } from '../../web/pages/search/form-state'
-import { readQuest } from '../../web/pages/search/hunt/quest'
 import { exported, Kept } from '../../web/pages/search/kept'
-import { Spokesman } from '../../web/pages/search/spokesman'
+import { LiveRegion } from '../../web/pages/search/live-region'
 import { entry, unitCube } from './core-fixtures'
 import { readText, verticesOf } from './mesh-expectations'
 
 const decoded = (query: string) => decodeForm(new URLSearchParams(query))
 
 describe('the form', () => {
-  it('of every kind is a quest, and comes back from a short address', () => {
+  it('of every kind is a query, and comes back from a short address', () => {
     for (const kind of kinds) {
       const form = formOf(kind)
-      expect(readQuest(questOf(form)).ok, kind.id).toBe(true)
+      expect(parseQuery(queryOf(form)).ok, kind.id).toBe(true)
       expect(String(encodeForm(form))).toBe(`find=${kind.id}`)
       expect(decoded(String(encodeForm(form)))).toEqual({ form, problems: [] })
     }
@@ -47,10 +47,10 @@ describe('the form', () => {
       expect(decoded(String(encodeForm(form)))).toEqual({ form, problems: [] })
     }
     expect(form.find).toBe('own')
-    const quest = readQuest(questOf(form))
-    expect(quest.ok ? [] : quest.errors.map(({ field }) => field)).toEqual(['measure', 'distribution'])
-    expect(readQuest(questOf({ ...form, greatest: '−1', least: ' -3 ', measure: 'centre' })).ok).toBe(true)
-    expect(questOf({ ...form, seed: '' }).seed).toBeNaN()
+    const query = parseQuery(queryOf(form))
+    expect(query.ok ? [] : query.errors.map(({ field }) => field)).toEqual(['measure', 'distribution'])
+    expect(parseQuery(queryOf({ ...form, greatest: '−1', least: ' -3 ', measure: 'centre' })).ok).toBe(true)
+    expect(queryOf({ ...form, seed: '' }).seed).toBeNaN()
   })
 
   it('says what of an address it does not understand, and takes the rest', () => {
@@ -100,7 +100,7 @@ describe('what is kept', () => {
       kept.add(element(name, x))
     const next = new Kept(() => shelf)
     expect(next.elements).toEqual([element('c', 0.1), element('b', 1 / 3)])
-    expect(next.lasting).toBe('lasting')
+    expect(next.persistence).toBe('stored')
     next.remove(element('?', 0.1))
     kept.read()
     expect(names(kept)).toEqual(['b'])
@@ -120,7 +120,7 @@ describe('what is kept', () => {
       throw new DOMException('no', 'SecurityError')
     })
     refused.add(element('a', 2))
-    expect([names(refused), refused.lasting]).toEqual([['a'], 'fleeting'])
+    expect([names(refused), refused.persistence]).toEqual([['a'], 'unavailable'])
     const shelf = new Shelf()
     const full = new Kept(() => shelf)
     full.add(element('a', 2))
@@ -129,7 +129,7 @@ describe('what is kept', () => {
     }
     full.add(element('b', 3))
     full.add(element('c', 4))
-    expect([names(full), full.lasting]).toEqual([['c', 'b', 'a'], 'fleeting'])
+    expect([names(full), full.persistence]).toEqual([['c', 'b', 'a'], 'unavailable'])
     expect(names(new Kept(() => shelf))).toEqual(['a'])
   })
 
@@ -139,10 +139,10 @@ describe('what is kept', () => {
     shelf.setItem('hexlens-kept', later)
     const kept = new Kept(() => shelf)
     kept.add(element('a', 2))
-    expect([names(kept), kept.lasting, shelf.getItem('hexlens-kept')]).toEqual([['a'], 'later', later])
+    expect([names(kept), kept.persistence, shelf.getItem('hexlens-kept')]).toEqual([['a'], 'newer', later])
     for (const broken of ['', '{', 'null', '[]', '{"version":1,"elements":7}']) {
       shelf.setItem('hexlens-kept', broken)
-      expect(new Kept(() => shelf)).toMatchObject({ elements: [], lasting: 'lasting' })
+      expect(new Kept(() => shelf)).toMatchObject({ elements: [], persistence: 'stored' })
     }
     const cells = [null, 3, { vertices: [1, 2] }, { name: 'good', vertices: unitCube, property: 'valid' }]
     shelf.setItem('hexlens-kept', JSON.stringify({ version: 1, elements: cells }))
@@ -160,7 +160,7 @@ describe('what is kept', () => {
   })
 })
 
-describe('the spokesman', () => {
+describe('the live region', () => {
   afterEach(() => vi.useRealTimers())
 
   it('says the first find at once, then what is new three times a minute, and the end', () => {
@@ -171,15 +171,15 @@ describe('the spokesman', () => {
         said.push(text)
       },
     }
-    const spokesman = new Spokesman(region as unknown as HTMLElement)
-    spokesman.begin()
+    const liveRegion = new LiveRegion(region as unknown as HTMLElement)
+    liveRegion.begin()
     let found = 0
     for (let second = 0; second <= 60; ++second) {
       if (second >= 5 && second < 45) found += 1
-      spokesman.report({ elements: 1000 * second, found, isRunning: true })
+      liveRegion.report({ elements: 1000 * second, found, isRunning: true })
       vi.advanceTimersByTime(1000)
     }
-    spokesman.report({ elements: 61_000, found, isRunning: false })
+    liveRegion.report({ elements: 61_000, found, isRunning: false })
     expect(said).toEqual([
       'Searching.',
       '1 found among 5,000 elements.',

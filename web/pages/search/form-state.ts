@@ -1,8 +1,8 @@
-/** The form of a search as the reader typed it, in the address and as a quest. */
+/** The form of a search as the reader typed it, in the address and as a query. */
 
-import type { Distribution, GridName } from './hunt/distribution'
-import type { Quest } from './hunt/quest'
-import { type SymmetryName, symmetries } from './hunt/symmetry'
+import type { Distribution, GridName } from './engine/distribution'
+import type { Query } from './engine/query'
+import { type SymmetryName, symmetries } from './engine/symmetry'
 import { ownSearch, type SearchKind, searches } from './searches'
 
 export const grids: Readonly<Record<GridName, string>> = {
@@ -47,7 +47,7 @@ function fieldsOf({ law, grid, symmetry, moved }: Distribution) {
   return { law: law.kind, sigma, ...box, grid, symmetry, moved: String(moved) }
 }
 
-export function questOf(form: FormState): Quest {
+export function queryOf(form: FormState): Query {
   const { law, grid, symmetry } = form
   const [sigma, least, greatest, moved, seed] = [form.sigma, form.least, form.greatest, form.moved, form.seed].map(
     numberOf,

@@ -2,13 +2,13 @@
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { claims, numbers } from '../../core/quantities'
 import { VERTEX_COUNT } from '../../model/hexahedron'
+import type { QueryError } from './engine/query'
+import { symmetries } from './engine/symmetry'
 import { type FormState, grids, kindOf, kinds } from './form-state'
-import type { QuestError } from './hunt/quest'
-import { symmetries } from './hunt/symmetry'
 
 export interface FormProps {
   readonly form: FormState
-  readonly errors: readonly QuestError[]
+  readonly errors: readonly QueryError[]
   onChange(name: keyof FormState, value: string): void
   onSubmit(): void
 }
@@ -23,7 +23,7 @@ export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): T
         ${options.map(([value, title]) => html`<option value=${value} ?selected=${value === form[name]}>${title}</option>`)}
       </select></label
     >`
-  const number = (name: keyof FormState, label: string, field: QuestError['field']) =>
+  const number = (name: keyof FormState, label: string, field: QueryError['field']) =>
     html`<input
       class="number"
       name=${name}
@@ -42,7 +42,7 @@ export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): T
   const law = (value: FormState['law']) =>
     html`<input type="radio" name="law" value=${value} .checked=${form.law === value} @change=${listen('law')} />`
 
-  return html`<form id="quest" class="quest" @submit=${submit}>
+  return html`<form id="query" class="query" @submit=${submit}>
     ${choice(
       'find',
       'Find',
@@ -91,7 +91,7 @@ function condition(
   name: 'property' | 'measure',
   label: string,
   form: FormState,
-  errors: readonly QuestError[],
+  errors: readonly QueryError[],
   onInput: (event: Event) => void,
 ): TemplateResult {
   const error = errors.find(({ field }) => field === name)
@@ -120,7 +120,7 @@ function place(text: string, at: number): TemplateResult {
     ><span class="said">At character ${at + 1}:</span> `
 }
 
-function complaint(field: QuestError['field'], errors: readonly QuestError[]): TemplateResult {
+function complaint(field: QueryError['field'], errors: readonly QueryError[]): TemplateResult {
   return html`<div class="complaint" id=${`${field}-error`}>
     ${errors.filter(error => error.field === field).map(({ message }) => message)}
   </div>`

@@ -11,8 +11,8 @@ export interface KeptElement {
   readonly property: string
 }
 
-/** `lasting`: as the storage has them. `fleeting`: it refuses. `later`: it holds those of a later version, which are left alone. */
-export type Lasting = 'lasting' | 'fleeting' | 'later'
+/** `stored`: as the storage has them. `unavailable`: it refuses. `newer`: a later version has written there, which is left alone. */
+export type Persistence = 'stored' | 'unavailable' | 'newer'
 
 const KEY = 'hexlens-kept'
 const VERSION = 1
@@ -22,7 +22,7 @@ type Store = Pick<Storage, 'getItem' | 'setItem'>
 export class Kept {
   readonly #store: () => Store
   #elements: readonly KeptElement[] = []
-  #lasting: Lasting = 'lasting'
+  #persistence: Persistence = 'stored'
 
   /** A browser may refuse to hand its storage out: the function then throws. */
   constructor(store: () => Store) {
@@ -34,8 +34,8 @@ export class Kept {
     return this.#elements
   }
 
-  get lasting(): Lasting {
-    return this.#lasting
+  get persistence(): Persistence {
+    return this.#persistence
   }
 
   /** What is there now: another page may have kept something. */
@@ -43,10 +43,10 @@ export class Kept {
     try {
       const stored = this.#store().getItem(KEY)
       const read = stored === null ? [] : readKept(stored)
-      this.#lasting = read === null ? 'later' : 'lasting'
+      this.#persistence = read === null ? 'newer' : 'stored'
       if (read) this.#elements = read
     } catch {
-      this.#lasting = 'fleeting'
+      this.#persistence = 'unavailable'
     }
   }
 
@@ -60,13 +60,13 @@ export class Kept {
   }
 
   #change(change: (elements: readonly KeptElement[]) => readonly KeptElement[]): void {
-    if (this.#lasting === 'lasting') this.read()
+    if (this.#persistence === 'stored') this.read()
     this.#elements = change(this.#elements)
-    if (this.#lasting !== 'lasting') return
+    if (this.#persistence !== 'stored') return
     try {
       this.#store().setItem(KEY, JSON.stringify({ version: VERSION, elements: this.#elements.map(written) }))
     } catch {
-      this.#lasting = 'fleeting'
+      this.#persistence = 'unavailable'
     }
   }
 }

@@ -2,7 +2,7 @@
  * What the page Search offers to look for, in the order of its list: in the language of conditions, with the elements among which such
  * are soon found. tests/unit/search.test.ts finds one of each.
  */
-import type { Distribution } from './hunt/distribution'
+import type { Distribution } from './engine/distribution'
 
 export interface SearchKind {
   readonly id: string

@@ -1,7 +1,7 @@
 /** Searches in the browser: the wasm and the workers as the built page serves them. */
 import { batchFiles } from '../../../core/batch/batch-files'
 import type { WorkerPort } from './messages'
-import type { Workforce } from './search'
+import type { WorkerPool } from './search'
 
 /** More workers than that wait for memory. */
 const MOST_WORKERS = 16
@@ -9,7 +9,7 @@ const MOST_WORKERS = 16
 let module: Promise<WebAssembly.Module> | undefined
 
 /** Rejects when the wasm cannot be had or may not run; a later call asks again. */
-export async function workforce(): Promise<Workforce> {
+export async function workerPool(): Promise<WorkerPool> {
   module ??= batchFiles().catch(reason => {
     module = undefined
     throw reason

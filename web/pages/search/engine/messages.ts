@@ -1,19 +1,19 @@
 /** What passes between the page and a worker that searches. */
 import type { Vertices } from '../../../model/hexahedron'
-import type { Haul, Piece } from './hunt'
 import type { Polished } from './polish'
-import type { Quest } from './quest'
+import type { Query } from './query'
+import type { Piece, PieceResult } from './search-piece'
 
 export type Request =
   | { readonly kind: 'start'; readonly module: WebAssembly.Module }
-  /** The quest of the pieces that follow. */
-  | { readonly kind: 'quest'; readonly quest: Quest }
-  | { readonly kind: 'hunt'; readonly piece: Piece }
-  | { readonly kind: 'polish'; readonly quest: Quest; readonly vertices: Vertices }
+  /** The query of the pieces that follow. */
+  | { readonly kind: 'query'; readonly query: Query }
+  | { readonly kind: 'piece'; readonly piece: Piece }
+  | { readonly kind: 'polish'; readonly query: Query; readonly vertices: Vertices }
 
 export type Answer =
   | { readonly kind: 'failed'; readonly message: string }
-  | { readonly kind: 'haul'; readonly haul: Haul }
+  | { readonly kind: 'result'; readonly result: PieceResult }
   /** On the way, and at the end. */
   | { readonly kind: 'simpler' | 'polished'; readonly polished: Polished }
 

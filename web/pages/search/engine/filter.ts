@@ -1,5 +1,5 @@
 /**
- * What a condition asks of the numbers that are had cheaply: an element that the sieve holds back does not meet it, and need not be
+ * What a condition asks of the numbers that are had cheaply: an element that the filter holds back does not meet it, and need not be
  * analysed. Numbers are enclosed in intervals of doubles, first by the verdict alone, then by the corner values, then by the Bernstein
  * coefficients. The condition's own arithmetic is in doubles as they round: held back wrongly is at most an element for which two sides
  * agree to fifteen digits, and none is let through for good by such arithmetic.
@@ -12,7 +12,7 @@ import type { ClaimNode, Comparison, NumberNode } from '../../../model/condition
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../../../model/hexahedron'
 import { CENTRE, EDGES, FINE, setCorners, setFine, setOthers } from './coefficients'
 
-export interface Sieve {
+export interface Filter {
   /** Whether any valid element may meet the condition, any invalid one, any with a corner value of zero or less. */
   readonly mayBe: { readonly valid: boolean; readonly invalid: boolean; readonly withoutPositiveCorners: boolean }
   /** Whether the element whose coordinates begin at `at` meets it; `valid` is the certain verdict. */
@@ -50,7 +50,7 @@ const INDEX = Object.fromEntries(NUMBERS.map((name, i) => [name, i])) as Readonl
 /** What the verdict alone says nothing more of. */
 const OF_THE_VERDICT: readonly QuantityName[] = ['valid', 'moved']
 
-export function sieveOf({ claim, names }: Condition, measure: NumberNode, start: Vertices, core: Core): Sieve {
+export function filterOf({ claim, names }: Condition, measure: NumberNode, start: Vertices, core: Core): Filter {
   const known = new Enclosures()
   const truth = compiled(claim, known)
   const measured = compiledNumber(measure, known)

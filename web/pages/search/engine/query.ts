@@ -5,7 +5,7 @@ import type { Vertices } from '../../../model/hexahedron'
 import { type Distribution, refusalOf, startOf } from './distribution'
 import { parseMeasure } from './measure'
 
-export interface Quest {
+export interface Query {
   /** In the language of conditions. */
   readonly property: string
   /** The number that is greatest for the most extreme. */
@@ -15,37 +15,37 @@ export interface Quest {
   readonly seed: number
 }
 
-/** A quest that can be gone on. */
-export interface ReadQuest {
-  readonly quest: Quest
+/** A query that can be gone on. */
+export interface ParsedQuery {
+  readonly query: Query
   readonly property: Condition
   readonly measure: NumberNode
   /** What `moved` counts from. */
   readonly start: Vertices
 }
 
-export interface QuestError extends Partial<ConditionError> {
+export interface QueryError extends Partial<ConditionError> {
   readonly field: 'property' | 'measure' | 'distribution' | 'seed'
   readonly message: string
 }
 
 export const MOST_SEED = 2 ** 32 - 1
 
-export type QuestResult =
-  | { readonly ok: true; readonly value: ReadQuest }
-  | { readonly ok: false; readonly errors: readonly QuestError[] }
+export type QueryResult =
+  | { readonly ok: true; readonly value: ParsedQuery }
+  | { readonly ok: false; readonly errors: readonly QueryError[] }
 
-export function readQuest(quest: Quest): QuestResult {
-  const property = parseCondition(quest.property)
-  const measure = parseMeasure(quest.measure)
-  const refused = refusalOf(quest.distribution)
-  const isSeed = Number.isInteger(quest.seed) && quest.seed >= 0 && quest.seed <= MOST_SEED
+export function parseQuery(query: Query): QueryResult {
+  const property = parseCondition(query.property)
+  const measure = parseMeasure(query.measure)
+  const refused = refusalOf(query.distribution)
+  const isSeed = Number.isInteger(query.seed) && query.seed >= 0 && query.seed <= MOST_SEED
   if (property.ok && measure.ok && refused === null && isSeed)
     return {
       ok: true,
-      value: { quest, property: property.value, measure: measure.value, start: startOf(quest.distribution) },
+      value: { query, property: property.value, measure: measure.value, start: startOf(query.distribution) },
     }
-  const errors: QuestError[] = []
+  const errors: QueryError[] = []
   if (!property.ok) errors.push({ field: 'property', ...property.error })
   if (!measure.ok) errors.push({ field: 'measure', ...measure.error })
   if (refused !== null) errors.push({ field: 'distribution', message: refused })

@@ -1,5 +1,5 @@
 /**
- * Corner values and Bernstein coefficients of jacdet in doubles, docs/algorithm.md (3) to (8), for the sieve of a search alone: what
+ * Corner values and Bernstein coefficients of jacdet in doubles, docs/algorithm.md (3) to (8), for the filter of a search alone: what
  * passes it is analysed by the core, whose numbers are the ones that count.
  */
 import {

@@ -3,13 +3,13 @@
  * that after so many elements the finds are the same however many workers there are.
  */
 import type { Vertices } from '../../../model/hexahedron'
-import { BLOCK, type Haul } from './hunt'
 import type { Answer, WorkerPort } from './messages'
 import type { Polished } from './polish'
-import type { Quest } from './quest'
+import type { Query } from './query'
 import { type Find, type Order, Ranking } from './ranking'
+import { BLOCK, type PieceResult } from './search-piece'
 
-export interface Workforce {
+export interface WorkerPool {
   /** hexlens-batch.wasm or hexlens-scalar.wasm, compiled. */
   readonly module: WebAssembly.Module
   readonly workers: number
@@ -30,17 +30,17 @@ const MOST_BLOCKS = 256
 const PATIENCE = 1000
 
 export class Search {
-  readonly quest: Quest
-  readonly #workforce: Workforce
+  readonly query: Query
+  readonly #pool: WorkerPool
   readonly #onNews: () => void
   readonly #onFailure: (reason: Error) => void
   readonly #ports: WorkerPort[] = []
   /** When each worker last answered or was begun. */
   readonly #heard = new Map<WorkerPort, number>()
   /** Pieces done before an earlier one, by their first blocks. */
-  readonly #early = new Map<number, Haul>()
+  readonly #early = new Map<number, PieceResult>()
   readonly #rankings: Readonly<Record<Order, Ranking>> = {
-    beauty: new Ranking('beauty'),
+    simplicity: new Ranking('simplicity'),
     extremeness: new Ranking('extremeness'),
   }
   /** Blocks: the next to be handed out, those taken in, where to end, and how many a piece has. */
@@ -52,9 +52,9 @@ export class Search {
   #isRunning = false
 
   /** `onNews` is told whenever there is more; `onFailure` once, where a worker does not start or breaks: the search is over then. */
-  constructor(quest: Quest, workforce: Workforce, onNews: () => void, onFailure: (reason: Error) => void) {
-    this.quest = quest
-    this.#workforce = workforce
+  constructor(query: Query, pool: WorkerPool, onNews: () => void, onFailure: (reason: Error) => void) {
+    this.query = query
+    this.#pool = pool
     this.#onNews = onNews
     this.#onFailure = onFailure
   }
@@ -82,7 +82,7 @@ export class Search {
     this.#most = Math.ceil(elements / BLOCK)
     if (this.#isRunning || this.#next >= this.#most) return
     this.#isRunning = true
-    while (this.#ports.length < this.#workforce.workers) this.#ports.push(this.#begin())
+    while (this.#ports.length < this.#pool.workers) this.#ports.push(this.#begin())
     for (const port of this.#ports) this.#heard.set(port, performance.now())
     for (let ahead = 0; ahead < PIECES_AHEAD; ++ahead) for (const port of this.#ports) this.#send(port)
   }
@@ -114,38 +114,38 @@ export class Search {
   }
 
   #begin(): WorkerPort {
-    const port = this.#workforce.spawn()
+    const port = this.#pool.spawn()
     port.onmessage = ({ data }) => this.#take(port, data)
     port.onerror = ({ message }) => this.#fail(brokenWorker(message))
-    port.postMessage({ kind: 'start', module: this.#workforce.module })
-    port.postMessage({ kind: 'quest', quest: this.quest })
+    port.postMessage({ kind: 'start', module: this.#pool.module })
+    port.postMessage({ kind: 'query', query: this.query })
     return port
   }
 
   #send(port: WorkerPort): void {
     const blocks = Math.min(this.#blocks, this.#most - this.#next)
     if (blocks <= 0) return
-    port.postMessage({ kind: 'hunt', piece: { first: this.#next, blocks } })
+    port.postMessage({ kind: 'piece', piece: { first: this.#next, blocks } })
     this.#next += blocks
   }
 
   #take(port: WorkerPort, answer: Answer): void {
     if (answer.kind === 'failed') this.#fail(answer.message)
-    if (answer.kind !== 'haul') return
-    this.#measure(port, answer.haul)
+    if (answer.kind !== 'result') return
+    this.#measure(port, answer.result)
     this.#send(port)
-    this.#early.set(answer.haul.piece.first, answer.haul)
-    for (let haul = this.#early.get(this.#taken); haul; haul = this.#early.get(this.#taken)) {
+    this.#early.set(answer.result.piece.first, answer.result)
+    for (let result = this.#early.get(this.#taken); result; result = this.#early.get(this.#taken)) {
       this.#early.delete(this.#taken)
-      this.#taken += haul.piece.blocks
-      this.#found += haul.found
-      for (const ranking of Object.values(this.#rankings)) for (const find of haul.finds) ranking.add(find)
+      this.#taken += result.piece.blocks
+      this.#found += result.found
+      for (const ranking of Object.values(this.#rankings)) for (const find of result.finds) ranking.add(find)
     }
     this.#settle()
     this.#onNews()
   }
 
-  #measure(port: WorkerPort, { piece }: Haul): void {
+  #measure(port: WorkerPort, { piece }: PieceResult): void {
     const now = performance.now()
     const took = now - (this.#heard.get(port) ?? now)
     this.#heard.set(port, now)
@@ -166,9 +166,9 @@ export class Search {
 
 /** In a worker of its own, which ends with it. Rejects with the signal's reason, or where the worker fails. */
 export function polished(
-  quest: Quest,
+  query: Query,
   vertices: Vertices,
-  { module, spawn }: Pick<Workforce, 'module' | 'spawn'>,
+  { module, spawn }: Pick<WorkerPool, 'module' | 'spawn'>,
   { signal, onStep = () => {} }: { signal?: AbortSignal; onStep?: (simpler: Polished) => void } = {},
 ): Promise<Polished> {
   const port = spawn()
@@ -182,7 +182,7 @@ export function polished(
       if (data.kind === 'failed') reject(new Error(data.message))
     }
     port.postMessage({ kind: 'start', module })
-    port.postMessage({ kind: 'polish', quest, vertices })
+    port.postMessage({ kind: 'polish', query, vertices })
   }).finally(() => port.terminate())
 }
 

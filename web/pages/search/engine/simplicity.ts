@@ -5,22 +5,22 @@ import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../../../model/he
 const MOVED_VERTEX = 3
 
 /** 0 for the start if that is the unit cube; each digit, each size and each moved vertex add to it. Less is more beautiful. */
-export function effortOf(vertices: Vertices, start: Vertices): number {
-  let effort = 0
+export function complexityOf(vertices: Vertices, start: Vertices): number {
+  let complexity = 0
   for (let v = 0; v < VERTEX_COUNT; ++v)
-    if ([3 * v, 3 * v + 1, 3 * v + 2].some(i => vertices[i] !== start[i])) effort += MOVED_VERTEX
-  for (let i = 0; i < COORDINATE_COUNT; ++i) effort += effortOfNumber(vertices[i] as number)
-  return effort
+    if ([3 * v, 3 * v + 1, 3 * v + 2].some(i => vertices[i] !== start[i])) complexity += MOVED_VERTEX
+  for (let i = 0; i < COORDINATE_COUNT; ++i) complexity += complexityOfNumber(vertices[i] as number)
+  return complexity
 }
 
 /** Zero costs nothing; else the size, the sign and the decimals do. */
-export function effortOfNumber(value: number): number {
+export function complexityOfNumber(value: number): number {
   if (value === 0) return 0
   const size = Math.abs(value)
-  return 0.5 + 0.5 * Math.log2(1 + size) + (value < 0 ? 0.25 : 0) + effortOfDecimals(size)
+  return 0.5 + 0.5 * Math.log2(1 + size) + (value < 0 ? 0.25 : 0) + complexityOfDecimals(size)
 }
 
-function effortOfDecimals(size: number): number {
+function complexityOfDecimals(size: number): number {
   if (Number.isInteger(size)) return 0
   if (Number.isInteger(2 * size)) return 1.5
   if (Number.isInteger(4 * size)) return 2.5
