@@ -3,8 +3,8 @@
  * certificate is an argument with nothing left to find, so this is a list of signs.
  */
 import type { Certificate } from '../../web/core/exact/certificate'
-import type { Rational } from '../../web/core/exact/rational'
 import type { Vertices } from '../../web/model/hexahedron'
+import type { Rational } from '../../web/model/rational'
 import {
   endsArePositive,
   type FaceParabolas,

@@ -4,17 +4,10 @@
  */
 
 import type { Quantities } from '../model/condition'
-import {
-  type Enclosure,
-  exactly,
-  isAtMost,
-  negated,
-  scaledDouble,
-  scaledInteger,
-  sumOf,
-} from '../model/condition/enclosure'
+import { type Enclosure, exactly } from '../model/condition/enclosure'
 import type { Claim, NumberName } from '../model/condition/names'
 import { VERTEX_COUNT, type Vertices } from '../model/hexahedron'
+import { isAtMost, negated, scaledDouble, scaledInteger, sumOf } from '../model/rational'
 import { exactTwist, twistEnclosure, twistOf } from '../model/twist'
 import {
   exactBernsteinMinimum,

@@ -4,7 +4,6 @@
  */
 import {
   type Enclosure,
-  isAtMost,
   negatedEnclosure,
   productOfEnclosures,
   reciprocalOfEnclosure,
@@ -12,6 +11,7 @@ import {
 } from './condition/enclosure'
 import type { Claim, NumberName, QuantityName } from './condition/names'
 import { type ClaimNode, type Comparison, NotACondition, type NumberNode, parseClaim } from './condition/parse'
+import { isAtMost } from './rational'
 
 export interface Condition {
   readonly text: string

@@ -3,7 +3,9 @@
  * may lie far outside the doubles, so every rounding here is of the exact value, in integers: half to even unless a side is
  * named, no libm.
  */
+
 import type { Vec3 } from './hexahedron'
+import { bitLength, dyadicOf } from './rational'
 import type { ReferenceCube } from './state'
 
 /** A value in decimal: its significant digits, none for zero. */
@@ -16,12 +18,6 @@ interface Rounded {
 
 /** Where a value goes that has more digits: to the nearest text, half to even, or never below or never above itself. */
 export type Rounding = 'nearest' | 'up' | 'down'
-
-/** |value| = integer * 2^exponent, exactly. */
-interface Binary {
-  readonly integer: bigint
-  readonly exponent: number
-}
 
 /** What a number on the page is rounded to, in significant digits, but never coarser than to an integer. */
 const SHOWN_DIGITS = 5
@@ -220,23 +216,14 @@ function tens(power: number): bigint {
 
 const words = new DataView(new ArrayBuffer(8))
 
-function binaryOf(value: number): Binary {
+/** |value| = integer * 2^exponent, exactly. */
+function binaryOf(value: number): ReturnType<typeof dyadicOf> {
   if (!Number.isFinite(value)) throw new RangeError(`${value} is not a finite number.`)
-  words.setFloat64(0, value)
-  const bits = words.getBigUint64(0) & 0x7fff_ffff_ffff_ffffn
-  const biased = Number(bits >> 52n)
-  const fraction = bits & 0xf_ffff_ffff_ffffn
-  return biased === 0
-    ? { integer: fraction, exponent: -1074 }
-    : { integer: fraction | (1n << 52n), exponent: biased - 1075 }
+  return dyadicOf(Math.abs(value))
 }
 
 /** 2^power for power in [-1074, 1023], exactly. */
 function powerOfTwo(power: number): number {
   words.setBigUint64(0, power < -1022 ? 1n << BigInt(power + 1074) : BigInt(power + 1023) << 52n)
   return words.getFloat64(0)
-}
-
-function bitLength(integer: bigint): number {
-  return integer.toString(2).length
 }

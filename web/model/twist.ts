@@ -1,15 +1,7 @@
 /** By how much the top of an element is turned against its bottom. */
-import {
-  type Enclosure,
-  exactly,
-  isAtMost,
-  negated,
-  productOf,
-  type Rational,
-  scaledDouble,
-  sumOf,
-} from './condition/enclosure'
+import { type Enclosure, exactly } from './condition/enclosure'
 import type { Vertices } from './hexahedron'
+import { isAtMost, negated, productOf, type Rational, scaledDouble, sumOf } from './rational'
 
 export interface Twist {
   /** In [-180, 180], counter-clockwise where the top is turned so, seen against z. */

@@ -4,6 +4,7 @@
  */
 import { bernsteinIndices } from '../../model/bernstein'
 import { edgeVertices, faces, VERTEX_COUNT, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
+import { isLess, type Rational } from '../../model/rational'
 import { type ExactJacdet, exactEdge, exactFace, exactJacdet, exactVertex } from './exact-jacdet'
 import { exactBoundarySign, faceParabolas, type Sign } from './exact-sign'
 import {
@@ -19,7 +20,6 @@ import {
   squareFree,
   sum,
 } from './integer-polynomial'
-import { isLess, type Rational } from './rational'
 
 /** Why jacdet is positive on the face for all t of an interval with dyadic ends: docs/certificates.md (C3) to (C6). */
 export interface CertifiedInterval {

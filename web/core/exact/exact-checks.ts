@@ -2,7 +2,7 @@
 import { edgesAlong, edgeVertices, vertexReference } from '../../model/hexahedron'
 import type { CheckId } from '../report'
 import { type ExactJacdet, exactVertex, type IntegerVector, sixteenths } from './exact-jacdet'
-import { rounded } from './rational'
+import { rounded } from './rounding'
 
 /** mantissa * 2^exponent. */
 export interface ScaledNumber {

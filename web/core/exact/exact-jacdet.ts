@@ -1,4 +1,5 @@
 /** jacdet's Bernstein coefficients as integers: the doubles as given are integers over powers of two, one for each axis. */
+
 import {
   BERNSTEIN_COUNT,
   bernsteinIndex,
@@ -8,6 +9,7 @@ import {
   vertexBernstein,
 } from '../../model/bernstein'
 import { type Axis, edgeVertices, type Vertices, vertexReference } from '../../model/hexahedron'
+import { dyadicOf } from '../../model/rational'
 
 export interface ExactJacdet {
   /** Four times the 27 coefficients, over 2^exponent; the cube's centre is left 0. */
@@ -19,18 +21,6 @@ export interface ExactJacdet {
 }
 
 export type IntegerVector = readonly [bigint, bigint, bigint]
-
-const bits = new DataView(new ArrayBuffer(8))
-
-/** integer * 2^exponent, exactly. */
-function integerOf(value: number): { integer: bigint; exponent: number } {
-  bits.setFloat64(0, value)
-  const word = bits.getBigUint64(0)
-  const biased = Number((word >> 52n) & 0x7ffn)
-  const fraction = word & 0xfffffffffffffn
-  const magnitude = biased === 0 ? fraction : fraction | 0x10000000000000n
-  return { integer: value < 0 ? -magnitude : magnitude, exponent: Math.max(biased, 1) - 1075 }
-}
 
 function cross(a: IntegerVector, b: IntegerVector): IntegerVector {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -46,7 +36,7 @@ function plus(a: IntegerVector, b: IntegerVector): IntegerVector {
 
 /** The coordinates on one axis as integers over a common power of two. */
 function integersOnAxis(vertices: Vertices, axis: number): { values: bigint[]; exponent: number } {
-  const parts = vertexReference.map((_, v) => integerOf(vertices[3 * v + axis] as number))
+  const parts = vertexReference.map((_, v) => dyadicOf(vertices[3 * v + axis] as number))
   const used = parts.filter(({ integer }) => integer !== 0n).map(({ exponent }) => exponent)
   const exponent = used.length > 0 ? Math.min(...used) : 0
   const values = parts.map(part => (part.integer === 0n ? 0n : part.integer << BigInt(part.exponent - exponent)))

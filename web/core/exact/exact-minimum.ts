@@ -3,6 +3,7 @@
  * are those of Algorithm 1; their values are exact rationals, on faces at ever finer enclosures of the roots of P.
  */
 import { edgeVertices, faces, type Vec3, type Vertices, vertexReference } from '../../model/hexahedron'
+import { isLess, magnitude, type Rational } from '../../model/rational'
 import type { CandidateKind } from '../report'
 import { type ExactJacdet, exactEdge, exactFace, exactJacdet, exactVertex } from './exact-jacdet'
 import { exactBoundarySign, faceParabolas, type Sign } from './exact-sign'
@@ -20,7 +21,7 @@ import {
   sum,
   valueOver,
 } from './integer-polynomial'
-import { isLess, magnitude, type Rational, rounded, unitDouble } from './rational'
+import { rounded, unitDouble } from './rounding'
 
 export interface ExactCandidate {
   readonly kind: CandidateKind

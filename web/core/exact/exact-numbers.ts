@@ -4,19 +4,9 @@
  */
 
 import { bernsteinIndices, bernsteinMiddles, bernsteinStrides, vertexBernstein } from '../../model/bernstein'
-import {
-  type Enclosure,
-  exactly,
-  isAtMost,
-  negated,
-  negatedEnclosure,
-  productOf,
-  type Rational,
-  scaledDouble,
-  scaledInteger,
-  sumOf,
-} from '../../model/condition/enclosure'
+import { type Enclosure, exactly, negatedEnclosure } from '../../model/condition/enclosure'
 import { type Axis, edgeVertices, type Vertices, vertexReference } from '../../model/hexahedron'
+import { isAtMost, negated, productOf, type Rational, scaledDouble, scaledInteger, sumOf } from '../../model/rational'
 import { exactChecks, type ScaledNumber } from './exact-checks'
 import { type ExactJacdet, exactEdge, exactJacdet, exactVertex, sixteenths } from './exact-jacdet'
 import { exactBoundary } from './exact-minimum'

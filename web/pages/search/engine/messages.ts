@@ -2,7 +2,7 @@
 import type { Vertices } from '../../../model/hexahedron'
 import type { Polished } from './polish'
 import type { Query } from './query'
-import type { Piece, PieceResult } from './search-piece'
+import type { Piece, PieceFinds } from './search-piece'
 
 export type Request =
   | { readonly kind: 'start'; readonly module: WebAssembly.Module }
@@ -13,7 +13,7 @@ export type Request =
 
 export type Answer =
   | { readonly kind: 'failed'; readonly message: string }
-  | { readonly kind: 'result'; readonly result: PieceResult }
+  | { readonly kind: 'result'; readonly result: PieceFinds }
   /** On the way, and at the end. */
   | { readonly kind: 'simpler' | 'polished'; readonly polished: Polished }
 

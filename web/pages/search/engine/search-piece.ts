@@ -28,7 +28,7 @@ export interface Piece {
   readonly blocks: number
 }
 
-export interface PieceResult {
+export interface PieceFinds {
   readonly piece: Piece
   /** How many elements have the property. */
   readonly found: number
@@ -42,7 +42,7 @@ export interface PieceResult {
  * Goes through pieces of the stream of elements, in ascending order. What it found before only makes it leave out what cannot be among
  * the best of all any more.
  */
-export function pieceSearcherOf(parsed: ParsedQuery, { batch, core }: Cores): (piece: Piece) => PieceResult {
+export function pieceSearcherOf(parsed: ParsedQuery, { batch, core }: Cores): (piece: Piece) => PieceFinds {
   const { query, property, measure, start } = parsed
   const filter = filterOf(property, measure, start, core)
   const rankings = [new Ranking('simplicity'), new Ranking('extremeness')]

@@ -7,7 +7,7 @@ import type { Answer, WorkerPort } from './messages'
 import type { Polished } from './polish'
 import type { Query } from './query'
 import { type Find, type Order, Ranking } from './ranking'
-import { BLOCK, type PieceResult } from './search-piece'
+import { BLOCK, type PieceFinds } from './search-piece'
 
 export interface WorkerPool {
   /** hexlens-batch.wasm or hexlens-scalar.wasm, compiled. */
@@ -38,7 +38,7 @@ export class Search {
   /** When each worker last answered or was begun. */
   readonly #heard = new Map<WorkerPort, number>()
   /** Pieces done before an earlier one, by their first blocks. */
-  readonly #early = new Map<number, PieceResult>()
+  readonly #early = new Map<number, PieceFinds>()
   readonly #rankings: Readonly<Record<Order, Ranking>> = {
     simplicity: new Ranking('simplicity'),
     extremeness: new Ranking('extremeness'),
@@ -145,7 +145,7 @@ export class Search {
     this.#onNews()
   }
 
-  #measure(port: WorkerPort, { piece }: PieceResult): void {
+  #measure(port: WorkerPort, { piece }: PieceFinds): void {
     const now = performance.now()
     const took = now - (this.#heard.get(port) ?? now)
     this.#heard.set(port, now)

@@ -4,7 +4,7 @@ import { type CoreExports, coreOf } from '../../../core/core'
 import type { Answer, Request } from './messages'
 import { polish } from './polish'
 import { type ParsedQuery, parseQuery, type Query } from './query'
-import { type Cores, type Piece, type PieceResult, pieceSearcherOf } from './search-piece'
+import { type Cores, type Piece, type PieceFinds, pieceSearcherOf } from './search-piece'
 
 interface Scope {
   onmessage: ((event: { readonly data: Request }) => void) | null
@@ -14,7 +14,7 @@ interface Scope {
 const scope = globalThis as unknown as Scope
 
 let cores: Promise<Cores> | undefined
-let searchPiece: Promise<(piece: Piece) => PieceResult> | undefined
+let searchPiece: Promise<(piece: Piece) => PieceFinds> | undefined
 
 scope.onmessage = ({ data }) => {
   answer(data).catch(reason =>
