@@ -179,7 +179,7 @@ describe('the address of a challenge', () => {
     ['#challenge=one-vertex&v=1&vertices=1,2', 'The link holds 2 numbers where 24 are needed.'],
     ['#challenge=one-vertex&v=2&vertices=1', 'The link is of version “2”, which is not known here.'],
   ])('%s is refused in a sentence', (fragment, message) => {
-    expect(readChallengePlace(fragment)).toEqual({ ok: false, message })
+    expect(readChallengePlace(fragment)).toEqual({ ok: false, error: message })
   })
 })
 

@@ -48,7 +48,7 @@ describe('the form', () => {
     }
     expect(form.find).toBe('own')
     const query = parseQuery(queryOf(form))
-    expect(query.ok ? [] : query.errors.map(({ field }) => field)).toEqual(['measure', 'distribution'])
+    expect(query.ok ? [] : query.error.map(({ field }) => field)).toEqual(['measure', 'distribution'])
     expect(parseQuery(queryOf({ ...form, greatest: '−1', least: ' -3 ', measure: 'centre' })).ok).toBe(true)
     expect(queryOf({ ...form, seed: '' }).seed).toBeNaN()
   })

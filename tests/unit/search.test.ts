@@ -172,7 +172,7 @@ it('a query that is none is refused field by field', () => {
     distribution: { ...distribution, law },
     seed: 1.5,
   })
-  expect(result.ok ? [] : result.errors.map(({ field, at }) => [field, at])).toEqual([
+  expect(result.ok ? [] : result.error.map(({ field, at }) => [field, at])).toEqual([
     ['property', 12],
     ['measure', 0],
     ['distribution', undefined],

@@ -1,5 +1,5 @@
 /** The arguments of `check`. */
-import { Refusal } from './streams'
+import { Refusal } from '../model/result'
 
 export const ID_KINDS = ['abaqus', 'nastran', 'plain'] as const
 export type IdKind = (typeof ID_KINDS)[number]

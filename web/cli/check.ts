@@ -6,6 +6,7 @@ import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { readMeshes } from '../mesh/read-mesh'
+import { Refusal } from '../model/result'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
 import type { Engine } from './engine'
@@ -19,7 +20,7 @@ import { textOutput } from './outputs/text'
 import { vtuOutput } from './outputs/vtu'
 import { ProgressLine } from './progress'
 import { FileSink } from './sink'
-import { Buffered, Refusal, type Streams } from './streams'
+import { Buffered, type Streams } from './streams'
 
 /** How many of the worst are listed where nothing is said. */
 const WORST = 10
@@ -77,7 +78,7 @@ async function resultOf(file: string, work: Work): Promise<FileResult> {
     const check = await checkOf(await meshOf(file, work), work)
     return { file, exit: exitOf(check, work.wanted), check }
   } catch (error) {
-    if (error instanceof MeshRefusal || error instanceof Refusal) return { file, exit: 2, error: error.message }
+    if (error instanceof Refusal) return { file, exit: 2, error: withoutControls(error.message) }
     if (error instanceof RangeError && isAboutMemory(error))
       return { file, exit: 2, error: `${withoutControls(file)} needs more memory than there is.` }
     throw error

@@ -2,7 +2,7 @@
  * The entries of a JSON list one by one, from bytes as they come: each is cut out by its brackets and strings and parsed alone, so that
  * neither the list nor its text is ever whole in memory. Linear in time.
  */
-import { Refusal } from './streams'
+import { Refusal } from '../model/result'
 
 /** An entry is no longer, in bytes. */
 const LONGEST_ENTRY = 64 * 1024 * 1024

@@ -3,7 +3,8 @@ import { closeSync, fstatSync, openSync, readFileSync, readSync } from 'node:fs'
 import { basename, dirname, resolve } from 'node:path'
 import { type FindFile, fileOfBytes, type MeshFile } from '../mesh/source'
 import { shown } from '../mesh/text-cursor'
-import { Refusal, reasonOf, type Streams } from './streams'
+import { Refusal } from '../model/result'
+import { reasonOf, type Streams } from './streams'
 
 /** What is held open while a mesh is read. */
 export interface OpenFile {

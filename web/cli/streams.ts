@@ -1,12 +1,5 @@
 /** Where a command reads and writes. Whatever fails there becomes a Refusal. */
-import { withoutControls } from '../mesh/text-cursor'
-
-/** What ends a command: one sentence on standard error, exit status 2. Names in it may have any characters. */
-export class Refusal extends Error {
-  constructor(sentence: string) {
-    super(withoutControls(sentence))
-  }
-}
+import { Refusal } from '../model/result'
 
 export interface Streams {
   readonly input: AsyncIterable<Buffer | string>

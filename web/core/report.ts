@@ -5,6 +5,7 @@
  * times 2^exponent; `exponent` is 0 unless some value of this element lies outside the doubles' normal range.
  */
 import type { Vec3, Vertices } from '../model/hexahedron'
+import type { Result as AnyResult } from '../model/result'
 import type { Certificate } from './exact/certificate'
 
 export type CandidateKind = 'vertex' | 'edge' | 'face'
@@ -151,7 +152,7 @@ export interface CoreError {
   readonly cell?: number
 }
 
-export type Result<T> = { readonly ok: true; readonly value: T } | { readonly ok: false; readonly error: CoreError }
+export type Result<T> = AnyResult<T, CoreError>
 
 /** The C core as TypeScript sees it. */
 export interface Core {

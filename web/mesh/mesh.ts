@@ -1,4 +1,5 @@
 /** A mesh as a file has it: points, hexahedra, what the file calls them, and what else is in it. */
+import { Refusal } from '../model/result'
 
 export interface Mesh {
   /** As people know it: "VTU", "Gmsh", "Abaqus". */
@@ -55,7 +56,7 @@ export type CoordinatePlaces =
     }
 
 /** A file that is none of ours, or damaged: one sentence with the place and what was expected. */
-export class MeshRefusal extends Error {}
+export class MeshRefusal extends Refusal {}
 
 /** Points and cells that a file implies or has generated beyond this are refused. */
 export const MOST_IMPLIED_CELLS = 50_000_000

@@ -12,6 +12,7 @@ import {
 import type { Claim, NumberName, QuantityName } from './condition/names'
 import { type ClaimNode, type Comparison, NotACondition, type NumberNode, parseClaim } from './condition/parse'
 import { isAtMost } from './rational'
+import type { Result } from './result'
 
 export interface Condition {
   readonly text: string
@@ -27,10 +28,6 @@ export interface ConditionError {
   readonly at: number
 }
 
-export type ConditionResult =
-  | { readonly ok: true; readonly value: Condition }
-  | { readonly ok: false; readonly error: ConditionError }
-
 /** What an element answers: in true units, length^3 where it is a jacdet. */
 export interface Quantities {
   claim(name: Claim): boolean
@@ -40,7 +37,7 @@ export interface Quantities {
   exactly(name: NumberName): Enclosure
 }
 
-export function parseCondition(text: string): ConditionResult {
+export function parseCondition(text: string): Result<Condition, ConditionError> {
   try {
     const claim = parseClaim(text)
     return { ok: true, value: { text, names: [...new Set(namesIn(claim))], claim } }

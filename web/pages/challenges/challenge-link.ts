@@ -6,16 +6,13 @@
  */
 import type { Vertices } from '../../model/hexahedron'
 import { decodePermalink, encodePermalink } from '../../model/permalink'
+import type { Result } from '../../model/result'
 
 export type ChallengePlace =
   | { readonly kind: 'list' }
   | { readonly kind: 'write' }
   | { readonly kind: 'challenge'; readonly id: string; readonly vertices: Vertices | null }
   | { readonly kind: 'own'; readonly json: string; readonly vertices: Vertices | null }
-
-export type ChallengePlaceResult =
-  | { readonly ok: true; readonly value: ChallengePlace }
-  | { readonly ok: false; readonly message: string }
 
 /** The fragment without its '#'. Throws RangeError unless given 24 finite numbers, or none. */
 export function challengeFragment(place: ChallengePlace): string {
@@ -26,7 +23,7 @@ export function challengeFragment(place: ChallengePlace): string {
 }
 
 /** With or without its '#'. */
-export function readChallengePlace(fragment: string): ChallengePlaceResult {
+export function readChallengePlace(fragment: string): Result<ChallengePlace, string> {
   const text = fragment.replace(/^#/, '')
   if (text === '') return { ok: true, value: { kind: 'list' } }
   if (text === 'write') return { ok: true, value: { kind: 'write' } }
@@ -36,7 +33,7 @@ export function readChallengePlace(fragment: string): ChallengePlaceResult {
   const value = percentDecoded(given)
   if (value === null) return broken('its percent-encoding is cut off or not UTF-8')
   const solution = link === undefined ? null : decodePermalink(link)
-  if (solution?.ok === false) return { ok: false, message: solution.error.message }
+  if (solution?.ok === false) return { ok: false, error: solution.error.message }
   const vertices = solution?.value ?? null
   return {
     ok: true,
@@ -44,8 +41,8 @@ export function readChallengePlace(fragment: string): ChallengePlaceResult {
   }
 }
 
-function broken(why: string): ChallengePlaceResult {
-  return { ok: false, message: `The link is broken: ${why}.` }
+function broken(why: string): Result<ChallengePlace, string> {
+  return { ok: false, error: `The link is broken: ${why}.` }
 }
 
 function percentDecoded(text: string): string | null {

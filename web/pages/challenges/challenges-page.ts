@@ -32,7 +32,7 @@ let given: Vertices = []
 function open(): void {
   const result = readChallengePlace(location.hash)
   place = result.ok ? result.value : { kind: 'list' }
-  complaint = result.ok ? null : result.message
+  complaint = result.ok ? null : result.error
   opened = null
   form = place.kind === 'write' ? new WriteForm(() => lens.vertices, draw) : null
   if (place.kind === 'challenge') openNamed(place.id, place.vertices)

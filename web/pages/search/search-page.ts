@@ -67,7 +67,7 @@ function draw(): void {
 
 function template(finds: readonly Find[]): TemplateResult {
   return html`${problems.map(problem => html`<p class="complaint" role="alert">${problem}</p>`)}
-    ${formTemplate({ form, errors: parsed.ok ? [] : parsed.errors, onChange: change, onSubmit: begin })} ${running()} ${inTheLens()}
+    ${formTemplate({ form, errors: parsed.ok ? [] : parsed.error, onChange: change, onSubmit: begin })} ${running()} ${inTheLens()}
     ${found(finds)} ${keptTemplate()}`
 }
 

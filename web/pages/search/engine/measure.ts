@@ -4,15 +4,12 @@ import type { Report } from '../../../core/report'
 import { type ConditionError, parseCondition } from '../../../model/condition'
 import type { NumberNode } from '../../../model/condition/parse'
 import type { Vertices } from '../../../model/hexahedron'
-
-export type MeasureResult =
-  | { readonly ok: true; readonly value: NumberNode }
-  | { readonly ok: false; readonly error: ConditionError }
+import type { Result } from '../../../model/result'
 
 /** What ends the text is a comparison of ours. */
 const COMPARED = ' > 0'
 
-export function parseMeasure(text: string): MeasureResult {
+export function parseMeasure(text: string): Result<NumberNode, ConditionError> {
   if (text.trim() === '') return { ok: false, error: { message: 'There is no number to go by.', at: 0 } }
   const result = parseCondition(text + COMPARED)
   if (!result.ok) return { ok: false, error: { ...result.error, at: Math.min(result.error.at, text.length) } }

@@ -2,6 +2,7 @@
 import { type Condition, type ConditionError, parseCondition } from '../../../model/condition'
 import type { NumberNode } from '../../../model/condition/parse'
 import type { Vertices } from '../../../model/hexahedron'
+import type { Result } from '../../../model/result'
 import { type Distribution, refusalOf, startOf } from './distribution'
 import { parseMeasure } from './measure'
 
@@ -31,11 +32,7 @@ export interface QueryError extends Partial<ConditionError> {
 
 export const MOST_SEED = 2 ** 32 - 1
 
-export type QueryResult =
-  | { readonly ok: true; readonly value: ParsedQuery }
-  | { readonly ok: false; readonly errors: readonly QueryError[] }
-
-export function parseQuery(query: Query): QueryResult {
+export function parseQuery(query: Query): Result<ParsedQuery, readonly QueryError[]> {
   const property = parseCondition(query.property)
   const measure = parseMeasure(query.measure)
   const refused = refusalOf(query.distribution)
@@ -50,5 +47,5 @@ export function parseQuery(query: Query): QueryResult {
   if (!measure.ok) errors.push({ field: 'measure', ...measure.error })
   if (refused !== null) errors.push({ field: 'distribution', message: refused })
   if (!isSeed) errors.push({ field: 'seed', message: `The seed is a whole number from 0 to ${MOST_SEED}.` })
-  return { ok: false, errors }
+  return { ok: false, error: errors }
 }

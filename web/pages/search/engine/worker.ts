@@ -55,6 +55,6 @@ async function ready(): Promise<Cores> {
 
 function checked(query: Query): ParsedQuery {
   const result = parseQuery(query)
-  if (!result.ok) throw new Error(result.errors.map(({ message }) => message).join(' '))
+  if (!result.ok) throw new Error(result.error.map(({ message }) => message).join(' '))
   return result.value
 }
