@@ -1,8 +1,8 @@
 /** How far the page and the panels beside the scene are scrolled. */
-import type { Place } from './places'
+import type { HistoryEntry } from './history-entries'
 
 type Lens = HTMLElementTagNameMap['hex-lens']
-type Scroll = Place['scroll']
+type Scroll = HistoryEntry['scroll']
 
 const OF_THE_READER = ['wheel', 'touchstart', 'pointerdown', 'keydown'] as const
 
@@ -40,5 +40,5 @@ function scrollers(lens: Lens): (Element | null)[] {
 }
 
 function scrollersIn(lens: Lens): (Element | null)[] {
-  return ['.side', '.panel', '.folds', '.lens'].map(place => lens.shadowRoot?.querySelector(place) ?? null)
+  return ['.side', '.panel', '.folds', '.lens'].map(selector => lens.shadowRoot?.querySelector(selector) ?? null)
 }

@@ -8,22 +8,22 @@ import type { Vertices } from '../../model/hexahedron'
 import { decodePermalink, encodePermalink } from '../../model/permalink'
 import type { Result } from '../../model/result'
 
-export type ChallengePlace =
+export type ChallengeAddress =
   | { readonly kind: 'list' }
   | { readonly kind: 'write' }
   | { readonly kind: 'challenge'; readonly id: string; readonly vertices: Vertices | null }
   | { readonly kind: 'own'; readonly json: string; readonly vertices: Vertices | null }
 
 /** The fragment without its '#'. Throws RangeError unless given 24 finite numbers, or none. */
-export function challengeFragment(place: ChallengePlace): string {
-  if (place.kind === 'list') return ''
-  if (place.kind === 'write') return 'write'
-  const what = place.kind === 'own' ? `own=${encodeURIComponent(place.json)}` : `challenge=${place.id}`
-  return place.vertices ? `${what}&${encodePermalink(place.vertices)}` : what
+export function challengeFragment(address: ChallengeAddress): string {
+  if (address.kind === 'list') return ''
+  if (address.kind === 'write') return 'write'
+  const what = address.kind === 'own' ? `own=${encodeURIComponent(address.json)}` : `challenge=${address.id}`
+  return address.vertices ? `${what}&${encodePermalink(address.vertices)}` : what
 }
 
 /** With or without its '#'. */
-export function readChallengePlace(fragment: string): Result<ChallengePlace, string> {
+export function readChallengeAddress(fragment: string): Result<ChallengeAddress, string> {
   const text = fragment.replace(/^#/, '')
   if (text === '') return { ok: true, value: { kind: 'list' } }
   if (text === 'write') return { ok: true, value: { kind: 'write' } }
@@ -41,7 +41,7 @@ export function readChallengePlace(fragment: string): Result<ChallengePlace, str
   }
 }
 
-function broken(why: string): Result<ChallengePlace, string> {
+function broken(why: string): Result<ChallengeAddress, string> {
   return { ok: false, error: `The link is broken: ${why}.` }
 }
 

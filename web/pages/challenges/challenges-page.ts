@@ -11,7 +11,7 @@ import { written } from '../../model/document-readers'
 import type { Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
 import { type Challenge, judged, readChallenge, readChallengeText } from './challenge'
-import { type ChallengePlace, challengeFragment, readChallengePlace } from './challenge-link'
+import { type ChallengeAddress, challengeFragment, readChallengeAddress } from './challenge-link'
 import { type Actions, challengeColumn, listColumn, type Opened } from './column'
 import { Progress } from './progress'
 import { WriteForm } from './write-form'
@@ -24,19 +24,19 @@ document.querySelector('#column')?.append(column)
 const progress = new Progress()
 let form: WriteForm | null = null
 let complaint: string | null = null
-let place: ChallengePlace = { kind: 'list' }
+let address: ChallengeAddress = { kind: 'list' }
 let opened: Opened | null = null
 /** What was last put there by the page, not by the reader. */
 let given: Vertices = []
 
 function open(): void {
-  const result = readChallengePlace(location.hash)
-  place = result.ok ? result.value : { kind: 'list' }
+  const result = readChallengeAddress(location.hash)
+  address = result.ok ? result.value : { kind: 'list' }
   complaint = result.ok ? null : result.error
   opened = null
-  form = place.kind === 'write' ? new WriteForm(() => lens.vertices, draw) : null
-  if (place.kind === 'challenge') openNamed(place.id, place.vertices)
-  if (place.kind === 'own') openOwn(place.json, place.vertices)
+  form = address.kind === 'write' ? new WriteForm(() => lens.vertices, draw) : null
+  if (address.kind === 'challenge') openNamed(address.id, address.vertices)
+  if (address.kind === 'own') openOwn(address.json, address.vertices)
   judge()
 }
 
@@ -55,7 +55,7 @@ function openOwn(json: string, vertices: Vertices | null): void {
 
 function refuse(message: string): void {
   complaint = message
-  place = { kind: 'list' }
+  address = { kind: 'list' }
 }
 
 function begin(id: string | null, challenge: Challenge, vertices: Vertices | null): void {
@@ -114,9 +114,9 @@ function settle(): void {
   judge()
   conclude(opened)
   if (opened.outcome === 'solved' && opened.id !== null && !sameBits(vertices, given)) keep(opened.id, opened)
-  if (place.kind === 'challenge' || place.kind === 'own') {
-    place = { ...place, vertices }
-    history.replaceState(history.state, '', `#${challengeFragment(place)}`)
+  if (address.kind === 'challenge' || address.kind === 'own') {
+    address = { ...address, vertices }
+    history.replaceState(history.state, '', `#${challengeFragment(address)}`)
   }
   draw()
 }
@@ -141,13 +141,13 @@ const actions: Actions = {
   showSolution: () => opened?.challenge.solution && put(opened.challenge.solution, opened.challenge.start),
   toggleHint: () => change({ isHintShown: !opened?.isHintShown }),
   copyLink: async () => {
-    const address = new URL(location.href)
-    address.hash = challengeFragment({ ...place, vertices: lens.vertices } as ChallengePlace)
-    const isCopied = await copyText(address.href)
+    const url = new URL(location.href)
+    url.hash = challengeFragment({ ...address, vertices: lens.vertices } as ChallengeAddress)
+    const isCopied = await copyText(url.href)
     change({
       copying: isCopied
         ? { text: 'The link is copied: it opens this challenge with the element as it is.', link: null }
-        : { text: 'Copying is not allowed here. This is the link:', link: address.href },
+        : { text: 'Copying is not allowed here. This is the link:', link: url.href },
     })
   },
   forget: () => {

@@ -66,7 +66,7 @@ function progressInWords(progress: Progress): string {
 
 export function challengeColumn(opened: Opened, progress: Progress, actions: Actions): TemplateResult {
   const { id, challenge, isHintShown, copying } = opened
-  return html`<p class="quiet"><a href="#">All challenges</a>${placeInWords(id)}</p>
+  return html`<p class="quiet"><a href="#">All challenges</a>${positionInWords(id)}</p>
     <h2 tabindex="-1" class="title">${challenge.title}</h2>
     <p class="as-written">${challenge.text}</p>
     <h3>Goal</h3>
@@ -96,9 +96,9 @@ export function challengeColumn(opened: Opened, progress: Progress, actions: Act
     </details>`
 }
 
-function placeInWords(id: string | null): string {
-  const place = challenges.findIndex(challenge => challenge.id === id)
-  return place < 0 ? ' · one that somebody has written' : ` · ${place + 1} of ${challenges.length}`
+function positionInWords(id: string | null): string {
+  const position = challenges.findIndex(challenge => challenge.id === id)
+  return position < 0 ? ' · one that somebody has written' : ` · ${position + 1} of ${challenges.length}`
 }
 
 const MARKS = new Map([

@@ -1,18 +1,18 @@
 /** Where one is in the lessons, as a link says it: #corners-are-not-enough/2. */
 import { type Lesson, type LessonStep, lessons } from './content/lessons'
 
-export interface StepPlace {
+export interface StepAddress {
   readonly lesson: Lesson
   /** From 0. */
   readonly step: number
 }
 
-export function hashOf({ lesson, step }: StepPlace): string {
+export function hashOf({ lesson, step }: StepAddress): string {
   return `#${lesson.id}/${step + 1}`
 }
 
 /** Of a link that names no lesson, or no step of it, the first. */
-export function placeOf(hash: string): StepPlace {
+export function addressOf(hash: string): StepAddress {
   const [id, number] = hash.replace(/^#/, '').split('/')
   const lesson = lessons.find(given => given.id === id) ?? (lessons[0] as Lesson)
   const step = Number(number) - 1
@@ -22,7 +22,7 @@ export function placeOf(hash: string): StepPlace {
 /** What is wrong with a link, in a sentence; null of one that names a step, or nothing. */
 export function complaintAbout(hash: string): string | null {
   const [id = '', number] = hash.replace(/^#/, '').split('/')
-  const { lesson, step } = placeOf(hash)
+  const { lesson, step } = addressOf(hash)
   if (id === '') return null
   if (lesson.id !== id) return `There is no lesson “${id.slice(0, 40)}”. This is the first.`
   if (number === undefined || number === `${step + 1}`) return null
@@ -30,12 +30,12 @@ export function complaintAbout(hash: string): string | null {
 }
 
 /** The step before or after, across lessons; null at the ends. */
-export function neighbour({ lesson, step }: StepPlace, by: -1 | 1): StepPlace | null {
+export function neighbour({ lesson, step }: StepAddress, by: -1 | 1): StepAddress | null {
   if (step + by in lesson.steps) return { lesson, step: step + by }
   const other = lessons[lessons.indexOf(lesson) + by]
   return other ? { lesson: other, step: by > 0 ? 0 : other.steps.length - 1 } : null
 }
 
-export function stepAt({ lesson, step }: StepPlace): LessonStep {
+export function stepAt({ lesson, step }: StepAddress): LessonStep {
   return lesson.steps[step] as LessonStep
 }

@@ -107,14 +107,14 @@ function condition(
         aria-describedby=${`${name}-error`}
         @input=${onInput}
     /></label>
-    <div class="complaint" id=${`${name}-error`}>${error ? [place(form[name], error.at ?? 0), error.message] : nothing}</div>`
+    <div class="complaint" id=${`${name}-error`}>${error ? [errorPosition(form[name], error.at ?? 0), error.message] : nothing}</div>`
 }
 
 /** What follows the place is there to find it by, however much somebody has pasted. */
 const MOST_AFTER = 80
 
 /** The text again, up to where it is not understood, and what comes then. */
-function place(text: string, at: number): TemplateResult {
+function errorPosition(text: string, at: number): TemplateResult {
   const [before, here, after] = [text.slice(0, at), text.charAt(at) || ' ', text.slice(at + 1, at + MOST_AFTER)]
   return html`<code aria-hidden="true">${before}<mark>${here}</mark>${after}</code
     ><span class="said">At character ${at + 1}:</span> `

@@ -76,7 +76,7 @@ export function filterOf({ claim, names }: Condition, measure: NumberNode, start
     },
     judge(elements, at, valid) {
       byVerdict(known, valid)
-      if (countsMoved) byPlace(known, elements, at, start)
+      if (countsMoved) byMoved(known, elements, at, start)
       if (needsCoefficients) {
         const error = coefficientError(elements, at)
         setCorners(bernstein, elements, at)
@@ -143,7 +143,7 @@ const VALUES: readonly NumberName[] = [
 /** No higher than zero unless the element is valid. */
 const BOUNDS: readonly NumberName[] = ['boundary_min', 'volume_min', 'bernstein_min', 'subdivision']
 
-function byPlace(known: Enclosures, elements: Float64Array, at: number, start: Vertices): void {
+function byMoved(known: Enclosures, elements: Float64Array, at: number, start: Vertices): void {
   let moved = 0
   for (let i = 0; i < COORDINATE_COUNT; i += 3)
     if (elements[at + i] !== start[i] || elements[at + i + 1] !== start[i + 1] || elements[at + i + 2] !== start[i + 2])

@@ -95,7 +95,7 @@ function withVertex(vertices: Vertices, v: number, point: Vec3): Vertices {
     .with(3 * v + 2, point[2])
 }
 
-/** The number itself and the simplest ones beside it, at the start's place and at zero. */
+/** The number itself and the simplest ones beside it, and those of the start and zero. */
 function simpler(value: number, start: number): number[] {
   const near = GRIDS.flatMap(grid => [Math.floor(value * grid) / grid + 0, Math.ceil(value * grid) / grid + 0])
   const simple = [...new Set([start, 0, ...near])].filter(other => other !== value)

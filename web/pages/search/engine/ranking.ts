@@ -2,7 +2,7 @@
 import type { Vertices } from '../../../model/hexahedron'
 
 export interface Find {
-  /** Its place in the stream of elements that the seed gives. */
+  /** Its index in the stream of elements that the seed gives. */
   readonly index: number
   readonly vertices: Vertices
   /** What it costs to write down: simplicity.ts. */

@@ -48,7 +48,7 @@ export function pieceSearcherOf(parsed: ParsedQuery, { batch, core }: Cores): (p
   const rankings = [new Ranking('simplicity'), new Ranking('extremeness')]
   const elements = new Float64Array(COORDINATE_COUNT * BLOCK)
   const positive = new Float64Array(COORDINATE_COUNT * BLOCK)
-  const places = new Uint32Array(BLOCK)
+  const indices = new Uint32Array(BLOCK)
 
   return piece => {
     const finds: Find[] = []
@@ -86,14 +86,14 @@ export function pieceSearcherOf(parsed: ParsedQuery, { batch, core }: Cores): (p
           continue
         }
         positive.set(elements.subarray(at, at + COORDINATE_COUNT), COORDINATE_COUNT * count)
-        places[count++] = e
+        indices[count++] = e
       }
       const points = positive.subarray(0, COORDINATE_COUNT * count)
       const { valid } = batch.classify({ points, cells: null, firstPoint: 0 }, {})
       for (let n = 0; n < count; ++n) {
         const isValid = valid[n] === 1
         if (isValid ? filter.mayBe.valid : filter.mayBe.invalid)
-          look(positive, COORDINATE_COUNT * n, isValid, first + (places[n] as number))
+          look(positive, COORDINATE_COUNT * n, isValid, first + (indices[n] as number))
       }
     }
     return { piece, found, analysed, finds }

@@ -4,18 +4,18 @@
  */
 import type { StateDocument } from '../model/state-document'
 
-export interface Place {
+export interface HistoryEntry {
   readonly state: StateDocument
   /** In pixels: how far the page is scrolled, and what scrolls by itself beside the scene; in the lessons where the step is in the window. */
   readonly scroll: readonly number[]
 }
 
-const KEY = 'hexlens-places'
+const KEY = 'hexlens-entries'
 /** Browsers keep fewer entries. */
 const MOST = 100
 
 /** The key of the present entry, which is given one if it has none. */
-export function presentEntry(): string {
+export function presentKey(): string {
   const state = history.state as { readonly entry?: unknown } | null
   if (typeof state?.entry === 'string') return state.entry
   const entry = `${Date.now()}-${Math.random()}`
@@ -23,22 +23,22 @@ export function presentEntry(): string {
   return entry
 }
 
-export function placeAt(entry: string): Place | null {
-  return stored().get(entry) ?? null
+export function entryAt(key: string): HistoryEntry | null {
+  return stored().get(key) ?? null
 }
 
-export function keepPlace(entry: string, place: Place): void {
-  const places = stored()
-  places.delete(entry) // the latest last
-  places.set(entry, place)
+export function keepEntry(key: string, entry: HistoryEntry): void {
+  const entries = stored()
+  entries.delete(key) // the latest last
+  entries.set(key, entry)
   try {
-    sessionStorage.setItem(KEY, JSON.stringify([...places].slice(-MOST)))
+    sessionStorage.setItem(KEY, JSON.stringify([...entries].slice(-MOST)))
   } catch {
     // Nothing can be kept.
   }
 }
 
-function stored(): Map<string, Place> {
+function stored(): Map<string, HistoryEntry> {
   try {
     return new Map(JSON.parse(sessionStorage.getItem(KEY) ?? '[]'))
   } catch {
