@@ -1,6 +1,6 @@
 /** Elements a second of each search that the page offers, with one worker and with two, in turns; medians of five. --quick: of three. */
 import { performance } from 'node:perf_hooks'
-import type { Answer, Request } from '../../web/pages/search/engine/messages'
+import type { Reply, Request } from '../../web/pages/search/engine/messages'
 import { Search } from '../../web/pages/search/engine/search'
 import { searches } from '../../web/pages/search/searches'
 import { batchModules, bundledWorker, nodePort } from '../unit/node-workers'
@@ -15,7 +15,7 @@ export async function main(options: readonly string[]): Promise<void> {
     let share = 0
     for (let trial = 0; trial < trials; ++trial)
       for (const workers of [1, 2]) {
-        const spawn = () => nodePort<Request, Answer>(worker)
+        const spawn = () => nodePort<Request, Reply>(worker)
         const query = { property, measure, distribution, seed: trial + 1 }
         const search = await ran(
           resolve => new Search(query, { module: batchModules.vectors, workers, spawn }, ...resolve),

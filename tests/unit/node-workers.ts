@@ -58,9 +58,9 @@ function scriptUrl(script: string): URL {
   return new URL(`data:text/javascript,${encodeURIComponent(script)}`)
 }
 
-interface Port<Request, Answer> {
+interface Port<Request, Reply> {
   postMessage(request: Request, transfer?: ArrayBuffer[]): void
-  onmessage: ((event: { readonly data: Answer }) => void) | null
+  onmessage: ((event: { readonly data: Reply }) => void) | null
   onerror: ((event: { readonly message?: string }) => void) | null
   terminate(): void
 }
@@ -78,9 +78,9 @@ function threadOn(worker: URL, options?: WorkerOptions): Worker {
   return thread
 }
 
-export function nodePort<Request, Answer>(worker: URL): Port<Request, Answer> {
+export function nodePort<Request, Reply>(worker: URL): Port<Request, Reply> {
   const thread = threadOn(worker)
-  const port: Port<Request, Answer> = {
+  const port: Port<Request, Reply> = {
     postMessage: (request, transfer) => thread.postMessage(request, transfer),
     onmessage: null,
     onerror: null,

@@ -2,7 +2,7 @@
 import { afterAll, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
 import { isMet } from '../../web/model/condition'
-import type { Answer, Request } from '../../web/pages/search/engine/messages'
+import type { Reply, Request } from '../../web/pages/search/engine/messages'
 import { parseQuery, type Query } from '../../web/pages/search/engine/query'
 import { type Find, Ranking } from '../../web/pages/search/engine/ranking'
 import { polished, Search, type WorkerPool } from '../../web/pages/search/engine/search'
@@ -17,7 +17,7 @@ const worker = await bundledWorker('web/pages/search/engine/worker.ts')
 afterAll(endThreads)
 
 function force(workers: number, module = batchModules.vectors): WorkerPool {
-  return { module, workers, spawn: () => nodePort<Request, Answer>(worker) }
+  return { module, workers, spawn: () => nodePort<Request, Reply>(worker) }
 }
 
 const PIECE = 8 * BLOCK

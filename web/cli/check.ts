@@ -49,11 +49,11 @@ export async function check(args: readonly string[], engine: Engine, streams: St
       exits.push(result.exit)
       progress.clear()
       if ('error' in result && wanted.ids !== null) say(result.error)
-      for (const { output, write } of outputs) for (const piece of output.file(result)) await write(piece)
+      for (const { output, write } of outputs) for (const chunk of output.file(result)) await write(chunk)
     }
     const exit = gravestExit(exits)
     for (const { output, write, close } of outputs) {
-      for (const piece of output.end(exit)) await write(piece)
+      for (const chunk of output.end(exit)) await write(chunk)
       await close()
     }
     return exit
@@ -94,7 +94,7 @@ async function meshOf(path: string, { wanted, streams, progress }: Work): Promis
   const { file, find, close } = await openMeshFile(path, streams.input)
   try {
     const name = withoutControls(path)
-    const onProgress = (part: number) => progress.show(`${name}: reading`, part)
+    const onProgress = (fraction: number) => progress.show(`${name}: reading`, fraction)
     const { step, format } = wanted
     const meshes = readMeshes(file, { find, onProgress, step, ...(format === null ? {} : { format }) })
     const [first, ...others] = meshes
@@ -116,7 +116,7 @@ function checkOf(mesh: Mesh, { wanted, lists, core, cells }: Work): Promise<Mesh
 
 interface OpenOutput {
   readonly output: Output
-  write(piece: string | Uint8Array): unknown
+  write(chunk: string | Uint8Array): unknown
   close(): unknown
   /** For what is not closed. */
   discard(): void
@@ -137,7 +137,7 @@ function outputsOf(wanted: CheckArguments, streams: Streams, say: (sentence: str
     ...(annotate === null ? [] : [toFile(vtuOutput(), annotate)]),
     {
       output: main,
-      write: piece => printed.write(piece as string),
+      write: chunk => printed.write(chunk as string),
       close: () => printed.flush(),
       discard: () => {},
     },
@@ -148,7 +148,7 @@ function toFile(output: Output, path: string): OpenOutput {
   const sink = new FileSink(path)
   return {
     output,
-    write: piece => sink.write(piece),
+    write: chunk => sink.write(chunk),
     close: () => sink.close(),
     discard: () => sink.discard(),
   }

@@ -41,7 +41,7 @@ export function reasonOf(error: unknown): string {
 }
 
 /** Text goes out in pieces of this size. */
-const PIECE = 1024 * 1024
+const CHUNK = 1024 * 1024
 
 /** Holds text back until there is enough of it; what is not flushed is never written. */
 export class Buffered {
@@ -56,7 +56,7 @@ export class Buffered {
   async write(text: string): Promise<void> {
     this.#texts.push(text)
     this.#length += text.length
-    if (this.#length >= PIECE) await this.flush()
+    if (this.#length >= CHUNK) await this.flush()
   }
 
   async flush(): Promise<void> {

@@ -110,8 +110,8 @@ class Marcher {
   }
 
   #zeroBetween(corner: number, negative: number, positive: number): Vec3 {
-    const from = this.#place(corner, negative)
-    const to = this.#place(corner, positive)
+    const from = this.#gridPoint(corner, negative)
+    const to = this.#gridPoint(corner, positive)
     let [low, high] = [0, 1]
     let atLow = this.#values[corner + (this.#offsets[negative] as number)] as number
     let atHigh = Math.max(0, this.#values[corner + (this.#offsets[positive] as number)] as number)
@@ -133,7 +133,7 @@ class Marcher {
     return between(from, to, way)
   }
 
-  #place(corner: number, mask: number): Vec3 {
+  #gridPoint(corner: number, mask: number): Vec3 {
     const side = this.#cells + 1
     const index = corner + (this.#offsets[mask] as number)
     const k = index % side

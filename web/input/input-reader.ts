@@ -58,12 +58,12 @@ export class InputReader implements InputHost {
     const underWay = new AbortController()
     this.#underWay = underWay
     const name = nameOf(input)
-    this.#set({ state: 'under-way', name, step: 'reading', part: 0 })
+    this.#set({ state: 'under-way', name, step: 'reading', fraction: 0 })
     const outcome = await outcomeOf(input, {
       readingWorker: this.#worker,
       signal: underWay.signal,
-      onProgress: ({ step, part }) => {
-        if (this.#underWay === underWay) this.#set({ state: 'under-way', name, step, part })
+      onProgress: ({ step, fraction }) => {
+        if (this.#underWay === underWay) this.#set({ state: 'under-way', name, step, fraction })
       },
     })
     if (this.#underWay !== underWay) return

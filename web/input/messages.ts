@@ -12,10 +12,10 @@ export interface ReadSummary {
   readonly sentences: readonly string[]
 }
 
-export type ReadingAnswer =
+export type ReadingReply =
   /** With the name of a lock that the worker holds as long as it lives; null where there are no locks. */
   | { readonly kind: 'started'; readonly lock: string | null }
-  | { readonly kind: 'progress'; readonly step: ReadingStep; readonly part: number }
+  | { readonly kind: 'progress'; readonly step: ReadingStep; readonly fraction: number }
   | { readonly kind: 'read'; readonly summary: ReadSummary; readonly columns: CheckedColumns }
   /** In one sentence; with the names of files that are named and were not given. */
   | { readonly kind: 'refused'; readonly message: string; readonly missing: readonly string[] }

@@ -1,10 +1,10 @@
 /** Has an input read by a worker of its own. Whatever ends the worker becomes a sentence. */
 import { whenReleased } from '../core/worker-lock'
-import type { ReadingAnswer } from './messages'
+import type { ReadingReply } from './messages'
 import type { PastedInput } from './pasted-input'
 
-export type ReadingOutcome = Extract<ReadingAnswer, { kind: 'read' | 'refused' }>
-export type ReadingProgress = Extract<ReadingAnswer, { kind: 'progress' }>
+export type ReadingOutcome = Extract<ReadingReply, { kind: 'read' | 'refused' }>
+export type ReadingProgress = Extract<ReadingReply, { kind: 'progress' }>
 
 /** Where the worker comes from: each build has it somewhere else. */
 export interface ReadingWorker {
@@ -48,7 +48,7 @@ export async function readInput(
       worker.terminate()
     }
     let hasStarted = false
-    worker.onmessage = ({ data }: MessageEvent<ReadingAnswer>) => {
+    worker.onmessage = ({ data }: MessageEvent<ReadingReply>) => {
       if (data.kind === 'progress') return onProgress(data)
       if (data.kind !== 'started') return end(data)
       hasStarted = true

@@ -7,7 +7,7 @@ import type { ReadingStep, ReadSummary } from './messages'
 import type { PastedInput } from './pasted-input'
 
 export type Reading =
-  | { readonly state: 'under-way'; readonly name: string; readonly step: ReadingStep; readonly part: number }
+  | { readonly state: 'under-way'; readonly name: string; readonly step: ReadingStep; readonly fraction: number }
   | { readonly state: 'refused'; readonly message: string }
   | ReadCells
 

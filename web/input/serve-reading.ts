@@ -12,11 +12,11 @@ import { MissingFiles, readTogether } from '../mesh/read-together'
 import { fileOfBytes, type MeshFile } from '../mesh/source'
 import { cellClassifier } from './classify-cells'
 import { meshFileOf } from './file-reading'
-import type { ReadingAnswer, ReadingRequest, ReadingStep, ReadSummary } from './messages'
+import type { ReadingReply, ReadingRequest, ReadingStep, ReadSummary } from './messages'
 
 interface Scope {
   onmessage: ((event: { readonly data: ReadingRequest }) => void) | null
-  postMessage(answer: ReadingAnswer, transfer?: ArrayBuffer[]): void
+  postMessage(reply: ReadingReply, transfer?: ArrayBuffer[]): void
 }
 
 const scope = globalThis as unknown as Scope
@@ -83,17 +83,17 @@ function summaryOf(check: MeshCheck): ReadSummary {
   }
 }
 
-function progressOf(step: ReadingStep): (part: number) => void {
+function progressOf(step: ReadingStep): (fraction: number) => void {
   let shown = performance.now()
-  return part => {
+  return fraction => {
     const now = performance.now()
     if (now - shown < PROGRESS_INTERVAL) return
     shown = now
-    scope.postMessage({ kind: 'progress', step, part })
+    scope.postMessage({ kind: 'progress', step, fraction })
   }
 }
 
-function refusalOf(reason: unknown): ReadingAnswer {
+function refusalOf(reason: unknown): ReadingReply {
   const missing = reason instanceof MissingFiles ? reason.names : []
   if (reason instanceof MeshRefusal) return { kind: 'refused', message: reason.message, missing }
   const why = reason instanceof Error ? reason.message : String(reason)

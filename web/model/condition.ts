@@ -64,21 +64,21 @@ export function truthOf({ claim }: Condition, quantities: Quantities): boolean |
   )
 }
 
-interface Answers {
+interface Valuation {
   claimed(name: Claim): boolean
   number(name: NumberName): Enclosure | null
 }
 
 /** In Kleene's logic: null is open, and stays so unless the rest decides. */
-function truth(node: ClaimNode, answers: Answers): boolean | null {
-  if (node.kind === 'claim') return answers.claimed(node.name)
-  if (node.kind === 'not') return opposite(truth(node.of, answers))
+function truth(node: ClaimNode, valuation: Valuation): boolean | null {
+  if (node.kind === 'claim') return valuation.claimed(node.name)
+  if (node.kind === 'not') return opposite(truth(node.of, valuation))
   if (node.kind === 'chain') {
-    const values = node.terms.map(term => numberOf(term, answers))
+    const values = node.terms.map(term => numberOf(term, valuation))
     return allOf(node.comparisons, (sign, i) => compare(values[i] ?? null, sign, values[i + 1] ?? null))
   }
-  if (node.kind === 'and') return allOf(node.parts, part => truth(part, answers))
-  return opposite(allOf(node.parts, part => opposite(truth(part, answers))))
+  if (node.kind === 'and') return allOf(node.operands, operand => truth(operand, valuation))
+  return opposite(allOf(node.operands, operand => opposite(truth(operand, valuation))))
 }
 
 function opposite(value: boolean | null): boolean | null {
@@ -86,22 +86,25 @@ function opposite(value: boolean | null): boolean | null {
 }
 
 /** The first that is false ends it: what stands behind it in the text need not be computed. */
-function allOf<T>(parts: readonly T[], truthOfPart: (part: T, index: number) => boolean | null): boolean | null {
+function allOf<T>(
+  operands: readonly T[],
+  truthOfOperand: (operand: T, index: number) => boolean | null,
+): boolean | null {
   let all: boolean | null = true
-  for (const [index, part] of parts.entries()) {
-    const value = truthOfPart(part, index)
+  for (const [index, operand] of operands.entries()) {
+    const value = truthOfOperand(operand, index)
     if (value === false) return false
     if (value === null) all = null
   }
   return all
 }
 
-function numberOf(node: NumberNode, answers: Answers): Enclosure | null {
+function numberOf(node: NumberNode, valuation: Valuation): Enclosure | null {
   if (node.kind === 'constant') return node.value
-  if (node.kind === 'number') return answers.number(node.name)
-  if (node.kind === 'minus') return mapped(numberOf(node.of, answers), negatedEnclosure)
-  const left = numberOf(node.left, answers)
-  const right = mapped(numberOf(node.right, answers), RIGHT_OPERAND[node.kind])
+  if (node.kind === 'number') return valuation.number(node.name)
+  if (node.kind === 'minus') return mapped(numberOf(node.of, valuation), negatedEnclosure)
+  const left = numberOf(node.left, valuation)
+  const right = mapped(numberOf(node.right, valuation), RIGHT_OPERAND[node.kind])
   if (!left || !right) return null
   return node.kind === '+' || node.kind === '-' ? sumOfEnclosures(left, right) : productOfEnclosures(left, right)
 }
@@ -158,7 +161,7 @@ function namesIn(node: ClaimNode | NumberNode): QuantityName[] {
       return namesIn(node.of)
     case 'and':
     case 'or':
-      return node.parts.flatMap(namesIn)
+      return node.operands.flatMap(namesIn)
     case 'chain':
       return node.terms.flatMap(namesIn)
     default:

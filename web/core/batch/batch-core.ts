@@ -41,7 +41,7 @@ export interface BatchOptions {
   /** Makes room for the answers to so many cells, when the cells are no longer read; else they get new lists. */
   readonly into?: (count: number) => Lists
   /** Called now and then with how many cells are done. */
-  readonly onPart?: (done: number) => void
+  readonly onProgress?: (done: number) => void
 }
 
 export interface BatchCore {
@@ -111,7 +111,7 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     return addresses
   }
 
-  function classify(piece: Piece, wanted: Wanted, { into, onPart }: BatchOptions = {}): PieceResult {
+  function classify(piece: Piece, wanted: Wanted, { into, onProgress }: BatchOptions = {}): PieceResult {
     const { points, cells } = piece
     const count = cellCount(piece)
     const [atPoints, atCells, atLists] = reserve([
@@ -130,7 +130,7 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
       const addresses = addressesOf(lists, first)
       new Uint32Array(memory.buffer, wasm.lists_address(), addresses.length).set(addresses)
       counts = sumOfCounts(counts, cells ? indexed(first, end) : plain(first, end), first)
-      onPart?.(end)
+      onProgress?.(end)
     }
     const valid = lists[0] as Uint8Array
     for (let c = 0; c < count; ++c) valid[c] = (valid[c] as number) & 1 // of HL_VALID, HL_INVALID and HL_UNANSWERED

@@ -96,11 +96,11 @@ async function classify(
 
   async function run(cut: Cut): Promise<void> {
     const { first, count, piece, block } = cut
-    const onPartDone = (cellsDone: number) => {
+    const onPieceProgress = (cellsDone: number) => {
       partlyDone.set(cut, cellsDone)
       showProgress()
     }
-    const back = await pool.run({ piece, block, wanted, caller: memory, onProgress: onPartDone })
+    const back = await pool.run({ piece, block, wanted, caller: memory, onProgress: onPieceProgress })
     counts = sumOfCounts(counts, back.counts, first)
     putLists(listsIn(back.block, count, wanted), lists, first)
     memory.give(back.block)

@@ -1,7 +1,7 @@
 /** Workers for batches, each with its own instance of the core: pieces go to whichever is free. */
 import type { Counts, Piece } from './batch-core'
 import type { Wanted } from './lists'
-import { type Answer, memoryOf, type WorkerPort } from './messages'
+import { memoryOf, type Reply, type WorkerPort } from './messages'
 
 export interface Job {
   readonly piece: Piece
@@ -146,13 +146,13 @@ class PoolWorker {
     for (const { reject } of this.#tasks.splice(0)) reject(reason)
   }
 
-  #take(answer: Answer): void {
-    if (answer.kind === 'started') {
+  #take(reply: Reply): void {
+    if (reply.kind === 'started') {
       clearTimeout(this.#deadline)
       this.#problem = 'ended before it had answered'
-    } else if (answer.kind === 'progress') this.#tasks[0]?.job.onProgress(answer.done)
-    else if (answer.kind === 'classified') this.#tasks.shift()?.resolve(answer)
-    else this.#fail(answer.message)
+    } else if (reply.kind === 'progress') this.#tasks[0]?.job.onProgress(reply.done)
+    else if (reply.kind === 'classified') this.#tasks.shift()?.resolve(reply)
+    else this.#fail(reply.message)
   }
 
   #fail(reason: string): void {

@@ -213,31 +213,31 @@ function atParabolaVertex(
 type Row = readonly [bigint, bigint, bigint]
 type Rows = readonly [Row, Row, Row]
 
-interface Piece {
+interface Subinterval {
   readonly from: Rational
   readonly to: Rational
   readonly rows: Rows
 }
 
 /**
- * [0,1] bisected until a condition holds on each piece. By docs/certificates.md (C7) this ends on a positive face. A list, not
- * a recursion: pieces can be smaller than a stack is deep. The lowest piece is its last.
+ * [0,1] bisected until a condition holds on each subinterval. By docs/certificates.md (C7) this ends on a positive face. A list, not
+ * a recursion: subintervals can be smaller than a stack is deep. The lowest subinterval is its last.
  */
 function certifiedIntervals(beta: readonly bigint[]): CertifiedInterval[] {
   const rows = [0, 3, 6].map(i => beta.slice(i, i + 3)) as unknown as Rows
-  const pieces: Piece[] = [{ from: whole(0), to: whole(1), rows }]
+  const subintervals: Subinterval[] = [{ from: whole(0), to: whole(1), rows }]
   const intervals: CertifiedInterval[] = []
-  for (let piece = pieces.pop(); piece; piece = pieces.pop()) {
-    const { from, to } = piece
-    const by = conditionOn(piece.rows)
+  for (let subinterval = subintervals.pop(); subinterval; subinterval = subintervals.pop()) {
+    const { from, to } = subinterval
+    const by = conditionOn(subinterval.rows)
     if (by) {
       intervals.push({ from, to, by })
       continue
     }
     const middle = halfway(from, to)
-    const halves = piece.rows.map(halved)
+    const halves = subinterval.rows.map(halved)
     const [lower, upper] = [0, 1].map(half => halves.map(row => row[half])) as unknown as [Rows, Rows]
-    pieces.push({ from: middle, to, rows: upper }, { from, to: middle, rows: lower })
+    subintervals.push({ from: middle, to, rows: upper }, { from, to: middle, rows: lower })
   }
   return intervals
 }

@@ -86,13 +86,16 @@ const EDGES_AT_VERTEX = vertexReference.map((_, vertex) =>
 
 /** Of a vector of integers over powers of two, one for each axis. */
 function lengthOf(vector: IntegerVector, axisExponents: readonly number[]): ScaledNumber {
-  const parts = vector.map((numerator, r) =>
+  const components = vector.map((numerator, r) =>
     normalized(rounded({ numerator, denominator: 1n }, axisExponents[r] as number)),
   )
-  const exponent = Math.max(...parts.map(part => part.exponent))
+  const exponent = Math.max(...components.map(component => component.exponent))
   if (exponent === Number.NEGATIVE_INFINITY) return { mantissa: 0, exponent: 0 }
   // What underflows is nothing beside the largest.
-  return { mantissa: Math.hypot(...parts.map(part => part.mantissa * 2 ** (part.exponent - exponent))), exponent }
+  return {
+    mantissa: Math.hypot(...components.map(component => component.mantissa * 2 ** (component.exponent - exponent))),
+    exponent,
+  }
 }
 
 function ratio(jacdet: ScaledNumber, lengths: readonly ScaledNumber[]): number {

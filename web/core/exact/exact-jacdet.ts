@@ -36,10 +36,12 @@ function plus(a: IntegerVector, b: IntegerVector): IntegerVector {
 
 /** The coordinates on one axis as integers over a common power of two. */
 function integersOnAxis(vertices: Vertices, axis: number): { values: bigint[]; exponent: number } {
-  const parts = vertexReference.map((_, v) => dyadicOf(vertices[3 * v + axis] as number))
-  const used = parts.filter(({ integer }) => integer !== 0n).map(({ exponent }) => exponent)
+  const dyadics = vertexReference.map((_, v) => dyadicOf(vertices[3 * v + axis] as number))
+  const used = dyadics.filter(({ integer }) => integer !== 0n).map(({ exponent }) => exponent)
   const exponent = used.length > 0 ? Math.min(...used) : 0
-  const values = parts.map(part => (part.integer === 0n ? 0n : part.integer << BigInt(part.exponent - exponent)))
+  const values = dyadics.map(dyadic =>
+    dyadic.integer === 0n ? 0n : dyadic.integer << BigInt(dyadic.exponent - exponent),
+  )
   return { values, exponent }
 }
 
@@ -81,8 +83,8 @@ export function exactJacdet(vertices: Vertices): ExactJacdet {
       add(bernsteinIndex(2 * i, 2 * j, 1), 2n * dot(plus(cross(u(j, 0), v(i, 1)), cross(u(j, 1), v(i, 0))), w(i, j)))
     }
   for (const nine of faceBernstein) {
-    const total = (...places: number[]) =>
-      places.reduce((all, place) => all + (bernstein[nine[place] as number] as bigint), 0n)
+    const total = (...indices: number[]) =>
+      indices.reduce((all, index) => all + (bernstein[nine[index] as number] as bigint), 0n)
     bernstein[nine[4] as number] = (2n * total(1, 3, 5, 7) - total(0, 2, 6, 8)) / 4n
   }
   const axisExponents = axes.map(({ exponent }) => exponent)

@@ -61,7 +61,7 @@ interface InnerRoot {
   readonly face: number
   readonly parabolas: ReturnType<typeof faceParabolas>
   readonly quartic: Polynomial
-  place: IsolatedRoot
+  interval: IsolatedRoot
 }
 
 const NONE: Rational = { numerator: 0n, denominator: 1n }
@@ -160,7 +160,7 @@ function innerRoots(beta: readonly bigint[], face: number): InnerRoot[] {
   const quartic = squareFree(quarterQuartic(parabolas))
   return rootsInUnitInterval(quartic)
     .filter(root => signAtRoot(parabolas.b, quartic, root) < 0 && signAtRoot(parabolas.n, quartic, root) > 0)
-    .map(place => ({ face, parabolas, quartic, place }))
+    .map(interval => ({ face, parabolas, quartic, interval }))
 }
 
 /**
@@ -169,8 +169,8 @@ function innerRoots(beta: readonly bigint[], face: number): InnerRoot[] {
  */
 function faceCandidate(root: InnerRoot, bits: number): Enclosed | null {
   const { a, b, n, d } = root.parabolas
-  root.place = refinedTo(root.quartic, root.place, bits)
-  const { low, high } = root.place
+  root.interval = refinedTo(root.quartic, root.interval, bits)
+  const { low, high } = root.interval
   const t = low === high ? low : midpoint(low, high)
   const [atB, atN, atA] = [valueOver(b, t, 2), valueOver(n, t, 2), valueOver(a, t, 1)]
   const leastA = [valueOver(a, low, 1) << BigInt(high.shift), valueOver(a, high, 1) << BigInt(low.shift)]
@@ -181,7 +181,7 @@ function faceCandidate(root: InnerRoot, bits: number): Enclosed | null {
   return { kind: 'face', id: root.face, point: liftedPoint(root.face, s, t), value, error: errorOver(root, leastA) }
 }
 
-function errorOver({ parabolas, place: { low, high } }: InnerRoot, leastA: readonly bigint[]): Rational {
+function errorOver({ parabolas, interval: { low, high } }: InnerRoot, leastA: readonly bigint[]): Rational {
   if (low === high) return NONE
   const slope = derivative(quarterQuartic(parabolas)).reduce((all, coefficient) => all + magnitude(coefficient), 0n)
   const width = (high.numerator << BigInt(low.shift)) - (low.numerator << BigInt(high.shift))

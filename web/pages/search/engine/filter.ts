@@ -107,7 +107,7 @@ function comparesWithoutRounding(node: ClaimNode): boolean {
   if (node.kind === 'claim') return true
   if (node.kind === 'not') return comparesWithoutRounding(node.of)
   if (node.kind === 'chain') return node.terms.every(isExact)
-  return node.parts.every(comparesWithoutRounding)
+  return node.operands.every(comparesWithoutRounding)
 }
 
 function isExact(node: NumberNode): boolean {
@@ -297,9 +297,9 @@ function compiled(node: ClaimNode, known: Enclosures): () => Truth {
       node.comparisons.map((sign, i) => compiledComparison(terms[i] as Interval, sign, terms[i + 1] as Interval)),
     )
   }
-  const parts = node.parts.map(part => compiled(part, known))
-  if (node.kind === 'and') return allOf(parts)
-  const none = allOf(parts.map(part => () => opposite(part())))
+  const operands = node.operands.map(operand => compiled(operand, known))
+  if (node.kind === 'and') return allOf(operands)
+  const none = allOf(operands.map(operand => () => opposite(operand())))
   return () => opposite(none())
 }
 
@@ -307,11 +307,11 @@ function opposite(truth: Truth): Truth {
   return truth === OPEN ? OPEN : truth === TRUE ? FALSE : TRUE
 }
 
-function allOf(parts: readonly (() => Truth)[]): () => Truth {
+function allOf(operands: readonly (() => Truth)[]): () => Truth {
   return () => {
     let all: Truth = TRUE
-    for (const part of parts) {
-      const truth = part()
+    for (const operand of operands) {
+      const truth = operand()
       if (truth === FALSE) return FALSE
       if (truth === OPEN) all = OPEN
     }

@@ -11,7 +11,7 @@ export type Request =
   | { readonly kind: 'piece'; readonly piece: Piece }
   | { readonly kind: 'polish'; readonly query: Query; readonly vertices: Vertices }
 
-export type Answer =
+export type Reply =
   | { readonly kind: 'failed'; readonly message: string }
   | { readonly kind: 'result'; readonly result: PieceFinds }
   /** On the way, and at the end. */
@@ -20,7 +20,7 @@ export type Answer =
 /** The part of a Worker that is used; Node's workers fit with a small adapter. */
 export interface WorkerPort {
   postMessage(request: Request): void
-  onmessage: ((event: { readonly data: Answer }) => void) | null
+  onmessage: ((event: { readonly data: Reply }) => void) | null
   onerror: ((event: { readonly message?: string }) => void) | null
   terminate(): void
 }

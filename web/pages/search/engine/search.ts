@@ -3,7 +3,7 @@
  * that after so many elements the finds are the same however many workers there are.
  */
 import type { Vertices } from '../../../model/hexahedron'
-import type { Answer, WorkerPort } from './messages'
+import type { Reply, WorkerPort } from './messages'
 import type { Polished } from './polish'
 import type { Query } from './query'
 import { type Find, type Order, Ranking } from './ranking'
@@ -129,12 +129,12 @@ export class Search {
     this.#next += blocks
   }
 
-  #take(port: WorkerPort, answer: Answer): void {
-    if (answer.kind === 'failed') this.#fail(answer.message)
-    if (answer.kind !== 'result') return
-    this.#measure(port, answer.result)
+  #take(port: WorkerPort, reply: Reply): void {
+    if (reply.kind === 'failed') this.#fail(reply.message)
+    if (reply.kind !== 'result') return
+    this.#measure(port, reply.result)
     this.#send(port)
-    this.#early.set(answer.result.piece.first, answer.result)
+    this.#early.set(reply.result.piece.first, reply.result)
     for (let result = this.#early.get(this.#taken); result; result = this.#early.get(this.#taken)) {
       this.#early.delete(this.#taken)
       this.#taken += result.piece.blocks

@@ -1,14 +1,14 @@
 /** A worker that searches: instances of the core of its own, one piece after another, or one element polished. */
 import { loadBatchCore } from '../../../core/batch/batch-core'
 import { type CoreExports, coreOf } from '../../../core/core'
-import type { Answer, Request } from './messages'
+import type { Reply, Request } from './messages'
 import { polish } from './polish'
 import { type ParsedQuery, parseQuery, type Query } from './query'
 import { type Cores, type Piece, type PieceFinds, pieceSearcherOf } from './search-piece'
 
 interface Scope {
   onmessage: ((event: { readonly data: Request }) => void) | null
-  postMessage(answer: Answer): void
+  postMessage(reply: Reply): void
 }
 
 const scope = globalThis as unknown as Scope
