@@ -22,7 +22,7 @@ import { ProgressLine } from './progress'
 import { FileSink } from './sink'
 import { Buffered, type Streams } from './streams'
 
-/** How many of the worst are listed where nothing is said. */
+/** Worst cells that are listed unless --worst says how many. */
 const WORST = 10
 
 /** Throws a Refusal for a wrong call, and where something cannot be written. */
@@ -85,7 +85,7 @@ async function resultOf(file: string, work: Work): Promise<FileResult> {
   }
 }
 
-/** What engines say when an array cannot be had. */
+/** True for the messages of engines that cannot have an array. */
 function isAboutMemory({ message }: RangeError): boolean {
   return /allocation failed|array length|memory/i.test(message)
 }
@@ -118,7 +118,7 @@ interface OpenOutput {
   readonly output: Output
   write(chunk: string | Uint8Array): unknown
   close(): unknown
-  /** For what is not closed. */
+  /** Instead of `close`: nothing is left behind. */
   discard(): void
 }
 

@@ -8,7 +8,7 @@ import { jsonText } from './json-text'
 import { type NamedHexahedron, readHexahedron } from './read-hexahedra'
 import { Buffered, type Streams } from './streams'
 
-/** What is printed of one element. */
+/** The JSON that is printed for one element. */
 export type AnswerTo = (core: Core, hexahedron: NamedHexahedron) => object
 
 /** Throws a Refusal; the list is then left open, and nothing is printed where the input is short. */

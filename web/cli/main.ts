@@ -12,7 +12,7 @@ import { CHECK_USAGE, USAGE } from './usage'
 
 export type { Streams } from './streams'
 
-/** For lists of elements: what is printed of each. */
+/** Commands that answer for each element of a list. */
 const elementCommands = new Map<string, AnswerTo>([
   ['analyze', analysis],
   ['certify', certification],

@@ -1,6 +1,6 @@
 /** One line on a terminal that says how far the work is, and goes when it is done. */
 
-/** In milliseconds. */
+/** Milliseconds. */
 const INTERVAL = 100
 const ERASE = '\r\u001b[K'
 

@@ -1,4 +1,4 @@
-/** Where a command reads and writes. Whatever fails there becomes a Refusal. */
+/** The streams of a command. Whatever fails there becomes a Refusal. */
 import { Refusal } from '../model/result'
 
 export interface Streams {

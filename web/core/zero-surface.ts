@@ -48,7 +48,7 @@ class Marcher {
   readonly #bernstein: readonly number[]
   readonly #cells: number
   readonly #values: Float64Array
-  /** From a mask to the offset of that corner in the grid. */
+  /** Offsets of the corners in the grid by their masks. */
   readonly #offsets: readonly number[]
   /** One more than the vertex on an edge, by the edge's lower end and its direction; 0 where there is none yet. */
   readonly #vertexOf: Uint32Array
@@ -195,7 +195,7 @@ function bit(mask: number, axis: number): number {
 
 type Triple = readonly [Vec3, Vec3, Vec3]
 
-/** Whether the triangle of these edges' middles has its positive corners in front: true triangles may have no area. */
+/** True if positive corners are in front, by the edges' middles: the triangle may have no area. */
 function isInFront(...edges: readonly (readonly [number, number])[]): boolean {
   const [p, q, r] = edges.map(([from, to]) =>
     [0, 1, 2].map(axis => bit(from, axis) + bit(to, axis)),

@@ -6,7 +6,7 @@ import { CLASSES } from '../core/unpack'
 import type { ClassifyCells } from '../mesh/check'
 import { verticesOf } from '../mesh/vertices-of'
 
-/** What the core answers sooner than the core for batches would have started. */
+/** Cells that the core answers sooner than the core for batches would have started. */
 const FEW = 64
 
 /** `onProgress` is called now and then with how many cells are done. */
@@ -29,7 +29,7 @@ export function cellClassifier(
 
 const ALL = { relativeMinima: true, classes: true, statuses: true } as const
 
-/** Where WebAssembly is forbidden, too: the core may be its twin. */
+/** The way where WebAssembly is forbidden, too: the core may be its twin. */
 function oneByOne(
   core: Core,
   mesh: { readonly points: Float64Array; readonly cells: Uint32Array },

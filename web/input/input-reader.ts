@@ -94,7 +94,7 @@ export class InputReader implements InputHost {
     this.#taker.refuse(sentence)
   }
 
-  /** With the files that wait for one of these. */
+  /** The input with the files that wait for one of its own. */
   #completed(input: PastedInput): PastedInput {
     if (!('files' in input) || this.#waiting === null) return input
     const { files, missing } = this.#waiting

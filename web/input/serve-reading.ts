@@ -1,4 +1,4 @@
-/** What the worker does: it reads one input, decides its cells and hands all of it over. It is ended afterwards. */
+/** The worker reads one input, decides its cells and hands all over. It is ended afterwards. */
 import { type CoreSources, startCore } from '../core/start-core'
 import { heldLock } from '../core/worker-lock'
 import { checkMesh } from '../mesh/check'
@@ -21,10 +21,10 @@ interface Scope {
 
 const scope = globalThis as unknown as Scope
 
-/** In milliseconds. */
+/** Milliseconds. */
 const PROGRESS_INTERVAL = 100
 
-/** What it computes with. */
+/** The wasm that decides. */
 export interface ReadingEngine {
   readonly core: CoreSources
   readonly batchModule: () => Promise<WebAssembly.Module>
@@ -69,7 +69,7 @@ async function checkOf(mesh: Mesh, { core: sources, batchModule }: ReadingEngine
   return checkMesh(mesh, { classify, core }, { worst: Infinity, minRelative: null, skipsDegenerate: false })
 }
 
-/** Of one element the order is spoken of beside the verdict, which has the button. */
+/** One element's order stands beside the verdict, which has the button. */
 function summaryOf(check: MeshCheck): ReadSummary {
   const { mesh, hexahedra, notes } = check
   const options = { skipsDegenerate: false }

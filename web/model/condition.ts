@@ -16,7 +16,7 @@ import type { Result } from './result'
 
 export interface Condition {
   readonly text: string
-  /** What it speaks of, each once, in the order of the text. */
+  /** Names in the condition, each once, in the order of the text. */
   readonly names: readonly QuantityName[]
   readonly claim: ClaimNode
 }
@@ -24,16 +24,16 @@ export interface Condition {
 export interface ConditionError {
   /** One sentence for people. */
   readonly message: string
-  /** Where in the text, from 0; its length where something is missing at the end. */
+  /** Index in the text, from 0; its length if something is missing at the end. */
   readonly at: number
 }
 
-/** What an element answers: in true units, length^3 where it is a jacdet. */
+/** Numbers of an element in true units, length^3 if it is a jacdet. */
 export interface Quantities {
   claim(name: Claim): boolean
-  /** From doubles with their error bounds; null where those say nothing. */
+  /** Enclosed by doubles with their error bounds; null if those say nothing. */
   roughly(name: NumberName): Enclosure | null
-  /** From exact arithmetic: asked for what the doubles leave open. */
+  /** Enclosed by exact arithmetic, if the doubles leave the condition open. */
   exactly(name: NumberName): Enclosure
 }
 
@@ -47,13 +47,13 @@ export function parseCondition(text: string): Result<Condition, ConditionError> 
   }
 }
 
-/** Whether it certainly holds. */
+/** True if it certainly holds. */
 export function isMet(condition: Condition, quantities: Quantities): boolean {
   return truthOf(condition, quantities) === true
 }
 
 /**
- * Whether it holds; null where even exact arithmetic only encloses the numbers and they are too near each other, or where
+ * True or false if that is certain; null if numbers that are only enclosed are too near each other, or if
  * something is divided by what may be zero.
  */
 export function truthOf({ claim }: Condition, quantities: Quantities): boolean | null {
@@ -69,7 +69,7 @@ interface Valuation {
   number(name: NumberName): Enclosure | null
 }
 
-/** In Kleene's logic: null is open, and stays so unless the rest decides. */
+/** Kleene's logic: null is open, and stays so unless the rest decides. */
 function truth(node: ClaimNode, valuation: Valuation): boolean | null {
   if (node.kind === 'claim') return valuation.claimed(node.name)
   if (node.kind === 'not') return opposite(truth(node.of, valuation))

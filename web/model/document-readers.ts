@@ -10,7 +10,7 @@ export type Coordinate = number | '-0'
 
 export interface Reader<T> {
   (value: unknown, path: string): T
-  /** What it takes, as JSON Schema 2020-12. */
+  /** The values it takes, as JSON Schema 2020-12. */
   readonly schema: Schema
   /** The value as JSON has it. */
   readonly write: (value: T) => unknown

@@ -1,4 +1,4 @@
-/** What a reader answers at a boundary, and what it throws on the way there. */
+/** Results of readers at a boundary, and the error they throw on the way there. */
 
 /** A value, or why there is none. */
 export type Result<Value, Problem> =

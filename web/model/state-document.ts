@@ -28,14 +28,14 @@ import { SHOWN_FIRST } from './store'
 
 export const STATE_VERSION = 1
 
-/** Of the element itself. */
+/** The element's own keys. */
 export interface ElementDocument extends Omit<LastingState, 'vertices' | 'start' | 'slices'>, Cameras {
   readonly version: typeof STATE_VERSION
   readonly vertices: readonly Coordinate[]
   readonly start: readonly Coordinate[]
 }
 
-/** With what panels keep, each under keys of its own. */
+/** The element's keys and those of its panels. */
 export type StateDocument = ElementDocument & Readonly<Record<string, unknown>>
 
 /** The panels that there are: their names and their slices. */

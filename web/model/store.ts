@@ -46,7 +46,7 @@ export interface Store {
 /** Undo steps kept; a page that animates an element for hours must not fill the memory. */
 export const HISTORY_LIMIT = 1000
 
-/** What undo and redo go between. */
+/** Undo and redo go from one to another. */
 interface Snapshot {
   readonly vertices: Vertices
   readonly preset: string | null
@@ -55,7 +55,7 @@ interface Snapshot {
 
 type Shown = Omit<State, keyof Snapshot | 'gestureStart' | 'canUndo' | 'canRedo'>
 
-/** What a new element shows. */
+/** The state of a new element. */
 export const SHOWN_FIRST: Shown = {
   selectedVertex: 0,
   referenceCube: 'unit',
@@ -125,7 +125,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
     gestureStart = null
   }
 
-  /** Whether it took back anything. */
+  /** True if a gesture was taken back. */
   function cancel(): boolean {
     if (gestureStart === null) return false
     const moved = !sameSnapshot(gestureStart, present)
@@ -272,7 +272,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
     }
   }
 
-  /** What is shown was checked by the reader of the state. */
+  /** The reader of the state has checked the rest. */
   function restore({ vertices, preset, start, ...others }: LastingState): void {
     const began = kept(present.start, accepted(start))
     change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
@@ -305,7 +305,7 @@ export function checkFinite(vertices: Vertices): void {
     throw new RangeError(`A hexahedron is 24 finite numbers, not ${vertices.length} with ${vertices.join(', ')}.`)
 }
 
-/** What is looked at is so until the vertices change. */
+/** Previews end when the vertices change. */
 function withoutPreview(shown: Shown): Shown {
   const { previewedOrder, previewedMove } = shown
   return previewedOrder === null && previewedMove === null ? shown : { ...shown, ...UNLOOKED }

@@ -1,4 +1,4 @@
-/** How far the page and the panels beside the scene are scrolled. */
+/** Scroll positions of the page and of the panels beside the scene. */
 import type { HistoryEntry } from './history-entries'
 
 type Lens = HTMLElementTagNameMap['hex-lens']
@@ -10,7 +10,7 @@ export function scrollOf(lens: Lens): Scroll {
   return scrollers(lens).map(scroller => scroller?.scrollTop ?? 0)
 }
 
-/** Until everything is there that was on the page; what the reader does ends it. */
+/** Scrolls until all that was on the page is there again, or until the reader acts. */
 export function scrollTo(lens: Lens, goals: Scroll): void {
   const ended = new AbortController()
   const { signal } = ended
@@ -22,7 +22,7 @@ export function scrollTo(lens: Lens, goals: Scroll): void {
     for (const [i, scroller] of scrollers(lens).entries()) {
       if (scroller) scroller.scrollTop = goals[i] ?? 0
     }
-    // What has just been drawn may ask for another frame when it learns its size.
+    // A view that has just been drawn may ask for another frame when it learns its size.
     if (lens.complete && wasComplete) ended.abort()
     wasComplete = lens.complete
     requestAnimationFrame(step)

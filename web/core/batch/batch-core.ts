@@ -31,7 +31,7 @@ export interface Counts {
   readonly unansweredCount: number
   /** The first of those; null if there is none. */
   readonly firstUnanswered: number | null
-  /** How many cells integers decided; 0 where neither the list `exact` nor minima are asked for. */
+  /** Cells that integers decided; 0 unless the list `exact` or minima are asked for. */
   readonly exactCount: number
 }
 
@@ -62,14 +62,14 @@ const COUNT_COUNT = 5
 const HL_OK = 0
 const WASM_PAGE = 65536
 
-/** As many coordinates go into the core's memory at once as a processor's second cache holds beside the rest: 200 kB. */
+/** Cells that go into the core's memory at once: 200 kB, which a processor's second cache holds. */
 const CELLS_PER_CUT = 1024
 
 export function cellCount({ points, cells }: Piece): number {
   return cells ? Math.floor(cells.length / VERTICES) : Math.floor(points.length / COORDINATE_COUNT)
 }
 
-/** Of what `a` counts and of the cells behind them, of which `b` counts those from `first` on. */
+/** `a` counts the cells before `first`, `b` those from there on. */
 export function sumOfCounts(a: Counts, b: Counts, first: number): Counts {
   const found = [a.firstUnanswered, b.firstUnanswered === null ? null : first + b.firstUnanswered]
   const cells = found.filter(cell => cell !== null)

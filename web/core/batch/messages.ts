@@ -14,7 +14,7 @@ export type Reply =
   | { readonly kind: 'started'; readonly lock: string | null }
   /** The worker is of no more use. */
   | { readonly kind: 'failed'; readonly message: string }
-  /** So many cells of the piece at hand are done: sent now and then where they take long. */
+  /** Cells of the piece at hand that are done: sent now and then where they take long. */
   | { readonly kind: 'progress'; readonly done: number }
   /** The answers lie at the beginning of the block: listsIn. */
   | { readonly kind: 'classified'; readonly counts: Counts; readonly piece: Piece; readonly block: ArrayBuffer }

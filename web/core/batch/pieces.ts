@@ -9,7 +9,7 @@ export interface Cut {
   readonly first: number
   readonly count: number
   readonly piece: Piece
-  /** Where the piece lies, with room for the answers to it. */
+  /** The piece's memory, with room for the answers to it. */
   readonly block: ArrayBuffer
 }
 
@@ -33,19 +33,19 @@ interface Lists {
   readonly cells: Uint32Array | null
 }
 
-/** How large the pieces are, and the memory for them. */
+/** The size of the pieces, and the memory for them. */
 export interface PieceOptions {
   readonly cellsPerPiece: number
   readonly wanted: Wanted
   readonly memory: Recycled
 }
 
-/** Whether behind the last cell, and the last point, nothing is left over. */
+/** True if no coordinate or index is left over behind the last cell and the last point. */
 export function isWhole(points: Float64Array, cells: Uint32Array | null): boolean {
   return points.length % 3 === 0 && (cells ? cells.length % VERTICES : points.length % COORDINATE_COUNT) === 0
 }
 
-/** In order, up to the end of the cells, which are whole. */
+/** All cells in order; they are whole. */
 export function* pieces({ points, cells }: Lists, options: PieceOptions): Generator<Cut> {
   const total = cells ? cells.length / VERTICES : points.length / COORDINATE_COUNT
   for (let first = 0; first < total; first += options.cellsPerPiece) {
@@ -54,7 +54,7 @@ export function* pieces({ points, cells }: Lists, options: PieceOptions): Genera
   }
 }
 
-/** For so many cells with so many coordinates and indices: lists with whatever is in them. */
+/** Lists for so many cells, coordinates and indices, with whatever is in them. */
 function memoryFor({ memory, wanted }: PieceOptions, count: number, coordinates: number, indices: number) {
   const length = 8 * coordinates + 4 * indices
   const block = memory.take(Math.max(length, count * bytesPerCell(wanted)))

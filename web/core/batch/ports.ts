@@ -26,7 +26,7 @@ export function pagePort(worker: Worker, blocked: string): WorkerPort {
 const ENDED = 'it was ended.'
 const UNREADABLE = 'its answer could not be read.'
 
-/** Without work the thread does not keep the process from ending. */
+/** A thread without work does not keep the process from ending. */
 export function threadPort(thread: Thread): WorkerPort {
   let pieces = 0
   const port: WorkerPort = {

@@ -20,7 +20,7 @@ function threadScope(): Scope {
   return { onmessage: null, postMessage: (reply, transfer) => port.postMessage(reply, transfer) }
 }
 
-/** In milliseconds: progress is to be seen ten times a second. */
+/** Milliseconds: progress is to be seen ten times a second. */
 const PROGRESS_INTERVAL = 50
 
 let started: Promise<BatchCore> | undefined

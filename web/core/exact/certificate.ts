@@ -34,21 +34,21 @@ export type RationalPoint = readonly [Rational, Rational, Rational]
 export type Certificate =
   | {
       readonly valid: false
-      /** On the boundary of the closed cube. */
+      /** A point of the boundary of the closed cube. */
       readonly point: RationalPoint
-      /** Its value there, zero or negative; negative if any on the boundary is. */
+      /** The value there, zero or negative; negative if any on the boundary is. */
       readonly jacdet: Rational
     }
   | {
       readonly valid: true
-      /** Of faces 0 to 5, each in ascending order, from 0 to 1 without gap or overlap. */
+      /** Intervals of faces 0 to 5, each face's ascending, from 0 to 1 without gap or overlap. */
       readonly faces: readonly (readonly CertifiedInterval[])[]
     }
 
 export const THEOREM =
   "If jacdet > 0 on the six faces then jacdet > 0 on the whole element (Knupp's conjecture, proved: P. Zhang, Validating Hexahedra through their Boundaries)."
 
-/** Of 24 finite doubles, taken as the numbers they are. Always ends, however near the border the element is. */
+/** Takes 24 finite doubles as they are. Always ends, however near the border the element is. */
 export function certify(vertices: Vertices): Certificate {
   const sign = exactBoundarySign(vertices)
   const jacdet = exactJacdet(vertices)
@@ -130,7 +130,7 @@ function leastVertex(jacdet: ExactJacdet, sign: Sign): RationalPoint | null {
   return vertexReference[values.indexOf(least)]?.map(whole) as unknown as RationalPoint
 }
 
-/** The least of the edges' candidates (9), its place rational. */
+/** The least of the edges' candidates (9), at a rational point. */
 function leastOnEdges(jacdet: ExactJacdet, sign: Sign): RationalPoint | null {
   const candidates = edgeVertices.flatMap(([from, to], edge) => {
     const [q0, q1, q2] = exactEdge(jacdet, edge)
@@ -149,7 +149,7 @@ function leastOf<T extends { readonly value: Rational }>(candidates: readonly T[
   return candidates.reduce<T | undefined>((a, b) => (a === undefined || isLess(b.value, a.value) ? b : a), undefined)
 }
 
-/** Where no vertex and no edge is negative but a face is: the least value near the roots of P (12), which is not zero there. */
+/** The least value near the roots of P (12), if a face is negative, but no vertex and no edge. */
 function leastOnFaces(jacdet: ExactJacdet): RationalPoint {
   const roots = faces.flatMap((_, face) => {
     const parabolas = faceParabolas(exactFace(jacdet, face))
@@ -172,7 +172,7 @@ function leastOnFaces(jacdet: ExactJacdet): RationalPoint {
   }
 }
 
-/** Where the least value is 0 and only faces have it: at the one root of gcd(D, D'), by docs/certificates.md (C8). */
+/** The zero at the one root of gcd(D, D'), if only faces attain it: docs/certificates.md (C8). */
 function touchedOnFaces(jacdet: ExactJacdet): RationalPoint {
   for (const face of faces.keys()) {
     const parabolas = faceParabolas(exactFace(jacdet, face))
@@ -272,7 +272,7 @@ function halved([q0, q1, q2]: Row): [Row, Row] {
   ]
 }
 
-/** Of neighbours k/2^n and (k+1)/2^n in lowest terms, hence (2k+1)/2^(n+1), in lowest terms as well. */
+/** (2k+1)/2^(n+1) of neighbours k/2^n and (k+1)/2^n, all in lowest terms. */
 function halfway(from: Rational, to: Rational): Rational {
   const denominator = from.denominator > to.denominator ? from.denominator : to.denominator
   const over = (x: Rational) => x.numerator * (denominator / x.denominator)

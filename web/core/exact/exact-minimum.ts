@@ -74,7 +74,7 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
   const sign = exactBoundarySign(vertices)
   const fixed = [...vertexCandidates(jacdet), ...edgeCandidates(jacdet)]
   const leastFixed = leastOf(fixed).value
-  // What is nowhere lower than vertices and edges has no candidate.
+  // A face that is nowhere lower than vertices and edges has no candidate.
   const isSkipped = (face: number) =>
     exactFace(jacdet, face).every(numerator => !isLess({ numerator, denominator: 1n }, leastFixed))
   const roots = faces.flatMap((_, face) => (isSkipped(face) ? [] : innerRoots(exactFace(jacdet, face), face)))
@@ -88,7 +88,7 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
       const touches = sign === 0 && !isLess(error, value)
       return { kind, id, point, ...rounded(touches ? NONE : value, jacdet.exponent - 2) }
     })
-    // Of a touched zero's enclosure only the upper end is known, which another value may undercut.
+    // A touched zero is enclosed from above only, and another value may undercut that.
     const touched = sign === 0 ? shown.find(({ mantissa }) => mantissa === 0) : undefined
     const minimizer = touched ?? (shown[candidates.indexOf(least)] as ExactCandidate)
     const known = touched ? { value: NONE, error: NONE } : least
@@ -101,8 +101,8 @@ function leastOf(candidates: readonly Enclosed[]): Enclosed {
 }
 
 /**
- * Whether a candidate cannot be the minimizer, or is known well enough. A zero that is touched is enclosed from above only;
- * that it is reached is what the exact sign says.
+ * True if a candidate cannot be the minimizer, or is known well enough. A touched zero is enclosed from above only;
+ * the exact sign says that it is attained.
  */
 function isFine(
   { value, error }: Enclosed,

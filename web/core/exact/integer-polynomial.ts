@@ -121,7 +121,7 @@ function remainderChain(p: Polynomial, q: Polynomial): Polynomial[] {
   return chain
 }
 
-/** Where p has degree below q's, they change places: the divisor is the same. */
+/** The greatest one, up to a factor, whichever of p and q has the higher degree. */
 export function commonDivisor(p: Polynomial, q: Polynomial): Polynomial {
   const [longer, shorter] = p.length >= q.length ? [p, q] : [q, p]
   return longer.length === 0 ? [] : (remainderChain(longer, shorter).at(-1) as Polynomial)
@@ -178,7 +178,7 @@ function signChanges(chain: readonly Polynomial[], at: Dyadic): number {
   return changes
 }
 
-/** How many roots a square-free polynomial has in (low, high]. */
+/** The number of roots of a square-free polynomial in (low, high]. */
 function countRoots(p: Polynomial, low: Dyadic, high: Dyadic): number {
   if (p.length <= 1) return 0
   const chain = sturmChain(p)
@@ -253,7 +253,7 @@ function isWider({ low, high }: IsolatedRoot, bits: number): boolean {
   return width << BigInt(bits) > 1n << shift
 }
 
-/** Of the interval's 2^step equal parts the one where the chord of p is zero, if it has the root. */
+/** The 2^step-th part of the interval where the chord of p is zero, if it has the root. */
 function narrowedByChord(p: Polynomial, { low, high }: IsolatedRoot, step: number): IsolatedRoot | null {
   const own = Math.max(low.shift, high.shift)
   const [from, to] = [low, high].map(({ numerator, shift }) => numerator << BigInt(own - shift)) as [bigint, bigint]
@@ -300,7 +300,7 @@ export function pointsBetween(p: Polynomial, roots: readonly IsolatedRoot[]): Dy
   return above.map((point, i) => midpoint(point, below[i] as Dyadic))
 }
 
-/** Whether p is negative on either side of its root, next to it. */
+/** True if p is negative on either side of its root, next to it. */
 export function isNegativeBeside(p: Polynomial, root: IsolatedRoot): boolean {
   if (root.low !== root.high) return signAt(p, root.low) < 0 || signAt(p, root.high) < 0
   let multiplicity = 0

@@ -28,7 +28,7 @@ export type ClaimNode =
 
 type Node = NumberNode | ClaimNode
 
-/** What does not parse; `at` is the place in the text. */
+/** The text does not parse at the index `at`. */
 export class NotACondition extends Error {
   readonly at: number
 

@@ -1,5 +1,5 @@
 /**
- * What the page of challenges is opened with, in the fragment of its address: one of its own challenges by id, or a teacher's as JSON in
+ * The fragment of the address of the page Challenges: one of its own challenges by id, or a teacher's as JSON in
  * percent-encoding; with it, as in any link of Hexlens, the 24 doubles of a solution bit for bit.
  *
  *     #challenge=one-vertex        #challenge=one-vertex&v=1&vertices=0,0,0,…        #own=%7B%22version%22…        #write
@@ -22,7 +22,7 @@ export function challengeFragment(address: ChallengeAddress): string {
   return address.vertices ? `${what}&${encodePermalink(address.vertices)}` : what
 }
 
-/** With or without its '#'. */
+/** The fragment with or without its '#'. */
 export function readChallengeAddress(fragment: string): Result<ChallengeAddress, string> {
   const text = fragment.replace(/^#/, '')
   if (text === '') return { ok: true, value: { kind: 'list' } }

@@ -23,15 +23,15 @@ import { type CodedError, Refusal, type Result, refused } from '../../model/resu
 
 export const CHALLENGE_VERSION = 1
 
-/** Of the JSON; what is longer is hardly a link any more. */
+/** The longest JSON: a longer link is hardly one any more. */
 export const MOST_CHARACTERS = 8000
-/** Of each text, and of conditions. */
+/** The most characters of each text, and the most conditions. */
 export const LIMITS = { title: 80, text: 1200, hint: 800, condition: 200, goal: 8 }
 
 export interface ChallengeDocument {
   readonly version: typeof CHALLENGE_VERSION
   readonly title: string
-  /** What it is about, as plain text. */
+  /** The task as plain text. */
   readonly text: string
   readonly start: readonly Coordinate[]
   /** Conditions, as web/model/condition.ts reads them. */
@@ -41,7 +41,7 @@ export interface ChallengeDocument {
   readonly solution?: readonly Coordinate[] | null
 }
 
-/** What to do better than others, or than oneself, once the goal is reached. */
+/** A number to better once the goal is reached. */
 export interface Contest {
   readonly quantity: NumberName
   readonly best: 'greatest' | 'least'
@@ -101,7 +101,7 @@ class CodedRefusal extends Refusal {
   }
 }
 
-/** What would begin a tag, a comment or an entity in HTML. */
+/** The beginning of a tag, a comment or an entity in HTML. */
 const MARKUP = /<[a-z!/?]|&(#\d+|#x[\da-f]+|[a-z]+\d*);/i
 
 /** Plain text: shown as it is, so what looks like markup is a mistake. */
@@ -169,7 +169,7 @@ export const challengeSchema: Schema = {
   $defs: { vertices: COORDINATES_SCHEMA },
 }
 
-/** How the conditions stand: null is one that even exact arithmetic leaves open. */
+/** The state of the conditions: null is one that even exact arithmetic leaves open. */
 export interface Judgement {
   readonly truths: readonly (boolean | null)[]
   readonly isSolved: boolean

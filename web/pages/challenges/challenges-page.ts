@@ -26,7 +26,7 @@ let form: WriteForm | null = null
 let complaint: string | null = null
 let address: ChallengeAddress = { kind: 'list' }
 let opened: Opened | null = null
-/** What was last put there by the page, not by the reader. */
+/** The last vertices that the page set, not the reader. */
 let given: Vertices = []
 
 function open(): void {
@@ -73,7 +73,7 @@ function begin(id: string | null, challenge: Challenge, vertices: Vertices | nul
   void measureSolution(challenge)
 }
 
-/** What is to be beaten. */
+/** The stored solution's number is the one to beat. */
 async function measureSolution(challenge: Challenge): Promise<void> {
   const { record, solution, start } = challenge
   if (record === null || solution === null) return
@@ -87,7 +87,7 @@ function put(vertices: Vertices, start: Vertices): void {
   lens.state = { ...lens.state, preset: null, start: written(start), vertices: written(vertices) }
 }
 
-/** With every report: the marks. That it is solved is said when the move is done, or of what is opened. */
+/** Marks the conditions with every report. A solution is announced when the move is done. */
 function judge(): void {
   if (opened) {
     const { report } = lens
@@ -106,7 +106,7 @@ function conclude(concluded: Opened): void {
   opened = { ...concluded, outcome: isStored ? 'shown' : 'solved' }
 }
 
-/** With every change that is done: whether the reader has solved it. */
+/** Decides with every change that is done if the reader has solved it. */
 function settle(): void {
   if (opened === null) return
   const { vertices } = lens
@@ -188,7 +188,7 @@ addEventListener('hashchange', () => {
 lens.addEventListener('hex-input', judge)
 lens.addEventListener('hex-verdict', judge)
 lens.addEventListener('hex-change', settle)
-// With the focus nowhere, undo and redo can only mean the element.
+// While nothing has the focus, undo and redo can only mean the element.
 addEventListener('keydown', event => {
   const step = event.target === document.body ? historyStep(event) : null
   if (step === null) return

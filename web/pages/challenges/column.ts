@@ -1,4 +1,4 @@
-/** What stands beside the lens: the list of challenges, one challenge, or the form for writing one. */
+/** The column beside the lens: the list of challenges, one challenge, or the form for writing one. */
 import { html, type TemplateResult } from 'lit-html'
 import { claims, numbers } from '../../core/quantities'
 import type { Report } from '../../core/report'
@@ -16,12 +16,12 @@ export interface Opened {
   readonly challenge: Challenge
   readonly report: Report | null
   readonly judgement: Judgement | null
-  /** Whether the reader's last move has solved it, or the stored solution is what is seen. */
+  /** `solved`: by the reader's last move. `shown`: the element is the stored solution. */
   readonly outcome: 'open' | 'solved' | 'shown'
   readonly isHintShown: boolean
-  /** What the stored solution has in the contest, once it is known. */
+  /** The stored solution's number in the contest, once it is known. */
   readonly toBeat: number | null
-  /** What became of copying the link; the link itself where it could not be copied. */
+  /** The outcome of copying the link; the link itself if it could not be copied. */
   readonly copying: { readonly text: string; readonly link: string | null } | null
 }
 

@@ -24,7 +24,7 @@ export function conditionInWords({ text, names }: Condition): string {
   return claimed.charAt(0).toUpperCase() + claimed.slice(1)
 }
 
-/** What the element has of what the condition speaks of. */
+/** The element's numbers that are in the condition. */
 export function numbersInWords(condition: Condition, report: Report, { start }: Challenge): string {
   const names = condition.names.filter(isNumber)
   if (names.length === 0) return report.valid ? 'it is valid' : 'it is invalid'

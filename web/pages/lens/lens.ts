@@ -15,7 +15,7 @@ const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-le
 let key = presentKey()
 /** The preset that the address is about: another one is another page to go back from. */
 let preset: string | null = null
-/** As it was before what the reader does now. */
+/** The entry before the reader's present action. */
 let before: HistoryEntry
 
 function present(): HistoryEntry {
@@ -78,7 +78,7 @@ lens.addEventListener('hex-change', () => {
   settle()
 })
 
-// With the focus nowhere, undo, redo and paste can only mean the element. (A lone character must not mean anything there: WCAG 2.1.4.)
+// While nothing has the focus, undo, redo and paste can only mean the element. (Not single characters: WCAG 2.1.4.)
 addEventListener('keydown', event => {
   const step = event.target === document.body ? historyStep(event) : null
   if (step === null) return

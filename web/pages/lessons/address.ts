@@ -1,9 +1,9 @@
-/** Where one is in the lessons, as a link says it: #corners-are-not-enough/2. */
+/** Addresses of the steps of lessons: #corners-are-not-enough/2. */
 import { type Lesson, type LessonStep, lessons } from './content/lessons'
 
 export interface StepAddress {
   readonly lesson: Lesson
-  /** From 0. */
+  /** Counted from 0. */
   readonly step: number
 }
 
@@ -11,7 +11,7 @@ export function hashOf({ lesson, step }: StepAddress): string {
   return `#${lesson.id}/${step + 1}`
 }
 
-/** Of a link that names no lesson, or no step of it, the first. */
+/** The step that a link names; else the first of the lesson, or of all. */
 export function addressOf(hash: string): StepAddress {
   const [id, number] = hash.replace(/^#/, '').split('/')
   const lesson = lessons.find(given => given.id === id) ?? (lessons[0] as Lesson)
@@ -19,7 +19,7 @@ export function addressOf(hash: string): StepAddress {
   return { lesson, step: lesson.id === id && step in lesson.steps ? step : 0 }
 }
 
-/** What is wrong with a link, in a sentence; null of one that names a step, or nothing. */
+/** The mistake in a link, in a sentence; null if it names a step, or nothing. */
 export function complaintAbout(hash: string): string | null {
   const [id = '', number] = hash.replace(/^#/, '').split('/')
   const { lesson, step } = addressOf(hash)

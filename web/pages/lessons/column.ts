@@ -13,13 +13,13 @@ import { verticesOf } from './step-state'
 
 export interface ColumnState {
   readonly address: StepAddress
-  /** Of the element on the screen. */
+  /** The report of the element on the screen. */
   readonly live: Report | null
-  /** Of the steps' own elements, as far as they are there. */
+  /** Reports of the steps' own elements, as far as they are there. */
   readonly own: readonly (Report | undefined)[]
-  /** Whether the element is not the step's own any more. */
+  /** True if the element is not the step's own any more. */
   readonly isChanged: boolean
-  /** What is wrong with the address, if anything. */
+  /** The mistake in the address, if any. */
   readonly complaint: string | null
 }
 

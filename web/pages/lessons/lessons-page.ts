@@ -16,15 +16,15 @@ import '../skip'
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const root = document.querySelector('.column') as HTMLElement
 
-/** After the last scroll event, in milliseconds: steps that are only passed by are not shown. */
+/** Milliseconds after the last scroll event: steps that are only passed by are not shown. */
 const SETTLED = 120
-/** How far down the free part of the window the line is at which one reads. */
+/** The reader's line, as a fraction of the free height of the window. */
 const READING = 0.42
 
 const own = new Map<Lesson, readonly (Report | undefined)[]>()
 let address = addressOf(location.hash)
 let key = presentKey()
-/** Where `show` has scrolled to: that is no scrolling of the reader's. */
+/** The scroll position that `show` has set, not the reader. */
 let scrolledTo = -1
 let settling = 0
 let width = innerWidth
@@ -66,7 +66,7 @@ function enter(to: StepAddress): void {
   if (isNewLesson || !own.has(to.lesson)) void analyze(to.lesson)
 }
 
-/** What changes above the step that is read does not move it: drawings of steps before it come late, their tools go. */
+/** Keeps a step where it is on the screen while steps above it change: their drawings come late. */
 function holding(step: number, change: () => void): void {
   const before = topOf(step)
   change()
@@ -102,12 +102,12 @@ function topOf(step: number): number {
   return articleOf(step)?.getBoundingClientRect().top ?? 0
 }
 
-/** Where the step is in the window: its place on the page depends on the drawings before it, which come late. */
+/** The step's top in the window: on the page it depends on drawings before it, which come late. */
 function present(): HistoryEntry {
   return { state: lens.state, scroll: [topOf(address.step)] }
 }
 
-/** What the address says, with what the reader had done when this was left. */
+/** Shows the step of the address, with what the reader had done when it was left. */
 function open(): void {
   const kept = entryAt(key)
   show(addressOf(location.hash))

@@ -11,7 +11,7 @@ export const grids: Readonly<Record<GridName, string>> = {
   integers: 'integers',
 }
 
-/** Numbers as texts: what is no number yet is the reader's to finish. */
+/** Numbers as texts: the reader may not have finished them. */
 export interface FormState {
   readonly find: string
   readonly property: string
@@ -65,12 +65,12 @@ export function queryOf(form: FormState): Query {
   }
 }
 
-/** NaN for what is none. */
+/** NaN if the text is not a number. */
 function numberOf(text: string): number {
   return text.trim() === '' ? Number.NaN : Number(text.trim().replace('−', '-'))
 }
 
-/** What differs from what the kind offers, after its name. */
+/** The kind's name, then the fields that differ from its own. */
 export function encodeForm(form: FormState): URLSearchParams {
   const offered = formOf(kindOf(form.find) ?? ownSearch)
   const entries = Object.entries(form).filter(

@@ -1,4 +1,4 @@
-/** The form of a search: what is looked for, among which elements. */
+/** The form of a search: the property, and the elements to search. */
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { claims, numbers } from '../../core/quantities'
 import { VERTEX_COUNT } from '../../model/hexahedron'
@@ -110,10 +110,10 @@ function condition(
     <div class="complaint" id=${`${name}-error`}>${error ? [errorPosition(form[name], error.at ?? 0), error.message] : nothing}</div>`
 }
 
-/** What follows the place is there to find it by, however much somebody has pasted. */
+/** Characters that are shown after the position, however long the text is. */
 const MOST_AFTER = 80
 
-/** The text again, up to where it is not understood, and what comes then. */
+/** The text again, marked where it is not understood. */
 function errorPosition(text: string, at: number): TemplateResult {
   const [before, here, after] = [text.slice(0, at), text.charAt(at) || ' ', text.slice(at + 1, at + MOST_AFTER)]
   return html`<code aria-hidden="true">${before}<mark>${here}</mark>${after}</code

@@ -7,7 +7,7 @@ import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices, vertexOf } from '../../m
 export interface KeptElement {
   readonly name: string
   readonly vertices: Vertices
-  /** What it was found as, in the language of conditions. */
+  /** The property that it was found by, a condition. */
   readonly property: string
 }
 
@@ -38,7 +38,7 @@ export class Kept {
     return this.#persistence
   }
 
-  /** What is there now: another page may have kept something. */
+  /** Reads the storage: another page may have kept something. */
   read(): void {
     try {
       const stored = this.#store().getItem(KEY)
@@ -50,7 +50,7 @@ export class Kept {
     }
   }
 
-  /** In front of the others; an element is kept once, by its last name. */
+  /** Adds an element in front of the others; it is kept once, by its last name. */
   add(element: KeptElement): void {
     this.#change(elements => [element, ...elements.filter(other => !isSame(other, element))])
   }
@@ -75,7 +75,7 @@ function isSame(a: KeptElement, b: KeptElement): boolean {
   return a.vertices.every((x, i) => x === b.vertices[i])
 }
 
-/** As the command line and Paste read it. */
+/** JSON that the command line and Paste read. */
 export function exported(elements: readonly KeptElement[]): string {
   return `[\n${elements.map(element => JSON.stringify(written(element))).join(',\n')}\n]\n`
 }
@@ -84,7 +84,7 @@ function written({ name, vertices, property }: KeptElement) {
   return { name, vertices: Array.from({ length: VERTEX_COUNT }, (_, v) => vertexOf(vertices, v)), property }
 }
 
-/** Null for those of a later version. What is no element is left out, and what is no list is none. */
+/** Null if a later version has written them. Entries that are no elements are left out. */
 function readKept(text: string): KeptElement[] | null {
   try {
     const { version, elements } = JSON.parse(text) as { version?: unknown; elements?: unknown }

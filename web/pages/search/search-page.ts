@@ -1,5 +1,5 @@
 /**
- * The page Search: a form, a search in workers, what it found as small pictures, and what the reader keeps. The form's state is in the
+ * The page Search: a form, a search in workers, its finds as small pictures, and elements that the reader keeps. The form's state is in the
  * address's query, the element in the lens in its fragment.
  */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
@@ -27,11 +27,11 @@ import '../skip'
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const root = document.querySelector('.searching') as HTMLElement
 
-/** In milliseconds: more often nobody reads the numbers. */
+/** Milliseconds: more often nobody reads the numbers. */
 const REDRAW = 500
 const SOON = 20
 
-/** Of the best so far, while they change from moment to moment. */
+/** Finds that are shown while they change from moment to moment. */
 const MOST_WHILE_RUNNING = 12
 
 const pictures = new Pictures(lens, root, () => schedule())
@@ -46,7 +46,7 @@ let searchedFor = form.find
 let order: Order = 'simplicity'
 /** Milliseconds that the search has run, and since when it runs again. */
 let [ran, since] = [0, 0]
-/** What the lens was last given from this page. */
+/** The last element that this page gave to the lens. */
 let chosen: Choice | null = null
 let polishing: { readonly controller: AbortController; steps: number } | null = null
 let failure: string | null = null
@@ -246,7 +246,7 @@ function stop(): void {
   search?.stop()
 }
 
-/** More was looked at; after `stop` the last of it too. */
+/** Called when more elements were searched, and after `stop` for the last ones. */
 function news(): void {
   if (!search) return
   liveRegion.report(search)
@@ -326,7 +326,7 @@ async function startPolishing(): Promise<void> {
   draw()
 }
 
-/** As beside.css has it: where the lens is above the column it has room for the scene and a line or two. */
+/** The width of beside.css at which the lens is above the column, with little room for panels. */
 const narrow = matchMedia('(max-width: 55.99rem)')
 const chooseViews = () => {
   lens.views = narrow.matches ? 'scene verdict' : 'scene verdict checks'

@@ -8,12 +8,12 @@ interface Markup {
 /** "J", "det", "ξ" are identifiers, 2 and "1.5" numbers, all else operators. */
 export type Term = string | number | Markup
 
-/** In a line of text. */
+/** A formula in a line of text. */
 export function math(...terms: readonly Term[]): string {
   return `<math>${joined(terms)}</math>`
 }
 
-/** On a line of its own. */
+/** A formula on a line of its own. */
 export function display(...terms: readonly Term[]): string {
   return `<math display="block">${joined(terms)}</math>`
 }
@@ -27,12 +27,12 @@ export function words(text: string): Markup {
   return { markup: `<mtext>\u00a0${text}\u00a0</mtext>` }
 }
 
-/** In parentheses. */
+/** Terms in parentheses. */
 export function of(...terms: readonly Term[]): Markup {
   return row('(', ...terms, ')')
 }
 
-/** In square brackets or parentheses as high as what is in them. */
+/** Terms in square brackets or parentheses as high as they are. */
 export function tall(open: '(' | '[', ...terms: readonly Term[]): Markup {
   return row({ markup: `<mo>${open}</mo>` }, ...terms, { markup: `<mo>${open === '(' ? ')' : ']'}</mo>` })
 }
@@ -63,7 +63,7 @@ export function det(...terms: readonly Term[]): Markup {
   return row('det', { markup: '<mspace width="0.17em"></mspace>' }, ...terms)
 }
 
-/** In square brackets, row by row. */
+/** A matrix in square brackets, row by row. */
 export function matrix(...rows: readonly (readonly Term[])[]): Markup {
   const cells = rows.map(line => `<mtr>${line.map(term => `<mtd>${markupOf(term)}</mtd>`).join('')}</mtr>`)
   return tall('[', { markup: `<mtable>${cells.join('')}</mtable>` })
@@ -79,7 +79,7 @@ function joined(terms: readonly Term[]): string {
     .join('')
 }
 
-/** After it a minus is a number's sign, and stands close to it. */
+/** True if a minus after it is a number's sign, and stands close to the number. */
 function isOperator(term: Term | undefined): boolean {
   return typeof term === 'string' && /^[=<>≤≥,·+(]$/.test(term)
 }

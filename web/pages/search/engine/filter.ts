@@ -1,5 +1,5 @@
 /**
- * What a condition asks of the numbers that are had cheaply: an element that the filter holds back does not meet it, and need not be
+ * A condition, decided by numbers that are cheap: an element that the filter holds back does not meet it, and need not be
  * analysed. Numbers are enclosed in intervals of doubles, first by the verdict alone, then by the corner values, then by the Bernstein
  * coefficients. The condition's own arithmetic is in doubles as they round: held back wrongly is at most an element for which two sides
  * agree to fifteen digits, and none is let through for good by such arithmetic.
@@ -13,17 +13,17 @@ import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../../../model/he
 import { CENTRE, EDGES, FINE, setCorners, setFine, setOthers } from './coefficients'
 
 export interface Filter {
-  /** Whether any valid element may meet the condition, any invalid one, any with a corner value of zero or less. */
+  /** True if any valid element may meet the condition, any invalid one, any with a corner value <= 0. */
   readonly mayBe: { readonly valid: boolean; readonly invalid: boolean; readonly withoutPositiveCorners: boolean }
-  /** Whether the element whose coordinates begin at `at` meets it; `valid` is the certain verdict. */
+  /** The truth for the element whose coordinates begin at `at`; `valid` is the certain verdict. */
   judge(elements: Float64Array, at: number, valid: boolean): Truth
-  /** Of the element judged last, what the measure is at most. */
+  /** An upper bound of the measure of the element judged last. */
   measureAtMost(): number
 }
 
 export const FALSE = 0
 export const TRUE = 1
-/** Not to be said from these numbers. */
+/** Not decided by these numbers. */
 export const OPEN = 2
 export type Truth = typeof FALSE | typeof TRUE | typeof OPEN
 
@@ -37,7 +37,7 @@ class Enclosures {
     return (this.upper[INDEX[name]] as number) >= 0
   }
 
-  /** Within what is known already. */
+  /** Intersects with the interval that is known already. */
   narrow(name: NumberName, lower: number, upper: number): void {
     const i = INDEX[name]
     if (lower > (this.lower[i] as number)) this.lower[i] = lower
@@ -47,14 +47,14 @@ class Enclosures {
 
 const INDEX = Object.fromEntries(NUMBERS.map((name, i) => [name, i])) as Readonly<Record<NumberName, number>>
 
-/** What the verdict alone says nothing more of. */
+/** Names for which the Bernstein coefficients are not needed. */
 const OF_THE_VERDICT: readonly QuantityName[] = ['valid', 'moved']
 
 export function filterOf({ claim, names }: Condition, measure: NumberNode, start: Vertices, core: Core): Filter {
   const known = new Enclosures()
   const truth = compiled(claim, known)
   const measured = compiledNumber(measure, known)
-  // What rounds in the condition itself must not say yes.
+  // A condition whose own arithmetic rounds must not say yes.
   const isSharp = comparesWithoutRounding(claim)
   const countsMoved = names.includes('moved')
   const asksBoundary = names.includes('boundary_min')
@@ -177,7 +177,7 @@ export function coefficientError(elements: Float64Array, at: number): number {
 function byCorner(known: Enclosures, most: number): void {
   for (const name of ['corner_min', 'edge_min', 'boundary_min', 'volume_min', 'bernstein_min'] as const)
     known.narrow(name, -Infinity, most)
-  // It is that of a vertex, or lower.
+  // The scaled Jacobian is that of a vertex, or lower.
   if (most <= 0) known.narrow('scaled_jacobian', -1, 0)
 }
 
@@ -239,7 +239,7 @@ function byFineCoefficients(known: Enclosures, fine: Float64Array, error: number
   if (least - off > 0) known.narrow('subdivision', POSITIVE, Infinity)
 }
 
-/** What touches zero is frequent where coordinates are integers, and the exact minimum is far cheaper than all else that is exact. */
+/** Zeros are frequent among integer coordinates, and the exact minimum is the cheapest exact number. */
 function bySign(known: Enclosures, element: Float64Array, core: Core): void {
   const result = core.boundaryMinimum(Array.from(element), 'roots-b')
   if (!result.ok) throw new Error(result.error.message)
@@ -250,7 +250,7 @@ function bySign(known: Enclosures, element: Float64Array, core: Core): void {
 const VALUE = 1
 const OUTSIDE = 2
 
-/** Of each of the 125 whether it is a value of jacdet, and whether it belongs to a face. */
+/** Flags of each of the 125: a value of jacdet, and one of a face. */
 const FINE_KIND = Uint8Array.from({ length: FINE ** 3 }, (_, n) => {
   const indices = [Math.floor(n / (FINE * FINE)), Math.floor(n / FINE) % FINE, n % FINE]
   const isValue = indices.every(i => i % 2 === 0)
@@ -276,7 +276,7 @@ function valueAtCentre(bernstein: Float64Array): number {
   return sum
 }
 
-/** By the weights 1/4, 1/2, 1/4 on each axis. */
+/** Weights 1/4, 1/2, 1/4 on each axis. */
 const AT_CENTRE = Float64Array.from(bernsteinMiddles, middles => 2 ** middles / 64)
 
 function meanOf(bernstein: Float64Array): number {
@@ -324,7 +324,7 @@ interface Interval {
   upper(): number
 }
 
-/** What is not a number, as infinity less infinity, compares with nothing: it leaves everything open. */
+/** NaN, as infinity less infinity, compares with nothing: it leaves everything open. */
 function compiledComparison(a: Interval, sign: Comparison, b: Interval): () => Truth {
   const isLess = (x: Interval, y: Interval) => () =>
     x.upper() < y.lower() ? TRUE : y.upper() <= x.lower() ? FALSE : OPEN

@@ -6,7 +6,7 @@ import type { NumberNode } from '../../../model/condition/parse'
 import type { Vertices } from '../../../model/hexahedron'
 import type { Result } from '../../../model/result'
 
-/** What ends the text is a comparison of ours. */
+/** The comparison that makes a condition of the number. */
 const COMPARED = ' > 0'
 
 export function parseMeasure(text: string): Result<NumberNode, ConditionError> {
@@ -19,7 +19,7 @@ export function parseMeasure(text: string): Result<NumberNode, ConditionError> {
   return { ok: true, value: claim.terms[0] as NumberNode }
 }
 
-/** In doubles: an order to look at, no verdict. Minus infinity for what is no number. */
+/** The number in doubles: an order to look at, no verdict. Minus infinity for NaN. */
 export function measured(node: NumberNode, report: Report, start: Vertices): number {
   const value = doubleOf(node, report, start)
   return Number.isNaN(value) ? -Infinity : value

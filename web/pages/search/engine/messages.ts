@@ -1,4 +1,4 @@
-/** What passes between the page and a worker that searches. */
+/** Messages between the page and a worker that searches. */
 import type { Vertices } from '../../../model/hexahedron'
 import type { Polished } from './polish'
 import type { Query } from './query'
@@ -14,7 +14,7 @@ export type Request =
 export type Reply =
   | { readonly kind: 'failed'; readonly message: string }
   | { readonly kind: 'result'; readonly result: PieceFinds }
-  /** On the way, and at the end. */
+  /** `simpler` on the way, `polished` at the end. */
   | { readonly kind: 'simpler' | 'polished'; readonly polished: Polished }
 
 /** The part of a Worker that is used; Node's workers fit with a small adapter. */

@@ -20,7 +20,7 @@ import { complexityOf, complexityOfNumber } from './simplicity'
 
 /** Grids to round to: steps per unit. */
 const GRIDS = [1, 2, 4, 10, 100] as const
-/** Of each coordinate so many simpler numbers are tried with those of its vertex. */
+/** Simpler numbers that are tried for each coordinate with those of its vertex. */
 const MOST_SIMPLER = 5
 
 export interface Polished {
@@ -28,7 +28,7 @@ export interface Polished {
   readonly complexity: number
 }
 
-/** Of an element that has the property. `onStep` is told of each simpler one than all before. */
+/** Polishes an element that has the property. `onStep` is told of each that is simpler than all before. */
 export function polish(
   parsed: ParsedQuery,
   vertices: Vertices,
@@ -50,7 +50,7 @@ export function polish(
   return best
 }
 
-/** Whether an element certainly has the property. */
+/** A function that is true if an element certainly has the property. */
 function propertyOf({ property, measure, start }: ParsedQuery, { core }: Cores) {
   const filter = filterOf(property, measure, start, core)
   const list = new Float64Array(COORDINATE_COUNT)

@@ -1,4 +1,4 @@
-/** What a search looks for, and where. */
+/** The property that a search looks for, and the elements it searches. */
 import { type Condition, type ConditionError, parseCondition } from '../../../model/condition'
 import type { NumberNode } from '../../../model/condition/parse'
 import type { Vertices } from '../../../model/hexahedron'
@@ -7,7 +7,7 @@ import { type Distribution, refusalOf, startOf } from './distribution'
 import { parseMeasure } from './measure'
 
 export interface Query {
-  /** In the language of conditions. */
+  /** A condition of web/model/condition.ts. */
   readonly property: string
   /** The number that is greatest for the most extreme. */
   readonly measure: string
@@ -16,12 +16,12 @@ export interface Query {
   readonly seed: number
 }
 
-/** A query that can be gone on. */
+/** A query that is understood. */
 export interface ParsedQuery {
   readonly query: Query
   readonly property: Condition
   readonly measure: NumberNode
-  /** What `moved` counts from. */
+  /** The element from which `moved` counts. */
   readonly start: Vertices
 }
 

@@ -30,16 +30,16 @@ export interface Piece {
 
 export interface PieceFinds {
   readonly piece: Piece
-  /** How many elements have the property. */
+  /** Elements that have the property. */
   readonly found: number
-  /** How many were analysed in full. */
+  /** Elements that were analysed in full. */
   readonly analysed: number
-  /** Those that were among the best when they were found, each with its property checked exactly. */
+  /** The best when they were found, each with its property checked exactly. */
   readonly finds: readonly Find[]
 }
 
 /**
- * Goes through pieces of the stream of elements, in ascending order. What it found before only makes it leave out what cannot be among
+ * Goes through pieces of the stream of elements, in ascending order. Earlier finds only make it leave out elements that cannot be among
  * the best of all any more.
  */
 export function pieceSearcherOf(parsed: ParsedQuery, { batch, core }: Cores): (piece: Piece) => PieceFinds {

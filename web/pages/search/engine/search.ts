@@ -16,7 +16,7 @@ export interface WorkerPool {
   readonly spawn: () => WorkerPort
 }
 
-/** So that a worker has its next piece when it is done with one. */
+/** A worker has its next piece when it is done with one. */
 const PIECES_AHEAD = 2
 
 /**
@@ -26,7 +26,7 @@ const PIECES_AHEAD = 2
 const PIECE_MILLISECONDS = 100
 const MOST_BLOCKS = 256
 
-/** How long to wait, after a stop, for what is under way. */
+/** Milliseconds to wait, after a stop, for pieces under way. */
 const PATIENCE = 1000
 
 export class Search {
@@ -35,7 +35,7 @@ export class Search {
   readonly #onNews: () => void
   readonly #onFailure: (reason: Error) => void
   readonly #ports: WorkerPort[] = []
-  /** When each worker last answered or was begun. */
+  /** The time at which each worker last answered or was begun. */
   readonly #heard = new Map<WorkerPort, number>()
   /** Pieces done before an earlier one, by their first blocks. */
   readonly #early = new Map<number, PieceFinds>()
@@ -68,7 +68,7 @@ export class Search {
     return this.#taken * BLOCK
   }
 
-  /** How many of them have the property. */
+  /** Elements that have the property. */
   get found(): number {
     return this.#found
   }
@@ -164,7 +164,7 @@ export class Search {
   }
 }
 
-/** In a worker of its own, which ends with it. Rejects with the signal's reason, or where the worker fails. */
+/** Polishes in a worker of its own. Rejects with the signal's reason, or if the worker fails. */
 export function polished(
   query: Query,
   vertices: Vertices,

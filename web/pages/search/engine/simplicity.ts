@@ -1,10 +1,10 @@
-/** How simple an element is to write down and to remember: the order in which people like their examples. */
+/** The simplicity of an element that is to be written down and remembered. */
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../../../model/hexahedron'
 
-/** What a vertex costs that is not where the start has it. */
+/** The cost of a vertex that is not where the start has it. */
 const MOVED_VERTEX = 3
 
-/** 0 for the start if that is the unit cube; each digit, each size and each moved vertex add to it. Less is more beautiful. */
+/** 0 for the start if that is the unit cube; each digit, each size and each moved vertex add to it. Less is simpler. */
 export function complexityOf(vertices: Vertices, start: Vertices): number {
   let complexity = 0
   for (let v = 0; v < VERTEX_COUNT; ++v)
