@@ -17,7 +17,7 @@ export interface Minimum {
 
 export interface Oracle {
   readonly valid: boolean
-  /** What is wrong with a minimum, in a sentence; null if nothing is. */
+  /** The mistake in a minimum, in a sentence; null if there is none. */
   mistakeIn(minimum: Minimum): string | null
 }
 

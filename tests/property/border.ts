@@ -28,7 +28,7 @@ export function isValid(vertices: Vertices): boolean {
   return result.value
 }
 
-/** What of the hexahedron moves along the segment: everything, one vertex, one coordinate. */
+/** The coordinates that move along the segment: all, one vertex's, one. */
 export type Mover = 'all' | 'vertex' | 'coordinate'
 
 interface Segment {

@@ -20,7 +20,7 @@ import {
 type Point = readonly [Rational, Rational, Rational]
 type Interval = Extract<Certificate, { valid: true }>['faces'][number][number]
 
-/** What is wrong with the certificate, or null: then the hexahedron is as valid as the certificate says. */
+/** The flaw of the certificate; null if the hexahedron is as valid as the certificate says. */
 export function flawOf(certificate: Certificate, vertices: Vertices): string | null {
   const hex = integerHexahedron(vertices)
   if (!certificate.valid) return flawOfPoint(hex, certificate.point, certificate.jacdet)

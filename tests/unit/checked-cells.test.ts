@@ -11,7 +11,7 @@ import { unitCube } from './core-fixtures'
 import { textFile } from './mesh-expectations'
 import { checked, flat, invalidCorner, meshOf, mirroredCube, mshText, notFinite, voxelOrder } from './mesh-fixtures'
 
-/** With the columns sent as a worker sends them. */
+/** The list with its columns sent as a worker sends them. */
 async function listOf(mesh: Mesh): Promise<CheckedCells> {
   const columns = columnsOf(await checked(structuredClone(mesh), { worst: Infinity }))
   return new CheckedCells(structuredClone(columns, { transfer: memoryOf(columns) }))

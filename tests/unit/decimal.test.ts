@@ -182,7 +182,7 @@ describe('jacdetInFull', () => {
   })
 })
 
-/** As JavaScript reads it. */
+/** The text as JavaScript reads it. */
 function plain(text: string): string {
   const [mantissa, power] = text.split('×10')
   const digits = [...(power ?? '')].map(digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(digit)).map(digit => (digit < 0 ? '-' : digit))

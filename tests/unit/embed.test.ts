@@ -1,4 +1,4 @@
-/** What docs/embedding.md tells authors to write is what "Copy embed" gives them. */
+/** "Copy embed" gives authors the lines of docs/embedding.md. */
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
 import { attributesOf, cameraText, embeddableViews, verticesText } from '../../web/panels/embed/embed-lines'

@@ -51,7 +51,7 @@ function degree(polynomial: Polynomial, name: string): number {
   return Math.max(...[...polynomial.keys()].map(monomial => exponent(monomial, name)))
 }
 
-/** What name^power is multiplied by. */
+/** The coefficient of name^power. */
 function coefficientOf(polynomial: Polynomial, name: string, power: number): Polynomial {
   return collected(
     [...polynomial]
@@ -73,7 +73,7 @@ function derivative(polynomial: Polynomial, name: string): Polynomial {
   )
 }
 
-/** With 0 or 1 put in for an indeterminate. */
+/** The polynomial with 0 or 1 for an indeterminate. */
 function at(polynomial: Polynomial, name: string, value: 0 | 1): Polynomial {
   const powers = Array.from({ length: degree(polynomial, name) + 1 }, (_, power) => power)
   return value === 0

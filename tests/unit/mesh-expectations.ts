@@ -1,4 +1,4 @@
-/** What is expected of the files of ../shared/meshes and ../shared/pastes, and how a mesh is held against it. */
+/** Expectations of the files of ../shared/meshes and ../shared/pastes, and their comparison with a mesh. */
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { expect } from 'vitest'
 import type { Mesh } from '../../web/mesh/mesh'

@@ -46,7 +46,7 @@ export function moved(vertex: number, to: readonly [number, number, number], ele
 }
 
 export const mirroredCube = unitCube.map((x, i) => (i % 3 === 0 ? -x : x))
-/** In the order of VTK_VOXEL. */
+/** The cube's vertices in the order of VTK_VOXEL. */
 export const voxelOrder = [0, 1, 3, 2, 4, 5, 7, 6].flatMap(v => unitCube.slice(3 * v, 3 * v + 3))
 /** All of it is flat. */
 export const flat = unitCube.map((x, i) => (i % 3 === 2 ? 0 : x))
@@ -55,7 +55,7 @@ export const collapsedEdge = moved(1, [0, 0, 0])
 export const invalidCorner = moved(6, [0.25, 0.25, 0.25])
 export const notFinite = moved(6, [1, Number.NaN, 1])
 
-/** As a Gmsh file of version 2.2; element ids count up from `firstId`, physical group 7 has a name. */
+/** A Gmsh file of version 2.2; element ids count up from `firstId`, physical group 7 has a name. */
 export function mshText(elements: readonly (readonly number[])[], firstId = 1): string {
   const nodes = elements.flatMap((element, e) =>
     [0, 1, 2, 3, 4, 5, 6, 7].map(v => `${8 * e + v + 1} ${element.slice(3 * v, 3 * v + 3).join(' ')}`),

@@ -11,7 +11,7 @@ import { threadPort } from '../../web/core/batch/ports'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 
-/** With vectors, and without. */
+/** Modules with vectors, and without. */
 export const batchModules = {
   vectors: new WebAssembly.Module(readFileSync(`${root}build/hexlens-batch.wasm`)),
   scalar: new WebAssembly.Module(readFileSync(`${root}build/hexlens-scalar.wasm`)),
@@ -67,7 +67,7 @@ interface Port<Request, Reply> {
 
 const allThreads = new Set<Worker>()
 
-/** Before the process ends: it may crash on threads that are still being ended then. */
+/** Waits for threads that are being ended: the process might crash if it ended first. */
 export async function endThreads(): Promise<void> {
   await Promise.all([...allThreads].map(thread => thread.terminate()))
 }
@@ -95,7 +95,7 @@ interface NodeClassifierOptions {
   readonly module?: WebAssembly.Module
   readonly cellsPerPiece?: number
   readonly startWithin?: number
-  /** What the worker of this number, from 0, runs before its script, or in its place, and its limits. */
+  /** The script that the worker of this number, from 0, runs before or instead of its own; its limits. */
   readonly worker?: (number: number) => { before?: string; script?: string } & WorkerOptions
 }
 

@@ -1,4 +1,4 @@
-/** What the presets claim, in exact arithmetic where a point or an edge decides it. */
+/** The presets' claims, in exact arithmetic if a point or an edge decides them. */
 import { describe, expect, it } from 'vitest'
 import { type Vec3, vertexReference } from '../../web/model/hexahedron'
 import { reordered } from '../../web/model/node-order'
@@ -9,7 +9,7 @@ import { edgesArePositive, exactJacdet, verticesArePositive } from './exact'
 
 const CENTRE: Vec3 = [0.5, 0.5, 0.5]
 
-/** Where jacdet is not positive, and what is positive all the same. */
+/** A point where jacdet is not positive, and what is positive all the same. */
 const claims: Record<
   string,
   { witness: Vec3; value: 'zero' | 'negative'; positive: 'nothing' | 'vertices' | 'edges' }

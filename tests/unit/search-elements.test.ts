@@ -1,4 +1,4 @@
-/** What a search draws, and how it judges cheaply: laws of the numbers, symmetries, the filter against the core. */
+/** The elements of a search and its cheap filter: laws of the numbers, symmetries, the filter against the core. */
 import { describe, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
 import { isMet, parseCondition } from '../../web/model/condition'
@@ -28,7 +28,7 @@ function analyzed(vertices: readonly number[]) {
   return result.value
 }
 
-/** Within five deviations of what the law says of so many independent draws. */
+/** The share is within five deviations of the law for so many independent draws. */
 function expectShare(count: number, total: number, probability: number): void {
   const deviation = Math.sqrt(total * probability * (1 - probability))
   expect(Math.abs(count - total * probability)).toBeLessThan(5 * deviation)

@@ -57,7 +57,7 @@ function has(query: Query, vertices: readonly number[]): boolean {
   return isMet(read.value.property, quantitiesOf(report.value, read.value.start))
 }
 
-/** Of what was polished: another program checks them all. */
+/** Certificates of polished elements: another program checks them all. */
 const certificates: Loose[] = []
 afterAll(() => expect(checked(JSON.stringify(certificates))).toMatchObject({ status: 0, errors: '' }))
 

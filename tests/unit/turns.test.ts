@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { Turns } from '../../web/element/turns'
 import type { Frame, Turn, View } from '../../web/views/view'
 
-/** Each turn takes a millisecond by `clock`. */
+/** A turn takes a millisecond by `clock`. */
 let clock = 0
 let done: string[] = []
 const turn =

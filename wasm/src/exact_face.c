@@ -38,7 +38,7 @@ static void restricted(workspace *w, const integer q[3], dyadic in, integer out[
   out[to] = integer_sum(w, integer_sum(w, out[1], step), integer_difference(w, second, first));
 }
 
-/* Whether the interval is the last of its depth. */
+/* True if the interval is the last of its depth. */
 static bool is_last(workspace *w, dyadic in) {
   const integer behind = integer_sum(w, in.k, integer_of(w, 1));
   return integer_trailing_zeros(w, behind) == in.depth;
@@ -66,7 +66,7 @@ static bool none_is_negative(const integer *values, int count) {
   return true;
 }
 
-/* What D is made of: the nine coefficients of the face, [3 * i + j]; B = beta_1 - beta_0, and a = beta_2 - 2 beta_1 + beta_0 at both ends
+/* The factors of D: the nine coefficients of the face, [3 * i + j]; B = beta_1 - beta_0, and a = beta_2 - 2 beta_1 + beta_0 at both ends
    of the interval, between which it is linear. */
 enum { B_0 = 9, A_0 = 12, FACTORS = 14 };
 
@@ -128,7 +128,7 @@ static int certain_sign(const sum_of_products *sum, const scaled_double rounded[
   return (total > SUM_ERROR * size) - (total < -SUM_ERROR * size);
 }
 
-/* In bits: those of ordinary elements are shorter. */
+/* Bits: integers of ordinary elements are shorter. */
 enum { LONG = 1000 };
 
 static bool is_long(const workspace *w, const integer *values, int count) {
@@ -161,7 +161,7 @@ static int discriminant_sign(workspace *w, face_part *part, int i) {
   return sign != 0 ? sign : integer_sign(exact_sum(w, &by_parabolas[i], part->factors));
 }
 
-/* Whether no coefficient of D is negative. `outer` are the signs of those at the ends, 0 where they are to be found. */
+/* True if no coefficient of D is negative. `outer` are the signs of those at the ends, 0 where they are to be found. */
 static bool discriminant_is_not_negative(workspace *w, face_part *part, int outer[2]) {
   for (int i = 0; i < 9; ++i) part->rounded[i] = rounded_integer(w, part->factors[i], 0);
   part->has_parabolas = false;
@@ -203,7 +203,7 @@ static uint64_t end_of_halving(const workspace *w, const exact_face *face) {
   return w->products + PRODUCTS_OF_COUNTING * limbs * limbs;
 }
 
-/* In a larger unit: a power of two that all coefficients have. */
+/* The face in a larger unit: a power of two that all coefficients have. */
 static void without_common_zeros(workspace *w, const exact_face *face, exact_face *out) {
   int zeros = INT32_MAX;
   for (int i = 0; i < 9; ++i) {
@@ -216,7 +216,7 @@ static void without_common_zeros(workspace *w, const exact_face *face, exact_fac
       out->beta[i / 3][i % 3] = integer_shifted(w, face->beta[i / 3][i % 3], -zeros);
 }
 
-/* As exact_face_sign, for edges beta_0 and beta_2 that touch zero at ends only. */
+/* exact_face_sign for edges beta_0 and beta_2 that touch zero at ends only. */
 static int sign_between_touches(workspace *w, const exact_face *given) {
   exact_face in_larger_unit;
   without_common_zeros(w, given, &in_larger_unit);
@@ -282,7 +282,7 @@ static void cut(workspace *w, const exact_face *face, integer m, integer n, exac
 
 int exact_face_sign(workspace *w, const exact_face *face) {
   const integer *edges[2] = {face->beta[0], face->beta[2]};
-  /* Where an edge is 0 throughout, D = -beta_1^2. */
+  /* D = -beta_1^2 if an edge is 0 throughout. */
   if (is_zero_edge(edges[0]) || is_zero_edge(edges[1])) return has_negative_inside(w, face->beta[1]) ? -1 : 1;
   for (int e = 0; e < 2; ++e) {
     if (!touches_inside(w, edges[e])) continue;
@@ -325,7 +325,7 @@ static void set_floor(face_search *s, int depth) {
   s->floor = (floor_value){is_negative(numerator) ? -(q.bits + 2) : q.bits - 1, q.exponent};
 }
 
-/* Each time by at most 2^-61 of it, in depths of less than 2^14 by 2^-58 in all. */
+/* The floor falls by at most 2^-61 of it, in depths of less than 2^14 by 2^-58 in all. */
 static void lower_floor(face_search *s) {
   s->floor.bits -= s->floor.bits != 0;
   s->wait *= 2;
@@ -368,7 +368,7 @@ static void look_at(face_search *s, dyadic t) {
   if (!s->is_fixed) set_floor(s, t.depth);
 }
 
-/* Whether the face is certainly not below the floor for t in the interval: (X1) and (X2) for f - floor. */
+/* True if the face is certainly not below the floor for t in the interval: (X1) and (X2) for f - floor. */
 static bool is_above_floor(const face_search *s, dyadic in, bool counts_roots) {
   workspace *w = s->w;
   const integer floor = floor_times(w, s->floor, integer_shifted(w, integer_of(w, 1), 2 * in.depth));
@@ -380,7 +380,7 @@ static bool is_above_floor(const face_search *s, dyadic in, bool counts_roots) {
     for (int j = 0; j < 3; ++j) q[j] = integer_difference(w, over_floor(w, q[j], s->floor), floor);
     if (i == 1 && none_is_negative(q, 3)) return true;
   }
-  /* At the ends of [0,1] the edges are above the floor, perhaps by little: D > 0 where beta_1 < 0. */
+  /* The edges are above the floor at the ends of [0,1], perhaps by little: D > 0 where beta_1 < 0. */
   const bool edges_are_above = s->floor.bits != 0, is_last_one = is_last(w, in);
   int outer[2] = {edges_are_above && is_zero(in.k) && is_negative(part.factors[3]),
                   edges_are_above && is_last_one && is_negative(part.factors[5])};
@@ -432,7 +432,7 @@ bool exact_face_lowers(workspace *w, const exact_face *face, const double *roots
   return s.has_lowered;
 }
 
-/* How many bits below the largest coefficient a value has to be for the place where a face touches zero. */
+/* Bits below the largest coefficient of a value at the point where a face touches zero. */
 enum { TOUCH_BITS = 64 };
 
 static bool is_at_most(workspace *w, const least_value *least, int exponent) {

@@ -51,7 +51,7 @@ static double quartic_bound(double a, double b, double dc, double db, double da)
   return a * a * dc + 2 * a * b * db + da * b * b;
 }
 
-/* How far a computed coefficient of P can be from the exact one, (17). The factors are those of a face normalized by
+/* The error of a computed coefficient of P, (17). The factors are those of a face normalized by
    2^-exponent, and the errors they bring along, from (8), are scaled alike. */
 static double quartic_error(const parabolas *f, int exponent) {
   const double u = UNIT_ROUNDOFF, scaled_u = times_power_of_two(UNIT_ROUNDOFF, -exponent);
@@ -94,7 +94,7 @@ static void sort_ascending(double *x, int count) {
     }
 }
 
-/* Where in t the parabola's vertex lies inside the face, B < 0 < N: between roots of B and N. */
+/* Intervals of t in which the parabola's vertex lies inside the face, B < 0 < N: between roots of B and N. */
 static int inside_intervals(const parabolas *f, interval inside[MAX_INTERVALS]) {
   double cuts[2 * HL_MAX_ROOTS];
   int cut_count = hl_unit_roots(f->b, 2, cuts);

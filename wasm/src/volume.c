@@ -43,7 +43,7 @@ static void look_at_corners(search *s, const part *p) {
   for (int v = 0; v < 8; ++v) found_value(s, p, vertex_point[v], p->b[vertex_index(v)]);
 }
 
-/* Where jacdet does not fall along an axis its least values lie on the part's lower side, and where it does not rise on the
+/* If jacdet does not fall along an axis its least values lie on the part's lower side, and if it does not rise on the
    upper: the part becomes that side. Nothing is computed but comparisons, so nothing is rounded. */
 static void drop_to_side(part *p, int axis) {
   int stride = axis_stride[axis];
@@ -99,7 +99,7 @@ static void include(range *r, double x) {
   if (x > r->high) r->high = x;
 }
 
-/* Where the second derivatives by t lie over the part: in the hull of their Bernstein coefficients. */
+/* The range of the second derivatives by t over the part: the hull of their Bernstein coefficients. */
 static range second_derivative(const part *p, int first, int second) {
   int f = axis_stride[first], s = axis_stride[second];
   range r = {__DBL_MAX__, -__DBL_MAX__};

@@ -87,7 +87,7 @@ function complaint(): string | null {
     : `There is no “${id.slice(0, 40)}” in the gallery.`
 }
 
-/** The element that the address names; the first preset if it names none. */
+/** The element that the address names, else the one in the lens, if it is of the gallery. */
 function named(): GalleryElement | undefined {
   return elements.find(({ id }) => `#${id}` === location.hash) ?? elements.find(({ id }) => id === lens.preset)
 }
