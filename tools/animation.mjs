@@ -53,7 +53,7 @@ async function served(work) {
   }
 }
 
-/** A picture for each step there and back; resolves to their files and the milliseconds for each. */
+/** A picture for each step there and back; resolves to files and the milliseconds of each. */
 async function drag(address, folder) {
   const { chromium } = await import('@playwright/test')
   const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']

@@ -30,7 +30,7 @@ const idle = [
   'textures/Texture',
 ]
 
-/** Stand-ins for modules of three/src: all that WebGLRenderer calls when it draws a RawShaderMaterial. */
+/** Stand-ins for modules of three/src: all that WebGLRenderer needs for a RawShaderMaterial. */
 const standIns = {
   ...Object.fromEntries(idle.map(name => [`${name}.js`, `export class ${basename(name)} {}`])),
   // The faces are never culled: their vertices are where the shader puts them.

@@ -22,7 +22,7 @@ const insideOneFile = {
     if (WASM.test(id) || id === BATCH_WORKER) return id
     return null
   },
-  /** Modules that the page loads on demand become plain imports: they share one scope, which is smaller. */
+  /** Modules that the page loads on demand are imported: they share one scope, which is smaller. */
   transform(code, id) {
     if (!id.startsWith(source('')) || !code.includes('import(')) return null
     const hoisted = []
@@ -99,8 +99,9 @@ const batchWorker = {
 }
 
 /**
- * The worker has no module format. A page may start a worker from its own origin alone: from elsewhere, and from file://, it loads this as a script,
- * which then gives itself to the page as a function.
+ * The worker has no module format. A page may start a worker from its own origin alone: from
+ * elsewhere, and from file://, it loads this as a script, which then gives itself to the page as a
+ * function.
  */
 const meshWorker = {
   file: 'hexlens.mesh-worker.js',

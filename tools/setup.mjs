@@ -16,7 +16,7 @@ const EMSDK_VERSION = '4.0.10'
 const EMSDK_SOURCE = 'https://github.com/emscripten-core/emsdk.git'
 const EMSDK_FOLDER = join(root, '.emsdk')
 
-/** Purposes of a setup: to build and serve; formatter, linter and C warnings; benchmarks; all tests. */
+/** Purposes of a setup: build and serve; formatter, linter, C warnings; benchmarks; all tests. */
 const PURPOSES = ['start', 'check', 'bench', 'unit', 'test']
 
 const steps = [

@@ -1,4 +1,4 @@
-// Sizes against their budgets: what the page loads before it is live, the one-file widget, batches, reading.
+// Sizes against their budgets: the page until it is live, the one-file widget, batches, reading.
 
 import { readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'

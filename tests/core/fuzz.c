@@ -112,7 +112,7 @@ static void between(const double *from, const double *to, double t, double *x) {
   for (int i = 0; i < 24; ++i) x[i] = (1 - t) * from[i] + t * to[i];
 }
 
-/* The end of the certain verdict on the way from the cube to the element: the last valid or first invalid one. */
+/* The last valid or the first invalid element on the way from the cube to the element. */
 static void move_to_border(double *x, unsigned argument) {
   double to[24], low = 0, high = 1;
   memcpy(to, x, sizeof to);
@@ -333,7 +333,7 @@ static void face_is_consistent(const hl_report *report, int f) {
       LAW(report->candidates[i].value >= face->lower_bound, "face %d: candidate below its bound", f);
 }
 
-/* Points of the boundary, and inside of a valid element, are not below the minimum less its error. */
+/* No point of the boundary, or of a valid element, is below the minimum less its error. */
 static void nothing_is_below_the_minimum(const hl_report *report, const double inside[3]) {
   double minimum = in_scaled_units(report->minimizer.value, report->exponent);
   double least = minimum - in_scaled_units(report->minimum_error, report->exponent) - jacobian_error;
@@ -501,7 +501,7 @@ static void class_and_volume_fit(const hl_report *report) {
   LAW((verdict == HL_VALID) == (c == HL_CLASS_INVERTED), "class %d, mirrored %d", (int)c, (int)verdict);
 }
 
-/* The definition, from the boundary minimum; its error is that of one division of rounded numbers. */
+/* The definition, from the boundary minimum, up to one division of rounded numbers. */
 static void relative_minimum_is_the_quotient(const hl_report *report) {
   hl_minimum minimum;
   hl_boundary_minimum(element, HL_ROOTS_B, &minimum);

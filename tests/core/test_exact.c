@@ -245,7 +245,7 @@ static void searches_end_where_the_floor_is_the_minimum(void) {
   }
 }
 
-/* The point may be hidden at 2^-80 of the largest coefficient, or the doubles' roots be elsewhere. */
+/* The point may be hidden at 2^-80 of the largest coefficient, or not be near a double's root. */
 static void places_of_touching_are_found(void) {
   for (long n = 0; n < TIMES(2000); ++n) {
     workspace w = whole_workspace();

@@ -16,7 +16,7 @@ static random_stream stream = {20261001};
 
 static workspace whole_workspace(void) { return (workspace){.limbs = limbs, .capacity = CAPACITY}; }
 
-/* An integer of up to so many bits, of either sign, often with few bits or runs of zeros and ones. */
+/* An integer of up to so many bits, of either sign, often with few or runs of them set. */
 static integer random_integer(workspace *w, int most_bits) {
   integer x = zero;
   for (int bits = (int)(random_bits(&stream) % (unsigned)(most_bits + 1)); bits > 0; bits -= 31) {

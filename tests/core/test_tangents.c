@@ -9,7 +9,7 @@ enum { HEXAHEDRA = 3000, SAMPLES = 50 };
 
 static random_stream stream = {20260506};
 
-/* 2.25 times the coefficients' errors, and the bound's own roundings: docs/algorithm.md (K4), with (8) in true units. */
+/* 2.25 times the coefficients' errors, and the bound's roundings: (K4), with (8) in true units. */
 static double bound_error(const double vertices[24]) {
   return (2.25 * 500 + 32 * 18) * UNIT_ROUNDOFF * 8 * edge_product(vertices);
 }

@@ -153,7 +153,7 @@ export function faceParabolas(atHalves: readonly bigint[], face: number): FacePa
   }
 }
 
-/** The face on [from, to] / denominator, times the denominator squared: the quadratic's polar form. */
+/** The face on [from, to] / denominator, times its square: the quadratic's polar form. */
 export function restricted({ start, middle, end }: FaceParabolas, from: bigint, to: bigint, denominator: bigint) {
   const [m, n] = [denominator - from, denominator - to]
   const weights = [
@@ -229,8 +229,8 @@ export function floored({ integer, exponent }: Dyadic, unit: number): bigint {
 const MOST_HALVINGS = 200
 
 /**
- * True if the face is above `bound` (an integer in the units of its quadratics), proved by bisection in t. The bound must
- * not be the least value itself: neither answer would ever come.
+ * True if the face is above `bound` (an integer in the units of its quadratics), proved by
+ * bisection in t. The bound must not be the least value itself: neither answer would ever come.
  */
 export function faceIsAbove({ start, middle, end }: FaceParabolas, bound: bigint, halvings = MOST_HALVINGS): boolean {
   const lowered = (quadratic: Quadratic, by: bigint): Quadratic => [

@@ -78,7 +78,7 @@ function greatest(values: readonly bigint[]): bigint {
 
 function expectMinimumProved(report: Report): void {
   expect(numbersIn(report).filter(value => !Number.isFinite(value))).toEqual([])
-  // Checks of values alone accept every valid element; bounds, and subdivision that gives up, need not.
+  // Checks of values accept every valid element; bounds, and subdivision that gives up, need not.
   if (report.valid) expect(report.checks.filter(({ id, passes }) => !passes && !BY_BOUNDS.has(id))).toEqual([])
   const hex = integerHexahedron(report.vertices)
   const atHalves = jacdetAtHalves(hex)
@@ -115,7 +115,7 @@ function sampled(drawn: readonly (readonly number[])[]): Vec3[] {
   })
 }
 
-/** The minimum inside of a report is never above jacdet anywhere, and its point keeps the promise. */
+/** The minimum inside is never above jacdet anywhere, and its point keeps the promise. */
 function expectVolumeBracketed(report: Report, points: readonly Vec3[]): void {
   const hex = integerHexahedron(report.vertices)
   const { volumeMinimum, bernstein } = report

@@ -21,7 +21,7 @@ export function verticesArePositive(vertices: Vertices): boolean {
   return vertexReference.every(point => exactJacdet(vertices, point) > 0n)
 }
 
-/** jacdet is a quadratic on an edge; from its ends q0, q2 and its middle value m follows q1 = (4m - q0 - q2) / 2. */
+/** On an edge jacdet is a quadratic of ends q0, q2, middle value m, so q1 = (4m - q0 - q2) / 2. */
 export function edgesArePositive(vertices: Vertices): boolean {
   return edgeVertices.every(ends => {
     const [from, to] = ends.map(v => entry(vertexReference, v)) as [Vec3, Vec3]

@@ -95,7 +95,7 @@ interface NodeClassifierOptions {
   readonly module?: WebAssembly.Module
   readonly cellsPerPiece?: number
   readonly startWithin?: number
-  /** The script that the worker of this number, from 0, runs before or instead of its own; its limits. */
+  /** The script of the worker of this number, from 0, before or instead of its own; its limits. */
   readonly worker?: (number: number) => { before?: string; script?: string } & WorkerOptions
 }
 

@@ -11,9 +11,11 @@ import { batchCores } from './node-workers'
 
 const POINT = [0.25, 0.625, 0.8125]
 
-/** The order of wasm/src/pack.c: verdict, whether integers gave it, exponent, minimizer, error, volume minimum, checks, maximizer,
- * three minima and 27 coefficients come before the faces; after the candidates class, shape, coincidences, volume with its exponent,
- * relative minimum. */
+/**
+ * The order of wasm/src/pack.c: verdict, whether integers gave it, exponent, minimizer, error,
+ * volume minimum, checks, maximizer, three minima and 27 coefficients come before the faces; after
+ * the candidates class, shape, coincidences, volume with its exponent, relative minimum.
+ */
 const FACES_AT = 3 + 9 + 1 + 8 + 8 + 9 + 3 + 27
 const AFTER_CANDIDATES = 2 + 8 + 3
 

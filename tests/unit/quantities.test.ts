@@ -1,4 +1,4 @@
-/** Reports' numbers for conditions: exact signs, whatever the doubles leave open, numbers of any size. */
+/** Reports' numbers for conditions: exact signs, and numbers of any size. */
 import { describe, expect, it } from 'vitest'
 import { claims, numbers, quantitiesOf, shownNumber } from '../../web/core/quantities'
 import type { Report } from '../../web/core/report'

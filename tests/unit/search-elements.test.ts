@@ -1,4 +1,4 @@
-/** The elements of a search and its cheap filter: laws of the numbers, symmetries, the filter against the core. */
+/** The elements of a search: laws of their numbers, symmetries, the filter against the core. */
 import { describe, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
 import { isMet, parseCondition } from '../../web/model/condition'

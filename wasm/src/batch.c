@@ -109,8 +109,9 @@ static bool has_unanswered(const uint8_t *verdicts) {
   return ((bytes - 0x0101010101010101u) & ~bytes & 0x8080808080808080u) != 0;
 }
 
-/* Floats, then doubles for those left open together, then one by one. Cells with zeros at sight need no coefficients, those with an
-   open corner no filter, unless it is asked if doubles would have decided. */
+/* Floats, then doubles for those left open together, then one by one. Cells with zeros at sight
+   need no coefficients, those with an open corner no filter, unless it is asked if doubles would
+   have decided. */
 static void decide_block(const lane_kernels *kernels, bool asks_exact, block *b, batch_stages *stages) {
   int open[HL_BLOCK], open_count = 0;
   memset(b->verdicts, HL_UNANSWERED, HL_BLOCK);

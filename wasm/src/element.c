@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-/* True if jacdet < 0 everywhere: then that of the mirrored element, which is minus it, is positive. */
+/* True if jacdet < 0 everywhere: that of the mirrored element, minus it, is then positive. */
 static bool is_inverted(const double vertices[24]) {
   double mirrored[HL_COORDINATES];
   hl_verdict verdict = HL_INVALID;

@@ -186,7 +186,8 @@ static void lower_to_edge(workspace *w, const integer q[3], int edge, least_valu
    holds for one that is not. */
 #define ROUNDED_UP 0x1p-50
 
-/* True if the face is certainly nowhere below `least`: by its coefficients, or by (B2). `roots` become places where it may be. */
+/* True if the face is certainly nowhere below `least`: (B2). `roots` become points where it may
+   be. */
 static bool is_no_lower(workspace *w, const exact_face *face, const least_value *least, face_solution *roots) {
   const integer one = integer_of(w, 1);
   bool is_lower = false;

@@ -1,6 +1,6 @@
-/* Integers decide what doubles leave open: verdict, boundary minimum and report (docs/algorithm.md 7). Every element gets an
-   answer. The memory is on the stack: 20 kB for ordinary verdicts, 160 kB for some minima, 2.6 MB where coordinates span the
-   exponents of the doubles. */
+/* Integers decide what doubles leave open: verdict, boundary minimum and report (docs/algorithm.md
+   7). Every element gets an answer. The memory is on the stack: 20 kB for ordinary verdicts, 160 kB
+   for some minima, 2.6 MB where coordinates span the exponents of the doubles. */
 #ifndef HL_EXACT_H
 #define HL_EXACT_H
 
@@ -13,8 +13,8 @@ typedef struct exact_cost {
   uint64_t products;        /* of their limbs */
 } exact_cost;
 
-/* True if jacdet is 0 at a vertex at sight, since two ends of an edge or of a face's diagonal coincide: the two columns of DF that
-   lead there are parallel, or one is 0. */
+/* True if jacdet is 0 at a vertex at sight, since two ends of an edge or of a face's diagonal
+   coincide: the two columns of DF that lead there are parallel, or one is 0. */
 bool is_zero_at_sight(const double vertices[HL_COORDINATES]);
 
 /* The verdict; `bernstein` are the coefficients in doubles and scaled units. `cost` may be null. */

@@ -66,8 +66,8 @@ static bool none_is_negative(const integer *values, int count) {
   return true;
 }
 
-/* The factors of D: the nine coefficients of the face, [3 * i + j]; B = beta_1 - beta_0, and a = beta_2 - 2 beta_1 + beta_0 at both ends
-   of the interval, between which it is linear. */
+/* The factors of D: the nine coefficients of the face, [3 * i + j]; B = beta_1 - beta_0, and a =
+   beta_2 - 2 beta_1 + beta_0 at both ends of the interval, between which it is linear. */
 enum { B_0 = 9, A_0 = 12, FACTORS = 14 };
 
 /* A coefficient of D, times a positive integer, is a sum of products of two factors. */
@@ -161,7 +161,7 @@ static int discriminant_sign(workspace *w, face_part *part, int i) {
   return sign != 0 ? sign : integer_sign(exact_sum(w, &by_parabolas[i], part->factors));
 }
 
-/* True if no coefficient of D is negative. `outer` are the signs of those at the ends, 0 where they are to be found. */
+/* True if no coefficient of D is negative. `outer` are the signs at the ends, 0 if not known. */
 static bool discriminant_is_not_negative(workspace *w, face_part *part, int outer[2]) {
   for (int i = 0; i < 9; ++i) part->rounded[i] = rounded_integer(w, part->factors[i], 0);
   part->has_parabolas = false;
@@ -368,7 +368,7 @@ static void look_at(face_search *s, dyadic t) {
   if (!s->is_fixed) set_floor(s, t.depth);
 }
 
-/* True if the face is certainly not below the floor for t in the interval: (X1) and (X2) for f - floor. */
+/* True if the face is certainly not below the floor on the interval: (X1), (X2) for f - floor. */
 static bool is_above_floor(const face_search *s, dyadic in, bool counts_roots) {
   workspace *w = s->w;
   const integer floor = floor_times(w, s->floor, integer_shifted(w, integer_of(w, 1), 2 * in.depth));
@@ -380,7 +380,7 @@ static bool is_above_floor(const face_search *s, dyadic in, bool counts_roots) {
     for (int j = 0; j < 3; ++j) q[j] = integer_difference(w, over_floor(w, q[j], s->floor), floor);
     if (i == 1 && none_is_negative(q, 3)) return true;
   }
-  /* The edges are above the floor at the ends of [0,1], perhaps by little: D > 0 where beta_1 < 0. */
+  /* The edges are above the floor at 0 and 1, perhaps by little: D > 0 where beta_1 < 0. */
   const bool edges_are_above = s->floor.bits != 0, is_last_one = is_last(w, in);
   int outer[2] = {edges_are_above && is_zero(in.k) && is_negative(part.factors[3]),
                   edges_are_above && is_last_one && is_negative(part.factors[5])};

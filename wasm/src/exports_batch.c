@@ -1,4 +1,4 @@
-/* The exports of WebAssembly for batches. Lists lie in memory that the caller has grown for them; counts in a static one. */
+/* The exports of WebAssembly for batches. The caller grows the memory for lists. */
 #include "hexlens.h"
 
 #define EXPORT(name) __attribute__((export_name(#name)))

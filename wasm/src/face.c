@@ -94,7 +94,7 @@ static void sort_ascending(double *x, int count) {
     }
 }
 
-/* Intervals of t in which the parabola's vertex lies inside the face, B < 0 < N: between roots of B and N. */
+/* Intervals of t where the parabola's vertex is inside the face, B < 0 < N. */
 static int inside_intervals(const parabolas *f, interval inside[MAX_INTERVALS]) {
   double cuts[2 * HL_MAX_ROOTS];
   int cut_count = hl_unit_roots(f->b, 2, cuts);

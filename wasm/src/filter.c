@@ -128,7 +128,7 @@ static bool is_positive(const double d[5], int halvings) {
   return is_positive(lower, halvings - 1) && is_positive(upper, halvings - 1);
 }
 
-/* True if the least value is certainly positive wherever the parabola's vertex is inside: B < 0 < N, D > 0. */
+/* True if certainly D > 0 wherever the parabola's vertex is inside, B < 0 < N. */
 static bool is_positive_inside(const parabolas *f) {
   double d[5];
   quarter_discriminant(f, d);

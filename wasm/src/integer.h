@@ -19,8 +19,9 @@ typedef struct workspace {
   uint32_t multiplications;
 } workspace;
 
-/* The index of the limbs in the workspace, the least first and the greatest not 0, and their count, negative for a negative integer: in one
-   word, which is passed as such. The limbs do not change. */
+/* The index of the limbs in the workspace, the least first and the greatest not 0, and their
+   count, negative for a negative integer: in one word, which is passed as such. The limbs do not
+   change. */
 typedef struct integer {
   uint64_t place; /* offset << 32 | length */
 } integer;

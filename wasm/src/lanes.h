@@ -20,8 +20,9 @@ typedef struct lane_minima {
   unsigned char vertex[HL_BLOCK];      /* of the least corner, the first of equals */
   _Alignas(64) double least[HL_BLOCK]; /* its jacdet */
   _Alignas(64) double unit[HL_BLOCK];  /* a power of two: jacdet is the number in scaled units times this */
-  /* Coefficients in scaled units, before they are multiplied by bernstein_part: of element e, number i is at
-     [e / width][i][e % width]; only where its group has an element that is not settled. The cube's centre is not computed. */
+  /* Coefficients in scaled units, before they are multiplied by bernstein_part: of element e,
+     number i is at [e / width][i][e % width]; only where its group has an element that is not
+     settled. The cube's centre is not computed. */
   _Alignas(64) double bernstein[27 * HL_BLOCK];
 } lane_minima;
 

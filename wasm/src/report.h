@@ -7,8 +7,8 @@
 #include "hexlens.h"
 #include "scaling.h"
 
-/* True if doubles are certain of the verdict and know the minimum as well; `permanent` is the greatest one, `minimum` the least
-   candidate. The verdict is written in any case. */
+/* True if doubles are certain of the verdict and know the minimum as well; `permanent` is the
+   greatest one, `minimum` the least candidate. The verdict is written in any case. */
 bool is_settled_by_doubles(const double bernstein[HL_BERNSTEIN], double permanent, double minimum, hl_verdict *verdict);
 
 /* hl_analyze by integers, also where doubles would do. */

@@ -10,8 +10,8 @@
 /* The two ends of [0,1], and those of the pieces between. */
 enum { MAX_ENDS = MAX_TANGENTS + 1 };
 
-/* The point where two neighbouring tangents, at s and t, meet; or, of one tangent alone, what its value at an end is below the quadratic's
-   there, as a part of a. */
+/* The point where two neighbouring tangents, at s and t, meet; or, of one tangent alone, what its
+   value at an end is below the quadratic's there, as a part of a. */
 typedef struct end_of_piece {
   double s, t, part_of_a;
 } end_of_piece;
@@ -48,7 +48,7 @@ static double least_of_quadratic(const double q[3], double least) {
   return smaller(least, quadratic_at(q[0], q[1], q[2], r));
 }
 
-/* The least of the quadratics that the tangents in the first variable leave of a plane, or, by `stride` 1, in the second. */
+/* The least of the quadratics that tangents leave of a plane, in one variable by `stride`. */
 static double least_on_plane(const double plane[9], int stride, const end_of_piece *ends, int count, double least) {
   for (int n = 0; n < count; ++n) {
     double q[3];

@@ -43,8 +43,9 @@ static void look_at_corners(search *s, const part *p) {
   for (int v = 0; v < 8; ++v) found_value(s, p, vertex_point[v], p->b[vertex_index(v)]);
 }
 
-/* If jacdet does not fall along an axis its least values lie on the part's lower side, and if it does not rise on the
-   upper: the part becomes that side. Nothing is computed but comparisons, so nothing is rounded. */
+/* If jacdet does not fall along an axis its least values lie on the part's lower side, and if it
+   does not rise on the upper: the part becomes that side. Nothing is computed but comparisons, so
+   nothing is rounded. */
 static void drop_to_side(part *p, int axis) {
   int stride = axis_stride[axis];
   bool rises = true, falls = true;
@@ -99,7 +100,7 @@ static void include(range *r, double x) {
   if (x > r->high) r->high = x;
 }
 
-/* The range of the second derivatives by t over the part: the hull of their Bernstein coefficients. */
+/* The range of the second derivatives by t: the hull of their Bernstein coefficients. */
 static range second_derivative(const part *p, int first, int second) {
   int f = axis_stride[first], s = axis_stride[second];
   range r = {__DBL_MAX__, -__DBL_MAX__};

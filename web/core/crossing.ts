@@ -18,8 +18,8 @@ export function changeBetween(core: Core, a: Vertices, b: Vertices, change: Chan
 }
 
 /**
- * Bisects with the certain verdict, pausing after each; those at `near` and `far` must differ. Ends early if the two are
- * no more than `least` apart.
+ * Bisects with the certain verdict, pausing after each; those at `near` and `far` must differ. Ends
+ * early if the two are no more than `least` apart.
  */
 export function* changesBetween(
   core: Core,

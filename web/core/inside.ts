@@ -1,7 +1,7 @@
 /** The least jacdet inside, if it is below the boundary's. */
 import type { Report, VolumeMinimum } from './report'
 
-/** The volume minimum if it is certainly below the boundary's: only of an invalid element, by the theorem. */
+/** The volume minimum if certainly below the boundary's: only of an invalid element. */
 export function lowerInside(report: Report): VolumeMinimum | null {
   const { boundaryMinimum, boundaryMinimumError, volumeMinimum } = report
   return volumeMinimum.upper < boundaryMinimum - boundaryMinimumError ? volumeMinimum : null

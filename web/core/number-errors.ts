@@ -6,8 +6,9 @@ import { edgesAlong, edgeVertices, type Vec3, type Vertices, vertexOf } from '..
 import type { Report } from './report'
 
 /**
- * The error of any value made from the 27 Bernstein coefficients by few means, times 2^exponent. In scaled units (M1) has
- * boundaryMinimumError >= 36uR + 12uM, and these are off by at most 100uR + 40uM, the cube's centre of (8R) and (V2).
+ * The error of any value made from the 27 Bernstein coefficients by few means, times 2^exponent. In
+ * scaled units (M1) has boundaryMinimumError >= 36uR + 12uM, and these are off by at most 100uR +
+ * 40uM, the cube's centre of (8R) and (V2).
  */
 export function valueError({ decidedBy, boundaryMinimumError }: Report): number {
   return decidedBy === 'filter' ? 4 * boundaryMinimumError : Number.POSITIVE_INFINITY

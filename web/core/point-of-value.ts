@@ -10,9 +10,10 @@ const HALVINGS = 53
 const TOO_NEAR = 1 / 8
 
 /**
- * A point on the way from the minimizer to the maximizer, along which jacdet takes every value in between; others are clamped to
- * these. The way is straight, and seen from the centre projected on the boundary. A value that only the inside has is found there, on the
- * straight way from the least of all.
+ * A point on the way from the minimizer to the maximizer, along which jacdet takes every value in
+ * between; others are clamped to these. The way is straight, and seen from the centre projected on
+ * the boundary. A value that only the inside has is found there, on the straight way from the least
+ * of all.
  */
 export function pointOfValue(report: Report, value: number): Vec3 {
   const { minimizer, maximizer, boundaryMinimum, boundaryMinimumError, volumeMinimum, bernstein } = report

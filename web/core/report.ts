@@ -85,7 +85,7 @@ export type CheckId =
 
 export interface Check {
   readonly id: CheckId
-  /** A jacdet, times 2^exponent; Verdict's scaled Jacobian is from -1 to 1, 1e30 if a length is 0. */
+  /** A jacdet, times 2^exponent; Verdict's scaled Jacobian: from -1 to 1, 1e30 if a length is 0. */
   readonly value: number
   /** value > 0: it takes the element for valid; for `tangents`, that it certifies it, else it says nothing. */
   readonly passes: boolean

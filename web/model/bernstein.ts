@@ -1,6 +1,7 @@
 /**
- * Indices of jacdet's 27 Bernstein coefficients: (i, j, k) at 9i + 3j + k for xi, eta, zeta, 0, 1 or 2 for
- * lower end, middle, upper end. As in wasm/src/topology.h; tests/unit/bernstein.test.ts compares with what the core computes.
+ * Indices of jacdet's 27 Bernstein coefficients: (i, j, k) at 9i + 3j + k for xi, eta, zeta, 0, 1
+ * or 2 for lower end, middle, upper end. As in wasm/src/topology.h; tests/unit/bernstein.test.ts
+ * compares with what the core computes.
  */
 import { edgeVertices, faces, type Vec3, vertexReference } from './hexahedron'
 

@@ -53,8 +53,8 @@ export function isMet(condition: Condition, quantities: Quantities): boolean {
 }
 
 /**
- * True or false if that is certain; null if numbers that are only enclosed are too near each other, or if
- * something is divided by what may be zero.
+ * True or false if that is certain; null if numbers that are only enclosed are too near each other,
+ * or if something is divided by what may be zero.
  */
 export function truthOf({ claim }: Condition, quantities: Quantities): boolean | null {
   const claimed = (name: Claim) => quantities.claim(name)

@@ -1,7 +1,8 @@
 /**
- * Readers of plain data that a person or a program wrote as JSON. Each takes a value and its path, and gives what it means or throws
- * a Refusal; it also knows the JSON Schema of what it takes, and how to write it. Numbers are JSON's, so every double
- * comes back bit for bit, except that -0 is "-0".
+ * Readers of plain data that a person or a program wrote as JSON. Each takes a value and its path,
+ * and gives what it means or throws a Refusal; it also knows the JSON Schema of what it takes, and
+ * how to write it. Numbers are JSON's, so every double comes back bit for bit, except that -0 is
+ * "-0".
  */
 import { COORDINATE_COUNT, type Vertices } from './hexahedron'
 import { Refusal } from './result'

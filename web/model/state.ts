@@ -85,7 +85,7 @@ export interface State {
   readonly slices: Readonly<Record<string, object>>
 }
 
-/** The state that outlives the page: no gestures, previews, highlights, history, author's limits. */
+/** State that outlives the page: no gestures, previews, highlights, history, author's limits. */
 export type LastingState = Omit<
   State,
   | 'gestureStart'

@@ -36,11 +36,12 @@ declare global {
 }
 
 export interface ClassifierOptions {
-  /** The most workers; one for each core by default, and no more than 16. They start when needed. */
+  /** The most workers; by default one for each core, at most 16. They start when needed. */
   readonly workers?: number
   /**
-   * The address of a copy of `hexlens/dist/hexlens.batch-worker.js`: for pages whose Content-Security-Policy forbids workers from blob:
-   * addresses. In Node a file: URL or an absolute path.
+   * The address of a copy of `hexlens/dist/hexlens.batch-worker.js`: for pages whose
+   * Content-Security-Policy forbids workers from blob: addresses. In Node a file: URL or an
+   * absolute path.
    */
   readonly workerUrl?: string | URL
 }

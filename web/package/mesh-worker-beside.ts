@@ -4,7 +4,7 @@ import type { ReadingWorker } from '../input/read-input'
 const NAME = 'hexlens.mesh-worker.js'
 const BLOCKED = `${NAME} was not loaded from beside the script, or a policy of the page forbids it`
 
-/** The address of this module, or of the script's tag, which is known only while the script first runs. */
+/** This module's address, or the script's, which its tag tells only while it first runs. */
 const script = globalThis.document?.currentScript
 const here: string | undefined = script && 'src' in script ? script.src : import.meta.url
 
@@ -28,7 +28,7 @@ type HandedOver = HTMLScriptElement & { readonly work?: () => void }
 
 const copies = new Map<string, Promise<string>>()
 
-/** A page starts no worker from another origin; loaded as a script, the file gives itself as a function. */
+/** A worker cannot be of another origin; loaded as a script, the file gives itself as a function. */
 function addressOfCopy(address: string): Promise<string> {
   const copy = copies.get(address) ?? copied(address)
   copies.set(address, copy)

@@ -1,12 +1,13 @@
 /**
- * The state and scroll position at each entry of this tab's history, for Back, Forward and reload. The address has the vertices; this
- * has the rest, in the session's storage, where the browser gives one: without it the rest is as in a new page.
+ * The state and scroll position at each entry of this tab's history, for Back, Forward and reload.
+ * The address has the vertices; this has the rest, in the session's storage, where the browser
+ * gives one: without it the rest is as in a new page.
  */
 import type { StateDocument } from '../model/state-document'
 
 export interface HistoryEntry {
   readonly state: StateDocument
-  /** Pixels: scroll positions of the page and of the panels beside the scene; in the lessons, of the step. */
+  /** Pixels: scroll positions of the page and of the panels; in the lessons, of the step. */
   readonly scroll: readonly number[]
 }
 

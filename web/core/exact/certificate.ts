@@ -220,8 +220,9 @@ interface Subinterval {
 }
 
 /**
- * [0,1] bisected until a condition holds on each subinterval. By docs/certificates.md (C7) this ends on a positive face. A list, not
- * a recursion: subintervals can be smaller than a stack is deep. The lowest subinterval is its last.
+ * [0,1] bisected until a condition holds on each subinterval. By docs/certificates.md (C7) this
+ * ends on a positive face. A list, not a recursion: subintervals can be smaller than a stack is
+ * deep. The lowest subinterval is its last.
  */
 function certifiedIntervals(beta: readonly bigint[]): CertifiedInterval[] {
   const rows = [0, 3, 6].map(i => beta.slice(i, i + 3)) as unknown as Rows

@@ -101,8 +101,8 @@ function leastOf(candidates: readonly Enclosed[]): Enclosed {
 }
 
 /**
- * True if a candidate cannot be the minimizer, or is known well enough. A touched zero is enclosed from above only;
- * the exact sign says that it is attained.
+ * True if a candidate cannot be the minimizer, or is known well enough. A touched zero is enclosed
+ * from above only; the exact sign says that it is attained.
  */
 function isFine(
   { value, error }: Enclosed,

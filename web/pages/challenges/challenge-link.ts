@@ -1,6 +1,7 @@
 /**
- * The fragment of the address of the page Challenges: one of its own challenges by id, or a teacher's as JSON in
- * percent-encoding; with it, as in any link of Hexlens, the 24 doubles of a solution bit for bit.
+ * The fragment of the address of the page Challenges: one of its own challenges by id, or a
+ * teacher's as JSON in percent-encoding; with it, as in any link of Hexlens, the 24 doubles of a
+ * solution bit for bit.
  *
  *     #challenge=one-vertex        #challenge=one-vertex&v=1&vertices=0,0,0,…        #own=%7B%22version%22…        #write
  */

@@ -1,4 +1,4 @@
-/** The column beside the lens: the list of challenges, one challenge, or the form for writing one. */
+/** The column beside the lens: all challenges, one challenge, or the form for writing one. */
 import { html, type TemplateResult } from 'lit-html'
 import { claims, numbers } from '../../core/quantities'
 import type { Report } from '../../core/report'

@@ -1,6 +1,7 @@
 /**
- * Challenges that the reader has solved, and the best of each contest, kept in this browser. If it keeps nothing, they are known until
- * the page is left; entries of a later version of the page are neither read nor lost.
+ * Challenges that the reader has solved, and the best of each contest, kept in this browser. If it
+ * keeps nothing, they are known until the page is left; entries of a later version of the page are
+ * neither read nor lost.
  */
 
 export interface Solved {

@@ -78,7 +78,7 @@ lens.addEventListener('hex-change', () => {
   settle()
 })
 
-// While nothing has the focus, undo, redo and paste can only mean the element. (Not single characters: WCAG 2.1.4.)
+// While nothing has the focus, undo, redo and paste can only mean the element.
 addEventListener('keydown', event => {
   const step = event.target === document.body ? historyStep(event) : null
   if (step === null) return

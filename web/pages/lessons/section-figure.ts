@@ -1,6 +1,7 @@
 /**
- * The curve jacdet = 0 on a section zeta = constant, xi to the right and eta upwards: for each eta jacdet is a quadratic in xi,
- * whose roots are the curve. At the curve's ends in xi arrows show the gradient. Drawn and read, never a verdict.
+ * The curve jacdet = 0 on a section zeta = constant, xi to the right and eta upwards: for each eta
+ * jacdet is a quadratic in xi, whose roots are the curve. At the curve's ends in xi arrows show the
+ * gradient. Drawn and read, never a verdict.
  */
 import { html, svg, type TemplateResult } from 'lit-html'
 import { valueAt } from '../../core/face-polynomials'

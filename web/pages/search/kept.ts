@@ -11,7 +11,7 @@ export interface KeptElement {
   readonly property: string
 }
 
-/** `stored`: as the storage has them. `unavailable`: it refuses. `newer`: a later version has written there, which is left alone. */
+/** `unavailable`: the storage refuses. `newer`: a later version has written, and is left alone. */
 export type Persistence = 'stored' | 'unavailable' | 'newer'
 
 const KEY = 'hexlens-kept'

@@ -1,6 +1,7 @@
 /**
- * The page Search: a form, a search in workers, its finds as small pictures, and elements that the reader keeps. The form's state is in the
- * address's query, the element in the lens in its fragment.
+ * The page Search: a form, a search in workers, its finds as small pictures, and elements that the
+ * reader keeps. The form's state is in the address's query, the element in the lens in its
+ * fragment.
  */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import { quantitiesOf } from '../../core/quantities'

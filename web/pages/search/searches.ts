@@ -1,6 +1,6 @@
 /**
- * The searches that the page Search offers, in the order of its list: conditions, with the elements among which such
- * are soon found. tests/unit/search.test.ts finds one of each.
+ * The searches that the page Search offers, in the order of its list: conditions, with the elements
+ * among which such are soon found. tests/unit/search.test.ts finds one of each.
  */
 import type { Distribution } from './engine/distribution'
 

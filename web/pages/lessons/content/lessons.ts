@@ -16,7 +16,7 @@ export interface LessonClaim {
 export type LessonFigure =
   /** jacdet along an edge: its parabola, with the three Bernstein coefficients. */
   | { readonly kind: 'edge'; readonly edge: number }
-  /** The curve jacdet = 0 on the section zeta = value, its ends in xi, and the slope of jacdet there. */
+  /** The curve jacdet = 0 on the section zeta = value, with the slopes of jacdet at its ends. */
   | { readonly kind: 'section'; readonly value: number }
 
 export interface LessonStep {

@@ -1,6 +1,7 @@
 /**
- * Corner values and Bernstein coefficients of jacdet in doubles, docs/algorithm.md (3) to (8), for the filter of a search alone: what
- * passes it is analysed by the core, whose numbers are the ones that count.
+ * Corner values and Bernstein coefficients of jacdet in doubles, docs/algorithm.md (3) to (8), for
+ * the filter of a search alone: what passes it is analysed by the core, whose numbers are the ones
+ * that count.
  */
 import {
   bernsteinIndex,
@@ -12,8 +13,8 @@ import {
 import { faces, type Vec3, vertexReference } from '../../../model/hexahedron'
 
 /**
- * True if a corner value of the element whose coordinates begin there is at most `most`. It stops at the first one: each is the
- * determinant of the three edge vectors at the corner.
+ * True if a corner value of the element whose coordinates begin there is at most `most`. It stops
+ * at the first one: each is the determinant of the three edge vectors at the corner.
  */
 export function hasCornerAtMost(elements: Float64Array, element: number, most: number): boolean {
   for (let at = 0; at < CORNER_EDGES.length; at += 6) {
@@ -111,7 +112,7 @@ const FACES = faces.map(({ s, t }, face) => ({
   t: bernsteinStrides[t],
 }))
 
-/** Coefficients on each axis once the element is cut into eight: neighbours share those where they meet. */
+/** Coefficients on each axis once the element is cut into eight; neighbours share some. */
 export const FINE = 5
 
 /**

@@ -93,10 +93,10 @@ export function sourceOf(distribution: Distribution, random: Random): Source {
   }
 }
 
-/** A number plus and minus this many steps is the nearest multiple of the step: doubles of that size are steps apart. */
+/** Adding and subtracting so many steps rounds to the next: doubles of that size are steps apart. */
 const ROUNDING = 1.5 * 2 ** 52
 
-/** Gives a drawn element its symmetry, and leaves all but so many vertices; null if nothing is to do. */
+/** Gives a drawn element its symmetry, and moves so many vertices; null if nothing is to do. */
 function arrangementOf({ symmetry: name, moved }: Distribution, start: Vertices, random: Random) {
   if (name === 'none' && moved === VERTEX_COUNT) return null
   const symmetry: Symmetry = symmetries[name]
@@ -128,7 +128,7 @@ interface Copy {
   readonly isMirrored: boolean
 }
 
-/** Copies in order: the first vertex of the orbit decides, each of the others is the image of the one before. */
+/** Copies in order: each vertex of the orbit is the image of the one before. */
 function copiesOf(orbit: Orbit, { sources, signs }: Symmetry): Copy[] {
   const copy = (from: number, to: number, r: Axis) => ({
     to: 3 * to + r,

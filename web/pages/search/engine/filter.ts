@@ -1,8 +1,9 @@
 /**
- * A condition, decided by numbers that are cheap: an element that the filter holds back does not meet it, and need not be
- * analysed. Numbers are enclosed in intervals of doubles, first by the verdict alone, then by the corner values, then by the Bernstein
- * coefficients. The condition's own arithmetic is in doubles as they round: held back wrongly is at most an element for which two sides
- * agree to fifteen digits, and none is let through for good by such arithmetic.
+ * A condition, decided by numbers that are cheap: an element that the filter holds back does not
+ * meet it, and need not be analysed. Numbers are enclosed in intervals of doubles, first by the
+ * verdict alone, then by the corner values, then by the Bernstein coefficients. The condition's own
+ * arithmetic is in doubles as they round: held back wrongly is at most an element for which two
+ * sides agree to fifteen digits, and none is let through for good by such arithmetic.
  */
 import type { Core } from '../../../core/report'
 import { BERNSTEIN_COUNT, bernsteinMiddles, vertexBernstein } from '../../../model/bernstein'
@@ -13,7 +14,9 @@ import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../../../model/he
 import { CENTRE, EDGES, FINE, setCorners, setFine, setOthers } from './coefficients'
 
 export interface Filter {
-  /** True if any valid element may meet the condition, any invalid one, any with a corner value <= 0. */
+  /**
+   * True if a valid element may meet the condition, an invalid one, one with a corner value <= 0.
+   */
   readonly mayBe: { readonly valid: boolean; readonly invalid: boolean; readonly withoutPositiveCorners: boolean }
   /** The truth for the element whose coordinates begin at `at`; `valid` is the certain verdict. */
   judge(elements: Float64Array, at: number, valid: boolean): Truth
@@ -239,7 +242,7 @@ function byFineCoefficients(known: Enclosures, fine: Float64Array, error: number
   if (least - off > 0) known.narrow('subdivision', POSITIVE, Infinity)
 }
 
-/** Zeros are frequent among integer coordinates, and the exact minimum is the cheapest exact number. */
+/** Zeros are frequent on integer grids, and the exact minimum is the cheapest exact number. */
 function bySign(known: Enclosures, element: Float64Array, core: Core): void {
   const result = core.boundaryMinimum(Array.from(element), 'roots-b')
   if (!result.ok) throw new Error(result.error.message)

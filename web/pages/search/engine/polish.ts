@@ -1,7 +1,8 @@
 /**
- * Shrinks an element to simpler coordinates while it keeps its property: vertices back to where the start has them, numbers to
- * integers, halves, quarters, few decimals. Greedy, the greatest saving first; each step lowers the complexity, and there are finitely many
- * elements of such numbers, so it ends. The same steps on every machine.
+ * Shrinks an element to simpler coordinates while it keeps its property: vertices back to where the
+ * start has them, numbers to integers, halves, quarters, few decimals. Greedy, the greatest saving
+ * first; each step lowers the complexity, and there are finitely many elements of such numbers, so
+ * it ends. The same steps on every machine.
  */
 import { quantitiesOf } from '../../../core/quantities'
 import { isMet } from '../../../model/condition'
@@ -28,7 +29,7 @@ export interface Polished {
   readonly complexity: number
 }
 
-/** Polishes an element that has the property. `onStep` is told of each that is simpler than all before. */
+/** Polishes an element that has the property. `onStep` is told of each simpler one. */
 export function polish(
   parsed: ParsedQuery,
   vertices: Vertices,

@@ -1,4 +1,4 @@
-/** The pieces of a search, one after another: their elements drawn, judged, filtered, analysed, and the best handed on. */
+/** The pieces of a search: elements are drawn, judged, filtered, analysed, the best handed on. */
 
 import type { BatchCore } from '../../../core/batch/batch-core'
 import { quantitiesOf } from '../../../core/quantities'
@@ -39,8 +39,8 @@ export interface PieceFinds {
 }
 
 /**
- * Goes through pieces of the stream of elements, in ascending order. Earlier finds only make it leave out elements that cannot be among
- * the best of all any more.
+ * Goes through pieces of the stream of elements, in ascending order. Earlier finds only make it
+ * leave out elements that cannot be among the best of all any more.
  */
 export function pieceSearcherOf(parsed: ParsedQuery, { batch, core }: Cores): (piece: Piece) => PieceFinds {
   const { query, property, measure, start } = parsed

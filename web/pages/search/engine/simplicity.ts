@@ -4,7 +4,7 @@ import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../../../model/he
 /** The cost of a vertex that is not where the start has it. */
 const MOVED_VERTEX = 3
 
-/** 0 for the start if that is the unit cube; each digit, each size and each moved vertex add to it. Less is simpler. */
+/** 0 for the unit cube as the start; digits, sizes and moved vertices add to it. Less is simpler. */
 export function complexityOf(vertices: Vertices, start: Vertices): number {
   let complexity = 0
   for (let v = 0; v < VERTEX_COUNT; ++v)
