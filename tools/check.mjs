@@ -81,7 +81,8 @@ async function nothingLeftOut() {
     .filter(name => /\.(test|spec)\.[cm]?[jt]sx?$/.test(name))
   const excepted = /\b(?:test|it|describe|suite|bench)(?:\.\w+)*\.(?:only|skip|skipIf|runIf|todo|fixme|fail|fails)\b/
   return files.flatMap(name => {
-    const isRun = /^tests\/.*\.test\.ts$/.test(name) || /^tests\/(e2e|browsers|package)\/.*\.spec\.ts$/.test(name)
+    const isRun =
+      /^tests\/.*\.test\.ts$/.test(name) || /^tests\/(e2e|browsers|package|visual)\/.*\.spec\.ts$/.test(name)
     const lines = readFileSync(join(root, name), 'utf8').split('\n')
     return [
       ...(isRun ? [] : [`${name}: no suite runs this file`]),

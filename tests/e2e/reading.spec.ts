@@ -173,7 +173,7 @@ test.describe('where the worker that reads', () => {
     const held = new Promise<void>(resolve => {
       release = resolve
     })
-    await page.route(/assets\/worker-.*\.js/, async route => {
+    await page.route(/assets\/worker-(?!file).*\.js/, async route => {
       await held
       await route.abort()
     })

@@ -1,7 +1,14 @@
+import { readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
+import { loadReadingCore } from '../../web/core/reading-core'
 import { doubleOfDigits } from '../../web/mesh/decimal'
 import { lineAt, NumberRun } from '../../web/mesh/number-run'
 import { fileOfBytes } from '../../web/mesh/source'
+
+const ways = [
+  ['JavaScript', null],
+  ['wasm', await loadReadingCore(readFileSync(new URL('../../build/hexlens-reading.wasm', import.meta.url)))],
+] as const
 
 const bytesOf = (text: string) => new TextEncoder().encode(text)
 const fileOf = (text: string) => fileOfBytes('t', bytesOf(text))
@@ -33,10 +40,10 @@ function hardNumbers(count: number, seed: number): string[] {
   })
 }
 
-test('doubles are those of Number, bit for bit', () => {
+test.each(ways)('doubles are those of Number, bit for bit, in %s', (_, core) => {
   const words = hardNumbers(100_000, 7)
   const list = new Float64Array(words.length)
-  const run = new NumberRun(fileOf(words.join(' ')), 0, words.join(' ').length)
+  const run = new NumberRun(fileOf(words.join(' ')), 0, words.join(' ').length, core)
   expect(run.numbers(list, 0, list.length)).toBe(words.length)
   const wrong = words.filter((word, i) => !Object.is(Number(word), list[i]))
   expect(wrong).toEqual([])
@@ -54,33 +61,38 @@ test('what is not certain in two doubles is said to be so, and is rare', () => {
   expect(open.length).toBeLessThan(words.length / 100)
 })
 
-test('a run ends before the word that does not fit, wherever the pieces of the file end', () => {
-  const words = Array.from({ length: 400_000 }, (_, i) => String(i % 977))
-  const text = `${words.join(' ')} nonsense`
-  const file = fileOf(text)
-  const indices = new NumberRun(file, 0, file.size)
-  const list = new Uint32Array(words.length + 1)
-  expect(indices.indices(list, 0, list.length)).toBe(words.length)
-  expect(indices.nextWord()).toBe('nonsense')
-  expect([...list.subarray(0, -1)].every((value, i) => value === i % 977)).toBe(true)
-  const numbers = new NumberRun(file, 0, file.size)
-  expect(numbers.numbers(new Float64Array(words.length + 1), 0, words.length + 1)).toBe(words.length)
-  expect(numbers.position).toBe(text.length - 'nonsense'.length)
-})
+test.each(ways)(
+  'a run ends before the word that does not fit, wherever the pieces of the file end, in %s',
+  (_, core) => {
+    const words = Array.from({ length: 400_000 }, (_, i) => String(i % 977))
+    const text = `${words.join(' ')} nonsense`
+    const file = fileOf(text)
+    const indices = new NumberRun(file, 0, file.size, core)
+    const list = new Uint32Array(words.length + 1)
+    expect(indices.indices(list, 0, list.length)).toBe(words.length)
+    expect(indices.nextWord()).toBe('nonsense')
+    expect([...list.subarray(0, -1)].every((value, i) => value === i % 977)).toBe(true)
+    const numbers = new NumberRun(file, 0, file.size, core)
+    expect(numbers.numbers(new Float64Array(words.length + 1), 0, words.length + 1)).toBe(words.length)
+    expect(numbers.position).toBe(text.length - 'nonsense'.length)
+  },
+)
 
-test('signs, exponents in D and what is not finite', () => {
+test.each(ways)('signs, exponents in D and what is not finite, in %s', (_, core) => {
   const text = '+1 -2. .5 1d3 -1.5E-3 nan -inf 1e999 -nan(ind) 1.#INF 0x10'
   const list = new Float64Array(12)
-  expect(new NumberRun(fileOf(text), 0, text.length).numbers(list, 0, 12)).toBe(10)
+  expect(new NumberRun(fileOf(text), 0, text.length, core).numbers(list, 0, 12)).toBe(10)
   expect([...list.subarray(0, 10)]).toEqual([1, -2, 0.5, 1000, -0.0015, NaN, -Infinity, Infinity, NaN, Infinity])
 })
 
 test.each(['1,5', '--1', '1e', '.', '1.2.3', 'e5', '1_000', '٣'])('%s is no number', word => {
-  expect(new NumberRun(fileOf(word), 0, bytesOf(word).length).numbers(new Float64Array(1), 0, 1)).toBe(0)
+  for (const [, core] of ways)
+    expect(new NumberRun(fileOf(word), 0, bytesOf(word).length, core).numbers(new Float64Array(1), 0, 1)).toBe(0)
 })
 
 test.each(['-1', '1.0', '4294967296', '1e3'])('%s is no index', word => {
-  expect(new NumberRun(fileOf(word), 0, word.length).indices(new Uint32Array(1), 0, 1)).toBe(0)
+  for (const [, core] of ways)
+    expect(new NumberRun(fileOf(word), 0, word.length, core).indices(new Uint32Array(1), 0, 1)).toBe(0)
 })
 
 test('lines are counted from 1', () => {

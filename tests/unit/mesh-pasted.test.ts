@@ -171,14 +171,15 @@ describe('JSON', () => {
       elements: [{ id: 'lower' }, { id: 'upper' }],
       isOrderStated: true,
     })
-    const flat = [
-      { name: 'lower', vertices: cube },
-      { name: 'upper', vertices: upper },
-    ]
-    expect(read(JSON.stringify(flat))).toMatchObject({
-      elements: [{ id: 'lower' }, { id: 'upper' }],
-      isOrderStated: true,
-    })
+    expect(read(JSON.stringify(list.map(({ name, vertices }) => ({ name, vertices: vertices.flat() }))))).toMatchObject(
+      {
+        elements: [
+          { id: 'lower', vertices: cube },
+          { id: 'upper', vertices: upper },
+        ],
+        isOrderStated: true,
+      },
+    )
     expect(refusal(JSON.stringify([...list, { name: 'short', vertices: rows(cube).slice(1) }]))).toBe(
       'The text: the vertices of entry 2 (“short”) are not 24 numbers, nor eight lists of three.',
     )

@@ -50,7 +50,7 @@ for (const { file } of appPages)
     await lens.open(ADDRESSES[file] ?? `./${file}.html`)
     await inLooks(lens, [DESKTOP, PHONE, ...(MORE[file] ?? [])], async look => {
       await everyPictureIsThere(page)
-      await expect(page).toHaveScreenshot(`${file}-${look}.png`)
+      await expect.soft(page).toHaveScreenshot(`${file}-${look}.png`)
     })
   })
 
@@ -68,7 +68,7 @@ test('every panel', async ({ lens, page }) => {
   const opened: string[] = []
   await inLooks(lens, [HIGH, PHONE], async look => {
     for (const part of ALWAYS_SHOWN)
-      await expect(page.locator(`hex-lens .${part}`).first()).toHaveScreenshot(`panel-${part}-${look}.png`)
+      await expect.soft(page.locator(`hex-lens .${part}`).first()).toHaveScreenshot(`panel-${part}-${look}.png`)
     for (const fold of await page.locator('hex-lens .fold').all()) {
       const button = fold.locator('> h2 > button')
       if (!(await button.isVisible())) continue
@@ -77,7 +77,7 @@ test('every panel', async ({ lens, page }) => {
       await button.click()
       await expect(fold.locator('> div')).not.toBeEmpty()
       await everyLensIsDrawn(fold)
-      await expect(fold).toHaveScreenshot(`panel-${name.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-')}-${look}.png`)
+      await expect.soft(fold).toHaveScreenshot(`panel-${name.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-')}-${look}.png`)
       await button.click()
     }
   })

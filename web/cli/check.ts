@@ -1,5 +1,6 @@
 /** `hexlens check`: meshes in, verdicts out, file by file; the exit status is the gravest. */
 import { realpathSync } from 'node:fs'
+import type { ReadingCore } from '../core/reading-interface'
 import type { Core } from '../core/report'
 import { checkMesh, type ExitStatus, exitOf, gravestExit } from '../mesh/check'
 import { joined } from '../mesh/join-meshes'
@@ -37,7 +38,7 @@ export async function check(args: readonly string[], engine: Engine, streams: St
   const outputs = outputsOf(wanted, streams, say)
   const exits: ExitStatus[] = []
   let current = ''
-  const core = await engine.core()
+  const [core, readingCore] = await Promise.all([engine.core(), engine.readingCore()])
   const cells = await startCellClassifier(engine, ({ done, total }) =>
     progress.show(`${current}: deciding`, done / total),
   )
@@ -45,7 +46,7 @@ export async function check(args: readonly string[], engine: Engine, streams: St
     for (const file of wanted.files) {
       current = withoutControls(file)
       const lists = Object.assign({}, ...outputs.map(({ output }) => output.lists))
-      const result = await resultOf(file, { wanted, lists, core, cells, streams, progress })
+      const result = await resultOf(file, { wanted, lists, core, readingCore, cells, streams, progress })
       exits.push(result.exit)
       progress.clear()
       if ('error' in result && wanted.ids !== null) say(result.error)
@@ -68,6 +69,7 @@ interface Work {
   readonly wanted: CheckArguments
   readonly lists: Output['lists']
   readonly core: Core
+  readonly readingCore: ReadingCore | null
   readonly cells: CellClassifier
   readonly streams: Streams
   readonly progress: ProgressLine
@@ -90,13 +92,14 @@ function isAboutMemory({ message }: RangeError): boolean {
   return /allocation failed|array length|memory/i.test(message)
 }
 
-async function meshOf(path: string, { wanted, streams, progress }: Work): Promise<Mesh> {
+async function meshOf(path: string, { wanted, readingCore, streams, progress }: Work): Promise<Mesh> {
   const { file, find, close } = await openMeshFile(path, streams.input)
   try {
     const name = withoutControls(path)
     const onProgress = (fraction: number) => progress.show(`${name}: reading`, fraction)
     const { step, format } = wanted
-    const meshes = readMeshes(file, { find, onProgress, step, ...(format === null ? {} : { format }) })
+    const options = { find, onProgress, step, core: readingCore, ...(format === null ? {} : { format }) }
+    const meshes = readMeshes(file, options)
     const [first, ...others] = meshes
     if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
     return joined([first, ...others])

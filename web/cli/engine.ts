@@ -1,8 +1,11 @@
 /** The command line's wasm: from the sources, or from inside the package's one file. */
+import type { ReadingCore } from '../core/reading-interface'
 import type { Core } from '../core/report'
 
 export interface Engine {
   readonly core: () => Promise<Core>
+  /** Null where there is none; readers then do without. */
+  readonly readingCore: () => Promise<ReadingCore | null>
   readonly batchModule: () => Promise<WebAssembly.Module>
   /** A script that Node can evaluate in a thread. */
   readonly workerScript: () => Promise<string>

@@ -4,12 +4,14 @@ import { fileURLToPath } from 'node:url'
 import { build } from 'esbuild'
 import { compiledOf } from '../core/batch/start'
 import { loadCore } from '../core/core'
+import { readingCoreOf } from '../core/reading-core'
 import type { Engine } from './engine'
 import { main as run } from './main'
 import type { Streams } from './streams'
 
 const engine: Engine = {
   core: async () => loadCore(await built('hexlens.wasm')),
+  readingCore: () => readingCoreOf(() => built('hexlens-reading.wasm')),
   batchModule: () =>
     compiledOf({ vectors: () => built('hexlens-batch.wasm'), scalar: () => built('hexlens-scalar.wasm') }),
   async workerScript() {

@@ -65,7 +65,7 @@ function openPath(path: string): OpenPath {
         closeSync(descriptor)
       }
     }
-    const read = (from: number, to: number) => slice(descriptor, name, from, to)
+    const read: MeshFile['read'] = (from, to, into) => slice(descriptor, name, from, to, into)
     return { file: { name, size: status.size, read }, close: () => closeSync(descriptor) }
   } catch (error) {
     throw error instanceof Refusal ? error : new Refusal(`${name} cannot be read: ${reasonOf(error)}.`)
@@ -75,8 +75,9 @@ function openPath(path: string): OpenPath {
 /** Node reads no more at once. */
 const MOST_AT_ONCE = 2 ** 30
 
-function slice(descriptor: number, name: string, from: number, to: number): Uint8Array {
-  const bytes = new Uint8Array(to - from)
+function slice(descriptor: number, name: string, from: number, to: number, into?: Uint8Array): Uint8Array {
+  // New memory is not filled with zeros first.
+  const bytes = into?.subarray(0, to - from) ?? plain(Buffer.allocUnsafeSlow(to - from))
   for (let done = 0; done < bytes.length; ) {
     const count = readSync(descriptor, bytes, done, Math.min(bytes.length - done, MOST_AT_ONCE), from + done)
     if (count === 0) throw new Refusal(`${name} has become shorter while it was read.`)

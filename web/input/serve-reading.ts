@@ -1,4 +1,5 @@
 /** The worker reads one input, decides its cells and hands all over. It is ended afterwards. */
+import type { ReadingCore } from '../core/reading-interface'
 import { type CoreSources, startCore } from '../core/start-core'
 import { heldLock } from '../core/worker-lock'
 import { checkMesh } from '../mesh/check'
@@ -24,9 +25,11 @@ const scope = globalThis as unknown as Scope
 /** Milliseconds. */
 const PROGRESS_INTERVAL = 100
 
-/** The wasm that decides. */
+/** The wasm that reads and decides. */
 export interface ReadingEngine {
   readonly core: CoreSources
+  /** Null where there is none; readers then do without. */
+  readonly readingCore: () => Promise<ReadingCore | null>
   readonly batchModule: () => Promise<WebAssembly.Module>
 }
 
@@ -39,7 +42,7 @@ export function serveReading(engine: ReadingEngine): void {
 }
 
 async function answer(request: ReadingRequest, engine: ReadingEngine): Promise<void> {
-  const check = await checkOf(meshOf(filesOf(request)), engine)
+  const check = await checkOf(meshOf(filesOf(request), await engine.readingCore()), engine)
   if (check.hexahedra === 0) {
     const { format, sentences } = summaryOf(check)
     throw new MeshRefusal([`Read as ${format}: no hexahedra of eight nodes.`, ...sentences].join(' '))
@@ -53,8 +56,8 @@ function filesOf(request: ReadingRequest): MeshFile[] {
   return [fileOfBytes('The text', new TextEncoder().encode(request.text))]
 }
 
-function meshOf(files: readonly MeshFile[]): Mesh {
-  const meshes = readTogether(files, { onProgress: progressOf('reading'), throwIfCancelled: () => {} })
+function meshOf(files: readonly MeshFile[], core: ReadingCore | null): Mesh {
+  const meshes = readTogether(files, { onProgress: progressOf('reading'), throwIfCancelled: () => {}, core })
   const [first, ...others] = meshes
   if (!first) throw new MeshRefusal('There is no mesh in it.')
   return joined([first, ...others])

@@ -1,4 +1,6 @@
 /** Numbers of a binary file, one after the other or in bulk, of either byte order: read in pieces. Refuses what lies beyond the end. */
+import { MACHINE_IS_LITTLE_ENDIAN, swapBytes } from './endian'
+import { FilePiece } from './file-piece'
 import { MeshRefusal } from './mesh'
 import type { MeshFile } from './source'
 
@@ -6,8 +8,8 @@ import type { MeshFile } from './source'
 const FIRST_PIECE = 4096
 const LARGEST_PIECE = 1024 * 1024
 const TWO_32 = 2 ** 32
-
-export const MACHINE_IS_LITTLE_ENDIAN = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1
+const INTS_AT_ONCE = 32_768
+const NOTHING = new Uint8Array(0)
 
 export class BinaryCursor {
   readonly #file: MeshFile
@@ -16,6 +18,8 @@ export class BinaryCursor {
   #bytes: Uint8Array = new Uint8Array(0)
   #piece = FIRST_PIECE
   readonly #few = new Int32Array(64)
+  readonly #memory = new FilePiece()
+  #aligned = new Uint8Array(0)
   #start: number
   #at = 0
 
@@ -60,7 +64,8 @@ export class BinaryCursor {
       this.need(1, count, what)
       const from = this.position
       this.#piece = Math.min(2 * this.#piece, LARGEST_PIECE)
-      this.#bytes = this.#file.read(from, Math.min(this.#file.size, from + Math.max(this.#piece, count)))
+      const to = Math.min(this.#file.size, from + Math.max(this.#piece, count))
+      this.#bytes = this.#memory.next(this.#file, NOTHING, from, to)
       this.#view = new DataView(this.#bytes.buffer, this.#bytes.byteOffset, this.#bytes.length)
       this.#start = from
       this.#at = 0
@@ -111,10 +116,14 @@ export class BinaryCursor {
     return this.#view
   }
 
-  /** A copy of the next bytes. */
+  /** The next bytes, at a multiple of 8 in their buffer; valid until the next call. */
   bytes(count: number, what: string): Uint8Array {
     const at = this.#ahead(count, what)
-    return this.#bytes.slice(at, at + count)
+    const isOrdered = this.isLittleEndian === MACHINE_IS_LITTLE_ENDIAN
+    if (isOrdered && (this.#bytes.byteOffset + at) % 8 === 0) return this.#bytes.subarray(at, at + count)
+    if (count > this.#aligned.length) this.#aligned = new Uint8Array(count)
+    this.#aligned.set(this.#bytes.subarray(at, at + count))
+    return this.#aligned.subarray(0, count)
   }
 
   /** The next integers; valid until the next call. */
@@ -124,44 +133,42 @@ export class BinaryCursor {
       for (let i = 0; i < count; ++i) this.#few[i] = this.#view.getInt32(at + 4 * i, this.isLittleEndian)
       return this.#few.subarray(0, count)
     }
-    const bytes = this.bytes(4 * count, what)
-    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(bytes, 4)
-    return new Int32Array(bytes.buffer)
+    const { buffer, byteOffset } = this.#inOrder(this.bytes(4 * count, what), 4)
+    return new Int32Array(buffer, byteOffset, count)
   }
 
+  /** The next doubles; valid until the next call. */
   float64s(count: number, what: string): Float64Array {
-    const bytes = this.bytes(8 * count, what)
-    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(bytes, 8)
-    return new Float64Array(bytes.buffer)
+    const { buffer, byteOffset } = this.#inOrder(this.bytes(8 * count, what), 8)
+    return new Float64Array(buffer, byteOffset, count)
   }
 
   /** Integers of 4 or 8 bytes as doubles. */
   ints(count: number, bytes: 4 | 8, what: string): Float64Array {
-    if (bytes === 4) return new Float64Array(this.int32s(count, what))
-    const raw = this.bytes(8 * count, what)
-    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swap(raw, 8)
-    const [low, high] = MACHINE_IS_LITTLE_ENDIAN ? [0, 1] : [1, 0]
-    const words = new Uint32Array(raw.buffer)
     const values = new Float64Array(count)
-    for (let i = 0; i < count; ++i) {
-      const value = ((words[2 * i + high] as number) | 0) * TWO_32 + (words[2 * i + low] as number)
-      if (!Number.isSafeInteger(value)) this.refuse(`${what} has a number that is too large: ${value}.`)
-      values[i] = value
+    for (let done = 0; done < count; ) {
+      const some = Math.min(count - done, INTS_AT_ONCE)
+      if (bytes === 4) values.set(this.int32s(some, what), done)
+      else this.#putInt64s(some, values, done, what)
+      done += some
     }
     return values
   }
-}
 
-function swap(bytes: Uint8Array, size: 4 | 8): void {
-  const words = new Uint32Array(bytes.buffer)
-  for (let i = 0; i < words.length; ++i) {
-    const word = words[i] as number
-    words[i] = (word << 24) | ((word & 0xff00) << 8) | ((word >>> 8) & 0xff00) | (word >>> 24)
+  #putInt64s(count: number, values: Float64Array, from: number, what: string): void {
+    const { buffer, byteOffset } = this.#inOrder(this.bytes(8 * count, what), 8)
+    const [low, high] = MACHINE_IS_LITTLE_ENDIAN ? [0, 1] : [1, 0]
+    const words = new Uint32Array(buffer, byteOffset, 2 * count)
+    for (let i = 0; i < count; ++i) {
+      const value = ((words[2 * i + high] as number) | 0) * TWO_32 + (words[2 * i + low] as number)
+      if (!Number.isSafeInteger(value)) this.refuse(`${what} has a number that is too large: ${value}.`)
+      values[from + i] = value
+    }
   }
-  if (size === 4) return
-  for (let i = 0; i + 1 < words.length; i += 2) {
-    const word = words[i] as number
-    words[i] = words[i + 1] as number
-    words[i + 1] = word
+
+  /** Turned into the order of this machine: those of the other are copies. */
+  #inOrder(bytes: Uint8Array, size: 4 | 8): Uint8Array {
+    if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swapBytes(bytes, size)
+    return bytes
   }
 }

@@ -1,9 +1,13 @@
 /** Puts a mesh together from what a reader meets: points by the file's ids or in a row, cells of any type, names. */
 import type { Vertices } from '../model/hexahedron'
+import type { FileRows } from './file-rows'
+import { IdIndex } from './id-index'
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
-import { NodeIds } from './node-ids'
+import { PlaceList } from './place-list'
 import { PrintedDigits } from './precision'
+import { Runs } from './runs'
 import type { TextCursor } from './text-cursor'
+import { TypedList } from './typed-list'
 
 /** What other cells are called, and how many nodes they have, where that is fixed. */
 export type OtherCell =
@@ -18,52 +22,21 @@ export type OtherCell =
   | 'polyhedron'
   | 'other'
 
-/** A list of numbers that grows. */
-class Growing<T extends Float64Array | Uint32Array | Uint16Array> {
-  #list: T
-  #length = 0
-  constructor(private readonly make: (length: number) => T) {
-    this.#list = make(1024)
-  }
-  push(value: number): void {
-    if (this.#length === this.#list.length) {
-      const longer = this.make(2 * this.#length)
-      longer.set(this.#list as never)
-      this.#list = longer
-    }
-    this.#list[this.#length++] = value
-  }
-  get length(): number {
-    return this.#length
-  }
-  at(index: number): number {
-    return this.#list[index] as number
-  }
-  /** Makes place for so many more; nobody may ask for more than the size of the file allows. */
-  reserve(more: number): void {
-    if (this.#length + more <= this.#list.length) return
-    const longer = this.make(this.#length + more)
-    longer.set(this.#list.subarray(0, this.#length) as never)
-    this.#list = longer
-  }
-  whole(): T {
-    return (this.#length === this.#list.length ? this.#list : this.#list.slice(0, this.#length)) as T
-  }
-}
-
 export class MeshBuilder {
   readonly #format: string
   readonly #fileName: string
-  readonly #points = new Growing(length => new Float64Array(length))
-  readonly #cells = new Growing(length => new Uint32Array(length))
-  readonly #corners = new Growing(length => new Uint32Array(length))
-  readonly #tokensFrom = new Growing(length => new Float64Array(length))
-  readonly #tokenLengths = new Growing(length => new Uint16Array(length))
-  readonly #ids: (number | string)[] = []
-  readonly #blocks = new Map<string, number[]>()
+  readonly #points = new TypedList(Float64Array)
+  readonly #cells = new TypedList(Uint32Array)
+  readonly #corners = new TypedList(Uint32Array)
+  readonly #tokensFrom = new PlaceList()
+  readonly #tokenLengths = new TypedList(Uint16Array)
+  readonly #ids = new TypedList(Float64Array)
+  /** All ids so far, if one of them is no number. */
+  #names: string[] | null = null
+  readonly #blocks = new Map<string, Runs>()
   readonly #other = new Map<string, number>()
   readonly #notes: string[] = []
-  readonly #pointOfId = new NodeIds()
+  readonly #pointOfId = new IdIndex()
   /** Of coordinates in text; they become a note where printing has rounded. */
   readonly digits = new PrintedDigits()
   #straight: number | null = null
@@ -105,13 +78,27 @@ export class MeshBuilder {
 
   /** Coordinate 0, 1 or 2 of a point that is there. */
   coordinate(point: number, axis: number): number {
-    return this.#points.at(3 * point + axis)
+    return this.#points.values[3 * point + axis] as number
   }
 
   /** Makes place for so many more points and cells, where the size of the file allows them. */
   reserve(points: number, cells: number): void {
-    this.#points.reserve(3 * points)
-    this.#cells.reserve(8 * cells)
+    this.#pointOfId.expect(this.pointCount + points)
+    this.#points.reserve(this.#points.length + 3 * points)
+    this.#cells.reserve(this.#cells.length + 8 * cells)
+  }
+
+  /** Makes place for the rows of nodes or hexahedra that may be ahead. */
+  expectRows({ count, ahead }: FileRows, what: 'nodes' | 'hexahedra'): void {
+    if (what === 'hexahedra') {
+      this.#cells.reserveMore(8 * count, 8 * ahead)
+      this.#ids.reserveMore(count, ahead)
+      return
+    }
+    this.#pointOfId.expect(this.pointCount + ahead)
+    this.#points.reserveMore(3 * count, 3 * ahead)
+    this.#tokensFrom.reserve(3 * (this.pointCount + count), 3 * (this.pointCount + ahead))
+    this.#tokenLengths.reserveMore(3 * count, 3 * ahead)
   }
 
   /** The next point in a row; returns its index. */
@@ -124,17 +111,24 @@ export class MeshBuilder {
 
   /** A point that the file calls `id`. Refuses an id that is there already with other coordinates. */
   pointWithId(id: number, x: number, y: number, z: number): void {
-    if (!this.#pointOfId.add(id, this.pointCount)) this.refuse(`node ${id} is defined twice.`)
+    if (!this.newPointWithId(id, x, y, z)) this.refuse(`node ${id} is defined twice.`)
+  }
+
+  /** The same; false, and nothing is added, if the id is there already. */
+  newPointWithId(id: number, x: number, y: number, z: number): boolean {
+    if (this.hasPointWithId(id)) return false
+    this.#pointOfId.set(id, this.pointCount)
     this.point(x, y, z)
+    return true
   }
 
   hasPointWithId(id: number): boolean {
-    return this.#pointOfId.indexOf(id) >= 0
+    return this.#pointOfId.get(id) >= 0
   }
 
   /** The point of this id, -1 if there is none. */
   findId(id: number): number {
-    return this.#pointOfId.indexOf(id)
+    return this.#pointOfId.get(id)
   }
 
   /** Refuses an id that no point has. */
@@ -144,11 +138,37 @@ export class MeshBuilder {
     return index
   }
 
+  /** A cell of the points with the eight ids `nodes[from]` and following; -1, and nothing is added, if one of them is not there. */
+  hexahedronByIds(nodes: ArrayLike<number>, from: number, id: number): number {
+    const { length } = this.#cells
+    this.#cells.reserve(length + 8)
+    const { values } = this.#cells
+    for (let i = 0; i < 8; ++i) {
+      const index = this.#pointOfId.get(nodes[from + i] as number)
+      if (index < 0) return -1
+      values[length + i] = index
+    }
+    this.#cells.length = length + 8
+    this.#addId(id)
+    return this.cellCount - 1
+  }
+
   /** A cell of eight nodes, indices of points in VTK_HEXAHEDRON order; its id may be null. Returns its index. */
   hexahedron(indices: readonly number[], id: number | string | null = null): number {
     for (const index of indices) this.#cells.push(index)
-    if (id !== null) this.#ids.push(id)
+    if (id !== null) this.#addId(id)
     return this.cellCount - 1
+  }
+
+  #addId(id: number | string): void {
+    if (this.#names === null && typeof id === 'string') this.#names = Array.from(this.#ids.whole(), String)
+    if (this.#names === null) this.#ids.push(id as number)
+    else this.#names.push(String(id))
+  }
+
+  #allIds(): Float64Array | readonly string[] | null {
+    const ids = this.#names ?? this.#ids.whole()
+    return ids.length === this.cellCount && this.cellCount > 0 ? ids : null
   }
 
   /** The eight corners of a cell that is not trilinear; whether its further nodes lie at the middles, or null if that was not looked at. */
@@ -163,9 +183,17 @@ export class MeshBuilder {
 
   /** Puts a cell into the block, part or set of this name. */
   inBlock(name: string, cell: number): void {
-    const cells = this.#blocks.get(name)
-    if (cells) cells.push(cell)
-    else this.#blocks.set(name, [cell])
+    let cells = this.#blocks.get(name)
+    if (cells === undefined) {
+      cells = new Runs()
+      this.#blocks.set(name, cells)
+    }
+    cells.add(cell)
+  }
+
+  /** Puts all cells from this one on into the block. */
+  restInBlock(name: string, from: number): void {
+    for (let cell = from; cell < this.cellCount; ++cell) this.inBlock(name, cell)
   }
 
   note(sentence: string): void {
@@ -174,7 +202,7 @@ export class MeshBuilder {
 
   #tokens(): CoordinatePlaces | null {
     if (this.#tokensFrom.length !== this.#points.length || this.pointCount === 0) return null
-    return { kind: 'tokens', from: this.#tokensFrom.whole(), lengths: this.#tokenLengths.whole() }
+    return { kind: 'tokens', from: this.#tokensFrom.upTo(this.#points.length), lengths: this.#tokenLengths.whole() }
   }
 
   /** The mesh of one element, in this project's own order. */
@@ -196,19 +224,14 @@ export class MeshBuilder {
       if (bad >= 0)
         this.refuse(`cell ${Math.floor(bad / 8)} names point ${list[bad]}; the points are 0 to ${count - 1}.`)
     }
-    const ids = this.#ids.length === this.cellCount && this.cellCount > 0 ? this.#ids : null
-    const areNumbers = ids?.every(id => typeof id === 'number') ?? false
     const precision = this.digits.note()
     if (precision !== null) this.note(precision)
-    const blocks: Block[] = [...this.#blocks].map(([name, list]) => ({
-      name,
-      cells: isAscending(list) ? Uint32Array.from(list) : Uint32Array.from(new Set(list)).sort(),
-    }))
+    const blocks: Block[] = [...this.#blocks].map(([name, runs]) => ({ name, cells: runs.sorted() }))
     return {
       format: this.#format,
       points,
       cells,
-      ids: ids === null ? null : areNumbers ? Float64Array.from(ids as number[]) : ids.map(String),
+      ids: this.#allIds(),
       blocks,
       notTrilinear: corners.length > 0 ? { corners, straight: this.#straight } : NOTHING_NOT_TRILINEAR,
       other: this.#other,
@@ -219,9 +242,4 @@ export class MeshBuilder {
       steps: this.steps,
     }
   }
-}
-
-function isAscending(list: readonly number[]): boolean {
-  for (let i = 1; i < list.length; ++i) if ((list[i] as number) <= (list[i - 1] as number)) return false
-  return true
 }

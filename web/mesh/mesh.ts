@@ -46,7 +46,7 @@ export interface NotTrilinear {
  * and blanks between, or one block of binary numbers.
  */
 export type CoordinatePlaces =
-  | { readonly kind: 'tokens'; readonly from: Float64Array; readonly lengths: Uint16Array }
+  | { readonly kind: 'tokens'; readonly from: Float64Array | Uint32Array; readonly lengths: Uint16Array }
   | { readonly kind: 'run'; readonly from: number; readonly to: number }
   | {
       readonly kind: 'block'

@@ -2,7 +2,10 @@
  * Long runs of numbers in a text file, straight from its bytes into typed arrays: linear in time, constant in memory. A run ends, without
  * an error, before the first word that does not fit; who asked knows what was expected there.
  */
+
+import type { ReadingCore } from '../core/reading-interface'
 import { doubleOfDigits } from './decimal'
+import { FilePiece } from './file-piece'
 import type { MeshFile } from './source'
 import { numberOf } from './text-cursor'
 
@@ -21,8 +24,10 @@ const POWERS_OF_TEN = Float64Array.from({ length: 23 }, (_, i) => Number(`1e${i}
 export class NumberRun {
   readonly #file: MeshFile
   readonly #to: number
+  readonly #core: ReadingCore | null
   readonly #onPiece: (position: number) => void
   #bytes: Uint8Array = new Uint8Array(0)
+  readonly #memory = new FilePiece()
   /** Where `#bytes` begins in the file. */
   #start: number
   #at = 0
@@ -31,10 +36,17 @@ export class NumberRun {
   mostDigits = 0
 
   /** Numbers in bytes [from, to) of the file; `onPiece` is called now and then with the byte that is next, and may throw. */
-  constructor(file: MeshFile, from: number, to: number, onPiece: (position: number) => void = () => {}) {
+  constructor(
+    file: MeshFile,
+    from: number,
+    to: number,
+    core: ReadingCore | null,
+    onPiece: (position: number) => void = () => {},
+  ) {
     this.#file = file
     this.#start = from
     this.#to = to
+    this.#core = core
     this.#onPiece = onPiece
   }
 
@@ -67,14 +79,7 @@ export class NumberRun {
     if (had > LONGEST_NUMBER || more <= 0) return false
     this.#onPiece(this.position)
     this.#piece = Math.min(PIECE, 2 * this.#piece)
-    const read = this.#file.read(from, from + more)
-    if (had === 0) this.#bytes = read
-    else {
-      const bytes = new Uint8Array(had + more)
-      bytes.set(this.#bytes.subarray(this.#at))
-      bytes.set(read, had)
-      this.#bytes = bytes
-    }
+    this.#bytes = this.#memory.next(this.#file, this.#bytes.subarray(this.#at), from, from + more)
     this.#start += this.#at
     if (had === 0) this.#start = from
     this.#at = 0
@@ -88,7 +93,7 @@ export class NumberRun {
       this.#fill()
       const limit = this.#safeLimit()
       const before = i
-      i = this.#numbersUpTo(limit, list, i, to)
+      i = this.#core === null ? this.#numbersUpTo(limit, list, i, to) : this.#numbersBy(this.#core, limit, list, i, to)
       if (i === before && !this.#fill()) break
     }
     return i
@@ -98,6 +103,15 @@ export class NumberRun {
   #safeLimit(): number {
     const { length } = this.#bytes
     return this.#start + length >= this.#to ? length : length - LONGEST_NUMBER
+  }
+
+  /** The one at which the core stops may be a number that it does not know. */
+  #numbersBy(core: ReadingCore, limit: number, list: Float64Array, from: number, to: number): number {
+    const { count, bytes, mostDigits } = core.numbers(this.#bytes, this.#at, limit, list, from, to)
+    this.#at += bytes
+    this.mostDigits = Math.max(this.mostDigits, mostDigits)
+    const next = from + count
+    return this.#numbersUpTo(limit, list, next, Math.min(to, next + 1))
   }
 
   #numbersUpTo(limit: number, list: Float64Array, from: number, to: number): number {
@@ -186,6 +200,11 @@ export class NumberRun {
       const limit = this.#safeLimit()
       const before = i
       const bytes = this.#bytes
+      if (this.#core !== null) {
+        const { count, bytes: used } = this.#core.indices(bytes, this.#at, limit, list, i, to)
+        this.#at += used
+        i += count
+      }
       let at = this.#at
       for (; i < to; ++i) {
         at = afterBlanks(bytes, at)

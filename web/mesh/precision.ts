@@ -21,6 +21,20 @@ export class PrintedDigits {
     this.isRounded = true
   }
 
+  /** As `see`, for many coordinates: the most digits of one of them that is no double, and the size of the largest. */
+  seeRounded(mostRounded: number, largest: number): void {
+    if (largest > this.largest) this.largest = largest
+    if (mostRounded <= this.digits) return
+    this.digits = mostRounded
+    this.isRounded = true
+  }
+
+  /** All coordinates of rows, whose numbers were read as doubles with the most digits of all of them. */
+  seeAll({ mostDigits, mostRounded }: { readonly mostDigits: number; readonly mostRounded: number }): void {
+    if (mostDigits > this.digits) this.digits = mostDigits
+    if (mostRounded > 0) this.isRounded = true
+  }
+
   /** Half a unit of the last place of the largest coordinate; 0 if the text has every digit of its doubles. */
   movement(): number {
     return Number(this.#movement() ?? 0)

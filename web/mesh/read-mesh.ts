@@ -20,6 +20,7 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
     step: options.step ?? 0,
     onProgress: options.onProgress ?? (() => {}),
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),
+    core: options.core ?? null,
   }
   const here = named(file)
   if (here.size === 0) throw new MeshRefusal(`${here.name}: the file is empty.`)
@@ -65,7 +66,7 @@ function withTruePlaces(mesh: Mesh): Mesh {
 
 /** The file with the name under which people are told of it. */
 function named(file: MeshFile): MeshFile {
-  return { name: shown(file.name).slice(1, -1), size: file.size, read: (from, to) => file.read(from, to) }
+  return { name: shown(file.name).slice(1, -1), size: file.size, read: (from, to, into) => file.read(from, to, into) }
 }
 
 function headOf(file: MeshFile): Uint8Array {

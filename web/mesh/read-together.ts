@@ -14,7 +14,7 @@ export class MissingFiles extends MeshRefusal {
   }
 }
 
-export type TogetherOptions = Omit<ReadOptions, 'find' | 'step'>
+export type TogetherOptions = Omit<ReadOptions, 'find' | 'step' | 'core'> & Partial<Pick<ReadOptions, 'core'>>
 
 /** All meshes of the files. Throws a MeshRefusal for the first file that is refused and that no other names. */
 export function readTogether(files: readonly MeshFile[], options: TogetherOptions): readonly Mesh[] {

@@ -27,16 +27,21 @@ export function isText(head: Uint8Array): boolean {
 
 /** Bytes: so many arguments are no burden to a call. */
 const AT_ONCE = 8192
+/** Each format looks at the same head. */
+const texts = new WeakMap<Uint8Array, string>()
 
 /**
  * The first bytes of a file as text in which marks of a format are looked for, a character for each byte. Browsers take the decoder called
  * latin1 for that of Windows, which has other characters from 0x80 to 0x9f.
  */
 export function headText(head: Uint8Array, most = head.length): string {
-  let text = ''
-  for (let at = 0; at < most; at += AT_ONCE)
-    text += String.fromCharCode(...head.subarray(at, Math.min(most, at + AT_ONCE)))
-  return text
+  let text = texts.get(head)
+  if (text === undefined) {
+    text = ''
+    for (let at = 0; at < head.length; at += AT_ONCE) text += String.fromCharCode(...head.subarray(at, at + AT_ONCE))
+    texts.set(head, text)
+  }
+  return text.slice(0, most)
 }
 
 const LONGEST_ELLIPSIS = 200

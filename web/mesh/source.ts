@@ -1,11 +1,13 @@
 /** Files as readers see them: bytes that are read when they are asked for, in a worker or in Node. */
+
+import type { ReadingCore } from '../core/reading-interface'
 import type { Mesh } from './mesh'
 
 export interface MeshFile {
   readonly name: string
   readonly size: number
-  /** A copy of the bytes [from, to), which must lie in the file. */
-  read(from: number, to: number): Uint8Array
+  /** A copy of the bytes [from, to), which must lie in the file; it may be in `into`, if that is given, which is as long at least. */
+  read(from: number, to: number, into?: Uint8Array): Uint8Array
 }
 
 /** What was dropped or lies beside the file, by its name as the file writes it; null for what is not there. */
@@ -19,6 +21,8 @@ export interface ReadOptions {
   readonly step: number | 'last'
   /** Throws if the reading is no longer wanted. */
   readonly throwIfCancelled: () => void
+  /** What does the slow parts by wasm; null where that may not run. */
+  readonly core: ReadingCore | null
 }
 
 /** One of the formats: a file of its own in formats/. */

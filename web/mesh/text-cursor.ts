@@ -2,14 +2,18 @@
  * Words, numbers and lines of a text file, read in pieces and never held as one string: linear in time, constant in memory. ASCII; bytes
  * of other characters are part of words.
  */
+
+import type { RowPattern } from '../core/reading-interface'
 import { doubleOfDigits } from './decimal'
+import { FilePiece } from './file-piece'
+import { type FileRows, type RowSearch, rowsAhead } from './file-rows'
 import { MeshRefusal } from './mesh'
 import { shown } from './shown'
 import type { MeshFile } from './source'
 
 export { shown, withoutControls } from './shown'
 
-const PIECE = 4 * 1024 * 1024
+const PIECE = 1024 * 1024
 /** A word or a number is no longer. */
 const LONGEST_WORD = 4096
 /** A line that is asked for as text is no longer. */
@@ -24,6 +28,7 @@ const decoder = new TextDecoder('latin1')
 
 export class TextCursor {
   readonly #file: MeshFile
+  readonly #piece = new FilePiece()
   #bytes = new Uint8Array(0)
   /** Where `#bytes` begins in the file. */
   #start = 0
@@ -80,12 +85,9 @@ export class TextCursor {
     const left = this.#bytes.length - this.#at
     if (left >= ahead || this.#start + this.#bytes.length >= this.#file.size) return
     const from = this.#start + this.#bytes.length
-    const more = this.#file.read(from, Math.min(this.#file.size, from + Math.max(PIECE, ahead)))
-    const bytes = new Uint8Array(left + more.length)
-    bytes.set(this.#bytes.subarray(this.#at))
-    bytes.set(more, left)
+    const to = Math.min(this.#file.size, from + Math.max(PIECE, ahead))
+    this.#bytes = this.#piece.next(this.#file, this.#bytes.subarray(this.#at), from, to)
     this.#start += this.#at
-    this.#bytes = bytes
     this.#at = 0
   }
 
@@ -145,6 +147,17 @@ export class TextCursor {
     this.#at += length
     if (this.peek() === LF) this.skip()
     return line.endsWith('\r') ? line.slice(0, -1) : line
+  }
+
+  /** Rows of a pattern from here on; they are passed. Null where none is seen. */
+  rows(search: RowSearch, pattern: RowPattern): FileRows | null {
+    this.#fill()
+    const [start, line] = [this.position, this.#line]
+    const taken = search.rows(this.#bytes, this.#at, pattern)
+    if (taken === null) return null
+    this.#at += taken.bytes
+    this.#line += taken.count * pattern.lineCount
+    return { ...taken, pattern, start, line, ahead: rowsAhead(taken, start, this.#file.size) }
   }
 
   /** What is ahead in the line, at most so many bytes; it is not passed. */
@@ -244,6 +257,22 @@ export class TextCursor {
       this.refuse(`${shown(word)} is not ${expected}.`)
     }
     return value
+  }
+}
+
+/** One of many rows, of which something may be wrong. */
+export class RowPlace {
+  row = 0
+  readonly #cursor: TextCursor
+  readonly #rows: FileRows
+
+  constructor(cursor: TextCursor, rows: FileRows) {
+    this.#cursor = cursor
+    this.#rows = rows
+  }
+
+  refuse(what: string): never {
+    return this.#cursor.refuse(what, this.#rows.line + this.#rows.pattern.lineCount * this.row)
   }
 }
 

@@ -3,6 +3,8 @@
  * out with "...": its whole elements are read, and a note says so.
  */
 
+import type { ReadingCore, RowPattern } from '../core/reading-interface'
+import { type FileRows, RowSearch } from './file-rows'
 import type { Mesh } from './mesh'
 import type { MeshBuilder } from './mesh-builder'
 import { isEllipsis } from './snippet-text'
@@ -25,12 +27,14 @@ export interface RecordsOptions {
   /** Whether a section has a line that ends it. */
   readonly hasEnds: boolean
   readonly onRecord: (position: number) => void
+  readonly core: ReadingCore | null
 }
 
 export class TextRecords {
   readonly cursor: TextCursor
   readonly #builder: MeshBuilder
   readonly #options: RecordsOptions
+  readonly #rowSearch: RowSearch
   /** Whether the text leaves something out. */
   isElided = false
 
@@ -38,6 +42,7 @@ export class TextRecords {
     this.cursor = cursor
     this.#builder = builder
     this.#options = options
+    this.#rowSearch = new RowSearch(options.core)
   }
 
   get isSnippet(): boolean {
@@ -65,8 +70,16 @@ export class TextRecords {
     }
   }
 
-  /** Reads records up to the end of the section or of the text; the number of those that are whole. */
-  all(declared: number, what: string, read: () => boolean): number {
+  /** Records of one line each, as rows, where they are seen; null else. */
+  rows(pattern: RowPattern): FileRows | null {
+    return this.cursor.rows(this.#rowSearch, pattern)
+  }
+
+  /**
+   * Reads records up to the end of the section or of the text, one by one or several as rows, which `readRows` then counts; the number of those
+   * that are whole.
+   */
+  all(declared: number, what: string, read: () => boolean, readRows: () => number = () => 0): number {
     for (let count = 0; ; ++count) {
       const next = this.next(what)
       if (next !== 'record') {
@@ -74,7 +87,10 @@ export class TextRecords {
         return count
       }
       if (count === declared) this.cursor.refuse(`there are more ${what} than the ${declared} that were declared.`)
-      if (!read()) {
+      const rows = readRows()
+      if (count + rows > declared) this.cursor.refuse(`there are more ${what} than the ${declared} that were declared.`)
+      if (rows > 0) count += rows - 1
+      else if (!read()) {
         this.check('end', count, declared, what)
         return count
       }

@@ -1,11 +1,14 @@
 /** Abaqus: elements, those that are generated, and sets of nodes and elements. */
 
+import { RowPattern } from '../../core/reading-interface'
+import type { Runs } from '../runs'
 import { unquoted } from './abaqus-keyword'
 import type { AbaqusPart } from './abaqus-part'
 import { type Reading, type Section, wholeNumber } from './abaqus-reading'
 import { type AbaqusType, abaqusType, ORDER_OF_20, ORDER_OF_27 } from './abaqus-types'
 import type { IdRanges } from './id-ranges'
-import type { Runs } from './runs'
+
+const HEXAHEDRON_ROW = new RowPattern(['whole', ...Array.from({ length: 8 }, () => [',', 'whole']).flat(), 'end'])
 
 export function elementSection(reading: Reading): Section {
   const { parameters } = reading.keyword
@@ -38,17 +41,25 @@ function hexahedronSection(
     if (type.kind === 'hexahedron') {
       const cell = model.addHexahedron(id, slots)
       into?.cells.add(cell)
-    } else
+    } else {
+      const order = type.nodes === 27 ? ORDER_OF_27 : ORDER_OF_20
       model.addQuadratic(
         id,
         slots,
-        (type.nodes === 27 ? ORDER_OF_27 : ORDER_OF_20).map(at => (at < count ? at : -1)),
+        order.map(at => (at < count ? at : -1)),
       )
-    into?.ids.add(id)
+      into?.ids.add(id)
+    }
     id = -1
   }
   const readLine = () => {
     const lines = reading.lines
+    const rows = id < 0 && type.kind === 'hexahedron' ? lines.rows(HEXAHEDRON_ROW) : null
+    if (rows !== null) {
+      const first = model.addRows(rows)
+      for (let row = 0; row < rows.count; ++row) into?.cells.add(first + row)
+      return
+    }
     lines.splitAtCommas()
     let fields = lines.fieldCount
     const goesOn = lines.isFieldBlank(fields - 1)

@@ -1,5 +1,6 @@
 /** Abaqus: nodes, the frames that they are in, and nodes that are generated. */
 
+import { RowPattern } from '../../core/reading-interface'
 import { shown } from '../text-cursor'
 import { unquoted } from './abaqus-keyword'
 import { moveLine, moveOf } from './abaqus-moves'
@@ -7,6 +8,8 @@ import { type Reading, type Section, wholeNumber } from './abaqus-reading'
 import type { IdRanges } from './id-ranges'
 import { cross, minus, outOfFrame, rigidMove, scaled, unit, type Vector } from './movement'
 import type { TextLines } from './text-lines'
+
+const NODE_ROW = new RowPattern(['whole', ',', 'real', ',', 'real', ',', 'real', 'end'])
 
 export function nodeSection(reading: Reading): Section {
   const { parameters } = reading.keyword
@@ -26,6 +29,13 @@ export function nodeSection(reading: Reading): Section {
 function nodeLine(reading: Reading, ids: IdRanges | null, isFar: boolean, isCylindrical: boolean): void {
   const lines = reading.lines
   const model = reading.part.model
+  const rows = isFar ? null : lines.rows(NODE_ROW)
+  if (rows !== null) {
+    model.defineRows(lines, rows)
+    reading.precision.seeAll(rows)
+    for (let row = 0; row < rows.count; ++row) ids?.add(rows.numbers[rows.pattern.numberCount * row] as number)
+    return
+  }
   lines.splitAtCommas()
   const id = lines.id(0, 'a node number')
   if (lines.fieldCount > 8 || (lines.fieldCount === 8 && !lines.isFieldBlank(7)))

@@ -1,14 +1,14 @@
 /** A part of an Abaqus model: its nodes and elements, its sets, and what is generated from them. */
 
+import { IdIndex } from '../id-index'
 import { MOST_IMPLIED_CELLS } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
+import { Runs } from '../runs'
 import { shown } from '../text-cursor'
-import { IdIndex } from './id-index'
+import { TypedList } from '../typed-list'
 import { countOf, IdOrder, type IdRange, IdRanges, mergedRanges } from './id-ranges'
 import { type Move, NodeModel } from './node-model'
-import { Runs } from './runs'
 import type { TextLines } from './text-lines'
-import { TypedList } from './typed-list'
 
 interface NodeSet {
   readonly ids: IdRanges
@@ -107,10 +107,10 @@ export class AbaqusPart {
       if (set.isInternal) continue
       const cells = new Runs()
       cells.addAll(set.cells)
-      const isByTypeOnly = set.names.length === 0 && !set.cells.isEmpty && set.ids.count === set.cells.count
+      const isByTypeOnly = set.names.length === 0 && !set.cells.isEmpty && set.ids.count === 0
       if (!isByTypeOnly) {
         order ??= new IdOrder(part.model.cellIds.values, part.model.cellCount)
-        order.forEachIn(rangesOf(this.#elementSets, key) ?? [], cell => cells.add(cell))
+        order.forEachIn(this.#elementRanges(key) ?? [], cell => cells.add(cell))
       }
       if (!cells.isEmpty) found.set(set.name, cells)
     }
@@ -201,9 +201,9 @@ export class AbaqusPart {
     const [row, column, layer] = directions as [Direction, Direction, Direction]
     if (directions.some(({ count }) => count < 1)) lines.refuse('at least one element in each direction was expected.')
     this.#imply(lines, 9 * row.count * column.count * layer.count)
-    set?.ids.add(master)
     const cell = this.#cellIndex().get(master)
     if (cell >= 0) set?.cells.add(cell)
+    else set?.ids.add(master)
     for (let k = 0; k < layer.count; ++k)
       for (let j = 0; j < column.count; ++j)
         for (let i = 0; i < row.count; ++i) {
@@ -214,9 +214,19 @@ export class AbaqusPart {
         }
   }
 
+  /** As `rangesOf`, with the cells that the sets have by their type. */
+  #elementRanges(name: string): IdRange[] | null {
+    const idsOfCells = ({ cells }: ElementSet): IdRanges => {
+      const ids = new IdRanges()
+      for (const cell of cells) ids.add(this.model.cellIds.values[cell] as number)
+      return ids
+    }
+    return rangesOf(this.#elementSets, name, idsOfCells)
+  }
+
   /** *ELCOPY */
   copyElements(lines: TextLines, old: string, elementShift: number, nodeShift: number, set: ElementSet | null): void {
-    const ranges = rangesOf(this.#elementSets, old)
+    const ranges = this.#elementRanges(old)
     if (ranges === null) lines.refuse(`the set of elements ${shown(old)} is not defined.`)
     const ids = this.#distinct(lines, ranges)
     this.#imply(lines, 9 * ids.length)
@@ -235,8 +245,8 @@ export class AbaqusPart {
     const { model } = this
     const id = master + elementShift
     if (id < 0) lines.refuse(`element ${id} is no number of an element.`)
-    set?.ids.add(id)
     if (cell < 0) {
+      set?.ids.add(id)
       const other = indexed(this.#otherOfId, this.#otherIds).get(master)
       if (other < 0)
         lines.refuse(`element ${master}, from which others are generated, is no hexahedron of 8 nodes that is defined.`)
@@ -270,7 +280,11 @@ function indexed(places: Indexed, ids: TypedList<Float64Array>): IdIndex {
 }
 
 /** The ids of a set and of the sets that it names; null if there is no such set. */
-function rangesOf(sets: ReadonlyMap<string, NodeSet>, name: string): IdRange[] | null {
+function rangesOf<T extends NodeSet>(
+  sets: ReadonlyMap<string, T>,
+  name: string,
+  further: (set: T) => Iterable<IdRange> = () => [],
+): IdRange[] | null {
   const ranges: IdRange[] = []
   const seen = new Set<string>()
   const open = [name.toUpperCase()]
@@ -279,6 +293,7 @@ function rangesOf(sets: ReadonlyMap<string, NodeSet>, name: string): IdRange[] |
     if (set === undefined || seen.has(key)) continue
     seen.add(key)
     for (const range of set.ids) ranges.push(range)
+    for (const range of further(set)) ranges.push(range)
     for (const other of set.names) open.push(other.toUpperCase())
   }
   return seen.size > 0 ? ranges : null

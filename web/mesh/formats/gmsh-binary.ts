@@ -24,7 +24,7 @@ export function readNodes2({ cursor, mesh, onRecord }: BinarySection, count: num
   for (let done = 0; done < count; ) {
     const some = isParametric ? 1 : Math.min(AT_ONCE, count - done)
     const bytes = cursor.bytes(28 * some, 'nodes')
-    const view = new DataView(bytes.buffer)
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
     for (let at = 0; at < bytes.length; at += 28) {
       const little = cursor.isLittleEndian
       const id = view.getInt32(at, little)
@@ -59,7 +59,7 @@ export function readElements2({ cursor, mesh, onRecord }: BinarySection, count: 
     const length = 1 + tags + type.nodes
     cursor.need(group, 4 * length, 'elements')
     for (let read = 0; read < group; ) {
-      const some = Math.max(1, Math.min(group - read, Math.floor((16 * AT_ONCE) / length)))
+      const some = Math.max(1, Math.min(group - read, Math.floor((2 * AT_ONCE) / length)))
       const numbers = cursor.int32s(some * length, 'elements')
       for (let at = 0; at < numbers.length; at += length) {
         const blocks = mesh.blocksOfElement(
@@ -144,10 +144,12 @@ export function readElements4(section: BinarySection): void {
     if (type.kind === 'hexahedron') mesh.builder.reserve(0, elements)
     const names = dimension === 3 ? mesh.blocksOfVolume(tag) : []
     for (let done = 0; done < elements; ) {
-      const some = Math.max(1, Math.min(elements - done, Math.floor((16 * AT_ONCE) / length)))
+      const some = Math.max(1, Math.min(elements - done, Math.floor((2 * AT_ONCE) / length)))
       const numbers = cursor.ints(some * length, idBytes, 'elements')
-      for (let at = 0; at < numbers.length; at += length)
-        mesh.element(cursor, type, numbers[at] as number, numbers, at + 1, names)
+      if (type.kind === 'hexahedron') mesh.hexahedra(cursor, type, numbers, names)
+      else
+        for (let at = 0; at < numbers.length; at += length)
+          mesh.element(cursor, type, numbers[at] as number, numbers, at + 1, names)
       done += some
       onRecord(cursor.position)
     }

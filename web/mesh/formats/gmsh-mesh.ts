@@ -1,7 +1,10 @@
 /** What Gmsh's files, text and binary, of all versions, make a mesh of: nodes by id, elements by type, groups and entities by name. */
+
+import type { FileRows } from '../file-rows'
 import { MeshBuilder } from '../mesh-builder'
 import { areAtMiddles } from '../middles'
 import { PrintedDigits } from '../precision'
+import type { RowPlace } from '../text-cursor'
 import type { GmshType } from './gmsh-types'
 
 /** What can say where in the file it is: a cursor. */
@@ -30,8 +33,27 @@ export class GmshMesh {
   }
 
   node(place: Place, id: number, x: number, y: number, z: number): void {
-    if (this.builder.findId(id) >= 0) place.refuse(`node ${id} is defined twice.`)
-    this.builder.pointWithId(id, x, y, z)
+    if (!this.builder.newPointWithId(id, x, y, z)) place.refuse(`node ${id} is defined twice.`)
+  }
+
+  /** Nodes of rows that end with three coordinates, whose ids stand first or are given. */
+  nodeRows(place: RowPlace, rows: FileRows, ids: ArrayLike<number> | null = null, from = 0): void {
+    const { pattern, count, numbers, places, start } = rows
+    let largest = 0
+    this.builder.expectRows(rows, 'nodes')
+    for (let row = 0; row < count; ++row) {
+      const at = pattern.numberCount * (row + 1) - 3
+      const id = (ids === null ? numbers[pattern.numberCount * row] : ids[from + row]) as number
+      const [x, y, z] = [numbers[at] as number, numbers[at + 1] as number, numbers[at + 2] as number]
+      place.row = row
+      this.node(place, id, x, y, z)
+      largest = Math.max(largest, Math.abs(x), Math.abs(y), Math.abs(z))
+      for (let axis = 0; axis < 3; ++axis) {
+        const token = places[3 * row + axis] as number
+        this.builder.coordinateToken(start + (token & 0xffffff), token >>> 24)
+      }
+    }
+    this.digits.seeRounded(rows.mostRounded, largest)
   }
 
   nameGroup(dimension: number | null, tag: number, name: string): void {
@@ -69,6 +91,15 @@ export class GmshMesh {
     return blocks
   }
 
+  /** Hexahedra one after the other, each with its id and those of its nodes. */
+  hexahedra(place: Place, type: GmshType, numbers: ArrayLike<number>, blocks: readonly string[]): void {
+    const first = this.builder.cellCount
+    for (let at = 0; at < numbers.length; at += 9)
+      if (this.builder.hexahedronByIds(numbers, at + 1, numbers[at] as number) < 0)
+        this.element(place, type, numbers[at] as number, numbers, at + 1, [])
+    for (const block of blocks) this.builder.restInBlock(block, first)
+  }
+
   /** An element by the ids of its nodes, which are `nodes[from]` and following. */
   element(
     place: Place,
@@ -78,6 +109,13 @@ export class GmshMesh {
     from: number,
     blocks: readonly string[],
   ): void {
+    if (kind === 'hexahedron') {
+      const cell = this.builder.hexahedronByIds(nodes, from, id)
+      if (cell >= 0) {
+        for (const block of blocks) this.builder.inBlock(block, cell)
+        return
+      }
+    }
     const indices = this.#indices
     indices.length = count
     for (let i = 0; i < count; ++i) {
@@ -89,13 +127,10 @@ export class GmshMesh {
       }
       indices[i] = index
     }
-    if (kind === 'hexahedron') {
-      const cell = this.builder.hexahedron(indices, id)
-      for (const block of blocks) this.builder.inBlock(block, cell)
-    } else if (kind === 'curved') {
+    if (kind === 'curved') {
       const corners = indices.slice(0, 8)
       const at = (point: number, axis: number) => this.builder.coordinate(point, axis)
       this.builder.notTrilinear(corners, areAtMiddles(at, corners, indices.slice(8)))
-    } else this.builder.otherCell(kind)
+    } else if (kind !== 'hexahedron') this.builder.otherCell(kind)
   }
 }

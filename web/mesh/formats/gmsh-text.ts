@@ -1,12 +1,38 @@
 /** Nodes and elements of Gmsh's files as text, of all versions. */
+import { type ReadingCore, RowPattern } from '../../core/reading-interface'
+import type { FileRows } from '../file-rows'
 import { isEllipsis } from '../snippet-text'
-import { shown, type TextCursor } from '../text-cursor'
+import { RowPlace, shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, TextRecords } from '../text-records'
+import { TypedList } from '../typed-list'
 import type { Version } from './gmsh-binary'
 import type { GmshMesh } from './gmsh-mesh'
-import { gmshTypes } from './gmsh-types'
+import { type GmshType, gmshTypes } from './gmsh-types'
 
 const DOLLAR = 36
+const HEXAHEDRON_TYPE = '5'
+/** Elements that have more are read one by one. */
+const MOST_TAGS = 16
+
+const NODE_ROW = new RowPattern(['whole', 'real', 'real', 'real', 'end'])
+const ID_ROW = new RowPattern(['whole', 'end'])
+const COORDINATES_ROW = new RowPattern(['real', 'real', 'real', 'end'])
+const HEXAHEDRON_ROW = new RowPattern([...wholes(9), 'end'])
+
+function wholes(count: number): string[] {
+  return Array.from({ length: count }, () => 'whole')
+}
+
+const elementRows = new Map<string, RowPattern>()
+
+/** MSH 1: type, two tags, the number of nodes; MSH 2: type, the number of tags, tags. */
+function elementRow(version: Version, head: string, tags: number): RowPattern {
+  const key = `${version}${head}`
+  const parts = version === 1 ? [...wholes(2), '= 8 '] : wholes(tags)
+  const row = elementRows.get(key) ?? new RowPattern(['whole', `=${head}`, ...parts, ...wholes(8), 'end'])
+  elementRows.set(key, row)
+  return row
+}
 
 const ENTITY = /^\s*[0-3]\s+\d+(?:\s|$)/
 
@@ -16,7 +42,13 @@ export class GmshText {
   readonly #records: TextRecords
   readonly #nodes: number[] = []
 
-  constructor(cursor: TextCursor, mesh: GmshMesh, isSnippet: boolean, onRecord: (position: number) => void) {
+  constructor(
+    cursor: TextCursor,
+    mesh: GmshMesh,
+    isSnippet: boolean,
+    core: ReadingCore | null,
+    onRecord: (position: number) => void,
+  ) {
     this.#cursor = cursor
     this.#mesh = mesh
     this.#records = new TextRecords(cursor, mesh.builder, {
@@ -25,6 +57,7 @@ export class GmshText {
       hasComments: false,
       hasEnds: true,
       onRecord,
+      core,
     })
   }
 
@@ -32,9 +65,11 @@ export class GmshText {
   nodes(stated: Version | null, isParametric: boolean): Version {
     const { header, version } = this.#header('nodes', stated)
     const [first = Infinity, second = Infinity] = header
-    if (version <= 2)
-      this.#records.all(first, 'nodes', () => this.#node(this.#id('a node'), isParametric, version === 1))
-    else this.#nodes4(first, second, version)
+    if (version <= 2) {
+      const readRows = () => (isParametric ? 0 : this.#nodeRows(NODE_ROW))
+      const readNode = () => this.#node(this.#id('a node'), isParametric, version === 1)
+      this.#records.all(first, 'nodes', readNode, readRows)
+    } else this.#nodes4(first, second, version)
     if (this.#records.isElided) this.#mesh.mayLackNodes = true
     return version
   }
@@ -42,8 +77,14 @@ export class GmshText {
   elements(stated: Version | null): Version {
     const { header, version } = this.#header('elements', stated)
     const [first = Infinity, second = Infinity] = header
-    if (version <= 2) this.#records.all(first, 'elements', () => this.#element2(version))
-    else this.#elements4(first, second, version)
+    if (version <= 2) {
+      this.#records.all(
+        first,
+        'elements',
+        () => this.#element2(version),
+        () => this.#elementRows2(version),
+      )
+    } else this.#elements4(first, second, version)
     return version
   }
 
@@ -118,6 +159,12 @@ export class GmshText {
   #block4(nodes: number, hasParameters: boolean): number {
     let seen = 0
     for (; seen < nodes && this.#records.next('nodes') === 'record'; ++seen) {
+      const rows = hasParameters ? 0 : this.#nodeRows(NODE_ROW)
+      if (seen + rows > nodes) this.#cursor.refuse(`the lines of nodes are more than the ${nodes} that were declared.`)
+      if (rows > 0) {
+        seen += rows - 1
+        continue
+      }
       if (!this.#node(this.#id('a node'), hasParameters)) break
       this.#records.onRecord()
     }
@@ -126,18 +173,64 @@ export class GmshText {
 
   /** All ids of a block, then all coordinates. */
   #block41(nodes: number, hasParameters: boolean): number {
-    const ids: number[] = []
+    const ids = new TypedList(Float64Array)
     while (ids.length < nodes && this.#records.next('nodes') === 'record') {
+      const rows = this.#records.isElided ? null : this.#records.rows(ID_ROW)
+      if (rows !== null) {
+        if (ids.length + rows.count > nodes) this.#cursor.refuse(`a block of ${nodes} nodes has more lines of ids.`)
+        for (let row = 0; row < rows.count; ++row) ids.push(rows.numbers[row] as number)
+        continue
+      }
       ids.push(this.#id('a node'))
       if (this.#records.isElided) break
       this.#records.endLine('the id of a node')
     }
     if (ids.length < nodes) return 0
-    for (const [seen, id] of ids.entries()) {
-      if (this.#records.next('nodes') !== 'record' || !this.#node(id, hasParameters)) return seen
+    for (let seen = 0; seen < nodes; ++seen) {
+      if (this.#records.next('nodes') !== 'record') return seen
+      const rows = hasParameters ? null : this.#records.rows(COORDINATES_ROW)
+      if (rows !== null) {
+        if (seen + rows.count > nodes) this.#cursor.refuse(`a block of ${nodes} nodes has more lines of coordinates.`)
+        this.#mesh.nodeRows(new RowPlace(this.#cursor, rows), rows, ids.values, seen)
+        seen += rows.count - 1
+      } else if (!this.#node(ids.values[seen] as number, hasParameters)) return seen
       this.#records.onRecord()
     }
     return nodes
+  }
+
+  /** How many there were. */
+  #nodeRows(pattern: RowPattern): number {
+    const rows = this.#records.rows(pattern)
+    if (rows !== null) this.#mesh.nodeRows(new RowPlace(this.#cursor, rows), rows)
+    return rows?.count ?? 0
+  }
+
+  /** Hexahedra of the kind that is next, with one blank around the numbers that are the same in all. */
+  #elementRows2(version: Version): number {
+    const [, head, type = '', tags = ''] = /^\s*\d+( (\d+) (\d+) )/.exec(this.#cursor.peekLine(64)) ?? []
+    if (type !== HEXAHEDRON_TYPE || head === undefined || Number(tags) > MOST_TAGS) return 0
+    const rows = this.#records.rows(elementRow(version, version === 1 ? ` ${type} ` : head, Number(tags)))
+    if (rows === null) return 0
+    const { pattern, count, numbers } = rows
+    const place = new RowPlace(this.#cursor, rows)
+    const tagCount = pattern.numberCount - 9
+    this.#mesh.builder.expectRows(rows, 'hexahedra')
+    for (let row = 0; row < count; ++row) {
+      const at = pattern.numberCount * row
+      const group = tagCount > 0 ? (numbers[at + 1] as number) : 0
+      const volume = tagCount > 1 ? (numbers[at + 2] as number) : 0
+      this.#hexahedron(place, rows, row, this.#mesh.blocksOfElement(group, volume))
+    }
+    return count
+  }
+
+  /** Of a row that begins with the id and ends with the nodes. */
+  #hexahedron(place: RowPlace, { pattern, numbers }: FileRows, row: number, blocks: readonly string[]): void {
+    place.row = row
+    const width = pattern.numberCount
+    const type = gmshTypes.get(Number(HEXAHEDRON_TYPE)) as GmshType
+    this.#mesh.element(place, type, numbers[width * row] as number, numbers, width * (row + 1) - 8, blocks)
   }
 
   /** MSH 1: id, type, group, volume, number of nodes; MSH 2: id, type, number of tags, tags. Then the nodes. */
@@ -193,6 +286,17 @@ export class GmshText {
       const names = dimension === 3 ? this.#mesh.blocksOfVolume(tag) : []
       let whole = 0
       for (; whole < elements && records.next('elements') === 'record'; ++whole) {
+        const rows = String(type) === HEXAHEDRON_TYPE ? records.rows(HEXAHEDRON_ROW) : null
+        if (rows !== null) {
+          if (whole + rows.count > elements)
+            cursor.refuse(`a block of ${elements} elements has more lines of ${rows.pattern.numberCount} numbers.`)
+          this.#mesh.builder.expectRows(rows, 'hexahedra')
+          const place = new RowPlace(cursor, rows)
+          for (let row = 0; row < rows.count; ++row) this.#hexahedron(place, rows, row, names)
+          whole += rows.count - 1
+          records.onRecord()
+          continue
+        }
         if (!this.#nodesOf(this.#id('an element'), type, names)) break
         records.onRecord()
       }

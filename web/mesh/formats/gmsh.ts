@@ -1,7 +1,7 @@
 /** Gmsh's MSH 1, 2 to 2.2, 4.0 and 4.1, text and binary, and parts of these texts as people post them. */
 import { BinaryCursor } from '../binary-cursor'
 import { type Mesh, MeshRefusal } from '../mesh'
-import { isEllipsis, LARGEST_SNIPPET } from '../snippet-text'
+import { headText, isEllipsis, LARGEST_SNIPPET } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
 import { readInTurn, type Start } from '../text-records'
@@ -15,7 +15,7 @@ const DOLLAR = 36
 export const gmsh: MeshFormat = {
   name: 'Gmsh',
   recognizes(head) {
-    const text = new TextDecoder('latin1').decode(head)
+    const text = headText(head)
     if (/^[ \t>]*\$MeshFormat[ \t]*\r?$/m.test(text)) return 'yes'
     // Nastran and LS-DYNA have comments that begin with a dollar sign: there no count follows.
     if (/^[ \t>]*\$(?:NOD|ELM|Nodes|ParametricNodes|Elements)[ \t]*\r?\n[ \t>]*[\d.]+[ \t]*(?:\r?$|\d)/m.test(text))
@@ -248,7 +248,9 @@ class GmshReader {
   }
 
   #text(): GmshText {
-    return new GmshText(this.#cursor, this.#mesh, this.#isSnippet, position => this.#onRecord(position))
+    return new GmshText(this.#cursor, this.#mesh, this.#isSnippet, this.#options.core, position =>
+      this.#onRecord(position),
+    )
   }
 
   #nodes(name: string): void {

@@ -1,11 +1,11 @@
 /** LS-DYNA keyword files: nodes, solids and thick shells by part, in columns of each width or between commas. */
 import type { Mesh } from '../mesh'
 import { PrintedDigits } from '../precision'
+import { Runs } from '../runs'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { collect, NodeModel } from './node-model'
-import { Runs } from './runs'
 import { TextLines } from './text-lines'
 
 const [SPACE, DOLLAR, STAR] = [32, 36, 42] as const

@@ -131,7 +131,7 @@ function readVertices(cursor: BinaryCursor, mesh: MeditMesh, floatBytes: 4 | 8, 
   for (let done = 0; done < count; ) {
     const some = Math.min(AT_ONCE, count - done)
     const bytes = cursor.bytes(some * stride, 'vertices')
-    const view = new DataView(bytes.buffer)
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
     for (let at = 0; at < bytes.length; at += stride) {
       if (floatBytes === 8) {
         mesh.builder.point(

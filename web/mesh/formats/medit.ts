@@ -1,6 +1,6 @@
 /** Medit's .mesh and .meshb, versions 1 to 4, and parts of these texts as people post them. */
 import type { Mesh } from '../mesh'
-import { LARGEST_SNIPPET } from '../snippet-text'
+import { headText, LARGEST_SNIPPET } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, readInTurn, type Start, TextRecords } from '../text-records'
@@ -14,7 +14,7 @@ export const medit: MeshFormat = {
   name: 'Medit',
   recognizes(head, name) {
     if (isMeditBinary(head)) return 'yes'
-    const text = new TextDecoder('latin1').decode(head)
+    const text = headText(head)
     if (/^[ \t>]*MeshVersionFormatted\b/m.test(text)) return 'yes'
     // OpenVolumeMesh has vertices of the same look.
     if (/^\s*OVM/.test(text)) return 'no'
@@ -62,6 +62,7 @@ class MeditReader {
       endsSection: cursor => isKeyword(cursor.peekLine(LINE_HEAD)),
       hasComments: true,
       hasEnds: false,
+      core: options.core,
       onRecord: position => {
         if (this.#seen++ % 65_536 > 0) return
         this.#options.throwIfCancelled()

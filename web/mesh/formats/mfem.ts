@@ -2,7 +2,7 @@
 import type { Mesh } from '../mesh'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { PrintedDigits } from '../precision'
-import { LARGEST_SNIPPET } from '../snippet-text'
+import { headText, LARGEST_SNIPPET } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, readInTurn, type Start, TextRecords } from '../text-records'
@@ -29,7 +29,7 @@ const SECTION =
 export const mfem: MeshFormat = {
   name: 'MFEM',
   recognizes(head) {
-    const text = new TextDecoder('latin1').decode(head)
+    const text = headText(head)
     return /^[ \t>]*MFEM\b[A-Z -]*\bmesh v\d/m.test(text) ? 'yes' : 'no'
   },
   read(file, options) {
@@ -84,6 +84,7 @@ class MfemReader {
       endsSection: ahead => isSection(ahead.peekLine(LINE_HEAD)),
       hasComments: true,
       hasEnds: false,
+      core: options.core,
       onRecord: position => {
         if (this.#seen++ % 65_536 > 0) return
         this.#options.throwIfCancelled()

@@ -1,8 +1,10 @@
 /** Nastran bulk data: grid points in their frames, and elements by property. */
 
+import { RowPattern } from '../../core/reading-interface'
 import type { Mesh } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
 import { PrintedDigits } from '../precision'
+import { Runs } from '../runs'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
@@ -10,11 +12,26 @@ import type { Vector } from './movement'
 import { addFields, Card, GRID_X, type LineLayout, plainMnemonic, shortText, splitCard } from './nastran-card'
 import { type FrameKind, Frames } from './nastran-frames'
 import { collect, NodeModel } from './node-model'
-import { Runs } from './runs'
 import { TextLines } from './text-lines'
 
 const DEEPEST_INCLUDE = 16
 const [DOLLAR, STAR] = [36, 42] as const
+
+/** Usual forms by the byte behind the name: in columns, in wide columns and between commas. */
+const GRID_ROWS: Readonly<Record<number, RowPattern>> = {
+  32: new RowPattern(['=GRID    ', 'whole8', 'blank8', 'real8', 'real8', 'real8', 'end']),
+  42: new RowPattern(['=GRID*   ', 'whole16', 'blank16', 'real16', 'real16', 'end', '=*       ', 'real16', 'end']),
+  44: new RowPattern(['=GRID', ',', 'whole', ',', ',', ...['real', ',', 'real', ',', 'real'], 'end']),
+}
+const times = (count: number, ...parts: readonly string[]) => Array.from({ length: count }, () => parts).flat()
+const HEXAHEDRON_ROWS: Readonly<Record<number, RowPattern>> = {
+  32: new RowPattern(['=CHEXA   ', ...times(8, 'whole8'), 'end', '=        ', 'whole8', 'whole8', 'end']),
+  42: new RowPattern([
+    ...['=CHEXA*  ', ...times(4, 'whole16'), 'end', '=*       ', ...times(4, 'whole16'), 'end'],
+    ...['=*       ', 'whole16', 'whole16', 'end'],
+  ]),
+  44: new RowPattern(['=CHEXA', ...times(8, ',', 'whole'), 'end', ...times(2, ',', 'whole'), 'end']),
+}
 
 const OTHERS: Readonly<Record<string, OtherCell>> = {
   CTETRA: 'tetrahedron',
@@ -122,6 +139,7 @@ class NastranReader {
         this.#isCutOff = true
         continue
       }
+      if (this.#isBulk && this.#readRows()) continue
       lines.scan(DOLLAR)
       const end = lines.to
       let first = lines.from
@@ -132,6 +150,31 @@ class NastranReader {
       }
       this.#bulkLine(first)
     }
+  }
+
+  /** Entries of the usual forms that begin with this line, many at once; false if it is none of them. */
+  #readRows(): boolean {
+    const lines = this.#lines
+    const isGrid = lines.at(0) === 71
+    const form = isGrid ? GRID_ROWS[lines.at(4)] : lines.at(0) === 67 ? HEXAHEDRON_ROWS[lines.at(5)] : undefined
+    const rows = form === undefined ? null : lines.rows(form)
+    if (rows === null) return false
+    this.#finish()
+    const { count, numbers, pattern } = rows
+    if (isGrid) {
+      this.#model.defineRows(lines, rows, slot => this.#withoutFrame.add(slot))
+      this.#precision.seeAll(rows)
+      return true
+    }
+    const first = this.#model.addRows(rows)
+    let [last, cells] = [-1, new Runs()]
+    for (let row = 0; row < count; ++row) {
+      const property = numbers[pattern.numberCount * row + 1] as number
+      if (property !== last) cells = this.#model.block(`PID ${property}`)
+      last = property
+      cells.add(first + row)
+    }
+    return true
   }
 
   /** What stands before the bulk data, and files that are included; false for a line of bulk data. */

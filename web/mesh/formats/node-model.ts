@@ -3,6 +3,8 @@
  * One pass: an id that an element names first gets its place then, and its coordinates when they come.
  */
 
+import type { FileRows } from '../file-rows'
+import { IdIndex } from '../id-index'
 import {
   type Block,
   type CoordinatePlaces,
@@ -14,12 +16,12 @@ import {
 } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
 import { ALL_MIDDLES, isAtMean } from '../middles'
+import { PlaceList } from '../place-list'
 import { largestOf, type PrintedDigits } from '../precision'
+import { Runs } from '../runs'
 import { shown } from '../text-cursor'
-import { IdIndex } from './id-index'
-import { Runs } from './runs'
+import { TypedList } from '../typed-list'
 import type { TextLines } from './text-lines'
-import { TypedList } from './typed-list'
 
 /** A slot without a node, of an element of 20 nodes that has fewer. */
 export const NO_NODE = 0xffffffff
@@ -41,7 +43,7 @@ export class NodeModel {
   readonly #state = new TypedList(Uint8Array)
   /** Lines of nodes with too few coordinates, by slot. */
   readonly #shortLines = new Map<number, { lines: TextLines; line: number; has: number }>()
-  readonly #placeFrom = new TypedList(Float64Array)
+  readonly #placeFrom = new PlaceList()
   readonly #placeLength = new TypedList(Uint16Array)
   /** The one file that all coordinates stand in, each as a token. */
   #placesIn: TextLines | null = null
@@ -87,13 +89,13 @@ export class NodeModel {
   }
 
   /** Refuses a node that is there already, elsewhere. */
-  defineNode(lines: TextLines, id: number, x: number, y: number, z: number): number {
+  defineNode(lines: TextLines, id: number, x: number, y: number, z: number, line = lines.number): number {
     const slot = this.slot(id)
     const points = this.points.values
     const at = 3 * slot
     if (this.#state.values[slot] === DEFINED) {
       if (!same(points[at], x) || !same(points[at + 1], y) || !same(points[at + 2], z))
-        lines.refuse(`node ${id} is defined again, with other coordinates.`)
+        lines.refuse(`node ${id} is defined again, with other coordinates.`, line)
       return slot
     }
     points[at] = x
@@ -115,15 +117,58 @@ export class NodeModel {
     return slot
   }
 
+  /** Nodes of rows that begin with the id and end with the coordinates; `onSlot` is given their slots. */
+  defineRows(lines: TextLines, rows: FileRows, onSlot: (slot: number) => void = () => {}): void {
+    const { pattern, count, numbers, places, line, start, ahead } = rows
+    const width = pattern.numberCount
+    this.#index.expect(this.nodeCount + ahead)
+    this.points.reserveMore(3 * count, 3 * ahead)
+    this.nodeIds.reserveMore(count, ahead)
+    if (this.#hasPlaces) {
+      this.#placeFrom.reserve(3 * (this.nodeCount + count), 3 * ahead)
+      this.#placeLength.reserveMore(
+        3 * (this.nodeCount + count) - this.#placeLength.length,
+        3 * (this.nodeCount + ahead),
+      )
+    }
+    for (let row = 0; row < count; ++row) {
+      const at = width * (row + 1) - 3
+      const [x, y, z] = [numbers[at] as number, numbers[at + 1] as number, numbers[at + 2] as number]
+      const slot = this.defineNode(lines, numbers[width * row] as number, x, y, z, line + pattern.lineCount * row)
+      for (let axis = 0; axis < 3; ++axis) {
+        const place = places[pattern.realCount * (row + 1) - 3 + axis] as number
+        this.place(lines, slot, axis, start + (place & 0xffffff), place >>> 24)
+      }
+      onSlot(slot)
+    }
+  }
+
+  /** Hexahedra of rows that begin with the id and end with the eight nodes; returns the index of the first. */
+  addRows({ pattern, count, numbers, ahead }: FileRows): number {
+    const first = this.cellCount
+    this.cells.reserveMore(8 * count, 8 * ahead)
+    this.cellIds.reserveMore(count, ahead)
+    const width = pattern.numberCount
+    const [cells, ids] = [this.cells.values, this.cellIds.values]
+    let next = this.cells.length
+    for (let row = 0; row < count; ++row) {
+      const at = width * (row + 1) - 8
+      for (let v = 0; v < 8; ++v) cells[next++] = this.slot(numbers[at + v] as number)
+      ids[first + row] = numbers[width * row] as number
+    }
+    this.cells.length = next
+    this.cellIds.length = first + count
+    return first
+  }
+
   /** Where in the file a coordinate of a node stands; without this for each, the mesh has no places. */
   place(lines: TextLines, slot: number, axis: number, from: number, length: number): void {
     this.#placesIn ??= lines
     if (this.#placesIn !== lines || length <= 0 || length > 0xffff) this.#hasPlaces = false
     if (!this.#hasPlaces) return
     const at = 3 * slot + axis
-    this.#placeFrom.reserve(at + 1)
     this.#placeLength.reserve(at + 1)
-    this.#placeFrom.values[at] = from
+    this.#placeFrom.put(at, from)
     this.#placeLength.values[at] = length
   }
 
@@ -253,11 +298,10 @@ export class NodeModel {
   coordinatePlaces(): CoordinatePlaces | null {
     const count = 3 * this.nodeCount
     if (!this.#hasPlaces || this.#placesIn === null || count === 0) return null
-    this.#placeFrom.reserve(count)
     this.#placeLength.reserve(count)
-    const lengths = this.#placeLength.values.slice(0, count)
+    const lengths = this.#placeLength.values.subarray(0, count)
     if (lengths.includes(0)) return null
-    return { kind: 'tokens', from: this.#placeFrom.values.slice(0, count), lengths }
+    return { kind: 'tokens', from: this.#placeFrom.upTo(count), lengths }
   }
 }
 
@@ -298,23 +342,27 @@ export function collect({ format, fileName, placements, precision, notes, isCutO
       `${shown(fileName).slice(1, -1)}: its instances have ${Math.max(pointCount, cellCount)} nodes or elements; ${MOST_IMPLIED_CELLS} are read at most.`,
     )
 
-  const points = new Float64Array(3 * pointCount)
-  const cells = new Uint32Array(8 * cellCount)
+  // What stands alone where it was drawn is the mesh.
+  const only = placements.length === 1 && placements[0]?.move === null ? placements[0].model : null
+  const points = only?.points.whole() ?? new Float64Array(3 * pointCount)
+  const cells = only?.cells.whole() ?? new Uint32Array(8 * cellCount)
   const quadratic = new Uint32Array(QUADRATIC_SLOTS * quadraticCount)
   const others = new Map<string, number>()
   const isNamed = placements.filter(({ model }) => model.cellCount > 0).length > 1
-  const numbers = isNamed ? null : new Float64Array(cellCount)
+  const numbers = isNamed ? null : (only?.cellIds.whole() ?? new Float64Array(cellCount))
   const names: string[] = []
   const blocks: Block[] = []
   let [point, cell, far] = [0, 0, 0]
   for (const { model, name, move, blocks: more } of placements) {
-    points.set(model.points.values.subarray(0, 3 * model.nodeCount), 3 * point)
-    if (move !== null) for (let i = 0; i < model.nodeCount; ++i) move(points, 3 * (point + i))
-    shifted(model.cells, cells, 8 * cell, point)
+    if (only === null) {
+      points.set(model.points.values.subarray(0, 3 * model.nodeCount), 3 * point)
+      if (move !== null) for (let i = 0; i < model.nodeCount; ++i) move(points, 3 * (point + i))
+      shifted(model.cells, cells, 8 * cell, point)
+      numbers?.set(model.cellIds.values.subarray(0, model.cellCount), cell)
+    }
     shifted(model.quadratic, quadratic, far, point)
     for (const [type, count] of model.others) others.set(type, (others.get(type) ?? 0) + count)
-    if (numbers !== null) numbers.set(model.cellIds.values.subarray(0, model.cellCount), cell)
-    else
+    if (numbers === null)
       for (let i = 0; i < model.cellCount; ++i)
         names.push(`${name === null ? '' : `${name}.`}${model.cellIds.values[i]}`)
     if (isNamed && name !== null && model.cellCount > 0)
@@ -333,7 +381,6 @@ export function collect({ format, fileName, placements, precision, notes, isCutO
   precision.largest = largestOf(points)
   const note = precision.note()
   if (note !== null) said.push(note)
-  const only = placements.length === 1 && placements[0]?.move === null ? (placements[0] as Placement) : null
   return {
     format,
     points,
@@ -345,7 +392,7 @@ export function collect({ format, fileName, placements, precision, notes, isCutO
     notes: [...new Set(said)],
     isOrderStated: true,
     isCutOff,
-    coordinatePlaces: only?.model.coordinatePlaces() ?? null,
+    coordinatePlaces: only?.coordinatePlaces() ?? null,
     steps: [],
   }
 }

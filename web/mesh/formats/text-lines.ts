@@ -2,13 +2,17 @@
  * Lines of a text file as bytes, for formats whose fields stand in columns or between commas. The file is read in pieces; fields become
  * numbers straight from the bytes. A text that is indented as a whole is read as it was before.
  */
+
+import type { RowPattern } from '../../core/reading-interface'
 import { doubleOfDigits } from '../decimal'
+import { FilePiece } from '../file-piece'
+import { type FileRows, RowSearch, rowsAhead } from '../file-rows'
 import { MeshRefusal } from '../mesh'
 import type { PrintedDigits } from '../precision'
 import type { MeshFile, ReadOptions } from '../source'
 import { numberOf, shown } from '../text-cursor'
 
-const PIECE = 4 * 1024 * 1024
+const PIECE = 1024 * 1024
 const LONGEST_LINE = 1024 * 1024
 const HEAD = 65_536
 
@@ -27,7 +31,11 @@ export class TextLines {
   #next = 0
   #indent = 0
   #isHeld = false
+  readonly #rowSearch: RowSearch
 
+  readonly #piece = new FilePiece()
+
+  /** They are others when the next line has been read. */
   bytes = new Uint8Array(0)
   /** The line is the bytes [from, to), without its end and the blanks before that. */
   from = 0
@@ -47,6 +55,7 @@ export class TextLines {
   constructor(file: MeshFile, options: ReadOptions) {
     this.file = file
     this.#options = options
+    this.#rowSearch = new RowSearch(options.core)
     this.#lookForIndent()
   }
 
@@ -103,6 +112,21 @@ export class TextLines {
     return true
   }
 
+  /** Rows of a pattern that begin with this line; they are passed. Null where none is seen. */
+  rows(pattern: RowPattern): FileRows | null {
+    if (this.#indent > 0) return null
+    const at = this.from
+    const taken = this.#rowSearch.rows(this.bytes, at, pattern)
+    if (taken === null) return null
+    const line = this.number
+    this.#next = at + taken.bytes
+    this.number += taken.count * pattern.lineCount - 1
+    this.from = this.#next - 1
+    this.to = this.from
+    const start = this.#start + at
+    return { ...taken, pattern, start, line, ahead: rowsAhead(taken, start, this.file.size) }
+  }
+
   #nextRaw(): boolean {
     let end = this.bytes.indexOf(LF, this.#next)
     if (end < 0) {
@@ -138,13 +162,9 @@ export class TextLines {
     this.#options.throwIfCancelled()
     this.#options.onProgress(begin / size)
     const left = this.bytes.length - this.#next
-    const more = this.file.read(begin, Math.min(size, begin + PIECE))
-    const bytes = new Uint8Array(left + more.length)
-    bytes.set(this.bytes.subarray(this.#next))
-    bytes.set(more, left)
+    this.bytes = this.#piece.next(this.file, this.bytes.subarray(this.#next), begin, Math.min(size, begin + PIECE))
     this.#start += this.#next
     this.#next = 0
-    this.bytes = bytes
     if (left > LONGEST_LINE) this.refuse('the line is longer than lines of a mesh are.', this.number + 1)
   }
 

@@ -1,6 +1,7 @@
 /** The section CELLS of VTK's legacy files: how many points each cell has and these, or since version 5 offsets and all points. */
 import { shown } from '../text-cursor'
 import type { LegacyStream } from './vtk-legacy-stream'
+import { firstFall } from './vtk-mesh'
 
 /** What is there of the cells of an unstructured grid. */
 export interface LegacyCells {
@@ -61,7 +62,7 @@ function cellsByOffsets(stream: LegacyStream, count: number, size: number): Lega
     stream.refuse(`${shown(keyword)} stands where CONNECTIVITY was expected.`)
   const connectivity = stream.list(size, stream.type(), uint32, 'index')
   if (offsets.length > 0 && offsets[0] !== 0) stream.refuse(`the first offset is ${offsets[0]}, where 0 was expected.`)
-  const falling = offsets.findIndex((offset, i) => i > 0 && offset < (offsets[i - 1] as number))
+  const falling = firstFall(offsets)
   if (falling > 0)
     stream.refuse(`offset ${falling} is ${offsets[falling]}, less than ${offsets[falling - 1]}, the one before.`)
   const isElided = offsets.length < count || connectivity.length < size

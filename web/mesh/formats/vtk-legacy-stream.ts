@@ -4,9 +4,9 @@ import { lineAt, NumberRun } from '../number-run'
 import { isEllipsis } from '../snippet-text'
 import type { MeshFile, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
-import { NUMBER_SIZES, type NumberList, type NumberType, putNumbers, swapBytes } from './vtu-arrays'
+import { alignedTo, NUMBER_SIZES, type NumberList, type NumberType, putNumbers } from './vtu-arrays'
 
-const CHUNK = 1024 * 1024
+const CHUNK = 256 * 1024
 const FIRST_PIECE = 4096
 
 /** Types of arrays as these files name them. */
@@ -66,7 +66,7 @@ export class LegacyStream {
 
   triple(): [number, number, number] {
     const three = new Float64Array(3)
-    const run = new NumberRun(this.file, this.cursor.position, this.file.size)
+    const run = new NumberRun(this.file, this.cursor.position, this.file.size, this.#options.core)
     if (run.numbers(three, 0, 3) < 3)
       this.refuseAt(run.position, `${shown(run.nextWord())} stands where a number was expected.`)
     this.cursor.goTo({ position: run.position })
@@ -90,7 +90,7 @@ export class LegacyStream {
     if (this.isBinary) return this.#binaryList(count, type, make, what)
     const from = this.cursor.position
     const list = make(Math.min(count, Math.ceil((this.file.size - from) / 2)))
-    const run = new NumberRun(this.file, from, this.file.size, position => this.report(position))
+    const run = new NumberRun(this.file, from, this.file.size, this.#options.core, position => this.report(position))
     const filled = list instanceof Float64Array ? run.numbers(list, 0, list.length) : run.indices(list, 0, list.length)
     this.digits = Math.max(this.digits, run.mostDigits)
     if (filled < count) {
@@ -117,11 +117,10 @@ export class LegacyStream {
       this.refuseAt(at, `${has}: the file is cut off.`)
     }
     const list = make(count)
+    const piece = new Uint8Array(Math.min(CHUNK, size * count))
     for (let filled = 0; filled < count; ) {
-      const bytes = this.file.read(at, Math.min(end, at + CHUNK))
-      const aligned = bytes.byteOffset % size === 0 ? bytes : bytes.slice()
-      swapBytes(aligned, size)
-      const bad = putNumbers(type, aligned, list, filled)
+      const bytes = this.file.read(at, Math.min(end, at + CHUNK), piece)
+      const bad = putNumbers(type, alignedTo(size, bytes), true, list, filled)
       if (bad !== null)
         this.refuseAt(
           at + size * bad.at,
@@ -200,7 +199,7 @@ export class LegacyStream {
   }
 
   #passNumbers(count: number): void {
-    const run = new NumberRun(this.file, this.cursor.position, this.file.size)
+    const run = new NumberRun(this.file, this.cursor.position, this.file.size, this.#options.core)
     const some = new Float64Array(1024)
     for (let left = count; left > 0; left -= some.length) {
       const part = Math.min(left, some.length)

@@ -3,7 +3,7 @@
  * implied; in text, several after each other, or in big-endian binary.
  */
 import { type CoordinatePlaces, type Mesh, MeshRefusal, MOST_IMPLIED_CELLS } from '../mesh'
-import { isEllipsis } from '../snippet-text'
+import { headText, isEllipsis } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 import type { CellData } from './vtk-cell-data'
@@ -26,7 +26,7 @@ export const vtkLegacy: MeshFormat = {
   name: 'VTK',
 
   recognizes(head, name) {
-    const text = new TextDecoder('latin1').decode(head)
+    const text = headText(head)
     if (/^(?:\u00ef\u00bb\u00bf)?\s*# vtk DataFile/i.test(text)) return 'yes'
     return name.endsWith('.vtk') || /^# vtk DataFile/im.test(text) || SECTION.test(text) ? 'maybe' : 'no'
   },

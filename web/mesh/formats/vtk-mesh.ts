@@ -3,7 +3,7 @@ import { type Block, type CoordinatePlaces, type Mesh, MOST_IMPLIED_CELLS } from
 import { isAtMean } from '../middles'
 import { float32Note, largestOf, printedDigits } from '../precision'
 import type { CellData } from './vtk-cell-data'
-import { latticeOf, VOXEL_ORDER, VTK_POLYHEDRON, type VtkCellType, vtkCellTypes } from './vtk-cells'
+import { latticeOf, VOXEL_ORDER, VTK_HEXAHEDRON, VTK_POLYHEDRON, type VtkCellType, vtkCellTypes } from './vtk-cells'
 
 /** How coordinates are stored: that of the coarsest grid counts. */
 export interface Precision {
@@ -163,6 +163,12 @@ export class VtkMesh {
         counts[type] = (counts[type] as number) + 1
         continue
       }
+      if (type === VTK_HEXAHEDRON && size === 8 && largestOfEight(connectivity, start) < pointCount) {
+        if (filled !== start) for (let i = 0; i < 8; ++i) connectivity[filled + i] = connectivity[start + i] as number
+        filled += 8
+        places?.push(cell)
+        continue
+      }
       let isWhole = true
       for (let at = start; at < end; ++at) {
         const point = connectivity[at] as number
@@ -172,12 +178,6 @@ export class VtkMesh {
       }
       if (!isWhole) {
         missing++
-        continue
-      }
-      if (type === 12 && size === 8) {
-        if (filled !== start) for (let i = 0; i < 8; ++i) connectivity[filled + i] = connectivity[start + i] as number
-        filled += 8
-        places?.push(cell)
         continue
       }
       const known = vtkCellTypes.get(type)
@@ -284,6 +284,7 @@ export class VtkMesh {
   }
 
   #precisionNote(points: Float64Array): void {
+    if (!this.#isFloat32 && this.#digits === 0) return
     const note = this.#isFloat32 ? float32Note(largestOf(points)) : printedDigits(this.#digits, points).note()
     if (note !== null) this.note(note)
   }
@@ -310,6 +311,18 @@ export class VtkMesh {
       steps: this.steps,
     }
   }
+}
+
+function largestOfEight(list: Uint32Array, from: number): number {
+  let largest = list[from] as number
+  for (let at = from + 1; at < from + 8; ++at) if ((list[at] as number) > largest) largest = list[at] as number
+  return largest
+}
+
+/** The place of the first number that is less than the one before; -1 if there is none. */
+export function firstFall(list: Uint32Array): number {
+  for (let i = 1; i < list.length; ++i) if ((list[i] as number) < (list[i - 1] as number)) return i
+  return -1
 }
 
 function joined<T extends Float64Array | Uint32Array>(parts: T[], make: (length: number) => T): T {

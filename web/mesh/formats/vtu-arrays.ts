@@ -2,9 +2,13 @@
  * The DataArrays of VTK's XML files: numbers in text, in base64 or in raw bytes, in the array's place or appended, as they are or in
  * compressed blocks. Blocks become numbers one by one, so that no array is ever there twice.
  */
+
+import type { ReadingCore } from '../../core/reading-interface'
 import { DamagedStream, unzlib } from '../codecs/inflate'
 import { unlz4 } from '../codecs/lz4'
 import { unxz } from '../codecs/xz'
+import { copySwapped, MACHINE_IS_LITTLE_ENDIAN, swapBytes, swappedWord } from '../endian'
+import { FilePiece } from '../file-piece'
 import { MeshRefusal } from '../mesh'
 import { lineAt, NumberRun } from '../number-run'
 import { isEllipsis } from '../snippet-text'
@@ -66,14 +70,17 @@ export interface ReadArray<T extends NumberList> {
   readonly digits: number
 }
 
-export const decompressors: Readonly<Record<string, (input: Uint8Array, output: Uint8Array) => void>> = {
-  vtkZLibDataCompressor: unzlib,
-  vtkLZ4DataCompressor: unlz4,
-  vtkLZMADataCompressor: unxz,
+/** What inflates the blocks of a file; undefined for a compressor that VTK does not have. */
+export function decompressorNamed(name: string, core: ReadingCore | null): Storage['decompress'] | undefined {
+  if (name === 'vtkLZ4DataCompressor') return unlz4
+  if (name === 'vtkLZMADataCompressor') return unxz
+  if (name !== 'vtkZLibDataCompressor') return undefined
+  // What is wrong with a stream is found out here.
+  return (input, output) => core?.unzlib(input, output) || unzlib(input, output)
 }
 
 /** So many bytes are made numbers at once; a multiple of all sizes. */
-const CHUNK = 1024 * 1024
+const CHUNK = 256 * 1024
 const ALWAYS_ALLOWED = 64 * 1024 * 1024
 
 /**
@@ -106,7 +113,7 @@ function readText<T extends NumberList>(
 ): ReadArray<T> {
   // A number and a blank are two bytes.
   const list = make(Math.min(count, Math.ceil((array.to - array.from) / 2)))
-  const run = new NumberRun(file, array.from, array.to, position => {
+  const run = new NumberRun(file, array.from, array.to, options.core, position => {
     options.throwIfCancelled()
     options.onProgress(position / file.size)
   })
@@ -136,6 +143,7 @@ interface ByteSource {
 }
 
 class RawBytes implements ByteSource {
+  #piece = new Uint8Array(0)
   constructor(
     private readonly file: MeshFile,
     public position: number,
@@ -144,7 +152,15 @@ class RawBytes implements ByteSource {
     return this.file.size - this.position
   }
   take(count: number): Uint8Array {
-    const bytes = this.file.read(this.position, this.position + count)
+    if (count <= CHUNK && count > this.#piece.length) this.#piece = new Uint8Array(count)
+    return this.#read(count, count <= CHUNK ? this.#piece : undefined)
+  }
+  /** In memory that nothing else uses. */
+  takeAll(count: number): Uint8Array {
+    return this.#read(count)
+  }
+  #read(count: number, into?: Uint8Array): Uint8Array {
+    const bytes = this.file.read(this.position, this.position + count, into)
     this.position += count
     return bytes
   }
@@ -162,6 +178,7 @@ for (const blank of [9, 10, 13, 32]) BASE64[blank] = BLANK
 /** Each four digits are three bytes; with padding, which may stand in the middle where streams follow each other, one or two. */
 class Base64Bytes implements ByteSource {
   #text = new Uint8Array(0)
+  readonly #memory = new FilePiece()
   #textStart: number
   #at = 0
   /** How much text is read next: short arrays read no more than they need. */
@@ -210,11 +227,8 @@ class Base64Bytes implements ByteSource {
     const more = Math.min(this.#piece, this.to - from)
     if (had >= 64 || more <= 0) return
     this.#piece = Math.min(CHUNK, 2 * this.#piece)
-    const text = new Uint8Array(had + more)
-    text.set(this.#text.subarray(this.#at))
-    text.set(this.file.read(from, from + more), had)
+    this.#text = this.#memory.next(this.file, this.#text.subarray(this.#at), from, from + more)
     this.#textStart += this.#at
-    this.#text = text
     this.#at = 0
   }
 
@@ -278,7 +292,7 @@ class BinaryArray<T extends NumberList> {
     this.#source = this.#open()
     // What is there allows so much; if more comes out of it, the list grows with it.
     const allowed = Math.floor((ALWAYS_ALLOWED + 8 * this.#source.left) / 8)
-    this.#list = make(Math.min(count, allowed))
+    this.#list = make(this.#canBeViewed() ? 0 : Math.min(count, allowed))
   }
 
   #refuse(what: string): never {
@@ -338,11 +352,27 @@ class BinaryArray<T extends NumberList> {
     }
   }
 
+  /** Whether the bytes of the file are the list. */
+  #canBeViewed(): boolean {
+    const { isLittleEndian, decompress } = this.#storage
+    return (
+      this.#array.type === 'Float64' &&
+      this.#source instanceof RawBytes &&
+      isLittleEndian === MACHINE_IS_LITTLE_ENDIAN &&
+      decompress === null
+    )
+  }
+
   #readPlain(): void {
     const bytes = this.#header(1)[0] as number
     this.#checkLength(bytes)
     if (bytes > this.#source.left)
       this.#refuse(`needs ${bytes} bytes from here on, and the file has ${this.#source.left}: it is cut off.`)
+    if (this.#source instanceof RawBytes && this.#canBeViewed()) {
+      const { buffer, byteOffset, byteLength } = alignedTo(this.#size, this.#source.takeAll(bytes))
+      this.#list = new Float64Array(buffer, byteOffset, byteLength / this.#size) as T
+      return
+    }
     for (let left = bytes; left > 0; ) {
       const chunk = this.#take(Math.min(left, CHUNK))
       left -= chunk.length
@@ -398,40 +428,43 @@ class BinaryArray<T extends NumberList> {
       longer.set(this.#list as never)
       this.#list = longer
     }
-    const aligned = bytes.byteOffset % this.#size === 0 ? bytes : bytes.slice()
-    if (!this.#storage.isLittleEndian) swapBytes(aligned, this.#size)
-    const bad = putNumbers(this.#array.type, aligned, this.#list, this.#filled)
+    const aligned = alignedTo(this.#size, bytes)
+    const bad = putNumbers(this.#array.type, aligned, !this.#storage.isLittleEndian, this.#list, this.#filled)
     if (bad !== null)
       this.#refuse(`has ${bad.value} as its number ${this.#filled + bad.at}, where an index from 0 on was expected.`)
     this.#filled += count
   }
 }
 
-/** Turns the bytes of each number of `size` bytes around. */
-export function swapBytes(bytes: Uint8Array, size: number): void {
-  if (size === 1) return
-  for (let at = 0; at < bytes.length; at += size) {
-    for (let low = at, high = at + size - 1; low < high; ++low, --high) {
-      const byte = bytes[low] as number
-      bytes[low] = bytes[high] as number
-      bytes[high] = byte
-    }
-  }
+/** The bytes, at a multiple of `size` in their buffer. */
+export function alignedTo(size: number, bytes: Uint8Array): Uint8Array {
+  return bytes.byteOffset % size === 0 ? bytes : bytes.slice()
 }
 
 /**
- * Puts little-endian numbers into a list from place `from` on. For a list of whole numbers the first that is negative, not whole or too
- * large is returned, with its place; coordinates may be anything.
+ * Puts numbers into a list from place `from` on, little-endian ones or, if `isSwapped`, others, whose bytes are then turned around. For a
+ * list of whole numbers the first that is negative, not whole or too large is returned, with its place; coordinates may be anything.
  */
 export function putNumbers(
   type: NumberType,
   bytes: Uint8Array,
+  isSwapped: boolean,
   list: NumberList,
   from: number,
 ): { at: number; value: string } | null {
   const { buffer, byteOffset, length } = bytes
   const count = length / NUMBER_SIZES[type]
-  if (type === 'Int64' || type === 'UInt64') {
+  const isLong = type === 'Int64' || type === 'UInt64'
+  if (isLong && list instanceof Uint32Array && putLowHalves(bytes, isSwapped, list, from)) return null
+  if (isSwapped && type === 'Float64' && list instanceof Float64Array) {
+    copySwapped(
+      new Uint32Array(buffer, byteOffset, 2 * count),
+      new Uint32Array(list.buffer, list.byteOffset + 8 * from, 2 * count),
+    )
+    return null
+  }
+  if (isSwapped) swapBytes(bytes, NUMBER_SIZES[type])
+  if (isLong) {
     const halves = new Uint32Array(buffer, byteOffset, 2 * count)
     if (list instanceof Float64Array) {
       const isSigned = type === 'Int64'
@@ -462,6 +495,23 @@ export function putNumbers(
     list[from + i] = value
   }
   return null
+}
+
+/** Of integers of 64 bits; false if one of them has more. */
+function putLowHalves(bytes: Uint8Array, isSwapped: boolean, list: Uint32Array, from: number): boolean {
+  const halves = new Uint32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4)
+  let high = 0
+  if (isSwapped)
+    for (let i = 0, to = from; i < halves.length; i += 2, ++to) {
+      high |= halves[i] as number
+      list[to] = swappedWord(halves[i + 1] as number)
+    }
+  else
+    for (let i = 0, to = from; i < halves.length; i += 2, ++to) {
+      high |= halves[i + 1] as number
+      list[to] = halves[i] as number
+    }
+  return high === 0
 }
 
 function viewOf(type: Exclude<NumberType, 'Int64' | 'UInt64'>, buffer: ArrayBuffer, offset: number, count: number) {

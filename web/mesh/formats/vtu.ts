@@ -3,14 +3,15 @@
  * its time steps, of which one is read.
  */
 import { type Mesh, MeshRefusal } from '../mesh'
+import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { XmlScanner, type XmlTag } from '../xml-scanner'
 import { type CellData, cellDataOf, cellDataRank } from './vtk-cell-data'
-import { VtkMesh } from './vtk-mesh'
+import { firstFall, VtkMesh } from './vtk-mesh'
 import {
   type DataArray,
-  decompressors,
+  decompressorNamed,
   NUMBER_SIZES,
   type NumberType,
   type ReadArray,
@@ -53,7 +54,7 @@ export const vtu: MeshFormat = {
   name: 'VTU',
 
   recognizes(head, name) {
-    const text = new TextDecoder('latin1').decode(head)
+    const text = headText(head)
     if (/^(?:\u00ef\u00bb\u00bf)?\s*</.test(text) && text.includes('<VTKFile')) return 'yes'
     return text.includes('<VTKFile') || /\.(?:vtu|pvtu|pvd)$/.test(name) ? 'maybe' : 'no'
   },
@@ -157,7 +158,7 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
   const types =
     cellCount === 0 ? null : readArray(storage, arrayOf('types'), cellCount, length => new Uint8Array(length))
   const ends = cellCount === 0 ? empty : readArray(storage, arrayOf('offsets'), cellCount, uint32)
-  const falling = ends.list.findIndex((end, i) => i > 0 && end < (ends.list[i - 1] as number))
+  const falling = firstFall(ends.list)
   if (falling > 0) {
     const [before, end] = [ends.list[falling - 1], ends.list[falling]]
     refuse(file, `the offset of cell ${falling} is ${end}, less than ${before}, that of the cell before.`)
@@ -382,7 +383,7 @@ function storageOf(scanner: XmlScanner, file: MeshFile, options: ReadOptions, { 
   if (headerType !== 'UInt32' && headerType !== 'UInt64')
     scanner.refuse(from, `the header type is ${shown(headerType)}: UInt32 or UInt64 was expected.`)
   const compressor = attributes.get('compressor') ?? ''
-  const decompress = compressor === '' ? null : decompressors[compressor]
+  const decompress = compressor === '' ? null : decompressorNamed(compressor, options.core)
   if (decompress === undefined)
     scanner.refuse(
       from,

@@ -24,7 +24,14 @@ export class TypedList<T extends Numbers> {
     this.values = longer
   }
 
+  /** Room for `count` more, and where there is none for `expected`. */
+  reserveMore(count: number, expected: number): void {
+    if (this.length + count > this.values.length) this.reserve(this.length + Math.max(count, expected))
+  }
+
+  /** All of it; the list may no longer be changed then. */
   whole(): T {
-    return this.values.slice(0, this.length) as T
+    const values = this.values.subarray(0, this.length)
+    return (4 * this.length < this.values.length ? values.slice() : values) as T
   }
 }

@@ -1,0 +1,32 @@
+/** The order of bytes in numbers of files and of this machine. */
+
+export const MACHINE_IS_LITTLE_ENDIAN = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1
+
+/** Turns the bytes of each number of `size` bytes around; the bytes begin at a multiple of that in their buffer. */
+export function swapBytes({ buffer, byteOffset, byteLength }: Uint8Array, size: number): void {
+  if (size === 2) {
+    const halves = new Uint16Array(buffer, byteOffset, byteLength / 2)
+    for (let i = 0; i < halves.length; ++i) {
+      const half = halves[i] as number
+      halves[i] = (half << 8) | (half >>> 8)
+    }
+  }
+  if (size < 4) return
+  const words = new Uint32Array(buffer, byteOffset, byteLength / 4)
+  if (size === 4) for (let i = 0; i < words.length; ++i) words[i] = swappedWord(words[i] as number)
+  else copySwapped(words, words)
+}
+
+/** The two words of each number of 64 bits with their bytes turned around, into the same list or another. */
+export function copySwapped(from: Uint32Array, to: Uint32Array): void {
+  for (let i = 0; i + 1 < from.length; i += 2) {
+    const word = from[i] as number
+    to[i] = swappedWord(from[i + 1] as number)
+    to[i + 1] = swappedWord(word)
+  }
+}
+
+/** The bytes of a word of 32 bits, turned around. */
+export function swappedWord(word: number): number {
+  return (word << 24) | ((word & 0xff00) << 8) | ((word >>> 8) & 0xff00) | (word >>> 24)
+}

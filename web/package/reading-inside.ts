@@ -1,0 +1,9 @@
+/** What readers have done by wasm, inside one file. */
+import base64 from 'virtual:hexlens-reading.wasm.deflated'
+import { readingCoreOf } from '../core/reading-core'
+import type { ReadingCore } from '../core/reading-interface'
+import { inflated } from './inflate'
+
+export function readingInside(): Promise<ReadingCore | null> {
+  return readingCoreOf(() => inflated(base64))
+}
