@@ -73,7 +73,7 @@ static void leave_unanswered(block *b, int c) {
 static void bernstein_from_lanes(const lane_kernels *kernels, const lane_minima *lanes, int c, double bernstein[27]) {
   const int width = kernels->width, lane = c & (width - 1);
   const double *of_group = lanes->bernstein + 27 * (c - lane) + lane;
-  for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = bernstein_part[i] * of_group[i * width] + 0.0;
+  for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = bernstein_factor[i] * of_group[i * width] + 0.0;
 }
 
 /* hl_decide, from what the lanes know in doubles of the open cell `c`, which is cell `cell` of the block. */

@@ -112,24 +112,24 @@ static int inside_intervals(const parabolas *f, interval inside[MAX_INTERVALS]) 
   return count;
 }
 
-/* The coefficients of the part of the face with t in the interval; the middle ones are the polar form at its ends. */
-static void restricted_face(const double beta[9], interval in, double part[9]) {
+/* The coefficients of the strip of the face with t in the interval; the middle ones are the polar form at its ends. */
+static void restricted_face(const double beta[9], interval in, double strip[9]) {
   for (int i = 0; i < 3; ++i) {
     const double *q = beta + 3 * i;
     double first = lerp(q[0], q[1], in.from), second = lerp(q[1], q[2], in.from);
-    part[3 * i] = lerp(first, second, in.from);
-    part[3 * i + 1] = lerp(first, second, in.to);
-    part[3 * i + 2] = quadratic_at(q[0], q[1], q[2], in.to);
+    strip[3 * i] = lerp(first, second, in.from);
+    strip[3 * i + 1] = lerp(first, second, in.to);
+    strip[3 * i + 2] = quadratic_at(q[0], q[1], q[2], in.to);
   }
 }
 
-/* The roots of P in the interval, from P of that part of the face alone: its rounding errors are as small as a and B are
+/* The roots of P in the interval, from P of that strip of the face alone: its rounding errors are as small as a and B are
    there, while those of P on [0,1] can hide a minimizer: docs/algorithm.md 4, "Small a and B". */
 static int roots_in(interval in, const double beta[9], double t[HL_MAX_ROOTS]) {
-  double part[9], unit[9], quartic[HL_QUARTIC];
+  double strip[9], unit[9], quartic[HL_QUARTIC];
   parabolas f;
-  restricted_face(beta, in, part);
-  normalized_face(part, unit);
+  restricted_face(beta, in, strip);
+  normalized_face(strip, unit);
   parabolas_in_s(unit, &f);
   quartic_bernstein(&f, quartic);
   int found = hl_unit_roots(quartic, HL_QUARTIC - 1, t), count = 0;

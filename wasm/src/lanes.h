@@ -20,7 +20,7 @@ typedef struct lane_minima {
   unsigned char vertex[HL_BLOCK];      /* of the least corner, the first of equals */
   _Alignas(64) double least[HL_BLOCK]; /* its jacdet */
   _Alignas(64) double unit[HL_BLOCK];  /* a power of two: jacdet is the number in scaled units times this */
-  /* Coefficients in scaled units, before they are multiplied by bernstein_part: of element e,
+  /* Coefficients in scaled units, before they are multiplied by bernstein_factor: of element e,
      number i is at [e / width][i][e % width]; only where its group has an element that is not
      settled. The cube's centre is not computed. */
   _Alignas(64) double bernstein[27 * HL_BLOCK];
@@ -32,7 +32,7 @@ typedef struct lane_kernels {
   /* Verdicts (hl_verdict) of `count` elements of 24 doubles each, HL_UNANSWERED for whatever is not clear in floats. There is
      room for a whole block. */
   void (*decide)(const double *hexahedra, int count, unsigned char *verdicts);
-  /* Least corners and all coefficients in doubles, the very bits of jacdet_bernstein but for bernstein_part and the sign of zero. */
+  /* Least corners and all coefficients in doubles, the very bits of jacdet_bernstein but for bernstein_factor and the sign of zero. */
   void (*corners)(const double *hexahedra, int count, lane_minima *out);
 } lane_kernels;
 

@@ -14,7 +14,7 @@ export function elementAt(a: Vertices, b: Vertices, tau: number): Vertices {
 }
 
 /** The tau of an element on the way, bit for bit; `guess` is tried first. Null if there is none. */
-export function placeOnWay(a: Vertices, b: Vertices, element: Vertices, guess: number): number | null {
+export function tauOf(a: Vertices, b: Vertices, element: Vertices, guess: number): number | null {
   const moves = a.map((from, i) => Math.abs((b[i] as number) - from))
   const most = moves.indexOf(Math.max(...moves))
   const [from, to, at] = [a[most] as number, b[most] as number, element[most] as number]
