@@ -18,7 +18,7 @@ export async function main(options: readonly string[]): Promise<void> {
         const spawn = () => nodePort<Request, Reply>(worker)
         const query = { property, measure, distribution, seed: trial + 1 }
         const search = await ran(
-          resolve => new Search(query, { module: batchModules.vectors, workers, spawn }, ...resolve),
+          resolve => new Search(query, { module: batchModules.vectors, count: workers, spawn }, ...resolve),
         )
         rates[workers - 1]?.push(search.rate)
         share = search.share

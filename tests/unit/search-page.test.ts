@@ -11,7 +11,7 @@ import {
   queryOf,
   withField,
 } from '../../web/pages/search/form-state'
-import { exported, Kept } from '../../web/pages/search/kept'
+import { exported, KeptElements } from '../../web/pages/search/kept'
 import { LiveRegion } from '../../web/pages/search/live-region'
 import { entry, unitCube } from './core-fixtures'
 import { readText, verticesOf } from './mesh-expectations'
@@ -86,19 +86,19 @@ class Shelf {
 }
 
 const element = (name: string, x: number) => ({ name, vertices: unitCube.with(0, x), property: 'not valid' })
-const names = (kept: Kept) => kept.elements.map(({ name }) => name)
+const names = (kept: KeptElements) => kept.elements.map(({ name }) => name)
 
 describe('what is kept', () => {
   it('is there for the next page, the last first, each element once', () => {
     const shelf = new Shelf()
-    const kept = new Kept(() => shelf)
+    const kept = new KeptElements(() => shelf)
     for (const [name, x] of [
       ['a', 0.1],
       ['b', 1 / 3],
       ['c', 0.1],
     ] as const)
       kept.add(element(name, x))
-    const next = new Kept(() => shelf)
+    const next = new KeptElements(() => shelf)
     expect(next.elements).toEqual([element('c', 0.1), element('b', 1 / 3)])
     expect(next.persistence).toBe('stored')
     next.remove(element('?', 0.1))
@@ -108,7 +108,7 @@ describe('what is kept', () => {
 
   it('does not lose what another page keeps at the same time', () => {
     const shelf = new Shelf()
-    const [one, other] = [new Kept(() => shelf), new Kept(() => shelf)]
+    const [one, other] = [new KeptElements(() => shelf), new KeptElements(() => shelf)]
     one.add(element('one', 1.5))
     other.add(element('other', 2.5))
     one.read()
@@ -116,13 +116,13 @@ describe('what is kept', () => {
   })
 
   it('lasts as long as the page where storage is refused, or full', () => {
-    const refused = new Kept(() => {
+    const refused = new KeptElements(() => {
       throw new DOMException('no', 'SecurityError')
     })
     refused.add(element('a', 2))
     expect([names(refused), refused.persistence]).toEqual([['a'], 'unavailable'])
     const shelf = new Shelf()
-    const full = new Kept(() => shelf)
+    const full = new KeptElements(() => shelf)
     full.add(element('a', 2))
     shelf.setItem = () => {
       throw new DOMException('full', 'QuotaExceededError')
@@ -130,23 +130,23 @@ describe('what is kept', () => {
     full.add(element('b', 3))
     full.add(element('c', 4))
     expect([names(full), full.persistence]).toEqual([['c', 'b', 'a'], 'unavailable'])
-    expect(names(new Kept(() => shelf))).toEqual(['a'])
+    expect(names(new KeptElements(() => shelf))).toEqual(['a'])
   })
 
   it('leaves those of a later version alone, and reads around what is none', () => {
     const shelf = new Shelf()
     const later = '{"version":2,"elements":"in another form"}'
     shelf.setItem('hexlens-kept', later)
-    const kept = new Kept(() => shelf)
+    const kept = new KeptElements(() => shelf)
     kept.add(element('a', 2))
     expect([names(kept), kept.persistence, shelf.getItem('hexlens-kept')]).toEqual([['a'], 'newer', later])
     for (const broken of ['', '{', 'null', '[]', '{"version":1,"elements":7}']) {
       shelf.setItem('hexlens-kept', broken)
-      expect(new Kept(() => shelf)).toMatchObject({ elements: [], persistence: 'stored' })
+      expect(new KeptElements(() => shelf)).toMatchObject({ elements: [], persistence: 'stored' })
     }
     const cells = [null, 3, { vertices: [1, 2] }, { name: 'good', vertices: unitCube, property: 'valid' }]
     shelf.setItem('hexlens-kept', JSON.stringify({ version: 1, elements: cells }))
-    expect(names(new Kept(() => shelf))).toEqual(['good'])
+    expect(names(new KeptElements(() => shelf))).toEqual(['good'])
   })
 
   it('is exported as the command line and Paste read it', () => {

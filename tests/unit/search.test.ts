@@ -5,7 +5,7 @@ import { isMet } from '../../web/model/condition'
 import type { Reply, Request } from '../../web/pages/search/engine/messages'
 import { parseQuery, type Query } from '../../web/pages/search/engine/query'
 import { type Find, Ranking } from '../../web/pages/search/engine/ranking'
-import { polished, Search, type WorkerPool } from '../../web/pages/search/engine/search'
+import { polished, Search, type SearchWorkers } from '../../web/pages/search/engine/search'
 import { BLOCK } from '../../web/pages/search/engine/search-piece'
 import { ownSearch, searches } from '../../web/pages/search/searches'
 import { certificateOf, checked, type Loose } from './certificate-checker'
@@ -16,8 +16,8 @@ import { batchModules, bundledWorker, endThreads, nodePort } from './node-worker
 const worker = await bundledWorker('web/pages/search/engine/worker.ts')
 afterAll(endThreads)
 
-function force(workers: number, module = batchModules.vectors): WorkerPool {
-  return { module, workers, spawn: () => nodePort<Request, Reply>(worker) }
+function force(workers: number, module = batchModules.vectors): SearchWorkers {
+  return { module, count: workers, spawn: () => nodePort<Request, Reply>(worker) }
 }
 
 const PIECE = 8 * BLOCK
@@ -32,9 +32,9 @@ function queryOf(id: string, seed = 1): Query {
 }
 
 /** Runs until so many elements are looked at. */
-async function searched(query: Query, elements: number, pool: WorkerPool): Promise<Search> {
+async function searched(query: Query, elements: number, workers: SearchWorkers): Promise<Search> {
   const search = await new Promise<Search>((resolve, reject) => {
-    const search = new Search(query, pool, () => search.isRunning || resolve(search), reject)
+    const search = new Search(query, workers, () => search.isRunning || resolve(search), reject)
     search.start(elements)
   })
   search.dispose()

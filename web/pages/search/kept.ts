@@ -19,7 +19,7 @@ const VERSION = 1
 
 type Store = Pick<Storage, 'getItem' | 'setItem'>
 
-export class Kept {
+export class KeptElements {
   readonly #store: () => Store
   #elements: readonly KeptElement[] = []
   #persistence: Persistence = 'stored'

@@ -12,15 +12,15 @@ import type { Vertices } from '../../model/hexahedron'
 import { decodePermalink, encodePermalink } from '../../model/permalink'
 import { saveFile } from '../../views/save-file'
 import { Pictures } from '../pictures'
-import { workerPool } from './engine'
+import { searchWorkers } from './engine'
 import { startOf } from './engine/distribution'
 import { measured } from './engine/measure'
 import { type ParsedQuery, parseQuery } from './engine/query'
 import type { Find, Order } from './engine/ranking'
-import { polished, Search, type WorkerPool } from './engine/search'
+import { polished, Search, type SearchWorkers } from './engine/search'
 import { formTemplate } from './form'
 import { decodeForm, encodeForm, type FormState, queryOf, withField } from './form-state'
-import { exported, Kept, type KeptElement } from './kept'
+import { exported, type KeptElement, KeptElements } from './kept'
 import { LiveRegion } from './live-region'
 import { type Choice, choicesTemplate } from './results'
 import '../skip'
@@ -36,7 +36,7 @@ const SOON = 20
 const MOST_WHILE_RUNNING = 12
 
 const pictures = new Pictures(lens, root, () => schedule())
-const kept = new Kept(() => localStorage)
+const kept = new KeptElements(() => localStorage)
 const liveRegion = new LiveRegion(document.querySelector('.news') as HTMLElement)
 
 let { form, problems } = decodeForm(new URLSearchParams(location.search))
@@ -165,7 +165,7 @@ function keptTemplate(): TemplateResult | typeof nothing {
   </section>`
 }
 
-const STORAGE_NOTES: Readonly<Record<Kept['persistence'], string>> = {
+const STORAGE_NOTES: Readonly<Record<KeptElements['persistence'], string>> = {
   stored: '',
   unavailable:
     'This browser stores nothing for this page. These elements are gone when the page is closed: export them to keep them.',
@@ -220,7 +220,7 @@ async function begin(): Promise<void> {
   ran = 0
   search?.dispose()
   try {
-    search = new Search(query, await poolOrReason(), news, fail)
+    search = new Search(query, await workersOrReason(), news, fail)
     searchedFor = form.find
   } catch (reason) {
     return fail(reason as Error)
@@ -229,9 +229,9 @@ async function begin(): Promise<void> {
   goOn()
 }
 
-async function poolOrReason(): Promise<WorkerPool> {
+async function workersOrReason(): Promise<SearchWorkers> {
   try {
-    return await workerPool()
+    return await searchWorkers()
   } catch (reason) {
     throw new Error(`searching and polishing need WebAssembly (${reason instanceof Error ? reason.message : reason}).`)
   }
@@ -306,7 +306,7 @@ async function startPolishing(): Promise<void> {
   polishing = job
   draw()
   try {
-    const { vertices } = await polished(query, lens.vertices, await poolOrReason(), {
+    const { vertices } = await polished(query, lens.vertices, await workersOrReason(), {
       signal: job.controller.signal,
       onStep: () => {
         job.steps += 1

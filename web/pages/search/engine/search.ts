@@ -9,10 +9,10 @@ import type { Query } from './query'
 import { type Find, type Order, Ranking } from './ranking'
 import { BLOCK, type PieceFinds } from './search-piece'
 
-export interface WorkerPool {
+export interface SearchWorkers {
   /** hexlens-batch.wasm or hexlens-scalar.wasm, compiled. */
   readonly module: WebAssembly.Module
-  readonly workers: number
+  readonly count: number
   readonly spawn: () => WorkerPort
 }
 
@@ -31,7 +31,7 @@ const PATIENCE = 1000
 
 export class Search {
   readonly query: Query
-  readonly #pool: WorkerPool
+  readonly #workers: SearchWorkers
   readonly #onNews: () => void
   readonly #onFailure: (reason: Error) => void
   readonly #ports: WorkerPort[] = []
@@ -52,9 +52,9 @@ export class Search {
   #isRunning = false
 
   /** `onNews` is told whenever there is more; `onFailure` once, where a worker does not start or breaks: the search is over then. */
-  constructor(query: Query, pool: WorkerPool, onNews: () => void, onFailure: (reason: Error) => void) {
+  constructor(query: Query, workers: SearchWorkers, onNews: () => void, onFailure: (reason: Error) => void) {
     this.query = query
-    this.#pool = pool
+    this.#workers = workers
     this.#onNews = onNews
     this.#onFailure = onFailure
   }
@@ -82,7 +82,7 @@ export class Search {
     this.#most = Math.ceil(elements / BLOCK)
     if (this.#isRunning || this.#next >= this.#most) return
     this.#isRunning = true
-    while (this.#ports.length < this.#pool.workers) this.#ports.push(this.#begin())
+    while (this.#ports.length < this.#workers.count) this.#ports.push(this.#begin())
     for (const port of this.#ports) this.#heard.set(port, performance.now())
     for (let ahead = 0; ahead < PIECES_AHEAD; ++ahead) for (const port of this.#ports) this.#send(port)
   }
@@ -114,10 +114,10 @@ export class Search {
   }
 
   #begin(): WorkerPort {
-    const port = this.#pool.spawn()
+    const port = this.#workers.spawn()
     port.onmessage = ({ data }) => this.#take(port, data)
     port.onerror = ({ message }) => this.#fail(brokenWorker(message))
-    port.postMessage({ kind: 'start', module: this.#pool.module })
+    port.postMessage({ kind: 'start', module: this.#workers.module })
     port.postMessage({ kind: 'query', query: this.query })
     return port
   }
@@ -168,7 +168,7 @@ export class Search {
 export function polished(
   query: Query,
   vertices: Vertices,
-  { module, spawn }: Pick<WorkerPool, 'module' | 'spawn'>,
+  { module, spawn }: Pick<SearchWorkers, 'module' | 'spawn'>,
   { signal, onStep = () => {} }: { signal?: AbortSignal; onStep?: (simpler: Polished) => void } = {},
 ): Promise<Polished> {
   const port = spawn()
