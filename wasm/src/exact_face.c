@@ -310,8 +310,8 @@ typedef struct face_search {
   bool is_fixed, has_lowered;
 } face_search;
 
-/* Halvings after which the floor is lowered, when it may be the face's minimum: no strip where that is touched would ever be above it.
-   Each time there are twice as many until the next. */
+/* Halvings after which the floor is lowered, when it may be the face's minimum: no strip where that
+   is touched would ever be above it. Each time there are twice as many until the next. */
 enum { PATIENCE = 64 };
 
 /* Below `least` by at least 2^-62 and at most 2^-60 of it. */
@@ -392,7 +392,8 @@ enum { HALVINGS_ABOVE_FLOOR = 6 };
 
 enum { NO_LIMIT = INT32_MAX };
 
-/* Halves [0,1] until every strip is above the floor, or as often as given, and lowers `least` on the way. */
+/* Halves [0,1] until every strip is above the floor, or as often as given, and lowers `least` on
+   the way. */
 static void search_halves(face_search *s, int depth_limit) {
   workspace *w = s->w;
   const size_t mark = w->used;

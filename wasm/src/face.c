@@ -112,7 +112,8 @@ static int inside_intervals(const parabolas *f, interval inside[MAX_INTERVALS]) 
   return count;
 }
 
-/* The coefficients of the strip of the face with t in the interval; the middle ones are the polar form at its ends. */
+/* The coefficients of the strip of the face with t in the interval; the middle ones are the polar
+   form at its ends. */
 static void restricted_face(const double beta[9], interval in, double strip[9]) {
   for (int i = 0; i < 3; ++i) {
     const double *q = beta + 3 * i;
@@ -123,8 +124,9 @@ static void restricted_face(const double beta[9], interval in, double strip[9]) 
   }
 }
 
-/* The roots of P in the interval, from P of that strip of the face alone: its rounding errors are as small as a and B are
-   there, while those of P on [0,1] can hide a minimizer: docs/algorithm.md 4, "Small a and B". */
+/* The roots of P in the interval, from P of that strip of the face alone: its rounding errors are
+   as small as a and B are there, while those of P on [0,1] can hide a minimizer: docs/algorithm.md
+   4, "Small a and B". */
 static int roots_in(interval in, const double beta[9], double t[HL_MAX_ROOTS]) {
   double strip[9], unit[9], quartic[HL_QUARTIC];
   parabolas f;

@@ -32,7 +32,8 @@ typedef struct lane_kernels {
   /* Verdicts (hl_verdict) of `count` elements of 24 doubles each, HL_UNANSWERED for whatever is not clear in floats. There is
      room for a whole block. */
   void (*decide)(const double *hexahedra, int count, unsigned char *verdicts);
-  /* Least corners and all coefficients in doubles, the very bits of jacdet_bernstein but for bernstein_factor and the sign of zero. */
+  /* Least corners and all coefficients in doubles, the very bits of jacdet_bernstein but for
+     bernstein_factor and the sign of zero. */
   void (*corners)(const double *hexahedra, int count, lane_minima *out);
 } lane_kernels;
 

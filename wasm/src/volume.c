@@ -1,15 +1,18 @@
-/* Branch and bound: boxes of the element in Bernstein form, bounded from below by their coefficients or by a convex
-   underestimator, and settled once the bound is no longer below the least value found: docs/algorithm.md 8. */
+/* Branch and bound: boxes of the element in Bernstein form, bounded from below by their
+   coefficients or by a convex underestimator, and settled once the bound is no longer below the
+   least value found: docs/algorithm.md 8. */
 #include "volume.h"
 #include "bernstein.h"
 #include "error_bounds.h"
 #include "subdivision.h"
 #include "topology.h"
 
-/* A box's bound may stay this much, relative to the largest coefficient, below the least value found. */
+/* A box's bound may stay this much, relative to the largest coefficient, below the least value
+   found. */
 #define TOLERANCE 0x1p-35
 
-/* Halvings of one axis; the boxes of an element of doubles are dyadic, and 2^-40 wide their coefficients are one number. */
+/* Halvings of one axis; the boxes of an element of doubles are dyadic, and 2^-40 wide their
+   coefficients are one number. */
 enum { MAX_HALVINGS = 40, MAX_STACK = 3 * MAX_HALVINGS + 2 };
 
 /* Parts looked at before what is left is settled by its bounds as they are: no element may hang. */
@@ -142,7 +145,8 @@ static void solve(const factors *f, const double g[3], double x[3]) {
 
 static double clamped_to_unit(double t) { return t < 0 ? 0 : t > 1 ? 1 : t; }
 
-/* The least value over the box of the tangent plane at the convex underestimator's minimizer, or near it: (V6). */
+/* The least value over the box of the tangent plane at the convex underestimator's minimizer, or
+   near it: (V6). */
 static double tangent_bound(search *s, const box *p, const factors *f, double alpha) {
   double t[3] = {0.5, 0.5, 0.5}, gradient[3], step[3], value = 0;
   for (int n = 0; n <= NEWTON_STEPS; ++n) {
@@ -164,8 +168,9 @@ static double tangent_bound(search *s, const box *p, const factors *f, double al
   return bound;
 }
 
-/* jacdet - alpha sum t(1-t) is convex on the box if the Hessian's centre, plus 2 alpha and less its radius, is positive
-   definite; tried with alpha = 0 and, for a valley whose floor is flat, with the radius: (V4), (V5). */
+/* jacdet - alpha sum t(1-t) is convex on the box if the Hessian's centre, plus 2 alpha and less its
+   radius, is positive definite; tried with alpha = 0 and, for a valley whose floor is flat, with
+   the radius: (V4), (V5). */
 static bool settled_by_convexity(search *s, const box *p) {
   double centre[3][3], radius = 0, row[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i)
@@ -220,7 +225,8 @@ static void halve_box(const box *p, int axis, box *lower, box *upper) {
   upper->from[axis] += upper->width[axis];
 }
 
-/* Settles the box or leaves it cut to the side or sides on which its minimum lies; true if it is still open. */
+/* Settles the box or leaves it cut to the side or sides on which its minimum lies; true if it is
+   still open. */
 static bool stays_open(search *s, box *p) {
   double bound = least_coefficient(p->b);
   if (!can_be_settled(s, bound)) {

@@ -10,7 +10,7 @@ export interface Streams {
 
 export function processStreams(): Streams {
   const { stdin, stdout, stderr } = process
-  // Each write says it to its caller.
+  // Callers of `write` learn of the error.
   stdout.on('error', () => {})
   stderr.on('error', () => {})
   const write = (text: string) =>

@@ -38,7 +38,7 @@ function straight(a: Vec3, b: Vec3, at: number): Vec3 {
   return map(axis => a[axis] + (b[axis] - a[axis]) * at)
 }
 
-/** Where the straight way goes through the centre, it makes a detour through the middle of a face. */
+/** A straight way through the centre makes a detour through the middle of a face. */
 function wayBetween(from: Vec3, to: Vec3): (at: number) => Vec3 {
   if (fromCentre(straight(from, to, 1 / 2)) > TOO_NEAR) return at => onBoundary(straight(from, to, at))
   const distances = from.map(x => Math.abs(x - CENTRE))

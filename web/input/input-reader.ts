@@ -48,7 +48,7 @@ export class InputReader implements InputHost {
     const own = cells.verticesOf(cell)
     if (own === null) return
     const vertices = this.#taker.take(order ? reordered(own, order.permutation) : own)
-    const { id } = cells.at(cells.placeOf(cell))
+    const { id } = cells.at(cells.rankOf(cell))
     this.#shown.set(vertices, { cell, id, order })
     this.#taker.onNews()
   }

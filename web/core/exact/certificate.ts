@@ -197,7 +197,7 @@ function atParabolaVertex(
   parabolas: ReturnType<typeof faceParabolas>,
   t: Rational,
 ): RationalPoint | null {
-  // Both over the denominator of t squared, so that it cancels.
+  // The common denominator of both is that of t squared: it cancels.
   const [b, n] = [parabolas.b, parabolas.n].map(([p0 = 0n, p1 = 0n, p2 = 0n]) => {
     return (p0 * t.denominator + p1 * t.numerator) * t.denominator + p2 * t.numerator * t.numerator
   }) as [bigint, bigint]

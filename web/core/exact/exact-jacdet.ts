@@ -55,7 +55,7 @@ const EDGES = [0, 1, 2].map(axis =>
   ),
 )
 
-/** By docs/algorithm.md (3) to (7). */
+/** The coefficients (3) to (7) of docs/algorithm.md. */
 export function exactJacdet(vertices: Vertices): ExactJacdet {
   const axes = [0, 1, 2].map(axis => integersOnAxis(vertices, axis))
   const points = vertexReference.map((_, v) => axes.map(({ values }) => values[v]) as unknown as IntegerVector)
