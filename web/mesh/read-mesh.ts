@@ -59,7 +59,7 @@ function meshesInFences(file: MeshFile, options: ReadOptions): Mesh[] {
     .map(mesh => ({ ...mesh, coordinatePlaces: null }))
 }
 
-/** Without the places of a run in a quoted text, where marks stand between coordinates. */
+/** Drops the places of a run in a quoted text: marks stand between its coordinates. */
 function withTruePlaces(mesh: Mesh): Mesh {
   return mesh.coordinatePlaces?.kind === 'tokens' ? mesh : { ...mesh, coordinatePlaces: null }
 }

@@ -28,7 +28,7 @@ export interface ReadOptions {
 /** One of the formats: a file of its own in formats/. */
 export interface MeshFormat {
   readonly name: string
-  /** By the first bytes (up to 64 kB) and the name in lower case: certain, possible, or no. */
+  /** Judges the first bytes (up to 64 kB) and the name in lower case: certain, possible, or no. */
   recognizes(head: Uint8Array, name: string): 'yes' | 'maybe' | 'no'
   /** Throws a MeshRefusal. Several meshes where the text holds several files. */
   read(file: MeshFile, options: ReadOptions): readonly Mesh[]

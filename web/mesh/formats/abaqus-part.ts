@@ -121,7 +121,7 @@ export class AbaqusPart {
     return indexed(this.#cellOfId, this.model.cellIds)
   }
 
-  // What is generated
+  // Generated nodes and elements
 
   #imply(lines: TextLines, count: number): void {
     this.#implied += count
