@@ -65,7 +65,8 @@ function readFields(text: string): ReadonlyMap<string, string> | null {
   return fields.size === pairs.length ? fields : null
 }
 
-function percentDecoded(text: string): string | null {
+/** Null if the encoding is cut off or not UTF-8. */
+export function percentDecoded(text: string): string | null {
   try {
     return decodeURIComponent(text)
   } catch {

@@ -9,6 +9,7 @@ import {
   COORDINATE_COUNT,
   edgeVertices,
   faces,
+  sameBits,
   VERTEX_COUNT,
   type Vec3,
   type Vertices,
@@ -355,10 +356,6 @@ function withPanel(open: readonly string[], panel: string, isOpen: boolean): rea
 /** The old array where the new one says the same: identity then tells change. */
 function kept(before: Vertices, after: Vertices): Vertices {
   return sameBits(before, after) ? before : after
-}
-
-function sameBits(a: Vertices, b: Vertices): boolean {
-  return a.every((value, i) => Object.is(value, b[i]))
 }
 
 function sameSnapshot(a: Snapshot, b: Snapshot): boolean {

@@ -4,7 +4,7 @@
  */
 import { bernsteinIndices } from '../../model/bernstein'
 import { edgeVertices, faces, VERTEX_COUNT, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
-import { isLess, type Rational } from '../../model/rational'
+import { isLess, productOf, type Rational, scaledInteger } from '../../model/rational'
 import { type ExactJacdet, exactEdge, exactFace, exactJacdet, exactVertex } from './exact-jacdet'
 import { exactBoundarySign, faceParabolas, type Sign } from './exact-sign'
 import {
@@ -54,7 +54,11 @@ export function certify(vertices: Vertices): Certificate {
   const jacdet = exactJacdet(vertices)
   if (sign > 0) return { valid: true, faces: faces.map((_, face) => certifiedIntervals(exactFace(jacdet, face))) }
   const point = witness(jacdet, sign).map(lowestTerms) as unknown as RationalPoint
-  return { valid: false, point, jacdet: lowestTerms(inTrueUnits(valueAt(jacdet, point), jacdet.exponent - 2)) }
+  return {
+    valid: false,
+    point,
+    jacdet: lowestTerms(productOf(valueAt(jacdet, point), scaledInteger(1n, jacdet.exponent - 2))),
+  }
 }
 
 /** The object that the command line prints and the page copies: docs/certificates.md, section 1. */
@@ -75,12 +79,6 @@ function lowestTerms({ numerator, denominator }: Rational): Rational {
   let [a, b] = [numerator < 0n ? -numerator : numerator, denominator]
   while (b > 0n) [a, b] = [b, a % b]
   return { numerator: numerator / a, denominator: denominator / a }
-}
-
-function inTrueUnits({ numerator, denominator }: Rational, exponent: number): Rational {
-  return exponent < 0
-    ? { numerator, denominator: denominator << BigInt(-exponent) }
-    : { numerator: numerator << BigInt(exponent), denominator }
 }
 
 /** jacdet at a point of the boundary, over the ExactJacdet's power of two and its factor 4. */

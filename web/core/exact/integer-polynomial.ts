@@ -2,6 +2,7 @@
  * Polynomials with integer coefficients, `p[i]` that of t^i, without leading zeros (the zero polynomial is empty), and their
  * real roots: counted by Sturm's theorem, isolated and refined in dyadic rationals. Nothing here rounds.
  */
+import { magnitude } from '../../model/rational'
 
 export type Polynomial = readonly bigint[]
 
@@ -76,10 +77,6 @@ export function midpoint(a: Dyadic, b: Dyadic): Dyadic {
 
 function isBelow(a: Dyadic, b: Dyadic): boolean {
   return a.numerator << BigInt(b.shift) < b.numerator << BigInt(a.shift)
-}
-
-function magnitude(value: bigint): bigint {
-  return value < 0n ? -value : value
 }
 
 /** p's pseudo-remainder by q: p times |leading(q)|^(degrees' difference + 1), a positive factor, less a multiple of q. */

@@ -23,3 +23,7 @@ export const NUMBERS = [
 export type NumberName = (typeof NUMBERS)[number]
 
 export type QuantityName = Claim | NumberName
+
+export function isNumberName(name: QuantityName): name is NumberName {
+  return name !== 'valid'
+}

@@ -6,7 +6,7 @@
  *     #challenge=one-vertex        #challenge=one-vertex&v=1&vertices=0,0,0,…        #own=%7B%22version%22…        #write
  */
 import type { Vertices } from '../../model/hexahedron'
-import { decodePermalink, encodePermalink } from '../../model/permalink'
+import { decodePermalink, encodePermalink, percentDecoded } from '../../model/permalink'
 import type { Result } from '../../model/result'
 
 export type ChallengeAddress =
@@ -44,12 +44,4 @@ export function readChallengeAddress(fragment: string): Result<ChallengeAddress,
 
 function broken(why: string): Result<ChallengeAddress, string> {
   return { ok: false, error: `The link is broken: ${why}.` }
-}
-
-function percentDecoded(text: string): string | null {
-  try {
-    return decodeURIComponent(text)
-  } catch {
-    return null
-  }
 }

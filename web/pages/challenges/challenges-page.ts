@@ -8,7 +8,7 @@ import { challenges } from './challenges'
 import '../element'
 import { historyStep } from '../../element/shortcuts'
 import { written } from '../../model/document-readers'
-import type { Vertices } from '../../model/hexahedron'
+import { sameBits, type Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
 import { type Challenge, judged, readChallenge, readChallengeText } from './challenge'
 import { type ChallengeAddress, challengeFragment, readChallengeAddress } from './challenge-link'
@@ -129,10 +129,6 @@ function keep(id: string, { challenge: { record, start }, report }: Opened): voi
   if (value === null) {
     if (before === null) progress.add(id, { best: null })
   } else if (best === null || isBetter(value, best)) progress.add(id, { best: value })
-}
-
-function sameBits(one: Vertices, other: Vertices): boolean {
-  return one.length === other.length && one.every((value, i) => Object.is(value, other[i]))
 }
 
 const actions: Actions = {

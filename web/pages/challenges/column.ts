@@ -2,12 +2,13 @@
 import { html, type TemplateResult } from 'lit-html'
 import { claims, numbers } from '../../core/quantities'
 import type { Report } from '../../core/report'
+import { isNumberName } from '../../model/condition/names'
 import { formatNumber } from '../../model/decimal'
 import type { Challenge, Contest, Judgement } from './challenge'
 import { challengeFragment } from './challenge-link'
 import { challenges } from './challenges'
 import type { Progress } from './progress'
-import { conditionInWords, isNumber, numberInWords, numbersInWords } from './words'
+import { conditionInWords, numberInWords, numbersInWords } from './words'
 
 /** A challenge that is open, and how it stands. */
 export interface Opened {
@@ -148,7 +149,7 @@ function meanings({ goal, record }: Challenge): TemplateResult {
   const names = new Set([...goal.flatMap(condition => condition.names), ...(record ? [record.quantity] : [])])
   return html`<dl class="meanings">
     ${[...names].map(name => {
-      const { name: title, sentence } = isNumber(name) ? numbers[name] : claims.valid
+      const { name: title, sentence } = isNumberName(name) ? numbers[name] : claims.valid
       return html`<dt>${title}</dt>
         <dd>${sentence}</dd>`
     })}

@@ -52,11 +52,11 @@ export class KeptElements {
 
   /** Adds an element in front of the others; it is kept once, by its last name. */
   add(element: KeptElement): void {
-    this.#change(elements => [element, ...elements.filter(other => !isSame(other, element))])
+    this.#change(elements => [element, ...elements.filter(other => !isSame(other.vertices, element.vertices))])
   }
 
   remove(element: KeptElement): void {
-    this.#change(elements => elements.filter(other => !isSame(other, element)))
+    this.#change(elements => elements.filter(other => !isSame(other.vertices, element.vertices)))
   }
 
   #change(change: (elements: readonly KeptElement[]) => readonly KeptElement[]): void {
@@ -71,8 +71,8 @@ export class KeptElements {
   }
 }
 
-function isSame(a: KeptElement, b: KeptElement): boolean {
-  return a.vertices.every((x, i) => x === b.vertices[i])
+export function isSame(a: Vertices, b: Vertices): boolean {
+  return a.every((x, i) => x === b[i])
 }
 
 /** JSON that the command line and Paste read. */

@@ -20,7 +20,7 @@ import type { Find, Order } from './engine/ranking'
 import { polished, Search, type SearchWorkers } from './engine/search'
 import { formTemplate } from './form'
 import { decodeForm, encodeForm, type FormState, queryOf, withField } from './form-state'
-import { exported, type KeptElement, KeptElements } from './kept'
+import { exported, isSame, type KeptElement, KeptElements } from './kept'
 import { LiveRegion } from './live-region'
 import { type Choice, choicesTemplate } from './results'
 import '../skip'
@@ -192,10 +192,6 @@ function isShown(vertices: Vertices): boolean {
 
 function isKept(vertices: Vertices): boolean {
   return kept.elements.some(element => isSame(element.vertices, vertices))
-}
-
-function isSame(a: Vertices, b: Vertices): boolean {
-  return a.every((x, i) => x === b[i])
 }
 
 function change(name: keyof FormState, value: string): void {

@@ -13,6 +13,7 @@ import {
   type Vertices,
   vertexOf,
   vertexReference,
+  withVertex,
 } from '../../../model/hexahedron'
 import { FALSE, filterOf } from './filter'
 import type { ParsedQuery } from './query'
@@ -87,13 +88,6 @@ function* candidates(from: Vertices, start: Vertices): Generator<Vertices> {
     ) as [number[], number[], number[]]
     for (const x of xs) for (const y of ys) for (const z of zs) yield withVertex(from, v, [x, y, z])
   }
-}
-
-function withVertex(vertices: Vertices, v: number, point: Vec3): Vertices {
-  return vertices
-    .with(3 * v, point[0])
-    .with(3 * v + 1, point[1])
-    .with(3 * v + 2, point[2])
 }
 
 /** The number itself and the simplest ones beside it, and those of the start and zero. */
