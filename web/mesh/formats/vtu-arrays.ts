@@ -64,7 +64,7 @@ export interface DataArray {
 
 export type NumberList = Float64Array | Uint32Array | Uint8Array
 
-/** An array that was read: `count` numbers, fewer than expected if the text leaves some out. */
+/** The numbers of an array, fewer than expected if the text leaves some out. */
 export interface ReadArray<T extends NumberList> {
   readonly list: T
   readonly digits: number
