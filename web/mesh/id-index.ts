@@ -41,6 +41,20 @@ export class IdIndex {
     return this.#far === null ? -1 : (this.#far[id % SHARDS]?.get(id) ?? -1)
   }
 
+  /** The places of `count` ids, from `ids[from]` on, into `places` from `to` on. False at the first that is not there. */
+  getEach(ids: ArrayLike<number>, from: number, count: number, places: Uint32Array, to: number): boolean {
+    const near = this.#near
+    const base = this.#base
+    for (let i = 0; i < count; ++i) {
+      const id = ids[from + i] as number
+      const at = id - base
+      const place = at >= 0 && at < near.length ? (near[at] as number) - 1 : this.get(id)
+      if (place < 0) return false
+      places[to + i] = place
+    }
+    return true
+  }
+
   /** `id` must be an integer from 0 to 2^53, and not be there yet. */
   set(id: number, place: number): void {
     const at = id - this.#base

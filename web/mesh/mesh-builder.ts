@@ -142,12 +142,7 @@ export class MeshBuilder {
   hexahedronByIds(nodes: ArrayLike<number>, from: number, id: number): number {
     const { length } = this.#cells
     this.#cells.reserve(length + 8)
-    const { values } = this.#cells
-    for (let i = 0; i < 8; ++i) {
-      const index = this.#pointOfId.get(nodes[from + i] as number)
-      if (index < 0) return -1
-      values[length + i] = index
-    }
+    if (!this.#pointOfId.getEach(nodes, from, 8, this.#cells.values, length)) return -1
     this.#cells.length = length + 8
     this.#addId(id)
     return this.cellCount - 1

@@ -72,13 +72,21 @@ export class NodeModel {
   slot(id: number): number {
     const found = this.#index.get(id)
     if (found >= 0) return found
+    return this.#addNode(id, NAMED, Number.NaN, Number.NaN, Number.NaN)
+  }
+
+  #addNode(id: number, state: number, x: number, y: number, z: number): number {
     const slot = this.nodeIds.length
     this.#index.set(id, slot)
     this.nodeIds.push(id)
-    this.points.push(Number.NaN)
-    this.points.push(Number.NaN)
-    this.points.push(Number.NaN)
-    this.#state.push(NAMED)
+    this.#state.push(state)
+    const at = this.points.length
+    this.points.reserve(at + 3)
+    const { values } = this.points
+    values[at] = x
+    values[at + 1] = y
+    values[at + 2] = z
+    this.points.length = at + 3
     return slot
   }
 
@@ -90,7 +98,8 @@ export class NodeModel {
 
   /** Refuses a node that is there already, elsewhere. */
   defineNode(lines: TextLines, id: number, x: number, y: number, z: number, line = lines.number): number {
-    const slot = this.slot(id)
+    const slot = this.#index.get(id)
+    if (slot < 0) return this.#addNode(id, DEFINED, x, y, z)
     const points = this.points.values
     const at = 3 * slot
     if (this.#state.values[slot] === DEFINED) {
@@ -118,7 +127,7 @@ export class NodeModel {
   }
 
   /** Nodes of rows that begin with the id and end with the coordinates; `onSlot` is given their slots. */
-  defineRows(lines: TextLines, rows: FileRows, onSlot: (slot: number) => void = () => {}): void {
+  defineRows(lines: TextLines, rows: FileRows, onSlot?: (slot: number) => void): void {
     const { pattern, count, numbers, places, line, start, ahead } = rows
     const width = pattern.numberCount
     this.#index.expect(this.nodeCount + ahead)
@@ -133,13 +142,19 @@ export class NodeModel {
     }
     for (let row = 0; row < count; ++row) {
       const at = width * (row + 1) - 3
-      const [x, y, z] = [numbers[at] as number, numbers[at + 1] as number, numbers[at + 2] as number]
-      const slot = this.defineNode(lines, numbers[width * row] as number, x, y, z, line + pattern.lineCount * row)
-      for (let axis = 0; axis < 3; ++axis) {
-        const place = places[pattern.realCount * (row + 1) - 3 + axis] as number
-        this.place(lines, slot, axis, start + (place & 0xffffff), place >>> 24)
+      const id = numbers[width * row] as number
+      const x = numbers[at] as number
+      const y = numbers[at + 1] as number
+      const z = numbers[at + 2] as number
+      const slot = this.defineNode(lines, id, x, y, z, line + pattern.lineCount * row)
+      if (this.#hasPlaces) {
+        const first = pattern.realCount * (row + 1) - 3
+        for (let axis = 0; axis < 3; ++axis) {
+          const place = places[first + axis] as number
+          this.place(lines, slot, axis, start + (place & 0xffffff), place >>> 24)
+        }
       }
-      onSlot(slot)
+      onSlot?.(slot)
     }
   }
 
@@ -153,7 +168,9 @@ export class NodeModel {
     let next = this.cells.length
     for (let row = 0; row < count; ++row) {
       const at = width * (row + 1) - 8
-      for (let v = 0; v < 8; ++v) cells[next++] = this.slot(numbers[at + v] as number)
+      if (!this.#index.getEach(numbers, at, 8, cells, next))
+        for (let v = 0; v < 8; ++v) cells[next + v] = this.slot(numbers[at + v] as number)
+      next += 8
       ids[first + row] = numbers[width * row] as number
     }
     this.cells.length = next
@@ -167,7 +184,7 @@ export class NodeModel {
     if (this.#placesIn !== lines || length <= 0 || length > 0xffff) this.#hasPlaces = false
     if (!this.#hasPlaces) return
     const at = 3 * slot + axis
-    this.#placeLength.reserve(at + 1)
+    if (at >= this.#placeLength.values.length) this.#placeLength.reserve(at + 1)
     this.#placeFrom.put(at, from)
     this.#placeLength.values[at] = length
   }
