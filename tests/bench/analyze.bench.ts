@@ -1,6 +1,8 @@
 /**
- * What core.analyze costs on cubes whose coordinates are displaced by up to 0.3 and by up to 1, and how much of it in wasm; cores in
- * turn, a few cubes at a time, and of each few the median of rounds: also a busy machine lets so short a time pass undisturbed. `--beside=FOLDER`, any number of times: another tree of this project, built, measured in the same run.
+ * Times core.analyze on cubes whose coordinates are displaced by up to 0.3 and by up to 1, and its
+ * share in wasm; cores in turn, a few cubes at a time, and of each few the median of rounds: also a
+ * busy machine lets so short a time pass undisturbed. `--beside=FOLDER`, any number of times:
+ * another tree of this project, built, measured in the same run.
  */
 import { readFileSync } from 'node:fs'
 import { cpus } from 'node:os'
@@ -20,7 +22,7 @@ interface Row {
   readonly name: string
   readonly run: (vertices: number[]) => void
   readonly hexahedra: readonly number[][]
-  /** Of each few cubes in each round. */
+  /** Times of each few cubes in each round. */
   readonly times: number[][]
 }
 

@@ -1,6 +1,6 @@
 /**
- * How often other checks are wrong: over random elements, the invalid ones each accepts and the valid ones each rejects; and how
- * many valid ones tangents do not certify, by their number.
+ * Counts the errors of other checks: over random elements, the invalid ones each accepts and the
+ * valid ones each rejects; and the valid ones that tangents do not certify, by their number.
  */
 import { readFileSync } from 'node:fs'
 import type { CoreExports } from '../../web/core/core'
@@ -64,7 +64,7 @@ function reports(sigma: number): Report[] {
   })
 }
 
-/** Of the valid or the invalid elements, those on which the check is wrong. */
+/** The number of valid, or of invalid, elements on which the check is wrong. */
 function count(columns: readonly Report[][], id: Check['id'], valid: boolean): number[] {
   const isWrong = (report: Report) => report.checks.some(check => check.id === id && check.passes !== valid)
   return columns.map(column => column.filter(report => report.valid === valid && isWrong(report)).length)

@@ -1,4 +1,4 @@
-/** What one call from TypeScript costs, report and all, over random elements; medians of rounds taken in turn. */
+/** Times one call from TypeScript, report and all, on random elements; medians of rounds. */
 import { readFileSync } from 'node:fs'
 import { cpus } from 'node:os'
 import { loadCore } from '../../web/core/core'

@@ -1,6 +1,7 @@
 /**
- * What exact arithmetic costs, natively and in wasm, beside ordinary random cells, against the figures that it is held to; and how many
- * multiplications of integers an answer takes. Medians in one run, sets interleaved. --quick: three rounds.
+ * Times exact arithmetic, natively and in wasm, beside ordinary random cells, against its bounds,
+ * and counts the multiplications of integers of an answer. Medians in one run, sets interleaved.
+ * --quick: three rounds.
  */
 import { execFileSync, spawnSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
@@ -14,20 +15,20 @@ import { endThreads, nodeClassifier } from '../unit/node-workers'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 
-/** By exact.c: one by one, then as a batch. */
+/** Numbers of the queries of exact.c: one by one, then as a batch. */
 const QUESTIONS = { verdict: 0, minimum: 1, report: 2, verdicts: 3, minima: 4 }
 type Question = keyof typeof QUESTIONS
 
 const ROUNDS = 15
 
 interface Set {
-  /** Of a single element, where it has one. */
+  /** The name of a single element, if it has one. */
   readonly name?: string
   readonly question: Question
   readonly hexahedra: readonly (readonly number[])[]
 }
 
-/** Of one element, in nanoseconds. */
+/** Nanoseconds for one element. */
 interface Measured {
   readonly native: number
   readonly wasm: number
@@ -46,7 +47,7 @@ interface Row {
 const MICRO = 1e3
 const MILLI = 1e6
 
-/** At once in exact.c. */
+/** The cells of a batch of exact.c. */
 const CELLS = 512
 
 export async function main(options: readonly string[]): Promise<void> {
@@ -140,7 +141,7 @@ function rowsOf(): Row[] {
   ]
 }
 
-/** Whether integers decide it: doubles do most that is drawn. */
+/** True if integers decide it: doubles do for most. */
 function isLeftOpen(vertices: readonly number[]): boolean {
   const result = core.analyze(vertices)
   return result.ok && result.value.decidedBy === 'exact'
@@ -177,7 +178,7 @@ function inNative(sets: readonly Set[], rounds: number): Measured[] {
     })
 }
 
-/** In milliseconds of this process alone, as exact.c has it. */
+/** Milliseconds of this process alone, as exact.c measures. */
 function cpuTime(): number {
   const { user, system } = process.cpuUsage()
   return (user + system) / 1000

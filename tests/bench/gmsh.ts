@@ -6,7 +6,7 @@ import type { GmshTimes } from './tables'
 /** It takes microseconds an element. */
 const MOST_ELEMENTS = 20_000
 
-/** Null where there is no such package. HEXLENS_PYTHON names another python3. */
+/** Null if there is no such package. HEXLENS_PYTHON names another python3. */
 export function gmshMinima(displacements: Float64Array, elements: number, sigmas: readonly number[]): GmshTimes | null {
   const count = Math.min(elements, MOST_ELEMENTS)
   const script = fileURLToPath(new URL('gmsh_minimum.py', import.meta.url))

@@ -5,7 +5,7 @@ import { openMeshFile } from '../../web/cli/mesh-file'
 import { loadReadingCore } from '../../web/core/reading-core'
 import { readMeshes } from '../../web/mesh/read-mesh'
 
-/** In kilobytes, as Linux knows them. */
+/** Kilobytes, as Linux reports them. */
 function memory(name: 'VmHWM' | 'VmRSS'): number {
   return Number(new RegExp(`${name}:\\s*(\\d+)`).exec(readFileSync('/proc/self/status', 'latin1'))?.[1])
 }

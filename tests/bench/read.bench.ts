@@ -21,7 +21,7 @@ const script = (name: string) => join(root, 'tests', 'bench', name)
 const ROUNDS = 5
 /** A reading that takes longer is not measured again. */
 const LONG = 30_000
-/** Of boxes along the axes: their cells are implied, and all are valid. */
+/** Formats of boxes along the axes: their cells are implied, and all are valid. */
 const BOXES = new Set(['rectilinear.vtk'])
 
 type Reader = 'Hexlens' | 'VTK' | 'meshio' | 'Gmsh'
@@ -31,7 +31,7 @@ interface Reading {
   readonly milliseconds: number
   readonly megabytes: number
   readonly hexahedra: number
-  /** Of Hexlens alone: points, cells and ids. */
+  /** Points, cells and ids, of Hexlens alone. */
   readonly arrays?: number
 }
 

@@ -30,7 +30,7 @@ export async function main(options: readonly string[]): Promise<void> {
   }
 }
 
-/** After a second of warming up, for two. */
+/** Runs for two seconds after one of warming up. */
 function ran(
   create: (callbacks: [() => void, (reason: Error) => void]) => Search,
 ): Promise<{ rate: number; share: number }> {

@@ -19,7 +19,7 @@ const QUICK = { sigmas: [0, 0.1, 0.3, 1, 2], elements: 20_000 }
 const TRIALS = 9
 
 const QUERIES = ['validity', 'minimum'] as const
-/** By sweep.c. */
+/** The number of methods in sweep.c. */
 const METHODS = 6
 const HEXLENS = 2
 const ROOTS_B = 1
@@ -41,7 +41,7 @@ export async function main(options: readonly string[]): Promise<void> {
     for (const [q, query] of QUERIES.entries()) {
       const [own, other] = [entry(native.queries, q), entry(inWasm, q)]
       const wrong = query === 'validity' ? judged.wrong : other.farMinima
-      // Of other bits than the other target's, nothing is known.
+      // Nothing is known if the bits differ from the other target's.
       const disagreements = own.fingerprint === other.fingerprint ? wrong : elements
       const common = { query, sigma, elements, invalid: judged.invalid, undecided: other.undecided, disagreements }
       rows.push({ ...common, target: 'native', ...times(own.times), after_lanes: own.afterLanes })
@@ -140,7 +140,7 @@ async function wasmSweep(displacements: Float64Array) {
   wasm._initialize?.()
   new Float64Array(wasm.memory.buffer, wasm.displacements_address(), displacements.length).set(displacements)
 
-  /** Of this process alone, in nanoseconds an element. */
+  /** Nanoseconds an element, of this process alone. */
   function timed(query: number, method: number, elements: number): number {
     const before = process.cpuUsage()
     wasm.run_method(query, method)
@@ -148,7 +148,7 @@ async function wasmSweep(displacements: Float64Array) {
     return (1000 * (user + system)) / elements
   }
 
-  /** So that the engine's optimizing compiler is done. */
+  /** Lets the engine's optimizing compiler finish. */
   wasm.set_sigma(1000, 0.3)
   for (let n = 0; n < 200; ++n) for (const q of [0, 1]) for (let m = 0; m < METHODS; ++m) wasm.run_method(q, m)
 

@@ -61,7 +61,7 @@ function elementsOf(counts: string): number {
   return Number(/^([\d,]+) elements/.exec(counts)?.[1]?.replaceAll(',', '') ?? 0)
 }
 
-/** Of a process, in bytes. */
+/** Bytes of a process. */
 function ownMemory(id: number): number {
   return 1024 * Number(/RssAnon:\s*(\d+)/.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1])
 }

@@ -13,7 +13,7 @@ export interface Row {
   readonly after_lanes: number
   readonly undecided: number
   readonly disagreements: number
-  /** To compare with: a scalar loop over twenty determinants, the lanes alone, the reading of the elements alone. */
+  /** For comparison: a scalar loop over twenty determinants, the lanes alone, reading alone. */
   readonly determinants_ns: number
   readonly lanes_ns: number
   readonly loads_ns: number

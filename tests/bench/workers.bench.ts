@@ -64,7 +64,7 @@ function mesh(): { points: Float64Array; cells: Uint32Array } {
   return { points, cells }
 }
 
-/** What is asked of a classifier in a trial: the first call makes ready, untimed, what the second one takes. */
+/** A trial: the first call prepares, untimed, what the second one takes. */
 type Ask = (minima: boolean) => (classifier: Classifier) => Promise<unknown>
 
 function atOnce(points: Float64Array, cells: Uint32Array | null): Ask {

@@ -113,7 +113,7 @@ test('playing goes on by itself, pauses at the end, and stops when the element c
   await page.clock.install()
   await lens.open()
   const { current } = await openPanel(lens)
-  // From here on time goes by only where it is told to, however slow the machine is.
+  // Time passes from here on only when told to, however slow the machine is.
   await page.clock.pauseAt(await page.evaluate(() => Date.now() + 1000))
   await lens.button('Play').click()
   await page.clock.runFor(850)

@@ -13,7 +13,7 @@ const depthGuardCases: readonly { readonly vertices: readonly (readonly number[]
 const rowOf = (page: Page, id: CheckId) =>
   page.getByRole('table', { name: 'Who would notice?' }).getByRole('row', { name: checks[id].name })
 
-/** What a screen reader says of the row. */
+/** The row's answer, as a screen reader says it. */
 const answer = (page: Page, id: CheckId) => rowOf(page, id).getByRole('cell').last()
 
 test('every answer agrees with the verdict or is called wrong, and says what it looks at', async ({ lens, page }) => {
@@ -72,7 +72,7 @@ test('a row that is pointed at has its points marked in the scene and in the ref
   page,
 }) => {
   await lens.open()
-  const marks = page.locator('.scene-overlay .looked-at')
+  const marks = page.locator('.scene-overlay .samples')
   const dots = async (scene: number) => {
     const path = await marks.nth(scene).locator('.line').getAttribute('d')
     return path?.match(/h0/g)?.length ?? 0
@@ -115,7 +115,7 @@ test.describe('by touch', () => {
 
   test('a tap on a row marks it until one elsewhere', async ({ lens, page }) => {
     await lens.open()
-    const mark = page.locator('.scene-overlay .looked-at').first()
+    const mark = page.locator('.scene-overlay .samples').first()
     await rowOf(page, 'gauss-2').getByRole('rowheader').tap()
     await expect(mark).toBeVisible()
     await lens.verdict.tap()

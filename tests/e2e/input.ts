@@ -1,4 +1,4 @@
-/** What a reader does to have something read: pastes, or drops a text or files. */
+/** Pastes or drops a text or files, as a reader does. */
 import type { Locator, Page } from '@playwright/test'
 
 /** The clipboard must be granted. */

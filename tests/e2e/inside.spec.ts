@@ -15,9 +15,9 @@ async function openInside(lens: Lens, page: Page, preset?: string): Promise<void
   await expect(mapOf(page)).toBeVisible()
 }
 
-/** Which shares of what is seen of a part are redder than blue, and bluer than red, by far. */
-async function hues(page: Page, part: Locator): Promise<{ red: number; blue: number }> {
-  const picture = (await part.screenshot()).toString('base64')
+/** The shares of a picture's pixels that are far redder than blue, and far bluer than red. */
+async function hues(page: Page, pane: Locator): Promise<{ red: number; blue: number }> {
+  const picture = (await pane.screenshot()).toString('base64')
   return page.evaluate(async base64 => {
     const image = Object.assign(new Image(), { src: `data:image/png;base64,${base64}` })
     await image.decode()

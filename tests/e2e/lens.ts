@@ -53,7 +53,7 @@ export class Lens {
     await this.nextFrame()
   }
 
-  /** After the element's own frame, if one was due. */
+  /** Resolves after the element's own frame, if one was due. */
   nextFrame(): Promise<void> {
     return this.page.evaluate(
       () => new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))),
@@ -116,7 +116,7 @@ export const SCHEMES_AND_WIDTHS = [
   ['dark', 360, 740],
 ] as const
 
-/** By how many pixels the page can be scrolled sideways. */
+/** The pixels by which the page can be scrolled sideways. */
 export function sidewaysOverflow(page: Page): Promise<number> {
   return page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)
 }
@@ -152,8 +152,9 @@ export async function expectLargeTargets(targets: Locator): Promise<void> {
 
 /** No violation of WCAG 2.2 AA on the page, or in a part of the element. */
 export async function expectAxeFindsNothing(page: Page, part?: string): Promise<void> {
-  // For a page of one frame: the mode for many opens a page of its own for each look. Of WCAG 2.2's own rules axe looks at none unless asked.
-  // What passes is not described: that is a quarter of the time.
+  // One frame is enough: the mode for many opens a page for each run. Rules of WCAG 2.2 alone have
+  // to be asked for.
+  // Only violations are described: the rest would take a quarter of the time.
   const builder = new AxeBuilder({ page })
     .setLegacyMode()
     .options({ rules: { 'target-size': { enabled: true } }, resultTypes: ['violations'] })

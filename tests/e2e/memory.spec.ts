@@ -10,7 +10,7 @@ const PANELS = [
   'Node order',
 ]
 const WARM_UP = { moves: 1000, aFrame: 50 }
-/** What comes once, such as code that is compiled late on a busy machine, comes in one of two halves; what each move leaves, in both. */
+/** Code compiled late takes memory in one of two halves; a leak of each move in both. */
 const HALF = { moves: 5000, aFrame: 500 }
 
 interface Counts {
@@ -69,7 +69,8 @@ test('10,000 moves of a drag leave nothing behind, with panels open', async ({ l
   const between = await countsOf(session)
   await drag(HALF)
   const after = await countsOf(session)
-  // What a report and a frame need is let go with the next; a hundred bytes a move would be this much.
+  // A report and a frame are released with the next; a leak of a hundred bytes a move would be this
+  // much.
   expect(Math.min(between.bytes - before.bytes, after.bytes - between.bytes)).toBeLessThan(100 * HALF.moves)
   expect(after.nodes - before.nodes).toBeLessThan(50)
   expect(after.listeners - before.listeners).toBeLessThan(10)

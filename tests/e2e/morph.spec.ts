@@ -8,7 +8,7 @@ const looksFine = presetVertices(presets[0])
 const panelOf = (page: Page) => page.getByRole('region', { name: 'Morph' })
 const sliderOf = (page: Page) => page.getByRole('slider', { name: 'Place between A and B' })
 
-/** From the unit cube to the first preset. */
+/** Opens the way from the unit cube to the first preset. */
 async function openMorph(lens: Lens, page: Page): Promise<void> {
   await lens.open()
   await lens.button('Morph').click()

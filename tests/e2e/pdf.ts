@@ -2,7 +2,7 @@
 import { inflateSync } from 'node:zlib'
 
 export interface PdfContents {
-  /** Of each page. */
+  /** The text of each page. */
   readonly pages: readonly string[]
   /** Width and height in pixels. */
   readonly pictures: readonly (readonly [number, number])[]

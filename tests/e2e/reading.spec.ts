@@ -1,4 +1,4 @@
-/** What people hold, as they paste and drop it: one of each kind, and what is said of it. */
+/** Inputs as people paste and drop them: one of each kind, and the sentence about it. */
 import { readdirSync, readFileSync } from 'node:fs'
 import type { Locator, Page } from '@playwright/test'
 import { type DroppedFile, drop, pasteAnywhere } from './input'
@@ -20,7 +20,7 @@ const others = pieces.filter(({ name }) => !name.endsWith('.pvtu'))
 interface Case {
   readonly what: string
   readonly give: (lens: Lens) => Promise<void>
-  /** Beside the verdict, or for what is refused above the picture. */
+  /** The sentence beside the verdict, or the refusal above the picture. */
   readonly says: string | RegExp
   readonly refused?: true
 }

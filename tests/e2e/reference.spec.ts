@@ -3,7 +3,7 @@ import { type Vec3, vertexReference } from '../../web/model/hexahedron'
 import { expect, expectAxeFindsNothing, inSchemesAndWidths, type Lens, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
-/** Not the cube in any direction, so that (x, y, z) and (xi, eta, zeta) differ. */
+/** An element that is the cube in no direction, so that (x, y, z) and (xi, eta, zeta) differ. */
 const wedge = [0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 1, 0, 0, 0, 1, 2, 0, 1, 2, 2, 1, 0, 1, 1]
 
 const referenceOf = (page: Page) => page.getByRole('application', { name: /^The reference cube/ })
@@ -122,7 +122,7 @@ test('what is pointed at, by keyboard or pointer, is marked with its numbers', a
     await lens.nextFrame()
     expect(await expectTrueReadout(lens)).not.toEqual(first)
     const mark = await page.locator('hex-lens .scene-scale .probe .line').boundingBox()
-    // At this width the bar lies.
+    // The bar is horizontal at this width.
     expect(Math.abs((mark?.x ?? 0) + (mark?.width ?? 0) / 2 - bar.x)).toBeLessThan(2)
     await page.mouse.move(x, y)
     await lens.nextFrame()

@@ -19,7 +19,7 @@ interface Point {
   readonly y: number
 }
 
-/** Where a vertex's handle is on the page. */
+/** The position of a vertex's handle on the page. */
 async function handleOf(lens: Lens, vertex: number): Promise<Point> {
   const circle = lens.page
     .locator('hex-lens .handle', { hasText: new RegExp(`^${vertex}$`) })
@@ -30,7 +30,7 @@ async function handleOf(lens: Lens, vertex: number): Promise<Point> {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
 }
 
-/** What the page was at the end of one frame's callback, before the browser showed it. */
+/** The page at the end of one frame's callback, before the browser showed it. */
 interface Seen {
   readonly frame: number
   readonly vertices: readonly number[]

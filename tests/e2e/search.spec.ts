@@ -5,7 +5,7 @@ import { gallery } from '../../web/pages/gallery/gallery'
 import { elementVertices } from '../../web/pages/gallery/gallery-vertices'
 import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, test } from './lens'
 
-/** How many elements were looked at, and how many found. */
+/** The numbers of elements searched, and of elements found. */
 async function counts(page: Page): Promise<[number, number]> {
   const text = (await page.locator('.counts').textContent()) ?? ''
   const [, elements, found] = /^([\d,]+) elements, [\d,]+ a second; ([\d,]+) found$/.exec(text) ?? []

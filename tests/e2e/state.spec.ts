@@ -10,7 +10,7 @@ const scrolls = (lens: Lens) =>
     panels: element.shadowRoot?.querySelector('.side')?.scrollTop,
   }))
 
-/** Where the vertices are on the screen, in the element and in the reference cube; the one chosen is drawn last. */
+/** Vertices on the screen, in the element and in the reference cube; the selected one is last. */
 const places = (lens: Lens) =>
   lens.element.locator('.scene-overlay .handle').evaluateAll(handles => {
     const boxes = handles.map(handle => handle.getBoundingClientRect())
@@ -74,7 +74,7 @@ test('a reload, and Back after another preset, return to the same place', async 
   await page.setViewportSize({ width: 390, height: 700 }) // here the page scrolls, not the panels
   await lens.nextFrame()
   await page.evaluate(() => scrollTo({ top: 1500 }))
-  // What is laid out anew above moves the place along, until nothing does.
+  // Layout above moves the place along, until nothing does.
   let down = 0
   await expect
     .poll(async () => {

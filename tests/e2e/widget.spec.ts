@@ -76,7 +76,7 @@ test('thirty on a page share one context, are drawn when they are seen, and leav
   await expect.poll(async () => (await drawn(page))[0]).toBeGreaterThan(0)
   const first = await drawn(page)
   expect(first.slice(6)).toEqual(Array(24).fill(-1))
-  // What is not seen is analysed all the same.
+  // An element out of view is analysed all the same.
   expect(
     await elements(page)
       .last()
@@ -213,7 +213,7 @@ test.describe('on a page that scrolls', () => {
     await expect.poll(zoom).toBeGreaterThan(zoomed)
     expect(await top()).toBe(60)
 
-    // Out by Tab, forwards, in as many steps as there are things to use.
+    // Tab leaves the element in as many steps as there are things to use.
     const inside = () => page.evaluate(() => document.activeElement === document.querySelector('hex-lens'))
     let steps = 0
     for (; (await inside()) && steps < 20; steps++) await page.keyboard.press('Tab')

@@ -8,7 +8,7 @@ import { report, scaled, TIMEOUT } from './scale'
 
 const COUNT = scaled(100_000)
 
-/** Of the issue's figures, in milliseconds; beside them is shown what this machine takes. */
+/** Bounds in milliseconds; the test prints this machine's times beside them. */
 const BOUNDS = { verdict: 0.4, report: 10 }
 
 it(`${COUNT} random bit patterns are answered`, { timeout: TIMEOUT }, () => {

@@ -10,7 +10,7 @@ type Hexahedra = fc.Arbitrary<readonly number[]>
 
 const integer = (min: number, max: number) => fc.noBias(fc.integer({ min, max }))
 
-/** By vertex: the one whose place it takes. */
+/** The vertex whose place each vertex takes. */
 export const SHAPES = {
   wedge: [0, 1, 2, 3, 4, 5, 5, 4],
   pyramid: [0, 1, 2, 3, 4, 4, 4, 4],
@@ -19,7 +19,7 @@ export const SHAPES = {
 
 const symmetry = fc.constantFrom(...rotations, ...reflections)
 
-/** As meshes store them: vertices coincide, in any of the cube's symmetries. */
+/** Shapes as meshes store them: vertices coincide, in any of the cube's symmetries. */
 export const shapes: Hexahedra = fc
   .tuple(displacedBetween(0.05, 0.5), fc.constantFrom(...Object.values(SHAPES)), symmetry)
   .map(([vertices, places, order]) =>
@@ -52,7 +52,7 @@ const scattered: Hexahedra = fc
   .tuple(displacedBetween(0.02, 0.6), powers(-500, 500))
   .map(([vertices, by]) => vertices.map((x, i) => x * 2 ** (by[i] as number)))
 
-/** So far apart on the last axis alone, the bottom below 0 and the top above: jacdet is positive at most of the corners. */
+/** Elements long on the last axis, from below 0 to above: most corners are positive. */
 const piled: Hexahedra = fc
   .tuple(displacedBetween(0.02, 0.2), powers(-1000, 0))
   .map(([vertices, by]) =>
@@ -71,7 +71,7 @@ function nearly(hexahedra: Hexahedra): Hexahedra {
 export interface Family {
   readonly name: string
   readonly hexahedra: fc.Arbitrary<readonly Vertices[]>
-  /** How many of all, and how many hexahedra are drawn at once. */
+  /** The share of all hexahedra, and the number drawn at once. */
   readonly share: number
   readonly each: number
 }

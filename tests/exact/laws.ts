@@ -1,4 +1,4 @@
-/** What is asked of C about a hexahedron, in every way there is, and compared with the oracle and with a proof. */
+/** Questions to C about a hexahedron, in every way there is, against the oracle and a proof. */
 import type { PieceResult } from '../../web/core/batch/batch-core'
 import { certify } from '../../web/core/exact/certificate'
 import type { Report } from '../../web/core/report'
@@ -40,7 +40,7 @@ export function expectAsOracle(vertices: Vertices): Report {
   return report
 }
 
-/** What integers decide is off by 2^-52 of itself at most. */
+/** A number from integers is off by at most 2^-52 of itself. */
 const EXACT_BITS = 52
 
 /** Throws where the verdict is not proved. */

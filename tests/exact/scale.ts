@@ -1,4 +1,4 @@
-/** How much is drawn: all of it by `npm run test:exact`, a hundredth in `npm test`. HEXLENS_SEED draws others. */
+/** `npm run test:exact` draws all, `npm test` a hundredth. HEXLENS_SEED draws others. */
 export const isWhole = process.env.HEXLENS_EXACT === 'whole'
 
 export function scaled(count: number): number {
@@ -8,7 +8,7 @@ export function scaled(count: number): number {
 /** Against hanging only. */
 export const TIMEOUT = 7_200_000
 
-/** Of test:exact, which is read. */
+/** Prints a line in test:exact, where somebody reads it. */
 export function report(line: string): void {
   if (isWhole) process.stdout.write(`${line}\n`)
 }

@@ -13,7 +13,7 @@ import { elsewhere, expect, root, test } from './elsewhere'
 
 const dist = join(elsewhere, 'node_modules/hexlens/dist')
 
-/** What users write; each host below runs this file. In JSON, as it comes back from a page. */
+/** A user's file, which each host below runs. Its answer is JSON, as a page returns it. */
 const ANSWER = `import { CLASSES, STATUSES, startClassifier } from 'hexlens/batch'
 
 export async function answer(hexahedra) {
@@ -250,7 +250,7 @@ test('its types are whole', () => {
       'batch.ts',
     )
   tsc('--module', 'nodenext', '--types', '')
-  // As a program for Node is compiled, without a DOM.
+  // A program for Node is compiled without a DOM.
   tsc('--module', 'nodenext', '--lib', 'es2023', '--typeRoots', join(root, 'node_modules/@types'), '--types', 'node')
   tsc('--module', 'esnext', '--moduleResolution', 'bundler', '--types', '', '--exactOptionalPropertyTypes')
 })

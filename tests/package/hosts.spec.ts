@@ -85,7 +85,7 @@ test('Sphinx, in reStructuredText and in MyST', async ({ lens }) => {
 test('MkDocs', async ({ lens }) => {
   const folder = site('mkdocs', 'docs')
   const [config, page] = snippetsOf('MkDocs') as [string, string]
-  // Its own theme asks another host for a highlighter, which has nothing to do with the element.
+  // MkDocs' own theme would ask another host for a highlighter.
   writeFileSync(join(folder, 'mkdocs.yml'), `site_name: A site\ntheme: {name: mkdocs, highlightjs: false}\n${config}\n`)
   writeFileSync(join(folder, 'docs/index.md'), `# A page\n\n${page}\n`)
   execFileSync(join(hosts, 'mkdocs'), ['build', '--quiet', '--strict'], { cwd: folder })

@@ -135,7 +135,7 @@ test('from file:// one script is all there is', async ({ page }) => {
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 
-/** As if it were pasted. */
+/** Offers a text to the element, as if it were pasted. */
 async function offer(lens: Lens, text: string): Promise<void> {
   await lens.element.evaluate((element, given) => (element as HTMLElementTagNameMap['hex-lens']).offer(given), text)
 }

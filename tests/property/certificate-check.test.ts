@@ -55,7 +55,7 @@ describe('the checker refuses', () => {
     'an interval turned round': [interval(ZERO, ONE, 'b'), interval(ONE, ZERO, 'b')],
     'an interval beyond 1': [interval(ZERO, over(2), 'b')],
     'a denominator below 0': [interval({ numerator: 0n, denominator: -1n }, ONE, 'b')],
-    // On the cube a = b = 0.
+    // The cube has a = b = 0.
     'a condition that does not hold': [interval(ZERO, ONE, 'D')],
     'a condition that does not exist': [interval(ZERO, ONE, 'convex' as 'D')],
   }

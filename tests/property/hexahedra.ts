@@ -138,7 +138,7 @@ const repeatedVertices = fc
   .tuple(displaced, integersBetween(0, 7, 4))
   .map(([vertices, pairs]) => withRepeated(vertices, pairs))
 
-/** On a plane, exactly so where its slopes and the coordinates are integers. */
+/** Vertices on a plane, exactly so if its slopes and the coordinates are integers. */
 const planar = fc
   .oneof(fc.tuple(integersBetween(-8, 8), integersBetween(-3, 3, 2)), fc.tuple(displaced, fc.constant([0.3, 0.7])))
   .map(([vertices, [m, n]]) =>

@@ -171,7 +171,7 @@ export function shifted({ start, middle, end }: FaceParabolas, bits: number): Fa
   return { start: up(start), middle: up(middle), end: up(end) }
 }
 
-/** Why the face is positive on the interval; the names are those of web/core/exact/certificate.ts. */
+/** Reasons why the face is positive on the interval, named as in web/core/exact/certificate.ts. */
 export type Reason = 'b' | '2a+b' | 'D' | 'middle'
 
 const isPositive = (values: readonly bigint[]) => values.every(value => value > 0n)

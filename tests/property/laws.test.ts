@@ -1,6 +1,6 @@
 /**
- * What must not change, or change in one exactly known way, when a hexahedron is moved, stretched, turned, mirrored or numbered
- * otherwise.
+ * Laws of what must not change, or in one exactly known way, when a hexahedron is moved, stretched,
+ * turned, mirrored or numbered otherwise.
  */
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
@@ -217,7 +217,7 @@ describe('a hexahedron', () => {
           ]
           expect(report.valid && other.valid).toBe(false)
           ++verdicts[report.valid ? 'valid' : other.valid ? 'mirrored' : 'neither']
-          // Of an element that exact arithmetic decides they are rounded once, otherwise as doubles compute them.
+          // Exact arithmetic rounds them once, doubles do so at each step.
           if (report.exponent !== other.exponent || report.decidedBy !== other.decidedBy) return
           ++compared
           expect(other.bernstein.map(negated)).toEqual(report.bernstein.map(x => x + 0))

@@ -10,7 +10,7 @@ const EACH = 10_000
 /** Those with exact zeros take longer. */
 const countOf = (family: Family) => (family === 'touched' ? 2000 : EACH)
 
-/** At least so many of each verdict, and decided by exact arithmetic. */
+/** The least numbers of each verdict, and of those decided by exact arithmetic. */
 const LEAST: Readonly<Record<Family, { valid: number; invalid: number; exact: number }>> = {
   displaced: { valid: 1000, invalid: 1000, exact: 0 },
   raw: { valid: 1000, invalid: 1000, exact: 5 },

@@ -1,4 +1,4 @@
-/** What a batch answers, against the reports of its cells. */
+/** A batch's answers against the reports of its cells. */
 import { expect } from 'vitest'
 import { type Answers, STATUSES } from '../../web/core/batch/lists'
 import type { Report } from '../../web/core/report'
@@ -48,7 +48,7 @@ function expectSame(value: number, exponent: number, reported: number, report: R
   else expect(normalized(value, exponent), cell).toEqual(normalized(reported, report.exponent))
 }
 
-/** In a report with an exponent it may stand for a smaller number. */
+/** A report with an exponent may stand for a smaller number. */
 const LEAST_NORMAL = 2 ** -1022
 
 /** The mantissa, of magnitude from 1 to 2, and the power of two that it is times. */

@@ -24,7 +24,7 @@ function ask(classifier: Classifier) {
   return classifier.classify(points, null, { minima: true })
 }
 
-/** As anyone in the process can. */
+/** Ends the thread as anyone in the process can. */
 async function kill(thread: Worker | undefined): Promise<void> {
   if (!thread) throw new Error('There is no such thread.')
   await thread.terminate()

@@ -76,7 +76,7 @@ it('answers in each list alone what it answers in all of them', () => {
       all,
     )
   }
-  // With verdicts alone integers are asked less often than with minima.
+  // Verdicts alone need integers less often than minima do.
   const { exact, exactCount } = batchCores.vectors.classify(piece(hexahedra), { exact: true })
   for (const [c, isExact] of exact.entries()) if (isExact) expect(all.exact[c]).toBe(1)
   expect(exactCount).toBe(exact.reduce((a, b) => a + b, 0))
@@ -145,7 +145,7 @@ it('gives the same on one worker and on three, for shared points and for coordin
     expect(first.valid[c] === 1, `cell ${c}`).toBe(reportOf([...all.subarray(24 * c, 24 * c + 24)]).valid)
 })
 
-/** What a cell that is unanswered has in the lists. */
+/** Checks the lists' entries of an unanswered cell. */
 function expectUnanswered(answers: Answers<typeof ALL_LISTS>, cell: number, status: CellStatus): void {
   const { valid, minima, relativeMinima, volumes, classes, acceptedBy, exact, statuses } = answers
   expect(STATUSES[statuses[cell] as number], `cell ${cell}`).toBe(status)

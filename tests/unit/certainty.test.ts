@@ -1,4 +1,4 @@
-/** What the verdict says about its own certainty, against the reports it says it of. */
+/** The verdict's words on its own certainty, against the reports. */
 import { describe, expect, it } from 'vitest'
 import { approximation, lowerInside } from '../../web/core/inside'
 import type { Report } from '../../web/core/report'

@@ -15,7 +15,7 @@ export interface Checked {
   readonly errors: string
 }
 
-/** On the texts of one or two files. */
+/** Runs the checker on the texts of one or two files. */
 export function checked(...texts: string[]): Checked {
   const folder = mkdtempSync(join(tmpdir(), 'hexlens-'))
   try {
@@ -32,7 +32,7 @@ export function checked(...texts: string[]): Checked {
   }
 }
 
-/** As JSON.parse returns it, so that tests may read and change whatever they like. */
+/** A certificate as JSON.parse returns it, so that tests may change whatever they like. */
 // biome-ignore lint/suspicious/noExplicitAny: tampering knows no types
 export type Loose = any
 

@@ -124,7 +124,7 @@ const number = (rational: string) => {
   return (numerator as number) / denominator
 }
 
-/** Whether the condition is false at an end of the interval, so that no proof can rest on it. */
+/** True if the condition is false at an end of the interval, so that no proof can rest on it. */
 function isFalse(vertices: Vertices, face: number, { t, by }: Loose): boolean {
   return t.some((end: string) => !conditions[by]?.(parabola(vertices, face, number(end))))
 }
@@ -417,7 +417,8 @@ describe('one hundred tampered certificates', () => {
     point: ['0', '0', '0'],
     jacdet: '1',
   })
-  // With the vertices of one zeta-edge across the diagonal jacdet is -1/4 on it and affine in xi and eta, of slopes 5/8.
+  // The vertices of one zeta-edge are across the diagonal: jacdet is -1/4 on it and affine in xi
+  // and eta, of slopes 5/8.
   const everywhere = (by: string) => Array.from({ length: 6 }, () => [{ t: ['0', '1'], by }])
   const dented = (corner: number, to: number) =>
     box.map(([x, y, z]) => (x === corner && y === corner ? [to, to, z] : [x, y, z]))

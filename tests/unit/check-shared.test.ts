@@ -65,7 +65,7 @@ async function expectNone<T extends { readonly file: string }>(
   expect(failing).toEqual([])
 }
 
-/** Null where it holds. */
+/** The difference, or null. */
 function differing(found: object, expected: object): string | null {
   const [a, b] = [JSON.stringify(found), JSON.stringify(expected)]
   return a === b ? null : `${a} in place of ${b}`
@@ -204,7 +204,7 @@ it('pastes', async () => {
   })
 })
 
-/** But for six digits, as logs print them, and for where it lies: an instance is moved as a whole. */
+/** True if equal to six digits, as logs print, up to a translation of the whole instance. */
 function areAlike(found: readonly number[], expected: readonly number[]): boolean {
   return found.every((x, i) => {
     const difference = x - (found[i % 3] as number) - ((expected[i] as number) - (expected[i % 3] as number))

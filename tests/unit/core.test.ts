@@ -197,7 +197,7 @@ describe('exact arithmetic', () => {
     expect(passing).toEqual(expect.arrayContaining(['corners', 'corners-and-centre', 'gauss-2', 'gauss-3', 'edges']))
     // At the centre it is 0.91984; the corners have less.
     expect(scaledJacobian).toBeCloseTo(0.57, 1)
-    // To Verdict a column as short as that is none.
+    // Verdict takes a column as short as that for zero.
     expect(checks.find(({ id }) => id === 'corners-and-centre')?.value).toBe(1e30)
   })
 

@@ -41,9 +41,7 @@ describe('the table of the element’s interface', () => {
     expect(names('parts')).toEqual(expect.arrayContaining(views))
     const { text } = table.attributes.find(({ name }: { name: string }) => name === 'views')
     for (const { name, always, with: other } of all) if (!always && !other) expect(text).toContain(`\`${name}\``)
-    const own = [...read('web/element/show.ts').matchAll(/place\('(\w+)'(?:, '(\w+)')?\)/g)].map(
-      match => match[2] ?? match[1],
-    )
+    const own = [...read('web/element/view-host.ts').matchAll(/ part="(\w+)"/g)].map(match => match[1])
     expect(names('parts')).toEqual(expect.arrayContaining(own))
   })
 
@@ -53,6 +51,6 @@ describe('the table of the element’s interface', () => {
     used.delete('--hl-scheme') // follows the attribute theme
     expect(names('customProperties').sort()).toEqual([...used].sort())
     expect(names('slots')).toEqual(['', 'caption'])
-    expect(read('web/element/show.ts')).toContain("name: 'caption'")
+    expect(read('web/element/view-host.ts')).toContain('slot name="caption"')
   })
 })

@@ -9,10 +9,10 @@ import { documented } from './embed-fixture'
 const text = readFileSync(new URL('../../docs/embedding.md', import.meta.url), 'utf8')
 const sections = new Map(text.split(/^## /m).map(section => [section.slice(0, section.indexOf('\n')), section]))
 
-for (const { title, setup, place } of hosts) {
+for (const { title, setup, snippet } of hosts) {
   it(`the lines for ${title} are in docs/embedding.md`, () => {
     const section = sections.get(title)
-    for (const { language, text } of [...setup, place(documented)]) {
+    for (const { language, text } of [...setup, snippet(documented)]) {
       expect(section).toMatch(new RegExp(`^(\`{3,4})${language}\n`, 'm'))
       expect(section).toContain(`\n${text}\n`)
     }
@@ -30,12 +30,12 @@ it('numbers are written so that they read back bit for bit', () => {
     .map(Number)
   expect(read.every((value, i) => Object.is(value, hard[i]))).toBe(true)
   const jupyter = hosts.find(({ id }) => id === 'jupyter')
-  expect(jupyter?.place({ ...documented, vertices: hard }).text).toContain('[-0.0, 1, 0],')
+  expect(jupyter?.snippet({ ...documented, vertices: hard }).text).toContain('[-0.0, 1, 0],')
 })
 
 it('what a label says does not end its attribute, and what an element has by itself is not said', () => {
   const label = 'a "b" <c> & d'
-  const html = hosts[0]?.place({ ...documented, label, views: ['scene', 'verdict'], theme: 'dark', readonly: true })
+  const html = hosts[0]?.snippet({ ...documented, label, views: ['scene', 'verdict'], theme: 'dark', readonly: true })
   expect(html?.text).toContain('label="a &quot;b&quot; &lt;c&gt; &amp; d"')
   expect(html?.text).not.toContain('views=')
   expect(html?.text).toMatch(/^ {2}theme="dark"\n {2}readonly$/m)

@@ -30,7 +30,7 @@ function install(...variables: string[]): void {
   run('make', ['-s', '-C', join(root, 'wasm'), 'install', ...variables])
 }
 
-/** Made for one place and used in another: what is installed can be moved. */
+/** The installation is made for one place and used in another: it can be moved. */
 const prefix = join(folder, 'staged', 'opt', 'hexlens')
 const environment = { PKG_CONFIG_PATH: join(prefix, 'lib', 'pkgconfig') }
 

@@ -161,7 +161,7 @@ describe('what the texts say besides', () => {
       const [v, w, c, d] = [vector(), vector(), vector(), vector()]
       const u = sum(scaled(v, alpha), scaled(w, beta))
       const kappa = determinant(v, w, c)
-      // Along the normal of V and W, A and B are what the two conditions ask for.
+      // A and B meet the two conditions along the normal of V and W.
       const normal = cross(v, w)
       const along = (value: number) => scaled(normal, value / dot(normal, normal))
       const [a, b] = [sum(along(beta * kappa), scaled(v, d[0])), sum(along(alpha * kappa), scaled(w, d[1]))]

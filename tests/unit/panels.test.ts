@@ -1,6 +1,6 @@
 /** A panel that no build has: what it says of itself is all that an element needs to keep its state and to answer its question. */
 import { describe, expect, it } from 'vitest'
-import { Answers } from '../../web/element/answers'
+import { Analyzer } from '../../web/element/analyzer'
 import { readAttribute, viewNames } from '../../web/element/attributes'
 import { flag } from '../../web/model/document-readers'
 import { type Slice, sliceChange, sliceOf } from '../../web/model/state'
@@ -57,16 +57,16 @@ describe('one more panel', () => {
   })
 
   it('has its question answered with every frame', () => {
-    const answers = new Answers(
+    const analyzer = new Analyzer(
       all,
       () => {},
       () => {},
     )
     const store = createStore(unitCube, null)
-    expect(answerTo(question, answers.of(store.state))).toBeNull()
-    answers.core = core
-    expect(answerTo(question, answers.of(store.state))).toBe(true)
+    expect(answerTo(question, analyzer.analyze(store.state))).toBeNull()
+    analyzer.core = core
+    expect(answerTo(question, analyzer.analyze(store.state))).toBe(true)
     store.dispatch(sliceChange(slice, { mirrored: true }))
-    expect(answerTo(question, answers.of(store.state))).toBe(false)
+    expect(answerTo(question, analyzer.analyze(store.state))).toBe(false)
   })
 })

@@ -90,7 +90,7 @@ it('agrees bit for bit on the exact cases, random elements and random bits', asy
   expect(Buffer.from(answersOf(twin, list).buffer).equals(answers)).toBe(true)
 })
 
-/** NaN is a number here: of a cell that is not finite all lists have it. */
+/** Bytes, so that NaN equals NaN: all lists have it for a cell that is not finite. */
 function bytesOf(list: ArrayBufferView | undefined): Buffer {
   return list ? Buffer.from(list.buffer, list.byteOffset, list.byteLength) : Buffer.alloc(0)
 }

@@ -53,7 +53,7 @@ describe.each(['meshes', 'pastes'])('the given %s', folder => {
 const CUBES = 3000
 const nodes = Array.from({ length: 4 * (CUBES + 1) }, (_, i) => {
   const [layer, corner] = [Math.floor(i / 4), i % 4]
-  // In no order, and with gaps.
+  // The ids are in no order, and have gaps.
   const id = 1 + ((i * 7919) % 20_011)
   return { id, x: layer / 7, y: [0, 1, 1, 0][corner] as number, z: [0, 0, 0.1, 0.1][corner] as number }
 })

@@ -26,7 +26,7 @@ function rayTo(origin: Vec3, to: Vec3): Ray {
   return { origin, direction: way.map(x => x / length) as unknown as Vec3 }
 }
 
-/** Even enough, and the same in every run. */
+/** Random numbers, even enough, and the same in every run. */
 function* randoms(seed: number): Generator<number, never> {
   for (let x = seed; ; ) {
     x = (Math.imul(x, 1664525) + 1013904223) >>> 0

@@ -3,7 +3,14 @@ import Ajv2020 from 'ajv/dist/2020.js'
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import type { Vertices } from '../../web/model/hexahedron'
-import { type Cameras, type CameraView, CONTROLS, type FaceDisplay, type State } from '../../web/model/state'
+import {
+  type Cameras,
+  type CameraView,
+  CONTROLS,
+  type FaceDisplay,
+  type Preview,
+  type State,
+} from '../../web/model/state'
 import { readState, stateDocument } from '../../web/model/state-document'
 import { createStore } from '../../web/model/store'
 import { panels } from '../../web/panels/list'
@@ -43,9 +50,11 @@ const state: fc.Arbitrary<State> = fc.record({
   probe: fc.constantFrom(null, [0, 0, 1] as const),
   highlight: fc.constantFrom(null, { kind: 'edge', id: 3 } as const),
   helpShown: fc.boolean(),
-  previewedOrder: fc.constantFrom(null, [1, 0, 3, 2, 5, 4, 7, 6]),
-  lookedAt: fc.constantFrom(null, { points: [[0, 0.5, 1] as const], edges: true }),
-  previewedMove: fc.option(vertices),
+  preview: fc.oneof<fc.Arbitrary<Preview | null>[]>(
+    fc.constantFrom(null, { order: [1, 0, 3, 2, 5, 4, 7, 6] }),
+    vertices.map(move => ({ move })),
+  ),
+  samples: fc.constantFrom(null, { points: [[0, 0.5, 1] as const], edges: true }),
   section: fc.record({ axis: fc.constantFrom(0, 1, 2), value: within(0, 1) }),
   isReadonly: fc.boolean(),
   controls: fc.constantFrom(CONTROLS, []),
@@ -77,9 +86,8 @@ function lastingOf(state: State) {
     gestureStart,
     probe,
     highlight,
-    lookedAt,
-    previewedOrder,
-    previewedMove,
+    samples,
+    preview,
     helpShown,
     isReadonly,
     controls,

@@ -205,63 +205,63 @@ describe('the store', () => {
     expect(target.state).toBe(before)
   })
 
-  it('keeps what is highlighted out of the history, and refuses a part that is not there', () => {
-    const target = dispatched({ type: 'highlight', part: { kind: 'edge', id: 11 } })
+  it('keeps what is highlighted out of the history, and refuses an entity that is not there', () => {
+    const target = dispatched({ type: 'highlight', entity: { kind: 'edge', id: 11 } })
     expect(target.state).toMatchObject({ highlight: { kind: 'edge', id: 11 }, canUndo: false })
     const before = target.state
-    target.dispatch({ type: 'highlight', part: { kind: 'edge', id: 11 } })
+    target.dispatch({ type: 'highlight', entity: { kind: 'edge', id: 11 } })
     expect(target.state).toBe(before)
-    expect(() => target.dispatch({ type: 'highlight', part: { kind: 'vertex', id: 8 } })).toThrow(RangeError)
-    target.dispatch({ type: 'highlight', part: null })
+    expect(() => target.dispatch({ type: 'highlight', entity: { kind: 'vertex', id: 8 } })).toThrow(RangeError)
+    target.dispatch({ type: 'highlight', entity: null })
     expect(target.state.highlight).toBeNull()
   })
 
-  it('keeps what a check looks at out of the history, while the vertices move, and refuses a point that is not in the cube', () => {
-    const lookedAt = { points: [[0, 0.5, 1]], edges: false } as const
-    const target = dispatched({ type: 'look-at', lookedAt })
-    expect(target.state).toMatchObject({ lookedAt, canUndo: false })
+  it('keeps a check’s samples out of the history, while the vertices move, and refuses a point that is not in the cube', () => {
+    const samples = { points: [[0, 0.5, 1]], edges: false } as const
+    const target = dispatched({ type: 'show-samples', samples })
+    expect(target.state).toMatchObject({ samples, canUndo: false })
     target.dispatch({ type: 'move-all', vertices: unitCube.with(4, 0.5) })
-    expect(target.state.lookedAt).toBe(lookedAt)
+    expect(target.state.samples).toBe(samples)
     const outside = { points: [[0, 0.5, 1.5]], edges: false } as const
-    expect(() => target.dispatch({ type: 'look-at', lookedAt: outside })).toThrow(RangeError)
-    target.dispatch({ type: 'look-at', lookedAt: null })
-    expect(target.state.lookedAt).toBeNull()
+    expect(() => target.dispatch({ type: 'show-samples', samples: outside })).toThrow(RangeError)
+    target.dispatch({ type: 'show-samples', samples: null })
+    expect(target.state.samples).toBeNull()
   })
 
-  it('looks at a move until the vertices change, and refuses what is no element', () => {
+  it('previews a move until the vertices change, and refuses what is no element', () => {
     const moved = unitCube.with(4, 0.5)
-    const target = dispatched({ type: 'preview-move', vertices: moved })
+    const target = dispatched({ type: 'preview', preview: { move: moved } })
     expect(target.state).toMatchObject({ vertices: unitCube, canUndo: false })
-    expect(target.state.previewedMove).toBe(moved)
+    expect(target.state.preview?.move).toBe(moved)
     target.dispatch({ type: 'select-vertex', vertex: 5 })
-    expect(target.state.previewedMove).toBe(moved)
+    expect(target.state.preview?.move).toBe(moved)
     target.dispatch({ type: 'move-all', vertices: moved })
-    expect(target.state).toMatchObject({ vertices: moved, previewedMove: null, canUndo: true })
+    expect(target.state).toMatchObject({ vertices: moved, preview: null, canUndo: true })
     for (const wrong of [unitCube.slice(1), unitCube.with(7, Number.NaN)])
-      expect(() => target.dispatch({ type: 'preview-move', vertices: wrong })).toThrow(RangeError)
+      expect(() => target.dispatch({ type: 'preview', preview: { move: wrong } })).toThrow(RangeError)
   })
 
-  it('looks at another node order until the vertices change, and refuses what is none', () => {
+  it('previews another node order until the vertices change, and refuses what is none', () => {
     const order = [0, 1, 3, 2, 4, 5, 7, 6]
-    const target = dispatched({ type: 'preview-order', order })
-    expect(target.state).toMatchObject({ previewedOrder: order, canUndo: false })
+    const target = dispatched({ type: 'preview', preview: { order } })
+    expect(target.state).toMatchObject({ preview: { order }, canUndo: false })
     target.dispatch({ type: 'select-vertex', vertex: 5 })
-    expect(target.state.previewedOrder).toBe(order)
+    expect(target.state.preview?.order).toBe(order)
     target.dispatch({ type: 'move-vertex', vertex: 5, to: [9, 9, 9] })
-    expect(target.state.previewedOrder).toBeNull()
-    target.dispatch({ type: 'preview-order', order })
+    expect(target.state.preview).toBeNull()
+    target.dispatch({ type: 'preview', preview: { order } })
     target.dispatch({ type: 'undo' })
-    expect(target.state.previewedOrder).toBeNull()
+    expect(target.state.preview).toBeNull()
     for (const wrong of [
       [0, 1, 2],
       [0, 1, 2, 3, 4, 5, 6, 6],
       [1, 2, 3, 4, 5, 6, 7, 8],
     ])
-      expect(() => target.dispatch({ type: 'preview-order', order: wrong })).toThrow(RangeError)
+      expect(() => target.dispatch({ type: 'preview', preview: { order: wrong } })).toThrow(RangeError)
   })
 
-  it('begins without a history, and changes nothing where the numbers are there already', () => {
-    const target = dispatched(move(5), { type: 'begin', vertices: other, preset: null, start: unitCube })
+  it('initializes without a history, and changes nothing where the numbers are there already', () => {
+    const target = dispatched(move(5), { type: 'initialize', vertices: other, preset: null, start: unitCube })
     expect(target.state).toMatchObject({ vertices: other, start: unitCube, canUndo: false, canRedo: false })
     const before = target.state
     target.dispatch({ type: 'set-vertices', vertices: other.slice(), preset: null })
@@ -271,7 +271,9 @@ describe('the store', () => {
     expect(target.state.vertices).toBe(before.vertices)
     target.dispatch({ type: 'set-vertices', vertices: other.with(0, -0), preset: null })
     expect(Object.is(target.state.vertices[0], -0)).toBe(true)
-    expect(() => target.dispatch({ type: 'begin', vertices: [1], preset: null, start: unitCube })).toThrow(RangeError)
+    expect(() => target.dispatch({ type: 'initialize', vertices: [1], preset: null, start: unitCube })).toThrow(
+      RangeError,
+    )
   })
 
   it('keeps the ends of a way out of the history, and refuses what is no element', () => {

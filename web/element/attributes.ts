@@ -1,4 +1,4 @@
-/** The attributes of `<hex-lens>`: what each may say, and in which sentence it is refused. */
+/** The attributes of `<hex-lens>`: their values, and the sentences that refuse others. */
 
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
 import { type Preset, presets } from '../model/presets'
@@ -25,11 +25,11 @@ export type Theme = (typeof THEMES)[number]
 const THEMES = ['auto', 'light', 'dark'] as const
 export const FIRST_VIEWS = ['scene', 'verdict']
 const DECIMAL = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i
-/** As far as the reader can turn; and as much nearer or farther than all in view as a state may say. */
+/** The reader can turn no farther, and a state can zoom no farther. */
 const MOST_ELEVATION = 90
 const ZOOMS = [0.001, 1000] as const
 
-/** The names that the attribute `views` may have: panels that there are, and others that are passed over. */
+/** The words that the attribute `views` may have: panels of this build, and others, passed over. */
 export interface ViewNames {
   readonly known: readonly string[]
   readonly passedOver: readonly string[]
@@ -42,7 +42,7 @@ export function viewNames({ panels, otherPanels }: Pick<Required<Composition>, '
   }
 }
 
-/** What an attribute says; null is one that is not there. Throws HexLensError. */
+/** Parses an attribute's text, null if there is no attribute. Throws HexLensError. */
 type Read<T> = (text: string | null, views: ViewNames) => T
 
 const readers: { readonly [Name in AttributeName]: Read<Attributes[Name]> } = {
@@ -67,7 +67,7 @@ export function readAttribute<Name extends AttributeName>(
   return readers[name](text, views)
 }
 
-/** As the attribute `vertices` says them, bit for bit. */
+/** The text of the attribute `vertices`, which gives these very bits back. */
 export function verticesText(vertices: Vertices): string {
   const points = Array.from({ length: COORDINATE_COUNT / 3 }, (_, v) => vertices.slice(3 * v, 3 * v + 3))
   return points.map(point => point.map(x => (Object.is(x, -0) ? '-0' : String(x))).join(' ')).join(', ')
@@ -75,13 +75,13 @@ export function verticesText(vertices: Vertices): string {
 
 /** 24 numbers; commas, brackets and white space stand between them. */
 export function readVertices(text: string): Vertices {
-  const numbers = text.split(/[\s,;()[\]]+/).filter(part => part !== '')
+  const numbers = text.split(/[\s,;()[\]]+/).filter(word => word !== '')
   const bad = numbers.find(number => !DECIMAL.test(number))
   if (bad !== undefined) throw refusal('vertices', `“${shortened(bad)}” is not a number`)
   return checkedVertices(numbers.map(Number))
 }
 
-/** A copy. Throws HexLensError unless given 24 finite numbers. */
+/** Returns a copy. Throws HexLensError unless given 24 finite numbers. */
 export function checkedVertices(given: ArrayLike<number> | null | undefined): Vertices {
   if (given?.length !== COORDINATE_COUNT)
     throw new HexLensError('wrong-count', `A hexahedron has 24 coordinates; ${given?.length ?? 'none'} were given.`)
@@ -103,7 +103,7 @@ function readCamera(text: string): CameraView {
   const numbers = text
     .trim()
     .split(/[\s,]+/)
-    .map(part => part.replace(/(deg|°)$/, ''))
+    .map(word => word.replace(/(deg|°)$/, ''))
   const [azimuth, elevation, zoom] = numbers.map(Number) as [number, number, number?]
   const isRight =
     numbers.every(number => DECIMAL.test(number)) &&

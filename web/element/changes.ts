@@ -1,4 +1,4 @@
-/** What the page is told of the element's changes: by events, and by the attributes `vertices` and `preset`. */
+/** Tells the page of changes by events, and by the attributes `vertices` and `preset`. */
 import type { Report } from '../core/report'
 import type { Vertices } from '../model/hexahedron'
 import type { State } from '../model/state'
@@ -6,13 +6,13 @@ import type { State } from '../model/state'
 export interface ChangeListener {
   tell(event: 'hex-input' | 'hex-change'): void
   tell(event: 'hex-verdict', detail: { readonly valid: boolean }): void
-  /** The attributes are to say what is there now. */
+  /** Writes the present vertices and preset to the attributes. */
   reflect(): void
 }
 
 export class Changes {
   readonly #listener: ChangeListener
-  /** The vertices last told of; null before the first frame, in which there is nothing to compare with. */
+  /** The vertices of the last frame; null before the first, which has nothing to compare with. */
   #told: Vertices | null = null
   /** The vertices after the last change that was done. */
   #committed: Vertices
@@ -23,7 +23,7 @@ export class Changes {
     this.#listener = listener
   }
 
-  /** Before that, what is set is what the element starts from, and no change. */
+  /** False before the first frame: vertices set until then are the start, not a change. */
   get haveBegun(): boolean {
     return this.#told !== null
   }
@@ -32,7 +32,7 @@ export class Changes {
     this.#committed = vertices
   }
 
-  /** Whether anybody sees the element or not. */
+  /** Called in each frame, on the screen or not. */
   tell({ vertices, gestureStart }: State, report: Report | null): void {
     const isMoved = this.#told !== null && this.#told !== vertices
     this.#told = vertices

@@ -1,4 +1,4 @@
-/** What an element is made of. */
+/** The parts of a build: `define` composes the element of them. */
 import type { CoreSources } from '../core/start-core'
 import type { ReadingWorker } from '../input/read-input'
 import type { Panel } from '../panels/panel'

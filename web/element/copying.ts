@@ -1,14 +1,19 @@
 /**
- * Pressing a number copies all its digits (`web/views/copyable.ts` makes such numbers) and says so beside it; C, or pressing
- * its words in the scene, copies those of the point that is pointed at. Where the clipboard is closed the digits stand there
- * selected instead. In a table arrow keys go from one number to the next.
+ * Pressing a number copies all its digits (`web/views/copyable.ts` makes such numbers) and says so
+ * beside it; C, or pressing the readout in the scene, copies those of the probe. If the clipboard
+ * is closed, the digits stand there selected instead. In a table arrow keys go from one number to
+ * the next.
  */
+import { html, nothing, render } from 'lit-html'
+import type { JacobianReport } from '../core/report'
+import { jacdetInFull } from '../model/decimal'
+import type { ReferenceCube } from '../model/state'
 import { copyText } from '../views/copy-text'
 
 const NUMBER = 'data'
 const POINT = '[data-copies="point"]'
 const WAYS: Readonly<Record<string, 1 | -1>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 }
-/** CSS pixels between what is copied and what is said of it, and to the border of the element. */
+/** CSS pixels between a number and the message about it, and to the border of the element. */
 const GAP = 4
 
 export class Copying {
@@ -16,7 +21,7 @@ export class Copying {
   readonly #point: () => string | null
   readonly #told = document.createElement('p')
 
-  /** `lens` holds all numbers and gets what is said of them; `point` is the text of what is pointed at, null for nothing. */
+  /** `lens` holds the numbers and gets the message; `point` is the text of the point pointed at. */
   constructor(lens: HTMLElement, point: () => string | null) {
     this.#lens = lens
     this.#point = point
@@ -32,7 +37,7 @@ export class Copying {
   #onClick(event: MouseEvent): void {
     const target = event.target as Element
     const number = target.closest<HTMLDataElement>(NUMBER)
-    // Who selects a part of it wants what is seen.
+    // A reader who selects some of its text wants the text itself.
     if (number && getSelection()?.type !== 'Range') void this.#copy(number.value, number)
     else if (target.closest(POINT)) this.#copyPoint(target)
   }
@@ -57,26 +62,24 @@ export class Copying {
 
   async #copy(text: string, at: Element): Promise<void> {
     const isCopied = await copyText(text)
-    const digits = document.createElement('span')
-    digits.textContent = text
-    this.#told.replaceChildren(isCopied ? 'Copied ' : 'Copying is not allowed here: ', digits)
+    render(html`${isCopied ? 'Copied' : 'Copying is not allowed here:'} <span>${text}</span>`, this.#told)
     this.#place(at)
-    if (!isCopied) getSelection()?.selectAllChildren(digits)
+    if (!isCopied) getSelection()?.selectAllChildren(this.#told.lastElementChild as Element)
   }
 
-  /** Under what was copied, within the element. */
+  /** Puts the message under the copied number, within the element. */
   #place(at: Element): void {
     const told = this.#told
-    const frame = this.#lens.getBoundingClientRect()
+    const box = this.#lens.getBoundingClientRect()
     const { left, bottom } = at.getBoundingClientRect()
     const within = (from: number, room: number, scrolled = 0) =>
       `${Math.max(GAP, Math.min(room - GAP, from)) + scrolled}px`
-    told.style.left = within(left - frame.left, frame.width - told.offsetWidth)
-    told.style.top = within(bottom - frame.top + GAP, frame.height - told.offsetHeight, this.#lens.scrollTop)
+    told.style.left = within(left - box.left, box.width - told.offsetWidth)
+    told.style.top = within(bottom - box.top + GAP, box.height - told.offsetHeight, this.#lens.scrollTop)
   }
 
   #hide(): void {
-    this.#told.replaceChildren()
+    render(nothing, this.#told)
   }
 }
 
@@ -85,4 +88,12 @@ function goOn(number: HTMLElement, way: 1 | -1): boolean {
   const numbers = [...(number.closest('table')?.querySelectorAll<HTMLElement>(NUMBER) ?? [])]
   numbers[numbers.indexOf(number) + way]?.focus()
   return numbers.length > 0
+}
+
+/** The numbers of the probe, with all their digits. */
+export function pointInFull(probe: JacobianReport | null, cube: ReferenceCube): string | null {
+  if (probe === null) return null
+  const { point, position } = probe
+  const jacdet = jacdetInFull(probe.jacdet, probe.exponent, cube)
+  return `jacdet = ${jacdet}, (xi, eta, zeta) = (${point.join(', ')}), (x, y, z) = (${position.join(', ')})`
 }

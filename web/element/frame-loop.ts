@@ -1,19 +1,19 @@
 /**
- * When an element is drawn: once a frame of the page at most, and only while something is new and somebody looks. It is looked at when
- * it is in view, printed, or a picture of it is asked for.
+ * Draws an element once a frame of the page at most, and only if something is new and the element
+ * is seen. It is seen if it is in view, printed, or a picture of it is asked for.
  */
 import { Printing } from './printing'
 
 export interface DueFrame {
   /** The page's time of the frame; NaN before a page is printed, which is no frame of the page. */
   readonly time: number
-  /** False where only views wait that had no turn in the last frame. */
+  /** False if only updates wait that the last frame had no time for. */
   readonly isNews: boolean
   readonly isSeen: boolean
   readonly isForPaper: boolean
 }
 
-/** Draws; says whether views still wait for a turn, and whether some are still to be made. */
+/** `isWaiting`: updates are left for a later frame; `isUnmade`: views are still to be made. */
 export type DrawFrame = (frame: DueFrame) => { readonly isWaiting: boolean; readonly isUnmade: boolean }
 
 export class FrameLoop {
@@ -31,7 +31,6 @@ export class FrameLoop {
     this.#draw = draw
   }
 
-  /** When the element is put into a page. */
   start(): void {
     this.#printing = new Printing(this.#element, () => this.#drawForPaper())
     this.#visibility = new IntersectionObserver(entries => {
@@ -41,7 +40,6 @@ export class FrameLoop {
     this.#visibility.observe(this.#element)
   }
 
-  /** When it is taken out. */
   stop(): void {
     cancelAnimationFrame(this.#request)
     this.#request = 0
@@ -94,7 +92,7 @@ export class FrameLoop {
     return this.#draw({ time, isNews, isSeen: this.isSeen, isForPaper: this.#isForPaper })
   }
 
-  /** Before the pages are made: every view, in this very moment. */
+  /** Draws every view before the browser makes the pages, in this very moment. */
   #drawForPaper(): void {
     cancelAnimationFrame(this.#request)
     this.#request = 0

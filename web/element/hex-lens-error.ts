@@ -1,6 +1,6 @@
 import type { StateErrorCode } from '../model/state-document'
 
-/** Why something given to an element was refused: `code` for programs, `message` for people. */
+/** The reason why an element refused its input: `code` for programs, `message` for people. */
 export type HexLensErrorCode =
   | 'wrong-count'
   | 'not-finite'

@@ -1,26 +1,26 @@
 /**
- * `<hex-lens>`: one hexahedron and everything said about it. It owns the state, asks the core once a frame and hands
- * one frame's truth to every view. Nothing is scheduled while nothing changes, nothing is drawn while nobody sees it.
- * docs/element.md lists attributes, properties, methods, events, slots, parts and custom properties.
+ * `<hex-lens>`: one hexahedron and everything said about it. It owns the state, asks the core once
+ * a frame and hands the same frame to every view. Nothing is scheduled while nothing changes,
+ * nothing is drawn while nobody sees it. docs/element.md lists attributes, properties, methods,
+ * events, slots, parts and custom properties.
  *
- * Beyond those, for the page around it: `permalink` is the address that opens this element again, bit for bit; `raise` and `clear` are
- * for what the page has to say about a problem.
+ * Beyond those, for the page around it: `permalink` is the address that opens this element again,
+ * bit for bit; `raise` and `clear` are for what the page has to say about a problem.
  */
 
 import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
 import { InputReader } from '../input/input-reader'
 import { listenForInput } from '../input/pasted-input'
-import { jacdetInFull } from '../model/decimal'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
-import { type Preset, presets, presetVertices } from '../model/presets'
+import { type Preset, presetOf, presets, presetVertices } from '../model/presets'
 import type { Action, Cameras } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore } from '../model/store'
 import { knownPanels, type Panel } from '../panels/panel'
-import type { Figure, FigureName, Frame, Problem, ViewHost } from '../views/view'
-import { Answers } from './answers'
+import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
+import { Analyzer } from './analyzer'
 import {
   type AttributeName,
   type Attributes,
@@ -34,17 +34,17 @@ import {
 } from './attributes'
 import { Changes } from './changes'
 import type { Composition } from './composition'
-import { Copying } from './copying'
+import { Copying, pointInFull } from './copying'
 import { type DueFrame, FrameLoop } from './frame-loop'
 import { HexLensError } from './hex-lens-error'
 import { ReflectingElement } from './reflecting-element'
-import { asksForHelp, historyStep } from './shortcuts'
-import { Show } from './show'
+import { shortcut } from './shortcuts'
+import { ViewHost } from './view-host'
 
-/** What a reader hardly notices; a page that stays empty for longer looks broken. */
+/** A reader hardly notices this wait; a page that stays empty for longer looks broken. */
 const PATIENCE_MS = 150
 
-/** What a reader may not do to an element that is only to be read. */
+/** Actions that a reader may not take on a read-only element. */
 const CHANGES: ReadonlySet<Action['type']> = new Set([
   'move-vertex',
   'move-coordinate',
@@ -61,25 +61,25 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
 
 export class HexLens extends ReflectingElement {
   static readonly observedAttributes = attributeNames
-  /** Set once, before an element is made. */
+  /** `define` sets it once, before an element is made. */
   static composition: Required<Composition>
 
-  readonly #host: ViewHost = {
+  readonly #context: ViewContext = {
     state: () => this.#store.state,
     dispatch: action => this.#dispatchOfReader(action),
     raise: problem => this.raise(problem),
     clear: code => this.clear(code),
     requestFrame: () => this.#frames.schedule(),
     permalink: () => this.permalink,
-    figure: name => this.#show.figure(name),
+    figure: name => this.#views.figure(name),
     input: {
       read: input => this.#input.read(input),
       close: () => this.#input.close(),
       show: (cell, order) => this.#input.show(cell, order),
     },
   }
-  readonly #show: Show
-  readonly #answers = new Answers(
+  readonly #views: ViewHost
+  readonly #analyzer = new Analyzer(
     HexLens.composition.panels,
     message => this.raise({ code: 'core-failed', message }),
     () => this.#frames.schedule(),
@@ -108,10 +108,13 @@ export class HexLens extends ReflectingElement {
   constructor() {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
-    this.#show = new Show(shadow, this.#host, HexLens.composition.panels)
+    this.#views = new ViewHost(shadow, this.#context, HexLens.composition.panels)
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
-    new Copying(this.#show.lens, () => this.#pointInFull())
-    listenForInput(shadow, this.#show.lens, {
+    new Copying(this.#views.lens, () => {
+      const { state } = this.#store
+      return pointInFull(this.#analyzer.probed(state), state.referenceCube)
+    })
+    listenForInput(shadow, this.#views.lens, {
       isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
       take: input => this.#input.read(input),
     })
@@ -119,17 +122,17 @@ export class HexLens extends ReflectingElement {
 
   connectedCallback(): void {
     for (const name of EARLY) this.#adopt(name)
-    this.#show.begin(this.#shownPanels)
+    this.#views.begin(this.#shownPanels)
     this.#frames.start()
-    if (this.#answers.core === null) void this.#start()
+    if (this.#analyzer.core === null) void this.#start()
     else this.#frames.schedule()
   }
 
   disconnectedCallback(): void {
     this.#cameras = this.#camerasNow
     this.#frames.stop()
-    this.#answers.stop()
-    this.#show.end()
+    this.#analyzer.stop()
+    this.#views.end()
     this.#input.close()
   }
 
@@ -148,7 +151,7 @@ export class HexLens extends ReflectingElement {
     return this.#store.state.vertices.slice()
   }
 
-  /** Any array-like of 24 finite numbers, or a text with them. Throws HexLensError for anything else. */
+  /** Takes 24 finite numbers in an array-like or a text. Throws HexLensError for anything else. */
   set vertices(given: ArrayLike<number> | string) {
     const vertices = typeof given === 'string' ? readVertices(given) : checkedVertices(given)
     this.#setVertices(vertices, presetOf(vertices))
@@ -158,7 +161,7 @@ export class HexLens extends ReflectingElement {
     return stateDocument(this.#store.state, this.#camerasNow, knownPanels(HexLens.composition.panels))
   }
 
-  /** Throws HexLensError for what the schema does not let through. What it changes of the element is one step to undo. */
+  /** Throws HexLensError outside the schema. Changes of the element are one step to undo. */
   set state(given: StateDocument) {
     const result = readState(given, knownPanels(HexLens.composition.panels))
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
@@ -180,7 +183,7 @@ export class HexLens extends ReflectingElement {
   }
 
   get report(): Report | null {
-    return this.#answers.report(this.#store.state.vertices)
+    return this.#analyzer.report(this.#store.state.vertices)
   }
 
   get permalink(): string {
@@ -189,9 +192,9 @@ export class HexLens extends ReflectingElement {
     return address.href
   }
 
-  /** Whether all that is to be seen is there: views are made when the element is seen, panels come when they are opened. */
+  /** True if all that is to be seen is drawn: views come when they are seen or opened. */
   get complete(): boolean {
-    return this.#frames.isSeen && this.#changes.haveBegun && this.#frames.isIdle && this.#show.isComplete
+    return this.#frames.isSeen && this.#changes.haveBegun && this.#frames.isIdle && this.#views.isComplete
   }
 
   undo(): void {
@@ -202,7 +205,7 @@ export class HexLens extends ReflectingElement {
     this.#dispatch({ type: 'redo' })
   }
 
-  /** What the core says of any 24 numbers, by default of the element's own. Rejects with HexLensError. */
+  /** Reports on any 24 numbers, by default the element's own. Rejects with HexLensError. */
   async analyze(given: ArrayLike<number> = this.#store.state.vertices): Promise<Report> {
     const vertices = checkedVertices(given)
     const core = await fetchCore(HexLens.composition.core).catch(reason => {
@@ -216,21 +219,22 @@ export class HexLens extends ReflectingElement {
     return result.value
   }
 
-  /** The scene as it is, with the vertices inside: dropped on an element it opens them. Rejects with HexLensError. */
+  /** The scene as it is; dropped on an element it opens the vertices. Rejects with HexLensError. */
   async toPNG(): Promise<Blob> {
-    const [{ pngOf }, figure] = await Promise.all([import('./pictures'), this.#figure('scene')])
-    return pngOf(figure, this.#store.state.vertices)
+    const [{ figurePng }, figure] = await Promise.all([import('../views/figure-files'), this.#figure('scene')])
+    return figurePng(figure, this.#store.state.vertices)
   }
 
-  /** The scene, or the face maps where they are open, as a document that needs nothing else. Rejects with HexLensError. */
+  /** The scene, or the open face maps, as a document of its own. Rejects with HexLensError. */
   async toSVG(name: FigureName = 'scene'): Promise<string> {
-    const [{ svgOf }, figure] = await Promise.all([import('./pictures'), this.#figure(name)])
-    return svgOf(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
+    const [{ figureSvg }, figure] = await Promise.all([import('../views/figure-files'), this.#figure(name)])
+    return figureSvg(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
   }
 
   /**
-   * Reads a text, a file, or files that belong together, as if it were dropped here. One element becomes the element, as one step to undo;
-   * of several the reader chooses one where the view `paste` is shown. What cannot be read is told by `hex-error`.
+   * Reads a text, a file, or files that belong together, as if it were dropped here. One element
+   * becomes the element, as one step to undo; of several the reader chooses one if the view `paste`
+   * is shown. `hex-error` tells what cannot be read.
    */
   offer(given: string | File | readonly File[]): void {
     if (typeof given === 'string') this.#input.read({ text: given })
@@ -256,30 +260,30 @@ export class HexLens extends ReflectingElement {
     Reflect.set(this, name, early.value)
   }
 
-  /** What an attribute says is done. Throws HexLensError, with nothing changed. */
+  /** Does what an attribute says. Throws HexLensError, with nothing changed. */
   #take(name: AttributeName): void {
     const takes: { readonly [Name in AttributeName]: (value: Attributes[Name]) => void } = {
       vertices: vertices => this.#takeElement(vertices, null),
       preset: preset => this.#takeElement(null, preset),
       views: names => this.#showPanels(names),
-      controls: controls => this.#dispatch({ type: 'offer-controls', controls }),
+      controls: controls => this.#dispatch({ type: 'show-controls', controls }),
       camera: camera => {
         this.#cameras = { camera, referenceCamera: this.#camerasNow.referenceCamera }
         this.#frames.schedule()
       },
       theme: () => {}, // the style sheet does it
       readonly: isReadonly => {
-        this.#dispatch({ type: 'hold', isReadonly })
+        this.#dispatch({ type: 'set-readonly', isReadonly })
         this.#showPanels(this.#viewNames)
       },
-      poster: poster => this.#show.setPoster(poster),
-      label: label => this.#show.setLabel(label),
+      poster: poster => this.#views.setPoster(poster),
+      label: label => this.#views.setLabel(label),
     }
     const take = takes[name] as (value: unknown) => void
     take(readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition)))
   }
 
-  /** Before the first frame both attributes say what the element starts from, in whichever order they come. */
+  /** The two attributes, in any order before the first frame, are where the element starts. */
   #takeElement(vertices: Vertices | null, preset: Preset | null): void {
     if (!this.#changes.haveBegun) {
       const own = vertices ?? this.#understood('vertices')
@@ -291,19 +295,19 @@ export class HexLens extends ReflectingElement {
     else if (preset) this.#setVertices(presetVertices(preset), preset.id)
   }
 
-  /** What an attribute says; null where that is nothing, or nothing to be understood. */
+  /** The value of an attribute; null if there is none, or its text is not understood. */
   #understood<Name extends AttributeName>(name: Name): Attributes[Name] | null {
     try {
       return readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition))
     } catch {
-      return null // it is complained about in its own turn
+      return null // its own call of #take refuses it
     }
   }
 
   get #shownPanels(): readonly Panel[] {
-    const isHeld = this.#store.state.isReadonly
+    const { isReadonly } = this.#store.state
     return HexLens.composition.panels.filter(
-      panel => panel.always || (this.#viewNames.includes(panel.with ?? panel.name) && !(isHeld && panel.changes)),
+      panel => panel.always || (this.#viewNames.includes(panel.with ?? panel.name) && !(isReadonly && panel.changes)),
     )
   }
 
@@ -311,7 +315,7 @@ export class HexLens extends ReflectingElement {
     this.#viewNames = names
     if (!this.isConnected) return
     this.#cameras = this.#camerasNow
-    this.#show.begin(this.#shownPanels)
+    this.#views.begin(this.#shownPanels)
     this.#frames.schedule()
   }
 
@@ -320,15 +324,15 @@ export class HexLens extends ReflectingElement {
     else this.#begin(vertices, preset, vertices)
   }
 
-  /** What is set before the first frame is what the element starts from, not a step to undo. */
+  /** Vertices set before the first frame are where the element starts, not a step to undo. */
   #begin(vertices: Vertices, preset: string | null, start: Vertices): void {
-    this.#store.dispatch({ type: 'begin', vertices, preset, start })
+    this.#store.dispatch({ type: 'initialize', vertices, preset, start })
     this.#changes.begin(this.#store.state.vertices)
   }
 
-  /** As the reader has turned them, or as they were asked for. */
+  /** The cameras as the reader has turned them, or as they were asked for. */
   get #camerasNow(): Cameras {
-    const seen = this.#cameras === this.#drawnCameras ? this.#show.cameras() : null
+    const seen = this.#cameras === this.#drawnCameras ? this.#views.cameras() : null
     return seen ?? this.#cameras ?? { camera: null, referenceCamera: null }
   }
 
@@ -346,7 +350,7 @@ export class HexLens extends ReflectingElement {
   async #start(): Promise<void> {
     const slow = setTimeout(() => this.#frames.schedule(), PATIENCE_MS)
     try {
-      this.#answers.core = await fetchCore(HexLens.composition.core)
+      this.#analyzer.core = await fetchCore(HexLens.composition.core)
       this.clear('core-failed')
       if (this.isConnected) this.#changes.tell(this.#store.state, this.report)
       this.#frames.schedule()
@@ -363,22 +367,22 @@ export class HexLens extends ReflectingElement {
 
   #onFrame({ time, isNews, isSeen, isForPaper }: DueFrame) {
     const { state } = this.#store
-    this.#changes.tell(state, this.#answers.report(state.vertices))
+    this.#changes.tell(state, this.#analyzer.report(state.vertices))
     if (!isSeen) return { isWaiting: false, isUnmade: false }
     const frame: Frame = {
       state,
-      ...this.#answers.of(state),
+      ...this.#analyzer.analyze(state),
       reading: this.#input.reading,
       cameras: this.#cameras,
       problems: [...this.#problems.values()],
       isForPaper,
     }
-    this.#show.draw(frame, isNews, time)
+    this.#views.draw(frame, isNews, time)
     this.#drawnCameras = frame.cameras
-    return this.#show
+    return this.#views
   }
 
-  /** The attributes say what is there now. */
+  /** Writes the present vertices and preset to the attributes. */
   #reflect(): void {
     const { vertices, preset } = this.#store.state
     this.#isReflecting = true
@@ -393,42 +397,22 @@ export class HexLens extends ReflectingElement {
     return this.#frames.whileDrawn(async () => {
       await fetchCore(HexLens.composition.core).catch(() => {}) // without it there are lines, and they are drawn
       while (this.isConnected && !this.complete) await new Promise(requestAnimationFrame)
-      const figure = this.#show.figure(name)
+      const figure = this.#views.figure(name)
       if (figure === null) throw new HexLensError('no-picture', `There is no picture of the ${name} on the page.`)
       return figure
     })
   }
 
-  /** Of what is pointed at: every number with all its digits. */
-  #pointInFull(): string | null {
-    const { state } = this.#store
-    const probe = this.#answers.probed(state)
-    if (probe === null) return null
-    const jacdet = jacdetInFull(probe.jacdet, probe.exponent, state.referenceCube)
-    return `jacdet = ${jacdet}, (xi, eta, zeta) = (${probe.point.join(', ')}), (x, y, z) = (${probe.position.join(', ')})`
-  }
-
   #onKeyDown(event: KeyboardEvent): void {
-    if (asksForHelp(event)) {
-      event.preventDefault()
-      this.#dispatch({ type: 'show-help', helpShown: !this.#store.state.helpShown })
-    }
-    const step = historyStep(event)
-    const midEdit = this.#store.state.gestureStart !== null || (event.target as Element).matches('[aria-invalid]')
-    if (step === null || midEdit || event.defaultPrevented) return
+    const action = shortcut(event, this.#store.state)
+    if (action === null) return
     event.preventDefault()
-    this.#dispatchOfReader({ type: step })
+    this.#dispatchOfReader(action)
   }
 
   #tell(name: string, detail: unknown = null): void {
     this.dispatchEvent(new CustomEvent(name, { bubbles: true, composed: true, detail }))
   }
-}
-
-/** The id of the preset that is these very numbers. */
-function presetOf(vertices: Vertices): string | null {
-  const isThis = (known: Vertices) => known.every((value, i) => Object.is(value, vertices[i]))
-  return presets.find(preset => preset.valid !== null && isThis(presetVertices(preset)))?.id ?? null
 }
 
 declare global {

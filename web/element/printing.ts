@@ -1,6 +1,7 @@
 /**
- * When the element is laid out for paper: it then has the attribute `data-printing`, which its styles go by, and is drawn at once,
- * before the browser makes the pages. Two signs of it, since not every way to print or to preview gives both.
+ * Lays the element out for paper: it gets the attribute `data-printing`, which its styles go by,
+ * and is drawn at once, before the browser makes the pages. Two signals start it, since not every
+ * way to print or to preview gives both.
  */
 export class Printing {
   readonly #host: HTMLElement

@@ -1,4 +1,6 @@
-/** Ctrl or Cmd with Z, Shift+Z or Y: the step in history it asks for, else null. */
+import type { Action, State } from '../model/state'
+
+/** The step in history that a key asks for (Ctrl or Cmd with Z, Shift+Z or Y), else null. */
 export function historyStep(event: KeyboardEvent): 'undo' | 'redo' | null {
   if (event.altKey || !(event.ctrlKey || event.metaKey)) return null
   const key = event.key.toLowerCase()
@@ -6,8 +8,13 @@ export function historyStep(event: KeyboardEvent): 'undo' | 'redo' | null {
   return key === 'y' && event.ctrlKey ? 'redo' : null
 }
 
-/** A question mark, unless something is being typed or somebody has answered it. */
-export function asksForHelp(event: KeyboardEvent): boolean {
-  const isTyping = (event.target as Element).matches('input, textarea, select')
-  return event.key === '?' && !isTyping && !event.defaultPrevented
+/** The action that a key asks for, else null: a question mark outside fields, or a step in history. */
+export function shortcut(event: KeyboardEvent, { helpShown, gestureStart }: State): Action | null {
+  const target = event.target as Element
+  if (event.defaultPrevented) return null
+  if (event.key === '?' && !target.matches('input, textarea, select'))
+    return { type: 'show-help', helpShown: !helpShown }
+  const step = historyStep(event)
+  const isMidEdit = gestureStart !== null || target.matches('[aria-invalid]')
+  return step === null || isMidEdit ? null : { type: step }
 }

@@ -227,3 +227,9 @@ function moved(x: number, random: () => number): number {
 export function presetVertices({ points }: Preset, random: () => number = Math.random): Vertices {
   return (typeof points === 'function' ? points(random) : points).flat()
 }
+
+/** The id of the preset that is these very numbers. */
+export function presetOf(vertices: Vertices): string | null {
+  const isThis = (known: Vertices) => known.every((value, i) => Object.is(value, vertices[i]))
+  return presets.find(preset => preset.valid !== null && isThis(presetVertices(preset)))?.id ?? null
+}

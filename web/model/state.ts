@@ -8,17 +8,22 @@ export type ReferenceCube = 'unit' | 'biunit'
 /** Faces: all opaque, see-through, hardly seen around what is inside, or one face alone (0..5). */
 export type FaceDisplay = 'opaque' | 'see-through' | 'inside' | number
 
-/** A part of the element: vertex 0..7, edge 0..11 or face 0..5, by `kind`. */
-export interface ElementPart {
+/** Vertex 0..7, edge 0..11 or face 0..5 of the element, by `kind`. */
+export interface Entity {
   readonly kind: 'vertex' | 'edge' | 'face'
   readonly id: number
 }
 
-/** Points (xi, eta, zeta) of [0,1]^3 that a method uses, or the twelve edges. */
-export interface LookedAt {
+/** Points (xi, eta, zeta) of [0,1]^3, or the twelve edges, on which a check evaluates jacdet. */
+export interface Samples {
   readonly points: readonly Vec3[]
   readonly edges: boolean
 }
+
+/** A change of the element that is drawn beside it: another node order, whose vertex i is the vertex `order[i]`, or other vertices. */
+export type Preview =
+  | { readonly order: readonly number[]; readonly move?: undefined }
+  | { readonly move: Vertices; readonly order?: undefined }
 
 /** A section of the reference cube: xi, eta or zeta (axis 0, 1, 2) is `value`, in [0,1]. */
 export interface Section {
@@ -65,14 +70,12 @@ export interface State {
   readonly camerasLinked: boolean
   /** A point (xi, eta, zeta) of [0,1]^3 that is pointed at, for every view to mark; null when none is. */
   readonly probe: Vec3 | null
-  /** The part that is spoken of, for every view to mark; null when none is. */
-  readonly highlight: ElementPart | null
-  /** Points of the check that is pointed at, for the scene to mark; null if none is. */
-  readonly lookedAt: LookedAt | null
-  /** Another node order of these very vertices that is looked at: its vertex i is their vertex `previewedOrder[i]`. */
-  readonly previewedOrder: readonly number[] | null
-  /** The vertices of a move that is previewed. */
-  readonly previewedMove: Vertices | null
+  /** The entity that is spoken of, for every view to mark; null when none is. */
+  readonly highlight: Entity | null
+  /** Samples of the check that is pointed at, for the scene to mark; null if none is. */
+  readonly samples: Samples | null
+  /** Ends when the vertices change. */
+  readonly preview: Preview | null
   readonly section: Section
   /** True if the sheet of keys is on the screen. */
   readonly helpShown: boolean
@@ -91,9 +94,8 @@ export type LastingState = Omit<
   | 'gestureStart'
   | 'probe'
   | 'highlight'
-  | 'lookedAt'
-  | 'previewedOrder'
-  | 'previewedMove'
+  | 'samples'
+  | 'preview'
   | 'helpShown'
   | 'isReadonly'
   | 'controls'
@@ -109,7 +111,12 @@ export type Action =
   /** All vertices, likewise; preset and start stay. */
   | { readonly type: 'move-all'; readonly vertices: Vertices }
   /** The element's beginning, without a history; Reset returns to `start`. */
-  | { readonly type: 'begin'; readonly vertices: Vertices; readonly preset: string | null; readonly start: Vertices }
+  | {
+      readonly type: 'initialize'
+      readonly vertices: Vertices
+      readonly preset: string | null
+      readonly start: Vertices
+    }
   /** The whole element replaced: a preset, a link, the `vertices` property. `preset` is the preset's id if it is one. */
   | { readonly type: 'set-vertices'; readonly vertices: Vertices; readonly preset: string | null }
   /** A gesture is one undo step by intent: begin, any number of moves, then commit, or cancel to restore. */
@@ -128,15 +135,13 @@ export type Action =
   | { readonly type: 'link-cameras'; readonly camerasLinked: boolean }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
   | { readonly type: 'show-help'; readonly helpShown: boolean }
-  | { readonly type: 'highlight'; readonly part: ElementPart | null }
-  | { readonly type: 'look-at'; readonly lookedAt: LookedAt | null }
-  /** Looked at until the vertices change. */
-  | { readonly type: 'preview-order'; readonly order: readonly number[] | null }
-  | { readonly type: 'preview-move'; readonly vertices: Vertices | null }
+  | { readonly type: 'highlight'; readonly entity: Entity | null }
+  | { readonly type: 'show-samples'; readonly samples: Samples | null }
+  | { readonly type: 'preview'; readonly preview: Preview | null }
   | { readonly type: 'show-section'; readonly section: Section }
   | { readonly type: 'change-slice'; readonly slice: AnySlice; readonly change: object }
-  | { readonly type: 'hold'; readonly isReadonly: boolean }
-  | { readonly type: 'offer-controls'; readonly controls: readonly Control[] }
+  | { readonly type: 'set-readonly'; readonly isReadonly: boolean }
+  | { readonly type: 'show-controls'; readonly controls: readonly Control[] }
   /** Everything at once; what this changes of the element is one step to undo. */
   | { readonly type: 'restore'; readonly state: LastingState }
 

@@ -16,15 +16,7 @@ import {
   vertexReference,
   withVertex,
 } from './hexahedron'
-import {
-  type Action,
-  CONTROLS,
-  type ElementPart,
-  type FaceDisplay,
-  type LastingState,
-  type State,
-  sliceOf,
-} from './state'
+import { type Action, CONTROLS, type Entity, type FaceDisplay, type LastingState, type State, sliceOf } from './state'
 
 export interface Store {
   /** The state now: a new object after every change, never mutated. */
@@ -66,9 +58,8 @@ export const SHOWN_FIRST: Shown = {
   camerasLinked: false,
   probe: null,
   highlight: null,
-  lookedAt: null,
-  previewedOrder: null,
-  previewedMove: null,
+  samples: null,
+  preview: null,
   section: { axis: 2, value: 0.5 },
   helpShown: false,
   isReadonly: false,
@@ -76,9 +67,7 @@ export const SHOWN_FIRST: Shown = {
   slices: {},
 }
 
-const UNLOOKED = { previewedOrder: null, previewedMove: null }
-
-const PART_COUNTS: Readonly<Record<ElementPart['kind'], number>> = {
+const ENTITY_COUNTS: Readonly<Record<Entity['kind'], number>> = {
   vertex: VERTEX_COUNT,
   edge: edgeVertices.length,
   face: faces.length,
@@ -168,7 +157,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
       case 'move-all':
         change({ ...present, vertices: kept(present.vertices, accepted(action.vertices)) })
         break
-      case 'begin': {
+      case 'initialize': {
         const start = accepted(action.start)
         present = { vertices: kept(start, accepted(action.vertices)), preset: action.preset, start }
         past = []
@@ -234,19 +223,17 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
         shown = { ...shown, probe: samePoint(shown.probe, action.point) ? shown.probe : action.point }
         break
       case 'highlight':
-        if (action.part) checkIndex(action.part.id, PART_COUNTS[action.part.kind], action.part.kind)
-        shown = { ...shown, highlight: samePart(shown.highlight, action.part) ? shown.highlight : action.part }
+        if (action.entity) checkIndex(action.entity.id, ENTITY_COUNTS[action.entity.kind], action.entity.kind)
+        shown = { ...shown, highlight: sameEntity(shown.highlight, action.entity) ? shown.highlight : action.entity }
         break
-      case 'look-at':
-        action.lookedAt?.points.forEach(checkInCube)
-        shown = { ...shown, lookedAt: action.lookedAt }
+      case 'show-samples':
+        action.samples?.points.forEach(checkInCube)
+        shown = { ...shown, samples: action.samples }
         break
-      case 'preview-order':
-        shown = { ...shown, previewedOrder: action.order && checkedOrder(action.order) }
-        break
-      case 'preview-move':
-        if (action.vertices) checkFinite(action.vertices)
-        shown = { ...shown, previewedMove: action.vertices }
+      case 'preview':
+        if (action.preview?.order) checkOrder(action.preview.order)
+        if (action.preview?.move) checkFinite(action.preview.move)
+        shown = { ...shown, preview: action.preview }
         break
       case 'show-section':
         checkWithin(action.section.value, 0, 1)
@@ -260,10 +247,10 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
         if (!sameEntries(before, after)) shown = { ...shown, slices: { ...shown.slices, [slice.name]: after } }
         break
       }
-      case 'hold':
+      case 'set-readonly':
         shown = { ...shown, isReadonly: action.isReadonly }
         break
-      case 'offer-controls':
+      case 'show-controls':
         shown = { ...shown, controls: action.controls }
         break
       case 'restore':
@@ -277,7 +264,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
   function restore({ vertices, preset, start, ...others }: LastingState): void {
     const began = kept(present.start, accepted(start))
     change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
-    shown = { ...shown, ...others, probe: null, lookedAt: null, ...UNLOOKED }
+    shown = { ...shown, ...others, probe: null, samples: null, preview: null }
   }
 
   return {
@@ -287,7 +274,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
     dispatch(action) {
       const { vertices } = present
       apply(action)
-      if (present.vertices !== vertices) shown = withoutPreview(shown)
+      if (present.vertices !== vertices) shown = { ...shown, preview: null }
       const next = currentState()
       if (!sameEntries(state, next)) state = next
     },
@@ -306,12 +293,6 @@ export function checkFinite(vertices: Vertices): void {
     throw new RangeError(`A hexahedron is 24 finite numbers, not ${vertices.length} with ${vertices.join(', ')}.`)
 }
 
-/** Previews end when the vertices change. */
-function withoutPreview(shown: Shown): Shown {
-  const { previewedOrder, previewedMove } = shown
-  return previewedOrder === null && previewedMove === null ? shown : { ...shown, ...UNLOOKED }
-}
-
 function checkedVertex(vertex: number): number {
   return checkIndex(vertex, VERTEX_COUNT, 'vertex')
 }
@@ -325,10 +306,9 @@ function checkWithin(value: number, least: number, greatest: number): void {
   if (!(value >= least && value <= greatest)) throw new RangeError(`${value} is not in [${least},${greatest}].`)
 }
 
-function checkedOrder(order: readonly number[]): readonly number[] {
+function checkOrder(order: readonly number[]): void {
   const isOrder = order.length === VERTEX_COUNT && vertexReference.every((_, v) => order.includes(v))
   if (!isOrder) throw new RangeError(`${order.join(', ')} is no order of eight vertices.`)
-  return order
 }
 
 function checkInCube(point: Vec3): void {
@@ -339,7 +319,7 @@ function samePoint(a: Vec3 | null, b: Vec3 | null): boolean {
   return a === b || (a !== null && b !== null && a.every((x, axis) => Object.is(x, b[axis])))
 }
 
-function samePart(a: ElementPart | null, b: ElementPart | null): boolean {
+function sameEntity(a: Entity | null, b: Entity | null): boolean {
   return a === b || (a !== null && b !== null && a.kind === b.kind && a.id === b.id)
 }
 

@@ -1,8 +1,10 @@
 /**
- * A panel that is closed at first: its heading is the button that opens it, and only then is its code loaded. While it is
- * closed its view is not updated, but for the frame that closes it, in which the view can stop what it has going.
+ * A panel that is closed at first: its heading is the button that opens it, and only then is its
+ * code loaded. A closed panel's view is not updated, but for the frame that closes it, in which the
+ * view can stop its timers.
  */
-import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from '../views/view'
+import { html, render } from 'lit-html'
+import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../views/view'
 import type { Panel } from './panel'
 import { adoptStyles } from './style-sheets'
 
@@ -18,55 +20,51 @@ export interface FoldOptions {
 }
 
 export function fold({ name, title, load }: FoldOptions) {
-  const create: CreateView = host => new Fold(host, { name, title, load })
-  return { name, place: 'folds', opens: true, create, styles: '' } as const satisfies Panel
+  const create: CreateView = context => new Fold(context, { name, title, load })
+  return { name, region: 'folds', opens: true, create, styles: '' } as const satisfies Panel
 }
 
 class Fold implements View {
   readonly root = document.createElement('section')
   isLoading = false
-  readonly #host: ViewHost
-  readonly #name: string
-  readonly #load: () => Promise<FoldContent>
-  readonly #button = document.createElement('button')
-  readonly #body = document.createElement('div')
-  #turns: readonly Turn[] = [frame => this.#updateView(frame)]
+  readonly #context: ViewContext
+  readonly #options: FoldOptions
+  #updates: readonly Update[] = [frame => this.#updateView(frame)]
   #isOpen = false
   #isAsked = false
+  #failure = ''
   #isDisposed = false
   #view: View | null = null
 
-  constructor(host: ViewHost, { name, title, load }: FoldOptions) {
-    this.#host = host
-    this.#name = name
-    this.#load = load
+  constructor(context: ViewContext, options: FoldOptions) {
+    this.#context = context
+    this.#options = options
     this.root.className = 'fold'
-    this.root.setAttribute('aria-label', title)
-    this.#button.type = 'button'
-    this.#button.className = 'on-paper'
-    this.#button.textContent = title
-    this.#button.setAttribute('aria-expanded', 'false')
-    this.#button.setAttribute('aria-controls', `panel-${name}`)
-    this.#button.addEventListener('click', () =>
-      host.dispatch({ type: 'open-panel', panel: name, isOpen: !this.#isOpen }),
-    )
-    this.#body.id = `panel-${name}`
-    this.#body.hidden = true
-    const heading = document.createElement('h2')
-    heading.append(this.#button)
-    this.root.append(heading, this.#body)
+    this.root.setAttribute('aria-label', options.title)
+    this.#render()
   }
 
-  get turns(): readonly Turn[] {
-    return this.#isOpen ? this.#turns : []
+  get updates(): readonly Update[] {
+    return this.#isOpen ? this.#updates : []
   }
 
   update(frame: Frame): void {
     const wasOpen = this.#isOpen
-    this.#isOpen = frame.state.openPanels.includes(this.#name)
-    this.#button.setAttribute('aria-expanded', String(this.#isOpen))
-    this.#body.hidden = !this.#isOpen
-    if (wasOpen && !this.#isOpen) this.#view?.update(frame)
+    this.#isOpen = frame.state.openPanels.includes(this.#options.name)
+    if (this.#isOpen === wasOpen) return
+    this.#render()
+    if (wasOpen) this.#view?.update(frame)
+  }
+
+  #render(): void {
+    const { name, title } = this.#options
+    const id = `panel-${name}`
+    const toggle = () => this.#context.dispatch({ type: 'open-panel', panel: name, isOpen: !this.#isOpen })
+    render(
+      html`<h2><button type="button" class="on-paper" aria-expanded=${this.#isOpen} aria-controls=${id} @click=${toggle}>${title}</button></h2>
+        <div id=${id} ?hidden=${!this.#isOpen}>${this.#view?.root ?? this.#failure}</div>`,
+      this.root,
+    )
   }
 
   #updateView(frame: Frame): void {
@@ -87,16 +85,16 @@ class Fold implements View {
     this.#isAsked = true
     this.isLoading = true
     try {
-      const { create, styles } = await this.#load()
+      const { create, styles } = await this.#options.load()
       if (this.#isDisposed) return
       adoptStyles(this.root.getRootNode() as ShadowRoot, [styles])
-      this.#view = create(this.#host)
-      this.#turns = [...this.#turns, ...(this.#view.turns ?? [])]
-      this.#body.replaceChildren(this.#view.root)
+      this.#view = create(this.#context)
+      this.#updates = [...this.#updates, ...(this.#view.updates ?? [])]
     } catch (reason) {
-      this.#body.textContent = `This panel could not be loaded (${reason instanceof Error ? reason.message : reason}). Reload the page to try again.`
+      this.#failure = `This panel could not be loaded (${reason instanceof Error ? reason.message : reason}). Reload the page to try again.`
     }
     this.isLoading = false
-    this.#host.requestFrame()
+    this.#render()
+    this.#context.requestFrame()
   }
 }

@@ -1,4 +1,4 @@
-/** The panels that every element has, in the order in which they stand. Another one is a folder here, and a line. */
+/** The panels of every element, in their order. Another one is a folder here, and a line. */
 import { scene } from '../scene/scene'
 import { algorithm } from './algorithm'
 import { announcer } from './announcer'

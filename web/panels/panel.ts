@@ -1,6 +1,7 @@
 /**
- * A panel: one folder, and one line in the list of whoever composes an element. All of it is said here: where it stands, what it keeps
- * in the state, what it asks of the core, and the view that draws it.
+ * A panel: one folder, and one line in the list of whoever composes an element. All of it is said
+ * here: its region, what it keeps in the state, what it asks of the core, and the view that draws
+ * it.
  */
 import type { Core, Report } from '../core/report'
 import type { AnySlice, State } from '../model/state'
@@ -8,36 +9,36 @@ import type { KnownPanels } from '../model/state-document'
 import type { CreateView, Frame } from '../views/view'
 
 export interface Panel {
-  /** In the attribute `views`, and as a CSS part. */
+  /** Its word in the attribute `views`, and its CSS part. */
   readonly name: string
-  /** `folds` are what is closed at first; they follow the panel, or stand beside it where there is room. */
-  readonly place: 'head' | 'stage' | 'panel' | 'folds'
+  /** `folds` holds panels closed at first; it follows `panel`, or is beside it if there is room. */
+  readonly region: 'head' | 'stage' | 'panel' | 'folds'
   readonly create: CreateView
   readonly styles: string
-  /** It is slow to make, and comes after the numbers; this part of it takes a frame of its own. */
+  /** A slow view comes after the numbers; this step before it takes a frame of its own. */
   readonly prepare?: () => void
-  /** Shown whatever the attribute says. */
+  /** True if it is shown whatever the attribute says. */
   readonly always?: true
-  /** Shown where the panel of this name is, and not named itself. */
+  /** The panel with which it is shown, and not named itself. */
   readonly with?: string
-  /** Left out where the element cannot be changed. */
+  /** True if it is left out of a read-only element. */
   readonly changes?: true
-  /** Closed at first: its name is in `State.openPanels` while it is open. */
+  /** True if it is closed at first: its name is in `State.openPanels` while it is open. */
   readonly opens?: true
   readonly slice?: AnySlice
   readonly question?: Question<unknown>
 }
 
-/** What a panel asks of the core beyond the report. */
+/** A panel's question to the core, beyond the report. */
 export interface Question<Answer> {
   /** The panel's name. */
   readonly name: string
-  /** For one element. `onNews` asks for a frame, where an answer takes long and has come further. */
+  /** Starts for one element. `onNews` asks for a frame when a slow answer has come further. */
   start(onNews: () => void): Inquiry<Answer>
 }
 
 export interface Inquiry<Answer> {
-  /** What is known by now, null for nothing; nothing that takes long is done meanwhile. */
+  /** The answer so far, null if there is none. Returns quickly. */
   answer(core: Core, state: State, report: Report): Answer | null
   stop?(): void
 }

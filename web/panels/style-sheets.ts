@@ -1,4 +1,4 @@
-/** Style sheets that all elements on the page share, made when the first of them needs them: servers have none. */
+/** Style sheets that all elements on the page share, made for the first: servers have none. */
 
 const sheets = new Map<string, CSSStyleSheet>()
 
@@ -20,8 +20,8 @@ function sheetOf(styles: string): CSSStyleSheet {
 const REM = /(\d*\.?\d+)rem\b/g
 
 /**
- * How large a page's own text is does not concern the element, unless the page says so: 1rem here is `--hl-rem`, 16 pixels where nothing
- * else is said. Conditions cannot have variables.
+ * The size of a page's own text does not concern the element, unless the page says so: 1rem here is
+ * `--hl-rem`, by default 16 pixels. Conditions cannot have variables.
  */
 function inOwnSize(styles: string): string {
   return styles

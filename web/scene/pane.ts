@@ -1,6 +1,6 @@
 /** A pane of the scene with a camera of its own: its element on the screen, the overlay over it, and its inputs. */
 import type { Vec3 } from '../model/hexahedron'
-import type { ViewHost } from '../views/view'
+import type { ViewContext } from '../views/view'
 import { pointUnder } from './input/face-hit'
 import type { InputTarget } from './input/input-target'
 import { Inputs } from './input/inputs'
@@ -14,14 +14,14 @@ import type { World } from './space/world'
 
 /** The scene as its panes see it. */
 export interface PaneScene extends Pick<InputTarget, 'probeNext' | 'toggleReference'> {
-  readonly host: ViewHost
+  readonly host: ViewContext
   /** Called at every move of a pane's camera. */
   onTurn(orbit: OrbitCamera): void
 }
 
 export abstract class Pane implements InputTarget {
   readonly element = document.createElement('div')
-  readonly host: ViewHost
+  readonly host: ViewContext
   readonly orbit: OrbitCamera
   readonly inputs: Inputs
   abstract readonly movesVertices: boolean

@@ -84,7 +84,7 @@ export class ReferenceCube extends Pane {
   update({ state, report }: Frame): void {
     this.#link.checked = state.camerasLinked
     this.overlay.update({
-      state: { ...state, vertices: CUBE, gestureStart: null, previewedOrder: null, previewedMove: null },
+      state: { ...state, vertices: CUBE, gestureStart: null, preview: null },
       report: this.#inCube(report),
       world: WORLD,
       camera: this.camera,

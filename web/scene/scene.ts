@@ -8,7 +8,7 @@
 import { pointOfValue } from '../core/point-of-value'
 import type { Vec3 } from '../model/hexahedron'
 import type { Cameras, CameraView, State } from '../model/state'
-import type { Figure, FigureName, Frame, Turn, View, ViewHost } from '../views/view'
+import type { Figure, FigureName, Frame, Update, View, ViewContext } from '../views/view'
 import { ElementPane } from './element-pane'
 import { Controls } from './input/controls'
 import { nextCandidate } from './input/probe-input'
@@ -29,8 +29,8 @@ const IN_FIGURE = 'canvas, .scene-flat, .scene-overlay, .scene-scale > *'
 
 class Scene implements View, PaneScene {
   readonly root = document.createElement('div')
-  readonly turns: readonly Turn[] = [frame => this.#drawColourBar(frame)]
-  readonly host: ViewHost
+  readonly updates: readonly Update[] = [frame => this.#drawColourBar(frame)]
+  readonly host: ViewContext
   readonly #painting: Painting
   readonly #help = new Help('scene-help')
   readonly #pane: ElementPane
@@ -49,7 +49,7 @@ class Scene implements View, PaneScene {
   /** The cameras that a program last asked for. */
   #asked: Cameras | null = null
 
-  constructor(host: ViewHost) {
+  constructor(host: ViewContext) {
     this.host = host
     this.root.className = 'scene'
     this.#painting = new Painting(this.root, host)
@@ -231,8 +231,8 @@ class Scene implements View, PaneScene {
 /** The scene among the panels. `prepare` asks the browser for what takes it longest. */
 export const scene = {
   name: 'scene',
-  place: 'stage',
-  create: (host: ViewHost): View => new Scene(host),
+  region: 'stage',
+  create: (host: ViewContext): View => new Scene(host),
   styles,
   prepare: (): void => void faceContext(),
 } as const

@@ -1,15 +1,15 @@
-/** What an element is besides valid or invalid, in words: which vertices coincide, what that makes of it, its class. */
+/** Words for the class of an element, and for vertices that coincide. */
 import type { Report } from '../core/report'
 import { type Vec3, vertexReference } from '../model/hexahedron'
-import { listed } from './part-name'
+import { listed } from './entity-name'
 
-/** "a wedge stored as a hexahedron", "inverted" or "collapsed"; null where there is no word for it. */
+/** "a wedge stored as a hexahedron", "inverted" or "collapsed"; null if there is no word for it. */
 export function kindName(report: Pick<Report, 'class' | 'shape'>): string | null {
   if (report.class === 'inverted' || report.class === 'collapsed') return report.class
   return report.shape && `a ${report.shape} stored as a hexahedron`
 }
 
-/** "Vertices 4 and 5 coincide, and so do 6 and 7": without a full stop, and nothing where none coincide. */
+/** "Vertices 4 and 5 coincide, and so do 6 and 7": no full stop, and empty if none coincide. */
 export function coincidenceClause({ coincident }: Pick<Report, 'coincident'>): string {
   if (coincident.length === 0) return ''
   const [first, ...others] = coincident.map(group => listed(group.map(String)))
@@ -17,8 +17,8 @@ export function coincidenceClause({ coincident }: Pick<Report, 'coincident'>): s
 }
 
 /**
- * The vertices at which jacdet is 0 because vertices coincide: one of them and a neighbour, which makes a column of DF zero, or two of its
- * neighbours, which makes two columns parallel.
+ * The vertices at which jacdet is 0 because vertices coincide: one of them and a neighbour, which
+ * makes a column of DF zero, or two of its neighbours, which makes two columns parallel.
  */
 export function zerosAtSight({ coincident }: Pick<Report, 'coincident'>): number[] {
   return vertexReference.flatMap((at, vertex) => {

@@ -1,17 +1,17 @@
-/** Numbers as they are read, with all their digits to copy: the element listens for a press of any of them (`copying.ts`). */
+/** Numbers as read, with all digits to copy: `copying.ts` listens for a press of any of them. */
 import { html, type TemplateResult } from 'lit-html'
 import { formatJacdet, formatPoint, jacdetInFull } from '../model/decimal'
 import type { Vec3 } from '../model/hexahedron'
 import type { ReferenceCube } from '../model/state'
 
 export interface CopyableOptions {
-  /** In a table only its first number is a stop of the Tab key; arrow keys go from one to the next. */
+  /** False for all numbers of a table but the first; arrow keys go from one to the next. */
   readonly isTabStop?: boolean
-  /** Told besides the digits to those who point at it. */
+  /** The tooltip says this besides the digits. */
   readonly means?: string
 }
 
-/** `full` is what a program reads. */
+/** `full` is the text for programs. */
 export function copyable(
   text: string,
   full: string,
@@ -21,7 +21,7 @@ export function copyable(
   return html`<data role="button" tabindex=${isTabStop ? 0 : -1} value=${full} title=${title}>${text}</data>`
 }
 
-/** A report's jacdet, value * 2^exponent; a negative one has its hue in prose too, and its minus sign says the same. */
+/** A report's jacdet, value * 2^exponent; a negative one has its hue in prose, too. */
 export function copyableJacdet(
   value: number,
   exponent: number,

@@ -1,4 +1,4 @@
-/** The one contract between the element and its views: they receive a frame and draw it; they emit actions, nothing else. */
+/** The contract between the element and its views: they draw a frame, and dispatch actions. */
 import type { JacobianReport, Report } from '../core/report'
 import type { Surface } from '../core/zero-surface'
 import type { InputHost, Reading } from '../input/reading'
@@ -17,10 +17,10 @@ export interface Problem {
   readonly message: string
 }
 
-/** Parts that can be taken away as pictures. */
+/** Pictures that can be taken away. */
 export type FigureName = 'scene' | 'face-maps'
 
-/** A part's picture as it was on the screen, layer upon layer, in CSS pixels. */
+/** A picture as it was on the screen, layer upon layer, in CSS pixels. */
 export interface Figure {
   readonly width: number
   readonly height: number
@@ -37,7 +37,7 @@ interface LayerBox {
 }
 
 export interface PixelLayer extends LayerBox {
-  /** Nobody else draws on it. */
+  /** The layer's own canvas, on which nobody else draws. */
   readonly canvas: HTMLCanvasElement
 }
 
@@ -46,56 +46,56 @@ export interface VectorLayer extends LayerBox {
   readonly markup: string
 }
 
-/** One frame's truth. `report` belongs to `state.vertices`; it is null only while the core is loading or could not start. */
+/** All that views draw in one frame. `report` is null only without a core. */
 export interface Frame {
   readonly state: State
   readonly report: Report | null
   /** The surface jacdet = 0, coarser while a gesture runs; null unless the inside is shown. */
   readonly zeroSurface: Surface | null
-  /** DF at `state.probe`; null where nothing is pointed at, or there is no report. */
+  /** DF at `state.probe`; null if nothing is pointed at, or there is no report. */
   readonly probe: JacobianReport | null
-  /** What has become of the last thing pasted, dropped or opened; null before the first, and once it is put away. */
+  /** The state of the last input; null before the first, and once it is closed. */
   readonly reading: Reading | null
-  /** The views last asked for, from which the reader may have turned since; null before the first, each an object of its own. */
+  /** The cameras last asked for, not as the reader turned them since; a new object each time. */
   readonly cameras: Cameras | null
-  /** To what panels ask of the core, by their names: web/panels/panel.ts reads them. Empty where there is no report. */
+  /** Answers to the panels' questions by their names (`answerTo`). Empty without a report. */
   readonly answers: Readonly<Record<string, unknown>>
   readonly problems: readonly Problem[]
-  /** Whether it is drawn to be printed: at once, in a layout of its own. */
+  /** True if it is drawn to be printed: at once, in a layout of its own. */
   readonly isForPaper: boolean
 }
 
-export type Turn = (frame: Frame) => void
+export type Update = (frame: Frame) => void
 
 export interface View {
   readonly root: HTMLElement
-  /** What else brings it up to date, piece by piece: at once, but while a gesture runs it may take some frames. */
-  readonly turns?: readonly Turn[]
+  /** Further steps that bring it up to date. While a gesture runs they may take some frames. */
+  readonly updates?: readonly Update[]
   /** Called once per animation frame in which state, report or problems changed. */
   update(frame: Frame): void
-  /** The figure of that name if it is this view's and on the page now. */
+  /** The figure of that name, if this view has it on the page now. */
   figure?(name: FigureName): Figure | null
-  /** How it looks at things now, if that is this view's; null before its first picture. */
+  /** The cameras as they are now, if they are this view's; null before its first picture. */
   cameras?(): Cameras | null
-  /** Whether something of it is still to be loaded. */
+  /** True if something of it is still to be loaded. */
   readonly isLoading?: boolean
   dispose(): void
 }
 
-export interface ViewHost {
+export interface ViewContext {
   /** The state now, which may be ahead of the last frame's: what the next action starts from. */
   state(): State
   readonly dispatch: Dispatch
-  /** Raise a problem, or take it back by its code. */
+  /** Raises a problem, or takes it back by its code. */
   raise(problem: Problem): void
   clear(code: Problem['code']): void
-  /** Ask for an update although neither state nor report changed (the camera moved, the view was resized). */
+  /** Asks for an update although neither state nor report changed (the camera moved, a resize). */
   requestFrame(): void
   /** The address that opens this very element again, vertices bit for bit. */
   permalink(): string
-  /** A part's picture; null while that part is not on the page. */
+  /** A picture; null if it is not on the page. */
   figure(name: FigureName): Figure | null
   readonly input: InputHost
 }
 
-export type CreateView = (host: ViewHost) => View
+export type CreateView = (context: ViewContext) => View

@@ -1,9 +1,9 @@
-/** Algorithm 1, followed step by step: what each looks at, what becomes of M, and what is skipped and why. */
+/** Algorithm 1 step by step: the points of each, M before and after, and the reasons to skip. */
 import { html, nothing, render, svg, type TemplateResult } from 'lit-html'
-import { type ElementPart, sliceChange, sliceOf } from '../../model/state'
+import { type Entity, sliceChange, sliceOf } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
-import { partTitle } from '../../views/part-name'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { entityTitle } from '../../views/entity-name'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import css from './algorithm.css?inline'
 import { type Following, followingSlice, type Query, STEP_COUNT, type Variant } from './following'
 import { minimumPlot } from './minimum-plot'
@@ -19,21 +19,21 @@ const PLOT = { width: 312, height: 44 }
 
 class AlgorithmView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   readonly #lessMotion = matchMedia('(prefers-reduced-motion: reduce)')
   readonly #listening = new AbortController()
-  /** Which of the steps is shown. */
+  /** The step that is shown. */
   #at = 0
   #timer: ReturnType<typeof setTimeout> | undefined
   #steps: readonly TraceStep[] = []
-  /** Said aloud: the step that the reader went to, not those that a drag or the clock changes. */
+  /** Screen readers hear the step that the reader went to, not those of a drag or the clock. */
   #said = ''
-  #lit: ElementPart | null = null
+  #lit: Entity | null = null
   #shown: TraceShown | null = null
   #drawn: readonly unknown[] = []
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'algorithm'
     const { signal } = this.#listening
     this.#lessMotion.addEventListener('change', () => this.#onLessMotion(), { signal })
@@ -69,7 +69,7 @@ class AlgorithmView implements View {
   }
 
   get #following(): Following {
-    return sliceOf(followingSlice, this.#host.state()).following
+    return sliceOf(followingSlice, this.#context.state()).following
   }
 
   /** The step that the next action starts from, which may be ahead of the one that is drawn. */
@@ -128,7 +128,7 @@ class AlgorithmView implements View {
     </p>`
   }
 
-  /** Not `disabled`, which would take the focus from the button just pressed. */
+  /** `disabled` would take the focus from the button just pressed. */
   #button(name: string, isEnabled: boolean, go: () => void): TemplateResult {
     return html`<button type="button" aria-disabled=${!isEnabled} @click=${() => isEnabled && go()}>${name}</button>`
   }
@@ -144,7 +144,7 @@ class AlgorithmView implements View {
         aria-current=${isCurrent ? 'step' : nothing}
         @click=${() => this.#go(i)}
       >
-        <span>${partTitle(step)}</span>
+        <span>${entityTitle(step)}</span>
         <span class=${step.value === null ? 'none' : step.value < 0 ? 'negative' : ''}>${value}</span>
         <span class="new">${step.stops ? 'stops' : step.after === step.before ? '' : 'new M'}</span>
       </button>
@@ -174,7 +174,7 @@ class AlgorithmView implements View {
   #onLessMotion(): void {
     this.#pause()
     this.#drawn = []
-    this.#host.requestFrame()
+    this.#context.requestFrame()
   }
 
   #choose(choice: Partial<Following>): void {
@@ -183,7 +183,7 @@ class AlgorithmView implements View {
     this.#follow(choice)
   }
 
-  /** Where the reader goes, in contrast to where playing has come. */
+  /** Ends playing: the reader goes there. */
   #go(to: number): void {
     this.#pause()
     const step = Math.max(0, Math.min(this.#steps.length - 1, to))
@@ -192,7 +192,7 @@ class AlgorithmView implements View {
   }
 
   #follow(change: Partial<Following>): void {
-    this.#host.dispatch(sliceChange(followingSlice, { following: { ...this.#following, ...change } }))
+    this.#context.dispatch(sliceChange(followingSlice, { following: { ...this.#following, ...change } }))
   }
 
   #toggle(): void {
@@ -202,7 +202,7 @@ class AlgorithmView implements View {
       this.#said = ''
       this.#timer = setTimeout(() => this.#advance(), STEP_MS)
     }
-    this.#host.requestFrame()
+    this.#context.requestFrame()
   }
 
   #advance(): void {
@@ -217,11 +217,11 @@ class AlgorithmView implements View {
     this.#timer = undefined
   }
 
-  /** Only when it is another part than before, so that others may light up theirs in between. */
-  #light(part: ElementPart | null): void {
-    if (part?.kind === this.#lit?.kind && part?.id === this.#lit?.id) return
-    this.#lit = part && { kind: part.kind, id: part.id }
-    this.#host.dispatch({ type: 'highlight', part: this.#lit })
+  /** Dispatches a new entity only, so that other views may highlight theirs in between. */
+  #light(entity: Entity | null): void {
+    if (entity?.kind === this.#lit?.kind && entity?.id === this.#lit?.id) return
+    this.#lit = entity && { kind: entity.kind, id: entity.id }
+    this.#context.dispatch({ type: 'highlight', entity: this.#lit })
   }
 
   #onKey(event: KeyboardEvent): void {
@@ -231,7 +231,7 @@ class AlgorithmView implements View {
     this.#go(to)
   }
 
-  /** In the list, which scrolls by itself; the focus goes along if it is there, and only then the page. */
+  /** Scrolls the list, and the page only if the focus is in the list; then the focus goes along. */
   #showCurrent(): void {
     const list = this.root.querySelector('ol') as HTMLOListElement
     const row = list.children[this.#at] as HTMLElement
@@ -250,7 +250,7 @@ function chosen(event: Event): string {
 function signedNumbers(text: string): (TemplateResult | string)[] {
   return text
     .split(/(−\d\S*?(?=[,;:.]?(?:\s|$)))/)
-    .map((part, i) => (i % 2 === 1 ? html`<span class="negative">${part}</span>` : part))
+    .map((text, i) => (i % 2 === 1 ? html`<span class="negative">${text}</span>` : text))
 }
 
-export const create: CreateView = host => new AlgorithmView(host)
+export const create: CreateView = context => new AlgorithmView(context)

@@ -1,12 +1,12 @@
-/** How Algorithm 1 is followed. */
+/** The panel's slice of the state: how Algorithm 1 is followed. */
 import { described, indexBelow, oneOf, record } from '../../model/document-readers'
 import type { Slice } from '../../model/state'
 import { checkIndex } from '../../model/store'
 
-/** What Algorithm 1 is asked: the boundary minimum, or only whether all of the boundary is positive. */
+/** The boundary minimum, or only if all of the boundary is positive. */
 export type Query = 'minimum' | 'validity'
 
-/** Whether a face's Bernstein bound is looked at before its quartic is solved (`roots-b`) or not (`roots`). */
+/** `roots-b` looks at a face's Bernstein bound before it solves its quartic, `roots` does not. */
 export type Variant = 'roots' | 'roots-b'
 
 /** Steps of Algorithm 1: 8 vertices, 12 edges, 6 faces. */

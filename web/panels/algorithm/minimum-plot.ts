@@ -1,4 +1,4 @@
-/** M over the steps as a staircase, for a small plot: places in its own units, no units of jacdet. */
+/** M over the steps as a staircase, for a small plot in its own units. */
 import type { TraceStep } from './trace'
 
 export interface PlotBox {
@@ -9,16 +9,16 @@ export interface PlotBox {
 export interface MinimumPlot {
   /** Path of the staircase; a step is as wide as its share of the box. */
   readonly path: string
-  /** Where M is after each step: the middle of its tread. */
+  /** M after each step: the middle of its tread. */
   readonly marks: readonly { readonly x: number; readonly y: number }[]
   /** Height of zero, where that is between the greatest and the least M. */
   readonly zero: number | null
 }
 
-/** `count` steps share the width: those that a query did not come to stay empty. */
+/** `count` steps share the width: those that a query did not reach stay empty. */
 export function minimumPlot(steps: readonly TraceStep[], count: number, { width, height }: PlotBox): MinimumPlot {
   const values = steps.map(({ after }) => after ?? 0)
-  // By their largest magnitude, so that no difference overflows.
+  // Division by the largest magnitude lets no difference overflow.
   const unit = Math.max(...values.map(Math.abs)) || 1
   const [least, most] = [Math.min(...values) / unit, Math.max(...values) / unit]
   const heightOf = (value: number) =>

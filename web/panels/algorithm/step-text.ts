@@ -3,7 +3,7 @@ import type { Report } from '../../core/report'
 import { formatJacdet, formatNumber, formatPoint, fractionOf } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
-import { listed, partTitle } from '../../views/part-name'
+import { entityTitle, listed } from '../../views/entity-name'
 import type { TraceOptions, TraceStep } from './trace'
 
 export interface TraceShown extends TraceOptions {
@@ -14,17 +14,16 @@ export interface TraceShown extends TraceOptions {
 const AXES = ['ξ', 'η', 'ζ']
 
 export function stepSentence(step: TraceStep, shown: TraceShown): string {
-  return `${partTitle(step)}: ${step.kind === 'face' ? onFace(step, shown) : onEdge(step, shown)}.`
+  return `${entityTitle(step)}: ${step.kind === 'face' ? onFace(step, shown) : onEdge(step, shown)}.`
 }
 
-/** After the last step: the answer. */
 export function answerSentence({ after, stops }: TraceStep, shown: TraceShown): string {
   if (shown.query === 'minimum') return `That was all: the boundary minimum is ${jacdet(after, shown)}.`
   if (stops) return 'The query stops here: the element is invalid.'
   return 'That was all, and everything is positive: the element is valid.'
 }
 
-/** What came of it, for the list. */
+/** A step's outcome, for the list. */
 export function stepOutcome({ kind, outcome, value }: TraceStep, shown: TraceShown): string {
   if (value !== null) return jacdet(value, shown)
   if (outcome === 'bound') return 'skipped'
@@ -35,7 +34,6 @@ export function jacdet(value: number | null, { report, cube }: TraceShown): stri
   return value === null ? '' : formatJacdet(value, report.exponent, cube)
 }
 
-/** And at a vertex. */
 function onEdge(step: TraceStep, shown: TraceShown): string {
   const atEnd = 'so its least value is at an end, a vertex already seen'
   switch (step.outcome) {

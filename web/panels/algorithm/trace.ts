@@ -1,6 +1,7 @@
 /**
- * Algorithm 1 step by step (docs/algorithm.md 4 and 6), from a report alone: vertices, then edges, then faces in order, with
- * what each adds to M, the least jacdet so far. The report holds every candidate, whatever a query would have skipped.
+ * Algorithm 1 step by step (docs/algorithm.md 4 and 6), from a report alone: vertices, then edges,
+ * then faces in order, with what each adds to M, the least jacdet so far. The report holds every
+ * candidate, whatever a query would have skipped.
  */
 
 import type { Candidate, CandidateKind, Report } from '../../core/report'
@@ -9,8 +10,9 @@ import { edgeVertices, faces, VERTEX_COUNT } from '../../model/hexahedron'
 import type { Query, Variant } from './following'
 
 /**
- * What came of a step. On an edge without candidate: its parabola is concave, no parabola, or its vertex is not strictly inside.
- * On a face without: skipped by its bound, P identically zero, P without root in (0,1), or none of the roots kept.
+ * The outcome of a step. An edge without candidate: its parabola is concave, no parabola, or its
+ * vertex is not strictly inside. A face without: skipped by its bound, P identically zero, P
+ * without root in (0,1), or none of the roots kept.
  */
 export type Outcome =
   | 'evaluated'
@@ -26,7 +28,7 @@ export interface TraceStep {
   readonly kind: CandidateKind
   readonly id: number
   readonly outcome: Outcome
-  /** What is evaluated here, in order: none, one, or up to four on a face; a validity query stops within a face. */
+  /** The points evaluated here, in order: up to four on a face, where a validity query may stop. */
   readonly points: readonly Candidate[]
   /** The least of their jacdets, times 2^exponent. */
   readonly value: number | null
@@ -46,7 +48,7 @@ export function traceOf(report: Report, { query, variant }: TraceOptions): reado
   const steps: TraceStep[] = []
   let least: number | null = null
 
-  /** Returns whether to go on. */
+  /** Returns true if the algorithm goes on. */
   function take(kind: CandidateKind, id: number, without: Outcome, found: readonly Candidate[]): boolean {
     const end = query === 'validity' ? found.findIndex(({ value }) => value <= 0) : -1
     const points = end < 0 ? found : found.slice(0, end + 1)
@@ -66,7 +68,7 @@ export function traceOf(report: Report, { query, variant }: TraceOptions): reado
     const { lowerBound } = report.faces[id] as Report['faces'][number]
     if (query === 'validity') return lowerBound > 0
     const before = least as number
-    // Both are rounded where exact arithmetic decides; a candidate below M then says that the exact bound is, too.
+    // Exact arithmetic rounds both; a candidate below M then says that the exact bound is, too.
     return lowerBound >= before && found.every(({ value }) => value >= before)
   }
 
@@ -81,7 +83,7 @@ export function traceOf(report: Report, { query, variant }: TraceOptions): reado
   return steps
 }
 
-/** Why an edge has no candidate, from its Bernstein coefficients: docs/algorithm.md (9). */
+/** Tells from Bernstein coefficients why an edge has no candidate: docs/algorithm.md (9). */
 function edgeOutcome({ bernstein }: Report, edge: number): Outcome {
   const [q0, q1, q2] = bernsteinOnEdge(bernstein, edge)
   // Differences first, so that nothing overflows that does not in the report.

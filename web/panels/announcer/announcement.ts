@@ -1,6 +1,7 @@
 /**
- * One frame as sentences to be heard: "Vertex 3: 1.25, 0.5, -1. Minimum jacdet -0.03 on face 2. Invalid.", and of a degenerate element
- * "Invalid: a wedge stored as a hexahedron. Vertices 4 and 5 coincide, and so do 6 and 7."
+ * One frame as sentences to be heard: "Vertex 3: 1.25, 0.5, -1. Minimum jacdet -0.03 on face 2.
+ * Invalid.", and of a degenerate element "Invalid: a wedge stored as a hexahedron. Vertices 4 and 5
+ * coincide, and so do 6 and 7."
  */
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'

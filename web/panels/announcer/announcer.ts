@@ -1,4 +1,4 @@
-/** Says what changed to those who do not see it: a polite live region, at most one sentence a second, the latest one. */
+/** A polite live region that says the changes: at most one sentence a second, the latest one. */
 import type { CreateView, Frame, View } from '../../views/view'
 import { announcement } from './announcement'
 

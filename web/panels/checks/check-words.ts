@@ -1,21 +1,21 @@
 /**
- * Other checks of a hexahedron, by what the report calls them: who uses each and what it looks at. docs/algorithm.md,
- * section 9, says how their numbers are computed.
+ * Other checks of a hexahedron, by their ids in the report: who uses each and what it looks at.
+ * docs/algorithm.md, section 9, says how their numbers are computed.
  */
 import type { CheckId } from '../../core/report'
 import { type Vec3, vertexReference } from '../../model/hexahedron'
-import type { LookedAt } from '../../model/state'
+import type { Samples } from '../../model/state'
 
 export interface CheckDescription {
   readonly name: string
-  /** Programs or methods that ask this; null where it is nobody's in particular. */
+  /** Programs or methods that check this; null if there is none in particular. */
   readonly usedBy: string | null
-  /** Plain looksAts. */
+  /** Its samples in words. */
   readonly looksAt: string
   /** The number is a jacdet, or one without a unit that is the same on every reference cube. */
   readonly unit: 'jacdet' | 'none'
-  /** What the scene marks of it. */
-  readonly marks: LookedAt
+  /** The scene marks these. */
+  readonly marks: Samples
 }
 
 const ENDS_AND_MIDDLE = [0, 1 / 2, 1]
@@ -26,7 +26,7 @@ function grid(coordinates: readonly number[]): readonly Vec3[] {
   return coordinates.flatMap(x => coordinates.flatMap(y => coordinates.map((z): Vec3 => [x, y, z])))
 }
 
-function at(points: readonly Vec3[]): LookedAt {
+function at(points: readonly Vec3[]): Samples {
   return { points, edges: false }
 }
 

@@ -1,30 +1,29 @@
-/** Who would notice: what other checks say of this element, each against the exact verdict. */
+/** Other checks of this element, each against the exact verdict. */
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Check, CheckId, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { copyable, copyableJacdet } from '../../views/copyable'
-import type { CreateView, Frame, Turn, View, ViewHost } from '../../views/view'
+import { isNew } from '../../views/is-new'
+import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
 import { checks as descriptions } from './check-words'
 import css from './checks.css?inline'
 
 export const checksStyles = css
 
-/** Verdict's number where it finds a length of zero. */
+/** The number that Verdict returns for a length of zero. */
 const NO_LENGTH = 1e30
 
 class ChecksView implements View {
   readonly root = document.createElement('section')
-  readonly turns: readonly Turn[] = [frame => this.#draw(frame)]
-  #drawn: Report | null = null
-  #cube: ReferenceCube | null = null
-  readonly #host: ViewHost
+  readonly updates: readonly Update[] = [frame => this.#draw(frame)]
+  readonly #context: ViewContext
   readonly #listening = new AbortController()
   /** The check whose points are marked in the scene. */
   #marked: CheckId | null = null
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'checks'
     this.root.setAttribute('role', 'group')
     this.root.setAttribute('aria-labelledby', 'checks-title')
@@ -37,10 +36,8 @@ class ChecksView implements View {
   }
 
   #draw({ state, report }: Frame): void {
-    if (report === null || (report === this.#drawn && state.referenceCube === this.#cube)) return
-    this.#drawn = report
-    this.#cube = state.referenceCube
-    render(template(report, state.referenceCube), this.root)
+    const { referenceCube } = state
+    if (report && isNew(this.root, report, referenceCube)) render(template(report, referenceCube), this.root)
   }
 
   dispose(): void {
@@ -48,7 +45,7 @@ class ChecksView implements View {
     this.#mark(null)
   }
 
-  /** A row is pointed at by the mouse, by the focus of its number, or by a tap, which holds until the next one elsewhere. */
+  /** The mouse, a number's focus or a tap points at a row; a tap holds until the next one. */
   #listen(): void {
     const { signal } = this.#listening
     const { root } = this
@@ -66,7 +63,7 @@ class ChecksView implements View {
   #mark(id: CheckId | null): void {
     if (id === this.#marked) return
     this.#marked = id
-    this.#host.dispatch({ type: 'look-at', lookedAt: id && descriptions[id].marks })
+    this.#context.dispatch({ type: 'show-samples', samples: id && descriptions[id].marks })
   }
 }
 
@@ -118,10 +115,10 @@ function row(
   </tr>`
 }
 
-/** Against the exact verdict; a check that can only certify is not wrong about what it leaves open. */
+/** Compares with the verdict; a check that only certifies is not wrong if it leaves it open. */
 function judged(passes: boolean, valid: boolean, id: CheckId): { said: string; mark: string } {
   if (passes === valid) return { said: 'agrees', mark: '✓' }
   return id === 'tangents' && !passes ? { said: 'leaves it open', mark: '–' } : { said: 'wrong', mark: '✗' }
 }
 
-export const createChecks: CreateView = host => new ChecksView(host)
+export const createChecks: CreateView = context => new ChecksView(context)

@@ -1,4 +1,4 @@
 import type { Panel } from '../panel'
 import { checksStyles, createChecks } from './checks'
 
-export const checks: Panel = { name: 'checks', place: 'panel', create: createChecks, styles: checksStyles }
+export const checks: Panel = { name: 'checks', region: 'panel', create: createChecks, styles: checksStyles }

@@ -1,14 +1,14 @@
-/** What is embedded elsewhere: an element and how it is shown there, and its markup, which the hosts' snippets share. */
+/** An element to embed elsewhere, and the markup that the hosts' snippets share. */
 
 import type { Vertices } from '../../model/hexahedron'
 import type { CameraView } from '../../model/state'
 import { pointsOf } from '../../model/written-element'
 
-/** As the element's attribute names them. */
+/** Values of the element's attribute `theme`. */
 export const THEMES = ['auto', 'light', 'dark'] as const
 export type ThemeName = (typeof THEMES)[number]
 
-/** Names of parts in the attribute `views`, in the order in which they are shown. */
+/** Names of panels in the attribute `views`, in their order. */
 export const embeddableViews = [
   { name: 'scene', title: 'Scene' },
   { name: 'verdict', title: 'Verdict' },
@@ -27,7 +27,7 @@ export const embeddableViews = [
 
 export interface Embed {
   readonly vertices: Vertices
-  /** Names of parts, `scene` and `verdict` for two. */
+  /** Names of panels, such as `scene` and `verdict`. */
   readonly views: readonly string[]
   readonly theme: ThemeName
   readonly readonly: boolean
@@ -35,15 +35,15 @@ export interface Embed {
   readonly camera: string | null
   /** CSS pixels. */
   readonly height: number
-  /** Said by screen readers, and in the picture's place. */
+  /** The text for screen readers, and in the picture's place. */
   readonly label: string
   /** The address that opens the element, for readers without JavaScript. */
   readonly link: string
-  /** File name of the picture that stands for it until it runs, or where nothing does. */
+  /** File name of the picture that stands for it until it runs, or if it does not. */
   readonly poster: string
 }
 
-/** The attributes besides `vertices` that differ from what an element has by itself. */
+/** The attributes besides `vertices` that differ from the defaults. */
 export function attributesOf({ views, theme, readonly, camera, label }: Embed): readonly (readonly [string, string])[] {
   return [
     ['label', label] as const,
@@ -54,7 +54,7 @@ export function attributesOf({ views, theme, readonly, camera, label }: Embed): 
   ]
 }
 
-/** The element with a link and a picture for readers without JavaScript; `style` is the host's way to say a height. */
+/** The element, a link and a picture for readers without JavaScript; `style` has its height. */
 export function elementMarkup(embed: Embed, style: string): string {
   const attributes = attributesOf(embed).map(([name, value]) => (value === '' ? name : `${name}="${escaped(value)}"`))
   return [
@@ -75,7 +75,7 @@ export function cameraText({ direction: [x, y, z], zoom }: CameraView): string {
   return `${degrees(Math.atan2(y, x))} ${degrees(elevation)} ${Number(zoom.toPrecision(3))}`
 }
 
-/** Points with commas between, each number the shortest decimal that reads back as the same double. */
+/** Points with commas between, in the shortest decimals that read back as the same doubles. */
 export function verticesText(vertices: Vertices): string {
   return pointsOf(vertices)
     .map(point => point.map(value => (Object.is(value, -0) ? '-0' : String(value))).join(' '))

@@ -1,9 +1,9 @@
-/** The element for somebody's documentation: lines to copy for each kind of site, and how they look there. */
+/** The element for other documentation: lines to copy for each kind of site, and their preview. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
 import { saveFile } from '../../views/save-file'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import css from './embed.css?inline'
 import { cameraText, type Embed, embeddableViews, THEMES, type ThemeName, verticesText } from './embed-lines'
 import { type Host, hosts, type Snippet } from './hosts'
@@ -15,7 +15,7 @@ const HEIGHTS = { least: 160, most: 4000, step: 20 } as const
 /** The preview's events are not those of the element around it. */
 const EVENTS = ['hex-input', 'hex-change', 'hex-verdict', 'hex-error']
 
-/** What the author chose. */
+/** The author's choice. */
 interface Choice {
   readonly host: Host
   readonly views: readonly string[]
@@ -23,13 +23,13 @@ interface Choice {
   readonly readonly: boolean
   readonly camera: string | null
   readonly height: number
-  /** Null while it is what the verdict makes of it. */
+  /** Null if it is to be the one that follows from the verdict. */
   readonly label: string | null
 }
 
 class EmbedView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   readonly #preview = document.createElement('hex-lens')
   #choice: Choice = {
     host: hosts[0],
@@ -44,9 +44,9 @@ class EmbedView implements View {
   #valid: boolean | null = null
   #said = ''
 
-  constructor(host: ViewHost) {
-    this.#host = host
-    this.#vertices = host.state().vertices
+  constructor(context: ViewContext) {
+    this.#context = context
+    this.#vertices = context.state().vertices
     this.root.className = 'embed'
     for (const name of EVENTS) this.#preview.addEventListener(name, event => event.stopPropagation())
     this.#render()
@@ -72,7 +72,7 @@ class EmbedView implements View {
       ...choice,
       vertices: this.#vertices,
       label: label ?? said,
-      link: this.#host.permalink(),
+      link: this.#context.permalink(),
       poster: PICTURE,
     }
   }
@@ -136,7 +136,7 @@ class EmbedView implements View {
           @change=${(event: Event) => this.#choose({ label: (event.target as HTMLInputElement).value.trim() || null })}>
       </label>
       ${host.untested ? html`<p>Not tested in ${host.title} itself.</p>` : nothing}
-      ${[...host.setup, host.place(embed)].map(snippet => this.#snippet(snippet))}
+      ${[...host.setup, host.snippet(embed)].map(snippet => this.#snippet(snippet))}
       <p class="actions">
         <button type="button" @click=${() => this.#savePicture()}>Download ${PICTURE}</button>
         <span>the preview as a picture, for readers without JavaScript; it goes beside the page</span>
@@ -205,4 +205,4 @@ function isChecked(event: Event): boolean {
   return (event.target as HTMLInputElement).checked
 }
 
-export const create: CreateView = host => new EmbedView(host)
+export const create: CreateView = context => new EmbedView(context)

@@ -1,13 +1,13 @@
-/** How an element is put into each kind of documentation: what the site needs once, and what stands where the element is to be. */
+/** Snippets for each kind of documentation: for the site once, and for each element. */
 
 import { encodePermalink } from '../../model/permalink'
 import { pointsOf } from '../../model/written-element'
 import { attributesOf, type Embed, elementMarkup, escaped } from './embed-lines'
 
 export interface Snippet {
-  /** Where it goes: a file's name, or words. */
+  /** The name of the file that it goes into, or words. */
   readonly place: string
-  /** As fences of Markdown name it. */
+  /** The name that fences of Markdown have for it. */
   readonly language: string
   readonly text: string
 }
@@ -15,12 +15,12 @@ export interface Snippet {
 export interface Host {
   readonly id: string
   readonly title: string
-  /** It cannot be had where the tests run. */
+  /** True if the site's program cannot be installed where the tests run. */
   readonly untested?: true
-  /** Once for a site: what is to be copied where, and the lines that load it. */
+  /** Snippets for a site: the file to copy, and the lines that load it. */
   readonly setup: readonly Snippet[]
-  /** For each element. */
-  place(embed: Embed): Snippet
+  /** The snippet of one element. */
+  snippet(embed: Embed): Snippet
 }
 
 const STYLE = ({ height }: Embed) => `style="display: block; width: 100%; height: ${height}px"`
@@ -52,7 +52,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     id: 'html',
     title: 'HTML',
     setup: [{ place: 'in the head', language: 'html', text: '<script defer src="hexlens.iife.js"></script>' }],
-    place: html('in the body'),
+    snippet: html('in the body'),
   },
   {
     id: 'iframe',
@@ -72,7 +72,7 @@ export const hosts: readonly [Host, ...Host[]] = [
         ].join('\n'),
       },
     ],
-    place: embed => {
+    snippet: embed => {
       const query = new URLSearchParams(attributesOf(embed).map(([name, value]) => [name, value]))
       const address = `hexlens/embed.html?${query}#${encodePermalink(embed.vertices)}`
       return {
@@ -93,7 +93,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     id: 'sphinx',
     title: 'Sphinx',
     setup: [sphinxSetup],
-    place: embed => ({
+    snippet: embed => ({
       place: 'in a page, index.rst',
       language: 'rst',
       text: `.. raw:: html\n\n${indented(elementMarkup(inStatic(embed), STYLE(embed)), '   ')}`,
@@ -103,7 +103,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     id: 'myst',
     title: 'MyST in Sphinx',
     setup: [{ ...sphinxSetup, text: `extensions = ["myst_parser"]\n${sphinxSetup.text}` }],
-    place: embed => ({
+    snippet: embed => ({
       place: 'in a page, index.md',
       language: 'markdown',
       text: `\`\`\`{raw} html\n${elementMarkup(inStatic(embed), STYLE(embed))}\n\`\`\``,
@@ -115,7 +115,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     setup: [
       { place: 'mkdocs.yml', language: 'yaml', text: 'extra_javascript:\n  - path: hexlens.iife.js\n    defer: true' },
     ],
-    place: embed => ({
+    snippet: embed => ({
       place: 'in a page, index.md',
       language: 'markdown',
       text: `<div>\n${elementMarkup(embed, STYLE(embed))}\n</div>`,
@@ -125,7 +125,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     id: 'mdx',
     title: 'MDX',
     setup: [{ place: 'at the top of the page, page.mdx', language: 'mdx', text: "import 'hexlens'" }],
-    place: embed => ({
+    snippet: embed => ({
       place: 'in the page',
       language: 'mdx',
       text: elementMarkup(embed, `style={{ display: 'block', width: '100%', height: ${embed.height} }}`),
@@ -150,7 +150,7 @@ export const hosts: readonly [Host, ...Host[]] = [
         ].join('\n'),
       },
     ],
-    place: embed => ({
+    snippet: embed => ({
       place: 'in the page',
       language: 'markdown',
       text: `\`\`\`{=html}\n${elementMarkup(embed, STYLE(embed))}\n\`\`\``,
@@ -160,7 +160,7 @@ export const hosts: readonly [Host, ...Host[]] = [
     id: 'jupyter',
     title: 'Jupyter',
     setup: [{ place: 'in a cell', language: 'python', text: 'from hexlens import HexLens' }],
-    place: ({ vertices, views, height }) => ({
+    snippet: ({ vertices, views, height }) => ({
       place: 'in the next cell',
       language: 'python',
       text: [

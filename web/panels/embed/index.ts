@@ -3,5 +3,5 @@ import type { Panel } from '../panel'
 
 export const embed: Panel = {
   ...fold({ name: 'embed', title: 'Copy embed', load: () => import('./embed-view') }),
-  place: 'panel',
+  region: 'panel',
 }

@@ -1,6 +1,7 @@
-/** One face of the net: a button with the face's picture, which tells where on the face it is pointed at. */
+/** One face of the net: a button with the face's picture, which reports the point pointed at. */
 import { type FaceTopology, faces } from '../../model/hexahedron'
 import { type FaceRaster, paintFace } from '../../scene/paint/face-raster'
+import { inUnit, pointStep } from '../../views/point-steps'
 
 export interface FaceMapActions {
   /** A place in the cell, from its upper left, each in [0,1]. */
@@ -8,12 +9,10 @@ export interface FaceMapActions {
   leave(): void
   /** A step of the point by keys, in cells, to the right and down. */
   step(face: number, right: number, down: number): void
-  /** Whether there was a point to take away. */
+  /** True if there was a probe to remove. */
   clear(face: number): boolean
   select(face: number): void
 }
-
-const STEPS = { plain: 1 / 16, shift: 1 / 4, alt: 1 / 64 }
 
 const DIRECTIONS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowLeft: [-1, 0],
@@ -84,7 +83,7 @@ export class FaceMap {
     const direction = DIRECTIONS[event.key]
     if (event.ctrlKey || event.metaKey) return
     if (direction) {
-      const step = event.shiftKey ? STEPS.shift : event.altKey ? STEPS.alt : STEPS.plain
+      const step = pointStep(event)
       this.#actions.step(this.face, direction[0] * step, direction[1] * step)
       event.preventDefault()
     } else if (event.key === 'Escape' && this.#actions.clear(this.face)) event.preventDefault()
@@ -101,8 +100,4 @@ function isSamePicture(a: FaceRaster, b: FaceRaster): boolean {
     a.scale.positiveExtent === b.scale.positiveExtent &&
     a.bernstein.every((value, i) => value === b.bernstein[i])
   )
-}
-
-function inUnit(value: number): number {
-  return Math.max(0, Math.min(1, value))
 }

@@ -1,4 +1,4 @@
-/** The six faces unfolded as maps of jacdet, what settles each, and the quartic of the selected one. */
+/** The six faces as maps of jacdet, the bound of each, and the quartic of the selected one. */
 import { html, render } from 'lit-html'
 import { type FacePolynomials, facePolynomials, leastInRow } from '../../core/face-polynomials'
 import type { Candidate, FaceReport, Report } from '../../core/report'
@@ -10,7 +10,9 @@ import { colourScaleOf, rampOf, type Theme } from '../../scene/paint/colour-map'
 import { type Palette, paletteOf } from '../../scene/paint/face-raster'
 import { figureOf } from '../../scene/paint/figure'
 import { ThemeReader } from '../../scene/paint/theme'
-import type { CreateView, Figure, FigureName, Frame, Turn, View, ViewHost } from '../../views/view'
+import { isNew } from '../../views/is-new'
+import { inUnit } from '../../views/point-steps'
+import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../../views/view'
 import { boundsTable } from './bounds-table'
 import { FaceMap } from './face-map'
 import css from './face-maps.css?inline'
@@ -28,56 +30,53 @@ const LARGEST_CELL = 108
 const NEAR = 7
 /** A map is pointed at in steps of 1/200, about half a pixel. */
 const GRID = 200
-/** More device pixels than this to a CSS pixel are not worth their time; while a gesture runs this many a side do. */
+/** The most device pixels to a CSS pixel; and pixels a side while a gesture runs. */
 const MOST_PIXEL_RATIO = 3
 const GESTURE_SIZE = 64
 
 const KEYS = 'Arrow keys move the point over this face. Escape removes it. Enter shows the face’s quartic.'
 const HINT = 'Point at a map to read jacdet there, or use the arrow keys.'
 
-type Part = 'marks' | 'readout' | 'words' | 'formulas'
-
 class FaceMapsView implements View {
   readonly root = document.createElement('div')
-  readonly turns: readonly Turn[]
-  readonly #host: ViewHost
+  readonly updates: readonly Update[]
+  readonly #context: ViewContext
   readonly #net = document.createElement('div')
   readonly #maps: readonly FaceMap[]
-  readonly #overlay = new NetOverlay(candidate => this.#look('marks', candidate?.point ?? null))
+  readonly #overlay = new NetOverlay(candidate => this.#setProbe('marks', candidate?.point ?? null))
   readonly #readout = document.createElement('p')
   readonly #tooltip = document.createElement('p')
   readonly #table = document.createElement('div')
   readonly #words = document.createElement('div')
   readonly #formulas = document.createElement('div')
-  readonly #plots = new Plots(t => this.#lookAtRow(t))
+  readonly #plots = new Plots(t => this.#probeRow(t))
   readonly #theme: ThemeReader
   readonly #resizes: ResizeObserver
   #width = 0
   #cell = 0
   #palette: { readonly theme: Theme; readonly palette: Palette } | null = null
   #report: Report | null = null
-  /** The face last pointed at or focused: beside which place of a point its words stand. */
-  #lookedAt = 0
-  #looked: { readonly by: 'maps' | 'marks' | 'plots'; readonly point: Vec3 } | null = null
+  /** The face last pointed at or focused: the tooltip stands beside the point's place there. */
+  #pointedFace = 0
+  #ownProbe: { readonly by: 'maps' | 'marks' | 'plots'; readonly point: Vec3 } | null = null
   #polynomials: { readonly face: FaceReport; readonly of: FacePolynomials } | null = null
-  readonly #drawn = new Map<Part, readonly unknown[]>()
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.#maps = faces.map((_, face) => new FaceMap(face, this.#actions, 'face-map-keys'))
-    this.turns = [
-      ...this.#maps.map(map => this.#turn((frame, report) => this.#cell > 0 && this.#drawMap(map, frame, report))),
-      this.#turn((frame, report) => this.#cell > 0 && this.#drawMarks(frame, report)),
-      this.#turn((frame, report) => this.#drawReadout(frame, report)),
-      this.#turn((frame, report) => this.#drawWords(frame, report)),
-      this.#turn((frame, report) => this.#drawFormulas(frame, report)),
-      this.#turn((frame, report) => this.#drawPlots(frame, report)),
+    this.updates = [
+      ...this.#maps.map(map => this.#updating((frame, report) => this.#cell > 0 && this.#drawMap(map, frame, report))),
+      this.#updating((frame, report) => this.#cell > 0 && this.#drawMarks(frame, report)),
+      this.#updating((frame, report) => this.#drawReadout(frame, report)),
+      this.#updating((frame, report) => this.#drawWords(frame, report)),
+      this.#updating((frame, report) => this.#drawFormulas(frame, report)),
+      this.#updating((frame, report) => this.#drawPlots(frame, report)),
     ]
     this.#build()
-    this.#theme = new ThemeReader(this.root, () => host.requestFrame())
+    this.#theme = new ThemeReader(this.root, () => context.requestFrame())
     this.#resizes = new ResizeObserver(entries => {
       this.#width = Math.floor(entries.at(-1)?.contentRect.width ?? 0)
-      host.requestFrame()
+      context.requestFrame()
     })
     this.#resizes.observe(this.root)
   }
@@ -88,7 +87,7 @@ class FaceMapsView implements View {
     if (report !== null) this.#layOut()
   }
 
-  #turn(draw: (frame: Frame, report: Report) => void): Turn {
+  #updating(draw: (frame: Frame, report: Report) => void): Update {
     return frame => {
       if (frame.report !== null) draw(frame, frame.report)
     }
@@ -106,63 +105,61 @@ class FaceMapsView implements View {
 
   #build(): void {
     const inReadingOrder = this.#maps.toSorted((a, b) => readingOrder(a.face) - readingOrder(b.face))
-    const keys = document.createElement('span')
-    keys.id = 'face-map-keys'
-    keys.className = 'said'
-    keys.textContent = KEYS
     this.#readout.className = 'readout'
     this.#tooltip.className = 'tooltip'
     this.#tooltip.setAttribute('role', 'tooltip')
     this.#tooltip.hidden = true
     this.#net.className = 'face-net'
-    this.#net.append(...inReadingOrder.map(map => map.root), this.#readout, legend(), this.#overlay.root, this.#tooltip)
+    const roots = inReadingOrder.map(map => map.root)
+    render([roots, this.#readout, legend, this.#overlay.root, this.#tooltip], this.#net)
     // Words for pointers are silent; where keys move the point, its value is spoken.
     this.#net.addEventListener('focusin', () => this.#readout.setAttribute('aria-live', 'polite'))
     this.#net.addEventListener('focusout', () => this.#readout.setAttribute('aria-live', 'off'))
     this.root.className = 'face-maps'
-    this.root.append(this.#net, keys, this.#table, this.#words, this.#plots.root, this.#formulas)
+    const keys = html`<span id="face-map-keys" class="said">${KEYS}</span>`
+    render([this.#net, keys, this.#table, this.#words, this.#plots.root, this.#formulas], this.root)
   }
 
   readonly #actions = {
     point: (face: number, x: number, y: number) => {
-      this.#lookedAt = face
+      this.#pointedFace = face
       const near = this.#candidateNear(face, x, y)
-      this.#look('maps', near?.point ?? pointInCell(face, Math.round(x * GRID) / GRID, Math.round(y * GRID) / GRID))
+      this.#setProbe('maps', near?.point ?? pointInCell(face, Math.round(x * GRID) / GRID, Math.round(y * GRID) / GRID))
     },
-    leave: () => this.#look('maps', null),
+    leave: () => this.#setProbe('maps', null),
     step: (face: number, right: number, down: number) => {
-      this.#lookedAt = face
-      const { probe } = this.#host.state()
+      this.#pointedFace = face
+      const { probe } = this.#context.state()
       const { column, row } = netCells[face] as (typeof netCells)[number]
       const isHere = probe !== null && isOnFace(face, probe)
       const from = isHere ? placeOnFace(face, probe) : { x: column + 0.5, y: row + 0.5 }
-      this.#look('maps', pointInCell(face, inUnit(from.x - column + right), inUnit(from.y - row + down)))
+      this.#setProbe('maps', pointInCell(face, inUnit(from.x - column + right), inUnit(from.y - row + down)))
     },
     clear: (face: number) => {
-      const { probe } = this.#host.state()
+      const { probe } = this.#context.state()
       if (probe === null || !isOnFace(face, probe)) return false
-      this.#host.dispatch({ type: 'probe', point: null })
+      this.#context.dispatch({ type: 'probe', point: null })
       return true
     },
-    select: (selectedFace: number) => this.#host.dispatch(sliceChange(faceSlice, { selectedFace })),
+    select: (selectedFace: number) => this.#context.dispatch(sliceChange(faceSlice, { selectedFace })),
   }
 
-  /** A part of the view takes away no other point than its own: a map that is scrolled from under the pointer, for one. */
-  #look(by: 'maps' | 'marks' | 'plots', point: Vec3 | null): void {
-    const { probe } = this.#host.state()
-    const looked = this.#looked
-    const isOwn = looked?.by === by && probe !== null && looked.point.every((x, axis) => x === probe[axis])
+  /** A map ends no other probe than its own, such as when it is scrolled from under the pointer. */
+  #setProbe(by: 'maps' | 'marks' | 'plots', point: Vec3 | null): void {
+    const { probe } = this.#context.state()
+    const own = this.#ownProbe
+    const isOwn = own?.by === by && probe !== null && own.point.every((x, axis) => x === probe[axis])
     if (point === null && !isOwn) return
-    this.#looked = point && { by, point }
-    this.#host.dispatch({ type: 'probe', point })
+    this.#ownProbe = point && { by, point }
+    this.#context.dispatch({ type: 'probe', point })
   }
 
-  /** At the least value of the face's row t. */
-  #lookAtRow(t: number | null): void {
-    const { selectedFace } = sliceOf(faceSlice, this.#host.state())
+  /** Probes the point at which the face's row t has its least value. */
+  #probeRow(t: number | null): void {
+    const { selectedFace } = sliceOf(faceSlice, this.#context.state())
     const face = this.#report?.faces[selectedFace]
-    this.#lookedAt = selectedFace
-    this.#look(
+    this.#pointedFace = selectedFace
+    this.#setProbe(
       'plots',
       t === null || !face ? null : facePoint(selectedFace, leastInRow(this.#polynomialsOf(face), t), t),
     )
@@ -195,14 +192,6 @@ class FaceMapsView implements View {
     this.#net.style.setProperty('--cell', `${cell}px`)
   }
 
-  /** Whether any of it is new since the last time, and remembers it. */
-  #isNew(part: Part, ...shown: unknown[]): boolean {
-    const drawn = this.#drawn.get(part)
-    if (drawn && shown.every((value, i) => value === drawn[i])) return false
-    this.#drawn.set(part, shown)
-    return true
-  }
-
   #drawMap(map: FaceMap, { state, isForPaper }: Frame, report: Report): void {
     const theme = this.#theme.read()
     if (this.#palette?.theme !== theme) this.#palette = { theme, palette: paletteOf(rampOf(theme), theme) }
@@ -222,13 +211,13 @@ class FaceMapsView implements View {
   #drawMarks({ state }: Frame, report: Report): void {
     const { probe, highlight, referenceCube } = state
     const { selectedFace } = sliceOf(faceSlice, state)
-    if (!this.#isNew('marks', report, this.#cell, probe, selectedFace, highlight, referenceCube)) return
+    if (!isNew(this.#overlay, report, this.#cell, probe, selectedFace, highlight, referenceCube)) return
     for (const { root, face } of this.#maps) root.setAttribute('aria-pressed', String(face === selectedFace))
     this.#overlay.update({ state, report, cell: this.#cell })
   }
 
   #drawReadout({ state, probe }: Frame, report: Report): void {
-    if (!this.#isNew('readout', report, probe, state.referenceCube, this.#cell, this.#lookedAt)) return
+    if (!isNew(this.#readout, report, probe, state.referenceCube, this.#cell, this.#pointedFace)) return
     const onFaces = probe === null ? [] : faces.filter((_, face) => isOnFace(face, probe.point))
     const isOn = probe !== null && onFaces.length > 0
     const value = isOn ? formatJacdet(probe.jacdet, probe.exponent, state.referenceCube) : ''
@@ -243,10 +232,12 @@ class FaceMapsView implements View {
     if (candidate) this.#placeTooltip(candidateText(candidate, report, state.referenceCube), candidate.point)
   }
 
-  /** Above the candidate, or below where it would leave the net. */
+  /** Puts the tooltip above the candidate, or below if it would leave the net. */
   #placeTooltip(text: string, point: Vec3): void {
     const cell = this.#cell
-    const here = isOnFace(this.#lookedAt, point) ? placeOnFace(this.#lookedAt, point) : (placesOf(point)[0] as Place)
+    const here = isOnFace(this.#pointedFace, point)
+      ? placeOnFace(this.#pointedFace, point)
+      : (placesOf(point)[0] as Place)
     this.#tooltip.textContent = text
     const width = this.#tooltip.offsetWidth
     const left = Math.max(0, Math.min(NET_COLUMNS * cell - width, here.x * cell - width / 2))
@@ -258,7 +249,7 @@ class FaceMapsView implements View {
   #drawWords({ state }: Frame, report: Report): void {
     const { referenceCube } = state
     const { selectedFace } = sliceOf(faceSlice, state)
-    if (!this.#isNew('words', report, referenceCube, selectedFace)) return
+    if (!isNew(this.#words, report, referenceCube, selectedFace)) return
     render(boundsTable(report, referenceCube, selectedFace), this.#table)
     render(quarticWords(report, report.faces[selectedFace] as FaceReport, referenceCube), this.#words)
   }
@@ -266,7 +257,7 @@ class FaceMapsView implements View {
   #drawFormulas({ state }: Frame, report: Report): void {
     const { referenceCube } = state
     const { selectedFace } = sliceOf(faceSlice, state)
-    if (!this.#isNew('formulas', report, referenceCube, selectedFace)) return
+    if (!isNew(this.#formulas, report, referenceCube, selectedFace)) return
     const face = report.faces[selectedFace] as FaceReport
     render(formulas(face, this.#polynomialsOf(face), report.exponent, referenceCube), this.#formulas)
   }
@@ -286,20 +277,9 @@ function readingOrder(face: number): number {
   return row * NET_COLUMNS + column
 }
 
-function legend(): HTMLElement {
-  const root = document.createElement('p')
-  root.className = 'legend'
-  const kinds = Object.entries(candidateShapes).map(
-    ([kind, d]) =>
-      html`<span><svg viewBox="-6 -6 12 12" aria-hidden="true"><path class="candidate" d=${d} /></svg>${kind}</span>`,
-  )
-  const minimum = html`<span><svg viewBox="-9 -9 18 18" aria-hidden="true"><circle class="ring" r="7" /></svg>minimum</span>`
-  render([kinds, minimum], root)
-  return root
-}
+const legend = html`<p class="legend">${Object.entries(candidateShapes).map(
+  ([kind, d]) =>
+    html`<span><svg viewBox="-6 -6 12 12" aria-hidden="true"><path class="candidate" d=${d} /></svg>${kind}</span>`,
+)}<span><svg viewBox="-9 -9 18 18" aria-hidden="true"><circle class="ring" r="7" /></svg>minimum</span></p>`
 
-function inUnit(value: number): number {
-  return Math.max(0, Math.min(1, value))
-}
-
-export const create: CreateView = host => new FaceMapsView(host)
+export const create: CreateView = context => new FaceMapsView(context)

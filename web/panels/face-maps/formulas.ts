@@ -1,4 +1,4 @@
-/** The selected face's polynomials with its own coefficients, as MathML; one formula is several elements, so that it can wrap. */
+/** The selected face's polynomials, as MathML; a formula is several elements, so that it wraps. */
 import { html, mathml, type TemplateResult } from 'lit-html'
 import { type FacePolynomials, powerCoefficients } from '../../core/face-polynomials'
 import type { FaceReport } from '../../core/report'
@@ -60,10 +60,10 @@ function line(parts: readonly TemplateResult[]): TemplateResult {
   return html`<p>${parts.map(part => html`<math>${part}</math> `)}</p>`
 }
 
-/** Roundings of the change to powers of t, at most 2^4 * 6 times that of the largest coefficient. */
+/** The change to powers of t rounds by at most 2^4 * 6 times the largest coefficient's rounding. */
 const LEAST_TERM = 2 ** -46
 
-/** Its terms in powers of t; those that are nothing but rounding are left out. */
+/** The terms in powers of t, without those that are nothing but rounding. */
 function polynomial(
   bernstein: readonly number[],
   exponent: number,

@@ -1,14 +1,14 @@
 /**
- * What stands on the net, in SVG: the faces' borders and names, vertex numbers, the candidates, the minimizer, the point that
- * is looked at. The candidates are one stop of the Tab key; arrow keys go from one to the next.
+ * The SVG over the net: borders and names of faces, vertex numbers, the candidates, the minimizer,
+ * the probe. The candidates are one stop of the Tab key; arrow keys go from one to the next.
  */
 import type { Candidate, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { faces, vertexReference } from '../../model/hexahedron'
-import { type ElementPart, type ReferenceCube, type State, sliceOf } from '../../model/state'
+import { type Entity, type ReferenceCube, type State, sliceOf } from '../../model/state'
 import { candidateShapes } from '../../scene/overlay/candidate-shapes'
 import { px, set, show, svg } from '../../scene/paint/svg'
-import { partTitle } from '../../views/part-name'
+import { entityTitle } from '../../views/entity-name'
 import { edgePlaces, isOnFace, netCells, netCorners, type Place, placeOnFace, placesOf } from './net'
 import { faceSlice } from './selected-face'
 
@@ -136,7 +136,7 @@ export class NetOverlay {
     }
   }
 
-  /** Not in every frame of a drag: nobody can ask for them meanwhile. */
+  /** Labels wait until a drag ends: nobody can ask for them meanwhile. */
   #updateLabels({ gestureStart, referenceCube }: State, report: Report): void {
     if (gestureStart !== null && this.#labelled.length > 0) return
     if (this.#labelled[0] === report && this.#labelled[1] === referenceCube) return
@@ -177,7 +177,7 @@ export class NetOverlay {
     }
   }
 
-  #highlightPath({ kind, id }: ElementPart): string {
+  #highlightPath({ kind, id }: Entity): string {
     const cell = this.#cell
     const at = ({ x, y }: Place) => `${px(x * cell)} ${px(y * cell)}`
     if (kind === 'edge')
@@ -224,7 +224,7 @@ export class NetOverlay {
 export function candidateText(candidate: Candidate, report: Report, cube: ReferenceCube): string {
   const value = formatJacdet(candidate.value, report.exponent, cube)
   const isLeast = candidate.point === report.minimizer.point || samePoint(candidate, report.minimizer)
-  return `${partTitle(candidate)}: J = ${value}${isLeast ? ', the minimum' : ''}`
+  return `${entityTitle(candidate)}: J = ${value}${isLeast ? ', the minimum' : ''}`
 }
 
 function samePoint(a: Candidate, b: Candidate): boolean {

@@ -1,6 +1,7 @@
 /**
- * The cube unfolded: its side faces in a row, seen from outside with zeta upwards, the top and the bottom above and below −η. Places
- * are in cells from the net's upper left, x to the right and y down.
+ * The cube unfolded: its side faces in a row, seen from outside with zeta upwards, the top and the
+ * bottom above and below −η. Places are in cells from the net's upper left, x to the right and y
+ * down.
  */
 import { edgeVertices, type FaceTopology, faces, type Vec3, vertexReference } from '../../model/hexahedron'
 import type { MapCell } from '../../scene/paint/face-raster'
@@ -13,7 +14,7 @@ export interface Place {
   readonly y: number
 }
 
-/** By face. */
+/** The cells of faces 0 to 5. */
 export const netCells: readonly MapCell[] = [
   { column: 0, row: 1, sToLeft: true, tDown: false },
   { column: 2, row: 1, sToLeft: false, tDown: false },
@@ -43,14 +44,14 @@ export function isOnFace(face: number, point: Vec3): boolean {
   return point[axis] === side
 }
 
-/** Where a point of the face is in the net. */
+/** The place of a face's point in the net. */
 export function placeOnFace(face: number, point: Vec3): Place {
   const { s, t } = faces[face] as FaceTopology
   const { column, row, sToLeft, tDown } = netCells[face] as MapCell
   return { x: column + (sToLeft ? 1 - point[s] : point[s]), y: row + (tDown ? point[t] : 1 - point[t]) }
 }
 
-/** Every place of a point in the net: one inside a face, up to three on an edge or at a vertex, none inside the cube. */
+/** All places of a point: one inside a face, up to three on an edge or vertex, none in the cube. */
 export function placesOf(point: Vec3): Place[] {
   const places = faces.flatMap((_, face) => (isOnFace(face, point) ? [placeOnFace(face, point)] : []))
   const isFirst = (place: Place, i: number) => places.findIndex(({ x, y }) => x === place.x && y === place.y) === i

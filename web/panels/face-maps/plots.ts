@@ -1,19 +1,20 @@
 /**
- * P, D, a and s* of the selected face over t in [0,1], with the roots of P. They share one t: that of the point looked at,
- * set by pointing at a plot or, as a slider, by keys.
+ * P, D, a and s* of the selected face over t in [0,1], with the roots of P. They share one t: that
+ * of the probe, set by pointing at a plot or, as a slider, by keys.
  */
 import { type FacePolynomials, valueAt, vertexInS } from '../../core/face-polynomials'
 import type { FaceReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
+import { inUnit, pointStep } from '../../views/point-steps'
 import { decimalText } from './formulas'
 
 export interface PlotsPicture {
   readonly name: string
   readonly face: FaceReport
   readonly polynomials: FacePolynomials
-  /** The report's. */
+  /** The exponent of the report. */
   readonly exponent: number
   readonly cube: ReferenceCube
 }
@@ -21,9 +22,9 @@ export interface PlotsPicture {
 interface Curve {
   readonly name: string
   readonly title: string
-  /** Null where it is not defined. */
+  /** The curve's value, null where it is not defined. */
   readonly at: (t: number) => number | null
-  /** Fixed, or fitted to the curve and zero. */
+  /** The range of values: fixed, or fitted to the curve and zero. */
   readonly range: readonly [number, number] | null
   readonly text: (value: number) => string
   readonly lines: readonly number[]
@@ -33,7 +34,6 @@ const WIDTH = 180
 const HEIGHT = 110
 const BOX = { left: 1, right: WIDTH - 1, top: 19, bottom: HEIGHT - 21 }
 const SAMPLES = 80
-const STEPS = { plain: 1 / 16, shift: 1 / 4, alt: 1 / 64 }
 const KEYS: Readonly<Record<string, number>> = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }
 const ROOT_SHAPES = { kept: 'M-3.4 -3.4H3.4V3.4H-3.4Z', dropped: 'M-3 -3L3 3M-3 3L3 -3' }
 const MOST_ROOTS = 4
@@ -48,7 +48,7 @@ export class Plots {
   #picture: PlotsPicture | null = null
   #t: number | null = null
 
-  /** `choose` is told the t that is looked at. */
+  /** `choose` gets the t that is pointed at. */
   constructor(choose: (t: number | null) => void) {
     this.#choose = choose
     this.root.className = 'plots'
@@ -114,10 +114,7 @@ export class Plots {
       else if (event.key === 'Home') this.#choose(0)
       else if (event.key === 'End') this.#choose(1)
       else if (way === undefined) return
-      else {
-        const step = event.shiftKey ? STEPS.shift : event.altKey ? STEPS.alt : STEPS.plain
-        this.#choose(this.#t === null ? 0.5 : inUnit(this.#t + way * step))
-      }
+      else this.#choose(this.#t === null ? 0.5 : inUnit(this.#t + way * pointStep(event)))
       event.preventDefault()
     })
   }
@@ -184,7 +181,7 @@ class Plot {
     return `M${BOX.left} ${px(this.#yOf(value))}H${BOX.right}`
   }
 
-  /** Interrupted where there is no value, or one outside the plot. */
+  /** The path breaks off at values outside the plot, or undefined ones. */
   #path(values: readonly (number | null)[]): string {
     let path = ''
     let isOpen = false
@@ -234,8 +231,4 @@ function rangeOf(values: readonly (number | null)[]): readonly [number, number] 
 
 function xOf(t: number): number {
   return BOX.left + t * (BOX.right - BOX.left)
-}
-
-function inUnit(value: number): number {
-  return Math.max(0, Math.min(1, value))
 }

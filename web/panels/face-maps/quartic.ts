@@ -1,4 +1,4 @@
-/** The selected face's quartic in words: whether it was needed, and what became of each of its roots. */
+/** The selected face's quartic in words: if it was needed, and the outcome of each root. */
 import { html, type TemplateResult } from 'lit-html'
 import type { FaceReport, FaceRoot, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'

@@ -1,4 +1,4 @@
-/** The face that is looked at closely. */
+/** The panel's slice: the face whose quartic is shown. */
 import { described, indexBelow } from '../../model/document-readers'
 import { faces } from '../../model/hexahedron'
 import type { Slice } from '../../model/state'

@@ -1,4 +1,4 @@
-/** What is inside: the least jacdet there against the boundary's, and a section that slides, here flat and in the scene in its place. */
+/** The inside: its least jacdet against the boundary's, and a section, flat and in the scene. */
 import { html, render, type TemplateResult } from 'lit-html'
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
@@ -7,7 +7,7 @@ import type { Axis, Vec3 } from '../../model/hexahedron'
 import type { ReferenceCube, Section, State } from '../../model/state'
 import { ThemeReader } from '../../scene/paint/theme'
 import { copyableJacdet, copyablePoint } from '../../views/copyable'
-import type { CreateView, Frame, Turn, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
 import css from './inside-panel.css?inline'
 import { insideSentence } from './inside-words'
 import { AXIS_NAMES, SectionMap } from './section-map'
@@ -21,28 +21,27 @@ const KEYS = 'Arrow keys move the point over the section. Escape removes it.'
 
 class InsidePanel implements View {
   readonly root = document.createElement('div')
-  readonly turns: readonly Turn[] = [frame => this.#drawMap(frame)]
-  readonly #host: ViewHost
-  readonly #minima = document.createElement('div')
-  readonly #controls = document.createElement('div')
+  readonly updates: readonly Update[] = [frame => this.#drawMap(frame)]
+  readonly #context: ViewContext
   readonly #map: SectionMap
-  readonly #readout = document.createElement('p')
-  readonly #places = document.createElement('div')
   readonly #theme: ThemeReader
   readonly #resizes: ResizeObserver
   #side = 0
   #report: Report | null = null
-  readonly #drawn = new Map<string, readonly unknown[]>()
 
-  constructor(host: ViewHost) {
-    this.#host = host
-    this.#map = new SectionMap(point => host.dispatch({ type: 'probe', point }))
-    this.#build()
-    this.#theme = new ThemeReader(this.root, () => host.requestFrame())
+  constructor(context: ViewContext) {
+    this.#context = context
+    this.#map = new SectionMap(point => context.dispatch({ type: 'probe', point }))
+    this.root.className = 'inside'
+    const speak = (live: string) => () => this.root.querySelector('.readout')?.setAttribute('aria-live', live)
+    this.#map.root.setAttribute('aria-describedby', 'section-keys')
+    this.#map.root.addEventListener('focus', speak('polite'))
+    this.#map.root.addEventListener('blur', speak('off'))
+    this.#theme = new ThemeReader(this.root, () => context.requestFrame())
     this.#resizes = new ResizeObserver(entries => {
       const width = Math.floor(entries.at(-1)?.contentRect.width ?? 0)
       this.#side = Math.max(0, Math.min(LARGEST_SIDE, width - MARGIN))
-      host.requestFrame()
+      context.requestFrame()
     })
     this.#resizes.observe(this.root)
   }
@@ -65,49 +64,21 @@ class InsidePanel implements View {
       this.#map.update({ report, theme: this.#theme.read(), state, side: this.#side })
   }
 
-  #build(): void {
-    this.root.className = 'inside'
-    this.#readout.className = 'readout'
-    const keys = document.createElement('span')
-    keys.id = 'section-keys'
-    keys.className = 'said'
-    keys.textContent = KEYS
-    this.#map.root.setAttribute('aria-describedby', keys.id)
-    this.#map.root.addEventListener('focus', () => this.#readout.setAttribute('aria-live', 'polite'))
-    this.#map.root.addEventListener('blur', () => this.#readout.setAttribute('aria-live', 'off'))
-    this.root.append(this.#minima, this.#places, this.#controls, this.#map.root, keys, this.#readout)
-  }
-
-  /** Whether any of it is new since the last time, and remembers it. */
-  #isNew(part: string, ...shown: unknown[]): boolean {
-    const drawn = this.#drawn.get(part)
-    if (drawn && shown.every((value, i) => value === drawn[i])) return false
-    this.#drawn.set(part, shown)
-    return true
-  }
-
   #drawWords({ state, probe, zeroSurface }: Frame, report: Report): void {
     const { referenceCube: cube, section } = state
-    if (this.#isNew('minima', report, cube)) render(minima(report, cube), this.#minima)
-    const goal = minimizerOf(report)[section.axis]
-    if (this.#isNew('controls', goal === section.value, lowerInside(report) !== null, section)) {
-      render(this.#controlsOf(report, section), this.#controls)
-      const value = `${AXIS_NAMES[section.axis]} = ${formatNumber(section.value)}`
-      this.#map.root.setAttribute('aria-label', `Map of jacdet on the section ${value}`)
-    }
-    if (this.#isNew('readout', probe, report, section, cube)) {
-      const isHere = probe !== null && probe.point[section.axis] === section.value
-      render(
-        isHere ? readout(probe.point, probe.jacdet, probe.exponent, cube) : offSection(report, section),
-        this.#readout,
-      )
-    }
     const isThere = zeroSurface && zeroSurface.triangles.length > 0
-    if (this.#isNew('places', state.faceDisplay === 'inside', state.referenceShown, isThere))
-      render(this.#placesOf(state, isThere), this.#places)
+    const isHere = probe !== null && probe.point[section.axis] === section.value
+    render(
+      html`<div>${minima(report, cube)}</div>
+        <div>${this.#placesOf(state, isThere)}</div>
+        <div>${this.#controlsOf(report, section)}</div>
+        ${this.#map.root}<span id="section-keys" class="said">${KEYS}</span>
+        <p class="readout">${isHere ? readout(probe.point, probe.jacdet, probe.exponent, cube) : offSection(report, section)}</p>`,
+      this.root,
+    )
   }
 
-  /** Where else the inside is shown. */
+  /** Choices of where else the inside is shown. */
   #placesOf({ faceDisplay, referenceShown }: State, isThere: boolean | null): TemplateResult {
     const isInScene = faceDisplay === 'inside'
     const show = (event: Event) => (event.target as HTMLInputElement).checked
@@ -118,14 +89,14 @@ class InsidePanel implements View {
             type="checkbox"
             .checked=${isInScene}
             @change=${(event: Event) =>
-              this.#host.dispatch({ type: 'show-faces', faceDisplay: show(event) ? 'inside' : 'opaque' })}
+              this.#context.dispatch({ type: 'show-faces', faceDisplay: show(event) ? 'inside' : 'opaque' })}
           />in the element</label
         >
         <label
           ><input
             type="checkbox"
             .checked=${referenceShown}
-            @change=${(event: Event) => this.#host.dispatch({ type: 'show-reference', referenceShown: show(event) })}
+            @change=${(event: Event) => this.#context.dispatch({ type: 'show-reference', referenceShown: show(event) })}
           />and in the reference cube</label
         >
       </fieldset>
@@ -167,15 +138,15 @@ class InsidePanel implements View {
   }
 
   #show(section: Section): void {
-    this.#host.dispatch({ type: 'show-section', section })
-    this.#host.dispatch({ type: 'probe', point: null })
+    this.#context.dispatch({ type: 'show-section', section })
+    this.#context.dispatch({ type: 'probe', point: null })
   }
 
   #goToMinimum(): void {
-    const { axis } = this.#host.state().section
+    const { axis } = this.#context.state().section
     if (this.#report) this.#show({ axis, value: minimizerOf(this.#report)[axis] })
     // The button is now disabled, and keys should not be lost with it.
-    this.#controls.querySelector<HTMLElement>('input[type=range]')?.focus({ preventScroll: true })
+    this.root.querySelector<HTMLElement>('input[type=range]')?.focus({ preventScroll: true })
   }
 }
 
@@ -224,7 +195,7 @@ function readout(point: Vec3, value: number, exponent: number, cube: ReferenceCu
   return html`J = ${jacdet(value, exponent, cube)} at ${formatPoint(point)}`
 }
 
-/** The hint, or where the minimizer is that is marked although it does not lie on the section. */
+/** The hint, or the place of a minimizer that is marked although it is not on the section. */
 function offSection(report: Report, { axis, value }: Section): string {
   const at = minimizerOf(report)[axis]
   if (at === value) return 'Point at the section to read jacdet there, or use the arrow keys.'
@@ -232,4 +203,4 @@ function offSection(report: Report, { axis, value }: Section): string {
   return `The minimum is not on this section: it is ${off} ${at > value ? 'above' : 'below'} it in ${AXIS_NAMES[axis]}, marked where it projects.`
 }
 
-export const create: CreateView = host => new InsidePanel(host)
+export const create: CreateView = context => new InsidePanel(context)

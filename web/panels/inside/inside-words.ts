@@ -1,4 +1,4 @@
-/** One or two sentences on the inside, as far as the boundary decides. */
+/** Sentences on the inside, as far as the boundary decides. */
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'

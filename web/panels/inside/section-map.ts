@@ -1,13 +1,15 @@
-/** A section of the reference cube as a flat map of jacdet, with the minimizer, and the point that is looked at. */
+/** A section of the reference cube as a flat map of jacdet, with the minimizer and the probe. */
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { axesOn, pointOn, sectionBernstein } from '../../core/section'
-import { formatJacdet } from '../../model/decimal'
+import { formatJacdet, formatNumber } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { Section, State } from '../../model/state'
 import { colourScaleInside, rampOf, type Theme } from '../../scene/paint/colour-map'
 import { type Palette, paintFace, paletteOf } from '../../scene/paint/face-raster'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
+import { isNew } from '../../views/is-new'
+import { inUnit, pointStep } from '../../views/point-steps'
 
 export interface SectionPicture {
   readonly report: Report
@@ -22,9 +24,8 @@ export const AXIS_NAMES = ['ξ', 'η', 'ζ'] as const
 /** Pixels a side while a gesture runs, and the most to a CSS pixel when none does. */
 const GESTURE_SIZE = 80
 const MOST_PIXEL_RATIO = 2
-/** Places are looked at in steps of 1/200. */
+/** The probe moves in steps of 1/200. */
 const GRID = 200
-const STEPS = { plain: 1 / 16, shift: 1 / 4, alt: 1 / 64 }
 const RING = 8
 const CELL = { column: 0, row: 0, sToLeft: false, tDown: false }
 
@@ -40,26 +41,25 @@ export class SectionMap {
   readonly #canvas = document.createElement('canvas')
   readonly #context = this.#canvas.getContext('2d')
   readonly #svg = svg('svg', { 'aria-hidden': 'true' })
-  readonly #frame = svg('rect', { class: 'frame' })
+  readonly #border = svg('rect', { class: 'border' })
   readonly #rings = [svg('circle', { class: 'rim', r: RING }), svg('circle', { class: 'ring', r: RING })] as const
   readonly #minimizer = svg('g', { class: 'minimizer' }, ...this.#rings, svg('circle', { class: 'pupil', r: 3 }))
   readonly #label = svg('text', { class: 'value' })
   readonly #cross = svg('g', { class: 'cross' }, svg('path', { class: 'halo' }), svg('path'))
   readonly #names = [0, 1].map(() => svg('text', { class: 'axis' }))
   readonly #ends = [0, 1, 2].map(i => svg('text', { class: i === 1 ? 'axis last' : 'axis' }, i === 0 ? '0' : '1'))
-  readonly #look: (point: Vec3 | null) => void
+  readonly #setProbe: (point: Vec3 | null) => void
   #image: ImageData | null = null
   #palette: { readonly theme: Theme; readonly palette: Palette } | null = null
   #section: Section = { axis: 2, value: 0.5 }
   #probe: Vec3 | null = null
-  #drawn: readonly unknown[] = []
 
-  constructor(look: (point: Vec3 | null) => void) {
-    this.#look = look
+  constructor(setProbe: (point: Vec3 | null) => void) {
+    this.#setProbe = setProbe
     this.root.className = 'section-map'
     this.root.tabIndex = 0
     this.root.setAttribute('role', 'img')
-    this.#svg.append(this.#frame, ...this.#names, ...this.#ends, this.#cross, this.#minimizer, this.#label)
+    this.#svg.append(this.#border, ...this.#names, ...this.#ends, this.#cross, this.#minimizer, this.#label)
     this.root.append(this.#canvas, this.#svg)
     this.#listen()
   }
@@ -69,11 +69,8 @@ export class SectionMap {
     this.#section = section
     this.#probe = state.probe
     const isMoving = state.gestureStart !== null
-    const drawn = [section, report, theme, side, isMoving, state.probe, state.referenceCube]
-    if (drawn.every((value, i) => value === this.#drawn[i])) return
-    const isPainted = drawn.slice(0, 5).every((value, i) => value === this.#drawn[i])
-    this.#drawn = drawn
-    if (!isPainted) this.#paint(section, report, theme, side, isMoving)
+    if (!isNew(this, section, report, theme, side, isMoving, state.probe, state.referenceCube)) return
+    if (isNew(this.#canvas, section, report, theme, side, isMoving)) this.#paint(section, report, theme, side, isMoving)
     this.#layOut(section, side)
     this.#mark(section, report, state, side)
   }
@@ -95,9 +92,11 @@ export class SectionMap {
     this.#context?.putImageData(this.#image, 0, 0)
   }
 
-  #layOut({ axis }: Section, side: number): void {
+  #layOut({ axis, value }: Section, side: number): void {
+    const name = `${AXIS_NAMES[axis]} = ${formatNumber(value)}`
+    this.root.setAttribute('aria-label', `Map of jacdet on the section ${name}`)
     set(this.#svg, { width: side, height: side, viewBox: `0 0 ${side} ${side}` })
-    set(this.#frame, { width: side, height: side })
+    set(this.#border, { width: side, height: side })
     const [s, t] = axesOn(axis)
     const [sName, tName] = this.#names as [SVGTextElement, SVGTextElement]
     setText(sName, `${AXIS_NAMES[s]} →`)
@@ -147,16 +146,16 @@ export class SectionMap {
     root.addEventListener('pointermove', ({ clientX, clientY }) => {
       const { left, top, width, height } = this.#canvas.getBoundingClientRect()
       const onGrid = (way: number) => Math.round(inUnit(way) * GRID) / GRID
-      this.#lookAt(onGrid((clientX - left) / width), onGrid(1 - (clientY - top) / height))
+      this.#probeAt(onGrid((clientX - left) / width), onGrid(1 - (clientY - top) / height))
     })
-    root.addEventListener('pointerleave', () => this.#look(null))
-    root.addEventListener('blur', () => this.#look(null))
+    root.addEventListener('pointerleave', () => this.#setProbe(null))
+    root.addEventListener('blur', () => this.#setProbe(null))
     root.addEventListener('keydown', event => this.#onKey(event))
   }
 
-  #lookAt(s: number, t: number): void {
+  #probeAt(s: number, t: number): void {
     const { axis, value } = this.#section
-    this.#look(pointOn(axis, value, s, t))
+    this.#setProbe(pointOn(axis, value, s, t))
   }
 
   #onKey(event: KeyboardEvent): void {
@@ -165,15 +164,11 @@ export class SectionMap {
     const { axis, value } = this.#section
     const probe = this.#probe?.[axis] === value ? this.#probe : null
     if (direction) {
-      const step = event.shiftKey ? STEPS.shift : event.altKey ? STEPS.alt : STEPS.plain
+      const step = pointStep(event)
       const [s, t] = axesOn(axis).map(a => probe?.[a] ?? 0.5) as [number, number]
-      this.#lookAt(inUnit(s + step * direction[0]), inUnit(t + step * direction[1]))
-    } else if (event.key === 'Escape' && probe) this.#look(null)
+      this.#probeAt(inUnit(s + step * direction[0]), inUnit(t + step * direction[1]))
+    } else if (event.key === 'Escape' && probe) this.#setProbe(null)
     else return
     event.preventDefault()
   }
-}
-
-function inUnit(value: number): number {
-  return Math.max(0, Math.min(1, value))
 }

@@ -25,7 +25,7 @@ export function curveOf({ samples }: Pick<Morph, 'samples'>): Curve {
   return { points: samples.map(({ tau }, i) => ({ tau, height: height(values[i] as number) })), zero: height(0) }
 }
 
-/** Along the line between its neighbours. */
+/** The curve is a line between neighbouring points. */
 export function heightOf({ points }: Curve, tau: number): number {
   const after = points.findIndex(point => point.tau >= tau)
   const [from, to] = [points[Math.max(0, after - 1)], points[after]] as [CurvePoint, CurvePoint]

@@ -1,6 +1,6 @@
 /**
- * The boundary minimum along the straight way from one element to another, and the places on it where the verdict changes:
- * two neighbouring doubles each, found by bisection with the certain verdict.
+ * The boundary minimum along the straight way from one element to another, and the tau where the
+ * verdict changes: two neighbouring doubles each, found by bisection with the certain verdict.
  */
 
 import { changeBetween, verdictOf } from '../../core/crossing'
@@ -10,7 +10,7 @@ import { elementAt } from '../../model/way'
 
 export interface MorphSample {
   readonly tau: number
-  /** Boundary minimum there, in doubles, times 2^exponent. */
+  /** Boundary minimum at tau, in doubles, times 2^exponent. */
   readonly minimum: number
   readonly exponent: number
   /** The certain verdict. */
@@ -26,16 +26,16 @@ export interface Crossing {
 export interface Morph {
   readonly a: Vertices
   readonly b: Vertices
-  /** By tau, from 0 to 1. */
+  /** Samples by tau, from 0 to 1. */
   readonly samples: readonly MorphSample[]
-  /** By tau. Between two samples that agree there may be more, closer together than the graph shows. */
+  /** Crossings by tau. More may lie between two samples, closer than the graph shows. */
   readonly crossings: readonly Crossing[]
 }
 
 const INTERVALS = 64
 /** Samples around each crossing, so that the graph meets zero where it says it does. */
 const NEAR_CROSSING = [-1 / 256, 1 / 256]
-/** Golden sections of the two intervals about a turning point: its place to about 2^-27 of them, its value to all digits. */
+/** Golden sections about a turning point: its tau to about 2^-27 of them, its value in full. */
 const SECTIONS = 38
 const GOLDEN = (Math.sqrt(5) - 1) / 2
 
@@ -66,8 +66,8 @@ function sampleAt(core: Core, a: Vertices, b: Vertices, tau: number): MorphSampl
 }
 
 /**
- * A dip between valid neighbours, or a rise between invalid ones, may reach the other side between the samples; hardly if it
- * is farther from zero than the neighbours are from it.
+ * A dip between valid neighbours, or a rise between invalid ones, may reach the other side between
+ * the samples; hardly if it is farther from zero than the neighbours are from it.
  */
 function mayTouchZero(before: MorphSample, middle: MorphSample, after: MorphSample): boolean {
   if (before.valid !== middle.valid || after.valid !== middle.valid) return false
@@ -77,12 +77,12 @@ function mayTouchZero(before: MorphSample, middle: MorphSample, after: MorphSamp
   return one >= 0 && two >= 0 && one + two > 0 && Math.abs(middle.minimum) <= one + two
 }
 
-/** Of two minima, in the units of the second one. */
+/** The difference of two minima, in the units of the second one. */
 function difference(one: MorphSample, other: MorphSample): number {
   return one.minimum * 2 ** (one.exponent - other.exponent) - other.minimum
 }
 
-/** The least minimum between valid samples, the greatest between invalid ones, or the first on the other side. */
+/** The least minimum between valid samples, the greatest between invalid ones, or a crossing. */
 function turningPoint(
   core: Core,
   a: Vertices,
@@ -109,7 +109,7 @@ function crossingBetween(core: Core, a: Vertices, b: Vertices, before: MorphSamp
   return before.valid ? { validTau: near, invalidTau: far } : { validTau: far, invalidTau: near }
 }
 
-/** In order, each tau once. */
+/** Samples in order, each tau once. */
 function byTau(samples: readonly MorphSample[]): MorphSample[] {
   const sorted = samples.toSorted((one, other) => one.tau - other.tau)
   return sorted.filter(({ tau }, i) => tau !== sorted[i - 1]?.tau)

@@ -1,7 +1,8 @@
-/** The boundary minimum along the way, with the zero line, the changes of the verdict and the present place. */
+/** The boundary minimum along the way, zero, the changes of the verdict and the present tau. */
 import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
+import { isNew } from '../../views/is-new'
 import { curveOf, heightOf } from './curve'
 import type { Morph } from './morph-answer'
 
@@ -26,7 +27,6 @@ export class MorphGraph {
     svg('text', { class: 'muted', x: LEFT + 14, y: HEIGHT - 4 }),
     svg('text', { class: 'muted', x: WIDTH - RIGHT - 14, y: HEIGHT - 4, 'text-anchor': 'end' }),
   ] as const
-  #drawn: readonly unknown[] = []
 
   constructor() {
     this.root.append(this.#below, this.#zero, this.#zeroName, this.#curve, this.#crossings, this.#here, this.#dot)
@@ -35,8 +35,7 @@ export class MorphGraph {
 
   /** `here` is the present place, null where the element is not on the way. */
   update(morph: Morph, here: number | null, cube: ReferenceCube): void {
-    if (morph !== this.#drawn[0] || cube !== this.#drawn[1]) this.#drawWay(morph, cube)
-    this.#drawn = [morph, cube]
+    if (isNew(this, morph, cube)) this.#drawWay(morph, cube)
     show(this.#here, here !== null)
     show(this.#dot, here !== null)
     if (here === null) return
@@ -57,7 +56,7 @@ export class MorphGraph {
     const [, zero] = this.#place({ tau: 0, height: curve.zero })
     set(this.#curve, { d: `M${line}` })
     set(this.#zero, { d: `M${LEFT} ${px(zero)}H${WIDTH - RIGHT}` })
-    // At the end where the curve is farther away.
+    // The label stands at the end where the curve is farther away.
     const [atA, atB] = [places[0]?.[1] ?? zero, places.at(-1)?.[1] ?? zero]
     const isAtA = Math.abs(atA - zero) > Math.abs(atB - zero)
     const isAbove = (isAtA ? atA : atB) > zero

@@ -6,7 +6,7 @@ import { checkFinite } from '../../model/store'
 import type { Question } from '../panel'
 import { type Morph, morphOf } from './morph-answer'
 
-/** Where an end was kept; else the way goes from `start` to `vertices`. */
+/** The ends that were kept; else the way goes from `start` to `vertices`. */
 export interface Ends {
   readonly morphA: Vertices | null
   readonly morphB: Vertices | null
@@ -27,7 +27,7 @@ export const endsSlice: Slice<Ends> = {
   },
 }
 
-/** While a gesture runs, the way as it was before. */
+/** The answer stays that of before while a gesture runs. */
 export const morphQuestion: Question<Morph> = {
   name: 'morph',
   start() {

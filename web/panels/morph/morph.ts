@@ -1,4 +1,4 @@
-/** The way between two elements: the boundary minimum along it, and the doubles at which the verdict changes. */
+/** The way between two elements: the boundary minimum, and doubles where the verdict changes. */
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
@@ -6,7 +6,8 @@ import type { Vertices } from '../../model/hexahedron'
 import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
 import { elementAt, tauOf } from '../../model/way'
 import { copyable, copyableJacdet } from '../../views/copyable'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { isNew } from '../../views/is-new'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './morph.css?inline'
 import type { Morph } from './morph-answer'
@@ -25,20 +26,15 @@ const ENDS: readonly { readonly end: End; readonly name: string; readonly follow
 
 class MorphView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   readonly #graph = new MorphGraph()
-  readonly #ends = document.createElement('div')
-  readonly #slide = document.createElement('div')
-  readonly #words = document.createElement('div')
   #morph: Morph | null = null
   #tau = 1
   #isSliding = false
-  #drawn: readonly unknown[] = []
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'morph'
-    this.root.append(this.#ends, this.#graph.root, this.#slide, this.#words)
   }
 
   update(frame: Frame): void {
@@ -52,12 +48,14 @@ class MorphView implements View {
     if (here !== null) this.#tau = here
     this.#graph.update(morph, here, state.referenceCube)
     const ends = sliceOf(endsSlice, state)
-    const drawn = [morph, here, report, ends, state.referenceCube, state.gestureStart === null]
-    if (drawn.every((value, i) => value === this.#drawn[i])) return
-    this.#drawn = drawn
-    render(this.#endsOf(ends), this.#ends)
-    render(this.#slider(here, report, state.referenceCube), this.#slide)
-    render(this.#crossings(morph, here), this.#words)
+    if (!isNew(this.root, morph, here, report, ends, state.referenceCube, state.gestureStart === null)) return
+    render(
+      html`<div>${this.#endsOf(ends)}</div>
+        ${this.#graph.root}
+        <div>${this.#slider(here, report, state.referenceCube)}</div>
+        <div>${this.#crossings(morph, here)}</div>`,
+      this.root,
+    )
   }
 
   dispose(): void {
@@ -70,7 +68,7 @@ class MorphView implements View {
           ({ end, name, follows }) => html`<div>
             <dt>${name}</dt>
             <dd>${ends[end] === null ? follows : 'kept'}</dd>
-            <dd><button type="button" @click=${() => this.#keep(end, this.#host.state().vertices)}>Keep as ${name}</button></dd>
+            <dd><button type="button" @click=${() => this.#keep(end, this.#context.state().vertices)}>Keep as ${name}</button></dd>
           </div>`,
         )}
       </dl>
@@ -150,17 +148,17 @@ class MorphView implements View {
   }
 
   #keep(end: End, vertices: Vertices | null): void {
-    this.#host.dispatch(sliceChange(endsSlice, { [end]: vertices }))
+    this.#context.dispatch(sliceChange(endsSlice, { [end]: vertices }))
   }
 
   #forget(): void {
     for (const { end } of ENDS) this.#keep(end, null)
-    this.#ends.querySelector('button')?.focus()
+    this.root.querySelector('button')?.focus()
   }
 
   /** The ends no longer follow the element, or the way would change under the slider. */
   #hold({ a, b }: Morph): void {
-    const { morphA, morphB } = sliceOf(endsSlice, this.#host.state())
+    const { morphA, morphB } = sliceOf(endsSlice, this.#context.state())
     if (morphA === null) this.#keep('morphA', a)
     if (morphB === null) this.#keep('morphB', b)
   }
@@ -170,7 +168,7 @@ class MorphView implements View {
     if (morph === null) return
     if (!this.#isSliding) {
       this.#hold(morph)
-      this.#host.dispatch({ type: 'begin-gesture' })
+      this.#context.dispatch({ type: 'begin-gesture' })
       this.#isSliding = true
     }
     this.#moveTo(morph, tau)
@@ -186,21 +184,21 @@ class MorphView implements View {
 
   #moveTo({ a, b }: Morph, tau: number): void {
     this.#tau = tau
-    this.#host.dispatch({ type: 'move-all', vertices: elementAt(a, b, tau) })
+    this.#context.dispatch({ type: 'move-all', vertices: elementAt(a, b, tau) })
   }
 
   #commit(): void {
     if (!this.#isSliding) return
     this.#isSliding = false
-    this.#host.dispatch({ type: 'commit-gesture' })
+    this.#context.dispatch({ type: 'commit-gesture' })
   }
 
   #onKey(event: KeyboardEvent): void {
     if (event.key !== 'Escape' || !this.#isSliding) return
     this.#isSliding = false
-    this.#host.dispatch({ type: 'cancel-gesture' })
+    this.#context.dispatch({ type: 'cancel-gesture' })
     event.preventDefault()
   }
 }
 
-export const create: CreateView = host => new MorphView(host)
+export const create: CreateView = context => new MorphView(context)

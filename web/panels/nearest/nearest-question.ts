@@ -1,10 +1,10 @@
-/** The search for the nearest element of the other verdict: in slices, until it is done, the vertices change, or the panel is closed. */
+/** The search for the nearest element of the other verdict, in slices while the panel is open. */
 import type { Core } from '../../core/report'
 import type { Vertices } from '../../model/hexahedron'
 import type { Inquiry, Question } from '../panel'
 import type { Nearest, searchNearest } from './search/nearest'
 
-/** How long the search may keep the page at once. */
+/** Milliseconds for which the search may keep the page at once. */
 const SLICE_MS = 6
 
 let search: typeof searchNearest | null = null
@@ -40,7 +40,7 @@ function inquiry(onNews: () => void): Inquiry<Nearest> {
   }
 
   return {
-    /** As far as it is known, and of the vertices it says. */
+    /** The moves found so far, for the vertices that it names. */
     answer(core: Core, { vertices, gestureStart, openPanels }) {
       const isWanted = openPanels.includes('nearest')
       if (!isWanted || (searched !== null && searched !== vertices)) stop()

@@ -1,10 +1,11 @@
-/** How little has to move for the other verdict: of one vertex, of each, of all together; to look at and to apply. */
+/** The least moves to the other verdict, to preview and to apply. */
 import { html, render, type TemplateResult } from 'lit-html'
 import { formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import type { State } from '../../model/state'
 import { copyable } from '../../views/copyable'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { isNew } from '../../views/is-new'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './nearest.css?inline'
 import { nearestQuestion } from './nearest-question'
@@ -14,27 +15,24 @@ export const styles = css
 
 class NearestView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
-  /** What the last move applied has made. */
+  readonly #context: ViewContext
+  /** The vertices after the last move that was applied. */
   #applied: Vertices | null = null
-  #drawn: readonly unknown[] = []
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'nearest'
   }
 
   update(frame: Frame): void {
     const { state, report } = frame
     const nearest = answerTo(nearestQuestion, frame)
-    if (!state.openPanels.includes('nearest')) this.#preview(null)
+    if (state.preview?.move && !state.openPanels.includes('nearest')) this.#preview(null)
     const known = nearest?.vertices === state.vertices ? nearest : null
     const valid = report?.valid ?? null
     const isMoving = state.gestureStart !== null
-    const drawn = [valid, known, isMoving, state.previewedMove, this.#applied === state.vertices]
-    if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
-    this.#drawn = drawn
-    render(this.#template(valid, isMoving, known, state), this.root)
+    if (isNew(this.root, valid, known, isMoving, state.preview, this.#applied === state.vertices))
+      render(this.#template(valid, isMoving, known, state), this.root)
   }
 
   dispose(): void {
@@ -89,7 +87,7 @@ class NearestView implements View {
   }
 
   #buttons(move: NearestMove, what: string, state: State): TemplateResult {
-    const isOpen = state.previewedMove === move.vertices
+    const isOpen = state.preview?.move === move.vertices
     return html`<p class="go">
       <button
         type="button"
@@ -138,14 +136,14 @@ class NearestView implements View {
     </li>`
   }
 
-  #preview(vertices: Vertices | null): void {
-    this.#host.dispatch({ type: 'preview-move', vertices })
+  #preview(move: Vertices | null): void {
+    this.#context.dispatch({ type: 'preview', preview: move && { move } })
   }
 
   /** One step to undo. What is said is new, so the focus moves there. */
   #apply({ vertices }: NearestMove): void {
-    this.#host.dispatch({ type: 'move-all', vertices })
-    this.#applied = this.#host.state().vertices
+    this.#context.dispatch({ type: 'move-all', vertices })
+    this.#applied = this.#context.state().vertices
     this.root.querySelector<HTMLElement>('.answer')?.focus({ preventScroll: true })
   }
 }
@@ -172,4 +170,4 @@ function claim({ claim: known, bound }: NearestMove): TemplateResult {
   }
 }
 
-export const create: CreateView = host => new NearestView(host)
+export const create: CreateView = context => new NearestView(context)

@@ -1,10 +1,11 @@
-/** Whether another node order makes a valid element of the same eight points: which, to look at and to use. */
+/** Other node orders that make a valid element of the same eight points, to preview and to use. */
 import { html, render, svg, type TemplateResult } from 'lit-html'
 import type { Vertices } from '../../model/hexahedron'
 import { type NodeOrder, nodeOrders } from '../../model/node-orders'
 import type { State } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { isNew } from '../../views/is-new'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './node-order.css?inline'
 import { type HelpfulOrder, type TriedOrders, triedOrdersQuestion } from './tried-orders'
@@ -14,25 +15,22 @@ export const styles = css
 
 class NodeOrderView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   #used: { readonly vertices: Vertices; readonly name: string } | null = null
-  #drawn: readonly unknown[] = []
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'node-order'
   }
 
   update(frame: Frame): void {
     const { state, report } = frame
     const triedOrders = answerTo(triedOrdersQuestion, frame)
-    if (!state.openPanels.includes('node-order')) this.#preview(null)
+    if (state.preview?.order && !state.openPanels.includes('node-order')) this.#preview(null)
     const isStale = triedOrders?.vertices !== state.vertices
     const isValid = report?.valid ?? null
-    const drawn = [isValid, triedOrders, isStale, state.referenceCube, state.previewedOrder, this.#used, state.start]
-    if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
-    this.#drawn = drawn
-    render(this.#template(isValid, isStale ? null : triedOrders, state), this.root)
+    if (isNew(this.root, isValid, triedOrders, isStale, state.referenceCube, state.preview, this.#used, state.start))
+      render(this.#template(isValid, isStale ? null : triedOrders, state), this.root)
   }
 
   dispose(): void {
@@ -47,7 +45,7 @@ class NodeOrderView implements View {
   #answer(isValid: boolean | null, tried: TriedOrders | null): string {
     if (isValid === null) return 'There is no verdict, so there is nothing to compare.'
     if (isValid) {
-      const { vertices } = this.#host.state()
+      const { vertices } = this.#context.state()
       const used =
         this.#used?.vertices === vertices ? `The points were taken as “${this.#used.name}”; Undo takes that back. ` : ''
       return `${used}The element is valid in the order its points are in, so no other is looked for.`
@@ -69,7 +67,7 @@ class NodeOrderView implements View {
   #order(helpful: HelpfulOrder, given: Vertices, state: State): TemplateResult {
     const { orders, vertices, boundaryMinimum, exponent } = helpful
     const { name, permutation } = orders[0] as NodeOrder
-    const isOpen = state.previewedOrder === permutation
+    const isOpen = state.preview?.order === permutation
     return html`<li>
       <p class="names">${orders.map(order => html`<span><strong>${order.name}</strong>${usedBy(order)}</span>`)}</p>
       <p class="says">${orders.map(order => order.says).join(' ')}</p>
@@ -90,13 +88,13 @@ class NodeOrderView implements View {
   }
 
   #preview(order: readonly number[] | null): void {
-    this.#host.dispatch({ type: 'preview-order', order })
+    this.#context.dispatch({ type: 'preview', preview: order && { order } })
   }
 
-  /** One step to undo. The button goes, so the focus moves to the sentence that says what happened. */
+  /** One step to undo. The button goes, so the focus moves to the sentence about it. */
   #use({ orders, vertices }: HelpfulOrder): void {
-    this.#host.dispatch({ type: 'set-vertices', vertices, preset: null })
-    this.#used = { vertices: this.#host.state().vertices, name: orders[0]?.name ?? '' }
+    this.#context.dispatch({ type: 'set-vertices', vertices, preset: null })
+    this.#used = { vertices: this.#context.state().vertices, name: orders[0]?.name ?? '' }
     this.root.querySelector<HTMLElement>('.answer')?.focus({ preventScroll: true })
   }
 }
@@ -115,7 +113,7 @@ function triedList({ count }: TriedOrders): TemplateResult {
   </details>`
 }
 
-/** Numbered in its own order. */
+/** The picture of an element, numbered in its own order. */
 function picture(vertices: Vertices, name: string, isValid: boolean): TemplateResult {
   const { points, path } = wireframe(vertices)
   const word = isValid ? 'valid' : 'invalid'
@@ -128,4 +126,4 @@ function picture(vertices: Vertices, name: string, isValid: boolean): TemplateRe
   </figure>`
 }
 
-export const create: CreateView = host => new NodeOrderView(host)
+export const create: CreateView = context => new NodeOrderView(context)

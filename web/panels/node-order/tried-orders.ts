@@ -1,4 +1,4 @@
-/** Which of the known node orders make a valid element of an invalid one's points: the core's verdicts, exact as always. */
+/** The known node orders that make a valid element of an invalid one's points, exactly decided. */
 
 import type { Core } from '../../core/report'
 import type { Vertices } from '../../model/hexahedron'
@@ -16,10 +16,10 @@ export interface HelpfulOrder {
   readonly exponent: number
 }
 
-/** What other orders make of an invalid element: while a gesture runs, of the element as it was before. */
+/** Other orders of an invalid element; while a gesture runs, of the one before it. */
 export interface TriedOrders {
   readonly vertices: Vertices
-  /** How many orders were tried, rotations of each counted once. */
+  /** The number of orders tried, rotations of each counted once. */
   readonly count: number
   /** The one with the greatest minimum first. */
   readonly helpful: readonly HelpfulOrder[]
@@ -45,7 +45,7 @@ function size({ boundaryMinimum, exponent }: HelpfulOrder): number {
   return Math.log2(boundaryMinimum) + exponent
 }
 
-/** Of invalid elements only. */
+/** The orders are tried for invalid elements only. */
 export const triedOrdersQuestion: Question<TriedOrders> = {
   name: 'node-order',
   start() {

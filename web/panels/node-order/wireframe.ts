@@ -1,10 +1,10 @@
-/** A small picture of eight points joined as their order says: the twelve edges, seen as the scene is at first. */
+/** A small picture of the edges of eight points in an order, seen as the scene is at first. */
 import { edgeVertices, type Vertices } from '../../model/hexahedron'
 import { seen } from '../../scene/paint/plain-view'
 import { verticesInWorld, worldOf } from '../../scene/space/world'
 
 export interface Wireframe {
-  /** Where vertices 0 to 7 are, in a square from -1 to 1, y downwards. */
+  /** Vertices 0 to 7, in a square from -1 to 1, y downwards. */
   readonly points: readonly { readonly x: number; readonly y: number }[]
   /** The edges as one path, in hundredths. */
   readonly path: string

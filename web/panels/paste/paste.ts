@@ -1,8 +1,7 @@
-/** A box to paste into, files to open, and what can be read. What is read is said beside the verdict; here, too, for who looks here. */
+/** A box to paste into, a button for files, and the formats; the outcome is said here, too. */
 import { html, nothing, render } from 'lit-html'
-import type { Reading } from '../../input/reading'
 import { formatNames, otherInputs } from '../../mesh/format-names'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { statusSentence } from '../reading/reading-words'
 import css from './paste.css?inline'
 
@@ -10,24 +9,16 @@ export const styles = css
 
 class PasteView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
-  #drawn: Reading | null = null
+  readonly #context: ViewContext
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'paste'
-    this.#render(null)
-  }
-
-  update({ reading }: Frame): void {
-    if (reading === this.#drawn) return
-    this.#drawn = reading
-    this.#render(reading)
   }
 
   dispose(): void {}
 
-  #render(reading: Reading | null): void {
+  update({ reading }: Frame): void {
     render(
       html`<p>
           Press Ctrl+V (⌘V), drop a text or files anywhere on Hexlens, or use the box. Files that belong together, such as a .pvtu and
@@ -48,15 +39,15 @@ class PasteView implements View {
   }
 
   readonly #onRead = (): void => {
-    this.#host.input.read({ text: this.root.querySelector('textarea')?.value ?? '' })
+    this.#context.input.read({ text: this.root.querySelector('textarea')?.value ?? '' })
   }
 
   readonly #onFiles = (event: Event): void => {
     const input = event.target as HTMLInputElement
     const files = Array.from(input.files ?? [])
     input.value = ''
-    if (files.length > 0) this.#host.input.read({ files })
+    if (files.length > 0) this.#context.input.read({ files })
   }
 }
 
-export const create: CreateView = host => new PasteView(host)
+export const create: CreateView = context => new PasteView(context)

@@ -3,7 +3,7 @@ import { createProblems, problemsStyles } from './problems'
 
 export const problems: Panel = {
   name: 'problems',
-  place: 'head',
+  region: 'head',
   create: createProblems,
   styles: problemsStyles,
   always: true,

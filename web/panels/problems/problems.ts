@@ -1,20 +1,20 @@
-/** What keeps the page from its full work, said in sentences that stay until they are no longer true or are dismissed. */
+/** Problems, as sentences that stay until they are no longer true or are dismissed. */
 import { html, render } from 'lit-html'
-import type { CreateView, Frame, Problem, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, Problem, View, ViewContext } from '../../views/view'
 import css from './problems.css?inline'
 
 export const problemsStyles = css
 
-/** Those that concern something that happened, not something that still is. */
+/** Problems that happened once, and are dismissed; others last as long as their cause. */
 const dismissible: ReadonlySet<Problem['code']> = new Set(['link-broken', 'input-refused', 'not-read'])
 
 class ProblemsView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   #refusal: Problem | null = null
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'problems'
     this.root.setAttribute('role', 'alert')
   }
@@ -29,7 +29,7 @@ class ProblemsView implements View {
           <span>${problem.message}</span>
           ${
             dismissible.has(problem.code)
-              ? html`<button type="button" @click=${() => this.#host.clear(problem.code)}>Dismiss</button>`
+              ? html`<button type="button" @click=${() => this.#context.clear(problem.code)}>Dismiss</button>`
               : null
           }
         </p>`,
@@ -39,7 +39,7 @@ class ProblemsView implements View {
     if (isNew && !this.#isReadWhereAsked()) this.root.scrollIntoView({ block: 'nearest' })
   }
 
-  /** The panel from which something was to be read says the same. */
+  /** The panel `paste` says the same. */
   #isReadWhereAsked(): boolean {
     const { activeElement } = this.root.getRootNode() as ShadowRoot
     return activeElement?.closest('.paste') != null
@@ -48,4 +48,4 @@ class ProblemsView implements View {
   dispose(): void {}
 }
 
-export const createProblems: CreateView = host => new ProblemsView(host)
+export const createProblems: CreateView = context => new ProblemsView(context)

@@ -1,11 +1,12 @@
-/** The proof of the verdict, on request: what anyone can check without this page, and the file that a checker takes. */
+/** The proof of the verdict, on request, to check without this page, and the file for a checker. */
 import { html, render, type TemplateResult } from 'lit-html'
 import { type Certificate, type CertifiedInterval, certificateJson } from '../../core/exact/certificate'
 import { faces } from '../../model/hexahedron'
 import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
 import { copyText } from '../../views/copy-text'
+import { isNew } from '../../views/is-new'
 import { saveFile } from '../../views/save-file'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './certificate.css?inline'
 import { type Proof, proofQuestion, proofSlice } from './proof-question'
@@ -37,13 +38,12 @@ const REASONS: Readonly<Record<CertifiedInterval['by'], Reason>> = {
 
 class CertificateView implements View {
   readonly root = document.createElement('section')
-  readonly #host: ViewHost
-  /** What was copied last, and of which proof; told for as long as that proof is shown. */
+  readonly #context: ViewContext
+  /** The last copy, and its proof; reported for as long as that proof is shown. */
   #copied: { readonly proof: Proof; readonly what: 'numbers' | 'json' | 'nothing' } | null = null
-  #drawn: readonly unknown[] = []
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'certificate'
     this.root.setAttribute('role', 'group')
     this.root.setAttribute('aria-label', 'Proof')
@@ -55,10 +55,8 @@ class CertificateView implements View {
     const { proofShown } = sliceOf(proofSlice, state)
     this.root.hidden = report === null
     const isStale = proof !== null && proof.vertices !== state.vertices
-    const drawn = [proofShown, state.referenceCube, proof, isStale, this.#copied]
-    if (drawn.every((value, i) => value === this.#drawn[i]) && this.#drawn.length > 0) return
-    this.#drawn = drawn
-    render(this.#template(proofShown, state.referenceCube, proof, isStale), this.root)
+    if (isNew(this.root, proofShown, state.referenceCube, proof, isStale, this.#copied))
+      render(this.#template(proofShown, state.referenceCube, proof, isStale), this.root)
   }
 
   dispose(): void {}
@@ -69,7 +67,7 @@ class CertificateView implements View {
           type="button"
           aria-expanded=${proofShown}
           aria-controls="proof"
-          @click=${() => this.#host.dispatch(sliceChange(proofSlice, { proofShown: !proofShown }))}
+          @click=${() => this.#context.dispatch(sliceChange(proofSlice, { proofShown: !proofShown }))}
         >
           ${proofShown ? 'Hide the proof' : 'Show the proof'}
         </button>
@@ -104,14 +102,14 @@ class CertificateView implements View {
 
   /** A list of one, as the command line prints it and the checker takes it. */
   #file({ vertices, certificate }: Proof): { readonly name: string; readonly text: string } {
-    const { preset, start } = this.#host.state()
+    const { preset, start } = this.#context.state()
     const name = preset !== null && start === vertices ? preset : 'hexahedron'
     return { name, text: `[\n${JSON.stringify(certificateJson(name, vertices, certificate))}\n]\n` }
   }
 
   async #copy(proof: Proof, what: 'numbers' | 'json', text: string): Promise<void> {
     this.#copied = { proof, what: (await copyText(text)) ? what : 'nothing' }
-    this.#host.requestFrame()
+    this.#context.requestFrame()
   }
 
   #download(proof: Proof): void {
@@ -133,7 +131,7 @@ function invalidProof({ point, jacdet }: Invalid, cube: ReferenceCube): Template
     </p>`
 }
 
-/** In lowest terms again. */
+/** An eighth of a fraction, in lowest terms again. */
 function eighth({ numerator, denominator }: Invalid['jacdet']): Invalid['jacdet'] {
   const common = [8n, 4n, 2n].find(factor => numerator % factor === 0n) ?? 1n
   return numerator === 0n
@@ -186,4 +184,4 @@ function faceRows(runs: readonly Run[], face: number): TemplateResult {
   </tbody>`
 }
 
-export const createCertificate: CreateView = host => new CertificateView(host)
+export const createCertificate: CreateView = context => new CertificateView(context)

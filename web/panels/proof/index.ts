@@ -4,7 +4,7 @@ import { proofQuestion, proofSlice } from './proof-question'
 
 export const proof: Panel = {
   name: 'proof',
-  place: 'panel',
+  region: 'panel',
   create: createCertificate,
   styles: certificateStyles,
   slice: proofSlice,

@@ -1,11 +1,11 @@
-/** Whether the proof is shown, and the certificate that it needs. */
+/** The panel's slice, true if the proof is shown, and its question: the certificate. */
 import type { Certificate } from '../../core/exact/certificate'
 import { described, flag } from '../../model/document-readers'
 import type { Vertices } from '../../model/hexahedron'
 import { type Slice, sliceOf } from '../../model/state'
 import type { Question } from '../panel'
 
-/** A certificate and what it is of: while a gesture runs, the element as it was before. */
+/** A certificate and its element: while a gesture runs, the one before it. */
 export interface Proof {
   readonly vertices: Vertices
   readonly certificate: Certificate

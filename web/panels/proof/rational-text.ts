@@ -3,13 +3,13 @@ import { rounded } from '../../core/exact/rounding'
 import { formatJacdet, superscript } from '../../model/decimal'
 import { bitLength, magnitude, type Rational } from '../../model/rational'
 
-/** What is longer keeps its first and last digits. */
+/** Longer numbers keep their first and last digits. */
 const WHOLE_DIGITS = 12
 const KEPT_DIGITS = 4
 /** Powers of two up to this are denominators as they are. */
 const PLAIN_DENOMINATOR = 1n << 16n
 
-/** "−9/64", "39/2⁶⁰" or "−1419…0309/2¹⁶⁰": in lowest terms, cut in the middle where it is long. */
+/** "−9/64", "39/2⁶⁰" or "−1419…0309/2¹⁶⁰": in lowest terms, a long one cut in the middle. */
 export function rationalText({ numerator, denominator }: Rational): string {
   const sign = numerator < 0n ? '−' : ''
   const over = denominator === 1n ? '' : `/${denominatorText(denominator)}`

@@ -1,8 +1,8 @@
-/** The intervals of a face, neighbours with one reason taken together: what a reader wants to see of a long list. */
+/** The intervals of a face, for reading: neighbours with one reason are taken together. */
 import type { CertifiedInterval } from '../../core/exact/certificate'
 
 export interface Run extends CertifiedInterval {
-  /** How many intervals it is made of. */
+  /** The number of intervals that it is made of. */
   readonly count: number
 }
 

@@ -1,14 +1,17 @@
 /**
- * The cells of a checked mesh, worst first, one of which can be chosen: a listbox of which only the rows that are seen exist, however many
- * there are. `onChoose` gets the index of the cell that is pressed, tapped, or chosen with Enter.
+ * The cells of a checked mesh, worst first, one of which can be chosen: a listbox of which only the
+ * rows that are seen exist, however many there are. `onChoose` gets the index of the cell that is
+ * pressed, tapped, or chosen with Enter.
  */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { CheckedCells, ListedCell } from '../../mesh/checked-cells'
 import { formatJacdet } from '../../model/decimal'
 
-/** Browsers lay out nothing that is much higher, in pixels: beyond it scrolling goes on in larger steps. */
+/**
+ * Browsers lay out no box much higher than this, in pixels: longer lists scroll in larger steps.
+ */
 const HIGHEST = 8_000_000
-/** Until it is measured. */
+/** CSS pixels, until the first row is measured. */
 const ROW_HEIGHT = 28
 
 export class CellList {
@@ -40,7 +43,7 @@ export class CellList {
     this.root.scrollIntoView({ block: 'nearest' })
   }
 
-  /** The cell that the element is now; null where it is none of them. */
+  /** The cell that the element is now, or null. */
   setShown(cell: number | null): void {
     if (cell === this.#shown) return
     this.#shown = cell
@@ -57,13 +60,13 @@ export class CellList {
     this.#render()
   }
 
-  /** How far the list is scrolled, in rows; it need not be a whole number. */
+  /** The list's scroll position in rows; it need not be a whole number. */
   get #offset(): number {
     const { range, rows } = this.#extent
     return range > 0 ? ((this.#box?.scrollTop ?? 0) / range) * rows : 0
   }
 
-  /** By how many pixels, and with that by how many rows, the list can be scrolled. */
+  /** The pixels, and with them the rows, by which the list can be scrolled. */
   get #extent() {
     const view = this.#box?.clientHeight ?? 0
     const rows = Math.max(0, this.cells.count - view / this.#rowHeight)
@@ -80,8 +83,8 @@ export class CellList {
     const first = Math.floor(offset)
     const seen = Math.min(this.cells.count - first, Math.ceil(view / this.#rowHeight) + 1)
     const top = (this.#box?.scrollTop ?? 0) - (offset - first) * this.#rowHeight
-    const places = Array.from({ length: Math.max(seen, 1) }, (_, i) => first + i)
-    const isActiveSeen = places.includes(this.#active)
+    const ranks = Array.from({ length: Math.max(seen, 1) }, (_, i) => first + i)
+    const isActiveSeen = ranks.includes(this.#active)
     const columns = this.cells.hasBlocks ? 'columns with-blocks' : 'columns'
     const idName = this.cells.hasIds ? 'Cell' : 'Index'
     render(
@@ -103,7 +106,7 @@ export class CellList {
         >
           <div class="extent" role="presentation" .style=${`height: ${this.#height}px`}>
             <div role="presentation" .style=${`transform: translateY(${top}px)`}>
-              ${places.map(place => this.#row(place, columns))}
+              ${ranks.map(rank => this.#row(rank, columns))}
             </div>
           </div>
         </div>
@@ -112,19 +115,19 @@ export class CellList {
     )
   }
 
-  #row(place: number, columns: string): TemplateResult {
-    const listed = this.cells.at(place)
+  #row(rank: number, columns: string): TemplateResult {
+    const listed = this.cells.at(rank)
     const { cell, id, block, standing, why } = listed
     const isShown = cell === this.#shown
     return html`<div
       role="option"
-      id=${`cell-at-${place}`}
-      class=${`${columns} ${place === this.#active ? 'active' : ''}`}
+      id=${`cell-at-${rank}`}
+      class=${`${columns} ${rank === this.#active ? 'active' : ''}`}
       aria-selected=${isShown}
       aria-setsize=${this.cells.count}
-      aria-posinset=${place + 1}
+      aria-posinset=${rank + 1}
       aria-label=${spoken(listed)}
-      @click=${() => this.#choose(place)}
+      @click=${() => this.#choose(rank)}
     >
       <span>${id}</span><span class=${standing === 'invalid' ? 'negative' : ''}>${standing === 'invalid' ? 'INVALID' : standing}</span
       ><span class=${why === null ? '' : 'why'}>${why ?? relative(listed)}</span>${
@@ -164,9 +167,9 @@ export class CellList {
     }
   }
 
-  /** Makes a place the active one, and has it seen. */
-  #goTo(place: number): void {
-    this.#active = Math.min(Math.max(place, 0), this.cells.count - 1)
+  /** Makes a row the active one, and scrolls to it. */
+  #goTo(rank: number): void {
+    this.#active = Math.min(Math.max(rank, 0), this.cells.count - 1)
     const { view, range, rows } = this.#extent
     const offset = this.#offset
     const least = this.#active + 1 - view / this.#rowHeight
@@ -175,9 +178,9 @@ export class CellList {
     this.#render()
   }
 
-  #choose(place: number): void {
-    this.#active = place
-    const { cell, id, why } = this.cells.at(place)
+  #choose(rank: number): void {
+    this.#active = rank
+    const { cell, id, why } = this.cells.at(rank)
     const canBeShown = this.cells.verticesOf(cell) !== null
     this.#message = canBeShown ? '' : `Cell ${id} cannot be shown: ${why}.`
     this.#render()

@@ -3,7 +3,7 @@ import { createReading, readingStyles } from './reading'
 
 export const reading: Panel = {
   name: 'reading',
-  place: 'panel',
+  region: 'panel',
   create: createReading,
   styles: readingStyles,
   with: 'paste',

@@ -1,4 +1,4 @@
-/** What is said of the last input, in sentences. */
+/** Sentences about the last input. */
 
 import type { ReadCells, Reading } from '../../input/reading'
 import { shown } from '../../mesh/shown'
@@ -16,7 +16,7 @@ export function statusSentence(reading: Reading): string {
   return `Read as ${summary.format}${cells.hasIds ? `, cell ${cells.at(0).id}` : ''}.`
 }
 
-/** Notes, but for those on the order of the text where another one has been taken. */
+/** Notes, without those on the text's node order if another one is used. */
 export function notesOf({ summary }: ReadCells, order: NodeOrder | null): readonly string[] {
   return order === null ? summary.sentences : summary.sentences.filter(note => !note.includes('order of the text'))
 }

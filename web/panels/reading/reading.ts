@@ -1,8 +1,9 @@
-/** Beside the verdict: what the element was read from, and in which order of its nodes; of several cells the list to choose from. */
+/** The source of the element, its node order, and the list of cells to choose from. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { ReadCells, Reading, ShownCell } from '../../input/reading'
 import type { Vertices } from '../../model/hexahedron'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import { isNew } from '../../views/is-new'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import type { CellList } from './cell-list'
 import listCss from './cell-list.css?inline'
 import css from './reading.css?inline'
@@ -13,24 +14,21 @@ export const readingStyles = css + listCss
 class ReadingView implements View {
   readonly root = document.createElement('section')
   isLoading = false
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   #list: CellList | null = null
-  #drawn: readonly unknown[] = []
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'reading'
     this.#render(null, null, null)
   }
 
   update({ reading, state, report }: Frame): void {
-    // While a gesture runs, what is said is of the element as it was.
+    // The words stay those of before while a gesture runs.
     const vertices = state.gestureStart ?? state.vertices
     const cell = reading?.state === 'read' ? reading.cellOf(vertices) : null
     const isValid = state.gestureStart === null ? (report?.valid ?? null) : null
-    const drawn = [reading, cell, isValid, this.#list]
-    if (drawn.every((value, i) => value === this.#drawn[i])) return
-    this.#drawn = drawn
+    if (!isNew(this.root, reading, cell, isValid, this.#list)) return
     this.#render(reading, cell, isValid)
     if (reading?.state !== 'read' || reading.cells.count === 1) this.#list = null
     else if (this.#list?.cells === reading.cells) this.#list.setShown(cell?.cell ?? null)
@@ -46,13 +44,13 @@ class ReadingView implements View {
     this.isLoading = true
     const { CellList } = await import('./cell-list')
     this.isLoading = false
-    this.#list = new CellList(reading.cells, cell => this.#host.input.show(cell))
+    this.#list = new CellList(reading.cells, cell => this.#context.input.show(cell))
     this.#list.setShown(reading.cellOf(vertices)?.cell ?? null)
-    this.#host.requestFrame()
+    this.#context.requestFrame()
     this.#list.whenDrawn().then(list => list.focus())
   }
 
-  /** A region of the page only while there is something in it. */
+  /** The section is a region of the page only if there is something in it. */
   #render(reading: Reading | null, cell: ShownCell | null, isValid: boolean | null): void {
     if (reading && isSaid(reading, cell)) this.root.setAttribute('aria-label', 'What was read')
     else this.root.removeAttribute('aria-label')
@@ -68,12 +66,12 @@ class ReadingView implements View {
     if (reading.state === 'under-way')
       return html`<p class="status">
         <span>${statusSentence(reading)}</span>
-        <button type="button" @click=${() => this.#host.input.close()}>Cancel</button>
+        <button type="button" @click=${() => this.#context.input.close()}>Cancel</button>
       </p>`
     const isList = reading.cells.count > 1
     return html`<p class="status">
         <span>${statusSentence(reading)}${isList && cell === null ? ' Choose one to look at it.' : ''}</span>
-        ${isList ? html`<button type="button" @click=${() => this.#host.input.close()}>Put away</button>` : nothing}
+        ${isList ? html`<button type="button" @click=${() => this.#context.input.close()}>Put away</button>` : nothing}
       </p>
       ${isList ? this.#list?.root : nothing} ${notes(reading, cell)}
       ${cell && this.#order(reading, cell, isValid)}`
@@ -93,18 +91,18 @@ class ReadingView implements View {
 
   /** The button goes, so the focus moves to the sentence that says what happened. */
   #use(cell: number, order: NonNullable<ShownCell['order']>): void {
-    this.#host.input.show(cell, order)
+    this.#context.input.show(cell, order)
     const focus = () => this.root.querySelector<HTMLElement>('.order')?.focus({ preventScroll: true })
     requestAnimationFrame(() => requestAnimationFrame(focus))
   }
 }
 
-/** A refusal is said elsewhere, and one element only for as long as it is what was read. */
+/** The panel `problems` says refusals; one element is named only as long as it is the one read. */
 function isSaid(reading: Reading, cell: ShownCell | null): boolean {
   return reading.state === 'under-way' || (reading.state === 'read' && (reading.cells.count > 1 || cell !== null))
 }
 
-/** Without percentages, which would be read out one after the other. */
+/** The sentence without percentages, which would be read out one after the other. */
 function heard(reading: Reading): string {
   return statusSentence(reading.state === 'under-way' ? { ...reading, fraction: 0 } : reading)
 }
@@ -114,4 +112,4 @@ function notes(reading: ReadCells, cell: ShownCell | null): TemplateResult | typ
   return sentences.length === 0 ? nothing : html`<p class="notes">${sentences.join(' ')}</p>`
 }
 
-export const createReading: CreateView = host => new ReadingView(host)
+export const createReading: CreateView = context => new ReadingView(context)

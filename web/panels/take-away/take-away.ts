@@ -1,15 +1,14 @@
-/** The element as files and texts for elsewhere: pictures, the report, other programs' formats, a link, the paper. */
+/** The element as files and texts: pictures, report, other programs' formats, link, paper. */
 import { html, render, type TemplateResult } from 'lit-html'
 import { version } from '../../../package.json'
 import type { Report } from '../../core/report'
 import { reportJson } from '../../core/report-json'
 import { jacdetInFull } from '../../model/decimal'
-import { encodePermalink } from '../../model/permalink'
-import { PNG_KEYWORD, withText } from '../../model/png-text'
 import { copyText } from '../../views/copy-text'
+import { figurePng, figureSvg } from '../../views/figure-files'
+import { isNew } from '../../views/is-new'
 import { saveFile } from '../../views/save-file'
-import type { CreateView, Figure, FigureName, Frame, View, ViewHost } from '../../views/view'
-import { figurePng, figureSvg } from './figure-files'
+import type { CreateView, Figure, FigureName, Frame, View, ViewContext } from '../../views/view'
 import { bibtex } from './formats/bibtex'
 import { writers } from './formats/writers'
 import css from './take-away.css?inline'
@@ -19,31 +18,29 @@ export const styles = css
 /** A panel that is opened for its figure has its code to load first. */
 const FIGURE_PATIENCE_MS = 5000
 
-/** One line of the list: what it is, and how to have it. */
+/** One line of the list: its title, and the buttons. */
 interface Row {
   readonly title: string
   readonly note: string
-  /** There is nothing to have while the core gives no report. */
+  /** True if it needs a report. */
   readonly needsReport?: true
   /** A text, to copy and, where it has a file's name, to save. */
   readonly text?: () => string
   readonly file?: { readonly extension: string; readonly mediaType: string }
-  /** Something else to save. */
+  /** A file to save. */
   readonly save?: () => Promise<void>
 }
 
 class TakeAwayView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   readonly #rows: readonly Row[]
   #report: Report | null = null
-  #drawnWithout: boolean | null = null
-  /** What was done last; told until the element is another. */
+  /** The last thing done; reported until the element is another. */
   #done: { readonly title: string; readonly link: string; readonly message: string } | null = null
-  #isDoneDrawn = true
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'take-away'
     this.#rows = [
       { title: 'PNG', note: 'the scene; dropped here it opens this element again', save: () => this.#savePng() },
@@ -57,7 +54,7 @@ class TakeAwayView implements View {
         note: 'the six faces unfolded, likewise',
         save: () => this.#saveSvg('face-maps'),
       },
-      { title: 'Link', note: 'opens this very element', text: () => host.permalink() },
+      { title: 'Link', note: 'opens this very element', text: () => context.permalink() },
       {
         title: 'Minimum',
         note: 'jacdet in all digits, on the cube chosen',
@@ -80,7 +77,7 @@ class TakeAwayView implements View {
       ...writers.map(({ title, note, write, ...file }) => ({
         title,
         note,
-        text: () => write(host.state().vertices, this.#name),
+        text: () => write(context.state().vertices, this.#name),
         file,
       })),
       {
@@ -94,20 +91,14 @@ class TakeAwayView implements View {
 
   #inFull(value: (report: Report) => number): string {
     const report = this.#report
-    return report ? jacdetInFull(value(report), report.exponent, this.#host.state().referenceCube) : ''
+    return report ? jacdetInFull(value(report), report.exponent, this.#context.state().referenceCube) : ''
   }
 
   update({ report }: Frame): void {
     this.#report = report
-    if (this.#done && this.#done.link !== this.#host.permalink()) {
-      this.#done = null
-      this.#isDoneDrawn = false
-    }
+    if (this.#done && this.#done.link !== this.#context.permalink()) this.#done = null
     const without = report === null
-    if (this.#isDoneDrawn && without === this.#drawnWithout) return
-    this.#isDoneDrawn = true
-    this.#drawnWithout = without
-    render(this.#template(without), this.root)
+    if (isNew(this.root, without, this.#done)) render(this.#template(without), this.root)
   }
 
   dispose(): void {}
@@ -134,16 +125,15 @@ class TakeAwayView implements View {
     </li>`
   }
 
-  /** Of files and names in files. */
+  /** The name of files, and in files. */
   get #name(): string {
-    const { preset, start, vertices } = this.#host.state()
+    const { preset, start, vertices } = this.#context.state()
     return preset !== null && start === vertices ? preset : 'hexahedron'
   }
 
   #tell(title: string, message: string): void {
-    this.#done = { title, link: this.#host.permalink(), message }
-    this.#isDoneDrawn = false
-    this.#host.requestFrame()
+    this.#done = { title, link: this.#context.permalink(), message }
+    this.#context.requestFrame()
   }
 
   async #copy(title: string, text: string): Promise<void> {
@@ -172,29 +162,29 @@ class TakeAwayView implements View {
   }
 
   async #savePng(): Promise<void> {
-    const fragment = encodePermalink(this.#host.state().vertices)
+    const { vertices } = this.#context.state()
     const name = this.#name
-    const picture = await figurePng(await this.#figure('scene'))
-    await this.#save('PNG', withText(picture, PNG_KEYWORD, fragment), 'png', 'image/png', name)
+    const picture = await figurePng(await this.#figure('scene'), vertices)
+    await this.#save('PNG', picture, 'png', 'image/png', name)
   }
 
   async #saveSvg(which: FigureName): Promise<void> {
-    const fragment = encodePermalink(this.#host.state().vertices)
+    const { vertices } = this.#context.state()
     const name = this.#name
-    const text = figureSvg(await this.#figure(which), name, fragment)
+    const text = figureSvg(await this.#figure(which), vertices, name)
     const title = which === 'scene' ? 'SVG' : 'SVG of the face maps'
     await this.#save(title, text, 'svg', 'image/svg+xml', which === 'scene' ? name : `${name}-face-maps`)
   }
 
-  /** What is not on the page yet is put there first. */
+  /** Opens the panel of a figure that is not on the page yet. */
   async #figure(name: FigureName): Promise<Figure> {
-    let figure = this.#host.figure(name)
+    let figure = this.#context.figure(name)
     if (figure === null && name === 'face-maps') {
-      this.#host.dispatch({ type: 'open-panel', panel: name, isOpen: true })
+      this.#context.dispatch({ type: 'open-panel', panel: name, isOpen: true })
       const until = performance.now() + FIGURE_PATIENCE_MS
       while (figure === null && performance.now() < until) {
         await new Promise(requestAnimationFrame)
-        figure = this.#host.figure(name)
+        figure = this.#context.figure(name)
       }
     }
     if (figure === null) throw new Error('it is not on the page')
@@ -202,4 +192,4 @@ class TakeAwayView implements View {
   }
 }
 
-export const create: CreateView = host => new TakeAwayView(host)
+export const create: CreateView = context => new TakeAwayView(context)

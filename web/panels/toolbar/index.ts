@@ -1,4 +1,4 @@
 import type { Panel } from '../panel'
 import { createToolbar, toolbarStyles } from './toolbar'
 
-export const toolbar: Panel = { name: 'toolbar', place: 'head', create: createToolbar, styles: toolbarStyles }
+export const toolbar: Panel = { name: 'toolbar', region: 'head', create: createToolbar, styles: toolbarStyles }

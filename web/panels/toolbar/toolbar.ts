@@ -1,14 +1,14 @@
-/** The line above everything: which element this is, the way back and forth, and the link to it. */
+/** The line above everything: presets, undo and redo, and the link. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import { type Preset, presets, presetVertices } from '../../model/presets'
 import type { State } from '../../model/state'
 import { copyText } from '../../views/copy-text'
-import type { CreateView, Frame, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import css from './toolbar.css?inline'
 
 export const toolbarStyles = css
 
-/** The link that was copied or could not be; told for as long as it is the link to what is shown. */
+/** The link last copied, or not; reported for as long as it is the link to these vertices. */
 interface CopyOutcome {
   readonly copied: boolean
   readonly link: string
@@ -16,16 +16,16 @@ interface CopyOutcome {
 
 class ToolbarView implements View {
   readonly root = document.createElement('div')
-  readonly #host: ViewHost
+  readonly #context: ViewContext
   #outcome: CopyOutcome | null = null
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'toolbar'
   }
 
   update({ state }: Frame): void {
-    if (this.#outcome && this.#outcome.link !== this.#host.permalink()) this.#outcome = null
+    if (this.#outcome && this.#outcome.link !== this.#context.permalink()) this.#outcome = null
     const shown = shownPreset(state)
     render(
       html`<span class="brand">Hexlens</span>
@@ -42,13 +42,13 @@ class ToolbarView implements View {
         <p class="note" ?hidden=${state.preset === null}>${noteOf(state, shown)}</p>
         <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : nothing}</p>
         <div class="actions">
-          <button type="button" ?disabled=${!state.canUndo || state.isReadonly} @click=${() => this.#host.dispatch({ type: 'undo' })}>
+          <button type="button" ?disabled=${!state.canUndo || state.isReadonly} @click=${() => this.#context.dispatch({ type: 'undo' })}>
             Undo
           </button>
-          <button type="button" ?disabled=${!state.canRedo || state.isReadonly} @click=${() => this.#host.dispatch({ type: 'redo' })}>
+          <button type="button" ?disabled=${!state.canRedo || state.isReadonly} @click=${() => this.#context.dispatch({ type: 'redo' })}>
             Redo
           </button>
-          <button type="button" ?disabled=${state.isReadonly} @click=${() => this.#host.dispatch({ type: 'reset' })}>Reset</button>
+          <button type="button" ?disabled=${state.isReadonly} @click=${() => this.#context.dispatch({ type: 'reset' })}>Reset</button>
           <button type="button" @click=${this.#copyLink}>Copy link</button>
         </div>
         ${
@@ -75,13 +75,13 @@ class ToolbarView implements View {
   }
 
   #open(preset: Preset): void {
-    this.#host.dispatch({ type: 'set-vertices', vertices: presetVertices(preset), preset: preset.id })
+    this.#context.dispatch({ type: 'set-vertices', vertices: presetVertices(preset), preset: preset.id })
   }
 
   readonly #copyLink = async (): Promise<void> => {
-    const link = this.#host.permalink()
+    const link = this.#context.permalink()
     this.#outcome = { copied: await copyText(link), link }
-    this.#host.requestFrame()
+    this.#context.requestFrame()
   }
 }
 
@@ -95,10 +95,10 @@ function shownPreset({ preset, vertices, start }: State): Preset | undefined {
   return isStart ? presets.find(({ id }) => id === preset) : undefined
 }
 
-/** What the preset shows, or which one this was. */
+/** The preset's note, or the name of the one that this was. */
 function noteOf({ preset }: State, shown: Preset | undefined): string {
   const from = presets.find(({ id }) => id === preset)
   return shown?.note ?? (from ? `Changed from “${from.title}”.` : '')
 }
 
-export const createToolbar: CreateView = host => new ToolbarView(host)
+export const createToolbar: CreateView = context => new ToolbarView(context)

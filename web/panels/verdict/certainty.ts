@@ -1,4 +1,4 @@
-/** In a few words each: how the verdict became certain, and whether it is worse inside than on the boundary. */
+/** Short texts: how the verdict became certain, and if jacdet is lower inside. */
 import { roundedUp } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { formatBound, formatJacdet } from '../../model/decimal'
@@ -13,7 +13,7 @@ export function certainBy(report: Report, cube: ReferenceCube): string {
   return `a witness: J ≤ ${formatJacdet(certainlyBelow, exponent, cube, 'up')} there`
 }
 
-/** For an invalid element that is not lower inside: how far below the boundary minimum it can still be. */
+/** Bounds how far below the boundary minimum an invalid element can still be inside. */
 export function noLowerInside(report: Report, cube: ReferenceCube): string {
   const { exponent, boundaryMinimum, boundaryMinimumError, volumeMinimum } = report
   const gap = roundedUp(roundedUp(boundaryMinimum + boundaryMinimumError) - volumeMinimum.lower)

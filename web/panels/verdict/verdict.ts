@@ -1,4 +1,4 @@
-/** The answer in words: valid or invalid, the minimum with its error bound and its place, why, and how that is certain. */
+/** The verdict in words: the minimum with its error bound and point, why, and how it is certain. */
 import { html, render, type TemplateResult } from 'lit-html'
 import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
@@ -45,12 +45,12 @@ class VerdictView implements View {
     return html`<p class=${valid ? 'word valid' : 'word negative'}>${valid ? 'VALID' : 'INVALID'}</p>
       ${kind && html`<p class="kind">${kind}</p>`}
       ${minimum(boundaryMinimum, boundaryMinimumError, inside && html`<span class="filler">on the </span>boundary`)}
-      ${place(`${placeName(minimizer)} (ξ, η, ζ)`, minimizer.point)}
-      ${place('(x, y, z)', minimizer.position)}
+      ${pointLine(`${placeName(minimizer)} (ξ, η, ζ)`, minimizer.point)}
+      ${pointLine('(x, y, z)', minimizer.position)}
       ${
         inside && [
           minimum(approximation(inside).value, approximation(inside).error, html`inside`),
-          place('at (ξ, η, ζ)', inside.point),
+          pointLine('at (ξ, η, ζ)', inside.point),
         ]
       }
       <p class="why">${unbrokenNames(whySentence(report))}</p>
@@ -69,7 +69,7 @@ const noVerdict = html`<p class="word">NO VERDICT</p>
 
 /** The names of edges stay on one line each: every second part is one. */
 function unbrokenNames(sentence: string): (TemplateResult | string)[] {
-  return sentence.split(/(\d–\d)/).map((part, i) => (i % 2 === 1 ? html`<span class="name">${part}</span>` : part))
+  return sentence.split(/(\d–\d)/).map((text, i) => (i % 2 === 1 ? html`<span class="name">${text}</span>` : text))
 }
 
 /** "± 1.8×10⁻¹³"; nothing for an exact value. */
@@ -91,7 +91,7 @@ function size({ volume, volumeExponent, relativeMinimum }: Report): TemplateResu
     }</dd></div>`
 }
 
-function place(name: string, point: Vec3): TemplateResult {
+function pointLine(name: string, point: Vec3): TemplateResult {
   return html`<p class="place">${name} = ${copyablePoint(point)}</p>`
 }
 

@@ -1,16 +1,16 @@
-/** One plain sentence for why a report is valid or invalid: the first of vertices, edges and faces that fails. */
+/** The reason for valid or not in a sentence: the first of vertices, edges, faces that fails. */
 import { lowerInside } from '../../core/inside'
 import type { Candidate, CandidateKind, Report } from '../../core/report'
 import { VERTEX_COUNT } from '../../model/hexahedron'
 import { coincidenceSentence, zerosAtSight } from '../../views/coincidences'
-import { listed, partName } from '../../views/part-name'
+import { entityName, listed } from '../../views/entity-name'
 
 /** "at vertex 3,", "on edge 0–1 at" or "on face −ζ at": coordinates follow. */
 export function placeName({ kind, id }: Pick<Candidate, 'kind' | 'id'>): string {
-  return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${partName({ kind, id })} at`
+  return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${entityName({ kind, id })} at`
 }
 
-/** Coincident vertices come first where they say all of it, else last. */
+/** Coincident vertices come first if they explain it all, else last. */
 export function whySentence(report: Report): string {
   const coincidence = coincidenceSentence(report)
   return isExplainedBy(zerosAtSight(report), report)
@@ -18,13 +18,13 @@ export function whySentence(report: Report): string {
     : [sentenceWithoutCoincidences(report), coincidence].filter(sentence => sentence !== '').join(' ')
 }
 
-/** Whether those vertices are why the element is invalid: no others are not positive, and nothing is said of the element as a whole. */
+/** True if these vertices are why it is invalid, and its class says no more. */
 function isExplainedBy(zeros: readonly number[], report: Report): boolean {
   if (zeros.length === 0 || report.class !== 'invalid' || lowerInsideOfZero(report)) return false
   return notPositive(report, 'vertex').every(name => zeros.includes(Number(name)))
 }
 
-/** Nowhere negative on the boundary, and negative inside. */
+/** True if jacdet is nowhere negative on the boundary, and negative inside. */
 function lowerInsideOfZero(report: Report): boolean {
   return report.boundaryMinimum === 0 && lowerInside(report) !== null
 }
@@ -52,7 +52,7 @@ function sentenceWithoutCoincidences(report: Report): string {
 
 function notPositive(report: Report, kind: CandidateKind): readonly string[] {
   const ids = report.candidates.filter(c => c.kind === kind && c.value <= 0).map(c => c.id)
-  const names = [...new Set(ids)].sort((a, b) => a - b).map(id => partName({ kind, id }))
+  const names = [...new Set(ids)].sort((a, b) => a - b).map(id => entityName({ kind, id }))
   return kind === 'edge' ? names.sort() : names
 }
 

@@ -1,4 +1,4 @@
 import type { Panel } from '../panel'
 import { createVertices, verticesStyles } from './vertices'
 
-export const vertices: Panel = { name: 'vertices', place: 'panel', create: createVertices, styles: verticesStyles }
+export const vertices: Panel = { name: 'vertices', region: 'panel', create: createVertices, styles: verticesStyles }

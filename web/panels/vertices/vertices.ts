@@ -1,13 +1,13 @@
-/** The 24 coordinates as editable numbers. Typing is the same as dragging: live, one undo step, Escape takes it back. */
+/** The 24 coordinates as fields. Typing is like dragging: live, one undo step, ended by Escape. */
 import { html, render } from 'lit-html'
 import { COORDINATE_COUNT, VERTEX_COUNT } from '../../model/hexahedron'
-import type { CreateView, Frame, Turn, View, ViewHost } from '../../views/view'
+import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
 import { coordinateText, fieldText, readCoordinate } from './coordinate-text'
 import css from './vertices.css?inline'
 
 export const verticesStyles = css
 
-/** Characters that surely fit a field; what is cut off may be the exponent. */
+/** Characters that surely fit a field; a longer text may hide its exponent. */
 const WIDTH = 11
 
 const axisNames = ['x', 'y', 'z'] as const
@@ -57,21 +57,21 @@ interface LeftOut {
 
 class VerticesView implements View {
   readonly root = document.createElement('section')
-  readonly turns: readonly Turn[] = [frame => this.#draw(frame)]
-  readonly #host: ViewHost
+  readonly updates: readonly Update[] = [frame => this.#draw(frame)]
+  readonly #context: ViewContext
   readonly #inputs: readonly HTMLInputElement[]
   readonly #rows: readonly HTMLTableRowElement[]
   readonly #refusal: HTMLElement
   readonly #refused = new Set<number>()
-  /** What the focused field last could not take. */
+  /** The input that the focused field last could not take. */
   #leftOut: LeftOut | null = null
-  /** As last seen in a frame, or as typed since. */
+  /** The numbers of the last frame, or as typed since. */
   readonly #values: number[] = new Array(COORDINATE_COUNT).fill(Number.NaN)
   #selected = -1
   #edit: { readonly index: number; readonly before: number } | null = null
 
-  constructor(host: ViewHost) {
-    this.#host = host
+  constructor(context: ViewContext) {
+    this.#context = context
     this.root.className = 'vertices'
     this.root.setAttribute('role', 'group')
     this.root.setAttribute('aria-labelledby', 'vertices-title')
@@ -110,7 +110,7 @@ class VerticesView implements View {
     this.#commit()
   }
 
-  /** The field's text from the value; what is being typed stays as it is while it says the same number. */
+  /** The field's text from the value; a text being typed stays while it is the same number. */
   #show(index: number): void {
     const input = this.#inputs[index] as HTMLInputElement
     const value = this.#values[index] as number
@@ -120,7 +120,7 @@ class VerticesView implements View {
     this.#accept(index)
   }
 
-  /** A text that is not of one number is refused whole: what the browser would make of it is another number. */
+  /** A text that is not one number is refused: the browser would make another number of it. */
   readonly #onBeforeInput = (event: InputEvent): void => {
     const text = event.data ?? event.dataTransfer?.getData('text/plain') ?? ''
     const taken = fieldText(text)
@@ -144,23 +144,23 @@ class VerticesView implements View {
     if (this.#edit?.index !== index) {
       this.#commit()
       this.#edit = { index, before: this.#values[index] as number }
-      this.#host.dispatch({ type: 'begin-gesture' })
+      this.#context.dispatch({ type: 'begin-gesture' })
     }
     this.#values[index] = value
-    this.#host.dispatch({ type: 'move-coordinate', index, to: value })
+    this.#context.dispatch({ type: 'move-coordinate', index, to: value })
   }
 
   readonly #commit = (): void => {
     if (this.#edit === null) return
     this.#edit = null
-    this.#host.dispatch({ type: 'commit-gesture' })
+    this.#context.dispatch({ type: 'commit-gesture' })
   }
 
   #cancel(): void {
     if (this.#edit === null) return
     this.#values[this.#edit.index] = this.#edit.before
     this.#edit = null
-    this.#host.dispatch({ type: 'cancel-gesture' })
+    this.#context.dispatch({ type: 'cancel-gesture' })
   }
 
   #refuse(index: number): void {
@@ -227,7 +227,7 @@ class VerticesView implements View {
     const row = target.closest<HTMLElement>('tr[data-vertex]')
     if (row === null) return
     const vertex = Number(row.dataset.vertex)
-    if (vertex !== this.#selected) this.#host.dispatch({ type: 'select-vertex', vertex })
+    if (vertex !== this.#selected) this.#context.dispatch({ type: 'select-vertex', vertex })
   }
 
   #focused(): Element | null {
@@ -240,4 +240,4 @@ function leftOutSentence({ index, text }: LeftOut): string {
   return `${coordinateLabel(index)} takes one number, like −1.5 or 2e-3; “${shown}” was left out.`
 }
 
-export const createVertices: CreateView = host => new VerticesView(host)
+export const createVertices: CreateView = context => new VerticesView(context)

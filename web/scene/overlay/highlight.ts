@@ -1,6 +1,6 @@
-/** The part of the element that the page speaks of: a vertex with a ring around it, an edge drawn thick, a face outlined. */
+/** The entity that the page speaks of: a vertex with a ring around it, an edge drawn thick, a face outlined. */
 import { edgeVertices, faces } from '../../model/hexahedron'
-import type { ElementPart } from '../../model/state'
+import type { Entity } from '../../model/state'
 import { px, set, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 
@@ -16,20 +16,20 @@ export class Highlight {
     this.root.append(this.#halo, this.#line)
   }
 
-  update(part: ElementPart | null, handles: readonly ScreenPoint[]): void {
-    const corners = part ? cornersOf(part).map(v => handles[v] as ScreenPoint) : []
-    const isShown = part !== null && corners.every(({ depth }) => depth > 0)
+  update(entity: Entity | null, handles: readonly ScreenPoint[]): void {
+    const corners = entity ? cornersOf(entity).map(v => handles[v] as ScreenPoint) : []
+    const isShown = entity !== null && corners.every(({ depth }) => depth > 0)
     show(this.root, isShown)
     if (!isShown) return
-    this.root.setAttribute('data-part', `${part.kind}-${part.id}`)
-    const path = part.kind === 'vertex' ? ring(corners[0] as ScreenPoint) : polygon(corners)
+    this.root.setAttribute('data-part', `${entity.kind}-${entity.id}`)
+    const path = entity.kind === 'vertex' ? ring(corners[0] as ScreenPoint) : polygon(corners)
     set(this.#halo, { d: path })
     set(this.#line, { d: path })
   }
 }
 
-/** The part's vertices, a face's in turn. */
-function cornersOf({ kind, id }: ElementPart): readonly number[] {
+/** The entity's vertices, a face's in turn. */
+function cornersOf({ kind, id }: Entity): readonly number[] {
   if (kind === 'vertex') return [id]
   if (kind === 'edge') return edgeVertices[id] ?? []
   const [a, b, c, d] = faces[id]?.vertices ?? [0, 0, 0, 0]

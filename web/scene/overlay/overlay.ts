@@ -9,10 +9,10 @@ import { at, map3 } from '../space/vec3'
 import { toWorld, verticesInWorld, type World } from '../space/world'
 import { Highlight } from './highlight'
 import { meanOf, overlap } from './label-place'
-import { LookedAtMarks } from './looked-at-marks'
 import { Marks } from './marks'
 import type { OverlayPicture } from './overlay-picture'
 import { ProbeMark } from './probe-mark'
+import { SampleMarks } from './sample-marks'
 import { type AxisLetters, Triad } from './triad'
 
 export interface OverlayKind {
@@ -49,7 +49,7 @@ export class Overlay {
   readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
   readonly #highlight = new Highlight()
-  readonly #lookedAt = new LookedAtMarks()
+  readonly #samples = new SampleMarks()
   readonly #marks: Marks
   readonly #triad: Triad
   readonly #probe = new ProbeMark()
@@ -69,7 +69,7 @@ export class Overlay {
       this.#marks.candidates,
       ...this.#handles.map(handle => handle.group),
       this.#marks.minimizer,
-      this.#lookedAt.root,
+      this.#samples.root,
       this.#probe.root,
       this.#coordinates,
       this.#triad.root,
@@ -90,7 +90,7 @@ export class Overlay {
     set(this.#edgeHalo, { d: edges })
     set(this.#edges, { d: edges })
     this.#highlight.update(picture.state.highlight, handles)
-    this.#lookedAt.update(picture, edges)
+    this.#samples.update(picture, edges)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
     this.#updateAxisLine(picture)
@@ -110,7 +110,7 @@ export class Overlay {
   #updateHandles({ handles, state, report, camera }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
     const ringed = [report?.minimizer, state.highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
-    const texts = numberTexts(handles, state.previewedOrder)
+    const texts = numberTexts(handles, state.preview?.order ?? null)
     const numbers = handles.map((at, v) => {
       const { group, number } = this.#handles[v] as Handle
       const text = texts[v] as string
@@ -137,22 +137,21 @@ export class Overlay {
 
   /** The edges of the vertex being moved as they were, or those of the order or the move that is previewed. */
   #updateGhost({ state, world, camera, handles }: OverlayPicture): void {
-    const { vertices, gestureStart, selectedVertex, previewedOrder, previewedMove } = state
+    const { vertices, gestureStart, selectedVertex, preview } = state
     const moved = gestureStart !== null && gestureStart !== vertices
-    const moving = previewedMove === null ? [] : verticesThatDiffer(vertices, previewedMove)
-    for (const path of [this.#ghostHalo, this.#ghost])
-      show(path, moved || previewedOrder !== null || previewedMove !== null)
+    const moving = preview?.move ? verticesThatDiffer(vertices, preview.move) : []
+    for (const path of [this.#ghostHalo, this.#ghost]) show(path, moved || preview !== null)
     show(this.#ghostHandle, moved || moving.length === 1)
     if (moved) {
       const before = verticesInWorld(world, gestureStart).map(point => camera.project(point))
       const own = edgeVertices.filter(edge => edge.includes(selectedVertex))
       this.#drawGhost(edgePath(own, before))
       moveTo(this.#ghostHandle, before[selectedVertex] as ScreenPoint)
-    } else if (previewedOrder !== null) {
-      const inOrder = previewedOrder.map(v => handles[v] as ScreenPoint)
+    } else if (preview?.order) {
+      const inOrder = preview.order.map(v => handles[v] as ScreenPoint)
       this.#drawGhost(edgePath(edgeVertices, inOrder))
-    } else if (previewedMove !== null) {
-      const after = verticesInWorld(world, previewedMove).map(point => camera.project(point))
+    } else if (preview?.move) {
+      const after = verticesInWorld(world, preview.move).map(point => camera.project(point))
       const own = edgeVertices.filter(edge => edge.some(v => moving.includes(v)))
       this.#drawGhost(edgePath(own, after))
       moveTo(this.#ghostHandle, after[moving[0] ?? 0] as ScreenPoint)

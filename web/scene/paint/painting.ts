@@ -1,7 +1,7 @@
 /** The scene's picture as it is on the page: painted in the host's colours when it differs, for the screen, a figure or paper. */
 import type { Report } from '../../core/report'
 import type { State } from '../../model/state'
-import type { Frame, ViewHost } from '../../views/view'
+import type { Frame, ViewContext } from '../../views/view'
 import type { Layout } from '../space/layout'
 import { type ColourScale, colourScaleInside, colourScaleOf, type Ramp, rampOf, type Theme } from './colour-map'
 import { createFacePainter } from './face-painter'
@@ -26,7 +26,7 @@ export class Painting {
   picturesDrawn = 0
   ramp: Ramp | null = null
   readonly #scene: HTMLElement
-  readonly #host: ViewHost
+  readonly #host: ViewContext
   readonly #painter: FacePainter
   readonly #themes: ThemeReader
   readonly #listening = new AbortController()
@@ -36,7 +36,7 @@ export class Painting {
   #paperCopy: HTMLCanvasElement | null = null
   #picturesCopied = 0
 
-  constructor(scene: HTMLElement, host: ViewHost) {
+  constructor(scene: HTMLElement, host: ViewContext) {
     this.#scene = scene
     this.#host = host
     const painter = createFacePainter({ lost: () => this.#onContext(true), restored: () => this.#onContext(false) })

@@ -4,7 +4,7 @@
  */
 import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
-import { partTitle } from '../../views/part-name'
+import { entityTitle } from '../../views/entity-name'
 import { toWorld, verticesInWorld, worldOf } from '../space/world'
 import { colourScaleOf, cssColour, type Ramp, rampColour, rampPosition, type Theme } from './colour-map'
 import { type FlatPoint, type FlatTile, flatTiles, pathOf } from './flat-tiles'
@@ -29,7 +29,7 @@ export function thumbnailAddress(report: Report, colours: Colours): string {
 
 /** The picture in words: "Invalid, minimum −1/4 on edge 0–1". */
 export function thumbnailText({ valid, boundaryMinimum, exponent, minimizer }: Report): string {
-  const part = partTitle(minimizer)
+  const part = entityTitle(minimizer)
   const minimum = formatJacdet(boundaryMinimum, exponent, 'unit')
   return `${valid ? 'Valid' : 'Invalid'}, minimum ${minimum} on ${part.charAt(0).toLowerCase()}${part.slice(1)}`
 }

@@ -1,14 +1,15 @@
 /**
- * How far an element is from jacdet = 0 at one reference point: the least move of one vertex (N3), or of all together (N5),
- * that makes it zero there. Of Bernstein coefficients in place of values they are bounds over the part of the face: (N4), (N6).
+ * The distance of an element from jacdet = 0 at one reference point: the least move of one vertex
+ * (N3), or of all together (N5), that makes it zero there. With Bernstein coefficients in place of
+ * values it is a bound over a patch of the face: (N4), (N6).
  */
 import type { Vec3 } from '../../../model/hexahedron'
 import { type Columns, columnsAt, dot, map3, responseAt, shapeGradients } from './scaled-element'
 
-/** What is known at a point, as numbers; as Bernstein coefficients over a part of a face they have the same meaning. */
+/** The numbers that a distance depends on, or their Bernstein coefficients over a patch. */
 export type Entries = readonly number[]
 
-/** Of one kind of move: which numbers it takes, and the distance they say; `slack` is by how much each number may be off. */
+/** One kind of move: its numbers, and the distance if each is off by at most `slack`. */
 export interface DistanceKind {
   readonly entriesAt: (edges: readonly Vec3[], point: Vec3) => Entries
   readonly distance: (entries: Entries, slack: number) => number
@@ -28,7 +29,7 @@ export function ofVertex(vertex: number): DistanceKind {
   }
 }
 
-/** DF^T DF and G^T G, upper triangles, rows of G the gradients of the shape functions: the least |DF u| / |G u|. */
+/** The least |DF u| / |G u|, from upper triangles of DF^T DF and G^T G; G has the rows dN_v. */
 export const ofAllVertices: DistanceKind = {
   entriesAt: (edges, point) => {
     const columns = columnsAt(edges, point)
@@ -87,7 +88,7 @@ const ROTATIONS = [
 /** Jacobi's method converges quadratically; this many sweeps leave nothing of 3 x 3 doubles. */
 const SWEEPS = 8
 
-/** Of a symmetric matrix, by Jacobi's rotations. */
+/** The greatest eigenvalue of a symmetric matrix, by Jacobi's rotations. */
 function greatestEigenvalue(rows: readonly [Vec3, Vec3, Vec3]): { value: number; vector: Vec3 } {
   const a = rows.map(row => [...row])
   const v = [
@@ -132,10 +133,10 @@ function rotateRows(m: number[][], p: number, q: number, c: number, s: number): 
   }
 }
 
-/** Less cannot be told from zero, and its sign may be wrong. */
+/** A smaller number cannot be told from zero, and its sign may be wrong. */
 const LEAST_JACDET = 2 ** -60
 
-/** Of a valid element: the move of one vertex of length J / |g| (N3). */
+/** The move of one vertex of a valid element, of length J / |g| (N3). */
 export function moveOfVertex(edges: readonly Vec3[], point: Vec3, vertex: number): Vec3[] {
   const { jacdet, gradients } = responseAt(edges, point)
   const gradient = gradients[vertex] as Vec3
@@ -143,7 +144,7 @@ export function moveOfVertex(edges: readonly Vec3[], point: Vec3, vertex: number
   return gradients.map((_, v) => (v === vertex ? map3(axis => factor * gradient[axis]) : [0, 0, 0]))
 }
 
-/** Of a valid element: the move of all vertices that makes jacdet zero to first order. */
+/** The move of all vertices of a valid element that makes jacdet zero to first order. */
 export function moveDownhill(edges: readonly Vec3[], point: Vec3): Vec3[] {
   const { jacdet, gradients } = responseAt(edges, point)
   const square = gradients.reduce((sum, gradient) => sum + dot(gradient, gradient), 0)
@@ -151,7 +152,7 @@ export function moveDownhill(edges: readonly Vec3[], point: Vec3): Vec3[] {
   return gradients.map(gradient => map3(axis => factor * gradient[axis]))
 }
 
-/** The move of all vertices that takes DF u to zero: each along DF u (N5). Null where DF is singular in doubles. */
+/** The move of all vertices along DF u that takes it to zero (N5). Null if DF is singular. */
 export function moveOfAll(edges: readonly Vec3[], point: Vec3): Vec3[] | null {
   const least = leastQuotient(ofAllVertices.entriesAt(edges, point), 0)
   if (least === null) return null

@@ -1,38 +1,40 @@
 /**
- * The shortest vector d with rows . d >= sides, by Lawson and Hanson, *Solving Least Squares Problems*, chapter 23: their
- * LDP by NNLS. What it returns besides bounds the length of every such d from below: docs/algorithm.md (N9).
+ * The shortest vector d with rows . d >= sides, by Lawson and Hanson, *Solving Least Squares
+ * Problems*, chapter 23: their LDP by NNLS. What it returns besides bounds the length of every such
+ * d from below: docs/algorithm.md (N9).
  */
 
 export interface HalfSpaces {
   readonly dimension: number
-  /** Of unit length each. */
+  /** Unit vectors. */
   readonly rows: readonly (readonly number[])[]
   readonly sides: readonly number[]
 }
 
 export interface LeastVector {
-  /** Null where the half-spaces have no point in common, or none that is not 10^5 times as far away as the farthest of them. */
+  /** Null if there is no common point nearer than 10^5 times the farthest half-space. */
   readonly vector: readonly number[] | null
-  /** One for each half-space, none negative: of the vector, their sum of rows is a multiple. */
+  /** Weights of the half-spaces, none negative: the vector is a multiple of their sum of rows. */
   readonly multipliers: readonly number[]
 }
 
 /**
- * 1/(1 + |d|^2) of the farthest vector that counts, |d| = 10^5 in units of the farthest half-space: the number itself is right to ROUNDING
- * only, so of what is farther away fewer than four digits would be known.
+ * 1/(1 + |d|^2) of the farthest vector that counts, |d| = 10^5 in units of the farthest half-space:
+ * the number itself is right to ROUNDING only, so of what is farther away fewer than four digits
+ * would be known.
  */
 const NOTHING = 1e-10
 
-/** The most numbers in a column, and so the most columns that do not depend on each other: eight vertices and one. */
+/** The most numbers in a column, and the most independent columns: eight vertices and one. */
 const MOST = 25
 /** The most that rounding changes a double by, relative to it. */
 const UNIT_ROUNDOFF = 2 ** -53
 /**
- * What rounding makes of a product of two unit vectors that is zero: MOST products and MOST columns in the residual, twice over. No claim rests
- * on it: (N9) holds for whatever multipliers come out.
+ * A bound for the rounded product of two unit vectors that is zero: MOST products and MOST columns
+ * in the residual, twice over. No claim rests on it: (N9) holds for whatever multipliers come out.
  */
 const ROUNDING = 4 * MOST * UNIT_ROUNDOFF
-/** What rounding leaves of a unit vector that depends on the others: MOST projections of MOST numbers, twice over. */
+/** A dependent unit vector leaves at most this: MOST projections of MOST numbers, twice over. */
 const DEPENDENT = 2 * MOST * MOST * UNIT_ROUNDOFF
 
 export function leastVector({ dimension: size, rows, sides }: HalfSpaces): LeastVector {
@@ -88,7 +90,7 @@ function nonNegativeLeastSquares(columns: readonly (readonly number[])[], target
         barred = []
         break
       }
-      // As far as none becomes negative.
+      // The step goes as far as none becomes negative.
       const steps = free.map((j, i) => {
         const [from, to] = [x[j] as number, solved[i] as number]
         return to > 0 ? 1 : from / (from - to)
@@ -112,7 +114,7 @@ function scattered(values: readonly number[], places: readonly number[], count: 
   return all
 }
 
-/** By Gram and Schmidt, twice over; null where the columns depend on each other in doubles. */
+/** Gram and Schmidt, twice over; null if the columns depend on each other in doubles. */
 function leastSquares(columns: readonly (readonly number[])[], target: readonly number[]): number[] | null {
   const q: number[][] = []
   const r: number[][] = []
@@ -121,9 +123,9 @@ function leastSquares(columns: readonly (readonly number[])[], target: readonly 
     const entries = q.map(() => 0)
     for (let pass = 0; pass < 2; pass++)
       for (const [i, basis] of q.entries()) {
-        const part = product(basis, rest)
-        entries[i] = (entries[i] as number) + part
-        rest = rest.map((value, k) => value - part * (basis[k] as number))
+        const along = product(basis, rest)
+        entries[i] = (entries[i] as number) + along
+        rest = rest.map((value, k) => value - along * (basis[k] as number))
       }
     const norm = length(rest)
     if (norm <= DEPENDENT * length(column)) return null

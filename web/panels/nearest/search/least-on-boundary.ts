@@ -1,6 +1,7 @@
 /**
- * Where on the boundary a distance to jacdet = 0 is least, by best-first subdivision of the faces: a part's Bernstein
- * coefficients bound it from below, its corners are values. The bound returned is certain: docs/algorithm.md (N4), (N6), (N7).
+ * The least distance to jacdet = 0 on the boundary, by best-first subdivision of the faces: a
+ * patch's Bernstein coefficients bound it from below, its corners are values. The bound returned is
+ * certain: docs/algorithm.md (N4), (N6), (N7).
  */
 import { faces, type Vec3 } from '../../../model/hexahedron'
 import type { DistanceKind, Entries } from './distances'
@@ -8,25 +9,25 @@ import { bernsteinOnFace, neighbours, pointOnFace } from './scaled-element'
 
 export interface LeastDistance {
   readonly point: Vec3
-  /** There, as computed. */
+  /** The distance there, as computed. */
   readonly value: number
-  /** Nowhere on the boundary is it less. */
+  /** The distance is nowhere less on the boundary. */
   readonly bound: number
 }
 
-/** What a coefficient may be off by, docs/algorithm.md (N7). */
+/** A coefficient may be off by this: docs/algorithm.md (N7). */
 export const SLACK = 2 ** -40
 
-/** The value found is at most this much above the bound, relatively, unless there are too many parts. */
+/** The value is at most this much above the bound, relatively, if patches suffice. */
 export const TOLERANCE = 2 ** -22
-/** Of the faces; with surfaces of equal distances more would not help either. */
-const MOST_PARTS = 4000
-/** Of sixty halvings; there coefficients are still within the slack. */
+/** More patches would not help with surfaces of equal distances either. */
+const MOST_PATCHES = 4000
+/** The width after sixty halvings; coefficients are still within the slack. */
 const LEAST_WIDTH = 2 ** -30
-/** Between two pauses of the search. */
-const PARTS_AT_ONCE = 16
+/** Patches between two pauses of the search. */
+const PATCHES_AT_ONCE = 16
 
-interface Part {
+interface Patch {
   readonly face: number
   readonly low: readonly [number, number]
   readonly width: readonly [number, number]
@@ -35,12 +36,12 @@ interface Part {
   readonly bound: number
 }
 
-/** Pauses now and then. */
+/** Yields now and then. */
 export function* leastOnBoundary(edges: readonly Vec3[], kind: DistanceKind): Generator<undefined, LeastDistance> {
   const at = (point: Vec3) => kind.entriesAt(edges, point)
   const open = new Heap()
   let best: Pick<LeastDistance, 'point' | 'value'> = { point: [0, 0, 0], value: Number.POSITIVE_INFINITY }
-  const add = ({ face, low, width, coefficients }: Omit<Part, 'bound'>) => {
+  const add = ({ face, low, width, coefficients }: Omit<Patch, 'bound'>) => {
     for (const [i, j] of CORNERS) {
       const value = kind.distance(coefficients[3 * i + j] as Entries, 0)
       const [s, t] = [low[0] + (i / 2) * width[0], low[1] + (j / 2) * width[1]]
@@ -50,18 +51,18 @@ export function* leastOnBoundary(edges: readonly Vec3[], kind: DistanceKind): Ge
     open.push({ face, low, width, coefficients, bound: Math.max(bound, 0) })
   }
   for (const face of faces.keys()) add({ face, low: [0, 0], width: [1, 1], coefficients: bernsteinOnFace(face, at) })
-  for (let parts = faces.length; ; parts++) {
-    const part = open.pop()
-    if (part === null) throw new Error('A part has halves.')
-    if (part.bound >= best.value * (1 - TOLERANCE)) return { ...best, bound: Math.min(part.bound, best.value) }
-    if (parts >= MOST_PARTS || Math.max(...part.width) <= LEAST_WIDTH)
-      return { ...downhill(best.point, at, kind), bound: part.bound }
-    for (const half of halves(part)) add(half)
-    if (parts % PARTS_AT_ONCE === 0) yield
+  for (let patches = faces.length; ; patches++) {
+    const patch = open.pop()
+    if (patch === null) throw new Error('A patch has halves.')
+    if (patch.bound >= best.value * (1 - TOLERANCE)) return { ...best, bound: Math.min(patch.bound, best.value) }
+    if (patches >= MOST_PATCHES || Math.max(...patch.width) <= LEAST_WIDTH)
+      return { ...downhill(best.point, at, kind), bound: patch.bound }
+    for (const half of halves(patch)) add(half)
+    if (patches % PATCHES_AT_ONCE === 0) yield
   }
 }
 
-/** To a point with none lower about it on its face, in steps along s and t that are halved down to the doubles. */
+/** A point with none lower near it on its face, by steps along s and t that are halved. */
 function downhill(start: Vec3, at: (point: Vec3) => Entries, kind: DistanceKind): Omit<LeastDistance, 'bound'> {
   let best = { point: start, value: kind.distance(at(start), 0) }
   for (let step = 1 / 16; step > 2 ** -40; step /= 2)
@@ -87,8 +88,8 @@ const CORNERS = [
   [2, 2],
 ] as const
 
-/** Along the longer side. */
-function halves({ face, low, width, coefficients }: Part): Omit<Part, 'bound'>[] {
+/** Halves along the longer side. */
+function halves({ face, low, width, coefficients }: Patch): Omit<Patch, 'bound'>[] {
   const alongS = width[0] >= width[1]
   const lines = [0, 1, 2].map(k => [0, 1, 2].map(i => coefficients[alongS ? 3 * i + k : 3 * k + i] as Entries))
   const cut = lines.map(([a, b, c]) => {
@@ -114,37 +115,37 @@ function mean(a: Entries, b: Entries): Entries {
   return a.map((value, i) => (value + (b[i] as number)) / 2)
 }
 
-/** The part with the least bound first. */
+/** The patch with the least bound first. */
 class Heap {
-  readonly #parts: Part[] = []
+  readonly #patches: Patch[] = []
 
-  push(part: Part): void {
-    let i = this.#parts.length
-    this.#parts.push(part)
-    for (let up = (i - 1) >> 1; i > 0 && this.#at(up).bound > part.bound; i = up, up = (i - 1) >> 1)
-      this.#parts[i] = this.#at(up)
-    this.#parts[i] = part
+  push(patch: Patch): void {
+    let i = this.#patches.length
+    this.#patches.push(patch)
+    for (let up = (i - 1) >> 1; i > 0 && this.#at(up).bound > patch.bound; i = up, up = (i - 1) >> 1)
+      this.#patches[i] = this.#at(up)
+    this.#patches[i] = patch
   }
 
-  pop(): Part | null {
-    const [first] = this.#parts
-    const last = this.#parts.pop()
+  pop(): Patch | null {
+    const [first] = this.#patches
+    const last = this.#patches.pop()
     if (first === undefined || last === undefined) return null
-    if (this.#parts.length === 0) return first
+    if (this.#patches.length === 0) return first
     let i = 0
     for (;;) {
       let down = 2 * i + 1
-      if (down >= this.#parts.length) break
-      if (down + 1 < this.#parts.length && this.#at(down + 1).bound < this.#at(down).bound) down++
+      if (down >= this.#patches.length) break
+      if (down + 1 < this.#patches.length && this.#at(down + 1).bound < this.#at(down).bound) down++
       if (this.#at(down).bound >= last.bound) break
-      this.#parts[i] = this.#at(down)
+      this.#patches[i] = this.#at(down)
       i = down
     }
-    this.#parts[i] = last
+    this.#patches[i] = last
     return first
   }
 
-  #at(i: number): Part {
-    return this.#parts[i] as Part
+  #at(i: number): Patch {
+    return this.#patches[i] as Patch
   }
 }

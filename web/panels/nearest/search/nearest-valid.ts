@@ -1,7 +1,8 @@
 /**
- * The nearest valid element of an invalid one. Where one vertex moves, jacdet is affine in it at every point, so the places that
- * make a valid element are an intersection of half-spaces: cutting planes find the nearest of them, and with it a bound (N8), (N9).
- * Where all move, linearizations are followed to a local optimum (N10).
+ * The nearest valid element of an invalid one. Where one vertex moves, jacdet is affine in it at
+ * every point, so the places that make a valid element are an intersection of half-spaces: cutting
+ * planes find the nearest of them, and with it a bound (N8), (N9). If all move, linearizations are
+ * followed to a local optimum (N10).
  */
 
 import { timesPowerOfTwo } from '../../../core/power-of-two'
@@ -13,15 +14,15 @@ import { SLACK, TOLERANCE } from './least-on-boundary'
 import { map3, movedEdges, neighbours, responseAt, type ScaledElement } from './scaled-element'
 
 export interface ValidTarget {
-  /** Valid for certain; null where none was found. */
+  /** Vertices of a valid element; null if none was found. */
   readonly vertices: Vertices | null
-  /** Of such a move none that is shorter leads to a valid element; in units of the scaled element. */
+  /** No such move that is shorter leads to a valid element; in units of the scaled element. */
   readonly bound: number
-  /** Whether it is known, besides by the bound, that to first order no small change of the move makes it shorter. */
+  /** True if to first order no small change of the move makes it shorter. */
   readonly isLocallyLeast: boolean
 }
 
-/** What jacdet is asked to exceed, relative to the largest of the element: at first, and how much less each time that is reached. */
+/** Jacdet has to exceed this share of the largest: at first, and a factor less once reached. */
 const MARGIN = { first: 2 ** -8, factor: 2 ** -7, least: 2 ** -36 }
 const MOST_ROUNDS = 80
 
@@ -31,7 +32,7 @@ interface Cut {
   readonly gradient: readonly number[]
 }
 
-/** Pauses after each look at an element. */
+/** Yields after each element. */
 export function* nearestValidOfVertex(
   core: Core,
   vertices: Vertices,
@@ -73,7 +74,7 @@ export function* nearestValidOfVertex(
   return { vertices: found?.vertices ?? null, bound, isLocallyLeast: false }
 }
 
-/** From the element itself, and from other elements that are valid. */
+/** Starts at the element itself, and at other elements that are valid. */
 export function* nearestValidOfAll(
   core: Core,
   vertices: Vertices,
@@ -92,7 +93,7 @@ export function* nearestValidOfAll(
     bound = Math.max(bound, boundFrom(scaled, descent.points))
     if (descent.vertices && (best === null || descent.length < best.length))
       best = { ...descent, vertices: descent.vertices }
-    // What has not settled may do so from where it came to.
+    // A run that has not settled may do so from where it came to.
     if (run + 1 === starts.length && best?.isSettled === false && starts.length < MOST_RUNS) starts.push(best.vertices)
   }
   return { vertices: best?.vertices ?? null, bound, isLocallyLeast: best?.isSettled ?? false }
@@ -110,11 +111,11 @@ const MOST_RUNS = 6
 /** A step that goes back on the one before is cut by this. */
 const LESS = 0.5
 const MORE = 1.25
-/** Of the move: a step that is shorter changes nothing more. While the margin is wide, a longer one will do. */
+/** A shorter step, relative to the move, ends the run; so does a longer one at a wide margin. */
 const SETTLED = 2 ** -16
 const SETTLED_PER_MARGIN = 4
 
-/** The shortest move at which jacdet, made linear about the last one at its low points, exceeds the margin; then again. */
+/** The shortest move at which jacdet, linear about the last one, exceeds the margin; then again. */
 function* descend(
   core: Core,
   vertices: Vertices,
@@ -124,7 +125,7 @@ function* descend(
 ): Generator<undefined, Descent> {
   let at = start.flat()
   let margin = MARGIN.first * largest
-  let part = 1
+  let share = 1
   let before: number[] | null = null
   let points: readonly Vec3[] = []
   let best: Descent = { vertices: null, length: Number.POSITIVE_INFINITY, points: [], isSettled: false }
@@ -159,8 +160,8 @@ function* descend(
       if (margin < MARGIN.least * largest) break
     }
     points = points.filter((_, i) => (multipliers[i] as number) > 0)
-    if (before) part = product(before, step) < 0 ? part * LESS : Math.min(1, part * MORE)
-    const factor = Math.min(part, FIRST_STEP / (size || 1))
+    if (before) share = product(before, step) < 0 ? share * LESS : Math.min(1, share * MORE)
+    const factor = Math.min(share, FIRST_STEP / (size || 1))
     at = at.map((value, i) => value + factor * (step[i] as number))
     before = step
   }
@@ -193,7 +194,7 @@ function boundBy(cuts: readonly Cut[], multipliers: readonly number[]): number {
   return Math.max(0, (-jacdet - SLACK * total) / (Math.hypot(...gradient) + 2 * SLACK * total))
 }
 
-/** Where jacdet is negative for certain it has to pass zero: (N5), at the best of these points and then uphill. */
+/** Jacdet < 0 has to pass zero: (N5), at the best of these points and then uphill. */
 function boundFrom(scaled: ScaledElement, points: readonly Vec3[]): number {
   const boundAt = (point: Vec3) =>
     responseAt(scaled.edges, point).jacdet < -SLACK
@@ -250,7 +251,7 @@ function distinct(points: readonly Vec3[]): Vec3[] {
   )
 }
 
-/** Bits of a move that are kept, of its longest component: more would only make the numbers of exact arithmetic long. */
+/** Bits of a move's longest component: more would make the numbers of exact arithmetic long. */
 const MOVE_BITS = 40
 
 /** The element with its vertices moved, in its own units. */

@@ -1,6 +1,7 @@
 /**
- * The nearest elements of the other verdict: by moves of one vertex, each in turn, and of all eight together. Lengths are Euclidean,
- * of all coordinates that move. What is found is certain on both sides: docs/algorithm.md 12.
+ * The nearest elements of the other verdict: by moves of one vertex, each in turn, and of all eight
+ * together. Lengths are Euclidean, of all coordinates that move. What is found is certain on both
+ * sides: docs/algorithm.md 12.
  */
 
 import { changesBetween, verdictOf } from '../../../core/crossing'
@@ -14,41 +15,41 @@ import { analyzed, movedVertices, nearestValidOfAll, nearestValidOfVertex } from
 import { columnsAt, map3, type ScaledElement, scaledElement } from './scaled-element'
 
 export interface NearestMove {
-  /** The vertex that moves; null where all may. */
+  /** The vertex that moves; null if all may. */
   readonly vertex: number | null
   /** The element of the other verdict. */
   readonly vertices: Vertices
-  /** On the straight way to it, the place one double before: still of the element's own verdict. */
+  /** The element one double before it on the straight way: still of the first verdict. */
   readonly before: Vertices
-  /** Of all coordinates together; of one vertex its own way. */
+  /** Euclidean, over all coordinates. */
   readonly length: number
   /** The way of the vertex that moves most. */
   readonly longest: number
-  /** No such move shorter than this leads to the other verdict, for certain; 0 where nothing is known. */
+  /** A lower bound, for certain, of any such move's length; 0 if nothing is known. */
   readonly bound: number
-  /** `least`: as short as any, to one part in a million. `local`: no small change makes it shorter. `found`: neither is known. */
+  /** `least`: the shortest, to 1 in 10^6. `local`: no small change is shorter. `found`: neither. */
   readonly claim: 'least' | 'local' | 'found'
 }
 
-/** Null: none was found. `impossible`: none for certain, up to a million times the element's size. */
+/** Null: none was found. `impossible`: there is none within a million times the size. */
 export type NearestAnswer = NearestMove | 'impossible' | null
 
 export interface Nearest {
   readonly vertices: Vertices
   readonly valid: boolean
-  /** Of vertices 0, 1, …, as far as they are done. */
+  /** Answers for vertices 0, 1, …, as far as they are done. */
   readonly ofVertex: readonly NearestAnswer[]
   /** The shortest of one vertex: null if there is none, undefined until all are done. */
   readonly ofOne: NearestMove | null | undefined
-  /** Undefined until it is done. */
+  /** The shortest of all eight together, undefined until it is done. */
   readonly ofAll: NearestAnswer | undefined
 }
 
-/** In units of the element's largest edge component. */
+/** Lengths in units of the element's largest edge component. */
 const OUT_OF_REACH = 2 ** 20
 const LEAST = 2 ** -20
 
-/** Pauses every few thousandths of a second (a twisted element can take some tenths) and says what is known by then. */
+/** Yields the answers so far every few milliseconds; the whole may take some tenths of a second. */
 export function* searchNearest(core: Core, vertices: Vertices): Generator<Nearest, Nearest> {
   const valid = verdictOf(core, vertices)
   const scaled = scaledElement(vertices)
@@ -69,7 +70,7 @@ export function* searchNearest(core: Core, vertices: Vertices): Generator<Neares
   return { ...nearest, ofAll: shorterOf(ofAll, nearest.ofOne ?? null) }
 }
 
-/** A move of one vertex is one of all eight: where doubles are coarse it may be the shorter, or the only one found. */
+/** A move of one vertex is one of all: in coarse doubles it may be shorter, or the only one. */
 function shorterOf(all: NearestAnswer, one: NearestMove | null): NearestAnswer {
   if (one === null || all === 'impossible' || (all !== null && all.length <= one.length)) return all
   return { ...one, vertex: null, bound: Math.min(all?.bound ?? 0, one.length), claim: 'found' }
@@ -137,10 +138,10 @@ function* validOfAll(
   return yield* moveTo(core, vertices, found, { vertex: null, bound: inUnits(bound, scaled), isLocal: isLocallyLeast })
 }
 
-/** Where moves change nothing in doubles, or turn nothing, they are doubled as often as this. */
+/** Moves that change nothing in doubles, or no verdict, are doubled as often as this. */
 const DOUBLINGS = 64
 
-/** Twice the move that makes jacdet zero, or as far as it takes. */
+/** Twice the move that makes jacdet zero, or more until the verdict changes. */
 function invalidBeyond(core: Core, vertices: Vertices, moves: readonly Vec3[], scaled: ScaledElement): Vertices | null {
   for (let n = 1; n <= DOUBLINGS; n++) {
     const longer = moves.map(move => map3(axis => 2 ** n * move[axis]))
@@ -151,7 +152,7 @@ function invalidBeyond(core: Core, vertices: Vertices, moves: readonly Vec3[], s
   return null
 }
 
-/** A box with the element's mean edges, if that is right-handed, else a cube; or where the way to it becomes valid. */
+/** A box with the element's mean edges, or a cube; or the element where the way becomes valid. */
 function* wayToBox(
   core: Core,
   vertices: Vertices,
@@ -185,12 +186,13 @@ interface Known {
 }
 
 /**
- * Of the way: an element that is itself on the border has neighbours of the other verdict 5e-324 away, of coordinates that span so
- * many powers of two that exact arithmetic takes seconds for them.
+ * The least share of the way: an element that is itself on the border has neighbours of the other
+ * verdict 5e-324 away, whose coordinates span so many powers of two that exact arithmetic takes
+ * seconds.
  */
-const LEAST_PART = 2 ** -64
+const LEAST_SHARE = 2 ** -64
 
-/** As near as doubles allow on the straight way to the target, which is of the other verdict. */
+/** The nearest move that doubles allow on the straight way to the target. */
 function* moveTo(
   core: Core,
   vertices: Vertices,
@@ -198,7 +200,7 @@ function* moveTo(
   { vertex, bound, isLocal }: Known,
 ): Generator<undefined, NearestAnswer> {
   if (!target?.every(Number.isFinite) || verdictOf(core, target) === verdictOf(core, vertices)) return null
-  const { near, far } = yield* changesBetween(core, vertices, target, { near: 0, far: 1 }, LEAST_PART)
+  const { near, far } = yield* changesBetween(core, vertices, target, { near: 0, far: 1 }, LEAST_SHARE)
   const found = elementAt(vertices, target, far)
   const ways = vertexReference.map((_, v) =>
     Math.hypot(...map3(axis => vertexOf(found, v)[axis] - vertexOf(vertices, v)[axis])),
@@ -217,7 +219,7 @@ function* moveTo(
   }
 }
 
-/** At least that of neighbouring doubles at the coordinates: a move that is hardly longer is what they allow, not what is shortest. */
+/** The spacing of doubles at the coordinates, or more; it limits how short a move can be. */
 function spacingOf(vertices: Vertices): number {
   return Math.max(2 ** -52 * Math.max(...vertices.map(Math.abs)), Number.MIN_VALUE)
 }

@@ -1,6 +1,7 @@
 /**
- * The element about its vertex 0 in units of its own size, and jacdet there as a function of its vertices: columns of DF, what
- * jacdet gains when a vertex moves (N2), its Bernstein coefficients on the faces. docs/algorithm.md 12.
+ * The element about its vertex 0 in units of its own size, and jacdet there as a function of its
+ * vertices: columns of DF, what jacdet gains when a vertex moves (N2), its Bernstein coefficients
+ * on the faces. docs/algorithm.md 12.
  */
 
 import { timesPowerOfTwo } from '../../../core/power-of-two'
@@ -14,13 +15,13 @@ import {
   vertexReference,
 } from '../../../model/hexahedron'
 
-/** Lengths are those of the element times 2^-exponent: the largest component of an edge is in [1/2, 1). */
+/** Lengths are times 2^-exponent: the largest component of an edge is in [1/2, 1). */
 export interface ScaledElement {
   readonly edges: readonly Vec3[]
   readonly exponent: number
 }
 
-/** Null where all vertices are in one point. */
+/** Null if all vertices are in one point. */
 export function scaledElement(vertices: Vertices): ScaledElement | null {
   // The difference of two huge coordinates may not be a double; that of their halves is one.
   const half = Math.max(...vertices.map(Math.abs)) >= 2 ** 1022 ? 1 : 0
@@ -76,7 +77,7 @@ export function shapeGradients(point: Vec3): Vec3[] {
   })
 }
 
-/** jacdet at a point, and its gradient with respect to each vertex: exact for one vertex, whatever its move (N2). */
+/** jacdet at a point, and its gradient by each vertex: exact for any move of one vertex (N2). */
 export interface JacdetResponse {
   readonly jacdet: number
   readonly gradients: readonly Vec3[]
@@ -96,7 +97,7 @@ function cofactors([xi, eta, zeta]: Columns): Columns {
   return [cross(eta, zeta), cross(zeta, xi), cross(xi, eta)]
 }
 
-/** Values of a polynomial of degree (2,2) at 0, 1/2, 1 in s and t to its Bernstein coefficients, `[3 * i + j]`. */
+/** Bernstein coefficients `[3 * i + j]` from values at 0, 1/2, 1 in s and t, of degree (2,2). */
 function bernsteinOf(values: readonly number[]): number[] {
   const row = (a: number, b: number, c: number) => [a, 2 * b - (a + c) / 2, c]
   const inT = [0, 3, 6].flatMap(i => row(...(values.slice(i, i + 3) as [number, number, number])))
@@ -104,7 +105,7 @@ function bernsteinOf(values: readonly number[]): number[] {
   return [0, 1, 2].flatMap(i => inS.map(column => column[i] as number))
 }
 
-/** The Bernstein coefficients on a face of functions of degree (2,2) there: nine lists of as many numbers as `at` gives. */
+/** Bernstein coefficients on a face, of degree (2,2): nine lists as long as those of `at`. */
 export function bernsteinOnFace(face: number, at: (point: Vec3) => readonly number[]): number[][] {
   const values = [0, 0.5, 1].flatMap(s => [0, 0.5, 1].map(t => at(pointOnFace(face, s, t))))
   const byEntry = (values[0] as readonly number[]).map((_, n) => bernsteinOf(values.map(value => value[n] as number)))

@@ -1,4 +1,4 @@
-/** A C array in hexadecimal floats: exact whatever the compiler does with decimals, which are given beside them. */
+/** A C array in hexadecimal floats, exact with any compiler; decimals are beside them. */
 import { decimalText, pointsOf, type Writer } from '../../../model/written-element'
 
 export const c: Writer = {
@@ -23,7 +23,7 @@ export const c: Writer = {
 const FRACTION_DIGITS = 13
 const words = new DataView(new ArrayBuffer(8))
 
-/** A finite double as C's %a prints it: sign, 1.fraction (0.fraction for subnormals), exponent of two. */
+/** A finite double as C's %a prints it: sign, 1.fraction (0. for subnormals), exponent of 2. */
 export function hexadecimal(value: number): string {
   words.setFloat64(0, value)
   const bits = words.getBigUint64(0)

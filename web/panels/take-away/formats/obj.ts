@@ -1,4 +1,4 @@
-/** Wavefront OBJ: eight points and the six faces, seen from outside; the faces' corners are all that it can say of them. */
+/** Wavefront OBJ: eight points and the six faces, seen from outside; it has no curved faces. */
 import { decimalText, pointsOf, type Writer } from '../../../model/written-element'
 
 /** Counterclockwise from outside, in the order of the faces. */

@@ -1,4 +1,4 @@
-/** A NumPy array of 8×3; Python's float literals are read correctly rounded, so decimals are exact. */
+/** A NumPy array of 8×3; Python rounds float literals correctly, so decimals are exact. */
 import { decimalText, pointsOf, type Writer } from '../../../model/written-element'
 
 export const python: Writer = {

@@ -1,4 +1,4 @@
-/** What an element's vertices can be taken away as. */
+/** The formats in which an element's vertices can be taken away. */
 
 import type { Writer } from '../../../model/written-element'
 import { c } from './c'

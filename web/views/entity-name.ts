@@ -1,17 +1,17 @@
-/** What parts of the element are called on the page. */
+/** The names of entities on the page. */
 import { edgeName, faces } from '../model/hexahedron'
-import type { ElementPart } from '../model/state'
+import type { Entity } from '../model/state'
 
 /** "3", "0–1" or "−ζ". */
-export function partName({ kind, id }: ElementPart): string {
+export function entityName({ kind, id }: Entity): string {
   if (kind === 'vertex') return String(id)
   if (kind === 'edge') return edgeName(id)
   return faces[id]?.name ?? ''
 }
 
 /** "Vertex 3", "Edge 0–1" or "Face −ζ". */
-export function partTitle(part: ElementPart): string {
-  return `${part.kind[0]?.toUpperCase()}${part.kind.slice(1)} ${partName(part)}`
+export function entityTitle(entity: Entity): string {
+  return `${entity.kind[0]?.toUpperCase()}${entity.kind.slice(1)} ${entityName(entity)}`
 }
 
 /** "1", "1 and 2", "1, 2 and 3". */

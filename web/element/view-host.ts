@@ -1,86 +1,87 @@
 /**
- * What is seen of an element: the tree in its shadow root and the views in it. The views are made when the element is first seen, the
- * slow ones in later frames and piece by piece, and no two elements of a page make theirs in the same frame.
+ * The tree in an element's shadow root, and the views in it. The views are made when the element is
+ * first seen, the slow ones step by step in later frames, and no two elements of a page make theirs
+ * in the same frame.
  */
+import { html, render } from 'lit-html'
 import type { Cameras } from '../model/state'
 import type { Panel } from '../panels/panel'
 import { adoptStyles } from '../panels/style-sheets'
 import marks from '../scene/overlay/marks.css?inline'
 import said from '../views/said.css?inline'
-import type { Figure, FigureName, Frame, View, ViewHost } from '../views/view'
+import type { Figure, FigureName, Frame, View, ViewContext } from '../views/view'
 import css from './hex-lens.css?inline'
 import printing from './printing.css?inline'
-import { Turns } from './turns'
+import { UpdateQueue } from './update-queue'
 
-/** When an element last made views: all frames at one time are one frame of the page. */
+/** The time of the last frame that made views, of all elements on the page. */
 let madeAt = -1
 
-export class Show {
-  /** Around all that is the element's own. */
-  readonly lens = place('lens')
-  readonly #host: ViewHost
-  readonly #places = { head: place('head'), stage: place('stage'), panel: inner('panel'), folds: inner('folds') }
-  /** The poster, and what stands between the tags, until there is something better. */
-  readonly #before = place('before', 'fallback')
-  readonly #poster = document.createElement('img')
+/** Pages may style its parts. */
+const tree = html`<div class="element">
+  <div class="lens" part="lens">
+    <div class="head" part="head"></div>
+    <div class="stage" part="stage"></div>
+    <div class="side" part="panels"><div class="panel"></div><div class="folds"></div></div>
+  </div>
+  <div class="before" part="fallback"><img alt="" part="poster" hidden /><slot></slot></div>
+  <div class="caption" part="caption"><slot name="caption"></slot></div>
+</div>`
+
+export class ViewHost {
+  /** The box around all that is the element's own. */
+  readonly lens: HTMLElement
+  readonly #context: ViewContext
+  readonly #regions: Readonly<Record<Panel['region'], HTMLElement>>
+  /** The poster, and the content between the tags, until the views are made. */
+  readonly #before: HTMLElement
+  readonly #poster: HTMLImageElement
   #views: readonly View[] = []
-  /** Slow ones, which join the others in the next frame: to make and to draw them are a frame's work each. */
+  /** Slow views join the others in the next frame: making and drawing them take one each. */
   #made: readonly { readonly panel: Panel; readonly view: View }[] = []
   /** Panels to be made in the next frame, in the one after it, … */
   #unmade: readonly (readonly Panel[])[] = []
-  /** Of the panels that are next: whether what they need has been asked for. */
+  /** True if `prepare` of the panels that are next has been called. */
   #isPrepared = false
-  /** Whether the last frame had a number, or none will come: the slow ones wait for that. */
+  /** True if the last frame had a number, or none will come: slow views wait for that. */
   #isAnswered = false
-  #turns = new Turns()
+  #queue = new UpdateQueue()
 
-  constructor(shadow: ShadowRoot, host: ViewHost, panels: readonly Panel[]) {
-    this.#host = host
+  constructor(shadow: ShadowRoot, context: ViewContext, panels: readonly Panel[]) {
+    this.#context = context
     adoptStyles(shadow, [css, said, marks, ...panels.map(panel => panel.styles), printing])
-    const { head, stage, panel, folds } = this.#places
-    const frame = inner('frame')
-    const side = place('side', 'panels')
-    const caption = place('caption')
-    this.#poster.alt = ''
-    this.#poster.hidden = true
-    this.#poster.part.add('poster')
-    this.#before.append(this.#poster, document.createElement('slot'))
-    caption.append(Object.assign(document.createElement('slot'), { name: 'caption' }))
-    side.append(panel, folds)
-    this.lens.append(head, stage, side)
-    frame.append(this.lens, this.#before, caption)
-    shadow.append(frame)
+    render(tree, shadow)
+    const box = (name: string) => shadow.querySelector(`.${name}`) as HTMLElement
+    this.lens = box('lens')
+    this.#regions = { head: box('head'), stage: box('stage'), panel: box('panel'), folds: box('folds') }
+    this.#before = box('before')
+    this.#poster = shadow.querySelector('img') as HTMLImageElement
   }
 
-  /** Whether everything is made and up to date. */
+  /** True if everything is made and up to date. */
   get isComplete(): boolean {
-    return !this.isUnmade && !this.#turns.isWaiting && !this.#views.some(view => view.isLoading)
+    return !this.isUnmade && !this.#queue.isWaiting && !this.#views.some(view => view.isLoading)
   }
 
   get isUnmade(): boolean {
     return this.#unmade.length > 0 || this.#made.length > 0
   }
 
-  /** Whether a frame is due although nothing is new. */
+  /** True if a frame is due although nothing is new. */
   get isWaiting(): boolean {
     const isHeld = this.#views.length > 0 && !this.#isAnswered
-    return (this.isUnmade && !isHeld) || this.#turns.isWaiting
+    return (this.isUnmade && !isHeld) || this.#queue.isWaiting
   }
 
   begin(shown: readonly Panel[]): void {
     this.end()
     this.#unmade = [shown.filter(panel => !panel.prepare), shown.filter(panel => panel.prepare)]
-    const panels = shown.filter(panel => panel.place === 'panel' || panel.place === 'folds')
+    const panels = shown.filter(panel => panel.region === 'panel' || panel.region === 'folds')
+    const has = (region: Panel['region']) => shown.some(panel => panel.region === region)
     this.lens.classList.toggle('has-panel', panels.length > 0)
-    this.lens.classList.toggle(
-      'has-folds',
-      panels.some(panel => panel.place === 'folds'),
-    )
+    this.lens.classList.toggle('has-folds', has('folds'))
     this.lens.classList.toggle('has-line', panels.length === 1 && panels[0]?.name === 'verdict')
-    this.lens.classList.toggle(
-      'has-stage',
-      shown.some(panel => panel.place === 'stage'),
-    )
+    this.lens.classList.toggle('has-stage', has('stage'))
   }
 
   end(): void {
@@ -92,7 +93,7 @@ export class Show {
     this.#made = []
     this.#unmade = []
     this.#isPrepared = false
-    this.#turns = new Turns()
+    this.#queue = new UpdateQueue()
   }
 
   setPoster(address: string | null): void {
@@ -109,12 +110,12 @@ export class Show {
     }
   }
 
-  /** `isNews` says whether there is anything new since the last frame, `time` is the frame's. */
+  /** `isNews`: something is new since the last frame; `time` is the frame's. */
   draw(frame: Frame, isNews: boolean, time: number): void {
     const isMade = this.#make(frame, time)
-    for (const turn of this.#turns.due(this.#views, isNews || isMade, frame.state.gestureStart !== null)) {
+    for (const update of this.#queue.due(this.#views, isNews || isMade, frame.state.gestureStart !== null)) {
       try {
-        turn(frame)
+        update(frame)
       } catch (bug) {
         reportError(bug) // one view's bug must not take the others' numbers away
       }
@@ -130,7 +131,7 @@ export class Show {
     return this.#views.reduce<Figure | null>((found, view) => found ?? view.figure?.(name) ?? null, null)
   }
 
-  /** Makes what is due in this frame, unless another element has made its own in it. What is slow comes after the first number. */
+  /** Makes the views that are due, one element a frame; slow ones come after the first number. */
   #make({ report, problems }: Frame, time: number): boolean {
     const joins = this.#made.length > 0
     this.#join()
@@ -145,7 +146,7 @@ export class Show {
       this.#isPrepared = true
       return joins
     }
-    this.#made = due.map(panel => ({ panel, view: panel.create(this.#host) }))
+    this.#made = due.map(panel => ({ panel, view: panel.create(this.#context) }))
     this.#unmade = later
     if (!isSlow) this.#join()
     return joins || !isSlow
@@ -154,22 +155,9 @@ export class Show {
   #join(): void {
     for (const { panel, view } of this.#made) {
       view.root.part.add(panel.name)
-      this.#places[panel.place].append(view.root)
+      this.#regions[panel.region].append(view.root)
     }
     this.#views = [...this.#views, ...this.#made.map(({ view }) => view)]
     this.#made = []
   }
-}
-
-/** A box that pages may style as a part. */
-function place(name: string, part = name): HTMLElement {
-  const element = inner(name)
-  element.part.add(part)
-  return element
-}
-
-function inner(name: string): HTMLElement {
-  const element = document.createElement('div')
-  element.className = name
-  return element
 }

@@ -1,18 +1,24 @@
-/** A figure as a file: vectors over an embedded picture of the coloured faces, or pixels alone. */
-import type { Figure, PixelLayer } from '../../views/view'
+/**
+ * A figure as a file: vectors over an embedded picture of the coloured faces, or pixels alone. Both
+ * contain the vertices: dropped on an element they open them.
+ */
+import type { Vertices } from '../model/hexahedron'
+import { encodePermalink } from '../model/permalink'
+import { PNG_KEYWORD, withText } from '../model/png-text'
+import type { Figure, PixelLayer } from './view'
 
 /** CSS pixels around an SVG: marks on the border of a figure reach beyond it. */
 const MARGIN = 12
 
-/** An SVG document that needs nothing else. The permalink fragment is in its description. */
-export function figureSvg(figure: Figure, title: string, fragment: string): string {
+/** An SVG document that needs nothing else. */
+export function figureSvg(figure: Figure, vertices: Vertices, title: string): string {
   const [width, height] = [figure.width + 2 * MARGIN, figure.height + 2 * MARGIN]
   const box = `x="${-MARGIN}" y="${-MARGIN}" width="${width}" height="${height}"`
   const layers = figure.layers.map(layer => ('markup' in layer ? layer.markup : imageOf(layer)))
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="${-MARGIN} ${-MARGIN} ${width} ${height}">`,
     `<title>${escaped(title)}</title>`,
-    `<desc>${escaped(fragment)}</desc>`,
+    `<desc>${escaped(encodePermalink(vertices))}</desc>`,
     `<rect ${box} fill="${escaped(figure.background)}"/>`,
     ...layers,
     '</svg>',
@@ -20,8 +26,8 @@ export function figureSvg(figure: Figure, title: string, fragment: string): stri
   ].join('\n')
 }
 
-/** As many pixels as the figure's own canvas has, or twice its size. Rejects where the browser draws no SVG. */
-export async function figurePng(figure: Figure): Promise<Uint8Array> {
+/** At the resolution of the figure's canvas, or twice its size. Rejects without SVG. */
+export async function figurePng(figure: Figure, vertices: Vertices): Promise<Blob> {
   const pixels = figure.layers.find((layer): layer is PixelLayer => 'canvas' in layer)
   const ratio = pixels ? pixels.canvas.width / pixels.width : 2
   const canvas = document.createElement('canvas')
@@ -37,10 +43,11 @@ export async function figurePng(figure: Figure): Promise<Uint8Array> {
   }
   const blob = await new Promise<Blob | null>(resolve => canvas.toBlob(resolve, 'image/png'))
   if (blob === null) throw new Error('The browser made no picture.')
-  return new Uint8Array(await blob.arrayBuffer())
+  const bytes = new Uint8Array(await blob.arrayBuffer())
+  return new Blob([withText(bytes, PNG_KEYWORD, encodePermalink(vertices))], { type: 'image/png' })
 }
 
-/** Without pictures inside: some browsers draw an SVG before these have arrived. */
+/** The SVG has no pictures inside: some browsers draw it before these have arrived. */
 async function imageFrom({ width, height }: Figure, markup: string, ratio: number): Promise<HTMLImageElement> {
   const size = `width="${width * ratio}" height="${height * ratio}" viewBox="0 0 ${width} ${height}"`
   const text = `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${markup}</svg>`

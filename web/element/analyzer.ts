@@ -1,6 +1,7 @@
 /**
- * What the core says of a state. Each answer is computed when a frame first needs it and kept for as long as it is true; what takes long
- * is computed between gestures, and only while somebody looks at it.
+ * Asks the core about a state. A result is computed when a frame first needs it, and kept for as
+ * long as it is true. Slow ones are computed between gestures, and only while they are on the
+ * screen.
  */
 import type { Core, JacobianReport, Report } from '../core/report'
 import { type Surface, zeroSurface } from '../core/zero-surface'
@@ -9,24 +10,24 @@ import type { State } from '../model/state'
 import type { Inquiry, Panel } from '../panels/panel'
 import type { Frame } from '../views/view'
 
-/** Cells of the grid along each axis from which the surface jacdet = 0 is made, between gestures and in one. */
+/** Cells along each axis of the grid for the surface jacdet = 0, between gestures and in one. */
 const SURFACE_CELLS = 24
 const GESTURE_SURFACE_CELLS = 8
 
-type Answered = Pick<Frame, 'report' | 'zeroSurface' | 'probe' | 'answers'>
+type Analysis = Pick<Frame, 'report' | 'zeroSurface' | 'probe' | 'answers'>
 
-export class Answers {
-  /** Null while it is loading, or if it could not start: then there are no answers. */
+export class Analyzer {
+  /** The core is null while it is loading, or if it could not start: then there are no results. */
   core: Core | null = null
   readonly #onFailure: (message: string) => void
   #analyzed: { readonly vertices: Vertices; readonly report: Report } | null = null
   #zeroSurface: { readonly report: Report; readonly cells: number; readonly surface: Surface } | null = null
-  /** By the names of the panels that ask. */
+  /** Inquiries by the names of the panels that ask. */
   readonly #inquiries: readonly (readonly [string, Inquiry<unknown>])[]
 
   /**
-   * `onFailure` is told, in a sentence, of vertices that the core could not analyse; `onNews` when the answer to a panel's question,
-   * which may take long, has come further.
+   * `onFailure` gets a sentence about vertices that the core could not analyse; `onNews` is called
+   * when the slow answer to a panel's question has come further.
    */
   constructor(panels: readonly Panel[], onFailure: (message: string) => void, onNews: () => void) {
     this.#onFailure = onFailure
@@ -35,7 +36,7 @@ export class Answers {
     )
   }
 
-  /** Ends what is still being looked for. */
+  /** Ends searches that still run. */
   stop(): void {
     for (const [, inquiry] of this.#inquiries) inquiry.stop?.()
   }
@@ -51,7 +52,7 @@ export class Answers {
   }
 
   /** All that a frame says of a state. */
-  of(state: State): Answered {
+  analyze(state: State): Analysis {
     const report = this.report(state.vertices)
     return {
       report,
@@ -72,7 +73,7 @@ export class Answers {
     return result?.ok ? result.value : null
   }
 
-  /** Coarser while a gesture runs; what is already finer stays. */
+  /** A coarser surface while a gesture runs, unless a finer one is there. */
   #surfaced({ faceDisplay, gestureStart }: State, report: Report | null): Surface | null {
     if (faceDisplay !== 'inside' || report === null) return null
     const cells = gestureStart === null ? SURFACE_CELLS : GESTURE_SURFACE_CELLS

@@ -1,11 +1,11 @@
-/** The points or the twelve edges that a check looks at, while the pointer is on it: dots, or thick lines. */
+/** The points or the twelve edges that a check evaluates, while the pointer is on it: dots, or thick lines. */
 import { px, set, show, svg } from '../paint/svg'
 import { patchPoint, sectionCorners } from '../space/patches'
 import { verticesInWorld } from '../space/world'
 import type { OverlayPicture } from './overlay-picture'
 
-export class LookedAtMarks {
-  readonly root = svg('g', { class: 'looked-at' })
+export class SampleMarks {
+  readonly root = svg('g', { class: 'samples' })
   readonly #halo = svg('path', { class: 'halo' })
   readonly #line = svg('path', { class: 'line' })
 
@@ -15,15 +15,15 @@ export class LookedAtMarks {
 
   /** `edges` is the path of the twelve. */
   update({ state, world, camera }: OverlayPicture, edges: string): void {
-    const { lookedAt, vertices } = state
-    show(this.root, lookedAt !== null)
-    if (lookedAt === null) return
+    const { samples, vertices } = state
+    show(this.root, samples !== null)
+    if (samples === null) return
     const inWorld = verticesInWorld(world, vertices)
-    const dots = lookedAt.points
+    const dots = samples.points
       .map(([xi, eta, zeta]) => camera.project(patchPoint(sectionCorners(inWorld, { axis: 0, value: xi }), eta, zeta)))
       .filter(({ depth }) => depth > 0)
       .map(({ x, y }) => `M${px(x)} ${px(y)}h0`) // round ends make a dot of a line without a length
-    this.root.setAttribute('class', `looked-at ${lookedAt.edges ? '' : 'dots'}`)
-    for (const path of [this.#halo, this.#line]) set(path, { d: lookedAt.edges ? edges : dots.join('') })
+    this.root.setAttribute('class', `samples ${samples.edges ? '' : 'dots'}`)
+    for (const path of [this.#halo, this.#line]) set(path, { d: samples.edges ? edges : dots.join('') })
   }
 }
