@@ -12,7 +12,7 @@ const FOLDER = 'dist/animation'
 const SIZE = { width: 720, height: 460 }
 const STEPS = 22
 const FRAME_MS = 70
-/** How long the ends of the drag are to be seen. */
+/** Milliseconds for which the ends of the drag are seen. */
 const REST_MS = 1200
 /** Vertex 6 goes this far, as a part of its way to vertex 4 on the screen. */
 const DEPTH = 0.72
@@ -53,7 +53,7 @@ async function served(work) {
   }
 }
 
-/** There and back, a picture a step; resolves to their files and for how many milliseconds each is to be seen. */
+/** A picture for each step there and back; resolves to files and the milliseconds of each. */
 async function drag(address, folder) {
   const { chromium } = await import('@playwright/test')
   const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']

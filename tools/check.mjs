@@ -16,7 +16,7 @@ const importsCheck = [
   'web',
 ]
 
-/** Each resolves to the lines of complaint, none when all is well, and may print. */
+/** A check resolves to lines of complaint, none if all is well, and may print. */
 const checks = [
   {
     name: 'formatter and linter (biome)',
@@ -66,7 +66,7 @@ async function staleReference() {
   return names.length === 0 ? [] : [...names, 'These are not as the sources say: npm run reference']
 }
 
-/** Where a package comes from is the installing machine's affair. */
+/** The address of a package is the installing machine's affair. */
 async function addressesInLock() {
   const { packages } = JSON.parse(readFileSync(join(root, 'package-lock.json'), 'utf8'))
   const named = Object.keys(packages).filter(name => packages[name].resolved !== undefined)

@@ -1,5 +1,6 @@
-// What the sources say of the element and of its documents, for tools and for people: custom-elements.json and docs/element.md from
-// web/element/interface.json, docs/*.schema.json from the readers. --check: complains of the files that are not as they would be written.
+// The reference of the element and of its documents, for tools and for people: custom-elements.json
+// and docs/element.md from web/element/interface.json, docs/*.schema.json from the readers.
+// --check: complains of the files that are not as they would be written.
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -41,7 +42,7 @@ async function schemas() {
 
 const json = value => `${JSON.stringify(value, null, 2)}\n`
 
-/** As https://github.com/webcomponents/custom-elements-manifest has it, version 2.1.0. */
+/** A manifest of version 2.1.0: https://github.com/webcomponents/custom-elements-manifest. */
 function manifest(element) {
   const described = ({ name, text, default: value }) => ({
     name,

@@ -30,10 +30,10 @@ const idle = [
   'textures/Texture',
 ]
 
-/** What stands for a module of three/src: as much of it as WebGLRenderer calls when it draws a RawShaderMaterial. */
+/** Stand-ins for modules of three/src: all that WebGLRenderer needs for a RawShaderMaterial. */
 const standIns = {
   ...Object.fromEntries(idle.map(name => [`${name}.js`, `export class ${basename(name)} {}`])),
-  // What is drawn here is never culled: its vertices are where the shader puts them.
+  // The faces are never culled: their vertices are where the shader puts them.
   'math/Frustum.js': `
     export class Frustum {
       setFromProjectionMatrix() { return this }
@@ -147,7 +147,7 @@ export const leanThree = {
     const missing = Object.keys(standIns).filter(name => !existsSync(join(source, name)))
     if (missing.length > 0) throw new Failure(`This three.js has no ${missing.join(', ')}: mend tools/lean-three.mjs.`)
   },
-  /** By its sources: the file that three.js is published as is one piece. */
+  /** The sources of three.js: its published file cannot be taken apart. */
   resolveId(id) {
     return id === 'three' ? join(source, 'Three.js') : null
   },

@@ -22,7 +22,7 @@ const insideOneFile = {
     if (WASM.test(id) || id === BATCH_WORKER) return id
     return null
   },
-  /** What is loaded on demand is there already: as plain imports the modules share one scope, which is smaller. */
+  /** Modules that the page loads on demand are imported: they share one scope, which is smaller. */
   transform(code, id) {
     if (!id.startsWith(source('')) || !code.includes('import(')) return null
     const hoisted = []
@@ -71,7 +71,7 @@ const modestLit = {
   },
 }
 
-/** As pages without a bundler name it in their import maps. */
+/** The name of three.js in the import maps of pages without a bundler. */
 const threeOutside = {
   name: 'hexlens-three-outside',
   enforce: 'pre',
@@ -90,7 +90,7 @@ const nodeOutside = {
 
 const ours = path => join(root, 'web', 'package', path)
 
-/** In no module format: a page starts it as it likes, Node as text. */
+/** The worker has no module format: a page starts it as it likes, Node as text. */
 const batchWorker = {
   file: 'hexlens.batch-worker.js',
   format: 'iife',
@@ -99,8 +99,9 @@ const batchWorker = {
 }
 
 /**
- * In no module format. A page may start a worker from its own origin alone: from elsewhere, and from file://, it loads this as a script,
- * which then gives itself to the page as a function.
+ * The worker has no module format. A page may start a worker from its own origin alone: from
+ * elsewhere, and from file://, it loads this as a script, which then gives itself to the page as a
+ * function.
  */
 const meshWorker = {
   file: 'hexlens.mesh-worker.js',
@@ -147,7 +148,7 @@ export async function buildScripts(outDir) {
   for (const bundle of bundles) await bundleOneFile(bundle, outDir)
 }
 
-/** Of what the scripts hold: each wants its notice kept. */
+/** Licences of all that the scripts hold: each wants its notice kept. */
 function licences() {
   const parts = [
     ['Hexlens', 'LICENSE'],
@@ -162,7 +163,7 @@ async function bundleOneFile(bundle, outDir) {
   await build(configOf(bundle, { outDir, emptyOutDir: false }))
 }
 
-/** Its text. */
+/** The text of a bundle. */
 async function scriptOf(bundle) {
   const { build } = await import('vite')
   const [{ output }] = await build(configOf(bundle, { write: false }))

@@ -18,7 +18,7 @@ const head = `
     <link rel="icon" href="/favicon.svg" type="image/svg+xml" />
     <link rel="preload" href="../../build/hexlens.wasm" as="fetch" type="application/wasm" crossorigin />`
 
-/** What is in the lens until its script has come. */
+/** The lens's content until its script has come. */
 const words = `
         <p class="late">
           Hexlens could not start: its script did not arrive or this browser is too old to run it. Reloading may help.

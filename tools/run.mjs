@@ -80,7 +80,7 @@ export async function must(command, args, advice, options) {
   return result
 }
 
-/** What is printed of a failed command: its name, the ends of its output, what to do. */
+/** The message for a failed command: its name, the ends of its output, what to do. */
 export function failedCommand(command, { status, text }, advice) {
   const lines = text.trim().split('\n')
   const shown = lines.length > 30 ? [...lines.slice(0, 10), '[...]', ...lines.slice(-20)] : lines

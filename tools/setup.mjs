@@ -16,7 +16,7 @@ const EMSDK_VERSION = '4.0.10'
 const EMSDK_SOURCE = 'https://github.com/emscripten-core/emsdk.git'
 const EMSDK_FOLDER = join(root, '.emsdk')
 
-/** What a setup can be for: to build and serve; formatter, linter and C warnings; benchmarks; all tests. */
+/** Purposes of a setup: build and serve; formatter, linter, C warnings; benchmarks; all tests. */
 const PURPOSES = ['start', 'check', 'bench', 'unit', 'test']
 
 const steps = [
@@ -83,7 +83,7 @@ function refuseNode() {
 
 const packagesStampFile = join(root, 'node_modules', '.hexlens-stamp')
 
-/** What the installed packages depend on: another lock file or another machine's binaries need another install. */
+/** The key of the installed packages: another lock file or machine needs another install. */
 function packagesStamp() {
   const lock = readFileSync(join(root, 'package-lock.json'))
   return `${createHash('sha256').update(lock).digest('hex')} ${process.platform} ${process.arch}\n`
@@ -150,7 +150,7 @@ async function installEmcc(say) {
   throw new Failure('emcc was installed but cannot be found. Put emcc on PATH or set EMSDK, then repeat.')
 }
 
-/** Of binaryen: the SDK has its own, Debian's emscripten depends on it. */
+/** Finds binaryen's wasm2js: the SDK has its own, Debian's emscripten depends on it. */
 function findWasm2js(emcc) {
   return executable(join(dirname(emcc.path), '..', 'bin', 'wasm2js')) ?? onPath('wasm2js')
 }
@@ -185,12 +185,12 @@ async function installEmsdk(say) {
   }
 }
 
-/** By linking a program: being there is not enough, for libFuzzer and the sanitizers are packages of their own. */
+/** Links a program: libFuzzer and the sanitizers are packages of their own. */
 async function clangLinksFuzzer() {
   return (await run('make', ['-C', 'wasm', '-s', 'fuzz-compiler'])).status === 0
 }
 
-/** Where the names are not Debian's. */
+/** Packages whose names are not Debian's. */
 const FUZZER_PACKAGES = {
   dnf: ['clang', 'compiler-rt'],
   pacman: ['clang', 'compiler-rt'],
@@ -242,7 +242,7 @@ async function installHosts(say) {
   say('installing the Python packages of tests/package/requirements.txt into build/hosts')
   rmSync(hosts, { recursive: true, force: true })
   const venv = ['-m', 'venv', hosts]
-  // On Debian it is a package of its own.
+  // Debian has venv in a package of its own.
   if ((await run('python3', venv)).status !== 0) {
     await installDebianPackages(say, 'python3 -m venv', ['python3-venv'])
     await must('python3', venv, 'Install what python3 needs to make a virtual environment, then repeat.')
@@ -271,7 +271,7 @@ async function installChromium(say) {
   throw new Failure(`Playwright's Chromium does not start here: it lacks libraries. ${installAdvice(['chromium'])}`)
 }
 
-/** Where systems put DejaVu; tests/visual/fonts.conf has the same. */
+/** Folders in which systems put DejaVu; tests/visual/fonts.conf has the same. */
 const FONT_FOLDERS = ['/usr/share/fonts/truetype/dejavu', '/usr/share/fonts/TTF', '/usr/share/fonts/dejavu']
 const VISUAL_FONTS = ['DejaVuSans.ttf', 'DejaVuSans-Bold.ttf', 'DejaVuSansMono.ttf', 'DejaVuMathTeXGyre.ttf']
 

@@ -1,4 +1,4 @@
-// What the page makes a browser load before it is live, the one-file widget, batches and what reads meshes, against the budgets of the design.
+// Sizes against their budgets: the page until it is live, the one-file widget, batches, reading.
 
 import { readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
@@ -7,7 +7,7 @@ import { buildPage } from './build.mjs'
 import { buildScripts } from './package.mjs'
 import { root } from './run.mjs'
 
-/** In bytes after gzip. */
+/** Bytes after gzip. */
 const BUDGETS = {
   wasm: 24_000,
   firstLoad: 230_000,
@@ -17,7 +17,7 @@ const BUDGETS = {
   meshWorker: 230_000,
 }
 
-/** With their budgets. */
+/** Scripts and their budgets. */
 const SCRIPTS = {
   'hexlens.es.js': BUDGETS.widget,
   'hexlens.iife.js': BUDGETS.widget,

@@ -33,7 +33,7 @@ await runMain(async () => {
     for (const stage of stages) {
       const suites = stage.filter(({ long }) => !(fast && long))
       const runs = suites.map(suite => suite.run({ fast }))
-      // What the browser tests need besides is installed while the others run.
+      // The browsers are installed while the other tests run.
       const [outcomes] = await Promise.all([Promise.all(runs), fast || setup({ purpose: 'test' })])
       for (const [i, result] of outcomes.entries()) {
         lines.push(`${suites[i].name}: ${sentence(result)}${result.detail ? ` (${result.detail})` : ''}`)
@@ -60,7 +60,7 @@ function readArguments() {
   }
 }
 
-/** Those of runs that are over: runs side by side leave each other alone. */
+/** Removes results of runs that are over: runs side by side leave each other alone. */
 function removeOldResults() {
   for (const id of readdirSync(allResults).map(Number)) {
     if (id && !isAlive(id)) rmSync(join(allResults, String(id)), { recursive: true, force: true })
@@ -81,7 +81,7 @@ function judged(result, status) {
   return result.failed === 0 && (status !== 0 || ranNone) ? { ...result, failed: 1 } : result
 }
 
-/** What both the native and the unit tests need: two makes side by side would write the same files. */
+/** The native and the unit tests need it: two makes side by side would write the same files. */
 async function buildNativeLibrary() {
   const { status, text } = await run('make', ['-s', '-C', 'wasm', 'native', 'parity', 'library'])
   if (status !== 0) throw new Failure(`The native library was not built.\n${text}`)

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* How often a law is tried. Under the sanitizers, which take four times as long, a quarter: it reaches nearly all the same branches. */
+/* Trials of a law: a quarter under the sanitizers, which take four times as long. */
 #ifdef SANITIZED
 enum { SHARE = 4 };
 #else

@@ -19,7 +19,7 @@ typedef struct fuzz_input {
   uint8_t shapes[16]; /* pairs of a shape and its argument */
 } fuzz_input;
 
-/* What every law sees, and what is printed when one is broken. */
+/* The element and the point that every law sees; both are printed if one is broken. */
 static double element[HL_COORDINATES], place[3];
 static int unit_exponent; /* scaled units of jacdet are 2^unit_exponent */
 
@@ -112,7 +112,7 @@ static void between(const double *from, const double *to, double t, double *x) {
   for (int i = 0; i < 24; ++i) x[i] = (1 - t) * from[i] + t * to[i];
 }
 
-/* On the way from the cube to the element, where the certain verdict ends: the last valid one or the first that is not. */
+/* The last valid or the first invalid element on the way from the cube to the element. */
 static void move_to_border(double *x, unsigned argument) {
   double to[24], low = 0, high = 1;
   memcpy(to, x, sizeof to);
@@ -333,7 +333,7 @@ static void face_is_consistent(const hl_report *report, int f) {
       LAW(report->candidates[i].value >= face->lower_bound, "face %d: candidate below its bound", f);
 }
 
-/* On the boundary, and inside of a valid element, beyond the error the minimum comes with. */
+/* No point of the boundary, or of a valid element, is below the minimum less its error. */
 static void nothing_is_below_the_minimum(const hl_report *report, const double inside[3]) {
   double minimum = in_scaled_units(report->minimizer.value, report->exponent);
   double least = minimum - in_scaled_units(report->minimum_error, report->exponent) - jacobian_error;
@@ -464,7 +464,7 @@ static void integers_say_the_same(const hl_report *report, const double inside[3
   checks_are_what_they_say(&exact);
   volume_minimum_is_bracketed(&exact, inside, jacobian_error);
   if (report->is_exact) return;
-  /* In a unit that both exponents are near to. */
+  /* A unit that both exponents are near to. */
   double one = ldexp(report->minimizer.value, report->exponent - unit_exponent),
          two = ldexp(exact.minimizer.value, exact.exponent - unit_exponent),
          error = ldexp(report->minimum_error, report->exponent - unit_exponent);
@@ -501,7 +501,7 @@ static void class_and_volume_fit(const hl_report *report) {
   LAW((verdict == HL_VALID) == (c == HL_CLASS_INVERTED), "class %d, mirrored %d", (int)c, (int)verdict);
 }
 
-/* By its definition, from the boundary minimum; its error is that of one division of rounded numbers. */
+/* The definition, from the boundary minimum, up to one division of rounded numbers. */
 static void relative_minimum_is_the_quotient(const hl_report *report) {
   hl_minimum minimum;
   hl_boundary_minimum(element, HL_ROOTS_B, &minimum);

@@ -16,7 +16,7 @@ static inline uint64_t random_bits(random_stream *stream) {
   return z ^ z >> 31;
 }
 
-/* In [0,1). */
+/* A number in [0,1). */
 static inline double random_unit(random_stream *stream) { return (double)(random_bits(stream) >> 11) * 0x1p-53; }
 
 static inline double random_normal(random_stream *stream) {

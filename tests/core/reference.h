@@ -53,7 +53,7 @@ static inline double value_error(const double vertices[24]) {
   return (215 + 4 * 3 * 18) * UNIT_ROUNDOFF * 8 * edge_product(vertices);
 }
 
-/* What must hold of every report of an element whose exponent is 0. */
+/* Laws of every report whose exponent is 0. */
 static inline void check_report(const double vertices[24], const hl_report *report, const char *what, long number) {
   double error = value_error(vertices);
   CHECK(report->exponent == 0, "%s %ld: exponent %d", what, number, report->exponent);

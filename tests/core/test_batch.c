@@ -274,7 +274,7 @@ static void check_counts(const char *name, unsigned lists, const hl_batch *batch
             batch->invalid == counts[HL_INVALID] && batch->first_unanswered == first,
         "%s, lists %x: %zu valid, %zu invalid, %zu unanswered from %zu on", name, lists, batch->valid, batch->invalid,
         batch->unanswered, batch->first_unanswered);
-  /* What is invalid at sight is not asked whether doubles would have said so, unless the list wants to know. */
+  /* An element that is invalid at sight is not tried in doubles, unless the list wants to know. */
   if (asks_for_minima(lists) || has(lists, IS_EXACT))
     CHECK(batch->exact == exact, "%s, lists %x: %zu exact, alone %zu", name, lists, batch->exact, exact);
   else CHECK(batch->exact <= exact, "%s, lists %x: %zu exact, alone %zu", name, lists, batch->exact, exact);

@@ -197,7 +197,7 @@ static void corners_that_are_zero(void) {
 
 static int64_t smaller_of(int64_t a, int64_t b) { return a < b ? a : b; }
 
-/* Of a well with e = 0. */
+/* The least value on the edges of a well with e = 0. */
 static int64_t least_on_edges(const well *x) {
   return smaller_of(x->a * smaller_of(x->p * x->p, (x->q - x->p) * (x->q - x->p)),
                     x->c * smaller_of(x->u * x->u, (x->r - x->u) * (x->r - x->u)));
@@ -245,7 +245,7 @@ static void searches_end_where_the_floor_is_the_minimum(void) {
   }
 }
 
-/* Also where the place is hidden by what is 2^-80 of the largest coefficient, and where the roots of the doubles are elsewhere. */
+/* The point may be hidden at 2^-80 of the largest coefficient, or not be near a double's root. */
 static void places_of_touching_are_found(void) {
   for (long n = 0; n < TIMES(2000); ++n) {
     workspace w = whole_workspace();

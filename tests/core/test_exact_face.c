@@ -2,7 +2,7 @@
 #include "../../wasm/src/exact_face.h"
 #include "check.h"
 
-/* As much as the least memory of exact.c. */
+/* The least memory of exact.c. */
 enum { LITTLE = 5000 };
 
 /* Bernstein coefficients of (3x - 1)^2. */

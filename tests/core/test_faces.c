@@ -174,7 +174,7 @@ static void tiny_faces_scale_exactly(void) {
   CHECK(kept > TIMES(300), "only %ld roots were kept", kept);
 }
 
-/* What the minimum query asks before it solves a face: never no for one with a value below the bound, however little. */
+/* The minimum query's test of a face: never no for one with a value below the bound. */
 static void faces_that_are_lower_are_not_passed_over(void) {
   static const int edges_of[6][4] = {{3, 7, 8, 10},  {1, 5, 9, 11}, {0, 4, 8, 9},
                                      {2, 6, 10, 11}, {0, 1, 2, 3},  {4, 5, 6, 7}};

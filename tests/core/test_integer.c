@@ -16,7 +16,7 @@ static random_stream stream = {20261001};
 
 static workspace whole_workspace(void) { return (workspace){.limbs = limbs, .capacity = CAPACITY}; }
 
-/* Of up to so many bits, of either sign, often with few bits or with runs of zeros and ones. */
+/* An integer of up to so many bits, of either sign, often with few or runs of them set. */
 static integer random_integer(workspace *w, int most_bits) {
   integer x = zero;
   for (int bits = (int)(random_bits(&stream) % (unsigned)(most_bits + 1)); bits > 0; bits -= 31) {
@@ -132,7 +132,7 @@ static void doubles_are_integers_times_powers_of_two(void) {
 /* The integer m with mantissa = m / 2^53, and the neighbours in the binade. */
 static integer mantissa_bits(workspace *w, scaled_double x) { return integer_of(w, (int64_t)ldexp(x.mantissa, 53)); }
 
-/* Whether numerator / denominator is at most half a unit from x, and at half of one x is even: exactly, by
+/* numerator / denominator is at most half a unit from x, and at half of one x is even: exactly, by
    2 |numerator 2^53 - m 2^e denominator| <= 2^e denominator. The binade's lower end has a nearer neighbour below. */
 static void check_nearest(workspace *w, integer numerator, integer denominator, scaled_double x, long n) {
   const double size = fabs(x.mantissa);

@@ -9,7 +9,7 @@ enum { HEXAHEDRA = 3000, SAMPLES = 50 };
 
 static random_stream stream = {20260506};
 
-/* What 2.25 times the coefficients' errors and the bound's own roundings come to: docs/algorithm.md (K4), with (8) in true units. */
+/* 2.25 times the coefficients' errors, and the bound's roundings: (K4), with (8) in true units. */
 static double bound_error(const double vertices[24]) {
   return (2.25 * 500 + 32 * 18) * UNIT_ROUNDOFF * 8 * edge_product(vertices);
 }
@@ -44,7 +44,7 @@ static long double least_of(quadratic q) {
   return at > 0 && at < 1 ? fminl(least, q.c + at * (q.b + at * q.a)) : least;
 }
 
-/* Where the tangents meet, and the ends, twice: there the quadratic itself counts, too. */
+/* Points where the tangents meet, and the ends, twice: there the quadratic itself counts, too. */
 static int values_below(quadratic q, int tangents, long double values[11]) {
   int count = 0;
   values[count++] = q.c;
@@ -88,7 +88,7 @@ static long double plain_bound(const double vertices[24], int tangents) {
   return best;
 }
 
-/* What is not certainly positive is at most 0. */
+/* A value that is not certainly positive is at most 0. */
 static void check_against_plain(const double vertices[24], int tangents, long number) {
   double value = bound_of(vertices, tangents), error = bound_error(vertices);
   long double plain = plain_bound(vertices, tangents);
@@ -116,7 +116,7 @@ static void is_below_jacdet_and_certain(void) {
       double value = bound_of(vertices, tangents);
       CHECK(value <= report.volume_minimum.upper + error, "%ld: %.17g is no bound", n, value);
       if (report.verdict == HL_INVALID) CHECK(!(value > 0), "%ld: certifies an invalid element", n);
-      /* Between each two tangents another. */
+      /* Another tangent between each two. */
       if (tangents > 1 && 2 * tangents - 1 <= 8)
         CHECK(bound_of(vertices, 2 * tangents - 1) >= value - error, "%ld: more tangents, a lower bound", n);
     }
@@ -128,7 +128,7 @@ static void is_below_jacdet_and_certain(void) {
   }
 }
 
-/* Within a few ulps of an element whose least jacdet is exactly 0, on an edge and on a face. */
+/* Elements a few ulps from one whose least jacdet is exactly 0, on an edge and on a face. */
 static void is_certain_at_the_border(void) {
   for (long n = 0; n < HEXAHEDRA; ++n) {
     double vertices[24];

@@ -29,7 +29,7 @@ static void indices_are_sums_of_strides(void) {
         const int index = bernstein_index(i, j, k), ones = (i == 1) + (j == 1) + (k == 1);
         CHECK(index == i * axis_stride[0] + j * axis_stride[1] + k * axis_stride[2], "index of %d%d%d", i, j, k);
         CHECK(axis_digit(index, 0) == i && axis_digit(index, 1) == j && axis_digit(index, 2) == k, "%d", index);
-        CHECK(bernstein_part[index] == (ones == 3 ? 1 : 1.0 / (1 << ones)), "part of %d", index);
+        CHECK(bernstein_factor[index] == (ones == 3 ? 1 : 1.0 / (1 << ones)), "part of %d", index);
       }
 }
 

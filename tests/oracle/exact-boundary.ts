@@ -4,8 +4,8 @@
  */
 import { exactBoundaryMinimum } from '../../web/core/exact/exact-numbers'
 import { exactBoundarySign } from '../../web/core/exact/exact-sign'
-import { isAtMost, negated, type Rational, scaledDouble, sumOf } from '../../web/model/condition/enclosure'
 import type { Vertices } from '../../web/model/hexahedron'
+import { isAtMost, negated, type Rational, scaledDouble, sumOf } from '../../web/model/rational'
 
 export interface Minimum {
   /** value * 2^exponent. */
@@ -17,7 +17,7 @@ export interface Minimum {
 
 export interface Oracle {
   readonly valid: boolean
-  /** What is wrong with a minimum, in a sentence; null if nothing is. */
+  /** The mistake in a minimum, in a sentence; null if there is none. */
   mistakeIn(minimum: Minimum): string | null
 }
 

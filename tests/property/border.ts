@@ -28,7 +28,7 @@ export function isValid(vertices: Vertices): boolean {
   return result.value
 }
 
-/** Parts of the hexahedron that move along the segment: everything, one vertex, one coordinate. */
+/** The coordinates that move along the segment: all, one vertex's, one. */
 export type Mover = 'all' | 'vertex' | 'coordinate'
 
 interface Segment {

@@ -3,8 +3,8 @@
  * certificate is an argument with nothing left to find, so this is a list of signs.
  */
 import type { Certificate } from '../../web/core/exact/certificate'
-import type { Rational } from '../../web/core/exact/rational'
 import type { Vertices } from '../../web/model/hexahedron'
+import type { Rational } from '../../web/model/rational'
 import {
   endsArePositive,
   type FaceParabolas,
@@ -20,7 +20,7 @@ import {
 type Point = readonly [Rational, Rational, Rational]
 type Interval = Extract<Certificate, { valid: true }>['faces'][number][number]
 
-/** The certificate's flaw, or null: then the hexahedron is as valid as it says. */
+/** The flaw of the certificate; null if the hexahedron is as valid as the certificate says. */
 export function flawOf(certificate: Certificate, vertices: Vertices): string | null {
   const hex = integerHexahedron(vertices)
   if (!certificate.valid) return flawOfPoint(hex, certificate.point, certificate.jacdet)

@@ -83,7 +83,7 @@ export function jacdetAt({ edges }: IntegerHexahedron, point: readonly Fraction[
   return determinant(...columns)
 }
 
-/** Times 4, at the nine points of {0, 1/2, 1}^2 `[3 * m + n]`. */
+/** Columns, times 4, at the nine points of {0, 1/2, 1}^2 `[3 * m + n]`. */
 function columnsAtHalves(edges: readonly Vector[]): Vector[] {
   const [e00, e01, e10, e11] = edges as [Vector, Vector, Vector, Vector]
   const four = (e: Vector): Vector => [e[0] << 2n, e[1] << 2n, e[2] << 2n]
@@ -97,7 +97,7 @@ function columnsAtHalves(edges: readonly Vector[]): Vector[] {
   ].flat()
 }
 
-/** jacdetAtHalves times 2 to this, and to the hexahedron's own exponent, is jacdet. */
+/** Power of two of jacdetAtHalves, on top of the hexahedron's own. */
 export const HALVES_EXPONENT = -6
 
 /** 64 times jacdet of the integer hexahedron at the 26 boundary points of {0, 1/2, 1}^3, `[9 * i + 3 * j + k]`; 0 for the centre. */
@@ -153,7 +153,7 @@ export function faceParabolas(atHalves: readonly bigint[], face: number): FacePa
   }
 }
 
-/** Coefficients on [from, to] / denominator, times its square: the quadratic's polar form. */
+/** The face on [from, to] / denominator, times its square: the quadratic's polar form. */
 export function restricted({ start, middle, end }: FaceParabolas, from: bigint, to: bigint, denominator: bigint) {
   const [m, n] = [denominator - from, denominator - to]
   const weights = [
@@ -165,7 +165,7 @@ export function restricted({ start, middle, end }: FaceParabolas, from: bigint, 
   return { start: on(start), middle: on(middle), end: on(end) }
 }
 
-/** Times 2^bits: as large integers leave room for finer bounds. */
+/** The face times 2^bits: large integers leave room for finer bounds. */
 export function shifted({ start, middle, end }: FaceParabolas, bits: number): FaceParabolas {
   const up = ([x, y, z]: Quadratic): Quadratic => [x << BigInt(bits), y << BigInt(bits), z << BigInt(bits)]
   return { start: up(start), middle: up(middle), end: up(end) }

@@ -41,7 +41,7 @@ const FINER = 160
  */
 const ROUNDED_POINT_BITS = 101n
 
-/** The bisection looks this far below a bound, which may be attained, in bits of the greatest. */
+/** Bits by which the bisection lowers a bound that may be attained, beside the greatest value. */
 const HAIR_BITS = 120n
 
 /** jacdet at a point of doubles as a dyadic in true units. */
@@ -78,8 +78,7 @@ function greatest(values: readonly bigint[]): bigint {
 
 function expectMinimumProved(report: Report): void {
   expect(numbersIn(report).filter(value => !Number.isFinite(value))).toEqual([])
-  // Checks of values alone accept every valid element; bounds, and subdivision that gives up, need
-  // not.
+  // Checks of values accept every valid element; bounds, and subdivision that gives up, need not.
   if (report.valid) expect(report.checks.filter(({ id, passes }) => !passes && !BY_BOUNDS.has(id))).toEqual([])
   const hex = integerHexahedron(report.vertices)
   const atHalves = jacdetAtHalves(hex)
@@ -116,7 +115,7 @@ function sampled(drawn: readonly (readonly number[])[]): Vec3[] {
   })
 }
 
-/** A report's bound inside is never above jacdet, and its point keeps the promise. */
+/** The minimum inside is never above jacdet anywhere, and its point keeps the promise. */
 function expectVolumeBracketed(report: Report, points: readonly Vec3[]): void {
   const hex = integerHexahedron(report.vertices)
   const { volumeMinimum, bernstein } = report

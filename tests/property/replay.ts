@@ -1,5 +1,5 @@
 /**
- * Runs every property here from one seed, which HEXLENS_SEED overrides, as in
+ * Every property here is run from one seed, which HEXLENS_SEED overrides, as in
  *     HEXLENS_SEED=7 npx vitest run tests/property
  * A failure prints fast-check's seed and path, and the doubles themselves; `replayed(runs, path)` with both goes there at once.
  */

@@ -105,10 +105,12 @@ function cells(): number[][] {
 const U = 2 ** -53
 
 /**
- * A bound for the error of Verdict's number and ours. In units of the diagonal a point is off by 2u (less the mean, over the diagonal, each
- * rounded), an edge by 5u, the sum of four, with seven roundings of sums of at most 4, by 8 * 2u + 28u = 44u. That over the
- * length, once for the determinant, once for the length, in each of three columns; 8.1u times the permanent, at most 3^1.5
- * products of lengths, (8R); 6u for lengths, root and quotient. As much again for ours, whose edges are rounded once.
+ * Error bounds of Verdict's number and of ours. In units of the diagonal a point is off by 2u (less
+ * the mean, over the diagonal, each rounded), an edge by 5u, the sum of four, with seven roundings
+ * of sums of at most 4, by 8 * 2u + 28u = 44u. That over the length, once for the determinant, once
+ * for the length, in each of three columns; 8.1u times the permanent, at most 3^1.5 products of
+ * lengths, (8R); 6u for lengths, root and quotient. As much again for ours, whose edges are rounded
+ * once.
  */
 function tolerance(vertices: Vertices): number {
   const box = [0, 1, 2].map(axis => {

@@ -1,4 +1,4 @@
-/** Progress in challenges, in storages that keep, refuse, or hold foreign entries. */
+/** Progress of the challenges in storages that keep, refuse, or hold other entries. */
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { parseCondition } from '../../web/model/condition'
 import { type Challenge, readChallenge } from '../../web/pages/challenges/challenge'
@@ -9,7 +9,7 @@ import { core, unitCube } from './core-fixtures'
 
 const KEY = 'hexlens-challenges'
 
-/** A storage like a browser's, with the entries given. */
+/** A browser's storage with the entries given. */
 function storage(entries: Readonly<Record<string, string>> = {}, refuses: readonly string[] = []) {
   const kept = new Map(Object.entries(entries))
   const unlessRefused = <T>(what: string, run: () => T): T => {

@@ -16,7 +16,7 @@ import {
   readChallenge,
   readChallengeText,
 } from '../../web/pages/challenges/challenge'
-import { challengeFragment, readChallengePlace } from '../../web/pages/challenges/challenge-link'
+import { challengeFragment, readChallengeAddress } from '../../web/pages/challenges/challenge-link'
 import { challenges, type NamedChallenge } from '../../web/pages/challenges/challenges'
 import { caseVertices, core, unitCube } from './core-fixtures'
 
@@ -158,7 +158,7 @@ describe('the address of a challenge', () => {
   const json = JSON.stringify({ ...document, title: 'Är & # % = “x”' })
 
   it('comes back bit for bit', () => {
-    for (const place of [
+    for (const address of [
       { kind: 'list' },
       { kind: 'write' },
       { kind: 'challenge', id: 'one-vertex', vertices: null },
@@ -166,9 +166,9 @@ describe('the address of a challenge', () => {
       { kind: 'own', json, vertices: null },
       { kind: 'own', json, vertices: awkward },
     ] as const) {
-      const fragment = challengeFragment(place)
+      const fragment = challengeFragment(address)
       expect(fragment).toMatch(/^[\w\-.!~*'()%=&,]*$/)
-      expect(readChallengePlace(`#${fragment}`)).toEqual({ ok: true, value: place })
+      expect(readChallengeAddress(`#${fragment}`)).toEqual({ ok: true, value: address })
     }
   })
 
@@ -179,7 +179,7 @@ describe('the address of a challenge', () => {
     ['#challenge=one-vertex&v=1&vertices=1,2', 'The link holds 2 numbers where 24 are needed.'],
     ['#challenge=one-vertex&v=2&vertices=1', 'The link is of version “2”, which is not known here.'],
   ])('%s is refused in a sentence', (fragment, message) => {
-    expect(readChallengePlace(fragment)).toEqual({ ok: false, message })
+    expect(readChallengeAddress(fragment)).toEqual({ ok: false, error: message })
   })
 })
 

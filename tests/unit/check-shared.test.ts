@@ -52,7 +52,7 @@ async function check(path: string): Promise<Checked> {
   return { status, file: JSON.parse(output).files[0] }
 }
 
-/** Collects the flaws of each file by its name; fails if there is any. */
+/** Fails with the complaints about the files, by name, if there are any. */
 async function expectNone<T extends { readonly file: string }>(
   files: readonly T[],
   problemOf: (one: T) => Promise<string | null>,
@@ -128,7 +128,7 @@ it('made', async () => {
   })
 })
 
-/** Numbers by file: hexahedra, valid, not trilinear, valid by corners. */
+/** Counts by file: hexahedra, valid, not trilinear, valid by corners. */
 const REAL: Readonly<Record<string, readonly [number, number, number, number]>> = {
   'matrix_fiber_rand.vtk': [603, 506, 0, 0],
   'rockerarm.mesh': [10_600, 10_600, 0, 0],

@@ -1,4 +1,4 @@
-/** The report on a mesh, from its answers alone. */
+/** The words about a mesh, from its answers alone. */
 import { describe, expect, it } from 'vitest'
 import { exitOf, gravestExit } from '../../web/mesh/check'
 import { coincidentCells } from '../../web/mesh/coincident'

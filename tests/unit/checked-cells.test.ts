@@ -11,7 +11,7 @@ import { unitCube } from './core-fixtures'
 import { textFile } from './mesh-expectations'
 import { checked, flat, invalidCorner, meshOf, mirroredCube, mshText, notFinite, voxelOrder } from './mesh-fixtures'
 
-/** The list of cells, its columns sent as a worker sends them. */
+/** The list with its columns sent as a worker sends them. */
 async function listOf(mesh: Mesh): Promise<CheckedCells> {
   const columns = columnsOf(await checked(structuredClone(mesh), { worst: Infinity }))
   return new CheckedCells(structuredClone(columns, { transfer: memoryOf(columns) }))
@@ -34,7 +34,7 @@ describe('the list', () => {
     expect(list.at(4).why).toBe('vertex 6 y is NaN')
     expect(list.verticesOf(1)).toBe(null)
     expect(list.verticesOf(4)).toEqual(invalidCorner)
-    expect(list.placeOf(0)).toBe(3)
+    expect(list.rankOf(0)).toBe(3)
   })
 
   test('finds a cell by what the file calls it, the next one if several are called so, or by its index', async () => {
@@ -44,9 +44,9 @@ describe('the list', () => {
     expect([numbers.find('18'), numbers.find('1'), numbers.find(''), numbers.find('x')]).toEqual([1, null, null, null])
     const names = await listOf({ ...mesh, ids: ['Part-1.7', 'ä', 'Part-1.7'] })
     expect([names.find('Part-1.7'), names.find('Part-1.7', 0), names.find('Part-1.7', 2)]).toEqual([0, 2, 0])
-    expect([names.find('ä'), names.find('Part-1'), names.at(names.placeOf(1)).id]).toEqual([1, null, 'ä'])
+    expect([names.find('ä'), names.find('Part-1'), names.at(names.rankOf(1)).id]).toEqual([1, null, 'ä'])
     const none = await listOf({ ...mesh, ids: null })
-    expect([none.hasIds, none.find('2'), none.find('3'), none.at(none.placeOf(2)).id]).toEqual([false, 2, null, '2'])
+    expect([none.hasIds, none.find('2'), none.find('3'), none.at(none.rankOf(2)).id]).toEqual([false, 2, null, '2'])
   })
 
   test('shows names of the file without control and bidirectional characters, cut to a length', async () => {
@@ -62,7 +62,7 @@ describe('the list', () => {
     const list = await listOf({ ...meshOf([unitCube, voxelOrder]), isOrderStated: false })
     expect(list.openOrderOf(0)).toBe(null)
     expect(list.openOrderOf(1)).toBe(nodeOrders[0])
-    expect(list.at(list.placeOf(1))).toMatchObject({
+    expect(list.at(list.rankOf(1))).toMatchObject({
       standing: 'unanswered',
       why: 'order not stated; valid in the order “Lexicographic”',
     })

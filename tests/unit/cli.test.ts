@@ -19,7 +19,7 @@ async function analyze(text: string, args: readonly string[] = ['analyze', '-'])
   let errors = ''
   const status = await main(args, {
     input: (async function* () {
-      // A pipe may deliver it in two pieces.
+      // Two chunks, as a pipe may deliver them.
       const bytes = Buffer.from(text)
       yield bytes.subarray(0, bytes.length >> 1)
       yield bytes.subarray(bytes.length >> 1)

@@ -1,4 +1,4 @@
-/** Words on coincident vertices, against the report of elements that have them. */
+/** The words about coincident vertices, against the report of elements that have them. */
 import { describe, expect, it } from 'vitest'
 import type { Report } from '../../web/core/report'
 import { coincidenceSentence, kindName, zerosAtSight } from '../../web/views/coincidences'

@@ -1,7 +1,8 @@
 /** The language of conditions: what it reads, what it refuses and where, and what it makes of open numbers. */
 import { describe, expect, it } from 'vitest'
 import { parseCondition, type Quantities, truthOf } from '../../web/model/condition'
-import { type Enclosure, scaledDouble } from '../../web/model/condition/enclosure'
+import type { Enclosure } from '../../web/model/condition/enclosure'
+import { scaledDouble } from '../../web/model/rational'
 
 const between = (lower: number, upper: number): Enclosure => ({
   lower: scaledDouble(lower, 0),

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { loadCore } from '../../web/core/core'
 import type { Report } from '../../web/core/report'
 import { edgeVertices, faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
+import { isAtMost, productOf, scaledDouble } from '../../web/model/rational'
 import {
   cases,
   caseVertices,
@@ -14,7 +15,7 @@ import {
   unitCube,
   wasmBytes,
 } from './core-fixtures'
-import { difference, isAtMost, ofDecimal, ofDouble, size, times } from './fractions'
+import { difference, ofDecimal, size } from './fractions'
 
 function analyzed(vertices: readonly number[]): Report {
   const result = core.analyze(vertices)
@@ -56,25 +57,26 @@ describe('the exact cases', () => {
   for (const { name, vertices, answer } of cases)
     it(`${name} has its minima to 1e-14 of its scale, and the boundary minimum within its error`, () => {
       const report = analyzed(vertices.flat())
-      const within = times(ofDecimal(answer.scale), 1e-14)
-      const off = (value: number, exact: string) => size(difference(ofDouble(value, report.exponent), ofDecimal(exact)))
+      const within = productOf(ofDecimal(answer.scale), scaledDouble(1e-14, 0))
+      const off = (value: number, exact: string) =>
+        size(difference(scaledDouble(value, report.exponent), ofDecimal(exact)))
       expect(isAtMost(off(report.boundaryMinimum, answer.boundary_min), within)).toBe(true)
       expect(isAtMost(off(report.cornerMinimum, answer.corner_min), within)).toBe(true)
       expect(isAtMost(off(report.edgeMinimum, answer.edge_min), within)).toBe(true)
-      const error = ofDouble(report.boundaryMinimumError, report.exponent)
+      const error = scaledDouble(report.boundaryMinimumError, report.exponent)
       // The answers have 40 digits.
-      const lastDigit = times(size(ofDecimal(answer.boundary_min)), 1e-39)
+      const lastDigit = productOf(size(ofDecimal(answer.boundary_min)), scaledDouble(1e-39, 0))
       expect(isAtMost(difference(off(report.boundaryMinimum, answer.boundary_min), lastDigit), error)).toBe(true)
-      expect(isAtMost(error, times(ofDecimal(answer.scale), 5.8e-13))).toBe(true)
+      expect(isAtMost(error, productOf(ofDecimal(answer.scale), scaledDouble(5.8e-13, 0)))).toBe(true)
     })
 
   for (const { name, vertices, answer } of cases)
     it(`${name} has its volume minimum in a bracket of at most 1e-10 of its scale`, () => {
       const { volumeMinimum, exponent } = analyzed(vertices.flat())
-      const [lower, upper] = [ofDouble(volumeMinimum.lower, exponent), ofDouble(volumeMinimum.upper, exponent)]
+      const [lower, upper] = [scaledDouble(volumeMinimum.lower, exponent), scaledDouble(volumeMinimum.upper, exponent)]
       expect(isAtMost(lower, ofDecimal(answer.volume_min.upper))).toBe(true)
       expect(isAtMost(ofDecimal(answer.volume_min.lower), upper)).toBe(true)
-      expect(isAtMost(difference(upper, lower), times(ofDecimal(answer.scale), 1e-10))).toBe(true)
+      expect(isAtMost(difference(upper, lower), productOf(ofDecimal(answer.scale), scaledDouble(1e-10, 0)))).toBe(true)
     })
 
   for (const { name, vertices, answer } of cases)

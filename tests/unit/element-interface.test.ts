@@ -10,7 +10,7 @@ const read = (path: string) => readFileSync(new URL(`../../${path}`, import.meta
 const table = JSON.parse(read('web/element/interface.json'))
 const names = (key: string) => (table[key] as { name: string }[]).map(({ name }) => name)
 
-/** The descriptor of the class, or of the one it extends. */
+/** The descriptor in the class or in those that it extends. */
 function descriptorOf(name: string): PropertyDescriptor | undefined {
   const chain = [HexLens.prototype, Object.getPrototypeOf(HexLens.prototype)]
   return chain.map(each => Object.getOwnPropertyDescriptor(each, name)).find(found => found !== undefined)

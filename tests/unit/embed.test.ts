@@ -1,4 +1,4 @@
-/** The snippets of docs/embedding.md are those of "Copy embed". */
+/** "Copy embed" gives authors the lines of docs/embedding.md. */
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
 import { attributesOf, cameraText, embeddableViews, verticesText } from '../../web/panels/embed/embed-lines'

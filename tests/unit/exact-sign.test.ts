@@ -117,7 +117,7 @@ function quarters(beta: readonly bigint[]): bigint[][] {
   return split(beta).flatMap(half => split(transposed(half)))
 }
 
-/** Ends if the face is strictly positive; proves nothing else. */
+/** Ends on a face that is strictly positive; proves nothing else. */
 function isProvedPositive(beta: readonly bigint[], depth = 0): boolean {
   if (beta.every(coefficient => coefficient > 0n)) return true
   return depth < 40 && quarters(beta).every(quarter => isProvedPositive(quarter, depth + 1))

@@ -21,7 +21,7 @@ function linesOfManual(...words: string[]): string[] {
 
 const printed = `${linesOfManual('Hexlens', 'The hexahedron', '2 of', 'Cell').join('\n')}\n`
 
-/** The output of a command. The tools know of this installation alone. */
+/** The output of a command. The tools are to know of this installation alone. */
 function run(command: string, args: readonly string[], env: Record<string, string> = {}): string {
   return execFileSync(command, args, { cwd: folder, encoding: 'utf8', stdio: 'pipe', env: { ...process.env, ...env } })
 }
@@ -150,7 +150,7 @@ describe('the version', () => {
     expect(python).toMatch(`Issues = "${bugs.url}"`)
   })
 
-  /** The answer of the package's version file to a wanted version. */
+  /** The version file's answer for a version that is asked for. */
   function answerOfCMake(wanted: string): string {
     const script = join(folder, 'version.cmake')
     const file = join(prefix, 'lib', 'cmake', 'hexlens', 'hexlens-config-version.cmake')

@@ -6,15 +6,15 @@ import { gradientInside, valueInside } from '../../web/core/section'
 import { isMet, parseCondition } from '../../web/model/condition'
 import { faces as topology, type Vec3, vertexOf, vertexReference } from '../../web/model/hexahedron'
 import { readState } from '../../web/model/state-document'
-import { complaintAbout, hashOf, neighbour, placeOf, type StepPlace, stepAt } from '../../web/pages/lessons/address'
+import { addressOf, complaintAbout, hashOf, neighbour, type StepAddress, stepAt } from '../../web/pages/lessons/address'
 import { lessons } from '../../web/pages/lessons/content/lessons'
 import { stateOf, verticesOf } from '../../web/pages/lessons/step-state'
 import { panels } from '../../web/panels/list'
 import { knownPanels } from '../../web/panels/panel'
 import { core, entry, randomSource, unitCube } from './core-fixtures'
 
-const places: readonly StepPlace[] = lessons.flatMap(lesson => lesson.steps.map((_, step) => ({ lesson, step })))
-const steps = places.map(place => ({ name: hashOf(place), step: entry(place.lesson.steps, place.step) }))
+const addresses: readonly StepAddress[] = lessons.flatMap(lesson => lesson.steps.map((_, step) => ({ lesson, step })))
+const steps = addresses.map(address => ({ name: hashOf(address), step: entry(address.lesson.steps, address.step) }))
 
 function reportOf(vertices: readonly number[]) {
   const result = core.analyze(vertices)
@@ -34,23 +34,23 @@ it('six lessons, in the order in which they build on each other', () => {
 })
 
 it('every link leads to its step and no two to the same, others to the beginning', () => {
-  expect(new Set(places.map(hashOf)).size).toBe(places.length)
-  for (const place of places) expect(placeOf(hashOf(place))).toEqual(place)
+  expect(new Set(addresses.map(hashOf)).size).toBe(addresses.length)
+  for (const address of addresses) expect(addressOf(hashOf(address))).toEqual(address)
   for (const hash of ['', '#', '#nowhere/2', '#strictly/0', '#strictly/99', '#strictly/x', '#strictly'])
-    expect(placeOf(hash)).toEqual({ lesson: hash.includes('strictly') ? lessons[4] : lessons[0], step: 0 })
+    expect(addressOf(hash)).toEqual({ lesson: hash.includes('strictly') ? lessons[4] : lessons[0], step: 0 })
 })
 
 it('a link that names no step is complained of, with what it names', () => {
-  for (const hash of ['', '#', '#strictly', ...places.map(hashOf)]) expect(complaintAbout(hash)).toBeNull()
+  for (const hash of ['', '#', '#strictly', ...addresses.map(hashOf)]) expect(complaintAbout(hash)).toBeNull()
   expect(complaintAbout('#nowhere/2')).toBe('There is no lesson “nowhere”. This is the first.')
   for (const step of ['0', '99', 'x', '1.5', '01'])
     expect(complaintAbout(`#strictly/${step}`)).toBe(`This lesson has no step “${step}”. This is its first.`)
 })
 
 it('forwards from the first step one comes through all of them, and back', () => {
-  for (const [i, place] of places.entries()) {
-    expect(neighbour(place, 1)).toEqual(places[i + 1] ?? null)
-    expect(neighbour(place, -1)).toEqual(places[i - 1] ?? null)
+  for (const [i, address] of addresses.entries()) {
+    expect(neighbour(address, 1)).toEqual(addresses[i + 1] ?? null)
+    expect(neighbour(address, -1)).toEqual(addresses[i - 1] ?? null)
   }
 })
 
@@ -108,7 +108,7 @@ function unclosed(html: string): string[] {
 }
 
 describe('what the texts say besides', () => {
-  const elementOf = (hash: string) => verticesOf(stepAt(placeOf(hash)))
+  const elementOf = (hash: string) => verticesOf(stepAt(addressOf(hash)))
 
   it('vertex 6 of the cube at (t, t, t) has jacdet 3t − 2', () => {
     for (const t of [2, 1.5, 0.75, 0.5, 0.25]) {

@@ -40,7 +40,7 @@ describe('files of ../shared', () => {
     ])
   })
 
-  /** Its README calls the elements of 20 nodes; the archive says SOLID185, 8 nodes each. */
+  /** The file's README speaks of 20 nodes; the archive says SOLID185, 8 nodes each. */
   it('reads sector.cdb', () => {
     const mesh = readShared('meshes/real/sector.cdb')
     expect(mesh.cells.length / 8).toBe(105)

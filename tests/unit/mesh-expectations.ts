@@ -1,4 +1,4 @@
-/** Expectations of the files of ../shared/meshes and ../shared/pastes, compared with meshes. */
+/** Expectations of the files of ../shared/meshes and ../shared/pastes. */
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { expect } from 'vitest'
 import type { Mesh } from '../../web/mesh/mesh'

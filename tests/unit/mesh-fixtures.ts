@@ -46,7 +46,7 @@ export function moved(vertex: number, to: readonly [number, number, number], ele
 }
 
 export const mirroredCube = unitCube.map((x, i) => (i % 3 === 0 ? -x : x))
-/** The unit cube in the order of VTK_VOXEL. */
+/** The cube's vertices in the order of VTK_VOXEL. */
 export const voxelOrder = [0, 1, 3, 2, 4, 5, 7, 6].flatMap(v => unitCube.slice(3 * v, 3 * v + 3))
 /** All of it is flat. */
 export const flat = unitCube.map((x, i) => (i % 3 === 2 ? 0 : x))

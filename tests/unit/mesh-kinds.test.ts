@@ -24,7 +24,7 @@ const shuffle = [3, 0, 6, 1, 7, 2, 5, 4]
 const shuffled = shuffle.map(i => rows[i] as number[])
 const cell = rows.map((_, i) => shuffle.indexOf(i))
 
-/** The number as Python's hex prints it: 13 digits behind the point. */
+/** A number as Python prints it: 13 digits behind the point, whatever they are. */
 function hex(x: number): string {
   if (x === 0) return '0x0.0p+0'
   const power = Math.floor(Math.log2(x))

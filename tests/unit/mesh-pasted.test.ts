@@ -14,7 +14,7 @@ const rows = (vertices: readonly number[]) => Array.from({ length: 8 }, (_, v) =
 const columns = (vertices: readonly number[]) => [0, 1, 2].map(axis => vertices.filter((_, i) => i % 3 === axis))
 
 interface Element {
-  /** The cell's name in the text; its index if it has no names. */
+  /** The name in the text; the index if there are no names. */
   readonly id: string
   readonly vertices: readonly number[]
 }

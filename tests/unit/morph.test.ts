@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import { presets, presetVertices } from '../../web/model/presets'
-import { elementAt, placeOnWay } from '../../web/model/way'
+import { elementAt, tauOf } from '../../web/model/way'
 import { type Morph, morphOf } from '../../web/panels/morph/morph-answer'
 import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 
@@ -43,12 +43,12 @@ describe('an element on the way', () => {
     const a = unitCube
     const b = preset('looks-fine')
     for (const tau of [0, 0.125, 0.6180339887498949, 1]) {
-      expect(placeOnWay(a, b, elementAt(a, b, tau), tau)).toBe(tau)
-      const found = placeOnWay(a, b, elementAt(a, b, tau), 0.3)
+      expect(tauOf(a, b, elementAt(a, b, tau), tau)).toBe(tau)
+      const found = tauOf(a, b, elementAt(a, b, tau), 0.3)
       if (found !== null) expect(elementAt(a, b, found)).toEqual(elementAt(a, b, tau))
     }
-    expect(placeOnWay(a, b, elementAt(a, b, 0.5).with(3, 9), 0.5)).toBeNull()
-    expect(placeOnWay(a, a, a, 0.5)).toBe(0.5)
+    expect(tauOf(a, b, elementAt(a, b, 0.5).with(3, 9), 0.5)).toBeNull()
+    expect(tauOf(a, a, a, 0.5)).toBe(0.5)
   })
 })
 

@@ -48,8 +48,8 @@ const pushed = unitCube.with(0, 0.5).with(1, 0.5).with(2, 0.5)
 
 describe('the nearest element of the other verdict', () => {
   it('of the unit cube is where arithmetic says', () => {
-    // At vertex 0 jacdet is 1 - x - y - z of its place: the plane is 1/sqrt(3) away. With all of them moved it is a half: there
-    // G^T G = I + (1,1,1)(1,1,1)^T, whose greatest eigenvalue is 4.
+    // jacdet at vertex 0 is 1 - x - y - z of its position: the plane is 1/sqrt(3) away. With all of
+    // them moved it is a half: there G^T G = I + (1,1,1)(1,1,1)^T, whose greatest eigenvalue is 4.
     const { valid, ofVertex, ofOne, ofAll } = nearestOf(unitCube)
     expect(valid).toBe(true)
     for (const answer of ofVertex) {

@@ -11,7 +11,7 @@ import { threadPort } from '../../web/core/batch/ports'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 
-/** The wasm with vectors, and without. */
+/** Modules with vectors, and without. */
 export const batchModules = {
   vectors: new WebAssembly.Module(readFileSync(`${root}build/hexlens-batch.wasm`)),
   scalar: new WebAssembly.Module(readFileSync(`${root}build/hexlens-scalar.wasm`)),
@@ -58,16 +58,16 @@ function scriptUrl(script: string): URL {
   return new URL(`data:text/javascript,${encodeURIComponent(script)}`)
 }
 
-interface Port<Request, Answer> {
+interface Port<Request, Reply> {
   postMessage(request: Request, transfer?: ArrayBuffer[]): void
-  onmessage: ((event: { readonly data: Answer }) => void) | null
+  onmessage: ((event: { readonly data: Reply }) => void) | null
   onerror: ((event: { readonly message?: string }) => void) | null
   terminate(): void
 }
 
 const allThreads = new Set<Worker>()
 
-/** Ends all threads before the process ends, which may crash on threads that are ending. */
+/** Waits for threads that are being ended: the process might crash if it ended first. */
 export async function endThreads(): Promise<void> {
   await Promise.all([...allThreads].map(thread => thread.terminate()))
 }
@@ -78,9 +78,9 @@ function threadOn(worker: URL, options?: WorkerOptions): Worker {
   return thread
 }
 
-export function nodePort<Request, Answer>(worker: URL): Port<Request, Answer> {
+export function nodePort<Request, Reply>(worker: URL): Port<Request, Reply> {
   const thread = threadOn(worker)
-  const port: Port<Request, Answer> = {
+  const port: Port<Request, Reply> = {
     postMessage: (request, transfer) => thread.postMessage(request, transfer),
     onmessage: null,
     onerror: null,
@@ -95,7 +95,7 @@ interface NodeClassifierOptions {
   readonly module?: WebAssembly.Module
   readonly cellsPerPiece?: number
   readonly startWithin?: number
-  /** The script that worker 0, 1, … runs before its own, or in its place, and its limits. */
+  /** The script of the worker of this number, from 0, before or instead of its own; its limits. */
   readonly worker?: (number: number) => { before?: string; script?: string } & WorkerOptions
 }
 

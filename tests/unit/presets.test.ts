@@ -9,7 +9,7 @@ import { edgesArePositive, exactJacdet, verticesArePositive } from './exact'
 
 const CENTRE: Vec3 = [0.5, 0.5, 0.5]
 
-/** Entities where jacdet is not positive, and those where it is all the same. */
+/** A point where jacdet is not positive, and what is positive all the same. */
 const claims: Record<
   string,
   { witness: Vec3; value: 'zero' | 'negative'; positive: 'nothing' | 'vertices' | 'edges' }

@@ -1,4 +1,4 @@
-/** The text of a proof: long numbers cut, neighbouring intervals taken together. */
+/** Proofs as text: long numbers cut, neighbouring intervals taken together. */
 import { describe, expect, it } from 'vitest'
 import { type CertifiedInterval, certify } from '../../web/core/exact/certificate'
 import { sliceChange, sliceOf } from '../../web/model/state'

@@ -1,11 +1,12 @@
-/** Conditions on reports: exact signs, whatever doubles leave open, numbers of any size. */
+/** Reports' numbers for conditions: exact signs, and numbers of any size. */
 import { describe, expect, it } from 'vitest'
 import { claims, numbers, quantitiesOf, shownNumber } from '../../web/core/quantities'
 import type { Report } from '../../web/core/report'
 import { isMet, parseCondition, truthOf } from '../../web/model/condition'
-import { type Enclosure, isAtMost } from '../../web/model/condition/enclosure'
+import type { Enclosure } from '../../web/model/condition/enclosure'
 import { CLAIMS, NUMBERS } from '../../web/model/condition/names'
 import type { Vertices } from '../../web/model/hexahedron'
+import { isAtMost } from '../../web/model/rational'
 import {
   cases,
   caseVertices,

@@ -1,16 +1,16 @@
-/** The draws of a search: laws of the numbers, symmetries, the sieve against the core. */
+/** The elements of a search: laws of their numbers, symmetries, the filter against the core. */
 import { describe, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
 import { isMet, parseCondition } from '../../web/model/condition'
 import { NUMBERS } from '../../web/model/condition/names'
 import { vertexReference } from '../../web/model/hexahedron'
-import { effortOf, effortOfNumber } from '../../web/pages/search/hunt/beauty'
-import { hasCornerAtMost, setCorners, setOthers } from '../../web/pages/search/hunt/coefficients'
-import { type Distribution, refusalOf, sourceOf, startOf } from '../../web/pages/search/hunt/distribution'
-import { measured, parseMeasure } from '../../web/pages/search/hunt/measure'
-import { logarithm, randomOf } from '../../web/pages/search/hunt/random'
-import { FALSE, sieveOf, TRUE } from '../../web/pages/search/hunt/sieve'
-import { imageOf, orbitsOf, type SymmetryName, symmetries } from '../../web/pages/search/hunt/symmetry'
+import { hasCornerAtMost, setCorners, setOthers } from '../../web/pages/search/engine/coefficients'
+import { type Distribution, refusalOf, sourceOf, startOf } from '../../web/pages/search/engine/distribution'
+import { FALSE, filterOf, TRUE } from '../../web/pages/search/engine/filter'
+import { measured, parseMeasure } from '../../web/pages/search/engine/measure'
+import { logarithm, randomOf } from '../../web/pages/search/engine/random'
+import { complexityOf, complexityOfNumber } from '../../web/pages/search/engine/simplicity'
+import { imageOf, orbitsOf, type SymmetryName, symmetries } from '../../web/pages/search/engine/symmetry'
 import { searches } from '../../web/pages/search/searches'
 import { core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 
@@ -28,7 +28,7 @@ function analyzed(vertices: readonly number[]) {
   return result.value
 }
 
-/** Within five deviations of what the law says of so many independent draws. */
+/** The share is within five deviations of the law for so many independent draws. */
 function expectShare(count: number, total: number, probability: number): void {
   const deviation = Math.sqrt(total * probability * (1 - probability))
   expect(Math.abs(count - total * probability)).toBeLessThan(5 * deviation)
@@ -139,7 +139,7 @@ describe('elements', () => {
   })
 })
 
-describe('the sieve', () => {
+describe('the filter', () => {
   it('computes the coefficients of the core', () => {
     const random = randomSource(20260802)
     const bernstein = new Float64Array(27)
@@ -182,16 +182,16 @@ describe('the sieve', () => {
       const condition = parseCondition(text)
       const measure = parseMeasure(entry(['boundary_min', '-volume / 3 + edge_min', 'centre * corner_min'], n % 3))
       if (!condition.ok || !measure.ok) throw new Error(`${text} was refused.`)
-      const sieve = sieveOf(condition.value, measure.value, unitCube, core)
+      const filter = filterOf(condition.value, measure.value, unitCube, core)
       for (const [e, vertices] of elements.entries()) {
         const report = entry(reports, e)
         const met = isMet(condition.value, quantitiesOf(report, unitCube))
-        const truth = sieve.judge(new Float64Array(vertices), 0, report.valid)
+        const truth = filter.judge(new Float64Array(vertices), 0, report.valid)
         if (met) expect(truth, `${text}: ${vertices}`).not.toBe(FALSE)
         if (truth === TRUE) expect(met, `${text}: ${vertices}`).toBe(true)
-        if (met && !(report.valid ? sieve.mayBe.valid : sieve.mayBe.invalid)) throw new Error(text)
-        if (met && report.cornerMinimum <= 0) expect(sieve.mayBe.withoutPositiveCorners, text).toBe(true)
-        expect(sieve.measureAtMost()).toBeGreaterThanOrEqual(measured(measure.value, report, unitCube))
+        if (met && !(report.valid ? filter.mayBe.valid : filter.mayBe.invalid)) throw new Error(text)
+        if (met && report.cornerMinimum <= 0) expect(filter.mayBe.withoutPositiveCorners, text).toBe(true)
+        expect(filter.measureAtMost()).toBeGreaterThanOrEqual(measured(measure.value, report, unitCube))
         counts.held += truth === FALSE ? 1 : 0
         counts.sure += truth === TRUE ? 1 : 0
         counts.met += met ? 1 : 0
@@ -208,7 +208,7 @@ describe('the sieve', () => {
       const condition = parseCondition(text)
       const measure = parseMeasure('centre')
       if (!condition.ok || !measure.ok) throw new Error(text)
-      return sieveOf(condition.value, measure.value, unitCube, core).mayBe
+      return filterOf(condition.value, measure.value, unitCube, core).mayBe
     }
     const none = { valid: false, invalid: true, withoutPositiveCorners: false }
     for (const { id, property } of searches)
@@ -236,10 +236,10 @@ it('a measure is one number, and says where it is not', () => {
 
 it('less to write down is more beautiful', () => {
   const ascending = [0, 1, -1, 2, 3, 0.5, -0.5, 0.1, 0.25, 0.75, 0.12, 0.125, 1 / 3]
-  const efforts = ascending.map(effortOfNumber)
-  expect(efforts).toEqual(efforts.toSorted((a, b) => a - b))
+  const complexities = ascending.map(complexityOfNumber)
+  expect(complexities).toEqual(complexities.toSorted((a, b) => a - b))
   const moved = unitCube.with(0, 0.5)
-  expect(effortOf(unitCube, unitCube)).toBeLessThan(effortOf(moved, unitCube))
-  expect(effortOf(moved, unitCube)).toBeLessThan(effortOf(moved.with(3, 0.5), unitCube))
-  expect(effortOf(moved.with(1, 0.5), unitCube)).toBeLessThan(effortOf(moved.with(4, 0.5), unitCube))
+  expect(complexityOf(unitCube, unitCube)).toBeLessThan(complexityOf(moved, unitCube))
+  expect(complexityOf(moved, unitCube)).toBeLessThan(complexityOf(moved.with(3, 0.5), unitCube))
+  expect(complexityOf(moved.with(1, 0.5), unitCube)).toBeLessThan(complexityOf(moved.with(4, 0.5), unitCube))
 })

@@ -1,28 +1,28 @@
 /** The form of a search in the address, and what is kept in a browser's storage, whatever that does. */
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { readHexahedron } from '../../web/cli/read-hexahedra'
+import { parseQuery } from '../../web/pages/search/engine/query'
 import {
   decodeForm,
   encodeForm,
   type FormState,
   formOf,
   kinds,
-  questOf,
+  queryOf,
   withField,
 } from '../../web/pages/search/form-state'
-import { readQuest } from '../../web/pages/search/hunt/quest'
-import { exported, Kept } from '../../web/pages/search/kept'
-import { Spokesman } from '../../web/pages/search/spokesman'
+import { exported, KeptElements } from '../../web/pages/search/kept'
+import { LiveRegion } from '../../web/pages/search/live-region'
 import { entry, unitCube } from './core-fixtures'
 import { readText, verticesOf } from './mesh-expectations'
 
 const decoded = (query: string) => decodeForm(new URLSearchParams(query))
 
 describe('the form', () => {
-  it('of every kind is a quest, and comes back from a short address', () => {
+  it('of every kind is a query, and comes back from a short address', () => {
     for (const kind of kinds) {
       const form = formOf(kind)
-      expect(readQuest(questOf(form)).ok, kind.id).toBe(true)
+      expect(parseQuery(queryOf(form)).ok, kind.id).toBe(true)
       expect(String(encodeForm(form))).toBe(`find=${kind.id}`)
       expect(decoded(String(encodeForm(form)))).toEqual({ form, problems: [] })
     }
@@ -47,10 +47,10 @@ describe('the form', () => {
       expect(decoded(String(encodeForm(form)))).toEqual({ form, problems: [] })
     }
     expect(form.find).toBe('own')
-    const quest = readQuest(questOf(form))
-    expect(quest.ok ? [] : quest.errors.map(({ field }) => field)).toEqual(['measure', 'distribution'])
-    expect(readQuest(questOf({ ...form, greatest: '−1', least: ' -3 ', measure: 'centre' })).ok).toBe(true)
-    expect(questOf({ ...form, seed: '' }).seed).toBeNaN()
+    const query = parseQuery(queryOf(form))
+    expect(query.ok ? [] : query.error.map(({ field }) => field)).toEqual(['measure', 'distribution'])
+    expect(parseQuery(queryOf({ ...form, greatest: '−1', least: ' -3 ', measure: 'centre' })).ok).toBe(true)
+    expect(queryOf({ ...form, seed: '' }).seed).toBeNaN()
   })
 
   it('says what of an address it does not understand, and takes the rest', () => {
@@ -86,21 +86,21 @@ class Shelf {
 }
 
 const element = (name: string, x: number) => ({ name, vertices: unitCube.with(0, x), property: 'not valid' })
-const names = (kept: Kept) => kept.elements.map(({ name }) => name)
+const names = (kept: KeptElements) => kept.elements.map(({ name }) => name)
 
 describe('what is kept', () => {
   it('is there for the next page, the last first, each element once', () => {
     const shelf = new Shelf()
-    const kept = new Kept(() => shelf)
+    const kept = new KeptElements(() => shelf)
     for (const [name, x] of [
       ['a', 0.1],
       ['b', 1 / 3],
       ['c', 0.1],
     ] as const)
       kept.add(element(name, x))
-    const next = new Kept(() => shelf)
+    const next = new KeptElements(() => shelf)
     expect(next.elements).toEqual([element('c', 0.1), element('b', 1 / 3)])
-    expect(next.lasting).toBe('lasting')
+    expect(next.persistence).toBe('stored')
     next.remove(element('?', 0.1))
     kept.read()
     expect(names(kept)).toEqual(['b'])
@@ -108,7 +108,7 @@ describe('what is kept', () => {
 
   it('does not lose what another page keeps at the same time', () => {
     const shelf = new Shelf()
-    const [one, other] = [new Kept(() => shelf), new Kept(() => shelf)]
+    const [one, other] = [new KeptElements(() => shelf), new KeptElements(() => shelf)]
     one.add(element('one', 1.5))
     other.add(element('other', 2.5))
     one.read()
@@ -116,37 +116,37 @@ describe('what is kept', () => {
   })
 
   it('lasts as long as the page where storage is refused, or full', () => {
-    const refused = new Kept(() => {
+    const refused = new KeptElements(() => {
       throw new DOMException('no', 'SecurityError')
     })
     refused.add(element('a', 2))
-    expect([names(refused), refused.lasting]).toEqual([['a'], 'fleeting'])
+    expect([names(refused), refused.persistence]).toEqual([['a'], 'unavailable'])
     const shelf = new Shelf()
-    const full = new Kept(() => shelf)
+    const full = new KeptElements(() => shelf)
     full.add(element('a', 2))
     shelf.setItem = () => {
       throw new DOMException('full', 'QuotaExceededError')
     }
     full.add(element('b', 3))
     full.add(element('c', 4))
-    expect([names(full), full.lasting]).toEqual([['c', 'b', 'a'], 'fleeting'])
-    expect(names(new Kept(() => shelf))).toEqual(['a'])
+    expect([names(full), full.persistence]).toEqual([['c', 'b', 'a'], 'unavailable'])
+    expect(names(new KeptElements(() => shelf))).toEqual(['a'])
   })
 
   it('leaves those of a later version alone, and reads around what is none', () => {
     const shelf = new Shelf()
     const later = '{"version":2,"elements":"in another form"}'
     shelf.setItem('hexlens-kept', later)
-    const kept = new Kept(() => shelf)
+    const kept = new KeptElements(() => shelf)
     kept.add(element('a', 2))
-    expect([names(kept), kept.lasting, shelf.getItem('hexlens-kept')]).toEqual([['a'], 'later', later])
+    expect([names(kept), kept.persistence, shelf.getItem('hexlens-kept')]).toEqual([['a'], 'newer', later])
     for (const broken of ['', '{', 'null', '[]', '{"version":1,"elements":7}']) {
       shelf.setItem('hexlens-kept', broken)
-      expect(new Kept(() => shelf)).toMatchObject({ elements: [], lasting: 'lasting' })
+      expect(new KeptElements(() => shelf)).toMatchObject({ elements: [], persistence: 'stored' })
     }
     const cells = [null, 3, { vertices: [1, 2] }, { name: 'good', vertices: unitCube, property: 'valid' }]
     shelf.setItem('hexlens-kept', JSON.stringify({ version: 1, elements: cells }))
-    expect(names(new Kept(() => shelf))).toEqual(['good'])
+    expect(names(new KeptElements(() => shelf))).toEqual(['good'])
   })
 
   it('is exported as the command line and Paste read it', () => {
@@ -160,7 +160,7 @@ describe('what is kept', () => {
   })
 })
 
-describe('the spokesman', () => {
+describe('the live region', () => {
   afterEach(() => vi.useRealTimers())
 
   it('says the first find at once, then what is new three times a minute, and the end', () => {
@@ -171,15 +171,15 @@ describe('the spokesman', () => {
         said.push(text)
       },
     }
-    const spokesman = new Spokesman(region as unknown as HTMLElement)
-    spokesman.begin()
+    const liveRegion = new LiveRegion(region as unknown as HTMLElement)
+    liveRegion.begin()
     let found = 0
     for (let second = 0; second <= 60; ++second) {
       if (second >= 5 && second < 45) found += 1
-      spokesman.report({ elements: 1000 * second, found, isRunning: true })
+      liveRegion.report({ elements: 1000 * second, found, isRunning: true })
       vi.advanceTimersByTime(1000)
     }
-    spokesman.report({ elements: 61_000, found, isRunning: false })
+    liveRegion.report({ elements: 61_000, found, isRunning: false })
     expect(said).toEqual([
       'Searching.',
       '1 found among 5,000 elements.',

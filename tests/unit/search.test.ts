@@ -2,29 +2,29 @@
 import { afterAll, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
 import { isMet } from '../../web/model/condition'
-import { BLOCK } from '../../web/pages/search/hunt/hunt'
-import type { Answer, Request } from '../../web/pages/search/hunt/messages'
-import { type Quest, readQuest } from '../../web/pages/search/hunt/quest'
-import { type Find, Ranking } from '../../web/pages/search/hunt/ranking'
-import { polished, Search, type Workforce } from '../../web/pages/search/hunt/search'
+import type { Reply, Request } from '../../web/pages/search/engine/messages'
+import { parseQuery, type Query } from '../../web/pages/search/engine/query'
+import { type Find, Ranking } from '../../web/pages/search/engine/ranking'
+import { polished, Search, type SearchWorkers } from '../../web/pages/search/engine/search'
+import { BLOCK } from '../../web/pages/search/engine/search-piece'
 import { ownSearch, searches } from '../../web/pages/search/searches'
 import { certificateOf, checked, type Loose } from './certificate-checker'
 import { core, entry, randomSource } from './core-fixtures'
 import { edgesArePositive, verticesArePositive } from './exact'
 import { batchModules, bundledWorker, endThreads, nodePort } from './node-workers'
 
-const worker = await bundledWorker('web/pages/search/hunt/worker.ts')
+const worker = await bundledWorker('web/pages/search/engine/worker.ts')
 afterAll(endThreads)
 
-function force(workers: number, module = batchModules.vectors): Workforce {
-  return { module, workers, spawn: () => nodePort<Request, Answer>(worker) }
+function force(workers: number, module = batchModules.vectors): SearchWorkers {
+  return { module, count: workers, spawn: () => nodePort<Request, Reply>(worker) }
 }
 
 const PIECE = 8 * BLOCK
 
 const kinds = [...searches, ownSearch]
 
-function questOf(id: string, seed = 1): Quest {
+function queryOf(id: string, seed = 1): Query {
   const kind = kinds.find(kind => kind.id === id)
   if (!kind) throw new Error(`There is no search ${id}.`)
   const { property, measure, distribution } = kind
@@ -32,9 +32,9 @@ function questOf(id: string, seed = 1): Quest {
 }
 
 /** Runs until so many elements are looked at. */
-async function searched(quest: Quest, elements: number, workforce: Workforce): Promise<Search> {
+async function searched(query: Query, elements: number, workers: SearchWorkers): Promise<Search> {
   const search = await new Promise<Search>((resolve, reject) => {
-    const search = new Search(quest, workforce, () => search.isRunning || resolve(search), reject)
+    const search = new Search(query, workers, () => search.isRunning || resolve(search), reject)
     search.start(elements)
   })
   search.dispose()
@@ -45,15 +45,15 @@ function outcome(search: Search) {
   return {
     elements: search.elements,
     found: search.found,
-    beauty: search.finds('beauty'),
+    simplicity: search.finds('simplicity'),
     extremeness: search.finds('extremeness'),
   }
 }
 
-function has(quest: Quest, vertices: readonly number[]): boolean {
-  const read = readQuest(quest)
+function has(query: Query, vertices: readonly number[]): boolean {
+  const read = parseQuery(query)
   const report = core.analyze(vertices)
-  if (!read.ok || !report.ok) throw new Error('The quest or the element was refused.')
+  if (!read.ok || !report.ok) throw new Error('The query or the element was refused.')
   return isMet(read.value.property, quantitiesOf(report.value, read.value.start))
 }
 
@@ -72,22 +72,22 @@ const ENOUGH: Readonly<Record<string, number>> = {
 }
 
 it.each(kinds.map(({ id }) => id))('finds %s, and what it polishes still has the property, exactly', async id => {
-  const quest = questOf(id)
-  const search = await searched(quest, entry([ENOUGH[id] ?? 0], 0), force(2))
+  const query = queryOf(id)
+  const search = await searched(query, entry([ENOUGH[id] ?? 0], 0), force(2))
   expect(search.elements).toBe(ENOUGH[id])
   expect(search.found).toBeGreaterThan(0)
-  const finds = search.finds('beauty')
+  const finds = search.finds('simplicity')
   expect(finds.length).toBeGreaterThan(0)
-  for (const { vertices } of finds.slice(0, 5)) expect(has(quest, vertices), String(vertices)).toBe(true)
+  for (const { vertices } of finds.slice(0, 5)) expect(has(query, vertices), String(vertices)).toBe(true)
 
   const steps: number[] = []
-  const { vertices, effort } = await polished(quest, entry(finds, 0).vertices, force(1), {
-    onStep: step => steps.push(step.effort),
+  const { vertices, complexity } = await polished(query, entry(finds, 0).vertices, force(1), {
+    onStep: step => steps.push(step.complexity),
   })
-  expect(has(quest, vertices), String(vertices)).toBe(true)
+  expect(has(query, vertices), String(vertices)).toBe(true)
   expect(steps).toEqual(steps.toSorted((a, b) => b - a))
-  expect(effort).toBe(steps.at(-1) ?? entry(finds, 0).effort)
-  expect(effort).toBeLessThanOrEqual(entry(finds, 0).effort)
+  expect(complexity).toBe(steps.at(-1) ?? entry(finds, 0).complexity)
+  expect(complexity).toBeLessThanOrEqual(entry(finds, 0).complexity)
   if (id === 'corners' || id === 'nine-points') expect(verticesArePositive(vertices)).toBe(true)
   if (id === 'edges') expect(edgesArePositive(vertices)).toBe(true)
   const certificate = certificateOf(id, vertices)
@@ -96,12 +96,12 @@ it.each(kinds.map(({ id }) => id))('finds %s, and what it polishes still has the
 })
 
 it('finds the same with one worker and with three, at once and with stops, with vectors and without', async () => {
-  const quest = questOf('corners', 20260803)
+  const query = queryOf('corners', 20260803)
   const elements = 6 * PIECE
-  const one = outcome(await searched(quest, elements, force(1)))
-  expect([one.elements, one.beauty.length, one.extremeness.length]).toEqual([elements, 48, 48])
-  expect(outcome(await searched(quest, elements, force(3)))).toEqual(one)
-  expect(outcome(await searched(quest, elements, force(2, batchModules.scalar)))).toEqual(one)
+  const one = outcome(await searched(query, elements, force(1)))
+  expect([one.elements, one.simplicity.length, one.extremeness.length]).toEqual([elements, 48, 48])
+  expect(outcome(await searched(query, elements, force(3)))).toEqual(one)
+  expect(outcome(await searched(query, elements, force(2, batchModules.scalar)))).toEqual(one)
 
   const stops: number[] = []
   const stopped = await new Promise<Search>((resolve, reject) => {
@@ -111,7 +111,7 @@ it('finds the same with one worker and with three, at once and with stops, with 
       search.start(stops.length === 1 ? 5 * PIECE : elements)
       return undefined
     }
-    const search = new Search(quest, force(2), onNews, reject)
+    const search = new Search(query, force(2), onNews, reject)
     search.start(4 * PIECE)
   })
   stopped.dispose()
@@ -119,18 +119,18 @@ it('finds the same with one worker and with three, at once and with stops, with 
   expect(stops).toEqual([stops[0], 5 * PIECE, elements])
   expect(stops[0]).toBeLessThanOrEqual(4 * PIECE)
 
-  const other = outcome(await searched({ ...quest, seed: 20260804 }, PIECE, force(2)))
-  expect(other.beauty.map(({ index }) => index)).not.toEqual(one.beauty.map(({ index }) => index))
+  const other = outcome(await searched({ ...query, seed: 20260804 }, PIECE, force(2)))
+  expect(other.simplicity.map(({ index }) => index)).not.toEqual(one.simplicity.map(({ index }) => index))
   expect(one.found).toBeGreaterThan(300)
-  const efforts = one.beauty.map(({ effort }) => effort)
-  expect(efforts).toEqual(efforts.toSorted((a, b) => a - b))
+  const complexities = one.simplicity.map(({ complexity }) => complexity)
+  expect(complexities).toEqual(complexities.toSorted((a, b) => a - b))
   const extremes = one.extremeness.map(({ extremeness }) => extremeness)
   expect(extremes).toEqual(extremes.toSorted((a, b) => b - a))
 })
 
 it('goes on after a stop that waits for nothing, and with new workers after the old ones were ended', async () => {
-  const quest = questOf('corners', 5)
-  const whole = outcome(await searched(quest, 4 * PIECE, force(2)))
+  const query = queryOf('corners', 5)
+  const whole = outcome(await searched(query, 4 * PIECE, force(2)))
   const search = await new Promise<Search>((resolve, reject) => {
     const interruptions = [
       () => search.stop(0),
@@ -144,7 +144,7 @@ it('goes on after a stop that waits for nothing, and with new workers after the 
       if (!search.isRunning) return search.start(4 * PIECE)
       return search.elements > 0 ? interruptions.pop()?.() : undefined
     }
-    const search = new Search(quest, force(2), onNews, reject)
+    const search = new Search(query, force(2), onNews, reject)
     search.start(4 * PIECE)
   })
   search.dispose()
@@ -153,21 +153,26 @@ it('goes on after a stop that waits for nothing, and with new workers after the 
 
 it('says why it does not work', async () => {
   const empty = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0))
-  await expect(searched(questOf('corners'), PIECE, force(2, empty))).rejects.toThrow(/./)
-  await expect(searched({ ...questOf('corners'), property: 'corner_min' }, PIECE, force(1))).rejects.toThrow(
+  await expect(searched(queryOf('corners'), PIECE, force(2, empty))).rejects.toThrow(/./)
+  await expect(searched({ ...queryOf('corners'), property: 'corner_min' }, PIECE, force(1))).rejects.toThrow(
     'This is a number',
   )
   const controller = new AbortController()
-  const cancelled = polished(questOf('edges'), new Array(24).fill(0), force(1), { signal: controller.signal })
+  const cancelled = polished(queryOf('edges'), new Array(24).fill(0), force(1), { signal: controller.signal })
   controller.abort(new Error('enough'))
   await expect(cancelled).rejects.toThrow('enough')
 })
 
-it('a quest that is none is refused field by field', () => {
-  const { distribution } = questOf('corners')
+it('a query that is none is refused field by field', () => {
+  const { distribution } = queryOf('corners')
   const law = { kind: 'normal', sigma: -1 } as const
-  const result = readQuest({ property: 'corner_min >', measure: '', distribution: { ...distribution, law }, seed: 1.5 })
-  expect(result.ok ? [] : result.errors.map(({ field, at }) => [field, at])).toEqual([
+  const result = parseQuery({
+    property: 'corner_min >',
+    measure: '',
+    distribution: { ...distribution, law },
+    seed: 1.5,
+  })
+  expect(result.ok ? [] : result.error.map(({ field, at }) => [field, at])).toEqual([
     ['property', 12],
     ['measure', 0],
     ['distribution', undefined],
@@ -179,14 +184,14 @@ it('ranks the same whatever the order, each element once', () => {
   const random = randomSource(20260805)
   const finds: Find[] = Array.from({ length: 300 }, (_, index) => {
     const key = Math.floor(60 * random())
-    return { index, vertices: new Array(24).fill(key), effort: key % 7, extremeness: key % 5 }
+    return { index, vertices: new Array(24).fill(key), complexity: key % 7, extremeness: key % 5 }
   })
-  for (const order of ['beauty', 'extremeness'] as const) {
+  for (const order of ['simplicity', 'extremeness'] as const) {
     const rankings = [finds, finds.toReversed(), finds.toSorted((a, b) => (a.index % 17) - (b.index % 17))].map(
       list => {
         const ranking = new Ranking(order, 20)
         for (const find of list) {
-          const mayTake = ranking.mayTake(find.effort, find.extremeness)
+          const mayTake = ranking.mayTake(find.complexity, find.extremeness)
           if (ranking.add(find)) expect(mayTake).toBe(true)
         }
         return ranking.finds

@@ -86,7 +86,7 @@ typedef enum hl_status {
 /* Certain for every element of 24 finite doubles. Unanswered is, in a batch, a cell that is not one: its status says why. */
 typedef enum hl_verdict { HL_UNANSWERED = 0, HL_VALID = 1, HL_INVALID = 2 } hl_verdict;
 
-/* What an element is: valid; inverted, jacdet < 0 everywhere; collapsed, jacdet = 0 everywhere; or invalid otherwise. */
+/* Valid; inverted, jacdet < 0 everywhere; collapsed, jacdet = 0 everywhere; otherwise invalid. */
 typedef enum hl_class {
   HL_CLASS_UNANSWERED = 0,
   HL_CLASS_VALID = 1,
@@ -95,9 +95,10 @@ typedef enum hl_class {
   HL_CLASS_COLLAPSED = 4
 } hl_class;
 
-/* What the coincidences of vertices make of an element, in any of the cube's 48 symmetries: a wedge, two parallel edges of a face
-   of length 0; a pyramid, the vertices of a face at one point; a tetrahedron, these and two neighbours of the opposite face, or these
-   and the fifth at the same point. */
+/* Shapes of elements with coincident vertices, in any of the cube's 48 symmetries: a wedge, two
+   parallel edges of a face of length 0; a pyramid, the vertices of a face at one point; a
+   tetrahedron, these and two neighbours of the opposite face, or these and the fifth at the same
+   point. */
 typedef enum hl_shape { HL_NO_SHAPE = 0, HL_WEDGE = 1, HL_PYRAMID = 2, HL_TETRAHEDRON = 3 } hl_shape;
 
 typedef enum hl_kind { HL_VERTEX = 0, HL_EDGE = 1, HL_FACE = 2 } hl_kind;
@@ -105,11 +106,11 @@ typedef enum hl_kind { HL_VERTEX = 0, HL_EDGE = 1, HL_FACE = 2 } hl_kind;
 /* Algorithm 1 of the paper, without and with the Bernstein face bounds. Both give the same minimizer, bit for bit. */
 typedef enum hl_variant { HL_ROOTS = 0, HL_ROOTS_B = 1 } hl_variant;
 
-/* What became of a root t of P: a candidate; or a(t) <= 0; or s* outside (0,1). */
+/* The fate of a root t of P: a candidate; or a(t) <= 0; or s* outside (0,1). */
 typedef enum hl_root_fate { HL_ROOT_KEPT = 0, HL_ROOT_A_NOT_POSITIVE = 1, HL_ROOT_S_OUTSIDE = 2 } hl_root_fate;
 
-/* What other programs look at; each accepts an element if its number is positive, the last then certifies it. All but the second
-   are jacdets. */
+/* Checks of other programs; each accepts an element if its number is positive, the last then
+   certifies it. All but the second are jacdets. */
 typedef enum hl_check {
   HL_CHECK_CORNERS = 0, /* the least at the eight vertices */
   HL_CHECK_CORNERS_AND_CENTRE =
@@ -208,8 +209,9 @@ typedef struct hl_jacobian {
 /* HL_VERSION of the library that the program runs with, as it was compiled. */
 const char *hl_version(void);
 
-/* In all that follows `vertices` are the 24 coordinates of one hexahedron in its own units, finite, of any size; none of the pointers may be
-   null unless said. On HL_OK the whole output is written, else nothing is. A NaN or an infinity among the inputs is HL_NOT_FINITE. */
+/* Below, `vertices` are the 24 coordinates of one hexahedron in its own units, finite, of any size;
+   none of the pointers may be null unless said. On HL_OK the whole output is written, else nothing
+   is. A NaN or an infinity among the inputs is HL_NOT_FINITE. */
 
 /* Everything about one hexahedron: all faces solved, whatever the rules would skip. `report` is written whole. If its jacdets span more
    than the doubles do in any one unit, those that are too small are the least normal double of their sign; hl_boundary_minimum has
@@ -228,8 +230,9 @@ hl_status hl_boundary_minimum(const double vertices[HL_COORDINATES], hl_variant 
    HL_NO_SUCH_RESOLUTION. */
 hl_status hl_tangent_bound(const double vertices[HL_COORDINATES], int tangents, hl_bound *bound);
 
-/* Whether jacdet > 0 on the closed boundary, which decides the whole element (Knupp's conjecture, a theorem). Stops at the
-   first value that is certainly negative. `verdict` is HL_VALID or HL_INVALID, for every finite element. */
+/* Decides if jacdet > 0 on the closed boundary, which decides the whole element (Knupp's
+   conjecture, a theorem). Stops at the first value that is certainly negative. `verdict` is
+   HL_VALID or HL_INVALID, for every finite element. */
 hl_status hl_decide(const double vertices[HL_COORDINATES], hl_verdict *verdict);
 
 /* The three columns dF/dxi, dF/deta, dF/dzeta and their determinant, in doubles, at `point`: xi, eta, zeta, each from 0 to 1, else the
@@ -250,7 +253,7 @@ typedef struct hl_cells {
   size_t index_count; /* a multiple of 8 */
 } hl_cells;
 
-/* What is wanted of each cell, by lists of the caller's, one entry a cell unless said. All but the verdicts may be null; what is not
+/* The caller's lists, one entry a cell unless said. All but the verdicts may be null; what is not
    asked for costs nothing. No list may overlap another or the cells. Of a cell that is unanswered verdict and class are 0, the numbers
    NaN, the bits and exponents 0. */
 typedef struct hl_batch {
@@ -271,8 +274,8 @@ typedef struct hl_batch {
   double *relative_minima; /* as in hl_report */
   double *volumes;         /* as in hl_report, times 2^volume_exponent; 0.4 us a cell */
   int16_t *volume_exponents;
-  /* How many of each verdict; how many integers decided, counted only with is_exact or minima; and the first cell that is unanswered, or
-     the number of cells. */
+  /* Cells of each verdict; cells that integers decided, counted only with is_exact or minima; and
+     the first cell that is unanswered, or the number of cells. */
   size_t valid, invalid, unanswered, exact, first_unanswered;
 } hl_batch;
 
@@ -283,7 +286,7 @@ typedef struct hl_batch {
    pieces; the counts are those of this call. */
 hl_status hl_classify(const hl_cells *cells, hl_batch *batch);
 
-/* What hl_classify computes with on this machine: "avx512", "avx2", "sse2", "wasm" for WebAssembly's vectors, or "scalar". */
+/* hl_classify's instructions here: "avx512", "avx2", "sse2", "wasm" (its vectors) or "scalar". */
 const char *hl_vectors(void);
 
 /* Results as plain doubles in the order of the structs above, numbers and flags alike, lists cut to their counts: what

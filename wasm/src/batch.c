@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Where the minima of a block's cells go: to the caller's lists, or nowhere. */
+/* Memory for the minima of a block's cells: the caller's lists, or none. */
 typedef struct minima_lists {
   double *minima, *minimizers, *corner_minima;
   int16_t *exponents;
@@ -73,7 +73,7 @@ static void leave_unanswered(block *b, int c) {
 static void bernstein_from_lanes(const lane_kernels *kernels, const lane_minima *lanes, int c, double bernstein[27]) {
   const int width = kernels->width, lane = c & (width - 1);
   const double *of_group = lanes->bernstein + 27 * (c - lane) + lane;
-  for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = bernstein_part[i] * of_group[i * width] + 0.0;
+  for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = bernstein_factor[i] * of_group[i * width] + 0.0;
 }
 
 /* hl_decide, from what the lanes know in doubles of the open cell `c`, which is cell `cell` of the block. */
@@ -102,15 +102,16 @@ static void decide_cell(const lane_kernels *kernels, bool asks_exact, int c, int
   b->verdicts[cell] = (uint8_t)verdict;
 }
 
-/* Whether one of eight bytes is 0. */
+/* True if one of eight bytes is 0. */
 static bool has_unanswered(const uint8_t *verdicts) {
   uint64_t bytes;
   memcpy(&bytes, verdicts, sizeof bytes);
   return ((bytes - 0x0101010101010101u) & ~bytes & 0x8080808080808080u) != 0;
 }
 
-/* In floats, then those that are open together in doubles, then one by one. What is zero at sight needs no coefficients, and what has an
-   open corner no filter, unless it is asked whether doubles would have decided. */
+/* Floats, then doubles for those left open together, then one by one. Cells with zeros at sight
+   need no coefficients, those with an open corner no filter, unless it is asked if doubles would
+   have decided. */
 static void decide_block(const lane_kernels *kernels, bool asks_exact, block *b, batch_stages *stages) {
   int open[HL_BLOCK], open_count = 0;
   memset(b->verdicts, HL_UNANSWERED, HL_BLOCK);
@@ -151,7 +152,7 @@ static uint32_t middles_below(const double bernstein[27], double bound) {
   return bits;
 }
 
-/* Those of the faces that have one of these bits. */
+/* The faces that have one of these bits. */
 static uint32_t faces_with(uint32_t below) {
   uint32_t faces = 0;
   for (int f = 0; f < HL_FACES; ++f) faces |= (uint32_t)((below & face_middle_bits[f]) != 0) << f;
@@ -198,7 +199,7 @@ static void put_values(scaled_double minimum, scaled_double corner, block *b, in
   b->out.corner_minima[c] = in_normal_units(corner, unit);
 }
 
-/* From the coordinates alone, by integers where doubles are not accurate enough. */
+/* The minimum from the coordinates alone, by integers if doubles are not accurate enough. */
 static void minimum_alone(block *b, int c) {
   const double *vertices = b->hexahedra + 24 * c;
   if (!all_finite(vertices, HL_COORDINATES)) {
@@ -231,7 +232,7 @@ static void minimum_alone(block *b, int c) {
   b->verdicts[c] = (uint8_t)verdict;
 }
 
-/* Whether a value that is `scaled` times a power of two has come out whole: not lost below the normal doubles. */
+/* True if a value, `scaled` times a power of two, has not lost bits below the normal doubles. */
 static bool is_whole(double value, double scaled) { return scaled == 0 || fabs(value) >= DBL_MIN; }
 
 /* The least corner stands there as the minimum, with its verdict: lowers it to the boundary minimum, by the coefficients that the
@@ -272,7 +273,7 @@ static int first_without(const unsigned char *state, int bit, int c, int end) {
   return c;
 }
 
-/* In doubles side by side, then one by one. */
+/* Minima in doubles side by side, then one by one. */
 static void minima_of_block(const lane_kernels *kernels, block *b, batch_stages *stages) {
   const lane_minima *lanes = &b->lanes;
   memset(b->is_exact, 0, HL_BLOCK);
@@ -302,7 +303,7 @@ static void choose_lists(const hl_batch *batch, size_t first, block *b) {
                           .exponents = OR_ROOM(exponents, first)};
 }
 
-/* What is asked for of one cell beyond its verdict and minimum. */
+/* The lists of one cell beyond its verdict and minimum. */
 static void put_details(const hl_batch *batch, const block *b, int c, size_t cell) {
   const double *vertices = b->hexahedra + 24 * c;
   const bool is_answered = b->statuses[c] == HL_OK;

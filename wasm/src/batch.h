@@ -5,7 +5,7 @@
 #include "hexlens.h"
 #include "lanes.h"
 
-/* How far each stage got: cells that went on to the next one. */
+/* Cells that went on from each stage to the next. */
 typedef struct batch_stages {
   size_t after_lanes, after_doubles; /* not decided, or not minimal, in the lanes; left to integers */
 } batch_stages;

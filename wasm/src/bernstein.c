@@ -58,7 +58,7 @@ void jacdet_bernstein(const edge_vectors *edges, double bernstein[27]) {
   corners_and_edges(edges, bernstein);
   face_centres(bernstein);
   bernstein[CUBE_CENTRE] = 0;
-  for (int i = 0; i < 27; ++i) bernstein[i] = bernstein_part[i] * bernstein[i] + 0.0; /* -0 becomes 0 */
+  for (int i = 0; i < 27; ++i) bernstein[i] = bernstein_factor[i] * bernstein[i] + 0.0; /* -0 becomes 0 */
   cube_centre(bernstein);
 }
 

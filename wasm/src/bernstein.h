@@ -59,9 +59,9 @@ static inline void cross(const double a[3], const double b[3], double out[3]) {
 
 static inline double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* Before they are halved and quartered, twice the middles of edges and four times those of faces are computed. */
-static const double bernstein_part[27] = {1,    0.5, 1,    0.5, 0.25, 0.5, 1, 0.5, 1,    0.5, 0.25, 0.5, 0.25, 1,
-                                          0.25, 0.5, 0.25, 0.5, 1,    0.5, 1, 0.5, 0.25, 0.5, 1,    0.5, 1};
+/* Factors: twice the middles of edges and four times those of faces are computed first. */
+static const double bernstein_factor[27] = {1,    0.5, 1,    0.5, 0.25, 0.5, 1, 0.5, 1,    0.5, 0.25, 0.5, 0.25, 1,
+                                            0.25, 0.5, 0.25, 0.5, 1,    0.5, 1, 0.5, 0.25, 0.5, 1,    0.5, 1};
 
 /* The 27 coefficients from 16 cross products and 28 dot products, in the scaled units of the edge vectors. */
 void jacdet_bernstein(const edge_vectors *edges, double bernstein[27]);

@@ -116,7 +116,7 @@ static hl_volume_minimum volume_minimum_of(const hl_report *report, double coeff
                              .point = {least->point[0], least->point[1], least->point[2]}};
 }
 
-/* What the numbers of the checks follow from. */
+/* The sources of the checks' numbers. */
 typedef struct checked {
   const double *vertices, *bernstein;
   const edge_vectors *edges;

@@ -11,7 +11,7 @@ hl_candidate vertex_candidate(const double bernstein[HL_BERNSTEIN], int vertex);
    nothing is written, if there is none or its value is not below `bound`, which may be infinite. */
 bool edge_candidate(const double bernstein[HL_BERNSTEIN], int edge, double bound, hl_candidate *candidate);
 
-/* For a root that was kept. */
+/* The candidate of a root that was kept. */
 hl_candidate face_candidate(int face, const face_solution *solution, int root);
 
 #endif

@@ -11,8 +11,8 @@ typedef struct column {
   int exponent;
 } column;
 
-/* From a vector in the axes' own scales; a length needs one, in which the largest component is in [1/2, 1). What underflows
-   then is nothing beside it. */
+/* A column from a vector in the axes' own scales; a length needs one, in which the largest
+   component is in [1/2, 1). What underflows then is nothing beside it. */
 static column column_of(const double vector[3], const int axis_exponent[3]) {
   column c = {.length = 0};
   bool is_zero = true;
@@ -91,7 +91,7 @@ double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[2
   return least;
 }
 
-/* To Verdict what is up to 10 epsilon has no size, and what has no size is 1e30: docs/algorithm.md (S1) and (S2). */
+/* Verdict takes lengths up to 10 epsilon as none, and returns 1e30 then: (S1) and (S2). */
 #define VERDICT_LEAST 0x1.4p-49
 #define VERDICT_GREATEST 1e30
 

@@ -1,4 +1,4 @@
-/* What other programs would say of the same element: the numbers of hl_check (docs/algorithm.md 9). */
+/* Checks of other programs: the numbers of hl_check (docs/algorithm.md 9). */
 #ifndef HL_CHECKS_H
 #define HL_CHECKS_H
 
@@ -19,7 +19,7 @@ double least_scaled_jacobian(const edge_vectors *edges, const double bernstein[2
 /* That number by the rules of Verdict, the library of VTK: 1e30 where an edge or an axis is short beside the element. */
 double scaled_jacobian_of_verdict(const double vertices[24], double least_scaled_jacobian);
 
-/* From Bernstein coefficients, in their units. */
+/* Both take Bernstein coefficients, and answer in their units. */
 double least_at_gauss_points(const double bernstein[27], int points_per_axis);
 double subdivision_to_depth_4(const double bernstein[27]);
 

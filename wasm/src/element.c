@@ -1,4 +1,4 @@
-/* What an element is besides valid or invalid: its class, its coincident vertices and the shape they make, its relative minimum. */
+/* An element's class, its coincident vertices and the shape they make, its relative minimum. */
 #include "bernstein.h"
 #include "error_bounds.h"
 #include "exact.h"
@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-/* Whether jacdet < 0 everywhere: then that of the mirrored element, which is minus it, is positive. */
+/* True if jacdet < 0 everywhere: that of the mirrored element, minus it, is then positive. */
 static bool is_inverted(const double vertices[24]) {
   double mirrored[HL_COORDINATES];
   hl_verdict verdict = HL_INVALID;

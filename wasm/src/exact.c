@@ -115,7 +115,7 @@ typedef struct verdict_query {
   hl_verdict verdict;
 } verdict_query;
 
-/* Whether all values inside an edge with positive ends are positive. */
+/* True if all values inside an edge with positive ends are positive. */
 static bool is_positive_edge(workspace *w, const integer q[3]) {
   return !is_negative(q[1]) || integer_compare_products(w, q[1], q[1], q[0], q[2]) < 0;
 }
@@ -186,7 +186,8 @@ static void lower_to_edge(workspace *w, const integer q[3], int edge, least_valu
    holds for one that is not. */
 #define ROUNDED_UP 0x1p-50
 
-/* Whether the face is certainly nowhere below `least`: by its coefficients, or by (B2). `roots` become places where it may be. */
+/* True if the face is certainly nowhere below `least`: (B2). `roots` become points where it may
+   be. */
 static bool is_no_lower(workspace *w, const exact_face *face, const least_value *least, face_solution *roots) {
   const integer one = integer_of(w, 1);
   bool is_lower = false;
@@ -232,7 +233,7 @@ static hl_candidate candidate_at(int vertex) {
   return (hl_candidate){.kind = HL_VERTEX, .id = vertex, .point = {r[0], r[1], r[2]}};
 }
 
-/* Of four times the coefficients. */
+/* The exponent of four times the coefficients. */
 static int exponent_of(const exact_jacdet *jacdet) { return jacdet->exponent - 2; }
 
 /* The vertex candidate is the first of the least, an edge or a face takes its place where it is lower. */

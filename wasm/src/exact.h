@@ -1,20 +1,20 @@
-/* What doubles leave open, decided in integers: verdict, boundary minimum and report (docs/algorithm.md 7). Every element gets an
-   answer. The memory is on the stack: 20 kB for ordinary verdicts, 160 kB for some minima, 2.6 MB where coordinates span the
-   exponents of the doubles. */
+/* Integers decide what doubles leave open: verdict, boundary minimum and report (docs/algorithm.md
+   7). Every element gets an answer. The memory is on the stack: 20 kB for ordinary verdicts, 160 kB
+   for some minima, 2.6 MB where coordinates span the exponents of the doubles. */
 #ifndef HL_EXACT_H
 #define HL_EXACT_H
 
 #include "hexlens.h"
 #include "scaling.h"
 
-/* What an answer took, for benchmarks. */
+/* The cost of an answer, for benchmarks. */
 typedef struct exact_cost {
   uint32_t multiplications; /* of integers */
   uint64_t products;        /* of their limbs */
 } exact_cost;
 
-/* Whether jacdet is 0 at a vertex at sight, since two ends of an edge or of a face's diagonal coincide: the two columns of DF that
-   lead there are parallel, or one is 0. */
+/* True if jacdet is 0 at a vertex at sight, since two ends of an edge or of a face's diagonal
+   coincide: the two columns of DF that lead there are parallel, or one is 0. */
 bool is_zero_at_sight(const double vertices[HL_COORDINATES]);
 
 /* The verdict; `bernstein` are the coefficients in doubles and scaled units. `cost` may be null. */
@@ -46,7 +46,7 @@ typedef struct exact_values {
 
 void find_exact_values(const double vertices[HL_COORDINATES], exact_values *values, exact_cost *cost);
 
-/* Whether jacdet is 0 everywhere. */
+/* True if jacdet is 0 everywhere. */
 bool is_collapsed(const double vertices[HL_COORDINATES]);
 
 /* The integral of jacdet, rounded to the nearest double. */

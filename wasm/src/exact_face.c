@@ -1,6 +1,6 @@
 /* A face whose edges are positive is positive if and only if there is no t in (0,1) with beta_1(t) < 0 and
    D(t) = beta_0 beta_2 - beta_1^2 <= 0, docs/algorithm.md (X1). [0,1] is halved until coefficients say which; where D has
-   roots that halving cannot part, Sturm's theorem counts them, (X2). */
+   roots that halving cannot separate, Sturm's theorem counts them, (X2). */
 #include "exact_face.h"
 #include "scaling.h"
 #include "sturm.h"
@@ -38,7 +38,7 @@ static void restricted(workspace *w, const integer q[3], dyadic in, integer out[
   out[to] = integer_sum(w, integer_sum(w, out[1], step), integer_difference(w, second, first));
 }
 
-/* Whether the interval is the last of its depth. */
+/* True if the interval is the last of its depth. */
 static bool is_last(workspace *w, dyadic in) {
   const integer behind = integer_sum(w, in.k, integer_of(w, 1));
   return integer_trailing_zeros(w, behind) == in.depth;
@@ -66,8 +66,8 @@ static bool none_is_negative(const integer *values, int count) {
   return true;
 }
 
-/* What D is made of: the nine coefficients of the face, [3 * i + j]; B = beta_1 - beta_0, and a = beta_2 - 2 beta_1 + beta_0 at both ends
-   of the interval, between which it is linear. */
+/* The factors of D: the nine coefficients of the face, [3 * i + j]; B = beta_1 - beta_0, and a =
+   beta_2 - 2 beta_1 + beta_0 at both ends of the interval, between which it is linear. */
 enum { B_0 = 9, A_0 = 12, FACTORS = 14 };
 
 /* A coefficient of D, times a positive integer, is a sum of products of two factors. */
@@ -128,7 +128,7 @@ static int certain_sign(const sum_of_products *sum, const scaled_double rounded[
   return (total > SUM_ERROR * size) - (total < -SUM_ERROR * size);
 }
 
-/* In bits: those of ordinary elements are shorter. */
+/* Bits: integers of ordinary elements are shorter. */
 enum { LONG = 1000 };
 
 static bool is_long(const workspace *w, const integer *values, int count) {
@@ -137,47 +137,47 @@ static bool is_long(const workspace *w, const integer *values, int count) {
   return false;
 }
 
-/* An interval's part of the face, and what is made of it when it is wanted. */
-typedef struct face_part {
+/* An interval's strip of the face, and what is made of it when it is wanted. */
+typedef struct face_strip {
   integer factors[FACTORS];
   scaled_double rounded[FACTORS];
   bool has_parabolas;
-} face_part;
+} face_strip;
 
-static void make_parabolas(workspace *w, face_part *part) {
-  integer *f = part->factors;
+static void make_parabolas(workspace *w, face_strip *strip) {
+  integer *f = strip->factors;
   for (int j = 0; j < 3; ++j) f[B_0 + j] = integer_difference(w, f[3 + j], f[j]);
   for (int end = 0; end < 2; ++end)
     f[A_0 + end] = integer_difference(w, integer_difference(w, f[6 + 2 * end], f[3 + 2 * end]), f[B_0 + 2 * end]);
-  for (int i = B_0; i < FACTORS; ++i) part->rounded[i] = rounded_integer(w, f[i], 0);
-  part->has_parabolas = true;
+  for (int i = B_0; i < FACTORS; ++i) strip->rounded[i] = rounded_integer(w, f[i], 0);
+  strip->has_parabolas = true;
 }
 
-static int discriminant_sign(workspace *w, face_part *part, int i) {
-  int sign = certain_sign(&by_rows[i], part->rounded);
+static int discriminant_sign(workspace *w, face_strip *strip, int i) {
+  int sign = certain_sign(&by_rows[i], strip->rounded);
   if (sign != 0) return sign;
-  if (!part->has_parabolas) make_parabolas(w, part);
-  sign = certain_sign(&by_parabolas[i], part->rounded);
-  return sign != 0 ? sign : integer_sign(exact_sum(w, &by_parabolas[i], part->factors));
+  if (!strip->has_parabolas) make_parabolas(w, strip);
+  sign = certain_sign(&by_parabolas[i], strip->rounded);
+  return sign != 0 ? sign : integer_sign(exact_sum(w, &by_parabolas[i], strip->factors));
 }
 
-/* Whether no coefficient of D is negative. `outer` are the signs of those at the ends, 0 where they are to be found. */
-static bool discriminant_is_not_negative(workspace *w, face_part *part, int outer[2]) {
-  for (int i = 0; i < 9; ++i) part->rounded[i] = rounded_integer(w, part->factors[i], 0);
-  part->has_parabolas = false;
+/* True if no coefficient of D is negative. `outer` are the signs at the ends, 0 if not known. */
+static bool discriminant_is_not_negative(workspace *w, face_strip *strip, int outer[2]) {
+  for (int i = 0; i < 9; ++i) strip->rounded[i] = rounded_integer(w, strip->factors[i], 0);
+  strip->has_parabolas = false;
   for (int end = 0; end < 2; ++end)
-    if (outer[end] == 0) outer[end] = discriminant_sign(w, part, 4 * end);
+    if (outer[end] == 0) outer[end] = discriminant_sign(w, strip, 4 * end);
   bool is_not_negative = outer[0] >= 0 && outer[1] >= 0;
-  for (int i = 1; i < 4 && is_not_negative; ++i) is_not_negative = discriminant_sign(w, part, i) >= 0;
+  for (int i = 1; i < 4 && is_not_negative; ++i) is_not_negative = discriminant_sign(w, strip, i) >= 0;
   return is_not_negative;
 }
 
 /* The sign of D where beta_1 < 0 on an interval at whose ends inside the face, and where beta_1 = 0, D is positive: -1, 0 or 1 for
    its least value, (X2). */
-static int sign_by_roots(workspace *w, const face_part *part) {
-  const integer *z = part->factors + 3;
+static int sign_by_roots(workspace *w, const face_strip *strip) {
+  const integer *z = strip->factors + 3;
   polynomial p = {.degree = 4}, g = {.c = {z[0], integer_shifted(w, z[1], 1), z[2]}, .degree = 2}, common, ignored;
-  for (int i = 0; i < 5; ++i) p.c[i] = integer_shifted(w, exact_sum(w, &by_rows[i], part->factors), i % 2);
+  for (int i = 0; i < 5; ++i) p.c[i] = integer_shifted(w, exact_sum(w, &by_rows[i], strip->factors), i % 2);
   lower_degree(&p);
   lower_degree(&g);
   if (p.degree < 0 || g.degree < 0) return 1;
@@ -203,7 +203,7 @@ static uint64_t end_of_halving(const workspace *w, const exact_face *face) {
   return w->products + PRODUCTS_OF_COUNTING * limbs * limbs;
 }
 
-/* In a larger unit: a power of two that all coefficients have. */
+/* The face in a larger unit: a power of two that all coefficients have. */
 static void without_common_zeros(workspace *w, const exact_face *face, exact_face *out) {
   int zeros = INT32_MAX;
   for (int i = 0; i < 9; ++i) {
@@ -216,7 +216,7 @@ static void without_common_zeros(workspace *w, const exact_face *face, exact_fac
       out->beta[i / 3][i % 3] = integer_shifted(w, face->beta[i / 3][i % 3], -zeros);
 }
 
-/* As exact_face_sign, for edges beta_0 and beta_2 that touch zero at ends only. */
+/* exact_face_sign for edges beta_0 and beta_2 that touch zero at ends only. */
 static int sign_between_touches(workspace *w, const exact_face *given) {
   exact_face in_larger_unit;
   without_common_zeros(w, given, &in_larger_unit);
@@ -227,20 +227,20 @@ static int sign_between_touches(workspace *w, const exact_face *given) {
   dyadic in = {zero, 0};
   int least = 1;
   for (bool is_open = true; is_open && !w->is_full;) {
-    face_part part;
-    const integer *z = part.factors + 3;
-    restricted(w, face->beta[1], in, part.factors + 3);
+    face_strip strip;
+    const integer *z = strip.factors + 3;
+    restricted(w, face->beta[1], in, strip.factors + 3);
     bool is_settled = none_is_negative(z, 3);
     if (!is_settled) {
       int outer[2] = {0, 0};
-      restricted(w, face->beta[0], in, part.factors);
-      restricted(w, face->beta[2], in, part.factors + 6);
-      is_settled = discriminant_is_not_negative(w, &part, outer);
+      restricted(w, face->beta[0], in, strip.factors);
+      restricted(w, face->beta[2], in, strip.factors + 6);
+      is_settled = discriminant_is_not_negative(w, &strip, outer);
       if ((is_negative(z[0]) && outer[0] < 0) || (is_negative(z[2]) && outer[1] < 0)) return -1;
       if ((is_negative(z[0]) && outer[0] == 0) || (is_negative(z[2]) && outer[1] == 0)) least = 0;
     }
     if (!is_settled && (has_long ? w->products > end || in.depth == MOST_HALVINGS : in.depth == HALVINGS)) {
-      const int sign = sign_by_roots(w, &part);
+      const int sign = sign_by_roots(w, &strip);
       if (sign < 0) return -1;
       if (sign < least) least = sign;
       is_settled = true;
@@ -282,7 +282,7 @@ static void cut(workspace *w, const exact_face *face, integer m, integer n, exac
 
 int exact_face_sign(workspace *w, const exact_face *face) {
   const integer *edges[2] = {face->beta[0], face->beta[2]};
-  /* Where an edge is 0 throughout, D = -beta_1^2. */
+  /* D = -beta_1^2 if an edge is 0 throughout. */
   if (is_zero_edge(edges[0]) || is_zero_edge(edges[1])) return has_negative_inside(w, face->beta[1]) ? -1 : 1;
   for (int e = 0; e < 2; ++e) {
     if (!touches_inside(w, edges[e])) continue;
@@ -310,8 +310,8 @@ typedef struct face_search {
   bool is_fixed, has_lowered;
 } face_search;
 
-/* Halvings after which the floor is lowered, when it may be the face's minimum: no part where that is touched would ever be above it.
-   Each time there are twice as many until the next. */
+/* Halvings after which the floor is lowered, when it may be the face's minimum: no strip where that
+   is touched would ever be above it. Each time there are twice as many until the next. */
 enum { PATIENCE = 64 };
 
 /* Below `least` by at least 2^-62 and at most 2^-60 of it. */
@@ -325,7 +325,7 @@ static void set_floor(face_search *s, int depth) {
   s->floor = (floor_value){is_negative(numerator) ? -(q.bits + 2) : q.bits - 1, q.exponent};
 }
 
-/* Each time by at most 2^-61 of it, in depths of less than 2^14 by 2^-58 in all. */
+/* The floor falls by at most 2^-61 of it, in depths of less than 2^14 by 2^-58 in all. */
 static void lower_floor(face_search *s) {
   s->floor.bits -= s->floor.bits != 0;
   s->wait *= 2;
@@ -368,23 +368,23 @@ static void look_at(face_search *s, dyadic t) {
   if (!s->is_fixed) set_floor(s, t.depth);
 }
 
-/* Whether the face is certainly not below the floor for t in the interval: (X1) and (X2) for f - floor. */
+/* True if the face is certainly not below the floor on the interval: (X1), (X2) for f - floor. */
 static bool is_above_floor(const face_search *s, dyadic in, bool counts_roots) {
   workspace *w = s->w;
   const integer floor = floor_times(w, s->floor, integer_shifted(w, integer_of(w, 1), 2 * in.depth));
-  face_part part;
+  face_strip strip;
   for (int row = 0; row < 3; ++row) {
     const int i = (row + 1) % 3; /* the middle one first */
-    integer *q = part.factors + 3 * i;
+    integer *q = strip.factors + 3 * i;
     restricted(w, s->face->beta[i], in, q);
     for (int j = 0; j < 3; ++j) q[j] = integer_difference(w, over_floor(w, q[j], s->floor), floor);
     if (i == 1 && none_is_negative(q, 3)) return true;
   }
-  /* At the ends of [0,1] the edges are above the floor, perhaps by little: D > 0 where beta_1 < 0. */
+  /* The edges are above the floor at 0 and 1, perhaps by little: D > 0 where beta_1 < 0. */
   const bool edges_are_above = s->floor.bits != 0, is_last_one = is_last(w, in);
-  int outer[2] = {edges_are_above && is_zero(in.k) && is_negative(part.factors[3]),
-                  edges_are_above && is_last_one && is_negative(part.factors[5])};
-  return discriminant_is_not_negative(w, &part, outer) || (counts_roots && sign_by_roots(w, &part) >= 0);
+  int outer[2] = {edges_are_above && is_zero(in.k) && is_negative(strip.factors[3]),
+                  edges_are_above && is_last_one && is_negative(strip.factors[5])};
+  return discriminant_is_not_negative(w, &strip, outer) || (counts_roots && sign_by_roots(w, &strip) >= 0);
 }
 
 /* Halvings after which roots are counted once: where there are none below a floor that is near enough, that is cheaper than to go on. */
@@ -392,7 +392,8 @@ enum { HALVINGS_ABOVE_FLOOR = 6 };
 
 enum { NO_LIMIT = INT32_MAX };
 
-/* Halves [0,1] until every part is above the floor, or as often as given, and lowers `least` on the way. */
+/* Halves [0,1] until every strip is above the floor, or as often as given, and lowers `least` on
+   the way. */
 static void search_halves(face_search *s, int depth_limit) {
   workspace *w = s->w;
   const size_t mark = w->used;
@@ -432,7 +433,7 @@ bool exact_face_lowers(workspace *w, const exact_face *face, const double *roots
   return s.has_lowered;
 }
 
-/* How many bits below the largest coefficient a value has to be for the place where a face touches zero. */
+/* Bits below the largest coefficient of a value at the point where a face touches zero. */
 enum { TOUCH_BITS = 64 };
 
 static bool is_at_most(workspace *w, const least_value *least, int exponent) {

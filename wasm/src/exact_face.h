@@ -10,8 +10,8 @@ typedef struct exact_face {
   integer beta[3][3];
 } exact_face;
 
-/* Of a face that has no negative value on its edges: -1 if it has one inside; else, if the edges are positive, 0 if it has a
-   zero and 1 if it is positive. */
+/* The sign of a face that has no negative value on its edges: -1 if it has one inside; else, if the
+   edges are positive, 0 if it has a zero and 1 if it is positive. */
 int exact_face_sign(workspace *w, const exact_face *face);
 
 /* The least value so far, numerator / denominator with denominator > 0, and where a face has it. */
@@ -25,7 +25,7 @@ typedef struct least_value {
    are values of t in (0,1) near which the minimum may be. */
 bool exact_face_lowers(workspace *w, const exact_face *face, const double *roots, int root_count, least_value *least);
 
-/* Where a face touches zero inside, positive elsewhere: within 2^-64 of its largest coefficient. */
+/* The point where a face, positive elsewhere, touches zero: within 2^-64 of its coefficients. */
 void exact_face_touch(workspace *w, const exact_face *face, const double *roots, int root_count, least_value *least);
 
 /* The double nearest to numerator / denominator * 2^exponent among those between 0 and 1, as that is, and neither of them. */

@@ -8,7 +8,7 @@
 
 #include <float.h>
 
-/* Of the exact values: they are enclosed to 2^-57 and then rounded. */
+/* Relative error of the exact values: they are enclosed to 2^-57 and then rounded. */
 #define VALUE_ERROR 0x1p-52
 
 /* A value too small beside the unit is the least normal double of its sign. */
@@ -74,7 +74,7 @@ static void make_room(hl_face_report *face, double s, double t) {
     if (face->roots[r].t == t) take_out(face, r);
 }
 
-/* Where the minimizer is on a face, there is a root for it. */
+/* A minimizer on a face has a root. */
 static void put_root(const hl_candidate *minimizer, hl_face_report *face) {
   const double s = minimizer->point[face_table[minimizer->id].s], t = minimizer->point[face_table[minimizer->id].t];
   const double *b = face->bernstein, a = lerp(b[0] - 2 * b[3] + b[6], b[2] - 2 * b[5] + b[8], t);

@@ -1,4 +1,4 @@
-/* What WebAssembly exports: one static input and one static output, so that no pointer but these two crosses. */
+/* The exports of WebAssembly: no pointers but those of one static input and one output. */
 #include "hexlens.h"
 
 #define EXPORT(name) __attribute__((export_name(#name)))

@@ -1,4 +1,4 @@
-/* What WebAssembly exports for batches. Lists lie in memory that the caller has grown for them; counts in a static one. */
+/* The exports of WebAssembly for batches. The caller grows the memory for lists. */
 #include "hexlens.h"
 
 #define EXPORT(name) __attribute__((export_name(#name)))
@@ -25,7 +25,7 @@ int classify(const double *coordinates, size_t coordinate_count, const uint32_t 
   return (int)status;
 }
 
-/* For benchmarks: of elements whose jacdets are doubles as they are. */
+/* The tangent bound for benchmarks: of elements whose jacdets are doubles as they are. */
 EXPORT(tangent_bound) double tangent_bound_of(const double *vertices, int tangents) {
   hl_bound bound = {0, 0};
   hl_tangent_bound(vertices, tangents, &bound);

@@ -51,7 +51,7 @@ static double quartic_bound(double a, double b, double dc, double db, double da)
   return a * a * dc + 2 * a * b * db + da * b * b;
 }
 
-/* How far a computed coefficient of P can be from the exact one, (17). The factors are those of a face normalized by
+/* The error of a computed coefficient of P, (17). The factors are those of a face normalized by
    2^-exponent, and the errors they bring along, from (8), are scaled alike. */
 static double quartic_error(const parabolas *f, int exponent) {
   const double u = UNIT_ROUNDOFF, scaled_u = times_power_of_two(UNIT_ROUNDOFF, -exponent);
@@ -94,7 +94,7 @@ static void sort_ascending(double *x, int count) {
     }
 }
 
-/* Where in t the parabola's vertex lies inside the face, B < 0 < N: between roots of B and N. */
+/* Intervals of t where the parabola's vertex is inside the face, B < 0 < N. */
 static int inside_intervals(const parabolas *f, interval inside[MAX_INTERVALS]) {
   double cuts[2 * HL_MAX_ROOTS];
   int cut_count = hl_unit_roots(f->b, 2, cuts);
@@ -112,24 +112,26 @@ static int inside_intervals(const parabolas *f, interval inside[MAX_INTERVALS]) 
   return count;
 }
 
-/* The coefficients of the part of the face with t in the interval; the middle ones are the polar form at its ends. */
-static void restricted_face(const double beta[9], interval in, double part[9]) {
+/* The coefficients of the strip of the face with t in the interval; the middle ones are the polar
+   form at its ends. */
+static void restricted_face(const double beta[9], interval in, double strip[9]) {
   for (int i = 0; i < 3; ++i) {
     const double *q = beta + 3 * i;
     double first = lerp(q[0], q[1], in.from), second = lerp(q[1], q[2], in.from);
-    part[3 * i] = lerp(first, second, in.from);
-    part[3 * i + 1] = lerp(first, second, in.to);
-    part[3 * i + 2] = quadratic_at(q[0], q[1], q[2], in.to);
+    strip[3 * i] = lerp(first, second, in.from);
+    strip[3 * i + 1] = lerp(first, second, in.to);
+    strip[3 * i + 2] = quadratic_at(q[0], q[1], q[2], in.to);
   }
 }
 
-/* The roots of P in the interval, from P of that part of the face alone: its rounding errors are as small as a and B are
-   there, while those of P on [0,1] can hide a minimizer: docs/algorithm.md 4, "Small a and B". */
+/* The roots of P in the interval, from P of that strip of the face alone: its rounding errors are
+   as small as a and B are there, while those of P on [0,1] can hide a minimizer: docs/algorithm.md
+   4, "Small a and B". */
 static int roots_in(interval in, const double beta[9], double t[HL_MAX_ROOTS]) {
-  double part[9], unit[9], quartic[HL_QUARTIC];
+  double strip[9], unit[9], quartic[HL_QUARTIC];
   parabolas f;
-  restricted_face(beta, in, part);
-  normalized_face(part, unit);
+  restricted_face(beta, in, strip);
+  normalized_face(strip, unit);
   parabolas_in_s(unit, &f);
   quartic_bernstein(&f, quartic);
   int found = hl_unit_roots(quartic, HL_QUARTIC - 1, t), count = 0;

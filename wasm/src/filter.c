@@ -32,7 +32,7 @@ static bool all_below(const double *values, int count, double bound) {
 /* ac - B^2 = D/4 in Bernstein form: where B < 0 < N the parabola's least value is this over a. */
 static void quarter_discriminant(const parabolas *f, double d[HL_QUARTIC]) {
   const double *a = f->a, *b = f->b, *c = f->c;
-  /* Of ac, degree 3, the outer coefficients and three times the inner ones. */
+  /* The outer coefficients of ac, degree 3, and three times the inner ones. */
   const double first = a[0] * c[0], second = 2 * a[0] * c[1] + a[1] * c[0], third = a[0] * c[2] + 2 * a[1] * c[1],
                last = a[1] * c[2];
   d[0] = first - b[0] * b[0];
@@ -66,7 +66,7 @@ static int sign_of_parabolas(const certificate *c, certificate_error error, int 
   return sign == 1 ? sign_of_parabolas(&upper, error, halvings - 1) : sign;
 }
 
-/* As above, for a face whose edges are certainly positive. */
+/* The same for a face whose edges are certainly positive. */
 static int sign_of_face(const double beta[9]) {
   parabolas f;
   certificate c;
@@ -119,7 +119,7 @@ static void restrict_quartic(double p[5], double from, double to) {
     for (int i = 0; i < n; ++i) p[i] += from * (p[i + 1] - p[i]);
 }
 
-/* Whether a quartic is above CLEARANCE_D on [0,1]; false also where that is not clear. */
+/* True if a quartic is certainly above CLEARANCE_D on [0,1]. */
 static bool is_positive(const double d[5], int halvings) {
   if (all_above(d, 5, CLEARANCE_D)) return true;
   if (halvings == 0 || !(d[0] > CLEARANCE_D && d[4] > CLEARANCE_D)) return false;
@@ -128,7 +128,7 @@ static bool is_positive(const double d[5], int halvings) {
   return is_positive(lower, halvings - 1) && is_positive(upper, halvings - 1);
 }
 
-/* Whether wherever the parabola has its vertex inside, the least value there is certainly positive: B < 0 < N, D > 0. */
+/* True if certainly D > 0 wherever the parabola's vertex is inside, B < 0 < N. */
 static bool is_positive_inside(const parabolas *f) {
   double d[5];
   quarter_discriminant(f, d);

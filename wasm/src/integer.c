@@ -231,7 +231,7 @@ void integer_keep(workspace *w, size_t mark, integer *kept, int count) {
 
 enum { QUOTIENT_BITS = 62 };
 
-/* In place; the limbs are as many as before, and no bit is lost. */
+/* Doubles in place; the limbs are as many as before, and no bit is lost. */
 static void double_in_place(uint32_t *limbs, int32_t length) {
   uint32_t carry = 0;
   for (int32_t i = 0; i < length; ++i) {

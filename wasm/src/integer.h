@@ -19,8 +19,9 @@ typedef struct workspace {
   uint32_t multiplications;
 } workspace;
 
-/* Where the limbs are in the workspace, the least first and the greatest not 0, and how many, negative for a negative integer: in one
-   word, which is passed as such. The limbs do not change. */
+/* The index of the limbs in the workspace, the least first and the greatest not 0, and their
+   count, negative for a negative integer: in one word, which is passed as such. The limbs do not
+   change. */
 typedef struct integer {
   uint64_t place; /* offset << 32 | length */
 } integer;
@@ -42,7 +43,7 @@ integer integer_of(workspace *w, int64_t value);
 /* x = integer * 2^exponent for a finite x; the integer is odd, or 0 with exponent 0. */
 integer integer_of_double(workspace *w, double x, int *exponent);
 
-/* How many bits the magnitude has; 0 for 0. */
+/* Bits of the magnitude; 0 for 0. */
 int integer_bits(const workspace *w, integer a);
 
 /* -1, 0 or 1 for a < b, a = b, a > b. */
@@ -57,7 +58,7 @@ integer integer_times(workspace *w, integer a, int32_t factor);
 /* a * 2^shift; for a negative shift the magnitude loses its last bits. */
 integer integer_shifted(workspace *w, integer a, int shift);
 
-/* How many times 2 divides a, which is not 0. */
+/* The number of times that 2 divides a, which is not 0. */
 int integer_trailing_zeros(const workspace *w, integer a);
 
 /* Gives back what was handed out since `mark` = w->used but for these, which are moved. */

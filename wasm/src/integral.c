@@ -76,7 +76,7 @@ static bool are_ordinary(const double vertices[24]) {
   return true;
 }
 
-/* Whether the pair tells which double is nearest to the volume. */
+/* True if the pair tells which double is nearest to the volume. */
 static bool is_found_in_pairs(const double vertices[24], double *volume) {
   if (!are_ordinary(vertices)) return false;
   pair total = {0, 0};

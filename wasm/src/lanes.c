@@ -1,4 +1,4 @@
-/* Which of the fast stages this machine runs. HL_X86_LANES is for the builds that contain those for x86. */
+/* The fast stages that this machine runs. HL_X86_LANES: the build contains those for x86. */
 #include "batch.h"
 
 int usable_lanes(const lane_kernels *list[4]) {

@@ -6,7 +6,7 @@
 /* Elements that a kernel is given at once; memory for all of them must be readable, however few of them count. */
 enum { HL_BLOCK = 128 };
 
-/* What is known of one element, bit by bit. */
+/* Findings about one element, bit by bit. */
 enum {
   LANE_USABLE = 1, /* finite, and of a size for which plain doubles and powers of two do */
   LANE_VALID = 2,
@@ -20,8 +20,9 @@ typedef struct lane_minima {
   unsigned char vertex[HL_BLOCK];      /* of the least corner, the first of equals */
   _Alignas(64) double least[HL_BLOCK]; /* its jacdet */
   _Alignas(64) double unit[HL_BLOCK];  /* a power of two: jacdet is the number in scaled units times this */
-  /* In scaled units, and before they are multiplied by bernstein_part: of element e, coefficient i is at
-     [e / width][i][e % width]; only where its group has an element that is not settled. The cube's centre is not computed. */
+  /* Coefficients in scaled units, before they are multiplied by bernstein_factor: of element e,
+     number i is at [e / width][i][e % width]; only where its group has an element that is not
+     settled. The cube's centre is not computed. */
   _Alignas(64) double bernstein[27 * HL_BLOCK];
 } lane_minima;
 
@@ -31,7 +32,8 @@ typedef struct lane_kernels {
   /* Verdicts (hl_verdict) of `count` elements of 24 doubles each, HL_UNANSWERED for whatever is not clear in floats. There is
      room for a whole block. */
   void (*decide)(const double *hexahedra, int count, unsigned char *verdicts);
-  /* Least corners and all coefficients in doubles, the very bits of jacdet_bernstein but for bernstein_part and the sign of zero. */
+  /* Least corners and all coefficients in doubles, the very bits of jacdet_bernstein but for
+     bernstein_factor and the sign of zero. */
   void (*corners)(const double *hexahedra, int count, lane_minima *out);
 } lane_kernels;
 

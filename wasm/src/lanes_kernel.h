@@ -81,7 +81,8 @@ static inline void decide_group(const double *hexahedra, unsigned char *verdicts
         edges = smaller_floats(edges, z[m][n] + (corner[m][n][0] + corner[m][n][1]));
       }
     for (int m = 0; m < 2; ++m) {
-      /* On the faces xi, eta, zeta = m: twice the sum of the edges' middles, and that less the corners, four times the centre. */
+      /* The faces xi, eta, zeta = m: twice the edges' middles, less the corners: 4 times the
+         centre. */
       floats xi = (y[m][0] + y[m][1]) + (z[m][0] + z[m][1]), eta = (x[m][0] + x[m][1]) + (z[0][m] + z[1][m]),
              zeta = (x[0][m] + x[1][m]) + (y[0][m] + y[1][m]);
       faces = smaller_floats(smaller_floats(faces, xi), smaller_floats(eta, zeta));

@@ -1,4 +1,4 @@
-/* What reports and batches share. */
+/* Declarations that reports and batches share. */
 #ifndef HL_REPORT_H
 #define HL_REPORT_H
 
@@ -7,23 +7,23 @@
 #include "hexlens.h"
 #include "scaling.h"
 
-/* Whether doubles are certain of the verdict and know the minimum as well; `permanent` is the greatest one, `minimum` the least
-   candidate. The verdict is written in any case. */
+/* True if doubles are certain of the verdict and know the minimum as well; `permanent` is the
+   greatest one, `minimum` the least candidate. The verdict is written in any case. */
 bool is_settled_by_doubles(const double bernstein[HL_BERNSTEIN], double permanent, double minimum, hl_verdict *verdict);
 
 /* hl_analyze by integers, also where doubles would do. */
 hl_status analyze_exactly(const double vertices[HL_COORDINATES], hl_report *report);
 
-/* From report->bernstein: faces, candidates, the least and the greatest of them. */
+/* Finds faces, candidates, the least and the greatest of them from report->bernstein. */
 void find_candidates(const double vertices[HL_COORDINATES], hl_report *report);
 
-/* What the coefficients on the boundary and all of them are off by at most, and the exponent of them all. */
+/* Error bounds of the coefficients on the boundary and of all, and the exponent of them all. */
 typedef struct precision {
   double boundary_error, error;
   int exponent;
 } precision;
 
-/* What needs the verdict and how precise the coefficients are. */
+/* Completes the parts that need the verdict and the precision of the coefficients. */
 void complete_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, precision given,
                      const middle_point *middle, hl_report *report);
 
@@ -38,22 +38,22 @@ int list_jacdets(hl_report *report, double *list[MAX_JACDETS]);
 int exact_report(const double vertices[HL_COORDINATES], const edge_vectors *edges, const exact_values *x,
                  hl_report *report);
 
-/* From a face's coefficients, and the least candidate before it: what the rules say of it. */
+/* Applies the rules to a face, from its coefficients and the least candidate before it. */
 void judge_face(double running_minimum, hl_face_report *face);
 
-/* What the verdict says and, of an invalid element, whether jacdet is negative or 0 everywhere. */
+/* The class by the verdict and, of an invalid element, by jacdet being negative or 0 everywhere. */
 hl_class class_of(const double vertices[HL_COORDINATES], hl_verdict verdict);
 
 /* Bit 1 << c for each check c whose number in the report is positive. */
 unsigned checks_that_accept(const double vertices[HL_COORDINATES]);
 
-/* Of each vertex the least one at the same position; returns what they make of the element. */
+/* Finds the least vertex at each vertex's position; returns the shape that they make. */
 hl_shape find_coincidences(const double vertices[HL_COORDINATES], uint8_t coincident[HL_VERTICES]);
 
 /* The integral of jacdet, rounded to the nearest double. */
 scaled_double find_volume(const double vertices[HL_COORDINATES]);
 
-/* Of the determinants whose sum is twelve times the volume: see integral.c. */
+/* Columns of the determinants whose sum is twelve times the volume: see integral.c. */
 extern const unsigned char volume_columns[3][3][2][2];
 
 /* minimum * 2^exponent over |volume| * 2^volume_exponent: NaN for a volume of 0; what the doubles have no room for is the double of its sign

@@ -46,7 +46,7 @@ bool is_normal_after_scaling(double x, int exponent) {
 double times_power_of_two(double x, int exponent) {
   if (exponent >= LEAST_NORMAL && exponent <= GREATEST) return x * power_of_two(exponent);
   if (x == 0) return x;
-  /* In quarters no factor leaves the doubles, and what lies between x and a normal result is exact. */
+  /* Quarters keep each factor among the doubles; between x and a normal result all is exact. */
   int quarter = exponent / 4;
   double factor = power_of_two(quarter);
   return x * factor * factor * factor * power_of_two(exponent - 3 * quarter);

@@ -19,8 +19,9 @@ void lower_degree(polynomial *p);
 int sign_at_zero(const polynomial *p);
 int sign_at_infinity(const polynomial *p);
 
-/* How many different roots p has in (0, infinity) at which g < 0, by Sturm's theorem and Sylvester's; p and g are not 0, and have no common
-   root there. `common` becomes the common divisor of p and its derivative. */
+/* The number of different roots of p in (0, infinity) at which g < 0, by Sturm's theorem and
+   Sylvester's; p and g are not 0, and have no common root there. `common` becomes the common
+   divisor of p and its derivative. */
 int roots_with_negative(workspace *w, const polynomial *p, const polynomial *g, polynomial *common);
 
 #endif

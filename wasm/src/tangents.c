@@ -10,22 +10,22 @@
 /* The two ends of [0,1], and those of the pieces between. */
 enum { MAX_ENDS = MAX_TANGENTS + 1 };
 
-/* Where two neighbouring tangents, at s and t, meet; or, of one tangent alone, what its value at an end is below the quadratic's
-   there, as a part of a. */
-typedef struct end_of_piece {
+/* The point where two neighbouring tangents, at s and t, meet; or, of one tangent alone, what its
+   value at an end is below the quadratic's there, as a part of a. */
+typedef struct piece_end {
   double s, t, part_of_a;
-} end_of_piece;
+} piece_end;
 
-static int ends_of_pieces(int tangents, end_of_piece ends[MAX_ENDS]) {
+static int ends_of_pieces(int tangents, piece_end ends[MAX_ENDS]) {
   int count = 0;
-  ends[count++] = (end_of_piece){0, 0, 0};
-  ends[count++] = (end_of_piece){1, 1, 0};
+  ends[count++] = (piece_end){0, 0, 0};
+  ends[count++] = (piece_end){1, 1, 0};
   if (tangents == 1) { /* (K2) */
-    ends[count++] = (end_of_piece){0, 0, 0.25};
-    ends[count++] = (end_of_piece){1, 1, 0.25};
+    ends[count++] = (piece_end){0, 0, 0.25};
+    ends[count++] = (piece_end){1, 1, 0.25};
   }
   for (int i = 1; i < tangents; ++i)
-    ends[count++] = (end_of_piece){(i - 1.0) / (tangents - 1), (double)i / (tangents - 1), 0};
+    ends[count++] = (piece_end){(i - 1.0) / (tangents - 1), (double)i / (tangents - 1), 0};
   return count;
 }
 
@@ -33,7 +33,7 @@ HL_INLINE double between(double p, double q, double t) { return p + t * (q - p);
 
 /* (K1): the polar form at s and t is the value at (s + t)/2 of both tangents; the first two pieces' ends are those of [0,1]. Of the
    coefficients q[0], q[stride], q[2 * stride]. */
-HL_INLINE double value_below(const end_of_piece *at, const double *q, int stride) {
+HL_INLINE double value_below(const piece_end *at, const double *q, int stride) {
   const double q0 = q[0], q1 = q[stride], q2 = q[2 * stride];
   if (at->s != at->t) return between(between(q0, q1, at->s), between(q1, q2, at->s), at->t);
   const double end = at->s == 0 ? q0 : q2;
@@ -48,8 +48,8 @@ static double least_of_quadratic(const double q[3], double least) {
   return smaller(least, quadratic_at(q[0], q[1], q[2], r));
 }
 
-/* Of the quadratics that the tangents in the first of the two variables leave of a plane in both, or, by `stride` 1, in the second. */
-static double least_on_plane(const double plane[9], int stride, const end_of_piece *ends, int count, double least) {
+/* The least of the quadratics that tangents leave of a plane, in one variable by `stride`. */
+static double least_on_plane(const double plane[9], int stride, const piece_end *ends, int count, double least) {
   for (int n = 0; n < count; ++n) {
     double q[3];
     for (int k = 0; k < 3; ++k) q[k] = value_below(&ends[n], plane + (4 - stride) * k, stride);
@@ -59,7 +59,7 @@ static double least_on_plane(const double plane[9], int stride, const end_of_pie
 }
 
 double tangent_bound(const double bernstein[27], double error, int tangents) {
-  end_of_piece ends[MAX_ENDS];
+  piece_end ends[MAX_ENDS];
   const int count = ends_of_pieces(tangents, ends);
   double bounds[3]; /* by the variable that has no tangents */
   for (int axis = 0; axis < 3; ++axis) bounds[axis] = bernstein[0];

@@ -4,7 +4,7 @@
 
 enum { MAX_TANGENTS = 8, REPORTED_TANGENTS = 4 };
 
-/* From coefficients that are off by at most `error`; positive only if jacdet certainly is on the whole element. */
+/* A bound from coefficients off by at most `error`; positive only if jacdet certainly is. */
 double tangent_bound(const double bernstein[27], double error, int tangents);
 
 #endif

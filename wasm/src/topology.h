@@ -1,5 +1,6 @@
-/* Where vertices, edges and faces lie, and which of the 27 Bernstein coefficients lie on them. tests/core/test_topology.c derives
-   each table from vertex_reference, edge_table, face_table and the strides. */
+/* The positions of vertices, edges and faces, and the Bernstein coefficients on them.
+   tests/core/test_topology.c derives each table from vertex_reference, edge_table, face_table and
+   the strides. */
 #ifndef HL_TOPOLOGY_H
 #define HL_TOPOLOGY_H
 

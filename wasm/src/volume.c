@@ -1,15 +1,18 @@
-/* Branch and bound: parts of the element in Bernstein form, bounded from below by their coefficients or by a convex
-   underestimator, and settled once the bound is no longer below the least value found: docs/algorithm.md 8. */
+/* Branch and bound: boxes of the element in Bernstein form, bounded from below by their
+   coefficients or by a convex underestimator, and settled once the bound is no longer below the
+   least value found: docs/algorithm.md 8. */
 #include "volume.h"
 #include "bernstein.h"
 #include "error_bounds.h"
 #include "subdivision.h"
 #include "topology.h"
 
-/* A part's bound may stay this much, relative to the largest coefficient, below the least value found. */
+/* A box's bound may stay this much, relative to the largest coefficient, below the least value
+   found. */
 #define TOLERANCE 0x1p-35
 
-/* Halvings of one axis; the parts of an element of doubles are dyadic, and 2^-40 wide their coefficients are one number. */
+/* Halvings of one axis; the boxes of an element of doubles are dyadic, and 2^-40 wide their
+   coefficients are one number. */
 enum { MAX_HALVINGS = 40, MAX_STACK = 3 * MAX_HALVINGS + 2 };
 
 /* Parts looked at before what is left is settled by its bounds as they are: no element may hang. */
@@ -17,35 +20,36 @@ enum { WORK_LIMIT = 100000 };
 
 enum { NEWTON_STEPS = 4 };
 
-typedef struct part {
+typedef struct box {
   double b[27];
-  double from[3], width[3]; /* a width of 0: the minimum over the part lies on that side */
-} part;
+  double from[3], width[3]; /* a width of 0: the minimum over the box lies on that side */
+} box;
 
 typedef struct search {
   double unit; /* max|bernstein| */
   double best; /* the least value found */
   double point[3];
-  double lower; /* the least bound of a settled part */
+  double lower; /* the least bound of a settled box */
 } search;
 
 static bool can_be_settled(const search *s, double bound) { return bound >= s->best - TOLERANCE * s->unit; }
 
 static void settle(search *s, double bound) { s->lower = smaller(s->lower, bound); }
 
-static void found_value(search *s, const part *p, const double t[3], double value) {
+static void found_value(search *s, const box *p, const double t[3], double value) {
   if (!(value < s->best)) return;
   s->best = value;
   for (int axis = 0; axis < 3; ++axis) s->point[axis] = p->from[axis] + t[axis] * p->width[axis];
 }
 
-static void look_at_corners(search *s, const part *p) {
+static void look_at_corners(search *s, const box *p) {
   for (int v = 0; v < 8; ++v) found_value(s, p, vertex_point[v], p->b[vertex_index(v)]);
 }
 
-/* Where jacdet does not fall along an axis its least values lie on the part's lower side, and where it does not rise on the
-   upper: the part becomes that side. Nothing is computed but comparisons, so nothing is rounded. */
-static void drop_to_side(part *p, int axis) {
+/* If jacdet does not fall along an axis its least values lie on the box's lower side, and if it
+   does not rise on the upper: the box becomes that side. Nothing is computed but comparisons, so
+   nothing is rounded. */
+static void drop_to_side(box *p, int axis) {
   int stride = axis_stride[axis];
   bool rises = true, falls = true;
   for (int i = 0; i < 27; ++i) {
@@ -73,8 +77,8 @@ static void basis(double t, double w[3], double dw[3]) {
   dw[2] = 2 * t;
 }
 
-/* jacdet and its gradient by t, the part's own coordinates in [0,1]^3. */
-static double value_and_gradient(const part *p, const double t[3], double gradient[3]) {
+/* jacdet and its gradient by t, the box's own coordinates in [0,1]^3. */
+static double value_and_gradient(const box *p, const double t[3], double gradient[3]) {
   double w[3][3], dw[3][3], value = 0;
   for (int axis = 0; axis < 3; ++axis) {
     basis(t[axis], w[axis], dw[axis]);
@@ -99,8 +103,8 @@ static void include(range *r, double x) {
   if (x > r->high) r->high = x;
 }
 
-/* Where the second derivatives by t lie over the part: in the hull of their Bernstein coefficients. */
-static range second_derivative(const part *p, int first, int second) {
+/* The range of the second derivatives by t: the hull of their Bernstein coefficients. */
+static range second_derivative(const box *p, int first, int second) {
   int f = axis_stride[first], s = axis_stride[second];
   range r = {__DBL_MAX__, -__DBL_MAX__};
   for (int i = 0; i < 27; ++i) {
@@ -141,8 +145,9 @@ static void solve(const factors *f, const double g[3], double x[3]) {
 
 static double clamped_to_unit(double t) { return t < 0 ? 0 : t > 1 ? 1 : t; }
 
-/* The least value over the part of the tangent plane at the convex underestimator's minimizer, or near it: (V6). */
-static double tangent_bound(search *s, const part *p, const factors *f, double alpha) {
+/* The least value over the box of the tangent plane at the convex underestimator's minimizer, or
+   near it: (V6). */
+static double tangent_bound(search *s, const box *p, const factors *f, double alpha) {
   double t[3] = {0.5, 0.5, 0.5}, gradient[3], step[3], value = 0;
   for (int n = 0; n <= NEWTON_STEPS; ++n) {
     value = value_and_gradient(p, t, gradient);
@@ -163,9 +168,10 @@ static double tangent_bound(search *s, const part *p, const factors *f, double a
   return bound;
 }
 
-/* jacdet - alpha sum t(1-t) is convex on the part if the Hessian's centre, plus 2 alpha and less its radius, is positive
-   definite; tried with alpha = 0 and, for a valley whose floor is flat, with the radius: (V4), (V5). */
-static bool settled_by_convexity(search *s, const part *p) {
+/* jacdet - alpha sum t(1-t) is convex on the box if the Hessian's centre, plus 2 alpha and less its
+   radius, is positive definite; tried with alpha = 0 and, for a valley whose floor is flat, with
+   the radius: (V4), (V5). */
+static bool settled_by_convexity(search *s, const box *p) {
   double centre[3][3], radius = 0, row[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j <= i; ++j) {
@@ -195,7 +201,7 @@ static bool settled_by_convexity(search *s, const part *p) {
 }
 
 /* The axis along which neighbouring coefficients differ most, of those that can be halved; -1 if there is none. */
-static int axis_to_halve(const part *p) {
+static int axis_to_halve(const box *p) {
   int chosen = -1;
   double greatest = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -212,15 +218,16 @@ static int axis_to_halve(const part *p) {
   return chosen;
 }
 
-static void halve_part(const part *p, int axis, part *lower, part *upper) {
+static void halve_box(const box *p, int axis, box *lower, box *upper) {
   *lower = *upper = *p;
   halve_along(p->b, axis, lower->b, upper->b);
   lower->width[axis] = upper->width[axis] = 0.5 * p->width[axis];
   upper->from[axis] += upper->width[axis];
 }
 
-/* Settles the part or leaves it cut to the side or sides on which its minimum lies; true if it is still open. */
-static bool stays_open(search *s, part *p) {
+/* Settles the box or leaves it cut to the side or sides on which its minimum lies; true if it is
+   still open. */
+static bool stays_open(search *s, box *p) {
   double bound = least_coefficient(p->b);
   if (!can_be_settled(s, bound)) {
     for (int axis = 0; axis < 3; ++axis)
@@ -234,12 +241,12 @@ static bool stays_open(search *s, part *p) {
 }
 
 /* Depth first, the half with the lower bound before the other: no more than a stack is needed, and good values come early. */
-static void search_parts(search *s, const part *whole) {
-  part stack[MAX_STACK];
+static void search_boxes(search *s, const box *whole) {
+  box stack[MAX_STACK];
   int count = 0, looked_at = 0;
   stack[count++] = *whole;
   while (count > 0) {
-    part p = stack[--count];
+    box p = stack[--count];
     if (++looked_at > WORK_LIMIT) {
       settle(s, least_coefficient(p.b));
       continue;
@@ -250,8 +257,8 @@ static void search_parts(search *s, const part *whole) {
       settle(s, least_coefficient(p.b));
       continue;
     }
-    part lower, upper;
-    halve_part(&p, axis, &lower, &upper);
+    box lower, upper;
+    halve_box(&p, axis, &lower, &upper);
     bool lower_first = least_coefficient(lower.b) < least_coefficient(upper.b);
     stack[count++] = lower_first ? upper : lower;
     stack[count++] = lower_first ? lower : upper;
@@ -259,11 +266,11 @@ static void search_parts(search *s, const part *whole) {
 }
 
 hl_volume_minimum bracketed_volume_minimum(const double bernstein[27], double error, const hl_candidate *start) {
-  part whole = {.width = {1, 1, 1}};
+  box whole = {.width = {1, 1, 1}};
   for (int i = 0; i < 27; ++i) whole.b[i] = bernstein[i];
   search s = {.unit = greatest_magnitude(bernstein, 27), .best = start->value, .lower = start->value};
   for (int axis = 0; axis < 3; ++axis) s.point[axis] = start->point[axis];
-  search_parts(&s, &whole);
+  search_boxes(&s, &whole);
 
   double gradient[3], u = UNIT_ROUNDOFF * s.unit;
   double value = value_and_gradient(&whole, s.point, gradient);

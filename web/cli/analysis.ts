@@ -1,4 +1,4 @@
-/** What `analyze` prints of one element: its report in numbers, or why there is none. */
+/** The output of `analyze` for one element: its report in numbers, or why there is none. */
 import type { Check, Core } from '../core/report'
 import { jsonNumber } from './json-number'
 import type { NamedHexahedron } from './read-hexahedra'

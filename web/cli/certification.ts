@@ -1,4 +1,4 @@
-/** What `certify` prints of one element: its certificate, docs/certificates.md, or why there is none. */
+/** The output of `certify` for one element: its certificate, or why there is none. */
 import { certificateJson, certify } from '../core/exact/certificate'
 import type { Core } from '../core/report'
 import type { NamedHexahedron } from './read-hexahedra'

@@ -1,5 +1,5 @@
 /** The arguments of `check`. */
-import { Refusal } from './streams'
+import { Refusal } from '../model/result'
 
 export const ID_KINDS = ['abaqus', 'nastran', 'plain'] as const
 export type IdKind = (typeof ID_KINDS)[number]
@@ -7,7 +7,7 @@ export type IdKind = (typeof ID_KINDS)[number]
 export interface CheckArguments {
   readonly files: readonly string[]
   readonly format: string | null
-  /** Which time step, counted from 0. */
+  /** The time step, counted from 0. */
   readonly step: number | 'last'
   readonly json: boolean
   /** Null where it is not said; Infinity for all. */
@@ -22,7 +22,7 @@ export interface CheckArguments {
 }
 
 interface Option {
-  /** What its value is, for people; null for an option that has none. */
+  /** The value's description; null for an option that has none. */
   readonly value: string | null
   read(text: string): Partial<CheckArguments>
 }

@@ -7,6 +7,7 @@ import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { readMeshes } from '../mesh/read-mesh'
+import { Refusal } from '../model/result'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
 import type { Engine } from './engine'
@@ -20,9 +21,9 @@ import { textOutput } from './outputs/text'
 import { vtuOutput } from './outputs/vtu'
 import { ProgressLine } from './progress'
 import { FileSink } from './sink'
-import { Buffered, Refusal, type Streams } from './streams'
+import { Buffered, type Streams } from './streams'
 
-/** How many of the worst are listed where nothing is said. */
+/** Worst cells that are listed unless --worst says how many. */
 const WORST = 10
 
 /** Throws a Refusal for a wrong call, and where something cannot be written. */
@@ -49,11 +50,11 @@ export async function check(args: readonly string[], engine: Engine, streams: St
       exits.push(result.exit)
       progress.clear()
       if ('error' in result && wanted.ids !== null) say(result.error)
-      for (const { output, write } of outputs) for (const piece of output.file(result)) await write(piece)
+      for (const { output, write } of outputs) for (const chunk of output.file(result)) await write(chunk)
     }
     const exit = gravestExit(exits)
     for (const { output, write, close } of outputs) {
-      for (const piece of output.end(exit)) await write(piece)
+      for (const chunk of output.end(exit)) await write(chunk)
       await close()
     }
     return exit
@@ -79,14 +80,14 @@ async function resultOf(file: string, work: Work): Promise<FileResult> {
     const check = await checkOf(await meshOf(file, work), work)
     return { file, exit: exitOf(check, work.wanted), check }
   } catch (error) {
-    if (error instanceof MeshRefusal || error instanceof Refusal) return { file, exit: 2, error: error.message }
+    if (error instanceof Refusal) return { file, exit: 2, error: withoutControls(error.message) }
     if (error instanceof RangeError && isAboutMemory(error))
       return { file, exit: 2, error: `${withoutControls(file)} needs more memory than there is.` }
     throw error
   }
 }
 
-/** What engines say when an array cannot be had. */
+/** True for the messages of engines that cannot have an array. */
 function isAboutMemory({ message }: RangeError): boolean {
   return /allocation failed|array length|memory/i.test(message)
 }
@@ -95,7 +96,7 @@ async function meshOf(path: string, { wanted, readingCore, streams, progress }: 
   const { file, find, close } = await openMeshFile(path, streams.input)
   try {
     const name = withoutControls(path)
-    const onProgress = (part: number) => progress.show(`${name}: reading`, part)
+    const onProgress = (fraction: number) => progress.show(`${name}: reading`, fraction)
     const { step, format } = wanted
     const options = { find, onProgress, step, core: readingCore, ...(format === null ? {} : { format }) }
     const meshes = readMeshes(file, options)
@@ -118,9 +119,9 @@ function checkOf(mesh: Mesh, { wanted, lists, core, cells }: Work): Promise<Mesh
 
 interface OpenOutput {
   readonly output: Output
-  write(piece: string | Uint8Array): unknown
+  write(chunk: string | Uint8Array): unknown
   close(): unknown
-  /** For what is not closed. */
+  /** Instead of `close`: nothing is left behind. */
   discard(): void
 }
 
@@ -139,7 +140,7 @@ function outputsOf(wanted: CheckArguments, streams: Streams, say: (sentence: str
     ...(annotate === null ? [] : [toFile(vtuOutput(), annotate)]),
     {
       output: main,
-      write: piece => printed.write(piece as string),
+      write: chunk => printed.write(chunk as string),
       close: () => printed.flush(),
       discard: () => {},
     },
@@ -150,7 +151,7 @@ function toFile(output: Output, path: string): OpenOutput {
   const sink = new FileSink(path)
   return {
     output,
-    write: piece => sink.write(piece),
+    write: chunk => sink.write(chunk),
     close: () => sink.close(),
     discard: () => sink.discard(),
   }

@@ -15,7 +15,7 @@ export interface CellClassifier {
   close(): void
 }
 
-/** In cells: one piece of a pool. */
+/** Cells: one piece of a pool. */
 const FEW = 16_384
 
 export async function startCellClassifier(

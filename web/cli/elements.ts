@@ -1,13 +1,14 @@
 /** `analyze` and `certify`: a JSON list of elements in, a list of answers out, entry by entry, however long the list is. */
 import { createReadStream } from 'node:fs'
 import type { Core } from '../core/report'
+import { Refusal } from '../model/result'
 import type { Engine } from './engine'
 import { jsonEntries } from './json-entries'
 import { jsonText } from './json-text'
 import { type NamedHexahedron, readHexahedron } from './read-hexahedra'
-import { Buffered, Refusal, type Streams } from './streams'
+import { Buffered, type Streams } from './streams'
 
-/** What is printed of one element. */
+/** The JSON that is printed for one element. */
 export type AnswerTo = (core: Core, hexahedron: NamedHexahedron) => object
 
 /** Throws a Refusal; the list is then left open, and nothing is printed where the input is short. */

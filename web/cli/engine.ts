@@ -1,5 +1,4 @@
-/** What the command line computes with: from the sources, or from inside the package's one file. */
-
+/** The command line's wasm: from the sources, or from inside the package's one file. */
 import type { ReadingCore } from '../core/reading-interface'
 import type { Core } from '../core/report'
 

@@ -2,7 +2,7 @@
  * The entries of a JSON list one by one, from bytes as they come: each is cut out by its brackets and strings and parsed alone, so that
  * neither the list nor its text is ever whole in memory. Linear in time.
  */
-import { Refusal } from './streams'
+import { Refusal } from '../model/result'
 
 /** An entry is no longer, in bytes. */
 const LONGEST_ENTRY = 64 * 1024 * 1024
@@ -20,7 +20,7 @@ export async function* jsonEntries(chunks: AsyncIterable<Buffer | string>): Asyn
 
 class ListScanner {
   #stage: 'before' | 'list' | 'other' | 'after' = 'before'
-  /** What has come of the entry, or of what is no list. */
+  /** The entry so far, or whatever is no list. */
   #pending: Buffer[] = []
   #pendingLength = 0
   /** Bytes of the byte order mark. */
@@ -51,7 +51,7 @@ class ListScanner {
     return entries
   }
 
-  /** Where the comma or bracket after the entry is, or the length of the chunk. */
+  /** The index of the comma or bracket after the entry, or the length of the chunk. */
   #endOfEntry(chunk: Buffer, from: number): number {
     for (let at = from; at < chunk.length; ++at) {
       const byte = chunk[at] as number
@@ -76,7 +76,7 @@ class ListScanner {
     throw new Refusal(`The input is ${described(value)}, not a list of hexahedra.`)
   }
 
-  /** Up to the list's bracket, which may come in a later chunk; returns where to go on. */
+  /** Skips the list's bracket, which may come in a later chunk; returns where to go on. */
   #begin(chunk: Buffer): number {
     for (let at = 0; at < chunk.length; ++at) {
       const byte = chunk[at] as number

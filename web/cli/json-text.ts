@@ -1,6 +1,6 @@
 /** JSON for a terminal, in which names from files may be shown. */
 
-/** On one line. Names stay whole, but control and bidirectional characters are escaped. */
+/** JSON on one line. Names stay whole, but control and bidirectional characters are escaped. */
 export function jsonText(value: object): string {
   return JSON.stringify(value).replace(/[\p{Cc}\p{Cf}\u2028\u2029]/gu, character =>
     Array.from({ length: character.length }, (_, i) => escaped(character.charCodeAt(i))).join(''),

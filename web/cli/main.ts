@@ -1,15 +1,18 @@
 /** The command line: which command is meant, and its exit status. web/cli/from-sources.ts and web/package/cli.ts run it. */
+
+import { withoutControls } from '../mesh/text-cursor'
+import { Refusal } from '../model/result'
 import { analysis } from './analysis'
 import { certification } from './certification'
 import { check } from './check'
 import { type AnswerTo, answerElements } from './elements'
 import type { Engine } from './engine'
-import { processStreams, Refusal, type Streams } from './streams'
+import { processStreams, type Streams } from './streams'
 import { CHECK_USAGE, USAGE } from './usage'
 
 export type { Streams } from './streams'
 
-/** For lists of elements: what is printed of each. */
+/** Commands that answer for each element of a list. */
 const elementCommands = new Map<string, AnswerTo>([
   ['analyze', analysis],
   ['certify', certification],
@@ -45,7 +48,7 @@ export async function main(
     return REFUSED
   } catch (error) {
     if (!(error instanceof Refusal)) throw error
-    streams.errors.write(`hexlens: ${error.message}\n`)
+    streams.errors.write(`hexlens: ${withoutControls(error.message)}\n`)
     return REFUSED
   }
 }

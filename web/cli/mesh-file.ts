@@ -3,12 +3,13 @@ import { closeSync, fstatSync, openSync, readFileSync, readSync } from 'node:fs'
 import { basename, dirname, resolve } from 'node:path'
 import { type FindFile, fileOfBytes, type MeshFile } from '../mesh/source'
 import { shown } from '../mesh/text-cursor'
-import { Refusal, reasonOf, type Streams } from './streams'
+import { Refusal } from '../model/result'
+import { reasonOf, type Streams } from './streams'
 
-/** What is held open while a mesh is read. */
+/** Files that are open while a mesh is read. */
 export interface OpenFile {
   readonly file: MeshFile
-  /** What lies beside it. */
+  /** Finds files beside it. */
   readonly find: FindFile
   close(): void
 }
@@ -35,7 +36,7 @@ interface OpenPath {
   close(): void
 }
 
-/** By names as files write them, with either slash; whatever is opened is put into `found`. */
+/** Finds files by their names, with either slash, and puts all that are opened into `found`. */
 function filesBeside(folder: string, found: OpenPath[]): FindFile {
   return name => {
     for (const spelling of new Set([name, name.replaceAll('\\', '/')])) {

@@ -1,6 +1,6 @@
 /** One line on a terminal that says how far the work is, and goes when it is done. */
 
-/** In milliseconds. */
+/** Milliseconds. */
 const INTERVAL = 100
 const ERASE = '\r\u001b[K'
 
@@ -14,12 +14,12 @@ export class ProgressLine {
     this.#terminal = terminal
   }
 
-  show(what: string, part: number): void {
+  show(what: string, fraction: number): void {
     const now = performance.now()
     if (this.#terminal === null || now - this.#shown < INTERVAL) return
     this.#shown = now
     this.#isVisible = true
-    this.#terminal.write(`${ERASE}${what}: ${Math.floor(100 * Math.min(Math.max(part, 0), 1))} %`)
+    this.#terminal.write(`${ERASE}${what}: ${Math.floor(100 * Math.min(Math.max(fraction, 0), 1))} %`)
   }
 
   clear(): void {

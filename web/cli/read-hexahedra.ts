@@ -1,8 +1,8 @@
 /** An entry of what `analyze` and `certify` accept, a JSON list of {"name", "vertices": [[x, y, z], ... 8]}. Pure; further keys are ignored. */
 import { shown } from '../mesh/text-cursor'
 import { VERTEX_COUNT, type Vertices } from '../model/hexahedron'
+import { Refusal } from '../model/result'
 import { described } from './json-entries'
-import { Refusal } from './streams'
 
 export interface NamedHexahedron {
   readonly name: string

@@ -4,7 +4,7 @@ import { dirname } from 'node:path'
 import { cannotWrite } from './streams'
 
 /** Small texts go to the disk together. */
-const PIECE = 1024 * 1024
+const CHUNK = 1024 * 1024
 
 /**
  * Writes to a file beside the one that is meant, which takes its place in the end, so that whoever looks never sees a part; what is no
@@ -32,11 +32,11 @@ export class FileSink {
     this.#partial = this.#isReplaced ? `${path}.${process.pid}.part` : path
   }
 
-  write(piece: string | Uint8Array): void {
-    const bytes = typeof piece === 'string' ? Buffer.from(piece) : piece
+  write(chunk: string | Uint8Array): void {
+    const bytes = typeof chunk === 'string' ? Buffer.from(chunk) : chunk
     this.#pending.push(bytes)
     this.#pendingLength += bytes.length
-    if (this.#pendingLength >= PIECE) this.#flush()
+    if (this.#pendingLength >= CHUNK) this.#flush()
   }
 
   /** The file is there. */

@@ -1,12 +1,5 @@
-/** Where a command reads and writes. Whatever fails there becomes a Refusal. */
-import { withoutControls } from '../mesh/text-cursor'
-
-/** What ends a command: one sentence on standard error, exit status 2. Names in it may have any characters. */
-export class Refusal extends Error {
-  constructor(sentence: string) {
-    super(withoutControls(sentence))
-  }
-}
+/** The streams of a command. Whatever fails there becomes a Refusal. */
+import { Refusal } from '../model/result'
 
 export interface Streams {
   readonly input: AsyncIterable<Buffer | string>
@@ -17,7 +10,7 @@ export interface Streams {
 
 export function processStreams(): Streams {
   const { stdin, stdout, stderr } = process
-  // Each write says it to its caller.
+  // Callers of `write` learn of the error.
   stdout.on('error', () => {})
   stderr.on('error', () => {})
   const write = (text: string) =>
@@ -48,7 +41,7 @@ export function reasonOf(error: unknown): string {
 }
 
 /** Text goes out in pieces of this size. */
-const PIECE = 1024 * 1024
+const CHUNK = 1024 * 1024
 
 /** Holds text back until there is enough of it; what is not flushed is never written. */
 export class Buffered {
@@ -63,7 +56,7 @@ export class Buffered {
   async write(text: string): Promise<void> {
     this.#texts.push(text)
     this.#length += text.length
-    if (this.#length >= PIECE) await this.flush()
+    if (this.#length >= CHUNK) await this.flush()
   }
 
   async flush(): Promise<void> {

@@ -1,4 +1,4 @@
-/** What `--help` prints. */
+/** The texts of `--help`. */
 
 const CALL = process.env.npm_lifecycle_event === 'hexlens' ? 'npm run -s hexlens --' : 'hexlens'
 

@@ -4,7 +4,7 @@ import { type Certificate, certify } from './exact/certificate'
 import type { Core, CoreError, Report, Result } from './report'
 import { Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
 
-/** Of hexlens.wasm and of the modules for batches; and of hexlens-twin.js, which wasm2js makes of the first. */
+/** Exports of hexlens.wasm, of the modules for batches, and of hexlens-twin.js, made by wasm2js. */
 export interface CoreExports {
   readonly memory: { readonly buffer: ArrayBuffer }
   readonly _initialize?: () => void

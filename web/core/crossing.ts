@@ -18,8 +18,8 @@ export function changeBetween(core: Core, a: Vertices, b: Vertices, change: Chan
 }
 
 /**
- * By bisection with the certain verdict, pausing after each; those at `near` and `far` must differ. It ends earlier where the two places are
- * no more than `least` apart.
+ * Bisects with the certain verdict, pausing after each; those at `near` and `far` must differ. Ends
+ * early if the two are no more than `least` apart.
  */
 export function* changesBetween(
   core: Core,
@@ -40,7 +40,7 @@ export function* changesBetween(
   return { near: last, far: first }
 }
 
-/** Of finite numbers there is always one. */
+/** Finite numbers always have a verdict. */
 export function verdictOf(core: Core, vertices: Vertices): boolean {
   const result = core.isValid(vertices)
   if (!result.ok) throw new Error(result.error.message)

@@ -15,7 +15,7 @@ export interface FacePolynomials {
 
 type Quadratic = readonly [number, number, number]
 
-/** From `bernstein[3 * i + j]`, i in s, j in t. The largest of them becomes about 1, so that products stay in range. */
+/** `bernstein[3 * i + j]`: i in s, j in t. The largest becomes about 1: products stay in range. */
 export function facePolynomials(bernstein: readonly number[]): FacePolynomials {
   const greatest = Math.max(...bernstein.map(Math.abs))
   const exponent = greatest > 0 ? Math.floor(Math.log2(greatest)) : 0

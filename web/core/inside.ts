@@ -1,7 +1,7 @@
-/** What an element has inside that its boundary does not show. */
+/** The least jacdet inside, if it is below the boundary's. */
 import type { Report, VolumeMinimum } from './report'
 
-/** The volume minimum where it is certainly below the boundary's: of an invalid element only, by the theorem. */
+/** The volume minimum if certainly below the boundary's: only of an invalid element. */
 export function lowerInside(report: Report): VolumeMinimum | null {
   const { boundaryMinimum, boundaryMinimumError, volumeMinimum } = report
   return volumeMinimum.upper < boundaryMinimum - boundaryMinimumError ? volumeMinimum : null
@@ -24,7 +24,7 @@ export function approximation({ lower, upper }: Pick<VolumeMinimum, 'lower' | 'u
   return { value, error: roundedUp(Math.max(upper - value, value - lower)) }
 }
 
-/** Not below a sum or difference of two doubles, of which the given one is the rounded result. */
+/** A double not below the sum or difference of two doubles whose rounded result is given. */
 export function roundedUp(difference: number): number {
   return difference + Math.abs(difference) * 2 ** -51
 }

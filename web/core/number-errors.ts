@@ -1,13 +1,14 @@
 /**
- * How far the doubles of a report can be from the exact numbers, times 2^exponent: docs/algorithm.md 4, 8 and 9. Infinite
- * where they say nothing: for what was decided exactly, (M1) is not a bound of anything but the minimum.
+ * Error bounds of the doubles of a report, times 2^exponent: docs/algorithm.md 4, 8 and 9. Infinite
+ * if an element was decided exactly: (M1) then bounds the minimum's error alone.
  */
 import { edgesAlong, edgeVertices, type Vec3, type Vertices, vertexOf } from '../model/hexahedron'
 import type { Report } from './report'
 
 /**
- * Of any value that is made from the 27 Bernstein coefficients by few means, times 2^exponent. In scaled units (M1) has
- * boundaryMinimumError >= 36uR + 12uM, and these are off by at most 100uR + 40uM, the cube's centre of (8R) and (V2).
+ * The error of any value made from the 27 Bernstein coefficients by few means, times 2^exponent. In
+ * scaled units (M1) has boundaryMinimumError >= 36uR + 12uM, and these are off by at most 100uR +
+ * 40uM, the cube's centre of (8R) and (V2).
  */
 export function valueError({ decidedBy, boundaryMinimumError }: Report): number {
   return decidedBy === 'filter' ? 4 * boundaryMinimumError : Number.POSITIVE_INFINITY
@@ -18,13 +19,13 @@ export function boundaryMaximumError(report: Report): number {
   return valueError(report) + 2 ** -41 * Math.max(...report.bernstein.map(Math.abs))
 }
 
-/** Beside the longest edge a column at the centre that is shorter than this has lost too much in the mean of its four edges. */
+/** A column at the centre is too short, beside the longest edge, for the error of its mean. */
 const SHORTEST_COLUMN = 2 ** -6
 
 /** Lengths are off by 5u of themselves, at the centre by 5u of the longest edge: 2^-44 in each of three columns, and in ours. */
 const LENGTHS_ERROR = 2 ** -40
 
-/** Of the scaled Jacobian: that of jacdet over the product of three lengths, and that of the lengths. */
+/** The scaled Jacobian's error: that of jacdet over three lengths, and that of the lengths. */
 export function scaledJacobianError(report: Report): number {
   if (report.exponent !== 0) return Number.POSITIVE_INFINITY
   const edges = edgeVertices.map(([from, to]) => difference(report.vertices, from, to))

@@ -10,9 +10,10 @@ const HALVINGS = 53
 const TOO_NEAR = 1 / 8
 
 /**
- * On the way from the minimizer to the maximizer, along which jacdet takes every value in between; what lies beyond is clamped to
- * these. The way is straight, and seen from the centre projected on the boundary. A value that only the inside has is found there, on the
- * straight way from the least of all.
+ * A point on the way from the minimizer to the maximizer, along which jacdet takes every value in
+ * between; others are clamped to these. The way is straight, and seen from the centre projected on
+ * the boundary. A value that only the inside has is found there, on the straight way from the least
+ * of all.
  */
 export function pointOfValue(report: Report, value: number): Vec3 {
   const { minimizer, maximizer, boundaryMinimum, boundaryMinimumError, volumeMinimum, bernstein } = report
@@ -37,7 +38,7 @@ function straight(a: Vec3, b: Vec3, at: number): Vec3 {
   return map(axis => a[axis] + (b[axis] - a[axis]) * at)
 }
 
-/** Where the straight way goes through the centre, it makes a detour through the middle of a face. */
+/** A straight way through the centre makes a detour through the middle of a face. */
 function wayBetween(from: Vec3, to: Vec3): (at: number) => Vec3 {
   if (fromCentre(straight(from, to, 1 / 2)) > TOO_NEAR) return at => onBoundary(straight(from, to, at))
   const distances = from.map(x => Math.abs(x - CENTRE))

@@ -1,6 +1,6 @@
 /** value * 2^exponent for any integer exponent, rounded where it is subnormal. */
 export function timesPowerOfTwo(value: number, exponent: number): number {
-  // In steps, so that no factor leaves the doubles; beyond 4000 the result is 0 or infinite either way.
+  // Steps keep each factor among the doubles; beyond 4000 the result is 0 or infinite either way.
   let rest = Math.max(-4000, Math.min(4000, exponent))
   let result = value
   for (; rest > 1000; rest -= 1000) result *= 2 ** 1000

@@ -4,17 +4,10 @@
  */
 
 import type { Quantities } from '../model/condition'
-import {
-  type Enclosure,
-  exactly,
-  isAtMost,
-  negated,
-  scaledDouble,
-  scaledInteger,
-  sumOf,
-} from '../model/condition/enclosure'
+import { type Enclosure, exactly } from '../model/condition/enclosure'
 import type { Claim, NumberName } from '../model/condition/names'
 import { VERTEX_COUNT, type Vertices } from '../model/hexahedron'
+import { isAtMost, negated, scaledDouble, scaledInteger, sumOf } from '../model/rational'
 import { exactTwist, twistEnclosure, twistOf } from '../model/twist'
 import {
   exactBernsteinMinimum,
@@ -38,7 +31,7 @@ export interface ShownNumber {
 }
 
 interface Description {
-  /** In a few words. */
+  /** A name of a few words. */
   readonly name: string
   /** One plain sentence. */
   readonly sentence: string
@@ -47,9 +40,9 @@ interface Description {
 interface NumberDescription extends Description {
   /** length^3, or none. */
   readonly unit: 'jacdet' | 'none'
-  /** As the report has it: times 2^exponent where it is a jacdet. */
+  /** The report's number: times 2^exponent if it is a jacdet. */
   readonly shown: (report: Report, start: Vertices) => number
-  /** In true units, from doubles with their error bounds; null where those say nothing. */
+  /** The number in true units, from doubles with their error bounds; null if those say nothing. */
   readonly roughly: (report: Report, start: Vertices) => Enclosure | null
   readonly exactly: (report: Report, start: Vertices) => Enclosure
 }
@@ -156,7 +149,7 @@ export const numbers: Readonly<Record<NumberName, NumberDescription>> = {
   },
 }
 
-/** What the report's element answers to a condition; `start` is what `moved` counts from. */
+/** The report's numbers for a condition; `moved` counts from `start`. */
 export function quantitiesOf(report: Report, start: Vertices): Quantities {
   const exact = new Map<NumberName, Enclosure>()
   return {
@@ -200,7 +193,7 @@ function volumeMinimum({ volumeMinimum: { lower, upper }, exponent }: Report): E
   return { lower: scaledDouble(lower, exponent), upper: scaledDouble(upper, exponent) }
 }
 
-/** For a valid element the boundary minimum; for an invalid one no more than that, and as near as the search inside came. */
+/** The boundary minimum of a valid element; else no more than that, as the search inside found. */
 function exactVolumeMinimum(report: Report): Enclosure {
   const boundary = exactBoundaryMinimum(report.vertices)
   if (report.valid) return boundary
@@ -213,7 +206,7 @@ function checkValue(report: Report, id: CheckId): number {
   return report.checks.find(check => check.id === id)?.value as number
 }
 
-/** Of the 27 coefficients; on each axis the three count by `weights`. */
+/** A mean of the 27 coefficients; on each axis the three count by `weights`. */
 function weightedMean(bernstein: readonly number[], weights: readonly [number, number, number]): number {
   const weight = (i: number) =>
     [Math.floor(i / 9), Math.floor(i / 3) % 3, i % 3].reduce((product, k) => product * (weights[k] as number), 1)

@@ -22,7 +22,7 @@ interface ReadingExports {
 
 /** Longer words are for others. */
 const LONGEST_NUMBER = 1024
-/** With the blank behind it; windows that are too short for what is wanted are followed by others. */
+/** Bytes of a number and the blank behind it; short windows are followed by others. */
 const USUAL_NUMBER = 24
 
 /** Null where WebAssembly may not run, or the bytes do not arrive: readers then do without. */

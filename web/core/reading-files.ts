@@ -1,4 +1,4 @@
-/** What readers have done by wasm, as a file beside the built page's scripts. */
+/** The readers' wasm as a file beside the built page's scripts. */
 import wasmUrl from '../../build/hexlens-reading.wasm?url'
 import { readingCoreOf } from './reading-core'
 import type { ReadingCore } from './reading-interface'

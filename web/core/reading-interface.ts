@@ -1,6 +1,6 @@
-/** What readers have done by wasm where it may run: the slow parts of text and of compressed blocks. Without it they do the same themselves. */
+/** Text and compressed blocks by wasm if it may run; else readers do the same themselves. */
 
-/** How far it came. */
+/** The progress in the window. */
 export interface Taken {
   /** Numbers, or rows. */
   readonly count: number
@@ -15,7 +15,7 @@ export interface Taken {
 export interface TakenRows extends Taken {
   /** The numbers of all rows, one row after the other. */
   readonly numbers: Float64Array
-  /** Of each real number of all rows: its first byte from where the rows begin, and times 2^24 how many it has. */
+  /** Each real number's first byte from the rows' beginning, plus 2^24 times its length. */
   readonly places: Uint32Array
 }
 
@@ -41,7 +41,7 @@ const [LINE_END, COMMA, BLANKS, WHOLE, REAL, BYTES] = [0, 1, 2, 3, 4, 5] as cons
 
 export class RowPattern {
   readonly bytes: Uint8Array
-  /** Of each row. */
+  /** Numbers of each row. */
   readonly numberCount: number
   readonly realCount: number
   readonly lineCount: number

@@ -10,7 +10,7 @@ function rowsOf(vertices: readonly number[]): number[][] {
   return Array.from({ length: vertices.length / 3 }, (_, v) => vertices.slice(3 * v, 3 * v + 3))
 }
 
-/** As JSON.stringify with two spaces, but lists of numbers on one line, and -0 as it is. */
+/** JSON.stringify with two spaces, but with lists of numbers on one line, and -0 as it is. */
 function jsonText(value: unknown, indent: string): string {
   if (typeof value === 'number') return Object.is(value, -0) ? '-0' : JSON.stringify(value)
   if (typeof value !== 'object' || value === null) return JSON.stringify(value)

@@ -5,6 +5,7 @@
  * times 2^exponent; `exponent` is 0 unless some value of this element lies outside the doubles' normal range.
  */
 import type { Vec3, Vertices } from '../model/hexahedron'
+import type { Result as AnyResult } from '../model/result'
 import type { Certificate } from './exact/certificate'
 
 export type CandidateKind = 'vertex' | 'edge' | 'face'
@@ -16,7 +17,7 @@ export interface Candidate {
   readonly id: number
   /** (xi, eta, zeta) in [0,1]^3. */
   readonly point: Vec3
-  /** Its image in physical space, in the units of the vertices. */
+  /** The point's image in physical space, in the units of the vertices. */
   readonly position: Vec3
   /** jacdet there, times 2^exponent. */
   readonly value: number
@@ -25,10 +26,10 @@ export interface Candidate {
 /** Valid; jacdet < 0 everywhere; jacdet = 0 everywhere; or invalid otherwise. */
 export type ElementClass = 'valid' | 'invalid' | 'inverted' | 'collapsed'
 
-/** What coincident vertices make of an element, in any of the cube's 48 symmetries. */
+/** The shape that coincident vertices make of an element, in any of the cube's 48 symmetries. */
 export type Shape = 'wedge' | 'pyramid' | 'tetrahedron'
 
-/** What became of a root t of a face's quartic P: kept as a candidate, or dropped and why. */
+/** The fate of a root t of a face's quartic P: kept as a candidate, or dropped and why. */
 export type RootFate = 'kept' | 'a-not-positive' | 's-outside'
 
 export interface FaceRoot {
@@ -71,7 +72,7 @@ export interface VolumeMinimum {
   readonly position: Vec3
 }
 
-/** What other programs look at: web/panels/checks/check-words.ts says who and how. */
+/** Checks of other programs: web/panels/checks/check-words.ts says whose and how. */
 export type CheckId =
   | 'corners'
   | 'corners-and-centre'
@@ -84,7 +85,7 @@ export type CheckId =
 
 export interface Check {
   readonly id: CheckId
-  /** What it looks at; a jacdet, times 2^exponent, but for Verdict's scaled Jacobian: from -1 to 1, or 1e30 where a length is zero to it. */
+  /** A jacdet, times 2^exponent; Verdict's scaled Jacobian: from -1 to 1, 1e30 if a length is 0. */
   readonly value: number
   /** value > 0: it takes the element for valid; for `tangents`, that it certifies it, else it says nothing. */
   readonly passes: boolean
@@ -97,12 +98,12 @@ export interface Report {
   /** Doubles with their error bounds, or, where those leave it open, integers. Either way the verdict is certain. */
   readonly decidedBy: 'filter' | 'exact'
   readonly exponent: number
-  /** Of the exact sign: 0 means exactly zero. */
+  /** Its sign is the exact one: 0 means exactly zero. */
   readonly boundaryMinimum: number
   /** |boundaryMinimum - the exact one| is at most this; times 2^exponent. */
   readonly boundaryMinimumError: number
   readonly minimizer: Candidate
-  /** For a valid element the boundary minimum with its error; for an invalid one it may be lower. */
+  /** The boundary minimum with its error if the element is valid; it may be lower if not. */
   readonly volumeMinimum: VolumeMinimum
   readonly checks: readonly Check[]
   readonly boundaryMaximum: number
@@ -147,11 +148,11 @@ export type CoreErrorCode = 'wrong-count' | 'not-finite' | 'outside-cube' | 'inc
 export interface CoreError {
   readonly code: CoreErrorCode
   readonly message: string
-  /** Of many cells, the one that is incomplete. */
+  /** The one of many cells that is incomplete. */
   readonly cell?: number
 }
 
-export type Result<T> = { readonly ok: true; readonly value: T } | { readonly ok: false; readonly error: CoreError }
+export type Result<T> = AnyResult<T, CoreError>
 
 /** The C core as TypeScript sees it. */
 export interface Core {

@@ -17,10 +17,10 @@ import type {
 
 const KINDS: readonly CandidateKind[] = ['vertex', 'edge', 'face']
 const VERDICTS: readonly (boolean | undefined)[] = [undefined, true, false]
-/** By hl_class. */
+/** The classes by hl_class. */
 export const CLASSES: readonly (ElementClass | undefined)[] = [undefined, 'valid', 'invalid', 'inverted', 'collapsed']
 const SHAPES: readonly (Shape | null)[] = [null, 'wedge', 'pyramid', 'tetrahedron']
-/** By hl_check. */
+/** The checks by hl_check. */
 export const CHECKS: readonly CheckId[] = [
   'corners',
   'corners-and-centre',
@@ -124,7 +124,7 @@ function readFace(packed: Unpacker, id: number): FaceReport {
   }
 }
 
-/** From each vertex's least vertex at the same position to the groups of several. */
+/** Groups of several, from each vertex's least vertex at the same position. */
 function groupsOf(least: readonly number[]): number[][] {
   if (least.every((other, vertex) => other === vertex)) return []
   const groups = least.map((_, first) => least.flatMap((other, vertex) => (other === first ? [vertex] : [])))

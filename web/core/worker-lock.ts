@@ -1,6 +1,6 @@
 /** Nothing but the release of a lock that it holds tells a page of a worker that was ended from outside. */
 
-/** In a worker: takes a lock for as long as the worker lives, and resolves to its name; to null where there are none to be had. */
+/** A lock that this worker holds while it lives: its name, or null if there are no locks. */
 export function heldLock(prefix: string): Promise<string | null> {
   return new Promise(resolve => {
     if (!navigator.locks) return resolve(null)
@@ -13,7 +13,7 @@ export function heldLock(prefix: string): Promise<string | null> {
   })
 }
 
-/** In the page: calls back when the worker is no more. */
+/** The page is called back when the worker is no more. */
 export function whenReleased(lock: string, call: () => void): void {
   navigator.locks.request(lock, call).catch(() => {}) // a page that is being left has no more locks
 }

@@ -48,7 +48,7 @@ class Marcher {
   readonly #bernstein: readonly number[]
   readonly #cells: number
   readonly #values: Float64Array
-  /** From a mask to the offset of that corner in the grid. */
+  /** Offsets of the corners in the grid by their masks. */
   readonly #offsets: readonly number[]
   /** One more than the vertex on an edge, by the edge's lower end and its direction; 0 where there is none yet. */
   readonly #vertexOf: Uint32Array
@@ -110,8 +110,8 @@ class Marcher {
   }
 
   #zeroBetween(corner: number, negative: number, positive: number): Vec3 {
-    const from = this.#place(corner, negative)
-    const to = this.#place(corner, positive)
+    const from = this.#gridPoint(corner, negative)
+    const to = this.#gridPoint(corner, positive)
     let [low, high] = [0, 1]
     let atLow = this.#values[corner + (this.#offsets[negative] as number)] as number
     let atHigh = Math.max(0, this.#values[corner + (this.#offsets[positive] as number)] as number)
@@ -133,7 +133,7 @@ class Marcher {
     return between(from, to, way)
   }
 
-  #place(corner: number, mask: number): Vec3 {
+  #gridPoint(corner: number, mask: number): Vec3 {
     const side = this.#cells + 1
     const index = corner + (this.#offsets[mask] as number)
     const k = index % side
@@ -195,7 +195,7 @@ function bit(mask: number, axis: number): number {
 
 type Triple = readonly [Vec3, Vec3, Vec3]
 
-/** Whether the triangle of these edges' middles has its positive corners in front: true triangles may have no area. */
+/** True if positive corners are in front, by the edges' middles: the triangle may have no area. */
 function isInFront(...edges: readonly (readonly [number, number])[]): boolean {
   const [p, q, r] = edges.map(([from, to]) =>
     [0, 1, 2].map(axis => bit(from, axis) + bit(to, axis)),

@@ -1,4 +1,4 @@
-import type { StateError } from '../model/state-document'
+import type { StateErrorCode } from '../model/state-document'
 
 /** The reason why an element refused its input: `code` for programs, `message` for people. */
 export type HexLensErrorCode =
@@ -7,7 +7,7 @@ export type HexLensErrorCode =
   | 'bad-attribute'
   | 'no-core'
   | 'no-picture'
-  | StateError['code']
+  | StateErrorCode
 
 export class HexLensError extends TypeError {
   override readonly name = 'HexLensError'

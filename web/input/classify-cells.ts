@@ -6,19 +6,19 @@ import { CLASSES } from '../core/unpack'
 import type { ClassifyCells } from '../mesh/check'
 import { verticesOf } from '../mesh/vertices-of'
 
-/** What the core answers sooner than the core for batches would have started. */
+/** Cells that the core answers sooner than the core for batches would have started. */
 const FEW = 64
 
-/** `onPart` is called now and then with how many cells are done. */
+/** `onProgress` is called now and then with how many cells are done. */
 export function cellClassifier(
   core: Core,
   batchModule: () => Promise<WebAssembly.Module>,
-  onPart: (done: number, total: number) => void,
+  onProgress: (done: number, total: number) => void,
 ): ClassifyCells {
   let batch: Promise<BatchCore | null> | undefined
   const classify = async (points: Float64Array, cells: Uint32Array, wanted: Wanted) => {
     const total = cells.length / 8
-    const options = { onPart: (done: number) => onPart(done, total) }
+    const options = { onProgress: (done: number) => onProgress(done, total) }
     if (total > FEW) batch ??= batchModule().then(loadBatchCore, () => null)
     const batchCore = total > FEW ? await batch : null
     if (batchCore) return batchCore.classify({ points, cells, firstPoint: 0 }, wanted, options)
@@ -29,11 +29,11 @@ export function cellClassifier(
 
 const ALL = { relativeMinima: true, classes: true, statuses: true } as const
 
-/** Where WebAssembly is forbidden, too: the core may be its twin. */
+/** The way where WebAssembly is forbidden, too: the core may be its twin. */
 function oneByOne(
   core: Core,
   mesh: { readonly points: Float64Array; readonly cells: Uint32Array },
-  { onPart }: Required<Pick<BatchOptions, 'onPart'>>,
+  { onProgress }: Required<Pick<BatchOptions, 'onProgress'>>,
 ) {
   const count = mesh.cells.length / 8
   const answers = answersOf(emptyLists(count, ALL)) as Answers<typeof ALL>
@@ -53,7 +53,7 @@ function oneByOne(
       firstUnanswered ??= cell
       unansweredCount++
     }
-    if (cell % 256 === 255) onPart(cell)
+    if (cell % 256 === 255) onProgress(cell)
   }
   const invalidCount = count - validCount - unansweredCount
   return { ...answers, validCount, invalidCount, unansweredCount, firstUnanswered, exactCount: 0 }

@@ -1,7 +1,7 @@
 /** Files of a browser as the readers of web/mesh see them: read by slices, at once, which only workers can. */
 import type { MeshFile } from '../mesh/source'
 
-/** Of workers alone, and not among the types of a page. */
+/** Workers alone have it, and the types of a page do not. */
 declare class FileReaderSync {
   readAsArrayBuffer(blob: Blob): ArrayBuffer
 }

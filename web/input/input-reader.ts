@@ -48,7 +48,7 @@ export class InputReader implements InputHost {
     const own = cells.verticesOf(cell)
     if (own === null) return
     const vertices = this.#taker.take(order ? reordered(own, order.permutation) : own)
-    const { id } = cells.at(cells.placeOf(cell))
+    const { id } = cells.at(cells.rankOf(cell))
     this.#shown.set(vertices, { cell, id, order })
     this.#taker.onNews()
   }
@@ -58,12 +58,12 @@ export class InputReader implements InputHost {
     const underWay = new AbortController()
     this.#underWay = underWay
     const name = nameOf(input)
-    this.#set({ state: 'under-way', name, step: 'reading', part: 0 })
+    this.#set({ state: 'under-way', name, step: 'reading', fraction: 0 })
     const outcome = await outcomeOf(input, {
       readingWorker: this.#worker,
       signal: underWay.signal,
-      onProgress: ({ step, part }) => {
-        if (this.#underWay === underWay) this.#set({ state: 'under-way', name, step, part })
+      onProgress: ({ step, fraction }) => {
+        if (this.#underWay === underWay) this.#set({ state: 'under-way', name, step, fraction })
       },
     })
     if (this.#underWay !== underWay) return
@@ -94,7 +94,7 @@ export class InputReader implements InputHost {
     this.#taker.refuse(sentence)
   }
 
-  /** With the files that wait for one of these. */
+  /** The input with the files that wait for one of its own. */
   #completed(input: PastedInput): PastedInput {
     if (!('files' in input) || this.#waiting === null) return input
     const { files, missing } = this.#waiting

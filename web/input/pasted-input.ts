@@ -1,4 +1,4 @@
-/** What a reader pastes, drops or opens: a text, or files that may belong together. Text fields keep their own. */
+/** Texts and files that a reader pastes, drops or opens. Text fields keep their own. */
 
 export type PastedInput = { readonly text: string } | { readonly files: readonly File[] }
 
@@ -11,7 +11,7 @@ function inputOf(transfer: DataTransfer | null): PastedInput | null {
 }
 
 export interface InputListener {
-  /** Whether anything is taken at all. */
+  /** True if anything is taken at all. */
   isWelcome(): boolean
   take(input: PastedInput): void
 }

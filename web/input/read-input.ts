@@ -1,16 +1,16 @@
 /** Has an input read by a worker of its own. Whatever ends the worker becomes a sentence. */
 import { whenReleased } from '../core/worker-lock'
-import type { ReadingAnswer } from './messages'
+import type { ReadingReply } from './messages'
 import type { PastedInput } from './pasted-input'
 
-export type ReadingOutcome = Extract<ReadingAnswer, { kind: 'read' | 'refused' }>
-export type ReadingProgress = Extract<ReadingAnswer, { kind: 'progress' }>
+export type ReadingOutcome = Extract<ReadingReply, { kind: 'read' | 'refused' }>
+export type ReadingProgress = Extract<ReadingReply, { kind: 'progress' }>
 
-/** Where the worker comes from: each build has it somewhere else. */
+/** The worker's source: each build has it somewhere else. */
 export interface ReadingWorker {
   /** Rejects where there is none to be had. */
   start(): Promise<Worker>
-  /** What may be wrong where its script does not load. */
+  /** The likely reason if its script does not load. */
   readonly blocked: string
 }
 
@@ -20,7 +20,7 @@ export interface ReadInputOptions {
   readonly onProgress: (progress: ReadingProgress) => void
 }
 
-/** How long a worker may take to start, in milliseconds: a slow network brings its script. */
+/** Milliseconds that a worker may take to start: a slow network brings its script. */
 const START_WITHIN = 60_000
 
 /** Never settles once the signal has aborted; the worker is ended then. */
@@ -48,7 +48,7 @@ export async function readInput(
       worker.terminate()
     }
     let hasStarted = false
-    worker.onmessage = ({ data }: MessageEvent<ReadingAnswer>) => {
+    worker.onmessage = ({ data }: MessageEvent<ReadingReply>) => {
       if (data.kind === 'progress') return onProgress(data)
       if (data.kind !== 'started') return end(data)
       hasStarted = true

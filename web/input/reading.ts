@@ -1,4 +1,4 @@
-/** What has become of the last input, for views. */
+/** The state of the last input, for views. */
 
 import type { CheckedCells } from '../mesh/checked-cells'
 import type { Vertices } from '../model/hexahedron'
@@ -7,14 +7,14 @@ import type { ReadingStep, ReadSummary } from './messages'
 import type { PastedInput } from './pasted-input'
 
 export type Reading =
-  | { readonly state: 'under-way'; readonly name: string; readonly step: ReadingStep; readonly part: number }
+  | { readonly state: 'under-way'; readonly name: string; readonly step: ReadingStep; readonly fraction: number }
   | { readonly state: 'refused'; readonly message: string }
   | ReadCells
 
 export interface ReadCells {
   readonly state: 'read'
   readonly summary: ReadSummary
-  /** At least one. */
+  /** One cell or more. */
   readonly cells: CheckedCells
   /** The cell that an element is, by the very list of its vertices; null for one that was not read or has been changed. */
   cellOf(vertices: Vertices): ShownCell | null
@@ -27,7 +27,7 @@ export interface ShownCell {
   readonly order: NodeOrder | null
 }
 
-/** What views may ask for. */
+/** Requests of views. */
 export interface InputHost {
   read(input: PastedInput): void
   /** Ends what is under way, or puts away what was read. */

@@ -1,5 +1,4 @@
-/** What the worker does: it reads one input, decides its cells and hands all of it over. It is ended afterwards. */
-
+/** The worker reads one input, decides its cells and hands all over. It is ended afterwards. */
 import type { ReadingCore } from '../core/reading-interface'
 import { type CoreSources, startCore } from '../core/start-core'
 import { heldLock } from '../core/worker-lock'
@@ -14,19 +13,19 @@ import { MissingFiles, readTogether } from '../mesh/read-together'
 import { fileOfBytes, type MeshFile } from '../mesh/source'
 import { cellClassifier } from './classify-cells'
 import { meshFileOf } from './file-reading'
-import type { ReadingAnswer, ReadingRequest, ReadingStep, ReadSummary } from './messages'
+import type { ReadingReply, ReadingRequest, ReadingStep, ReadSummary } from './messages'
 
 interface Scope {
   onmessage: ((event: { readonly data: ReadingRequest }) => void) | null
-  postMessage(answer: ReadingAnswer, transfer?: ArrayBuffer[]): void
+  postMessage(reply: ReadingReply, transfer?: ArrayBuffer[]): void
 }
 
 const scope = globalThis as unknown as Scope
 
-/** In milliseconds. */
+/** Milliseconds. */
 const PROGRESS_INTERVAL = 100
 
-/** What it computes with. */
+/** The wasm that reads and decides. */
 export interface ReadingEngine {
   readonly core: CoreSources
   /** Null where there is none; readers then do without. */
@@ -73,7 +72,7 @@ async function checkOf(mesh: Mesh, { core: sources, batchModule }: ReadingEngine
   return checkMesh(mesh, { classify, core }, { worst: Infinity, minRelative: null, skipsDegenerate: false })
 }
 
-/** Of one element the order is spoken of beside the verdict, which has the button. */
+/** One element's order stands beside the verdict, which has the button. */
 function summaryOf(check: MeshCheck): ReadSummary {
   const { mesh, hexahedra, notes } = check
   const options = { skipsDegenerate: false }
@@ -87,17 +86,17 @@ function summaryOf(check: MeshCheck): ReadSummary {
   }
 }
 
-function progressOf(step: ReadingStep): (part: number) => void {
+function progressOf(step: ReadingStep): (fraction: number) => void {
   let shown = performance.now()
-  return part => {
+  return fraction => {
     const now = performance.now()
     if (now - shown < PROGRESS_INTERVAL) return
     shown = now
-    scope.postMessage({ kind: 'progress', step, part })
+    scope.postMessage({ kind: 'progress', step, fraction })
   }
 }
 
-function refusalOf(reason: unknown): ReadingAnswer {
+function refusalOf(reason: unknown): ReadingReply {
   const missing = reason instanceof MissingFiles ? reason.names : []
   if (reason instanceof MeshRefusal) return { kind: 'refused', message: reason.message, missing }
   const why = reason instanceof Error ? reason.message : String(reason)

@@ -1,12 +1,15 @@
-/** Numbers of a binary file, one after the other or in bulk, of either byte order: read in pieces. Refuses what lies beyond the end. */
+/**
+ * Numbers of a binary file, one after the other or in bulk, of either byte order: read in chunks.
+ * Refuses what lies beyond the end.
+ */
 import { MACHINE_IS_LITTLE_ENDIAN, swapBytes } from './endian'
-import { FilePiece } from './file-piece'
+import { FileChunk } from './file-chunk'
 import { MeshRefusal } from './mesh'
 import type { MeshFile } from './source'
 
-/** Pieces begin small and grow, so that whoever reads little reads little. */
-const FIRST_PIECE = 4096
-const LARGEST_PIECE = 1024 * 1024
+/** Chunks begin small and grow, so that whoever reads little reads little. */
+const FIRST_CHUNK = 4096
+const LARGEST_CHUNK = 1024 * 1024
 const TWO_32 = 2 ** 32
 const INTS_AT_ONCE = 32_768
 const NOTHING = new Uint8Array(0)
@@ -16,9 +19,9 @@ export class BinaryCursor {
   readonly isLittleEndian: boolean
   #view: DataView = new DataView(new ArrayBuffer(0))
   #bytes: Uint8Array = new Uint8Array(0)
-  #piece = FIRST_PIECE
+  #chunk = FIRST_CHUNK
   readonly #few = new Int32Array(64)
-  readonly #memory = new FilePiece()
+  readonly #memory = new FileChunk()
   #aligned = new Uint8Array(0)
   #start: number
   #at = 0
@@ -63,8 +66,8 @@ export class BinaryCursor {
     if (this.#at + count > this.#bytes.length) {
       this.need(1, count, what)
       const from = this.position
-      this.#piece = Math.min(2 * this.#piece, LARGEST_PIECE)
-      const to = Math.min(this.#file.size, from + Math.max(this.#piece, count))
+      this.#chunk = Math.min(2 * this.#chunk, LARGEST_CHUNK)
+      const to = Math.min(this.#file.size, from + Math.max(this.#chunk, count))
       this.#bytes = this.#memory.next(this.#file, NOTHING, from, to)
       this.#view = new DataView(this.#bytes.buffer, this.#bytes.byteOffset, this.#bytes.length)
       this.#start = from
@@ -87,7 +90,7 @@ export class BinaryCursor {
     return this.#past(8, what).getFloat64(this.#at - 8, this.isLittleEndian)
   }
 
-  /** From -2^53 to 2^53. */
+  /** An integer from -2^53 to 2^53. */
   int64(what: string): number {
     const view = this.#past(8, what)
     const at = this.#at - 8

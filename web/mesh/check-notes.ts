@@ -10,7 +10,7 @@ export function checkNotes(check: Answered): string[] {
   return [orderNote(check), ...otherNotes(check)].filter(note => note !== null)
 }
 
-/** For those who say of the order in words of their own. */
+/** The notes without the order of nodes, for outputs that describe it themselves. */
 export function notesBesideOrder(check: Answered): string[] {
   return otherNotes(check).filter(note => note !== null)
 }
@@ -68,7 +68,7 @@ function orderNote(check: Answered): string | null {
   return `${open}: ${several} not valid in the order of the text, but in another, first ${nameOf(check, cell)} in the order ${order}.`
 }
 
-/** What people find the cell by: its id, or its index where the file has none. */
+/** The cell's name for people: its id, or its index if the file has none. */
 function nameOf({ idOf }: Answered, cell: number): string {
   const id = idOf(cell)
   return id === null ? `with index ${cell}` : shown(id).slice(1, -1)

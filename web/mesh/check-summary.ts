@@ -1,4 +1,4 @@
-/** What a check of a mesh says first, for people, in the terminal as on a page. */
+/** The first sentences about a mesh, for people, in the terminal as on a page. */
 import type { MeshCheck } from './mesh-check'
 
 /** "15 hexahedra, 10 INVALID, 5 valid." */

@@ -1,6 +1,7 @@
 /**
- * What is said of a mesh: how many of its hexahedra are valid, which are the worst, and sentences for people. Pure: batches and
- * single elements are answered by whoever is given, so that it runs on a page and in Node.
+ * The check of a mesh: counts of valid hexahedra, the worst of them, and sentences for people.
+ * Pure: batches and single elements are answered by whoever is given, so that it runs on a page and
+ * in Node.
  */
 
 import type { Classification } from '../core/batch/classify'
@@ -16,7 +17,7 @@ import { openOrdersOf } from './open-orders'
 import { verticesOf } from './vertices-of'
 import { worstFirst } from './worst'
 
-/** As a Classifier answers, for lists that are whole. */
+/** The answers of a Classifier for lists that are whole. */
 export type ClassifyCells = <W extends Wanted>(
   points: Float64Array,
   cells: Uint32Array,
@@ -24,7 +25,7 @@ export type ClassifyCells = <W extends Wanted>(
 ) => Promise<Classification<W>>
 
 export interface CheckOptions {
-  /** So many of the worst cells are put in order; Infinity for all. */
+  /** The number of worst cells that are put in order; Infinity for all. */
   readonly worst: number
   /** Cells whose relative minimum is less are counted in `below`. */
   readonly minRelative: number | null
@@ -114,7 +115,7 @@ function blocksByCell(mesh: Mesh): (cell: number) => string | null {
   }
 }
 
-/** For each cell the place of the first block that it is in, the count of blocks where it is in none; null without blocks. */
+/** The index of each cell's first block; the count of blocks if none; null without blocks. */
 export function firstBlocks({ cells, blocks }: Mesh): Uint32Array | null {
   if (blocks.length === 0) return null
   const places = new Uint32Array(cells.length / 8).fill(blocks.length)
@@ -135,7 +136,7 @@ export function isWhollyAnswered({ mesh, hexahedra, unanswered, notTrilinear }: 
   return hexahedra > 0 && unanswered === 0 && notTrilinear.count === 0 && !mesh.isCutOff
 }
 
-/** Of several files: 2 before 1 before 3 before 0. */
+/** The gravest of several files: 2 before 1 before 3 before 0. */
 export function gravestExit(exits: readonly ExitStatus[]): ExitStatus {
   return ([2, 1, 3] as const).find(exit => exits.includes(exit)) ?? 0
 }

@@ -15,12 +15,12 @@ export interface PackedNames {
   readonly ends: Uint32Array<ArrayBuffer>
 }
 
-/** What a worker hands over without copying. */
+/** Columns that a worker hands over without copying. */
 export interface CheckedColumns extends Pick<Mesh, 'points' | 'cells' | 'isOrderStated'> {
   readonly ids: Float64Array | PackedNames | null
   readonly blockNames: readonly string[]
   readonly blocks: Uint32Array | null
-  /** Places in STANDINGS. */
+  /** Indices into STANDINGS. */
   readonly standings: Uint8Array
   readonly relativeMinima: Float64Array
   /** Cells, worst first: all of them. */
@@ -32,7 +32,7 @@ export interface CheckedColumns extends Pick<Mesh, 'points' | 'cells' | 'isOrder
 export interface ListedCell {
   /** Counted from 0 in the file's order. */
   readonly cell: number
-  /** What the file calls it, or the cell's index where it has no ids; safe to show. */
+  /** The id in the file, or the cell's index if it has no ids; safe to show. */
   readonly id: string
   readonly block: string | null
   readonly standing: Standing
@@ -65,10 +65,10 @@ export class CheckedCells {
     return this.#columns.isOrderStated
   }
 
-  /** By its place in the list, from 0, the worst. */
-  at(place: number): ListedCell {
+  /** The cell of a rank in the list, from 0, the worst. */
+  at(rank: number): ListedCell {
     const { blocks, blockNames, standings, relativeMinima, worst } = this.#columns
-    const cell = worst[place] as number
+    const cell = worst[rank] as number
     return {
       cell,
       id: shown(this.#idOf(cell)).slice(1, -1),
@@ -79,7 +79,7 @@ export class CheckedCells {
     }
   }
 
-  placeOf(cell: number): number {
+  rankOf(cell: number): number {
     return this.#columns.worst.indexOf(cell)
   }
 

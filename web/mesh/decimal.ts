@@ -8,7 +8,7 @@ const [DOT, ZERO, NINE] = [46, 48, 57] as const
 /** Powers of ten that are doubles exactly. */
 const POWERS_OF_TEN = Float64Array.from({ length: 23 }, (_, i) => Number(`1e${i}`))
 const LARGEST_POWER = 22
-/** So many digits are below 2^53. */
+/** Numbers of so many digits are below 2^53. */
 const DIGITS_OF_HIGH = 15
 const DIGITS_OF_LOW = 7
 /** Beyond, the sums might leave the range in which doubles have 53 bits. */

@@ -8,16 +8,16 @@ export interface FileRows extends TakenRows {
   readonly start: number
   /** The line of the file in which they begin. */
   readonly line: number
-  /** So many rows the file has at most from here on, if the others are as long. */
+  /** The most rows from here on, if the others are as long. */
   readonly ahead: number
 }
 
-/** Of rows that begin at byte `start` of a file of `size` bytes. */
+/** The rows ahead of those that begin at byte `start` of a file of `size` bytes. */
 export function rowsAhead({ count, bytes }: TakenRows, start: number, size: number): number {
   return Math.ceil(((size - start) / bytes) * count)
 }
 
-/** Where in the file the real number of this index begins, and how many bytes it has. */
+/** The first byte in the file of the real number of this index, and its length. */
 export function placeOfReal({ start, places }: FileRows, index: number): readonly [from: number, length: number] {
   const place = places[index] as number
   return [start + (place & 0xffffff), place >>> 24]
@@ -25,10 +25,10 @@ export function placeOfReal({ start, places }: FileRows, index: number): readonl
 
 const FEWEST_BYTES = 2048
 const MOST_BYTES = 1024 * 1024
-/** So many records are read without looking for rows, if they were none before. */
+/** Records that are read without looking for rows, if they were none before. */
 const MOST_PASSED = 63
 
-/** How far ahead it is worth to look for rows: farther each time they were there, and seldom where they were not. */
+/** Looks ahead for rows: farther each time they were there, and seldom if they were not. */
 export class RowSearch {
   readonly #core: ReadingCore | null
   #bytes = FEWEST_BYTES

@@ -32,7 +32,7 @@ export function gunzippedHead(file: MeshFile, count: number): Uint8Array {
   }
 }
 
-/** What is in the file, named as it without ".gz". Refuses a file that is damaged, ends early or is packed as no mesh is. */
+/** The contents, named without ".gz". Refuses what is damaged, ends early or unpacks too large. */
 export function gunzipped(file: MeshFile): MeshFile {
   const bytes = inflatedMembers(file)
   const name = file.name.replace(/\.gz$/i, '')
@@ -88,7 +88,7 @@ function isZeros(bytes: Uint8Array, from: number): boolean {
   return true
 }
 
-/** Where the deflated bytes of the member at byte `at` begin. */
+/** The beginning of the deflated bytes of the member at byte `at`. */
 function memberStart(bytes: Uint8Array, at: number): number {
   if (at + 10 > bytes.length) throw new DamagedStream('ends early')
   if (!isGzip(bytes.subarray(at, at + 3))) throw new DamagedStream('is no gzip stream')

@@ -7,7 +7,7 @@ import { rotations } from '../model/node-order'
 /** Eight points in VTK_HEXAHEDRON order, the first face as bottom with its point `first`; null if the faces are not those of a hexahedron. */
 export function hexahedronOfFaces(faces: readonly (readonly number[])[], first = faces[0]?.[0]): number[] | null {
   if (faces.length !== 6 || faces.some(face => face.length !== 4)) return null
-  // Each edge belongs to two faces, which go along it in opposite directions.
+  // An edge belongs to two faces, which go along it in opposite directions.
   const next = new Map<string, number>()
   for (const [f, face] of faces.entries()) {
     for (const [i, point] of face.entries()) {
@@ -37,7 +37,7 @@ export function hexahedronOfFaces(faces: readonly (readonly number[])[], first =
   return sides && face !== undefined && top.every(point => face.includes(point)) ? numbered(eight) : null
 }
 
-/** In the order of their numbers, if that is one of the 24 in which the faces allow to name them. */
+/** The eight in ascending order, if that is one of the 24 orders that the faces allow. */
 function numbered(eight: readonly number[]): number[] {
   const ascending = eight.toSorted((a, b) => a - b)
   const isTurned = rotations.some(rotation => rotation.every((v, i) => ascending[v] === eight[i]))

@@ -22,14 +22,14 @@ export class IdIndex {
   #farCount = 0
   #farLeast = Number.POSITIVE_INFINITY
   #farMost = -1
-  /** With so many in the maps it is time to see whether all of them lie close together by now. */
+  /** Ids in the maps at which it is checked if all of them lie close together by now. */
   #farLook = SOME
 
   get count(): number {
     return this.#nearCount + this.#farCount
   }
 
-  /** So many ids may come: no more than there is memory for, 16 bytes each. */
+  /** Expects up to so many ids: no more than there is memory for, 16 bytes each. */
   expect(count: number): void {
     this.#expected = Math.max(this.#expected, count)
   }

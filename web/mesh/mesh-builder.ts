@@ -9,7 +9,7 @@ import { Runs } from './runs'
 import type { TextCursor } from './text-cursor'
 import { TypedList } from './typed-list'
 
-/** What other cells are called, and how many nodes they have, where that is fixed. */
+/** Names of other cells, and their number of nodes, if that is fixed. */
 export type OtherCell =
   | 'vertex'
   | 'line'
@@ -37,7 +37,7 @@ export class MeshBuilder {
   readonly #other = new Map<string, number>()
   readonly #notes: string[] = []
   readonly #pointOfId = new IdIndex()
-  /** Of coordinates in text; they become a note where printing has rounded. */
+  /** Digits of coordinates in text; they become a note if printing has rounded. */
   readonly digits = new PrintedDigits()
   #straight: number | null = null
   isOrderStated = true
@@ -62,7 +62,7 @@ export class MeshBuilder {
     return this.#cells.length / 8
   }
 
-  /** Where the next coordinate's text begins in the file, and its length; if all points have three, they become `coordinatePlaces`. */
+  /** The next coordinate's text in the file; with all they become `coordinatePlaces`. */
   coordinateToken(from: number, length: number): void {
     this.#tokensFrom.push(from)
     this.#tokenLengths.push(length)

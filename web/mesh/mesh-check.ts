@@ -1,15 +1,15 @@
-/** What is said of a mesh. */
+/** The check of a mesh. */
 import type { Classification } from '../core/batch/classify'
 import type { Wanted } from '../core/batch/lists'
 import type { Report } from '../core/report'
 import type { NodeOrder } from '../model/node-orders'
 import type { Mesh } from './mesh'
 
-/** Without these there are no counts. */
+/** Lists without which there are no counts. */
 export const NEEDED = { relativeMinima: true, classes: true, statuses: true } as const
 export type CheckAnswers = Classification<typeof NEEDED & Wanted>
 
-/** What a cell counts as. */
+/** The kinds of cells that are counted. */
 export type Standing = 'valid' | 'invalid' | 'unanswered' | 'degenerate'
 
 export interface MeshCheck {
@@ -30,7 +30,7 @@ export interface MeshCheck {
   readonly notes: readonly string[]
   /** Indices of cells, worst first. */
   readonly worst: Uint32Array
-  /** Where the order of the nodes is not stated: invalid cells that are valid in another order, with the first such order. They are unanswered. */
+  /** Unanswered cells, of no stated order, with the first order in which they are valid. */
   readonly openOrders: ReadonlyMap<number, NodeOrder>
   standingOf(cell: number): Standing
   isAnswered(cell: number): boolean

@@ -1,13 +1,14 @@
 /** A mesh as a file has it: points, hexahedra, what the file calls them, and what else is in it. */
+import { Refusal } from '../model/result'
 
 export interface Mesh {
-  /** As people know it: "VTU", "Gmsh", "Abaqus". */
+  /** The format's usual name: "VTU", "Gmsh", "Abaqus". */
   readonly format: string
   /** Three coordinates a point. One that is not finite stays as it is: its cells are unanswered, the others are not. */
   readonly points: Float64Array
   /** Eight indices of points for each cell of eight nodes, in VTK_HEXAHEDRON order; voxels are among them, reordered. */
   readonly cells: Uint32Array
-  /** What the file calls each of these cells; null where it has no ids. */
+  /** Ids of these cells in the file; null if it has none. */
   readonly ids: Float64Array | readonly string[] | null
   /** Blocks, parts, sets or groups by name, in the file's order; a cell may be in none or in several. */
   readonly blocks: readonly Block[]
@@ -17,11 +18,11 @@ export interface Mesh {
   readonly other: ReadonlyMap<string, number>
   /** Sentences for people: precision, what is missing, what was passed over. */
   readonly notes: readonly string[]
-  /** Whether the file states in which order a cell's nodes are; eight bare points state none. */
+  /** True if the file states the order of a cell's nodes; eight bare points state none. */
   readonly isOrderStated: boolean
-  /** Whether the text ends, or leaves something out, in the middle: what is whole has been read. */
+  /** True if the text ends or leaves something out in the middle: whole cells have been read. */
   readonly isCutOff: boolean
-  /** Where the coordinates lie in the file, for formats in which each is a token of text or all are one block; else null. */
+  /** Positions of coordinates in the file, if each is a token or all are a block; else null. */
   readonly coordinatePlaces: CoordinatePlaces | null
   /** The time steps that the file has, of which this mesh is one; empty where it has none. */
   readonly steps: readonly string[]
@@ -34,9 +35,9 @@ export interface Block {
 }
 
 export interface NotTrilinear {
-  /** Their eight corners, as `cells`. */
+  /** Eight corners each, as in `cells`. */
   readonly corners: Uint32Array
-  /** How many of the cells have all further nodes at the middles of their corners' edges and faces, within rounding; null if not looked at. */
+  /** Cells with all further nodes at the middles, within rounding; null if not known. */
   readonly straight: number | null
 }
 
@@ -55,7 +56,7 @@ export type CoordinatePlaces =
     }
 
 /** A file that is none of ours, or damaged: one sentence with the place and what was expected. */
-export class MeshRefusal extends Error {}
+export class MeshRefusal extends Refusal {}
 
 /** Points and cells that a file implies or has generated beyond this are refused. */
 export const MOST_IMPLIED_CELLS = 50_000_000

@@ -1,4 +1,4 @@
-/** Where the further nodes of cells of 20 or 27 nodes lie: at the middles of edges and faces and of the whole. */
+/** Further nodes of cells of 20 or 27: at the middles of edges, of faces and of the whole. */
 
 /** The corners at whose middle each node lies: edges in VTK's order, faces -xi, +xi, -eta, +eta, -zeta, +zeta, the whole. */
 export const EDGE_MIDDLES: readonly (readonly number[])[] = [
@@ -25,7 +25,7 @@ export const FACE_MIDDLES: readonly (readonly number[])[] = [
 ]
 export const ALL_MIDDLES: readonly (readonly number[])[] = [...EDGE_MIDDLES, ...FACE_MIDDLES, [0, 1, 2, 3, 4, 5, 6, 7]]
 
-/** Whether a point is within the tolerance of the mean of others, along each axis; false where one is not finite. */
+/** True if a point is within the tolerance of the mean of others; false for NaN. */
 export function isAtMean(
   coordinate: (point: number, axis: number) => number,
   point: number,
@@ -41,9 +41,10 @@ export function isAtMean(
 }
 
 /**
- * Whether the further nodes lie at the middles, in whatever order they are. `corners` and `others` are indices of points. A middle is a sum of up to eight coordinates and a division, each within half a unit in
- * the last place, and so are printed coordinates of 16 digits: 2^-48 of the largest coordinate is above all of these. Null for cells that
- * have neither 12 nor 19 further nodes.
+ * True if the further nodes lie at the middles, in any order. `corners` and `others` are indices of
+ * points. A middle is a sum of up to eight coordinates and a division, each within half a unit in
+ * the last place, and so are printed coordinates of 16 digits: 2^-48 of the largest coordinate is
+ * above all of these. Null for cells that have neither 12 nor 19 further nodes.
  */
 export function areAtMiddles(
   coordinate: (point: number, axis: number) => number,

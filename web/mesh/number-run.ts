@@ -5,13 +5,13 @@
 
 import type { ReadingCore } from '../core/reading-interface'
 import { doubleOfDigits } from './decimal'
-import { FilePiece } from './file-piece'
+import { FileChunk } from './file-chunk'
 import type { MeshFile } from './source'
 import { numberOf } from './text-cursor'
 
-const PIECE = 1024 * 1024
-/** Short runs read no more than they need; each piece is twice as long as the one before. */
-const FIRST_PIECE = 4096
+const CHUNK = 1024 * 1024
+/** Short runs read no more than they need; each chunk is twice as long as the one before. */
+const FIRST_CHUNK = 4096
 /** A number is no longer than this. */
 const LONGEST_NUMBER = 1024
 
@@ -27,11 +27,11 @@ export class NumberRun {
   readonly #core: ReadingCore | null
   readonly #onPiece: (position: number) => void
   #bytes: Uint8Array = new Uint8Array(0)
-  readonly #memory = new FilePiece()
-  /** Where `#bytes` begins in the file. */
+  readonly #memory = new FileChunk()
+  /** The position of `#bytes` in the file. */
   #start: number
   #at = 0
-  #piece = FIRST_PIECE
+  #chunk = FIRST_CHUNK
   /** The most significant digits with which a number with a point or an exponent is written. */
   mostDigits = 0
 
@@ -71,14 +71,14 @@ export class NumberRun {
     return wordAt(this.#bytes, this.#at)
   }
 
-  /** Whether there was more to read. */
+  /** True if there was more to read. */
   #fill(): boolean {
     const had = this.#bytes.length - this.#at
     const from = this.#start + this.#bytes.length
-    const more = Math.min(this.#piece, this.#to - from)
+    const more = Math.min(this.#chunk, this.#to - from)
     if (had > LONGEST_NUMBER || more <= 0) return false
     this.#onPiece(this.position)
-    this.#piece = Math.min(PIECE, 2 * this.#piece)
+    this.#chunk = Math.min(CHUNK, 2 * this.#chunk)
     this.#bytes = this.#memory.next(this.#file, this.#bytes.subarray(this.#at), from, from + more)
     this.#start += this.#at
     if (had === 0) this.#start = from
@@ -99,7 +99,7 @@ export class NumberRun {
     return i
   }
 
-  /** Words that begin before this byte of the piece are whole in it. */
+  /** Words that begin before this byte of the chunk are whole in it. */
   #safeLimit(): number {
     const { length } = this.#bytes
     return this.#start + length >= this.#to ? length : length - LONGEST_NUMBER
@@ -240,7 +240,7 @@ function wordAt(bytes: Uint8Array, at: number): string {
   return String.fromCharCode(...bytes.subarray(at, end))
 }
 
-/** Without the zeros before the first other digit. */
+/** The number of digits without zeros in front. */
 function significantDigits(bytes: Uint8Array, from: number, to: number): number {
   let digits = 0
   for (let at = from; at < to; ++at) {
@@ -255,8 +255,8 @@ function significantDigits(bytes: Uint8Array, from: number, to: number): number 
 /** The line, from 1, in which a byte of the file lies. */
 export function lineAt(file: MeshFile, position: number): number {
   let line = 1
-  for (let from = 0; from < position; from += PIECE) {
-    const bytes = file.read(from, Math.min(position, from + PIECE))
+  for (let from = 0; from < position; from += CHUNK) {
+    const bytes = file.read(from, Math.min(position, from + CHUNK))
     for (let at = bytes.indexOf(LF); at >= 0; at = bytes.indexOf(LF, at + 1)) line++
   }
   return line

@@ -6,7 +6,7 @@ import { type NodeOrder, nodeOrders } from '../model/node-orders'
 import type { Mesh } from './mesh'
 import { verticesOf } from './vertices-of'
 
-/** Each cell that is not `valid` as it stands, but in one of the orders that programs use: with the first of these. */
+/** Cells that are not `valid`, but are in an order that programs use: with the first of these. */
 export function openOrdersOf(mesh: Mesh, valid: Uint8Array, core: Core): Map<number, NodeOrder> {
   const open = new Map<number, NodeOrder>()
   for (let cell = 0; cell < valid.length; ++cell) {

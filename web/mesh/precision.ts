@@ -1,11 +1,11 @@
-/** What the way in which coordinates are stored can move: the notes about Float32 and about printed digits. */
+/** Notes about coordinates that are stored as Float32 or with few printed digits. */
 
 /** All of a double. */
 const MOST_DIGITS = 17
 /** Decimals of one or two digits are steps that somebody typed; with three, thirds are already rounded ones. */
 const FEWEST_DIGITS = 3
 
-/** How coordinates are printed: with how many digits, and whether one of them is no double, so that printing has rounded it. */
+/** Digits of printed coordinates; `isRounded` if one is no double: printing has rounded it. */
 export class PrintedDigits {
   digits = 0
   isRounded = false
@@ -21,7 +21,7 @@ export class PrintedDigits {
     this.isRounded = true
   }
 
-  /** As `see`, for many coordinates: the most digits of one of them that is no double, and the size of the largest. */
+  /** `see` for many coordinates: the most digits of one that is no double, the largest size. */
   seeRounded(mostRounded: number, largest: number): void {
     if (largest > this.largest) this.largest = largest
     if (mostRounded <= this.digits) return
@@ -65,8 +65,8 @@ export function printedDigits(digits: number, points: Float64Array): PrintedDigi
 }
 
 /**
- * Whether a decimal number of so many digits is a double, so that nothing was lost when it was printed: with n digits behind the point
- * it is one only if 2^n times it is an integer.
+ * True if a decimal number of so many digits is a double, so that nothing was lost when it was
+ * printed: with n digits behind the point it is one only if 2^n times it is an integer.
  */
 function isExact(size: number, digits: number): boolean {
   if (size === 0 || !Number.isFinite(size)) return true

@@ -61,7 +61,7 @@ function blankQuotation(bytes: Uint8Array): boolean {
   return true
 }
 
-/** Behind the marks of quotation with which a line begins; `from` if there are none. */
+/** The end of the marks of quotation with which a line begins; `from` if there are none. */
 function quoteEnd(bytes: Uint8Array, from: number, to: number): number {
   let end = from
   for (let at = skipBlanks(bytes, from, to); at < to && bytes[at] === GREATER; at = skipBlanks(bytes, at, to)) {
@@ -79,7 +79,7 @@ export interface FencedBlock {
   readonly text: Uint8Array
 }
 
-/** What stands in each of several fences; none where there is but one. */
+/** The contents of several fences; none if there is but one. */
 export function fencedBlocks(file: MeshFile): FencedBlock[] {
   if (file.size > LARGEST_SNIPPET) return []
   const bytes = file.read(0, file.size)
@@ -129,7 +129,7 @@ function blankFences(bytes: Uint8Array): boolean {
   return true
 }
 
-/** What terminals take for colours, if one of them ends another: an escape, a bracket, numbers and a letter. */
+/** Blanks colours of terminals, an escape, bracket, numbers and letter, if one ends another. */
 function blankColours(bytes: Uint8Array): boolean {
   const found: Line[] = []
   let hasEnds = false

@@ -47,7 +47,7 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
   }
 }
 
-/** Where fences hold files of different formats, the meshes of each; else none, and the text is read as one. */
+/** Meshes of fences with files of different formats; else none: the text is read as one. */
 function meshesInFences(file: MeshFile, options: ReadOptions): Mesh[] {
   const known = fencedBlocks(file).flatMap(({ file: block, text }) => {
     const format = formats.find(({ recognizes }) => recognizes(text.subarray(0, HEAD), '') === 'yes')
@@ -59,7 +59,7 @@ function meshesInFences(file: MeshFile, options: ReadOptions): Mesh[] {
     .map(mesh => ({ ...mesh, coordinatePlaces: null }))
 }
 
-/** In a quoted text marks stand between the coordinates of a run, which are at their places one by one. */
+/** Drops the places of a run in a quoted text: marks stand between its coordinates. */
 function withTruePlaces(mesh: Mesh): Mesh {
   return mesh.coordinatePlaces?.kind === 'tokens' ? mesh : { ...mesh, coordinatePlaces: null }
 }

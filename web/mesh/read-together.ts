@@ -5,7 +5,7 @@ import type { MeshFile, ReadOptions } from './source'
 
 /** A refusal because of files that are named and not there. */
 export class MissingFiles extends MeshRefusal {
-  /** As the files write them. */
+  /** Names as the files write them. */
   readonly names: readonly string[]
 
   constructor(message: string, names: readonly string[]) {
@@ -44,7 +44,7 @@ export function readTogether(files: readonly MeshFile[], options: TogetherOption
   })
 }
 
-/** Whether a file is the one that another names, with or without its folder. */
+/** True if a file is the one that another names, with or without its folder. */
 export function isNamed({ name }: { readonly name: string }, wanted: string): boolean {
   return name.toLowerCase() === lastOf(wanted)
 }

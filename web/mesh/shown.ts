@@ -8,7 +8,7 @@ export function shown(word: string): string {
   return `“${plain.length > MOST_SHOWN ? `${plain.slice(0, MOST_SHOWN)}…` : plain}”`
 }
 
-/** Without control and bidirectional characters, whole. */
+/** The whole text without control and bidirectional characters. */
 export function withoutControls(text: string): string {
   return text.replace(/[\p{Cc}\p{Cf}\u2028\u2029]/gu, '')
 }

@@ -20,14 +20,14 @@ export function utf16Of([first, second]: Uint8Array): 'utf-16le' | 'utf-16be' | 
   return first === 0xfe && second === 0xff ? 'utf-16be' : null
 }
 
-/** Whether the first bytes of a file may be those of a text. */
+/** True if the first bytes of a file may be those of a text. */
 export function isText(head: Uint8Array): boolean {
   return utf16Of(head) !== null || !head.includes(0)
 }
 
 /** Bytes: so many arguments are no burden to a call. */
 const AT_ONCE = 8192
-/** Each format looks at the same head. */
+/** Texts of heads: all formats look at the same one. */
 const texts = new WeakMap<Uint8Array, string>()
 
 /**
@@ -50,13 +50,13 @@ const DOTS =
   /^[[({<*#/%!;,|\s-]*(?:\.\.|\. \.|\u2026|\u22ee|\u00e2[\u0080\u20ac]\u00a6|\u00e2[\u008b\u2039]\u00ae|[.:]$)/
 const WORDS = /^[[({<*#/%!;,|\s-]*(?:snip|cut|omitted|truncated|skipped|etc)\b/i
 
-/** Whether a line stands for what was left out. */
+/** True if a line stands for lines that were left out. */
 export function isEllipsis(line: string): boolean {
   const text = line.trim()
   return text.length > 0 && text.length <= LONGEST_ELLIPSIS && (DOTS.test(text) || WORDS.test(text))
 }
 
-/** What is said of points that are taken as they come. */
+/** The note about points that are taken as they come. */
 export function orderOfText(cellCount: number): string {
   return cellCount === 1
     ? 'Eight points taken in the order of the text.'

@@ -1,11 +1,11 @@
 /**
- * Words, numbers and lines of a text file, read in pieces and never held as one string: linear in time, constant in memory. ASCII; bytes
- * of other characters are part of words.
+ * Words, numbers and lines of a text file, read in chunks and never held as one string: linear in
+ * time, constant in memory. ASCII; bytes of other characters are part of words.
  */
 
 import type { RowPattern } from '../core/reading-interface'
 import { doubleOfDigits } from './decimal'
-import { FilePiece } from './file-piece'
+import { FileChunk } from './file-chunk'
 import { type FileRows, type RowSearch, rowsAhead } from './file-rows'
 import { MeshRefusal } from './mesh'
 import { shown } from './shown'
@@ -13,7 +13,7 @@ import type { MeshFile } from './source'
 
 export { shown, withoutControls } from './shown'
 
-const PIECE = 1024 * 1024
+const CHUNK = 1024 * 1024
 /** A word or a number is no longer. */
 const LONGEST_WORD = 4096
 /** A line that is asked for as text is no longer. */
@@ -28,18 +28,18 @@ const decoder = new TextDecoder('latin1')
 
 export class TextCursor {
   readonly #file: MeshFile
-  readonly #piece = new FilePiece()
+  readonly #chunk = new FileChunk()
   #bytes = new Uint8Array(0)
-  /** Where `#bytes` begins in the file. */
+  /** The position of `#bytes` in the file. */
   #start = 0
   #at = 0
   #line: number
-  /** How many significant digits the last number was written with. */
+  /** Significant digits of the last number. */
   digits = 0
   /** The byte of the file at which the last number begins; it ends at `position`. */
   numberFrom = 0
 
-  /** From a byte on, which lies in line `line`. */
+  /** Begins at a byte in line `line`. */
   constructor(file: MeshFile, from = 0, line = 1) {
     this.#file = file
     this.#start = from
@@ -85,8 +85,8 @@ export class TextCursor {
     const left = this.#bytes.length - this.#at
     if (left >= ahead || this.#start + this.#bytes.length >= this.#file.size) return
     const from = this.#start + this.#bytes.length
-    const to = Math.min(this.#file.size, from + Math.max(PIECE, ahead))
-    this.#bytes = this.#piece.next(this.#file, this.#bytes.subarray(this.#at), from, to)
+    const to = Math.min(this.#file.size, from + Math.max(CHUNK, ahead))
+    this.#bytes = this.#chunk.next(this.#file, this.#bytes.subarray(this.#at), from, to)
     this.#start += this.#at
     this.#at = 0
   }
@@ -112,7 +112,7 @@ export class TextCursor {
     }
   }
 
-  /** Whether anything but blanks is left of the line; blanks are passed. */
+  /** True if anything but blanks is left of the line; blanks are passed. */
   hasMoreOnLine(): boolean {
     this.skipBlanks(false)
     const byte = this.peek()
@@ -160,7 +160,7 @@ export class TextCursor {
     return { ...taken, pattern, start, line, ahead: rowsAhead(taken, start, this.#file.size) }
   }
 
-  /** What is ahead in the line, at most so many bytes; it is not passed. */
+  /** The next bytes of the line, at most so many; they are not passed. */
   peekLine(most = LONGEST_WORD): string {
     this.#fill()
     const ahead = this.#bytes.subarray(this.#at, this.#at + most)
@@ -261,7 +261,7 @@ export class TextCursor {
 }
 
 /** One of many rows, of which something may be wrong. */
-export class RowPlace {
+export class RowCursor {
   row = 0
   readonly #cursor: TextCursor
   readonly #rows: FileRows
@@ -286,7 +286,7 @@ function hasDigit(bytes: Uint8Array, from: number, to: number): boolean {
 }
 
 const NUMBER = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?$/
-/** As C, Fortran and Microsoft's C before 2015 print them: nan, -nan(ind), inf, 1.#QNAN, 1.#INF00. */
+/** Prints of C, Fortran and Microsoft's C before 2015: nan, -nan(ind), inf, 1.#QNAN, 1.#INF00. */
 const NOT_FINITE = /^([-+]?)(?:1\.#)?((?:[qs]?nan|ind)(?:\([a-z]*\))?|inf(?:inity)?)0*$/i
 
 /** The double that a word stands for, an infinity for what is too large; null if it is no number. */
@@ -297,7 +297,7 @@ export function numberOf(word: string): number | null {
   return !/^inf/i.test(name) ? Number.NaN : sign === '-' ? -Infinity : Infinity
 }
 
-/** With how many a number is written, without zeros in front. */
+/** The number of digits without zeros in front. */
 export function significantDigits(word: string): number {
   let digits = 0
   for (const character of word) {

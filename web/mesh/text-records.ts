@@ -11,20 +11,20 @@ import { isEllipsis } from './snippet-text'
 import type { MeshFile } from './source'
 import { shown, TextCursor } from './text-cursor'
 
-/** So much of a line tells what it is. */
+/** Characters of a line that tell what it is. */
 export const LINE_HEAD = 240
 
 const [PLUS, MINUS, HASH, ZERO, NINE] = [43, 45, 35, 48, 57] as const
 
-/** What stands next: a record, the beginning or the end of a section, or the end of what belongs to the file. */
+/** The next item: a record, a section's beginning or end, or the end of the file's text. */
 export type Next = 'record' | 'section' | 'end'
 
 export interface RecordsOptions {
   readonly isSnippet: boolean
-  /** Whether the line that is next ends a section; it is not passed. */
+  /** True if the next line ends a section; it is not passed. */
   readonly endsSection: (cursor: TextCursor) => boolean
   readonly hasComments: boolean
-  /** Whether a section has a line that ends it. */
+  /** True if a section has a line that ends it. */
   readonly hasEnds: boolean
   readonly onRecord: (position: number) => void
   readonly core: ReadingCore | null
@@ -35,7 +35,7 @@ export class TextRecords {
   readonly #builder: MeshBuilder
   readonly #options: RecordsOptions
   readonly #rowSearch: RowSearch
-  /** Whether the text leaves something out. */
+  /** True if the text leaves something out. */
   isElided = false
 
   constructor(cursor: TextCursor, builder: MeshBuilder, options: RecordsOptions) {
@@ -147,7 +147,7 @@ export class TextRecords {
       this.#builder.note(`The text ends before the end of the ${what}.`)
   }
 
-  /** Whether the line has another number; false where the text ends, which only a snippet may. */
+  /** True if the line has another number; false if the text ends, which only a snippet may. */
   hasField(what: string): boolean {
     if (this.cursor.hasMoreOnLine()) return true
     if (this.isSnippet && this.cursor.isAtEnd) return false
@@ -159,14 +159,14 @@ export class TextRecords {
     if (this.cursor.hasMoreOnLine()) this.cursor.refuse(`the line has more numbers than ${what} has.`)
   }
 
-  /** After the last number of an element: where the text ends without an end of line, it may have lost digits. */
+  /** Ends an element; a text without an end of line behind it is cut off: digits may be lost. */
   endElement(what: string): void {
     this.endLine(what)
     if (this.cursor.isAtEnd) this.#builder.isCutOff = true
   }
 }
 
-/** Where a section begins that is read later. */
+/** The beginning of a section that is read later. */
 export interface Start {
   readonly position: number
   readonly line: number

@@ -9,7 +9,7 @@ export interface Severity {
   readonly isUnanswered: (cell: number) => boolean
 }
 
-/** Up to so many cells are kept in order while the mesh is gone through; for more all are sorted. */
+/** The most cells that are kept in order in one pass; for more all are sorted. */
 const FEW = 64
 
 /**

@@ -6,7 +6,7 @@ import { MeshRefusal } from './mesh'
 import type { MeshFile } from './source'
 import { shown } from './text-cursor'
 
-const PIECE = 1024 * 1024
+const CHUNK = 1024 * 1024
 /** A tag is no longer. */
 const LONGEST_TAG = 64 * 1024
 
@@ -16,9 +16,9 @@ export interface XmlTag {
   readonly kind: 'open' | 'close'
   readonly name: string
   readonly attributes: ReadonlyMap<string, string>
-  /** Whether it ends itself: <name/>. */
+  /** True if it ends itself: <name/>. */
   readonly isEmpty: boolean
-  /** Its bytes in the file. */
+  /** The bytes of the tag in the file. */
   readonly from: number
   readonly to: number
 }
@@ -58,7 +58,7 @@ export class XmlScanner {
     }
   }
 
-  /** Where this byte is next, from `at` on; -1 if it is nowhere. */
+  /** The next index of this byte, from `at` on; -1 if there is none. */
   indexOf(byte: number, at: number): number {
     for (let from = at; from < this.#file.size; from = this.#start + this.#bytes.length) {
       this.#load(from, 1)
@@ -73,7 +73,7 @@ export class XmlScanner {
     const end = this.#start + this.#bytes.length
     if (from >= this.#start && Math.min(from + count, this.#file.size) <= end) return
     this.#start = from
-    this.#bytes = this.#file.read(from, Math.min(this.#file.size, from + Math.max(PIECE, count)))
+    this.#bytes = this.#file.read(from, Math.min(this.#file.size, from + Math.max(CHUNK, count)))
   }
 
   #text(from: number, count: number): string {

@@ -1,12 +1,13 @@
 /**
- * Where jacdet's 27 Bernstein coefficients lie: that of (i, j, k) at 9i + 3j + k, i in xi, j in eta, k in zeta, each 0, 1 or 2 for
- * lower end, middle, upper end. As in wasm/src/topology.h; tests/unit/bernstein.test.ts compares with what the core computes.
+ * Indices of jacdet's 27 Bernstein coefficients: (i, j, k) at 9i + 3j + k for xi, eta, zeta, 0, 1
+ * or 2 for lower end, middle, upper end. As in wasm/src/topology.h; tests/unit/bernstein.test.ts
+ * compares with what the core computes.
  */
 import { edgeVertices, faces, type Vec3, vertexReference } from './hexahedron'
 
 export const BERNSTEIN_COUNT = 27
 
-/** From a coefficient to the next one along xi, eta and zeta. */
+/** Steps from a coefficient to the next along xi, eta and zeta. */
 export const bernsteinStrides = [9, 3, 1] as const
 
 export function bernsteinIndex(i: number, j: number, k: number): number {
@@ -20,7 +21,7 @@ export const bernsteinIndices: readonly Vec3[] = Array.from({ length: BERNSTEIN_
   n % 3,
 ])
 
-/** How many of its indices are 1: none at a vertex, one in an edge's middle, two in a face's, three in the cube's. */
+/** Indices that are 1: 0 at a vertex, 1 in an edge's middle, 2 in a face's, 3 in the cube's. */
 export const bernsteinMiddles: readonly number[] = bernsteinIndices.map(
   indices => indices.filter(index => index === 1).length,
 )

@@ -4,7 +4,6 @@
  */
 import {
   type Enclosure,
-  isAtMost,
   negatedEnclosure,
   productOfEnclosures,
   reciprocalOfEnclosure,
@@ -12,10 +11,12 @@ import {
 } from './condition/enclosure'
 import type { Claim, NumberName, QuantityName } from './condition/names'
 import { type ClaimNode, type Comparison, NotACondition, type NumberNode, parseClaim } from './condition/parse'
+import { isAtMost } from './rational'
+import type { Result } from './result'
 
 export interface Condition {
   readonly text: string
-  /** What it speaks of, each once, in the order of the text. */
+  /** Names in the condition, each once, in the order of the text. */
   readonly names: readonly QuantityName[]
   readonly claim: ClaimNode
 }
@@ -23,24 +24,20 @@ export interface Condition {
 export interface ConditionError {
   /** One sentence for people. */
   readonly message: string
-  /** Where in the text, from 0; its length where something is missing at the end. */
+  /** Index in the text, from 0; its length if something is missing at the end. */
   readonly at: number
 }
 
-export type ConditionResult =
-  | { readonly ok: true; readonly value: Condition }
-  | { readonly ok: false; readonly error: ConditionError }
-
-/** What an element answers: in true units, length^3 where it is a jacdet. */
+/** Numbers of an element in true units, length^3 if it is a jacdet. */
 export interface Quantities {
   claim(name: Claim): boolean
-  /** From doubles with their error bounds; null where those say nothing. */
+  /** Enclosed by doubles with their error bounds; null if those say nothing. */
   roughly(name: NumberName): Enclosure | null
-  /** From exact arithmetic: asked for what the doubles leave open. */
+  /** Enclosed by exact arithmetic, if the doubles leave the condition open. */
   exactly(name: NumberName): Enclosure
 }
 
-export function parseCondition(text: string): ConditionResult {
+export function parseCondition(text: string): Result<Condition, ConditionError> {
   try {
     const claim = parseClaim(text)
     return { ok: true, value: { text, names: [...new Set(namesIn(claim))], claim } }
@@ -50,14 +47,14 @@ export function parseCondition(text: string): ConditionResult {
   }
 }
 
-/** Whether it certainly holds. */
+/** True if it certainly holds. */
 export function isMet(condition: Condition, quantities: Quantities): boolean {
   return truthOf(condition, quantities) === true
 }
 
 /**
- * Whether it holds; null where even exact arithmetic only encloses the numbers and they are too near each other, or where
- * something is divided by what may be zero.
+ * True or false if that is certain; null if numbers that are only enclosed are too near each other,
+ * or if something is divided by what may be zero.
  */
 export function truthOf({ claim }: Condition, quantities: Quantities): boolean | null {
   const claimed = (name: Claim) => quantities.claim(name)
@@ -67,21 +64,21 @@ export function truthOf({ claim }: Condition, quantities: Quantities): boolean |
   )
 }
 
-interface Answers {
+interface Valuation {
   claimed(name: Claim): boolean
   number(name: NumberName): Enclosure | null
 }
 
-/** In Kleene's logic: null is open, and stays so unless the rest decides. */
-function truth(node: ClaimNode, answers: Answers): boolean | null {
-  if (node.kind === 'claim') return answers.claimed(node.name)
-  if (node.kind === 'not') return opposite(truth(node.of, answers))
+/** Kleene's logic: null is open, and stays so unless the rest decides. */
+function truth(node: ClaimNode, valuation: Valuation): boolean | null {
+  if (node.kind === 'claim') return valuation.claimed(node.name)
+  if (node.kind === 'not') return opposite(truth(node.of, valuation))
   if (node.kind === 'chain') {
-    const values = node.terms.map(term => numberOf(term, answers))
+    const values = node.terms.map(term => numberOf(term, valuation))
     return allOf(node.comparisons, (sign, i) => compare(values[i] ?? null, sign, values[i + 1] ?? null))
   }
-  if (node.kind === 'and') return allOf(node.parts, part => truth(part, answers))
-  return opposite(allOf(node.parts, part => opposite(truth(part, answers))))
+  if (node.kind === 'and') return allOf(node.operands, operand => truth(operand, valuation))
+  return opposite(allOf(node.operands, operand => opposite(truth(operand, valuation))))
 }
 
 function opposite(value: boolean | null): boolean | null {
@@ -89,22 +86,25 @@ function opposite(value: boolean | null): boolean | null {
 }
 
 /** The first that is false ends it: what stands behind it in the text need not be computed. */
-function allOf<T>(parts: readonly T[], truthOfPart: (part: T, index: number) => boolean | null): boolean | null {
+function allOf<T>(
+  operands: readonly T[],
+  truthOfOperand: (operand: T, index: number) => boolean | null,
+): boolean | null {
   let all: boolean | null = true
-  for (const [index, part] of parts.entries()) {
-    const value = truthOfPart(part, index)
+  for (const [index, operand] of operands.entries()) {
+    const value = truthOfOperand(operand, index)
     if (value === false) return false
     if (value === null) all = null
   }
   return all
 }
 
-function numberOf(node: NumberNode, answers: Answers): Enclosure | null {
+function numberOf(node: NumberNode, valuation: Valuation): Enclosure | null {
   if (node.kind === 'constant') return node.value
-  if (node.kind === 'number') return answers.number(node.name)
-  if (node.kind === 'minus') return mapped(numberOf(node.of, answers), negatedEnclosure)
-  const left = numberOf(node.left, answers)
-  const right = mapped(numberOf(node.right, answers), RIGHT_OPERAND[node.kind])
+  if (node.kind === 'number') return valuation.number(node.name)
+  if (node.kind === 'minus') return mapped(numberOf(node.of, valuation), negatedEnclosure)
+  const left = numberOf(node.left, valuation)
+  const right = mapped(numberOf(node.right, valuation), RIGHT_OPERAND[node.kind])
   if (!left || !right) return null
   return node.kind === '+' || node.kind === '-' ? sumOfEnclosures(left, right) : productOfEnclosures(left, right)
 }
@@ -161,7 +161,7 @@ function namesIn(node: ClaimNode | NumberNode): QuantityName[] {
       return namesIn(node.of)
     case 'and':
     case 'or':
-      return node.parts.flatMap(namesIn)
+      return node.operands.flatMap(namesIn)
     case 'chain':
       return node.terms.flatMap(namesIn)
     default:

@@ -3,7 +3,9 @@
  * may lie far outside the doubles, so every rounding here is of the exact value, in integers: half to even unless a side is
  * named, no libm.
  */
+
 import type { Vec3 } from './hexahedron'
+import { bitLength, dyadicOf } from './rational'
 import type { ReferenceCube } from './state'
 
 /** A value in decimal: its significant digits, none for zero. */
@@ -14,18 +16,12 @@ interface Rounded {
   readonly power: number
 }
 
-/** Where a value goes that has more digits: to the nearest text, half to even, or never below or never above itself. */
+/** Rounding to the nearest text, half to even, or never below or never above the value. */
 export type Rounding = 'nearest' | 'up' | 'down'
 
-/** |value| = integer * 2^exponent, exactly. */
-interface Binary {
-  readonly integer: bigint
-  readonly exponent: number
-}
-
-/** What a number on the page is rounded to, in significant digits, but never coarser than to an integer. */
+/** Significant digits of a number on the page; it is never rounded coarser than to an integer. */
 const SHOWN_DIGITS = 5
-/** Of a bound: it says how large an error may be, not where it is. */
+/** Significant digits of a bound, which says how large an error may be. */
 const BOUND_DIGITS = 2
 /** Powers of ten of the first digit that are written without an exponent. */
 const PLAIN_POWERS = { least: -4, most: 8 }
@@ -47,7 +43,7 @@ const [SMALL, LARGE] = [2 ** -500, 2 ** 500]
 
 /** mantissa * 2^exponent where that is exactly a double, else null. Throws RangeError for a mantissa that is not finite. */
 export function asDouble(mantissa: number, exponent: number): number | null {
-  // Where neither overflow nor underflow is near, the product is exact.
+  // The product is exact, as neither overflow nor underflow is near.
   if (Math.abs(exponent) < SMALL_EXPONENT && Math.abs(mantissa) < LARGE && Math.abs(mantissa) > SMALL)
     return mantissa * powerOfTwo(exponent)
   const binary = binaryOf(mantissa)
@@ -198,7 +194,7 @@ function rounded(mantissa: number, exponent: number, count: number, rounding: Ro
     : { negative, digits: text, power }
 }
 
-/** By the language's own rounding, which is of the exact value as well; null where that may be a tie, which it does not round to even. */
+/** The language's own rounding; null at a possible tie, which it does not round to even. */
 function roundedDouble(value: number, count: number): Rounded | null {
   if (value === 0 || Math.abs(value).toExponential(count).includes('5e')) return null
   const [digits = '', power] = Math.abs(value)
@@ -220,23 +216,14 @@ function tens(power: number): bigint {
 
 const words = new DataView(new ArrayBuffer(8))
 
-function binaryOf(value: number): Binary {
+/** |value| = integer * 2^exponent, exactly. */
+function binaryOf(value: number): ReturnType<typeof dyadicOf> {
   if (!Number.isFinite(value)) throw new RangeError(`${value} is not a finite number.`)
-  words.setFloat64(0, value)
-  const bits = words.getBigUint64(0) & 0x7fff_ffff_ffff_ffffn
-  const biased = Number(bits >> 52n)
-  const fraction = bits & 0xf_ffff_ffff_ffffn
-  return biased === 0
-    ? { integer: fraction, exponent: -1074 }
-    : { integer: fraction | (1n << 52n), exponent: biased - 1075 }
+  return dyadicOf(Math.abs(value))
 }
 
 /** 2^power for power in [-1074, 1023], exactly. */
 function powerOfTwo(power: number): number {
   words.setBigUint64(0, power < -1022 ? 1n << BigInt(power + 1074) : BigInt(power + 1023) << 52n)
   return words.getFloat64(0)
-}
-
-function bitLength(integer: bigint): number {
-  return integer.toString(2).length
 }

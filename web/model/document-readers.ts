@@ -1,15 +1,17 @@
 /**
- * Readers of plain data that a person or a program wrote as JSON. Each takes a value and its path, and gives what it means or throws
- * Refused with a sentence; it also knows the JSON Schema of what it takes, and how to write it. Numbers are JSON's, so every double
- * comes back bit for bit, except that -0 is "-0".
+ * Readers of plain data that a person or a program wrote as JSON. Each takes a value and its path,
+ * and gives what it means or throws a Refusal; it also knows the JSON Schema of what it takes, and
+ * how to write it. Numbers are JSON's, so every double comes back bit for bit, except that -0 is
+ * "-0".
  */
 import { COORDINATE_COUNT, type Vertices } from './hexahedron'
+import { Refusal } from './result'
 
 export type Coordinate = number | '-0'
 
 export interface Reader<T> {
   (value: unknown, path: string): T
-  /** What it takes, as JSON Schema 2020-12. */
+  /** The values it takes, as JSON Schema 2020-12. */
   readonly schema: Schema
   /** The value as JSON has it. */
   readonly write: (value: T) => unknown
@@ -17,8 +19,6 @@ export interface Reader<T> {
 
 export type Schema = Readonly<Record<string, unknown>>
 export type Readers<T> = { readonly [Key in keyof T]: Reader<T[Key]> }
-
-export class Refused extends Error {}
 
 export function reader<T>(
   schema: Schema,
@@ -34,18 +34,18 @@ export function described<T>(description: string, inner: Reader<T>): Reader<T> {
 }
 
 export const flag = reader({ type: 'boolean' }, (value, path) => {
-  if (typeof value !== 'boolean') throw new Refused(`${path} has to be true or false.`)
+  if (typeof value !== 'boolean') throw new Refusal(`${path} has to be true or false.`)
   return value
 })
 
 export const text = reader({ type: 'string' }, (value, path) => {
-  if (typeof value !== 'string') throw new Refused(`${path} has to be a text.`)
+  if (typeof value !== 'string') throw new Refusal(`${path} has to be a text.`)
   return value
 })
 
 export function oneOf<const Choices extends readonly unknown[]>(...choices: Choices): Reader<Choices[number]> {
   return reader({ enum: choices }, (value, path) => {
-    if (!choices.includes(value)) throw new Refused(`${path} has to be one of ${choices.join(', ')}.`)
+    if (!choices.includes(value)) throw new Refusal(`${path} has to be one of ${choices.join(', ')}.`)
     return value as Choices[number]
   })
 }
@@ -53,7 +53,7 @@ export function oneOf<const Choices extends readonly unknown[]>(...choices: Choi
 export function between(minimum: number, maximum: number): Reader<number> {
   return reader({ type: 'number', minimum, maximum }, (value, path) => {
     if (typeof value !== 'number' || !(value >= minimum && value <= maximum))
-      throw new Refused(`${path} has to be a number from ${minimum} to ${maximum}.`)
+      throw new Refusal(`${path} has to be a number from ${minimum} to ${maximum}.`)
     return value
   })
 }
@@ -61,7 +61,7 @@ export function between(minimum: number, maximum: number): Reader<number> {
 export function indexBelow(count: number): Reader<number> {
   const number = between(0, count - 1)
   return reader({ ...number.schema, type: 'integer' }, (value, path) => {
-    if (!Number.isInteger(number(value, path))) throw new Refused(`${path} has to be a whole number.`)
+    if (!Number.isInteger(number(value, path))) throw new Refusal(`${path} has to be a whole number.`)
     return value as number
   })
 }
@@ -97,13 +97,13 @@ export function record<T>(readers: Readers<T>, defaults: Partial<T>, optional: r
 
 export function object(value: unknown, path: string): Readonly<Record<string, unknown>> {
   if (typeof value !== 'object' || value === null || Array.isArray(value))
-    throw new Refused(`${path} has to be an object.`)
+    throw new Refusal(`${path} has to be an object.`)
   return value as Record<string, unknown>
 }
 
 export function list(value: unknown, path: string, length?: number): readonly unknown[] {
   if (!Array.isArray(value) || (length !== undefined && value.length !== length))
-    throw new Refused(`${path} has to be a list${length === undefined ? '' : ` of ${length}`}.`)
+    throw new Refusal(`${path} has to be a list${length === undefined ? '' : ` of ${length}`}.`)
   return value
 }
 
@@ -121,7 +121,7 @@ export const coordinates = reader<Vertices>(
   (value, path) =>
     list(value, path, COORDINATE_COUNT).map((coordinate, i) => {
       if (coordinate === '-0') return -0
-      if (!Number.isFinite(coordinate)) throw new Refused(`${path}[${i}] has to be a finite number, or "-0".`)
+      if (!Number.isFinite(coordinate)) throw new Refusal(`${path}[${i}] has to be a finite number, or "-0".`)
       return coordinate as number
     }),
   written,

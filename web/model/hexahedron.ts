@@ -84,6 +84,10 @@ export function vertexOf(vertices: Vertices, vertex: number): Vec3 {
   return [vertices[3 * vertex] as number, vertices[3 * vertex + 1] as number, vertices[3 * vertex + 2] as number]
 }
 
+export function sameBits(a: Vertices, b: Vertices): boolean {
+  return a.length === b.length && a.every((value, i) => Object.is(value, b[i]))
+}
+
 /** A copy with one vertex moved. */
 export function withVertex(vertices: Vertices, vertex: number, to: Vec3): Vertices {
   const moved = vertices.slice()

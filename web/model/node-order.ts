@@ -18,7 +18,7 @@ const AXES: readonly Vec3[] = [
   [2, 1, 0],
 ]
 
-/** Of the axes' order. */
+/** Parity of the axes' order. */
 const IS_EVEN: readonly boolean[] = [true, false, false, true, true, false]
 
 /** The cube's symmetries as permutations of its vertices: the 24 rotations, and the 24 that turn it inside out. */

@@ -3,6 +3,7 @@
  * VTK_HEXAHEDRON order, each the shortest that reads back as the same double, exponents without '+', -0 kept.
  */
 import { COORDINATE_COUNT, type Vertices } from './hexahedron'
+import { type CodedError, type Result, refused } from './result'
 
 /** `absent` is an address without a fragment: no link at all rather than a broken one. */
 export type PermalinkErrorCode =
@@ -13,15 +14,7 @@ export type PermalinkErrorCode =
   | 'not-a-number'
   | 'not-finite'
 
-export interface PermalinkError {
-  readonly code: PermalinkErrorCode
-  /** One sentence for people. */
-  readonly message: string
-}
-
-export type PermalinkResult =
-  | { readonly ok: true; readonly value: Vertices }
-  | { readonly ok: false; readonly error: PermalinkError }
+export type PermalinkResult = Result<Vertices, CodedError<PermalinkErrorCode>>
 
 const VERSION = '1'
 const DECIMAL = /^-?\d+(\.\d+)?(e[-+]?\d+)?$/i
@@ -36,29 +29,29 @@ export function encodePermalink(vertices: Vertices): string {
 /** Reads a fragment, with or without its '#'. Percent-encoding is undone first, as mail and chat programs put it in. */
 export function decodePermalink(fragment: string): PermalinkResult {
   const text = fragment.replace(/^#/, '')
-  if (text === '') return refusal('absent', 'The address holds no element.')
+  if (text === '') return refused('absent', 'The address holds no element.')
   const fields = readFields(text)
   const version = fields?.get('v')
   if (version !== undefined && version !== VERSION)
-    return refusal('unknown-version', `The link is of version ${quoted(version)}, which is not known here.`)
+    return refused('unknown-version', `The link is of version ${quoted(version)}, which is not known here.`)
   const list = fields?.get('vertices')
   if (version === undefined || list === undefined || fields?.size !== 2)
-    return refusal('malformed', 'The link is broken: it should read v=1&vertices= and 24 numbers with commas between.')
+    return refused('malformed', 'The link is broken: it should read v=1&vertices= and 24 numbers with commas between.')
   return readVertices(list === '' ? [] : list.split(','))
 }
 
 function readVertices(numbers: readonly string[]): PermalinkResult {
   if (numbers.length !== COORDINATE_COUNT) {
     const count = numbers.length === 1 ? '1 number' : `${numbers.length} numbers`
-    return refusal('wrong-count', `The link holds ${count} where 24 are needed.`)
+    return refused('wrong-count', `The link holds ${count} where 24 are needed.`)
   }
   const bad = numbers.findIndex(number => !DECIMAL.test(number))
   if (bad >= 0)
-    return refusal('not-a-number', `Number ${bad + 1} of the link, ${quoted(numbers[bad] as string)}, is not a number.`)
+    return refused('not-a-number', `Number ${bad + 1} of the link, ${quoted(numbers[bad] as string)}, is not a number.`)
   const value = numbers.map(Number)
   const huge = value.findIndex(number => !Number.isFinite(number))
   if (huge >= 0)
-    return refusal('not-finite', `Number ${huge + 1} of the link, ${quoted(numbers[huge] as string)}, is too large.`)
+    return refused('not-finite', `Number ${huge + 1} of the link, ${quoted(numbers[huge] as string)}, is too large.`)
   return { ok: true, value }
 }
 
@@ -72,7 +65,8 @@ function readFields(text: string): ReadonlyMap<string, string> | null {
   return fields.size === pairs.length ? fields : null
 }
 
-function percentDecoded(text: string): string | null {
+/** Null if the encoding is cut off or not UTF-8. */
+export function percentDecoded(text: string): string | null {
   try {
     return decodeURIComponent(text)
   } catch {
@@ -86,8 +80,4 @@ function decimalText(value: number): string {
 
 function quoted(text: string): string {
   return `“${text.length > 24 ? `${text.slice(0, 24)}…` : text}”`
-}
-
-function refusal(code: PermalinkErrorCode, message: string): PermalinkResult {
-  return { ok: false, error: { code, message } }
 }

@@ -16,26 +16,26 @@ import {
   oneOf,
   orNull,
   type Reader,
-  Refused,
   reader,
   record,
   type Schema,
   text,
 } from './document-readers'
 import { faces, VERTEX_COUNT, type Vec3, type Vertices } from './hexahedron'
+import { type CodedError, Refusal, type Result, refused } from './result'
 import { type AnySlice, type Cameras, type CameraView, type LastingState, type State, sliceOf } from './state'
 import { SHOWN_FIRST } from './store'
 
 export const STATE_VERSION = 1
 
-/** Of the element itself. */
+/** The element's own keys. */
 export interface ElementDocument extends Omit<LastingState, 'vertices' | 'start' | 'slices'>, Cameras {
   readonly version: typeof STATE_VERSION
   readonly vertices: readonly Coordinate[]
   readonly start: readonly Coordinate[]
 }
 
-/** With what panels keep, each under keys of its own. */
+/** The element's keys and those of its panels. */
 export type StateDocument = ElementDocument & Readonly<Record<string, unknown>>
 
 /** The panels that there are: their names and their slices. */
@@ -44,15 +44,12 @@ export interface KnownPanels {
   readonly slices: readonly AnySlice[]
 }
 
-export interface StateError {
-  readonly code: 'malformed-state' | 'unknown-version'
-  /** One sentence for people. */
-  readonly message: string
-}
+export type StateErrorCode = 'malformed-state' | 'unknown-version'
 
-export type StateResult =
-  | { readonly ok: true; readonly value: { readonly state: LastingState; readonly cameras: Cameras } }
-  | { readonly ok: false; readonly error: StateError }
+export type StateResult = Result<
+  { readonly state: LastingState; readonly cameras: Cameras },
+  CodedError<StateErrorCode>
+>
 
 export function stateDocument(state: State, cameras: Cameras, { names, slices }: KnownPanels): StateDocument {
   const own = elementReader(names).write({ ...state, ...cameras })
@@ -65,8 +62,8 @@ export function readState(given: unknown, { names, slices }: KnownPanels): State
   try {
     const { version } = object(given, 'state')
     if (typeof version === 'number' && version > STATE_VERSION)
-      return refusal('unknown-version', `The state is of version ${version}, which is not known here.`)
-    if (version !== STATE_VERSION) throw new Refused(`The state’s version has to be ${STATE_VERSION}.`)
+      return refused('unknown-version', `The state is of version ${version}, which is not known here.`)
+    if (version !== STATE_VERSION) throw new Refusal(`The state’s version has to be ${STATE_VERSION}.`)
     const { camera, referenceCamera, start, ...shown } = elementReader(names)(given, 'state')
     const kept = slices.map(slice => [slice.name, sliceReader(slice)(given, 'state')])
     const state = {
@@ -76,7 +73,7 @@ export function readState(given: unknown, { names, slices }: KnownPanels): State
     }
     return { ok: true, value: { state, cameras: { camera, referenceCamera } } }
   } catch (reason) {
-    if (reason instanceof Refused) return refusal('malformed-state', reason.message)
+    if (reason instanceof Refusal) return refused('malformed-state', reason.message)
     throw reason
   }
 }
@@ -114,7 +111,7 @@ const direction: Reader<Vec3> = reader(
   { ...vector, contains: { anyOf: [{ minimum: 1e-6 }, { maximum: -1e-6 }] } },
   (value, path) => {
     const given = pan(value, path)
-    if (given.every(x => Math.abs(x) < 1e-6)) throw new Refused(`${path} has to point somewhere.`)
+    if (given.every(x => Math.abs(x) < 1e-6)) throw new Refusal(`${path} has to point somewhere.`)
     return given
   },
 )
@@ -166,7 +163,3 @@ const elementReader = (panels: readonly string[]) =>
     { ...SHOWN_FIRST, preset: null, camera: null, referenceCamera: null },
     ['start'],
   )
-
-function refusal(code: StateError['code'], message: string): StateResult {
-  return { ok: false, error: { code, message } }
-}

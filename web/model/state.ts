@@ -1,11 +1,11 @@
-/** What the page is about, as plain data, and every way it can change. No DOM, no three.js, no wasm. */
+/** The page's state as plain data, and its actions. No DOM, no three.js, no wasm. */
 import type { Readers } from './document-readers'
 import type { Axis, Vec3, Vertices } from './hexahedron'
 
 /** jacdet of the map from [0,1]^3, or from [-1,1]^3 as finite element codes use it (an eighth). */
 export type ReferenceCube = 'unit' | 'biunit'
 
-/** How the faces are drawn: all opaque, see-through, hardly seen around what is inside, or one face alone (0..5). */
+/** Faces: all opaque, see-through, hardly seen around what is inside, or one face alone (0..5). */
 export type FaceDisplay = 'opaque' | 'see-through' | 'inside' | number
 
 /** Vertex 0..7, edge 0..11 or face 0..5 of the element, by `kind`. */
@@ -14,7 +14,7 @@ export interface Entity {
   readonly id: number
 }
 
-/** Where a check evaluates jacdet: at points (xi, eta, zeta) of [0,1]^3, or on the twelve edges. */
+/** Points (xi, eta, zeta) of [0,1]^3, or the twelve edges, on which a check evaluates jacdet. */
 export interface Samples {
   readonly points: readonly Vec3[]
   readonly edges: boolean
@@ -35,17 +35,17 @@ export interface Section {
 export const CONTROLS = ['faces', 'reference', 'turn', 'fit', 'help'] as const
 export type Control = (typeof CONTROLS)[number]
 
-/** How a picture in space is looked at, whatever its size on the screen. */
+/** A camera, whatever the picture's size on the screen. */
 export interface CameraView {
-  /** From what is looked at to the eye; of any length. */
+  /** The direction from the centre of the view to the eye; of any length. */
   readonly direction: Vec3
-  /** How many times nearer the eye is than where everything just fits in. */
+  /** The eye's nearness: 1 if everything just fits in. */
   readonly zoom: number
-  /** What the view turns about, away from where it is when everything just fits in, in halves of the longest side. */
+  /** The shift of the view's centre from the centre of all, in halves of the longest side. */
   readonly pan: Vec3
 }
 
-/** Of the element and of the reference cube; null is the default view. */
+/** Views of the element and of the reference cube; null is the default view. */
 export interface Cameras {
   readonly camera: CameraView | null
   readonly referenceCamera: CameraView | null
@@ -55,7 +55,7 @@ export interface State {
   readonly vertices: Vertices
   /** The preset the element started from, by id; null when it came from elsewhere. */
   readonly preset: string | null
-  /** What Reset goes back to. */
+  /** Reset returns to these. */
   readonly start: Vertices
   readonly selectedVertex: number
   /** Vertices as they were when the running gesture began; null between gestures. */
@@ -64,31 +64,31 @@ export interface State {
   readonly faceDisplay: FaceDisplay
   /** Names of panels. */
   readonly openPanels: readonly string[]
-  /** Whether the reference cube stands beside the element. */
+  /** True if the reference cube stands beside the element. */
   readonly referenceShown: boolean
-  /** Whether turning the element turns the reference cube, and the other way round. */
+  /** True if turning the element turns the reference cube, and the other way round. */
   readonly camerasLinked: boolean
   /** A point (xi, eta, zeta) of [0,1]^3 that is pointed at, for every view to mark; null when none is. */
   readonly probe: Vec3 | null
   /** The entity that is spoken of, for every view to mark; null when none is. */
   readonly highlight: Entity | null
-  /** Those of the check that is pointed at, for the scene to mark; null when none is. */
+  /** Samples of the check that is pointed at, for the scene to mark; null if none is. */
   readonly samples: Samples | null
   /** Ends when the vertices change. */
   readonly preview: Preview | null
   readonly section: Section
-  /** Whether the sheet of keys is on the screen. */
+  /** True if the sheet of keys is on the screen. */
   readonly helpShown: boolean
-  /** Whether the reader may only look. */
+  /** True if the reader may only look. */
   readonly isReadonly: boolean
   readonly controls: readonly Control[]
   readonly canUndo: boolean
   readonly canRedo: boolean
-  /** What panels keep, by their names; what is not there is as in a new element. */
+  /** State of panels by their names; a panel without an entry is as in a new element. */
   readonly slices: Readonly<Record<string, object>>
 }
 
-/** What outlives the page: all but what is under way, pointed at or spoken of, the history, and what an author allows. */
+/** State that outlives the page: no gestures, previews, highlights, history, author's limits. */
 export type LastingState = Omit<
   State,
   | 'gestureStart'
@@ -110,7 +110,7 @@ export type Action =
   | { readonly type: 'move-coordinate'; readonly index: number; readonly to: number }
   /** All vertices, likewise; preset and start stay. */
   | { readonly type: 'move-all'; readonly vertices: Vertices }
-  /** What the element starts from, without a history; `start` is what Reset goes back to. */
+  /** The element's beginning, without a history; Reset returns to `start`. */
   | {
       readonly type: 'initialize'
       readonly vertices: Vertices
@@ -150,9 +150,9 @@ export type Dispatch = (action: Action) => void
 export interface Slice<T extends object> {
   /** The panel's. */
   readonly name: string
-  /** In a new element. */
+  /** The state in a new element. */
   readonly first: T
-  /** Its keys in the state's document, beside those of the element and of other panels. */
+  /** Keys in the state's document, beside those of the element and of other panels. */
   readonly readers: Readers<T>
   /** Throws RangeError for what no caller may send. */
   readonly check?: (value: T) => void

@@ -9,6 +9,7 @@ import {
   COORDINATE_COUNT,
   edgeVertices,
   faces,
+  sameBits,
   VERTEX_COUNT,
   type Vec3,
   type Vertices,
@@ -38,7 +39,7 @@ export interface Store {
 /** Undo steps kept; a page that animates an element for hours must not fill the memory. */
 export const HISTORY_LIMIT = 1000
 
-/** What undo and redo go between. */
+/** Undo and redo go from one to another. */
 interface Snapshot {
   readonly vertices: Vertices
   readonly preset: string | null
@@ -47,7 +48,7 @@ interface Snapshot {
 
 type Shown = Omit<State, keyof Snapshot | 'gestureStart' | 'canUndo' | 'canRedo'>
 
-/** What a new element shows. */
+/** The state of a new element. */
 export const SHOWN_FIRST: Shown = {
   selectedVertex: 0,
   referenceCube: 'unit',
@@ -114,7 +115,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
     gestureStart = null
   }
 
-  /** Whether it took back anything. */
+  /** True if a gesture was taken back. */
   function cancel(): boolean {
     if (gestureStart === null) return false
     const moved = !sameSnapshot(gestureStart, present)
@@ -259,7 +260,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
     }
   }
 
-  /** What is shown was checked by the reader of the state. */
+  /** The reader of the state has checked the rest. */
   function restore({ vertices, preset, start, ...others }: LastingState): void {
     const began = kept(present.start, accepted(start))
     change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
@@ -335,10 +336,6 @@ function withPanel(open: readonly string[], panel: string, isOpen: boolean): rea
 /** The old array where the new one says the same: identity then tells change. */
 function kept(before: Vertices, after: Vertices): Vertices {
   return sameBits(before, after) ? before : after
-}
-
-function sameBits(a: Vertices, b: Vertices): boolean {
-  return a.every((value, i) => Object.is(value, b[i]))
 }
 
 function sameSnapshot(a: Snapshot, b: Snapshot): boolean {

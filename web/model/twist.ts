@@ -1,39 +1,31 @@
-/** By how much the top of an element is turned against its bottom. */
-import {
-  type Enclosure,
-  exactly,
-  isAtMost,
-  negated,
-  productOf,
-  type Rational,
-  scaledDouble,
-  sumOf,
-} from './condition/enclosure'
+/** The angle by which the top of an element is turned against its bottom. */
+import { type Enclosure, exactly } from './condition/enclosure'
 import type { Vertices } from './hexahedron'
+import { isAtMost, negated, productOf, type Rational, scaledDouble, sumOf } from './rational'
 
 export interface Twist {
-  /** In [-180, 180], counter-clockwise where the top is turned so, seen against z. */
+  /** In [-180, 180], positive if the top is turned counter-clockwise, seen against z. */
   readonly degrees: number
-  /** Of the doubles given; 360 where the angle means nothing. */
+  /** The error with respect to the doubles given; 360 if the angle means nothing. */
   readonly error: number
 }
 
 const BOTTOM = [0, 1, 2, 3]
 const TOP = [4, 5, 6, 7]
-/** Of sums of eight products of differences from means, in units of 2^-53 of the square of the largest coordinate about vertex 0: below. */
+/** The error of the sums below, in units of the square of the largest coordinate about vertex 0. */
 const SUM_ERROR = 1024 * 2 ** -53
 /** Engines' atan2 is good to a few units in the last place; this is 2^9 of them. */
 const ANGLE_ERROR = 2 ** -44
 
 /**
  * Seen along z, both about their middles: the turn that brings vertices 0 to 3 nearest to 4 to 7 in the sense of least squares. With
- * a_i, b_i their places, it is the angle of (sum a_i . b_i, sum a_i x b_i).
+ * a_i, b_i their positions, it is the angle of (sum a_i . b_i, sum a_i x b_i).
  *
  * Error: with coordinates about vertex 0 up to X a component of a or b is at most 2X and off by 12uX, a product of two by 52uX^2, and eight of them with
  * the roundings of their sum by less than 1024uX^2.
  */
 export function twistOf(vertices: Vertices): Twist {
-  // Of quarters, as the difference of two large doubles may be none; about vertex 0, so that it does not matter where the element lies.
+  // Quarters, as the difference of two large doubles may overflow; about vertex 0.
   const relative = vertices.map((value, i) => value / 4 - (vertices[i % 3] as number) / 4)
   const size = Math.max(...relative.filter((_, i) => i % 3 < 2).map(Math.abs))
   const scaled = relative.map(value => (size > 0 ? value / size : 0))
@@ -59,7 +51,7 @@ function aboutMiddle(vertices: Vertices, four: readonly number[]): (readonly [nu
   return four.map(v => [(vertices[3 * v] as number) - x, (vertices[3 * v + 1] as number) - y])
 }
 
-/** In degrees, by the doubles above. */
+/** Degrees, by the doubles above. */
 export function twistEnclosure(vertices: Vertices): Enclosure {
   const { degrees, error } = twistOf(vertices)
   const [middle, half] = [scaledDouble(degrees, 0), scaledDouble(error, 0)]
@@ -95,7 +87,7 @@ function atMost(value: Rational, bound: Rational): Rational {
   return isAtMost(value, bound) ? value : bound
 }
 
-/** Of the bottom's coordinates on one axis with the top's on another, about their means, times four. */
+/** Four times the covariance of the bottom's coordinates on one axis with the top's on another. */
 function covariance(ofBottom: readonly Rational[], ofTop: readonly Rational[]): Rational {
   const sum = (values: readonly Rational[]) => values.reduce(sumOf)
   const pairs = BOTTOM.map((v, i) => productOf(ofBottom[v] as Rational, ofTop[TOP[i] as number] as Rational))

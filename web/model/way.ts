@@ -1,7 +1,7 @@
 /** The straight way from one element to another: every coordinate of A + tau (B - A), in doubles. */
 import type { Vertices } from './hexahedron'
 
-/** At 0 and 1 the two elements themselves, bit for bit; what is the same in both stays. `tau` is in [0,1]. */
+/** The elements themselves at 0 and 1, bit for bit; equal coordinates stay. `tau` is in [0,1]. */
 export function elementAt(a: Vertices, b: Vertices, tau: number): Vertices {
   if (tau === 0) return a
   if (tau === 1) return b
@@ -13,8 +13,8 @@ export function elementAt(a: Vertices, b: Vertices, tau: number): Vertices {
   })
 }
 
-/** Where an element is on the way, bit for bit; `guess` is looked at first. Null where it is not found on it. */
-export function placeOnWay(a: Vertices, b: Vertices, element: Vertices, guess: number): number | null {
+/** The tau of an element on the way, bit for bit; `guess` is tried first. Null if there is none. */
+export function tauOf(a: Vertices, b: Vertices, element: Vertices, guess: number): number | null {
   const moves = a.map((from, i) => Math.abs((b[i] as number) - from))
   const most = moves.indexOf(Math.max(...moves))
   const [from, to, at] = [a[most] as number, b[most] as number, element[most] as number]

@@ -1,10 +1,10 @@
-/** What every text of the export has in common. */
+/** The parts that all texts of the export share. */
 import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf } from './hexahedron'
 
 /** A text that an element can be taken away as. Reading it back gives the vertices bit for bit. */
 export interface Writer {
   readonly title: string
-  /** What it is, in a few words beside the title. */
+  /** A few words beside the title. */
   readonly note: string
   readonly extension: string
   readonly mediaType: string

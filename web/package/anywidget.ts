@@ -18,7 +18,7 @@ interface Model {
 
 type Listener = (content?: unknown, buffers?: readonly DataView[]) => void
 
-/** How long the kernel may take to answer, in milliseconds. */
+/** Milliseconds that the kernel may take to answer. */
 const PATIENCE_MS = 30_000
 
 const ATTRIBUTES = ['views', 'controls', 'camera', 'theme', 'label']

@@ -29,18 +29,19 @@ export type { CheckId, CoreError, CoreErrorCode, ElementClass, Result } from '..
 export { CHECKS, CLASSES } from '../core/unpack'
 
 declare global {
-  /** So that the types are whole where those of a DOM are not there, as in Node. */
+  /** Types that are missing without those of a DOM, as in Node. */
   namespace WebAssembly {
     interface Module {}
   }
 }
 
 export interface ClassifierOptions {
-  /** At most so many; without, one for each of the machine's cores, and no more than 16. They start when they are needed. */
+  /** The most workers; by default one for each core, at most 16. They start when needed. */
   readonly workers?: number
   /**
-   * Where a copy of `hexlens/dist/hexlens.batch-worker.js` is: for pages whose Content-Security-Policy forbids workers from blob:
-   * addresses. In Node a file: URL or an absolute path.
+   * The address of a copy of `hexlens/dist/hexlens.batch-worker.js`: for pages whose
+   * Content-Security-Policy forbids workers from blob: addresses. In Node a file: URL or an
+   * absolute path.
    */
   readonly workerUrl?: string | URL
 }

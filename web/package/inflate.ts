@@ -3,7 +3,7 @@ export function inflated(base64: string): Promise<Uint8Array<ArrayBuffer>> {
   return inflate(Uint8Array.from(atob(base64), character => character.charCodeAt(0)))
 }
 
-/** Without `Response`, which in Node brings a network client along, with wasm of its own. */
+/** `Response` would bring a network client along in Node, with wasm of its own. */
 async function inflate(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
   const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate')).getReader()
   const chunks: Uint8Array<ArrayBuffer>[] = []

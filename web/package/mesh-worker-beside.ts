@@ -4,13 +4,13 @@ import type { ReadingWorker } from '../input/read-input'
 const NAME = 'hexlens.mesh-worker.js'
 const BLOCKED = `${NAME} was not loaded from beside the script, or a policy of the page forbids it`
 
-/** Of a module its own address; of a plain script that of the tag, which only says so while it runs first. */
+/** This module's address, or the script's, which its tag tells only while it first runs. */
 const script = globalThis.document?.currentScript
 const here: string | undefined = script && 'src' in script ? script.src : import.meta.url
 
 let findAddress = async (): Promise<string | URL> => new URL(NAME, here ?? document.baseURI)
 
-/** For pages where the file lies elsewhere, as bundlers may have it: its address, or where to ask for that. */
+/** Sets the file's address, or a function that knows it, if bundlers have moved the file. */
 export function setMeshWorker(address: string | URL | (() => Promise<string | URL>)): void {
   findAddress = typeof address === 'function' ? address : async () => address
 }
@@ -28,7 +28,7 @@ type HandedOver = HTMLScriptElement & { readonly work?: () => void }
 
 const copies = new Map<string, Promise<string>>()
 
-/** From another origin, or from file://, a page starts no worker; loaded as a script, the file gives itself as a function. */
+/** A worker cannot be of another origin; loaded as a script, the file gives itself as a function. */
 function addressOfCopy(address: string): Promise<string> {
   const copy = copies.get(address) ?? copied(address)
   copies.set(address, copy)

@@ -1,4 +1,4 @@
-/** What readers have done by wasm, inside one file. */
+/** The readers' wasm inside one file. */
 import base64 from 'virtual:hexlens-reading.wasm.deflated'
 import { readingCoreOf } from '../core/reading-core'
 import type { ReadingCore } from '../core/reading-interface'

@@ -9,11 +9,11 @@ type Lens = HTMLElementTagNameMap['hex-lens']
 
 export interface Picture {
   readonly address: string
-  /** What it shows, in words. */
+  /** The picture in words. */
   readonly text: string
 }
 
-/** Until there is a picture. */
+/** The image until there is a picture. */
 export const BLANK = `data:image/svg+xml,${encodeURIComponent('<svg xmlns="http://www.w3.org/2000/svg"/>')}`
 
 /** A picture takes a few milliseconds to draw and to show. */
@@ -27,7 +27,7 @@ export class Pictures {
   readonly #pictures = new Map<string, Picture>()
   readonly #awaited = new Set<string>()
   #colours: Colours | null = null
-  /** How many may still be drawn before the page has to be drawn again. */
+  /** Pictures that may still be drawn before the page has to be drawn again. */
   #left = AT_ONCE
 
   /** `onChange` is called when there are more, or others; `root` has the colours. */
@@ -72,7 +72,7 @@ export class Pictures {
     return this.#colours
   }
 
-  /** Whether one was asked for that has not been drawn. */
+  /** True if one was asked for that has not been drawn. */
   get isBehind(): boolean {
     return this.#left === 0
   }
@@ -80,7 +80,7 @@ export class Pictures {
   async #analyze(key: string, vertices: Vertices): Promise<void> {
     if (this.#awaited.has(key)) return
     this.#awaited.add(key)
-    // Without the core there are no pictures; that it did not start is what the element says.
+    // There are no pictures without the core; the element says that it did not start.
     const report = await this.#lens.analyze(vertices).catch(() => null)
     this.#awaited.delete(key)
     if (!report) return

@@ -1,8 +1,8 @@
-/** How far the page and the panels beside the scene are scrolled. */
-import type { Place } from './places'
+/** Scroll positions of the page and of the panels beside the scene. */
+import type { HistoryEntry } from './history-entries'
 
 type Lens = HTMLElementTagNameMap['hex-lens']
-type Scroll = Place['scroll']
+type Scroll = HistoryEntry['scroll']
 
 const OF_THE_READER = ['wheel', 'touchstart', 'pointerdown', 'keydown'] as const
 
@@ -10,7 +10,7 @@ export function scrollOf(lens: Lens): Scroll {
   return scrollers(lens).map(scroller => scroller?.scrollTop ?? 0)
 }
 
-/** Until everything is there that was on the page; what the reader does ends it. */
+/** Scrolls until all that was on the page is there again, or until the reader acts. */
 export function scrollTo(lens: Lens, goals: Scroll): void {
   const ended = new AbortController()
   const { signal } = ended
@@ -22,7 +22,7 @@ export function scrollTo(lens: Lens, goals: Scroll): void {
     for (const [i, scroller] of scrollers(lens).entries()) {
       if (scroller) scroller.scrollTop = goals[i] ?? 0
     }
-    // What has just been drawn may ask for another frame when it learns its size.
+    // A view that has just been drawn may ask for another frame when it learns its size.
     if (lens.complete && wasComplete) ended.abort()
     wasComplete = lens.complete
     requestAnimationFrame(step)
@@ -40,5 +40,5 @@ function scrollers(lens: Lens): (Element | null)[] {
 }
 
 function scrollersIn(lens: Lens): (Element | null)[] {
-  return ['.side', '.panel', '.folds', '.lens'].map(place => lens.shadowRoot?.querySelector(place) ?? null)
+  return ['.side', '.panel', '.folds', '.lens'].map(selector => lens.shadowRoot?.querySelector(selector) ?? null)
 }

@@ -247,10 +247,9 @@ typedef struct place {
 static const place ZERO = {0, -1074, BELOW_MIDDLE};
 static const place INFINITE = {UINT64_C(1) << 53, 971, BELOW_MIDDLE};
 
-/*
- * Of w * 10^q, w > 0. With w shifted to 64 bits and c the first 128 bits of 5^q, the true value is X * 2^e, where X = w (c + [0, 1)) / 2^128.
- * The high words of w * (c's high word) say X up to [0, 2), all words up to 2^-63.
- */
+/*  Takes w * 10^q, w > 0. With w shifted to 64 bits and c the first 128 bits of 5^q, the true value
+ * is X * 2^e, where X = w (c + [0, 1)) / 2^128. The high words of w * (c's high word) say X up to
+ * [0, 2), all words up to 2^-63. */
 static place place_of(uint64_t w, int32_t q) {
   if (q < LEAST_POWER) return ZERO;
   if (q > MOST_POWER) return INFINITE;
@@ -297,7 +296,7 @@ static double double_at(place number) {
   return value;
 }
 
-/* On which side of (2 mantissa + 1) * 2^(exponent - 1) the number is, by long integers. */
+/* The side of (2 mantissa + 1) * 2^(exponent - 1) on which the number is, by long integers. */
 static side exact_side(const hl_decimal *number, place lower) {
   integer left = {{0}, 0};
   int taken = 0;

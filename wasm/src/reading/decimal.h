@@ -29,7 +29,7 @@ const uint8_t *hl_scan_decimal(const uint8_t *at, const uint8_t *end, bool has_b
 /* The nearest double; an infinity for what is too large. hl_start_decimals must have been called. */
 double hl_double_of(const hl_decimal *number);
 
-/* Whether the number has fewer than 17 digits and is a double, so that printing it has lost nothing. */
+/* True if the number has fewer than 17 digits and is a double: printing it has lost nothing. */
 bool hl_is_exact(const hl_decimal *number);
 
 /* Computes the powers of five. */

@@ -1,4 +1,5 @@
-/* What hexlens-reading.wasm gives out: bytes go into one static input, numbers come out of one static output. */
+/* The exports of hexlens-reading.wasm: bytes go into one static input, numbers come out of one
+   static output. */
 #include "decimal.h"
 #include "inflate.h"
 #include "text.h"

@@ -145,7 +145,7 @@ static void set_fixed_codes(void) {
   set_code(&distances, lengths, DISTANCES);
 }
 
-/* Behind what the block has written, NULL if it is damaged or does not fit. */
+/* The end of the block's output; NULL if the block is damaged or does not fit. */
 static uint8_t *inflate_block(stream *s, const uint8_t *begin, uint8_t *to, const uint8_t *end) {
   for (;;) {
     /* A symbol and its distance take at most 15 + 5 + 15 + 13 bits. */

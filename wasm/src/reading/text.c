@@ -7,7 +7,7 @@ enum { MOST_WHOLE_DIGITS = 15, MOST_PLACE = 1 << 24, LONGEST_WORD = 1000 };
 
 static inline bool is_blank(uint8_t byte) { return byte == ' ' || byte == '\n' || byte == '\r' || byte == '\t'; }
 
-/* What may stand behind a number in a run. */
+/* True at a byte that may follow a number in a run. */
 static inline bool ends_word(const uint8_t *at, const uint8_t *end) { return at == end || *at <= ' '; }
 
 static void note_digits(hl_taken *taken, const hl_decimal *number) {
@@ -26,7 +26,7 @@ hl_taken hl_numbers(const uint8_t *from, const uint8_t *limit, const uint8_t *en
     const uint8_t *first = at;
     hl_decimal number;
     at = hl_scan_decimal(at, end, false, &number);
-    /* What is so long may be cut at `end`. */
+    /* A word so long may be cut at `end`. */
     if (at == NULL || !ends_word(at, end) || at - first > LONGEST_WORD) break;
     list[taken.count++] = hl_double_of(&number);
     if (!number.is_whole) note_digits(&taken, &number);
@@ -62,7 +62,7 @@ static const uint8_t *pass_spaces(const uint8_t *at, const uint8_t *end) {
   return at;
 }
 
-/* Where a field of so many columns ends, which a line may cut. */
+/* The end of a field of so many columns, which a line may cut. */
 static const uint8_t *field_end(const uint8_t *at, const uint8_t *end, uint32_t width) {
   const uint8_t *last = (uint32_t)(end - at) < width ? end : at + width;
   for (const uint8_t *byte = at; byte < last; ++byte)
@@ -70,7 +70,8 @@ static const uint8_t *field_end(const uint8_t *at, const uint8_t *end, uint32_t 
   return last;
 }
 
-/* Behind the number of a field, whose rest is blank; NULL if it is none. A tab stands for columns that are not here. */
+/* The end of the number of a field, whose rest is blank; NULL if it is none. A tab stands for
+   columns that are not here. */
 static const uint8_t *number_in(const uint8_t *at, const uint8_t *end, uint8_t kind, uint32_t width, hl_decimal *number,
                                 const uint8_t **first, const uint8_t **last) {
   const uint8_t *to = width == 0 ? end : field_end(at, end, width);

@@ -6,7 +6,7 @@
 
 #include "decimal.h"
 
-/* What was read of a text. */
+/* Numbers and bytes read from a text. */
 typedef struct hl_taken {
   uint32_t count; /* numbers of a run, rows of a table */
   uint32_t bytes; /* from the beginning to behind the last of them */
@@ -24,7 +24,8 @@ hl_taken hl_numbers(const uint8_t *from, const uint8_t *limit, const uint8_t *en
 hl_taken hl_indices(const uint8_t *from, const uint8_t *limit, const uint8_t *end, uint32_t *list, uint32_t most,
                     uint32_t largest);
 
-/* What a row has, one after the other; each but COMMA, BLANKS and LINE_END with its width: 0 for a word between blanks or commas, else columns. */
+/* Items of a row, one after the other; each but COMMA, BLANKS and LINE_END with its width: 0 for a
+   word between blanks or commas, else columns. */
 enum {
   HL_LINE_END, /* blanks, and the end of the line */
   HL_COMMA,    /* blanks around a comma */

@@ -1,7 +1,7 @@
 /** `--ids`: the invalid hexahedra by their ids, as the input of a program or one on a line. */
 import type { MeshCheck } from '../../mesh/mesh-check'
+import { Refusal } from '../../model/result'
 import type { IdKind } from '../check-arguments'
-import { Refusal } from '../streams'
 import { type Output, shown, withoutControls } from './output'
 
 /** Abaqus reads 16 entries of a line at most. */

@@ -114,7 +114,7 @@ function caseText(file: string, { name, outcome, message = '', details = [] }: C
 
 const ENTITIES: Readonly<Record<string, string>> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' }
 
-/** Without what XML forbids, and without characters that turn the text around. */
+/** Text without characters that XML forbids or that turn the text around. */
 function xml(text: string): string {
   return text
     .replace(/[\p{Cf}\p{Cs}\u2028\u2029\ufffe\uffff]|(?!\n)\p{Cc}/gu, '')

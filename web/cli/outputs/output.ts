@@ -1,4 +1,4 @@
-/** What the outputs of `check` have in common: each turns the results, file by file, into text or bytes. */
+/** An output of `check` turns the results, file by file, into text or bytes. */
 import type { Wanted } from '../../core/batch/lists'
 import type { ExitStatus } from '../../mesh/check'
 import type { MeshCheck } from '../../mesh/mesh-check'
@@ -9,10 +9,10 @@ export type FileResult = { readonly file: string; readonly exit: ExitStatus } & 
 )
 
 export interface Output {
-  /** What it needs beside the counts. */
+  /** Lists that it needs beside the counts. */
   readonly lists: Wanted
   file(result: FileResult): Iterable<string | Uint8Array>
-  /** After the last file. */
+  /** The end, after the last file. */
   end(exit: ExitStatus): Iterable<string>
 }
 

@@ -1,4 +1,4 @@
-/** What people read: a verdict, what it is based on, and the worst cells. */
+/** The output for people: a verdict, its basis, and the worst cells. */
 import { isWhollyAnswered } from '../../mesh/check'
 import { countSentences, headline } from '../../mesh/check-summary'
 import type { MeshCheck } from '../../mesh/mesh-check'
@@ -6,7 +6,7 @@ import { formatPoint, speakJacdet, speakNumber } from '../../model/decimal'
 import { type Output, shown, withoutControls } from './output'
 
 export interface TextOptions {
-  /** Whether the worst are listed even where nothing is wrong with them. */
+  /** True if the worst are listed even if nothing is wrong with them. */
   readonly listsAll: boolean
   readonly minRelative: number | null
   readonly skipsDegenerate: boolean

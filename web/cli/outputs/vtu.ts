@@ -32,7 +32,7 @@ export function vtuOutput(): Output {
 
 const isLittleEndian = new Uint8Array(Uint16Array.of(1).buffer)[0] === 1
 const SIZES = { Float64: 8, Int32: 4, Int64: 8, UInt8: 1 }
-/** Numbers are written in pieces of so many. */
+/** Numbers are written in chunks of so many. */
 const PIECE = 131_072
 
 function* vtu(check: MeshCheck): Generator<string | Uint8Array> {

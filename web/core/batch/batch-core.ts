@@ -31,7 +31,7 @@ export interface Counts {
   readonly unansweredCount: number
   /** The first of those; null if there is none. */
   readonly firstUnanswered: number | null
-  /** How many cells integers decided; 0 where neither the list `exact` nor minima are asked for. */
+  /** Cells that integers decided; 0 unless the list `exact` or minima are asked for. */
   readonly exactCount: number
 }
 
@@ -41,7 +41,7 @@ export interface BatchOptions {
   /** Makes room for the answers to so many cells, when the cells are no longer read; else they get new lists. */
   readonly into?: (count: number) => Lists
   /** Called now and then with how many cells are done. */
-  readonly onPart?: (done: number) => void
+  readonly onProgress?: (done: number) => void
 }
 
 export interface BatchCore {
@@ -62,14 +62,14 @@ const COUNT_COUNT = 5
 const HL_OK = 0
 const WASM_PAGE = 65536
 
-/** As many coordinates go into the core's memory at once as a processor's second cache holds beside the rest: 200 kB. */
+/** Cells that go into the core's memory at once: 200 kB, which a processor's second cache holds. */
 const CELLS_PER_CUT = 1024
 
 export function cellCount({ points, cells }: Piece): number {
   return cells ? Math.floor(cells.length / VERTICES) : Math.floor(points.length / COORDINATE_COUNT)
 }
 
-/** Of what `a` counts and of the cells behind them, of which `b` counts those from `first` on. */
+/** `a` counts the cells before `first`, `b` those from there on. */
 export function sumOfCounts(a: Counts, b: Counts, first: number): Counts {
   const found = [a.firstUnanswered, b.firstUnanswered === null ? null : first + b.firstUnanswered]
   const cells = found.filter(cell => cell !== null)
@@ -111,7 +111,7 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     return addresses
   }
 
-  function classify(piece: Piece, wanted: Wanted, { into, onPart }: BatchOptions = {}): PieceResult {
+  function classify(piece: Piece, wanted: Wanted, { into, onProgress }: BatchOptions = {}): PieceResult {
     const { points, cells } = piece
     const count = cellCount(piece)
     const [atPoints, atCells, atLists] = reserve([
@@ -130,7 +130,7 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
       const addresses = addressesOf(lists, first)
       new Uint32Array(memory.buffer, wasm.lists_address(), addresses.length).set(addresses)
       counts = sumOfCounts(counts, cells ? indexed(first, end) : plain(first, end), first)
-      onPart?.(end)
+      onProgress?.(end)
     }
     const valid = lists[0] as Uint8Array
     for (let c = 0; c < count; ++c) valid[c] = (valid[c] as number) & 1 // of HL_VALID, HL_INVALID and HL_UNANSWERED

@@ -22,7 +22,7 @@ export interface ClassifyOptions extends Wanted {
   readonly onProgress?: (progress: Progress) => void
 }
 
-/** What was not asked for is null. */
+/** Lists that were not asked for are null. */
 export type Classification<W extends Wanted = Wanted> = Answers<W> & Counts
 
 export interface StreamOptions extends Omit<ClassifyOptions, 'onProgress'> {
@@ -96,11 +96,11 @@ async function classify(
 
   async function run(cut: Cut): Promise<void> {
     const { first, count, piece, block } = cut
-    const onPartDone = (cellsDone: number) => {
+    const onPieceProgress = (cellsDone: number) => {
       partlyDone.set(cut, cellsDone)
       showProgress()
     }
-    const back = await pool.run({ piece, block, wanted, caller: memory, onProgress: onPartDone })
+    const back = await pool.run({ piece, block, wanted, caller: memory, onProgress: onPieceProgress })
     counts = sumOfCounts(counts, back.counts, first)
     putLists(listsIn(back.block, count, wanted), lists, first)
     memory.give(back.block)
@@ -160,7 +160,7 @@ function hasMemoryToItself(list: Float64Array | Uint32Array | null): boolean {
   return list === null || (list.byteLength === list.buffer.byteLength && list.buffer instanceof ArrayBuffer)
 }
 
-/** As one piece, whose memory the worker gets; the answers then lie in it, if it has room for them. */
+/** One piece, whose memory the worker gets; the answers lie in it, if it has room for them. */
 async function classifyWhole(
   pool: Pool,
   piece: Piece,

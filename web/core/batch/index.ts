@@ -14,7 +14,7 @@ export async function startClassifier(workers = defaultWorkers()): Promise<Class
 
 let shared: Promise<Classifier> | undefined
 
-/** With workers that all callers of the page share: see Classifier. */
+/** See Classifier; all callers of the page share the workers. */
 export async function classify<W extends ClassifyOptions>(
   points: Float64Array,
   cells: Uint32Array | null,

@@ -1,7 +1,7 @@
-/** What batches answer with: lists with one entry a cell, each there if it was asked for, side by side in a block of memory. */
+/** Answers of batches: lists with an entry for each cell, in one block of memory. */
 import type { CoreErrorCode } from '../report'
 
-/** What is asked for beside the verdicts. What is not costs nothing. */
+/** Lists beside the verdicts. A list that is not asked for costs nothing. */
 export interface Wanted {
   readonly minima?: boolean
   readonly relativeMinima?: boolean
@@ -15,7 +15,7 @@ export interface Wanted {
 /** Jacdets on [0,1]^3, times 2^exponent, which is 0 wherever the doubles have room for the values. */
 export interface Minima {
   readonly values: Float64Array
-  /** Where it is attained: xi, eta, zeta. */
+  /** The points that attain them: xi, eta, zeta. */
   readonly minimizers: Float64Array
   /** The least jacdet at the eight vertices. */
   readonly cornerMinima: Float64Array
@@ -33,17 +33,17 @@ interface AllLists {
   /** The boundary minimum over |volume|; NaN where the volume is 0. */
   readonly relativeMinima: Float64Array
   readonly volumes: Volumes
-  /** Places in CLASSES. */
+  /** Indices into CLASSES. */
   readonly classes: Uint8Array
-  /** Bit 1 << c for each check that accepts the cell, c its place in CHECKS. */
+  /** Bit 1 << c for each check that accepts the cell, c its index in CHECKS. */
   readonly acceptedBy: Uint16Array
   /** 1 for a cell that integers decided, as doubles left it open. */
   readonly exact: Uint8Array
-  /** Places in STATUSES. */
+  /** Indices into STATUSES. */
   readonly statuses: Uint8Array
 }
 
-/** What a status says of a cell that is unanswered; undefined for one that is answered. */
+/** Why a cell is unanswered, by its status; undefined if it is answered. */
 export type CellStatus = Extract<CoreErrorCode, 'not-finite'> | 'no-such-point'
 export const STATUSES: readonly (CellStatus | undefined)[] = [
   undefined,
@@ -86,10 +86,10 @@ const LISTS: readonly Description[] = [
 
 type List = Float64Array<ArrayBuffer> | Int16Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint8Array<ArrayBuffer>
 
-/** In the order of LISTS; null for what was not asked for. */
+/** One entry for each of LISTS, null if it was not asked for. */
 export type Lists = readonly (List | null)[]
 
-/** Alone, as a message takes it. */
+/** The flags of the lists alone, as a message takes them. */
 export function wantedOf(options: Wanted): Wanted {
   return Object.fromEntries(LISTS.filter(isAskedBy(options)).map(({ askedBy }) => [askedBy, true]))
 }
@@ -131,7 +131,7 @@ export function putLists(lists: Lists, into: Lists, first: number): void {
   }
 }
 
-/** Where the entries of the cells from `first` on begin, in bytes of the memory they lie in; 0 for no list. */
+/** Byte addresses of the entries from the cell `first` on; 0 for a list that is not there. */
 export function addressesOf(lists: Lists, first: number): number[] {
   return LISTS.map(({ type, each }, i) => {
     const list = lists[i]
@@ -139,7 +139,7 @@ export function addressesOf(lists: Lists, first: number): number[] {
   })
 }
 
-/** By name. The first list holds verdicts, whose HL_VALID is 1, or already 1 and 0. */
+/** The lists by name. The first holds verdicts, whose HL_VALID is 1, or already 1 and 0. */
 export function answersOf(lists: Lists): Answers {
   const [valid, statuses, exact, classes, acceptedBy, values, minimizers, cornerMinima, exponents, ...more] = lists
   const [relativeMinima, volumes, volumeExponents] = more

@@ -9,12 +9,12 @@ export type Request =
   | { readonly kind: 'start'; readonly module: WebAssembly.Module }
   | { readonly kind: 'classify'; readonly piece: Piece; readonly block: ArrayBuffer; readonly wanted: Wanted }
 
-export type Answer =
+export type Reply =
   /** The answer to `start`. The worker holds the Web Lock of this name as long as it lives; null where there are no such locks. */
   | { readonly kind: 'started'; readonly lock: string | null }
   /** The worker is of no more use. */
   | { readonly kind: 'failed'; readonly message: string }
-  /** So many cells of the piece at hand are done: sent now and then where they take long. */
+  /** Cells of the piece at hand that are done: sent now and then where they take long. */
   | { readonly kind: 'progress'; readonly done: number }
   /** The answers lie at the beginning of the block: listsIn. */
   | { readonly kind: 'classified'; readonly counts: Counts; readonly piece: Piece; readonly block: ArrayBuffer }
@@ -28,7 +28,7 @@ export function memoryOf({ piece, block }: { readonly piece: Piece; readonly blo
 /** A worker of a page or of Node: ports.ts. */
 export interface WorkerPort {
   postMessage(request: Request, transfer: ArrayBuffer[]): void
-  onmessage: ((event: { readonly data: Answer }) => void) | null
+  onmessage: ((event: { readonly data: Reply }) => void) | null
   /** Called, with the reason as a clause, when the worker cannot be started or has ended without having been told to. */
   onbroken: ((reason: string) => void) | null
   terminate(): void

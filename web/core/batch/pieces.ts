@@ -9,7 +9,7 @@ export interface Cut {
   readonly first: number
   readonly count: number
   readonly piece: Piece
-  /** Where the piece lies, with room for the answers to it. */
+  /** The piece's memory, with room for the answers to it. */
   readonly block: ArrayBuffer
 }
 
@@ -33,29 +33,29 @@ interface Lists {
   readonly cells: Uint32Array | null
 }
 
-/** What pieces are cut with. */
-export interface Knife {
+/** The size of the pieces, and the memory for them. */
+export interface PieceOptions {
   readonly cellsPerPiece: number
   readonly wanted: Wanted
   readonly memory: Recycled
 }
 
-/** Whether behind the last cell, and the last point, nothing is left over. */
+/** True if no coordinate or index is left over behind the last cell and the last point. */
 export function isWhole(points: Float64Array, cells: Uint32Array | null): boolean {
   return points.length % 3 === 0 && (cells ? cells.length % VERTICES : points.length % COORDINATE_COUNT) === 0
 }
 
-/** In order, up to the end of the cells, which are whole. */
-export function* pieces({ points, cells }: Lists, knife: Knife): Generator<Cut> {
+/** All cells in order; they are whole. */
+export function* pieces({ points, cells }: Lists, options: PieceOptions): Generator<Cut> {
   const total = cells ? cells.length / VERTICES : points.length / COORDINATE_COUNT
-  for (let first = 0; first < total; first += knife.cellsPerPiece) {
-    const count = Math.min(knife.cellsPerPiece, total - first)
-    yield cells ? indexedCut(points, cells, first, count, knife) : plainCut(points, first, count, knife)
+  for (let first = 0; first < total; first += options.cellsPerPiece) {
+    const count = Math.min(options.cellsPerPiece, total - first)
+    yield cells ? indexedCut(points, cells, first, count, options) : plainCut(points, first, count, options)
   }
 }
 
-/** For so many cells with so many coordinates and indices: lists with whatever is in them. */
-function room({ memory, wanted }: Knife, count: number, coordinates: number, indices: number) {
+/** Lists for so many cells, coordinates and indices, with whatever is in them. */
+function memoryFor({ memory, wanted }: PieceOptions, count: number, coordinates: number, indices: number) {
   const length = 8 * coordinates + 4 * indices
   const block = memory.take(Math.max(length, count * bytesPerCell(wanted)))
   return {
@@ -65,15 +65,21 @@ function room({ memory, wanted }: Knife, count: number, coordinates: number, ind
   }
 }
 
-function plainCut(points: Float64Array, first: number, count: number, knife: Knife): Cut {
+function plainCut(points: Float64Array, first: number, count: number, options: PieceOptions): Cut {
   const from = COORDINATE_COUNT * first
-  const own = room(knife, count, COORDINATE_COUNT * count, 0)
+  const own = memoryFor(options, count, COORDINATE_COUNT * count, 0)
   own.points.set(points.subarray(from, from + COORDINATE_COUNT * count))
   return { first, count, piece: { points: own.points, cells: null, firstPoint: 0 }, block: own.block }
 }
 
 /** The points between the least and the greatest index, or, where those are far apart, each cell's own eight. */
-function indexedCut(points: Float64Array, cells: Uint32Array, first: number, count: number, knife: Knife): Cut {
+function indexedCut(
+  points: Float64Array,
+  cells: Uint32Array,
+  first: number,
+  count: number,
+  options: PieceOptions,
+): Cut {
   const pointCount = points.length / 3
   const indices = cells.subarray(VERTICES * first, VERTICES * (first + count))
   let [least, greatest, hasOthers] = [pointCount, -1, false]
@@ -86,12 +92,12 @@ function indexedCut(points: Float64Array, cells: Uint32Array, first: number, cou
   }
   const span = 3 * Math.max(0, greatest - least + 1)
   if (span <= COORDINATE_COUNT * count) {
-    const own = room(knife, count, span, indices.length)
+    const own = memoryFor(options, count, span, indices.length)
     own.points.set(points.subarray(3 * least, 3 * least + span))
     own.cells.set(indices)
     return { first, count, piece: { points: own.points, cells: own.cells, firstPoint: least }, block: own.block }
   }
-  const own = room(knife, count, COORDINATE_COUNT * count, hasOthers ? indices.length : 0)
+  const own = memoryFor(options, count, COORDINATE_COUNT * count, hasOthers ? indices.length : 0)
   for (let i = 0; i < indices.length; ++i) {
     const index = indices[i] as number
     for (let axis = 0; axis < 3; ++axis) own.points[3 * i + axis] = points[3 * index + axis] ?? Number.NaN

@@ -1,14 +1,14 @@
 /** Workers for batches, each with its own instance of the core: pieces go to whichever is free. */
 import type { Counts, Piece } from './batch-core'
 import type { Wanted } from './lists'
-import { type Answer, memoryOf, type WorkerPort } from './messages'
+import { memoryOf, type Reply, type WorkerPort } from './messages'
 
 export interface Job {
   readonly piece: Piece
-  /** For the answers; it may be where the piece lies. */
+  /** Memory for the answers; the piece may lie in it. */
   readonly block: ArrayBuffer
   readonly wanted: Wanted
-  /** Whose it is: cancelled together. */
+  /** The caller: jobs of one are cancelled together. */
   readonly caller: object
   /** Cells of the piece that are done so far. */
   onProgress(done: number): void
@@ -24,7 +24,7 @@ export interface Finished {
 /** Large beside what a message costs, small beside the memory of a page: 3 MB of coordinates. */
 const CELLS_PER_PIECE = 16384
 
-/** So that a worker has its next piece when it is done with one. */
+/** A worker has its next piece when it is done with one. */
 const PIECES_AHEAD = 2
 
 interface Task {
@@ -38,7 +38,7 @@ const START_WITHIN = 60_000
 
 interface PoolOptions {
   readonly cellsPerPiece?: number
-  /** In milliseconds. */
+  /** Milliseconds. */
   readonly startWithin?: number
 }
 
@@ -63,7 +63,7 @@ export class Pool {
     this.#startWithin = options.startWithin ?? START_WITHIN
   }
 
-  /** How many pieces can be under way at once. */
+  /** Pieces that can be under way at once. */
   get capacity(): number {
     return this.size * PIECES_AHEAD
   }
@@ -112,7 +112,7 @@ class PoolWorker {
   readonly #deadline: ReturnType<typeof setTimeout>
   #problem = 'did not start'
 
-  /** On a worker that was told to start. */
+  /** The port's worker was told to start. */
   constructor(port: WorkerPort, startWithin: number, onEnd: () => void) {
     this.#port = port
     this.#onEnd = onEnd
@@ -146,13 +146,13 @@ class PoolWorker {
     for (const { reject } of this.#tasks.splice(0)) reject(reason)
   }
 
-  #take(answer: Answer): void {
-    if (answer.kind === 'started') {
+  #take(reply: Reply): void {
+    if (reply.kind === 'started') {
       clearTimeout(this.#deadline)
       this.#problem = 'ended before it had answered'
-    } else if (answer.kind === 'progress') this.#tasks[0]?.job.onProgress(answer.done)
-    else if (answer.kind === 'classified') this.#tasks.shift()?.resolve(answer)
-    else this.#fail(answer.message)
+    } else if (reply.kind === 'progress') this.#tasks[0]?.job.onProgress(reply.done)
+    else if (reply.kind === 'classified') this.#tasks.shift()?.resolve(reply)
+    else this.#fail(reply.message)
   }
 
   #fail(reason: string): void {

@@ -1,7 +1,7 @@
 /** Workers as the pool sees them: a page's Worker, and a thread of Node. */
 import type { Worker as Thread } from 'node:worker_threads'
 import { whenReleased } from '../worker-lock'
-import type { Answer, WorkerPort } from './messages'
+import type { Reply, WorkerPort } from './messages'
 
 /** `blocked` is said when a script was not loaded: browsers give no reason then. */
 export function pagePort(worker: Worker, blocked: string): WorkerPort {
@@ -11,7 +11,7 @@ export function pagePort(worker: Worker, blocked: string): WorkerPort {
     onbroken: null,
     terminate: () => worker.terminate(),
   }
-  worker.onmessage = ({ data }: MessageEvent<Answer>) => {
+  worker.onmessage = ({ data }: MessageEvent<Reply>) => {
     if (data.kind === 'started' && data.lock !== null) whenReleased(data.lock, () => port.onbroken?.(ENDED))
     port.onmessage?.({ data })
   }
@@ -26,7 +26,7 @@ export function pagePort(worker: Worker, blocked: string): WorkerPort {
 const ENDED = 'it was ended.'
 const UNREADABLE = 'its answer could not be read.'
 
-/** Without work the thread does not keep the process from ending. */
+/** A thread without work does not keep the process from ending. */
 export function threadPort(thread: Thread): WorkerPort {
   let pieces = 0
   const port: WorkerPort = {
@@ -39,7 +39,7 @@ export function threadPort(thread: Thread): WorkerPort {
     terminate: () => void thread.terminate(),
   }
   thread.unref()
-  thread.on('message', (data: Answer) => {
+  thread.on('message', (data: Reply) => {
     if (data.kind === 'classified' && --pieces === 0) thread.unref()
     port.onmessage?.({ data })
   })

@@ -1,4 +1,4 @@
-/** What a classifier starts with, wherever it runs: the wasm that this engine takes, and as many workers as are of use. */
+/** A classifier's start on any host: wasm that the engine takes, as many workers as help. */
 
 type Bytes = () => Promise<BufferSource>
 

@@ -2,11 +2,11 @@
 import { heldLock } from '../worker-lock'
 import { type BatchCore, loadBatchCore } from './batch-core'
 import { listsIn } from './lists'
-import { type Answer, memoryOf, type Request } from './messages'
+import { memoryOf, type Reply, type Request } from './messages'
 
 interface Scope {
   onmessage: ((event: { readonly data: Request }) => void) | null
-  postMessage(answer: Answer, transfer: ArrayBuffer[]): void
+  postMessage(reply: Reply, transfer: ArrayBuffer[]): void
 }
 
 const isInBrowser = 'postMessage' in globalThis
@@ -17,10 +17,10 @@ function threadScope(): Scope {
   const port = process.getBuiltinModule('node:worker_threads').parentPort
   if (!port) throw new Error('This script is a worker for batches, and was not started as one.')
   port.on('message', data => scope.onmessage?.({ data }))
-  return { onmessage: null, postMessage: (answer, transfer) => port.postMessage(answer, transfer) }
+  return { onmessage: null, postMessage: (reply, transfer) => port.postMessage(reply, transfer) }
 }
 
-/** In milliseconds: progress is to be seen ten times a second. */
+/** Milliseconds: progress is to be seen ten times a second. */
 const PROGRESS_INTERVAL = 50
 
 let started: Promise<BatchCore> | undefined
@@ -43,7 +43,7 @@ async function classify({ piece, block, wanted }: Request & { readonly kind: 'cl
   let shown = performance.now()
   const { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount } = batch.classify(piece, wanted, {
     into: count => listsIn(block, count, wanted),
-    onPart: done => {
+    onProgress: done => {
       const now = performance.now()
       if (now - shown < PROGRESS_INTERVAL) return
       shown = now
@@ -51,6 +51,6 @@ async function classify({ piece, block, wanted }: Request & { readonly kind: 'cl
     },
   })
   const counts = { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount }
-  const answer = { kind: 'classified', counts, piece, block } as const
-  scope.postMessage(answer, memoryOf(answer))
+  const reply = { kind: 'classified', counts, piece, block } as const
+  scope.postMessage(reply, memoryOf(reply))
 }

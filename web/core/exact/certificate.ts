@@ -4,6 +4,7 @@
  */
 import { bernsteinIndices } from '../../model/bernstein'
 import { edgeVertices, faces, VERTEX_COUNT, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
+import { isLess, productOf, type Rational, scaledInteger } from '../../model/rational'
 import { type ExactJacdet, exactEdge, exactFace, exactJacdet, exactVertex } from './exact-jacdet'
 import { exactBoundarySign, faceParabolas, type Sign } from './exact-sign'
 import {
@@ -19,7 +20,6 @@ import {
   squareFree,
   sum,
 } from './integer-polynomial'
-import { isLess, type Rational } from './rational'
 
 /** Why jacdet is positive on the face for all t of an interval with dyadic ends: docs/certificates.md (C3) to (C6). */
 export interface CertifiedInterval {
@@ -34,27 +34,31 @@ export type RationalPoint = readonly [Rational, Rational, Rational]
 export type Certificate =
   | {
       readonly valid: false
-      /** On the boundary of the closed cube. */
+      /** A point of the boundary of the closed cube. */
       readonly point: RationalPoint
-      /** Its value there, zero or negative; negative if any on the boundary is. */
+      /** The value there, zero or negative; negative if any on the boundary is. */
       readonly jacdet: Rational
     }
   | {
       readonly valid: true
-      /** Of faces 0 to 5, each in ascending order, from 0 to 1 without gap or overlap. */
+      /** Intervals of faces 0 to 5, each face's ascending, from 0 to 1 without gap or overlap. */
       readonly faces: readonly (readonly CertifiedInterval[])[]
     }
 
 export const THEOREM =
   "If jacdet > 0 on the six faces then jacdet > 0 on the whole element (Knupp's conjecture, proved: P. Zhang, Validating Hexahedra through their Boundaries)."
 
-/** Of 24 finite doubles, taken as the numbers they are. Always ends, however near the border the element is. */
+/** Takes 24 finite doubles as they are. Always ends, however near the border the element is. */
 export function certify(vertices: Vertices): Certificate {
   const sign = exactBoundarySign(vertices)
   const jacdet = exactJacdet(vertices)
   if (sign > 0) return { valid: true, faces: faces.map((_, face) => certifiedIntervals(exactFace(jacdet, face))) }
   const point = witness(jacdet, sign).map(lowestTerms) as unknown as RationalPoint
-  return { valid: false, point, jacdet: lowestTerms(inTrueUnits(valueAt(jacdet, point), jacdet.exponent - 2)) }
+  return {
+    valid: false,
+    point,
+    jacdet: lowestTerms(productOf(valueAt(jacdet, point), scaledInteger(1n, jacdet.exponent - 2))),
+  }
 }
 
 /** The object that the command line prints and the page copies: docs/certificates.md, section 1. */
@@ -75,12 +79,6 @@ function lowestTerms({ numerator, denominator }: Rational): Rational {
   let [a, b] = [numerator < 0n ? -numerator : numerator, denominator]
   while (b > 0n) [a, b] = [b, a % b]
   return { numerator: numerator / a, denominator: denominator / a }
-}
-
-function inTrueUnits({ numerator, denominator }: Rational, exponent: number): Rational {
-  return exponent < 0
-    ? { numerator, denominator: denominator << BigInt(-exponent) }
-    : { numerator: numerator << BigInt(exponent), denominator }
 }
 
 /** jacdet at a point of the boundary, over the ExactJacdet's power of two and its factor 4. */
@@ -130,7 +128,7 @@ function leastVertex(jacdet: ExactJacdet, sign: Sign): RationalPoint | null {
   return vertexReference[values.indexOf(least)]?.map(whole) as unknown as RationalPoint
 }
 
-/** The least of the edges' candidates (9), its place rational. */
+/** The least of the edges' candidates (9), at a rational point. */
 function leastOnEdges(jacdet: ExactJacdet, sign: Sign): RationalPoint | null {
   const candidates = edgeVertices.flatMap(([from, to], edge) => {
     const [q0, q1, q2] = exactEdge(jacdet, edge)
@@ -149,7 +147,7 @@ function leastOf<T extends { readonly value: Rational }>(candidates: readonly T[
   return candidates.reduce<T | undefined>((a, b) => (a === undefined || isLess(b.value, a.value) ? b : a), undefined)
 }
 
-/** Where no vertex and no edge is negative but a face is: the least value near the roots of P (12), which is not zero there. */
+/** The least value near the roots of P (12), if a face is negative, but no vertex and no edge. */
 function leastOnFaces(jacdet: ExactJacdet): RationalPoint {
   const roots = faces.flatMap((_, face) => {
     const parabolas = faceParabolas(exactFace(jacdet, face))
@@ -172,7 +170,7 @@ function leastOnFaces(jacdet: ExactJacdet): RationalPoint {
   }
 }
 
-/** Where the least value is 0 and only faces have it: at the one root of gcd(D, D'), by docs/certificates.md (C8). */
+/** The zero at the one root of gcd(D, D'), if only faces attain it: docs/certificates.md (C8). */
 function touchedOnFaces(jacdet: ExactJacdet): RationalPoint {
   for (const face of faces.keys()) {
     const parabolas = faceParabolas(exactFace(jacdet, face))
@@ -197,7 +195,7 @@ function atParabolaVertex(
   parabolas: ReturnType<typeof faceParabolas>,
   t: Rational,
 ): RationalPoint | null {
-  // Both over the denominator of t squared, so that it cancels.
+  // The common denominator of both is that of t squared: it cancels.
   const [b, n] = [parabolas.b, parabolas.n].map(([p0 = 0n, p1 = 0n, p2 = 0n]) => {
     return (p0 * t.denominator + p1 * t.numerator) * t.denominator + p2 * t.numerator * t.numerator
   }) as [bigint, bigint]
@@ -213,31 +211,32 @@ function atParabolaVertex(
 type Row = readonly [bigint, bigint, bigint]
 type Rows = readonly [Row, Row, Row]
 
-interface Piece {
+interface Subinterval {
   readonly from: Rational
   readonly to: Rational
   readonly rows: Rows
 }
 
 /**
- * [0,1] bisected until a condition holds on each piece. By docs/certificates.md (C7) this ends on a positive face. A list, not
- * a recursion: pieces can be smaller than a stack is deep. The lowest piece is its last.
+ * [0,1] bisected until a condition holds on each subinterval. By docs/certificates.md (C7) this
+ * ends on a positive face. A list, not a recursion: subintervals can be smaller than a stack is
+ * deep. The lowest subinterval is its last.
  */
 function certifiedIntervals(beta: readonly bigint[]): CertifiedInterval[] {
   const rows = [0, 3, 6].map(i => beta.slice(i, i + 3)) as unknown as Rows
-  const pieces: Piece[] = [{ from: whole(0), to: whole(1), rows }]
+  const subintervals: Subinterval[] = [{ from: whole(0), to: whole(1), rows }]
   const intervals: CertifiedInterval[] = []
-  for (let piece = pieces.pop(); piece; piece = pieces.pop()) {
-    const { from, to } = piece
-    const by = conditionOn(piece.rows)
+  for (let subinterval = subintervals.pop(); subinterval; subinterval = subintervals.pop()) {
+    const { from, to } = subinterval
+    const by = conditionOn(subinterval.rows)
     if (by) {
       intervals.push({ from, to, by })
       continue
     }
     const middle = halfway(from, to)
-    const halves = piece.rows.map(halved)
+    const halves = subinterval.rows.map(halved)
     const [lower, upper] = [0, 1].map(half => halves.map(row => row[half])) as unknown as [Rows, Rows]
-    pieces.push({ from: middle, to, rows: upper }, { from, to: middle, rows: lower })
+    subintervals.push({ from: middle, to, rows: upper }, { from, to: middle, rows: lower })
   }
   return intervals
 }
@@ -272,7 +271,7 @@ function halved([q0, q1, q2]: Row): [Row, Row] {
   ]
 }
 
-/** Of neighbours k/2^n and (k+1)/2^n in lowest terms, hence (2k+1)/2^(n+1), in lowest terms as well. */
+/** (2k+1)/2^(n+1) of neighbours k/2^n and (k+1)/2^n, all in lowest terms. */
 function halfway(from: Rational, to: Rational): Rational {
   const denominator = from.denominator > to.denominator ? from.denominator : to.denominator
   const over = (x: Rational) => x.numerator * (denominator / x.denominator)

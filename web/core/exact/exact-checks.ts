@@ -1,8 +1,8 @@
-/** What other checks would say in exact arithmetic: their numbers from the integer coefficients, each rounded once. */
+/** The other checks' numbers from the integer coefficients, each rounded once. */
 import { edgesAlong, edgeVertices, vertexReference } from '../../model/hexahedron'
 import type { CheckId } from '../report'
 import { type ExactJacdet, exactVertex, type IntegerVector, sixteenths } from './exact-jacdet'
-import { rounded } from './rational'
+import { rounded } from './rounding'
 
 /** mantissa * 2^exponent. */
 export interface ScaledNumber {
@@ -84,15 +84,18 @@ const EDGES_AT_VERTEX = vertexReference.map((_, vertex) =>
   edgesAlong.map(edges => edges.find(edge => edgeVertices[edge]?.includes(vertex)) as number),
 )
 
-/** Of a vector of integers over powers of two, one for each axis. */
+/** The length of a vector of integers over powers of two, one for each axis. */
 function lengthOf(vector: IntegerVector, axisExponents: readonly number[]): ScaledNumber {
-  const parts = vector.map((numerator, r) =>
+  const components = vector.map((numerator, r) =>
     normalized(rounded({ numerator, denominator: 1n }, axisExponents[r] as number)),
   )
-  const exponent = Math.max(...parts.map(part => part.exponent))
+  const exponent = Math.max(...components.map(component => component.exponent))
   if (exponent === Number.NEGATIVE_INFINITY) return { mantissa: 0, exponent: 0 }
-  // What underflows is nothing beside the largest.
-  return { mantissa: Math.hypot(...parts.map(part => part.mantissa * 2 ** (part.exponent - exponent))), exponent }
+  // A component that underflows is nothing beside the largest.
+  return {
+    mantissa: Math.hypot(...components.map(component => component.mantissa * 2 ** (component.exponent - exponent))),
+    exponent,
+  }
 }
 
 function ratio(jacdet: ScaledNumber, lengths: readonly ScaledNumber[]): number {
@@ -103,7 +106,7 @@ function ratio(jacdet: ScaledNumber, lengths: readonly ScaledNumber[]): number {
   return (mantissa / product) * 2 ** Math.max(power, LEAST_POWER)
 }
 
-/** With a mantissa of magnitude from 1 to 2, but for rounding of the logarithm; 0 is 0 * 2^-Infinity. */
+/** The mantissa's magnitude is 1 to 2, but for the logarithm's rounding; 0 is 0 * 2^-Infinity. */
 function normalized({ mantissa, exponent }: ScaledNumber): ScaledNumber {
   if (mantissa === 0) return { mantissa, exponent: Number.NEGATIVE_INFINITY }
   const power = Math.floor(Math.log2(Math.abs(mantissa)))

@@ -1,4 +1,5 @@
 /** jacdet's Bernstein coefficients as integers: the doubles as given are integers over powers of two, one for each axis. */
+
 import {
   BERNSTEIN_COUNT,
   bernsteinIndex,
@@ -8,6 +9,7 @@ import {
   vertexBernstein,
 } from '../../model/bernstein'
 import { type Axis, edgeVertices, type Vertices, vertexReference } from '../../model/hexahedron'
+import { dyadicOf } from '../../model/rational'
 
 export interface ExactJacdet {
   /** Four times the 27 coefficients, over 2^exponent; the cube's centre is left 0. */
@@ -19,18 +21,6 @@ export interface ExactJacdet {
 }
 
 export type IntegerVector = readonly [bigint, bigint, bigint]
-
-const bits = new DataView(new ArrayBuffer(8))
-
-/** integer * 2^exponent, exactly. */
-function integerOf(value: number): { integer: bigint; exponent: number } {
-  bits.setFloat64(0, value)
-  const word = bits.getBigUint64(0)
-  const biased = Number((word >> 52n) & 0x7ffn)
-  const fraction = word & 0xfffffffffffffn
-  const magnitude = biased === 0 ? fraction : fraction | 0x10000000000000n
-  return { integer: value < 0 ? -magnitude : magnitude, exponent: Math.max(biased, 1) - 1075 }
-}
 
 function cross(a: IntegerVector, b: IntegerVector): IntegerVector {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -46,10 +36,12 @@ function plus(a: IntegerVector, b: IntegerVector): IntegerVector {
 
 /** The coordinates on one axis as integers over a common power of two. */
 function integersOnAxis(vertices: Vertices, axis: number): { values: bigint[]; exponent: number } {
-  const parts = vertexReference.map((_, v) => integerOf(vertices[3 * v + axis] as number))
-  const used = parts.filter(({ integer }) => integer !== 0n).map(({ exponent }) => exponent)
+  const dyadics = vertexReference.map((_, v) => dyadicOf(vertices[3 * v + axis] as number))
+  const used = dyadics.filter(({ integer }) => integer !== 0n).map(({ exponent }) => exponent)
   const exponent = used.length > 0 ? Math.min(...used) : 0
-  const values = parts.map(part => (part.integer === 0n ? 0n : part.integer << BigInt(part.exponent - exponent)))
+  const values = dyadics.map(dyadic =>
+    dyadic.integer === 0n ? 0n : dyadic.integer << BigInt(dyadic.exponent - exponent),
+  )
   return { values, exponent }
 }
 
@@ -63,7 +55,7 @@ const EDGES = [0, 1, 2].map(axis =>
   ),
 )
 
-/** By docs/algorithm.md (3) to (7). */
+/** The coefficients (3) to (7) of docs/algorithm.md. */
 export function exactJacdet(vertices: Vertices): ExactJacdet {
   const axes = [0, 1, 2].map(axis => integersOnAxis(vertices, axis))
   const points = vertexReference.map((_, v) => axes.map(({ values }) => values[v]) as unknown as IntegerVector)
@@ -91,8 +83,8 @@ export function exactJacdet(vertices: Vertices): ExactJacdet {
       add(bernsteinIndex(2 * i, 2 * j, 1), 2n * dot(plus(cross(u(j, 0), v(i, 1)), cross(u(j, 1), v(i, 0))), w(i, j)))
     }
   for (const nine of faceBernstein) {
-    const total = (...places: number[]) =>
-      places.reduce((all, place) => all + (bernstein[nine[place] as number] as bigint), 0n)
+    const total = (...indices: number[]) =>
+      indices.reduce((all, index) => all + (bernstein[nine[index] as number] as bigint), 0n)
     bernstein[nine[4] as number] = (2n * total(1, 3, 5, 7) - total(0, 2, 6, 8)) / 4n
   }
   const axisExponents = axes.map(({ exponent }) => exponent)

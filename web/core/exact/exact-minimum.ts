@@ -3,6 +3,7 @@
  * are those of Algorithm 1; their values are exact rationals, on faces at ever finer enclosures of the roots of P.
  */
 import { edgeVertices, faces, type Vec3, type Vertices, vertexReference } from '../../model/hexahedron'
+import { isLess, magnitude, type Rational } from '../../model/rational'
 import type { CandidateKind } from '../report'
 import { type ExactJacdet, exactEdge, exactFace, exactJacdet, exactVertex } from './exact-jacdet'
 import { exactBoundarySign, faceParabolas, type Sign } from './exact-sign'
@@ -20,7 +21,7 @@ import {
   sum,
   valueOver,
 } from './integer-polynomial'
-import { isLess, magnitude, type Rational, rounded, unitDouble } from './rational'
+import { rounded, unitDouble } from './rounding'
 
 export interface ExactCandidate {
   readonly kind: CandidateKind
@@ -60,7 +61,7 @@ interface InnerRoot {
   readonly face: number
   readonly parabolas: ReturnType<typeof faceParabolas>
   readonly quartic: Polynomial
-  place: IsolatedRoot
+  interval: IsolatedRoot
 }
 
 const NONE: Rational = { numerator: 0n, denominator: 1n }
@@ -73,7 +74,7 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
   const sign = exactBoundarySign(vertices)
   const fixed = [...vertexCandidates(jacdet), ...edgeCandidates(jacdet)]
   const leastFixed = leastOf(fixed).value
-  // What is nowhere lower than vertices and edges has no candidate.
+  // A face that is nowhere lower than vertices and edges has no candidate.
   const isSkipped = (face: number) =>
     exactFace(jacdet, face).every(numerator => !isLess({ numerator, denominator: 1n }, leastFixed))
   const roots = faces.flatMap((_, face) => (isSkipped(face) ? [] : innerRoots(exactFace(jacdet, face), face)))
@@ -87,7 +88,7 @@ export function exactBoundary(vertices: Vertices): ExactBoundary {
       const touches = sign === 0 && !isLess(error, value)
       return { kind, id, point, ...rounded(touches ? NONE : value, jacdet.exponent - 2) }
     })
-    // Of a touched zero's enclosure only the upper end is known, which another value may undercut.
+    // A touched zero is enclosed from above only, and another value may undercut that.
     const touched = sign === 0 ? shown.find(({ mantissa }) => mantissa === 0) : undefined
     const minimizer = touched ?? (shown[candidates.indexOf(least)] as ExactCandidate)
     const known = touched ? { value: NONE, error: NONE } : least
@@ -100,8 +101,8 @@ function leastOf(candidates: readonly Enclosed[]): Enclosed {
 }
 
 /**
- * Whether a candidate cannot be the minimizer, or is known well enough. A zero that is touched is enclosed from above only;
- * that it is reached is what the exact sign says.
+ * True if a candidate cannot be the minimizer, or is known well enough. A touched zero is enclosed
+ * from above only; the exact sign says that it is attained.
  */
 function isFine(
   { value, error }: Enclosed,
@@ -159,7 +160,7 @@ function innerRoots(beta: readonly bigint[], face: number): InnerRoot[] {
   const quartic = squareFree(quarterQuartic(parabolas))
   return rootsInUnitInterval(quartic)
     .filter(root => signAtRoot(parabolas.b, quartic, root) < 0 && signAtRoot(parabolas.n, quartic, root) > 0)
-    .map(place => ({ face, parabolas, quartic, place }))
+    .map(interval => ({ face, parabolas, quartic, interval }))
 }
 
 /**
@@ -168,8 +169,8 @@ function innerRoots(beta: readonly bigint[], face: number): InnerRoot[] {
  */
 function faceCandidate(root: InnerRoot, bits: number): Enclosed | null {
   const { a, b, n, d } = root.parabolas
-  root.place = refinedTo(root.quartic, root.place, bits)
-  const { low, high } = root.place
+  root.interval = refinedTo(root.quartic, root.interval, bits)
+  const { low, high } = root.interval
   const t = low === high ? low : midpoint(low, high)
   const [atB, atN, atA] = [valueOver(b, t, 2), valueOver(n, t, 2), valueOver(a, t, 1)]
   const leastA = [valueOver(a, low, 1) << BigInt(high.shift), valueOver(a, high, 1) << BigInt(low.shift)]
@@ -180,7 +181,7 @@ function faceCandidate(root: InnerRoot, bits: number): Enclosed | null {
   return { kind: 'face', id: root.face, point: liftedPoint(root.face, s, t), value, error: errorOver(root, leastA) }
 }
 
-function errorOver({ parabolas, place: { low, high } }: InnerRoot, leastA: readonly bigint[]): Rational {
+function errorOver({ parabolas, interval: { low, high } }: InnerRoot, leastA: readonly bigint[]): Rational {
   if (low === high) return NONE
   const slope = derivative(quarterQuartic(parabolas)).reduce((all, coefficient) => all + magnitude(coefficient), 0n)
   const width = (high.numerator << BigInt(low.shift)) - (low.numerator << BigInt(high.shift))

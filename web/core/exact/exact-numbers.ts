@@ -4,19 +4,9 @@
  */
 
 import { bernsteinIndices, bernsteinMiddles, bernsteinStrides, vertexBernstein } from '../../model/bernstein'
-import {
-  type Enclosure,
-  exactly,
-  isAtMost,
-  negated,
-  negatedEnclosure,
-  productOf,
-  type Rational,
-  scaledDouble,
-  scaledInteger,
-  sumOf,
-} from '../../model/condition/enclosure'
+import { type Enclosure, exactly, negatedEnclosure } from '../../model/condition/enclosure'
 import { type Axis, edgeVertices, type Vertices, vertexReference } from '../../model/hexahedron'
+import { isAtMost, negated, productOf, type Rational, scaledDouble, scaledInteger, sumOf } from '../../model/rational'
 import { exactChecks, type ScaledNumber } from './exact-checks'
 import { type ExactJacdet, exactEdge, exactJacdet, exactVertex, sixteenths } from './exact-jacdet'
 import { exactBoundary } from './exact-minimum'
@@ -24,7 +14,7 @@ import { exactBoundary } from './exact-minimum'
 /** Relative error of numbers that are handed on as doubles: less than 2^-52, and a few roundings of a scaled Jacobian's lengths. */
 const ROUNDING = 2 ** -48
 
-/** What exact-checks.ts shows as less than this is only known to be of its sign, and no larger. */
+/** A number of exact-checks.ts below this is known by its sign, and to be no larger. */
 const SMALL = 2 ** -950
 
 export function exactCornerMinimum(vertices: Vertices): Enclosure {
@@ -74,7 +64,7 @@ export function exactVolume(vertices: Vertices): Enclosure {
   return exactly({ numerator, denominator: 27n * denominator })
 }
 
-/** Their points' abscissae are those doubles that are nearest to the Gauss points'. */
+/** The points' abscissae are the doubles nearest to the Gauss points'. */
 export function exactGaussMinimum(vertices: Vertices, rule: 'gauss-2' | 'gauss-3'): Enclosure {
   return enclosed(exactChecks(exactJacdet(vertices)).jacdets[rule] as ScaledNumber)
 }
@@ -85,7 +75,7 @@ export function exactScaledJacobian(vertices: Vertices): Enclosure {
 
 const GIVES_UP_PAST = 4
 
-/** As wasm/src/checks.c has it. */
+/** The check of wasm/src/checks.c. */
 export function exactSubdivision(vertices: Vertices): Enclosure {
   const jacdet = exactJacdet(vertices)
   return exactly(subdivided(sixteenths(jacdet), 0, jacdet.exponent - 4))

@@ -23,14 +23,14 @@ export type Sign = -1 | 0 | 1
 /** -1, 0 or 1: some jacdet on the boundary is negative; none is, but one is zero; all are positive (the element is valid). */
 export function exactBoundarySign(vertices: Vertices): Sign {
   const jacdet = exactJacdet(vertices)
-  const parts: (() => Sign)[] = [
+  const signs: (() => Sign)[] = [
     ...vertexReference.map((_, v) => () => signOf(exactVertex(jacdet, v))),
     ...edgeVertices.map((_, e) => () => edgeSign(jacdet, e)),
     ...faces.map((_, f) => () => faceSign(exactFace(jacdet, f))),
   ]
   let least: Sign = 1
-  for (const part of parts) {
-    const sign = part()
+  for (const signAt of signs) {
+    const sign = signAt()
     if (sign < 0) return -1
     if (sign < least) least = sign
   }

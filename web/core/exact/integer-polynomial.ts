@@ -2,6 +2,7 @@
  * Polynomials with integer coefficients, `p[i]` that of t^i, without leading zeros (the zero polynomial is empty), and their
  * real roots: counted by Sturm's theorem, isolated and refined in dyadic rationals. Nothing here rounds.
  */
+import { magnitude } from '../../model/rational'
 
 export type Polynomial = readonly bigint[]
 
@@ -78,10 +79,6 @@ function isBelow(a: Dyadic, b: Dyadic): boolean {
   return a.numerator << BigInt(b.shift) < b.numerator << BigInt(a.shift)
 }
 
-function magnitude(value: bigint): bigint {
-  return value < 0n ? -value : value
-}
-
 /** p's pseudo-remainder by q: p times |leading(q)|^(degrees' difference + 1), a positive factor, less a multiple of q. */
 function pseudoRemainder(p: Polynomial, q: Polynomial): Polynomial {
   const lead = leading(q)
@@ -121,7 +118,7 @@ function remainderChain(p: Polynomial, q: Polynomial): Polynomial[] {
   return chain
 }
 
-/** Where p has degree below q's, they change places: the divisor is the same. */
+/** The greatest one, up to a factor, whichever of p and q has the higher degree. */
 export function commonDivisor(p: Polynomial, q: Polynomial): Polynomial {
   const [longer, shorter] = p.length >= q.length ? [p, q] : [q, p]
   return longer.length === 0 ? [] : (remainderChain(longer, shorter).at(-1) as Polynomial)
@@ -178,7 +175,7 @@ function signChanges(chain: readonly Polynomial[], at: Dyadic): number {
   return changes
 }
 
-/** How many roots a square-free polynomial has in (low, high]. */
+/** The number of roots of a square-free polynomial in (low, high]. */
 function countRoots(p: Polynomial, low: Dyadic, high: Dyadic): number {
   if (p.length <= 1) return 0
   const chain = sturmChain(p)
@@ -237,14 +234,14 @@ export function refined(p: Polynomial, { low, high }: IsolatedRoot): IsolatedRoo
  * for real roots), bisection where the chord does not tell the part of the interval that has the root.
  */
 export function refinedTo(p: Polynomial, root: IsolatedRoot, bits: number): IsolatedRoot {
-  let place = root
+  let interval = root
   let step = 1
-  while (place.low !== place.high && isWider(place, bits)) {
-    const part = step > 1 ? partByChord(p, place, step) : null
-    place = part ?? refined(p, place)
-    step = part || step === 1 ? 2 * step : step >> 1
+  while (interval.low !== interval.high && isWider(interval, bits)) {
+    const narrowed = step > 1 ? narrowedByChord(p, interval, step) : null
+    interval = narrowed ?? refined(p, interval)
+    step = narrowed || step === 1 ? 2 * step : step >> 1
   }
-  return place
+  return interval
 }
 
 function isWider({ low, high }: IsolatedRoot, bits: number): boolean {
@@ -253,8 +250,8 @@ function isWider({ low, high }: IsolatedRoot, bits: number): boolean {
   return width << BigInt(bits) > 1n << shift
 }
 
-/** Of the interval's 2^step equal parts the one where the chord of p is zero, if it has the root. */
-function partByChord(p: Polynomial, { low, high }: IsolatedRoot, step: number): IsolatedRoot | null {
+/** The 2^step-th part of the interval where the chord of p is zero, if it has the root. */
+function narrowedByChord(p: Polynomial, { low, high }: IsolatedRoot, step: number): IsolatedRoot | null {
   const own = Math.max(low.shift, high.shift)
   const [from, to] = [low, high].map(({ numerator, shift }) => numerator << BigInt(own - shift)) as [bigint, bigint]
   const [atFrom, atTo] = [from, to].map(numerator => magnitude(scaledValue(p, { numerator, shift: own }))) as [
@@ -262,14 +259,14 @@ function partByChord(p: Polynomial, { low, high }: IsolatedRoot, step: number): 
     bigint,
   ]
   const first = (from << BigInt(step)) + (to - from) * ((atFrom << BigInt(step)) / (atFrom + atTo))
-  const part = {
+  const narrowed = {
     low: { numerator: first, shift: own + step },
     high: { numerator: first + to - from, shift: own + step },
   }
-  const [below, above] = [signAt(p, part.low), signAt(p, part.high)]
-  if (below === 0) return { low: part.low, high: part.low }
-  if (above === 0) return { low: part.high, high: part.high }
-  return below === above ? null : part
+  const [below, above] = [signAt(p, narrowed.low), signAt(p, narrowed.high)]
+  if (below === 0) return { low: narrowed.low, high: narrowed.low }
+  if (above === 0) return { low: narrowed.high, high: narrowed.high }
+  return below === above ? null : narrowed
 }
 
 /** The sign of q at a root of the square-free p. */
@@ -279,25 +276,28 @@ export function signAtRoot(q: Polynomial, p: Polynomial, root: IsolatedRoot): -1
   const common = commonDivisor(p, q)
   if (countRoots(squareFree(common), root.low, root.high) > 0) return 0
   const simple = squareFree(q)
-  let place = root
-  while (place.low !== place.high && (countRoots(simple, place.low, place.high) > 0 || signAt(q, place.low) === 0))
-    place = refinedTo(p, place, 2 * Math.max(place.low.shift, place.high.shift) + 2)
-  return signAt(q, place.high)
+  let interval = root
+  while (
+    interval.low !== interval.high &&
+    (countRoots(simple, interval.low, interval.high) > 0 || signAt(q, interval.low) === 0)
+  )
+    interval = refinedTo(p, interval, 2 * Math.max(interval.low.shift, interval.high.shift) + 2)
+  return signAt(q, interval.high)
 }
 
 /** Points of (0,1), one between every two neighbours among 0, the roots in it, and 1. */
 export function pointsBetween(p: Polynomial, roots: readonly IsolatedRoot[]): Dyadic[] {
-  const places = roots.map(root => {
-    let place = root
-    while (!(isBelow(ZERO, place.low) && isBelow(place.high, ONE))) place = refined(p, place)
-    return place
+  const intervals = roots.map(root => {
+    let interval = root
+    while (!(isBelow(ZERO, interval.low) && isBelow(interval.high, ONE))) interval = refined(p, interval)
+    return interval
   })
-  const above = [ZERO, ...places.map(({ high }) => high)]
-  const below = [...places.map(({ low }) => low), ONE]
+  const above = [ZERO, ...intervals.map(({ high }) => high)]
+  const below = [...intervals.map(({ low }) => low), ONE]
   return above.map((point, i) => midpoint(point, below[i] as Dyadic))
 }
 
-/** Whether p is negative on either side of its root, next to it. */
+/** True if p is negative on either side of its root, next to it. */
 export function isNegativeBeside(p: Polynomial, root: IsolatedRoot): boolean {
   if (root.low !== root.high) return signAt(p, root.low) < 0 || signAt(p, root.high) < 0
   let multiplicity = 0

@@ -1,7 +1,7 @@
 /** Checksums of compressed streams: Adler-32 (zlib), CRC-32 (gzip, xz) and CRC-64 (xz). */
 
 const LARGEST_PRIME = 65_521
-/** So many bytes that the second sum stays below 2^32. */
+/** Bytes for which the second sum stays below 2^32. */
 const ADLER_RUN = 5552
 
 export function adler32(bytes: Uint8Array): number {
@@ -45,7 +45,7 @@ for (let k = 1; k < 4; ++k) {
     table[i] = ((before[i] as number) >>> 8) ^ (first[(before[i] as number) & 255] as number)
 }
 
-/** Of bytes [from, to). */
+/** The CRC-32 of bytes [from, to). */
 export function crc32(bytes: Uint8Array, from = 0, to = bytes.length): number {
   const [t0, t1, t2, t3] = CRC32_TABLES as [Int32Array, Int32Array, Int32Array, Int32Array]
   let crc = -1
@@ -69,7 +69,7 @@ export function crc32(bytes: Uint8Array, from = 0, to = bytes.length): number {
 const CRC64_POLYNOMIAL = 0xc96c5795d7870f42n
 let crc64Tables: { low: Int32Array; high: Int32Array } | null = null
 
-/** Of all bytes: its low and its high half. */
+/** The CRC-64 of all bytes: its low and its high half. */
 export function crc64(bytes: Uint8Array): readonly [low: number, high: number] {
   if (crc64Tables === null) {
     crc64Tables = { low: new Int32Array(256), high: new Int32Array(256) }

@@ -12,7 +12,7 @@ const ENDS_EARLY = 'ends early'
 export interface Inflated {
   /** The caller's memory, or what `more` gave in its place. */
   readonly output: Uint8Array
-  /** How far it is filled. */
+  /** Bytes that are filled. */
   readonly length: number
   /** The byte of the input behind the stream. */
   readonly end: number
@@ -44,7 +44,7 @@ class Code {
   readonly #counts = new Uint16Array(16)
   readonly #next = new Uint16Array(16)
 
-  /** From the lengths of the symbols' codes; throws unless they make a complete code, or one with a single symbol. */
+  /** Sets the code by its lengths; throws unless it is complete, or has a single symbol. */
   set(lengths: Uint8Array, from: number, to: number): void {
     const counts = this.#counts.fill(0)
     let longest = 0
@@ -182,7 +182,7 @@ class Inflater {
     let entry = table[ahead & FIRST_MASK] as number
     if (entry < 0) entry = table[(-entry >> 4) + ((ahead >>> FIRST_BITS) & ((1 << (-entry & 15)) - 1))] as number
     if (entry === NO_CODE) throw new DamagedStream('has a code that stands for nothing')
-    // What the symbol did not need goes back: 15 bits were taken, so there is room.
+    // Bits that the symbol did not need go back: 15 bits were taken, so there is room.
     this.#held = (this.#held << (15 - (entry & 15))) | (ahead >>> (entry & 15))
     this.#bits += 15 - (entry & 15)
     return entry >> 4
@@ -213,7 +213,7 @@ class Inflater {
     distances.set(lengths, literalCount, count)
   }
 
-  /** Whether there was room. */
+  /** True if there was room. */
   #hasRoom(count: number): boolean {
     while (this.#length + count > this.#output.length) {
       const longer = this.#more(this.#output)
@@ -254,7 +254,7 @@ class Inflater {
     let bits = this.#bits
     try {
       for (;;) {
-        // Each symbol moves on, so that a stream without an end is noticed here.
+        // A symbol always moves on, so that a stream without an end is noticed here.
         if (at > lastAt) throw new DamagedStream(ENDS_EARLY)
         // A symbol takes up to 15 bits; up to 30 are held.
         if (bits < 15) {

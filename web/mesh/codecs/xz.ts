@@ -73,7 +73,7 @@ function verify(check: number, input: Uint8Array, at: number, decoded: Uint8Arra
 const HALF = 1024
 const LENGTH_CODER = 2 + 16 * 8 + 16 * 8 + 256
 
-/** Where the probabilities of each kind begin in one array. */
+/** Indices at which the probabilities of each kind begin in one array. */
 const IS_MATCH = 0
 const IS_REP = IS_MATCH + 12 * 16
 const IS_REP_0 = IS_REP + 12
@@ -92,7 +92,7 @@ class Lzma2 {
   readonly #output: Uint8Array
   at: number
   length: number
-  /** Where the dictionary begins in the output: repeats reach back no further. */
+  /** The dictionary's beginning in the output: repeats reach back no further. */
   #dictionaryFrom: number
   #inputEnd = 0
   #range = 0
@@ -295,7 +295,7 @@ class Lzma2 {
     if (this.at !== this.#inputEnd) throw new DamagedStream('is damaged')
   }
 
-  /** Whether one byte at the last distance is repeated; else the distance that is repeated comes to the front. */
+  /** True if a byte at the last distance is repeated; else the distance comes to the front. */
   #isShortRep(state: number, positionState: number): boolean {
     const reps = this.#reps
     if (this.#bit(IS_REP_0 + state) === 0) return this.#bit(IS_REP_0_LONG + 16 * state + positionState) === 0

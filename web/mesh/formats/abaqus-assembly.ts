@@ -10,7 +10,7 @@ import type { TextLines } from './text-lines'
 interface Instance {
   readonly name: string
   readonly partName: string
-  /** What is defined in the instance itself. */
+  /** Definitions in the instance itself. */
   readonly own: AbaqusPart
   readonly moveLines: number[][]
   readonly line: number
@@ -18,9 +18,9 @@ interface Instance {
 }
 
 export class AbaqusAssembly {
-  /** What stands in no part. */
+  /** Nodes and elements in no part. */
   readonly global = new AbaqusPart()
-  /** By name in capitals, as the instances. */
+  /** Parts by their names in capitals, as the instances. */
   readonly #parts = new Map<string, { name: string; part: AbaqusPart }>()
   readonly #instances = new Map<string, Instance>()
 

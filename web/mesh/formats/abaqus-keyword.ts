@@ -1,9 +1,9 @@
 /** A keyword line of Abaqus: "*Element, type=C3D8R, elset=hex". */
 
 export interface Keyword {
-  /** In capitals, without the star and blanks: "ENDPART". */
+  /** The keyword in capitals, without the star and blanks: "ENDPART". */
   readonly name: string
-  /** As the file writes it, for people. */
+  /** The keyword as the file writes it, for people. */
   readonly written: string
   /** Values by parameter in capitals without blanks; '' for a parameter without a value. */
   readonly parameters: ReadonlyMap<string, string>

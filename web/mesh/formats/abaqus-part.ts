@@ -19,7 +19,7 @@ interface NodeSet {
 interface ElementSet extends NodeSet {
   readonly name: string
   readonly cells: Runs
-  /** Whether a program made it for itself. */
+  /** True if a program made it for itself. */
   readonly isInternal: boolean
 }
 
@@ -121,7 +121,7 @@ export class AbaqusPart {
     return indexed(this.#cellOfId, this.model.cellIds)
   }
 
-  // What is generated
+  // Generated nodes and elements
 
   #imply(lines: TextLines, count: number): void {
     this.#implied += count
@@ -214,7 +214,7 @@ export class AbaqusPart {
         }
   }
 
-  /** As `rangesOf`, with the cells that the sets have by their type. */
+  /** The ranges of `rangesOf`, with the cells that the sets have by their type. */
   #elementRanges(name: string): IdRange[] | null {
     const idsOfCells = ({ cells }: ElementSet): IdRanges => {
       const ids = new IdRanges()

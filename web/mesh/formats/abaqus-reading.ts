@@ -1,4 +1,4 @@
-/** What the readers of Abaqus's keywords have in common: where they are, and what the lines under a keyword are for. */
+/** The lines for readers of Abaqus's keywords, and the purpose of those under a keyword. */
 import type { PrintedDigits } from '../precision'
 import { shown } from '../text-cursor'
 import type { Keyword } from './abaqus-keyword'
@@ -7,7 +7,7 @@ import type { Frame } from './movement'
 import type { TextLines } from './text-lines'
 
 export interface Reading {
-  /** Those of the file that is being read: one that is included has its own. */
+  /** Lines of the file that is being read: an included one has its own. */
   lines: TextLines
   keyword: Keyword
   part: AbaqusPart
@@ -17,7 +17,7 @@ export interface Reading {
   readonly notes: string[]
 }
 
-/** What is done with each data line of a keyword, and when they end. */
+/** Actions for each data line of a keyword, and at their end. */
 export interface Section {
   readonly line: () => void
   readonly end?: () => void

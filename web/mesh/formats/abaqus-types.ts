@@ -41,7 +41,7 @@ export function abaqusType(name: string): AbaqusType {
   return { kind: 'other', cell: LINE.test(type) ? 'line' : 'other', nodes: null }
 }
 
-/** Where an element of 20 nodes has the node of each slot: bottom edges, top edges, upright edges, as VTK. */
+/** The slots of the nodes of an element of 20: bottom edges, top edges, upright edges, as VTK. */
 export const ORDER_OF_20: readonly number[] = Array.from({ length: 20 }, (_, i) => i)
 
 /** C3D27: the centre, then the faces -zeta, +zeta, -eta, +xi, +eta, -xi. */

@@ -63,7 +63,7 @@ class AbaqusReader implements Reading {
   #section: Section | null = null
   #isCutOff = false
   #hasElements = false
-  /** Whether another file begins in the same text: a second heading behind elements. */
+  /** True if another file begins in the same text: a second heading behind elements. */
   isFollowed = false
 
   constructor(file: MeshFile, options: ReadOptions, lines: TextLines) {
@@ -140,7 +140,7 @@ class AbaqusReader implements Reading {
     return keywordOf(text.trim())
   }
 
-  /** What the lines under the keyword are for; null where nobody needs them. */
+  /** The purpose of the lines under the keyword; null if nobody needs them. */
   #start(depth: number): Section | null {
     const { name, written, parameters } = this.keyword
     switch (name) {
@@ -178,7 +178,7 @@ class AbaqusReader implements Reading {
         return null
       case 'INCLUDE':
         this.#include(parameters.get('INPUT') ?? '', depth)
-        // Where the included file ends in the middle of a section, this goes on.
+        // A section in which the included file ends goes on.
         return this.#section
       case 'IMPERFECTION':
         this.notes.push('*IMPERFECTION moves nodes in the analysis; the nodes are read as they are written.')

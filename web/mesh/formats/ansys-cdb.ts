@@ -10,14 +10,14 @@ import { IdOrder } from './id-ranges'
 import { collect, NodeModel } from './node-model'
 import { TextLines } from './text-lines'
 
-/** Of an element of 20 nodes: bottom edges, top edges, upright edges, as VTK. */
+/** The slots of an element of 20 nodes: bottom edges, top edges, upright edges, as VTK. */
 const ORDER_OF_20 = Array.from({ length: 20 }, (_, i) => i)
 const HEXAHEDRON: AnsysType = { kind: 'hexahedron' }
 const QUADRATIC: AnsysType = { kind: 'quadratic' }
 
 /** Fields of an element in a solid block, before its nodes. */
 const SOLID_FIELDS = 11
-/** Of another block: number, section, real constants, material, frame. */
+/** Fields of other blocks: number, section, real constants, material, frame. */
 const NONSOLID_FIELDS = 5
 
 export const ansysCdb: MeshFormat = {
@@ -174,7 +174,7 @@ class AnsysReader {
     return widths
   }
 
-  /** Whether the line ends a block: -1, or a command. */
+  /** True if the line ends a block: -1, or a command. */
   #isEndOfBlock(): boolean {
     const lines = this.#lines
     let at = 0

@@ -41,7 +41,7 @@ export const blockMeshDict: MeshFormat = {
 class Dictionary {
   readonly #tokens: Tokens
   readonly #text: string
-  /** How many braces are open. */
+  /** Open braces. */
   depth = 0
 
   constructor(text: string) {

@@ -3,7 +3,7 @@ import type { BinaryCursor } from '../binary-cursor'
 import type { GmshMesh } from './gmsh-mesh'
 import { type GmshType, gmshTypes } from './gmsh-types'
 
-/** Of the format: 4.0 and 4.1 differ. */
+/** The format's version: 4.0 and 4.1 differ. */
 export type Version = 1 | 2 | 4 | 4.1
 
 export interface BinarySection {
@@ -17,7 +17,7 @@ export interface BinarySection {
 
 const AT_ONCE = 32_768
 
-/** Of MSH 2, after the line with the count: 28 bytes a node, and parameters where the section has them. */
+/** Nodes of MSH 2, after their count: 28 bytes each, and parameters if the section has them. */
 export function readNodes2({ cursor, mesh, onRecord }: BinarySection, count: number, isParametric: boolean): void {
   cursor.need(count, 28, 'nodes')
   mesh.builder.reserve(count, 0)
@@ -47,7 +47,7 @@ export function readNodes2({ cursor, mesh, onRecord }: BinarySection, count: num
   }
 }
 
-/** Of MSH 2, after the line with the count: groups of elements of one type. */
+/** Elements of MSH 2, after the line with the count: groups of one type. */
 export function readElements2({ cursor, mesh, onRecord }: BinarySection, count: number): void {
   cursor.need(count, 12, 'elements')
   for (let done = 0; done < count; ) {

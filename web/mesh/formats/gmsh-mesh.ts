@@ -1,24 +1,24 @@
-/** What Gmsh's files, text and binary, of all versions, make a mesh of: nodes by id, elements by type, groups and entities by name. */
+/** The mesh of Gmsh's files: nodes by id, elements by type, groups and entities by name. */
 
 import type { FileRows } from '../file-rows'
 import { MeshBuilder } from '../mesh-builder'
 import { areAtMiddles } from '../middles'
 import { PrintedDigits } from '../precision'
-import type { RowPlace } from '../text-cursor'
+import type { RowCursor } from '../text-cursor'
 import type { GmshType } from './gmsh-types'
 
-/** What can say where in the file it is: a cursor. */
-export interface Place {
+/** A cursor that can refuse with its position. */
+export interface RefusingCursor {
   refuse(what: string): never
 }
 
 export class GmshMesh {
   readonly builder: MeshBuilder
   readonly digits = new PrintedDigits()
-  /** Whether the text leaves something out: then elements may name nodes that are not there, and are counted here. */
+  /** True if the text leaves something out: elements may then name nodes that are not there. */
   mayLackNodes = false
   lackingNodes = 0
-  /** By "dimension tag", or "tag" where the file gives no dimension. */
+  /** Names by "dimension tag", or by "tag" if the file gives no dimension. */
   readonly #names = new Map<string, string>()
   /** Physical groups of entities, by "dimension tag". */
   readonly #groups = new Map<string, readonly number[]>()
@@ -32,12 +32,12 @@ export class GmshMesh {
     this.builder = new MeshBuilder('Gmsh', fileName)
   }
 
-  node(place: Place, id: number, x: number, y: number, z: number): void {
-    if (!this.builder.newPointWithId(id, x, y, z)) place.refuse(`node ${id} is defined twice.`)
+  node(cursor: RefusingCursor, id: number, x: number, y: number, z: number): void {
+    if (!this.builder.newPointWithId(id, x, y, z)) cursor.refuse(`node ${id} is defined twice.`)
   }
 
   /** Nodes of rows that end with three coordinates, whose ids stand first or are given. */
-  nodeRows(place: RowPlace, rows: FileRows, ids: ArrayLike<number> | null = null, from = 0): void {
+  nodeRows(cursor: RowCursor, rows: FileRows, ids: ArrayLike<number> | null = null, from = 0): void {
     const { pattern, count, numbers, places, start } = rows
     let largest = 0
     this.builder.expectRows(rows, 'nodes')
@@ -45,8 +45,8 @@ export class GmshMesh {
       const at = pattern.numberCount * (row + 1) - 3
       const id = (ids === null ? numbers[pattern.numberCount * row] : ids[from + row]) as number
       const [x, y, z] = [numbers[at] as number, numbers[at + 1] as number, numbers[at + 2] as number]
-      place.row = row
-      this.node(place, id, x, y, z)
+      cursor.row = row
+      this.node(cursor, id, x, y, z)
       largest = Math.max(largest, Math.abs(x), Math.abs(y), Math.abs(z))
       for (let axis = 0; axis < 3; ++axis) {
         const token = places[3 * row + axis] as number
@@ -65,7 +65,7 @@ export class GmshMesh {
     this.#groups.set(`${dimension} ${tag}`, groups.map(Math.abs))
   }
 
-  /** What the blocks of a volume are called: its groups' names, else the volume. */
+  /** The names of a volume's blocks: its groups' names, else the volume's. */
   blocksOfVolume(tag: number): readonly string[] {
     return this.#blocksOf(tag, this.#groups.get(`3 ${tag}`) ?? [])
   }
@@ -92,17 +92,17 @@ export class GmshMesh {
   }
 
   /** Hexahedra one after the other, each with its id and those of its nodes. */
-  hexahedra(place: Place, type: GmshType, numbers: ArrayLike<number>, blocks: readonly string[]): void {
+  hexahedra(cursor: RefusingCursor, type: GmshType, numbers: ArrayLike<number>, blocks: readonly string[]): void {
     const first = this.builder.cellCount
     for (let at = 0; at < numbers.length; at += 9)
       if (this.builder.hexahedronByIds(numbers, at + 1, numbers[at] as number) < 0)
-        this.element(place, type, numbers[at] as number, numbers, at + 1, [])
+        this.element(cursor, type, numbers[at] as number, numbers, at + 1, [])
     for (const block of blocks) this.builder.restInBlock(block, first)
   }
 
   /** An element by the ids of its nodes, which are `nodes[from]` and following. */
   element(
-    place: Place,
+    cursor: RefusingCursor,
     { kind, nodes: count }: GmshType,
     id: number,
     nodes: ArrayLike<number>,
@@ -121,7 +121,7 @@ export class GmshMesh {
     for (let i = 0; i < count; ++i) {
       const index = this.builder.findId(nodes[from + i] as number)
       if (index < 0) {
-        if (!this.mayLackNodes) place.refuse(`element ${id} names node ${nodes[from + i]}, which is not defined.`)
+        if (!this.mayLackNodes) cursor.refuse(`element ${id} names node ${nodes[from + i]}, which is not defined.`)
         this.lackingNodes++
         return
       }

@@ -2,7 +2,7 @@
 import { type ReadingCore, RowPattern } from '../../core/reading-interface'
 import type { FileRows } from '../file-rows'
 import { isEllipsis } from '../snippet-text'
-import { RowPlace, shown, type TextCursor } from '../text-cursor'
+import { RowCursor, shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, TextRecords } from '../text-records'
 import { TypedList } from '../typed-list'
 import type { Version } from './gmsh-binary'
@@ -191,7 +191,7 @@ export class GmshText {
       const rows = hasParameters ? null : this.#records.rows(COORDINATES_ROW)
       if (rows !== null) {
         if (seen + rows.count > nodes) this.#cursor.refuse(`a block of ${nodes} nodes has more lines of coordinates.`)
-        this.#mesh.nodeRows(new RowPlace(this.#cursor, rows), rows, ids.values, seen)
+        this.#mesh.nodeRows(new RowCursor(this.#cursor, rows), rows, ids.values, seen)
         seen += rows.count - 1
       } else if (!this.#node(ids.values[seen] as number, hasParameters)) return seen
       this.#records.onRecord()
@@ -199,10 +199,10 @@ export class GmshText {
     return nodes
   }
 
-  /** How many there were. */
+  /** The number of rows. */
   #nodeRows(pattern: RowPattern): number {
     const rows = this.#records.rows(pattern)
-    if (rows !== null) this.#mesh.nodeRows(new RowPlace(this.#cursor, rows), rows)
+    if (rows !== null) this.#mesh.nodeRows(new RowCursor(this.#cursor, rows), rows)
     return rows?.count ?? 0
   }
 
@@ -213,24 +213,24 @@ export class GmshText {
     const rows = this.#records.rows(elementRow(version, version === 1 ? ` ${type} ` : head, Number(tags)))
     if (rows === null) return 0
     const { pattern, count, numbers } = rows
-    const place = new RowPlace(this.#cursor, rows)
+    const rowCursor = new RowCursor(this.#cursor, rows)
     const tagCount = pattern.numberCount - 9
     this.#mesh.builder.expectRows(rows, 'hexahedra')
     for (let row = 0; row < count; ++row) {
       const at = pattern.numberCount * row
       const group = tagCount > 0 ? (numbers[at + 1] as number) : 0
       const volume = tagCount > 1 ? (numbers[at + 2] as number) : 0
-      this.#hexahedron(place, rows, row, this.#mesh.blocksOfElement(group, volume))
+      this.#hexahedron(rowCursor, rows, row, this.#mesh.blocksOfElement(group, volume))
     }
     return count
   }
 
-  /** Of a row that begins with the id and ends with the nodes. */
-  #hexahedron(place: RowPlace, { pattern, numbers }: FileRows, row: number, blocks: readonly string[]): void {
-    place.row = row
+  /** Adds the hexahedron of a row that begins with the id and ends with the nodes. */
+  #hexahedron(rowCursor: RowCursor, { pattern, numbers }: FileRows, row: number, blocks: readonly string[]): void {
+    rowCursor.row = row
     const width = pattern.numberCount
     const type = gmshTypes.get(Number(HEXAHEDRON_TYPE)) as GmshType
-    this.#mesh.element(place, type, numbers[width * row] as number, numbers, width * (row + 1) - 8, blocks)
+    this.#mesh.element(rowCursor, type, numbers[width * row] as number, numbers, width * (row + 1) - 8, blocks)
   }
 
   /** MSH 1: id, type, group, volume, number of nodes; MSH 2: id, type, number of tags, tags. Then the nodes. */
@@ -291,8 +291,8 @@ export class GmshText {
           if (whole + rows.count > elements)
             cursor.refuse(`a block of ${elements} elements has more lines of ${rows.pattern.numberCount} numbers.`)
           this.#mesh.builder.expectRows(rows, 'hexahedra')
-          const place = new RowPlace(cursor, rows)
-          for (let row = 0; row < rows.count; ++row) this.#hexahedron(place, rows, row, names)
+          const rowCursor = new RowCursor(cursor, rows)
+          for (let row = 0; row < rows.count; ++row) this.#hexahedron(rowCursor, rows, row, names)
           whole += rows.count - 1
           records.onRecord()
           continue
@@ -303,7 +303,7 @@ export class GmshText {
       seen += whole
       if (whole < elements) break
     }
-    // After "..." a line may be an element or the beginning of a block: what follows is not read.
+    // A line after "..." may be an element or the beginning of a block: the rest is not read.
     const next = records.next('elements')
     if (next === 'record' && !records.isElided)
       cursor.refuse(`${blocks} entities with elements are declared, there are more.`)

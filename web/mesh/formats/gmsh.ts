@@ -43,7 +43,7 @@ class GmshReader {
   #hasElements = false
   #lateElements: Start | null = null
   #records = 0
-  /** Where another file begins in the same text. */
+  /** The beginning of another file in the same text. */
   next: Start | null = null
 
   constructor(file: MeshFile, cursor: TextCursor, options: ReadOptions) {

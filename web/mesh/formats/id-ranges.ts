@@ -21,7 +21,7 @@ export class IdRanges {
     this.#ranges.push(first, last, step)
   }
 
-  /** Of all ids, those that come twice counted twice. */
+  /** The number of all ids, those that come twice counted twice. */
   get count(): number {
     let count = 0
     for (const range of this) count += countOf(range)

@@ -4,7 +4,7 @@ import { headText } from '../snippet-text'
 import type { MeshFormat } from '../source'
 import { shown, significantDigits, TextCursor } from '../text-cursor'
 
-/** By the number of nodes in three dimensions, where the name says no more. */
+/** Kinds by the number of nodes in three dimensions, if the name says no more. */
 const BY_NODES: Readonly<Record<number, OtherCell>> = {
   4: 'tetrahedron',
   5: 'pyramid',

@@ -1,6 +1,7 @@
 /**
- * What libMesh prints of an element (`Elem::print_info`): "Elem Information", the type, and a line for each node. The fields are as wide
- * as `setw` makes them, so a bracket may or may not be followed by blanks. Nodes are in VTK's order, corners first.
+ * The output of libMesh for an element (`Elem::print_info`): "Elem Information", the type, and a
+ * line for each node. The fields are as wide as `setw` makes them, so a bracket may or may not be
+ * followed by blanks. Nodes are in VTK's order, corners first.
  */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { printedDigits } from '../precision'
@@ -86,7 +87,7 @@ export const libMesh: MeshFormat = {
   },
 }
 
-/** Whether the element has all its nodes. */
+/** True if the element has all its nodes. */
 function added({ id, type, points, nodes }: Element, builder: MeshBuilder): boolean {
   const count = Number(/\d+$/.exec(type)?.[0] ?? nodes)
   if (type.startsWith('HEX') || (type === '' && nodes === 8)) {

@@ -68,11 +68,11 @@ class DynaReader {
   #lines: TextLines
   #isCutOff = false
   #degenerate = 0
-  /** Of the file, and of the keyword. */
+  /** The widths of the file, and of the keyword. */
   #usual = STANDARD
   #widths = STANDARD
   #keyword = ''
-  /** What a data line of the keyword is for. */
+  /** Reads a data line of the keyword. */
   #readLine: () => void = passOver
 
   constructor(file: MeshFile, options: ReadOptions) {
@@ -114,7 +114,7 @@ class DynaReader {
     }
   }
 
-  /** Whether lines of the keyword begin with numbers, not with titles or names. */
+  /** True if lines of the keyword begin with numbers, not with titles or names. */
   #isOfNumbers(): boolean {
     return this.#readLine !== passOver && /^\*(?:NODE|ELEMENT)/.test(this.#keyword)
   }
@@ -265,7 +265,7 @@ class DynaReader {
     this.#readLine = nodeCount > 0 ? () => this.#manyNodes(nodeCount, further) : () => this.#solid(further)
   }
 
-  /** On one line: element, part, eight nodes. On two: element and part, then eight or ten nodes. */
+  /** A solid: element, part, eight nodes; on two lines, element and part, then 8 or 10 nodes. */
   #solid(further: number): void {
     const lines = this.#lines
     this.#split(10)

@@ -1,15 +1,15 @@
-/** What Medit's files, text and binary, make a mesh of: vertices counted from 1, cells with references, orders of nodes. */
+/** The mesh of Medit's files: vertices counted from 1, cells with references, orders of nodes. */
 import { MeshBuilder } from '../mesh-builder'
 import { areAtMiddles } from '../middles'
 import { PrintedDigits } from '../precision'
 import type { MeditCells } from './medit-keywords'
 
-/** What can say where in the file it is: a cursor. */
-interface Place {
+/** A cursor that can refuse with its position. */
+interface RefusingCursor {
   refuse(what: string): never
 }
 
-/** Where the corners are in a reference cube of side `side`, in VTK_HEXAHEDRON order. */
+/** The corners in a reference cube of side `side`, in VTK_HEXAHEDRON order. */
 const CORNERS = [
   [0, 0, 0],
   [1, 0, 0],
@@ -24,11 +24,11 @@ const CORNERS = [
 export class MeditMesh {
   readonly builder: MeshBuilder
   readonly digits = new PrintedDigits()
-  /** Whether the text leaves vertices out: then cells may name some that are not there, and are counted here. */
+  /** True if the text leaves vertices out: cells may then name some that are not there. */
   mayLackVertices = false
   lackingVertices = 0
   readonly #references: number[] = []
-  /** Of cells with so many nodes, which of these are the corners and which the others. */
+  /** The corners and the other nodes of cells, by their number of nodes. */
   readonly #orders = new Map<number, { corners: readonly number[]; others: readonly number[] }>()
   readonly #indices: number[] = []
 
@@ -37,17 +37,17 @@ export class MeditMesh {
   }
 
   /** The place of each node of a cell in a cube of side 1, 2, ..., as HexahedraQ2Ordering and its kin state it. */
-  orderNodes(place: Place, places: readonly (readonly number[])[]): void {
+  orderNodes(cursor: RefusingCursor, places: readonly (readonly number[])[]): void {
     const side = Math.max(...places.flat())
     const corners = CORNERS.map(corner =>
       places.findIndex(node => node.every((value, axis) => value === side * (corner[axis] as number))),
     )
-    if (corners.includes(-1)) place.refuse('the order of the nodes lacks a corner.')
+    if (corners.includes(-1)) cursor.refuse('the order of the nodes lacks a corner.')
     this.#orders.set(places.length, { corners, others: places.map((_, i) => i).filter(i => !corners.includes(i)) })
   }
 
   /** A cell by its vertices, which are `vertices[from]` and following, counted from 1. */
-  cell(place: Place, cells: MeditCells, vertices: ArrayLike<number>, from: number, reference: number): void {
+  cell(cursor: RefusingCursor, cells: MeditCells, vertices: ArrayLike<number>, from: number, reference: number): void {
     const { kind, nodes, name } = cells
     const count = this.builder.pointCount
     const indices = this.#indices
@@ -56,7 +56,7 @@ export class MeditMesh {
       const vertex = vertices[from + i] as number
       if (vertex < 1 || vertex > count) {
         if (!this.mayLackVertices || vertex < 1)
-          place.refuse(`a cell of ${name} names vertex ${vertex}; the vertices are 1 to ${count}.`)
+          cursor.refuse(`a cell of ${name} names vertex ${vertex}; the vertices are 1 to ${count}.`)
         this.lackingVertices++
         return
       }

@@ -28,7 +28,7 @@ export const medit: MeshFormat = {
   },
 }
 
-/** What begins a section: a word alone in the line or with a number; where all is in one line, one of the usual words. */
+/** True if it begins a section: a word alone or with a number, or one of the usual words. */
 function isKeyword(line: string): boolean {
   if (/^[A-Z][A-Za-z0-9_]*(?:\s+\d+)?\s*$/.test(line)) return true
   const [, word = '', rest] = /^([A-Z][A-Za-z0-9]*)\s+(?:(\d)|[A-Z])/.exec(line) ?? []
@@ -48,7 +48,7 @@ class MeditReader {
   /** Cells before the vertices, and those whose order may be stated after them. */
   readonly #late: (Start & { cells: MeditCells })[] = []
   #seen = 0
-  /** Where another file begins in the same text. */
+  /** The beginning of another file in the same text. */
   next: Start | null = null
 
   constructor(file: MeshFile, cursor: TextCursor, options: ReadOptions) {
@@ -142,7 +142,7 @@ class MeditReader {
     else this.#records.passSection()
   }
 
-  /** How many numbers the first record has; null where records are not lines. */
+  /** The number of numbers in the first record; null if records are not lines. */
   #numbersInLine(least: number): number | null {
     if (this.#records.next('numbers') !== 'record') return null
     const count = this.#cursor

@@ -7,7 +7,7 @@ import { areAtMiddles } from '../middles'
 const EDGES = [0, 1, 1, 2, 3, 2, 0, 3, 4, 5, 5, 6, 7, 6, 4, 7, 0, 4, 1, 5, 2, 6, 3, 7] as const
 const FACES = [3, 2, 1, 0, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7, 4, 5, 6, 7] as const
 
-/** Whether each hexahedron's nodes are at the middles; null if there are not as many nodes as such a mesh has. */
+/** True for hexahedra with nodes at the middles; null if the number of nodes is another. */
 export function straightHexahedra(
   cells: readonly number[],
   vertexCount: number,

@@ -5,13 +5,13 @@ import { shown } from '../text-cursor'
 export interface NodeSpace {
   readonly name: string
   readonly order: number
-  /** Whether elements share nodes: then the first are those of the vertices; else each element has its own. */
+  /** True if elements share nodes, the first of which are the vertices'; else each has its own. */
   readonly isContinuous: boolean
   /** All x, then all y, then all z; else the three of a node together. */
   readonly isByNode: boolean
-  /** Where the corners are among a hexahedron's own nodes, in VTK_HEXAHEDRON order. */
+  /** Indices of the corners among a hexahedron's own nodes, in VTK_HEXAHEDRON order. */
   readonly corners: readonly number[]
-  /** How many nodes of its own an element has. */
+  /** The number of an element's own nodes. */
   nodesOf(kind: OtherCell | 'hexahedron'): number
 }
 

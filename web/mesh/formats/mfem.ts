@@ -70,7 +70,7 @@ class MfemReader {
   #elements: Start | null = null
   #boundary: Start | null = null
   #seen = 0
-  /** Where another mesh begins in the same text. */
+  /** The beginning of another mesh in the same text. */
   next: Start | null = null
 
   constructor(file: MeshFile, cursor: TextCursor, options: ReadOptions) {

@@ -45,7 +45,7 @@ export function outOfFrame({ origin, axes }: Frame, [x, y, z]: Vector): Vector {
 const at = (vector: Vector, i: number): number => vector[i] as number
 
 export interface Rotation {
-  /** On the axis, which points from the one to the other. */
+  /** Two points of the axis, which points from the one to the other. */
   readonly from: Vector
   readonly to: Vector
   readonly degrees: number

@@ -6,11 +6,11 @@ const [STAR, PLUS, DOT, ZERO, NINE] = [42, 43, 46, 48, 57] as const
 /** Fields of a CHEXA of 20 nodes; others have fewer. */
 const MOST_FIELDS = 64
 
-/** Where the coordinates of a GRID are among its fields. */
+/** The first field of the coordinates of a GRID. */
 export const GRID_X = 2
 
 export interface LineLayout {
-  /** Between commas, not in columns. */
+  /** True if fields stand between commas, not in columns. */
   readonly isFree: boolean
   /** Values on a line: 8, or 4 wide ones. */
   readonly values: number
@@ -20,12 +20,12 @@ export class Card {
   readonly values = new Float64Array(MOST_FIELDS)
   /** 1 for a field that is not blank. */
   readonly isGiven = new Uint8Array(MOST_FIELDS)
-  /** Where in the file the coordinates of a GRID stand, and how many bytes they have. */
+  /** The first bytes in the file of the coordinates of a GRID, and their lengths. */
   readonly placeFrom = new Float64Array(3)
   readonly placeLength = new Uint16Array(3)
   count = 0
   line = 0
-  /** Of the next line that belongs here; '' if any that follows does. */
+  /** The mnemonic of the next line that belongs here; '' if any that follows does. */
   mnemonic = ''
   isFree = false
   /** Values before those of the last line, and how many a line like it has. */
@@ -49,7 +49,7 @@ export class Card {
     this.isFree = isFree
   }
 
-  /** What the last line leaves out is blank, as another line follows. */
+  /** Makes the fields that the last line leaves out blank, as another line follows. */
   fillUp(): void {
     this.count = Math.max(this.count, Math.min(MOST_FIELDS, this.#before + this.#width))
   }
@@ -120,7 +120,7 @@ function hasStar(lines: TextLines): boolean {
   return false
 }
 
-/** Without the sign that begins it: +EL1 and *EL1 are EL1. */
+/** The mnemonic without the sign that begins it: +EL1 and *EL1 are EL1. */
 export function plainMnemonic(lines: TextLines, field: number): string {
   let from = lines.fieldFrom(field)
   const to = lines.fieldTo(field)
@@ -173,7 +173,7 @@ function freeEnd(lines: TextLines, values: number): { last: number; mnemonic: nu
   return { last: final, mnemonic: count }
 }
 
-/** Whether the field is a sign alone, or one with something other than a number behind it. */
+/** True if the field is a sign, alone or before something other than a number. */
 function isMnemonic(lines: TextLines, field: number): boolean {
   const from = lines.fieldFrom(field)
   if (from >= lines.fieldTo(field)) return false

@@ -25,7 +25,7 @@ export class Frames {
     private readonly refuse: (what: string, line?: number) => never,
   ) {}
 
-  /** Whether it is new or the same again. */
+  /** Refuses a second definition that differs from the first. */
   define(id: number, definition: FrameDefinition): void {
     const old = this.#definitions.get(id)
     const what = ({ kind, points, nodes, inFrame }: FrameDefinition) => JSON.stringify([kind, points, nodes, inFrame])

@@ -177,7 +177,7 @@ class NastranReader {
     return true
   }
 
-  /** What stands before the bulk data, and files that are included; false for a line of bulk data. */
+  /** Reads control lines and files that are included; false for a line of bulk data. */
   #control(text: string, depth: number): boolean {
     if (/^include\b/i.test(text)) {
       this.#include(text, depth)

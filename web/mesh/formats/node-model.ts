@@ -178,7 +178,7 @@ export class NodeModel {
     return first
   }
 
-  /** Where in the file a coordinate of a node stands; without this for each, the mesh has no places. */
+  /** Keeps the position in the file of a node's coordinate; the mesh has places only with all. */
   place(lines: TextLines, slot: number, axis: number, from: number, length: number): void {
     this.#placesIn ??= lines
     if (this.#placesIn !== lines || length <= 0 || length > 0xffff) this.#hasPlaces = false
@@ -189,7 +189,7 @@ export class NodeModel {
     this.#placeLength.values[at] = length
   }
 
-  /** As `place`, for the coordinates that stand in three fields of the line in a row. */
+  /** Does `place` for coordinates in three neighbouring fields of the line. */
   placeFields(lines: TextLines, slot: number, first: number): void {
     for (let axis = 0; axis < 3; ++axis) {
       const from = lines.fieldFrom(first + axis)
@@ -359,7 +359,7 @@ export function collect({ format, fileName, placements, precision, notes, isCutO
       `${shown(fileName).slice(1, -1)}: its instances have ${Math.max(pointCount, cellCount)} nodes or elements; ${MOST_IMPLIED_CELLS} are read at most.`,
     )
 
-  // What stands alone where it was drawn is the mesh.
+  // A single model that is not moved is the mesh.
   const only = placements.length === 1 && placements[0]?.move === null ? placements[0].model : null
   const points = only?.points.whole() ?? new Float64Array(3 * pointCount)
   const cells = only?.cells.whole() ?? new Uint32Array(8 * cellCount)

@@ -1,11 +1,11 @@
-/** What a file that is not read says of itself, and the marks by which it is known. */
+/** Marks of files that are not read, and their names. */
 
 export interface Known {
-  /** Whether the file is one of these, by the text of its first bytes (latin1) and its name in lower case. */
+  /** True for one of these, by the text of its first bytes (latin1) and its name in lower case. */
   readonly is: (head: string, name: string) => boolean
   /** "an Exodus II file (netCDF)" */
   readonly what: string
-  /** What to do, as a clause: "meshio converts it: meshio convert a.e a.vtu". */
+  /** The advice, as a clause: "meshio converts it: meshio convert a.e a.vtu". */
   readonly instead: string
 }
 

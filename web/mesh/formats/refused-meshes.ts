@@ -1,7 +1,7 @@
 /** Files of meshes that are recognized and not read. A format leaves this table when it gets a file of its own. */
 import { ends, has, type Known, meshio, SAVE_MESH, starts } from './refused-marks'
 
-/** Which program an HDF5 file is of, by the names in it. */
+/** Programs of HDF5 files, by the names in these. */
 export const hdf5: readonly Known[] = [
   { is: has(/VTKHDF/), what: 'a VTKHDF file', instead: 'ParaView saves it as .vtu' },
   {

@@ -4,7 +4,7 @@ import { has, type Known, MAKE_HEXAHEDRA, starts } from './refused-marks'
 const COPY = 'the numbers can be copied from it and pasted'
 const PRINT = 'Python prints it, and what is printed can be pasted: print(points.tolist())'
 
-/** Whether a zip archive has an entry whose name begins so, among its first. */
+/** True if a zip archive has an entry whose name begins so, among its first. */
 function isZipOf(head: string, name: string): boolean {
   return (
     head.startsWith('PK\x03\x04') && (head.startsWith(name, 30) || head.includes(`\0${name}`) || head.includes(name))
@@ -57,7 +57,7 @@ export const refusedOthers: readonly Known[] = [
     what: 'a geometry in ACIS',
     instead: 'it has no mesh; Gmsh makes one of its STEP',
   },
-  // What is no mesh at all.
+  // Files that are no meshes at all.
   {
     is: head => isZipOf(head, '3D/'),
     what: 'a 3MF file',

@@ -1,18 +1,19 @@
 /**
- * Lines of a text file as bytes, for formats whose fields stand in columns or between commas. The file is read in pieces; fields become
- * numbers straight from the bytes. A text that is indented as a whole is read as it was before.
+ * Lines of a text file as bytes, for formats whose fields stand in columns or between commas. The
+ * file is read in chunks; fields become numbers straight from the bytes. A text that is indented as
+ * a whole is read as it was before.
  */
 
 import type { RowPattern } from '../../core/reading-interface'
 import { doubleOfDigits } from '../decimal'
-import { FilePiece } from '../file-piece'
+import { FileChunk } from '../file-chunk'
 import { type FileRows, RowSearch, rowsAhead } from '../file-rows'
 import { MeshRefusal } from '../mesh'
 import type { PrintedDigits } from '../precision'
 import type { MeshFile, ReadOptions } from '../source'
 import { numberOf, shown } from '../text-cursor'
 
-const PIECE = 1024 * 1024
+const CHUNK = 1024 * 1024
 const LONGEST_LINE = 1024 * 1024
 const HEAD = 65_536
 
@@ -33,7 +34,7 @@ export class TextLines {
   #isHeld = false
   readonly #rowSearch: RowSearch
 
-  readonly #piece = new FilePiece()
+  readonly #chunk = new FileChunk()
 
   /** They are others when the next line has been read. */
   bytes = new Uint8Array(0)
@@ -43,7 +44,7 @@ export class TextLines {
   /** Counted from 1; 0 before the first. */
   number = 0
 
-  /** Of the line, once it has been scanned. */
+  /** Known once the line has been scanned. */
   hasComma = false
   hasTab = false
 
@@ -64,7 +65,7 @@ export class TextLines {
     throw new MeshRefusal(`${shown(this.file.name).slice(1, -1)}, line ${line}: ${what}`)
   }
 
-  /** Where in the file a byte lies. */
+  /** The position in the file of a byte. */
   placeOf(byte: number): number {
     return this.#start + byte
   }
@@ -73,14 +74,14 @@ export class TextLines {
     return this.from === this.to
   }
 
-  /** Whether the line only says that lines are left out: "...". */
+  /** True if the line only says that lines are left out: "...". */
   get isElision(): boolean {
     const length = this.to - this.from
     if (length < 3 || length > 12) return false
     return /^[[(<]?\s*(?:\.\s?\.\s?\.[.\s]*|…|:)\s*[\])>]?$/u.test(this.text().trim())
   }
 
-  /** Whether the line is prose under a snippet: it begins with a letter, and stands below a blank line. */
+  /** True for prose under a snippet: it begins with a letter, and stands below a blank line. */
   isProseAfter(blankLine: number): boolean {
     return blankLine === this.number - 1 && /^\p{L}\S*\s/u.test(this.text())
   }
@@ -162,7 +163,7 @@ export class TextLines {
     this.#options.throwIfCancelled()
     this.#options.onProgress(begin / size)
     const left = this.bytes.length - this.#next
-    this.bytes = this.#piece.next(this.file, this.bytes.subarray(this.#next), begin, Math.min(size, begin + PIECE))
+    this.bytes = this.#chunk.next(this.file, this.bytes.subarray(this.#next), begin, Math.min(size, begin + CHUNK))
     this.#start += this.#next
     this.#next = 0
     if (left > LONGEST_LINE) this.refuse('the line is longer than lines of a mesh are.', this.number + 1)
@@ -179,7 +180,7 @@ export class TextLines {
 
   // Fields
 
-  /** Where a field begins and ends, without blanks. */
+  /** The beginning and the end of a field, without blanks. */
   fieldFrom(field: number): number {
     return field < this.fieldCount ? (this.#fieldFrom[field] as number) : this.to
   }
@@ -242,7 +243,7 @@ export class TextLines {
     }
   }
 
-  /** Whether the line, up to the comment if `commentMark` begins one, has commas or tabs; and where that ends, without blanks. */
+  /** Finds commas, tabs and the line's end without blanks and a comment after `commentMark`. */
   scan(commentMark = -1): void {
     const { bytes, to } = this
     this.hasComma = false
@@ -334,7 +335,7 @@ export class TextLines {
     return isNegative ? -value : value
   }
 
-  /** What is written in other ways than digits: infinities, and what is no number. */
+  /** Numbers without digits: infinities and NaN. */
   #slowReal(from: number, to: number): number {
     const word = this.text(from, to)
     const value = to - from > 64 ? null : numberOf(word)

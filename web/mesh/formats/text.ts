@@ -83,7 +83,7 @@ function hasWideIntegers({
   )
 }
 
-/** What a text with lists is called. */
+/** The name of the language of a text with lists. */
 function languageOf(text: string): string {
   const head = text.slice(0, 100_000)
   if (head.includes('array(') || /\bimport numpy\b/.test(head)) return 'NumPy'

@@ -54,7 +54,7 @@ export const unv: MeshFormat = {
   },
 }
 
-/** Whether the dataset ends here; its end is passed. */
+/** True if the dataset ends here; its end is passed. */
 function isAtEndOfSet(cursor: TextCursor): boolean {
   cursor.skipBlanks()
   if (cursor.isAtEnd) cursor.refuse('the file ends in the middle of a dataset, where -1 was expected.')

@@ -18,13 +18,13 @@ const BLOCKS: readonly RegExp[] = [
 ]
 const MOST_BLOCKS = 10_000
 
-/** How telling a name is: 0 for ids, then the blocks; -1 for other arrays, which need not be read. */
+/** The rank of a name: 0 for ids, then blocks; -1 for arrays that need not be read. */
 export function cellDataRank(name: string): number {
   const plain = name.toLowerCase().replace(/[^a-z]/g, '')
   return IDS.test(plain) ? 0 : BLOCKS.findIndex(pattern => pattern.test(plain)) + 1 || -1
 }
 
-/** What arrays of one number a cell are; `globalIds` is the array that the file itself calls so. */
+/** Ids and blocks from arrays of a number each; `globalIds` is what the file calls so. */
 export function cellDataOf(arrays: ReadonlyMap<string, Float64Array>, globalIds: string | null): CellData | null {
   const ranked = [...arrays].map(([name, values]) => ({ name, values, rank: cellDataRank(name) }))
   const candidates = ranked.filter(({ name, rank }) => name === globalIds || rank === 0)

@@ -8,7 +8,7 @@ export interface VtkCellType {
   readonly kind: 'hexahedron' | 'voxel' | 'not trilinear' | OtherCell
   /** 0: any number. */
   readonly nodes: number
-  /** For cells that are not trilinear: the corners at whose middle each further node lies, or the cell's lattice of any order. */
+  /** The corners at whose middle each further node lies, or the lattice; none if trilinear. */
   readonly middles?: readonly (readonly number[])[] | 'lattice'
 }
 
@@ -68,8 +68,9 @@ export const vtkCellTypes: ReadonlyMap<number, VtkCellType> = new Map<number, Vt
 export const VOXEL_ORDER = [0, 1, 3, 2, 4, 5, 7, 6] as const
 
 /**
- * Where the nodes of a Lagrange hexahedron of this order lie in the cube, three multiples of 1/order each (vtkHigherOrderHexahedron).
- * The four edges along zeta have two orders: that of VTK 9.1 and file version 2.2 on, and the one before.
+ * The nodes of a Lagrange hexahedron of this order in the cube, three multiples of 1/order each
+ * (vtkHigherOrderHexahedron). The four edges along zeta have two orders: that of VTK 9.1 and file
+ * version 2.2 on, and the one before.
  */
 export function latticeOf(order: number, hasOldEdges: boolean): Uint8Array {
   const inside = order - 1

@@ -3,14 +3,14 @@ import { shown } from '../text-cursor'
 import type { LegacyStream } from './vtk-legacy-stream'
 import { firstFall } from './vtk-mesh'
 
-/** What is there of the cells of an unstructured grid. */
+/** The cells of an unstructured grid, as far as they are there. */
 export interface LegacyCells {
   readonly connectivity: Uint32Array
   readonly ends: Uint32Array
   readonly declared: number
 }
 
-/** What stands after the word CELLS. */
+/** Reads the text after the word CELLS. */
 export function readCells(stream: LegacyStream): LegacyCells {
   const { cursor } = stream
   const first = stream.count()
@@ -29,7 +29,7 @@ export function readCells(stream: LegacyStream): LegacyCells {
   return cellsByCounts(stream, first, second)
 }
 
-/** Before version 5: for each cell its number of points and these. */
+/** Cells before version 5: the number of points of each, and these. */
 function cellsByCounts(stream: LegacyStream, declared: number, size: number): LegacyCells {
   const list = stream.list(size, 'Int32', length => new Uint32Array(length), 'number')
   const isElided = list.length < size
@@ -52,7 +52,7 @@ function cellsByCounts(stream: LegacyStream, declared: number, size: number): Le
   return { connectivity: list.subarray(0, filled), ends: ends.subarray(0, cell), declared }
 }
 
-/** From version 5 on: where each cell begins and the last ends, then all points. */
+/** Cells from version 5 on: offsets of each and of the end, then all points. */
 function cellsByOffsets(stream: LegacyStream, count: number, size: number): LegacyCells {
   const uint32 = (length: number) => new Uint32Array(length)
   const declared = Math.max(0, count - 1)

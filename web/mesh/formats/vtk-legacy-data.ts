@@ -1,4 +1,4 @@
-/** What stands behind the grid of VTK's legacy files: arrays of cells, of which those are read that are ids or blocks. */
+/** Arrays of cells behind the grid of VTK's legacy files: ids and blocks are read. */
 import { MeshRefusal } from '../mesh'
 import { type CellData, cellDataOf, cellDataRank } from './vtk-cell-data'
 import { decoded, type LegacyStream } from './vtk-legacy-stream'
@@ -43,7 +43,7 @@ interface Found {
   readonly cells: number
 }
 
-/** Whether the section is known. `found` is null for arrays of points. */
+/** True if the section is known. `found` is null for arrays of points. */
 function readArray(stream: LegacyStream, word: string, tuples: number, found: Found | null): boolean {
   const take = (name: string, isGlobal: boolean, components: number, count: number, type: string): void => {
     const isWanted = found !== null && components === 1 && count === found.cells && type.toLowerCase() !== 'string'

@@ -7,7 +7,7 @@ import { shown, type TextCursor } from '../text-cursor'
 import { alignedTo, NUMBER_SIZES, type NumberList, type NumberType, putNumbers } from './vtu-arrays'
 
 const CHUNK = 256 * 1024
-const FIRST_PIECE = 4096
+const FIRST_CHUNK = 4096
 
 /** Types of arrays as these files name them. */
 const TYPES: Readonly<Record<string, NumberType>> = {
@@ -117,9 +117,9 @@ export class LegacyStream {
       this.refuseAt(at, `${has}: the file is cut off.`)
     }
     const list = make(count)
-    const piece = new Uint8Array(Math.min(CHUNK, size * count))
+    const chunk = new Uint8Array(Math.min(CHUNK, size * count))
     for (let filled = 0; filled < count; ) {
-      const bytes = this.file.read(at, Math.min(end, at + CHUNK), piece)
+      const bytes = this.file.read(at, Math.min(end, at + CHUNK), chunk)
       const bad = putNumbers(type, alignedTo(size, bytes), true, list, filled)
       if (bad !== null)
         this.refuseAt(
@@ -209,7 +209,7 @@ export class LegacyStream {
     this.cursor.goTo({ position: run.position })
   }
 
-  /** In text a line each; in binary files a length of one, two, four or eight bytes, as its highest two bits say, and the bytes. */
+  /** Passes strings: lines, or lengths of 1 to 8 bytes, by their highest two bits, and bytes. */
   #passStrings(count: number): void {
     this.cursor.skipLine()
     if (!this.isBinary) {
@@ -230,14 +230,14 @@ export class LegacyStream {
   }
 }
 
-/** Where a line begins so, in any case of letters, from byte `from` on; -1 if none does. */
+/** The first line from byte `from` on that begins so, in any case of letters; -1 if none does. */
 export function lineThatBegins(file: MeshFile, words: string, from: number): number {
   const first = words.charCodeAt(0)
-  let piece = FIRST_PIECE
-  for (let start = from; start < file.size; start += piece, piece = Math.min(CHUNK, 2 * piece)) {
-    // The words may go on, and the end of the line before lie, beyond the piece.
+  let chunk = FIRST_CHUNK
+  for (let start = from; start < file.size; start += chunk, chunk = Math.min(CHUNK, 2 * chunk)) {
+    // The words may go on, and the end of the line before lie, beyond the chunk.
     const begin = Math.max(0, start - 1)
-    const bytes = file.read(begin, Math.min(file.size, start + piece + words.length))
+    const bytes = file.read(begin, Math.min(file.size, start + chunk + words.length))
     for (let at = bytes.indexOf(first, start - begin); at >= 0; at = bytes.indexOf(first, at + 1)) {
       const isLineStart = at === 0 || (bytes[at - 1] as number) <= 32 || begin + at === 3
       if (!isLineStart) continue

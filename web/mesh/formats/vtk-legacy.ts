@@ -100,7 +100,7 @@ class LegacyDataset {
     this.#stream.isBinary = kind.toLowerCase() === 'binary'
   }
 
-  /** Whether another may follow. */
+  /** True if another may follow. */
   #readSection(): boolean {
     this.#stream.report(this.#cursor.position)
     this.#cursor.skipBlanks()
@@ -158,7 +158,7 @@ class LegacyDataset {
     return this.#stream.refuseAt(from, `${shown(keyword)} stands where a section like POINTS or CELLS was expected.`)
   }
 
-  /** Whether all that a mesh needs is there: what follows may be anything. */
+  /** True if all that a mesh needs is there: anything may follow. */
   #isComplete(): boolean {
     if (this.#type === 'STRUCTURED_POINTS') return this.#sizes !== null && this.#hasSpacing
     if (this.#type === 'RECTILINEAR_GRID') return this.#axes.every(axis => axis !== null)
@@ -192,7 +192,7 @@ class LegacyDataset {
     this.#pointsFrom = this.#stream.isBinary ? this.#pointsTo - NUMBER_SIZES[this.#pointType] * list.length : from
   }
 
-  /** Of the arrays of the whole file the time counts. */
+  /** Reads the time among the arrays of the whole file. */
   #readField(): void {
     this.#stream.field((name, components, tuples, type) => {
       if (components * tuples === 1 && /^time(?:value)?$/i.test(name))
@@ -339,7 +339,7 @@ class LegacyDataset {
 
 const EMPTY_CELL = 0
 
-/** For a part of a file that leaves the types out: hexahedra by their eight points, the others unknown. */
+/** Types for a snippet without them: hexahedra by their eight points, the others unknown. */
 function typesOfSizes(ends: { readonly length: number; readonly [cell: number]: number }): Uint8Array {
   return Uint8Array.from({ length: ends.length }, (_, cell) => {
     const size = (ends[cell] as number) - (cell === 0 ? 0 : (ends[cell - 1] as number))

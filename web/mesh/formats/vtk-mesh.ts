@@ -5,7 +5,7 @@ import { float32Note, largestOf, printedDigits } from '../precision'
 import type { CellData } from './vtk-cell-data'
 import { latticeOf, VOXEL_ORDER, VTK_HEXAHEDRON, VTK_POLYHEDRON, type VtkCellType, vtkCellTypes } from './vtk-cells'
 
-/** How coordinates are stored: that of the coarsest grid counts. */
+/** The precision of coordinates: that of the coarsest grid counts. */
 export interface Precision {
   readonly isFloat32: boolean
   /** Significant digits of printed ones; 0 for binary ones. */
@@ -13,16 +13,16 @@ export interface Precision {
 }
 
 export interface VtkGrid {
-  /** Those that are there: fewer than declared where the text leaves some out. */
+  /** Points that are there: fewer than declared if the text leaves some out. */
   readonly points: Float64Array
   readonly declaredPoints: number
   /** The points of all cells, one after the other; it is used up. */
   readonly connectivity: Uint32Array
-  /** For each cell the place in `connectivity` behind its last point. */
+  /** The index in `connectivity` behind each cell's last point. */
   readonly ends: Uint32Array
   readonly types: Uint8Array
   readonly declaredCells: number
-  /** Whether a polyhedron's nodes are its faces as a row of numbers, as in legacy files, and no points. */
+  /** True if a polyhedron's nodes are its faces as a row of numbers, as in legacy files. */
   readonly hasFaceStreams: boolean
   readonly precision: Precision
   readonly cellData: CellData | null
@@ -342,8 +342,9 @@ const FEWEST_DIGITS = 6
 const ALL_DIGITS = 17
 
 /**
- * What rounding can do to a middle of coordinates of size 1: a sum of eight and a division in doubles, after each was rounded when it was
- * stored. Eight units in the last place are above all of it.
+ * The effect of rounding on a middle of coordinates of size 1: a sum of eight and a division in
+ * doubles, after each was rounded when it was stored. Eight units in the last place are above all
+ * of it.
  */
 function toleranceOf({ isFloat32, digits }: Precision): number {
   const printed = digits > 0 && digits < ALL_DIGITS ? 10 ** (1 - digits) : 0

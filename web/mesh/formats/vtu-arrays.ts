@@ -8,7 +8,7 @@ import { DamagedStream, unzlib } from '../codecs/inflate'
 import { unlz4 } from '../codecs/lz4'
 import { unxz } from '../codecs/xz'
 import { copySwapped, MACHINE_IS_LITTLE_ENDIAN, swapBytes, swappedWord } from '../endian'
-import { FilePiece } from '../file-piece'
+import { FileChunk } from '../file-chunk'
 import { MeshRefusal } from '../mesh'
 import { lineAt, NumberRun } from '../number-run'
 import { isEllipsis } from '../snippet-text'
@@ -40,7 +40,7 @@ export const NUMBER_SIZES: Readonly<Record<NumberType, number>> = {
   Float64: 8,
 }
 
-/** What all arrays of a file have in common. */
+/** Properties of all arrays of a file. */
 export interface Storage {
   readonly file: MeshFile
   readonly options: ReadOptions
@@ -55,31 +55,31 @@ export interface DataArray {
   readonly name: string
   readonly type: NumberType
   readonly format: 'ascii' | 'binary' | 'appended'
-  /** From the beginning of the appended data. */
+  /** Bytes from the beginning of the appended data. */
   readonly offset: number
-  /** Where its own text lies. */
+  /** The beginning of its own text. */
   readonly from: number
   readonly to: number
 }
 
 export type NumberList = Float64Array | Uint32Array | Uint8Array
 
-/** What was read of an array: `count` numbers, fewer than expected only where the text leaves some out. */
+/** The numbers of an array, fewer than expected if the text leaves some out. */
 export interface ReadArray<T extends NumberList> {
   readonly list: T
   readonly digits: number
 }
 
-/** What inflates the blocks of a file; undefined for a compressor that VTK does not have. */
+/** The decompressor of the blocks of a file; undefined for one that VTK does not have. */
 export function decompressorNamed(name: string, core: ReadingCore | null): Storage['decompress'] | undefined {
   if (name === 'vtkLZ4DataCompressor') return unlz4
   if (name === 'vtkLZMADataCompressor') return unxz
   if (name !== 'vtkZLibDataCompressor') return undefined
-  // What is wrong with a stream is found out here.
+  // The codec of TypeScript finds the fault in a stream.
   return (input, output) => core?.unzlib(input, output) || unzlib(input, output)
 }
 
-/** So many bytes are made numbers at once; a multiple of all sizes. */
+/** Bytes that become numbers at once; a multiple of all sizes. */
 const CHUNK = 256 * 1024
 const ALWAYS_ALLOWED = 64 * 1024 * 1024
 
@@ -136,14 +136,14 @@ function readText<T extends NumberList>(
 interface ByteSource {
   /** The byte of the file that is next. */
   readonly position: number
-  /** At most so many bytes are left. */
+  /** The most bytes that may be left. */
   readonly left: number
   /** The next bytes; a view that holds until the next call. */
   take(count: number): Uint8Array
 }
 
 class RawBytes implements ByteSource {
-  #piece = new Uint8Array(0)
+  #chunk = new Uint8Array(0)
   constructor(
     private readonly file: MeshFile,
     public position: number,
@@ -152,10 +152,10 @@ class RawBytes implements ByteSource {
     return this.file.size - this.position
   }
   take(count: number): Uint8Array {
-    if (count <= CHUNK && count > this.#piece.length) this.#piece = new Uint8Array(count)
-    return this.#read(count, count <= CHUNK ? this.#piece : undefined)
+    if (count <= CHUNK && count > this.#chunk.length) this.#chunk = new Uint8Array(count)
+    return this.#read(count, count <= CHUNK ? this.#chunk : undefined)
   }
-  /** In memory that nothing else uses. */
+  /** Bytes in memory that nothing else uses. */
   takeAll(count: number): Uint8Array {
     return this.#read(count)
   }
@@ -175,14 +175,14 @@ for (let i = 0; i < 64; ++i)
 BASE64[61] = PADDING
 for (const blank of [9, 10, 13, 32]) BASE64[blank] = BLANK
 
-/** Each four digits are three bytes; with padding, which may stand in the middle where streams follow each other, one or two. */
+/** Four digits are three bytes; one or two with padding, which may stand between streams. */
 class Base64Bytes implements ByteSource {
   #text = new Uint8Array(0)
-  readonly #memory = new FilePiece()
+  readonly #memory = new FileChunk()
   #textStart: number
   #at = 0
-  /** How much text is read next: short arrays read no more than they need. */
-  #piece = 4096
+  /** Bytes of text to read next: short arrays read no more than they need. */
+  #chunk = 4096
   /** Bytes that have been decoded and not been taken. */
   #held: Uint8Array = new Uint8Array(0)
   #heldFrom = 0
@@ -224,9 +224,9 @@ class Base64Bytes implements ByteSource {
   #fill(): void {
     const had = this.#text.length - this.#at
     const from = this.#textStart + this.#text.length
-    const more = Math.min(this.#piece, this.to - from)
+    const more = Math.min(this.#chunk, this.to - from)
     if (had >= 64 || more <= 0) return
-    this.#piece = Math.min(CHUNK, 2 * this.#piece)
+    this.#chunk = Math.min(CHUNK, 2 * this.#chunk)
     this.#text = this.#memory.next(this.file, this.#text.subarray(this.#at), from, from + more)
     this.#textStart += this.#at
     this.#at = 0
@@ -290,7 +290,7 @@ class BinaryArray<T extends NumberList> {
     this.#make = make
     this.#size = NUMBER_SIZES[array.type]
     this.#source = this.#open()
-    // What is there allows so much; if more comes out of it, the list grows with it.
+    // The bytes that are there allow so much; the list grows if more comes out of them.
     const allowed = Math.floor((ALWAYS_ALLOWED + 8 * this.#source.left) / 8)
     this.#list = make(this.#canBeViewed() ? 0 : Math.min(count, allowed))
   }
@@ -352,7 +352,7 @@ class BinaryArray<T extends NumberList> {
     }
   }
 
-  /** Whether the bytes of the file are the list. */
+  /** True if the bytes of the file are the list. */
   #canBeViewed(): boolean {
     const { isLittleEndian, decompress } = this.#storage
     return (
@@ -497,7 +497,7 @@ export function putNumbers(
   return null
 }
 
-/** Of integers of 64 bits; false if one of them has more. */
+/** Takes the low halves of integers of 64 bits; false if one of them has more. */
 function putLowHalves(bytes: Uint8Array, isSwapped: boolean, list: Uint32Array, from: number): boolean {
   const halves = new Uint32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4)
   let high = 0

@@ -22,19 +22,19 @@ import {
 const DEEPEST = 64
 const [LESS, UNDERSCORE] = [60, 95] as const
 
-/** What one <Piece> has: its sizes and the arrays that are needed. */
+/** The sizes of a <Piece>, and its arrays that are needed. */
 interface Piece {
   readonly at: number
   readonly points: number
   readonly cells: number
   readonly arrays: Map<string, DataArray>
-  /** Those of cells that may be ids or blocks. */
+  /** Arrays of cells that may be ids or blocks. */
   readonly cellArrays: Map<string, DataArray>
   /** The array of cells that the file calls global ids. */
   globalIds: string | null
 }
 
-/** What one <VTKFile> has. */
+/** The contents of a <VTKFile>. */
 interface VtkDocument {
   readonly type: string
   readonly storage: Storage
@@ -68,7 +68,7 @@ export const vtu: MeshFormat = {
       const mesh = new VtkMesh('VTU', what => refuse(file, what))
       readDocument(document, file, options, mesh)
       meshes.push(mesh.mesh())
-      // What follows appended data is part of it or of no document.
+      // Text after appended data is part of it or of no document.
       if (document.storage.appended !== null || !document.isComplete) break
     }
     if (meshes.length === 0) refuse(file, 'this is no VTU: there is no <VTKFile> in it.')
@@ -166,7 +166,7 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
   const isWhole = ends.list.length === cellCount
   const length = isWhole ? (ends.list.at(-1) ?? 0) : 0xffffffff
   const connectivity = length === 0 ? empty : readArray(storage, arrayOf('connectivity'), length, uint32, !isWhole)
-  // Where the text leaves something out, the cells are whole that all three arrays have.
+  // If the text leaves something out, those cells are whole that all three arrays have.
   let whole = Math.min(types?.list.length ?? 0, ends.list.length)
   while (whole > 0 && (ends.list[whole - 1] as number) > connectivity.list.length) whole--
   const coordinates = points?.list ?? new Float64Array(0)
@@ -401,7 +401,7 @@ function isTime({ attributes }: XmlTag): boolean {
 
 const END = '</VTKFile>'
 
-/** Whether the end tag is the last thing in the file. */
+/** True if the end tag is the last thing in the file. */
 function endsWell(file: MeshFile): boolean {
   const tail = file.read(Math.max(0, file.size - 4096), file.size)
   return new TextDecoder('latin1').decode(tail).trimEnd().endsWith(END)

@@ -1,4 +1,4 @@
-/** Which tables of numbers are cells, and where in their rows the nodes of a cell stand. */
+/** Tables of numbers that are cells, and the columns of a cell's nodes. */
 import type { MeshBuilder } from '../mesh-builder'
 import {
   areAllIntegers,
@@ -21,7 +21,7 @@ export interface CellRows {
   readonly ids: readonly number[] | null
 }
 
-/** Whether a table names points of `set`: by its name, or because it is of integers that all are numbers of points. */
+/** True if a table names points of `set`: by its name, or if all its integers are such. */
 export function isCells(table: NumberTable, set: PointSet | null, mayBePoints: boolean): boolean {
   if (set === null || set.table === table || !areAllIntegers(table)) return false
   if (table.rows.length === 1 && (table.rows[0]?.length ?? 0) < 2) return false
@@ -37,7 +37,7 @@ export function isCells(table: NumberTable, set: PointSet | null, mayBePoints: b
   const isNode = (row: readonly number[]) => row.every(isKnown) && areDistinct(row)
   if (rows.length === EIGHT && width !== EIGHT && transposed(rows).every(isNode)) return true
   const isCell = (row: readonly number[]) => isNode(row.slice(-Math.min(4, row.length)))
-  // Of points that are not all there, some cells name others.
+  // If points are left out, some cells name missing ones.
   return set.table.isCut ? width >= EIGHT && rows.some(isCell) : rows.every(isCell)
 }
 

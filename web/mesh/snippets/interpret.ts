@@ -1,6 +1,7 @@
 /**
- * What tables of numbers mean: which are points, which are cells that name them. Cells that are there are used, or the text is refused;
- * only where there are none are points taken in their order, eight for each element, and then the order is not stated.
+ * The meaning of tables of numbers: which are points, which are cells that name them. Cells that
+ * are there are used, or the text is refused; only where there are none are points taken in their
+ * order, eight for each element, and then the order is not stated.
  */
 import { hexahedronOfFaces } from '../hexahedron-of-faces'
 import type { Mesh } from '../mesh'
@@ -18,7 +19,7 @@ import { CELL_NAME, isNamed, NO_POINT_NAME } from './table-names'
 export interface Origin {
   readonly format: string
   readonly fileName: string
-  /** Where the text comes from a program whose order of a cell's points is its own. */
+  /** True for a text of a program with its own order of a cell's points. */
   readonly hasOwnOrder?: boolean
 }
 
@@ -114,7 +115,7 @@ function addCells(set: PointSet, tables: readonly NumberTable[], builder: MeshBu
   if (isCut) cutOff(builder)
 }
 
-/** Which point a number names: by the text's ids, else counted from 0 or from 1, whichever all cells of these points agree with. */
+/** The point that a number names: by ids, else from 0 or 1, whichever all cells agree with. */
 function indexOf(
   { ids, points }: PointSet,
   all: readonly CellRows[],
@@ -203,10 +204,10 @@ function addFaces(faces: readonly (readonly number[])[], builder: MeshBuilder): 
   } else builder.otherCell('quadrilateral', faces.length)
 }
 
-/** What makes a list in some language, and names none. */
+/** Functions that make a list in some language, and name none. */
 const IS_LIST = /(?:^|\.)(?:array|matrix|list|vector)$/i
 
-/** How many elements were added. */
+/** The number of elements that were added. */
 function addEights(sets: readonly PointSet[], builder: MeshBuilder): number {
   let count = 0
   for (const { points: usual, labels, table } of sets) {

@@ -15,7 +15,7 @@ const RANK = /\b(?:rank|proc|processor|process|task|pe)\b[\s#:=(]{0,12}(\d{1,9})
 /** A line in whose place others stood. */
 const LEFT_OUT =
   /^[\s>|#/*%-]*[[(<{]?\s*(?:\.{3,}|…|⋮|:\s*:|snip(?:ped)?|\.\.\.\s*snip\s*\.\.\.|\\vdots[^\n]*|(?:\.\.\.|…).{0,60}(?:more|omitted|truncated|lines|skipped).{0,40})\s*[\])>}]?[\s,;&\\]*$/i
-/** Of a line, what is looked at for words; a longer one has its numbers read all the same. */
+/** Characters of a line that are searched for words; all its numbers are read. */
 const LONGEST_SKELETON = 400
 /** Runs of a line that are told apart by their place on it. */
 const MOST_PLACES = 64
@@ -31,7 +31,7 @@ const GOES_ON = /\d\s{0,9},\s{0,9}(?:\+\w{0,7})?\s{0,9}$/
 const BETWEEN = ',;|&"$│┃║，、'
 /** Units of length behind each number. */
 const UNIT = /^(?:[cmkµn]?m|inch|ft)$/
-/** What ends all lines of a list but the last, or the last alone. */
+/** Characters that end all lines of a list but the last, or the last alone. */
 const END_MARKS = /[\\)\]}/.'│┃║]+$/
 
 const COMMA = 44
@@ -52,7 +52,7 @@ interface Line {
   readonly skeleton: string
   readonly words: readonly string[]
   readonly digits: number
-  /** Whether it ends with a comma behind a number, so that the next one may go on with it. */
+  /** True if it ends with a comma behind a number, so that the next one may go on with it. */
   readonly isOpen: boolean
 }
 
@@ -86,7 +86,7 @@ class Group {
   }
 }
 
-/** Whether a line of integers goes on with those of the line before, which ends with a comma and is of another length. */
+/** True if a line of integers goes on with those of the line before, which ends with a comma. */
 function goesOn(before: Line, line: Line): boolean {
   const [run, ...others] = line.runs
   const [first] = before.runs
@@ -102,7 +102,7 @@ export interface TextLines {
   readonly tables: readonly NumberTable[]
   /** A sentence where the points of several elements or processes are mixed, so that none is certain. */
   readonly mixed: string | null
-  /** How many numbers and runs of three there are, for the sentence that says what was seen. */
+  /** Counts of numbers and of runs of three, for the sentence that says what was seen. */
   readonly numbers: number
   readonly points: number
 }
@@ -170,7 +170,7 @@ export function tablesOfLines(text: string): TextLines {
   return { tables, mixed: mixture(order, mentions), numbers, points }
 }
 
-/** Whether a group goes on, behind what was left out, with the lines of one before it. */
+/** True if a group goes on, after a gap, with the lines of one before it. */
 function isContinuation(group: Group, order: readonly Group[]): boolean {
   return order.some(
     other =>

@@ -15,22 +15,22 @@ const BEHIND = 160
 class List {
   readonly values: number[] = []
   readonly lists: List[] = []
-  /** How many values, or lists, stood before each end of a row. */
+  /** The count of values, or lists, before each end of a row. */
   readonly breaks: number[] = []
   hasCommas = false
   hasSemicolons = false
-  /** Whether its numbers follow C++'s <<. */
+  /** True if its numbers follow C++'s <<. */
   isStreamed = false
-  /** Whether words or strings stand in it. */
+  /** True if words or strings stand in it. */
   isMixed = false
   areIntegers = true
   digits = 0
-  /** How many values and lists stood before "..."; null where nothing is left out. */
+  /** The counts of values and lists before "..."; null if nothing is left out. */
   cutAt: { readonly values: number; readonly lists: number } | null = null
   /** The last word or string in it, which may name what follows. */
   lastWord = ''
   pending = ''
-  /** Behind its closing bracket. */
+  /** The index behind its closing bracket. */
   end = 0
   readonly depth: number
   constructor(
@@ -59,19 +59,19 @@ class ListReader {
   /** The end of the last word, which a bracket that touches it belongs to. */
   #wordEnd = -1
   #word = ''
-  /** Whether something stands on the line before. */
+  /** True until something stands on the line. */
   #isLineStart = true
-  /** Behind a name and "=": numbers may follow without brackets. */
+  /** True behind a name and "=": numbers may follow without brackets. */
   #isAssigned = false
   #isStreamed = false
-  /** Whether the last word was a string. */
+  /** True if the last word was a string. */
   #isString = false
   #promptWord = ''
   #hasNoCommentEnd = false
-  /** How many brackets are open that are too deep for a list. */
+  /** Open brackets that are too deep for a list. */
   #deeper = 0
   readonly #hasPrompts: boolean
-  /** Whether Eigen's matrices in it have three rows. */
+  /** True if Eigen's matrices in it have three rows. */
   readonly #hasThreeRows: boolean
 
   constructor(text: string) {
@@ -403,7 +403,7 @@ function splitAt(values: number[], breaks: readonly number[]): number[][] {
   return rows
 }
 
-/** Whether a list, as NumPy prints it, has new lines where one was full: a matrix would have rows of other lengths. */
+/** True if NumPy broke a list where lines were full: a matrix has rows of other lengths. */
 function isBrokenWhereFull({ values, breaks, areIntegers, hasSemicolons }: List): boolean {
   const [width = 0] = breaks
   if (width === 0 || hasSemicolons || values.length % 24 > 0) return false

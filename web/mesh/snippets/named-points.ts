@@ -1,4 +1,4 @@
-/** Which points the cells of a text name: those before them, else those after. */
+/** Points that the cells of a text name: those before them, else those after. */
 import type { MeshBuilder } from '../mesh-builder'
 import { isCells } from './cell-rows'
 import type { NumberTable } from './number-table'

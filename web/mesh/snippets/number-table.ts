@@ -4,19 +4,19 @@ export interface NumberTable {
   /** Words that stand before it, outermost first. */
   readonly names: readonly string[]
   readonly rows: readonly (readonly number[])[]
-  /** For each column whether all its numbers are written as integers; as long as the longest row. */
+  /** True for columns whose numbers are all written as integers; as long as the longest row. */
   readonly integers: readonly boolean[]
   /** Titles of the columns, where a line above has as many words. */
   readonly header: readonly string[] | null
-  /** For each row the element that the text speaks of before it; null where it speaks of none. */
+  /** The element that the text names before each row; null if it names none. */
   readonly labels: readonly (string | null)[] | null
-  /** For each row the number of its point, if it stands apart from the coordinates; null where none does. */
+  /** The number of each row's point, if it stands apart from the coordinates; null if none does. */
   readonly ids: readonly number[] | null
-  /** Whether the text ends or leaves something out inside it: the rows are those before. */
+  /** True if the text ends or leaves something out inside it: the rows are those before. */
   readonly isCut: boolean
   /** Most significant digits of its numbers as they are written. */
   readonly digits: number
-  /** What the language that it is in counts from; null where that is not known. */
+  /** The index from which its language counts; null if that is not known. */
   readonly base: 0 | 1 | null
 }
 

@@ -1,4 +1,4 @@
-/** Which tables of numbers are points, and in which of their columns x, y and z are. */
+/** Tables of numbers that are points, and their columns of x, y and z. */
 import type { MeshBuilder } from '../mesh-builder'
 import {
   areAllIntegers,
@@ -182,7 +182,7 @@ export function titledColumns(header: readonly string[]): readonly number[] | nu
   return null
 }
 
-/** For titles of 24 columns, "x0" to "z7", "p1_y", "x_3" and their kin, the columns of each point; null for others. */
+/** Columns of each point by 24 titles, "x0" to "z7", "p1_y", "x_3" and their kin, or null. */
 function titledElements(header: readonly string[]): number[][] | null {
   const points = new Map<number, number[]>()
   for (const [c, title] of header.entries()) {
@@ -210,7 +210,7 @@ function isCellsAlone(table: NumberTable): boolean {
 /** Sets of ids, made once however many tables are looked at. */
 const knownOf = new WeakMap<readonly number[], ReadonlySet<number>>()
 
-/** Whether a number may be that of a point: by the ids of the text, or counted from 0 or 1. */
+/** True for a number that a point may have: by the ids of the text, or counted from 0 or 1. */
 export function knownIds({ ids, points }: PointSet): (id: number) => boolean {
   if (ids === null) return id => id >= 0 && id <= points.length
   const known = knownOf.get(ids) ?? new Set(ids)

@@ -1,4 +1,4 @@
-/** What the names before tables of numbers tell. */
+/** The meaning of the names before tables of numbers. */
 import type { NumberTable } from './number-table'
 
 export const POINT_NAME = /point|coord|vert|node|xyz|pos|corner|doflocs|^p$|\.p$|^x$/i

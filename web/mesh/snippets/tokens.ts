@@ -27,15 +27,15 @@ export class Tokens {
   /** The token is [from, to) of the text. */
   from = 0
   to: number
-  /** Of a number. */
+  /** The value of a number. */
   value = 0
-  /** Whether a number is written as an integer. */
+  /** True if a number is written as an integer. */
   isInteger = false
   /** Significant digits of a number as written. */
   digits = 0
   readonly #hasStrings: boolean
 
-  /** With `hasStrings` what stands in quotes is one token; else quotes are marks. */
+  /** A quoted string is one token with `hasStrings`; else quotes are marks. */
   constructor(text: string, from = 0, hasStrings = false) {
     this.text = text
     this.to = from
@@ -110,7 +110,7 @@ export function isWordCharacter(code: number): boolean {
   return isLetter(code) || (code >= 48 && code <= 57)
 }
 
-/** Behind the closing quote, or 0 where the line ends first. */
+/** The index behind the closing quote, or 0 if the line ends first. */
 function endOfString(text: string, at: number, quote: number): number {
   for (let end = at + 1; end < text.length; end++) {
     const code = text.charCodeAt(end)

@@ -1,4 +1,4 @@
-/** What a condition can speak of; web/core/quantities.ts says in words what each is. */
+/** Names that a condition can use; web/core/quantities.ts describes each. */
 
 /** True or false. */
 export const CLAIMS = ['valid'] as const
@@ -23,3 +23,7 @@ export const NUMBERS = [
 export type NumberName = (typeof NUMBERS)[number]
 
 export type QuantityName = Claim | NumberName
+
+export function isNumberName(name: QuantityName): name is NumberName {
+  return name !== 'valid'
+}

@@ -22,13 +22,13 @@ export type NumberNode =
 export type ClaimNode =
   | { readonly kind: 'claim'; readonly name: Claim }
   | { readonly kind: 'not'; readonly of: ClaimNode }
-  | { readonly kind: 'and' | 'or'; readonly parts: readonly ClaimNode[] }
+  | { readonly kind: 'and' | 'or'; readonly operands: readonly ClaimNode[] }
   /** A chain: every neighbouring pair compares as said. */
   | { readonly kind: 'chain'; readonly terms: readonly NumberNode[]; readonly comparisons: readonly Comparison[] }
 
 type Node = NumberNode | ClaimNode
 
-/** What does not parse; `at` is the place in the text. */
+/** The text does not parse at the index `at`. */
 export class NotACondition extends Error {
   readonly at: number
 
@@ -119,16 +119,16 @@ class Parser {
     return this.#joined('or', () => this.#joined('and', () => this.#denied()))
   }
 
-  #joined(kind: 'and' | 'or', part: () => Node): Node {
+  #joined(kind: 'and' | 'or', operand: () => Node): Node {
     const { at } = this.#token
-    const first = part()
-    const parts: ClaimNode[] = []
+    const first = operand()
+    const operands: ClaimNode[] = []
     while (this.#taken(kind)) {
-      if (parts.length === 0) parts.push(this.#asClaim(at, first))
+      if (operands.length === 0) operands.push(this.#asClaim(at, first))
       const { at: start } = this.#token
-      parts.push(this.#asClaim(start, part()))
+      operands.push(this.#asClaim(start, operand()))
     }
-    return parts.length > 0 ? { kind, parts } : first
+    return operands.length > 0 ? { kind, operands } : first
   }
 
   #denied(): Node {

@@ -1,32 +1,30 @@
 /**
- * What the page of challenges is opened with, in the fragment of its address: one of its own challenges by id, or a teacher's as JSON in
- * percent-encoding; with it, as in any link of Hexlens, the 24 doubles of a solution bit for bit.
+ * The fragment of the address of the page Challenges: one of its own challenges by id, or a
+ * teacher's as JSON in percent-encoding; with it, as in any link of Hexlens, the 24 doubles of a
+ * solution bit for bit.
  *
  *     #challenge=one-vertex        #challenge=one-vertex&v=1&vertices=0,0,0,…        #own=%7B%22version%22…        #write
  */
 import type { Vertices } from '../../model/hexahedron'
-import { decodePermalink, encodePermalink } from '../../model/permalink'
+import { decodePermalink, encodePermalink, percentDecoded } from '../../model/permalink'
+import type { Result } from '../../model/result'
 
-export type ChallengePlace =
+export type ChallengeAddress =
   | { readonly kind: 'list' }
   | { readonly kind: 'write' }
   | { readonly kind: 'challenge'; readonly id: string; readonly vertices: Vertices | null }
   | { readonly kind: 'own'; readonly json: string; readonly vertices: Vertices | null }
 
-export type ChallengePlaceResult =
-  | { readonly ok: true; readonly value: ChallengePlace }
-  | { readonly ok: false; readonly message: string }
-
 /** The fragment without its '#'. Throws RangeError unless given 24 finite numbers, or none. */
-export function challengeFragment(place: ChallengePlace): string {
-  if (place.kind === 'list') return ''
-  if (place.kind === 'write') return 'write'
-  const what = place.kind === 'own' ? `own=${encodeURIComponent(place.json)}` : `challenge=${place.id}`
-  return place.vertices ? `${what}&${encodePermalink(place.vertices)}` : what
+export function challengeFragment(address: ChallengeAddress): string {
+  if (address.kind === 'list') return ''
+  if (address.kind === 'write') return 'write'
+  const what = address.kind === 'own' ? `own=${encodeURIComponent(address.json)}` : `challenge=${address.id}`
+  return address.vertices ? `${what}&${encodePermalink(address.vertices)}` : what
 }
 
-/** With or without its '#'. */
-export function readChallengePlace(fragment: string): ChallengePlaceResult {
+/** The fragment with or without its '#'. */
+export function readChallengeAddress(fragment: string): Result<ChallengeAddress, string> {
   const text = fragment.replace(/^#/, '')
   if (text === '') return { ok: true, value: { kind: 'list' } }
   if (text === 'write') return { ok: true, value: { kind: 'write' } }
@@ -36,7 +34,7 @@ export function readChallengePlace(fragment: string): ChallengePlaceResult {
   const value = percentDecoded(given)
   if (value === null) return broken('its percent-encoding is cut off or not UTF-8')
   const solution = link === undefined ? null : decodePermalink(link)
-  if (solution?.ok === false) return { ok: false, message: solution.error.message }
+  if (solution?.ok === false) return { ok: false, error: solution.error.message }
   const vertices = solution?.value ?? null
   return {
     ok: true,
@@ -44,14 +42,6 @@ export function readChallengePlace(fragment: string): ChallengePlaceResult {
   }
 }
 
-function broken(why: string): ChallengePlaceResult {
-  return { ok: false, message: `The link is broken: ${why}.` }
-}
-
-function percentDecoded(text: string): string | null {
-  try {
-    return decodeURIComponent(text)
-  } catch {
-    return null
-  }
+function broken(why: string): Result<ChallengeAddress, string> {
+  return { ok: false, error: `The link is broken: ${why}.` }
 }

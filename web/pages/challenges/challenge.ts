@@ -14,24 +14,24 @@ import {
   oneOf,
   orNull,
   type Reader,
-  Refused,
   reader,
   record,
   type Schema,
 } from '../../model/document-readers'
 import type { Vertices } from '../../model/hexahedron'
+import { type CodedError, Refusal, type Result, refused } from '../../model/result'
 
 export const CHALLENGE_VERSION = 1
 
-/** Of the JSON; what is longer is hardly a link any more. */
+/** The longest JSON: a longer link is hardly one any more. */
 export const MOST_CHARACTERS = 8000
-/** Of each text, and of conditions. */
+/** The most characters of each text, and the most conditions. */
 export const LIMITS = { title: 80, text: 1200, hint: 800, condition: 200, goal: 8 }
 
 export interface ChallengeDocument {
   readonly version: typeof CHALLENGE_VERSION
   readonly title: string
-  /** What it is about, as plain text. */
+  /** The task as plain text. */
   readonly text: string
   readonly start: readonly Coordinate[]
   /** Conditions, as web/model/condition.ts reads them. */
@@ -41,7 +41,7 @@ export interface ChallengeDocument {
   readonly solution?: readonly Coordinate[] | null
 }
 
-/** What to do better than others, or than oneself, once the goal is reached. */
+/** A number to better once the goal is reached. */
 export interface Contest {
   readonly quantity: NumberName
   readonly best: 'greatest' | 'least'
@@ -57,20 +57,14 @@ export interface Challenge {
   readonly solution: Vertices | null
 }
 
-export interface ChallengeError {
-  readonly code: 'not-json' | 'too-large' | 'unknown-version' | 'malformed' | 'bad-condition' | 'markup'
-  /** One sentence for people. */
-  readonly message: string
-}
+type ErrorCode = 'not-json' | 'too-large' | 'unknown-version' | 'malformed' | 'bad-condition' | 'markup'
 
-export type ChallengeResult =
-  | { readonly ok: true; readonly value: Challenge }
-  | { readonly ok: false; readonly error: ChallengeError }
+export type ChallengeResult = Result<Challenge, CodedError<ErrorCode>>
 
 /** Reads JSON. */
 export function readChallengeText(json: string): ChallengeResult {
   if (json.length > MOST_CHARACTERS)
-    return refusal(
+    return refused(
       'too-large',
       `The challenge is ${json.length} characters long; ${MOST_CHARACTERS} are the most that is read.`,
     )
@@ -78,7 +72,7 @@ export function readChallengeText(json: string): ChallengeResult {
   try {
     given = JSON.parse(json)
   } catch (reason) {
-    return refusal('not-json', `The challenge is not JSON: ${(reason as Error).message}.`)
+    return refused('not-json', `The challenge is not JSON: ${(reason as Error).message}.`)
   }
   return readChallenge(given)
 }
@@ -88,38 +82,38 @@ export function readChallenge(given: unknown): ChallengeResult {
   try {
     const { version } = object(given, 'challenge')
     if (typeof version === 'number' && version > CHALLENGE_VERSION)
-      return refusal('unknown-version', `The challenge is of version ${version}, which is not known here.`)
-    if (version !== CHALLENGE_VERSION) throw new Refused(`The challenge’s version has to be ${CHALLENGE_VERSION}.`)
+      return refused('unknown-version', `The challenge is of version ${version}, which is not known here.`)
+    if (version !== CHALLENGE_VERSION) throw new Refusal(`The challenge’s version has to be ${CHALLENGE_VERSION}.`)
     return { ok: true, value: readDocument(given, 'challenge') }
   } catch (reason) {
-    if (reason instanceof RefusedAs) return refusal(reason.code, reason.message)
-    if (reason instanceof Refused) return refusal('malformed', reason.message)
+    if (reason instanceof CodedRefusal) return refused(reason.code, reason.message)
+    if (reason instanceof Refusal) return refused('malformed', reason.message)
     throw reason
   }
 }
 
-class RefusedAs extends Refused {
-  readonly code: ChallengeError['code']
+class CodedRefusal extends Refusal {
+  readonly code: ErrorCode
 
-  constructor(code: ChallengeError['code'], message: string) {
+  constructor(code: ErrorCode, message: string) {
     super(message)
     this.code = code
   }
 }
 
-/** What would begin a tag, a comment or an entity in HTML. */
+/** The beginning of a tag, a comment or an entity in HTML. */
 const MARKUP = /<[a-z!/?]|&(#\d+|#x[\da-f]+|[a-z]+\d*);/i
 
 /** Plain text: shown as it is, so what looks like markup is a mistake. */
 function plainText(most: number): Reader<string> {
   return reader({ type: 'string', minLength: 1, maxLength: most }, (value, path) => {
-    if (typeof value !== 'string') throw new Refused(`${path} has to be a text.`)
-    if (value.trim() === '') throw new Refused(`${path} is empty.`)
+    if (typeof value !== 'string') throw new Refusal(`${path} has to be a text.`)
+    if (value.trim() === '') throw new Refusal(`${path} is empty.`)
     if (value.length > most)
-      throw new RefusedAs('too-large', `${path} is ${value.length} characters long; ${most} are the most.`)
+      throw new CodedRefusal('too-large', `${path} is ${value.length} characters long; ${most} are the most.`)
     const [markup] = MARKUP.exec(value) ?? []
     if (markup !== undefined)
-      throw new RefusedAs('markup', `${path} is plain text, but it holds “${markup}”, which looks like HTML.`)
+      throw new CodedRefusal('markup', `${path} is plain text, but it holds “${markup}”, which looks like HTML.`)
     return value
   })
 }
@@ -130,7 +124,7 @@ const condition: Reader<Condition> = reader(conditionText.schema, (value, path) 
   const text = conditionText(value, path)
   const result = parseCondition(text)
   if (!result.ok)
-    throw new RefusedAs(
+    throw new CodedRefusal(
       'bad-condition',
       `${path}, “${text}”, is not understood at character ${result.error.at + 1}: ${result.error.message}`,
     )
@@ -141,9 +135,9 @@ const goal = reader<readonly Condition[]>(
   { type: 'array', minItems: 1, maxItems: LIMITS.goal, items: condition.schema },
   (value, path) => {
     const conditions = list(value, path)
-    if (conditions.length === 0) throw new Refused(`${path} needs at least one condition.`)
+    if (conditions.length === 0) throw new Refusal(`${path} needs at least one condition.`)
     if (conditions.length > LIMITS.goal)
-      throw new RefusedAs('too-large', `${path} has ${conditions.length} conditions; ${LIMITS.goal} are the most.`)
+      throw new CodedRefusal('too-large', `${path} has ${conditions.length} conditions; ${LIMITS.goal} are the most.`)
     return conditions.map((each, i) => condition(each, `${path}[${i}]`))
   },
 )
@@ -175,7 +169,7 @@ export const challengeSchema: Schema = {
   $defs: { vertices: COORDINATES_SCHEMA },
 }
 
-/** How the conditions stand: null is one that even exact arithmetic leaves open. */
+/** The state of the conditions: null is one that even exact arithmetic leaves open. */
 export interface Judgement {
   readonly truths: readonly (boolean | null)[]
   readonly isSolved: boolean
@@ -184,8 +178,4 @@ export interface Judgement {
 export function judged(challenge: Challenge, quantities: Quantities): Judgement {
   const truths = challenge.goal.map(each => truthOf(each, quantities))
   return { truths, isSolved: truths.every(truth => truth === true) }
-}
-
-function refusal(code: ChallengeError['code'], message: string): ChallengeResult {
-  return { ok: false, error: { code, message } }
 }

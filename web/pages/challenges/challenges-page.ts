@@ -8,10 +8,10 @@ import { challenges } from './challenges'
 import '../element'
 import { historyStep } from '../../element/shortcuts'
 import { written } from '../../model/document-readers'
-import type { Vertices } from '../../model/hexahedron'
+import { sameBits, type Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
 import { type Challenge, judged, readChallenge, readChallengeText } from './challenge'
-import { type ChallengePlace, challengeFragment, readChallengePlace } from './challenge-link'
+import { type ChallengeAddress, challengeFragment, readChallengeAddress } from './challenge-link'
 import { type Actions, challengeColumn, listColumn, type Opened } from './column'
 import { Progress } from './progress'
 import { WriteForm } from './write-form'
@@ -24,19 +24,19 @@ document.querySelector('#column')?.append(column)
 const progress = new Progress()
 let form: WriteForm | null = null
 let complaint: string | null = null
-let place: ChallengePlace = { kind: 'list' }
+let address: ChallengeAddress = { kind: 'list' }
 let opened: Opened | null = null
-/** What was last put there by the page, not by the reader. */
+/** The last vertices that the page set, not the reader. */
 let given: Vertices = []
 
 function open(): void {
-  const result = readChallengePlace(location.hash)
-  place = result.ok ? result.value : { kind: 'list' }
-  complaint = result.ok ? null : result.message
+  const result = readChallengeAddress(location.hash)
+  address = result.ok ? result.value : { kind: 'list' }
+  complaint = result.ok ? null : result.error
   opened = null
-  form = place.kind === 'write' ? new WriteForm(() => lens.vertices, draw) : null
-  if (place.kind === 'challenge') openNamed(place.id, place.vertices)
-  if (place.kind === 'own') openOwn(place.json, place.vertices)
+  form = address.kind === 'write' ? new WriteForm(() => lens.vertices, draw) : null
+  if (address.kind === 'challenge') openNamed(address.id, address.vertices)
+  if (address.kind === 'own') openOwn(address.json, address.vertices)
   judge()
 }
 
@@ -55,7 +55,7 @@ function openOwn(json: string, vertices: Vertices | null): void {
 
 function refuse(message: string): void {
   complaint = message
-  place = { kind: 'list' }
+  address = { kind: 'list' }
 }
 
 function begin(id: string | null, challenge: Challenge, vertices: Vertices | null): void {
@@ -73,7 +73,7 @@ function begin(id: string | null, challenge: Challenge, vertices: Vertices | nul
   void measureSolution(challenge)
 }
 
-/** What is to be beaten. */
+/** The stored solution's number is the one to beat. */
 async function measureSolution(challenge: Challenge): Promise<void> {
   const { record, solution, start } = challenge
   if (record === null || solution === null) return
@@ -87,7 +87,7 @@ function put(vertices: Vertices, start: Vertices): void {
   lens.state = { ...lens.state, preset: null, start: written(start), vertices: written(vertices) }
 }
 
-/** With every report: the marks. That it is solved is said when the move is done, or of what is opened. */
+/** Marks the conditions with every report. A solution is announced when the move is done. */
 function judge(): void {
   if (opened) {
     const { report } = lens
@@ -106,7 +106,7 @@ function conclude(concluded: Opened): void {
   opened = { ...concluded, outcome: isStored ? 'shown' : 'solved' }
 }
 
-/** With every change that is done: whether the reader has solved it. */
+/** Decides with every change that is done if the reader has solved it. */
 function settle(): void {
   if (opened === null) return
   const { vertices } = lens
@@ -114,9 +114,9 @@ function settle(): void {
   judge()
   conclude(opened)
   if (opened.outcome === 'solved' && opened.id !== null && !sameBits(vertices, given)) keep(opened.id, opened)
-  if (place.kind === 'challenge' || place.kind === 'own') {
-    place = { ...place, vertices }
-    history.replaceState(history.state, '', `#${challengeFragment(place)}`)
+  if (address.kind === 'challenge' || address.kind === 'own') {
+    address = { ...address, vertices }
+    history.replaceState(history.state, '', `#${challengeFragment(address)}`)
   }
   draw()
 }
@@ -131,23 +131,19 @@ function keep(id: string, { challenge: { record, start }, report }: Opened): voi
   } else if (best === null || isBetter(value, best)) progress.add(id, { best: value })
 }
 
-function sameBits(one: Vertices, other: Vertices): boolean {
-  return one.length === other.length && one.every((value, i) => Object.is(value, other[i]))
-}
-
 const actions: Actions = {
   undo: () => lens.undo(),
   restart: () => opened && put(opened.challenge.start, opened.challenge.start),
   showSolution: () => opened?.challenge.solution && put(opened.challenge.solution, opened.challenge.start),
   toggleHint: () => change({ isHintShown: !opened?.isHintShown }),
   copyLink: async () => {
-    const address = new URL(location.href)
-    address.hash = challengeFragment({ ...place, vertices: lens.vertices } as ChallengePlace)
-    const isCopied = await copyText(address.href)
+    const url = new URL(location.href)
+    url.hash = challengeFragment({ ...address, vertices: lens.vertices } as ChallengeAddress)
+    const isCopied = await copyText(url.href)
     change({
       copying: isCopied
         ? { text: 'The link is copied: it opens this challenge with the element as it is.', link: null }
-        : { text: 'Copying is not allowed here. This is the link:', link: address.href },
+        : { text: 'Copying is not allowed here. This is the link:', link: url.href },
     })
   },
   forget: () => {
@@ -188,7 +184,7 @@ addEventListener('hashchange', () => {
 lens.addEventListener('hex-input', judge)
 lens.addEventListener('hex-verdict', judge)
 lens.addEventListener('hex-change', settle)
-// With the focus nowhere, undo and redo can only mean the element.
+// While nothing has the focus, undo and redo can only mean the element.
 addEventListener('keydown', event => {
   const step = event.target === document.body ? historyStep(event) : null
   if (step === null) return

@@ -8,7 +8,7 @@ import { type Vec3, vertexReference } from '../../model/hexahedron'
 import { CHALLENGE_VERSION, type ChallengeDocument } from './challenge'
 
 export interface NamedChallenge extends Required<ChallengeDocument> {
-  /** In links: for ever. */
+  /** Part of links: it lasts for ever. */
   readonly id: string
 }
 

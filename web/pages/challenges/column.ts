@@ -1,13 +1,14 @@
-/** What stands beside the lens: the list of challenges, one challenge, or the form for writing one. */
+/** The column beside the lens: all challenges, one challenge, or the form for writing one. */
 import { html, type TemplateResult } from 'lit-html'
 import { claims, numbers } from '../../core/quantities'
 import type { Report } from '../../core/report'
+import { isNumberName } from '../../model/condition/names'
 import { formatNumber } from '../../model/decimal'
 import type { Challenge, Contest, Judgement } from './challenge'
 import { challengeFragment } from './challenge-link'
 import { challenges } from './challenges'
 import type { Progress } from './progress'
-import { conditionInWords, isNumber, numberInWords, numbersInWords } from './words'
+import { conditionInWords, numberInWords, numbersInWords } from './words'
 
 /** A challenge that is open, and how it stands. */
 export interface Opened {
@@ -16,12 +17,12 @@ export interface Opened {
   readonly challenge: Challenge
   readonly report: Report | null
   readonly judgement: Judgement | null
-  /** Whether the reader's last move has solved it, or the stored solution is what is seen. */
+  /** `solved`: by the reader's last move. `shown`: the element is the stored solution. */
   readonly outcome: 'open' | 'solved' | 'shown'
   readonly isHintShown: boolean
-  /** What the stored solution has in the contest, once it is known. */
+  /** The stored solution's number in the contest, once it is known. */
   readonly toBeat: number | null
-  /** What became of copying the link; the link itself where it could not be copied. */
+  /** The outcome of copying the link; the link itself if it could not be copied. */
   readonly copying: { readonly text: string; readonly link: string | null } | null
 }
 
@@ -66,7 +67,7 @@ function progressInWords(progress: Progress): string {
 
 export function challengeColumn(opened: Opened, progress: Progress, actions: Actions): TemplateResult {
   const { id, challenge, isHintShown, copying } = opened
-  return html`<p class="quiet"><a href="#">All challenges</a>${placeInWords(id)}</p>
+  return html`<p class="quiet"><a href="#">All challenges</a>${positionInWords(id)}</p>
     <h2 tabindex="-1" class="title">${challenge.title}</h2>
     <p class="as-written">${challenge.text}</p>
     <h3>Goal</h3>
@@ -96,9 +97,9 @@ export function challengeColumn(opened: Opened, progress: Progress, actions: Act
     </details>`
 }
 
-function placeInWords(id: string | null): string {
-  const place = challenges.findIndex(challenge => challenge.id === id)
-  return place < 0 ? ' · one that somebody has written' : ` · ${place + 1} of ${challenges.length}`
+function positionInWords(id: string | null): string {
+  const position = challenges.findIndex(challenge => challenge.id === id)
+  return position < 0 ? ' · one that somebody has written' : ` · ${position + 1} of ${challenges.length}`
 }
 
 const MARKS = new Map([
@@ -148,7 +149,7 @@ function meanings({ goal, record }: Challenge): TemplateResult {
   const names = new Set([...goal.flatMap(condition => condition.names), ...(record ? [record.quantity] : [])])
   return html`<dl class="meanings">
     ${[...names].map(name => {
-      const { name: title, sentence } = isNumber(name) ? numbers[name] : claims.valid
+      const { name: title, sentence } = isNumberName(name) ? numbers[name] : claims.valid
       return html`<dt>${title}</dt>
         <dd>${sentence}</dd>`
     })}

@@ -1,10 +1,11 @@
 /**
- * Which challenges the reader has solved, and the best of each contest, kept in this browser. Where it keeps nothing, it is known until
- * the page is left; what a later version of the page has kept is neither read nor lost.
+ * Challenges that the reader has solved, and the best of each contest, kept in this browser. If it
+ * keeps nothing, they are known until the page is left; entries of a later version of the page are
+ * neither read nor lost.
  */
 
 export interface Solved {
-  /** Of the challenge's contest; null where it has none. */
+  /** The best number in the contest; null if there is no contest. */
   readonly best: number | null
 }
 
@@ -18,7 +19,7 @@ const VERSION = 1
 
 export class Progress {
   #solved: ReadonlyMap<string, Solved>
-  /** Whether it outlives the page. */
+  /** True if it outlives the page. */
   isKept: boolean
 
   constructor() {

@@ -79,7 +79,7 @@ function show(element: GalleryElement): void {
   draw()
 }
 
-/** What is wrong with the address, if anything. */
+/** The mistake in the address, if any. */
 function complaint(): string | null {
   const id = location.hash.slice(1)
   return id === '' || elements.some(element => element.id === id)
@@ -87,7 +87,7 @@ function complaint(): string | null {
     : `There is no “${id.slice(0, 40)}” in the gallery.`
 }
 
-/** What the address names; of one that names nothing, what every page begins with. */
+/** The element that the address names, else the one in the lens, if it is of the gallery. */
 function named(): GalleryElement | undefined {
   return elements.find(({ id }) => `#${id}` === location.hash) ?? elements.find(({ id }) => id === lens.preset)
 }
@@ -99,7 +99,7 @@ function openAddress(): void {
 }
 
 addEventListener('hashchange', openAddress)
-// What the reader has changed is another element.
+// An element that the reader has changed is another one.
 lens.addEventListener('hex-change', () => {
   if (!chosen || elementVertices(chosen).every((x, i) => x === lens.vertices[i])) return
   chosen = null

@@ -5,13 +5,13 @@
 import type { Vec3 } from '../../model/hexahedron'
 
 export interface GalleryElement {
-  /** In links; they last. */
+  /** Part of links: it lasts. */
   readonly id: string
   readonly title: string
   /** One or two plain sentences: what it shows. */
   readonly note: string
   readonly source: string
-  /** In the language of web/model/condition.ts, `moved` counting from the unit cube. */
+  /** Conditions of web/model/condition.ts, `moved` counting from the unit cube. */
   readonly claims: readonly [string, ...string[]]
   /** A preset's id, or eight points. */
   readonly element: string | readonly Vec3[]

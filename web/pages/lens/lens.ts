@@ -7,18 +7,18 @@ import '../element'
 import { historyStep } from '../../element/shortcuts'
 import { onPaste } from '../../input/pasted-input'
 import { decodePermalink } from '../../model/permalink'
-import { keepPlace, type Place, placeAt, presentEntry } from '../places'
+import { entryAt, type HistoryEntry, keepEntry, presentKey } from '../history-entries'
 import { scrollOf, scrollTo } from '../scroll'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 
-let entry = presentEntry()
+let key = presentKey()
 /** The preset that the address is about: another one is another page to go back from. */
 let preset: string | null = null
-/** As it was before what the reader does now. */
-let before: Place
+/** The entry before the reader's present action. */
+let before: HistoryEntry
 
-function present(): Place {
+function present(): HistoryEntry {
   return { state: lens.state, scroll: scrollOf(lens) }
 }
 
@@ -30,9 +30,9 @@ function settle(): void {
 function openAddress(): void {
   const link = decodePermalink(location.hash)
   const vertices = link.ok ? link.value : link.error.code === 'absent' ? presetVertices(presets[0]) : null
-  const place = placeAt(entry)
+  const kept = entryAt(key)
   if (vertices) {
-    if (place) open(place, vertices)
+    if (kept) open(kept, vertices)
     else lens.vertices = vertices
     lens.clear('link-broken')
   } else if (!link.ok) {
@@ -42,7 +42,7 @@ function openAddress(): void {
 }
 
 /** The address has the last word on the vertices. */
-function open({ state, scroll }: Place, vertices: readonly number[]): void {
+function open({ state, scroll }: HistoryEntry, vertices: readonly number[]): void {
   try {
     lens.state = { ...state, vertices }
     scrollTo(lens, scroll)
@@ -54,11 +54,11 @@ function open({ state, scroll }: Place, vertices: readonly number[]): void {
 history.scrollRestoration = 'manual'
 openAddress()
 addEventListener('popstate', () => {
-  keepPlace(entry, present())
-  entry = presentEntry()
+  keepEntry(key, present())
+  key = presentKey()
   openAddress()
 })
-addEventListener('pagehide', () => keepPlace(entry, present()))
+addEventListener('pagehide', () => keepEntry(key, present()))
 for (const type of ['pointerdown', 'keydown'] as const)
   addEventListener(
     type,
@@ -71,14 +71,14 @@ for (const type of ['pointerdown', 'keydown'] as const)
 lens.addEventListener('hex-change', () => {
   lens.clear('link-broken')
   if (lens.preset !== null && lens.preset !== preset) {
-    keepPlace(entry, before)
+    keepEntry(key, before)
     history.pushState(null, '', lens.permalink)
-    entry = presentEntry()
+    key = presentKey()
   } else history.replaceState(history.state, '', lens.permalink)
   settle()
 })
 
-// With the focus nowhere, undo, redo and paste can only mean the element. (A lone character must not mean anything there: WCAG 2.1.4.)
+// While nothing has the focus, undo, redo and paste can only mean the element.
 addEventListener('keydown', event => {
   const step = event.target === document.body ? historyStep(event) : null
   if (step === null) return

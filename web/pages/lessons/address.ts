@@ -1,28 +1,28 @@
-/** Where one is in the lessons, as a link says it: #corners-are-not-enough/2. */
+/** Addresses of the steps of lessons: #corners-are-not-enough/2. */
 import { type Lesson, type LessonStep, lessons } from './content/lessons'
 
-export interface StepPlace {
+export interface StepAddress {
   readonly lesson: Lesson
-  /** From 0. */
+  /** Counted from 0. */
   readonly step: number
 }
 
-export function hashOf({ lesson, step }: StepPlace): string {
+export function hashOf({ lesson, step }: StepAddress): string {
   return `#${lesson.id}/${step + 1}`
 }
 
-/** Of a link that names no lesson, or no step of it, the first. */
-export function placeOf(hash: string): StepPlace {
+/** The step that a link names; else the first of the lesson, or of all. */
+export function addressOf(hash: string): StepAddress {
   const [id, number] = hash.replace(/^#/, '').split('/')
   const lesson = lessons.find(given => given.id === id) ?? (lessons[0] as Lesson)
   const step = Number(number) - 1
   return { lesson, step: lesson.id === id && step in lesson.steps ? step : 0 }
 }
 
-/** What is wrong with a link, in a sentence; null of one that names a step, or nothing. */
+/** The mistake in a link, in a sentence; null if it names a step, or nothing. */
 export function complaintAbout(hash: string): string | null {
   const [id = '', number] = hash.replace(/^#/, '').split('/')
-  const { lesson, step } = placeOf(hash)
+  const { lesson, step } = addressOf(hash)
   if (id === '') return null
   if (lesson.id !== id) return `There is no lesson “${id.slice(0, 40)}”. This is the first.`
   if (number === undefined || number === `${step + 1}`) return null
@@ -30,12 +30,12 @@ export function complaintAbout(hash: string): string | null {
 }
 
 /** The step before or after, across lessons; null at the ends. */
-export function neighbour({ lesson, step }: StepPlace, by: -1 | 1): StepPlace | null {
+export function neighbour({ lesson, step }: StepAddress, by: -1 | 1): StepAddress | null {
   if (step + by in lesson.steps) return { lesson, step: step + by }
   const other = lessons[lessons.indexOf(lesson) + by]
   return other ? { lesson: other, step: by > 0 ? 0 : other.steps.length - 1 } : null
 }
 
-export function stepAt({ lesson, step }: StepPlace): LessonStep {
+export function stepAt({ lesson, step }: StepAddress): LessonStep {
   return lesson.steps[step] as LessonStep
 }

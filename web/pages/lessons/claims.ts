@@ -3,7 +3,7 @@ import { html, type TemplateResult } from 'lit-html'
 import { numbers, quantitiesOf, shownNumber } from '../../core/quantities'
 import type { Report } from '../../core/report'
 import { type Condition, parseCondition, truthOf } from '../../model/condition'
-import type { NumberName, QuantityName } from '../../model/condition/names'
+import { isNumberName } from '../../model/condition/names'
 import { formatJacdet, formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import type { LessonClaim } from './content/lessons'
@@ -40,15 +40,11 @@ function conditionOf(text: string): Condition {
 /** Each number once, though two may have it. */
 function numbersIn({ names }: Condition, report: Report, start: Vertices): TemplateResult[] {
   const shown = new Map<string, string>()
-  for (const name of names.filter(isNumber)) {
+  for (const name of names.filter(isNumberName)) {
     const { value, exponent } = shownNumber(name, report, start)
     const text = numbers[name].unit === 'jacdet' ? formatJacdet(value, exponent, 'unit') : formatNumber(value)
     const title = shown.get(text)
     shown.set(text, title === undefined ? numbers[name].name : `${title}, ${numbers[name].name}`)
   }
   return [...shown].map(([text, title]) => html`<span title=${title}>${text}</span>`)
-}
-
-function isNumber(name: QuantityName): name is NumberName {
-  return name in numbers
 }

@@ -4,7 +4,7 @@ import { guard } from 'lit-html/directives/guard.js'
 import { unsafeHTML } from 'lit-html/directives/unsafe-html.js'
 import type { Report } from '../../core/report'
 import { encodePermalink } from '../../model/permalink'
-import { hashOf, neighbour, type StepPlace, stepAt } from './address'
+import { hashOf, neighbour, type StepAddress, stepAt } from './address'
 import { claimList } from './claims'
 import { type LessonFigure, type LessonStep, lessons } from './content/lessons'
 import { edgeFigure } from './edge-figure'
@@ -12,37 +12,37 @@ import { sectionFigure } from './section-figure'
 import { verticesOf } from './step-state'
 
 export interface ColumnState {
-  readonly place: StepPlace
-  /** Of the element on the screen. */
+  readonly address: StepAddress
+  /** The report of the element on the screen. */
   readonly live: Report | null
-  /** Of the steps' own elements, as far as they are there. */
+  /** Reports of the steps' own elements, as far as they are there. */
   readonly own: readonly (Report | undefined)[]
-  /** Whether the element is not the step's own any more. */
+  /** True if the element is not the step's own any more. */
   readonly isChanged: boolean
-  /** What is wrong with the address, if anything. */
+  /** The mistake in the address, if any. */
   readonly complaint: string | null
 }
 
 export interface ColumnActions {
-  readonly go: (to: StepPlace) => void
+  readonly go: (to: StepAddress) => void
   readonly restore: () => void
 }
 
 export function column(state: ColumnState, actions: ColumnActions): TemplateResult {
-  const { lesson } = state.place
+  const { lesson } = state.address
   return html`
     <p class="complaint" role="status">${state.complaint}</p>
     <header class="lesson">
-      ${contents(state.place)}
+      ${contents(state.address)}
       <h1>${lesson.title}</h1>
       <p class="quiet">${lesson.summary}</p>
     </header>
     ${lesson.steps.map((step, i) => stepArticle(step, i, state, actions))}
-    ${end(state.place)}
-    ${bar(state.place, actions)}`
+    ${end(state.address)}
+    ${bar(state.address, actions)}`
 }
 
-function contents({ lesson }: StepPlace): TemplateResult {
+function contents({ lesson }: StepAddress): TemplateResult {
   return html`<details class="contents">
     <summary>Lesson ${lessons.indexOf(lesson) + 1} of ${lessons.length}</summary>
     <ol>
@@ -57,12 +57,12 @@ function contents({ lesson }: StepPlace): TemplateResult {
 }
 
 function stepArticle(step: LessonStep, index: number, state: ColumnState, { restore }: ColumnActions): TemplateResult {
-  const { place, live, own, isChanged } = state
-  const isActive = index === place.step
+  const { address, live, own, isChanged } = state
+  const isActive = index === address.step
   const report = (isActive ? live : own[index]) ?? null
   return html`<article class="step" data-step=${index} ?data-active=${isActive}>
     <h2>
-      <a href=${hashOf({ ...place, step: index })} aria-current=${isActive ? 'step' : nothing}>
+      <a href=${hashOf({ ...address, step: index })} aria-current=${isActive ? 'step' : nothing}>
         <span class="number">${index + 1}</span> ${step.title}
       </a>
     </h2>
@@ -97,7 +97,7 @@ function drawing(figure: LessonFigure, report: Report): TemplateResult {
   return figure.kind === 'edge' ? edgeFigure(report, figure.edge) : sectionFigure(report, figure.value)
 }
 
-function end({ lesson }: StepPlace): TemplateResult {
+function end({ lesson }: StepAddress): TemplateResult {
   const next = lessons[lessons.indexOf(lesson) + 1]
   return html`<p class="end">
     ${
@@ -108,13 +108,13 @@ function end({ lesson }: StepPlace): TemplateResult {
   </p>`
 }
 
-function bar(place: StepPlace, { go }: ColumnActions): TemplateResult {
-  const [before, after] = [neighbour(place, -1), neighbour(place, 1)]
-  const isLast = place.step === place.lesson.steps.length - 1
+function bar(address: StepAddress, { go }: ColumnActions): TemplateResult {
+  const [before, after] = [neighbour(address, -1), neighbour(address, 1)]
+  const isLast = address.step === address.lesson.steps.length - 1
   return html`<div class="bar" role="group" aria-label="Steps of the lesson">
     <button type="button" ?disabled=${!before} @click=${() => before && go(before)}>Previous</button>
     <p role="status">
-      Step ${place.step + 1} of ${place.lesson.steps.length}<span class="said">: ${stepAt(place).title}</span>
+      Step ${address.step + 1} of ${address.lesson.steps.length}<span class="said">: ${stepAt(address).title}</span>
     </p>
     <button type="button" ?disabled=${!after} @click=${() => after && go(after)}>${isLast && after ? 'Next lesson' : 'Next'}</button>
   </div>`

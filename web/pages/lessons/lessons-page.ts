@@ -6,9 +6,9 @@ import { render } from 'lit-html'
 import type { Report } from '../../core/report'
 import type { Lesson } from './content/lessons'
 import '../element'
-import { keepPlace, type Place, placeAt, presentEntry } from '../places'
+import { entryAt, type HistoryEntry, keepEntry, presentKey } from '../history-entries'
 import { scrollToTop } from '../scroll'
-import { complaintAbout, hashOf, neighbour, placeOf, type StepPlace, stepAt } from './address'
+import { addressOf, complaintAbout, hashOf, neighbour, type StepAddress, stepAt } from './address'
 import { type ColumnActions, column } from './column'
 import { stateOf, verticesOf } from './step-state'
 import '../skip'
@@ -16,54 +16,57 @@ import '../skip'
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const root = document.querySelector('.column') as HTMLElement
 
-/** After the last scroll event, in milliseconds: steps that are only passed by are not shown. */
+/** Milliseconds after the last scroll event: steps that are only passed by are not shown. */
 const SETTLED = 120
-/** How far down the free part of the window the line is at which one reads. */
+/** The reader's line, as a fraction of the free height of the window. */
 const READING = 0.42
 
 const own = new Map<Lesson, readonly (Report | undefined)[]>()
-let place = placeOf(location.hash)
-let entry = presentEntry()
-/** Where `show` has scrolled to: that is no scrolling of the reader's. */
+let address = addressOf(location.hash)
+let key = presentKey()
+/** The scroll position that `show` has set, not the reader. */
 let scrolledTo = -1
 let settling = 0
 let width = innerWidth
 
 const actions: ColumnActions = {
   go: to => {
-    keepPlace(entry, present())
+    keepEntry(key, present())
     history.pushState(null, '', hashOf(to))
-    entry = presentEntry()
+    key = presentKey()
     show(to)
   },
   restore: () => apply(),
 }
 
 function draw(): void {
-  const start = verticesOf(stepAt(place))
+  const start = verticesOf(stepAt(address))
   const isChanged = lens.vertices.some((value, i) => value !== start[i])
   const complaint = complaintAbout(location.hash)
-  render(column({ place, live: lens.report, own: own.get(place.lesson) ?? [], isChanged, complaint }, actions), root)
+  render(
+    column({ address, live: lens.report, own: own.get(address.lesson) ?? [], isChanged, complaint }, actions),
+    root,
+  )
 }
 
 /** The lens shows the step that is read. */
 function apply(): void {
-  const step = stepAt(place)
+  const step = stepAt(address)
   if (lens.views !== step.views) lens.views = step.views
   lens.state = stateOf(step)
   scrollToTop(lens)
   draw()
 }
 
-function enter(to: StepPlace): void {
-  const isNewLesson = to.lesson !== place.lesson
-  place = to
+function enter(to: StepAddress): void {
+  const isNewLesson = to.lesson !== address.lesson
+  address = to
   document.title = `${to.lesson.title}: Hexlens lessons`
   apply()
   if (isNewLesson || !own.has(to.lesson)) void analyze(to.lesson)
 }
 
-/** What changes above the step that is read does not move it: drawings of steps before it come late, their tools go. */
+/** Keeps a step where it is on the screen while steps above it change: their drawings come late. */
 function holding(step: number, change: () => void): void {
   const before = topOf(step)
   change()
@@ -74,7 +77,7 @@ function holding(step: number, change: () => void): void {
 }
 
 /** Enters a step and has it in sight. */
-function show(to: StepPlace): void {
+function show(to: StepAddress): void {
   enter(to)
   reveal(to.step)
 }
@@ -88,7 +91,7 @@ function reveal(step: number): void {
 async function analyze(lesson: Lesson): Promise<void> {
   const reports = await Promise.all(lesson.steps.map(step => lens.analyze(verticesOf(step)).catch(() => undefined)))
   own.set(lesson, reports) // without a core there are none, and the lens says so
-  holding(place.step, draw)
+  holding(address.step, draw)
 }
 
 function articleOf(step: number): Element | undefined {
@@ -99,19 +102,19 @@ function topOf(step: number): number {
   return articleOf(step)?.getBoundingClientRect().top ?? 0
 }
 
-/** Where the step is in the window: its place on the page depends on the drawings before it, which come late. */
-function present(): Place {
-  return { state: lens.state, scroll: [topOf(place.step)] }
+/** The step's top in the window: on the page it depends on drawings before it, which come late. */
+function present(): HistoryEntry {
+  return { state: lens.state, scroll: [topOf(address.step)] }
 }
 
-/** What the address says, with what the reader had done when this was left. */
+/** Shows the step of the address, with what the reader had done when it was left. */
 function open(): void {
-  const kept = placeAt(entry)
-  show(placeOf(location.hash))
+  const kept = entryAt(key)
+  show(addressOf(location.hash))
   if (!kept) return
   try {
     lens.state = kept.state
-    scrollBy({ top: topOf(place.step) - (kept.scroll[0] ?? 0), behavior: 'instant' })
+    scrollBy({ top: topOf(address.step) - (kept.scroll[0] ?? 0), behavior: 'instant' })
     scrolledTo = scrollY
     draw()
   } catch {
@@ -138,15 +141,15 @@ function onSettled(): void {
   if (Math.abs(scrollY - scrolledTo) < 2) return
   scrolledTo = -1
   const step = stepInSight()
-  if (step === place.step) return
-  holding(step, () => enter({ ...place, step }))
-  history.replaceState(history.state, '', hashOf(place))
+  if (step === address.step) return
+  holding(step, () => enter({ ...address, step }))
+  history.replaceState(history.state, '', hashOf(address))
 }
 
 function onKey(event: KeyboardEvent): void {
   const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : null
   const isOthers = event.altKey || event.ctrlKey || event.metaKey || event.shiftKey || event.target === lens
-  const to = by && !isOthers ? neighbour(place, by) : null
+  const to = by && !isOthers ? neighbour(address, by) : null
   if (!to) return
   event.preventDefault()
   const isInSteps = document.activeElement?.closest('.step') != null
@@ -171,20 +174,20 @@ addEventListener(
 addEventListener('resize', () => {
   if (innerWidth === width) return // only a bar of the browser has come or gone
   width = innerWidth
-  reveal(place.step)
+  reveal(address.step)
 })
 root.addEventListener('click', event => {
   const link = (event.target as Element).closest<HTMLAnchorElement>('a[href^="#"]')
   if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return
   event.preventDefault()
   link.closest('details')?.removeAttribute('open')
-  const { lesson } = place
-  actions.go(placeOf(link.hash))
-  if (place.lesson !== lesson) root.focus({ preventScroll: true })
+  const { lesson } = address
+  actions.go(addressOf(link.hash))
+  if (address.lesson !== lesson) root.focus({ preventScroll: true })
 })
 addEventListener('popstate', () => {
-  keepPlace(entry, present())
-  entry = presentEntry()
+  keepEntry(key, present())
+  key = presentKey()
   open()
 })
-addEventListener('pagehide', () => keepPlace(entry, present()))
+addEventListener('pagehide', () => keepEntry(key, present()))

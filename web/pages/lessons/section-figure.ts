@@ -1,6 +1,7 @@
 /**
- * Where jacdet is zero on a section zeta = constant, drawn in xi to the right and eta upwards: for each eta it is a quadratic in xi,
- * whose roots are the curve. At the curve's ends in xi arrows show the gradient. Drawn and read, never a verdict.
+ * The curve jacdet = 0 on a section zeta = constant, xi to the right and eta upwards: for each eta
+ * jacdet is a quadratic in xi, whose roots are the curve. At the curve's ends in xi arrows show the
+ * gradient. Drawn and read, never a verdict.
  */
 import { html, svg, type TemplateResult } from 'lit-html'
 import { valueAt } from '../../core/face-polynomials'
@@ -15,7 +16,7 @@ const LEFT = (WIDTH - SIDE) / 2
 const TOP = 26
 /** Rows that are solved; an even number, so that the middle is one of them. */
 const ROWS = 160
-/** Where the curve turns, rows are halved this often. */
+/** Rows are halved this often where the curve turns. */
 const TURN_DEPTH = 7
 const ARROW = 34
 
@@ -59,7 +60,7 @@ export function sectionFigure({ bernstein, exponent }: Report, zeta: number): Te
 
 interface Row {
   readonly eta: number
-  /** In [0,1], ascending. */
+  /** Roots in [0,1], ascending. */
   readonly roots: readonly number[]
   readonly isNegativeAtLeft: boolean
 }
@@ -67,17 +68,17 @@ interface Row {
 const x = (xi: number) => LEFT + xi * SIDE
 const y = (eta: number) => TOP + (1 - eta) * SIDE
 
-/** Of the polynomial with Bernstein coefficients q0, q1, q2. */
+/** Roots of the polynomial with Bernstein coefficients q0, q1, q2. */
 function rootsOf(q0: number, q1: number, q2: number): number[] {
   const [a, b] = [q0 - 2 * q1 + q2, q1 - q0]
   const discriminant = b * b - a * q0
   if (discriminant < 0) return []
-  // Both without the difference of nearly equal numbers.
+  // No difference of nearly equal numbers occurs in either root.
   const half = -b - Math.sign(b || 1) * Math.sqrt(discriminant)
   return [half / a, q0 / half].filter(root => root >= 0 && root <= 1).sort((left, right) => left - right)
 }
 
-/** The row's part where jacdet is negative. */
+/** The intervals of the row where jacdet is negative. */
 function strip({ eta, roots, isNegativeAtLeft }: Row): string {
   const cuts = [...(isNegativeAtLeft ? [0] : []), ...roots, 1]
   const height = SIDE / ROWS
@@ -87,7 +88,7 @@ function strip({ eta, roots, isNegativeAtLeft }: Row): string {
     .join('')
 }
 
-/** Between rows with as many roots, root to root; else there are rows between, and at last the two that appear or vanish. */
+/** Lines from root to root between rows with as many roots; else rows between are added. */
 function links(below: Row, above: Row, rowAt: (eta: number) => Row, depth = TURN_DEPTH): string {
   if (below.roots.length === above.roots.length)
     return below.roots
@@ -101,7 +102,7 @@ function links(below: Row, above: Row, rowAt: (eta: number) => Row, depth = TURN
   return roots.length === 2 ? `M${x(roots[0] as number)} ${y(eta)}H${x(roots[1] as number)}` : ''
 }
 
-/** Null where the curve is not there, or one of its ends is on the rim. */
+/** Null if there is no curve, or one of its ends is on the rim. */
 function endsOf(points: readonly End[]): { readonly left: End; readonly right: End } | null {
   if (points.length === 0) return null
   const left = points.reduce((a, b) => (b.xi < a.xi ? b : a))

@@ -1,4 +1,4 @@
-/** What the lens shows in a step of a lesson. */
+/** The element and state of a step of a lesson. */
 
 import type { Vertices } from '../../model/hexahedron'
 import { type Preset, presets, presetVertices } from '../../model/presets'
@@ -10,7 +10,7 @@ export function verticesOf({ element }: LessonStep): Vertices {
   return presetVertices(presets.find(({ id }) => id === element) as Preset)
 }
 
-/** With what is not said as in a new element. */
+/** The step's state; all else is as in a new element. */
 export function stateOf(step: LessonStep): StateDocument {
   const preset = typeof step.element === 'string' ? step.element : null
   return { version: STATE_VERSION, vertices: verticesOf(step), preset, ...step.state } as StateDocument

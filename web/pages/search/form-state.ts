@@ -1,8 +1,8 @@
-/** The form of a search as the reader typed it, in the address and as a quest. */
+/** The form of a search as the reader typed it, in the address and as a query. */
 
-import type { Distribution, GridName } from './hunt/distribution'
-import type { Quest } from './hunt/quest'
-import { type SymmetryName, symmetries } from './hunt/symmetry'
+import type { Distribution, GridName } from './engine/distribution'
+import type { Query } from './engine/query'
+import { type SymmetryName, symmetries } from './engine/symmetry'
 import { ownSearch, type SearchKind, searches } from './searches'
 
 export const grids: Readonly<Record<GridName, string>> = {
@@ -11,7 +11,7 @@ export const grids: Readonly<Record<GridName, string>> = {
   integers: 'integers',
 }
 
-/** Numbers as texts: what is no number yet is the reader's to finish. */
+/** Numbers as texts: the reader may not have finished them. */
 export interface FormState {
   readonly find: string
   readonly property: string
@@ -47,7 +47,7 @@ function fieldsOf({ law, grid, symmetry, moved }: Distribution) {
   return { law: law.kind, sigma, ...box, grid, symmetry, moved: String(moved) }
 }
 
-export function questOf(form: FormState): Quest {
+export function queryOf(form: FormState): Query {
   const { law, grid, symmetry } = form
   const [sigma, least, greatest, moved, seed] = [form.sigma, form.least, form.greatest, form.moved, form.seed].map(
     numberOf,
@@ -65,12 +65,12 @@ export function questOf(form: FormState): Quest {
   }
 }
 
-/** NaN for what is none. */
+/** NaN if the text is not a number. */
 function numberOf(text: string): number {
   return text.trim() === '' ? Number.NaN : Number(text.trim().replace('−', '-'))
 }
 
-/** What differs from what the kind offers, after its name. */
+/** The kind's name, then the fields that differ from its own. */
 export function encodeForm(form: FormState): URLSearchParams {
   const offered = formOf(kindOf(form.find) ?? ownSearch)
   const entries = Object.entries(form).filter(

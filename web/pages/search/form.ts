@@ -1,14 +1,14 @@
-/** The form of a search: what is looked for, among which elements. */
+/** The form of a search: the property, and the elements to search. */
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { claims, numbers } from '../../core/quantities'
 import { VERTEX_COUNT } from '../../model/hexahedron'
+import type { QueryError } from './engine/query'
+import { symmetries } from './engine/symmetry'
 import { type FormState, grids, kindOf, kinds } from './form-state'
-import type { QuestError } from './hunt/quest'
-import { symmetries } from './hunt/symmetry'
 
 export interface FormProps {
   readonly form: FormState
-  readonly errors: readonly QuestError[]
+  readonly errors: readonly QueryError[]
   onChange(name: keyof FormState, value: string): void
   onSubmit(): void
 }
@@ -23,7 +23,7 @@ export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): T
         ${options.map(([value, title]) => html`<option value=${value} ?selected=${value === form[name]}>${title}</option>`)}
       </select></label
     >`
-  const number = (name: keyof FormState, label: string, field: QuestError['field']) =>
+  const number = (name: keyof FormState, label: string, field: QueryError['field']) =>
     html`<input
       class="number"
       name=${name}
@@ -42,7 +42,7 @@ export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): T
   const law = (value: FormState['law']) =>
     html`<input type="radio" name="law" value=${value} .checked=${form.law === value} @change=${listen('law')} />`
 
-  return html`<form id="quest" class="quest" @submit=${submit}>
+  return html`<form id="query" class="query" @submit=${submit}>
     ${choice(
       'find',
       'Find',
@@ -91,7 +91,7 @@ function condition(
   name: 'property' | 'measure',
   label: string,
   form: FormState,
-  errors: readonly QuestError[],
+  errors: readonly QueryError[],
   onInput: (event: Event) => void,
 ): TemplateResult {
   const error = errors.find(({ field }) => field === name)
@@ -107,20 +107,20 @@ function condition(
         aria-describedby=${`${name}-error`}
         @input=${onInput}
     /></label>
-    <div class="complaint" id=${`${name}-error`}>${error ? [place(form[name], error.at ?? 0), error.message] : nothing}</div>`
+    <div class="complaint" id=${`${name}-error`}>${error ? [errorPosition(form[name], error.at ?? 0), error.message] : nothing}</div>`
 }
 
-/** What follows the place is there to find it by, however much somebody has pasted. */
+/** Characters that are shown after the position, however long the text is. */
 const MOST_AFTER = 80
 
-/** The text again, up to where it is not understood, and what comes then. */
-function place(text: string, at: number): TemplateResult {
+/** The text again, marked where it is not understood. */
+function errorPosition(text: string, at: number): TemplateResult {
   const [before, here, after] = [text.slice(0, at), text.charAt(at) || ' ', text.slice(at + 1, at + MOST_AFTER)]
   return html`<code aria-hidden="true">${before}<mark>${here}</mark>${after}</code
     ><span class="said">At character ${at + 1}:</span> `
 }
 
-function complaint(field: QuestError['field'], errors: readonly QuestError[]): TemplateResult {
+function complaint(field: QueryError['field'], errors: readonly QueryError[]): TemplateResult {
   return html`<div class="complaint" id=${`${field}-error`}>
     ${errors.filter(error => error.field === field).map(({ message }) => message)}
   </div>`

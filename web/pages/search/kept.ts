@@ -7,22 +7,22 @@ import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices, vertexOf } from '../../m
 export interface KeptElement {
   readonly name: string
   readonly vertices: Vertices
-  /** What it was found as, in the language of conditions. */
+  /** The property that it was found by, a condition. */
   readonly property: string
 }
 
-/** `lasting`: as the storage has them. `fleeting`: it refuses. `later`: it holds those of a later version, which are left alone. */
-export type Lasting = 'lasting' | 'fleeting' | 'later'
+/** `unavailable`: the storage refuses. `newer`: a later version has written, and is left alone. */
+export type Persistence = 'stored' | 'unavailable' | 'newer'
 
 const KEY = 'hexlens-kept'
 const VERSION = 1
 
 type Store = Pick<Storage, 'getItem' | 'setItem'>
 
-export class Kept {
+export class KeptElements {
   readonly #store: () => Store
   #elements: readonly KeptElement[] = []
-  #lasting: Lasting = 'lasting'
+  #persistence: Persistence = 'stored'
 
   /** A browser may refuse to hand its storage out: the function then throws. */
   constructor(store: () => Store) {
@@ -34,48 +34,48 @@ export class Kept {
     return this.#elements
   }
 
-  get lasting(): Lasting {
-    return this.#lasting
+  get persistence(): Persistence {
+    return this.#persistence
   }
 
-  /** What is there now: another page may have kept something. */
+  /** Reads the storage: another page may have kept something. */
   read(): void {
     try {
       const stored = this.#store().getItem(KEY)
       const read = stored === null ? [] : readKept(stored)
-      this.#lasting = read === null ? 'later' : 'lasting'
+      this.#persistence = read === null ? 'newer' : 'stored'
       if (read) this.#elements = read
     } catch {
-      this.#lasting = 'fleeting'
+      this.#persistence = 'unavailable'
     }
   }
 
-  /** In front of the others; an element is kept once, by its last name. */
+  /** Adds an element in front of the others; it is kept once, by its last name. */
   add(element: KeptElement): void {
-    this.#change(elements => [element, ...elements.filter(other => !isSame(other, element))])
+    this.#change(elements => [element, ...elements.filter(other => !isSame(other.vertices, element.vertices))])
   }
 
   remove(element: KeptElement): void {
-    this.#change(elements => elements.filter(other => !isSame(other, element)))
+    this.#change(elements => elements.filter(other => !isSame(other.vertices, element.vertices)))
   }
 
   #change(change: (elements: readonly KeptElement[]) => readonly KeptElement[]): void {
-    if (this.#lasting === 'lasting') this.read()
+    if (this.#persistence === 'stored') this.read()
     this.#elements = change(this.#elements)
-    if (this.#lasting !== 'lasting') return
+    if (this.#persistence !== 'stored') return
     try {
       this.#store().setItem(KEY, JSON.stringify({ version: VERSION, elements: this.#elements.map(written) }))
     } catch {
-      this.#lasting = 'fleeting'
+      this.#persistence = 'unavailable'
     }
   }
 }
 
-function isSame(a: KeptElement, b: KeptElement): boolean {
-  return a.vertices.every((x, i) => x === b.vertices[i])
+export function isSame(a: Vertices, b: Vertices): boolean {
+  return a.every((x, i) => x === b[i])
 }
 
-/** As the command line and Paste read it. */
+/** JSON that the command line and Paste read. */
 export function exported(elements: readonly KeptElement[]): string {
   return `[\n${elements.map(element => JSON.stringify(written(element))).join(',\n')}\n]\n`
 }
@@ -84,7 +84,7 @@ function written({ name, vertices, property }: KeptElement) {
   return { name, vertices: Array.from({ length: VERTEX_COUNT }, (_, v) => vertexOf(vertices, v)), property }
 }
 
-/** Null for those of a later version. What is no element is left out, and what is no list is none. */
+/** Null if a later version has written them. Entries that are no elements are left out. */
 function readKept(text: string): KeptElement[] | null {
   try {
     const { version, elements } = JSON.parse(text) as { version?: unknown; elements?: unknown }

@@ -1,6 +1,7 @@
 /**
- * The page Search: a form, a search in workers, what it found as small pictures, and what the reader keeps. The form's state is in the
- * address's query, the element in the lens in its fragment.
+ * The page Search: a form, a search in workers, its finds as small pictures, and elements that the
+ * reader keeps. The form's state is in the address's query, the element in the lens in its
+ * fragment.
  */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import { quantitiesOf } from '../../core/quantities'
@@ -11,42 +12,42 @@ import type { Vertices } from '../../model/hexahedron'
 import { decodePermalink, encodePermalink } from '../../model/permalink'
 import { saveFile } from '../../views/save-file'
 import { Pictures } from '../pictures'
+import { searchWorkers } from './engine'
+import { startOf } from './engine/distribution'
+import { measured } from './engine/measure'
+import { type ParsedQuery, parseQuery } from './engine/query'
+import type { Find, Order } from './engine/ranking'
+import { polished, Search, type SearchWorkers } from './engine/search'
 import { formTemplate } from './form'
-import { decodeForm, encodeForm, type FormState, questOf, withField } from './form-state'
-import { workforce } from './hunt'
-import { startOf } from './hunt/distribution'
-import { measured } from './hunt/measure'
-import { type ReadQuest, readQuest } from './hunt/quest'
-import type { Find, Order } from './hunt/ranking'
-import { polished, Search, type Workforce } from './hunt/search'
-import { exported, Kept, type KeptElement } from './kept'
+import { decodeForm, encodeForm, type FormState, queryOf, withField } from './form-state'
+import { exported, isSame, type KeptElement, KeptElements } from './kept'
+import { LiveRegion } from './live-region'
 import { type Choice, choicesTemplate } from './results'
-import { Spokesman } from './spokesman'
 import '../skip'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const root = document.querySelector('.searching') as HTMLElement
 
-/** In milliseconds: more often nobody reads the numbers. */
+/** Milliseconds: more often nobody reads the numbers. */
 const REDRAW = 500
 const SOON = 20
 
-/** Of the best so far, while they change from moment to moment. */
+/** Finds that are shown while they change from moment to moment. */
 const MOST_WHILE_RUNNING = 12
 
 const pictures = new Pictures(lens, root, () => schedule())
-const kept = new Kept(() => localStorage)
-const spokesman = new Spokesman(document.querySelector('.news') as HTMLElement)
+const kept = new KeptElements(() => localStorage)
+const liveRegion = new LiveRegion(document.querySelector('.news') as HTMLElement)
 
 let { form, problems } = decodeForm(new URLSearchParams(location.search))
-let read = readQuest(questOf(form))
+let parsed = parseQuery(queryOf(form))
 /** The last one that was begun, and what the form then asked to find. */
 let search: Search | null = null
 let searchedFor = form.find
-let order: Order = 'beauty'
+let order: Order = 'simplicity'
 /** Milliseconds that the search has run, and since when it runs again. */
 let [ran, since] = [0, 0]
-/** What the lens was last given from this page. */
+/** The last element that this page gave to the lens. */
 let chosen: Choice | null = null
 let polishing: { readonly controller: AbortController; steps: number } | null = null
 let failure: string | null = null
@@ -67,13 +68,13 @@ function draw(): void {
 
 function template(finds: readonly Find[]): TemplateResult {
   return html`${problems.map(problem => html`<p class="complaint" role="alert">${problem}</p>`)}
-    ${formTemplate({ form, errors: read.ok ? [] : read.errors, onChange: change, onSubmit: begin })} ${running()} ${inTheLens()}
+    ${formTemplate({ form, errors: parsed.ok ? [] : parsed.error, onChange: change, onSubmit: begin })} ${running()} ${inTheLens()}
     ${found(finds)} ${keptTemplate()}`
 }
 
 /** The form may have been changed since. */
-function isOfTheForm({ quest }: Search): boolean {
-  return read.ok && JSON.stringify(quest) === JSON.stringify(read.value.quest)
+function isOfTheForm({ query }: Search): boolean {
+  return parsed.ok && JSON.stringify(query) === JSON.stringify(parsed.value.query)
 }
 
 function running(): TemplateResult {
@@ -83,7 +84,7 @@ function running(): TemplateResult {
       ${
         isRunning
           ? html`<button type="button" @click=${stop}>Stop</button>`
-          : html`<button type="submit" form="quest" ?disabled=${!read.ok}>${canGoOn ? 'Start anew' : 'Start'}</button>
+          : html`<button type="submit" form="query" ?disabled=${!parsed.ok}>${canGoOn ? 'Start anew' : 'Start'}</button>
               ${canGoOn ? html`<button type="button" @click=${goOn}>Go on</button>` : nothing}`
       }
       <p class="counts">${counts()}</p>
@@ -104,11 +105,11 @@ function thousands(count: number): string {
 
 function inTheLens(): TemplateResult | typeof nothing {
   const { report } = lens
-  if (!read.ok || !report) return nothing
-  const has = isMet(read.value.property, quantitiesOf(report, read.value.start))
+  if (!parsed.ok || !report) return nothing
+  const has = isMet(parsed.value.property, quantitiesOf(report, parsed.value.start))
   return html`<section aria-labelledby="in-lens">
     <h2 id="in-lens">In the lens</h2>
-    <p>${has ? extremeness(read.value, report) : 'The element in the lens does not have the property.'}</p>
+    <p>${has ? extremeness(parsed.value, report) : 'The element in the lens does not have the property.'}</p>
     <div class="actions">
       <button type="button" ?disabled=${isKept(lens.vertices)} @click=${keep}>${isKept(lens.vertices) ? 'Kept' : 'Keep'}</button>
       ${
@@ -122,8 +123,8 @@ function inTheLens(): TemplateResult | typeof nothing {
   </section>`
 }
 
-function extremeness({ quest, measure, start }: ReadQuest, report: NonNullable<typeof lens.report>): TemplateResult {
-  return html`It has the property; <code>${quest.measure}</code> is ${formatNumber(measured(measure, report, start))}.`
+function extremeness({ query, measure, start }: ParsedQuery, report: NonNullable<typeof lens.report>): TemplateResult {
+  return html`It has the property; <code>${query.measure}</code> is ${formatNumber(measured(measure, report, start))}.`
 }
 
 function found(finds: readonly Find[]): TemplateResult | typeof nothing {
@@ -134,7 +135,7 @@ function found(finds: readonly Find[]): TemplateResult | typeof nothing {
     <div class="head">
       <h2 id="found">Found</h2>
       <div class="order" role="radiogroup" aria-label="Order">
-        ${sorted('beauty', 'simplest first')} ${sorted('extremeness', 'most extreme first')}
+        ${sorted('simplicity', 'simplest first')} ${sorted('extremeness', 'most extreme first')}
       </div>
     </div>
     ${
@@ -149,12 +150,12 @@ function found(finds: readonly Find[]): TemplateResult | typeof nothing {
 }
 
 function keptTemplate(): TemplateResult | typeof nothing {
-  const { elements, lasting } = kept
-  if (elements.length === 0 && lasting !== 'later') return nothing
+  const { elements, persistence } = kept
+  if (elements.length === 0 && persistence !== 'newer') return nothing
   const choices = elements.map(element => ({ ...element, caption: element.name }))
   return html`<section aria-labelledby="kept">
     <h2 id="kept">Kept</h2>
-    ${LASTING[lasting] === '' ? nothing : html`<p class="quiet">${LASTING[lasting]}</p>`}
+    ${STORAGE_NOTES[persistence] === '' ? nothing : html`<p class="quiet">${STORAGE_NOTES[persistence]}</p>`}
     ${choicesTemplate({ label: 'Kept', choices, pictures, isShown, onChoose: choose, onRemove: remove })}
     ${
       elements.length > 0
@@ -164,21 +165,21 @@ function keptTemplate(): TemplateResult | typeof nothing {
   </section>`
 }
 
-const LASTING: Readonly<Record<Kept['lasting'], string>> = {
-  lasting: '',
-  fleeting:
+const STORAGE_NOTES: Readonly<Record<KeptElements['persistence'], string>> = {
+  stored: '',
+  unavailable:
     'This browser stores nothing for this page. These elements are gone when the page is closed: export them to keep them.',
-  later:
+  newer:
     'A later version of this page has kept elements here. They stay as they are. What you keep now is gone when this page is closed.',
 }
 
 function choiceOf(find: Find): Choice {
-  const value = order === 'beauty' ? movedText(find) : formatNumber(find.extremeness)
-  return { vertices: find.vertices, name: `${searchedFor}-${search?.quest.seed}-${find.index}`, caption: value }
+  const value = order === 'simplicity' ? movedText(find) : formatNumber(find.extremeness)
+  return { vertices: find.vertices, name: `${searchedFor}-${search?.query.seed}-${find.index}`, caption: value }
 }
 
 function movedText({ vertices }: Find): string {
-  const start = search ? startOf(search.quest.distribution) : vertices
+  const start = search ? startOf(search.query.distribution) : vertices
   const moved = [0, 1, 2, 3, 4, 5, 6, 7].filter(v =>
     [0, 1, 2].some(r => vertices[3 * v + r] !== start[3 * v + r]),
   ).length
@@ -193,14 +194,10 @@ function isKept(vertices: Vertices): boolean {
   return kept.elements.some(element => isSame(element.vertices, vertices))
 }
 
-function isSame(a: Vertices, b: Vertices): boolean {
-  return a.every((x, i) => x === b[i])
-}
-
 function change(name: keyof FormState, value: string): void {
   form = withField(form, name, value)
   problems = []
-  read = readQuest(questOf(form))
+  parsed = parseQuery(queryOf(form))
   search?.stop()
   failure = null
   address()
@@ -213,24 +210,24 @@ function address(): void {
 }
 
 async function begin(): Promise<void> {
-  if (!read.ok) return
-  const { quest } = read.value
+  if (!parsed.ok) return
+  const { query } = parsed.value
   failure = null
   ran = 0
   search?.dispose()
   try {
-    search = new Search(quest, await workersOrWhyNot(), news, fail)
+    search = new Search(query, await workersOrReason(), news, fail)
     searchedFor = form.find
   } catch (reason) {
     return fail(reason as Error)
   }
-  spokesman.begin()
+  liveRegion.begin()
   goOn()
 }
 
-async function workersOrWhyNot(): Promise<Workforce> {
+async function workersOrReason(): Promise<SearchWorkers> {
   try {
-    return await workforce()
+    return await searchWorkers()
   } catch (reason) {
     throw new Error(`searching and polishing need WebAssembly (${reason instanceof Error ? reason.message : reason}).`)
   }
@@ -246,10 +243,10 @@ function stop(): void {
   search?.stop()
 }
 
-/** More was looked at; after `stop` the last of it too. */
+/** Called when more elements were searched, and after `stop` for the last ones. */
 function news(): void {
   if (!search) return
-  spokesman.report(search)
+  liveRegion.report(search)
   if (!search.isRunning) ran += performance.now() - since
   schedule()
 }
@@ -283,7 +280,7 @@ function keep(): void {
 
 function keepAs(name: string, vertices: Vertices): void {
   kept.add({ name, vertices, property: form.property })
-  spokesman.say(`Kept as ${name}.`)
+  liveRegion.say(`Kept as ${name}.`)
   draw()
 }
 
@@ -293,19 +290,19 @@ function remove({ name, vertices }: Choice): void {
 }
 
 function save(what: string, elements: readonly (Choice | KeptElement)[]): void {
-  const property = search?.quest.property ?? ''
+  const property = search?.query.property ?? ''
   saveFile(`hexlens-${what}.json`, exported(elements.map(element => ({ property, ...element }))), 'application/json')
 }
 
 async function startPolishing(): Promise<void> {
-  if (!read.ok || polishing) return
-  const { quest } = read.value
+  if (!parsed.ok || polishing) return
+  const { query } = parsed.value
   const name = `${nameInLens()}-polished`
   const job = { controller: new AbortController(), steps: 0 }
   polishing = job
   draw()
   try {
-    const { vertices } = await polished(quest, lens.vertices, await workersOrWhyNot(), {
+    const { vertices } = await polished(query, lens.vertices, await workersOrReason(), {
       signal: job.controller.signal,
       onStep: () => {
         job.steps += 1
@@ -313,18 +310,20 @@ async function startPolishing(): Promise<void> {
       },
     })
     polishing = null
-    kept.add({ name, vertices, property: quest.property })
+    kept.add({ name, vertices, property: query.property })
     choose({ name, vertices, caption: name })
-    spokesman.say(job.steps > 0 ? `Polished in ${job.steps} steps, and kept.` : 'It cannot be made simpler here. Kept.')
+    liveRegion.say(
+      job.steps > 0 ? `Polished in ${job.steps} steps, and kept.` : 'It cannot be made simpler here. Kept.',
+    )
   } catch (reason) {
     polishing = null
     if (!job.controller.signal.aborted) return fail(reason as Error)
-    spokesman.say('Polishing was cancelled.')
+    liveRegion.say('Polishing was cancelled.')
   }
   draw()
 }
 
-/** As beside.css has it: where the lens is above the column it has room for the scene and a line or two. */
+/** The width of beside.css at which the lens is above the column, with little room for panels. */
 const narrow = matchMedia('(max-width: 55.99rem)')
 const chooseViews = () => {
   lens.views = narrow.matches ? 'scene verdict' : 'scene verdict checks'

@@ -1,13 +1,13 @@
 /**
- * What the page Search offers to look for, in the order of its list: in the language of conditions, with the elements among which such
- * are soon found. tests/unit/search.test.ts finds one of each.
+ * The searches that the page Search offers, in the order of its list: conditions, with the elements
+ * among which such are soon found. tests/unit/search.test.ts finds one of each.
  */
-import type { Distribution } from './hunt/distribution'
+import type { Distribution } from './engine/distribution'
 
 export interface SearchKind {
   readonly id: string
   readonly title: string
-  /** One or two plain sentences: what it is. */
+  /** One or two plain sentences about it. */
   readonly note: string
   readonly property: string
   /** Greatest for the most extreme of them. */
@@ -62,7 +62,7 @@ export const searches: readonly [SearchKind, ...SearchKind[]] = [
   },
 ]
 
-/** Where a reader's own inequality begins. */
+/** The first text of a reader's own inequality. */
 export const ownSearch: SearchKind = {
   id: 'own',
   title: 'Your own inequality',

@@ -4,7 +4,7 @@ import type { Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
-import { elementAt, placeOnWay } from '../../model/way'
+import { elementAt, tauOf } from '../../model/way'
 import { copyable, copyableJacdet } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
@@ -44,7 +44,7 @@ class MorphView implements View {
     this.#morph = morph
     this.root.hidden = morph === null
     if (morph === null || report === null) return
-    const here = placeOnWay(morph.a, morph.b, state.vertices, this.#tau)
+    const here = tauOf(morph.a, morph.b, state.vertices, this.#tau)
     if (here !== null) this.#tau = here
     this.#graph.update(morph, here, state.referenceCube)
     const ends = sliceOf(endsSlice, state)

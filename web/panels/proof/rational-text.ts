@@ -1,6 +1,7 @@
 /** Rational numbers, however long, as text to be read. */
-import { bitLength, magnitude, type Rational, rounded } from '../../core/exact/rational'
+import { rounded } from '../../core/exact/rounding'
 import { formatJacdet, superscript } from '../../model/decimal'
+import { bitLength, magnitude, type Rational } from '../../model/rational'
 
 /** Longer numbers keep their first and last digits. */
 const WHOLE_DIGITS = 12

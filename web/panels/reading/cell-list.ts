@@ -162,7 +162,7 @@ export class CellList {
     this.#message = cell === null ? `There is no cell ${wanted}.` : ''
     if (cell === null) this.#render()
     else {
-      this.#goTo(this.cells.placeOf(cell))
+      this.#goTo(this.cells.rankOf(cell))
       this.#box?.focus()
     }
   }

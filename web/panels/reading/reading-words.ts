@@ -9,7 +9,7 @@ export function statusSentence(reading: Reading): string {
   if (reading.state === 'under-way') {
     const name = reading.name === 'the text' ? reading.name : shown(reading.name)
     const step = reading.step === 'reading' ? `Reading ${name}` : `Deciding the cells of ${name}`
-    return reading.part > 0 ? `${step} … ${Math.floor(100 * Math.min(reading.part, 1))} %` : `${step} …`
+    return reading.fraction > 0 ? `${step} … ${Math.floor(100 * Math.min(reading.fraction, 1))} %` : `${step} …`
   }
   const { cells, summary } = reading
   if (cells.count > 1) return `${summary.headline} Read as ${summary.format}.`

@@ -104,7 +104,7 @@ function isSaid(reading: Reading, cell: ShownCell | null): boolean {
 
 /** The sentence without percentages, which would be read out one after the other. */
 function heard(reading: Reading): string {
-  return statusSentence(reading.state === 'under-way' ? { ...reading, part: 0 } : reading)
+  return statusSentence(reading.state === 'under-way' ? { ...reading, fraction: 0 } : reading)
 }
 
 function notes(reading: ReadCells, cell: ShownCell | null): TemplateResult | typeof nothing {

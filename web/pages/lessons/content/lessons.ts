@@ -8,7 +8,7 @@ import type { ElementDocument } from '../../../model/state-document'
 /** A sentence that can be computed: it is shown with its numbers, and whether it holds for the element on the screen. */
 export interface LessonClaim {
   readonly says: string
-  /** In the language of web/model/condition.ts. */
+  /** A condition of web/model/condition.ts. */
   readonly holds: string
 }
 
@@ -16,7 +16,7 @@ export interface LessonClaim {
 export type LessonFigure =
   /** jacdet along an edge: its parabola, with the three Bernstein coefficients. */
   | { readonly kind: 'edge'; readonly edge: number }
-  /** Where jacdet is zero on the section zeta = value, the ends of that curve in xi, and the slope of jacdet there. */
+  /** The curve jacdet = 0 on the section zeta = value, with the slopes of jacdet at its ends. */
   | { readonly kind: 'section'; readonly value: number }
 
 export interface LessonStep {
@@ -31,13 +31,13 @@ export interface LessonStep {
   readonly element: string | readonly Vec3[]
   /** The attribute `views` of the lens. */
   readonly views: string
-  /** What of the state is not as in a new element. */
+  /** State that is not as in a new element. */
   readonly state?: Partial<Omit<ElementDocument, 'version' | 'vertices' | 'start' | 'preset'>> &
     Readonly<Record<string, unknown>>
 }
 
 export interface Lesson {
-  /** In links; they last. */
+  /** Part of links: it lasts. */
   readonly id: string
   readonly title: string
   /** One plain sentence. */

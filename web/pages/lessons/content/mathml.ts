@@ -1,25 +1,25 @@
 /** Formulas as MathML: numbers, names of one or more letters and signs are told apart by what they are. */
 
-/** A piece that is MathML already. */
+/** A term that is MathML already. */
 interface Markup {
   readonly markup: string
 }
 
 /** "J", "det", "ξ" are identifiers, 2 and "1.5" numbers, all else operators. */
-export type Piece = string | number | Markup
+export type Term = string | number | Markup
 
-/** In a line of text. */
-export function math(...pieces: readonly Piece[]): string {
-  return `<math>${joined(pieces)}</math>`
+/** A formula in a line of text. */
+export function math(...terms: readonly Term[]): string {
+  return `<math>${joined(terms)}</math>`
 }
 
-/** On a line of its own. */
-export function display(...pieces: readonly Piece[]): string {
-  return `<math display="block">${joined(pieces)}</math>`
+/** A formula on a line of its own. */
+export function display(...terms: readonly Term[]): string {
+  return `<math display="block">${joined(terms)}</math>`
 }
 
-export function row(...pieces: readonly Piece[]): Markup {
-  return { markup: `<mrow>${joined(pieces)}</mrow>` }
+export function row(...terms: readonly Term[]): Markup {
+  return { markup: `<mrow>${joined(terms)}</mrow>` }
 }
 
 /** Words between formulas. */
@@ -27,66 +27,66 @@ export function words(text: string): Markup {
   return { markup: `<mtext>\u00a0${text}\u00a0</mtext>` }
 }
 
-/** In parentheses. */
-export function of(...pieces: readonly Piece[]): Markup {
-  return row('(', ...pieces, ')')
+/** Terms in parentheses. */
+export function of(...terms: readonly Term[]): Markup {
+  return row('(', ...terms, ')')
 }
 
-/** In square brackets or parentheses as high as what is in them. */
-export function tall(open: '(' | '[', ...pieces: readonly Piece[]): Markup {
-  return row({ markup: `<mo>${open}</mo>` }, ...pieces, { markup: `<mo>${open === '(' ? ')' : ']'}</mo>` })
+/** Terms in square brackets or parentheses as high as they are. */
+export function tall(open: '(' | '[', ...terms: readonly Term[]): Markup {
+  return row({ markup: `<mo>${open}</mo>` }, ...terms, { markup: `<mo>${open === '(' ? ')' : ']'}</mo>` })
 }
 
-export function sub(base: Piece, below: Piece): Markup {
+export function sub(base: Term, below: Term): Markup {
   return element('msub', base, below)
 }
 
-export function sup(base: Piece, above: Piece): Markup {
+export function sup(base: Term, above: Term): Markup {
   return element('msup', base, above)
 }
 
 /** The derivative of a function of one variable. */
-export function prime(base: Piece): Markup {
+export function prime(base: Term): Markup {
   return sup(base, '′')
 }
 
-export function subsup(base: Piece, below: Piece, above: Piece): Markup {
+export function subsup(base: Term, below: Term, above: Term): Markup {
   return element('msubsup', base, below, above)
 }
 
-export function frac(numerator: Piece, denominator: Piece): Markup {
+export function frac(numerator: Term, denominator: Term): Markup {
   return element('mfrac', numerator, denominator)
 }
 
 /** The determinant of what follows. */
-export function det(...pieces: readonly Piece[]): Markup {
-  return row('det', { markup: '<mspace width="0.17em"></mspace>' }, ...pieces)
+export function det(...terms: readonly Term[]): Markup {
+  return row('det', { markup: '<mspace width="0.17em"></mspace>' }, ...terms)
 }
 
-/** In square brackets, row by row. */
-export function matrix(...rows: readonly (readonly Piece[])[]): Markup {
-  const cells = rows.map(line => `<mtr>${line.map(piece => `<mtd>${markupOf(piece)}</mtd>`).join('')}</mtr>`)
+/** A matrix in square brackets, row by row. */
+export function matrix(...rows: readonly (readonly Term[])[]): Markup {
+  const cells = rows.map(line => `<mtr>${line.map(term => `<mtd>${markupOf(term)}</mtd>`).join('')}</mtr>`)
   return tall('[', { markup: `<mtable>${cells.join('')}</mtable>` })
 }
 
-function element(name: string, ...pieces: readonly Piece[]): Markup {
-  return { markup: `<${name}>${pieces.map(markupOf).join('')}</${name}>` }
+function element(name: string, ...terms: readonly Term[]): Markup {
+  return { markup: `<${name}>${terms.map(markupOf).join('')}</${name}>` }
 }
 
-function joined(pieces: readonly Piece[]): string {
-  return pieces
-    .map((piece, i) => (piece === '−' && isOperator(pieces[i - 1]) ? '<mo form="prefix">−</mo>' : markupOf(piece)))
+function joined(terms: readonly Term[]): string {
+  return terms
+    .map((term, i) => (term === '−' && isOperator(terms[i - 1]) ? '<mo form="prefix">−</mo>' : markupOf(term)))
     .join('')
 }
 
-/** After it a minus is a number's sign, and stands close to it. */
-function isOperator(piece: Piece | undefined): boolean {
-  return typeof piece === 'string' && /^[=<>≤≥,·+(]$/.test(piece)
+/** True if a minus after it is a number's sign, and stands close to the number. */
+function isOperator(term: Term | undefined): boolean {
+  return typeof term === 'string' && /^[=<>≤≥,·+(]$/.test(term)
 }
 
-function markupOf(piece: Piece): string {
-  if (typeof piece === 'object') return piece.markup
-  const text = String(piece)
+function markupOf(term: Term): string {
+  if (typeof term === 'object') return term.markup
+  const text = String(term)
   if (/^[\d.]+$/.test(text)) return `<mn>${text}</mn>`
   if (/^\p{L}+$/u.test(text)) return `<mi>${text}</mi>`
   if (/^[()[\]|]$/.test(text)) return `<mo stretchy="false">${text}</mo>`

@@ -1,8 +1,9 @@
 /**
- * What a condition asks of the numbers that are had cheaply: an element that the sieve holds back does not meet it, and need not be
- * analysed. Numbers are enclosed in intervals of doubles, first by the verdict alone, then by the corner values, then by the Bernstein
- * coefficients. The condition's own arithmetic is in doubles as they round: held back wrongly is at most an element for which two sides
- * agree to fifteen digits, and none is let through for good by such arithmetic.
+ * A condition, decided by numbers that are cheap: an element that the filter holds back does not
+ * meet it, and need not be analysed. Numbers are enclosed in intervals of doubles, first by the
+ * verdict alone, then by the corner values, then by the Bernstein coefficients. The condition's own
+ * arithmetic is in doubles as they round: held back wrongly is at most an element for which two
+ * sides agree to fifteen digits, and none is let through for good by such arithmetic.
  */
 import type { Core } from '../../../core/report'
 import { BERNSTEIN_COUNT, bernsteinMiddles, vertexBernstein } from '../../../model/bernstein'
@@ -12,18 +13,20 @@ import type { ClaimNode, Comparison, NumberNode } from '../../../model/condition
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../../../model/hexahedron'
 import { CENTRE, EDGES, FINE, setCorners, setFine, setOthers } from './coefficients'
 
-export interface Sieve {
-  /** Whether any valid element may meet the condition, any invalid one, any with a corner value of zero or less. */
+export interface Filter {
+  /**
+   * True if a valid element may meet the condition, an invalid one, one with a corner value <= 0.
+   */
   readonly mayBe: { readonly valid: boolean; readonly invalid: boolean; readonly withoutPositiveCorners: boolean }
-  /** Whether the element whose coordinates begin at `at` meets it; `valid` is the certain verdict. */
+  /** The truth for the element whose coordinates begin at `at`; `valid` is the certain verdict. */
   judge(elements: Float64Array, at: number, valid: boolean): Truth
-  /** Of the element judged last, what the measure is at most. */
+  /** An upper bound of the measure of the element judged last. */
   measureAtMost(): number
 }
 
 export const FALSE = 0
 export const TRUE = 1
-/** Not to be said from these numbers. */
+/** Not decided by these numbers. */
 export const OPEN = 2
 export type Truth = typeof FALSE | typeof TRUE | typeof OPEN
 
@@ -37,7 +40,7 @@ class Enclosures {
     return (this.upper[INDEX[name]] as number) >= 0
   }
 
-  /** Within what is known already. */
+  /** Intersects with the interval that is known already. */
   narrow(name: NumberName, lower: number, upper: number): void {
     const i = INDEX[name]
     if (lower > (this.lower[i] as number)) this.lower[i] = lower
@@ -47,14 +50,14 @@ class Enclosures {
 
 const INDEX = Object.fromEntries(NUMBERS.map((name, i) => [name, i])) as Readonly<Record<NumberName, number>>
 
-/** What the verdict alone says nothing more of. */
+/** Names for which the Bernstein coefficients are not needed. */
 const OF_THE_VERDICT: readonly QuantityName[] = ['valid', 'moved']
 
-export function sieveOf({ claim, names }: Condition, measure: NumberNode, start: Vertices, core: Core): Sieve {
+export function filterOf({ claim, names }: Condition, measure: NumberNode, start: Vertices, core: Core): Filter {
   const known = new Enclosures()
   const truth = compiled(claim, known)
   const measured = compiledNumber(measure, known)
-  // What rounds in the condition itself must not say yes.
+  // A condition whose own arithmetic rounds must not say yes.
   const isSharp = comparesWithoutRounding(claim)
   const countsMoved = names.includes('moved')
   const asksBoundary = names.includes('boundary_min')
@@ -76,7 +79,7 @@ export function sieveOf({ claim, names }: Condition, measure: NumberNode, start:
     },
     judge(elements, at, valid) {
       byVerdict(known, valid)
-      if (countsMoved) byPlace(known, elements, at, start)
+      if (countsMoved) byMoved(known, elements, at, start)
       if (needsCoefficients) {
         const error = coefficientError(elements, at)
         setCorners(bernstein, elements, at)
@@ -107,7 +110,7 @@ function comparesWithoutRounding(node: ClaimNode): boolean {
   if (node.kind === 'claim') return true
   if (node.kind === 'not') return comparesWithoutRounding(node.of)
   if (node.kind === 'chain') return node.terms.every(isExact)
-  return node.parts.every(comparesWithoutRounding)
+  return node.operands.every(comparesWithoutRounding)
 }
 
 function isExact(node: NumberNode): boolean {
@@ -143,7 +146,7 @@ const VALUES: readonly NumberName[] = [
 /** No higher than zero unless the element is valid. */
 const BOUNDS: readonly NumberName[] = ['boundary_min', 'volume_min', 'bernstein_min', 'subdivision']
 
-function byPlace(known: Enclosures, elements: Float64Array, at: number, start: Vertices): void {
+function byMoved(known: Enclosures, elements: Float64Array, at: number, start: Vertices): void {
   let moved = 0
   for (let i = 0; i < COORDINATE_COUNT; i += 3)
     if (elements[at + i] !== start[i] || elements[at + i + 1] !== start[i + 1] || elements[at + i + 2] !== start[i + 2])
@@ -177,7 +180,7 @@ export function coefficientError(elements: Float64Array, at: number): number {
 function byCorner(known: Enclosures, most: number): void {
   for (const name of ['corner_min', 'edge_min', 'boundary_min', 'volume_min', 'bernstein_min'] as const)
     known.narrow(name, -Infinity, most)
-  // It is that of a vertex, or lower.
+  // The scaled Jacobian is that of a vertex, or lower.
   if (most <= 0) known.narrow('scaled_jacobian', -1, 0)
 }
 
@@ -239,7 +242,7 @@ function byFineCoefficients(known: Enclosures, fine: Float64Array, error: number
   if (least - off > 0) known.narrow('subdivision', POSITIVE, Infinity)
 }
 
-/** What touches zero is frequent where coordinates are integers, and the exact minimum is far cheaper than all else that is exact. */
+/** Zeros are frequent on integer grids, and the exact minimum is the cheapest exact number. */
 function bySign(known: Enclosures, element: Float64Array, core: Core): void {
   const result = core.boundaryMinimum(Array.from(element), 'roots-b')
   if (!result.ok) throw new Error(result.error.message)
@@ -250,7 +253,7 @@ function bySign(known: Enclosures, element: Float64Array, core: Core): void {
 const VALUE = 1
 const OUTSIDE = 2
 
-/** Of each of the 125 whether it is a value of jacdet, and whether it belongs to a face. */
+/** Flags of each of the 125: a value of jacdet, and one of a face. */
 const FINE_KIND = Uint8Array.from({ length: FINE ** 3 }, (_, n) => {
   const indices = [Math.floor(n / (FINE * FINE)), Math.floor(n / FINE) % FINE, n % FINE]
   const isValue = indices.every(i => i % 2 === 0)
@@ -276,7 +279,7 @@ function valueAtCentre(bernstein: Float64Array): number {
   return sum
 }
 
-/** By the weights 1/4, 1/2, 1/4 on each axis. */
+/** Weights 1/4, 1/2, 1/4 on each axis. */
 const AT_CENTRE = Float64Array.from(bernsteinMiddles, middles => 2 ** middles / 64)
 
 function meanOf(bernstein: Float64Array): number {
@@ -297,9 +300,9 @@ function compiled(node: ClaimNode, known: Enclosures): () => Truth {
       node.comparisons.map((sign, i) => compiledComparison(terms[i] as Interval, sign, terms[i + 1] as Interval)),
     )
   }
-  const parts = node.parts.map(part => compiled(part, known))
-  if (node.kind === 'and') return allOf(parts)
-  const none = allOf(parts.map(part => () => opposite(part())))
+  const operands = node.operands.map(operand => compiled(operand, known))
+  if (node.kind === 'and') return allOf(operands)
+  const none = allOf(operands.map(operand => () => opposite(operand())))
   return () => opposite(none())
 }
 
@@ -307,11 +310,11 @@ function opposite(truth: Truth): Truth {
   return truth === OPEN ? OPEN : truth === TRUE ? FALSE : TRUE
 }
 
-function allOf(parts: readonly (() => Truth)[]): () => Truth {
+function allOf(operands: readonly (() => Truth)[]): () => Truth {
   return () => {
     let all: Truth = TRUE
-    for (const part of parts) {
-      const truth = part()
+    for (const operand of operands) {
+      const truth = operand()
       if (truth === FALSE) return FALSE
       if (truth === OPEN) all = OPEN
     }
@@ -324,7 +327,7 @@ interface Interval {
   upper(): number
 }
 
-/** What is not a number, as infinity less infinity, compares with nothing: it leaves everything open. */
+/** NaN, as infinity less infinity, compares with nothing: it leaves everything open. */
 function compiledComparison(a: Interval, sign: Comparison, b: Interval): () => Truth {
   const isLess = (x: Interval, y: Interval) => () =>
     x.upper() < y.lower() ? TRUE : y.upper() <= x.lower() ? FALSE : OPEN

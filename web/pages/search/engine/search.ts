@@ -3,20 +3,20 @@
  * that after so many elements the finds are the same however many workers there are.
  */
 import type { Vertices } from '../../../model/hexahedron'
-import { BLOCK, type Haul } from './hunt'
-import type { Answer, WorkerPort } from './messages'
+import type { Reply, WorkerPort } from './messages'
 import type { Polished } from './polish'
-import type { Quest } from './quest'
+import type { Query } from './query'
 import { type Find, type Order, Ranking } from './ranking'
+import { BLOCK, type PieceFinds } from './search-piece'
 
-export interface Workforce {
+export interface SearchWorkers {
   /** hexlens-batch.wasm or hexlens-scalar.wasm, compiled. */
   readonly module: WebAssembly.Module
-  readonly workers: number
+  readonly count: number
   readonly spawn: () => WorkerPort
 }
 
-/** So that a worker has its next piece when it is done with one. */
+/** A worker has its next piece when it is done with one. */
 const PIECES_AHEAD = 2
 
 /**
@@ -26,21 +26,21 @@ const PIECES_AHEAD = 2
 const PIECE_MILLISECONDS = 100
 const MOST_BLOCKS = 256
 
-/** How long to wait, after a stop, for what is under way. */
+/** Milliseconds to wait, after a stop, for pieces under way. */
 const PATIENCE = 1000
 
 export class Search {
-  readonly quest: Quest
-  readonly #workforce: Workforce
+  readonly query: Query
+  readonly #workers: SearchWorkers
   readonly #onNews: () => void
   readonly #onFailure: (reason: Error) => void
   readonly #ports: WorkerPort[] = []
-  /** When each worker last answered or was begun. */
+  /** The time at which each worker last answered or was begun. */
   readonly #heard = new Map<WorkerPort, number>()
   /** Pieces done before an earlier one, by their first blocks. */
-  readonly #early = new Map<number, Haul>()
+  readonly #early = new Map<number, PieceFinds>()
   readonly #rankings: Readonly<Record<Order, Ranking>> = {
-    beauty: new Ranking('beauty'),
+    simplicity: new Ranking('simplicity'),
     extremeness: new Ranking('extremeness'),
   }
   /** Blocks: the next to be handed out, those taken in, where to end, and how many a piece has. */
@@ -52,9 +52,9 @@ export class Search {
   #isRunning = false
 
   /** `onNews` is told whenever there is more; `onFailure` once, where a worker does not start or breaks: the search is over then. */
-  constructor(quest: Quest, workforce: Workforce, onNews: () => void, onFailure: (reason: Error) => void) {
-    this.quest = quest
-    this.#workforce = workforce
+  constructor(query: Query, workers: SearchWorkers, onNews: () => void, onFailure: (reason: Error) => void) {
+    this.query = query
+    this.#workers = workers
     this.#onNews = onNews
     this.#onFailure = onFailure
   }
@@ -68,7 +68,7 @@ export class Search {
     return this.#taken * BLOCK
   }
 
-  /** How many of them have the property. */
+  /** Elements that have the property. */
   get found(): number {
     return this.#found
   }
@@ -82,7 +82,7 @@ export class Search {
     this.#most = Math.ceil(elements / BLOCK)
     if (this.#isRunning || this.#next >= this.#most) return
     this.#isRunning = true
-    while (this.#ports.length < this.#workforce.workers) this.#ports.push(this.#begin())
+    while (this.#ports.length < this.#workers.count) this.#ports.push(this.#begin())
     for (const port of this.#ports) this.#heard.set(port, performance.now())
     for (let ahead = 0; ahead < PIECES_AHEAD; ++ahead) for (const port of this.#ports) this.#send(port)
   }
@@ -114,38 +114,38 @@ export class Search {
   }
 
   #begin(): WorkerPort {
-    const port = this.#workforce.spawn()
+    const port = this.#workers.spawn()
     port.onmessage = ({ data }) => this.#take(port, data)
     port.onerror = ({ message }) => this.#fail(brokenWorker(message))
-    port.postMessage({ kind: 'start', module: this.#workforce.module })
-    port.postMessage({ kind: 'quest', quest: this.quest })
+    port.postMessage({ kind: 'start', module: this.#workers.module })
+    port.postMessage({ kind: 'query', query: this.query })
     return port
   }
 
   #send(port: WorkerPort): void {
     const blocks = Math.min(this.#blocks, this.#most - this.#next)
     if (blocks <= 0) return
-    port.postMessage({ kind: 'hunt', piece: { first: this.#next, blocks } })
+    port.postMessage({ kind: 'piece', piece: { first: this.#next, blocks } })
     this.#next += blocks
   }
 
-  #take(port: WorkerPort, answer: Answer): void {
-    if (answer.kind === 'failed') this.#fail(answer.message)
-    if (answer.kind !== 'haul') return
-    this.#measure(port, answer.haul)
+  #take(port: WorkerPort, reply: Reply): void {
+    if (reply.kind === 'failed') this.#fail(reply.message)
+    if (reply.kind !== 'result') return
+    this.#measure(port, reply.result)
     this.#send(port)
-    this.#early.set(answer.haul.piece.first, answer.haul)
-    for (let haul = this.#early.get(this.#taken); haul; haul = this.#early.get(this.#taken)) {
+    this.#early.set(reply.result.piece.first, reply.result)
+    for (let result = this.#early.get(this.#taken); result; result = this.#early.get(this.#taken)) {
       this.#early.delete(this.#taken)
-      this.#taken += haul.piece.blocks
-      this.#found += haul.found
-      for (const ranking of Object.values(this.#rankings)) for (const find of haul.finds) ranking.add(find)
+      this.#taken += result.piece.blocks
+      this.#found += result.found
+      for (const ranking of Object.values(this.#rankings)) for (const find of result.finds) ranking.add(find)
     }
     this.#settle()
     this.#onNews()
   }
 
-  #measure(port: WorkerPort, { piece }: Haul): void {
+  #measure(port: WorkerPort, { piece }: PieceFinds): void {
     const now = performance.now()
     const took = now - (this.#heard.get(port) ?? now)
     this.#heard.set(port, now)
@@ -164,11 +164,11 @@ export class Search {
   }
 }
 
-/** In a worker of its own, which ends with it. Rejects with the signal's reason, or where the worker fails. */
+/** Polishes in a worker of its own. Rejects with the signal's reason, or if the worker fails. */
 export function polished(
-  quest: Quest,
+  query: Query,
   vertices: Vertices,
-  { module, spawn }: Pick<Workforce, 'module' | 'spawn'>,
+  { module, spawn }: Pick<SearchWorkers, 'module' | 'spawn'>,
   { signal, onStep = () => {} }: { signal?: AbortSignal; onStep?: (simpler: Polished) => void } = {},
 ): Promise<Polished> {
   const port = spawn()
@@ -182,7 +182,7 @@ export function polished(
       if (data.kind === 'failed') reject(new Error(data.message))
     }
     port.postMessage({ kind: 'start', module })
-    port.postMessage({ kind: 'polish', quest, vertices })
+    port.postMessage({ kind: 'polish', query, vertices })
   }).finally(() => port.terminate())
 }
 

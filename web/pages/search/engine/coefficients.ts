@@ -1,6 +1,7 @@
 /**
- * Corner values and Bernstein coefficients of jacdet in doubles, docs/algorithm.md (3) to (8), for the sieve of a search alone: what
- * passes it is analysed by the core, whose numbers are the ones that count.
+ * Corner values and Bernstein coefficients of jacdet in doubles, docs/algorithm.md (3) to (8), for
+ * the filter of a search alone: what passes it is analysed by the core, whose numbers are the ones
+ * that count.
  */
 import {
   bernsteinIndex,
@@ -12,8 +13,8 @@ import {
 import { faces, type Vec3, vertexReference } from '../../../model/hexahedron'
 
 /**
- * Whether a corner value of the element whose coordinates begin there is at most `most`. It stops at the first one: each is the
- * determinant of the three edge vectors at the corner.
+ * True if a corner value of the element whose coordinates begin there is at most `most`. It stops
+ * at the first one: each is the determinant of the three edge vectors at the corner.
  */
 export function hasCornerAtMost(elements: Float64Array, element: number, most: number): boolean {
   for (let at = 0; at < CORNER_EDGES.length; at += 6) {
@@ -37,14 +38,14 @@ export function hasCornerAtMost(elements: Float64Array, element: number, most: n
   return false
 }
 
-/** Of each corner the ends of its edges along xi, eta and zeta, as offsets of their coordinates, six a corner. */
+/** Offsets of the ends of each corner's edges along xi, eta and zeta, six a corner. */
 const CORNER_EDGES = Uint8Array.from(
   vertexReference.flatMap(corner =>
     [0, 1, 2].flatMap(axis => [0, 1].map(side => coordinatesOf(corner.with(axis, side) as unknown as Vec3))),
   ),
 )
 
-/** Where the coordinates of a vertex are in an element. */
+/** The index of a vertex's coordinates in an element. */
 function coordinatesOf(reference: Vec3): number {
   return 3 * vertexReference.findIndex(point => point.every((x, axis) => x === reference[axis]))
 }
@@ -56,7 +57,7 @@ const w = new Float64Array(12)
 /** U_jk x V_ik at 4i + 2j + k. */
 const normals = new Float64Array(24)
 
-/** Where the vertex ijk is in an element, at 4i + 2j + k. */
+/** The index of the vertex ijk in an element, at 4i + 2j + k. */
 const FIRST = [0, 1, 2, 3, 4, 5, 6, 7].map(ijk => coordinatesOf([ijk >> 2, (ijk >> 1) & 1, ijk & 1]))
 
 /** Sets the eight corner coefficients of the element whose coordinates begin there. */
@@ -111,7 +112,7 @@ const FACES = faces.map(({ s, t }, face) => ({
   t: bernsteinStrides[t],
 }))
 
-/** How many there are on each axis once the element is cut into eight: neighbours share those where they meet. */
+/** Coefficients on each axis once the element is cut into eight; neighbours share some. */
 export const FINE = 5
 
 /**

@@ -7,9 +7,9 @@ import type { Random } from './random'
 import { type Orbit, orbitsOf, type Symmetry, type SymmetryName, symmetries } from './symmetry'
 
 export type Law =
-  /** Each coordinate of the unit cube plus a normal one of this deviation. */
+  /** The unit cube's coordinates plus normal ones of this deviation. */
   | { readonly kind: 'normal'; readonly sigma: number }
-  /** Each coordinate uniform in [least, greatest]. */
+  /** Coordinates uniform in [least, greatest]. */
   | { readonly kind: 'box'; readonly least: number; readonly greatest: number }
 
 export type GridName = 'free' | 'quarters' | 'integers'
@@ -18,7 +18,7 @@ export interface Distribution {
   readonly law: Law
   readonly grid: GridName
   readonly symmetry: SymmetryName
-  /** How many vertices are drawn, 1 to 8; the others stay where the start has them. */
+  /** The number of vertices that are drawn, 1 to 8; the others stay where the start has them. */
   readonly moved: number
 }
 
@@ -63,7 +63,7 @@ export function startOf({ law, grid }: Distribution): Vertices {
 /** Fills a list with elements, 24 coordinates each. */
 export type Source = (elements: Float64Array) => void
 
-/** Of a distribution without a refusal. What is drawn depends on the random numbers alone. */
+/** The elements of a distribution without a refusal. They depend on the random numbers alone. */
 export function sourceOf(distribution: Distribution, random: Random): Source {
   const start = startOf(distribution)
   const arrange = arrangementOf(distribution, start, random)
@@ -93,10 +93,10 @@ export function sourceOf(distribution: Distribution, random: Random): Source {
   }
 }
 
-/** Times the step, added to what is small beside it and taken away again it leaves the nearest step: doubles of its size are steps apart. */
+/** Adding and subtracting so many steps rounds to the next: doubles of that size are steps apart. */
 const ROUNDING = 1.5 * 2 ** 52
 
-/** Makes of an element with all its coordinates drawn one with the symmetry, of which so many vertices move; null where nothing is to do. */
+/** Gives a drawn element its symmetry, and moves so many vertices; null if nothing is to do. */
 function arrangementOf({ symmetry: name, moved }: Distribution, start: Vertices, random: Random) {
   if (name === 'none' && moved === VERTEX_COUNT) return null
   const symmetry: Symmetry = symmetries[name]
@@ -121,14 +121,14 @@ function arrangementOf({ symmetry: name, moved }: Distribution, start: Vertices,
 /** The vertex opposite to vertex 0. */
 const FARTHEST = 6
 
-/** Of one coordinate of the element to another one. */
+/** A copy of one coordinate of the element to another one. */
 interface Copy {
   readonly to: number
   readonly from: number
   readonly isMirrored: boolean
 }
 
-/** In order: the first vertex of the orbit decides, each of the others is the image of the one before. */
+/** Copies in order: each vertex of the orbit is the image of the one before. */
 function copiesOf(orbit: Orbit, { sources, signs }: Symmetry): Copy[] {
   const copy = (from: number, to: number, r: Axis) => ({
     to: 3 * to + r,

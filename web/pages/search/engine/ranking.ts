@@ -2,23 +2,23 @@
 import type { Vertices } from '../../../model/hexahedron'
 
 export interface Find {
-  /** Its place in the stream of elements that the seed gives. */
+  /** Its index in the stream of elements that the seed gives. */
   readonly index: number
   readonly vertices: Vertices
-  /** What it costs to write down: beauty.ts. */
-  readonly effort: number
-  /** By the measure of the quest. */
+  /** The cost of writing it down: simplicity.ts. */
+  readonly complexity: number
+  /** The measure of the query. */
   readonly extremeness: number
 }
 
-export type Order = 'beauty' | 'extremeness'
+export type Order = 'simplicity' | 'extremeness'
 
-/** How many are kept in each order: as many as anyone looks at. */
+/** Finds that are kept in each order: as many as anyone looks at. */
 export const MOST_KEPT = 48
 
 const before: Readonly<Record<Order, (a: Find, b: Find) => number>> = {
-  beauty: (a, b) => a.effort - b.effort || a.index - b.index,
-  extremeness: (a, b) => compared(b.extremeness, a.extremeness) || a.effort - b.effort || a.index - b.index,
+  simplicity: (a, b) => a.complexity - b.complexity || a.index - b.index,
+  extremeness: (a, b) => compared(b.extremeness, a.extremeness) || a.complexity - b.complexity || a.index - b.index,
 }
 
 /** Infinities equal themselves. */
@@ -42,14 +42,14 @@ export class Ranking {
     return this.#finds
   }
 
-  /** Whether a find can still come in whose effort is this and whose extremeness is at most that. */
-  mayTake(effort: number, extremeness: number): boolean {
+  /** True if a find with this complexity and at most that extremeness can still come in. */
+  mayTake(complexity: number, extremeness: number): boolean {
     const last = this.#finds.at(-1)
     if (!last || this.#finds.length < this.#most) return true
-    return this.#order === 'beauty' ? effort <= last.effort : extremeness >= last.extremeness
+    return this.#order === 'simplicity' ? complexity <= last.complexity : extremeness >= last.extremeness
   }
 
-  /** In any order of their indices. False where it is not among the best, or known. */
+  /** Takes finds in any order of their indices. False if it is not among the best, or known. */
   add(find: Find): boolean {
     const compare = before[this.#order]
     const last = this.#finds.at(-1)

@@ -1,7 +1,7 @@
-/** A piece of a file after another, in memory that is used again. */
+/** A chunk of a file after another, in memory that is used again. */
 import type { MeshFile } from './source'
 
-export class FilePiece {
+export class FileChunk {
   #memory = new Uint8Array(0)
 
   /** The bytes `kept`, which are the end of what came last or others, and behind them those of the file from `from` to `to`. */

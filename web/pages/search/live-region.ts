@@ -1,10 +1,10 @@
-/** Says what a search has come to, for those who listen: politely and rarely. */
-import type { Search } from './hunt/search'
+/** Announces the progress of a search for screen readers, politely and rarely. */
+import type { Search } from './engine/search'
 
-/** Milliseconds from one piece of news to the next while the search runs. */
+/** Milliseconds between announcements while the search runs. */
 const PAUSE = 20_000
 
-export class Spokesman {
+export class LiveRegion {
   readonly #region: HTMLElement
   #saidAt = 0
   #saidFound = 0

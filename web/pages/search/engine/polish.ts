@@ -1,7 +1,8 @@
 /**
- * Shrinks an element to simpler coordinates while it keeps its property: vertices back to where the start has them, numbers to
- * integers, halves, quarters, few decimals. Greedy, the greatest saving first; each step lowers the effort, and there are finitely many
- * elements of such numbers, so it ends. The same steps on every machine.
+ * Shrinks an element to simpler coordinates while it keeps its property: vertices back to where the
+ * start has them, numbers to integers, halves, quarters, few decimals. Greedy, the greatest saving
+ * first; each step lowers the complexity, and there are finitely many elements of such numbers, so
+ * it ends. The same steps on every machine.
  */
 import { quantitiesOf } from '../../../core/quantities'
 import { isMet } from '../../../model/condition'
@@ -12,53 +13,54 @@ import {
   type Vertices,
   vertexOf,
   vertexReference,
+  withVertex,
 } from '../../../model/hexahedron'
-import { effortOf, effortOfNumber } from './beauty'
-import { analysis, type Cores } from './hunt'
-import type { ReadQuest } from './quest'
-import { FALSE, sieveOf } from './sieve'
+import { FALSE, filterOf } from './filter'
+import type { ParsedQuery } from './query'
+import { analysis, type Cores } from './search-piece'
+import { complexityOf, complexityOfNumber } from './simplicity'
 
 /** Grids to round to: steps per unit. */
 const GRIDS = [1, 2, 4, 10, 100] as const
-/** Of each coordinate so many simpler numbers are tried with those of its vertex. */
+/** Simpler numbers that are tried for each coordinate with those of its vertex. */
 const MOST_SIMPLER = 5
 
 export interface Polished {
   readonly vertices: Vertices
-  readonly effort: number
+  readonly complexity: number
 }
 
-/** Of an element that has the property. `onStep` is told of each simpler one than all before. */
+/** Polishes an element that has the property. `onStep` is told of each simpler one. */
 export function polish(
-  read: ReadQuest,
+  parsed: ParsedQuery,
   vertices: Vertices,
   cores: Cores,
   onStep: (simpler: Polished) => void = () => {},
 ): Polished {
-  const { start } = read
-  const has = propertyOf(read, cores)
-  let best: Polished = { vertices, effort: effortOf(vertices, start) }
+  const { start } = parsed
+  const has = propertyOf(parsed, cores)
+  let best: Polished = { vertices, complexity: complexityOf(vertices, start) }
   for (const from of [vertices, ...straightened(vertices, start)]) {
     if (from !== vertices && !has(from)) continue
     for (const vertices of descent(from, start, has)) {
-      const effort = effortOf(vertices, start)
-      if (effort >= best.effort) continue
-      best = { vertices, effort }
+      const complexity = complexityOf(vertices, start)
+      if (complexity >= best.complexity) continue
+      best = { vertices, complexity }
       onStep(best)
     }
   }
   return best
 }
 
-/** Whether an element certainly has the property. */
-function propertyOf({ property, measure, start }: ReadQuest, { core }: Cores) {
-  const sieve = sieveOf(property, measure, start, core)
+/** A function that is true if an element certainly has the property. */
+function propertyOf({ property, measure, start }: ParsedQuery, { core }: Cores) {
+  const filter = filterOf(property, measure, start, core)
   const list = new Float64Array(COORDINATE_COUNT)
   return (vertices: Vertices): boolean => {
     const verdict = core.isValid(vertices)
     if (!verdict.ok) return false
     list.set(vertices)
-    if (sieve.judge(list, 0, verdict.value) === FALSE) return false
+    if (filter.judge(list, 0, verdict.value) === FALSE) return false
     return isMet(property, quantitiesOf(analysis(core, vertices), start))
   }
 }
@@ -69,11 +71,11 @@ function* descent(from: Vertices, start: Vertices, has: (vertices: Vertices) => 
 }
 
 function nextStep(from: Vertices, start: Vertices, has: (vertices: Vertices) => boolean): Vertices | undefined {
-  const effort = effortOf(from, start)
+  const complexity = complexityOf(from, start)
   const steps = [...candidates(from, start)]
-    .map(vertices => ({ vertices, effort: effortOf(vertices, start) }))
-    .filter(step => step.effort < effort)
-    .sort((a, b) => a.effort - b.effort)
+    .map(vertices => ({ vertices, complexity: complexityOf(vertices, start) }))
+    .filter(step => step.complexity < complexity)
+    .sort((a, b) => a.complexity - b.complexity)
   return steps.find(({ vertices }) => has(vertices))?.vertices
 }
 
@@ -88,18 +90,14 @@ function* candidates(from: Vertices, start: Vertices): Generator<Vertices> {
   }
 }
 
-function withVertex(vertices: Vertices, v: number, point: Vec3): Vertices {
-  return vertices
-    .with(3 * v, point[0])
-    .with(3 * v + 1, point[1])
-    .with(3 * v + 2, point[2])
-}
-
-/** The number itself and the simplest ones beside it, at the start's place and at zero. */
+/** The number itself and the simplest ones beside it, and those of the start and zero. */
 function simpler(value: number, start: number): number[] {
   const near = GRIDS.flatMap(grid => [Math.floor(value * grid) / grid + 0, Math.ceil(value * grid) / grid + 0])
   const simple = [...new Set([start, 0, ...near])].filter(other => other !== value)
-  return [value, ...simple.sort((a, b) => effortOfNumber(a) - effortOfNumber(b) || a - b).slice(0, MOST_SIMPLER)]
+  return [
+    value,
+    ...simple.sort((a, b) => complexityOfNumber(a) - complexityOfNumber(b) || a - b).slice(0, MOST_SIMPLER),
+  ]
 }
 
 function rounded(value: number, grid: number): number {

@@ -64,7 +64,7 @@ export function randomOf(seed: number, stream: number): Random {
     }
   }
 
-  /** Where the layer's rectangle is not all below the curve, which is rare. */
+  /** A number in the layer where its rectangle is not all below the curve, which is rare. */
   function nearEdge(u: number, layer: number): number {
     if (layer === 0) return u < 0 ? -tail() : tail()
     const x = u * (EDGES[layer] as number)
@@ -113,7 +113,7 @@ const BASE_HEIGHT = 0.002669629083880923
 
 const double = new Float64Array(1)
 const halves = new Uint32Array(double.buffer)
-/** Where the half with the exponent is: engines store doubles as the machine does. */
+/** The index of the half with the exponent: engines store doubles as the machine does. */
 const HIGH = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1 ? 1 : 0
 
 /**

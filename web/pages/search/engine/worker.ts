@@ -1,20 +1,20 @@
 /** A worker that searches: instances of the core of its own, one piece after another, or one element polished. */
 import { loadBatchCore } from '../../../core/batch/batch-core'
 import { type CoreExports, coreOf } from '../../../core/core'
-import { type Cores, type Haul, hunterOf, type Piece } from './hunt'
-import type { Answer, Request } from './messages'
+import type { Reply, Request } from './messages'
 import { polish } from './polish'
-import { type Quest, type ReadQuest, readQuest } from './quest'
+import { type ParsedQuery, parseQuery, type Query } from './query'
+import { type Cores, type Piece, type PieceFinds, pieceSearcherOf } from './search-piece'
 
 interface Scope {
   onmessage: ((event: { readonly data: Request }) => void) | null
-  postMessage(answer: Answer): void
+  postMessage(reply: Reply): void
 }
 
 const scope = globalThis as unknown as Scope
 
 let cores: Promise<Cores> | undefined
-let hunt: Promise<(piece: Piece) => Haul> | undefined
+let searchPiece: Promise<(piece: Piece) => PieceFinds> | undefined
 
 scope.onmessage = ({ data }) => {
   answer(data).catch(reason =>
@@ -27,14 +27,14 @@ async function answer(request: Request): Promise<void> {
     case 'start':
       cores = started(request.module)
       return
-    case 'quest':
-      hunt = ready().then(cores => hunterOf(checked(request.quest), cores))
+    case 'query':
+      searchPiece = ready().then(cores => pieceSearcherOf(checked(request.query), cores))
       return
-    case 'hunt':
-      if (!hunt) throw new Error('The worker was sent hunting without a quest.')
-      return scope.postMessage({ kind: 'haul', haul: (await hunt)(request.piece) })
+    case 'piece':
+      if (!searchPiece) throw new Error('The worker was sent a piece without a query.')
+      return scope.postMessage({ kind: 'result', result: (await searchPiece)(request.piece) })
     case 'polish': {
-      const polished = polish(checked(request.quest), request.vertices, await ready(), simpler =>
+      const polished = polish(checked(request.query), request.vertices, await ready(), simpler =>
         scope.postMessage({ kind: 'simpler', polished: simpler }),
       )
       return scope.postMessage({ kind: 'polished', polished })
@@ -53,8 +53,8 @@ async function ready(): Promise<Cores> {
   return cores
 }
 
-function checked(quest: Quest): ReadQuest {
-  const result = readQuest(quest)
-  if (!result.ok) throw new Error(result.errors.map(({ message }) => message).join(' '))
+function checked(query: Query): ParsedQuery {
+  const result = parseQuery(query)
+  if (!result.ok) throw new Error(result.error.map(({ message }) => message).join(' '))
   return result.value
 }

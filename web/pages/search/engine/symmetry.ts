@@ -5,7 +5,7 @@
 import { type Axis, VERTEX_COUNT, type Vec3, vertexReference } from '../../../model/hexahedron'
 
 export interface Symmetry {
-  /** What it is called on the page. */
+  /** The name on the page. */
   readonly title: string
   /** Relative to the centre: component r of the image is signs[r] times component sources[r]. */
   readonly sources: readonly [Axis, Axis, Axis]

@@ -1,12 +1,13 @@
-/** What a search looks for, and where. */
+/** The property that a search looks for, and the elements it searches. */
 import { type Condition, type ConditionError, parseCondition } from '../../../model/condition'
 import type { NumberNode } from '../../../model/condition/parse'
 import type { Vertices } from '../../../model/hexahedron'
+import type { Result } from '../../../model/result'
 import { type Distribution, refusalOf, startOf } from './distribution'
 import { parseMeasure } from './measure'
 
-export interface Quest {
-  /** In the language of conditions. */
+export interface Query {
+  /** A condition of web/model/condition.ts. */
   readonly property: string
   /** The number that is greatest for the most extreme. */
   readonly measure: string
@@ -15,40 +16,36 @@ export interface Quest {
   readonly seed: number
 }
 
-/** A quest that can be gone on. */
-export interface ReadQuest {
-  readonly quest: Quest
+/** A query that is understood. */
+export interface ParsedQuery {
+  readonly query: Query
   readonly property: Condition
   readonly measure: NumberNode
-  /** What `moved` counts from. */
+  /** The element from which `moved` counts. */
   readonly start: Vertices
 }
 
-export interface QuestError extends Partial<ConditionError> {
+export interface QueryError extends Partial<ConditionError> {
   readonly field: 'property' | 'measure' | 'distribution' | 'seed'
   readonly message: string
 }
 
 export const MOST_SEED = 2 ** 32 - 1
 
-export type QuestResult =
-  | { readonly ok: true; readonly value: ReadQuest }
-  | { readonly ok: false; readonly errors: readonly QuestError[] }
-
-export function readQuest(quest: Quest): QuestResult {
-  const property = parseCondition(quest.property)
-  const measure = parseMeasure(quest.measure)
-  const refused = refusalOf(quest.distribution)
-  const isSeed = Number.isInteger(quest.seed) && quest.seed >= 0 && quest.seed <= MOST_SEED
+export function parseQuery(query: Query): Result<ParsedQuery, readonly QueryError[]> {
+  const property = parseCondition(query.property)
+  const measure = parseMeasure(query.measure)
+  const refused = refusalOf(query.distribution)
+  const isSeed = Number.isInteger(query.seed) && query.seed >= 0 && query.seed <= MOST_SEED
   if (property.ok && measure.ok && refused === null && isSeed)
     return {
       ok: true,
-      value: { quest, property: property.value, measure: measure.value, start: startOf(quest.distribution) },
+      value: { query, property: property.value, measure: measure.value, start: startOf(query.distribution) },
     }
-  const errors: QuestError[] = []
+  const errors: QueryError[] = []
   if (!property.ok) errors.push({ field: 'property', ...property.error })
   if (!measure.ok) errors.push({ field: 'measure', ...measure.error })
   if (refused !== null) errors.push({ field: 'distribution', message: refused })
   if (!isSeed) errors.push({ field: 'seed', message: `The seed is a whole number from 0 to ${MOST_SEED}.` })
-  return { ok: false, errors }
+  return { ok: false, error: errors }
 }

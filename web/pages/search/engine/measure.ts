@@ -4,15 +4,12 @@ import type { Report } from '../../../core/report'
 import { type ConditionError, parseCondition } from '../../../model/condition'
 import type { NumberNode } from '../../../model/condition/parse'
 import type { Vertices } from '../../../model/hexahedron'
+import type { Result } from '../../../model/result'
 
-export type MeasureResult =
-  | { readonly ok: true; readonly value: NumberNode }
-  | { readonly ok: false; readonly error: ConditionError }
-
-/** What ends the text is a comparison of ours. */
+/** The comparison that makes a condition of the number. */
 const COMPARED = ' > 0'
 
-export function parseMeasure(text: string): MeasureResult {
+export function parseMeasure(text: string): Result<NumberNode, ConditionError> {
   if (text.trim() === '') return { ok: false, error: { message: 'There is no number to go by.', at: 0 } }
   const result = parseCondition(text + COMPARED)
   if (!result.ok) return { ok: false, error: { ...result.error, at: Math.min(result.error.at, text.length) } }
@@ -22,7 +19,7 @@ export function parseMeasure(text: string): MeasureResult {
   return { ok: true, value: claim.terms[0] as NumberNode }
 }
 
-/** In doubles: an order to look at, no verdict. Minus infinity for what is no number. */
+/** The number in doubles: an order to look at, no verdict. Minus infinity for NaN. */
 export function measured(node: NumberNode, report: Report, start: Vertices): number {
   const value = doubleOf(node, report, start)
   return Number.isNaN(value) ? -Infinity : value

@@ -1,7 +1,7 @@
 /** Searches in the browser: the wasm and the workers as the built page serves them. */
 import { batchFiles } from '../../../core/batch/batch-files'
 import type { WorkerPort } from './messages'
-import type { Workforce } from './search'
+import type { SearchWorkers } from './search'
 
 /** More workers than that wait for memory. */
 const MOST_WORKERS = 16
@@ -9,12 +9,12 @@ const MOST_WORKERS = 16
 let module: Promise<WebAssembly.Module> | undefined
 
 /** Rejects when the wasm cannot be had or may not run; a later call asks again. */
-export async function workforce(): Promise<Workforce> {
+export async function searchWorkers(): Promise<SearchWorkers> {
   module ??= batchFiles().catch(reason => {
     module = undefined
     throw reason
   })
-  return { module: await module, workers: Math.min(navigator.hardwareConcurrency, MOST_WORKERS), spawn }
+  return { module: await module, count: Math.min(navigator.hardwareConcurrency, MOST_WORKERS), spawn }
 }
 
 function spawn(): WorkerPort {

@@ -1,25 +1,5 @@
-/** Rational numbers of big integers, as far as the exact minimum needs them. */
-
-/** numerator / denominator, denominator > 0. */
-export interface Rational {
-  readonly numerator: bigint
-  readonly denominator: bigint
-}
-
-export function isLess(a: Rational, b: Rational): boolean {
-  return a.numerator * b.denominator < b.numerator * a.denominator
-}
-
-export function magnitude(value: bigint): bigint {
-  return value < 0n ? -value : value
-}
-
-/** Of zero it is 0. */
-export function bitLength(value: bigint): number {
-  if (value === 0n) return 0
-  const digits = magnitude(value).toString(16)
-  return 4 * (digits.length - 1) + 32 - Math.clz32(Number.parseInt(digits.charAt(0), 16))
-}
+/** Exact values rounded to doubles. */
+import { bitLength, magnitude, type Rational } from '../../model/rational'
 
 /** Bits kept of a quotient: more than a double's 53, and a last one that says whether anything was cut off. */
 const QUOTIENT_BITS = 64
