@@ -46,7 +46,7 @@ describe('the table of the element’s interface', () => {
   })
 
   it('has the slots and the custom properties of the style sheet', () => {
-    const styles = read('web/element/hex-lens.css') + read('web/panels/style-sheets.ts')
+    const styles = read('web/element/hex-lens.css')
     const used = new Set([...styles.matchAll(/--hl-[\w-]+/g)].map(([name]) => name))
     used.delete('--hl-scheme') // follows the attribute theme
     expect(names('customProperties').sort()).toEqual([...used].sort())
