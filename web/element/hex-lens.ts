@@ -192,6 +192,15 @@ export class HexLens extends ReflectingElement {
     return address.href
   }
 
+  /** How far its scrolling boxes are scrolled, in CSS pixels, to set it so again; 0 where none is given. */
+  get scrollPositions(): readonly number[] {
+    return this.#views.scrollers.map(({ scrollTop }) => scrollTop)
+  }
+
+  set scrollPositions(positions: readonly number[]) {
+    for (const [i, scroller] of this.#views.scrollers.entries()) scroller.scrollTop = positions[i] ?? 0
+  }
+
   /** True if all that is to be seen is drawn: views come when they are seen or opened. */
   get complete(): boolean {
     return this.#frames.isSeen && this.#changes.haveBegun && this.#frames.isIdle && this.#views.isComplete

@@ -31,6 +31,8 @@ const tree = html`<div class="element">
 export class ViewHost {
   /** The box around all that is the element's own. */
   readonly lens: HTMLElement
+  /** The boxes that scroll. */
+  readonly scrollers: readonly HTMLElement[]
   readonly #context: ViewContext
   readonly #regions: Readonly<Record<Panel['region'], HTMLElement>>
   /** The poster, and the content between the tags, until the views are made. */
@@ -54,6 +56,7 @@ export class ViewHost {
     const box = (name: string) => shadow.querySelector(`.${name}`) as HTMLElement
     this.lens = box('lens')
     this.#regions = { head: box('head'), stage: box('stage'), panel: box('panel'), folds: box('folds') }
+    this.scrollers = [box('side'), box('panel'), box('folds'), this.lens]
     this.#before = box('before')
     this.#poster = shadow.querySelector('img') as HTMLImageElement
   }

@@ -7,7 +7,7 @@ type Scroll = HistoryEntry['scroll']
 const OF_THE_READER = ['wheel', 'touchstart', 'pointerdown', 'keydown'] as const
 
 export function scrollOf(lens: Lens): Scroll {
-  return scrollers(lens).map(scroller => scroller?.scrollTop ?? 0)
+  return [document.scrollingElement?.scrollTop ?? 0, ...lens.scrollPositions]
 }
 
 /** Scrolls until all that was on the page is there again, or until the reader acts. */
@@ -19,9 +19,9 @@ export function scrollTo(lens: Lens, goals: Scroll): void {
   let wasComplete = false
   const step = () => {
     if (signal.aborted) return
-    for (const [i, scroller] of scrollers(lens).entries()) {
-      if (scroller) scroller.scrollTop = goals[i] ?? 0
-    }
+    const [page = 0, ...positions] = goals
+    if (document.scrollingElement) document.scrollingElement.scrollTop = page
+    lens.scrollPositions = positions
     // A view that has just been drawn may ask for another frame when it learns its size.
     if (lens.complete && wasComplete) ended.abort()
     wasComplete = lens.complete
@@ -32,13 +32,5 @@ export function scrollTo(lens: Lens, goals: Scroll): void {
 
 /** The lens as it is seen first, whatever the reader scrolled in it. */
 export function scrollToTop(lens: Lens): void {
-  for (const scroller of scrollersIn(lens)) if (scroller) scroller.scrollTop = 0
-}
-
-function scrollers(lens: Lens): (Element | null)[] {
-  return [document.scrollingElement, ...scrollersIn(lens)]
-}
-
-function scrollersIn(lens: Lens): (Element | null)[] {
-  return ['.side', '.panel', '.folds', '.lens'].map(selector => lens.shadowRoot?.querySelector(selector) ?? null)
+  lens.scrollPositions = []
 }
