@@ -110,7 +110,7 @@ function millisecondsOfThread(): number {
 
 function namesFile(message: string, name: string): boolean {
   const plain = name.replace(/[\p{Cc}\p{Cf}\u2028\u2029]/gu, '').replace(/\.gz$/i, '')
-  return message.includes(plain.slice(0, 50)) || corpus.some(other => message.startsWith(other.name))
+  return message.includes(plain.slice(0, 30)) || corpus.some(other => message.startsWith(other.name))
 }
 
 function unpackedSize(bytes: Uint8Array): number {

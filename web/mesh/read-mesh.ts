@@ -4,6 +4,7 @@ import { refused } from './formats/refused'
 import { gunzipped, gunzippedHead, isGzip } from './gzip'
 import { type Mesh, MeshRefusal } from './mesh'
 import { fencedBlocks, withoutQuotation } from './quotation'
+import { shownFileName } from './shown'
 import { utf16Of } from './snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from './source'
 import { shown } from './text-cursor'
@@ -27,7 +28,7 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
   const wanted = options.format === undefined ? null : formatNamed(options.format)
   const head = headOf(here)
   const isPacked = isGzip(head)
-  const name = isPacked ? file.name.replace(/\.gz$/i, '') : file.name
+  const name = isPacked ? here.name.replace(/\.gz$/i, '') : here.name
   // Nothing is inflated that no format wants.
   if (isPacked && wanted === null) formatOf(gunzippedHead(here, HEAD), name)
   try {
@@ -66,7 +67,7 @@ function withTruePlaces(mesh: Mesh): Mesh {
 
 /** The file with the name under which people are told of it. */
 function named(file: MeshFile): MeshFile {
-  return { name: shown(file.name).slice(1, -1), size: file.size, read: (from, to, into) => file.read(from, to, into) }
+  return { name: shownFileName(file.name), size: file.size, read: (from, to, into) => file.read(from, to, into) }
 }
 
 function headOf(file: MeshFile): Uint8Array {

@@ -5,6 +5,7 @@
 import { MeshRefusal } from './mesh'
 import type { MeshFile } from './source'
 import { shown } from './text-cursor'
+import { wordTable } from './word-table'
 
 const CHUNK = 1024 * 1024
 /** A tag is no longer. */
@@ -23,7 +24,7 @@ export interface XmlTag {
   readonly to: number
 }
 
-const ENTITIES: Readonly<Record<string, string>> = { amp: '&', lt: '<', gt: '>', quot: '"', apos: "'" }
+const ENTITIES: Readonly<Record<string, string>> = wordTable({ amp: '&', lt: '<', gt: '>', quot: '"', apos: "'" })
 const decoder = new TextDecoder()
 
 export class XmlScanner {

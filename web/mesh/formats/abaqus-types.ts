@@ -1,5 +1,6 @@
 /** Element types of Abaqus and CalculiX: the cell that each is, and its nodes. */
 import type { OtherCell } from '../mesh-builder'
+import { wordTable } from '../word-table'
 
 export type AbaqusType =
   | { readonly kind: 'hexahedron'; readonly nodes: 8 }
@@ -11,13 +12,13 @@ export type AbaqusType =
 const SOLID = /^(?:C|DC|DCC|AC|Q|EC|EMC|F|FC|SC|CSS)(?:3D)?(\d+)/
 const IS_SOLID = /^(?:(?:C|DC|DCC|AC|Q|EC|EMC|F|FC)3D|SC|CSS)\d/
 
-const SOLIDS: Readonly<Record<string, readonly [OtherCell, number]>> = {
+const SOLIDS: Readonly<Record<string, readonly [OtherCell, number]>> = wordTable({
   4: ['tetrahedron', 4],
   5: ['pyramid', 5],
   6: ['wedge', 6],
   10: ['tetrahedron', 10],
   13: ['pyramid', 13],
-}
+})
 
 /** Shells, membranes, surfaces, rigid faces; plane and axisymmetric continua. */
 const FACE = /^(?:S|DS|STRI|M3D|SFM3D|R3D|CPS|CPE|CPEG|CAX|CGAX|DCAX|DC2D|AC2D|ACAX|WARP2D|DCC2D|DCCAX)(\d+)/

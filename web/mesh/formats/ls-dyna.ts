@@ -5,6 +5,7 @@ import { Runs } from '../runs'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
+import { wordTable } from '../word-table'
 import { collect, NodeModel } from './node-model'
 import { TextLines } from './text-lines'
 
@@ -21,7 +22,7 @@ const TEN: Widths = { integer: 10, real: 16 }
 const LONG: Widths = { integer: 20, real: 20 }
 
 /** Nodes of a solid whose option says how many it has; they stand ten on a line. */
-const NODES_OF_OPTION: Readonly<Record<string, number>> = {
+const NODES_OF_OPTION: Readonly<Record<string, number>> = wordTable({
   H20: 20,
   H27: 27,
   H64: 64,
@@ -29,15 +30,15 @@ const NODES_OF_OPTION: Readonly<Record<string, number>> = {
   T20: 20,
   P21: 21,
   P40: 40,
-}
+})
 /** Lines that an option adds to each element. */
-const LINES_OF_OPTION: Readonly<Record<string, number>> = { ORTHO: 2, DOF: 1 }
+const LINES_OF_OPTION: Readonly<Record<string, number>> = wordTable({ ORTHO: 2, DOF: 1 })
 /** Elements that the code makes into others; what they are made of is read. */
 const CONVERSIONS = new Set(['TET4TOTET10', 'H8TOH20', 'H8TOH27', 'H8TOH64'])
-const SHELL_LINES: Readonly<Record<string, number>> = { THICKNESS: 1, BETA: 1, MCID: 1, OFFSET: 1, DOF: 1 }
-const BEAM_LINES: Readonly<Record<string, number>> = {
+const SHELL_LINES: Readonly<Record<string, number>> = wordTable({ THICKNESS: 1, BETA: 1, MCID: 1, OFFSET: 1, DOF: 1 })
+const BEAM_LINES: Readonly<Record<string, number>> = wordTable({
   ...{ THICKNESS: 1, SCALAR: 1, SCALR: 1, SECTION: 1, PID: 1, OFFSET: 1, ORIENTATION: 1, WARPAGE: 1, DOF: 1 },
-}
+})
 
 const passOver = () => {}
 

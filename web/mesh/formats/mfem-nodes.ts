@@ -1,6 +1,7 @@
 /** The spaces of MFEM's nodes: which of a grid function's numbers are the corners of a hexahedron. */
 import type { OtherCell } from '../mesh-builder'
 import { shown } from '../text-cursor'
+import { wordTable } from '../word-table'
 
 export interface NodeSpace {
   readonly name: string
@@ -15,7 +16,7 @@ export interface NodeSpace {
   nodesOf(kind: OtherCell | 'hexahedron'): number
 }
 
-const NAMED: Readonly<Record<string, number>> = { Linear: 1, Quadratic: 2, Cubic: 3 }
+const NAMED: Readonly<Record<string, number>> = wordTable({ Linear: 1, Quadratic: 2, Cubic: 3 })
 const MOST = 32
 
 /** Refuses spaces without nodes at the corners. */

@@ -8,6 +8,7 @@ import { Runs } from '../runs'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
+import { wordTable } from '../word-table'
 import type { Vector } from './movement'
 import { addFields, Card, GRID_X, type LineLayout, plainMnemonic, shortText, splitCard } from './nastran-card'
 import { type FrameKind, Frames } from './nastran-frames'
@@ -33,7 +34,7 @@ const HEXAHEDRON_ROWS: Readonly<Record<number, RowPattern>> = {
   44: new RowPattern(['=CHEXA', ...times(8, ',', 'whole'), 'end', ...times(2, ',', 'whole'), 'end']),
 }
 
-const OTHERS: Readonly<Record<string, OtherCell>> = {
+const OTHERS: Readonly<Record<string, OtherCell>> = wordTable({
   CTETRA: 'tetrahedron',
   CPENTA: 'wedge',
   CPYRAM: 'pyramid',
@@ -49,14 +50,14 @@ const OTHERS: Readonly<Record<string, OtherCell>> = {
   ...both('line', 'CBAR CBEAM CBEAM3 CROD CONROD CTUBE CBEND'),
   ...both('other', 'CELAS1 CELAS2 CELAS3 CELAS4 CDAMP1 CDAMP2 CDAMP3 CDAMP4 CDAMP5 CBUSH CBUSH1D CBUSH2D CGAP CVISC'),
   ...both('other', 'CMASS1 CMASS2 CMASS3 CMASS4 CONM1 CONM2 CFAST CWELD CIHEX1 CIHEX2 CIHEX3 CHEXA1 CHEXA2'),
-}
+})
 
 function both(type: OtherCell, names: string): Record<string, OtherCell> {
   return Object.fromEntries(names.split(' ').map(name => [name, type]))
 }
 
 /** The values that are read of each entry. */
-const WANTED: Readonly<Record<string, number>> = {
+const WANTED: Readonly<Record<string, number>> = wordTable({
   GRID: 5,
   GRDSET: 2,
   CHEXA: 23,
@@ -66,7 +67,7 @@ const WANTED: Readonly<Record<string, number>> = {
   CORD2R: 11,
   CORD2C: 11,
   CORD2S: 11,
-}
+})
 
 /** A CHEXA of 20 nodes: bottom edges, upright edges, top edges; as places among its nodes, in VTK order. */
 const ORDER_OF_20 = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15]

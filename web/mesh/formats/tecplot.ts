@@ -7,22 +7,23 @@ import { headText } from '../snippet-text'
 import { titledColumns } from '../snippets/point-set'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
+import { wordTable } from '../word-table'
 
 /** Nodes of a zone's cells. */
-const CELLS: Readonly<Record<string, readonly [OtherCell | 'hexahedron', number]>> = {
+const CELLS: Readonly<Record<string, readonly [OtherCell | 'hexahedron', number]>> = wordTable({
   FEBRICK: ['hexahedron', 8],
   FETETRAHEDRON: ['tetrahedron', 4],
   FEQUADRILATERAL: ['quadrilateral', 4],
   FETRIANGLE: ['triangle', 3],
   FELINESEG: ['line', 2],
-}
-const OLD_TYPES: Readonly<Record<string, string>> = {
+})
+const OLD_TYPES: Readonly<Record<string, string>> = wordTable({
   BRICK: 'FEBRICK',
   TETRAHEDRON: 'FETETRAHEDRON',
   QUADRILATERAL: 'FEQUADRILATERAL',
   TRIANGLE: 'FETRIANGLE',
   LINESEG: 'FELINESEG',
-}
+})
 const KEYWORD = /^[ \t]*(?:TITLE|FILETYPE|VARIABLES|ZONE|TEXT|GEOMETRY|DATASETAUXDATA|VARAUXDATA)\b/i
 const PARAMETER = /([A-Za-z]+)\s{0,20}=\s{0,20}("[^"]{0,1000}"|\((?:[^()]|\([^()]{0,1000}\)){0,4000}\)|[^\s,]+)/g
 

@@ -6,8 +6,9 @@ import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { headText } from '../snippet-text'
 import type { MeshFormat } from '../source'
 import { shown, TextCursor } from '../text-cursor'
+import { wordTable } from '../word-table'
 
-const TYPES: Readonly<Record<string, readonly [OtherCell | 'hexahedron', number]>> = {
+const TYPES: Readonly<Record<string, readonly [OtherCell | 'hexahedron', number]>> = wordTable({
   pt: ['vertex', 1],
   line: ['line', 2],
   tri: ['triangle', 3],
@@ -16,7 +17,7 @@ const TYPES: Readonly<Record<string, readonly [OtherCell | 'hexahedron', number]
   pyr: ['pyramid', 5],
   prism: ['wedge', 6],
   hex: ['hexahedron', 8],
-}
+})
 const HEADER = /^(?:[ \t]*#[^\n]{0,1000}\n|[ \t]*\r?\n){0,100}[ \t]*\d{1,12}(?:[ \t]+\d{1,12}){4}[ \t]*\r?\n/
 const CELL = /^[ \t]*\d{1,12}[ \t]+-?\d{1,12}[ \t]+(?:pt|line|tri|quad|tet|pyr|prism|hex)[ \t]+\d/m
 const TOP_FIRST = [4, 5, 6, 7, 0, 1, 2, 3]

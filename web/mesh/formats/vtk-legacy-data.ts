@@ -1,17 +1,18 @@
 /** Arrays of cells behind the grid of VTK's legacy files: ids and blocks are read. */
 import { MeshRefusal } from '../mesh'
+import { wordTable } from '../word-table'
 import { type CellData, cellDataOf, cellDataRank } from './vtk-cell-data'
 import { decoded, type LegacyStream } from './vtk-legacy-stream'
 
 /** Words of a section for one array, and how many numbers each cell or point has in it. */
-const SIZES: Readonly<Record<string, number>> = {
+const SIZES: Readonly<Record<string, number>> = wordTable({
   VECTORS: 3,
   NORMALS: 3,
   TENSORS: 9,
   TENSORS6: 6,
   GLOBAL_IDS: 1,
   PEDIGREE_IDS: 1,
-}
+})
 
 /**
  * The arrays of `cells` cells; the cursor stands behind the word CELL_DATA or POINT_DATA. Null where there are none of use: a part that is

@@ -4,13 +4,14 @@ import { lineAt, NumberRun } from '../number-run'
 import { isEllipsis } from '../snippet-text'
 import type { MeshFile, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
+import { wordTable } from '../word-table'
 import { alignedTo, NUMBER_SIZES, type NumberList, type NumberType, putNumbers } from './vtu-arrays'
 
 const CHUNK = 256 * 1024
 const FIRST_CHUNK = 4096
 
 /** Types of arrays as these files name them. */
-const TYPES: Readonly<Record<string, NumberType>> = {
+const TYPES: Readonly<Record<string, NumberType>> = wordTable({
   char: 'Int8',
   signed_char: 'Int8',
   unsigned_char: 'UInt8',
@@ -28,7 +29,7 @@ const TYPES: Readonly<Record<string, NumberType>> = {
   vtkidtype: 'Int32',
   float: 'Float32',
   double: 'Float64',
-}
+})
 
 export class LegacyStream {
   readonly file: MeshFile

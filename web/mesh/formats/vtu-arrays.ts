@@ -14,6 +14,7 @@ import { lineAt, NumberRun } from '../number-run'
 import { isEllipsis } from '../snippet-text'
 import type { MeshFile, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
+import { wordTable } from '../word-table'
 
 export type NumberType =
   | 'Int8'
@@ -27,7 +28,7 @@ export type NumberType =
   | 'Float32'
   | 'Float64'
 
-export const NUMBER_SIZES: Readonly<Record<NumberType, number>> = {
+export const NUMBER_SIZES: Readonly<Record<NumberType, number>> = wordTable({
   Int8: 1,
   UInt8: 1,
   Int16: 2,
@@ -38,7 +39,7 @@ export const NUMBER_SIZES: Readonly<Record<NumberType, number>> = {
   UInt64: 8,
   Float32: 4,
   Float64: 8,
-}
+})
 
 /** Properties of all arrays of a file. */
 export interface Storage {

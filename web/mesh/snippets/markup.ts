@@ -1,6 +1,13 @@
 /** HTML tables as text: a line for each row, tabs between its cells. */
+import { wordTable } from '../word-table'
 
-const ENTITIES: Readonly<Record<string, string>> = { nbsp: ' ', minus: '-', '#8722': '-', '#160': ' ', thinsp: ' ' }
+const ENTITIES: Readonly<Record<string, string>> = wordTable({
+  nbsp: ' ',
+  minus: '-',
+  '#8722': '-',
+  '#160': ' ',
+  thinsp: ' ',
+})
 
 /** Texts without rows or cells of HTML come back as they are. */
 export function withoutTags(text: string): string {
