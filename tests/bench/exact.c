@@ -1,4 +1,4 @@
-/* What npm run bench -- exact times, natively and in wasm: one question asked of some elements over and over, and how many
+/* The work that npm run bench -- exact times, natively and in wasm: one question asked of some elements over and over, and how many
    multiplications of integers it took. */
 #include "../../wasm/src/bernstein.h"
 #include "../../wasm/src/exact.h"
@@ -6,7 +6,7 @@
 #include "../../wasm/src/scaling.h"
 #include "hexlens.h"
 
-/* Of the elements one by one, or of all of them as a batch. */
+/* Questions about the elements one by one, or about all of them as a batch. */
 typedef enum question_kind { VERDICT, MINIMUM, REPORT, VERDICTS, MINIMA, QUESTIONS } question_kind;
 
 enum { MOST = 1024 };
@@ -41,7 +41,7 @@ static void ask(question_kind question, int count, int repeats) {
   }
 }
 
-/* What integers do for an answer; nothing where doubles give it, or where it is zero at sight. */
+/* The work of integers for an answer; none where doubles give it, or where it is zero at sight. */
 static exact_cost cost_of(question_kind question, const double *vertices) {
   exact_cost cost = {0, 0};
   hl_verdict verdict;

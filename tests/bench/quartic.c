@@ -40,7 +40,7 @@ static double polished_cubic_root(double b, double c) {
   return x;
 }
 
-/* Of the resolvent of t^4 + a t^3 + b t^2 + c t + d, shifted so that it does not cancel. */
+/* The dominant root of the resolvent cubic of t^4 + a t^3 + b t^2 + c t + d, shifted so that it does not cancel. */
 static double dominant_root(double a, double b, double c, double d) {
   double discriminant = 9 * a * a - 24 * b, s = -a / 4;
   if (discriminant > 0) s = -2 * b / (3 * a + copysign(sqrt(discriminant), a));

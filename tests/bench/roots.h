@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-/* Whether jacdet > 0 at every candidate; stops at the first that is not. */
+/* True if jacdet > 0 at every candidate; stops at the first that is not. */
 bool roots_validity(const double vertices[24], bool with_bounds);
 
 /* The least value at a candidate, and where. */

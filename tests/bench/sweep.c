@@ -15,7 +15,7 @@ enum { ROOTS = 0, ROOTS_B = 1, HEXLENS = 2, METHODS = 3, DETERMINANTS = 3, LANES
 static double displacements[MOST * COORDINATES], hexahedra[MOST * COORDINATES];
 static int element_count;
 
-/* What Hexlens found, and what Roots+B did. */
+/* The answers of Hexlens and of Roots+B. */
 static uint8_t verdicts[MOST];
 static double minima[MOST], minimizers[3 * MOST], corner_minima[MOST], roots_minima[MOST];
 static int16_t exponents[MOST];
@@ -88,7 +88,7 @@ static void run(int query, int method) {
   }
 }
 
-/* Of the last run of Hexlens: a number for all of its bits, by which native and wasm are compared (FNV-1a by words). */
+/* A checksum of the last run of Hexlens: a number for all of its bits, by which native and wasm are compared (FNV-1a by words). */
 static uint32_t fingerprint(int query) {
   uint64_t hash = 0xcbf29ce484222325u;
   for (int n = 0; n < element_count; ++n) {

@@ -14,7 +14,7 @@ const hard = cube
 
 type HexLens = HTMLElementTagNameMap['hex-lens']
 
-/** What the page shows; null before there is a picture. */
+/** The picture that the page shows; null before there is a picture. */
 function look(driver: Driver) {
   return driver.run(() => {
     const lens = document.querySelector('hex-lens') as HexLens
@@ -50,7 +50,7 @@ function bits(driver: Driver): Promise<string[]> {
   })
 }
 
-/** What would stand in the console of the page since it was loaded. */
+/** The lines that would stand in the console of the page since it was loaded. */
 function complaints(driver: Driver): Promise<string[]> {
   return driver.run(() => (window as unknown as { complaints: string[] }).complaints)
 }

@@ -49,7 +49,7 @@ export class Driver {
     await this.#send('WebDriver:Refresh', {})
   }
 
-  /** What a function of the page returns. It is sent as text: it sees nothing but its arguments, which are JSON. */
+  /** The value that a function of the page returns. It is sent as text: it sees nothing but its arguments, which are JSON. */
   async run<Given extends unknown[], Result>(work: (...given: Given) => Result, ...given: Given): Promise<Result> {
     const script = `return (${work}).apply(null, arguments)`
     // With the page's own globals; only Firefox has a choice.
@@ -216,7 +216,7 @@ async function firstLine(stream: Readable): Promise<string> {
   throw new Error('The virtual screen ended at once.')
 }
 
-/** What `look` gives as soon as that is something; while it throws or gives nothing the process is on its way. */
+/** The first value of `look` that is something; while it throws or gives nothing the process is on its way. */
 async function until<T>(child: ChildProcess, look: () => T | Promise<T>): Promise<T> {
   while (child.exitCode === null && child.signalCode === null) {
     try {

@@ -12,7 +12,7 @@
 
 enum { LONGEST = 2000 };
 
-/* Of a copy that ends where the word does. */
+/* The double of a word, read from a copy that ends where the word does. */
 static double value_of(const char *word, bool *is_whole_word) {
   const size_t length = strlen(word);
   uint8_t *bytes = malloc(length);

@@ -25,7 +25,7 @@ for (const name of NAMES) {
     value: new Proxy(original, {
       construct(target, args, self) {
         const [first] = args
-        // What is asked for counts, even where it cannot be had; a view of a buffer is no allocation.
+        // An array counts even where there is no memory for it; a view of a buffer is no allocation.
         if (typeof first === 'number') count(target.BYTES_PER_ELEMENT * first)
         else if (!(first instanceof ArrayBuffer)) count(target.BYTES_PER_ELEMENT * ((first as never[]).length ?? 0))
         return Reflect.construct(target, args, self)

@@ -11,7 +11,7 @@ const SMALL = 1_000_000
 const LARGE = 4 * SMALL
 const SAMPLE = 250_000
 const EVERY = 8
-/** Of the larger to the smaller; between linear and quadratic. */
+/** The most that the larger text may take, in times of the smaller: 4 is linear, 16 quadratic. */
 const MOST_GROWTH = 10
 /** So short times are measured badly. */
 const SHORT = 150

@@ -6,7 +6,7 @@ import { type CorpusFile, corpus } from './corpus'
 export interface Mutation {
   readonly number: number
   readonly path: string
-  /** What was done, one after the other. */
+  /** The changes made, one after the other. */
   readonly steps: readonly string[]
   readonly name: string
   readonly bytes: Uint8Array
@@ -152,7 +152,7 @@ const TOKENS = [
   '#',
 ]
 
-/** Where some token near a random place lies; an empty place where there is none. */
+/** The range of some token near a random place; an empty range where there is none. */
 function tokenNear(bytes: Uint8Array, random: Random, pattern = /[^\s<>"'=,;()[\]]+/g): [number, number] {
   const from = random.below(bytes.length)
   pattern.lastIndex = 0
@@ -426,7 +426,7 @@ const DAMAGES: readonly (readonly [string, Damage])[] = [
   ],
 ]
 
-/** What was slow once, and is alike. */
+/** Texts that were slow once, and others like them. */
 export const FRAGMENTS = [
   'p 1 2 3 ',
   '[',

@@ -14,7 +14,7 @@ export interface Reading {
   readonly number: number
   readonly mutation: Mutation
   readonly outcome: 'mesh' | 'sentence'
-  /** What is wrong, null if nothing is. */
+  /** The fault in a sentence, null if there is none. */
   readonly fault: string | null
   readonly milliseconds: number
   /** How many times its size, or 4 kB for a small one, was read of the file. */
@@ -24,7 +24,7 @@ export interface Reading {
 const MOST_MILLISECONDS = 2000
 /** Recognizing, quotation, headers and body, and sections that are gone back to. */
 const MOST_TIMES_READ = 16
-/** What is slow is tried again: memory may have been cleaned up in that time. */
+/** A slow reading is tried again: memory may have been cleaned up in that time. */
 const TRIES = 3
 const MEGABYTE = 1024 * 1024
 

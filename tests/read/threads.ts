@@ -14,7 +14,7 @@ export interface Read {
 
 /** Far beyond what a reading may take, however busy the machine is. */
 const HANGS_AFTER = 60_000
-/** What V8 may have for objects: no file here needs as much. */
+/** The memory that V8 may have for objects, in MB: no file here needs as much. */
 const HEAP_MEGABYTES = 512
 
 interface Numbers {
@@ -97,7 +97,7 @@ async function bundledWorker(): Promise<URL> {
     target: 'node20',
     sourcemap: 'inline',
     sourcesContent: false,
-    // Of the tests' own files, which lie in one folder.
+    // The tests' own files, which lie in one folder.
     define: { 'import.meta.url': JSON.stringify(entry.href) },
   })
   const [script] = outputFiles

@@ -1,4 +1,4 @@
-/** What holds of every mesh that is read, and of every sentence that is said in its place. */
+/** The law for every mesh that is read, and for every sentence that is said in its place. */
 import type { CoordinatePlaces, Mesh } from '../../web/mesh/mesh'
 
 /** The first thing that is wrong with a mesh read from `bytes`, null if there is none. */

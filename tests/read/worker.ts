@@ -16,6 +16,6 @@ for (let number = from; number < to; number += step) {
     milliseconds,
     timesRead,
   })
-  // What zlib has held is given back between turns of the event loop.
+  // The memory that zlib has held is given back between turns of the event loop.
   await setImmediate()
 }

@@ -114,8 +114,8 @@ typedef enum hl_root_fate { HL_ROOT_KEPT = 0, HL_ROOT_A_NOT_POSITIVE = 1, HL_ROO
 typedef enum hl_check {
   HL_CHECK_CORNERS = 0, /* the least at the eight vertices */
   HL_CHECK_CORNERS_AND_CENTRE =
-      1,                  /* Verdict's scaled Jacobian: the least there and at (1/2,1/2,1/2), from -1 to 1; but 1e30 if
-                             a column of DF is no longer than about 1e-15, whatever the others are */
+      1,                  /* Verdict's scaled Jacobian: the least there and at (1/2,1/2,1/2), from -1 to 1; but 1e30 by
+                             the rules (S1) and (S2) of docs/algorithm.md, as for a column of DF without length */
   HL_CHECK_GAUSS_2 = 2,   /* the least at the 2x2x2 Gauss points */
   HL_CHECK_GAUSS_3 = 3,   /* the least at the 3x3x3 Gauss points */
   HL_CHECK_EDGES = 4,     /* the least on the twelve edges */

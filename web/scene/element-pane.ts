@@ -18,7 +18,7 @@ export class ElementPane extends Pane {
   #isReadonly: boolean | null = null
   #drag: HandleDrag | null = null
   #drawnDrag: HandleDrag | null = null
-  /** Whether the gesture last drawn is of the pointer here, under which the picture must not move. */
+  /** True if the gesture last drawn is of the pointer here, under which the picture must not move. */
   #wasDragging = false
 
   constructor(scene: PaneScene, description: string) {
@@ -37,7 +37,7 @@ export class ElementPane extends Pane {
     return this.fitting.world
   }
 
-  /** Whether the drag has changed since the overlay was drawn. */
+  /** True if the drag has changed since the overlay was drawn. */
   get hasNewDrag(): boolean {
     return this.#drag !== this.#drawnDrag
   }

@@ -42,7 +42,7 @@ class Scene implements View, PaneScene {
   readonly #resizes = new ResizeObserver(() => this.#onResize())
   /** Made when it is first shown. */
   #reference: ReferenceCube | null = null
-  /** Whether the browser has laid out the scene once: asking for that in the frame that adds it to the page is slow. */
+  /** True if the browser has laid out the scene once: asking for that in the frame that adds it to the page is slow. */
   #isLaidOut = false
   #sizeMayDiffer = true
   #shown: Frame | null = null
@@ -219,7 +219,7 @@ class Scene implements View, PaneScene {
     this.#colourBar.update({ state, report, probe, scale: scaleOf(state, report), ramp, upright: !isNarrow, length })
   }
 
-  /** Whether a frame has anything new but the probe. */
+  /** True if a frame has anything new but the probe. */
   #differs({ state, report }: Frame): boolean {
     const before = this.#shown
     if (before === null || before.report !== report) return true

@@ -12,7 +12,7 @@ export interface InputTarget {
   readonly camera: SceneCamera
   readonly world: World
   readonly host: { state(): State; readonly dispatch: Dispatch }
-  /** Whether vertices are moved here; else arrow keys turn the camera. */
+  /** True if vertices are moved here; else arrow keys turn the camera. */
   readonly movesVertices: boolean
   /** The pointer in units from the top left, as are all points of the screen. */
   positionOf(event: MouseEvent): Point

@@ -17,7 +17,7 @@ export class ProbeInput {
   /** The position of the pointer that waits for the next frame, since this one has followed its line of sight. */
   #next: Point | null = null
   #frameDue = false
-  /** Whether a hovering pointer has put the probe. */
+  /** True if a hovering pointer has put the probe. */
   #hovering = false
   #tap: (Point & { readonly pointerId: number }) | null = null
 

@@ -268,7 +268,7 @@ function onBar(middle: number, text: string, length: number): number {
   return Math.max(half, Math.min(length - half, middle))
 }
 
-/** Whether a label touches none of its neighbours; a short bar keeps only its mark of zero. */
+/** True if a label touches none of its neighbours; a short bar keeps only its mark of zero. */
 function fits(middles: readonly number[], sizes: readonly number[], label: number): boolean {
   return middles.every((middle, i) => {
     const apart = Math.abs(middle - (middles[label] as number))

@@ -22,7 +22,7 @@ interface Place extends Point {
 
 /** The middle of the label. */
 export interface LabelPlace extends Place {
-  /** Whether it is inside the bounds and on no box: if nothing is free, the least bad place may be worse than none. */
+  /** True if it is inside the bounds and on no box: if nothing is free, the least bad place may be worse than none. */
   readonly isFree: boolean
 }
 

@@ -172,7 +172,7 @@ function leastInside(inside: Report['volumeMinimum']): Least {
   return { words: 'min J inside', value: approximation(inside).value, position: inside.position, isVertex: false }
 }
 
-/** Whether a candidate lies on the faces shown: one face alone has its own and those of its edges. */
+/** True if a candidate lies on the faces shown: one face alone has its own and those of its edges. */
 function isOnFaces({ kind, id }: Candidate, display: FaceDisplay): boolean {
   const shown = typeof display === 'number' ? faces[display] : undefined
   if (shown === undefined) return true

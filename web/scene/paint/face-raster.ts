@@ -30,7 +30,7 @@ export interface Palette {
   readonly packed: Int32Array
   /** The same as red, green, blue in [0,255]. */
   readonly components: Float64Array
-  /** Whether a line on the colour has to be light. */
+  /** True if a line on the colour has to be light. */
   readonly isDim: Uint8Array
   /** `packed` under a level's line, by the line's share in steps. */
   readonly levelled: (Int32Array | undefined)[]

@@ -79,7 +79,7 @@ uniform vec3 paper;
 uniform vec3 eye;
 uniform float pixelRatio;
 uniform float hatchPeriod;
-// Of faces, where positive, where negative, and of lines on them; the section hides what is behind it.
+// Opacities: of faces where positive and where negative, and of lines on them. The section hides what is behind it.
 uniform vec3 opacity;
 
 const float STEPS = ${RAMP_STEPS}.0;

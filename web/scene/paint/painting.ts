@@ -21,7 +21,7 @@ const CONTEXT_LOST =
   'The graphics context was lost, so the faces are not coloured until the browser gives it back. Everything else goes on.'
 
 export class Painting {
-  /** Whether the first picture is some frames away. */
+  /** True if the first picture is some frames away. */
   isLoading = true
   picturesDrawn = 0
   ramp: Ramp | null = null

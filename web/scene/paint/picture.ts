@@ -33,7 +33,7 @@ export interface Picture {
 
 export interface FacePainter {
   readonly root: HTMLCanvasElement | SVGSVGElement
-  /** Whether the context is lost at present: nothing can be painted. */
+  /** True if the context is lost at present: nothing can be painted. */
   readonly isLost: boolean
   /** False while there are steps to the first picture, of which each call takes one: it wants another call in the next frame. */
   isReady(picture: Picture): boolean
@@ -45,7 +45,7 @@ export interface FacePainter {
 /** Opacities of faces where positive, where negative, and of lines on them, in the displays that one can look through. */
 export const OPACITY: Readonly<Record<string, Vec3>> = { 'see-through': [0.3, 0.82, 1], inside: [0.08, 0.2, 0.45] }
 
-/** Whether a picture is the same as the one noted before it. */
+/** True if a picture is the same as the one noted before it. */
 export class LastPicture {
   #values: readonly unknown[] = []
 

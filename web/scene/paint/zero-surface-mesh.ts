@@ -65,7 +65,7 @@ const vec3 LIGHT = normalize(vec3(-0.35, 0.6, 0.72));
 void main() {
   if (dot(at, cut.xyz) > cut.w) discard;
   float size = length(normal);
-  // Where the folds of F meet in a cusp the normal has no length, and the plane of the triangle stands in.
+  // In a cusp, where the folds of F meet, the normal has no length, and the plane of the triangle stands in.
   vec3 n = size > 1e-9 ? normal / size : normalize(cross(dFdx(seen), dFdy(seen)));
   float light = dot(n.z < 0.0 ? -n : n, LIGHT);
   vec3 colour = light < 0.5 ? mix(shade, hue, max(light, 0.0) * 2.0) : mix(hue, lit, light * 2.0 - 1.0);

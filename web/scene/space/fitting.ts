@@ -14,7 +14,7 @@ export interface Change {
   readonly before: State | null
   /** The camera before the pane was resized; null if it was not. */
   readonly resized: { readonly camera: CameraView | null } | null
-  /** Whether a pointer in the scene moved the element: under it the picture must not move. */
+  /** True if a pointer in the scene moved the element: under it the picture must not move. */
   readonly isDragged: boolean
 }
 
@@ -84,7 +84,7 @@ export class Fitting {
     return worldOf(vertices).size / this.world.size
   }
 
-  /** Whether the element is all there, and spans at least a share of the pane. */
+  /** True if the element is all there, and spans at least a share of the pane. */
   #isInSight({ vertices }: State, share: number): boolean {
     const { camera } = this.#orbit
     camera.three.updateMatrixWorld()
