@@ -149,7 +149,7 @@ test('the gallery shows each element, in the lens too, and leads on', async ({ l
   await test.step('every element has a picture in words and colours', async () => {
     const images = page.locator('.gallery img')
     await expect(images).toHaveCount(elements.length)
-    await expect(page.locator('.gallery img[src^="data:image/svg+xml;base64,"]')).toHaveCount(elements.length)
+    await expect(page.locator('.gallery img[src^="data:image/png;base64,"]')).toHaveCount(elements.length)
     const texts = await images.evaluateAll(list => list.map(image => (image as HTMLImageElement).alt))
     expect(texts.every(text => /^(Valid|Invalid), minimum .* on (vertex|edge|face) .*\.$/.test(text))).toBe(true)
     const widths = await images.evaluateAll(list => list.map(image => (image as HTMLImageElement).naturalWidth))
