@@ -59,7 +59,7 @@ class NearestView implements View {
       </div>
       <div>
         <dt>All eight</dt>
-        <dd>${nearest?.ofAll === undefined ? LOOKING : this.#all(nearest.ofAll, valid, state)}</dd>
+        <dd>${nearest?.ofAll === undefined ? LOOKING : this.#all(nearest.ofAll, state)}</dd>
       </div>
     </dl>`
   }
@@ -79,7 +79,7 @@ class NearestView implements View {
       ${claim(one)}${this.#buttons(one, `vertex ${one.vertex}`, state)}`
   }
 
-  #all(move: NearestAnswer, valid: boolean, state: State): TemplateResult {
+  #all(move: NearestAnswer, state: State): TemplateResult {
     if (move === null || move === 'impossible') return html`<p>No such move of all eight vertices was found.</p>`
     return html`<p>Together by <b>${lengthOf(move.length)}</b>, the farthest by ${lengthOf(move.longest)}</p>
       ${claim(move)}${this.#buttons(move, 'all eight', state)}`
