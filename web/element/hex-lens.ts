@@ -14,7 +14,7 @@ import { InputReader } from '../input/input-reader'
 import { listenForInput } from '../input/pasted-input'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
-import { type Preset, presetOf, presets, presetVertices } from '../model/presets'
+import { presetOf, presets, presetVertices } from '../model/presets'
 import type { Action, Cameras } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore } from '../model/store'
@@ -22,14 +22,13 @@ import { knownPanels, type Panel } from '../panels/panel'
 import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
 import { Analyzer } from './analyzer'
 import {
+  AttributeInput,
   type AttributeName,
-  type Attributes,
   attributeNames,
   checkedVertices,
   FIRST_VIEWS,
   readAttribute,
   readVertices,
-  verticesText,
   viewNames,
 } from './attributes'
 import { Changes } from './changes'
@@ -85,10 +84,10 @@ export class HexLens extends ReflectingElement {
     () => this.#frames.schedule(),
   )
   readonly #problems = new Map<Problem['code'], Problem>()
-  readonly #store = createStore(presetVertices(presets[0]), presets[0].id)
-  readonly #changes = new Changes(this.#store.state.vertices, {
+  readonly #store = createStore(presetVertices(presets[0]), presets[0].id, 'starting')
+  readonly #changes = new Changes({
     tell: (event: string, detail: unknown = null) => this.#tell(event, detail),
-    reflect: () => this.#reflect(),
+    reflect: () => this.#attributes.reflect(this.#store.state),
   })
   readonly #frames = new FrameLoop(this, frame => this.#onFrame(frame))
   /** Names of panels, as the attribute last said them. */
@@ -101,9 +100,21 @@ export class HexLens extends ReflectingElement {
     refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
     onNews: () => this.#frames.schedule(),
   })
-  #cameras: Cameras | null = null
-  #drawnCameras: Cameras | null = null
-  #isReflecting = false
+  readonly #attributes = new AttributeInput(this, viewNames(HexLens.composition), {
+    state: () => this.#store.state,
+    dispatch: action => this.#dispatch(action),
+    showViews: names => this.#showPanels(names),
+    setReadonly: isReadonly => {
+      this.#dispatch({ type: 'set-readonly', isReadonly })
+      this.#showPanels(this.#viewNames)
+    },
+    lookFrom: camera => {
+      const referenceCamera = this.#camerasNow?.referenceCamera ?? null
+      this.#dispatch({ type: 'look', cameras: { camera, referenceCamera } })
+    },
+    setPoster: address => this.#views.setPoster(address),
+    setLabel: label => this.#views.setLabel(label),
+  })
 
   constructor() {
     super()
@@ -129,7 +140,7 @@ export class HexLens extends ReflectingElement {
   }
 
   disconnectedCallback(): void {
-    this.#cameras = this.#camerasNow
+    this.#keepCameras()
     this.#frames.stop()
     this.#analyzer.stop()
     this.#views.end()
@@ -137,14 +148,7 @@ export class HexLens extends ReflectingElement {
   }
 
   attributeChangedCallback(name: AttributeName): void {
-    if (this.#isReflecting) return
-    try {
-      this.#take(name)
-      this.clear(`bad-${name}`)
-    } catch (reason) {
-      if (!(reason instanceof HexLensError)) throw reason
-      this.raise({ code: `bad-${name}`, message: reason.message })
-    }
+    this.#attributes.take(name)
   }
 
   get vertices(): number[] {
@@ -158,18 +162,15 @@ export class HexLens extends ReflectingElement {
   }
 
   get state(): StateDocument {
-    return stateDocument(this.#store.state, this.#camerasNow, knownPanels(HexLens.composition.panels))
+    const state = { ...this.#store.state, cameras: this.#camerasNow }
+    return stateDocument(state, knownPanels(HexLens.composition.panels))
   }
 
   /** Throws HexLensError outside the schema. Changes of the element are one step to undo. */
   set state(given: StateDocument) {
     const result = readState(given, knownPanels(HexLens.composition.panels))
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
-    const { state, cameras } = result.value
-    if (!this.#changes.haveBegun) this.#begin(state.vertices, state.preset, state.start)
-    this.#cameras = cameras
-    this.#store.dispatch({ type: 'restore', state })
-    this.#frames.schedule()
+    this.#dispatch({ type: 'restore', state: result.value })
   }
 
   get preset(): string | null {
@@ -203,7 +204,7 @@ export class HexLens extends ReflectingElement {
 
   /** True if all that is to be seen is drawn: views come when they are seen or opened. */
   get complete(): boolean {
-    return this.#frames.isSeen && this.#changes.haveBegun && this.#frames.isIdle && this.#views.isComplete
+    return this.#frames.isSeen && this.#store.state.phase === 'begun' && this.#frames.isIdle && this.#views.isComplete
   }
 
   undo(): void {
@@ -269,50 +270,6 @@ export class HexLens extends ReflectingElement {
     Reflect.set(this, name, early.value)
   }
 
-  /** Does what an attribute says. Throws HexLensError, with nothing changed. */
-  #take(name: AttributeName): void {
-    const takes: { readonly [Name in AttributeName]: (value: Attributes[Name]) => void } = {
-      vertices: vertices => this.#takeElement(vertices, null),
-      preset: preset => this.#takeElement(null, preset),
-      views: names => this.#showPanels(names),
-      controls: controls => this.#dispatch({ type: 'show-controls', controls }),
-      camera: camera => {
-        this.#cameras = { camera, referenceCamera: this.#camerasNow.referenceCamera }
-        this.#frames.schedule()
-      },
-      theme: () => {}, // the style sheet does it
-      readonly: isReadonly => {
-        this.#dispatch({ type: 'set-readonly', isReadonly })
-        this.#showPanels(this.#viewNames)
-      },
-      poster: poster => this.#views.setPoster(poster),
-      label: label => this.#views.setLabel(label),
-    }
-    const take = takes[name] as (value: unknown) => void
-    take(readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition)))
-  }
-
-  /** The two attributes, in any order before the first frame, are where the element starts. */
-  #takeElement(vertices: Vertices | null, preset: Preset | null): void {
-    if (!this.#changes.haveBegun) {
-      const own = vertices ?? this.#understood('vertices')
-      const from = preset ?? this.#understood('preset')
-      const start = from && from.valid !== null ? presetVertices(from) : own
-      const first = own ?? (from && presetVertices(from))
-      if (first) this.#begin(first, from?.id ?? presetOf(first), start ?? first)
-    } else if (vertices) this.#setVertices(vertices, presetOf(vertices))
-    else if (preset) this.#setVertices(presetVertices(preset), preset.id)
-  }
-
-  /** The value of an attribute; null if there is none, or its text is not understood. */
-  #understood<Name extends AttributeName>(name: Name): Attributes[Name] | null {
-    try {
-      return readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition))
-    } catch {
-      return null // its own call of #take refuses it
-    }
-  }
-
   get #shownPanels(): readonly Panel[] {
     const { isReadonly } = this.#store.state
     return HexLens.composition.panels.filter(
@@ -323,26 +280,23 @@ export class HexLens extends ReflectingElement {
   #showPanels(names: readonly string[]): void {
     this.#viewNames = names
     if (!this.isConnected) return
-    this.#cameras = this.#camerasNow
+    this.#keepCameras()
     this.#views.begin(this.#shownPanels)
     this.#frames.schedule()
   }
 
   #setVertices(vertices: Vertices, preset: string | null): void {
-    if (this.#changes.haveBegun) this.#dispatch({ type: 'set-vertices', vertices, preset })
-    else this.#begin(vertices, preset, vertices)
-  }
-
-  /** Vertices set before the first frame are where the element starts, not a step to undo. */
-  #begin(vertices: Vertices, preset: string | null, start: Vertices): void {
-    this.#store.dispatch({ type: 'initialize', vertices, preset, start })
-    this.#changes.begin(this.#store.state.vertices)
+    this.#dispatch({ type: 'set-vertices', vertices, preset })
   }
 
   /** The cameras as the reader has turned them, or as they were asked for. */
-  get #camerasNow(): Cameras {
-    const seen = this.#cameras === this.#drawnCameras ? this.#views.cameras() : null
-    return seen ?? this.#cameras ?? { camera: null, referenceCamera: null }
+  get #camerasNow(): Cameras | null {
+    return this.#views.cameras() ?? this.#store.state.cameras
+  }
+
+  /** Views that are made anew look the same way. */
+  #keepCameras(): void {
+    this.#dispatch({ type: 'look', cameras: this.#camerasNow })
   }
 
   #dispatch(action: Action): void {
@@ -361,7 +315,7 @@ export class HexLens extends ReflectingElement {
     try {
       this.#analyzer.core = await fetchCore(HexLens.composition.core)
       this.clear('core-failed')
-      if (this.isConnected) this.#changes.tell(this.#store.state, this.report)
+      if (this.isConnected) this.#tellChanges()
       this.#frames.schedule()
     } catch (reason) {
       const why = reason instanceof Error ? reason.message : String(reason)
@@ -375,31 +329,23 @@ export class HexLens extends ReflectingElement {
   }
 
   #onFrame({ time, isNews, isSeen, isForPaper }: DueFrame) {
+    this.#tellChanges()
     const { state } = this.#store
-    this.#changes.tell(state, this.#analyzer.report(state.vertices))
     if (!isSeen) return { isWaiting: false, isUnmade: false }
     const frame: Frame = {
       state,
       ...this.#analyzer.analyze(state),
       reading: this.#input.reading,
-      cameras: this.#cameras,
       problems: [...this.#problems.values()],
       isForPaper,
     }
     this.#views.draw(frame, isNews, time)
-    this.#drawnCameras = frame.cameras
     return this.#views
   }
 
-  /** Writes the present vertices and preset to the attributes. */
-  #reflect(): void {
-    const { vertices, preset } = this.#store.state
-    this.#isReflecting = true
-    this.setAttribute('vertices', verticesText(vertices))
-    if (preset === null) this.removeAttribute('preset')
-    else this.setAttribute('preset', preset)
-    this.#isReflecting = false
-    for (const name of ['vertices', 'preset'] as const) this.clear(`bad-${name}`)
+  #tellChanges(): void {
+    this.#store.dispatch({ type: 'begin' })
+    this.#changes.tell(this.#store.state, this.report)
   }
 
   #figure(name: FigureName): Promise<Figure> {

@@ -1,4 +1,5 @@
 /** The six faces as maps of jacdet, the bound of each, and the quartic of the selected one. */
+
 import { html, render } from 'lit-html'
 import { type FacePolynomials, facePolynomials, leastInRow } from '../../core/face-polynomials'
 import type { Candidate, FaceReport, Report } from '../../core/report'
@@ -12,6 +13,7 @@ import { figureOf } from '../../scene/paint/figure'
 import { ThemeReader } from '../../scene/paint/theme'
 import { isNew } from '../../views/is-new'
 import { inUnit } from '../../views/point-steps'
+import { marksSlice } from '../../views/scene-slices'
 import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../../views/view'
 import { boundsTable } from './bounds-table'
 import { FaceMap } from './face-map'
@@ -209,7 +211,8 @@ class FaceMapsView implements View {
   }
 
   #drawMarks({ state }: Frame, report: Report): void {
-    const { probe, highlight, referenceCube } = state
+    const { probe, referenceCube } = state
+    const { highlight } = sliceOf(marksSlice, state)
     const { selectedFace } = sliceOf(faceSlice, state)
     if (!isNew(this.#overlay, report, this.#cell, probe, selectedFace, highlight, referenceCube)) return
     for (const { root, face } of this.#maps) root.setAttribute('aria-pressed', String(face === selectedFace))
