@@ -299,10 +299,11 @@ export class HexLens extends ReflectingElement {
     this.#dispatch({ type: 'look', cameras: this.#camerasNow })
   }
 
+  /** The first frame waits for the core. */
   #dispatch(action: Action): void {
     const before = this.#store.state
     this.#store.dispatch(action)
-    if (this.#store.state !== before) this.#frames.schedule()
+    if (this.#store.state !== before && before.phase === 'begun') this.#frames.schedule()
   }
 
   #dispatchOfReader(action: Action): void {
