@@ -19,6 +19,7 @@ import type { Action, Cameras } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore } from '../model/store'
 import { knownPanels, type Panel } from '../panels/panel'
+import type { SceneState } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
 import { Analyzer } from './analyzer'
 import {
@@ -161,9 +162,9 @@ export class HexLens extends ReflectingElement {
     this.#setVertices(vertices, presetOf(vertices))
   }
 
-  get state(): StateDocument {
+  get state(): StateDocument & SceneState {
     const state = { ...this.#store.state, cameras: this.#camerasNow }
-    return stateDocument(state, knownPanels(HexLens.composition.panels))
+    return stateDocument(state, knownPanels(HexLens.composition.panels)) as StateDocument & SceneState
   }
 
   /** Throws HexLensError outside the schema. Changes of the element are one step to undo. */
