@@ -12,13 +12,12 @@ const BANNER = '/*! Hexlens, MIT; with three.js, MIT, and lit-html, BSD-3-Clause
 
 const WASM = /^virtual:(.*\.wasm)\.deflated$/
 const BATCH_WORKER = 'virtual:hexlens.batch-worker'
-const TWIN = './hexlens.twin.js'
 
 const insideOneFile = {
   name: 'hexlens-inside-one-file',
   enforce: 'pre',
   resolveId(id, importer) {
-    if (importer && id.endsWith('/hexlens-twin.js')) return { id: TWIN, external: true }
+    if (importer && /\/hexlens[-.]twin\.js$/.test(id)) return { id: './hexlens.twin.js', external: true }
     if (WASM.test(id) || id === BATCH_WORKER) return id
     return null
   },
@@ -110,10 +109,10 @@ function licences() {
 async function scriptOf({ entry, format = 'es', external = [], around: [before, after] = ['', ''] }) {
   const groups = [{ name: 'wasm', test: /-inside\.ts$/ }, { name: 'libraries', test: /node_modules/ }, { name: 'ours' }]
   const split = { codeSplitting: { groups }, minify: false }
-  const chunks = await chunksOf({ entry, formats: ['es'] }, [insideOneFile, leanThree], [external], split)
+  const chunks = await chunksOf({ entry, formats: ['es'] }, [insideOneFile, leanThree], external, split)
   const whole = { codeSplitting: false, minify: true, postBanner: `${BANNER}\n${before}`, postFooter: after }
   const given = { entry: chunks[0].fileName, formats: [format], name: 'hexlens' }
-  const [{ code }] = await chunksOf(given, [modulesOf(chunks)], [external, TWIN], whole)
+  const [{ code }] = await chunksOf(given, [modulesOf(chunks), insideOneFile], external, whole)
   return code
 }
 
@@ -132,7 +131,7 @@ async function chunksOf(lib, plugins, external, output) {
       write: false,
       lib,
       rolldownOptions: {
-        external: external.flat(),
+        external,
         output,
         // A plain script has no import.meta and does without.
         checks: { bundlerTimings: false, emptyImportMeta: false, ineffectiveDynamicImport: false },
