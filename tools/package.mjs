@@ -152,7 +152,10 @@ function modulesOf(chunks) {
   }
 }
 
-/** Declarations of what the entries export and of what that names, with file names in full: readers of a package ask for them. */
+/**
+ * Declarations of what the entries export and of what that names. Readers of a package ask for file
+ * names in full; tsc leaves them as our sources, which a bundler reads, have them.
+ */
 async function writeTypes(outDir) {
   rmSync(outDir, { recursive: true, force: true })
   const project = join(root, 'tsconfig.types.json')
