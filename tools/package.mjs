@@ -164,7 +164,7 @@ async function writeTypes(outDir) {
     ['package/hexlens', 'package/core', 'package/batch', 'package/mesh'].map(name => join(outDir, `${name}.d.ts`)),
   )
   for (const path of named) {
-    const text = readFileSync(path, 'utf8').replace(/(from |import\()'(\.[^']+)'/g, (_, before, name) => {
+    const text = readFileSync(path, 'utf8').replace(/(from |import |import\()'(\.[^']+)'/g, (_, before, name) => {
       named.add(join(dirname(path), `${name}.d.ts`))
       return `${before}'${name}.js'`
     })
