@@ -1,11 +1,8 @@
 /**
  * `<hex-lens>`: one hexahedron and everything said about it. It owns the state, asks the core once
  * a frame and hands the same frame to every view. Nothing is scheduled while nothing changes,
- * nothing is drawn while nobody sees it. docs/element.md lists attributes, properties, methods,
- * events, slots, parts and custom properties.
- *
- * Beyond those, for the page around it: `permalink` is the address that opens this element again,
- * bit for bit; `raise` and `clear` are for what the page has to say about a problem.
+ * nothing is drawn while nobody sees it. `npm run reference` writes custom-elements.json and
+ * docs/element.md from the comments of the class and of its public members.
  */
 
 import { fetchCore } from '../core/fetch-core'
@@ -59,6 +56,88 @@ const CHANGES: ReadonlySet<Action['type']> = new Set([
 /** Properties that a page may have set on the element before its script came. */
 const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'theme', 'poster', 'label', 'readOnly']
 
+/**
+ * @summary One trilinear hexahedron to drag, coloured by its Jacobian determinant, with a certain
+ *   verdict.
+ * @tag hex-lens
+ *
+ * @attr {24 numbers} [vertices=the preset’s] - Eight vertices x, y, z in VTK_HEXAHEDRON order.
+ *   Commas, brackets and white space may stand between the numbers. Every committed change is
+ *   written back, bit for bit.
+ * @attr {a preset’s id} [preset=looks-fine] - The element to start from. If `vertices` is there
+ *   too, Reset goes back to the preset.
+ * @attr {a list of words, or `all`} [views=scene verdict] - What is shown: `scene`, `verdict`,
+ *   `toolbar`, `proof`, `checks`, `vertices`, and the panels that open on request: `face-maps`,
+ *   `algorithm`, `inside`, `node-order`, `morph`, `paste`, `take-away`, `embed`. The pages of
+ *   Hexlens add `nearest`; elsewhere the word is ignored. With the scene and the verdict alone, the
+ *   verdict is a line or two below the scene.
+ * @attr {a list of words, `all` or `none`} [controls=all] - Buttons of the scene: `faces`,
+ *   `reference`, `turn`, `fit`, `help`. The keys work without their buttons.
+ * @attr {azimuth, elevation, zoom} [camera=-58 24 1] - The first view: two angles in degrees, and
+ *   how many times nearer than the view in which the element just fits. Turning by the reader
+ *   changes `state`, not this.
+ * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` follows the reader’s system.
+ * @attr {there or not} [readonly=not] - The reader may look and turn, but not change the element.
+ *   Programs may change it.
+ * @attr {an address} [poster=none] - A picture in the element’s place until it is drawn.
+ * @attr {a text} [label=none] - The name of the whole for screen readers.
+ *
+ * @fires {CustomEvent<null>} hex-input - The vertices have changed. At most once a frame, also
+ *   during a drag.
+ * @fires {CustomEvent<null>} hex-change - A change of the vertices is committed: a drag has ended,
+ *   or a number was entered.
+ * @fires {CustomEvent<{ valid: boolean }>} hex-verdict - The first verdict, and each one that
+ *   differs from the one before.
+ * @fires {CustomEvent<{ code: string, message: string }>} hex-error - Something does not work, and
+ *   `message` says so in a sentence. The codes: an attribute that is not understood (`bad-vertices`
+ *   and so on), `core-failed`, `no-webgl`, `context-lost`, `input-refused`, `not-read`.
+ *
+ * @slot - Shown until the element is drawn, and where it never is: without JavaScript, for one.
+ * @slot caption - Below the element, in the page’s own style.
+ *
+ * @csspart lens - The whole element.
+ * @csspart head - The part above the picture: toolbar and problems.
+ * @csspart stage - The place of the scene.
+ * @csspart panels - The part beside or below the scene.
+ * @csspart caption - The box of the slot of that name.
+ * @csspart fallback - The box of the poster and of the content between the tags.
+ * @csspart poster - The picture in the fallback.
+ * @csspart scene - A view, as are all parts that follow.
+ * @csspart verdict
+ * @csspart toolbar
+ * @csspart problems
+ * @csspart announcer
+ * @csspart proof
+ * @csspart checks
+ * @csspart vertices
+ * @csspart face-maps
+ * @csspart algorithm
+ * @csspart inside
+ * @csspart node-order
+ * @csspart morph
+ * @csspart nearest - On the pages of Hexlens only.
+ * @csspart paste
+ * @csspart reading - Beside the verdict where `paste` is among the views: what was read, and the
+ *   cells to choose from.
+ * @csspart take-away
+ * @csspart embed
+ *
+ * @cssprop [--hl-aspect-ratio=4 / 3] - Aspect ratio of the element’s box, if its height is not
+ *   given.
+ * @cssprop [--hl-stage-height=minmax(11rem, 1fr)] - Height of the picture’s row if panels are below
+ *   it: any value of grid-template-rows.
+ * @cssprop [--hl-split-stage-height=minmax(22rem, 1fr)] - The same while the reference cube is
+ *   below the element.
+ * @cssprop [--hl-rem=16px] - The unit for the sizes of text and marks, whatever the page’s own text
+ *   size is.
+ * @cssprop [--hl-paper=#fcfcfb, dark #17181a] - The background.
+ * @cssprop [--hl-ink=#1c1e21, dark #e9e9e6] - Text and lines.
+ * @cssprop [--hl-muted=#6a6f76, dark #9a9fa6] - Text of less weight.
+ * @cssprop [--hl-line=#e4e5e3, dark #303336] - Hairlines.
+ * @cssprop [--hl-negative=#b2182b, dark #f4787a] - The hue of negative jacdet.
+ * @cssprop [--hl-positive=#2166ac, dark #74b3f0] - The hue of positive jacdet.
+ * @cssprop [--hl-neutral=#f6f6f4, dark #26282b] - The colour of zero.
+ */
 export class HexLens extends ReflectingElement {
   static readonly observedAttributes = attributeNames
   /** `define` sets it once, before an element is made. */
@@ -152,49 +231,66 @@ export class HexLens extends ReflectingElement {
     this.#attributes.take(name)
   }
 
+  /**
+   * A copy of the 24 coordinates. Takes any array-like of 24 finite numbers, or a text as in the
+   * attribute. Once the element is drawn, an assignment is one step to undo. For anything else it
+   * throws HexLensError and keeps the old vertices.
+   */
   get vertices(): number[] {
     return this.#store.state.vertices.slice()
   }
 
-  /** Takes 24 finite numbers in an array-like or a text. Throws HexLensError for anything else. */
   set vertices(given: ArrayLike<number> | string) {
     const vertices = typeof given === 'string' ? readVertices(given) : checkedVertices(given)
     this.#setVertices(vertices, presetOf(vertices))
   }
 
+  /**
+   * Everything that a reader expects to come back, as plain data to keep as JSON:
+   * `docs/state.schema.json`. Version 1 can always be read. A later one throws HexLensError with
+   * the code `unknown-version`, anything else outside the schema with another. A change of the
+   * vertices is one step to undo.
+   */
   get state(): StateDocument & SceneState {
     const state = { ...this.#store.state, cameras: this.#camerasNow }
     return stateDocument(state, knownPanels(HexLens.composition.panels)) as StateDocument & SceneState
   }
 
-  /** Throws HexLensError outside the schema. Changes of the element are one step to undo. */
   set state(given: StateDocument) {
     const result = readState(given, knownPanels(HexLens.composition.panels))
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
     this.#dispatch({ type: 'restore', state: result.value })
   }
 
+  /** The id of the preset that the element started from. Throws HexLensError if given another text. */
   get preset(): string | null {
     return this.#store.state.preset
   }
 
-  /** Throws HexLensError unless there is such a preset. */
   set preset(id: string | null) {
     const preset = readAttribute('preset', id, viewNames(HexLens.composition))
     if (preset) this.#setVertices(presetVertices(preset), preset.id)
   }
 
+  /**
+   * The core’s report on exactly these vertices. Null while the core is loading, or if it could not
+   * start.
+   */
   get report(): Report | null {
     return this.#analyzer.report(this.#store.state.vertices)
   }
 
+  /** The address of this page that opens these vertices again, bit for bit. */
   get permalink(): string {
     const address = new URL(document.location.href)
     address.hash = encodePermalink(this.#store.state.vertices)
     return address.href
   }
 
-  /** How far its scrolling boxes are scrolled, in CSS pixels, to set it so again; 0 where none is given. */
+  /**
+   * How far each of its scrolling boxes is scrolled, in CSS pixels. Takes what it gave, to scroll
+   * them back; an empty list scrolls to the top.
+   */
   get scrollPositions(): readonly number[] {
     return this.#views.scrollers.map(({ scrollTop }) => scrollTop)
   }
@@ -203,20 +299,25 @@ export class HexLens extends ReflectingElement {
     for (const [i, scroller] of this.#views.scrollers.entries()) scroller.scrollTop = positions[i] ?? 0
   }
 
-  /** True if all that is to be seen is drawn: views come when they are seen or opened. */
+  /**
+   * True when everything in sight is drawn. Views are made when the element is first seen, panels
+   * when they are opened.
+   */
   get complete(): boolean {
     return this.#frames.isSeen && this.#store.state.phase === 'begun' && this.#frames.isIdle && this.#views.isComplete
   }
 
+  /** Undoes one step of the element. */
   undo(): void {
     this.#dispatch({ type: 'undo' })
   }
 
+  /** Redoes one step of the element. */
   redo(): void {
     this.#dispatch({ type: 'redo' })
   }
 
-  /** Reports on any 24 numbers, by default the element's own. Rejects with HexLensError. */
+  /** The core’s report on any 24 numbers, or on the element’s own. Rejects with HexLensError. */
   async analyze(given: ArrayLike<number> = this.#store.state.vertices): Promise<Report> {
     const vertices = checkedVertices(given)
     const core = await fetchCore(HexLens.composition.core).catch(reason => {
@@ -230,28 +331,42 @@ export class HexLens extends ReflectingElement {
     return result.value
   }
 
-  /** The scene as it is; dropped on an element it opens the vertices. Rejects with HexLensError. */
+  /**
+   * The scene as it is. The file contains the vertices: dropped on the page, it opens them again.
+   * Rejects with HexLensError.
+   */
   async toPNG(): Promise<Blob> {
     const [{ figurePng }, figure] = await Promise.all([import('../views/figure-files'), this.#figure('scene')])
     return figurePng(figure, this.#store.state.vertices)
   }
 
-  /** The scene, or the open face maps, as a document of its own. Rejects with HexLensError. */
+  /**
+   * The scene, or the face maps while their panel is open, as a document of its own. Rejects with
+   * HexLensError.
+   *
+   * @param {'scene' | 'face-maps'} name
+   */
   async toSVG(name: FigureName = 'scene'): Promise<string> {
     const [{ figureSvg }, figure] = await Promise.all([import('../views/figure-files'), this.#figure(name)])
     return figureSvg(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
   }
 
   /**
-   * Reads a text, a file, or files that belong together, as if it were dropped here. One element
-   * becomes the element, as one step to undo; of several the reader chooses one if the view `paste`
-   * is shown. `hex-error` tells what cannot be read.
+   * Reads a text, a file, or files that belong together, as if dropped here. One element becomes
+   * the element, as one step to undo. Of several the reader chooses one, where `paste` is among the
+   * views. What cannot be read is told by `hex-error`.
    */
   offer(given: string | File | readonly File[]): void {
     if (typeof given === 'string') this.#input.read({ text: given })
     else this.#input.read({ files: given instanceof File ? [given] : given })
   }
 
+  /**
+   * Shows a sentence of the page’s own above the element, and tells `hex-error`. A problem of the
+   * same code takes its place.
+   *
+   * @param {{ code: string, message: string }} problem
+   */
   raise(problem: Problem): void {
     if (this.#problems.get(problem.code)?.message === problem.message) return
     this.#problems.set(problem.code, problem)
@@ -259,6 +374,11 @@ export class HexLens extends ReflectingElement {
     this.#tell('hex-error', problem)
   }
 
+  /**
+   * Takes the problem of that code back.
+   *
+   * @param {string} code
+   */
   clear(code: Problem['code']): void {
     if (this.#problems.delete(code)) this.#frames.schedule()
   }

@@ -1,7 +1,7 @@
 /** A camera with the hands and keys that turn it, and two of them that turn together. */
 
 import { Vector3 } from 'three'
-import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import type { Vec3 } from '../../model/hexahedron'
 import { type CameraView, type State, sliceOf } from '../../model/state'
 import { sceneSlice } from '../../views/scene-slices'
