@@ -76,6 +76,11 @@ export class MeshBuilder {
     return value
   }
 
+  /** Reads the next three coordinates. */
+  readPoint(cursor: TextCursor): readonly [number, number, number] {
+    return [this.readCoordinate(cursor), this.readCoordinate(cursor), this.readCoordinate(cursor)]
+  }
+
   /** Coordinate 0, 1 or 2 of a point that is there. */
   coordinate(point: number, axis: number): number {
     return this.#points.values[3 * point + axis] as number

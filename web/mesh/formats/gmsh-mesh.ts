@@ -3,7 +3,6 @@
 import type { FileRows } from '../file-rows'
 import { MeshBuilder } from '../mesh-builder'
 import { areAtMiddles } from '../middles'
-import { PrintedDigits } from '../precision'
 import type { RowCursor } from '../text-cursor'
 import type { GmshType } from './gmsh-types'
 
@@ -14,7 +13,6 @@ export interface RefusingCursor {
 
 export class GmshMesh {
   readonly builder: MeshBuilder
-  readonly digits = new PrintedDigits()
   /** True if the text leaves something out: elements may then name nodes that are not there. */
   mayLackNodes = false
   lackingNodes = 0
@@ -53,7 +51,7 @@ export class GmshMesh {
         this.builder.coordinateToken(start + (token & 0xffffff), token >>> 24)
       }
     }
-    this.digits.seeRounded(rows.mostRounded, largest)
+    this.builder.digits.seeRounded(rows.mostRounded, largest)
   }
 
   nameGroup(dimension: number | null, tag: number, name: string): void {

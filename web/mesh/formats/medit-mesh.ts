@@ -1,7 +1,6 @@
 /** The mesh of Medit's files: vertices counted from 1, cells with references, orders of nodes. */
 import { MeshBuilder } from '../mesh-builder'
 import { areAtMiddles } from '../middles'
-import { PrintedDigits } from '../precision'
 import type { MeditCells } from './medit-keywords'
 
 /** A cursor that can refuse with its position. */
@@ -23,7 +22,6 @@ const CORNERS = [
 
 export class MeditMesh {
   readonly builder: MeshBuilder
-  readonly digits = new PrintedDigits()
   /** True if the text leaves vertices out: cells may then name some that are not there. */
   mayLackVertices = false
   lackingVertices = 0
@@ -99,7 +97,5 @@ export class MeditMesh {
       builder.isCutOff = true
       builder.note(`The text leaves vertices out: ${this.lackingVertices} cells that name them are not read.`)
     }
-    const note = this.digits.note()
-    if (note !== null) builder.note(note)
   }
 }

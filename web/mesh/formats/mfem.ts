@@ -1,8 +1,7 @@
 /** MFEM's meshes, v1.0 to v1.3, whose vertices may be those of a grid function, and the leaves of non-conforming ones. */
 import type { Mesh } from '../mesh'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
-import { PrintedDigits } from '../precision'
-import { headText, LARGEST_SNIPPET } from '../snippet-text'
+import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, readInTurn, type Start, TextRecords } from '../text-records'
@@ -44,18 +43,13 @@ interface Quadratic {
 }
 
 class MfemReader {
-  readonly #file: MeshFile
-  readonly #options: ReadOptions
   readonly #builder: MeshBuilder
-  readonly #digits = new PrintedDigits()
-  readonly #isSnippet: boolean
   readonly #cursor: TextCursor
   readonly #records: TextRecords
   #isNonConforming = false
   /** The version of non-conforming meshes from which the place between two parents is stated. */
   #hasScales = false
   #vertexCount: number | null = null
-  #hasNodes = false
   #mayLackVertices = false
   #lackingVertices = 0
   #space: NodeSpace | null = null
@@ -69,27 +63,16 @@ class MfemReader {
   readonly #vertices: number[] = []
   #elements: Start | null = null
   #boundary: Start | null = null
-  #seen = 0
   /** The beginning of another mesh in the same text. */
   next: Start | null = null
 
   constructor(file: MeshFile, cursor: TextCursor, options: ReadOptions) {
-    this.#file = file
-    this.#options = options
     this.#builder = new MeshBuilder('MFEM', file.name)
-    this.#isSnippet = file.size <= LARGEST_SNIPPET
     this.#cursor = cursor
-    this.#records = new TextRecords(cursor, this.#builder, {
-      isSnippet: this.#isSnippet,
+    this.#records = new TextRecords(file, cursor, this.#builder, options, {
       endsSection: ahead => isSection(ahead.peekLine(LINE_HEAD)),
       hasComments: true,
       hasEnds: false,
-      core: options.core,
-      onRecord: position => {
-        if (this.#seen++ % 65_536 > 0) return
-        this.#options.throwIfCancelled()
-        this.#options.onProgress(position / this.#file.size)
-      },
     })
   }
 
@@ -133,8 +116,6 @@ class MfemReader {
       builder.isCutOff = true
       builder.note(`The text leaves vertices out: ${this.#lackingVertices} elements that name them are not read.`)
     }
-    const note = this.#digits.note()
-    if (note !== null) builder.note(note)
     return builder.mesh()
   }
 
@@ -214,25 +195,12 @@ class MfemReader {
   }
 
   #readVertex(id: number): boolean {
-    const records = this.#records
-    if (!records.hasField('a coordinate')) return false
-    const x = this.#coordinate()
-    if (!records.hasField('a coordinate')) return false
-    const y = this.#coordinate()
-    if (!records.hasField('a coordinate')) return false
-    const z = this.#coordinate()
-    records.endLine('a vertex')
-    if (this.#isNonConforming) this.#builder.pointWithId(id, x, y, z)
-    else this.#builder.point(x, y, z)
+    const point = this.#records.coordinates()
+    if (point === null) return false
+    this.#records.endLine('a vertex')
+    if (this.#isNonConforming) this.#builder.pointWithId(id, ...point)
+    else this.#builder.point(...point)
     return true
-  }
-
-  #coordinate(): number {
-    const value = this.#cursor.number('a coordinate')
-    this.#digits.see(value, this.#cursor.digits)
-    if (!this.#hasNodes)
-      this.#builder.coordinateToken(this.#cursor.numberFrom, this.#cursor.position - this.#cursor.numberFrom)
-    return value
   }
 
   /** A grid function: the lines that say what it is, then its numbers. */
@@ -248,11 +216,12 @@ class MfemReader {
       const colon = line.indexOf(':')
       if (colon > 0) entries.set(line.slice(0, colon), line.slice(colon + 1).trim())
     }
-    this.#hasNodes = true
     const space = nodeSpaceOf(cursor, entries)
     const values: number[] = []
     do {
-      values.push(this.#coordinate())
+      const value = cursor.number('a coordinate')
+      this.#builder.digits.see(value, cursor.digits)
+      values.push(value)
       if (cursor.hasMoreOnLine()) continue
       this.#records.onRecord()
       if (this.#records.next('nodes') !== 'record') break
