@@ -5,7 +5,7 @@ import { isEllipsis } from '../snippet-text'
 import type { MeshFile, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
 import { wordTable } from '../word-table'
-import { alignedTo, NUMBER_SIZES, type NumberList, type NumberType, putNumbers } from './vtu-arrays'
+import { alignedTo, type NumberList, type NumberType, putNumbers, sizeOf } from './vtk-numbers'
 
 const CHUNK = 256 * 1024
 const FIRST_CHUNK = 4096
@@ -110,7 +110,7 @@ export class LegacyStream {
 
   #binaryList<T extends NumberList>(count: number, type: NumberType, make: (length: number) => T, what: string): T {
     this.cursor.skipLine()
-    const size = NUMBER_SIZES[type]
+    const size = sizeOf(type)
     let at = this.cursor.position
     const end = at + size * count
     if (end > this.file.size) {
@@ -192,7 +192,7 @@ export class LegacyStream {
     else if (!this.isBinary) this.#passNumbers(numbers)
     else {
       this.cursor.skipLine()
-      const bytes = type === 'bit' ? Math.ceil(numbers / 8) : numbers * NUMBER_SIZES[this.typeOf(type)]
+      const bytes = type === 'bit' ? Math.ceil(numbers / 8) : numbers * sizeOf(this.typeOf(type))
       if (!(this.cursor.position + bytes <= this.file.size))
         this.refuse(`an array of ${bytes} bytes was expected: the file is cut off.`)
       this.cursor.goTo({ position: this.cursor.position + bytes })

@@ -12,7 +12,7 @@ import { type LegacyCells, readCells } from './vtk-legacy-cells'
 import { readCellData } from './vtk-legacy-data'
 import { LegacyStream, lineThatBegins } from './vtk-legacy-stream'
 import { type Precision, VtkMesh } from './vtk-mesh'
-import { NUMBER_SIZES, type NumberType } from './vtu-arrays'
+import { type NumberType, sizeOf } from './vtk-numbers'
 
 const MAGIC = '# vtk DataFile Version'
 /** A part of a file that somebody has cut out begins with one of its sections. */
@@ -189,7 +189,7 @@ class LegacyDataset {
     )
     this.#points = list.subarray(0, list.length - (list.length % 3))
     this.#pointsTo = this.#cursor.position
-    this.#pointsFrom = this.#stream.isBinary ? this.#pointsTo - NUMBER_SIZES[this.#pointType] * list.length : from
+    this.#pointsFrom = this.#stream.isBinary ? this.#pointsTo - sizeOf(this.#pointType) * list.length : from
   }
 
   /** Reads the time among the arrays of the whole file. */

@@ -9,15 +9,8 @@ import { shown } from '../text-cursor'
 import { XmlScanner, type XmlTag } from '../xml-scanner'
 import { type CellData, cellDataOf, cellDataRank } from './vtk-cell-data'
 import { firstFall, VtkMesh } from './vtk-mesh'
-import {
-  type DataArray,
-  decompressorNamed,
-  NUMBER_SIZES,
-  type NumberType,
-  type ReadArray,
-  readArray,
-  type Storage,
-} from './vtu-arrays'
+import { isNumberType } from './vtk-numbers'
+import { type DataArray, decompressorNamed, type ReadArray, readArray, type Storage } from './vtu-arrays'
 
 const DEEPEST = 64
 const [LESS, UNDERSCORE] = [60, 95] as const
@@ -316,7 +309,7 @@ class DocumentScan {
 
   #isCellArray({ attributes }: XmlTag, name: string, { globalIds }: Piece): boolean {
     const isOne = (attributes.get('NumberOfComponents') ?? '1').trim() === '1'
-    return isOne && (attributes.get('type') ?? '') in NUMBER_SIZES && (name === globalIds || cellDataRank(name) >= 0)
+    return isOne && isNumberType(attributes.get('type') ?? '') && (name === globalIds || cellDataRank(name) >= 0)
   }
 
   #piece(tag: XmlTag): Piece {
@@ -335,7 +328,7 @@ class DocumentScan {
   #array(tag: XmlTag, name: string): DataArray {
     const { attributes, from, to, isEmpty } = tag
     const type = attributes.get('type') ?? ''
-    if (!(type in NUMBER_SIZES))
+    if (!isNumberType(type))
       this.#scanner.refuse(
         from,
         `${shown(name)} has type ${shown(type)}, where one like Float64 or Int64 was expected.`,
@@ -357,7 +350,7 @@ class DocumentScan {
     this.#scanner.position = end
     return {
       name,
-      type: type as NumberType,
+      type,
       format,
       offset: format === 'appended' ? Number(offset) : 0,
       from: to,
@@ -394,9 +387,7 @@ function storageOf(scanner: XmlScanner, file: MeshFile, options: ReadOptions, { 
 
 function isTime({ attributes }: XmlTag): boolean {
   const isOne = (attributes.get('NumberOfTuples') ?? '1').trim() === '1'
-  return (
-    isOne && /^time(?:value)?$/i.test(attributes.get('Name') ?? '') && (attributes.get('type') ?? '') in NUMBER_SIZES
-  )
+  return isOne && /^time(?:value)?$/i.test(attributes.get('Name') ?? '') && isNumberType(attributes.get('type') ?? '')
 }
 
 const END = '</VTKFile>'
