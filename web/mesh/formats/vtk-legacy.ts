@@ -181,12 +181,7 @@ class LegacyDataset {
       this.#stream.refuse('more than 2^32 points are not read.')
     this.#pointType = this.#stream.type()
     const from = this.#cursor.position
-    const list = this.#stream.list(
-      3 * this.#declaredPoints,
-      this.#pointType,
-      length => new Float64Array(length),
-      'coordinate',
-    )
+    const list = this.#stream.list(3 * this.#declaredPoints, this.#pointType, Float64Array, 'coordinate')
     this.#points = list.subarray(0, list.length - (list.length % 3))
     this.#pointsTo = this.#cursor.position
     this.#pointsFrom = this.#stream.isBinary ? this.#pointsTo - sizeOf(this.#pointType) * list.length : from
@@ -196,9 +191,7 @@ class LegacyDataset {
   #readField(): void {
     this.#stream.field((name, components, tuples, type) => {
       if (components * tuples === 1 && /^time(?:value)?$/i.test(name))
-        this.#time = String(
-          this.#stream.list(1, this.#stream.typeOf(type), length => new Float64Array(length), 'time')[0],
-        )
+        this.#time = String(this.#stream.list(1, this.#stream.typeOf(type), Float64Array, 'time')[0])
       else this.#stream.pass(components * tuples, type)
     })
   }
@@ -207,7 +200,7 @@ class LegacyDataset {
     const count = this.#stream.count()
     const type = this.#stream.type()
     this.#pointType = type
-    const list = this.#stream.list(count, type, length => new Float64Array(length), `${'xyz'[axis]} coordinate`)
+    const list = this.#stream.list(count, type, Float64Array, `${'xyz'[axis]} coordinate`)
     if (list.length < count) this.#stream.refuse('a grid whose coordinates are left out has no cells.')
     this.#axes[axis] = list
   }
@@ -217,7 +210,7 @@ class LegacyDataset {
     if (cells === null) this.#stream.refuse('CELL_TYPES stands before CELLS.')
     const count = this.#stream.count()
     if (count !== cells.declared) this.#stream.refuse(`CELL_TYPES has ${count}, CELLS has ${cells.declared} cells.`)
-    this.#types = this.#stream.list(count, 'Int32', length => new Uint8Array(length), 'type')
+    this.#types = this.#stream.list(count, 'Int32', Uint8Array, 'type')
   }
 
   #precision(): Precision {

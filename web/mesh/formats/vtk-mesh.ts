@@ -290,9 +290,9 @@ export class VtkMesh {
   }
 
   mesh(): Mesh {
-    const points = joined(this.#points, length => new Float64Array(length))
-    const cells = joined(this.#cells, length => new Uint32Array(length))
-    const corners = joined(this.#corners, length => new Uint32Array(length))
+    const points = joined(this.#points, Float64Array)
+    const cells = joined(this.#cells, Uint32Array)
+    const corners = joined(this.#corners, Uint32Array)
     if (this.#notBoxes > 0) this.#voxelNote()
     if (this.#missingPoints > 0 || this.#missingCells > 0) this.#elisionNote()
     this.#precisionNote(points)
@@ -325,9 +325,9 @@ export function firstFall(list: Uint32Array): number {
   return -1
 }
 
-function joined<T extends Float64Array | Uint32Array>(parts: T[], make: (length: number) => T): T {
+function joined<T extends Float64Array | Uint32Array>(parts: T[], List: new (length: number) => T): T {
   if (parts.length === 1) return parts[0] as T
-  const whole = make(parts.reduce((sum, part) => sum + part.length, 0))
+  const whole = new List(parts.reduce((sum, part) => sum + part.length, 0))
   let at = 0
   for (const part of parts.splice(0)) {
     whole.set(part as never, at)

@@ -56,19 +56,19 @@ export function decompressorNamed(name: string, core: ReadingCore | null): Stora
 const ALWAYS_ALLOWED = 64 * 1024 * 1024
 
 /**
- * Reads `count` numbers, or in a text that leaves some out at most so many, into a list that `make` makes. Indices must be whole and fit
+ * Reads `count` numbers, or in a text that leaves some out at most so many, into a list. Indices must be whole and fit
  * the list, or the file is refused.
  */
 export function readArray<T extends NumberList>(
   storage: Storage,
   array: DataArray,
   count: number,
-  make: (length: number) => T,
+  List: new (length: number) => T,
   mayHaveFewer = false,
 ): ReadArray<T> {
-  if (array.format === 'ascii') return readText(storage, array, count, make, mayHaveFewer)
-  if (count === 0) return { list: make(0), digits: 0 }
-  return { list: new BinaryArray(storage, array, count, make).read(), digits: 0 }
+  if (array.format === 'ascii') return readText(storage, array, count, List, mayHaveFewer)
+  if (count === 0) return { list: new List(0), digits: 0 }
+  return { list: new BinaryArray(storage, array, count, List).read(), digits: 0 }
 }
 
 /** The text of a number where it stands: for what was expected there. */
@@ -80,11 +80,11 @@ function readText<T extends NumberList>(
   { file, options }: Storage,
   array: DataArray,
   count: number,
-  make: (length: number) => T,
+  List: new (length: number) => T,
   mayHaveFewer: boolean,
 ): ReadArray<T> {
   // A number and a blank are two bytes.
-  const list = make(Math.min(count, Math.ceil((array.to - array.from) / 2)))
+  const list = new List(Math.min(count, Math.ceil((array.to - array.from) / 2)))
   const run = new NumberRun(file, array.from, array.to, options.core, position => {
     options.throwIfCancelled()
     options.onProgress(position / file.size)
@@ -108,22 +108,24 @@ class BinaryArray<T extends NumberList> {
   readonly #storage: Storage
   readonly #array: DataArray
   readonly #count: number
-  readonly #make: (length: number) => T
+  readonly #List: new (
+    length: number,
+  ) => T
   readonly #size: number
   readonly #source: ByteSource
   #list: T
   #filled = 0
 
-  constructor(storage: Storage, array: DataArray, count: number, make: (length: number) => T) {
+  constructor(storage: Storage, array: DataArray, count: number, List: new (length: number) => T) {
     this.#storage = storage
     this.#array = array
     this.#count = count
-    this.#make = make
+    this.#List = List
     this.#size = sizeOf(array.type)
     this.#source = this.#open()
     // The bytes that are there allow so much; the list grows if more comes out of them.
     const allowed = Math.floor((ALWAYS_ALLOWED + 8 * this.#source.left) / 8)
-    this.#list = make(this.#canBeViewed() ? 0 : Math.min(count, allowed))
+    this.#list = new List(this.#canBeViewed() ? 0 : Math.min(count, allowed))
   }
 
   #refuse(what: string): never {
@@ -255,7 +257,7 @@ class BinaryArray<T extends NumberList> {
   #append(bytes: Uint8Array): void {
     const count = bytes.length / this.#size
     if (this.#filled + count > this.#list.length) {
-      const longer = this.#make(Math.min(this.#count, Math.max(2 * this.#list.length, this.#filled + count)))
+      const longer = new this.#List(Math.min(this.#count, Math.max(2 * this.#list.length, this.#filled + count)))
       longer.set(this.#list as never)
       this.#list = longer
     }

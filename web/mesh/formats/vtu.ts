@@ -9,6 +9,7 @@ import { shown } from '../text-cursor'
 import { XmlScanner, type XmlTag } from '../xml-scanner'
 import { type CellData, cellDataOf } from './vtk-cell-data'
 import { firstFall, VtkMesh } from './vtk-mesh'
+import type { NumberList } from './vtk-numbers'
 import { type DataArray, type ReadArray, readArray, type Storage } from './vtu-arrays'
 import {
   COLLECTION,
@@ -51,7 +52,7 @@ function readDocument(document: VtkDocument, file: MeshFile, options: ReadOption
   if (document.type === PARALLEL_GRID || document.type === COLLECTION) readSources(document, file, options, mesh)
   else readPieces(document, mesh, null)
   if (document.time !== null && mesh.steps.length === 0) {
-    const { list } = readArray(document.storage, document.time, 1, length => new Float64Array(length))
+    const { list } = readArray(document.storage, document.time, 1, Float64Array)
     mesh.steps = [String(list[0])]
   }
   if (document.isComplete) return
@@ -117,37 +118,38 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
     if (array === undefined) refuse(file, `the <Piece> at byte ${piece.at} has no array ${shown(name)}.`)
     return array
   }
-  const uint32 = (length: number) => new Uint32Array(length)
+  const read = <T extends NumberList>(
+    name: string,
+    count: number,
+    List: new (length: number) => T,
+    mayHaveFewer = false,
+  ): ReadArray<T> =>
+    count === 0 ? { list: new List(0), digits: 0 } : readArray(storage, arrayOf(name), count, List, mayHaveFewer)
   if (pointCount === 0 && cellCount === 0) return 0
-  const empty: ReadArray<Uint32Array> = { list: uint32(0), digits: 0 }
-  const points =
-    pointCount === 0 ? null : readArray(storage, arrayOf('Points'), 3 * pointCount, length => new Float64Array(length))
-  const types =
-    cellCount === 0 ? null : readArray(storage, arrayOf('types'), cellCount, length => new Uint8Array(length))
-  const ends = cellCount === 0 ? empty : readArray(storage, arrayOf('offsets'), cellCount, uint32)
-  const falling = firstFall(ends.list)
-  if (falling > 0) {
-    const [before, end] = [ends.list[falling - 1], ends.list[falling]]
-    refuse(file, `the offset of cell ${falling} is ${end}, less than ${before}, that of the cell before.`)
-  }
-  const isWhole = ends.list.length === cellCount
-  const length = isWhole ? (ends.list.at(-1) ?? 0) : 0xffffffff
-  const connectivity = length === 0 ? empty : readArray(storage, arrayOf('connectivity'), length, uint32, !isWhole)
+  const { list: points, digits } = read('Points', 3 * pointCount, Float64Array)
+  const { list: types } = read('types', cellCount, Uint8Array)
+  const { list: ends } = read('offsets', cellCount, Uint32Array)
+  const falling = firstFall(ends)
+  if (falling > 0)
+    refuse(
+      file,
+      `the offset of cell ${falling} is ${ends[falling]}, less than ${ends[falling - 1]}, that of the cell before.`,
+    )
+  const isWhole = ends.length === cellCount
+  const { list: connectivity } = read('connectivity', isWhole ? (ends.at(-1) ?? 0) : 0xffffffff, Uint32Array, !isWhole)
   // If the text leaves something out, those cells are whole that all three arrays have.
-  let whole = Math.min(types?.list.length ?? 0, ends.list.length)
-  while (whole > 0 && (ends.list[whole - 1] as number) > connectivity.list.length) whole--
-  const coordinates = points?.list ?? new Float64Array(0)
-  const digits = points?.digits ?? 0
+  let whole = Math.min(types.length, ends.length)
+  while (whole > 0 && (ends[whole - 1] as number) > connectivity.length) whole--
   // A Float32 needs nine digits; those that are printed with fewer are known to them.
   const isFloat32 =
     arrays.get('Points')?.type === 'Float32' && (arrays.get('Points')?.format !== 'ascii' || digits >= 9)
   mesh.add(
     {
-      points: coordinates.subarray(0, coordinates.length - (coordinates.length % 3)),
+      points: points.subarray(0, points.length - (points.length % 3)),
       declaredPoints: pointCount,
-      connectivity: connectivity.list,
-      ends: ends.list.subarray(0, whole),
-      types: types?.list.subarray(0, whole) ?? new Uint8Array(0),
+      connectivity,
+      ends: ends.subarray(0, whole),
+      types: types.subarray(0, whole),
       declaredCells: cellCount,
       hasFaceStreams: false,
       precision: { isFloat32, digits },
@@ -155,7 +157,7 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
     },
     block,
   )
-  if (isOnly && block === null && pointCount > 0 && coordinates.length === 3 * pointCount)
+  if (isOnly && block === null && pointCount > 0 && points.length === 3 * pointCount)
     setPlaces(storage, arrayOf('Points'), mesh)
   return ghostCount(storage, arrays.get('vtkGhostType'), cellCount)
 }
@@ -163,7 +165,7 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
 function cellData(storage: Storage, { cells, cellArrays, globalIds }: Piece): CellData | null {
   const arrays = new Map<string, Float64Array>()
   for (const [name, array] of cellArrays) {
-    const { list } = readArray(storage, array, cells, length => new Float64Array(length), true)
+    const { list } = readArray(storage, array, cells, Float64Array, true)
     if (list.length === cells) arrays.set(name, list)
   }
   return arrays.size === 0 ? null : cellDataOf(arrays, globalIds)
@@ -188,6 +190,6 @@ const IS_COPY = 1
 
 function ghostCount(storage: Storage, array: DataArray | undefined, cells: number): number {
   if (array === undefined) return 0
-  const { list } = readArray(storage, array, cells, length => new Uint8Array(length))
+  const { list } = readArray(storage, array, cells, Uint8Array)
   return list.reduce((count, ghost) => count + (ghost & IS_COPY), 0)
 }
