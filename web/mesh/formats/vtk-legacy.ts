@@ -12,7 +12,7 @@ import { type LegacyCells, readCells } from './vtk-legacy-cells'
 import { readCellData } from './vtk-legacy-data'
 import { LegacyStream, lineThatBegins } from './vtk-legacy-stream'
 import { VtkMesh } from './vtk-mesh'
-import type { Precision } from './vtk-middles'
+import { precisionOf } from './vtk-middles'
 import { type NumberType, sizeOf } from './vtk-numbers'
 
 const MAGIC = '# vtk DataFile Version'
@@ -214,16 +214,9 @@ class LegacyDataset {
     this.#types = this.#stream.list(count, 'Int32', Uint8Array, 'type')
   }
 
-  #precision(): Precision {
-    const isFloat32 = this.#pointType === 'Float32'
-    // A Float32 needs nine digits; those that are printed with fewer are known to them.
-    return this.#stream.isBinary
-      ? { isFloat32, digits: 0 }
-      : { isFloat32: isFloat32 && this.#stream.digits >= 9, digits: this.#stream.digits }
-  }
-
   #mesh(): Mesh {
     const file = this.#stream.file
+    const precision = precisionOf(this.#pointType, !this.#stream.isBinary, this.#stream.digits)
     const end = file.size
     const mesh = new VtkMesh('VTK', what => {
       throw new MeshRefusal(`${file.name}: ${what}`)
@@ -231,7 +224,7 @@ class LegacyDataset {
     if (this.#type === 'STRUCTURED_POINTS' || this.#type === 'RECTILINEAR_GRID' || this.#type === 'STRUCTURED_GRID') {
       const sizes = this.#checkedSizes()
       if (this.#type === 'STRUCTURED_GRID') this.#checkCount(sizes)
-      mesh.addStructured(() => this.#structuredPoints(sizes), sizes, this.#precision())
+      mesh.addStructured(() => this.#structuredPoints(sizes), sizes, precision)
     } else {
       if (this.#points === null) this.#stream.refuseAt(end, 'the file ends, and no section POINTS was there.')
       // VTK writes no section for no cells.
@@ -252,7 +245,7 @@ class LegacyDataset {
         types: types.subarray(0, whole),
         declaredCells: declared,
         hasFaceStreams: true,
-        precision: this.#precision(),
+        precision,
         cellData: this.#cellData,
       })
       if (areTypesLeftOut) {

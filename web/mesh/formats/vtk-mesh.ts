@@ -37,7 +37,6 @@ export class VtkMesh {
   #pointCount = 0
   #cellCount = 0
   #straight: number | null = null
-  #isCutOff = false
   #missingPoints = 0
   #missingCells = 0
   readonly #notBoxes = new NotBoxes()
@@ -45,6 +44,8 @@ export class VtkMesh {
   #digits = 0
   coordinatePlaces: CoordinatePlaces | null = null
   steps: readonly string[] = []
+  /** True if the file ends before it should, or leaves cells out. */
+  isCutOff = false
 
   constructor(format: string, refuse: (what: string) => never) {
     this.#format = format
@@ -53,11 +54,6 @@ export class VtkMesh {
 
   note(sentence: string): void {
     this.#notes.push(sentence)
-  }
-
-  /** Says that the file ends before it should, though all that was read is whole. */
-  setCutOff(): void {
-    this.#isCutOff = true
   }
 
   /** Adds a grid, with its cells as a block of this name if there is one. Refuses cells that name points that do not exist. */
@@ -218,7 +214,7 @@ export class VtkMesh {
     this.note(
       `The text leaves something out: ${missing.join(' and ')} are not there or not whole; the others were read.`,
     )
-    if (this.#missingCells > 0) this.#isCutOff = true
+    if (this.#missingCells > 0) this.isCutOff = true
   }
 
   #precisionNote(points: Float64Array): void {
@@ -245,7 +241,7 @@ export class VtkMesh {
       other: this.#other,
       notes: this.#notes,
       isOrderStated: this.#notBoxes.isOrderCertain,
-      isCutOff: this.#isCutOff,
+      isCutOff: this.isCutOff,
       coordinatePlaces: this.#points.length === 1 && points.length > 0 ? this.coordinatePlaces : null,
       steps: this.steps,
     }

@@ -1,12 +1,18 @@
 /** VTK's cells with nodes beyond their corners: they are trilinear if these lie at middles, or on a lattice. */
 import { isAtMean } from '../middles'
 import type { VtkCellType } from './vtk-cells'
+import type { NumberType } from './vtk-numbers'
 
 /** The precision of coordinates: that of the coarsest grid counts. */
 export interface Precision {
   readonly isFloat32: boolean
   /** Significant digits of printed ones; 0 for binary ones. */
   readonly digits: number
+}
+
+/** A Float32 needs nine digits; those that are printed with fewer are known to them. */
+export function precisionOf(type: NumberType | undefined, isText: boolean, digits: number): Precision {
+  return { isFloat32: type === 'Float32' && (!isText || digits >= 9), digits: isText ? digits : 0 }
 }
 
 /** Middles with fewer digits are numbers that somebody typed, none that were rounded: no printer's default has fewer. */

@@ -9,6 +9,7 @@ import { shown } from '../text-cursor'
 import { XmlScanner, type XmlTag } from '../xml-scanner'
 import { type CellData, cellDataOf } from './vtk-cell-data'
 import { firstFall, VtkMesh } from './vtk-mesh'
+import { precisionOf } from './vtk-middles'
 import type { NumberList } from './vtk-numbers'
 import { type DataArray, type ReadArray, readArray, type Storage } from './vtu-arrays'
 import {
@@ -56,7 +57,7 @@ function readDocument(document: VtkDocument, file: MeshFile, options: ReadOption
     mesh.steps = [String(list[0])]
   }
   if (document.isComplete) return
-  mesh.setCutOff()
+  mesh.isCutOff = true
   mesh.note('The end of the file is missing: there is no </VTKFile>. What is whole was read.')
 }
 
@@ -140,9 +141,7 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
   // If the text leaves something out, those cells are whole that all three arrays have.
   let whole = Math.min(types.length, ends.length)
   while (whole > 0 && (ends[whole - 1] as number) > connectivity.length) whole--
-  // A Float32 needs nine digits; those that are printed with fewer are known to them.
-  const isFloat32 =
-    arrays.get('Points')?.type === 'Float32' && (arrays.get('Points')?.format !== 'ascii' || digits >= 9)
+  const isText = arrays.get('Points')?.format === 'ascii'
   mesh.add(
     {
       points: points.subarray(0, points.length - (points.length % 3)),
@@ -152,7 +151,7 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
       types: types.subarray(0, whole),
       declaredCells: cellCount,
       hasFaceStreams: false,
-      precision: { isFloat32, digits },
+      precision: precisionOf(arrays.get('Points')?.type, isText, digits),
       cellData: cellData(storage, piece),
     },
     block,
