@@ -3,10 +3,10 @@ import type { Vertices } from '../model/hexahedron'
 import type { FileRows } from './file-rows'
 import { IdIndex } from './id-index'
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
-import { PlaceList } from './place-list'
 import { PrintedDigits } from './precision'
 import { Runs } from './runs'
 import type { TextCursor } from './text-cursor'
+import { TokenList } from './token-list'
 import { TypedList } from './typed-list'
 
 /** Names of other cells, and their number of nodes, if that is fixed. */
@@ -28,8 +28,7 @@ export class MeshBuilder {
   readonly #points = new TypedList(Float64Array)
   readonly #cells = new TypedList(Uint32Array)
   readonly #corners = new TypedList(Uint32Array)
-  readonly #tokensFrom = new PlaceList()
-  readonly #tokenLengths = new TypedList(Uint16Array)
+  readonly #tokens = new TokenList()
   readonly #ids = new TypedList(Float64Array)
   /** All ids so far, if one of them is no number. */
   #names: string[] | null = null
@@ -64,8 +63,12 @@ export class MeshBuilder {
 
   /** The next coordinate's text in the file; with all they become `coordinatePlaces`. */
   coordinateToken(from: number, length: number): void {
-    this.#tokensFrom.push(from)
-    this.#tokenLengths.push(length)
+    this.#tokens.put(this.#tokens.length, from, length)
+  }
+
+  /** The same for the three coordinates with which a row ends. */
+  coordinateTokens(rows: FileRows, row: number): void {
+    this.#tokens.putRow(this.#tokens.length, rows, row)
   }
 
   /** Reads the next coordinate, and keeps where and with how many digits it is written. */
@@ -102,8 +105,7 @@ export class MeshBuilder {
     }
     this.#pointOfId.expect(this.pointCount + ahead)
     this.#points.reserveMore(3 * count, 3 * ahead)
-    this.#tokensFrom.reserve(3 * (this.pointCount + count), 3 * (this.pointCount + ahead))
-    this.#tokenLengths.reserveMore(3 * count, 3 * ahead)
+    this.#tokens.reserve(3 * (this.pointCount + count), 3 * (this.pointCount + ahead))
   }
 
   /** The next point in a row; returns its index. */
@@ -200,11 +202,6 @@ export class MeshBuilder {
     if (!this.#notes.includes(sentence)) this.#notes.push(sentence)
   }
 
-  #tokens(): CoordinatePlaces | null {
-    if (this.#tokensFrom.length !== this.#points.length || this.pointCount === 0) return null
-    return { kind: 'tokens', from: this.#tokensFrom.upTo(this.#points.length), lengths: this.#tokenLengths.whole() }
-  }
-
   /** The mesh of one element, in this project's own order. */
   meshOfOne(vertices: Vertices): Mesh {
     for (let v = 0; v < 24; v += 3)
@@ -238,7 +235,7 @@ export class MeshBuilder {
       notes: this.#notes,
       isOrderStated: this.isOrderStated,
       isCutOff: this.isCutOff,
-      coordinatePlaces: this.coordinatePlaces ?? this.#tokens(),
+      coordinatePlaces: this.coordinatePlaces ?? this.#tokens.places(points.length),
       steps: this.steps,
     }
   }

@@ -14,7 +14,7 @@ import { nodeCopySection, nodeFillSection, nodeLineSection, nodeSection, systemS
 import type { AbaqusPart } from './abaqus-part'
 import type { Reading, Section } from './abaqus-reading'
 import type { Frame } from './movement'
-import { collect } from './node-model'
+import { collect } from './placements'
 import { TextLines } from './text-lines'
 
 const STAR = 42

@@ -7,7 +7,8 @@ import { shown } from '../text-cursor'
 import { AnsysCommands, filledFields, MOST_NODES } from './ansys-commands'
 import { type AnsysType, ansysType } from './ansys-types'
 import { IdOrder } from './id-ranges'
-import { collect, NodeModel } from './node-model'
+import { NodeModel } from './node-model'
+import { collect } from './placements'
 import { TextLines } from './text-lines'
 
 /** The slots of an element of 20 nodes: bottom edges, top edges, upright edges, as VTK. */

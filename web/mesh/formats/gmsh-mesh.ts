@@ -36,7 +36,7 @@ export class GmshMesh {
 
   /** Nodes of rows that end with three coordinates, whose ids stand first or are given. */
   nodeRows(cursor: RowCursor, rows: FileRows, ids: ArrayLike<number> | null = null, from = 0): void {
-    const { pattern, count, numbers, places, start } = rows
+    const { pattern, count, numbers } = rows
     let largest = 0
     this.builder.expectRows(rows, 'nodes')
     for (let row = 0; row < count; ++row) {
@@ -46,10 +46,7 @@ export class GmshMesh {
       cursor.row = row
       this.node(cursor, id, x, y, z)
       largest = Math.max(largest, Math.abs(x), Math.abs(y), Math.abs(z))
-      for (let axis = 0; axis < 3; ++axis) {
-        const token = places[3 * row + axis] as number
-        this.builder.coordinateToken(start + (token & 0xffffff), token >>> 24)
-      }
+      this.builder.coordinateTokens(rows, row)
     }
     this.builder.digits.seeRounded(rows.mostRounded, largest)
   }

@@ -6,7 +6,8 @@ import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { wordTable } from '../word-table'
-import { collect, NodeModel } from './node-model'
+import { NodeModel } from './node-model'
+import { collect } from './placements'
 import { TextLines } from './text-lines'
 
 const [SPACE, DOLLAR, STAR] = [32, 36, 42] as const

@@ -13,7 +13,8 @@ import { includedLines } from './includes'
 import { type Card, GRID_X, shortText, splitCard } from './nastran-card'
 import { Cards, WANTED } from './nastran-cards'
 import { Frames } from './nastran-frames'
-import { collect, NodeModel } from './node-model'
+import { NodeModel } from './node-model'
+import { collect } from './placements'
 import { TextLines } from './text-lines'
 
 const [DOLLAR, STAR] = [36, 42] as const
