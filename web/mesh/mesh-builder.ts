@@ -4,7 +4,7 @@ import type { FileRows } from './file-rows'
 import { IdIndex } from './id-index'
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
 import { PrintedDigits } from './precision'
-import { Runs } from './runs'
+import { type Runs, runsOf } from './runs'
 import type { TextCursor } from './text-cursor'
 import { TokenList } from './token-list'
 import { TypedList } from './typed-list'
@@ -185,12 +185,7 @@ export class MeshBuilder {
 
   /** Puts a cell into the block, part or set of this name. */
   inBlock(name: string, cell: number): void {
-    let cells = this.#blocks.get(name)
-    if (cells === undefined) {
-      cells = new Runs()
-      this.#blocks.set(name, cells)
-    }
-    cells.add(cell)
+    runsOf(this.#blocks, name).add(cell)
   }
 
   /** Puts all cells from this one on into the block. */

@@ -4,10 +4,10 @@ import { PrintedDigits } from '../precision'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
-import { AnsysCommands, filledFields, MOST_NODES } from './ansys-commands'
+import { AnsysCommands, MOST_NODES } from './ansys-commands'
 import { type AnsysType, ansysType } from './ansys-types'
 import { IdOrder } from './id-ranges'
-import { NodeModel } from './node-model'
+import { isRepeating, NodeModel } from './node-model'
 import { collect } from './placements'
 import { TextLines } from './text-lines'
 
@@ -146,7 +146,7 @@ class AnsysReader {
     const lines = this.#lines
     while (lines.next()) {
       lines.startFields()
-      for (let i = 0; i < 2; ++i) lines.addField(lines.from + i * integerWidth, lines.from + (i + 1) * integerWidth)
+      lines.addColumns(2, integerWidth)
       const type = lines.integer(0, 'a type of elements')
       if (type < 0) return
       this.#routines.set(type, lines.integer(1, 'a number of a type'))
@@ -208,26 +208,15 @@ class AnsysReader {
       }
       if (this.#isEndOfBlock()) break
       lines.startFields()
-      lines.addField(lines.from, lines.from + integerWidth)
-      for (let i = 0; i < 3; ++i) {
-        const from = lines.from + coordinates + i * realWidth
-        lines.addField(from, from + realWidth)
-      }
+      lines.addColumns(1, integerWidth)
+      lines.addColumns(3, realWidth, lines.from + coordinates)
       const id = lines.id(0, 'a number of a node')
       const beyond = lines.to - lines.from - coordinates
       const isWhole = beyond <= 0 ? (lines.to - lines.from) % integerWidth === 0 : beyond % realWidth === 0
       if (isWhole) isJustified = true
       else if (isJustified && beyond < 6 * realWidth)
         lines.refuse(`node ${id}: the last number of the line is cut off.`)
-      const slot = this.#model.defineNode(
-        lines,
-        id,
-        lines.real(1, this.#precision),
-        lines.real(2, this.#precision),
-        lines.real(3, this.#precision),
-      )
-      if (lines.isFieldBlank(1) || lines.isFieldBlank(2) || lines.isFieldBlank(3)) this.#model.forgetPlaces()
-      else this.#model.placeFields(lines, slot, 1)
+      this.#model.defineFields(lines, id, this.#precision)
       count++
     }
     this.#compare('NBLOCK', 'nodes', Number(declared), count)
@@ -265,8 +254,7 @@ class AnsysReader {
     const nodes = new Float64Array(MOST_NODES)
     const split = () => {
       lines.startFields()
-      for (let i = 0; i < integers; ++i)
-        lines.addField(lines.from + i * integerWidth, lines.from + (i + 1) * integerWidth)
+      lines.addColumns(integers, integerWidth)
     }
     let count = 0
     for (;;) {
@@ -278,7 +266,7 @@ class AnsysReader {
       }
       if (this.#isEndOfBlock()) break
       split()
-      const filled = filledFields(lines)
+      const filled = lines.filledCount
       const id = lines.id(isSolid ? SOLID_FIELDS - 1 : 0, 'a number of an element')
       const fields = isSolid ? SOLID_FIELDS : NONSOLID_FIELDS
       const type = this.#typeOf(isSolid ? lines.id(1, 'a type of an element') : this.#currentType)
@@ -312,7 +300,7 @@ class AnsysReader {
       if (!lines.next() || this.#isEndOfBlock())
         lines.refuse(`element ${id} has ${has} nodes; ${wanted} are declared.`, line)
       split()
-      const filled = filledFields(lines)
+      const filled = lines.filledCount
       if (filled === 0 || has + filled > wanted)
         lines.refuse(`element ${id} has ${has} nodes, then a line of ${filled}; ${wanted} are declared.`)
       for (let i = 0; i < filled; ++i) nodes[has++] = lines.id(i, 'a number of a node')
@@ -327,7 +315,7 @@ class AnsysReader {
     if (type?.kind !== 'quadratic') return has
     if (!lines.next()) return has
     split()
-    const filled = filledFields(lines)
+    const filled = lines.filledCount
     for (let i = 0; i < filled && has < MOST_NODES; ++i) nodes[has++] = lines.id(i, 'a number of a node')
     return has
   }
@@ -382,9 +370,8 @@ class AnsysReader {
       }
       if (!isOfElements || isMinusOne(lines)) continue
       lines.startFields()
-      for (let i = 0; i < integers; ++i)
-        lines.addField(lines.from + i * integerWidth, lines.from + (i + 1) * integerWidth)
-      for (let i = 0; i < filledFields(lines); ++i) {
+      lines.addColumns(integers, integerWidth)
+      for (let i = 0; i < lines.filledCount; ++i) {
         const id = lines.integer(i, 'a number of an element')
         const last = ids.at(-1)
         if (id > 0) ids.push([id, id])
@@ -411,9 +398,4 @@ class AnsysReader {
 
 function isMinusOne(lines: TextLines): boolean {
   return lines.text().trim() === '-1'
-}
-
-function isRepeating(nodes: Float64Array): boolean {
-  for (let i = 0; i < 8; ++i) for (let j = 0; j < i; ++j) if (nodes[i] === nodes[j]) return true
-  return false
 }

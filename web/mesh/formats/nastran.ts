@@ -75,7 +75,7 @@ class NastranReader {
   readonly #file: MeshFile
   readonly #options: ReadOptions
   readonly #precision = new PrintedDigits()
-  readonly #notes: string[] = []
+  readonly #notes = new Set<string>()
   readonly #model = new NodeModel()
   readonly #frames: Frames
   readonly #cards: Cards
@@ -236,15 +236,11 @@ class NastranReader {
         lines.refuse(`node ${id} is defined again, in another frame.`, card.line)
     } else if (frame < 0) this.#frames.putWithout(slot)
     const hasAll = given[GRID_X] === 1 && given[GRID_X + 1] === 1 && given[GRID_X + 2] === 1
-    if (!hasAll) this.#note('Blank coordinates are 0, as Nastran reads them.')
+    if (!hasAll) this.#notes.add('Blank coordinates are 0, as Nastran reads them.')
     if (frame > 0 || !hasAll) this.#model.forgetPlaces()
     else
       for (let axis = 0; axis < 3; ++axis)
         this.#model.place(lines, slot, axis, card.placeFrom[axis] as number, card.placeLength[axis] as number)
-  }
-
-  #note(sentence: string): void {
-    if (!this.#notes.includes(sentence)) this.#notes.push(sentence)
   }
 
   #hexahedron(card: Card): void {
@@ -281,7 +277,7 @@ class NastranReader {
     const count = this.#frames.intoBasic()
     if (count === 0) return
     this.#model.forgetPlaces()
-    this.#note(
+    this.#notes.add(
       `${count} nodes are given in frames of their own; they are turned into the basic frame, and rounded to doubles.`,
     )
   }

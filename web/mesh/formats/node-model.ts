@@ -7,7 +7,8 @@ import type { FileRows } from '../file-rows'
 import { IdIndex } from '../id-index'
 import { type CoordinatePlaces, MeshRefusal } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
-import { Runs } from '../runs'
+import type { PrintedDigits } from '../precision'
+import { Runs, runsOf } from '../runs'
 import { shown } from '../text-cursor'
 import { TokenList } from '../token-list'
 import { TypedList } from '../typed-list'
@@ -177,6 +178,17 @@ export class NodeModel {
     }
   }
 
+  /** Defines a node by the coordinates in fields 1 to 3, which are 0 where they are blank; true if none is. */
+  defineFields(lines: TextLines, id: number, precision: PrintedDigits): boolean {
+    const x = lines.real(1, precision)
+    const y = lines.real(2, precision)
+    const slot = this.defineNode(lines, id, x, y, lines.real(3, precision))
+    const isWhole = !lines.isFieldBlank(1) && !lines.isFieldBlank(2) && !lines.isFieldBlank(3)
+    if (isWhole) this.placeFields(lines, slot, 1)
+    else this.forgetPlaces()
+    return isWhole
+  }
+
   forgetPlaces(): void {
     this.#hasPlaces = false
   }
@@ -202,12 +214,7 @@ export class NodeModel {
   }
 
   block(name: string): Runs {
-    let runs = this.blocks.get(name)
-    if (runs === undefined) {
-      runs = new Runs()
-      this.blocks.set(name, runs)
-    }
-    return runs
+    return runsOf(this.blocks, name)
   }
 
   /** The first element that names a node without three coordinates, as a sentence; null if there is none. */
@@ -295,6 +302,12 @@ export class NodeModel {
   coordinatePlaces(): CoordinatePlaces | null {
     return this.#hasPlaces ? this.#tokens.places(3 * this.nodeCount) : null
   }
+}
+
+/** True if two of the first eight nodes are the same: as a hexahedron, the element has J <= 0 somewhere. */
+export function isRepeating(nodes: Float64Array): boolean {
+  for (let i = 0; i < 8; ++i) for (let j = 0; j < i; ++j) if (nodes[i] === nodes[j]) return true
+  return false
 }
 
 function same(a = Number.NaN, b = Number.NaN): boolean {

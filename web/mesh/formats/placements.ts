@@ -29,7 +29,8 @@ export interface Collected {
   readonly fileName: string
   readonly placements: readonly Placement[]
   readonly precision: PrintedDigits
-  readonly notes: readonly string[]
+  /** Sentences for people; one that comes twice is said once. */
+  readonly notes: Iterable<string>
   readonly isCutOff: boolean
 }
 

@@ -219,6 +219,18 @@ export class TextLines {
     this.#fieldTo[this.fieldCount++] = end
   }
 
+  /** Appends so many fields that stand side by side, each as wide, from byte `first` on. */
+  addColumns(count: number, width: number, first = this.from): void {
+    for (let i = 0; i < count; ++i) this.addField(first + i * width, first + (i + 1) * width)
+  }
+
+  /** The number of fields up to the last that is not blank. */
+  get filledCount(): number {
+    let count = this.fieldCount
+    while (count > 0 && this.isFieldBlank(count - 1)) count--
+    return count
+  }
+
   /** Fields between commas. A comma at the end of the line begins one more, a blank one. */
   splitAtCommas(): void {
     const { bytes, to } = this
