@@ -4,17 +4,13 @@ import { PrintedDigits } from '../precision'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
-import { AnsysCommands, MOST_NODES } from './ansys-commands'
-import { type AnsysType, ansysType } from './ansys-types'
+import { AnsysCommands } from './ansys-commands'
+import { AnsysElements, MOST_NODES } from './ansys-elements'
+import type { AnsysType } from './ansys-types'
 import { IdOrder } from './id-ranges'
-import { isRepeating, NodeModel } from './node-model'
+import { NodeModel } from './node-model'
 import { collect } from './placements'
 import { TextLines } from './text-lines'
-
-/** The slots of an element of 20 nodes: bottom edges, top edges, upright edges, as VTK. */
-const ORDER_OF_20 = Array.from({ length: 20 }, (_, i) => i)
-const HEXAHEDRON: AnsysType = { kind: 'hexahedron' }
-const QUADRATIC: AnsysType = { kind: 'quadratic' }
 
 /** Fields of an element in a solid block, before its nodes. */
 const SOLID_FIELDS = 11
@@ -46,20 +42,17 @@ class AnsysReader {
   readonly #model = new NodeModel()
   readonly #precision = new PrintedDigits()
   readonly #notes: string[] = []
-  readonly #routines = new Map<number, number>()
-  readonly #firstOptions = new Map<number, number>()
-  readonly #types = new Map<number, AnsysType | null>()
   readonly #components: { name: string; ids: [number, number][] }[] = []
-  #currentType = 1
   #isCutOff = false
-  #degenerate = 0
+  readonly #elements: AnsysElements
   readonly #commands: AnsysCommands
 
   constructor(file: MeshFile, options: ReadOptions) {
     this.#file = file
     this.#lines = new TextLines(file, options)
+    this.#elements = new AnsysElements(this.#lines, this.#model, this.#notes)
     this.#commands = new AnsysCommands(this.#lines, this.#model, this.#precision, (id, nodes, line) =>
-      this.#element(id, this.#typeOf(this.#currentType), nodes, nodes.length, new Uint32Array(MOST_NODES), line),
+      this.#elements.add(id, this.#elements.typeOf(), nodes, nodes.length, line),
     )
   }
 
@@ -71,9 +64,9 @@ class AnsysReader {
     }
     this.#commands.endElement()
     this.#makeBlocks()
-    if (this.#degenerate > 0)
+    if (this.#elements.degenerate > 0)
       this.#notes.push(
-        `${this.#degenerate} elements repeat nodes, as Ansys writes wedges, pyramids and tetrahedra: as hexahedra they have J <= 0 somewhere.`,
+        `${this.#elements.degenerate} elements repeat nodes, as Ansys writes wedges, pyramids and tetrahedra: as hexahedra they have J <= 0 somewhere.`,
       )
     return collect({
       format: 'Ansys',
@@ -112,15 +105,15 @@ class AnsysReader {
         this.#typeBlock()
         break
       case 'ET':
-        this.#defineType(rest)
+        this.#elementType(rest)
         break
       case 'KEYOP':
       case 'KEYOPT':
-        if (Number(rest[1]) === 1) this.#firstOptions.set(Number(rest[0]), Number(rest[2]))
+        if (Number(rest[1]) === 1) this.#elements.setFirstOption(Number(rest[0]), Number(rest[2]))
         break
       case 'TYPE':
         this.#commands.endElement()
-        this.#currentType = Number(rest[0])
+        this.#elements.currentType = Number(rest[0])
         break
       case 'N':
         if (!/^R/i.test(rest[0] ?? '')) this.#commands.node()
@@ -135,10 +128,10 @@ class AnsysReader {
     }
   }
 
-  #defineType([type, routine = '', firstOption = '']: readonly string[]): void {
+  #elementType([type, routine = '', firstOption = '']: readonly string[]): void {
     const digits = /(\d{1,4})$/.exec(routine)?.[1]
-    if (digits !== undefined) this.#routines.set(Number(type), Number(digits))
-    if (firstOption !== '') this.#firstOptions.set(Number(type), Number(firstOption))
+    if (digits !== undefined) this.#elements.defineType(Number(type), Number(digits))
+    if (firstOption !== '') this.#elements.setFirstOption(Number(type), Number(firstOption))
   }
 
   #typeBlock(): void {
@@ -149,7 +142,7 @@ class AnsysReader {
       lines.addColumns(2, integerWidth)
       const type = lines.integer(0, 'a type of elements')
       if (type < 0) return
-      this.#routines.set(type, lines.integer(1, 'a number of a type'))
+      this.#elements.defineType(type, lines.integer(1, 'a number of a type'))
     }
   }
 
@@ -232,25 +225,10 @@ class AnsysReader {
 
   // Elements
 
-  #typeOf(type: number): AnsysType | null {
-    const known = this.#types.get(type)
-    if (known !== undefined) return known
-    const routine = this.#routines.get(type)
-    const found = routine === undefined ? null : ansysType(routine, this.#firstOptions.get(type) ?? 0)
-    if (routine === undefined)
-      this.#notes.push(`Type ${type} of elements is not defined: those of 8 nodes are taken for hexahedra.`)
-    else if (found === null)
-      this.#notes.push(`Elements of type ${routine} are not known here: they are counted as "other".`)
-    const answer = found ?? (routine === undefined ? null : ({ kind: 'other', cell: 'other' } as const))
-    this.#types.set(type, answer)
-    return answer
-  }
-
   #elementBlock([, key = '', , declared = '']: readonly string[]): void {
     const lines = this.#lines
     const { integers, integerWidth } = this.#formatLine('EBLOCK')
     const isSolid = /^solid$/i.test(key)
-    const slots = new Uint32Array(MOST_NODES)
     const nodes = new Float64Array(MOST_NODES)
     const split = () => {
       lines.startFields()
@@ -269,7 +247,7 @@ class AnsysReader {
       const filled = lines.filledCount
       const id = lines.id(isSolid ? SOLID_FIELDS - 1 : 0, 'a number of an element')
       const fields = isSolid ? SOLID_FIELDS : NONSOLID_FIELDS
-      const type = this.#typeOf(isSolid ? lines.id(1, 'a type of an element') : this.#currentType)
+      const type = this.#elements.typeOf(isSolid ? lines.id(1, 'a type of an element') : undefined)
       const wanted = isSolid ? lines.id(8, 'a number of nodes') : Math.max(filled - fields, 0)
       if (wanted > MOST_NODES || wanted < 1)
         lines.refuse(`element ${id} has ${wanted} nodes; 1 to ${MOST_NODES} were expected.`)
@@ -279,7 +257,7 @@ class AnsysReader {
       if (isSolid) has = this.#furtherNodes(nodes, has, wanted, id, line, split)
       else if (filled === integers) has = this.#nodesOfSecondLine(nodes, has, type, split)
       count++
-      this.#element(id, type, nodes, isSolid ? wanted : has, slots, line)
+      this.#elements.add(id, type, nodes, isSolid ? wanted : has, line)
     }
     this.#compare('EBLOCK', 'elements', Number(declared), count)
     if (!isMinusOne(lines)) lines.hold()
@@ -318,42 +296,6 @@ class AnsysReader {
     const filled = lines.filledCount
     for (let i = 0; i < filled && has < MOST_NODES; ++i) nodes[has++] = lines.id(i, 'a number of a node')
     return has
-  }
-
-  #element(
-    id: number,
-    type: AnsysType | null,
-    nodes: Float64Array,
-    count: number,
-    slots: Uint32Array,
-    line: number,
-  ): void {
-    const model = this.#model
-    const kind = type ?? (count === 8 ? HEXAHEDRON : count === 20 ? QUADRATIC : null)
-    if (kind === null) {
-      model.addOther(count === 10 ? 'tetrahedron' : 'other')
-    } else if (kind.kind === 'other') {
-      model.addOther(kind.cell)
-    } else if (kind.kind === 'face') {
-      model.addOther(count === 3 || count === 6 || nodes[2] === nodes[3] ? 'triangle' : 'quadrilateral')
-    } else if (count < 8) {
-      model.addOther(count === 4 ? 'tetrahedron' : count === 5 ? 'pyramid' : count === 6 ? 'wedge' : 'other')
-    } else if (kind.kind === 'quadratic' && count === 10) {
-      model.addOther('tetrahedron')
-    } else {
-      for (let i = 0; i < 8; ++i)
-        if (nodes[i] === 0) this.#lines.refuse(`element ${id} has node 0 among its first 8.`, line)
-      for (let i = 0; i < count; ++i) slots[i] = nodes[i] === 0 ? 0 : model.slot(nodes[i] as number)
-      if (isRepeating(nodes)) this.#degenerate++
-      if (kind.kind === 'quadratic')
-        model.addQuadratic(
-          id,
-          slots,
-          ORDER_OF_20.map(at => (at < count && nodes[at] !== 0 ? at : -1)),
-        )
-      else if (count === 8) model.addHexahedron(id, slots)
-      else this.#lines.refuse(`element ${id} has ${count} nodes; its type has 8.`, line)
-    }
   }
 
   // Components

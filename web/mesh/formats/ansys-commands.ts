@@ -1,9 +1,9 @@
 /** Commands of Ansys for one node, N, or one element, E, EN and EMORE, as people write them and CDWRITE does without blocks. */
 import type { PrintedDigits } from '../precision'
+import { MOST_NODES } from './ansys-elements'
 import type { NodeModel } from './node-model'
 import type { TextLines } from './text-lines'
 
-export const MOST_NODES = 32
 const [COMMA, EXCLAMATION] = [44, 33] as const
 
 export class AnsysCommands {

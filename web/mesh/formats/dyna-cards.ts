@@ -21,21 +21,25 @@ export function widthsOf(text: string, name: string, usual: Widths): Widths {
 }
 
 /** Splits the line at commas, or in columns, or, if a word crosses these, at blanks. */
-export function splitCard(lines: TextLines, { integer, real }: Widths, integers: number, reals = 0): void {
+export function splitCard(lines: TextLines, widths: Widths, integers: number, reals = 0): void {
   lines.scan()
   if (lines.hasComma) {
     lines.splitAtCommas()
     return
   }
+  if (lines.hasTab || !areColumns(lines, widths, integers, reals)) lines.splitAtBlanks()
+}
+
+function areColumns(lines: TextLines, { integer, real }: Widths, integers: number, reals: number): boolean {
   lines.startFields()
   let at = lines.from
-  for (let i = 0; i < integers + reals && at < lines.to && !lines.hasTab; ++i) {
+  for (let i = 0; i < integers + reals && at < lines.to; ++i) {
     const next = at + (i < integers ? integer : real)
     lines.addField(at, next)
-    if (hasBlankInside(lines, i)) break
+    if (hasBlankInside(lines, i)) return false
     at = next
   }
-  if (lines.hasTab || (lines.fieldCount > 0 && hasBlankInside(lines, lines.fieldCount - 1))) lines.splitAtBlanks()
+  return true
 }
 
 function hasBlankInside(lines: TextLines, field: number): boolean {
