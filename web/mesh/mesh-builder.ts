@@ -3,6 +3,7 @@ import type { Vertices } from '../model/hexahedron'
 import type { FileRows } from './file-rows'
 import { IdIndex } from './id-index'
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
+import { areAtMiddles } from './middles'
 import { PrintedDigits } from './precision'
 import { type Runs, runsOf } from './runs'
 import type { TextCursor } from './text-cursor'
@@ -179,6 +180,12 @@ export class MeshBuilder {
     if (isStraight !== null) this.#straight = (this.#straight ?? 0) + (isStraight ? 1 : 0)
   }
 
+  /** A cell of 20, 27 or more nodes: the corners, and nodes that may lie at the middles between them. */
+  quadraticCell(corners: readonly number[], others: readonly number[]): void {
+    const at = (point: number, axis: number) => this.coordinate(point, axis)
+    this.notTrilinear(corners, areAtMiddles(at, corners, others))
+  }
+
   otherCell(type: OtherCell, count = 1): void {
     if (count > 0) this.#other.set(type, (this.#other.get(type) ?? 0) + count)
   }
@@ -191,6 +198,13 @@ export class MeshBuilder {
   /** Puts all cells from this one on into the block. */
   restInBlock(name: string, from: number): void {
     for (let cell = from; cell < this.cellCount; ++cell) this.inBlock(name, cell)
+  }
+
+  /** Says that the text leaves points out, which so many cells name. */
+  noteLacking(count: number, points: string, cells: string): void {
+    if (count === 0) return
+    this.isCutOff = true
+    this.note(`The text leaves ${points} out: ${count} ${cells} that name them are not read.`)
   }
 
   note(sentence: string): void {

@@ -1,15 +1,10 @@
 /** The mesh of Gmsh's files: nodes by id, elements by type, groups and entities by name. */
 
 import type { FileRows } from '../file-rows'
+import type { Refusing } from '../mesh'
 import { MeshBuilder } from '../mesh-builder'
-import { areAtMiddles } from '../middles'
 import type { RowCursor } from '../text-cursor'
 import type { GmshType } from './gmsh-types'
-
-/** A cursor that can refuse with its position. */
-export interface RefusingCursor {
-  refuse(what: string): never
-}
 
 export class GmshMesh {
   readonly builder: MeshBuilder
@@ -30,7 +25,7 @@ export class GmshMesh {
     this.builder = new MeshBuilder('Gmsh', fileName)
   }
 
-  node(cursor: RefusingCursor, id: number, x: number, y: number, z: number): void {
+  node(cursor: Refusing, id: number, x: number, y: number, z: number): void {
     if (!this.builder.newPointWithId(id, x, y, z)) cursor.refuse(`node ${id} is defined twice.`)
   }
 
@@ -87,7 +82,7 @@ export class GmshMesh {
   }
 
   /** Hexahedra one after the other, each with its id and those of its nodes. */
-  hexahedra(cursor: RefusingCursor, type: GmshType, numbers: ArrayLike<number>, blocks: readonly string[]): void {
+  hexahedra(cursor: Refusing, type: GmshType, numbers: ArrayLike<number>, blocks: readonly string[]): void {
     const first = this.builder.cellCount
     for (let at = 0; at < numbers.length; at += 9)
       if (this.builder.hexahedronByIds(numbers, at + 1, numbers[at] as number) < 0)
@@ -97,7 +92,7 @@ export class GmshMesh {
 
   /** An element by the ids of its nodes, which are `nodes[from]` and following. */
   element(
-    cursor: RefusingCursor,
+    cursor: Refusing,
     { kind, nodes: count }: GmshType,
     id: number,
     nodes: ArrayLike<number>,
@@ -123,9 +118,7 @@ export class GmshMesh {
       indices[i] = index
     }
     if (kind === 'curved') {
-      const corners = indices.slice(0, 8)
-      const at = (point: number, axis: number) => this.builder.coordinate(point, axis)
-      this.builder.notTrilinear(corners, areAtMiddles(at, corners, indices.slice(8)))
+      this.builder.quadraticCell(indices.slice(0, 8), indices.slice(8))
     } else if (kind !== 'hexahedron') this.builder.otherCell(kind)
   }
 }

@@ -85,10 +85,7 @@ class GmshReader {
       builder.hexahedron([0, 1, 2, 3, 4, 5, 6, 7])
       builder.note('The text has eight nodes and no elements: they are taken in the order of the text.')
     }
-    if (lackingNodes > 0) {
-      builder.isCutOff = true
-      builder.note(`The text leaves nodes out: ${lackingNodes} elements that name them are not read.`)
-    }
+    builder.noteLacking(lackingNodes, 'nodes', 'elements')
     return builder.mesh()
   }
 

@@ -1,12 +1,7 @@
 /** The mesh of Medit's files: vertices counted from 1, cells with references, orders of nodes. */
+import type { Refusing } from '../mesh'
 import { MeshBuilder } from '../mesh-builder'
-import { areAtMiddles } from '../middles'
 import type { MeditCells } from './medit-keywords'
-
-/** A cursor that can refuse with its position. */
-interface RefusingCursor {
-  refuse(what: string): never
-}
 
 /** The corners in a reference cube of side `side`, in VTK_HEXAHEDRON order. */
 const CORNERS = [
@@ -35,7 +30,7 @@ export class MeditMesh {
   }
 
   /** The place of each node of a cell in a cube of side 1, 2, ..., as HexahedraQ2Ordering and its kin state it. */
-  orderNodes(cursor: RefusingCursor, places: readonly (readonly number[])[]): void {
+  orderNodes(cursor: Refusing, places: readonly (readonly number[])[]): void {
     const side = Math.max(...places.flat())
     const corners = CORNERS.map(corner =>
       places.findIndex(node => node.every((value, axis) => value === side * (corner[axis] as number))),
@@ -45,7 +40,7 @@ export class MeditMesh {
   }
 
   /** A cell by its vertices, which are `vertices[from]` and following, counted from 1. */
-  cell(cursor: RefusingCursor, cells: MeditCells, vertices: ArrayLike<number>, from: number, reference: number): void {
+  cell(cursor: Refusing, cells: MeditCells, vertices: ArrayLike<number>, from: number, reference: number): void {
     const { kind, nodes, name } = cells
     const count = this.builder.pointCount
     const indices = this.#indices
@@ -72,10 +67,7 @@ export class MeditMesh {
       return
     }
     const others = order ? order.others.map(i => indices[i] as number) : indices.slice(8)
-    this.builder.notTrilinear(
-      corners,
-      areAtMiddles((point, axis) => this.builder.coordinate(point, axis), corners, others),
-    )
+    this.builder.quadraticCell(corners, others)
   }
 
   /** Different references become blocks, and what was noticed becomes notes. */
@@ -93,9 +85,6 @@ export class MeditMesh {
         builder.inBlock(name, cell)
       }
     }
-    if (this.lackingVertices > 0) {
-      builder.isCutOff = true
-      builder.note(`The text leaves vertices out: ${this.lackingVertices} cells that name them are not read.`)
-    }
+    builder.noteLacking(this.lackingVertices, 'vertices', 'cells')
   }
 }

@@ -112,10 +112,7 @@ class MfemReader {
     if (this.#sets.size > 0 || this.#attributes.some(attribute => attribute !== first))
       for (const [cell, attribute] of this.#attributes.entries())
         for (const name of this.#sets.get(attribute) ?? [`attribute ${attribute}`]) builder.inBlock(name, cell)
-    if (this.#lackingVertices > 0) {
-      builder.isCutOff = true
-      builder.note(`The text leaves vertices out: ${this.#lackingVertices} elements that name them are not read.`)
-    }
+    builder.noteLacking(this.#lackingVertices, 'vertices', 'elements')
     return builder.mesh()
   }
 

@@ -5,7 +5,7 @@
  */
 
 import type { RowPattern } from '../../core/reading-interface'
-import { doubleOfDigits } from '../decimal'
+import { doubleOfDigits, POWERS_OF_TEN } from '../decimal'
 import { FileChunk } from '../file-chunk'
 import { type FileRows, RowSearch, rowsAhead } from '../file-rows'
 import { MeshRefusal } from '../mesh'
@@ -19,7 +19,6 @@ const HEAD = 65_536
 
 const [TAB, LF, SPACE, PLUS, COMMA, MINUS, DOT, ZERO] = [9, 10, 32, 43, 44, 45, 46, 48] as const
 
-const POWERS_OF_TEN = Array.from({ length: 23 }, (_, i) => 10 ** i)
 const POWERS_OF_FIVE = Array.from({ length: 23 }, (_, i) => 5 ** i)
 const EXACT = 2 ** 53
 
