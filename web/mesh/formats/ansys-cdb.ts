@@ -37,7 +37,6 @@ interface Widths {
 }
 
 class AnsysReader {
-  readonly #file: MeshFile
   readonly #lines: TextLines
   readonly #model = new NodeModel()
   readonly #precision = new PrintedDigits()
@@ -48,7 +47,6 @@ class AnsysReader {
   readonly #commands: AnsysCommands
 
   constructor(file: MeshFile, options: ReadOptions) {
-    this.#file = file
     this.#lines = new TextLines(file, options)
     this.#elements = new AnsysElements(this.#lines, this.#model, this.#notes)
     this.#commands = new AnsysCommands(this.#lines, this.#model, this.#precision, (id, nodes, line) =>
@@ -70,7 +68,7 @@ class AnsysReader {
       )
     return collect({
       format: 'Ansys',
-      fileName: this.#file.name,
+      fileName: this.#lines.file.name,
       placements: [{ model: this.#model, name: null, move: null }],
       precision: this.#precision,
       notes: this.#notes,
@@ -182,6 +180,28 @@ class AnsysReader {
     )
   }
 
+  /** Reads the lines of a block, which must be as many as it declares, if it does. */
+  #block(block: string, what: string, stated: string, readLine: () => void): void {
+    const lines = this.#lines
+    let count = 0
+    for (;;) {
+      if (!lines.next()) lines.refuse(`the file ends within an ${block}, after ${count} ${what}.`)
+      if (lines.isBlank) continue
+      if (lines.isElision) {
+        this.#isCutOff = true
+        continue
+      }
+      if (this.#isEndOfBlock()) break
+      readLine()
+      count++
+    }
+    const declared = Number(stated)
+    if (count < declared && !this.#isCutOff) lines.refuse(`${block} has ${count} ${what}; ${declared} are declared.`)
+    if (declared > 0 && count > declared && !this.#isCutOff)
+      this.#notes.push(`${block} declares ${declared} ${what}, and has ${count}: all are read.`)
+    if (!isMinusOne(lines)) lines.hold()
+  }
+
   // Nodes
 
   #nodeBlock([, , , declared = '']: readonly string[]): void {
@@ -190,16 +210,8 @@ class AnsysReader {
     if (integers < 1 || reals < 3)
       lines.refuse('NBLOCK: a number of a node and three coordinates were expected in its format.')
     const coordinates = integers * integerWidth
-    let count = 0
     let isJustified = false
-    for (;;) {
-      if (!lines.next()) lines.refuse(`the file ends within an NBLOCK, after ${count} nodes.`)
-      if (lines.isBlank) continue
-      if (lines.isElision) {
-        this.#isCutOff = true
-        continue
-      }
-      if (this.#isEndOfBlock()) break
+    this.#block('NBLOCK', 'nodes', declared, () => {
       lines.startFields()
       lines.addColumns(1, integerWidth)
       lines.addColumns(3, realWidth, lines.from + coordinates)
@@ -210,17 +222,8 @@ class AnsysReader {
       else if (isJustified && beyond < 6 * realWidth)
         lines.refuse(`node ${id}: the last number of the line is cut off.`)
       this.#model.defineFields(lines, id, this.#precision)
-      count++
-    }
-    this.#compare('NBLOCK', 'nodes', Number(declared), count)
-    if (!isMinusOne(lines)) lines.hold()
+    })
     if (/^n,/i.test(lines.text().trim())) lines.next()
-  }
-
-  #compare(block: string, what: string, declared: number, count: number): void {
-    if (!(declared > 0) || declared === count || this.#isCutOff) return
-    if (count < declared) this.#lines.refuse(`${block} has ${count} ${what}; ${declared} are declared.`)
-    this.#notes.push(`${block} declares ${declared} ${what}, and has ${count}: all are read.`)
   }
 
   // Elements
@@ -234,15 +237,7 @@ class AnsysReader {
       lines.startFields()
       lines.addColumns(integers, integerWidth)
     }
-    let count = 0
-    for (;;) {
-      if (!lines.next()) lines.refuse(`the file ends within an EBLOCK, after ${count} elements.`)
-      if (lines.isBlank) continue
-      if (lines.isElision) {
-        this.#isCutOff = true
-        continue
-      }
-      if (this.#isEndOfBlock()) break
+    this.#block('EBLOCK', 'elements', declared, () => {
       split()
       const filled = lines.filledCount
       const id = lines.id(isSolid ? SOLID_FIELDS - 1 : 0, 'a number of an element')
@@ -256,11 +251,8 @@ class AnsysReader {
       for (let i = fields; i < filled && has < MOST_NODES; ++i) nodes[has++] = lines.id(i, 'a number of a node')
       if (isSolid) has = this.#furtherNodes(nodes, has, wanted, id, line, split)
       else if (filled === integers) has = this.#nodesOfSecondLine(nodes, has, type, split)
-      count++
       this.#elements.add(id, type, nodes, isSolid ? wanted : has, line)
-    }
-    this.#compare('EBLOCK', 'elements', Number(declared), count)
-    if (!isMinusOne(lines)) lines.hold()
+    })
   }
 
   #furtherNodes(

@@ -1,13 +1,11 @@
 /** Ansys's elements: the types that a file defines, and what becomes of an element of each. */
 import { type AnsysType, ansysType } from './ansys-types'
-import { isRepeating, type NodeModel } from './node-model'
+import { isRepeating, type NodeModel, ORDER_OF_20 } from './node-model'
 import type { TextLines } from './text-lines'
 
 /** Nodes of the largest element. */
 export const MOST_NODES = 32
 
-/** The slots of an element of 20 nodes: bottom edges, top edges, upright edges, as VTK. */
-const ORDER_OF_20 = Array.from({ length: 20 }, (_, i) => i)
 const HEXAHEDRON: AnsysType = { kind: 'hexahedron' }
 const QUADRATIC: AnsysType = { kind: 'quadratic' }
 

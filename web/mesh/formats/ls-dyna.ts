@@ -8,7 +8,7 @@ import { shown } from '../text-cursor'
 import { wordTable } from '../word-table'
 import { LONG, nextCard, STANDARD, skipCards, splitCard, TEN, widthsOf } from './dyna-cards'
 import { includedLines } from './includes'
-import { isRepeating, NodeModel } from './node-model'
+import { isRepeating, NodeModel, ORDER_OF_20 } from './node-model'
 import { collect } from './placements'
 import { TextLines } from './text-lines'
 
@@ -35,8 +35,6 @@ const BEAM_LINES: Readonly<Record<string, number>> = wordTable({
 
 const passOver = () => {}
 
-const ORDER_OF_20 = Array.from({ length: 20 }, (_, i) => i)
-
 export const lsDyna: MeshFormat = {
   name: 'LS-DYNA',
   recognizes(head, name) {
@@ -50,7 +48,6 @@ export const lsDyna: MeshFormat = {
 }
 
 class DynaReader {
-  readonly #file: MeshFile
   readonly #options: ReadOptions
   readonly #model = new NodeModel()
   readonly #precision = new PrintedDigits()
@@ -70,7 +67,6 @@ class DynaReader {
   #readLine: () => void = passOver
 
   constructor(file: MeshFile, options: ReadOptions) {
-    this.#file = file
     this.#options = options
     this.#lines = new TextLines(file, options)
   }
@@ -82,7 +78,7 @@ class DynaReader {
       this.#notes.add(`${this.#degenerate} elements of 8 nodes repeat some: as hexahedra they have J <= 0 somewhere.`)
     return collect({
       format: 'LS-DYNA',
-      fileName: this.#file.name,
+      fileName: this.#lines.file.name,
       placements: [{ model: this.#model, name: null, move: null }],
       precision: this.#precision,
       notes: this.#notes,

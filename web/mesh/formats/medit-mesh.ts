@@ -1,19 +1,8 @@
 /** The mesh of Medit's files: vertices counted from 1, cells with references, orders of nodes. */
+import { vertexReference } from '../../model/hexahedron'
 import type { Refusing } from '../mesh'
 import { MeshBuilder } from '../mesh-builder'
 import type { MeditCells } from './medit-keywords'
-
-/** The corners in a reference cube of side `side`, in VTK_HEXAHEDRON order. */
-const CORNERS = [
-  [0, 0, 0],
-  [1, 0, 0],
-  [1, 1, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-  [1, 0, 1],
-  [1, 1, 1],
-  [0, 1, 1],
-] as const
 
 export class MeditMesh {
   readonly builder: MeshBuilder
@@ -32,7 +21,7 @@ export class MeditMesh {
   /** The place of each node of a cell in a cube of side 1, 2, ..., as HexahedraQ2Ordering and its kin state it. */
   orderNodes(cursor: Refusing, places: readonly (readonly number[])[]): void {
     const side = Math.max(...places.flat())
-    const corners = CORNERS.map(corner =>
+    const corners = vertexReference.map(corner =>
       places.findIndex(node => node.every((value, axis) => value === side * (corner[axis] as number))),
     )
     if (corners.includes(-1)) cursor.refuse('the order of the nodes lacks a corner.')

@@ -72,7 +72,6 @@ export const nastran: MeshFormat = {
 }
 
 class NastranReader {
-  readonly #file: MeshFile
   readonly #options: ReadOptions
   readonly #precision = new PrintedDigits()
   readonly #notes = new Set<string>()
@@ -85,7 +84,6 @@ class NastranReader {
   #isCutOff = false
 
   constructor(file: MeshFile, options: ReadOptions) {
-    this.#file = file
     this.#options = options
     this.#lines = new TextLines(file, options)
     this.#frames = new Frames(this.#model, (what, line) => this.#lines.refuse(what, line))
@@ -98,7 +96,7 @@ class NastranReader {
     this.#intoBasicFrame()
     return collect({
       format: 'Nastran',
-      fileName: this.#file.name,
+      fileName: this.#lines.file.name,
       placements: [{ model: this.#model, name: null, move: null }],
       precision: this.#precision,
       notes: this.#notes,

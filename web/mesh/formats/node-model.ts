@@ -20,6 +20,9 @@ export const NO_NODE = 0xffffffff
 /** Slots of an element that is not trilinear: corners, edges in VTK order, faces -xi, +xi, -eta, +eta, -zeta, +zeta, centre. */
 export const QUADRATIC_SLOTS = 27
 
+/** The order in which most codes write the nodes of an element of 20: bottom edges, top edges, upright edges, as VTK. */
+export const ORDER_OF_20: readonly number[] = Array.from({ length: 20 }, (_, i) => i)
+
 const NAMED = 0
 const DEFINED = 1
 const SHORT = 2

@@ -1,5 +1,5 @@
 /** Tables from lists in brackets: rows from lists in a list, from ends of lines or semicolons, or from what the code around makes of them. */
-import { inRowsOf, type NumberTable, transposed } from './number-table'
+import { inRowsOf, type NumberTable, numberTable, transposed } from './number-table'
 
 /** Characters behind a list in which a change of its shape is looked for. */
 const BEHIND = 160
@@ -66,19 +66,12 @@ export function tableOf(list: List, text: string, { isOneBased, hasThreeRows }: 
   const { rows, isCut, areIntegers, digits } = rowsOf(list)
   // One number is neither a point nor a cell.
   if (rows.length === 0 || (rows.length === 1 && (rows[0] as readonly number[]).length < 2)) return null
-  const shapedRows = shaped(rows, list, text, hasThreeRows)
-  const width = shapedRows.reduce((most, row) => Math.max(most, row.length), 0)
-  return {
+  return numberTable(shaped(rows, list, text, hasThreeRows), areIntegers, {
     names: list.callee === '' ? list.names : [...list.names, list.callee],
-    rows: shapedRows,
-    integers: Array.from({ length: width }, () => areIntegers),
-    header: null,
-    labels: null,
-    ids: null,
     isCut,
     digits,
     base: isOneBased || list.hasSemicolons ? 1 : 0,
-  }
+  })
 }
 
 /** A list of 24 that the code around it makes a matrix of: row by row, or column by column. */
