@@ -1,7 +1,8 @@
 /** A checked mesh as a list of cells, as it comes out of a worker. */
 import { describe, expect, test } from 'vitest'
+import { memoryOf } from '../../web/core/workers'
 import { CheckedCells } from '../../web/mesh/checked-cells'
-import { columnsOf, memoryOf } from '../../web/mesh/checked-columns'
+import { columnsOf } from '../../web/mesh/checked-columns'
 import { formatNames } from '../../web/mesh/format-names'
 import { formats } from '../../web/mesh/formats'
 import type { Mesh } from '../../web/mesh/mesh'

@@ -2,7 +2,6 @@
 import { afterAll, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
 import { isMet } from '../../web/model/condition'
-import type { Reply, Request } from '../../web/pages/search/engine/messages'
 import { parseQuery, type Query } from '../../web/pages/search/engine/query'
 import { type Find, Ranking } from '../../web/pages/search/engine/ranking'
 import { polished, Search, type SearchWorkers } from '../../web/pages/search/engine/search'
@@ -11,13 +10,13 @@ import { ownSearch, searches } from '../../web/pages/search/searches'
 import { certificateOf, checked, type Loose } from './certificate-checker'
 import { core, entry, randomSource } from './core-fixtures'
 import { edgesArePositive, verticesArePositive } from './exact'
-import { batchModules, bundledWorker, endThreads, nodePort } from './node-workers'
+import { batchModules, endThreads, threadsOf } from './node-workers'
 
-const worker = await bundledWorker('web/pages/search/engine/worker.ts')
+const spawn = await threadsOf('web/pages/search/engine/worker.ts')
 afterAll(endThreads)
 
 function force(workers: number, module = batchModules.vectors): SearchWorkers {
-  return { module, count: workers, spawn: () => nodePort<Request, Reply>(worker) }
+  return { module, count: workers, spawn }
 }
 
 const PIECE = 8 * BLOCK

@@ -21,13 +21,6 @@ export function columnsOf(check: MeshCheck): CheckedColumns {
   }
 }
 
-/** The memory of the columns, for a message that hands it over. */
-export function memoryOf({ points, cells, ids, blocks, standings, relativeMinima, worst }: CheckedColumns) {
-  const names = ids === null || ids instanceof Float64Array ? [ids] : [ids.bytes, ids.ends]
-  const lists = [points, cells, ...names, blocks, standings, relativeMinima, worst].filter(list => list !== null)
-  return [...new Set(lists.map(({ buffer }) => buffer as ArrayBuffer))]
-}
-
 function packedNames(names: readonly string[]): PackedNames {
   const encoder = new TextEncoder()
   const encoded = names.map(name => encoder.encode(name))

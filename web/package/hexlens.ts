@@ -8,4 +8,4 @@ export { HexLens } from '../element/hex-lens'
 export { HexLensError, type HexLensErrorCode } from '../element/hex-lens-error'
 export { setMeshWorker } from './mesh-worker-beside'
 
-define({ core: coreInside, panels, otherPanels: ['nearest'], readingWorker: async () => readingWorkerBeside })
+define({ core: coreInside, panels, otherPanels: ['nearest'], readingWorker: readingWorkerBeside })
