@@ -60,9 +60,9 @@ function threadOn(worker: URL, options?: WorkerOptions): Worker {
   return thread
 }
 
-/** Starts threads of a worker of web/. */
-export async function threadsOf(entry: string): Promise<() => WorkerPort> {
-  const script = scriptUrl(await bundled(entry))
+/** Starts threads of a worker of web/; with a script that runs before its own. */
+export async function threadsOf(entry: string, before = ''): Promise<() => WorkerPort> {
+  const script = scriptUrl(before + (await bundled(entry)))
   return () => threadPort(threadOn(script))
 }
 

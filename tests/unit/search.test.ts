@@ -162,6 +162,35 @@ it('says why it does not work', async () => {
   await expect(cancelled).rejects.toThrow('enough')
 })
 
+it('a worker that is ended ends the search, which says so once and goes on with others', async () => {
+  const query = queryOf('corners', 5)
+  const dying = await threadsOf(
+    'web/pages/search/engine/worker.ts',
+    `import { parentPort } from 'node:worker_threads'
+    let pieces = 0
+    parentPort.on('message', ({ kind }) => { if (kind === 'search' && ++pieces === 4) process.exit(7) });`,
+  )
+  let spawned = 0
+  const failures: string[] = []
+  const workers = { ...force(2), spawn: () => (spawned++ === 0 ? dying() : spawn()) }
+  const search = await new Promise<Search>(resolve => {
+    const search = new Search(
+      query,
+      workers,
+      () => search.isRunning || resolve(search),
+      ({ message }) => {
+        failures.push(message)
+        search.start(6 * PIECE)
+      },
+    )
+    search.start(6 * PIECE)
+  })
+  search.dispose()
+  const says = 'a worker of this page ended before it had answered: its thread ended with exit code 7.'
+  expect([failures, spawned]).toEqual([[says], 4])
+  expect(outcome(search)).toEqual(outcome(await searched(query, 6 * PIECE, force(1))))
+})
+
 it('a query that is none is refused field by field', () => {
   const { distribution } = queryOf('corners')
   const law = { kind: 'normal', sigma: -1 } as const

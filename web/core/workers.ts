@@ -32,15 +32,18 @@ export interface WorkerPort {
   terminate(): void
 }
 
-export interface PoolOptions<Start> {
+export interface WorkerOptions<Start = unknown> {
   /** A worker's name in sentences: "A worker for batches". */
   readonly name: string
-  /** Workers; they are started when they are needed. */
-  readonly size: number
   readonly spawn: () => WorkerPort
   readonly start: Start
   /** Milliseconds. */
   readonly startWithin?: number
+}
+
+export interface PoolOptions<Start> extends WorkerOptions<Start> {
+  /** Workers; they are started when they are needed. */
+  readonly size: number
 }
 
 /** A worker has its next job when it is done with one. */
@@ -49,9 +52,15 @@ const JOBS_AHEAD = 2
 /** A guard against waiting for ever, not a measurement: a script may come over a slow line. */
 const START_WITHIN = 60_000
 
-interface Task {
+interface Watched {
   readonly caller: object
-  readonly onProgress: ((progress: never) => void) | undefined
+  /** A Listener of this job. */
+  readonly onProgress: unknown
+}
+
+type Listener = ((progress: unknown) => void) | undefined
+
+interface Task extends Watched {
   readonly resolve: (answer: never) => void
   readonly reject: (reason: unknown) => void
 }
@@ -74,25 +83,12 @@ export class Pool<Start, J extends Jobs> {
   }
 
   /** The worker takes over all memory of the job. Jobs of one caller are cancelled together. */
-  run<Kind extends keyof J & string>(
+  async run<Kind extends keyof J & string>(
     kind: Kind,
     job: Job<J, Kind>,
     { caller = this, onProgress }: { caller?: object; onProgress?: Tell<J, Kind> } = {},
   ): Promise<Answer<J, Kind>> {
-    return new Promise((resolve, reject) => {
-      const task = { caller, onProgress: onProgress as Task['onProgress'], resolve, reject }
-      this.#freest().take({ kind, given: job }, task)
-    })
-  }
-
-  /** The only job of this pool, whose worker is ended with it. */
-  async runAlone<Kind extends keyof J & string>(
-    kind: Kind,
-    job: Job<J, Kind>,
-    { signal, onProgress }: { signal?: AbortSignal | undefined; onProgress: Tell<J, Kind> },
-  ): Promise<Answer<J, Kind>> {
-    const stop = (reason?: unknown) => this.stop(reason)
-    return unlessAborted(signal, stop, () => this.run(kind, job, { onProgress })).finally(() => stop())
+    return this.#freest().run({ kind, given: job }, { caller, onProgress })
   }
 
   /** Ends the workers and with them what they have at hand; `run` starts new ones. */
@@ -115,6 +111,20 @@ export class Pool<Start, J extends Jobs> {
   }
 }
 
+/** One job for a worker of its own, which is ended with it. Rejects with the signal's reason if that aborts. */
+export async function runAlone<J extends Jobs, Kind extends keyof J & string>(
+  options: WorkerOptions,
+  request: { readonly kind: Kind; readonly given: Job<J, Kind> },
+  { signal, onProgress }: { readonly signal: AbortSignal | undefined; readonly onProgress: Tell<J, Kind> },
+): Promise<Answer<J, Kind>> {
+  let worker: PoolWorker | undefined
+  const end = (reason?: unknown) => worker?.end(reason)
+  return unlessAborted(signal, end, () => {
+    worker = new PoolWorker(options, () => {})
+    return worker.run(request, { caller: worker, onProgress })
+  }).finally(() => end())
+}
+
 class PoolWorker {
   readonly #name: string
   readonly #port: WorkerPort
@@ -124,7 +134,7 @@ class PoolWorker {
   #problem = NOT_STARTED
 
   /** Throws if the worker cannot be started. */
-  constructor({ name, spawn, start, startWithin = START_WITHIN }: PoolOptions<unknown>, onEnd: () => void) {
+  constructor({ name, spawn, start, startWithin = START_WITHIN }: WorkerOptions, onEnd: () => void) {
     this.#name = name
     this.#onEnd = onEnd
     this.#port = spawned(name, spawn, start)
@@ -137,9 +147,9 @@ class PoolWorker {
     return this.#tasks.length
   }
 
-  take(request: Request, task: Task): void {
+  run(request: Request, watched: Watched): Promise<never> {
     this.#port.postMessage(request, memoryOf(request.given))
-    this.#tasks.push(task)
+    return new Promise((resolve, reject) => this.#tasks.push({ ...watched, resolve, reject }))
   }
 
   cancel(caller: object, reason: unknown): void {
@@ -161,7 +171,7 @@ class PoolWorker {
     if (reply.kind === 'started') {
       clearTimeout(this.#deadline)
       this.#problem = 'ended before it had answered'
-    } else if (reply.kind === 'progress') this.#tasks[0]?.onProgress?.(reply.progress as never)
+    } else if (reply.kind === 'progress') (this.#tasks[0]?.onProgress as Listener)?.(reply.progress)
     else if (reply.kind === 'answer') this.#tasks.shift()?.resolve(reply.answer as never)
     else this.#fail(reply.message)
   }
@@ -183,13 +193,13 @@ function spawned(name: string, spawn: () => WorkerPort, start: unknown): WorkerP
   }
 }
 
-export const NOT_STARTED = 'did not start'
+const NOT_STARTED = 'did not start'
 
 /** Engines word it differently: "could not allocate memory", "Array buffer allocation failed", "JS heap out of memory". */
 const MEMORY = /memory|allocat/i
 
-/** A worker's failure in a sentence, for a reason that is a clause. */
-export function failureOf(name: string, problem: string, reason: string | null): Error {
+/** In a sentence, for a reason that is a clause. */
+function failureOf(name: string, problem: string, reason: string | null): Error {
   if (reason === null) return new Error(`${name} ${problem}, perhaps for want of memory.`)
   return new Error(`${name} ${MEMORY.test(reason) ? 'ran out of memory' : problem}: ${reason}`)
 }

@@ -1,5 +1,5 @@
 /** Reads what is pasted, dropped or opened: what it finds becomes the element, or a list of which one cell can be chosen. */
-import { failureOf, NOT_STARTED, Pool, type WorkerPort, wordsOf } from '../core/workers'
+import { runAlone, type WorkerPort, wordsOf } from '../core/workers'
 import { CheckedCells } from '../mesh/checked-cells'
 import { isNamed } from '../mesh/source'
 import type { Vertices } from '../model/hexahedron'
@@ -11,8 +11,6 @@ import type { ReadingJobs, ReadingOutcome } from './serve-reading'
 
 /** Resolves to what starts the worker that reads, which each build has somewhere else; rejects where there is none to be had. */
 export type ReadingWorker = () => Promise<() => WorkerPort>
-
-const READER = 'the worker that reads'
 
 export interface InputTaker {
   /** True if anything is taken at all. */
@@ -101,11 +99,11 @@ export class InputReader implements InputHost {
     options: { readonly signal: AbortSignal; readonly onProgress: (progress: ReadingProgress) => void },
   ): Promise<ReadingOutcome> {
     try {
-      const spawn = await this.#worker().catch(reason => {
-        throw failureOf(READER, NOT_STARTED, wordsOf(reason))
+      const spawn = await this.#worker().catch(reason => () => {
+        throw reason
       })
-      const pool = new Pool<null, ReadingJobs>({ name: READER, size: 1, spawn, start: null })
-      return await pool.runAlone('read', input, options)
+      const worker = { name: 'the worker that reads', spawn, start: null }
+      return await runAlone<ReadingJobs, 'read'>(worker, { kind: 'read', given: input }, options)
     } catch (reason) {
       return { refused: `Nothing was read: ${wordsOf(reason).replace(/[.]?$/, '.')}`, missing: [] }
     }

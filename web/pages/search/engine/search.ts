@@ -2,7 +2,7 @@
  * A search under way: workers go through the stream of elements piece by piece, and what they find is taken in the stream's order, so
  * that after so many elements the finds are the same however many workers there are.
  */
-import { Pool, type WorkerPort } from '../../../core/workers'
+import { Pool, runAlone, type WorkerPort } from '../../../core/workers'
 import type { Vertices } from '../../../model/hexahedron'
 import type { Polished } from './polish'
 import type { Query } from './query'
@@ -23,6 +23,9 @@ export interface SearchWorkers {
  */
 const PIECE_MILLISECONDS = 100
 const MOST_BLOCKS = 256
+
+/** A worker's in sentences. */
+const NAME = 'a worker of this page'
 
 /** Milliseconds to wait, after a stop, for pieces under way. */
 const PATIENCE = 1000
@@ -153,12 +156,13 @@ export class Search {
 export function polished(
   query: Query,
   vertices: Vertices,
-  workers: Pick<SearchWorkers, 'module' | 'spawn'>,
+  { module, spawn }: Pick<SearchWorkers, 'module' | 'spawn'>,
   { signal, onStep = () => {} }: { signal?: AbortSignal; onStep?: (simpler: Polished) => void } = {},
 ): Promise<Polished> {
-  return poolOf(query, { ...workers, count: 1 }).runAlone('polish', vertices, { signal, onProgress: onStep })
+  const worker = { name: NAME, spawn, start: { module, query } }
+  return runAlone<SearchJobs, 'polish'>(worker, { kind: 'polish', given: vertices }, { signal, onProgress: onStep })
 }
 
 function poolOf(query: Query, { module, count, spawn }: SearchWorkers): Pool<SearchStart, SearchJobs> {
-  return new Pool({ name: 'a worker of this page', size: count, spawn, start: { module, query } })
+  return new Pool({ name: NAME, size: count, spawn, start: { module, query } })
 }
