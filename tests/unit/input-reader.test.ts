@@ -35,7 +35,7 @@ const threadThat = (onJob: string) =>
 
 it.each([
   { how: 'leaves its process', onJob: 'process.exit(7)', says: 'its thread ended with exit code 7.' },
-  { how: 'throws', onJob: "throw new Error('struck by a test')", says: 'Error: struck by a test.' },
+  { how: 'gives up', onJob: "parentPort.postMessage({ kind: 'failed', message: 'struck' })", says: 'struck.' },
 ])('a worker that $how refuses the input, and says why', async ({ onJob, says }) => {
   const { refused, news } = readingWith(async () => () => threadPort(threadThat(onJob)))
   const sentence = `Nothing was read: the worker that reads ended before it had answered: ${says} ${AS_IT_WAS}`
