@@ -2,7 +2,7 @@
 import { describe, expect, test } from 'vitest'
 import { joined } from '../../web/mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../../web/mesh/mesh'
-import { readTogether } from '../../web/mesh/read-together'
+import { readTogether } from '../../web/mesh/read-mesh'
 import { verticesOf } from '../../web/mesh/vertices-of'
 import { stateDocument } from '../../web/model/state-document'
 import { createStore } from '../../web/model/store'

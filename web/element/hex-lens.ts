@@ -8,7 +8,6 @@
 import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
 import { InputReader } from '../input/input-reader'
-import { listenForInput } from '../input/pasted-input'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
 import { presetOf, presets, presetVertices } from '../model/presets'
@@ -173,6 +172,7 @@ export class HexLens extends ReflectingElement {
   /** Names of panels, as the attribute last said them. */
   #viewNames: readonly string[] = FIRST_VIEWS
   readonly #input = new InputReader(HexLens.composition.readingWorker, {
+    isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
     take: vertices => {
       this.#setVertices(vertices, null)
       return this.#store.state.vertices
@@ -205,10 +205,7 @@ export class HexLens extends ReflectingElement {
       const { state } = this.#store
       return pointInFull(this.#analyzer.probed(state), state.referenceCube)
     })
-    listenForInput(shadow, this.#views.lens, {
-      isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
-      take: input => this.#input.read(input),
-    })
+    this.#input.listen(shadow, this.#views.lens)
   }
 
   connectedCallback(): void {

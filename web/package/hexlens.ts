@@ -9,7 +9,7 @@ export { HexLens } from '../element/hex-lens'
 export { HexLensError, type HexLensErrorCode } from '../element/hex-lens-error'
 export { setMeshWorker } from './mesh-worker-beside'
 
-define({ core: coreInside, panels, otherPanels: ['nearest'], readingWorker: async () => readingWorkerBeside })
+define({ core: coreInside, panels, otherPanels: ['nearest'], readingWorker: readingWorkerBeside })
 
 /** lit-html has noted its version in a global list; a guest leaves nothing behind. */
 const { litHtmlVersions: noted } = globalThis as { litHtmlVersions?: string[] }
