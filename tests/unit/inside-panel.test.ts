@@ -18,7 +18,9 @@ function reportOf(id: string) {
 describe('what the boundary says of the inside', () => {
   it('is enough where it is positive, and not where it is zero', () => {
     expect(insideSentence(reportOf('cube'), 'unit')).toMatch(/nothing inside is lower/)
-    expect(insideSentence(reportOf('non-strict'), 'unit')).toMatch(/never below zero, yet inside it falls to −1\/4/)
+    expect(insideSentence(reportOf('non-strict'), 'unit')).toMatch(
+      /J ≥ 0 on the boundary, yet inside it falls to −1\/4/,
+    )
     expect(insideSentence(reportOf('non-strict'), 'biunit')).toMatch(/−1\/32/)
     expect(insideSentence(reportOf('edge-negative'), 'unit')).toMatch(/^The boundary already shows/)
   })

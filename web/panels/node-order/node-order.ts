@@ -49,8 +49,10 @@ class NodeOrderView implements View {
     if (isValid) {
       const { vertices } = this.#context.state()
       const used =
-        this.#used?.vertices === vertices ? `The points were taken as “${this.#used.name}”; Undo takes that back. ` : ''
-      return `${used}The element is valid in the order its points are in, so no other is looked for.`
+        this.#used?.vertices === vertices
+          ? `The points were taken in the order “${this.#used.name}”. Undo takes this back. `
+          : ''
+      return `${used}The element is valid as its points are ordered, so no other order is tried.`
     }
     if (tried === null) return 'The orders are tried when this change is done.'
     const { count, helpful } = tried
