@@ -13,16 +13,13 @@ const source = join(root, 'node_modules', 'three', 'src')
 
 /**
  * Classes that are made and not asked for anything: there are no textures, no targets but the
- * canvas and no built-in materials, nothing is sorted or culled by its bounds, and OrbitControls
- * wants its ray only where it does not pan in the plane of the screen.
+ * canvas, nothing is sorted or culled by its bounds, and OrbitControls wants its ray only where it
+ * does not pan in the plane of the screen.
  */
 const idle = [
-  'materials/Material',
-  'math/Box3',
   'math/FrustumArray',
   'math/Plane',
   'math/Ray',
-  'math/Sphere',
   'renderers/WebGLRenderTarget',
   'renderers/webgl/WebGLMorphtargets',
   'renderers/webgl/WebGLOutput',
