@@ -60,7 +60,7 @@ const CHANGES: ReadonlySet<Action['type']> = new Set([
 const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'theme', 'poster', 'label', 'readOnly']
 
 export class HexLens extends ReflectingElement {
-  static readonly observedAttributes = attributeNames
+  static readonly observedAttributes: readonly AttributeName[] = attributeNames
   /** `define` sets it once, before an element is made. */
   static composition: Required<Composition>
 
