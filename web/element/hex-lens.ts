@@ -138,7 +138,7 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
  * @cssprop [--hl-neutral=#f6f6f4, dark #26282b] - The colour of zero.
  */
 export class HexLens extends ReflectingElement {
-  static readonly observedAttributes = attributeNames
+  static readonly observedAttributes: readonly AttributeName[] = attributeNames
   /** `define` sets it once, before an element is made. */
   static composition: Required<Composition>
 
