@@ -4,7 +4,7 @@
  */
 import type { CheckId } from '../../core/report'
 import { type Vec3, vertexReference } from '../../model/hexahedron'
-import type { Samples } from '../../model/state'
+import type { Samples } from '../../views/scene-slices'
 
 export interface CheckDescription {
   readonly name: string

@@ -1,10 +1,12 @@
 /** Other checks of this element, each against the exact verdict. */
+
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Check, CheckId, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
-import type { ReferenceCube } from '../../model/state'
+import { type ReferenceCube, sliceChange } from '../../model/state'
 import { copyable, copyableJacdet } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
+import { marksSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
 import { checks as descriptions } from './check-words'
 import css from './checks.css?inline'
@@ -69,7 +71,7 @@ class ChecksView implements View {
   #mark(id: CheckId | null): void {
     if (id === this.#marked) return
     this.#marked = id
-    this.#context.dispatch({ type: 'show-samples', samples: id && descriptions[id].marks })
+    this.#context.dispatch(sliceChange(marksSlice, { samples: id && descriptions[id].marks }))
   }
 }
 

@@ -2,9 +2,10 @@
 import { html, render, type TemplateResult } from 'lit-html'
 import { formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
-import type { State } from '../../model/state'
+import { type State, sliceChange, sliceOf } from '../../model/state'
 import { copyable } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
+import { previewSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './nearest.css?inline'
@@ -27,11 +28,12 @@ class NearestView implements View {
   update(frame: Frame): void {
     const { state, report } = frame
     const nearest = answerTo(nearestQuestion, frame)
-    if (state.preview?.move && !state.openPanels.includes('nearest')) this.#preview(null)
+    const { preview } = sliceOf(previewSlice, state)
+    if (preview?.move && !state.openPanels.includes('nearest')) this.#preview(null)
     const known = nearest?.vertices === state.vertices ? nearest : null
     const valid = report?.valid ?? null
     const isMoving = state.gestureStart !== null
-    if (isNew(this.root, valid, known, isMoving, state.preview, this.#applied === state.vertices))
+    if (isNew(this.root, valid, known, isMoving, preview, this.#applied === state.vertices))
       render(this.#template(valid, isMoving, known, state), this.root)
   }
 
@@ -86,7 +88,7 @@ class NearestView implements View {
   }
 
   #buttons(move: NearestMove, what: string, state: State): TemplateResult {
-    const isOpen = state.preview?.move === move.vertices
+    const isOpen = sliceOf(previewSlice, state).preview?.move === move.vertices
     return html`<p class="go">
       <button
         type="button"
@@ -136,7 +138,7 @@ class NearestView implements View {
   }
 
   #preview(move: Vertices | null): void {
-    this.#context.dispatch({ type: 'preview', preview: move && { move } })
+    this.#context.dispatch(sliceChange(previewSlice, { preview: move && { move } }))
   }
 
   /** One step to undo. What is said is new, so the focus moves there. */
