@@ -11,7 +11,7 @@ import type { Box, Point } from '../space/layout'
 import { at, map3 } from '../space/vec3'
 import { toWorld, verticesInWorld, type World } from '../space/world'
 import { Highlight } from './highlight'
-import { meanOf, overlap } from './label-place'
+import { meanOf, numberDirection, overlap } from './label-place'
 import { Marks } from './marks'
 import type { OverlayPicture } from './overlay-picture'
 import { ProbeMark } from './probe-mark'
@@ -115,6 +115,7 @@ export class Overlay {
     const { highlight } = sliceOf(marksSlice, state)
     const ringed = [report?.minimizer, highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
     const texts = numberTexts(handles, preview?.order ?? null)
+    const shown: Point[] = []
     const numbers = handles.map((at, v) => {
       const { group, number } = this.#handles[v] as Handle
       const text = texts[v] as string
@@ -123,15 +124,18 @@ export class Overlay {
       moveTo(group, at)
       const [dx, dy] = [at.x - middle.x, at.y - middle.y]
       const length = Math.hypot(dx, dy)
-      const [ux, uy] = length > 1 ? [dx / length, dy / length] : [0, -1]
+      const outwards = length > 1 ? { x: dx / length, y: dy / length } : { x: 0, y: -1 }
       const distance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
+      const { x: ux, y: uy } = text === '' ? outwards : numberDirection(at, outwards, distance, shown)
       const half = (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
       const x = ux * (distance + half)
       // A long number stays in the picture.
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
       group.classList.toggle('selected', v === state.selectedVertex)
-      return { x: at.x + ux * distance, y: at.y + uy * distance }
+      const place = { x: at.x + ux * distance, y: at.y + uy * distance }
+      if (text !== '') shown.push(place)
+      return place
     })
     const selected = this.#handles[state.selectedVertex]?.group
     // The selected handle is drawn over its neighbours.
