@@ -167,6 +167,20 @@ test('the gallery shows each element, in the lens too, and leads on', async ({ l
     }
   })
 
+  await test.step('on a phone the element is seen between its handles', async () => {
+    const size = page.viewportSize()
+    await page.setViewportSize({ width: 390, height: 844 })
+    const sizes = () =>
+      page.locator('hex-lens .scene-pane .handle .dot').evaluateAll(dots => {
+        const boxes = dots.map(dot => (dot as SVGCircleElement).getBBox())
+        const tops = dots.map(dot => dot.getBoundingClientRect().top)
+        return { widest: Math.max(...boxes.map(({ width }) => width)), height: Math.max(...tops) - Math.min(...tops) }
+      })
+    await expect.poll(async () => (await sizes()).widest).toBeLessThanOrEqual(8)
+    await expect.poll(async () => (await sizes()).height).toBeGreaterThan(125)
+    if (size) await page.setViewportSize(size)
+  })
+
   await test.step('one that is changed is none of them any more', async () => {
     await lens.set((await lens.vertices()).with(0, 0.125))
     await expect(pictures).toHaveCount(0)
