@@ -67,3 +67,11 @@ export interface Refusing {
 export const MOST_IMPLIED_CELLS = 50_000_000
 
 export const NOTHING_NOT_TRILINEAR: NotTrilinear = { corners: new Uint32Array(0), straight: null }
+
+/** The index of each cell's first block; the count of blocks if none; null without blocks. */
+export function firstBlocks({ cells, blocks }: Mesh): Uint32Array | null {
+  if (blocks.length === 0) return null
+  const places = new Uint32Array(cells.length / 8).fill(blocks.length)
+  for (let i = blocks.length - 1; i >= 0; --i) for (const own of blocks[i]?.cells ?? []) places[own] = i
+  return places
+}

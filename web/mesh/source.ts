@@ -49,3 +49,8 @@ export function progressOf(file: MeshFile, { onProgress, throwIfCancelled }: Rea
 export function fileOfBytes(name: string, bytes: Uint8Array): MeshFile {
   return { name, size: bytes.length, read: (from, to) => bytes.slice(from, to) }
 }
+
+/** True if a file is the one that another names, with or without its folder. */
+export function isNamed({ name }: { readonly name: string }, wanted: string): boolean {
+  return name.toLowerCase() === wanted.split(/[\\/]/).at(-1)?.toLowerCase()
+}
