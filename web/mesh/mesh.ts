@@ -58,6 +58,11 @@ export type CoordinatePlaces =
 /** A file that is none of ours, or damaged: one sentence with the place and what was expected. */
 export class MeshRefusal extends Refusal {}
 
+/** A reader that can refuse with its place in the file. */
+export interface Refusing {
+  refuse(what: string): never
+}
+
 /** Points and cells that a file implies or has generated beyond this are refused. */
 export const MOST_IMPLIED_CELLS = 50_000_000
 
