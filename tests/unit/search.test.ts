@@ -1,12 +1,15 @@
 /** Searches with the real workers: what they find, whoever finds it, and what becomes of it when it is polished. */
 import { afterAll, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
-import { isMet } from '../../web/model/condition'
+import { isCertainlyLess, isMet } from '../../web/model/condition'
+import { MOST_TRIED } from '../../web/pages/search/engine/climb'
+import { measured } from '../../web/pages/search/engine/measure'
 import type { Reply, Request } from '../../web/pages/search/engine/messages'
 import { parseQuery, type Query } from '../../web/pages/search/engine/query'
 import { type Find, Ranking } from '../../web/pages/search/engine/ranking'
-import { polished, Search, type SearchWorkers } from '../../web/pages/search/engine/search'
+import { climbed, polished, Search, type SearchWorkers } from '../../web/pages/search/engine/search'
 import { BLOCK } from '../../web/pages/search/engine/search-piece'
+import { Tally } from '../../web/pages/search/engine/tally'
 import { ownSearch, searches } from '../../web/pages/search/searches'
 import { certificateOf, checked, type Loose } from './certificate-checker'
 import { core, entry, randomSource } from './core-fixtures'
@@ -150,6 +153,51 @@ it('goes on after a stop that waits for nothing, and with new workers after the 
   search.dispose()
   expect(outcome(search)).toEqual(whole)
 })
+
+it('goes on in another page from what was kept', async () => {
+  const query = queryOf('corners', 6)
+  const whole = outcome(await searched(query, 4 * PIECE, force(2)))
+  const { tally } = await searched(query, PIECE, force(2))
+  const kept = Tally.from(JSON.parse(JSON.stringify(tally.document)))
+  expect(kept.document).toEqual(tally.document)
+  const search = await new Promise<Search>((resolve, reject) => {
+    const search = new Search(query, force(2), () => search.isRunning || resolve(search), reject, kept)
+    search.start(4 * PIECE)
+  })
+  search.dispose()
+  expect(outcome(search)).toEqual(whole)
+})
+
+/** The numbers of an element, and its measure in doubles. */
+function judged(query: Query, vertices: readonly number[]) {
+  const read = parseQuery(query)
+  const report = core.analyze(vertices)
+  if (!read.ok || !report.ok) throw new Error('The query or the element was refused.')
+  const { measure, start } = read.value
+  return {
+    measure,
+    extremeness: measured(measure, report.value, start),
+    quantities: quantitiesOf(report.value, start),
+  }
+}
+
+it.each(['corners', 'gap', 'nine-points', 'depth-guard'])(
+  'climbs from a find of %s, never down, and again the same',
+  async id => {
+    const query = queryOf(id)
+    const find = entry((await searched(query, entry([ENOUGH[id] ?? 0], 0), force(2))).finds('simplicity'), 0)
+    const heights: number[] = []
+    const best = await climbed(query, find.vertices, force(1), { onStep: step => heights.push(step.extremeness) })
+    expect(heights).toEqual(heights.toSorted((a, b) => a - b))
+    expect(has(query, best.vertices)).toBe(true)
+    const [low, high] = [judged(query, find.vertices), judged(query, best.vertices)]
+    expect(high.extremeness).toBe(best.extremeness)
+    expect(best.steps > 0).toBe(isCertainlyLess(low.measure, low.quantities, high.quantities))
+    if (best.steps === 0) expect(best.vertices).toEqual(find.vertices)
+    expect(best.tried).toBeLessThanOrEqual(MOST_TRIED + 64)
+    expect(await climbed(query, find.vertices, force(1))).toEqual(best)
+  },
+)
 
 it('says why it does not work', async () => {
   const empty = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0))

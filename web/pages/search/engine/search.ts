@@ -3,11 +3,13 @@
  * that after so many elements the finds are the same however many workers there are.
  */
 import type { Vertices } from '../../../model/hexahedron'
-import type { Reply, WorkerPort } from './messages'
+import type { Climbed } from './climb'
+import type { Improved, Reply, WorkerPort } from './messages'
 import type { Polished } from './polish'
 import type { Query } from './query'
-import { type Find, type Order, Ranking } from './ranking'
+import type { Find, Order } from './ranking'
 import { BLOCK, type PieceFinds } from './search-piece'
+import { Tally } from './tally'
 
 export interface SearchWorkers {
   /** hexlens-batch.wasm or hexlens-scalar.wasm, compiled. */
@@ -30,7 +32,7 @@ const MOST_BLOCKS = 256
 const PATIENCE = 1000
 
 export class Search {
-  readonly query: Query
+  readonly tally: Tally
   readonly #workers: SearchWorkers
   readonly #onNews: () => void
   readonly #onFailure: (reason: Error) => void
@@ -39,21 +41,25 @@ export class Search {
   readonly #heard = new Map<WorkerPort, number>()
   /** Pieces done before an earlier one, by their first blocks. */
   readonly #early = new Map<number, PieceFinds>()
-  readonly #rankings: Readonly<Record<Order, Ranking>> = {
-    simplicity: new Ranking('simplicity'),
-    extremeness: new Ranking('extremeness'),
-  }
-  /** Blocks: the next to be handed out, those taken in, where to end, and how many a piece has. */
-  #next = 0
-  #taken = 0
+  /** Blocks: the next to be handed out, where to end, and how many a piece has. */
+  #next: number
   #most = Infinity
   #blocks = 1
-  #found = 0
   #isRunning = false
 
-  /** `onNews` is told whenever there is more; `onFailure` once, where a worker does not start or breaks: the search is over then. */
-  constructor(query: Query, workers: SearchWorkers, onNews: () => void, onFailure: (reason: Error) => void) {
-    this.query = query
+  /**
+   * `onNews` is told whenever there is more; `onFailure` once, where a worker does not start or breaks: the search is over then. It goes
+   * on where the tally ends.
+   */
+  constructor(
+    query: Query,
+    workers: SearchWorkers,
+    onNews: () => void,
+    onFailure: (reason: Error) => void,
+    tally = new Tally(query),
+  ) {
+    this.tally = tally
+    this.#next = tally.blocks
     this.#workers = workers
     this.#onNews = onNews
     this.#onFailure = onFailure
@@ -63,18 +69,22 @@ export class Search {
     return this.#isRunning
   }
 
+  get query(): Query {
+    return this.tally.query
+  }
+
   /** Elements looked at, all of the stream up to there. */
   get elements(): number {
-    return this.#taken * BLOCK
+    return this.tally.elements
   }
 
   /** Elements that have the property. */
   get found(): number {
-    return this.#found
+    return this.tally.found
   }
 
   finds(order: Order): readonly Find[] {
-    return this.#rankings[order].finds
+    return this.tally.finds(order)
   }
 
   /** Begins, or goes on where it was stopped; until so many elements have been looked at, if that is said. */
@@ -105,7 +115,7 @@ export class Search {
   /** Ends the workers. What was found stays, and `start` begins others. */
   dispose(): void {
     this.#isRunning = false
-    this.#next = this.#taken
+    this.#next = this.tally.blocks
     this.#early.clear()
     for (const port of this.#ports.splice(0)) {
       port.onmessage = null
@@ -135,11 +145,10 @@ export class Search {
     this.#measure(port, reply.result)
     this.#send(port)
     this.#early.set(reply.result.piece.first, reply.result)
-    for (let result = this.#early.get(this.#taken); result; result = this.#early.get(this.#taken)) {
-      this.#early.delete(this.#taken)
-      this.#taken += result.piece.blocks
-      this.#found += result.found
-      for (const ranking of Object.values(this.#rankings)) for (const find of result.finds) ranking.add(find)
+    const { tally } = this
+    for (let result = this.#early.get(tally.blocks); result; result = this.#early.get(tally.blocks)) {
+      this.#early.delete(tally.blocks)
+      tally.take(result)
     }
     this.#settle()
     this.#onNews()
@@ -155,7 +164,7 @@ export class Search {
   }
 
   #settle(): void {
-    if (this.#taken === this.#next && this.#next >= this.#most) this.#isRunning = false
+    if (this.tally.blocks === this.#next && this.#next >= this.#most) this.#isRunning = false
   }
 
   #fail(message: string): void {
@@ -164,25 +173,53 @@ export class Search {
   }
 }
 
+interface ImprovementOptions<Improved> {
+  readonly signal?: AbortSignal
+  /** Told of the best so far. */
+  readonly onStep?: (improved: Improved) => void
+}
+
+type ImprovingWorkers = Pick<SearchWorkers, 'module' | 'spawn'>
+
 /** Polishes in a worker of its own. Rejects with the signal's reason, or if the worker fails. */
 export function polished(
   query: Query,
   vertices: Vertices,
-  { module, spawn }: Pick<SearchWorkers, 'module' | 'spawn'>,
-  { signal, onStep = () => {} }: { signal?: AbortSignal; onStep?: (simpler: Polished) => void } = {},
+  workers: ImprovingWorkers,
+  options: ImprovementOptions<Polished> = {},
 ): Promise<Polished> {
+  return improved('polish', query, vertices, workers, options)
+}
+
+/** Climbs in a worker of its own. Rejects with the signal's reason, or if the worker fails. */
+export function climbed(
+  query: Query,
+  vertices: Vertices,
+  workers: ImprovingWorkers,
+  options: ImprovementOptions<Climbed> = {},
+): Promise<Climbed> {
+  return improved('climb', query, vertices, workers, options)
+}
+
+function improved<Kind extends keyof Improved>(
+  kind: Kind,
+  query: Query,
+  vertices: Vertices,
+  { module, spawn }: ImprovingWorkers,
+  { signal, onStep = () => {} }: ImprovementOptions<Improved[Kind]>,
+): Promise<Improved[Kind]> {
   const port = spawn()
-  return new Promise<Polished>((resolve, reject) => {
+  return new Promise<Improved[Kind]>((resolve, reject) => {
     signal?.throwIfAborted()
     signal?.addEventListener('abort', () => reject(signal.reason))
     port.onerror = ({ message }) => reject(new Error(brokenWorker(message)))
     port.onmessage = ({ data }) => {
-      if (data.kind === 'simpler') onStep(data.polished)
-      if (data.kind === 'polished') resolve(data.polished)
+      if (data.kind === 'better') onStep(data.improved as Improved[Kind])
+      if (data.kind === 'best') resolve(data.improved as Improved[Kind])
       if (data.kind === 'failed') reject(new Error(data.message))
     }
     port.postMessage({ kind: 'start', module })
-    port.postMessage({ kind: 'polish', query, vertices })
+    port.postMessage({ kind, query, vertices })
   }).finally(() => port.terminate())
 }
 

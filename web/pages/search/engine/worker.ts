@@ -1,6 +1,7 @@
-/** A worker that searches: instances of the core of its own, one piece after another, or one element polished. */
+/** A worker that searches: instances of the core of its own, one piece after another, or one element polished or climbed from. */
 import { loadBatchCore } from '../../../core/batch/batch-core'
 import { type CoreExports, coreOf } from '../../../core/core'
+import { climb } from './climb'
 import type { Reply, Request } from './messages'
 import { polish } from './polish'
 import { type ParsedQuery, parseQuery, type Query } from './query'
@@ -33,11 +34,13 @@ async function answer(request: Request): Promise<void> {
     case 'piece':
       if (!searchPiece) throw new Error('The worker was sent a piece without a query.')
       return scope.postMessage({ kind: 'result', result: (await searchPiece)(request.piece) })
-    case 'polish': {
-      const polished = polish(checked(request.query), request.vertices, await ready(), simpler =>
-        scope.postMessage({ kind: 'simpler', polished: simpler }),
+    case 'polish':
+    case 'climb': {
+      const improve = { polish, climb }[request.kind]
+      const best = improve(checked(request.query), request.vertices, await ready(), improved =>
+        scope.postMessage({ kind: 'better', improved }),
       )
-      return scope.postMessage({ kind: 'polished', polished })
+      return scope.postMessage({ kind: 'best', improved: best })
     }
   }
 }
