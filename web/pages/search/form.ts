@@ -76,11 +76,11 @@ export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): T
     <fieldset>
       <legend>Among these elements</legend>
       <div class="law">
-        <label>${law('normal')} the unit cube, its vertices moved at random</label>
+        <label>${law('normal')} the unit cube, moved at random</label>
         <label>sigma ${number('sigma', 'Sigma', 'distribution')}</label>
       </div>
       <div class="law">
-        <label>${law('box')} vertices anywhere in a box</label>
+        <label>${law('box')} anywhere in a box</label>
         <span
           >from ${number('least', 'Least coordinate of the box', 'distribution')} to
           ${number('greatest', 'Greatest coordinate of the box', 'distribution')}</span

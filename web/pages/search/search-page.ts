@@ -4,10 +4,7 @@
  * fragment; searches are kept with their finds, so that leaving the page loses none.
  */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
-import { quantitiesOf } from '../../core/quantities'
 import '../element'
-import { isMet } from '../../model/condition'
-import { formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import { decodePermalink, encodePermalink } from '../../model/permalink'
 import { saveFile } from '../../views/save-file'
@@ -15,8 +12,7 @@ import { entryAt, keepEntry, presentKey } from '../history-entries'
 import { Pictures } from '../pictures'
 import { scrollOf, scrollTo } from '../scroll'
 import { searchWorkers } from './engine'
-import { measured } from './engine/measure'
-import { type ParsedQuery, parseQuery } from './engine/query'
+import { parseQuery } from './engine/query'
 import type { Order } from './engine/ranking'
 import { Search, type SearchWorkers } from './engine/search'
 import { Tally } from './engine/tally'
@@ -24,6 +20,7 @@ import { formTemplate, kindTemplate } from './form'
 import { decodeForm, encodeForm, type FormState, queryOf, withField } from './form-state'
 import { choiceOf, countsText, foundTemplate, shownFinds } from './found'
 import { Improvement, type ImprovementRequest, improvementButton, outcomeText } from './improvement'
+import { inTheLensTemplate } from './in-the-lens'
 import { exported, isSame, type KeptElement, KeptElements } from './kept'
 import { SearchKeeper, type SearchRecord, searchOf, withSearch } from './kept-searches'
 import { LiveRegion } from './live-region'
@@ -37,7 +34,7 @@ const root = document.querySelector('.searching') as HTMLElement
 const REDRAW = 500
 const SOON = 20
 
-const pictures = new Pictures(lens, root, () => schedule(hasFirstPicture ? REDRAW : SOON))
+const pictures = new Pictures(lens, root, () => schedule(hasFirstPicture && isRunning() ? REDRAW : SOON))
 const kept = new KeptElements(() => localStorage)
 const keeper = new SearchKeeper()
 const liveRegion = new LiveRegion(document.querySelector('.news') as HTMLElement)
@@ -126,29 +123,16 @@ function counts({ tally, ran }: SearchRecord): string {
 function inTheLens(): TemplateResult | typeof nothing {
   const { report } = lens
   if (!parsed.ok || !report) return nothing
-  const { query, property, start } = parsed.value
-  const { vertices } = lens
-  const has = isMet(property, quantitiesOf(report, start))
-  const request = (kind: ImprovementRequest['kind']) => ({ kind, query, vertices, name: nameInLens() })
-  return html`<section aria-labelledby="in-lens">
-    <h2 id="in-lens">In the lens</h2>
-    ${outcome && isShown(outcome.vertices) ? html`<p>${outcome.sentence}</p>` : nothing}
-    <p>${has ? extremeness(parsed.value, report) : 'The element in the lens does not have the property.'}</p>
-    <div class="actions">
-      <button type="button" ?disabled=${isKept(vertices)} @click=${keep}>${isKept(vertices) ? 'Kept' : 'Keep'}</button>
-      ${button(request('polish'), 'Polish', has)} ${button(request('climb'), 'More extreme from here', has)}
-      <a class="button" href=${`./#${encodePermalink(vertices)}`}>Open on the page Lens</a>
-    </div>
-  </section>`
-}
-
-function button(request: ImprovementRequest, label: string, isPossible: boolean, name?: string): TemplateResult {
-  return improvementButton({ request, label, isPossible, improvement, onStart: improve, ...(name && { name }) })
-}
-
-function extremeness({ query, measure, start }: ParsedQuery, report: NonNullable<typeof lens.report>): TemplateResult {
-  return html`The element in the lens has the property; <code>${query.measure}</code> is
-    ${formatNumber(measured(measure, report, start))}.`
+  return inTheLensTemplate({
+    parsed: parsed.value,
+    report,
+    name: nameInLens(),
+    isKept: kept.elements.some(element => isShown(element.vertices)),
+    outcome: outcome && isShown(outcome.vertices) ? outcome.sentence : null,
+    improvement,
+    onStart: improve,
+    onKeep: keep,
+  })
 }
 
 function found(record: SearchRecord): TemplateResult {
@@ -168,11 +152,28 @@ function found(record: SearchRecord): TemplateResult {
         isShown,
         onChoose: choose,
         actionsOf: ({ vertices, name }) =>
-          button({ kind: 'climb', query, vertices, name }, 'More extreme', true, `More extreme from here: ${name}`),
+          improvementButton({
+            request: { kind: 'climb', query, vertices, name },
+            label: 'More extreme',
+            name: `More extreme from here: ${name}`,
+            isPossible: true,
+            improvement,
+            onStart: improve,
+          }),
       }),
-    onSort: sort,
-    onShowAll: showAll,
-    onExport: () => saveFound(record),
+    onSort: value => {
+      order = value
+      draw()
+    },
+    onShowAll: () => {
+      showsAll = !showsAll
+      draw()
+    },
+    onExport: () =>
+      saveElements(
+        'found',
+        record.tally.finds(order).map(find => ({ ...choiceOf(record, find, order), property: query.property })),
+      ),
   })
 }
 
@@ -181,16 +182,12 @@ function keptElements(): TemplateResult | typeof nothing {
     kept,
     choicesTemplate: choices =>
       choicesTemplate({ label: 'Kept', choices, pictures, isShown, onChoose: choose, onRemove: remove }),
-    onExport: () => save('kept', kept.elements),
+    onExport: () => saveElements('kept', kept.elements),
   })
 }
 
 function isShown(vertices: Vertices): boolean {
   return isSame(vertices, lens.vertices)
-}
-
-function isKept(vertices: Vertices): boolean {
-  return kept.elements.some(element => isSame(element.vertices, vertices))
 }
 
 function change(name: keyof FormState, value: string): void {
@@ -249,7 +246,7 @@ async function workersOrReason(): Promise<SearchWorkers> {
   try {
     return await searchWorkers()
   } catch (reason) {
-    throw new Error(`searching and polishing need WebAssembly (${reason instanceof Error ? reason.message : reason}).`)
+    throw new Error(`a search needs WebAssembly (${reason instanceof Error ? reason.message : reason}).`)
   }
 }
 
@@ -283,16 +280,6 @@ function fail(reason: Error): void {
   draw()
 }
 
-function sort(value: Order): void {
-  order = value
-  draw()
-}
-
-function showAll(): void {
-  showsAll = !showsAll
-  draw()
-}
-
 function choose(choice: Choice): void {
   chosen = choice
   lens.vertices = choice.vertices
@@ -300,13 +287,12 @@ function choose(choice: Choice): void {
   draw()
 }
 
-/** The name of the element as a find or among what is kept; with a word more where a vertex was moved since. */
+/** The name that the element was found or kept by; with a word more if a vertex was moved since. */
 function nameInLens(): string {
   const record = shownRecord()
-  const known =
-    kept.elements.find(({ vertices }) => isShown(vertices))?.name ??
-    record?.tally.finds(order).find(({ vertices }) => isShown(vertices))
-  if (typeof known === 'string') return known
+  const finds = (['simplicity', 'extremeness'] as const).flatMap(order => record?.tally.finds(order) ?? [])
+  const known = [chosen, ...kept.elements, ...finds].find(element => element && isShown(element.vertices))
+  if (known && 'name' in known) return known.name
   if (record && known) return choiceOf(record, known, order).name
   return chosen === null ? 'element' : `${chosen.name}-changed`
 }
@@ -323,23 +309,17 @@ function remove({ name, vertices }: Choice): void {
   draw()
 }
 
-function saveFound(record: SearchRecord): void {
-  const { tally } = record
-  save(
-    'found',
-    tally.finds(order).map(find => ({ ...choiceOf(record, find, order), property: tally.query.property })),
-  )
-}
-
-function save(what: string, elements: readonly KeptElement[]): void {
+function saveElements(what: string, elements: readonly KeptElement[]): void {
   saveFile(`hexlens-${what}.json`, exported(elements), 'application/json')
 }
 
 async function improve(request: ImprovementRequest): Promise<void> {
   if (improvement) return
+  const { name, vertices } = request
   const job = new Improvement(request)
   improvement = job
-  draw()
+  if (isShown(vertices)) draw()
+  else choose({ name, vertices, caption: name })
   try {
     await job.run(await workersOrReason(), schedule)
   } catch (reason) {
@@ -359,7 +339,7 @@ function settle(job: Improvement): void {
     kept.add({ name, vertices: job.best, property: query.property })
     choose({ name, vertices: job.best, caption: name })
   }
-  outcome = { vertices: lens.vertices, sentence: outcomeText(job, name) }
+  outcome = { vertices: job.best, sentence: outcomeText(job, name) }
   liveRegion.say(outcome.sentence)
 }
 
@@ -378,7 +358,7 @@ function openLink(): void {
   else if (link.error.code !== 'absent') lens.raise({ code: 'link-broken', message: link.error.message })
 }
 
-/** The element and the scroll of this entry of the history; the address has the last word on the element. */
+/** The element and the scroll of this entry of the history. The address has the last word on the element. */
 function openEntry(): void {
   const entry = entryAt(key)
   const link = decodePermalink(location.hash)

@@ -40,12 +40,12 @@ export function refusalOf({ law, grid, symmetry, moved }: Distribution): string 
     if (!(low < high))
       return grid === 'free'
         ? 'The box needs its least number below its greatest.'
-        : `The box needs two or more ${grid} in it.`
+        : `The box needs at least two ${grid} in it.`
   }
   if (!(Number.isInteger(moved) && moved >= 1 && moved <= VERTEX_COUNT))
-    return `The number of vertices that move is from 1 to ${VERTEX_COUNT}.`
+    return `The number of vertices that move is a whole number from 1 to ${VERTEX_COUNT}.`
   const together = Math.min(...orbitsOf(symmetries[symmetry]).map(({ length }) => length))
-  if (moved < together) return `With this symmetry ${together} vertices move together: at least so many have to move.`
+  if (moved < together) return `With this symmetry ${together} vertices move together: let at least ${together} move.`
   return null
 }
 
