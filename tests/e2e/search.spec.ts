@@ -183,6 +183,20 @@ for (const [width, height] of [
     expect(isAbove).toBe(true)
   })
 
+for (const address of ['search.html', 'gallery.html'])
+  test(`handles do not cover the element on a phone, on ${address}`, async ({ lens, page }) => {
+    await page.setViewportSize({ width: 390, height: 844 })
+    await lens.open(address)
+    const boxes = await page
+      .locator('hex-lens .scene-pane .handle .dot, hex-lens .scene-pane .minimizer .ring')
+      .evaluateAll(circles => circles.map(circle => circle.getBoundingClientRect().toJSON() as DOMRect))
+    expect(boxes.length).toBe(9)
+    const width = Math.max(...boxes.map(({ right }) => right)) - Math.min(...boxes.map(({ left }) => left))
+    const height = Math.max(...boxes.map(({ bottom }) => bottom)) - Math.min(...boxes.map(({ top }) => top))
+    const covered = boxes.reduce((sum, box) => sum + (Math.PI / 4) * box.width * box.height, 0)
+    expect(covered / (width * height)).toBeLessThan(0.05)
+  })
+
 for (const [width, height] of [
   [1440, 900],
   [390, 844],

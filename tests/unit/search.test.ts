@@ -10,6 +10,7 @@ import { type Find, Ranking } from '../../web/pages/search/engine/ranking'
 import { climbed, polished, Search, type SearchWorkers } from '../../web/pages/search/engine/search'
 import { BLOCK } from '../../web/pages/search/engine/search-piece'
 import { Tally } from '../../web/pages/search/engine/tally'
+import { Improvement, outcomeText } from '../../web/pages/search/improvement'
 import { ownSearch, searches } from '../../web/pages/search/searches'
 import { certificateOf, checked, type Loose } from './certificate-checker'
 import { core, entry, randomSource } from './core-fixtures'
@@ -198,6 +199,68 @@ it.each(['corners', 'gap', 'nine-points', 'depth-guard'])(
     expect(await climbed(query, find.vertices, force(1))).toEqual(best)
   },
 )
+
+/** Coordinates that differ, in steps of the grid. */
+function movedBy(from: readonly number[], to: readonly number[], step: number): number[] {
+  return to.flatMap((x, i) => (x === from[i] ? [] : [(x - (from[i] as number)) / step]))
+}
+
+it('climbs only where the distribution goes: its grid, its box, its symmetry, its vertices', async () => {
+  const query = queryOf('corners')
+  const integers = {
+    ...query,
+    distribution: { ...query.distribution, law: { kind: 'box', least: -2, greatest: 2 }, grid: 'integers' },
+  } as const
+  const turned = { ...query, distribution: { ...query.distribution, symmetry: 'third-turn' } } as const
+  const two = {
+    ...query,
+    distribution: { ...query.distribution, law: { kind: 'normal', sigma: 1 }, moved: 2 },
+  } as const
+  for (const [name, query] of Object.entries({ integers, turned, two })) {
+    const find = entry((await searched(query, 64 * BLOCK, force(2))).finds('simplicity'), 0)
+    const { vertices, steps } = await climbed(query, find.vertices, force(1))
+    expect(steps, name).toBeGreaterThan(0)
+    const { law, grid, symmetry } = query.distribution
+    expect(movedBy(find.vertices, vertices, grid === 'integers' ? 1 : 0.25).every(Number.isInteger), name).toBe(true)
+    if (law.kind === 'box') expect(vertices.every(x => x >= law.least && x <= law.greatest)).toBe(true)
+    else expect(vertices.every(x => x >= -6 * law.sigma && x <= 1 + 6 * law.sigma)).toBe(true)
+    if (symmetry === 'third-turn') {
+      // xi to eta to zeta to xi: vertices 1, 3, 4 and 2, 7, 5.
+      const [x, y, z] = vertices.slice(3, 6)
+      expect([vertices.slice(9, 12), vertices.slice(12, 15)]).toEqual([
+        [z, x, y],
+        [y, z, x],
+      ])
+    }
+    if (name === 'two') {
+      const start = parseQuery(query)
+      const other = start.ok ? start.value.start : []
+      const moved = new Set(vertices.flatMap((x, i) => (x === other[i] ? [] : [Math.floor(i / 3)])))
+      expect(moved.size).toBeLessThanOrEqual(2)
+    }
+  }
+})
+
+it('a climb that is stopped has come as far as it said', async () => {
+  const query = queryOf('depth-guard')
+  const find = entry((await searched(query, entry([ENOUGH['depth-guard'] ?? 0], 0), force(2))).finds('extremeness'), 0)
+  const whole: number[] = []
+  await climbed(query, find.vertices, force(1), { onStep: ({ extremeness }) => whole.push(extremeness) })
+  const climb = new Improvement({ kind: 'climb', query, vertices: find.vertices, name: 'a' })
+  await climb.run(force(1), () => climb.steps >= 5 && climb.stop())
+  expect(climb.steps).toBeGreaterThanOrEqual(5)
+  expect(climb.steps).toBeLessThan(new Set(whole).size)
+  expect(whole).toContain(climb.extremeness)
+  expect(judged(query, climb.best).extremeness).toBe(climb.extremeness)
+  expect(has(query, climb.best)).toBe(true)
+  expect(outcomeText(climb, 'a-climbed')).toMatch(/^Climbed to 0\.\d+ in \d+ steps, and kept as a-climbed\.$/)
+
+  const nowhere = new Improvement({ kind: 'polish', query, vertices: find.vertices, name: 'a' })
+  nowhere.stop()
+  await nowhere.run(force(1), () => {})
+  expect(nowhere.best).toBe(find.vertices)
+  expect(outcomeText(nowhere, '')).toBe('Nothing simpler was found near this element.')
+})
 
 it('says why it does not work', async () => {
   const empty = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0))
