@@ -290,6 +290,7 @@ test('a find leads to more extreme ones, until it is stopped', async ({ lens, pa
   await expect(sentence.first()).toBeVisible()
   const [, high] = /to ([\d.]+) in/.exec((await sentence.first().textContent()) ?? '') ?? []
   expect(Number(high)).toBeGreaterThan(low)
+  await expect(find.getByText(/^[\d.]+, [\d,]+ steps?, [\d,]+ tried, kept$/)).toBeVisible()
   await expect(page.getByRole('list', { name: 'Kept' }).getByRole('img')).toHaveCount(1)
   await expect(lens.verdict).toHaveText(/^VALID/)
   await expectAxeFindsNothing(page)

@@ -253,13 +253,13 @@ it('a climb that is stopped has come as far as it said', async () => {
   expect(whole).toContain(climb.extremeness)
   expect(judged(query, climb.best).extremeness).toBe(climb.extremeness)
   expect(has(query, climb.best)).toBe(true)
-  expect(outcomeText(climb, 'a-climbed')).toMatch(/^Climbed to 0\.\d+ in \d+ steps, and kept as a-climbed\.$/)
+  expect(outcomeText(climb)).toMatch(/^Climbed to 0\.\d+ in \d+ steps, and kept as a-climbed\.$/)
 
   const nowhere = new Improvement({ kind: 'polish', query, vertices: find.vertices, name: 'a' })
   nowhere.stop()
   await nowhere.run(force(1), () => {})
   expect(nowhere.best).toBe(find.vertices)
-  expect(outcomeText(nowhere, '')).toBe('Nothing simpler was found near this element.')
+  expect(outcomeText(nowhere)).toBe('Nothing simpler was found near this element.')
 })
 
 it('says why it does not work', async () => {

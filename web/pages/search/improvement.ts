@@ -88,16 +88,19 @@ export interface ImprovementButton {
   /** A longer name, where the label does not say of which element. */
   readonly name?: string
   readonly isPossible: boolean
-  /** The one that is under way. */
+  /** The one that is under way, and the last one that ended. */
   readonly improvement: Improvement | null
+  readonly ended: Improvement | null
   onStart(request: ImprovementRequest): void
 }
 
 /** One button, which keeps the focus: it begins, and it stops what it began. */
 export function improvementButton(props: ImprovementButton): TemplateResult {
-  const { request, label, name, isPossible, improvement, onStart } = props
+  const { request, label, name, isPossible, improvement, ended, onStart } = props
   const { kind, vertices } = request
-  const own = improvement?.request.kind === kind && isSame(improvement.request.vertices, vertices) ? improvement : null
+  const isOwn = (other: Improvement | null) =>
+    other?.request.kind === kind && isSame(other.request.vertices, vertices) ? other : null
+  const [own, done] = [isOwn(improvement), isOwn(ended)]
   return html`<button
       type="button"
       class="improve"
@@ -105,7 +108,12 @@ export function improvementButton(props: ImprovementButton): TemplateResult {
       ?disabled=${own ? false : improvement !== null || !isPossible}
       @click=${own ? () => own.stop() : () => onStart(request)}
     >${own ? 'Stop' : label}</button>
-    ${own ? html`<span class="quiet progress">${progressText(own)}</span>` : nothing}`
+    ${own ? progressTemplate(progressText(own)) : nothing}
+    ${done && !own ? progressTemplate(done.steps > 0 ? `${progressText(done)}, kept` : `Nothing ${BETTER[kind]} near`) : nothing}`
+}
+
+function progressTemplate(text: string): TemplateResult {
+  return html`<span class="quiet progress">${text}</span>`
 }
 
 function progressText({ extremeness, steps, tried, request }: Improvement): string {
@@ -114,11 +122,18 @@ function progressText({ extremeness, steps, tried, request }: Improvement): stri
   return `${height}${stepsText(steps)}, ${thousands(tried)} tried`
 }
 
-/** What came of it, as one sentence; `name` is the one that the better element is kept by. */
-export function outcomeText({ request: { kind }, steps, extremeness }: Improvement, name: string): string {
+/** The name that the better element is kept by. */
+export function improvedName({ request: { kind, name } }: Improvement): string {
+  return `${name}-${DONE[kind].toLowerCase()}`
+}
+
+/** What came of it, as one sentence. */
+export function outcomeText(improvement: Improvement): string {
+  const { request, steps, extremeness } = improvement
+  const { kind } = request
   if (steps === 0) return `Nothing ${BETTER[kind]} was found near this element.`
   const height = extremeness === null ? '' : ` to ${formatNumber(extremeness)}`
-  return `${DONE[kind]}${height} in ${stepsText(steps)}, and kept as ${name}.`
+  return `${DONE[kind]}${height} in ${stepsText(steps)}, and kept as ${improvedName(improvement)}.`
 }
 
 function stepsText(steps: number): string {

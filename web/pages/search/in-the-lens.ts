@@ -7,28 +7,27 @@ import { formatNumber } from '../../model/decimal'
 import { encodePermalink } from '../../model/permalink'
 import { measured } from './engine/measure'
 import type { ParsedQuery } from './engine/query'
-import { type ImprovementButton, type ImprovementRequest, improvementButton } from './improvement'
+import { type ImprovementButton, type ImprovementRequest, improvementButton, outcomeText } from './improvement'
+import { isSame } from './kept'
 
-export interface InTheLensProps extends Pick<ImprovementButton, 'improvement' | 'onStart'> {
+export interface InTheLensProps extends Pick<ImprovementButton, 'improvement' | 'ended' | 'onStart'> {
   readonly parsed: ParsedQuery
   readonly report: Report
   readonly name: string
   readonly isKept: boolean
-  /** What came of the last improvement, if it led to this element. */
-  readonly outcome: string | null
   onKeep(): void
 }
 
 export function inTheLensTemplate(props: InTheLensProps): TemplateResult {
-  const { parsed, report, name, isKept, outcome, improvement, onStart, onKeep } = props
+  const { parsed, report, name, isKept, improvement, ended, onStart, onKeep } = props
   const { query, property, measure, start } = parsed
   const { vertices } = report
   const isPossible = isMet(property, quantitiesOf(report, start))
   const button = (kind: ImprovementRequest['kind'], label: string) =>
-    improvementButton({ request: { kind, query, vertices, name }, label, isPossible, improvement, onStart })
+    improvementButton({ request: { kind, query, vertices, name }, label, isPossible, improvement, ended, onStart })
   return html`<section aria-labelledby="in-lens">
     <h2 id="in-lens">In the lens</h2>
-    ${outcome === null ? nothing : html`<p>${outcome}</p>`}
+    ${ended && isSame(ended.best, vertices) ? html`<p>${outcomeText(ended)}</p>` : nothing}
     <p>
       ${
         isPossible

@@ -19,11 +19,12 @@ import { Tally } from './engine/tally'
 import { formTemplate, kindTemplate } from './form'
 import { decodeForm, encodeForm, type FormState, queryOf, withField } from './form-state'
 import { choiceOf, countsText, foundTemplate, shownFinds } from './found'
-import { Improvement, type ImprovementRequest, improvementButton, outcomeText } from './improvement'
+import { Improvement, type ImprovementRequest, improvedName, improvementButton, outcomeText } from './improvement'
 import { inTheLensTemplate } from './in-the-lens'
 import { exported, isSame, type KeptElement, KeptElements } from './kept'
 import { SearchKeeper, type SearchRecord, searchOf, withSearch } from './kept-searches'
 import { LiveRegion } from './live-region'
+import { Redraw } from './redraw'
 import { type Choice, choicesTemplate, keptTemplate } from './results'
 import '../skip'
 
@@ -53,21 +54,16 @@ let hasFirstPicture = false
 /** The last element that this page gave to the lens. */
 let chosen: Choice | null = null
 let improvement: Improvement | null = null
-/** What came of the last improvement, while it is in the lens. */
-let outcome: { readonly vertices: Vertices; readonly sentence: string } | null = null
+let ended: Improvement | null = null
 let failure: string | null = null
-let redraw: { readonly timer: ReturnType<typeof setTimeout>; readonly due: number } | null = null
+const redraw = new Redraw(draw)
 
 function schedule(delay = isRunning() ? REDRAW : SOON): void {
-  const due = performance.now() + delay
-  if (redraw && redraw.due <= due) return
-  if (redraw) clearTimeout(redraw.timer)
-  redraw = { timer: setTimeout(draw, delay), due }
+  redraw.within(delay)
 }
 
 function draw(): void {
-  if (redraw) clearTimeout(redraw.timer)
-  redraw = null
+  redraw.cancel()
   const record = shownRecord()
   const finds = record ? shownFinds({ record, order, showsAll, isRunning: isRunning() }) : []
   pictures.begin([...finds, ...kept.elements].map(({ vertices }) => vertices))
@@ -128,8 +124,8 @@ function inTheLens(): TemplateResult | typeof nothing {
     report,
     name: nameInLens(),
     isKept: kept.elements.some(element => isShown(element.vertices)),
-    outcome: outcome && isShown(outcome.vertices) ? outcome.sentence : null,
     improvement,
+    ended,
     onStart: improve,
     onKeep: keep,
   })
@@ -158,6 +154,7 @@ function found(record: SearchRecord): TemplateResult {
             name: `More extreme from here: ${name}`,
             isPossible: true,
             improvement,
+            ended,
             onStart: improve,
           }),
       }),
@@ -181,7 +178,17 @@ function keptElements(): TemplateResult | typeof nothing {
   return keptTemplate({
     kept,
     choicesTemplate: choices =>
-      choicesTemplate({ label: 'Kept', choices, pictures, isShown, onChoose: choose, onRemove: remove }),
+      choicesTemplate({
+        label: 'Kept',
+        choices,
+        pictures,
+        isShown,
+        onChoose: choose,
+        onRemove: element => {
+          kept.remove({ ...element, property: '' })
+          draw()
+        },
+      }),
     onExport: () => saveElements('kept', kept.elements),
   })
 }
@@ -304,11 +311,6 @@ function keep(): void {
   draw()
 }
 
-function remove({ name, vertices }: Choice): void {
-  kept.remove({ name, vertices, property: '' })
-  draw()
-}
-
 function saveElements(what: string, elements: readonly KeptElement[]): void {
   saveFile(`hexlens-${what}.json`, exported(elements), 'application/json')
 }
@@ -333,14 +335,13 @@ async function improve(request: ImprovementRequest): Promise<void> {
 /** Keeps what an improvement has come to, and shows it. */
 function settle(job: Improvement): void {
   improvement = null
-  const { kind, query } = job.request
-  const name = `${job.request.name}-${kind === 'polish' ? 'polished' : 'climbed'}`
+  ended = job
+  const name = improvedName(job)
   if (job.steps > 0) {
-    kept.add({ name, vertices: job.best, property: query.property })
+    kept.add({ name, vertices: job.best, property: job.request.query.property })
     choose({ name, vertices: job.best, caption: name })
   }
-  outcome = { vertices: job.best, sentence: outcomeText(job, name) }
-  liveRegion.say(outcome.sentence)
+  liveRegion.say(outcomeText(job))
 }
 
 /** The width of beside.css at which the lens is above the column, with little room for panels. */
