@@ -95,7 +95,8 @@ function isRunning(): boolean {
 }
 
 function running(record: SearchRecord | undefined): TemplateResult {
-  const canGoOn = !isRunning() && (recordOfForm()?.tally.elements ?? 0) > 0
+  const own = recordOfForm()
+  const canGoOn = !isRunning() && own !== undefined && own.tally.elements > 0
   const label = isRunning() ? 'Stop' : canGoOn ? 'Start over' : 'Start'
   // One button, which keeps the focus.
   return html`<div class="run">
@@ -105,8 +106,8 @@ function running(record: SearchRecord | undefined): TemplateResult {
         ?disabled=${!isRunning() && !parsed.ok}
         @click=${isRunning() ? stop : null}
       >${label}</button>
-      ${canGoOn ? html`<button type="button" @click=${goOn}>Continue</button>` : nothing}
-      <p class="counts">${record ? counts(record) : nothing}</p>
+      ${canGoOn ? html`<button type="button" @click=${() => run(own)}>Continue</button>` : nothing}
+      <p class="counts">${record && counts(record)}</p>
     </div>
     ${failure === null ? nothing : html`<p class="complaint" role="alert">${failure}</p>`}`
 }
@@ -214,11 +215,6 @@ function address(): void {
 
 async function begin(): Promise<void> {
   if (parsed.ok) await run({ find: form.find, tally: new Tally(parsed.value.query), ran: 0 })
-}
-
-async function goOn(): Promise<void> {
-  const record = recordOfForm()
-  if (record) await run(record)
 }
 
 async function run(record: SearchRecord): Promise<void> {
