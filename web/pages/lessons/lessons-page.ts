@@ -14,7 +14,7 @@ import { overview } from './overview'
 import { Progress } from './progress'
 import { type Given, isSolvedBy, type QuestionActions } from './question'
 import { Stage } from './stage'
-import { verticesOf } from './step-state'
+import { shownStep, verticesOf } from './step-state'
 import '../skip'
 
 const main = document.querySelector('main') as HTMLElement
@@ -98,7 +98,7 @@ function draw(): void {
   }
   const { lesson } = address
   const { vertices } = stage
-  const start = verticesOf(stepAt(address))
+  const start = verticesOf(shownStep(stepAt(address), isAsked(address)))
   render(
     column(
       {

@@ -3,9 +3,9 @@ import type { Report } from '../../core/report'
 import { COORDINATE_COUNT, type Vertices } from '../../model/hexahedron'
 import type { StateDocument } from '../../model/state-document'
 import { scrollToTop } from '../scroll'
-import { isInPlane, type LessonStep } from './content/lessons'
+import { type HexahedronStep, isInPlane, type LessonStep } from './content/lessons'
 import { Plane } from './plane/plane'
-import { askedStep, planeState, stateOf, verticesOf } from './step-state'
+import { planeState, shownStep, stateOf, verticesOf } from './step-state'
 
 type Lens = HTMLElementTagNameMap['hex-lens']
 
@@ -55,18 +55,20 @@ export class Stage {
     if (isInPlane(step)) {
       this.#plane.show({ quadrilateral: step.quadrilateral, probe: step.probe ?? null }, verticesOf(step))
       this.ask(step, isAsked)
-      return
-    }
-    const shown = isAsked ? askedStep(step) : step
-    if (this.#lens.views !== shown.views) this.#lens.views = shown.views
-    this.#lens.state = stateOf(shown)
-    scrollToTop(this.#lens)
+    } else this.#showInLens(step, isAsked)
   }
 
   /** Hides what gives the answer away, or shows it; the reader's own changes stay in the plane. */
   ask(step: LessonStep, isAsked: boolean): void {
-    if (!isInPlane(step)) this.show(step, isAsked)
+    if (!isInPlane(step)) this.#showInLens(step, isAsked)
     else if (!isAsked || !step.question) this.#plane.asks = 'nothing'
     else this.#plane.asks = step.question.answer.kind === 'drag' ? 'drag' : 'choice'
+  }
+
+  #showInLens(step: HexahedronStep, isAsked: boolean): void {
+    const shown = shownStep(step, isAsked)
+    if (this.#lens.views !== shown.views) this.#lens.views = shown.views
+    this.#lens.state = stateOf(shown)
+    scrollToTop(this.#lens)
   }
 }

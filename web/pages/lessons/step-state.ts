@@ -3,7 +3,7 @@
 import type { Vertices } from '../../model/hexahedron'
 import { type Preset, presets, presetVertices } from '../../model/presets'
 import { STATE_VERSION, type StateDocument } from '../../model/state-document'
-import { type HexahedronStep, isInPlane, type LessonStep } from './content/lessons'
+import { isInPlane, type LessonStep } from './content/lessons'
 import { drawnOut } from './plane/quadrilateral'
 
 export function verticesOf(step: LessonStep): Vertices {
@@ -26,7 +26,7 @@ export function planeState(vertices: Vertices): StateDocument {
   return { version: STATE_VERSION, vertices } as StateDocument
 }
 
-/** What the lens shows while the step's question is not answered. */
-export function askedStep(step: HexahedronStep): HexahedronStep {
-  return { ...step, ...step.question?.before }
+/** The step as it begins: while its question waits for an answer, with what is shown before. */
+export function shownStep<Step extends LessonStep>(step: Step, isAsked: boolean): Step {
+  return isAsked ? { ...step, ...step.question?.before } : step
 }

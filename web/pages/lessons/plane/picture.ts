@@ -147,13 +147,19 @@ function cornerMark({ name, map, least, selected }: PanePicture, [x, y]: Vec2, c
   const [dx, dy] = outwards(map, corner)
   const value = name === 'element' && least?.corner === corner ? least : null
   const anchor = !value ? 'middle' : dx < 0 ? 'end' : 'start'
+  // Outside of the corner's own number.
+  const jacdet = value
+    ? svg`<tspan class=${value.isNegative ? 'value negative' : 'value'}>${value.text}</tspan>`
+    : nothing
   return svg`<g class=${corner === selected ? 'corner selected' : 'corner'}>
     ${
       name === 'element'
         ? svg`<circle class="rim" cx=${x} cy=${y} r=${HANDLE + 2.5} /><circle class="dot" cx=${x} cy=${y} r=${HANDLE} />`
         : nothing
     }
-    <text x=${x + dx * 20} y=${y - dy * 20 + 5} text-anchor=${anchor}>${corner}${value ? svg`<tspan class=${value.isNegative ? 'value negative' : 'value'} dx="6">${value.text}</tspan>` : nothing}</text>
+    <text x=${x + dx * 20} y=${y - dy * 20 + 5} text-anchor=${anchor}>
+      ${anchor === 'end' ? [jacdet, ' ', corner] : [corner, ' ', jacdet]}
+    </text>
   </g>`
 }
 

@@ -21,7 +21,7 @@ export interface PlaneView {
 }
 
 /** Room around for dragging outwards, as a fraction of the extent. */
-const ROOM = 0.22
+const ROOM = 0.15
 /** Pixels at the rim for numbers of corners. */
 const RIM = 26
 
