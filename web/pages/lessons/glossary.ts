@@ -87,13 +87,6 @@ export const glossary: readonly Term[] = [
     forms: ['scaled jacobian'],
   },
   {
-    id: 'subdivision',
-    name: 'subdivision',
-    means:
-      'A method that cuts the element into smaller boxes, and those again, until bounds decide. A depth at which it gives up makes it reject some valid elements.',
-    forms: ['subdivision'],
-  },
-  {
     id: 'trilinear',
     name: 'trilinear',
     means: 'Linear in each of three coordinates while the other two stay as they are.',

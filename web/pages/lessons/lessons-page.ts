@@ -32,8 +32,9 @@ const progress = new Progress()
 /** Null is the overview. */
 let address: StepAddress | null = null
 let key = presentKey()
-/** The scroll position that `show` has set, not the reader. */
+/** The scroll position that `show` has set, not the reader; and there the step's top in the window. */
 let scrolledTo = -1
+let heldAt = 0
 let settling = 0
 let width = innerWidth
 const stage = new Stage(main, lens, draw, onPress)
@@ -144,7 +145,7 @@ function holding(step: number, change: () => void): void {
   const by = topOf(step) - before
   if (by === 0) return
   scrollBy({ top: by, behavior: 'instant' })
-  if (scrolledTo >= 0) scrolledTo = scrollY
+  if (scrolledTo >= 0) hold(step)
 }
 
 /** Enters a step and has it in sight. */
@@ -156,7 +157,12 @@ function show(to: StepAddress | null): void {
 function reveal(step: number): void {
   if (step === 0) scrollTo(0, 0)
   else articleOf(step)?.scrollIntoView({ block: 'start', behavior: 'instant' })
+  hold(step)
+}
+
+function hold(step: number): void {
   scrolledTo = scrollY
+  heldAt = topOf(step)
 }
 
 async function analyze(lesson: Lesson): Promise<void> {
@@ -186,7 +192,7 @@ function open(): void {
   try {
     if (address) stage.state = kept.state
     scrollBy({ top: (address ? topOf(address.step) : 0) - (kept.scroll[0] ?? 0), behavior: 'instant' })
-    scrolledTo = scrollY
+    hold(address?.step ?? 0)
     draw()
   } catch {
     apply() // what another version of the page kept
@@ -235,6 +241,12 @@ root.replaceChildren()
 open()
 showMeanings(root, main)
 addEventListener('keydown', onKey)
+// The font of the formulas comes late, and lines change.
+document.fonts.addEventListener('loadingdone', () => {
+  if (!address || Math.abs(scrollY - scrolledTo) >= 2) return
+  scrollBy({ top: topOf(address.step) - heldAt, behavior: 'instant' })
+  hold(address.step)
+})
 addEventListener(
   'scroll',
   () => {

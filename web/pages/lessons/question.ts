@@ -65,7 +65,7 @@ export function questionPart(asked: Asked, actions: QuestionActions): TemplateRe
   const { question, given, own, start, isActive, vertexName } = asked
   const choices = choicesOf(question.answer, own, start, vertexName)
   const isDrag = question.answer.kind === 'drag'
-  return html`<section class="question" aria-label="Question">
+  return html`<div class="question" role="group" aria-label="Question">
     ${prose(question.asks)}
     ${
       given === undefined
@@ -78,7 +78,7 @@ export function questionPart(asked: Asked, actions: QuestionActions): TemplateRe
             <div class="judged" tabindex="-1">${judgement(choices, given)}${prose(question.because)}</div>
             <p><button type="button" class="plain" @click=${actions.askAgain}>Ask me again</button></p>`
     }
-  </section>`
+  </div>`
 }
 
 function choiceList(choices: readonly Choice[], given: Given): TemplateResult {

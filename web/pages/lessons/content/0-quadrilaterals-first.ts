@@ -57,7 +57,7 @@ export const lesson: Lesson = {
         asks: `<p>Corner 2 of this square will be pushed inwards. At some place ${J} becomes zero at it, and further in it is negative. The colours are
           hidden.</p>
           <p>Where is that place? Drag corner 2 to where you expect ${math('J', '=', 0)} at it, and then look.</p>`,
-        answer: { kind: 'drag', holds: '-0.1 <= boundary_min <= 0.1' },
+        answer: { kind: 'drag', holds: '-0.15 <= boundary_min <= 0.15' },
         because: `<p>${J} at a corner is zero where the corner lies in line with its two neighbours: its two sides then have one direction, and
           the parallelogram has no area.</p>`,
       },
