@@ -206,7 +206,7 @@ test('a question is asked before the step is shown: choosing, pressing, dragging
 
   await test.step('by dragging: the core judges what is handed in', async () => {
     await page.getByRole('button', { name: 'Previous' }).click()
-    const look = question.getByRole('button', { name: 'Here: look' })
+    const look = question.getByRole('button', { name: 'I expect it here' })
     await expect(look).toBeVisible()
     await look.click()
     await expect(question.locator('.judged')).toContainText('Not quite.')

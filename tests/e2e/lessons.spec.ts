@@ -116,14 +116,14 @@ test('a step is linked to, played with, restored, left and come back to', async 
   })
 })
 
-test('a link leads to its step, though drawings of steps before it come late', async ({ lens, page }) => {
+test('a link leads to its step, though drawings of steps before it and the font come late', async ({ lens, page }) => {
   await page.setViewportSize({ width: 390, height: 844 })
   await lens.open('lessons.html#faces-are-enough/6')
   await expect(page.locator('.column .drawing')).toHaveCount(1)
   const below = async () =>
     (await titleOf(page).evaluate(title => title.getBoundingClientRect().top)) -
     (await lens.element.evaluate(element => element.getBoundingClientRect().bottom))
-  expect(Math.abs((await below()) - 16)).toBeLessThan(2)
+  await expect.poll(async () => Math.abs((await below()) - 16)).toBeLessThan(2)
   await expect(titleOf(page)).toHaveText(/Both have the same sign/)
 
   await test.step('a step begins with its picture, wherever the one before was scrolled to', async () => {
@@ -167,7 +167,7 @@ test('a link leads to its step, though drawings of steps before it come late', a
     await page.evaluate(() => scrollBy(0, 40))
     await page.reload()
     await expect(page.locator('.column .drawing')).toHaveCount(1)
-    expect(Math.abs((await below()) + 24)).toBeLessThan(2)
+    await expect.poll(async () => Math.abs((await below()) + 24)).toBeLessThan(2)
     await page.evaluate(() => {
       location.hash = '#corners-are-not-enough/5'
     })

@@ -71,7 +71,7 @@ export function questionPart(asked: Asked, actions: QuestionActions): TemplateRe
       given === undefined
         ? html`<div class="choices" role="group" aria-label="Your answer">
             ${choices.map(({ says }, i) => html`<button type="button" @click=${() => actions.choose(i)}>${says}</button>`)}
-            ${isDrag && isActive ? html`<button type="button" @click=${actions.handIn}>Here: look</button>` : nothing}
+            ${isDrag && isActive ? html`<button type="button" @click=${actions.handIn}>I expect it here</button>` : nothing}
             <button type="button" class="plain" @click=${actions.show}>Show it</button>
           </div>`
         : html`${choices.length > 0 ? choiceList(choices, given) : nothing}
@@ -82,7 +82,7 @@ export function questionPart(asked: Asked, actions: QuestionActions): TemplateRe
 }
 
 function choiceList(choices: readonly Choice[], given: Given): TemplateResult {
-  return html`<ul class="claims" aria-label="Answers">
+  return html`<ul class="claims answers" aria-label="Answers">
     ${choices.map(
       ({ says, isRight, number }, i) => html`<li data-truth=${String(isRight)}>
         <span class="sign" aria-hidden="true">${isRight === null ? '·' : isRight ? '✓' : '✗'}</span>

@@ -32,7 +32,7 @@ export const lesson: Lesson = {
     {
       title: 'A little square',
       text: `<p>Take a little square around a point. ${math('F')} makes nearly a parallelogram of it, and the more nearly the smaller it is. Its
-        sides are the columns of the Jacobian matrix, as long as the little square’s sides say:</p>
+        sides are the columns of the Jacobian matrix, shortened as the little square is:</p>
         ${display('D', 'F', '=', tall('[', slope('ξ'), '|', slope('η')))}
         <p>The Jacobian determinant, or <em>jacdet</em>, says how many times larger the parallelogram is than the little square:</p>
         ${display('J', '=', det('D', 'F'))}
@@ -54,9 +54,9 @@ export const lesson: Lesson = {
     {
       title: 'Turned inside out',
       question: {
-        asks: `<p>Corner 2 of this square will be pushed inwards. At some place ${J} becomes zero at it, and further in it is negative. The colours are
+        asks: `<p>Corner 2 will be pushed inwards. At some place ${J} becomes zero at this corner, and further in it is negative. The colours are
           hidden.</p>
-          <p>Where is that place? Drag corner 2 to where you expect ${math('J', '=', 0)} at it, and then look.</p>`,
+          <p>Where is that place? Drag corner 2 to where you expect it.</p>`,
         answer: { kind: 'drag', holds: '-0.15 <= boundary_min <= 0.15' },
         because: `<p>${J} at a corner is zero where the corner lies in line with its two neighbours: its two sides then have one direction, and
           the parallelogram has no area.</p>`,

@@ -200,8 +200,8 @@ export class Plane {
     const label = `The quadrilateral. Corner ${this.#selected} is chosen, at ${formatNumber(chosen[0])}, ${formatNumber(chosen[1])}. Keys 0 to 3 choose a corner, arrows move it.`
     return html`
       <div class="panes">
-        <svg class="element" tabindex="0" role="application" aria-label=${label}>${element ?? nothing}</svg>
-        <svg class="square" tabindex="0" role="application" aria-label="The reference square. Arrows move the point that is marked.">
+        <svg class="element" viewBox=${this.#box('element')} tabindex="0" role="application" aria-label=${label}>${element ?? nothing}</svg>
+        <svg class="square" viewBox=${this.#box('square')} tabindex="0" role="application" aria-label="The reference square. Arrows move the point that is marked.">
           ${square ?? nothing}
         </svg>
         <p class="name" aria-hidden="true">(x, y)</p>
@@ -218,6 +218,12 @@ export class Plane {
         </p>
       </div>
       <p class="said" role="status">${this.#announced}</p>`
+  }
+
+  /** A unit is a pixel of the screen; on paper the picture is as large as there is room. */
+  #box(name: string): string {
+    const { clientWidth = 0, clientHeight = 0 } = this.root.hasChildNodes() ? this.#pane(name) : {}
+    return `0 0 ${clientWidth} ${clientHeight}`
   }
 
   #step(type: 'undo' | 'redo'): void {
