@@ -28,7 +28,7 @@ async function drag(page: Page, corner: number, by: readonly [number, number], r
 /** Corners as the link to the lens has them: exactly. */
 const linkOf = (page: Page) => stepOf(page).getByRole('link', { name: 'Open in the lens' }).getAttribute('href')
 
-test('corners are dragged, taken back and moved by keys', async ({ lens: _, page }) => {
+test('corners are dragged, taken back and moved by keys', async ({ lens, page }) => {
   await page.setViewportSize({ width: 1440, height: 900 })
   await page.goto('lessons.html#quadrilaterals-first/5')
   await expect(verdictOf(page)).toHaveText(/INVALID\s+Least J: −3\/4, at corner 2/)
@@ -85,6 +85,34 @@ test('corners are dragged, taken back and moved by keys', async ({ lens: _, page
     await expect.poll(() => linkOf(page)).toBe(moved)
     await page.getByRole('button', { name: 'Restore this step' }).click()
     await expect.poll(() => linkOf(page)).toBe(own)
+  })
+
+  await inSchemesAndWidths(lens, async () => {
+    await page.mouse.move(
+      ...(await squareOf(page)
+        .boundingBox()
+        .then(box => [(box?.x ?? 0) + 40, (box?.y ?? 0) + 90] as const)),
+    )
+    await expect(page.locator('.plane .little')).toHaveCount(2)
+    await expectAxeFindsNothing(page)
+    await expectLargeTargets(page.locator('.plane button, .plane svg'))
+  })
+})
+
+test.describe('without the core', () => {
+  test.use({ expectedErrors: /Failed to load resource/ })
+
+  test('the plane is drawn and dragged, and says that there is no verdict', async ({ lens: _, page }) => {
+    for (const part of ['**/*.wasm*', '**/*twin*']) await page.route(part, route => route.abort())
+    await page.setViewportSize({ width: 1440, height: 900 })
+    await page.goto('lessons.html#quadrilaterals-first/3')
+    await expect(stepOf(page).getByRole('button', { name: 'I expect it here' })).toBeDisabled()
+    await stepOf(page).getByRole('button', { name: 'Show it' }).click()
+    await expect(verdictOf(page)).toHaveText(/NO VERDICT\s*The core could not start\./)
+    const own = await linkOf(page)
+    await drag(page, 2, [60, 40])
+    await expect.poll(() => linkOf(page)).not.toBe(own)
+    await expect(elementOf(page).locator('[fill^=rgb]').first()).toBeAttached()
   })
 })
 

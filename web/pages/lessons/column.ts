@@ -100,7 +100,7 @@ function asked(
   step: LessonStep,
   question: LessonQuestion,
   index: number,
-  { address, own, answers }: ColumnState,
+  { address, live, own, answers }: ColumnState,
   actions: ColumnActions,
 ): TemplateResult {
   return questionPart(
@@ -110,6 +110,7 @@ function asked(
       own: own[index] ?? null,
       start: verticesOf(step),
       isActive: index === address.step,
+      isJudged: live !== null,
       vertexName: isInPlane(step) ? 'Corner' : 'Vertex',
     },
     actions.question(index),

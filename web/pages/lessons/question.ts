@@ -24,6 +24,8 @@ export interface Asked {
   readonly start: Vertices
   /** True if the picture is this step's. */
   readonly isActive: boolean
+  /** True if the core has said what there is to say of the element on the screen. */
+  readonly isJudged: boolean
   /** Words for a vertex: "Vertex" or "Corner". */
   readonly vertexName: string
 }
@@ -62,7 +64,7 @@ export function rightChoice({ answer }: LessonQuestion, own: Report, start: Vert
 }
 
 export function questionPart(asked: Asked, actions: QuestionActions): TemplateResult {
-  const { question, given, own, start, isActive, vertexName } = asked
+  const { question, given, own, start, isActive, isJudged, vertexName } = asked
   const choices = choicesOf(question.answer, own, start, vertexName)
   const isDrag = question.answer.kind === 'drag'
   return html`<div class="question" role="group" aria-label="Question">
@@ -71,7 +73,7 @@ export function questionPart(asked: Asked, actions: QuestionActions): TemplateRe
       given === undefined
         ? html`<div class="choices" role="group" aria-label="Your answer">
             ${choices.map(({ says }, i) => html`<button type="button" @click=${() => actions.choose(i)}>${says}</button>`)}
-            ${isDrag && isActive ? html`<button type="button" @click=${actions.handIn}>I expect it here</button>` : nothing}
+            ${isDrag && isActive ? html`<button type="button" ?disabled=${!isJudged} @click=${actions.handIn}>I expect it here</button>` : nothing}
             <button type="button" class="plain" @click=${actions.show}>Show it</button>
           </div>`
         : html`${choices.length > 0 ? choiceList(choices, given) : nothing}

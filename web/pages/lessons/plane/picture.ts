@@ -1,7 +1,14 @@
 /** The quadrilateral and its square as SVG: bands of equal jacdet, the line of zeros, grid, corners, and the little square. */
 import { nothing, svg, type TemplateResult } from 'lit-html'
 import type { ColourScale, Ramp } from '../../../scene/paint/colour-map'
-import { cssColour, HATCH_PERIOD, rampColour, rampValue } from '../../../scene/paint/colour-map'
+import {
+  cssColour,
+  HATCH_PERIOD,
+  RAMP_STEPS,
+  rampColour,
+  rampPosition,
+  rampValue,
+} from '../../../scene/paint/colour-map'
 import { below, imagePath, written, zeroLine } from './bands'
 import {
   CORNER_COUNT,
@@ -80,24 +87,53 @@ export function panePicture(picture: PanePicture): TemplateResult {
     ${corners.map((at, i) => cornerMark(picture, at, i))}`
 }
 
+function painted(picture: PanePicture, colouring: Colouring): TemplateResult {
+  const { name, map, view, quadrilateral } = picture
+  const isNegative = Math.min(...cornerJacdets(quadrilateral)) < 0
+  const negative = isNegative ? imagePath(map, below(quadrilateral, 0), view.toScreen) : ''
+  return svg`
+    ${name === 'square' ? blended(picture, colouring) : bands(picture, colouring)}
+    <path fill="url(#${name}-hatch)" d=${negative} />`
+}
+
+/**
+ * On the square jacdet is affine, and between the ramp's stops its colours are, too: a gradient along the direction in which jacdet grows
+ * has the colour of every point.
+ */
+function blended({ view, quadrilateral }: PanePicture, { scale, ramp }: Colouring): TemplateResult {
+  const outline = `M${cornerReference.map(corner => written(view.toScreen(corner))).join('L')}Z`
+  const [j0, j1, , j3] = cornerJacdets(quadrilateral) as [number, number, number, number]
+  const growth: Vec2 = [j1 - j0, j3 - j0]
+  const steepness = growth[0] ** 2 + growth[1] ** 2
+  if (!(steepness > 0)) return svg`<path fill=${cssColour(rampColour(ramp, rampPosition(scale, j0)))} d=${outline} />`
+  const pointWith = (jacdet: number): Vec2 =>
+    view.toScreen([(growth[0] * (jacdet - j0)) / steepness, (growth[1] * (jacdet - j0)) / steepness])
+  const [least, greatest] = [rampValue(scale, -1), rampValue(scale, 1)]
+  const [[x1, y1], [x2, y2]] = [pointWith(least), pointWith(greatest)]
+  const stops = Array.from({ length: 2 * RAMP_STEPS + 1 }, (_, i) => i / RAMP_STEPS - 1).map(position => ({
+    offset: (rampValue(scale, position) - least) / (greatest - least),
+    colour: cssColour(rampColour(ramp, position)),
+  }))
+  return svg`
+    <linearGradient id="jacdet" gradientUnits="userSpaceOnUse" x1=${x1} y1=${y1} x2=${x2} y2=${y2}>
+      ${stops.map(({ offset, colour }) => svg`<stop offset=${offset} stop-color=${colour} />`)}
+    </linearGradient>
+    <path fill="url(#jacdet)" d=${outline} />`
+}
+
 /**
  * The part below each value in its colour, from the highest value to the lowest, so that no seam shows between them. Where the map folds
  * over, what is negative lies on top.
  */
-function painted({ name, map, view, quadrilateral }: PanePicture, { scale, ramp }: Colouring): TemplateResult[] {
-  const pathBelow = (value: number): string | null => {
-    const region = below(quadrilateral, value)
-    return region.length < 3 ? null : imagePath(map, region, view.toScreen)
-  }
-  const bands = Array.from({ length: 2 * BANDS }, (_, i) => {
+function bands({ map, view, quadrilateral }: PanePicture, { scale, ramp }: Colouring): TemplateResult[] {
+  return Array.from({ length: 2 * BANDS }, (_, i) => {
     const position = 1 - i / BANDS
     // The end of the scale is computed: the greatest jacdet may be a little beyond.
-    const path = pathBelow(i === 0 ? Infinity : rampValue(scale, position))
+    const region = below(quadrilateral, i === 0 ? Infinity : rampValue(scale, position))
+    if (region.length < 3) return svg``
     const colour = cssColour(rampColour(ramp, position - 1 / (2 * BANDS)))
-    return path ? svg`<path fill=${colour} d=${path} />` : svg``
+    return svg`<path fill=${colour} d=${imagePath(map, region, view.toScreen)} />`
   })
-  const negative = Math.min(...cornerJacdets(quadrilateral)) < 0 ? pathBelow(0) : null
-  return [...bands, negative ? svg`<path fill="url(#${name}-hatch)" d=${negative} />` : svg``]
 }
 
 function zeros(map: Quadrilateral, quadrilateral: Quadrilateral, view: PlaneView): TemplateResult | typeof nothing {

@@ -26,7 +26,7 @@ import { type Frame, frameOf, type PlaneView, shows, viewOf } from './view'
 
 export interface PlaneHost {
   readonly analyze: (vertices: Vertices) => Promise<Report>
-  /** The quadrilateral has changed, or there is a report on it. */
+  /** The quadrilateral has changed, and there is a report on it, or there is no core. */
   readonly onChange: () => void
   /** A corner was pressed while the answer is hidden. */
   readonly onPress: (corner: number) => void
@@ -148,6 +148,7 @@ export class Plane {
       () => {
         this.#hasCore = false
         this.#ask()
+        this.#host.onChange()
       },
     )
   }
