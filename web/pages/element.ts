@@ -8,5 +8,5 @@ import { paste } from '../panels/paste'
 define({
   core: coreFiles,
   panels: panels.toSpliced(panels.indexOf(paste), 0, nearest),
-  readingWorker: async () => (await import('../input/worker-file')).readingWorkerFile,
+  readingWorker: async () => (await import('../input/worker-file')).startReadingWorker,
 })

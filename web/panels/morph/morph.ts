@@ -20,7 +20,7 @@ type End = keyof Ends
 
 const STEP = 0.001
 const ENDS: readonly { readonly end: End; readonly name: string; readonly follows: string }[] = [
-  { end: 'morphA', name: 'A', follows: 'the start, what Reset goes back to' },
+  { end: 'morphA', name: 'A', follows: 'the element that Reset goes back to' },
   { end: 'morphB', name: 'B', follows: 'the element as it is' },
 ]
 
@@ -113,7 +113,7 @@ class MorphView implements View {
       return html`<p class="note">A and B are the same element. Move a vertex, or keep this one as A and choose another preset.</p>`
     if (crossings.length === 0)
       return html`<p class="note">
-        ${samples[0]?.valid ? 'Valid' : 'Invalid'} at every place looked at from A to B: the verdict was not seen to change.
+        ${samples[0]?.valid ? 'Valid' : 'Invalid'} at every place tried from A to B: no change of the verdict was found.
       </p>`
     return html`<table aria-label="Where the verdict changes">
         <tbody>
@@ -125,8 +125,8 @@ class MorphView implements View {
         </tbody>
       </table>
       <p class="note">
-        No double lies between the last valid and the first invalid τ, and each verdict is exact. The way is A + τ (B − A), with
-        every coordinate in doubles.
+        No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is
+        A + τ (B − A), with every coordinate in doubles.
       </p>`
   }
 

@@ -2,9 +2,10 @@
 import { html, render, type TemplateResult } from 'lit-html'
 import { formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
-import type { State } from '../../model/state'
+import { type State, sliceChange, sliceOf } from '../../model/state'
 import { copyable } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
+import { previewSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './nearest.css?inline'
@@ -27,11 +28,12 @@ class NearestView implements View {
   update(frame: Frame): void {
     const { state, report } = frame
     const nearest = answerTo(nearestQuestion, frame)
-    if (state.preview?.move && !state.openPanels.includes('nearest')) this.#preview(null)
+    const { preview } = sliceOf(previewSlice, state)
+    if (preview?.move && !state.openPanels.includes('nearest')) this.#preview(null)
     const known = nearest?.vertices === state.vertices ? nearest : null
     const valid = report?.valid ?? null
     const isMoving = state.gestureStart !== null
-    if (isNew(this.root, valid, known, isMoving, state.preview, this.#applied === state.vertices))
+    if (isNew(this.root, valid, known, isMoving, preview, this.#applied === state.vertices))
       render(this.#template(valid, isMoving, known, state), this.root)
   }
 
@@ -48,7 +50,7 @@ class NearestView implements View {
     if (valid === null) return 'There is no verdict, so there is none to change.'
     if (isMoving) return 'The search starts when this change is done.'
     const applied = this.#applied === vertices ? 'The move is applied. Undo takes it back. ' : ''
-    return `${applied}How little has to move to make this element ${other(valid)}?`
+    return `${applied}What is the smallest move that makes this element ${other(valid)}?`
   }
 
   #moves(valid: boolean, nearest: Nearest | null, state: State): TemplateResult {
@@ -59,7 +61,7 @@ class NearestView implements View {
       </div>
       <div>
         <dt>All eight</dt>
-        <dd>${nearest?.ofAll === undefined ? LOOKING : this.#all(nearest.ofAll, valid, state)}</dd>
+        <dd>${nearest?.ofAll === undefined ? LOOKING : this.#all(nearest.ofAll, state)}</dd>
       </div>
     </dl>`
   }
@@ -79,15 +81,14 @@ class NearestView implements View {
       ${claim(one)}${this.#buttons(one, `vertex ${one.vertex}`, state)}`
   }
 
-  #all(move: NearestAnswer, valid: boolean, state: State): TemplateResult {
-    if (move === null || move === 'impossible')
-      return html`<p>No move was found that makes it ${other(valid)} and is shorter than others.</p>`
+  #all(move: NearestAnswer, state: State): TemplateResult {
+    if (move === null || move === 'impossible') return html`<p>No such move of all eight vertices was found.</p>`
     return html`<p>Together by <b>${lengthOf(move.length)}</b>, the farthest by ${lengthOf(move.longest)}</p>
       ${claim(move)}${this.#buttons(move, 'all eight', state)}`
   }
 
   #buttons(move: NearestMove, what: string, state: State): TemplateResult {
-    const isOpen = state.preview?.move === move.vertices
+    const isOpen = sliceOf(previewSlice, state).preview?.move === move.vertices
     return html`<p class="go">
       <button
         type="button"
@@ -115,13 +116,13 @@ class NearestView implements View {
           the vertex moves.
         </p>
         <p>
-          The verdicts are exact on both sides. On the straight way to the element found, the place before it, a double away, still
-          ${valid ? 'is valid' : 'is invalid'}. If this element itself is on the border, the two are at most 2⁻⁶⁴ of the way apart.
+          The verdicts are exact on both sides. On the straight way to the element found, the place one double before it is still
+          ${valid ? 'valid' : 'invalid'}. If this element itself is on the border, the two places are at most 2⁻⁶⁴ of the way apart.
         </p>
         <p>
-          If one vertex moves, jacdet at each point is affine in it. So the places that make a valid element are convex, and the
-          nearest is found with a bound for all others. If all vertices move, a bound is known too. If it is smaller than the move,
-          quite different moves may be shorter.
+          If one vertex moves, jacdet at each point changes linearly with it. So the places that make a valid element form a convex set.
+          The nearest of them is found, with a bound for all others. If all vertices move, there is a bound, too. If the bound is
+          smaller than the move, quite different moves may be shorter.
         </p>
       </details>`
   }
@@ -137,7 +138,7 @@ class NearestView implements View {
   }
 
   #preview(move: Vertices | null): void {
-    this.#context.dispatch({ type: 'preview', preview: move && { move } })
+    this.#context.dispatch(sliceChange(previewSlice, { preview: move && { move } }))
   }
 
   /** One step to undo. What is said is new, so the focus moves there. */
@@ -166,7 +167,7 @@ function claim({ claim: known, bound }: NearestMove): TemplateResult {
     case 'local':
       return html`<p class="says">A local optimum: no small change of this move makes it shorter.${least}</p>`
     case 'found':
-      return html`<p class="says">The shortest that was found; a change of it may make it shorter.${least}</p>`
+      return html`<p class="says">The shortest move found. A shorter one may exist.${least}</p>`
   }
 }
 

@@ -14,7 +14,8 @@ import { placeName, whySentence } from './why'
 
 export const verdictStyles = css
 
-const BOUND_MEANS = 'The exact minimum is at most this far from the computed one, of which fewer digits are shown.'
+const BOUND_MEANS = 'The exact minimum is at most this far from the computed one, which has more digits than are shown.'
+const JACDET_MEANS = 'jacdet: the map’s change of volume at a point'
 const VOLUME_MEANS = 'The integral of jacdet.'
 const RELATIVE_MEANS = 'The boundary minimum on [0,1]³ over |volume|.'
 
@@ -55,6 +56,7 @@ class VerdictView implements View {
       }
       <p class="why">${unbrokenNames(whySentence(report))}</p>
       <dl>
+        <div><dt>J</dt><dd>${JACDET_MEANS}</dd></div>
         ${!valid && !inside ? html`<div><dt>Inside</dt><dd>${noLowerInside(report, cube)}</dd></div>` : ''}
         <div><dt>Certain by</dt><dd>${certainBy(report, cube)}</dd></div>
         ${size(report)}
@@ -65,11 +67,13 @@ class VerdictView implements View {
 const loading = html`<p class="word">–</p>`
 
 const noVerdict = html`<p class="word">NO VERDICT</p>
-  <p class="why">The core that computes the jacdet could not be started, so nothing is said about this element.</p>`
+  <p class="why">The core that computes jacdet did not start, so nothing is known of this element.</p>`
 
-/** The names of edges stay on one line each: every second part is one. */
+/** The names of edges, and what is said of J, stay on one line each: every second part is one. */
 function unbrokenNames(sentence: string): (TemplateResult | string)[] {
-  return sentence.split(/(\d–\d)/).map((text, i) => (i % 2 === 1 ? html`<span class="name">${text}</span>` : text))
+  return sentence
+    .split(/(\d–\d|J [<>=≤≥] 0)/)
+    .map((text, i) => (i % 2 === 1 ? html`<span class="name">${text}</span>` : text))
 }
 
 /** "± 1.8×10⁻¹³"; nothing for an exact value. */
