@@ -15,7 +15,7 @@ export const lesson: Lesson = {
     {
       title: 'A square, bent',
       text: `<p>A quadrilateral element is the unit square, bent by a map ${math('F')}. Its four corners ${math(p(0))} to ${math(p(3))} say where the
-        corners of the square go. Every other point goes to a mean of the four:</p>
+        corners of the square go. Every other point goes to a weighted mean of the four:</p>
         ${display('F', '=', rest('ξ'), rest('η'), p(0), '+', 'ξ', rest('η'), p(1))}
         ${display('+', 'ξ', 'η', p(2), '+', rest('ξ'), 'η', p(3))}
         <p>If one of ${math('ξ')} and ${math('η')} stays as it is, ${math('F')} is linear in the other. It is <em>bilinear</em>, and the lines of the
@@ -31,8 +31,8 @@ export const lesson: Lesson = {
     },
     {
       title: 'A little square',
-      text: `<p>Take a little square around a point. ${math('F')} makes nearly a parallelogram of it, and the more nearly the smaller it is. Its
-        sides are the columns of the Jacobian matrix, shortened as the little square is:</p>
+      text: `<p>Take a little square around a point. Its image is nearly a parallelogram: the smaller the square, the more nearly. The sides of the
+        parallelogram are the columns of the Jacobian matrix, times the side of the little square:</p>
         ${display('D', 'F', '=', tall('[', slope('ξ'), '|', slope('η')))}
         <p>The Jacobian determinant, or <em>jacdet</em>, says how many times larger the parallelogram is than the little square:</p>
         ${display('J', '=', det('D', 'F'))}
@@ -118,8 +118,8 @@ export const lesson: Lesson = {
     },
     {
       title: 'Not so in space',
-      text: `<p>A hexahedron has a third coordinate ${math('ζ')}, and three columns. Each is bilinear in the two coordinates that are not its own.
-        Multiplied together they give ${J} degree two in each coordinate, and no term cancels that.</p>
+      text: `<p>A hexahedron has a third coordinate ${math('ζ')}, and three columns. Each is bilinear in the two other coordinates. Their determinant
+        ${J} has degree two in each coordinate, and nothing cancels.</p>
         <p>So ${J} along an edge need not be linear. It may be a parabola, positive at both ends and negative in between. The drawing shows such an edge.</p>`,
       task: 'Find the red on the edge between vertices 0 and 4. No corner tells of it.',
       claims: [

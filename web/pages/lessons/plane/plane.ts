@@ -274,7 +274,11 @@ export class Plane {
     </p>`
   }
 
-  #readout(quadrilateral: Quadrilateral): TemplateResult | string {
+  #readout(quadrilateral: Quadrilateral): string {
+    if (this.#store.state.gestureStart) {
+      const [x, y] = quadrilateral[this.#selected] as Vec2
+      return `Corner ${this.#selected}: (${formatNumber(x)}, ${formatNumber(y)})`
+    }
     if (!this.#probe) return 'Point at a picture, or tap it, for the little square.'
     const [xi, eta] = this.#probe
     const at = `At (ξ, η) = (${rounded(xi)}, ${rounded(eta)})`
