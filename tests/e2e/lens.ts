@@ -24,7 +24,7 @@ export class Lens {
   }
 
   field(vertex: number, axis: 'x' | 'y' | 'z'): Locator {
-    return this.page.getByRole('spinbutton', { name: `Vertex ${vertex} ${axis}` })
+    return this.page.getByRole('textbox', { name: `Vertex ${vertex} ${axis}` })
   }
 
   button(name: string): Locator {

@@ -1,6 +1,7 @@
 /** The attributes of `<hex-lens>`: their values, and the sentences that refuse others. */
 
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import { numberText } from '../model/number-text'
 import { type Preset, presets } from '../model/presets'
 import { type CameraView, CONTROLS, type Control } from '../model/state'
 import type { Composition } from './composition'
@@ -70,7 +71,7 @@ export function readAttribute<Name extends AttributeName>(
 /** The text of the attribute `vertices`, which gives these very bits back. */
 export function verticesText(vertices: Vertices): string {
   const points = Array.from({ length: COORDINATE_COUNT / 3 }, (_, v) => vertices.slice(3 * v, 3 * v + 3))
-  return points.map(point => point.map(x => (Object.is(x, -0) ? '-0' : String(x))).join(' ')).join(', ')
+  return points.map(point => point.map(numberText).join(' ')).join(', ')
 }
 
 /** 24 numbers; commas, brackets and white space stand between them. */

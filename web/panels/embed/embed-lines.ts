@@ -1,6 +1,7 @@
 /** An element to embed elsewhere, and the markup that the hosts' snippets share. */
 
 import type { Vertices } from '../../model/hexahedron'
+import { numberText } from '../../model/number-text'
 import type { CameraView } from '../../model/state'
 import { pointsOf } from '../../model/written-element'
 
@@ -78,7 +79,7 @@ export function cameraText({ direction: [x, y, z], zoom }: CameraView): string {
 /** Points with commas between, in the shortest decimals that read back as the same doubles. */
 export function verticesText(vertices: Vertices): string {
   return pointsOf(vertices)
-    .map(point => point.map(value => (Object.is(value, -0) ? '-0' : String(value))).join(' '))
+    .map(point => point.map(numberText).join(' '))
     .join(', ')
 }
 
