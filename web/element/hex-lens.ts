@@ -73,6 +73,7 @@ export class HexLens extends ReflectingElement {
     permalink: () => this.permalink,
     figure: name => this.#views.figure(name),
     input: {
+      isWelcome: () => this.#input.isWelcome(),
       read: input => this.#input.read(input),
       close: () => this.#input.close(),
       show: (cell, order) => this.#input.show(cell, order),
@@ -94,6 +95,7 @@ export class HexLens extends ReflectingElement {
   /** Names of panels, as the attribute last said them. */
   #viewNames: readonly string[] = FIRST_VIEWS
   readonly #input = new InputReader(HexLens.composition.readingWorker, {
+    isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
     take: vertices => {
       this.#setVertices(vertices, null)
       return this.#store.state.vertices
@@ -115,7 +117,7 @@ export class HexLens extends ReflectingElement {
       return pointInFull(this.#analyzer.probed(state), state.referenceCube)
     })
     listenForInput(shadow, this.#views.lens, {
-      isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
+      isWelcome: () => this.#input.isWelcome(),
       take: input => this.#input.read(input),
     })
   }

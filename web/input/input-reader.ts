@@ -8,6 +8,7 @@ import type { ReadInputOptions, ReadingOutcome, ReadingWorker } from './read-inp
 import type { InputHost, Reading, ShownCell } from './reading'
 
 export interface InputTaker {
+  isWelcome(): boolean
   /** Makes them the element and returns them as the element has them. */
   take(vertices: Vertices): Vertices
   /** Says, with null takes back, why the last input was not read. */
@@ -29,6 +30,10 @@ export class InputReader implements InputHost {
   constructor(worker: () => Promise<ReadingWorker>, taker: InputTaker) {
     this.#worker = worker
     this.#taker = taker
+  }
+
+  isWelcome(): boolean {
+    return this.#taker.isWelcome()
   }
 
   read(input: PastedInput): void {
