@@ -71,6 +71,7 @@ const state: fc.Arbitrary<State> = fc.record({
       }),
     }),
     morph: fc.record({ morphA: fc.option(vertices), morphB: fc.option(vertices) }),
+    nearest: fc.record({ nearestRelativeMinimum: within(0, 0.9) }),
   }),
 })
 

@@ -75,7 +75,8 @@ export class NumberField {
   }
 
   #onInput(): void {
-    if (this.#options.live || this.refusal !== '') this.#take()
+    if (this.#options.live) this.#take()
+    else if (this.#read().ok) this.#refuse('')
   }
 
   #finish(): void {
