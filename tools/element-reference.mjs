@@ -1,5 +1,5 @@
 // The reference of the element and of its documents, for tools and for people: custom-elements.json
-// and docs/element.md from web/element/interface.json, docs/*.schema.json from the readers.
+// and docs/element.md from the comments of its class, docs/*.schema.json from the readers.
 // --check: complains of the files that are not as they would be written.
 
 import { readFileSync, writeFileSync } from 'node:fs'
@@ -7,11 +7,12 @@ import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { isScript, root, runMain } from './run.mjs'
 
-const SOURCE = 'web/element/interface.json'
+/** The class that the element's extends, and its own. */
+const SOURCES = ['web/element/reflecting-element.ts', 'web/element/hex-lens.ts']
 
 /** Names of the files that are not up to date; written unless only checked. */
 export async function elementReference({ check }) {
-  const element = JSON.parse(readFileSync(join(root, SOURCE), 'utf8'))
+  const element = await describedElement()
   const texts = { 'custom-elements.json': manifest(element), 'docs/element.md': page(element), ...(await schemas()) }
   const stale = Object.keys(texts).filter(name => textOf(name) !== texts[name])
   if (!check) for (const name of stale) writeFileSync(join(root, name), texts[name])
@@ -42,115 +43,96 @@ async function schemas() {
 
 const json = value => `${JSON.stringify(value, null, 2)}\n`
 
+/** The class as a manifest declares it, with what is public. */
+async function describedElement() {
+  const { create, ts } = await import('@custom-elements-manifest/analyzer') // not before it is installed
+  const modules = SOURCES.map(path => ts.createSourceFile(path, textOf(path), ts.ScriptTarget.ESNext, true))
+  const { declarations } = create({ modules }).modules.at(-1)
+  const { description, members, events, ...element } = declarations.find(({ customElement }) => customElement)
+  const attributes = new Set(element.attributes.map(({ name }) => name))
+  return withoutLineBreaks({
+    ...element,
+    superclass: { name: 'HTMLElement' },
+    members: members
+      .filter(member => member.privacy !== 'private' && !member.static)
+      .map(({ inheritedFrom, parameters, ...member }) => ({
+        ...member,
+        ...(attributes.has(member.name.toLowerCase()) && { attribute: member.name.toLowerCase() }),
+        // A default value is code, and the description says it.
+        ...(parameters && {
+          parameters: parameters.map(({ default: code, ...rest }) => ({ ...rest, optional: code !== undefined })),
+        }),
+      })),
+    events: events.filter(event => event.description), // the others are calls of the constructor
+  })
+}
+
+function withoutLineBreaks(element) {
+  return JSON.parse(JSON.stringify(element).replaceAll('\\n', ' '))
+}
+
 /** A manifest of version 2.1.0: https://github.com/webcomponents/custom-elements-manifest. */
 function manifest(element) {
-  const described = ({ name, text, default: value }) => ({
-    name,
-    ...entry('description', text),
-    ...entry('default', value),
-  })
-  const reflected = new Set(element.attributes.map(({ name }) => name))
-  const members = [
-    ...element.properties.map(({ name, type, text, readonly }) => ({
-      kind: 'field',
-      name,
-      type: { text: type },
-      ...entry('description', text),
-      ...entry('readonly', readonly),
-      ...entry('attribute', reflected.has(name.toLowerCase()) && name.toLowerCase()),
-    })),
-    ...element.methods.map(({ name, parameters, returns, text }) => ({
-      kind: 'method',
-      name,
-      description: text,
-      parameters: parameters.map(({ name, type, default: value }) => ({
-        name,
-        type: { text: type },
-        optional: true,
-        default: value,
-      })),
-      return: { type: { text: returns } },
-    })),
-  ]
-  const declaration = {
-    kind: 'class',
-    customElement: true,
-    name: 'HexLens',
-    tagName: element.tag,
-    summary: element.summary,
-    superclass: { name: 'HTMLElement' },
-    attributes: element.attributes.map(({ type, ...attribute }) => ({ ...described(attribute), type: { text: type } })),
-    members,
-    events: element.events.map(({ name, detail, text }) => ({
-      name,
-      type: { text: detail === 'null' ? 'CustomEvent<null>' : `CustomEvent<${detail}>` },
-      description: text,
-    })),
-    slots: element.slots.map(described),
-    cssParts: element.parts.map(described),
-    cssProperties: element.customProperties.map(described),
-  }
   const path = 'dist/hexlens.es.js'
+  const declaration = { name: element.name, module: path }
   const module = {
     kind: 'javascript-module',
     path,
-    declarations: [declaration],
+    declarations: [element],
     exports: [
-      { kind: 'js', name: 'HexLens', declaration: { name: 'HexLens', module: path } },
-      { kind: 'custom-element-definition', name: element.tag, declaration: { name: 'HexLens', module: path } },
+      { kind: 'js', name: element.name, declaration },
+      { kind: 'custom-element-definition', name: element.tagName, declaration },
     ],
   }
-  return `${JSON.stringify({ schemaVersion: '2.1.0', modules: [module] }, null, 2)}\n`
+  return json({ schemaVersion: '2.1.0', modules: [module] })
 }
 
-function entry(key, value) {
-  return value ? { [key]: value } : {}
-}
-
-function page(element) {
-  const { attributes, properties, methods, events, slots, parts, customProperties } = element
+function page({ tagName, summary, attributes, members, events, slots, cssParts, cssProperties }) {
   const code = text => `\`${text}\``
-  const call = ({ name, parameters }) => code(`${name}(${parameters.map(({ name }) => `${name}?`).join(', ')})`)
+  const call = ({ name, parameters = [] }) =>
+    code(`${name}(${parameters.map(({ name, optional }) => name + (optional ? '?' : '')).join(', ')})`)
   return [
-    `# \`<${element.tag}>\``,
-    element.summary,
+    `# \`<${tagName}>\``,
+    summary,
     'For authors who put the element into their pages: every name it understands. `docs/embedding.md` has the first steps.',
-    `Written by \`npm run reference\` from \`${SOURCE}\`.`,
+    `Written by \`npm run reference\` from the comments in \`${SOURCES.at(-1)}\`.`,
     '## Attributes',
     table(
       ['attribute', 'takes', 'without it', ''],
-      attributes.map(a => [code(a.name), a.type, a.default, a.text]),
+      attributes.map(a => [code(a.name), a.type.text, a.default, a.description]),
     ),
     '## Properties',
     table(
       ['property', 'type', ''],
-      properties.map(p => [code(p.name) + (p.readonly ? ', read only' : ''), code(p.type), p.text]),
+      members
+        .filter(({ kind }) => kind === 'field')
+        .map(p => [code(p.name) + (p.readonly ? ', read only' : ''), code(p.type.text), p.description]),
     ),
     '## Methods',
     table(
       ['method', 'gives', ''],
-      methods.map(m => [call(m), code(m.returns), m.text]),
+      members.filter(({ kind }) => kind === 'method').map(m => [call(m), code(m.return.type.text), m.description]),
     ),
     '## Events',
     'They bubble, out of shadow trees too.',
     table(
       ['event', 'detail', ''],
-      events.map(e => [code(e.name), code(e.detail), e.text]),
+      events.map(e => [code(e.name), code(e.type.text.slice('CustomEvent<'.length, -1)), e.description]),
     ),
     '## Slots',
     table(
       ['slot', ''],
-      slots.map(s => [s.name === '' ? 'between the tags' : code(s.name), s.text]),
+      slots.map(s => [s.name === '' ? 'between the tags' : code(s.name), s.description]),
     ),
     '## CSS parts',
     table(
       ['part', ''],
-      parts.map(p => [code(p.name), p.text]),
+      cssParts.map(p => [code(p.name), p.description]),
     ),
     '## Custom properties',
     table(
       ['property', 'without it', ''],
-      customProperties.map(p => [code(p.name), p.default, p.text]),
+      cssProperties.map(p => [code(p.name), p.default, p.description]),
     ),
     '## Its box',
     'The element is a block of a fixed box: as wide as its place, as high as `--hl-aspect-ratio` says, or as `height` or `aspect-ratio` do in the page’s style. So that nothing moves when the script arrives, the page says the same in its own style sheet:',
@@ -161,7 +143,7 @@ function page(element) {
 }
 
 function table(head, rows) {
-  const line = cells => `| ${cells.map(cell => cell.replaceAll('|', '\\|')).join(' | ')} |`
+  const line = cells => `| ${cells.map((cell = '') => cell.replaceAll('|', '\\|')).join(' | ')} |`
   return [line(head), line(head.map(() => '---')), ...rows.map(line)].join('\n')
 }
 

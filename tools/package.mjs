@@ -1,10 +1,10 @@
 // The files of the published package, but for the page: each one file, for browsers without a bundler as for bundlers.
 
-import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
-import { dirname, join, resolve } from 'node:path'
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { basename, dirname, join, resolve } from 'node:path'
 import { promisify } from 'node:util'
 import { leanThree } from './lean-three.mjs'
-import { Failure, must, root, tsc } from './run.mjs'
+import { must, root, tsc } from './run.mjs'
 
 const source = path => join(root, 'web', path)
 
@@ -12,26 +12,14 @@ const BANNER = '/*! Hexlens, MIT; with three.js, MIT, and lit-html, BSD-3-Clause
 
 const WASM = /^virtual:(.*\.wasm)\.deflated$/
 const BATCH_WORKER = 'virtual:hexlens.batch-worker'
-const TWIN = './hexlens.twin.js'
 
 const insideOneFile = {
   name: 'hexlens-inside-one-file',
   enforce: 'pre',
-  resolveId(id) {
-    if (id.endsWith('/hexlens-twin.js')) return { id: TWIN, external: true }
+  resolveId(id, importer) {
+    if (importer && /\/hexlens[-.]twin\.js$/.test(id)) return { id: './hexlens.twin.js', external: true }
     if (WASM.test(id) || id === BATCH_WORKER) return id
     return null
-  },
-  /** Modules that the page loads on demand are imported: they share one scope, which is smaller. */
-  transform(code, id) {
-    if (!id.startsWith(source('')) || !code.includes('import(')) return null
-    const hoisted = []
-    const mended = code.replace(/import\((['"])(\.[^'"]+)\1\)/g, (dynamic, quote, name) => {
-      if (name.endsWith('hexlens-twin.js')) return dynamic
-      hoisted.push(`import * as inside${hoisted.length} from ${quote}${name}${quote}`)
-      return `Promise.resolve(inside${hoisted.length - 1})`
-    })
-    return { code: `${hoisted.join('\n')}\n${mended}`, map: null }
   },
   /** Deflated before it is text: text of other bytes hardly compresses when the file is sent. */
   async load(id) {
@@ -57,46 +45,10 @@ async function deflate(name) {
   return Buffer.from(deflated).toString('base64')
 }
 
-/** lit-html as it runs on a server too, and without the global in which it notes its version: a guest leaves nothing behind. */
-const litHtml = join(root, 'node_modules', 'lit-html', 'node', 'lit-html.js')
-const modestLit = {
-  name: 'hexlens-modest-lit',
-  enforce: 'pre',
-  resolveId: id => (id === 'lit-html' ? litHtml : null),
-  transform(code, id) {
-    if (id !== litHtml) return null
-    const mended = code.replace(/,\(\w+\.litHtmlVersions\?\?=\[\]\)\.push\("[^"]*"\)/, '')
-    if (mended === code) throw new Failure('This lit-html notes its version in another way: mend tools/package.mjs.')
-    return { code: mended, map: null }
-  },
-}
-
-/** The name of three.js in the import maps of pages without a bundler. */
-const threeOutside = {
-  name: 'hexlens-three-outside',
-  enforce: 'pre',
-  resolveId(id) {
-    if (id === 'three') return { id, external: true }
-    const addon = /^three\/examples\/jsm\/(.*)$/.exec(id)
-    return addon ? { id: `three/addons/${addon[1]}`, external: true } : null
-  },
-}
-
-const nodeOutside = {
-  name: 'hexlens-node-outside',
-  enforce: 'pre',
-  resolveId: id => (id.startsWith('node:') ? { id, external: true } : null),
-}
-
 const ours = path => join(root, 'web', 'package', path)
 
 /** The worker has no module format: a page starts it as it likes, Node as text. */
-const batchWorker = {
-  file: 'hexlens.batch-worker.js',
-  format: 'iife',
-  entry: source('core/batch/worker.ts'),
-  plugins: [],
-}
+const batchWorker = { file: 'hexlens.batch-worker.js', format: 'iife', entry: source('core/batch/worker.ts') }
 
 /**
  * The worker has no module format. A page may start a worker from its own origin alone: from
@@ -107,32 +59,21 @@ const meshWorker = {
   file: 'hexlens.mesh-worker.js',
   format: 'iife',
   entry: ours('mesh-worker.ts'),
-  plugins: [insideOneFile],
   around: ['(function work(){if(self.document)document.currentScript.work=work;else{', '}})()'],
 }
 
 const bundles = [
-  { file: 'hexlens.es.js', format: 'es', entry: ours('hexlens.ts'), plugins: [insideOneFile, modestLit, leanThree] },
-  { file: 'hexlens.iife.js', format: 'iife', entry: ours('script.ts'), plugins: [insideOneFile, modestLit, leanThree] },
-  {
-    file: 'hexlens.three.js',
-    format: 'es',
-    entry: ours('hexlens.ts'),
-    plugins: [insideOneFile, modestLit, threeOutside],
-  },
-  { file: 'hexlens.core.js', format: 'es', entry: ours('core.ts'), plugins: [insideOneFile] },
-  { file: 'hexlens.batch.js', format: 'es', entry: ours('batch.ts'), plugins: [insideOneFile] },
+  { file: 'hexlens.es.js', entry: ours('hexlens.ts') },
+  { file: 'hexlens.iife.js', entry: ours('script.ts'), format: 'iife' },
+  { file: 'hexlens.three.js', entry: ours('hexlens.ts'), external: /^three(\/|$)/ },
+  { file: 'hexlens.core.js', entry: ours('core.ts') },
+  { file: 'hexlens.batch.js', entry: ours('batch.ts') },
   batchWorker,
-  { file: 'hexlens.mesh.js', format: 'es', entry: ours('mesh.ts'), plugins: [insideOneFile] },
+  { file: 'hexlens.mesh.js', entry: ours('mesh.ts') },
   meshWorker,
-  {
-    file: 'hexlens.anywidget.js',
-    format: 'es',
-    entry: ours('anywidget.ts'),
-    plugins: [insideOneFile, modestLit, leanThree],
-  },
-  { file: 'hexlens.cli.js', format: 'es', entry: ours('cli.ts'), plugins: [insideOneFile, nodeOutside] },
-  { file: 'hexlens.twin.js', format: 'es', entry: join(root, 'build', 'hexlens-twin.js'), plugins: [] },
+  { file: 'hexlens.anywidget.js', entry: ours('anywidget.ts') },
+  { file: 'hexlens.cli.js', entry: ours('cli.ts'), external: /^node:/ },
+  { file: 'hexlens.twin.js', entry: join(root, 'build', 'hexlens-twin.js') },
 ]
 
 /** Writes the package's scripts and types into a folder. */
@@ -145,7 +86,8 @@ export async function buildPackage(folder) {
 
 /** The scripts alone. */
 export async function buildScripts(outDir) {
-  for (const bundle of bundles) await bundleOneFile(bundle, outDir)
+  mkdirSync(outDir, { recursive: true })
+  for (const bundle of bundles) writeFileSync(join(outDir, bundle.file), await scriptOf(bundle))
 }
 
 /** Licences of all that the scripts hold: each wants its notice kept. */
@@ -158,39 +100,62 @@ function licences() {
   return parts.map(([name, path]) => `${name}\n\n${readFileSync(join(root, path), 'utf8').trim()}\n`).join('\n\n')
 }
 
-async function bundleOneFile(bundle, outDir) {
-  const { build } = await import('vite')
-  await build(configOf(bundle, { outDir, emptyOutDir: false }))
+/**
+ * The text of a bundle. In a build of one file, modules that pages load on demand, and all that
+ * they import, become functions, which adds 2.4 kB. In chunks they do not, but chunks are not one
+ * file: they are made first, and the file of them. gzip looks back 32 kB, so that wasm and
+ * libraries do not come between modules of ours.
+ */
+async function scriptOf({ entry, format = 'es', external = [], around: [before, after] = ['', ''] }) {
+  const groups = [{ name: 'wasm', test: /-inside\.ts$/ }, { name: 'libraries', test: /node_modules/ }, { name: 'ours' }]
+  const split = { codeSplitting: { groups }, minify: false }
+  const chunks = await chunksOf({ entry, formats: ['es'] }, [insideOneFile, leanThree], external, split)
+  const whole = { codeSplitting: false, minify: true, postBanner: `${BANNER}\n${before}`, postFooter: after }
+  const given = { entry: chunks[0].fileName, formats: [format], name: 'hexlens' }
+  const [{ code }] = await chunksOf(given, [modulesOf(chunks), insideOneFile], external, whole)
+  return code
 }
 
-/** The text of a bundle. */
-async function scriptOf(bundle) {
+async function chunksOf(lib, plugins, external, output) {
   const { build } = await import('vite')
-  const [{ output }] = await build(configOf(bundle, { write: false }))
-  return output[0].code
-}
-
-function configOf({ file, format, entry, plugins, around: [before, after] = ['', ''] }, where) {
-  return {
+  const [result] = await build({
     configFile: false,
     root,
     publicDir: false,
     logLevel: 'warn',
     plugins,
+    // lit-html as it runs on a server, too
+    resolve: { conditions: ['node'] },
     build: {
       target: 'es2022',
-      ...where,
-      lib: { entry, formats: [format], name: 'hexlens', fileName: () => file },
+      write: false,
+      lib,
       rolldownOptions: {
-        output: { codeSplitting: false, minify: true, postBanner: `${BANNER}\n${before}`, postFooter: after },
+        external,
+        output,
         // A plain script has no import.meta and does without.
-        checks: { bundlerTimings: false, emptyImportMeta: false },
+        checks: { bundlerTimings: false, emptyImportMeta: false, ineffectiveDynamicImport: false },
       },
     },
+  })
+  return result.output
+}
+
+/** Chunks as the modules of another build. */
+function modulesOf(chunks) {
+  const codes = new Map(chunks.map(({ fileName, code }) => [fileName, code]))
+  return {
+    name: 'hexlens-chunks',
+    enforce: 'pre',
+    resolveId: id => (codes.has(basename(id)) ? basename(id) : null),
+    load: id => codes.get(id),
   }
 }
 
-/** Declarations of what the entries export and of what that names, with file names in full: readers of a package ask for them. */
+/**
+ * Declarations of what the entries export and of what that names. Readers of a package ask for file
+ * names in full; tsc leaves them as our sources, which a bundler reads, have them.
+ */
 async function writeTypes(outDir) {
   rmSync(outDir, { recursive: true, force: true })
   const project = join(root, 'tsconfig.types.json')
@@ -199,7 +164,7 @@ async function writeTypes(outDir) {
     ['package/hexlens', 'package/core', 'package/batch', 'package/mesh'].map(name => join(outDir, `${name}.d.ts`)),
   )
   for (const path of named) {
-    const text = readFileSync(path, 'utf8').replace(/(from |import\()'(\.[^']+)'/g, (_, before, name) => {
+    const text = readFileSync(path, 'utf8').replace(/(from |import |import\()'(\.[^']+)'/g, (_, before, name) => {
       named.add(join(dirname(path), `${name}.d.ts`))
       return `${before}'${name}.js'`
     })

@@ -1,21 +1,19 @@
 /** Elements a second of each search that the page offers, with one worker and with two, in turns; medians of five. --quick: of three. */
 import { performance } from 'node:perf_hooks'
-import type { Reply, Request } from '../../web/pages/search/engine/messages'
 import { Search } from '../../web/pages/search/engine/search'
 import { searches } from '../../web/pages/search/searches'
-import { batchModules, bundledWorker, nodePort } from '../unit/node-workers'
+import { batchModules, threadsOf } from '../unit/node-workers'
 
 const MILLISECONDS = 2000
 
 export async function main(options: readonly string[]): Promise<void> {
   const trials = options.includes('--quick') ? 3 : 5
-  const worker = await bundledWorker('web/pages/search/engine/worker.ts')
+  const spawn = await threadsOf('web/pages/search/engine/worker.ts')
   for (const { id, property, measure, distribution } of searches) {
     const rates: number[][] = [[], []]
     let share = 0
     for (let trial = 0; trial < trials; ++trial)
       for (const workers of [1, 2]) {
-        const spawn = () => nodePort<Request, Reply>(worker)
         const query = { property, measure, distribution, seed: trial + 1 }
         const search = await ran(
           resolve => new Search(query, { module: batchModules.vectors, count: workers, spawn }, ...resolve),

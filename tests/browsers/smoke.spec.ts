@@ -273,7 +273,7 @@ test('the pages beside the lens load and answer', async ({ address, driver }) =>
   await test.step('the gallery has a picture of each of its elements', async () => {
     await driver.open(`${address}gallery.html`)
     const pictures = () =>
-      driver.run(() => document.querySelectorAll('.gallery img[src^="data:image/svg+xml;base64,"]').length)
+      driver.run(() => document.querySelectorAll('.gallery img[src^="data:image/png;base64,"]').length)
     await expect.poll(pictures).toBe(gallery.flatMap(room => room.elements).length)
     expect(await complaints(driver)).toEqual([])
   })

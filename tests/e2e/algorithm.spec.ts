@@ -96,7 +96,7 @@ test('the steps are followed by buttons, by keys, by changes; what runs stops', 
     await lens.set(cube)
     await expect(list.getByRole('button')).toHaveCount(26)
     await lens.button('Last').click()
-    await expect(sentence).toHaveText(/everything is positive: the element is valid\.$/)
+    await expect(sentence).toHaveText(/Every value is positive: the element is valid\.$/)
   })
 
   await test.step('there is nothing to play where less motion is asked for', async () => {

@@ -33,7 +33,7 @@ test('the lines for each host follow the element and the choices, and so does th
   await panel.getByRole('textbox', { name: 'Height' }).fill('320')
   await panel.getByRole('textbox', { name: 'Height' }).press('Enter')
   await panel.getByRole('combobox', { name: 'Colours' }).selectOption('dark')
-  await panel.getByRole('checkbox', { name: 'To be looked at only' }).check()
+  await panel.getByRole('checkbox', { name: 'Cannot be changed by readers' }).check()
   const [head, body] = (await lines()) as [string, string]
   expect(head).toBe('<script defer src="hexlens.iife.js"></script>')
   expect(body).toContain('vertices="-0 0 0, 1 0 0, 1 1 0, 0 1 0, 0 0 1, 1 0 1, 1 1 1, 0 1 1"')

@@ -101,7 +101,7 @@ test.describe('paste', () => {
       await lens.button('Paste or drop').click()
       const panel = panelOf(page, 'Paste or drop')
       await expect(panel).toContainText('Nothing that is pasted, dropped or typed here leaves the browser.')
-      await expect(panel).toContainText(/Read are .*Abaqus/)
+      await expect(panel).toContainText(/Hexlens reads .*Abaqus/)
       await panel.getByRole('textbox', { name: 'Text with eight points' }).fill(cube.map(x => `${x}.0D+00`).join('\n'))
       await lens.button('Read it').click()
       await expect.poll(() => lens.vertices()).toEqual(cube)

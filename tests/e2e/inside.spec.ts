@@ -42,7 +42,7 @@ test('what is inside: where it is lower than the boundary, the section, in space
 
   await test.step('the paper’s counterexample: zero on the boundary, −1/4 at the centre, and what is negative in space', async () => {
     const panel = panelOf(page)
-    await expect(panel).toContainText('On the boundary jacdet is never below zero, yet inside it falls to −1/4.')
+    await expect(panel).toContainText('J ≥ 0 on the boundary, yet inside it falls to −1/4.')
     const minima = page.getByRole('table', { name: 'Boundary minimum and volume minimum' })
     await expect(minima.getByRole('row', { name: /^On the boundary/ })).toContainText('0')
     await expect(minima.getByRole('row', { name: /^In the whole element −1\/4/ })).toContainText('at (1/2, 1/2, 1/2)')

@@ -12,7 +12,7 @@ test('the nearest element of the other verdict is found, looked at, applied and 
   await lens.button('Nearest invalid, nearest valid').click()
 
   await test.step('of the cube, where arithmetic says, and shown as a ghost', async () => {
-    await expect(panel).toContainText('How little has to move to make this element invalid?')
+    await expect(panel).toContainText('What is the smallest move that makes this element invalid?')
     await expect(panel).toContainText('Vertex 0 by 0.57735')
     await expect(panel).toContainText('Together by 0.5, the farthest by 0.43301')
     await expect(panel).toContainText('As short as any such move can be')
@@ -30,7 +30,7 @@ test('the nearest element of the other verdict is found, looked at, applied and 
     await expect(lens.verdict).toHaveText(/^INVALID/)
     await expect(panel.locator('.answer')).toBeFocused()
     await expect(panel).toContainText(
-      'The move is applied. Undo takes it back. How little has to move to make this element valid?',
+      'The move is applied. Undo takes it back. What is the smallest move that makes this element valid?',
     )
     await expect(ghost).toBeHidden()
     const moved = await lens.vertices()

@@ -50,7 +50,7 @@ test('an order that makes the element valid is named and used; where there is no
     expect(await lens.vertices()).toEqual(reordered(wrongOrder, lexicographic))
     await expect(panel.locator('.answer')).toBeFocused()
     await expect(ghost).toBeHidden()
-    await expect(panel).toContainText('The points were taken as “Lexicographic”; Undo takes that back.')
+    await expect(panel).toContainText('The points were taken in the order “Lexicographic”. Undo takes this back.')
     await lens.button('Undo').click()
     await expect(lens.verdict).toHaveText(/^INVALID/)
     expect(await lens.vertices()).toEqual(wrongOrder)
@@ -78,7 +78,7 @@ test('an order that makes the element valid is named and used; where there is no
   await test.step('of a valid element nothing is tried, and where no order helps it says so', async () => {
     await lens.set(cube)
     const panel = panelOf(lens.page)
-    await expect(panel).toContainText('The element is valid in the order its points are in')
+    await expect(panel).toContainText('The element is valid as its points are ordered')
     await expect(panel.getByRole('listitem')).toHaveCount(0)
     await lens.set(cube.map((x, i) => (i % 3 === 2 ? 0 : x)))
     await expect(panel).toContainText('None of the 21 orders tried makes it valid.')

@@ -103,7 +103,7 @@ test('where the order is not stated it says so, and one press takes the order th
   await lens.button('Use it').click()
   await expect(lens.verdict).toHaveText(/^VALID/)
   expect(await lens.vertices()).toEqual(cube)
-  await expect(read.getByText('taken in lexicographic order; Undo takes that back.')).toBeFocused()
+  await expect(read.getByText('taken in lexicographic order; Undo takes this back.')).toBeFocused()
   await lens.button('Undo').click()
   expect(await lens.vertices()).toEqual(lexicographic)
   await expect(lens.button('Use it')).toBeVisible()
@@ -161,7 +161,7 @@ test('of 6,000 cells all are in the list, the worst first; one is found by its i
     await expectAxeFindsNothing(page, '.reading')
     await expectLargeTargets(readRegion(page).getByRole('button'))
   })
-  await lens.button('Put away').click()
+  await lens.button('Close the list').click()
   await expect(list(page)).toHaveCount(0)
 })
 

@@ -312,7 +312,7 @@ function threeCalls(page: Page, { workerUrl, end = false }: { workerUrl?: string
   )
 }
 
-const ENDED = 'Error: A worker for batches ended before it had answered: '
+const ENDED = 'Error: A worker for batches ended before it had answered'
 
 test('a worker that ends, throws, is not there or has no memory rejects the promise, and the next call starts another', async ({
   page,
@@ -320,11 +320,11 @@ test('a worker that ends, throws, is not there or has no memory rejects the prom
   writeFileSync(join(elsewhere, 'calls.html'), html(''))
   await page.goto('calls.html')
   const lost = (says: string) => ({ messages: ['0 valid', `${ENDED}${says}`, '0 valid'], workers: 2 })
-  expect(await threeCalls(page, { end: true })).toEqual(lost('it was ended.'))
+  expect(await threeCalls(page, { end: true })).toEqual(lost(', perhaps for want of memory.'))
   const closing = mischief('closing.js', 'close()')
-  expect(await threeCalls(page, { workerUrl: closing })).toEqual(lost('it was ended.'))
+  expect(await threeCalls(page, { workerUrl: closing })).toEqual(lost(', perhaps for want of memory.'))
   const throwing = mischief('throwing.js', "throw new Error('struck by a test')")
-  expect(await threeCalls(page, { workerUrl: throwing })).toEqual(lost('Uncaught Error: struck by a test'))
+  expect(await threeCalls(page, { workerUrl: throwing })).toEqual(lost(': Uncaught Error: struck by a test'))
   const missing = 'Error: A worker for batches did not start: its script was not loaded from nowhere.js'
   expect(await threeCalls(page, { workerUrl: 'nowhere.js' })).toEqual({ messages: Array(3).fill(missing), workers: 3 })
   writeFileSync(

@@ -41,7 +41,7 @@ function onPiece(number: number, action: string): string {
 const stuck = {
   before: onPiece(
     2,
-    `parentPort.postMessage({ kind: 'progress', done: 0 })
+    `parentPort.postMessage({ kind: 'progress', progress: 0 })
     Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0)`,
   ),
 }

@@ -1,7 +1,7 @@
 /** A checked mesh as a list of cells, as it comes out of a worker. */
 import { describe, expect, test } from 'vitest'
-import { CheckedCells } from '../../web/mesh/checked-cells'
-import { columnsOf, memoryOf } from '../../web/mesh/checked-columns'
+import { memoryOf } from '../../web/core/workers'
+import { CheckedCells, columnsOf } from '../../web/mesh/checked-cells'
 import { formatNames } from '../../web/mesh/format-names'
 import { formats } from '../../web/mesh/formats'
 import type { Mesh } from '../../web/mesh/mesh'

@@ -1,4 +1,4 @@
-/** The table that docs/element.md and custom-elements.json are written from, against the element itself. */
+/** The manifest, which docs/element.md is written from too, against the element itself. */
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { attributeNames } from '../../web/element/attributes'
@@ -7,8 +7,9 @@ import { panels } from '../../web/panels/list'
 import { nearest } from '../../web/panels/nearest'
 
 const read = (path: string) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8')
-const table = JSON.parse(read('web/element/interface.json'))
-const names = (key: string) => (table[key] as { name: string }[]).map(({ name }) => name)
+const [element] = JSON.parse(read('custom-elements.json')).modules[0].declarations
+const names = (key: string) => (element[key] as { name: string }[]).map(({ name }) => name)
+const members = (kind: string) => element.members.filter((member: { kind: string }) => member.kind === kind)
 
 /** The descriptor in the class or in those that it extends. */
 function descriptorOf(name: string): PropertyDescriptor | undefined {
@@ -16,17 +17,18 @@ function descriptorOf(name: string): PropertyDescriptor | undefined {
   return chain.map(each => Object.getOwnPropertyDescriptor(each, name)).find(found => found !== undefined)
 }
 
-describe('the table of the element’s interface', () => {
+describe('the manifest', () => {
   it('has the attributes that are observed', () => {
     expect(names('attributes').sort()).toEqual([...attributeNames].sort())
   })
 
   it('has properties and methods that are there, and no more writable than it says', () => {
-    for (const { name, readonly = false } of table.properties) {
+    for (const { name, readonly = false } of members('field')) {
       const { get, set } = descriptorOf(name) ?? {}
       expect([name, typeof get, set === undefined]).toEqual([name, 'function', readonly])
     }
-    for (const { name } of table.methods) expect([name, typeof descriptorOf(name)?.value]).toEqual([name, 'function'])
+    for (const { name } of members('method'))
+      expect([name, typeof descriptorOf(name)?.value]).toEqual([name, 'function'])
   })
 
   it('has the events that are told', () => {
@@ -38,18 +40,18 @@ describe('the table of the element’s interface', () => {
   it('has a CSS part of every view, and says each that can be chosen', () => {
     const all = [...panels, nearest]
     const views = all.map(({ name }) => name)
-    expect(names('parts')).toEqual(expect.arrayContaining(views))
-    const { text } = table.attributes.find(({ name }: { name: string }) => name === 'views')
-    for (const { name, always, with: other } of all) if (!always && !other) expect(text).toContain(`\`${name}\``)
+    expect(names('cssParts')).toEqual(expect.arrayContaining(views))
+    const { description } = element.attributes.find(({ name }: { name: string }) => name === 'views')
+    for (const { name, always, with: other } of all) if (!always && !other) expect(description).toContain(`\`${name}\``)
     const own = [...read('web/element/view-host.ts').matchAll(/ part="(\w+)"/g)].map(match => match[1])
-    expect(names('parts')).toEqual(expect.arrayContaining(own))
+    expect(names('cssParts')).toEqual(expect.arrayContaining(own))
   })
 
   it('has the slots and the custom properties of the style sheet', () => {
     const styles = read('web/element/hex-lens.css')
     const used = new Set([...styles.matchAll(/--hl-[\w-]+/g)].map(([name]) => name))
     used.delete('--hl-scheme') // follows the attribute theme
-    expect(names('customProperties').sort()).toEqual([...used].sort())
+    expect(names('cssProperties').sort()).toEqual([...used].sort())
     expect(names('slots')).toEqual(['', 'caption'])
     expect(read('web/element/view-host.ts')).toContain('slot name="caption"')
   })

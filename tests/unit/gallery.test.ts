@@ -7,7 +7,8 @@ import { gallery } from '../../web/pages/gallery/gallery'
 import { elementVertices } from '../../web/pages/gallery/gallery-vertices'
 import { lessons } from '../../web/pages/lessons/content/lessons'
 import { rampOf, type Theme } from '../../web/scene/paint/colour-map'
-import { thumbnailAddress, thumbnailMarkup, thumbnailText } from '../../web/scene/paint/thumbnail'
+import { paletteOf } from '../../web/scene/paint/face-raster'
+import { THUMBNAIL_SIDE, thumbnailPixels, thumbnailText } from '../../web/scene/paint/thumbnail'
 import { cases, caseVertices, core, depthGuardCases, entry, unitCube } from './core-fixtures'
 
 const elements = gallery.flatMap(({ elements }) => elements)
@@ -116,7 +117,7 @@ describe('small pictures', () => {
     positive: [0.1, 0.4, 0.7],
     neutral: [0.96, 0.96, 0.96],
   }
-  const colours = { theme, ramp: rampOf(theme) }
+  const colours = { theme, palette: paletteOf(rampOf(theme), theme) }
   const pictureOf = (id: string) => {
     const report = reportOf(
       elementVertices(
@@ -126,38 +127,44 @@ describe('small pictures', () => {
         ),
       ),
     )
-    return { markup: thumbnailMarkup(report, colours), text: thumbnailText(report), report }
+    return { pixels: thumbnailPixels(report, colours), text: thumbnailText(report) }
   }
-  const count = (markup: string, part: string) => markup.split(part).length - 1
-
-  it('hatch exactly what is negative and draw all twelve edges', () => {
-    const tiles = 6 * 8 * 8
-    for (const [id, hatched] of [
-      ['cube', [0, 0]],
-      ['inverted', [tiles, tiles]],
-      ['face-negative', [4, 60]],
-      ['touching', [0, 0]],
-    ] as const) {
-      const { markup } = pictureOf(id)
-      expect(count(markup, ' color="')).toBe(tiles)
-      expect(count(markup, 'url(#hatch)')).toBeGreaterThanOrEqual(hatched[0])
-      expect(count(markup, 'url(#hatch)')).toBeLessThanOrEqual(hatched[1])
-      // Each edge borders two faces, a corner tile has two borders.
-      expect(count(markup, 'stroke-width="1"')).toBe(6 * (4 * 8 - 4))
+  /** Pixels by what is in them: ink, red and blue under a hatch or not, a neutral between these, or nothing. */
+  function countsOf(pixels: Uint8ClampedArray) {
+    const counts = { red: 0, blue: 0, other: 0, clear: 0, partly: 0 }
+    for (let at = 0; at < pixels.length; at += 4) {
+      const [r, , b, alpha] = pixels.subarray(at, at + 4) as unknown as [number, number, number, number]
+      if (alpha === 0) counts.clear += 1
+      else if (alpha < 255) counts.partly += 1
+      else if (r > b + 15) counts.red += 1
+      else if (b > r + 15) counts.blue += 1
+      else counts.other += 1
     }
+    return counts
+  }
+
+  it('are red where jacdet is negative, and nowhere else', () => {
+    expect(countsOf(pictureOf('cube').pixels)).toMatchObject({ red: 0 })
+    expect(countsOf(pictureOf('touching').pixels)).toMatchObject({ red: 0 })
+    expect(countsOf(pictureOf('inverted').pixels)).toMatchObject({ blue: 0 })
+    const { red, blue } = countsOf(pictureOf('face-negative').pixels)
+    expect(red).toBeGreaterThan(100)
+    expect(blue).toBeGreaterThan(2 * red)
   })
 
-  it('stay inside themselves, whatever the size of the element, and are small', () => {
-    for (const element of elements) {
-      const markup = thumbnailMarkup(reportOf(elementVertices(element)), colours)
-      const numbers = [...markup.matchAll(/[ML](-?[\d.]+) (-?[\d.]+)/g)].flatMap(([, x, y]) => [Number(x), Number(y)])
-      expect(numbers.length).toBeGreaterThan(1000)
-      expect(
-        numbers.every(x => x >= 0 && x <= 120),
-        element.id,
-      ).toBe(true)
-      expect(markup).not.toMatch(/NaN|undefined/)
-      expect(thumbnailAddress(reportOf(elementVertices(element)), colours).length).toBeLessThan(120_000)
+  it('have the colour of jacdet at each pixel: many, where eight times eight tiles a face would have few', () => {
+    const { pixels } = pictureOf('depth-guard')
+    expect(new Set(new Uint32Array(pixels.buffer)).size).toBeGreaterThan(500)
+  })
+
+  it('have smooth outlines inside themselves, whatever the size of the element', () => {
+    for (const { id } of elements) {
+      const { pixels } = pictureOf(id)
+      const { clear, partly } = countsOf(pixels)
+      expect(clear, id).toBeGreaterThan(0.2 * THUMBNAIL_SIDE ** 2)
+      expect(partly, id).toBeGreaterThan(100)
+      for (let k = 0; k < THUMBNAIL_SIDE; k++)
+        for (const at of [k, k * THUMBNAIL_SIDE]) expect(pixels[4 * at + 3], id).toBe(0)
     }
   })
 

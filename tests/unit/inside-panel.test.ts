@@ -1,8 +1,12 @@
 import { describe, expect, it } from 'vitest'
 import { presets, presetVertices } from '../../web/model/presets'
+import { sliceChange, sliceOf } from '../../web/model/state'
+import { createStore } from '../../web/model/store'
+import { toggled } from '../../web/panels/inside'
 import { insideSentence } from '../../web/panels/inside/inside-words'
 import { curveOf, heightOf } from '../../web/panels/morph/curve'
-import { core } from './core-fixtures'
+import { type FaceDisplay, sceneSlice } from '../../web/views/scene-slices'
+import { core, unitCube } from './core-fixtures'
 
 function reportOf(id: string) {
   const preset = presets.find(candidate => candidate.id === id)
@@ -14,10 +18,25 @@ function reportOf(id: string) {
 describe('what the boundary says of the inside', () => {
   it('is enough where it is positive, and not where it is zero', () => {
     expect(insideSentence(reportOf('cube'), 'unit')).toMatch(/nothing inside is lower/)
-    expect(insideSentence(reportOf('non-strict'), 'unit')).toMatch(/never below zero, yet inside it falls to −1\/4/)
+    expect(insideSentence(reportOf('non-strict'), 'unit')).toMatch(
+      /J ≥ 0 on the boundary, yet inside it falls to −1\/4/,
+    )
     expect(insideSentence(reportOf('non-strict'), 'biunit')).toMatch(/−1\/32/)
     expect(insideSentence(reportOf('edge-negative'), 'unit')).toMatch(/^The boundary already shows/)
   })
+})
+
+it('is in the scene while its panel is open, unless something else is chosen', () => {
+  const store = createStore(unitCube, null)
+  const shown = (): FaceDisplay => sliceOf(sceneSlice, store.state).faceDisplay
+  store.dispatch(toggled(store.state, true))
+  expect(shown()).toBe('inside')
+  store.dispatch(toggled(store.state, false))
+  expect(shown()).toBe('opaque')
+  store.dispatch(toggled(store.state, true))
+  store.dispatch(sliceChange(sceneSlice, { faceDisplay: 2 }))
+  store.dispatch(toggled(store.state, false))
+  expect(shown()).toBe(2)
 })
 
 describe('the curve of a way', () => {

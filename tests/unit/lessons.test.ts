@@ -71,8 +71,8 @@ describe('every step', () => {
     const result = readState(stateOf(step), known)
     expect(result).toMatchObject({ ok: true })
     if (result.ok) {
-      const { state, cameras } = result.value
-      expect({ ...state, ...cameras, ...Object.assign({}, ...Object.values(state.slices)) }).toMatchObject(
+      const { cameras, slices } = result.value
+      expect({ ...result.value, ...cameras, ...Object.assign({}, ...Object.values(slices)) }).toMatchObject(
         step.state ?? {},
       )
     }

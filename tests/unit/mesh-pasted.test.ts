@@ -2,7 +2,7 @@
 import { describe, expect, test } from 'vitest'
 import { joined } from '../../web/mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../../web/mesh/mesh'
-import { readTogether } from '../../web/mesh/read-together'
+import { readTogether } from '../../web/mesh/read-mesh'
 import { verticesOf } from '../../web/mesh/vertices-of'
 import { stateDocument } from '../../web/model/state-document'
 import { createStore } from '../../web/model/store'
@@ -188,7 +188,7 @@ describe('JSON', () => {
   test('the state of an element is that element, whatever it started from', () => {
     const store = createStore(cube, null)
     store.dispatch({ type: 'set-vertices', vertices: upper.with(0, -0), preset: null })
-    const state = stateDocument(store.state, { camera: null, referenceCamera: null }, { names: [], slices: [] })
+    const state = stateDocument(store.state, { names: [], slices: [] })
     expect(only(JSON.stringify({ ...state, start: cube }))).toEqual(['JSON', upper.with(0, -0)])
   })
 

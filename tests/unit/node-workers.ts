@@ -1,13 +1,12 @@
-/** The real workers in Node's threads, bundled as the builds do it; those that know pages alone get a browser's Worker on top of a thread. */
+/** The real workers in Node's threads, bundled as the builds do it. */
 import { readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { Worker, type WorkerOptions } from 'node:worker_threads'
 import { build } from 'vite'
 import { type BatchCore, loadBatchCore } from '../../web/core/batch/batch-core'
 import { type Classifier, classifierOn } from '../../web/core/batch/classify'
-import type { WorkerPort } from '../../web/core/batch/messages'
-import { Pool } from '../../web/core/batch/pool'
-import { threadPort } from '../../web/core/batch/ports'
+import { threadPort } from '../../web/core/worker-ports'
+import type { WorkerPort } from '../../web/core/workers'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 
@@ -21,11 +20,6 @@ export const batchCores: Record<keyof typeof batchModules, BatchCore> = {
   vectors: await loadBatchCore(batchModules.vectors),
   scalar: await loadBatchCore(batchModules.scalar),
 }
-
-const PRELUDE = `const { parentPort } = await import('node:worker_threads')
-globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, transfer)
-parentPort.on('message', data => globalThis.onmessage({ data }))
-`
 
 const bundles = new Map<string, Promise<string>>()
 
@@ -49,20 +43,8 @@ async function bundle(entry: string): Promise<string> {
   return code
 }
 
-/** The address of a worker that is made for pages. */
-export async function bundledWorker(entry: string): Promise<URL> {
-  return scriptUrl(PRELUDE + (await bundled(entry)))
-}
-
 function scriptUrl(script: string): URL {
   return new URL(`data:text/javascript,${encodeURIComponent(script)}`)
-}
-
-interface Port<Request, Reply> {
-  postMessage(request: Request, transfer?: ArrayBuffer[]): void
-  onmessage: ((event: { readonly data: Reply }) => void) | null
-  onerror: ((event: { readonly message?: string }) => void) | null
-  terminate(): void
 }
 
 const allThreads = new Set<Worker>()
@@ -78,17 +60,10 @@ function threadOn(worker: URL, options?: WorkerOptions): Worker {
   return thread
 }
 
-export function nodePort<Request, Reply>(worker: URL): Port<Request, Reply> {
-  const thread = threadOn(worker)
-  const port: Port<Request, Reply> = {
-    postMessage: (request, transfer) => thread.postMessage(request, transfer),
-    onmessage: null,
-    onerror: null,
-    terminate: () => void thread.terminate(),
-  }
-  thread.on('message', data => port.onmessage?.({ data }))
-  thread.on('error', error => port.onerror?.(error as Error))
-  return port
+/** Starts threads of a worker of web/; with a script that runs before its own. */
+export async function threadsOf(entry: string, before = ''): Promise<() => WorkerPort> {
+  const script = scriptUrl(before + (await bundled(entry)))
+  return () => threadPort(threadOn(script))
 }
 
 interface NodeClassifierOptions {
@@ -102,15 +77,15 @@ interface NodeClassifierOptions {
 /** Keeps the threads it starts in `threads`. */
 export async function nodeClassifier(
   workers: number,
-  { module = batchModules.vectors, worker = () => ({}), ...poolOptions }: NodeClassifierOptions = {},
+  { module = batchModules.vectors, worker = () => ({}), ...options }: NodeClassifierOptions = {},
 ): Promise<Classifier & { readonly threads: readonly Worker[] }> {
   const ownScript = await bundled('web/core/batch/worker.ts')
   const threads: Worker[] = []
   const spawn = (): WorkerPort => {
-    const { before = '', script = ownScript, ...options } = worker(threads.length)
-    const thread = threadOn(scriptUrl(before + script), options)
+    const { before = '', script = ownScript, ...limits } = worker(threads.length)
+    const thread = threadOn(scriptUrl(before + script), limits)
     threads.push(thread)
     return threadPort(thread)
   }
-  return { ...classifierOn(new Pool(module, workers, spawn, poolOptions)), threads }
+  return { ...classifierOn({ start: module, size: workers, spawn, ...options }), threads }
 }

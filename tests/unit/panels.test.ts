@@ -47,13 +47,13 @@ describe('one more panel', () => {
     const store = createStore(unitCube, null)
     store.dispatch(sliceChange(slice, { mirrored: true }))
     store.dispatch({ type: 'open-panel', panel: 'mirror', isOpen: true })
-    const document = stateDocument(store.state, { camera: null, referenceCamera: null }, knownPanels(all))
+    const document = stateDocument(store.state, knownPanels(all))
     expect(document).toMatchObject({ mirrored: true, openPanels: ['mirror'] })
     const back = readState(document, knownPanels(all))
-    expect(back.ok && sliceOf(slice, back.value.state)).toEqual({ mirrored: true })
+    expect(back.ok && sliceOf(slice, back.value)).toEqual({ mirrored: true })
     expect(readState({ ...document, mirrored: 'no' }, knownPanels(all))).toMatchObject({ ok: false })
     const elsewhere = readState(document, knownPanels(panels))
-    expect(elsewhere.ok && elsewhere.value.state.openPanels).toEqual([])
+    expect(elsewhere.ok && elsewhere.value.openPanels).toEqual([])
   })
 
   it('has its question answered with every frame', () => {

@@ -1,6 +1,6 @@
 /** Files that are given together. */
 import { expect, test } from 'vitest'
-import { MissingFiles, readTogether } from '../../web/mesh/read-together'
+import { MissingFiles, readTogether } from '../../web/mesh/read-mesh'
 import type { MeshFile } from '../../web/mesh/source'
 import { unitCube } from './core-fixtures'
 import { filesIn, sharedFile, textFile } from './mesh-expectations'

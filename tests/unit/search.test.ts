@@ -2,7 +2,6 @@
 import { afterAll, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
 import { isMet } from '../../web/model/condition'
-import type { Reply, Request } from '../../web/pages/search/engine/messages'
 import { parseQuery, type Query } from '../../web/pages/search/engine/query'
 import { type Find, Ranking } from '../../web/pages/search/engine/ranking'
 import { polished, Search, type SearchWorkers } from '../../web/pages/search/engine/search'
@@ -11,13 +10,13 @@ import { ownSearch, searches } from '../../web/pages/search/searches'
 import { certificateOf, checked, type Loose } from './certificate-checker'
 import { core, entry, randomSource } from './core-fixtures'
 import { edgesArePositive, verticesArePositive } from './exact'
-import { batchModules, bundledWorker, endThreads, nodePort } from './node-workers'
+import { batchModules, endThreads, threadsOf } from './node-workers'
 
-const worker = await bundledWorker('web/pages/search/engine/worker.ts')
+const spawn = await threadsOf('web/pages/search/engine/worker.ts')
 afterAll(endThreads)
 
 function force(workers: number, module = batchModules.vectors): SearchWorkers {
-  return { module, count: workers, spawn: () => nodePort<Request, Reply>(worker) }
+  return { module, count: workers, spawn }
 }
 
 const PIECE = 8 * BLOCK
@@ -161,6 +160,35 @@ it('says why it does not work', async () => {
   const cancelled = polished(queryOf('edges'), new Array(24).fill(0), force(1), { signal: controller.signal })
   controller.abort(new Error('enough'))
   await expect(cancelled).rejects.toThrow('enough')
+})
+
+it('a worker that is ended ends the search, which says so once and goes on with others', async () => {
+  const query = queryOf('corners', 5)
+  const dying = await threadsOf(
+    'web/pages/search/engine/worker.ts',
+    `import { parentPort } from 'node:worker_threads'
+    let pieces = 0
+    parentPort.on('message', ({ kind }) => { if (kind === 'search' && ++pieces === 4) process.exit(7) });`,
+  )
+  let spawned = 0
+  const failures: string[] = []
+  const workers = { ...force(2), spawn: () => (spawned++ === 0 ? dying() : spawn()) }
+  const search = await new Promise<Search>(resolve => {
+    const search = new Search(
+      query,
+      workers,
+      () => search.isRunning || resolve(search),
+      ({ message }) => {
+        failures.push(message)
+        search.start(6 * PIECE)
+      },
+    )
+    search.start(6 * PIECE)
+  })
+  search.dispose()
+  const says = 'a worker of this page ended before it had answered: its thread ended with exit code 7.'
+  expect([failures, spawned]).toEqual([[says], 4])
+  expect(outcome(search)).toEqual(outcome(await searched(query, 6 * PIECE, force(1))))
 })
 
 it('a query that is none is refused field by field', () => {

@@ -5,6 +5,7 @@ import { type Action, sliceChange, sliceOf } from '../../web/model/state'
 import { createStore, HISTORY_LIMIT } from '../../web/model/store'
 import { faceSlice } from '../../web/panels/face-maps/selected-face'
 import { endsSlice } from '../../web/panels/morph/morph-question'
+import { marksSlice, type Preview, previewSlice, sceneSlice } from '../../web/views/scene-slices'
 import { unitCube } from './core-fixtures'
 
 const other = unitCube.map(x => 2 * x)
@@ -27,6 +28,9 @@ const undo: Action = { type: 'undo' }
 const redo: Action = { type: 'redo' }
 const reset: Action = { type: 'reset' }
 const set = (vertices: readonly number[], preset: string | null): Action => ({ type: 'set-vertices', vertices, preset })
+
+const show = (preview: Preview | null) => sliceChange(previewSlice, { preview })
+const previewed = (target: ReturnType<typeof store>) => sliceOf(previewSlice, target.state).preview
 
 const xOf6 = (target: ReturnType<typeof store>) => vertexOf(target.state.vertices, 6)[0]
 
@@ -109,9 +113,9 @@ describe('a step', () => {
       move(2),
       undo,
       { type: 'select-vertex', vertex: 3 },
-      { type: 'show-faces', faceDisplay: 2 },
+      sliceChange(sceneSlice, { faceDisplay: 2 }),
     )
-    expect(target.state).toMatchObject({ canRedo: true, selectedVertex: 3, faceDisplay: 2 })
+    expect(target.state).toMatchObject({ canRedo: true, selectedVertex: 3, slices: { scene: { faceDisplay: 2 } } })
     target.dispatch(move(5))
     expect(target.state.canRedo).toBe(false)
   })
@@ -160,20 +164,10 @@ describe('the store', () => {
     expect(() => createStore(unitCube.slice(1), null)).toThrow(RangeError)
     expect(() => target.dispatch(move(Number.NaN))).toThrow(RangeError)
     expect(() => target.dispatch(move(1, 8))).toThrow(RangeError)
-    expect(() => target.dispatch({ type: 'show-faces', faceDisplay: 6 })).toThrow(RangeError)
+    expect(() => target.dispatch(sliceChange(sceneSlice, { faceDisplay: 6 }))).toThrow(RangeError)
     for (const value of [-0.1, 1.1, Number.NaN])
-      expect(() => target.dispatch({ type: 'show-section', section: { axis: 0, value } })).toThrow(RangeError)
+      expect(() => target.dispatch(sliceChange(sceneSlice, { section: { axis: 0, value } }))).toThrow(RangeError)
     expect(target.state.vertices).toEqual(unitCube)
-  })
-
-  it('shows the inside while its panel is open, unless something else is chosen', () => {
-    const inside = (isOpen: boolean): Action => ({ type: 'open-panel', panel: 'inside', isOpen })
-    const target = dispatched(inside(true))
-    expect(target.state.faceDisplay).toBe('inside')
-    target.dispatch(inside(false))
-    expect(target.state.faceDisplay).toBe('opaque')
-    const chosen = dispatched(inside(true), { type: 'show-faces', faceDisplay: 2 }, inside(false))
-    expect(chosen.state.faceDisplay).toBe(2)
   })
 
   it('keeps panels, probe and face out of the history, and refuses a probe outside the cube', () => {
@@ -196,73 +190,86 @@ describe('the store', () => {
 
   it('keeps the reference cube and linked cameras out of the history', () => {
     const target = dispatched(
-      { type: 'show-reference', referenceShown: true },
-      { type: 'link-cameras', camerasLinked: true },
+      sliceChange(sceneSlice, { referenceShown: true }),
+      sliceChange(sceneSlice, { camerasLinked: true }),
     )
-    expect(target.state).toMatchObject({ referenceShown: true, camerasLinked: true, canUndo: false })
+    expect(sliceOf(sceneSlice, target.state)).toMatchObject({ referenceShown: true, camerasLinked: true })
+    expect(target.state.canUndo).toBe(false)
     const before = target.state
-    target.dispatch({ type: 'show-reference', referenceShown: true })
+    target.dispatch(sliceChange(sceneSlice, { referenceShown: true }))
     expect(target.state).toBe(before)
   })
 
   it('keeps what is highlighted out of the history, and refuses an entity that is not there', () => {
-    const target = dispatched({ type: 'highlight', entity: { kind: 'edge', id: 11 } })
-    expect(target.state).toMatchObject({ highlight: { kind: 'edge', id: 11 }, canUndo: false })
+    const highlight = { kind: 'edge', id: 11 } as const
+    const target = dispatched(sliceChange(marksSlice, { highlight }))
+    expect(target.state.canUndo).toBe(false)
+    expect(sliceOf(marksSlice, target.state).highlight).toBe(highlight)
     const before = target.state
-    target.dispatch({ type: 'highlight', entity: { kind: 'edge', id: 11 } })
+    target.dispatch(sliceChange(marksSlice, { highlight }))
     expect(target.state).toBe(before)
-    expect(() => target.dispatch({ type: 'highlight', entity: { kind: 'vertex', id: 8 } })).toThrow(RangeError)
-    target.dispatch({ type: 'highlight', entity: null })
-    expect(target.state.highlight).toBeNull()
+    expect(() => target.dispatch(sliceChange(marksSlice, { highlight: { kind: 'vertex', id: 8 } }))).toThrow(RangeError)
+    target.dispatch(sliceChange(marksSlice, { highlight: null }))
+    expect(sliceOf(marksSlice, target.state).highlight).toBeNull()
   })
 
   it('keeps a check’s samples out of the history, while the vertices move, and refuses a point that is not in the cube', () => {
     const samples = { points: [[0, 0.5, 1]], edges: false } as const
-    const target = dispatched({ type: 'show-samples', samples })
-    expect(target.state).toMatchObject({ samples, canUndo: false })
+    const target = dispatched(sliceChange(marksSlice, { samples }))
+    expect(target.state.canUndo).toBe(false)
     target.dispatch({ type: 'move-all', vertices: unitCube.with(4, 0.5) })
-    expect(target.state.samples).toBe(samples)
+    expect(sliceOf(marksSlice, target.state).samples).toBe(samples)
     const outside = { points: [[0, 0.5, 1.5]], edges: false } as const
-    expect(() => target.dispatch({ type: 'show-samples', samples: outside })).toThrow(RangeError)
-    target.dispatch({ type: 'show-samples', samples: null })
-    expect(target.state.samples).toBeNull()
+    expect(() => target.dispatch(sliceChange(marksSlice, { samples: outside }))).toThrow(RangeError)
+    target.dispatch(sliceChange(marksSlice, { samples: null }))
+    expect(sliceOf(marksSlice, target.state).samples).toBeNull()
   })
 
   it('previews a move until the vertices change, and refuses what is no element', () => {
     const moved = unitCube.with(4, 0.5)
-    const target = dispatched({ type: 'preview', preview: { move: moved } })
+    const target = dispatched(show({ move: moved }))
     expect(target.state).toMatchObject({ vertices: unitCube, canUndo: false })
-    expect(target.state.preview?.move).toBe(moved)
+    expect(previewed(target)?.move).toBe(moved)
     target.dispatch({ type: 'select-vertex', vertex: 5 })
-    expect(target.state.preview?.move).toBe(moved)
+    expect(previewed(target)?.move).toBe(moved)
     target.dispatch({ type: 'move-all', vertices: moved })
-    expect(target.state).toMatchObject({ vertices: moved, preview: null, canUndo: true })
+    expect(target.state).toMatchObject({ vertices: moved, canUndo: true })
+    expect(previewed(target)).toBeNull()
     for (const wrong of [unitCube.slice(1), unitCube.with(7, Number.NaN)])
-      expect(() => target.dispatch({ type: 'preview', preview: { move: wrong } })).toThrow(RangeError)
+      expect(() => target.dispatch(show({ move: wrong }))).toThrow(RangeError)
   })
 
   it('previews another node order until the vertices change, and refuses what is none', () => {
     const order = [0, 1, 3, 2, 4, 5, 7, 6]
-    const target = dispatched({ type: 'preview', preview: { order } })
-    expect(target.state).toMatchObject({ preview: { order }, canUndo: false })
+    const target = dispatched(show({ order }))
+    expect(target.state.canUndo).toBe(false)
     target.dispatch({ type: 'select-vertex', vertex: 5 })
-    expect(target.state.preview?.order).toBe(order)
+    expect(previewed(target)?.order).toBe(order)
     target.dispatch({ type: 'move-vertex', vertex: 5, to: [9, 9, 9] })
-    expect(target.state.preview).toBeNull()
-    target.dispatch({ type: 'preview', preview: { order } })
+    expect(previewed(target)).toBeNull()
+    target.dispatch(show({ order }))
     target.dispatch({ type: 'undo' })
-    expect(target.state.preview).toBeNull()
+    expect(previewed(target)).toBeNull()
     for (const wrong of [
       [0, 1, 2],
       [0, 1, 2, 3, 4, 5, 6, 6],
       [1, 2, 3, 4, 5, 6, 7, 8],
     ])
-      expect(() => target.dispatch({ type: 'preview', preview: { order: wrong } })).toThrow(RangeError)
+      expect(() => target.dispatch(show({ order: wrong }))).toThrow(RangeError)
   })
 
-  it('initializes without a history, and changes nothing where the numbers are there already', () => {
-    const target = dispatched(move(5), { type: 'initialize', vertices: other, preset: null, start: unitCube })
-    expect(target.state).toMatchObject({ vertices: other, start: unitCube, canUndo: false, canRedo: false })
+  it('takes what is set before the first frame as the start, not as steps', () => {
+    const target = createStore(unitCube, 'cube', 'starting')
+    target.dispatch({ type: 'set-vertices', vertices: unitCube.with(0, 3), preset: null })
+    target.dispatch({ type: 'set-vertices', vertices: other, preset: 'named', start: unitCube })
+    expect(target.state).toMatchObject({ vertices: other, preset: 'named', start: unitCube, canUndo: false })
+    target.dispatch({ type: 'begin' })
+    target.dispatch({ type: 'reset' })
+    expect(target.state).toMatchObject({ phase: 'begun', vertices: unitCube, canUndo: true })
+  })
+
+  it('changes nothing where the numbers are there already, unless a preset names them', () => {
+    const target = dispatched(set(other, null))
     const before = target.state
     target.dispatch({ type: 'set-vertices', vertices: other.slice(), preset: null })
     expect(target.state).toBe(before)
@@ -271,9 +278,15 @@ describe('the store', () => {
     expect(target.state.vertices).toBe(before.vertices)
     target.dispatch({ type: 'set-vertices', vertices: other.with(0, -0), preset: null })
     expect(Object.is(target.state.vertices[0], -0)).toBe(true)
-    expect(() => target.dispatch({ type: 'initialize', vertices: [1], preset: null, start: unitCube })).toThrow(
-      RangeError,
-    )
+  })
+
+  it('restored keeps what is passing, but for a preview', () => {
+    const samples = { points: [[0, 0.5, 1]], edges: false } as const
+    const target = dispatched(sliceChange(marksSlice, { samples }), show({ order: [1, 0, 3, 2, 5, 4, 7, 6] }))
+    target.dispatch({ type: 'restore', state: { ...createStore(unitCube, 'cube').state, selectedVertex: 4 } })
+    expect(target.state).toMatchObject({ selectedVertex: 4, canUndo: false })
+    expect(sliceOf(marksSlice, target.state).samples).toBe(samples)
+    expect(previewed(target)).toBeNull()
   })
 
   it('keeps the ends of a way out of the history, and refuses what is no element', () => {

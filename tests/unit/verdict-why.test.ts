@@ -36,49 +36,45 @@ const positive = vertices(() => 1)
 describe('the sentence that says why', () => {
   it('names the theorem for a valid element', () => {
     expect(whySentence(reportOf(positive))).toBe(
-      'The jacdet is positive on all six faces, so it is positive everywhere (Knupp’s conjecture, now a theorem).',
+      'J > 0 on all six faces, so J > 0 everywhere (Knupp’s conjecture, now a theorem).',
     )
   })
 
   it('names the vertices that are not positive, whatever the edges and faces do', () => {
     const one = vertices(id => (id === 3 ? -1 : 1))
-    expect(whySentence(reportOf([...one, candidate('edge', 0, -2)]))).toBe('Vertex 3 is not positive.')
+    expect(whySentence(reportOf([...one, candidate('edge', 0, -2)]))).toBe('J ≤ 0 at vertex 3.')
     const two = vertices(id => (id === 3 || id === 7 ? -1 : 1))
-    expect(whySentence(reportOf(two))).toBe('Vertices 3 and 7 are not positive.')
+    expect(whySentence(reportOf(two))).toBe('J ≤ 0 at vertices 3 and 7.')
     const three = vertices(id => (id > 4 ? -1 : 1))
-    expect(whySentence(reportOf(three))).toBe('Vertices 5, 6 and 7 are not positive.')
-    expect(whySentence(reportOf(vertices(() => -1)))).toBe('None of the eight vertices is positive.')
+    expect(whySentence(reportOf(three))).toBe('J ≤ 0 at vertices 5, 6 and 7.')
+    expect(whySentence(reportOf(vertices(() => -1)))).toBe('J ≤ 0 at all eight vertices.')
   })
 
   it('names edges only when all vertices are positive', () => {
     expect(whySentence(reportOf([...positive, candidate('edge', 0, -1), candidate('face', 2, -2)]))).toBe(
-      'All eight vertices are positive, yet edge 0–1 is not.',
+      'J > 0 at all eight vertices, yet J ≤ 0 on edge 0–1.',
     )
     expect(whySentence(reportOf([...positive, candidate('edge', 0, -1), candidate('edge', 11, -2)]))).toBe(
-      'All eight vertices are positive, yet edges 0–1 and 2–6 are not.',
+      'J > 0 at all eight vertices, yet J ≤ 0 on edges 0–1 and 2–6.',
     )
   })
 
   it('names faces only when all vertices and edges are positive, each of them once', () => {
     const twice = [...positive, candidate('edge', 0, 1), candidate('face', 4, -1), candidate('face', 4, -2)]
-    expect(whySentence(reportOf(twice))).toBe(
-      'All eight vertices and all twelve edges are positive, yet face −ζ is not.',
-    )
+    expect(whySentence(reportOf(twice))).toBe('J > 0 at all vertices and on all edges, yet J ≤ 0 on face −ζ.')
     expect(whySentence(reportOf([...twice, candidate('face', 5, -2)]))).toBe(
-      'All eight vertices and all twelve edges are positive, yet faces −ζ and +ζ are not.',
+      'J > 0 at all vertices and on all edges, yet J ≤ 0 on faces −ζ and +ζ.',
     )
   })
 
   it('tells an inverted element, a collapsed one and a touching one from the rest', () => {
     const negative = reportOf(vertices(() => -1))
     expect(whySentence({ ...negative, class: 'inverted' })).toBe(
-      'The jacdet is negative everywhere: the element is inverted. The usual cause is a mirrored node order.',
+      'J < 0 everywhere: the element is inverted. The usual cause is a mirrored node order.',
     )
     const nothing = reportOf(vertices(() => 0))
-    expect(whySentence({ ...nothing, class: 'collapsed' })).toBe(
-      'The jacdet is 0 everywhere: the element is collapsed.',
-    )
-    expect(whySentence(reportOf([...positive, candidate('face', 4, 0)]))).toContain('must be strictly positive')
+    expect(whySentence({ ...nothing, class: 'collapsed' })).toBe('J = 0 everywhere: the element is collapsed.')
+    expect(whySentence(reportOf([...positive, candidate('face', 4, 0)]))).toContain('needs J > 0 everywhere')
   })
 
   it('says first which vertices coincide, if that is why, and else last', () => {
@@ -95,19 +91,17 @@ describe('the sentence that says why', () => {
       coincident: [[4, 5]],
     }
     expect(whySentence(negativeElsewhere)).toBe(
-      'Vertices 1, 4 and 5 are not positive. Vertices 4 and 5 coincide: jacdet is 0 there.',
+      'J ≤ 0 at vertices 1, 4 and 5. Vertices 4 and 5 coincide: jacdet is 0 there.',
     )
     const flat = { ...reportOf(vertices(() => 0)), class: 'collapsed' as const, coincident: [[0, 1, 2]] }
-    expect(whySentence(flat)).toBe(
-      'The jacdet is 0 everywhere: the element is collapsed. Vertices 0, 1 and 2 coincide.',
-    )
+    expect(whySentence(flat)).toBe('J = 0 everywhere: the element is collapsed. Vertices 0, 1 and 2 coincide.')
     expect(whySentence({ ...reportOf(positive), coincident: [[0, 6]] })).toMatch(
       /theorem\)\. Vertices 0 and 6 coincide\.$/,
     )
   })
 
   it('tells an element that is negative inside alone', () => {
-    expect(whySentence(reportOf([...positive, candidate('face', 4, 0)], 1, -0.25))).toContain('yet it is inside')
+    expect(whySentence(reportOf([...positive, candidate('face', 4, 0)], 1, -0.25))).toContain('yet J < 0 inside')
     const negative = [...positive, candidate('face', 4, -1)]
     expect(whySentence(reportOf(negative, 1, -2))).toBe(whySentence(reportOf(negative)))
   })

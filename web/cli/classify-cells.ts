@@ -3,9 +3,8 @@ import { Worker } from 'node:worker_threads'
 import { loadBatchCore } from '../core/batch/batch-core'
 import { type Classifier, classifierOn, type Progress } from '../core/batch/classify'
 import type { Wanted } from '../core/batch/lists'
-import { Pool } from '../core/batch/pool'
-import { threadPort } from '../core/batch/ports'
 import { defaultWorkers } from '../core/batch/start'
+import { threadPort } from '../core/worker-ports'
 import type { ClassifyCells } from '../mesh/check'
 import type { Engine } from './engine'
 
@@ -29,7 +28,7 @@ export async function startCellClassifier(
   async function onThreads(): Promise<Classifier> {
     const script = await workerScript()
     const spawn = () => threadPort(new Worker(script, { eval: true }))
-    return classifierOn(new Pool(module, defaultWorkers(), spawn))
+    return classifierOn({ start: module, size: defaultWorkers(), spawn })
   }
 
   async function classify<W extends Wanted>(points: Float64Array, cells: Uint32Array, wanted: W) {

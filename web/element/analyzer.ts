@@ -6,8 +6,9 @@
 import type { Core, JacobianReport, Report } from '../core/report'
 import { type Surface, zeroSurface } from '../core/zero-surface'
 import type { Vertices } from '../model/hexahedron'
-import type { State } from '../model/state'
+import { type State, sliceOf } from '../model/state'
 import type { Inquiry, Panel } from '../panels/panel'
+import { sceneSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 
 /** Cells along each axis of the grid for the surface jacdet = 0, between gestures and in one. */
@@ -74,9 +75,9 @@ export class Analyzer {
   }
 
   /** A coarser surface while a gesture runs, unless a finer one is there. */
-  #surfaced({ faceDisplay, gestureStart }: State, report: Report | null): Surface | null {
-    if (faceDisplay !== 'inside' || report === null) return null
-    const cells = gestureStart === null ? SURFACE_CELLS : GESTURE_SURFACE_CELLS
+  #surfaced(state: State, report: Report | null): Surface | null {
+    if (sliceOf(sceneSlice, state).faceDisplay !== 'inside' || report === null) return null
+    const cells = state.gestureStart === null ? SURFACE_CELLS : GESTURE_SURFACE_CELLS
     if (this.#zeroSurface?.report !== report || this.#zeroSurface.cells < cells)
       this.#zeroSurface = { report, cells, surface: zeroSurface(report.bernstein, cells) }
     return this.#zeroSurface.surface

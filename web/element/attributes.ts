@@ -1,9 +1,11 @@
-/** The attributes of `<hex-lens>`: their values, and the sentences that refuse others. */
+/** The attributes of `<hex-lens>`: their values, the sentences that refuse others, and what each changes. */
 
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
 import { numberText } from '../model/number-text'
-import { type Preset, presets } from '../model/presets'
-import { type CameraView, CONTROLS, type Control } from '../model/state'
+import { type Preset, presetOf, presets, presetVertices } from '../model/presets'
+import { type CameraView, type Dispatch, type State, sliceChange } from '../model/state'
+import { CONTROLS, type Control, controlsSlice } from '../views/scene-slices'
+import type { Problem } from '../views/view'
 import type { Composition } from './composition'
 import { HexLensError } from './hex-lens-error'
 
@@ -153,4 +155,96 @@ function refusal(name: AttributeName, why: string): HexLensError {
 
 function shortened(text: string): string {
   return text.length > 40 ? `${text.slice(0, 40)}…` : text
+}
+
+/** The element whose attributes they are. */
+export interface AttributeHost {
+  getAttribute(name: string): string | null
+  setAttribute(name: string, text: string): void
+  removeAttribute(name: string): void
+  raise(problem: Problem): void
+  clear(code: Problem['code']): void
+}
+
+/** The rest of what an attribute may ask for, beside actions. */
+export interface AttributeActions {
+  readonly state: () => State
+  readonly dispatch: Dispatch
+  readonly showViews: (names: readonly string[]) => void
+  readonly setReadonly: (isReadonly: boolean) => void
+  readonly lookFrom: (camera: CameraView | null) => void
+  readonly setPoster: (address: string | null) => void
+  readonly setLabel: (label: string | null) => void
+}
+
+/** Turns attributes into actions, and writes the vertices and the preset back. */
+export class AttributeInput {
+  readonly #host: AttributeHost
+  readonly #actions: AttributeActions
+  readonly #names: ViewNames
+  #isReflecting = false
+  readonly #takes: { readonly [Name in AttributeName]: (value: Attributes[Name]) => void } = {
+    vertices: vertices => this.#takeElement(vertices, null),
+    preset: preset => this.#takeElement(null, preset),
+    views: names => this.#actions.showViews(names),
+    controls: controls => this.#actions.dispatch(sliceChange(controlsSlice, { controls })),
+    camera: camera => this.#actions.lookFrom(camera),
+    theme: () => {}, // the style sheet does it
+    readonly: isReadonly => this.#actions.setReadonly(isReadonly),
+    poster: poster => this.#actions.setPoster(poster),
+    label: label => this.#actions.setLabel(label),
+  }
+
+  constructor(host: AttributeHost, names: ViewNames, actions: AttributeActions) {
+    this.#host = host
+    this.#names = names
+    this.#actions = actions
+  }
+
+  /** Does what an attribute says; one that is not understood changes nothing. */
+  take(name: AttributeName): void {
+    if (this.#isReflecting) return
+    try {
+      const take = this.#takes[name] as (value: unknown) => void
+      take(this.#valueOf(name))
+      this.#host.clear(`bad-${name}`)
+    } catch (reason) {
+      if (!(reason instanceof HexLensError)) throw reason
+      this.#host.raise({ code: `bad-${name}`, message: reason.message })
+    }
+  }
+
+  /** Writes the present vertices and preset. */
+  reflect({ vertices, preset }: State): void {
+    this.#isReflecting = true
+    this.#host.setAttribute('vertices', verticesText(vertices))
+    if (preset === null) this.#host.removeAttribute('preset')
+    else this.#host.setAttribute('preset', preset)
+    this.#isReflecting = false
+    for (const name of ['vertices', 'preset'] as const) this.#host.clear(`bad-${name}`)
+  }
+
+  /** The two attributes, in any order before the first frame, are where the element starts. */
+  #takeElement(vertices: Vertices | null, preset: Preset | null): void {
+    const isStarting = this.#actions.state().phase === 'starting'
+    const own = vertices ?? (isStarting ? this.#understood('vertices') : null)
+    const from = preset ?? (isStarting ? this.#understood('preset') : null)
+    const first = own ?? (from && presetVertices(from))
+    if (!first) return
+    const start = from && from.valid !== null ? presetVertices(from) : first
+    this.#actions.dispatch({ type: 'set-vertices', vertices: first, preset: from?.id ?? presetOf(first), start })
+  }
+
+  #valueOf<Name extends AttributeName>(name: Name): Attributes[Name] {
+    return readAttribute(name, this.#host.getAttribute(name), this.#names)
+  }
+
+  /** The value of an attribute; null if there is none, or its text is not understood. */
+  #understood<Name extends AttributeName>(name: Name): Attributes[Name] | null {
+    try {
+      return this.#valueOf(name)
+    } catch {
+      return null // its own call of `take` refuses it
+    }
+  }
 }

@@ -14,27 +14,18 @@ export class Changes {
   readonly #listener: ChangeListener
   /** The vertices of the last frame; null before the first, which has nothing to compare with. */
   #told: Vertices | null = null
-  /** The vertices after the last change that was done. */
-  #committed: Vertices
+  /** The vertices after the last change that was done; likewise. */
+  #committed: Vertices | null = null
   #toldValid: boolean | null = null
 
-  constructor(vertices: Vertices, listener: ChangeListener) {
-    this.#committed = vertices
+  constructor(listener: ChangeListener) {
     this.#listener = listener
-  }
-
-  /** False before the first frame: vertices set until then are the start, not a change. */
-  get haveBegun(): boolean {
-    return this.#told !== null
-  }
-
-  begin(vertices: Vertices): void {
-    this.#committed = vertices
   }
 
   /** Called in each frame, on the screen or not. */
   tell({ vertices, gestureStart }: State, report: Report | null): void {
     const isMoved = this.#told !== null && this.#told !== vertices
+    this.#committed ??= vertices
     this.#told = vertices
     if (isMoved) this.#listener.tell('hex-input')
     if (report && report.valid !== this.#toldValid) {

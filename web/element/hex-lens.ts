@@ -1,35 +1,31 @@
 /**
  * `<hex-lens>`: one hexahedron and everything said about it. It owns the state, asks the core once
  * a frame and hands the same frame to every view. Nothing is scheduled while nothing changes,
- * nothing is drawn while nobody sees it. docs/element.md lists attributes, properties, methods,
- * events, slots, parts and custom properties.
- *
- * Beyond those, for the page around it: `permalink` is the address that opens this element again,
- * bit for bit; `raise` and `clear` are for what the page has to say about a problem.
+ * nothing is drawn while nobody sees it. `npm run reference` writes custom-elements.json and
+ * docs/element.md from the comments of the class and of its public members.
  */
 
 import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
 import { InputReader } from '../input/input-reader'
-import { listenForInput } from '../input/pasted-input'
 import type { Vertices } from '../model/hexahedron'
 import { encodePermalink } from '../model/permalink'
-import { type Preset, presetOf, presets, presetVertices } from '../model/presets'
+import { presetOf, presets, presetVertices } from '../model/presets'
 import type { Action, Cameras } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore } from '../model/store'
 import { knownPanels, type Panel } from '../panels/panel'
+import type { SceneState } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
 import { Analyzer } from './analyzer'
 import {
+  AttributeInput,
   type AttributeName,
-  type Attributes,
   attributeNames,
   checkedVertices,
   FIRST_VIEWS,
   readAttribute,
   readVertices,
-  verticesText,
   viewNames,
 } from './attributes'
 import { Changes } from './changes'
@@ -59,8 +55,91 @@ const CHANGES: ReadonlySet<Action['type']> = new Set([
 /** Properties that a page may have set on the element before its script came. */
 const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'theme', 'poster', 'label', 'readOnly']
 
+/**
+ * @summary One trilinear hexahedron to drag, coloured by its Jacobian determinant, with a certain
+ *   verdict.
+ * @tag hex-lens
+ *
+ * @attr {24 numbers} [vertices=the preset’s] - Eight vertices x, y, z in VTK_HEXAHEDRON order.
+ *   Commas, brackets and white space may stand between the numbers. Every committed change is
+ *   written back, bit for bit.
+ * @attr {a preset’s id} [preset=looks-fine] - The element to start from. If `vertices` is there
+ *   too, Reset goes back to the preset.
+ * @attr {a list of words, or `all`} [views=scene verdict] - What is shown: `scene`, `verdict`,
+ *   `toolbar`, `checks`, `proof`, `vertices`, and the panels that open on request: `face-maps`,
+ *   `algorithm`, `inside`, `morph`, `node-order`, `paste`, `take-away`, `embed`. The pages of
+ *   Hexlens add `nearest`; elsewhere the word is ignored. With the scene and the verdict alone, the
+ *   verdict is a line or two below the scene.
+ * @attr {a list of words, `all` or `none`} [controls=all] - Buttons of the scene: `faces`,
+ *   `reference`, `turn`, `fit`, `help`. The keys work without their buttons.
+ * @attr {azimuth, elevation, zoom} [camera=-58 24 1] - The first view: two angles in degrees, and
+ *   how many times nearer than the view in which the element just fits. Turning by the reader
+ *   changes `state`, not this.
+ * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` follows the reader’s system.
+ * @attr {there or not} [readonly=not] - The reader may look and turn, but not change the element.
+ *   Programs may change it.
+ * @attr {an address} [poster=none] - A picture in the element’s place until it is drawn.
+ * @attr {a text} [label=none] - The name of the whole for screen readers.
+ *
+ * @fires {CustomEvent<null>} hex-input - The vertices have changed. At most once a frame, also
+ *   during a drag.
+ * @fires {CustomEvent<null>} hex-change - A change of the vertices is committed: a drag has ended,
+ *   or a number was entered.
+ * @fires {CustomEvent<{ valid: boolean }>} hex-verdict - The first verdict, and each one that
+ *   differs from the one before.
+ * @fires {CustomEvent<{ code: string, message: string }>} hex-error - Something does not work, and
+ *   `message` says so in a sentence. The codes: an attribute that is not understood (`bad-vertices`
+ *   and so on), `core-failed`, `no-webgl`, `context-lost`, `input-refused`, `not-read`.
+ *
+ * @slot - Shown until the element is drawn, and where it never is: without JavaScript, for one.
+ * @slot caption - Below the element, in the page’s own style.
+ *
+ * @csspart lens - The whole element.
+ * @csspart head - The part above the picture: toolbar and problems.
+ * @csspart stage - The place of the scene.
+ * @csspart panels - The part beside or below the scene.
+ * @csspart caption - The box of the slot of that name.
+ * @csspart fallback - The box of the poster and of the content between the tags.
+ * @csspart poster - The picture in the fallback.
+ * @csspart scene - A view, as are all parts that follow.
+ * @csspart verdict
+ * @csspart toolbar
+ * @csspart problems
+ * @csspart announcer
+ * @csspart checks
+ * @csspart minimum - Shown with the verdict: the numbers behind it.
+ * @csspart proof
+ * @csspart vertices
+ * @csspart face-maps
+ * @csspart algorithm
+ * @csspart inside
+ * @csspart nearest - On the pages of Hexlens only.
+ * @csspart morph
+ * @csspart node-order
+ * @csspart paste
+ * @csspart reading - Beside the verdict where `paste` is among the views: what was read, and the
+ *   cells to choose from.
+ * @csspart take-away
+ * @csspart embed
+ *
+ * @cssprop [--hl-aspect-ratio=4 / 3] - Aspect ratio of the element’s box, if its height is not
+ *   given.
+ * @cssprop [--hl-stage-height=minmax(11rem, 1fr)] - Height of the picture’s row if panels are below
+ *   it: any value of grid-template-rows.
+ * @cssprop [--hl-split-stage-height=minmax(22rem, 1fr)] - The same while the reference cube is
+ *   below the element.
+ * @cssprop [--hl-rem=16px] - The unit for the sizes of text and marks, whatever the page’s own text
+ *   size is.
+ * @cssprop [--hl-paper=#fcfcfb, dark #17181a] - The background.
+ * @cssprop [--hl-ink=#1c1e21, dark #e9e9e6] - Text and lines.
+ * @cssprop [--hl-muted=#6a6f76, dark #9a9fa6] - Text of less weight.
+ * @cssprop [--hl-line=#e4e5e3, dark #303336] - Hairlines.
+ * @cssprop [--hl-negative=#b2182b, dark #f4787a] - The hue of negative jacdet.
+ * @cssprop [--hl-positive=#2166ac, dark #74b3f0] - The hue of positive jacdet.
+ * @cssprop [--hl-neutral=#f6f6f4, dark #26282b] - The colour of zero.
+ */
 export class HexLens extends ReflectingElement {
-  static readonly observedAttributes = attributeNames
+  static readonly observedAttributes: readonly AttributeName[] = attributeNames
   /** `define` sets it once, before an element is made. */
   static composition: Required<Composition>
 
@@ -86,10 +165,10 @@ export class HexLens extends ReflectingElement {
     () => this.#frames.schedule(),
   )
   readonly #problems = new Map<Problem['code'], Problem>()
-  readonly #store = createStore(presetVertices(presets[0]), presets[0].id)
-  readonly #changes = new Changes(this.#store.state.vertices, {
+  readonly #store = createStore(presetVertices(presets[0]), presets[0].id, 'starting')
+  readonly #changes = new Changes({
     tell: (event: string, detail: unknown = null) => this.#tell(event, detail),
-    reflect: () => this.#reflect(),
+    reflect: () => this.#attributes.reflect(this.#store.state),
   })
   readonly #frames = new FrameLoop(this, frame => this.#onFrame(frame))
   /** Names of panels, as the attribute last said them. */
@@ -103,9 +182,21 @@ export class HexLens extends ReflectingElement {
     refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
     onNews: () => this.#frames.schedule(),
   })
-  #cameras: Cameras | null = null
-  #drawnCameras: Cameras | null = null
-  #isReflecting = false
+  readonly #attributes = new AttributeInput(this, viewNames(HexLens.composition), {
+    state: () => this.#store.state,
+    dispatch: action => this.#dispatch(action),
+    showViews: names => this.#showPanels(names),
+    setReadonly: isReadonly => {
+      this.#dispatch({ type: 'set-readonly', isReadonly })
+      this.#showPanels(this.#viewNames)
+    },
+    lookFrom: camera => {
+      const referenceCamera = this.#camerasNow?.referenceCamera ?? null
+      this.#dispatch({ type: 'look', cameras: { camera, referenceCamera } })
+    },
+    setPoster: address => this.#views.setPoster(address),
+    setLabel: label => this.#views.setLabel(label),
+  })
 
   constructor() {
     super()
@@ -116,10 +207,7 @@ export class HexLens extends ReflectingElement {
       const { state } = this.#store
       return pointInFull(this.#analyzer.probed(state), state.referenceCube)
     })
-    listenForInput(shadow, this.#views.lens, {
-      isWelcome: () => this.#input.isWelcome(),
-      take: input => this.#input.read(input),
-    })
+    this.#input.listen(shadow, this.#views.lens)
   }
 
   connectedCallback(): void {
@@ -131,7 +219,7 @@ export class HexLens extends ReflectingElement {
   }
 
   disconnectedCallback(): void {
-    this.#cameras = this.#camerasNow
+    this.#keepCameras()
     this.#frames.stop()
     this.#analyzer.stop()
     this.#views.end()
@@ -139,62 +227,69 @@ export class HexLens extends ReflectingElement {
   }
 
   attributeChangedCallback(name: AttributeName): void {
-    if (this.#isReflecting) return
-    try {
-      this.#take(name)
-      this.clear(`bad-${name}`)
-    } catch (reason) {
-      if (!(reason instanceof HexLensError)) throw reason
-      this.raise({ code: `bad-${name}`, message: reason.message })
-    }
+    this.#attributes.take(name)
   }
 
+  /**
+   * A copy of the 24 coordinates. Takes any array-like of 24 finite numbers, or a text as in the
+   * attribute. Once the element is drawn, an assignment is one step to undo. For anything else it
+   * throws HexLensError and keeps the old vertices.
+   */
   get vertices(): number[] {
     return this.#store.state.vertices.slice()
   }
 
-  /** Takes 24 finite numbers in an array-like or a text. Throws HexLensError for anything else. */
   set vertices(given: ArrayLike<number> | string) {
     const vertices = typeof given === 'string' ? readVertices(given) : checkedVertices(given)
     this.#setVertices(vertices, presetOf(vertices))
   }
 
-  get state(): StateDocument {
-    return stateDocument(this.#store.state, this.#camerasNow, knownPanels(HexLens.composition.panels))
+  /**
+   * Everything that a reader expects to come back, as plain data to keep as JSON:
+   * `docs/state.schema.json`. Version 1 can always be read. A later one throws HexLensError with
+   * the code `unknown-version`, anything else outside the schema with another. A change of the
+   * vertices is one step to undo.
+   */
+  get state(): StateDocument & SceneState {
+    const state = { ...this.#store.state, cameras: this.#camerasNow }
+    return stateDocument(state, knownPanels(HexLens.composition.panels)) as StateDocument & SceneState
   }
 
-  /** Throws HexLensError outside the schema. Changes of the element are one step to undo. */
   set state(given: StateDocument) {
     const result = readState(given, knownPanels(HexLens.composition.panels))
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
-    const { state, cameras } = result.value
-    if (!this.#changes.haveBegun) this.#begin(state.vertices, state.preset, state.start)
-    this.#cameras = cameras
-    this.#store.dispatch({ type: 'restore', state })
-    this.#frames.schedule()
+    this.#dispatch({ type: 'restore', state: result.value })
   }
 
+  /** The id of the preset that the element started from. Throws HexLensError if given another text. */
   get preset(): string | null {
     return this.#store.state.preset
   }
 
-  /** Throws HexLensError unless there is such a preset. */
   set preset(id: string | null) {
     const preset = readAttribute('preset', id, viewNames(HexLens.composition))
     if (preset) this.#setVertices(presetVertices(preset), preset.id)
   }
 
+  /**
+   * The core’s report on exactly these vertices. Null while the core is loading, or if it could not
+   * start.
+   */
   get report(): Report | null {
     return this.#analyzer.report(this.#store.state.vertices)
   }
 
+  /** The address of this page that opens these vertices again, bit for bit. */
   get permalink(): string {
     const address = new URL(document.location.href)
     address.hash = encodePermalink(this.#store.state.vertices)
     return address.href
   }
 
-  /** How far its scrolling boxes are scrolled, in CSS pixels, to set it so again; 0 where none is given. */
+  /**
+   * How far each of its scrolling boxes is scrolled, in CSS pixels. Takes what it gave, to scroll
+   * them back; an empty list scrolls to the top.
+   */
   get scrollPositions(): readonly number[] {
     return this.#views.scrollers.map(({ scrollTop }) => scrollTop)
   }
@@ -203,20 +298,25 @@ export class HexLens extends ReflectingElement {
     for (const [i, scroller] of this.#views.scrollers.entries()) scroller.scrollTop = positions[i] ?? 0
   }
 
-  /** True if all that is to be seen is drawn: views come when they are seen or opened. */
+  /**
+   * True when everything in sight is drawn. Views are made when the element is first seen, panels
+   * when they are opened.
+   */
   get complete(): boolean {
-    return this.#frames.isSeen && this.#changes.haveBegun && this.#frames.isIdle && this.#views.isComplete
+    return this.#frames.isSeen && this.#store.state.phase === 'begun' && this.#frames.isIdle && this.#views.isComplete
   }
 
+  /** Undoes one step of the element. */
   undo(): void {
     this.#dispatch({ type: 'undo' })
   }
 
+  /** Redoes one step of the element. */
   redo(): void {
     this.#dispatch({ type: 'redo' })
   }
 
-  /** Reports on any 24 numbers, by default the element's own. Rejects with HexLensError. */
+  /** The core’s report on any 24 numbers, or on the element’s own. Rejects with HexLensError. */
   async analyze(given: ArrayLike<number> = this.#store.state.vertices): Promise<Report> {
     const vertices = checkedVertices(given)
     const core = await fetchCore(HexLens.composition.core).catch(reason => {
@@ -230,28 +330,42 @@ export class HexLens extends ReflectingElement {
     return result.value
   }
 
-  /** The scene as it is; dropped on an element it opens the vertices. Rejects with HexLensError. */
+  /**
+   * The scene as it is. The file contains the vertices: dropped on the page, it opens them again.
+   * Rejects with HexLensError.
+   */
   async toPNG(): Promise<Blob> {
     const [{ figurePng }, figure] = await Promise.all([import('../views/figure-files'), this.#figure('scene')])
     return figurePng(figure, this.#store.state.vertices)
   }
 
-  /** The scene, or the open face maps, as a document of its own. Rejects with HexLensError. */
+  /**
+   * The scene, or the face maps while their panel is open, as a document of its own. Rejects with
+   * HexLensError.
+   *
+   * @param {'scene' | 'face-maps'} name
+   */
   async toSVG(name: FigureName = 'scene'): Promise<string> {
     const [{ figureSvg }, figure] = await Promise.all([import('../views/figure-files'), this.#figure(name)])
     return figureSvg(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
   }
 
   /**
-   * Reads a text, a file, or files that belong together, as if it were dropped here. One element
-   * becomes the element, as one step to undo; of several the reader chooses one if the view `paste`
-   * is shown. `hex-error` tells what cannot be read.
+   * Reads a text, a file, or files that belong together, as if dropped here. One element becomes
+   * the element, as one step to undo. Of several the reader chooses one, where `paste` is among the
+   * views. What cannot be read is told by `hex-error`.
    */
   offer(given: string | File | readonly File[]): void {
     if (typeof given === 'string') this.#input.read({ text: given })
     else this.#input.read({ files: given instanceof File ? [given] : given })
   }
 
+  /**
+   * Shows a sentence of the page’s own above the element, and tells `hex-error`. A problem of the
+   * same code takes its place.
+   *
+   * @param {{ code: string, message: string }} problem
+   */
   raise(problem: Problem): void {
     if (this.#problems.get(problem.code)?.message === problem.message) return
     this.#problems.set(problem.code, problem)
@@ -259,6 +373,11 @@ export class HexLens extends ReflectingElement {
     this.#tell('hex-error', problem)
   }
 
+  /**
+   * Takes the problem of that code back.
+   *
+   * @param {string} code
+   */
   clear(code: Problem['code']): void {
     if (this.#problems.delete(code)) this.#frames.schedule()
   }
@@ -271,50 +390,6 @@ export class HexLens extends ReflectingElement {
     Reflect.set(this, name, early.value)
   }
 
-  /** Does what an attribute says. Throws HexLensError, with nothing changed. */
-  #take(name: AttributeName): void {
-    const takes: { readonly [Name in AttributeName]: (value: Attributes[Name]) => void } = {
-      vertices: vertices => this.#takeElement(vertices, null),
-      preset: preset => this.#takeElement(null, preset),
-      views: names => this.#showPanels(names),
-      controls: controls => this.#dispatch({ type: 'show-controls', controls }),
-      camera: camera => {
-        this.#cameras = { camera, referenceCamera: this.#camerasNow.referenceCamera }
-        this.#frames.schedule()
-      },
-      theme: () => {}, // the style sheet does it
-      readonly: isReadonly => {
-        this.#dispatch({ type: 'set-readonly', isReadonly })
-        this.#showPanels(this.#viewNames)
-      },
-      poster: poster => this.#views.setPoster(poster),
-      label: label => this.#views.setLabel(label),
-    }
-    const take = takes[name] as (value: unknown) => void
-    take(readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition)))
-  }
-
-  /** The two attributes, in any order before the first frame, are where the element starts. */
-  #takeElement(vertices: Vertices | null, preset: Preset | null): void {
-    if (!this.#changes.haveBegun) {
-      const own = vertices ?? this.#understood('vertices')
-      const from = preset ?? this.#understood('preset')
-      const start = from && from.valid !== null ? presetVertices(from) : own
-      const first = own ?? (from && presetVertices(from))
-      if (first) this.#begin(first, from?.id ?? presetOf(first), start ?? first)
-    } else if (vertices) this.#setVertices(vertices, presetOf(vertices))
-    else if (preset) this.#setVertices(presetVertices(preset), preset.id)
-  }
-
-  /** The value of an attribute; null if there is none, or its text is not understood. */
-  #understood<Name extends AttributeName>(name: Name): Attributes[Name] | null {
-    try {
-      return readAttribute(name, this.getAttribute(name), viewNames(HexLens.composition))
-    } catch {
-      return null // its own call of #take refuses it
-    }
-  }
-
   get #shownPanels(): readonly Panel[] {
     const { isReadonly } = this.#store.state
     return HexLens.composition.panels.filter(
@@ -325,32 +400,30 @@ export class HexLens extends ReflectingElement {
   #showPanels(names: readonly string[]): void {
     this.#viewNames = names
     if (!this.isConnected) return
-    this.#cameras = this.#camerasNow
+    this.#keepCameras()
     this.#views.begin(this.#shownPanels)
     this.#frames.schedule()
   }
 
   #setVertices(vertices: Vertices, preset: string | null): void {
-    if (this.#changes.haveBegun) this.#dispatch({ type: 'set-vertices', vertices, preset })
-    else this.#begin(vertices, preset, vertices)
-  }
-
-  /** Vertices set before the first frame are where the element starts, not a step to undo. */
-  #begin(vertices: Vertices, preset: string | null, start: Vertices): void {
-    this.#store.dispatch({ type: 'initialize', vertices, preset, start })
-    this.#changes.begin(this.#store.state.vertices)
+    this.#dispatch({ type: 'set-vertices', vertices, preset })
   }
 
   /** The cameras as the reader has turned them, or as they were asked for. */
-  get #camerasNow(): Cameras {
-    const seen = this.#cameras === this.#drawnCameras ? this.#views.cameras() : null
-    return seen ?? this.#cameras ?? { camera: null, referenceCamera: null }
+  get #camerasNow(): Cameras | null {
+    return this.#views.cameras() ?? this.#store.state.cameras
   }
 
+  /** Views that are made anew look the same way. */
+  #keepCameras(): void {
+    this.#dispatch({ type: 'look', cameras: this.#camerasNow })
+  }
+
+  /** The first frame waits for the core. */
   #dispatch(action: Action): void {
     const before = this.#store.state
     this.#store.dispatch(action)
-    if (this.#store.state !== before) this.#frames.schedule()
+    if (this.#store.state !== before && before.phase === 'begun') this.#frames.schedule()
   }
 
   #dispatchOfReader(action: Action): void {
@@ -363,7 +436,7 @@ export class HexLens extends ReflectingElement {
     try {
       this.#analyzer.core = await fetchCore(HexLens.composition.core)
       this.clear('core-failed')
-      if (this.isConnected) this.#changes.tell(this.#store.state, this.report)
+      if (this.isConnected) this.#tellChanges()
       this.#frames.schedule()
     } catch (reason) {
       const why = reason instanceof Error ? reason.message : String(reason)
@@ -377,31 +450,23 @@ export class HexLens extends ReflectingElement {
   }
 
   #onFrame({ time, isNews, isSeen, isForPaper }: DueFrame) {
+    this.#tellChanges()
     const { state } = this.#store
-    this.#changes.tell(state, this.#analyzer.report(state.vertices))
     if (!isSeen) return { isWaiting: false, isUnmade: false }
     const frame: Frame = {
       state,
       ...this.#analyzer.analyze(state),
       reading: this.#input.reading,
-      cameras: this.#cameras,
       problems: [...this.#problems.values()],
       isForPaper,
     }
     this.#views.draw(frame, isNews, time)
-    this.#drawnCameras = frame.cameras
     return this.#views
   }
 
-  /** Writes the present vertices and preset to the attributes. */
-  #reflect(): void {
-    const { vertices, preset } = this.#store.state
-    this.#isReflecting = true
-    this.setAttribute('vertices', verticesText(vertices))
-    if (preset === null) this.removeAttribute('preset')
-    else this.setAttribute('preset', preset)
-    this.#isReflecting = false
-    for (const name of ['vertices', 'preset'] as const) this.clear(`bad-${name}`)
+  #tellChanges(): void {
+    this.#store.dispatch({ type: 'begin' })
+    this.#changes.tell(this.#store.state, this.report)
   }
 
   #figure(name: FigureName): Promise<Figure> {

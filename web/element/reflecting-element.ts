@@ -4,6 +4,7 @@
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement)
 
 export abstract class ReflectingElement extends Base {
+  /** Reflects the attribute, as do the next six. */
   declare views: string | null
   declare controls: string | null
   declare camera: string | null

@@ -1,4 +1,5 @@
 import type { Action, State } from '../model/state'
+import { helpToggled } from '../views/scene-slices'
 
 /** The step in history that a key asks for (Ctrl or Cmd with Z, Shift+Z or Y), else null. */
 export function historyStep(event: KeyboardEvent): 'undo' | 'redo' | null {
@@ -9,12 +10,11 @@ export function historyStep(event: KeyboardEvent): 'undo' | 'redo' | null {
 }
 
 /** The action that a key asks for, else null: a question mark outside fields, or a step in history. */
-export function shortcut(event: KeyboardEvent, { helpShown, gestureStart }: State): Action | null {
+export function shortcut(event: KeyboardEvent, state: State): Action | null {
   const target = event.target as Element
   if (event.defaultPrevented) return null
-  if (event.key === '?' && !target.matches('input, textarea, select'))
-    return { type: 'show-help', helpShown: !helpShown }
+  if (event.key === '?' && !target.matches('input, textarea, select')) return helpToggled(state)
   const step = historyStep(event)
-  const isMidEdit = gestureStart !== null || target.matches('[aria-invalid]')
+  const isMidEdit = state.gestureStart !== null || target.matches('[aria-invalid]')
   return step === null || isMidEdit ? null : { type: step }
 }

@@ -1,13 +1,19 @@
 /** Reads what is pasted, dropped or opened: what it finds becomes the element, or a list of which one cell can be chosen. */
-
+import { runAlone, type WorkerPort, wordsOf } from '../core/workers'
+import { CheckedCells } from '../mesh/checked-cells'
+import { isNamed } from '../mesh/source'
 import type { Vertices } from '../model/hexahedron'
 import { reordered } from '../model/node-order'
 import type { NodeOrder } from '../model/node-orders'
-import type { PastedInput } from './pasted-input'
-import type { ReadInputOptions, ReadingOutcome, ReadingWorker } from './read-input'
-import type { InputHost, Reading, ShownCell } from './reading'
+import { droppedIn, type PastedInput, pastedIn, takesDrop } from './pasted-input'
+import type { InputHost, Reading, ReadingProgress, ShownCell } from './reading'
+import type { ReadingJobs, ReadingOutcome } from './serve-reading'
+
+/** Resolves to what starts the worker that reads, which each build has somewhere else; rejects where there is none to be had. */
+export type ReadingWorker = () => Promise<() => WorkerPort>
 
 export interface InputTaker {
+  /** True if anything is taken at all. */
   isWelcome(): boolean
   /** Makes them the element and returns them as the element has them. */
   take(vertices: Vertices): Vertices
@@ -19,7 +25,7 @@ export interface InputTaker {
 
 export class InputReader implements InputHost {
   reading: Reading | null = null
-  readonly #worker: () => Promise<ReadingWorker>
+  readonly #worker: ReadingWorker
   readonly #taker: InputTaker
   #underWay: AbortController | null = null
   /** Undo and redo come back to the same lists of vertices. */
@@ -27,13 +33,32 @@ export class InputReader implements InputHost {
   /** Files that name others which were not given; they wait for these. */
   #waiting: { readonly files: readonly File[]; readonly missing: readonly string[] } | null = null
 
-  constructor(worker: () => Promise<ReadingWorker>, taker: InputTaker) {
+  constructor(worker: ReadingWorker, taker: InputTaker) {
     this.#worker = worker
     this.#taker = taker
   }
 
   isWelcome(): boolean {
     return this.#taker.isWelcome()
+  }
+
+  /** Listens for what is pasted or dropped anywhere in an element; `lens` shows where a drop will be taken. */
+  listen(shadow: ShadowRoot, lens: HTMLElement): void {
+    const onInput = (input: PastedInput | null) => input !== null && this.read(input)
+    const onDrag = (isTaken: boolean) => lens.classList.toggle('is-drop-target', isTaken)
+    shadow.addEventListener('paste', event => {
+      if (this.#taker.isWelcome()) onInput(pastedIn(event as ClipboardEvent))
+    })
+    shadow.addEventListener('dragover', event => {
+      const { dataTransfer } = event as DragEvent
+      if (!onDrag(this.#taker.isWelcome() && takesDrop(event as DragEvent)) || !dataTransfer) return
+      event.preventDefault()
+      dataTransfer.dropEffect = 'copy'
+    })
+    for (const type of ['dragleave', 'dragend', 'drop']) shadow.addEventListener(type, () => onDrag(false))
+    shadow.addEventListener('drop', event => {
+      if (this.#taker.isWelcome()) onInput(droppedIn(event as DragEvent))
+    })
   }
 
   read(input: PastedInput): void {
@@ -63,22 +88,32 @@ export class InputReader implements InputHost {
     const underWay = new AbortController()
     this.#underWay = underWay
     const name = nameOf(input)
-    this.#set({ state: 'under-way', name, step: 'reading', fraction: 0 })
-    const outcome = await outcomeOf(input, {
-      readingWorker: this.#worker,
-      signal: underWay.signal,
-      onProgress: ({ step, fraction }) => {
-        if (this.#underWay === underWay) this.#set({ state: 'under-way', name, step, fraction })
-      },
-    })
-    if (this.#underWay !== underWay) return
+    const onProgress = (progress: ReadingProgress) => this.#set({ state: 'under-way', name, ...progress })
+    onProgress({ step: 'reading', fraction: 0 })
+    const outcome = await this.#outcomeOf(input, { signal: underWay.signal, onProgress })
+    if (underWay.signal.aborted) return
     this.#underWay = null
-    if (outcome.kind === 'refused') this.#refuse(outcome.message, input, outcome.missing)
-    else await this.#take(outcome)
+    if ('refused' in outcome) this.#refuse(outcome.refused, input, outcome.missing)
+    else this.#take(outcome)
   }
 
-  async #take({ summary, columns }: Extract<ReadingOutcome, { kind: 'read' }>): Promise<void> {
-    const { CheckedCells } = await import('../mesh/checked-cells')
+  /** Whatever ends the worker becomes a sentence. */
+  async #outcomeOf(
+    input: PastedInput,
+    options: { readonly signal: AbortSignal; readonly onProgress: (progress: ReadingProgress) => void },
+  ): Promise<ReadingOutcome> {
+    try {
+      const spawn = await this.#worker().catch(reason => () => {
+        throw reason
+      })
+      const worker = { name: 'the worker that reads', spawn, start: null }
+      return await runAlone<ReadingJobs, 'read'>(worker, { kind: 'read', given: input }, options)
+    } catch (reason) {
+      return { refused: `Nothing was read: ${wordsOf(reason).replace(/[.]?$/, '.')}`, missing: [] }
+    }
+  }
+
+  #take({ summary, columns }: Extract<ReadingOutcome, { columns: unknown }>): void {
     const cells = new CheckedCells(columns)
     const { id, why } = cells.at(0)
     if (cells.count === 1 && cells.verticesOf(0) === null) {
@@ -103,8 +138,7 @@ export class InputReader implements InputHost {
   #completed(input: PastedInput): PastedInput {
     if (!('files' in input) || this.#waiting === null) return input
     const { files, missing } = this.#waiting
-    const names = missing.map(name => name.split(/[\\/]/).at(-1)?.toLowerCase())
-    if (!input.files.some(({ name }) => names.includes(name.toLowerCase()))) return input
+    if (!input.files.some(file => missing.some(name => isNamed(file, name)))) return input
     const others = files.filter(file => !input.files.some(({ name }) => name === file.name))
     return { files: [...others, ...input.files] }
   }
@@ -112,17 +146,6 @@ export class InputReader implements InputHost {
   #set(reading: Reading | null): void {
     this.reading = reading
     this.#taker.onNews()
-  }
-}
-
-/** The code that reads comes with the first input. */
-async function outcomeOf(input: PastedInput, options: ReadInputOptions): Promise<ReadingOutcome> {
-  try {
-    const { readInput } = await import('./read-input')
-    return await readInput(input, options)
-  } catch (reason) {
-    const why = reason instanceof Error ? reason.message : reason
-    return { kind: 'refused', message: `Nothing was read: what reads was not loaded (${why}).`, missing: [] }
   }
 }
 

@@ -3,11 +3,25 @@
 import type { CheckedCells } from '../mesh/checked-cells'
 import type { Vertices } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
-import type { ReadingStep, ReadSummary } from './messages'
 import type { PastedInput } from './pasted-input'
 
+export interface ReadingProgress {
+  readonly step: 'reading' | 'deciding'
+  readonly fraction: number
+}
+
+/** A mesh in words. */
+export interface ReadSummary {
+  /** "VTU"; several, where several meshes were given. */
+  readonly format: string
+  /** "15 hexahedra, 10 INVALID, 5 valid." */
+  readonly headline: string
+  /** Cells that are not checked, and notes. */
+  readonly sentences: readonly string[]
+}
+
 export type Reading =
-  | { readonly state: 'under-way'; readonly name: string; readonly step: ReadingStep; readonly fraction: number }
+  | ({ readonly state: 'under-way'; readonly name: string } & ReadingProgress)
   | { readonly state: 'refused'; readonly message: string }
   | ReadCells
 

@@ -1,29 +1,29 @@
 /** The worker reads one input, decides its cells and hands all over. It is ended afterwards. */
 import type { ReadingCore } from '../core/reading-interface'
 import { type CoreSources, startCore } from '../core/start-core'
-import { heldLock } from '../core/worker-lock'
+import { seldom, serve } from '../core/workers'
 import { checkMesh } from '../mesh/check'
 import { notesBesideOrder } from '../mesh/check-notes'
 import { countSentences, headline } from '../mesh/check-summary'
-import { columnsOf, memoryOf } from '../mesh/checked-columns'
+import { type CheckedColumns, columnsOf } from '../mesh/checked-cells'
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
-import { MissingFiles, readTogether } from '../mesh/read-together'
+import { MissingFiles, readTogether } from '../mesh/read-mesh'
 import { fileOfBytes, type MeshFile } from '../mesh/source'
 import { cellClassifier } from './classify-cells'
 import { meshFileOf } from './file-reading'
-import type { ReadingReply, ReadingRequest, ReadingStep, ReadSummary } from './messages'
+import type { PastedInput } from './pasted-input'
+import type { ReadingProgress, ReadSummary } from './reading'
 
-interface Scope {
-  onmessage: ((event: { readonly data: ReadingRequest }) => void) | null
-  postMessage(reply: ReadingReply, transfer?: ArrayBuffer[]): void
-}
+export type ReadingOutcome =
+  | { readonly summary: ReadSummary; readonly columns: CheckedColumns }
+  /** One sentence; `missing` are files that are named and were not given. */
+  | { readonly refused: string; readonly missing: readonly string[] }
 
-const scope = globalThis as unknown as Scope
+type Tell = (progress: ReadingProgress) => void
 
-/** Milliseconds. */
-const PROGRESS_INTERVAL = 100
+export type ReadingJobs = { read(input: PastedInput, tell: Tell): Promise<ReadingOutcome> }
 
 /** The wasm that reads and decides. */
 export interface ReadingEngine {
@@ -34,41 +34,37 @@ export interface ReadingEngine {
 }
 
 export function serveReading(engine: ReadingEngine): void {
-  // A page is told of the worker's end by a lock, which is held before anything is read.
-  const started = heldLock('hexlens-reading').then(lock => scope.postMessage({ kind: 'started', lock }))
-  scope.onmessage = ({ data }) => {
-    started.then(() => answer(data, engine)).catch(reason => scope.postMessage(refusalOf(reason)))
-  }
+  serve<null, ReadingJobs>('hexlens-reading', () => ({
+    read: (input, tell) => read(input, engine, tell).catch(refusalOf),
+  }))
 }
 
-async function answer(request: ReadingRequest, engine: ReadingEngine): Promise<void> {
-  const check = await checkOf(meshOf(filesOf(request), await engine.readingCore()), engine)
-  if (check.hexahedra === 0) {
-    const { format, sentences } = summaryOf(check)
-    throw new MeshRefusal([`Read as ${format}: no hexahedra of eight nodes.`, ...sentences].join(' '))
-  }
-  const columns = columnsOf(check)
-  scope.postMessage({ kind: 'read', summary: summaryOf(check), columns }, memoryOf(columns))
+async function read(input: PastedInput, engine: ReadingEngine, tell: Tell): Promise<ReadingOutcome> {
+  const mesh = meshOf(filesOf(input), await engine.readingCore(), seldom(tell))
+  const check = await checkOf(mesh, engine, seldom(tell))
+  const summary = summaryOf(check)
+  if (check.hexahedra > 0) return { summary, columns: columnsOf(check) }
+  throw new MeshRefusal([`Read as ${summary.format}: no hexahedra of eight nodes.`, ...summary.sentences].join(' '))
 }
 
-function filesOf(request: ReadingRequest): MeshFile[] {
-  if ('files' in request) return request.files.map(meshFileOf)
-  return [fileOfBytes('The text', new TextEncoder().encode(request.text))]
+function filesOf(input: PastedInput): MeshFile[] {
+  if ('files' in input) return input.files.map(meshFileOf)
+  return [fileOfBytes('The text', new TextEncoder().encode(input.text))]
 }
 
-function meshOf(files: readonly MeshFile[], core: ReadingCore | null): Mesh {
-  const meshes = readTogether(files, { onProgress: progressOf('reading'), throwIfCancelled: () => {}, core })
-  const [first, ...others] = meshes
+function meshOf(files: readonly MeshFile[], core: ReadingCore | null, tell: Tell): Mesh {
+  const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
+  const [first, ...others] = readTogether(files, { onProgress, throwIfCancelled: () => {}, core })
   if (!first) throw new MeshRefusal('There is no mesh in it.')
   return joined([first, ...others])
 }
 
-async function checkOf(mesh: Mesh, { core: sources, batchModule }: ReadingEngine): Promise<MeshCheck> {
+async function checkOf(mesh: Mesh, { core: sources, batchModule }: ReadingEngine, tell: Tell): Promise<MeshCheck> {
   const core = await startCore(sources).catch(reason => {
     throw new MeshRefusal(`Nothing was decided: the core did not start (${reason.message}).`)
   })
-  const onProgress = progressOf('deciding')
-  const classify = cellClassifier(core, batchModule, (done, total) => onProgress(done / total))
+  const onProgress = (done: number, total: number) => tell({ step: 'deciding', fraction: done / total })
+  const classify = cellClassifier(core, batchModule, onProgress)
   return checkMesh(mesh, { classify, core }, { worst: Infinity, minRelative: null, skipsDegenerate: false })
 }
 
@@ -86,22 +82,15 @@ function summaryOf(check: MeshCheck): ReadSummary {
   }
 }
 
-function progressOf(step: ReadingStep): (fraction: number) => void {
-  let shown = performance.now()
-  return fraction => {
-    const now = performance.now()
-    if (now - shown < PROGRESS_INTERVAL) return
-    shown = now
-    scope.postMessage({ kind: 'progress', step, fraction })
-  }
+function refusalOf(reason: unknown): ReadingOutcome {
+  const missing = reason instanceof MissingFiles ? reason.names : []
+  return { refused: sentenceOf(reason), missing }
 }
 
-function refusalOf(reason: unknown): ReadingReply {
-  const missing = reason instanceof MissingFiles ? reason.names : []
-  if (reason instanceof MeshRefusal) return { kind: 'refused', message: reason.message, missing }
+function sentenceOf(reason: unknown): string {
+  if (reason instanceof MeshRefusal) return reason.message
   const why = reason instanceof Error ? reason.message : String(reason)
-  if (reason instanceof DOMException) return { kind: 'refused', message: `It could not be opened: ${why}`, missing }
-  if (reason instanceof RangeError)
-    return { kind: 'refused', message: `Reading it needs more memory than there is here (${why}).`, missing }
-  return { kind: 'refused', message: `Reading it failed, which is a fault of Hexlens (${why}).`, missing }
+  if (reason instanceof DOMException) return `It could not be opened: ${why}`
+  if (reason instanceof RangeError) return `Reading it needs more memory than there is here (${why}).`
+  return `Reading it failed, which is a fault of Hexlens (${why}).`
 }

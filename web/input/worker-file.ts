@@ -1,7 +1,8 @@
 /** The worker that reads, as the built page serves it. */
-import type { ReadingWorker } from './read-input'
+import { pagePort } from '../core/worker-ports'
+import type { WorkerPort } from '../core/workers'
 
-export const readingWorkerFile: ReadingWorker = {
-  start: async () => new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }),
-  blocked: 'its script was not loaded, or a policy of the page forbids it',
+export function startReadingWorker(): WorkerPort {
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
+  return pagePort(worker, 'its script was not loaded, or a policy of the page forbids it.')
 }

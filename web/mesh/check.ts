@@ -11,7 +11,7 @@ import { CLASSES } from '../core/unpack'
 import type { NodeOrder } from '../model/node-orders'
 import { checkNotes } from './check-notes'
 import { coincidentCells } from './coincident'
-import type { Mesh } from './mesh'
+import { firstBlocks, type Mesh } from './mesh'
 import { type CheckAnswers, type MeshCheck, NEEDED, type Standing } from './mesh-check'
 import { openOrdersOf } from './open-orders'
 import { verticesOf } from './vertices-of'
@@ -113,14 +113,6 @@ function blocksByCell(mesh: Mesh): (cell: number) => string | null {
     places ??= firstBlocks(mesh)
     return mesh.blocks[places?.[cell] ?? mesh.blocks.length]?.name ?? null
   }
-}
-
-/** The index of each cell's first block; the count of blocks if none; null without blocks. */
-export function firstBlocks({ cells, blocks }: Mesh): Uint32Array | null {
-  if (blocks.length === 0) return null
-  const places = new Uint32Array(cells.length / 8).fill(blocks.length)
-  for (let i = blocks.length - 1; i >= 0; --i) for (const own of blocks[i]?.cells ?? []) places[own] = i
-  return places
 }
 
 /** 0 all valid; 1 invalid ones, or some below the bound; 2 unreadable; 3 nothing invalid, but not all could be answered. */

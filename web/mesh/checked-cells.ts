@@ -1,10 +1,10 @@
-/** The cells of a checked mesh as a list, worst first, for whoever shows them: all of them, each answered when it is asked for. */
+/** The cells of a checked mesh as a list, worst first, for whoever shows them: all of them, as columns that a worker hands over. */
 
 import type { Vertices } from '../model/hexahedron'
 import { type NodeOrder, nodeOrders } from '../model/node-orders'
 import { readNumber } from '../model/number-text'
-import type { Mesh } from './mesh'
-import type { Standing } from './mesh-check'
+import { firstBlocks, type Mesh } from './mesh'
+import type { MeshCheck, Standing } from './mesh-check'
 import { shown } from './shown'
 import { verticesOf } from './vertices-of'
 
@@ -16,7 +16,6 @@ export interface PackedNames {
   readonly ends: Uint32Array<ArrayBuffer>
 }
 
-/** Columns that a worker hands over without copying. */
 export interface CheckedColumns extends Pick<Mesh, 'points' | 'cells' | 'isOrderStated'> {
   readonly ids: Float64Array | PackedNames | null
   readonly blockNames: readonly string[]
@@ -41,6 +40,23 @@ export interface ListedCell {
   readonly relativeMinimum: number
   /** Why there is no answer; null where there is one. */
   readonly why: string | null
+}
+
+/** In the worker: all cells must be among the check's worst. */
+export function columnsOf(check: MeshCheck): CheckedColumns {
+  const { mesh, answers, worst, openOrders } = check
+  return {
+    points: mesh.points,
+    cells: mesh.cells,
+    isOrderStated: mesh.isOrderStated,
+    ids: mesh.ids === null || mesh.ids instanceof Float64Array ? mesh.ids : packedNames(mesh.ids),
+    blockNames: mesh.blocks.map(({ name }) => shown(name).slice(1, -1)),
+    blocks: firstBlocks(mesh),
+    standings: Uint8Array.from({ length: check.hexahedra }, (_, cell) => STANDINGS.indexOf(check.standingOf(cell))),
+    relativeMinima: answers.relativeMinima,
+    worst,
+    openOrders: new Map([...openOrders].map(([cell, { id }]) => [cell, id])),
+  }
 }
 
 export class CheckedCells {
@@ -140,4 +156,18 @@ function isName({ bytes, ends }: PackedNames, wanted: Uint8Array): (cell: number
     const from = cell === 0 ? 0 : (ends[cell - 1] as number)
     return (ends[cell] as number) - from === wanted.length && wanted.every((byte, i) => bytes[from + i] === byte)
   }
+}
+
+function packedNames(names: readonly string[]): PackedNames {
+  const encoder = new TextEncoder()
+  const encoded = names.map(name => encoder.encode(name))
+  const ends = new Uint32Array(names.length)
+  let end = 0
+  for (const [i, { length }] of encoded.entries()) {
+    end += length
+    ends[i] = end
+  }
+  const bytes = new Uint8Array(end)
+  for (const [i, name] of encoded.entries()) bytes.set(name, (ends[i] as number) - name.length)
+  return { bytes, ends }
 }

@@ -6,7 +6,7 @@
 const [DOT, ZERO, NINE] = [46, 48, 57] as const
 
 /** Powers of ten that are doubles exactly. */
-const POWERS_OF_TEN = Float64Array.from({ length: 23 }, (_, i) => Number(`1e${i}`))
+export const POWERS_OF_TEN = Float64Array.from({ length: 23 }, (_, i) => Number(`1e${i}`))
 const LARGEST_POWER = 22
 /** Numbers of so many digits are below 2^53. */
 const DIGITS_OF_HIGH = 15

@@ -17,12 +17,6 @@ export function rowsAhead({ count, bytes }: TakenRows, start: number, size: numb
   return Math.ceil(((size - start) / bytes) * count)
 }
 
-/** The first byte in the file of the real number of this index, and its length. */
-export function placeOfReal({ start, places }: FileRows, index: number): readonly [from: number, length: number] {
-  const place = places[index] as number
-  return [start + (place & 0xffffff), place >>> 24]
-}
-
 const FEWEST_BYTES = 2048
 const MOST_BYTES = 1024 * 1024
 /** Records that are read without looking for rows, if they were none before. */

@@ -3,10 +3,11 @@ import type { Vertices } from '../model/hexahedron'
 import type { FileRows } from './file-rows'
 import { IdIndex } from './id-index'
 import { type Block, type CoordinatePlaces, type Mesh, MeshRefusal, NOTHING_NOT_TRILINEAR } from './mesh'
-import { PlaceList } from './place-list'
+import { areAtMiddles } from './middles'
 import { PrintedDigits } from './precision'
-import { Runs } from './runs'
+import { type Runs, runsOf } from './runs'
 import type { TextCursor } from './text-cursor'
+import { TokenList } from './token-list'
 import { TypedList } from './typed-list'
 
 /** Names of other cells, and their number of nodes, if that is fixed. */
@@ -28,8 +29,7 @@ export class MeshBuilder {
   readonly #points = new TypedList(Float64Array)
   readonly #cells = new TypedList(Uint32Array)
   readonly #corners = new TypedList(Uint32Array)
-  readonly #tokensFrom = new PlaceList()
-  readonly #tokenLengths = new TypedList(Uint16Array)
+  readonly #tokens = new TokenList()
   readonly #ids = new TypedList(Float64Array)
   /** All ids so far, if one of them is no number. */
   #names: string[] | null = null
@@ -64,8 +64,12 @@ export class MeshBuilder {
 
   /** The next coordinate's text in the file; with all they become `coordinatePlaces`. */
   coordinateToken(from: number, length: number): void {
-    this.#tokensFrom.push(from)
-    this.#tokenLengths.push(length)
+    this.#tokens.put(this.#tokens.length, from, length)
+  }
+
+  /** The same for the three coordinates with which a row ends. */
+  coordinateTokens(rows: FileRows, row: number): void {
+    this.#tokens.putRow(this.#tokens.length, rows, row)
   }
 
   /** Reads the next coordinate, and keeps where and with how many digits it is written. */
@@ -74,6 +78,11 @@ export class MeshBuilder {
     this.coordinateToken(cursor.numberFrom, cursor.position - cursor.numberFrom)
     this.digits.see(value, cursor.digits)
     return value
+  }
+
+  /** Reads the next three coordinates. */
+  readPoint(cursor: TextCursor): readonly [number, number, number] {
+    return [this.readCoordinate(cursor), this.readCoordinate(cursor), this.readCoordinate(cursor)]
   }
 
   /** Coordinate 0, 1 or 2 of a point that is there. */
@@ -97,8 +106,7 @@ export class MeshBuilder {
     }
     this.#pointOfId.expect(this.pointCount + ahead)
     this.#points.reserveMore(3 * count, 3 * ahead)
-    this.#tokensFrom.reserve(3 * (this.pointCount + count), 3 * (this.pointCount + ahead))
-    this.#tokenLengths.reserveMore(3 * count, 3 * ahead)
+    this.#tokens.reserve(3 * (this.pointCount + count), 3 * (this.pointCount + ahead))
   }
 
   /** The next point in a row; returns its index. */
@@ -172,18 +180,19 @@ export class MeshBuilder {
     if (isStraight !== null) this.#straight = (this.#straight ?? 0) + (isStraight ? 1 : 0)
   }
 
+  /** A cell of 20, 27 or more nodes: the corners, and nodes that may lie at the middles between them. */
+  quadraticCell(corners: readonly number[], others: readonly number[]): void {
+    const at = (point: number, axis: number) => this.coordinate(point, axis)
+    this.notTrilinear(corners, areAtMiddles(at, corners, others))
+  }
+
   otherCell(type: OtherCell, count = 1): void {
     if (count > 0) this.#other.set(type, (this.#other.get(type) ?? 0) + count)
   }
 
   /** Puts a cell into the block, part or set of this name. */
   inBlock(name: string, cell: number): void {
-    let cells = this.#blocks.get(name)
-    if (cells === undefined) {
-      cells = new Runs()
-      this.#blocks.set(name, cells)
-    }
-    cells.add(cell)
+    runsOf(this.#blocks, name).add(cell)
   }
 
   /** Puts all cells from this one on into the block. */
@@ -191,13 +200,15 @@ export class MeshBuilder {
     for (let cell = from; cell < this.cellCount; ++cell) this.inBlock(name, cell)
   }
 
-  note(sentence: string): void {
-    if (!this.#notes.includes(sentence)) this.#notes.push(sentence)
+  /** Says that the text leaves points out, which so many cells name. */
+  noteLacking(count: number, points: string, cells: string): void {
+    if (count === 0) return
+    this.isCutOff = true
+    this.note(`The text leaves ${points} out: ${count} ${cells} that name them are not read.`)
   }
 
-  #tokens(): CoordinatePlaces | null {
-    if (this.#tokensFrom.length !== this.#points.length || this.pointCount === 0) return null
-    return { kind: 'tokens', from: this.#tokensFrom.upTo(this.#points.length), lengths: this.#tokenLengths.whole() }
+  note(sentence: string): void {
+    if (!this.#notes.includes(sentence)) this.#notes.push(sentence)
   }
 
   /** The mesh of one element, in this project's own order. */
@@ -233,7 +244,7 @@ export class MeshBuilder {
       notes: this.#notes,
       isOrderStated: this.isOrderStated,
       isCutOff: this.isCutOff,
-      coordinatePlaces: this.coordinatePlaces ?? this.#tokens(),
+      coordinatePlaces: this.coordinatePlaces ?? this.#tokens.places(points.length),
       steps: this.steps,
     }
   }

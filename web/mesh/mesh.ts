@@ -58,7 +58,20 @@ export type CoordinatePlaces =
 /** A file that is none of ours, or damaged: one sentence with the place and what was expected. */
 export class MeshRefusal extends Refusal {}
 
+/** A reader that can refuse with its place in the file. */
+export interface Refusing {
+  refuse(what: string): never
+}
+
 /** Points and cells that a file implies or has generated beyond this are refused. */
 export const MOST_IMPLIED_CELLS = 50_000_000
 
 export const NOTHING_NOT_TRILINEAR: NotTrilinear = { corners: new Uint32Array(0), straight: null }
+
+/** The index of each cell's first block; the count of blocks if none; null without blocks. */
+export function firstBlocks({ cells, blocks }: Mesh): Uint32Array | null {
+  if (blocks.length === 0) return null
+  const places = new Uint32Array(cells.length / 8).fill(blocks.length)
+  for (let i = blocks.length - 1; i >= 0; --i) for (const own of blocks[i]?.cells ?? []) places[own] = i
+  return places
+}

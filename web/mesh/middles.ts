@@ -1,29 +1,10 @@
 /** Further nodes of cells of 20 or 27: at the middles of edges, of faces and of the whole. */
+import { digitRows } from './digit-rows'
 
 /** The corners at whose middle each node lies: edges in VTK's order, faces -xi, +xi, -eta, +eta, -zeta, +zeta, the whole. */
-export const EDGE_MIDDLES: readonly (readonly number[])[] = [
-  [0, 1],
-  [1, 2],
-  [2, 3],
-  [3, 0],
-  [4, 5],
-  [5, 6],
-  [6, 7],
-  [7, 4],
-  [0, 4],
-  [1, 5],
-  [2, 6],
-  [3, 7],
-]
-export const FACE_MIDDLES: readonly (readonly number[])[] = [
-  [0, 3, 7, 4],
-  [1, 2, 6, 5],
-  [0, 1, 5, 4],
-  [3, 2, 6, 7],
-  [0, 1, 2, 3],
-  [4, 5, 6, 7],
-]
-export const ALL_MIDDLES: readonly (readonly number[])[] = [...EDGE_MIDDLES, ...FACE_MIDDLES, [0, 1, 2, 3, 4, 5, 6, 7]]
+export const EDGE_MIDDLES = digitRows('01 12 23 30 45 56 67 74 04 15 26 37')
+export const FACE_MIDDLES = digitRows('0374 1265 0154 3267 0123 4567')
+export const ALL_MIDDLES = [...EDGE_MIDDLES, ...FACE_MIDDLES, ...digitRows('01234567')]
 
 /** True if a point is within the tolerance of the mean of others; false for NaN. */
 export function isAtMean(

@@ -4,7 +4,7 @@
  */
 
 import type { ReadingCore } from '../core/reading-interface'
-import { doubleOfDigits } from './decimal'
+import { doubleOfDigits, POWERS_OF_TEN } from './decimal'
 import { FileChunk } from './file-chunk'
 import type { MeshFile } from './source'
 import { numberOf } from './text-cursor'
@@ -17,9 +17,6 @@ const LONGEST_NUMBER = 1024
 
 const [TAB, LF, CR, SPACE, PLUS, MINUS, DOT, ZERO, NINE] = [9, 10, 13, 32, 43, 45, 46, 48, 57] as const
 const [LETTER_D, LETTER_E] = [100, 101] as const
-
-/** Powers of ten that are doubles exactly. */
-const POWERS_OF_TEN = Float64Array.from({ length: 23 }, (_, i) => Number(`1e${i}`))
 
 export class NumberRun {
   readonly #file: MeshFile

@@ -1,4 +1,4 @@
-/** Bytes in, meshes out: the one entry for all that is pasted, dropped, opened or named on the command line. */
+/** Bytes in, meshes out: the one entry for all that is pasted, dropped, opened or named on the command line, together or one by one. */
 import { formats } from './formats'
 import { refused } from './formats/refused'
 import { gunzipped, gunzippedHead, isGzip } from './gzip'
@@ -6,10 +6,57 @@ import { type Mesh, MeshRefusal } from './mesh'
 import { fencedBlocks, withoutQuotation } from './quotation'
 import { shownFileName } from './shown'
 import { utf16Of } from './snippet-text'
-import type { MeshFile, MeshFormat, ReadOptions } from './source'
+import { isNamed, type MeshFile, type MeshFormat, type ReadOptions } from './source'
 import { shown } from './text-cursor'
 
 const HEAD = 65_536
+
+/** A refusal because of files that are named and not there. */
+export class MissingFiles extends MeshRefusal {
+  /** Names as the files write them. */
+  readonly names: readonly string[]
+
+  constructor(message: string, names: readonly string[]) {
+    super(message)
+    this.names = names
+  }
+}
+
+export type TogetherOptions = Omit<ReadOptions, 'find' | 'step' | 'core'> & Partial<Pick<ReadOptions, 'core'>>
+
+/** All meshes of the files. Throws a MeshRefusal for the first file that is refused and that no other names. */
+export function readTogether(files: readonly MeshFile[], options: TogetherOptions): readonly Mesh[] {
+  const parts = new Set<MeshFile>()
+  const results = new Map<MeshFile, readonly Mesh[] | MeshRefusal>()
+  for (const [i, file] of inOrderOfReading(files).entries()) {
+    if (parts.has(file)) continue
+    const missing: string[] = []
+    const find = (name: string): MeshFile | null => {
+      const found = files.find(other => other !== file && isNamed(other, name)) ?? null
+      if (found) parts.add(found)
+      else missing.push(name)
+      return found
+    }
+    const onProgress = (part: number) => options.onProgress((i + part) / files.length)
+    try {
+      results.set(file, readMeshes(file, { ...options, find, onProgress }))
+    } catch (error) {
+      if (!(error instanceof MeshRefusal)) throw error
+      results.set(file, missing.length > 0 ? new MissingFiles(error.message, missing) : error)
+    }
+  }
+  return files.flatMap(file => {
+    const result = parts.has(file) ? [] : (results.get(file) ?? [])
+    if (result instanceof MeshRefusal) throw result
+    return result
+  })
+}
+
+/** Files that always name others first, so that these are not read twice. */
+function inOrderOfReading(files: readonly MeshFile[]): MeshFile[] {
+  const namesOthers = ({ name }: MeshFile) => /\.(pvtu|pvd)$/i.test(name)
+  return [...files.filter(namesOthers), ...files.filter(file => !namesOthers(file))]
+}
 
 /**
  * The meshes in a file, gzipped or not: one, or several where a text holds several files. Throws a MeshRefusal, whose message is one sentence with the

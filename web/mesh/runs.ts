@@ -47,3 +47,13 @@ export class Runs {
     return all.slice(0, kept)
   }
 }
+
+/** The runs of this key, which begin empty. */
+export function runsOf<K>(all: Map<K, Runs>, key: K): Runs {
+  let runs = all.get(key)
+  if (runs === undefined) {
+    runs = new Runs()
+    all.set(key, runs)
+  }
+  return runs
+}

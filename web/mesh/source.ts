@@ -34,6 +34,23 @@ export interface MeshFormat {
   read(file: MeshFile, options: ReadOptions): readonly Mesh[]
 }
 
+const CALLS = 65_536
+
+/** To be called for each record of a file, with the byte it begins at: once in so many calls it tells of the progress. */
+export function progressOf(file: MeshFile, { onProgress, throwIfCancelled }: ReadOptions): (position: number) => void {
+  let calls = 0
+  return position => {
+    if (calls++ % CALLS > 0) return
+    throwIfCancelled()
+    onProgress(position / file.size)
+  }
+}
+
 export function fileOfBytes(name: string, bytes: Uint8Array): MeshFile {
   return { name, size: bytes.length, read: (from, to) => bytes.slice(from, to) }
+}
+
+/** True if a file is the one that another names, with or without its folder. */
+export function isNamed({ name }: { readonly name: string }, wanted: string): boolean {
+  return name.toLowerCase() === wanted.split(/[\\/]/).at(-1)?.toLowerCase()
 }

@@ -4,7 +4,7 @@
  */
 
 import type { RowPattern } from '../core/reading-interface'
-import { doubleOfDigits } from './decimal'
+import { doubleOfDigits, POWERS_OF_TEN } from './decimal'
 import { FileChunk } from './file-chunk'
 import { type FileRows, type RowSearch, rowsAhead } from './file-rows'
 import { MeshRefusal } from './mesh'
@@ -20,9 +20,6 @@ const LONGEST_WORD = 4096
 const LONGEST_LINE = 1024 * 1024
 
 const [TAB, LF, CR, SPACE, PLUS, MINUS, DOT, ZERO, NINE] = [9, 10, 13, 32, 43, 45, 46, 48, 57] as const
-
-/** Powers of ten that are doubles exactly. */
-const POWERS_OF_TEN = Array.from({ length: 23 }, (_, i) => Number(`1e${i}`))
 
 const decoder = new TextDecoder('latin1')
 

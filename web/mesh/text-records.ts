@@ -3,12 +3,12 @@
  * out with "...": its whole elements are read, and a note says so.
  */
 
-import type { ReadingCore, RowPattern } from '../core/reading-interface'
+import type { RowPattern } from '../core/reading-interface'
 import { type FileRows, RowSearch } from './file-rows'
 import type { Mesh } from './mesh'
 import type { MeshBuilder } from './mesh-builder'
-import { isEllipsis } from './snippet-text'
-import type { MeshFile } from './source'
+import { isEllipsis, LARGEST_SNIPPET } from './snippet-text'
+import { type MeshFile, progressOf, type ReadOptions } from './source'
 import { shown, TextCursor } from './text-cursor'
 
 /** Characters of a line that tell what it is. */
@@ -20,14 +20,11 @@ const [PLUS, MINUS, HASH, ZERO, NINE] = [43, 45, 35, 48, 57] as const
 export type Next = 'record' | 'section' | 'end'
 
 export interface RecordsOptions {
-  readonly isSnippet: boolean
   /** True if the next line ends a section; it is not passed. */
   readonly endsSection: (cursor: TextCursor) => boolean
   readonly hasComments: boolean
   /** True if a section has a line that ends it. */
   readonly hasEnds: boolean
-  readonly onRecord: (position: number) => void
-  readonly core: ReadingCore | null
 }
 
 export class TextRecords {
@@ -35,24 +32,31 @@ export class TextRecords {
   readonly #builder: MeshBuilder
   readonly #options: RecordsOptions
   readonly #rowSearch: RowSearch
+  readonly #progress: (position: number) => void
+  /** True if the text may be a part of a file. */
+  readonly isSnippet: boolean
   /** True if the text leaves something out. */
   isElided = false
 
-  constructor(cursor: TextCursor, builder: MeshBuilder, options: RecordsOptions) {
+  constructor(
+    file: MeshFile,
+    cursor: TextCursor,
+    builder: MeshBuilder,
+    readOptions: ReadOptions,
+    options: RecordsOptions,
+  ) {
     this.cursor = cursor
     this.#builder = builder
     this.#options = options
-    this.#rowSearch = new RowSearch(options.core)
-  }
-
-  get isSnippet(): boolean {
-    return this.#options.isSnippet
+    this.#rowSearch = new RowSearch(readOptions.core)
+    this.#progress = progressOf(file, readOptions)
+    this.isSnippet = file.size <= LARGEST_SNIPPET
   }
 
   /** Passes blank lines, comments, and lines that stand for what was left out. */
   next(what: string): Next {
-    const { cursor } = this
-    const { isSnippet, endsSection, hasComments } = this.#options
+    const { cursor, isSnippet } = this
+    const { endsSection, hasComments } = this.#options
     for (;;) {
       cursor.skipBlanks()
       const byte = cursor.peek()
@@ -94,12 +98,12 @@ export class TextRecords {
         this.check('end', count, declared, what)
         return count
       }
-      this.#options.onRecord(this.cursor.position)
+      this.onRecord()
     }
   }
 
   /**
-   * Reads points, which are counted and have no ids: of those after "..." it cannot be told which they are, so they are passed. Whether some
+   * Reads points, which are counted and have no ids: of those after "..." it cannot be told which they are, so they are passed. True if some
    * are left out.
    */
   points(declared: number, what: string, read: (index: number) => boolean): boolean {
@@ -129,7 +133,7 @@ export class TextRecords {
   }
 
   onRecord(): void {
-    this.#options.onRecord(this.cursor.position)
+    this.#progress(this.cursor.position)
   }
 
   /** Says what is not there; refuses where that is no snippet's way to end. */
@@ -152,6 +156,16 @@ export class TextRecords {
     if (this.cursor.hasMoreOnLine()) return true
     if (this.isSnippet && this.cursor.isAtEnd) return false
     this.cursor.refuse(`the line ends where ${what} was expected.`)
+  }
+
+  /** The next three coordinates, which are in the same line; null where the text ends among them. */
+  coordinates(): readonly [number, number, number] | null {
+    if (!this.hasField('a coordinate')) return null
+    const x = this.#builder.readCoordinate(this.cursor)
+    if (!this.hasField('a coordinate')) return null
+    const y = this.#builder.readCoordinate(this.cursor)
+    if (!this.hasField('a coordinate')) return null
+    return [x, y, this.#builder.readCoordinate(this.cursor)]
   }
 
   /** Refuses further numbers in the line. */

@@ -99,7 +99,7 @@ export const presets: readonly [Preset, ...Preset[]] = [
   {
     id: 'touching',
     title: 'Touches zero on a face',
-    note: 'The minimum is exactly zero, in the middle of a face: not valid, by nothing at all.',
+    note: 'The minimum is exactly zero, in the middle of a face. A valid element needs more than zero.',
     valid: false,
     points: [
       [0.25, 0, 0.25],

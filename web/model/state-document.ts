@@ -9,7 +9,6 @@ import {
   type Coordinate,
   coordinates,
   described,
-  flag,
   indexBelow,
   list,
   object,
@@ -21,15 +20,15 @@ import {
   type Schema,
   text,
 } from './document-readers'
-import { faces, VERTEX_COUNT, type Vec3, type Vertices } from './hexahedron'
+import { VERTEX_COUNT, type Vec3, type Vertices } from './hexahedron'
 import { type CodedError, Refusal, type Result, refused } from './result'
-import { type AnySlice, type Cameras, type CameraView, type LastingState, type State, sliceOf } from './state'
+import { type AnySlice, type Cameras, type CameraView, type LastingState, sliceOf } from './state'
 import { SHOWN_FIRST } from './store'
 
 export const STATE_VERSION = 1
 
 /** The element's own keys. */
-export interface ElementDocument extends Omit<LastingState, 'vertices' | 'start' | 'slices'>, Cameras {
+export interface ElementDocument extends Omit<LastingState, 'vertices' | 'start' | 'cameras' | 'slices'>, Cameras {
   readonly version: typeof STATE_VERSION
   readonly vertices: readonly Coordinate[]
   readonly start: readonly Coordinate[]
@@ -46,13 +45,12 @@ export interface KnownPanels {
 
 export type StateErrorCode = 'malformed-state' | 'unknown-version'
 
-export type StateResult = Result<
-  { readonly state: LastingState; readonly cameras: Cameras },
-  CodedError<StateErrorCode>
->
+export type StateResult = Result<LastingState, CodedError<StateErrorCode>>
 
-export function stateDocument(state: State, cameras: Cameras, { names, slices }: KnownPanels): StateDocument {
-  const own = elementReader(names).write({ ...state, ...cameras })
+const DEFAULT_CAMERAS: Cameras = { camera: null, referenceCamera: null }
+
+export function stateDocument(state: LastingState, { names, slices }: KnownPanels): StateDocument {
+  const own = elementReader(names).write({ ...state, ...(state.cameras ?? DEFAULT_CAMERAS) })
   const kept = slices.map(slice => sliceReader(slice).write(sliceOf(slice, state)))
   return Object.assign({ version: STATE_VERSION }, own, ...kept)
 }
@@ -69,9 +67,10 @@ export function readState(given: unknown, { names, slices }: KnownPanels): State
     const state = {
       ...shown,
       start: (start as Vertices | undefined) ?? shown.vertices,
+      cameras: { camera, referenceCamera },
       slices: Object.fromEntries(kept),
     }
-    return { ok: true, value: { state, cameras: { camera, referenceCamera } } }
+    return { ok: true, value: state }
   } catch (reason) {
     if (reason instanceof Refusal) return refused('malformed-state', reason.message)
     throw reason
@@ -130,7 +129,7 @@ const cameraRecord = record<CameraView>(
 const cameraSchema = cameraRecord.schema
 const camera = reader({ $ref: '#/$defs/camera' }, cameraRecord)
 
-type Read = Omit<LastingState, 'start' | 'slices'> & Cameras & { readonly start: Vertices }
+type Read = Omit<LastingState, 'cameras' | 'slices'> & Cameras
 
 const elementReader = (panels: readonly string[]) =>
   record<Read>(
@@ -146,20 +145,10 @@ const elementReader = (panels: readonly string[]) =>
         'The units of jacdet: of the map from [0,1]^3, or from [-1,1]^3.',
         oneOf('unit', 'biunit'),
       ),
-      faceDisplay: described(
-        'How the faces are drawn: all opaque, see-through, hardly seen around what is inside, or one face alone, -xi, +xi, -eta, +eta, -zeta, +zeta.',
-        oneOf('opaque', 'see-through', 'inside', ...faces.keys()),
-      ),
       openPanels: described(`The panels that are open, of ${panels.join(', ')}.`, panelNames(panels)),
-      referenceShown: described('Whether the reference cube stands beside the element.', flag),
-      camerasLinked: described('Whether turning the element turns the reference cube, and the other way round.', flag),
-      section: described(
-        'The section of Inside: xi, eta or zeta (axis 0, 1, 2) is `value`.',
-        record({ axis: oneOf(0, 1, 2), value: between(0, 1) }, {}),
-      ),
       camera: described('How the element is looked at; null is the default view.', orNull(camera)),
       referenceCamera: described('How the reference cube is looked at.', orNull(camera)),
     },
-    { ...SHOWN_FIRST, preset: null, camera: null, referenceCamera: null },
+    { ...SHOWN_FIRST, preset: null, ...DEFAULT_CAMERAS },
     ['start'],
   )

@@ -1,39 +1,9 @@
 /** The page's state as plain data, and its actions. No DOM, no three.js, no wasm. */
 import type { Readers } from './document-readers'
-import type { Axis, Vec3, Vertices } from './hexahedron'
+import type { Vec3, Vertices } from './hexahedron'
 
 /** jacdet of the map from [0,1]^3, or from [-1,1]^3 as finite element codes use it (an eighth). */
 export type ReferenceCube = 'unit' | 'biunit'
-
-/** Faces: all opaque, see-through, hardly seen around what is inside, or one face alone (0..5). */
-export type FaceDisplay = 'opaque' | 'see-through' | 'inside' | number
-
-/** Vertex 0..7, edge 0..11 or face 0..5 of the element, by `kind`. */
-export interface Entity {
-  readonly kind: 'vertex' | 'edge' | 'face'
-  readonly id: number
-}
-
-/** Points (xi, eta, zeta) of [0,1]^3, or the twelve edges, on which a check evaluates jacdet. */
-export interface Samples {
-  readonly points: readonly Vec3[]
-  readonly edges: boolean
-}
-
-/** A change of the element that is drawn beside it: another node order, whose vertex i is the vertex `order[i]`, or other vertices. */
-export type Preview =
-  | { readonly order: readonly number[]; readonly move?: undefined }
-  | { readonly move: Vertices; readonly order?: undefined }
-
-/** A section of the reference cube: xi, eta or zeta (axis 0, 1, 2) is `value`, in [0,1]. */
-export interface Section {
-  readonly axis: Axis
-  readonly value: number
-}
-
-/** Buttons of the scene that an author may leave out. */
-export const CONTROLS = ['faces', 'reference', 'turn', 'fit', 'help'] as const
-export type Control = (typeof CONTROLS)[number]
 
 /** A camera, whatever the picture's size on the screen. */
 export interface CameraView {
@@ -51,57 +21,36 @@ export interface Cameras {
   readonly referenceCamera: CameraView | null
 }
 
+/** Vertices set before the first frame are where the element starts; later each change is a step. */
+export type Phase = 'starting' | 'begun'
+
 export interface State {
   readonly vertices: Vertices
   /** The preset the element started from, by id; null when it came from elsewhere. */
   readonly preset: string | null
   /** Reset returns to these. */
   readonly start: Vertices
-  readonly selectedVertex: number
+  readonly phase: Phase
   /** Vertices as they were when the running gesture began; null between gestures. */
   readonly gestureStart: Vertices | null
-  readonly referenceCube: ReferenceCube
-  readonly faceDisplay: FaceDisplay
-  /** Names of panels. */
-  readonly openPanels: readonly string[]
-  /** True if the reference cube stands beside the element. */
-  readonly referenceShown: boolean
-  /** True if turning the element turns the reference cube, and the other way round. */
-  readonly camerasLinked: boolean
-  /** A point (xi, eta, zeta) of [0,1]^3 that is pointed at, for every view to mark; null when none is. */
-  readonly probe: Vec3 | null
-  /** The entity that is spoken of, for every view to mark; null when none is. */
-  readonly highlight: Entity | null
-  /** Samples of the check that is pointed at, for the scene to mark; null if none is. */
-  readonly samples: Samples | null
-  /** Ends when the vertices change. */
-  readonly preview: Preview | null
-  readonly section: Section
-  /** True if the sheet of keys is on the screen. */
-  readonly helpShown: boolean
-  /** True if the reader may only look. */
-  readonly isReadonly: boolean
-  readonly controls: readonly Control[]
   readonly canUndo: boolean
   readonly canRedo: boolean
-  /** State of panels by their names; a panel without an entry is as in a new element. */
+  readonly selectedVertex: number
+  readonly referenceCube: ReferenceCube
+  /** The cameras last asked for, not as the reader turned them since; a new object each time, null before. */
+  readonly cameras: Cameras | null
+  /** A point (xi, eta, zeta) of [0,1]^3 that is pointed at, for every view to mark; null when none is. */
+  readonly probe: Vec3 | null
+  /** Names of panels. */
+  readonly openPanels: readonly string[]
+  /** True if the reader may only look. */
+  readonly isReadonly: boolean
+  /** State of panels and of the scene by their names; one without an entry is as in a new element. */
   readonly slices: Readonly<Record<string, object>>
 }
 
-/** State that outlives the page: no gestures, previews, highlights, history, author's limits. */
-export type LastingState = Omit<
-  State,
-  | 'gestureStart'
-  | 'probe'
-  | 'highlight'
-  | 'samples'
-  | 'preview'
-  | 'helpShown'
-  | 'isReadonly'
-  | 'controls'
-  | 'canUndo'
-  | 'canRedo'
->
+/** State that outlives the page: no gestures, history, author's limits, and slices with readers alone. */
+export type LastingState = Omit<State, 'phase' | 'gestureStart' | 'canUndo' | 'canRedo' | 'probe' | 'isReadonly'>
 
 export type Action =
   /** One vertex to a place. Inside a gesture it adds to that gesture's one undo step, outside it is a step of its own. */
@@ -110,15 +59,16 @@ export type Action =
   | { readonly type: 'move-coordinate'; readonly index: number; readonly to: number }
   /** All vertices, likewise; preset and start stay. */
   | { readonly type: 'move-all'; readonly vertices: Vertices }
-  /** The element's beginning, without a history; Reset returns to `start`. */
+  /** The whole element replaced: a preset, a link, the `vertices` property. Reset returns to `start`, by default to these vertices. */
   | {
-      readonly type: 'initialize'
+      readonly type: 'set-vertices'
       readonly vertices: Vertices
+      /** The preset's id if it is one. */
       readonly preset: string | null
-      readonly start: Vertices
+      readonly start?: Vertices
     }
-  /** The whole element replaced: a preset, a link, the `vertices` property. `preset` is the preset's id if it is one. */
-  | { readonly type: 'set-vertices'; readonly vertices: Vertices; readonly preset: string | null }
+  /** The first frame is there: from now on changes are steps. */
+  | { readonly type: 'begin' }
   /** A gesture is one undo step by intent: begin, any number of moves, then commit, or cancel to restore. */
   | { readonly type: 'begin-gesture' }
   | { readonly type: 'commit-gesture' }
@@ -128,43 +78,43 @@ export type Action =
   | { readonly type: 'reset' }
   | { readonly type: 'select-vertex'; readonly vertex: number }
   | { readonly type: 'show-reference-cube'; readonly referenceCube: ReferenceCube }
-  | { readonly type: 'show-faces'; readonly faceDisplay: FaceDisplay }
-  /** Opening `inside` shows the inside in the scene, closing it the faces again. */
   | { readonly type: 'open-panel'; readonly panel: string; readonly isOpen: boolean }
-  | { readonly type: 'show-reference'; readonly referenceShown: boolean }
-  | { readonly type: 'link-cameras'; readonly camerasLinked: boolean }
+  | { readonly type: 'look'; readonly cameras: Cameras | null }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
-  | { readonly type: 'show-help'; readonly helpShown: boolean }
-  | { readonly type: 'highlight'; readonly entity: Entity | null }
-  | { readonly type: 'show-samples'; readonly samples: Samples | null }
-  | { readonly type: 'preview'; readonly preview: Preview | null }
-  | { readonly type: 'show-section'; readonly section: Section }
-  | { readonly type: 'change-slice'; readonly slice: AnySlice; readonly change: object }
+  | { readonly type: 'change-slice'; readonly slice: AnyPassingSlice; readonly change: object }
   | { readonly type: 'set-readonly'; readonly isReadonly: boolean }
-  | { readonly type: 'show-controls'; readonly controls: readonly Control[] }
   /** Everything at once; what this changes of the element is one step to undo. */
   | { readonly type: 'restore'; readonly state: LastingState }
 
 export type Dispatch = (action: Action) => void
-/** A panel's own part of the state. It outlives the page, and is no part of the history. */
-export interface Slice<T extends object> {
-  /** The panel's. */
+
+/** A part of the state that a panel or the scene owns. It ends with the page, and is no part of the history. */
+export interface PassingSlice<T extends object> {
+  /** The owner's. */
   readonly name: string
   /** The state in a new element. */
   readonly first: T
-  /** Keys in the state's document, beside those of the element and of other panels. */
-  readonly readers: Readers<T>
   /** Throws RangeError for what no caller may send. */
   readonly check?: (value: T) => void
+  /** True if it also ends when the vertices change. */
+  readonly endsWithVertices?: true
+}
+
+/** A part that outlives the page. */
+export interface Slice<T extends object> extends PassingSlice<T> {
+  /** Keys in the state's document, beside those of the element and of other slices. */
+  readonly readers: Readers<T>
 }
 
 // biome-ignore lint/suspicious/noExplicitAny: a list holds slices of all types, and each is used with its own values alone.
 export type AnySlice = Slice<any>
+// biome-ignore lint/suspicious/noExplicitAny: likewise.
+type AnyPassingSlice = PassingSlice<any>
 
-export function sliceOf<T extends object>({ name, first }: Slice<T>, { slices }: Pick<State, 'slices'>): T {
+export function sliceOf<T extends object>({ name, first }: PassingSlice<T>, { slices }: Pick<State, 'slices'>): T {
   return (slices[name] as T | undefined) ?? first
 }
 
-export function sliceChange<T extends object>(slice: Slice<T>, change: Partial<T>): Action {
+export function sliceChange<T extends object>(slice: PassingSlice<T>, change: Partial<T>): Action {
   return { type: 'change-slice', slice, change }
 }

@@ -7,8 +7,6 @@
  */
 import {
   COORDINATE_COUNT,
-  edgeVertices,
-  faces,
   sameBits,
   VERTEX_COUNT,
   type Vec3,
@@ -16,7 +14,7 @@ import {
   vertexReference,
   withVertex,
 } from './hexahedron'
-import { type Action, CONTROLS, type Entity, type FaceDisplay, type LastingState, type State, sliceOf } from './state'
+import { type Action, type LastingState, type Phase, type State, sliceOf } from './state'
 
 export interface Store {
   /** The state now: a new object after every change, never mutated. */
@@ -46,44 +44,30 @@ interface Snapshot {
   readonly start: Vertices
 }
 
-type Shown = Omit<State, keyof Snapshot | 'gestureStart' | 'canUndo' | 'canRedo'>
+type Shown = Omit<State, keyof Snapshot | 'phase' | 'gestureStart' | 'canUndo' | 'canRedo'>
 
 /** The state of a new element. */
 export const SHOWN_FIRST: Shown = {
   selectedVertex: 0,
   referenceCube: 'unit',
-  faceDisplay: 'opaque',
-  openPanels: [],
-  referenceShown: false,
-  camerasLinked: false,
+  cameras: null,
   probe: null,
-  highlight: null,
-  samples: null,
-  preview: null,
-  section: { axis: 2, value: 0.5 },
-  helpShown: false,
+  openPanels: [],
   isReadonly: false,
-  controls: CONTROLS,
   slices: {},
 }
 
-const ENTITY_COUNTS: Readonly<Record<Entity['kind'], number>> = {
-  vertex: VERTEX_COUNT,
-  edge: edgeVertices.length,
-  face: faces.length,
-}
-
-/**
- * A store that starts at these vertices, which reset goes back to unless there is another `start`. Throws RangeError unless
- * each is 24 finite numbers.
- */
-export function createStore(vertices: Vertices, preset: string | null, start = vertices): Store {
-  const begin = accepted(start)
-  let present: Snapshot = { vertices: kept(begin, accepted(vertices)), preset, start: begin }
+/** A store that starts at these vertices, which reset goes back to. Throws RangeError unless they are 24 finite numbers. */
+export function createStore(vertices: Vertices, preset: string | null, firstPhase: Phase = 'begun'): Store {
+  const start = accepted(vertices)
+  let present: Snapshot = { vertices: start, preset, start }
+  let phase = firstPhase
   let past: readonly Snapshot[] = []
   let future: readonly Snapshot[] = []
   let gestureStart: Snapshot | null = null
   let shown = SHOWN_FIRST
+  /** Names of slices that end when the vertices change. */
+  const ending = new Set<string>()
   let state = currentState()
 
   function currentState(): State {
@@ -91,6 +75,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
     return {
       ...present,
       ...shown,
+      phase,
       gestureStart: gestureStart?.vertices ?? null,
       canUndo: past.length > 0 || moved,
       canRedo: future.length > 0,
@@ -98,6 +83,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
   }
 
   function record(before: Snapshot): void {
+    if (phase === 'starting') return
     past = [...past, before].slice(-HISTORY_LIMIT)
     future = []
   }
@@ -157,21 +143,17 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
       case 'move-all':
         change({ ...present, vertices: kept(present.vertices, accepted(action.vertices)) })
         break
-      case 'initialize': {
-        const start = accepted(action.start)
-        present = { vertices: kept(start, accepted(action.vertices)), preset: action.preset, start }
-        past = []
-        future = []
-        gestureStart = null
-        break
-      }
       case 'set-vertices': {
         const vertices = kept(present.vertices, accepted(action.vertices))
         const isNamed = action.preset !== null && action.preset !== present.preset
-        if (vertices === present.vertices && !isNamed) break
-        change({ vertices, preset: action.preset, start: kept(present.start, vertices) })
+        if (phase === 'begun' && vertices === present.vertices && !isNamed) break
+        const start = kept(present.start, action.start ? accepted(action.start) : vertices)
+        change({ vertices, preset: action.preset, start })
         break
       }
+      case 'begin':
+        phase = 'begun'
+        break
       case 'begin-gesture':
         commit()
         gestureStart = present
@@ -198,60 +180,27 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
       case 'show-reference-cube':
         shown = { ...shown, referenceCube: action.referenceCube }
         break
-      case 'show-faces':
-        if (typeof action.faceDisplay === 'number') checkIndex(action.faceDisplay, faces.length, 'face')
-        shown = { ...shown, faceDisplay: action.faceDisplay }
-        break
       case 'open-panel':
-        shown = {
-          ...shown,
-          openPanels: withPanel(shown.openPanels, action.panel, action.isOpen),
-          faceDisplay: action.panel === 'inside' ? withInside(shown.faceDisplay, action.isOpen) : shown.faceDisplay,
-        }
+        shown = { ...shown, openPanels: withPanel(shown.openPanels, action.panel, action.isOpen) }
         break
-      case 'show-reference':
-        shown = { ...shown, referenceShown: action.referenceShown }
-        break
-      case 'link-cameras':
-        shown = { ...shown, camerasLinked: action.camerasLinked }
-        break
-      case 'show-help':
-        shown = { ...shown, helpShown: action.helpShown }
+      case 'look':
+        shown = { ...shown, cameras: action.cameras }
         break
       case 'probe':
         if (action.point) checkInCube(action.point)
         shown = { ...shown, probe: samePoint(shown.probe, action.point) ? shown.probe : action.point }
-        break
-      case 'highlight':
-        if (action.entity) checkIndex(action.entity.id, ENTITY_COUNTS[action.entity.kind], action.entity.kind)
-        shown = { ...shown, highlight: sameEntity(shown.highlight, action.entity) ? shown.highlight : action.entity }
-        break
-      case 'show-samples':
-        action.samples?.points.forEach(checkInCube)
-        shown = { ...shown, samples: action.samples }
-        break
-      case 'preview':
-        if (action.preview?.order) checkOrder(action.preview.order)
-        if (action.preview?.move) checkFinite(action.preview.move)
-        shown = { ...shown, preview: action.preview }
-        break
-      case 'show-section':
-        checkWithin(action.section.value, 0, 1)
-        shown = { ...shown, section: action.section }
         break
       case 'change-slice': {
         const { slice, change } = action
         const before = sliceOf(slice, shown)
         const after = { ...before, ...change }
         slice.check?.(after)
+        if (slice.endsWithVertices) ending.add(slice.name)
         if (!sameEntries(before, after)) shown = { ...shown, slices: { ...shown.slices, [slice.name]: after } }
         break
       }
       case 'set-readonly':
         shown = { ...shown, isReadonly: action.isReadonly }
-        break
-      case 'show-controls':
-        shown = { ...shown, controls: action.controls }
         break
       case 'restore':
         cancel()
@@ -261,10 +210,17 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
   }
 
   /** The reader of the state has checked the rest. */
-  function restore({ vertices, preset, start, ...others }: LastingState): void {
+  function restore({ vertices, preset, start, slices, ...others }: LastingState): void {
     const began = kept(present.start, accepted(start))
     change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
-    shown = { ...shown, ...others, probe: null, samples: null, preview: null }
+    endSlices()
+    shown = { ...shown, ...others, slices: { ...shown.slices, ...slices }, probe: null }
+  }
+
+  function endSlices(): void {
+    const left = Object.entries(shown.slices).filter(([name]) => !ending.has(name))
+    shown = { ...shown, slices: Object.fromEntries(left) }
+    ending.clear()
   }
 
   return {
@@ -274,7 +230,7 @@ export function createStore(vertices: Vertices, preset: string | null, start = v
     dispatch(action) {
       const { vertices } = present
       apply(action)
-      if (present.vertices !== vertices) shown = { ...shown, preview: null }
+      if (present.vertices !== vertices && ending.size > 0) endSlices()
       const next = currentState()
       if (!sameEntries(state, next)) state = next
     },
@@ -302,30 +258,21 @@ export function checkIndex(index: number, count: number, what: string): number {
   return index
 }
 
-function checkWithin(value: number, least: number, greatest: number): void {
+export function checkWithin(value: number, least: number, greatest: number): void {
   if (!(value >= least && value <= greatest)) throw new RangeError(`${value} is not in [${least},${greatest}].`)
 }
 
-function checkOrder(order: readonly number[]): void {
+export function checkOrder(order: readonly number[]): void {
   const isOrder = order.length === VERTEX_COUNT && vertexReference.every((_, v) => order.includes(v))
   if (!isOrder) throw new RangeError(`${order.join(', ')} is no order of eight vertices.`)
 }
 
-function checkInCube(point: Vec3): void {
+export function checkInCube(point: Vec3): void {
   if (!point.every(x => x >= 0 && x <= 1)) throw new RangeError(`(${point.join(', ')}) is not in [0,1]³.`)
 }
 
 function samePoint(a: Vec3 | null, b: Vec3 | null): boolean {
   return a === b || (a !== null && b !== null && a.every((x, axis) => Object.is(x, b[axis])))
-}
-
-function sameEntity(a: Entity | null, b: Entity | null): boolean {
-  return a === b || (a !== null && b !== null && a.kind === b.kind && a.id === b.id)
-}
-
-function withInside(display: FaceDisplay, isShown: boolean): FaceDisplay {
-  if (isShown) return 'inside'
-  return display === 'inside' ? 'opaque' : display
 }
 
 function withPanel(open: readonly string[], panel: string, isOpen: boolean): readonly string[] {

@@ -9,10 +9,9 @@
 
 import workerSource from 'virtual:hexlens.batch-worker'
 import { type Classifier, classifierOn } from '../core/batch/classify'
-import type { WorkerPort } from '../core/batch/messages'
-import { Pool } from '../core/batch/pool'
-import { pagePort, threadPort } from '../core/batch/ports'
 import { defaultWorkers } from '../core/batch/start'
+import { pagePort, threadPort } from '../core/worker-ports'
+import type { WorkerPort } from '../core/workers'
 import { batchInside } from './batch-inside'
 
 export type { Counts } from '../core/batch/batch-core'
@@ -51,8 +50,7 @@ export async function startClassifier({
   workers = defaultWorkers(),
   workerUrl,
 }: ClassifierOptions = {}): Promise<Classifier> {
-  const module = await batchInside()
-  return classifierOn(new Pool(module, workers, () => spawn(workerUrl)))
+  return classifierOn({ start: await batchInside(), size: workers, spawn: () => spawn(workerUrl) })
 }
 
 /** Node's module is asked for by name when it is needed: bundlers for browsers would stumble over an import. */

@@ -1,8 +1,9 @@
 /** The worker that reads is a file beside the script, which would be half as large again with it inside, and is loaded when it is needed. */
-import type { ReadingWorker } from '../input/read-input'
+import { pagePort } from '../core/worker-ports'
+import type { ReadingWorker } from '../input/input-reader'
 
 const NAME = 'hexlens.mesh-worker.js'
-const BLOCKED = `${NAME} was not loaded from beside the script, or a policy of the page forbids it`
+const BLOCKED = `${NAME} was not loaded from beside the script, or a policy of the page forbids it.`
 
 /** This module's address, or the script's, which its tag tells only while it first runs. */
 const script = globalThis.document?.currentScript
@@ -15,13 +16,11 @@ export function setMeshWorker(address: string | URL | (() => Promise<string | UR
   findAddress = typeof address === 'function' ? address : async () => address
 }
 
-export const readingWorkerBeside: ReadingWorker = {
-  async start() {
-    const address = new URL(await findAddress(), document.baseURI)
-    const isOwn = address.origin === location.origin && address.protocol !== 'file:'
-    return new Worker(isOwn ? address : await addressOfCopy(address.href))
-  },
-  blocked: BLOCKED,
+export const readingWorkerBeside: ReadingWorker = async () => {
+  const address = new URL(await findAddress(), document.baseURI)
+  const isOwn = address.origin === location.origin && address.protocol !== 'file:'
+  const script = isOwn ? address : await addressOfCopy(address.href)
+  return () => pagePort(new Worker(script), BLOCKED)
 }
 
 type HandedOver = HTMLScriptElement & { readonly work?: () => void }

@@ -6,7 +6,6 @@
  *     const vertices = verticesOf(mesh, 0)                         // as `hexlens/core` takes them
  */
 export { type Block, type Mesh, MeshRefusal, type NotTrilinear } from '../mesh/mesh'
-export { readMeshes } from '../mesh/read-mesh'
-export { MissingFiles, readTogether } from '../mesh/read-together'
+export { MissingFiles, readMeshes, readTogether } from '../mesh/read-mesh'
 export { type FindFile, fileOfBytes, type MeshFile, type ReadOptions } from '../mesh/source'
 export { verticesOf } from '../mesh/vertices-of'

@@ -8,5 +8,5 @@ import { nearest } from '../panels/nearest'
 define({
   core: coreFiles,
   panels: panels.toSpliced(panels.indexOf(morph), 0, nearest),
-  readingWorker: async () => (await import('../input/worker-file')).readingWorkerFile,
+  readingWorker: async () => (await import('../input/worker-file')).startReadingWorker,
 })

@@ -2,12 +2,14 @@
 import type { Report } from '../core/report'
 import type { Vertices } from '../model/hexahedron'
 import { rampOf } from '../scene/paint/colour-map'
+import { paletteOf } from '../scene/paint/face-raster'
 import { ThemeReader } from '../scene/paint/theme'
-import { type Colours, thumbnailAddress, thumbnailText } from '../scene/paint/thumbnail'
+import { type Colours, THUMBNAIL_SIDE, thumbnailPixels, thumbnailText } from '../scene/paint/thumbnail'
 
 type Lens = HTMLElementTagNameMap['hex-lens']
 
 export interface Picture {
+  /** For the `src` of an image. */
   readonly address: string
   /** The picture in words. */
   readonly text: string
@@ -16,8 +18,8 @@ export interface Picture {
 /** The image until there is a picture. */
 export const BLANK = `data:image/svg+xml,${encodeURIComponent('<svg xmlns="http://www.w3.org/2000/svg"/>')}`
 
-/** A picture takes a few milliseconds to draw and to show. */
-const AT_ONCE = 8
+/** A picture takes some tens of milliseconds to draw: the frames between them belong to the reader. */
+const AT_ONCE = 1
 
 export class Pictures {
   readonly #lens: Lens
@@ -26,6 +28,7 @@ export class Pictures {
   readonly #reports = new Map<string, Report>()
   readonly #pictures = new Map<string, Picture>()
   readonly #awaited = new Set<string>()
+  readonly #canvas = document.createElement('canvas')
   #colours: Colours | null = null
   /** Pictures that may still be drawn before the page has to be drawn again. */
   #left = AT_ONCE
@@ -50,7 +53,7 @@ export class Pictures {
     }
     if (this.#left === 0) return null
     this.#left -= 1
-    const picture = { address: thumbnailAddress(report, colours), text: thumbnailText(report) }
+    const picture = { address: this.#address(thumbnailPixels(report, colours)), text: thumbnailText(report) }
     this.#pictures.set(key, picture)
     return picture
   }
@@ -63,10 +66,17 @@ export class Pictures {
       for (const key of known.keys()) if (!keys.has(key)) known.delete(key)
   }
 
+  #address(pixels: Uint8ClampedArray<ArrayBuffer>): string {
+    this.#canvas.width = THUMBNAIL_SIDE
+    this.#canvas.height = THUMBNAIL_SIDE
+    this.#canvas.getContext('2d')?.putImageData(new ImageData(pixels, THUMBNAIL_SIDE), 0, 0)
+    return this.#canvas.toDataURL()
+  }
+
   #current(): Colours {
     const theme = this.#theme.read()
     if (this.#colours?.theme !== theme) {
-      this.#colours = { theme, ramp: rampOf(theme) }
+      this.#colours = { theme, palette: paletteOf(rampOf(theme), theme) }
       this.#pictures.clear()
     }
     return this.#colours

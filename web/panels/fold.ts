@@ -4,6 +4,7 @@
  * view can stop its timers.
  */
 import { html, render } from 'lit-html'
+import type { Action, State } from '../model/state'
 import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../views/view'
 import type { Panel } from './panel'
 import { adoptStyles } from './style-sheets'
@@ -17,11 +18,13 @@ export interface FoldOptions {
   readonly name: string
   readonly title: string
   readonly load: () => Promise<FoldContent>
+  /** What the reader's opening or closing changes besides. */
+  readonly toggled?: (state: State, isOpen: boolean) => Action
 }
 
-export function fold({ name, title, load }: FoldOptions) {
-  const create: CreateView = context => new Fold(context, { name, title, load })
-  return { name, region: 'folds', opens: true, create, styles: '' } as const satisfies Panel
+export function fold(options: FoldOptions) {
+  const create: CreateView = context => new Fold(context, options)
+  return { name: options.name, region: 'folds', opens: true, create, styles: '' } as const satisfies Panel
 }
 
 class Fold implements View {
@@ -59,12 +62,18 @@ class Fold implements View {
   #render(): void {
     const { name, title } = this.#options
     const id = `panel-${name}`
-    const toggle = () => this.#context.dispatch({ type: 'open-panel', panel: name, isOpen: !this.#isOpen })
     render(
-      html`<h2><button type="button" class="on-paper" aria-expanded=${this.#isOpen} aria-controls=${id} @click=${toggle}>${title}</button></h2>
+      html`<h2><button type="button" class="on-paper" aria-expanded=${this.#isOpen} aria-controls=${id} @click=${() => this.#toggle()}>${title}</button></h2>
         <div id=${id} ?hidden=${!this.#isOpen}>${this.#view?.root ?? this.#failure}</div>`,
       this.root,
     )
+  }
+
+  #toggle(): void {
+    const { name, toggled } = this.#options
+    const isOpen = !this.#isOpen
+    this.#context.dispatch({ type: 'open-panel', panel: name, isOpen })
+    if (toggled) this.#context.dispatch(toggled(this.#context.state(), isOpen))
   }
 
   #updateView(frame: Frame): void {

@@ -1,7 +1,8 @@
 /** The element in physical space, with vertices to move. */
 import type { JacobianReport } from '../core/report'
 import type { Vec3 } from '../model/hexahedron'
-import type { State } from '../model/state'
+import { type State, sliceOf } from '../model/state'
+import { previewSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 import type { HandleDrag } from './overlay/overlay-picture'
 import { Readout } from './overlay/readout'
@@ -73,7 +74,8 @@ export class ElementPane extends Pane {
   update({ state, report }: Frame, { taken }: PaneLayout): void {
     this.#drawnDrag = this.#drag
     const { world, camera, seen: handles } = this
-    this.overlay.update({ state, report, world, camera, handles, drag: this.#drag, taken })
+    const { preview } = sliceOf(previewSlice, state)
+    this.overlay.update({ state, preview, report, world, camera, handles, drag: this.#drag, taken })
   }
 
   updateProbe(probe: JacobianReport | null, { referenceCube }: State, layout: PaneLayout): void {

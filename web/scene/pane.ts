@@ -1,5 +1,7 @@
 /** A pane of the scene with a camera of its own: its element on the screen, the overlay over it, and its inputs. */
 import type { Vec3 } from '../model/hexahedron'
+import { sliceOf } from '../model/state'
+import { sceneSlice } from '../views/scene-slices'
 import type { ViewContext } from '../views/view'
 import { pointUnder } from './input/face-hit'
 import type { InputTarget } from './input/input-target'
@@ -70,8 +72,9 @@ export abstract class Pane implements InputTarget {
   }
 
   pointAt(x: number, y: number): Vec3 | null {
-    const seen = { camera: this.camera, vertices: this.vertices(), handles: this.seen, state: this.host.state() }
-    return pointUnder(seen, x, y)
+    const { selectedVertex, ...now } = this.host.state()
+    const state = { ...sliceOf(sceneSlice, now), selectedVertex }
+    return pointUnder({ camera: this.camera, vertices: this.vertices(), handles: this.seen, state }, x, y)
   }
 
   turn(right: number, up: number): void {

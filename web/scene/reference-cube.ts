@@ -4,7 +4,8 @@
  */
 import type { Candidate, JacobianReport, Report } from '../core/report'
 import { type Vec3, vertexReference } from '../model/hexahedron'
-import type { CameraView } from '../model/state'
+import { type CameraView, sliceChange, sliceOf } from '../model/state'
+import { sceneSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 import type { Viewport } from './paint/picture'
 import { Pane, type PaneScene } from './pane'
@@ -82,9 +83,10 @@ export class ReferenceCube extends Pane {
   }
 
   update({ state, report }: Frame): void {
-    this.#link.checked = state.camerasLinked
+    this.#link.checked = sliceOf(sceneSlice, state).camerasLinked
     this.overlay.update({
-      state: { ...state, vertices: CUBE, gestureStart: null, preview: null },
+      state: { ...state, vertices: CUBE, gestureStart: null },
+      preview: null,
       report: this.#inCube(report),
       world: WORLD,
       camera: this.camera,
@@ -111,7 +113,7 @@ export class ReferenceCube extends Pane {
     label.title = 'Turning one turns the other'
     this.#link.type = 'checkbox'
     this.#link.addEventListener('change', () => {
-      this.host.dispatch({ type: 'link-cameras', camerasLinked: this.#link.checked })
+      this.host.dispatch(sliceChange(sceneSlice, { camerasLinked: this.#link.checked }))
     })
     label.append(this.#link, 'Link views')
     return label

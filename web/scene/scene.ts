@@ -7,7 +7,8 @@
  */
 import { pointOfValue } from '../core/point-of-value'
 import type { Vec3 } from '../model/hexahedron'
-import type { Cameras, CameraView, State } from '../model/state'
+import { type Cameras, type CameraView, type State, sliceChange, sliceOf } from '../model/state'
+import { controlsSlice, helpToggled, sceneSlice } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Update, View, ViewContext } from '../views/view'
 import { ElementPane } from './element-pane'
 import { Controls } from './input/controls'
@@ -62,11 +63,11 @@ class Scene implements View, PaneScene {
     )
     this.#controls = new Controls({
       fit: () => this.#pane.fit(false),
-      toggleHelp: () => host.dispatch({ type: 'show-help', helpShown: !host.state().helpShown }),
+      toggleHelp: () => host.dispatch(helpToggled(host.state())),
       toggleReference: () => this.toggleReference(),
       turn: (right, up) => this.#pane.turn(right, up),
       zoom: factor => this.#pane.zoom(factor),
-      showFaces: faceDisplay => host.dispatch({ type: 'show-faces', faceDisplay }),
+      showFaces: faceDisplay => host.dispatch(sliceChange(sceneSlice, { faceDisplay })),
     })
     for (const { root } of [this.#colourBar, this.#help, this.#controls, this.#spokenProbe])
       this.#pane.root.append(root)
@@ -116,7 +117,7 @@ class Scene implements View, PaneScene {
   }
 
   cameras(): Cameras | null {
-    if (this.#shown === null) return null
+    if (this.#shown === null || this.host.state().cameras !== this.#asked) return null
     return {
       camera: this.#pane.fitting.cameraView(this.#shown.state.vertices),
       referenceCamera: this.#reference ? this.#reference.cameraView() : (this.#asked?.referenceCamera ?? null),
@@ -137,9 +138,9 @@ class Scene implements View, PaneScene {
   }
 
   toggleReference(): void {
-    const referenceShown = !this.host.state().referenceShown
+    const referenceShown = !isReferenceShown(this.host.state())
     if (!referenceShown && this.#reference?.element.matches(':focus')) this.#pane.element.focus()
-    this.host.dispatch({ type: 'show-reference', referenceShown })
+    this.host.dispatch(sliceChange(sceneSlice, { referenceShown }))
   }
 
   #probeValue(value: number | null): void {
@@ -166,9 +167,10 @@ class Scene implements View, PaneScene {
   }
 
   /** Lays out the panes. Returns the element's camera from before if its pane has another size now, else null. */
-  #resize({ referenceShown }: State): { readonly camera: CameraView | null } | null {
+  #resize(state: State): { readonly camera: CameraView | null } | null {
     const before = this.#shown?.state
-    if (!this.#sizeMayDiffer && referenceShown === (before?.referenceShown ?? false)) return null
+    const referenceShown = isReferenceShown(state)
+    if (!this.#sizeMayDiffer && referenceShown === (before !== undefined && isReferenceShown(before))) return null
     this.#sizeMayDiffer = false
     if (referenceShown) this.#reference ??= this.#createReference()
     if (this.#reference) this.#reference.root.hidden = !referenceShown
@@ -187,7 +189,8 @@ class Scene implements View, PaneScene {
   }
 
   /** Turns the cameras as a program asked for it, once. */
-  #look({ state, cameras }: Frame): void {
+  #look({ state }: Frame): void {
+    const { cameras } = state
     if (cameras === null || cameras === this.#asked) return
     this.#asked = cameras
     this.#pane.fitting.look(state.vertices, cameras.camera)
@@ -198,14 +201,14 @@ class Scene implements View, PaneScene {
   #draw(frame: Frame, isFigure = false): void {
     const { state, report, probe } = frame
     const { pane } = this.#layout
-    const reference = state.referenceShown ? this.#reference : null
+    const reference = isReferenceShown(state) ? this.#reference : null
     const own = this.#pane.prepare(state)
     const viewports = reference ? [own, reference.prepare()] : [own]
     const isOther = this.#painting.paint(frame, this.#layout, viewports, isFigure)
     if (isOther || this.#pane.hasNewDrag || this.#differs(frame)) {
       this.#pane.update(frame, pane)
       this.#controls.update(state, report)
-      this.#help.show(state.helpShown)
+      this.#help.show(sliceOf(controlsSlice, state).helpShown)
       reference?.update(frame)
     }
     this.#pane.updateProbe(probe, state, pane)
@@ -228,6 +231,10 @@ class Scene implements View, PaneScene {
   }
 }
 
+function isReferenceShown(state: State): boolean {
+  return sliceOf(sceneSlice, state).referenceShown
+}
+
 /** The scene among the panels. `prepare` asks the browser for what takes it longest. */
 export const scene = {
   name: 'scene',
@@ -235,4 +242,5 @@ export const scene = {
   create: (host: ViewContext): View => new Scene(host),
   styles,
   prepare: (): void => void faceContext(),
+  slice: sceneSlice,
 } as const

@@ -1,6 +1,6 @@
 /** The names of entities on the page. */
 import { edgeName, faces } from '../model/hexahedron'
-import type { Entity } from '../model/state'
+import type { Entity } from './scene-slices'
 
 /** "3", "0–1" or "−ζ". */
 export function entityName({ kind, id }: Entity): string {

@@ -56,8 +56,6 @@ export interface Frame {
   readonly probe: JacobianReport | null
   /** The state of the last input; null before the first, and once it is closed. */
   readonly reading: Reading | null
-  /** The cameras last asked for, not as the reader turned them since; a new object each time. */
-  readonly cameras: Cameras | null
   /** Answers to the panels' questions by their names (`answerTo`). Empty without a report. */
   readonly answers: Readonly<Record<string, unknown>>
   readonly problems: readonly Problem[]
@@ -75,7 +73,7 @@ export interface View {
   update(frame: Frame): void
   /** The figure of that name, if this view has it on the page now. */
   figure?(name: FigureName): Figure | null
-  /** The cameras as they are now, if they are this view's; null before its first picture. */
+  /** The cameras as they are now, if they are this view's; null before its first picture, and until it looks as was asked for last. */
   cameras?(): Cameras | null
   /** True if something of it is still to be loaded. */
   readonly isLoading?: boolean

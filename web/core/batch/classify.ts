@@ -3,10 +3,11 @@
  * answer the same as one by one, bit for bit, whatever the number of workers and whatever the machine's vectors.
  */
 import type { CoreError, Result } from '../report'
+import { Pool, type PoolOptions, unlessAborted } from '../workers'
 import { type Counts, cellCount, NOTHING_COUNTED, type Piece, sumOfCounts } from './batch-core'
 import { type Answers, answersOf, bytesPerCell, emptyLists, listsIn, putLists, type Wanted, wantedOf } from './lists'
 import { type Cut, isWhole, pieces, Recycled } from './pieces'
-import type { Pool } from './pool'
+import type { BatchJobs } from './worker'
 
 export interface Progress {
   /** Cells. */
@@ -69,7 +70,25 @@ export interface Classifier {
   close(): void
 }
 
-export function classifierOn(pool: Pool): Classifier {
+/** Large beside what a message costs, small beside the memory of a page: 3 MB of coordinates. */
+const CELLS_PER_PIECE = 16384
+
+interface ClassifierWorkers extends Omit<PoolOptions<WebAssembly.Module>, 'name'> {
+  readonly cellsPerPiece?: number
+}
+
+class BatchPool extends Pool<WebAssembly.Module, BatchJobs> {
+  readonly cellsPerPiece: number
+
+  constructor({ cellsPerPiece = CELLS_PER_PIECE, ...workers }: ClassifierWorkers) {
+    super({ ...workers, name: 'A worker for batches' })
+    this.cellsPerPiece = cellsPerPiece
+  }
+}
+
+/** `start` is the compiled module. */
+export function classifierOn(workers: ClassifierWorkers): Classifier {
+  const pool = new BatchPool(workers)
   return {
     classify: (points, cells, options) => classify(pool, points, cells, options ?? {}),
     stream: (chunks, options) => stream(pool, chunks, options ?? {}),
@@ -78,7 +97,7 @@ export function classifierOn(pool: Pool): Classifier {
 }
 
 async function classify(
-  pool: Pool,
+  pool: BatchPool,
   points: Float64Array,
   cells: Uint32Array | null,
   { signal, onProgress, ...options }: ClassifyOptions,
@@ -100,7 +119,8 @@ async function classify(
       partlyDone.set(cut, cellsDone)
       showProgress()
     }
-    const back = await pool.run({ piece, block, wanted, caller: memory, onProgress: onPieceProgress })
+    const options = { caller: memory, onProgress: onPieceProgress }
+    const back = await pool.run('classify', { piece, block, wanted }, options)
     counts = sumOfCounts(counts, back.counts, first)
     putLists(listsIn(back.block, count, wanted), lists, first)
     memory.give(back.block)
@@ -109,9 +129,7 @@ async function classify(
     showProgress()
   }
 
-  const onAbort = () => pool.cancel(memory, signal?.reason)
-  signal?.addEventListener('abort', onAbort)
-  try {
+  async function runAll(): Promise<void> {
     const underWay = new Set<Promise<void>>()
     for (const cut of pieces({ points, cells }, { cellsPerPiece: pool.cellsPerPiece, wanted, memory })) {
       const running = run(cut).finally(() => underWay.delete(running))
@@ -121,17 +139,20 @@ async function classify(
       signal?.throwIfAborted()
     }
     await Promise.all(underWay)
+  }
+
+  const cancel = (reason: unknown) => pool.cancel(memory, reason)
+  try {
+    await unlessAborted(signal, cancel, runAll)
   } catch (reason) {
-    pool.cancel(memory, reason)
+    cancel(reason)
     throw reason
-  } finally {
-    signal?.removeEventListener('abort', onAbort)
   }
   return { ok: true, value: { ...answersOf(lists), ...counts } }
 }
 
 async function* stream(
-  pool: Pool,
+  pool: BatchPool,
   chunks: Iterable<CellChunk> | AsyncIterable<CellChunk>,
   { handOver = false, ...options }: StreamOptions,
 ): AsyncGenerator<Result<Classification>> {
@@ -162,25 +183,21 @@ function hasMemoryToItself(list: Float64Array | Uint32Array | null): boolean {
 
 /** One piece, whose memory the worker gets; the answers lie in it, if it has room for them. */
 async function classifyWhole(
-  pool: Pool,
+  pool: BatchPool,
   piece: Piece,
   { signal, ...options }: ClassifyOptions,
 ): Promise<Result<Classification>> {
-  signal?.throwIfAborted()
   const wanted = wantedOf(options)
   const count = cellCount(piece)
   const length = count * bytesPerCell(wanted)
   const own = piece.points.buffer as ArrayBuffer
-  const block = own.byteLength >= length ? own : new ArrayBuffer(length)
-  const job = { piece, block, wanted, caller: {}, onProgress: () => {} }
-  const onAbort = () => pool.cancel(job.caller, signal?.reason)
-  signal?.addEventListener('abort', onAbort)
-  try {
-    const { counts, ...back } = await pool.run(job)
-    return { ok: true, value: { ...answersOf(listsIn(back.block, count, wanted)), ...counts } }
-  } finally {
-    signal?.removeEventListener('abort', onAbort)
-  }
+  const caller = {}
+  const cancel = (reason: unknown) => pool.cancel(caller, reason)
+  const { counts, block } = await unlessAborted(signal, cancel, () => {
+    const block = own.byteLength >= length ? own : new ArrayBuffer(length)
+    return pool.run('classify', { piece, block, wanted }, { caller })
+  })
+  return { ok: true, value: { ...answersOf(listsIn(block, count, wanted)), ...counts } }
 }
 
 function inStream(error: CoreError, before: number): CoreError {

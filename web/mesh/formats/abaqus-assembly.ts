@@ -4,7 +4,7 @@ import { moveLine, moveOf } from './abaqus-moves'
 import { AbaqusPart } from './abaqus-part'
 import type { Reading, Section } from './abaqus-reading'
 import { rigidMove } from './movement'
-import type { Placement } from './node-model'
+import type { Placement } from './placements'
 import type { TextLines } from './text-lines'
 
 interface Instance {

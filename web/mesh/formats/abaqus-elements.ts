@@ -5,8 +5,9 @@ import type { Runs } from '../runs'
 import { unquoted } from './abaqus-keyword'
 import type { AbaqusPart } from './abaqus-part'
 import { type Reading, type Section, wholeNumber } from './abaqus-reading'
-import { type AbaqusType, abaqusType, ORDER_OF_20, ORDER_OF_27 } from './abaqus-types'
+import { type AbaqusType, abaqusType, ORDER_OF_27 } from './abaqus-types'
 import type { IdRanges } from './id-ranges'
+import { ORDER_OF_20 } from './node-model'
 
 const HEXAHEDRON_ROW = new RowPattern(['whole', ...Array.from({ length: 8 }, () => [',', 'whole']).flat(), 'end'])
 

@@ -19,7 +19,7 @@ export function nodeSection(reading: Reading): Section {
     reading.lines.refuse(`*NODE has an unknown SYSTEM ${shown(system)}: R, C or S was expected.`)
   const isCylindrical = system.startsWith('C')
   const set = parameters.get('NSET')
-  const ids = set === undefined ? null : reading.part.nodeSet(set)
+  const ids = reading.part.nodeSet(set)
   const isFar = isCylindrical || reading.frame !== null
   if (isFar)
     reading.notes.push('Coordinates in frames of their own are turned into global ones, and rounded to doubles.')
@@ -121,7 +121,7 @@ export function nodeLineSection(reading: Reading): Section {
     at.splitAtCommas()
     const [first, last] = [at.id(0, 'a node number'), at.id(1, 'a node number')]
     const step = Math.abs(at.integer(2, 'an increment')) || 1
-    part.generateLine(at, first, last, step, set === undefined ? null : part.nodeSet(set))
+    part.generateLine(at, first, last, step, part.nodeSet(set))
   }
   return { line }
 }
@@ -141,14 +141,7 @@ export function nodeFillSection(reading: Reading): Section {
     const intervals = at.id(2, 'a number of intervals')
     const step = at.isFieldBlank(3) ? 1 : at.integer(3, 'an increment')
     const sets = [at.fieldText(0), at.fieldText(1)].map(name => part.sortedNodes(at, unquoted(name)))
-    part.fill(
-      at,
-      sets[0] as number[],
-      sets[1] as number[],
-      intervals,
-      step,
-      set === undefined ? null : part.nodeSet(set),
-    )
+    part.fill(at, sets[0] as number[], sets[1] as number[], intervals, step, part.nodeSet(set))
   }
   return { line }
 }
@@ -175,7 +168,7 @@ export function nodeCopySection(reading: Reading): Section {
     for (let k = 1; k <= multiple; ++k) {
       const move = rigidMove(scaled(translation, k), rotation)
       if (move === null) lines.refuse('the two points of the axis are the same.', line)
-      part.copyNodes(lines, old, k * change, move, target === undefined ? null : part.nodeSet(target))
+      part.copyNodes(lines, old, k * change, move, part.nodeSet(target))
     }
   }
   return { line: () => moveLines.push(moveLine(reading.lines)), end }

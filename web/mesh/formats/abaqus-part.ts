@@ -51,8 +51,9 @@ export class AbaqusPart {
     return set
   }
 
-  nodeSet(name: string): IdRanges {
-    return this.nodeSetWithNames(name).ids
+  /** Null without a name. */
+  nodeSet(name: string | undefined): IdRanges | null {
+    return name === undefined ? null : this.nodeSetWithNames(name).ids
   }
 
   elementSet(name: string, isInternal = false): ElementSet {

@@ -1,6 +1,7 @@
 /** Element types of Abaqus and CalculiX: the cell that each is, and its nodes. */
 import type { OtherCell } from '../mesh-builder'
 import { wordTable } from '../word-table'
+import { ORDER_OF_20 } from './node-model'
 
 export type AbaqusType =
   | { readonly kind: 'hexahedron'; readonly nodes: 8 }
@@ -41,9 +42,6 @@ export function abaqusType(name: string): AbaqusType {
   }
   return { kind: 'other', cell: LINE.test(type) ? 'line' : 'other', nodes: null }
 }
-
-/** The slots of the nodes of an element of 20: bottom edges, top edges, upright edges, as VTK. */
-export const ORDER_OF_20: readonly number[] = Array.from({ length: 20 }, (_, i) => i)
 
 /** C3D27: the centre, then the faces -zeta, +zeta, -eta, +xi, +eta, -xi. */
 export const ORDER_OF_27: readonly number[] = [...ORDER_OF_20, 26, 24, 23, 25, 21, 22, 20]

@@ -13,12 +13,12 @@ import { type Keyword, keywordOf } from './abaqus-keyword'
 import { nodeCopySection, nodeFillSection, nodeLineSection, nodeSection, systemSection } from './abaqus-nodes'
 import type { AbaqusPart } from './abaqus-part'
 import type { Reading, Section } from './abaqus-reading'
+import { includedLines } from './includes'
 import type { Frame } from './movement'
-import { collect } from './node-model'
+import { collect } from './placements'
 import { TextLines } from './text-lines'
 
 const STAR = 42
-const DEEPEST_INCLUDE = 16
 
 /** Options that make, move or bring nodes and elements in ways that are not read. */
 const REFUSED = new Set([
@@ -199,13 +199,9 @@ class AbaqusReader implements Reading {
     const lines: TextLines = this.lines
     const { written } = this.keyword
     if (name === '') lines.refuse(`${shown(written)} names no file: INPUT=name was expected.`)
-    if (depth >= DEEPEST_INCLUDE)
-      lines.refuse(`${shown(written)} of ${shown(name)}: files are included ${DEEPEST_INCLUDE} deep.`)
-    const file = this.#options.find(name)
-    if (file === null)
-      lines.refuse(`${shown(written)} names ${shown(name)}, which is missing: give it together with this file.`)
+    const included = includedLines(lines, this.#options, shown(written), name, depth)
     this.#assembly.global.model.forgetPlaces()
-    this.lines = new TextLines(file, this.#options)
+    this.lines = included
     this.#readLines(depth + 1)
     this.lines = lines
   }

@@ -4,16 +4,13 @@ import { PrintedDigits } from '../precision'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
-import { AnsysCommands, filledFields, MOST_NODES } from './ansys-commands'
-import { type AnsysType, ansysType } from './ansys-types'
+import { AnsysCommands } from './ansys-commands'
+import { AnsysElements, MOST_NODES } from './ansys-elements'
+import type { AnsysType } from './ansys-types'
 import { IdOrder } from './id-ranges'
-import { collect, NodeModel } from './node-model'
+import { NodeModel } from './node-model'
+import { collect } from './placements'
 import { TextLines } from './text-lines'
-
-/** The slots of an element of 20 nodes: bottom edges, top edges, upright edges, as VTK. */
-const ORDER_OF_20 = Array.from({ length: 20 }, (_, i) => i)
-const HEXAHEDRON: AnsysType = { kind: 'hexahedron' }
-const QUADRATIC: AnsysType = { kind: 'quadratic' }
 
 /** Fields of an element in a solid block, before its nodes. */
 const SOLID_FIELDS = 11
@@ -40,25 +37,20 @@ interface Widths {
 }
 
 class AnsysReader {
-  readonly #file: MeshFile
   readonly #lines: TextLines
   readonly #model = new NodeModel()
   readonly #precision = new PrintedDigits()
   readonly #notes: string[] = []
-  readonly #routines = new Map<number, number>()
-  readonly #firstOptions = new Map<number, number>()
-  readonly #types = new Map<number, AnsysType | null>()
   readonly #components: { name: string; ids: [number, number][] }[] = []
-  #currentType = 1
   #isCutOff = false
-  #degenerate = 0
+  readonly #elements: AnsysElements
   readonly #commands: AnsysCommands
 
   constructor(file: MeshFile, options: ReadOptions) {
-    this.#file = file
     this.#lines = new TextLines(file, options)
+    this.#elements = new AnsysElements(this.#lines, this.#model, this.#notes)
     this.#commands = new AnsysCommands(this.#lines, this.#model, this.#precision, (id, nodes, line) =>
-      this.#element(id, this.#typeOf(this.#currentType), nodes, nodes.length, new Uint32Array(MOST_NODES), line),
+      this.#elements.add(id, this.#elements.typeOf(), nodes, nodes.length, line),
     )
   }
 
@@ -70,13 +62,13 @@ class AnsysReader {
     }
     this.#commands.endElement()
     this.#makeBlocks()
-    if (this.#degenerate > 0)
+    if (this.#elements.degenerate > 0)
       this.#notes.push(
-        `${this.#degenerate} elements repeat nodes, as Ansys writes wedges, pyramids and tetrahedra: as hexahedra they have J <= 0 somewhere.`,
+        `${this.#elements.degenerate} elements repeat nodes, as Ansys writes wedges, pyramids and tetrahedra: as hexahedra they have J <= 0 somewhere.`,
       )
     return collect({
       format: 'Ansys',
-      fileName: this.#file.name,
+      fileName: this.#lines.file.name,
       placements: [{ model: this.#model, name: null, move: null }],
       precision: this.#precision,
       notes: this.#notes,
@@ -111,15 +103,15 @@ class AnsysReader {
         this.#typeBlock()
         break
       case 'ET':
-        this.#defineType(rest)
+        this.#elementType(rest)
         break
       case 'KEYOP':
       case 'KEYOPT':
-        if (Number(rest[1]) === 1) this.#firstOptions.set(Number(rest[0]), Number(rest[2]))
+        if (Number(rest[1]) === 1) this.#elements.setFirstOption(Number(rest[0]), Number(rest[2]))
         break
       case 'TYPE':
         this.#commands.endElement()
-        this.#currentType = Number(rest[0])
+        this.#elements.currentType = Number(rest[0])
         break
       case 'N':
         if (!/^R/i.test(rest[0] ?? '')) this.#commands.node()
@@ -134,10 +126,10 @@ class AnsysReader {
     }
   }
 
-  #defineType([type, routine = '', firstOption = '']: readonly string[]): void {
+  #elementType([type, routine = '', firstOption = '']: readonly string[]): void {
     const digits = /(\d{1,4})$/.exec(routine)?.[1]
-    if (digits !== undefined) this.#routines.set(Number(type), Number(digits))
-    if (firstOption !== '') this.#firstOptions.set(Number(type), Number(firstOption))
+    if (digits !== undefined) this.#elements.defineType(Number(type), Number(digits))
+    if (firstOption !== '') this.#elements.setFirstOption(Number(type), Number(firstOption))
   }
 
   #typeBlock(): void {
@@ -145,10 +137,10 @@ class AnsysReader {
     const lines = this.#lines
     while (lines.next()) {
       lines.startFields()
-      for (let i = 0; i < 2; ++i) lines.addField(lines.from + i * integerWidth, lines.from + (i + 1) * integerWidth)
+      lines.addColumns(2, integerWidth)
       const type = lines.integer(0, 'a type of elements')
       if (type < 0) return
-      this.#routines.set(type, lines.integer(1, 'a number of a type'))
+      this.#elements.defineType(type, lines.integer(1, 'a number of a type'))
     }
   }
 
@@ -188,6 +180,28 @@ class AnsysReader {
     )
   }
 
+  /** Reads the lines of a block, which must be as many as it declares, if it does. */
+  #block(block: string, what: string, stated: string, readLine: () => void): void {
+    const lines = this.#lines
+    let count = 0
+    for (;;) {
+      if (!lines.next()) lines.refuse(`the file ends within an ${block}, after ${count} ${what}.`)
+      if (lines.isBlank) continue
+      if (lines.isElision) {
+        this.#isCutOff = true
+        continue
+      }
+      if (this.#isEndOfBlock()) break
+      readLine()
+      count++
+    }
+    const declared = Number(stated)
+    if (count < declared && !this.#isCutOff) lines.refuse(`${block} has ${count} ${what}; ${declared} are declared.`)
+    if (declared > 0 && count > declared && !this.#isCutOff)
+      this.#notes.push(`${block} declares ${declared} ${what}, and has ${count}: all are read.`)
+    if (!isMinusOne(lines)) lines.hold()
+  }
+
   // Nodes
 
   #nodeBlock([, , , declared = '']: readonly string[]): void {
@@ -196,91 +210,39 @@ class AnsysReader {
     if (integers < 1 || reals < 3)
       lines.refuse('NBLOCK: a number of a node and three coordinates were expected in its format.')
     const coordinates = integers * integerWidth
-    let count = 0
     let isJustified = false
-    for (;;) {
-      if (!lines.next()) lines.refuse(`the file ends within an NBLOCK, after ${count} nodes.`)
-      if (lines.isBlank) continue
-      if (lines.isElision) {
-        this.#isCutOff = true
-        continue
-      }
-      if (this.#isEndOfBlock()) break
+    this.#block('NBLOCK', 'nodes', declared, () => {
       lines.startFields()
-      lines.addField(lines.from, lines.from + integerWidth)
-      for (let i = 0; i < 3; ++i) {
-        const from = lines.from + coordinates + i * realWidth
-        lines.addField(from, from + realWidth)
-      }
+      lines.addColumns(1, integerWidth)
+      lines.addColumns(3, realWidth, lines.from + coordinates)
       const id = lines.id(0, 'a number of a node')
       const beyond = lines.to - lines.from - coordinates
       const isWhole = beyond <= 0 ? (lines.to - lines.from) % integerWidth === 0 : beyond % realWidth === 0
       if (isWhole) isJustified = true
       else if (isJustified && beyond < 6 * realWidth)
         lines.refuse(`node ${id}: the last number of the line is cut off.`)
-      const slot = this.#model.defineNode(
-        lines,
-        id,
-        lines.real(1, this.#precision),
-        lines.real(2, this.#precision),
-        lines.real(3, this.#precision),
-      )
-      if (lines.isFieldBlank(1) || lines.isFieldBlank(2) || lines.isFieldBlank(3)) this.#model.forgetPlaces()
-      else this.#model.placeFields(lines, slot, 1)
-      count++
-    }
-    this.#compare('NBLOCK', 'nodes', Number(declared), count)
-    if (!isMinusOne(lines)) lines.hold()
+      this.#model.defineFields(lines, id, this.#precision)
+    })
     if (/^n,/i.test(lines.text().trim())) lines.next()
   }
 
-  #compare(block: string, what: string, declared: number, count: number): void {
-    if (!(declared > 0) || declared === count || this.#isCutOff) return
-    if (count < declared) this.#lines.refuse(`${block} has ${count} ${what}; ${declared} are declared.`)
-    this.#notes.push(`${block} declares ${declared} ${what}, and has ${count}: all are read.`)
-  }
-
   // Elements
-
-  #typeOf(type: number): AnsysType | null {
-    const known = this.#types.get(type)
-    if (known !== undefined) return known
-    const routine = this.#routines.get(type)
-    const found = routine === undefined ? null : ansysType(routine, this.#firstOptions.get(type) ?? 0)
-    if (routine === undefined)
-      this.#notes.push(`Type ${type} of elements is not defined: those of 8 nodes are taken for hexahedra.`)
-    else if (found === null)
-      this.#notes.push(`Elements of type ${routine} are not known here: they are counted as "other".`)
-    const answer = found ?? (routine === undefined ? null : ({ kind: 'other', cell: 'other' } as const))
-    this.#types.set(type, answer)
-    return answer
-  }
 
   #elementBlock([, key = '', , declared = '']: readonly string[]): void {
     const lines = this.#lines
     const { integers, integerWidth } = this.#formatLine('EBLOCK')
     const isSolid = /^solid$/i.test(key)
-    const slots = new Uint32Array(MOST_NODES)
     const nodes = new Float64Array(MOST_NODES)
     const split = () => {
       lines.startFields()
-      for (let i = 0; i < integers; ++i)
-        lines.addField(lines.from + i * integerWidth, lines.from + (i + 1) * integerWidth)
+      lines.addColumns(integers, integerWidth)
     }
-    let count = 0
-    for (;;) {
-      if (!lines.next()) lines.refuse(`the file ends within an EBLOCK, after ${count} elements.`)
-      if (lines.isBlank) continue
-      if (lines.isElision) {
-        this.#isCutOff = true
-        continue
-      }
-      if (this.#isEndOfBlock()) break
+    this.#block('EBLOCK', 'elements', declared, () => {
       split()
-      const filled = filledFields(lines)
+      const filled = lines.filledCount
       const id = lines.id(isSolid ? SOLID_FIELDS - 1 : 0, 'a number of an element')
       const fields = isSolid ? SOLID_FIELDS : NONSOLID_FIELDS
-      const type = this.#typeOf(isSolid ? lines.id(1, 'a type of an element') : this.#currentType)
+      const type = this.#elements.typeOf(isSolid ? lines.id(1, 'a type of an element') : undefined)
       const wanted = isSolid ? lines.id(8, 'a number of nodes') : Math.max(filled - fields, 0)
       if (wanted > MOST_NODES || wanted < 1)
         lines.refuse(`element ${id} has ${wanted} nodes; 1 to ${MOST_NODES} were expected.`)
@@ -289,11 +251,8 @@ class AnsysReader {
       for (let i = fields; i < filled && has < MOST_NODES; ++i) nodes[has++] = lines.id(i, 'a number of a node')
       if (isSolid) has = this.#furtherNodes(nodes, has, wanted, id, line, split)
       else if (filled === integers) has = this.#nodesOfSecondLine(nodes, has, type, split)
-      count++
-      this.#element(id, type, nodes, isSolid ? wanted : has, slots, line)
-    }
-    this.#compare('EBLOCK', 'elements', Number(declared), count)
-    if (!isMinusOne(lines)) lines.hold()
+      this.#elements.add(id, type, nodes, isSolid ? wanted : has, line)
+    })
   }
 
   #furtherNodes(
@@ -311,7 +270,7 @@ class AnsysReader {
       if (!lines.next() || this.#isEndOfBlock())
         lines.refuse(`element ${id} has ${has} nodes; ${wanted} are declared.`, line)
       split()
-      const filled = filledFields(lines)
+      const filled = lines.filledCount
       if (filled === 0 || has + filled > wanted)
         lines.refuse(`element ${id} has ${has} nodes, then a line of ${filled}; ${wanted} are declared.`)
       for (let i = 0; i < filled; ++i) nodes[has++] = lines.id(i, 'a number of a node')
@@ -326,45 +285,9 @@ class AnsysReader {
     if (type?.kind !== 'quadratic') return has
     if (!lines.next()) return has
     split()
-    const filled = filledFields(lines)
+    const filled = lines.filledCount
     for (let i = 0; i < filled && has < MOST_NODES; ++i) nodes[has++] = lines.id(i, 'a number of a node')
     return has
-  }
-
-  #element(
-    id: number,
-    type: AnsysType | null,
-    nodes: Float64Array,
-    count: number,
-    slots: Uint32Array,
-    line: number,
-  ): void {
-    const model = this.#model
-    const kind = type ?? (count === 8 ? HEXAHEDRON : count === 20 ? QUADRATIC : null)
-    if (kind === null) {
-      model.addOther(count === 10 ? 'tetrahedron' : 'other')
-    } else if (kind.kind === 'other') {
-      model.addOther(kind.cell)
-    } else if (kind.kind === 'face') {
-      model.addOther(count === 3 || count === 6 || nodes[2] === nodes[3] ? 'triangle' : 'quadrilateral')
-    } else if (count < 8) {
-      model.addOther(count === 4 ? 'tetrahedron' : count === 5 ? 'pyramid' : count === 6 ? 'wedge' : 'other')
-    } else if (kind.kind === 'quadratic' && count === 10) {
-      model.addOther('tetrahedron')
-    } else {
-      for (let i = 0; i < 8; ++i)
-        if (nodes[i] === 0) this.#lines.refuse(`element ${id} has node 0 among its first 8.`, line)
-      for (let i = 0; i < count; ++i) slots[i] = nodes[i] === 0 ? 0 : model.slot(nodes[i] as number)
-      if (isRepeating(nodes)) this.#degenerate++
-      if (kind.kind === 'quadratic')
-        model.addQuadratic(
-          id,
-          slots,
-          ORDER_OF_20.map(at => (at < count && nodes[at] !== 0 ? at : -1)),
-        )
-      else if (count === 8) model.addHexahedron(id, slots)
-      else this.#lines.refuse(`element ${id} has ${count} nodes; its type has 8.`, line)
-    }
   }
 
   // Components
@@ -381,9 +304,8 @@ class AnsysReader {
       }
       if (!isOfElements || isMinusOne(lines)) continue
       lines.startFields()
-      for (let i = 0; i < integers; ++i)
-        lines.addField(lines.from + i * integerWidth, lines.from + (i + 1) * integerWidth)
-      for (let i = 0; i < filledFields(lines); ++i) {
+      lines.addColumns(integers, integerWidth)
+      for (let i = 0; i < lines.filledCount; ++i) {
         const id = lines.integer(i, 'a number of an element')
         const last = ids.at(-1)
         if (id > 0) ids.push([id, id])
@@ -410,9 +332,4 @@ class AnsysReader {
 
 function isMinusOne(lines: TextLines): boolean {
   return lines.text().trim() === '-1'
-}
-
-function isRepeating(nodes: Float64Array): boolean {
-  for (let i = 0; i < 8; ++i) for (let j = 0; j < i; ++j) if (nodes[i] === nodes[j]) return true
-  return false
 }

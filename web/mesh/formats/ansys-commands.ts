@@ -1,9 +1,9 @@
 /** Commands of Ansys for one node, N, or one element, E, EN and EMORE, as people write them and CDWRITE does without blocks. */
 import type { PrintedDigits } from '../precision'
+import { MOST_NODES } from './ansys-elements'
 import type { NodeModel } from './node-model'
 import type { TextLines } from './text-lines'
 
-export const MOST_NODES = 32
 const [COMMA, EXCLAMATION] = [44, 33] as const
 
 export class AnsysCommands {
@@ -37,10 +37,7 @@ export class AnsysCommands {
     this.#split(4)
     const id = lines.isFieldBlank(0) ? this.#lastNode + 1 : lines.id(0, 'a number of a node')
     this.#lastNode = Math.max(this.#lastNode, id)
-    const [x, y, z] = [1, 2, 3].map(i => lines.real(i, this.#precision)) as [number, number, number]
-    const slot = this.#model.defineNode(lines, id, x, y, z)
-    if (lines.isFieldBlank(1) || lines.isFieldBlank(2) || lines.isFieldBlank(3)) this.#model.forgetPlaces()
-    else this.#model.placeFields(lines, slot, 1)
+    this.#model.defineFields(lines, id, this.#precision)
   }
 
   /** `name` is E, EN or EMORE. */
@@ -58,7 +55,7 @@ export class AnsysCommands {
       lines.refuse('EMORE: an element of E or EN was expected before it.')
       return
     }
-    for (let i = name === 'EN' ? 1 : 0; i < filledFields(lines); ++i)
+    for (let i = name === 'EN' ? 1 : 0; i < lines.filledCount; ++i)
       pending.nodes.push(lines.isFieldBlank(i) ? 0 : lines.id(i, 'a number of a node'))
     if (pending.nodes.length > MOST_NODES) lines.refuse(`element ${pending.id} has more than ${MOST_NODES} nodes.`)
   }
@@ -84,11 +81,4 @@ export class AnsysCommands {
     }
     while (lines.fieldCount < least) lines.addField(lines.to, lines.to)
   }
-}
-
-/** Fields up to the last that is not blank. */
-export function filledFields(lines: TextLines): number {
-  let count = lines.fieldCount
-  while (count > 0 && lines.isFieldBlank(count - 1)) count--
-  return count
 }

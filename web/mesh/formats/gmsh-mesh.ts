@@ -1,20 +1,13 @@
 /** The mesh of Gmsh's files: nodes by id, elements by type, groups and entities by name. */
 
 import type { FileRows } from '../file-rows'
+import type { Refusing } from '../mesh'
 import { MeshBuilder } from '../mesh-builder'
-import { areAtMiddles } from '../middles'
-import { PrintedDigits } from '../precision'
 import type { RowCursor } from '../text-cursor'
 import type { GmshType } from './gmsh-types'
 
-/** A cursor that can refuse with its position. */
-export interface RefusingCursor {
-  refuse(what: string): never
-}
-
 export class GmshMesh {
   readonly builder: MeshBuilder
-  readonly digits = new PrintedDigits()
   /** True if the text leaves something out: elements may then name nodes that are not there. */
   mayLackNodes = false
   lackingNodes = 0
@@ -32,13 +25,13 @@ export class GmshMesh {
     this.builder = new MeshBuilder('Gmsh', fileName)
   }
 
-  node(cursor: RefusingCursor, id: number, x: number, y: number, z: number): void {
+  node(cursor: Refusing, id: number, x: number, y: number, z: number): void {
     if (!this.builder.newPointWithId(id, x, y, z)) cursor.refuse(`node ${id} is defined twice.`)
   }
 
   /** Nodes of rows that end with three coordinates, whose ids stand first or are given. */
   nodeRows(cursor: RowCursor, rows: FileRows, ids: ArrayLike<number> | null = null, from = 0): void {
-    const { pattern, count, numbers, places, start } = rows
+    const { pattern, count, numbers } = rows
     let largest = 0
     this.builder.expectRows(rows, 'nodes')
     for (let row = 0; row < count; ++row) {
@@ -48,12 +41,9 @@ export class GmshMesh {
       cursor.row = row
       this.node(cursor, id, x, y, z)
       largest = Math.max(largest, Math.abs(x), Math.abs(y), Math.abs(z))
-      for (let axis = 0; axis < 3; ++axis) {
-        const token = places[3 * row + axis] as number
-        this.builder.coordinateToken(start + (token & 0xffffff), token >>> 24)
-      }
+      this.builder.coordinateTokens(rows, row)
     }
-    this.digits.seeRounded(rows.mostRounded, largest)
+    this.builder.digits.seeRounded(rows.mostRounded, largest)
   }
 
   nameGroup(dimension: number | null, tag: number, name: string): void {
@@ -92,7 +82,7 @@ export class GmshMesh {
   }
 
   /** Hexahedra one after the other, each with its id and those of its nodes. */
-  hexahedra(cursor: RefusingCursor, type: GmshType, numbers: ArrayLike<number>, blocks: readonly string[]): void {
+  hexahedra(cursor: Refusing, type: GmshType, numbers: ArrayLike<number>, blocks: readonly string[]): void {
     const first = this.builder.cellCount
     for (let at = 0; at < numbers.length; at += 9)
       if (this.builder.hexahedronByIds(numbers, at + 1, numbers[at] as number) < 0)
@@ -102,7 +92,7 @@ export class GmshMesh {
 
   /** An element by the ids of its nodes, which are `nodes[from]` and following. */
   element(
-    cursor: RefusingCursor,
+    cursor: Refusing,
     { kind, nodes: count }: GmshType,
     id: number,
     nodes: ArrayLike<number>,
@@ -128,9 +118,7 @@ export class GmshMesh {
       indices[i] = index
     }
     if (kind === 'curved') {
-      const corners = indices.slice(0, 8)
-      const at = (point: number, axis: number) => this.builder.coordinate(point, axis)
-      this.builder.notTrilinear(corners, areAtMiddles(at, corners, indices.slice(8)))
+      this.builder.quadraticCell(indices.slice(0, 8), indices.slice(8))
     } else if (kind !== 'hexahedron') this.builder.otherCell(kind)
   }
 }

@@ -1,7 +1,8 @@
 /** Nodes and elements of Gmsh's files as text, of all versions. */
-import { type ReadingCore, RowPattern } from '../../core/reading-interface'
+import { RowPattern } from '../../core/reading-interface'
 import type { FileRows } from '../file-rows'
 import { isEllipsis } from '../snippet-text'
+import type { MeshFile, ReadOptions } from '../source'
 import { RowCursor, shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, TextRecords } from '../text-records'
 import { TypedList } from '../typed-list'
@@ -42,22 +43,13 @@ export class GmshText {
   readonly #records: TextRecords
   readonly #nodes: number[] = []
 
-  constructor(
-    cursor: TextCursor,
-    mesh: GmshMesh,
-    isSnippet: boolean,
-    core: ReadingCore | null,
-    onRecord: (position: number) => void,
-  ) {
+  constructor(file: MeshFile, cursor: TextCursor, mesh: GmshMesh, options: ReadOptions) {
     this.#cursor = cursor
     this.#mesh = mesh
-    this.#records = new TextRecords(cursor, mesh.builder, {
-      isSnippet,
+    this.#records = new TextRecords(file, cursor, mesh.builder, options, {
       endsSection: ahead => ahead.peek() === DOLLAR,
       hasComments: false,
       hasEnds: true,
-      onRecord,
-      core,
     })
   }
 
@@ -111,27 +103,15 @@ export class GmshText {
 
   /** Three coordinates, which are in the same line; false where the text ends among them. */
   #node(id: number, hasParameters: boolean, mayHaveEntity = false): boolean {
-    const records = this.#records
-    if (!records.hasField('a coordinate')) return false
-    const x = this.#coordinate()
-    if (!records.hasField('a coordinate')) return false
-    const y = this.#coordinate()
-    if (!records.hasField('a coordinate')) return false
-    const z = this.#coordinate()
+    const point = this.#records.coordinates()
+    if (point === null) return false
     // Into files of version 1 Gmsh writes the dimension and the tag of a node's entity, and parameters, without saying so.
     const hasEntity =
       hasParameters || (mayHaveEntity && this.#cursor.hasMoreOnLine() && ENTITY.test(this.#cursor.peekLine(LINE_HEAD)))
-    if (!hasEntity) records.endLine('a node')
-    this.#mesh.node(this.#cursor, id, x, y, z)
+    if (!hasEntity) this.#records.endLine('a node')
+    this.#mesh.node(this.#cursor, id, ...point)
     if (hasEntity) this.#cursor.skipLine()
     return true
-  }
-
-  #coordinate(): number {
-    const value = this.#cursor.number('a coordinate')
-    this.#mesh.digits.see(value, this.#cursor.digits)
-    this.#mesh.builder.coordinateToken(this.#cursor.numberFrom, this.#cursor.position - this.#cursor.numberFrom)
-    return value
   }
 
   #nodes4(blocks: number, count: number, version: Version): void {

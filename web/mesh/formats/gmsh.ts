@@ -42,7 +42,6 @@ class GmshReader {
   #hasNodes = false
   #hasElements = false
   #lateElements: Start | null = null
-  #records = 0
   /** The beginning of another file in the same text. */
   next: Start | null = null
 
@@ -78,7 +77,7 @@ class GmshReader {
   }
 
   #finished(): Mesh {
-    const { builder, digits, lackingNodes } = this.#mesh
+    const { builder, lackingNodes } = this.#mesh
     if (!this.#hasElements) {
       if (!this.#isSnippet || this.#isBinary || builder.pointCount !== 8)
         this.#cursor.refuse('the elements were expected, in $Elements or $ELM; the file ends without them.')
@@ -86,12 +85,7 @@ class GmshReader {
       builder.hexahedron([0, 1, 2, 3, 4, 5, 6, 7])
       builder.note('The text has eight nodes and no elements: they are taken in the order of the text.')
     }
-    if (lackingNodes > 0) {
-      builder.isCutOff = true
-      builder.note(`The text leaves nodes out: ${lackingNodes} elements that name them are not read.`)
-    }
-    const note = digits.note()
-    if (note !== null) builder.note(note)
+    builder.noteLacking(lackingNodes, 'nodes', 'elements')
     return builder.mesh()
   }
 
@@ -228,12 +222,6 @@ class GmshReader {
     if (this.#cursor.isAtEnd || this.#cursor.word() !== end) cursor.refuse(`${end} was expected.`)
   }
 
-  #onRecord(position: number): void {
-    if (this.#records++ % 65_536 > 0) return
-    this.#options.throwIfCancelled()
-    this.#options.onProgress(position / this.#file.size)
-  }
-
   #sectionOf(cursor: BinaryCursor): BinarySection {
     return {
       cursor,
@@ -248,9 +236,7 @@ class GmshReader {
   }
 
   #text(): GmshText {
-    return new GmshText(this.#cursor, this.#mesh, this.#isSnippet, this.#options.core, position =>
-      this.#onRecord(position),
-    )
+    return new GmshText(this.#file, this.#cursor, this.#mesh, this.#options)
   }
 
   #nodes(name: string): void {

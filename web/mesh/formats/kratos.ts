@@ -1,7 +1,7 @@
 /** Kratos (.mdpa): blocks from "Begin" to "End". Nodes have an id and three coordinates; elements an id, a property and their nodes. */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { headText } from '../snippet-text'
-import type { MeshFormat } from '../source'
+import { type MeshFormat, progressOf } from '../source'
 import { shown, significantDigits, TextCursor } from '../text-cursor'
 
 /** Kinds by the number of nodes in three dimensions, if the name says no more. */
@@ -21,18 +21,16 @@ export const kratos: MeshFormat = {
     /^[ \t]*Begin[ \t]+(?:ModelPartData|Properties|Nodes|Elements|Table|Geometries)\b/m.test(headText(head))
       ? 'yes'
       : 'no',
-  read(file, { onProgress, throwIfCancelled }) {
+  read(file, options) {
     const builder = new MeshBuilder('Kratos', file.name)
     const cursor = new TextCursor(file)
+    const onLine = progressOf(file, options)
     const elements: { readonly id: number; readonly nodes: readonly number[]; readonly name: string }[] = []
     let block = ''
     let name = ''
     let depth = 0
     for (let line = cursor.nextLine(); line !== null; line = cursor.nextLine()) {
-      if (cursor.line % 65_536 === 0) {
-        throwIfCancelled()
-        onProgress(cursor.position / file.size)
-      }
+      onLine(cursor.position)
       const words = line.split('//')[0]?.trim().split(/\s+/) ?? []
       const [first = ''] = words
       if (first === '') continue

@@ -1,25 +1,18 @@
 /** LS-DYNA keyword files: nodes, solids and thick shells by part, in columns of each width or between commas. */
 import type { Mesh } from '../mesh'
 import { PrintedDigits } from '../precision'
-import { Runs } from '../runs'
+import { type Runs, runsOf } from '../runs'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { wordTable } from '../word-table'
-import { collect, NodeModel } from './node-model'
+import { LONG, nextCard, STANDARD, skipCards, splitCard, TEN, widthsOf } from './dyna-cards'
+import { includedLines } from './includes'
+import { isRepeating, NodeModel, ORDER_OF_20 } from './node-model'
+import { collect } from './placements'
 import { TextLines } from './text-lines'
 
-const [SPACE, DOLLAR, STAR] = [32, 36, 42] as const
-const DEEPEST_INCLUDE = 16
-
-/** Columns of an integer and of a coordinate. */
-interface Widths {
-  readonly integer: number
-  readonly real: number
-}
-const STANDARD: Widths = { integer: 8, real: 16 }
-const TEN: Widths = { integer: 10, real: 16 }
-const LONG: Widths = { integer: 20, real: 20 }
+const [DOLLAR, STAR] = [36, 42] as const
 
 /** Nodes of a solid whose option says how many it has; they stand ten on a line. */
 const NODES_OF_OPTION: Readonly<Record<string, number>> = wordTable({
@@ -42,8 +35,6 @@ const BEAM_LINES: Readonly<Record<string, number>> = wordTable({
 
 const passOver = () => {}
 
-const ORDER_OF_20 = Array.from({ length: 20 }, (_, i) => i)
-
 export const lsDyna: MeshFormat = {
   name: 'LS-DYNA',
   recognizes(head, name) {
@@ -57,7 +48,6 @@ export const lsDyna: MeshFormat = {
 }
 
 class DynaReader {
-  readonly #file: MeshFile
   readonly #options: ReadOptions
   readonly #model = new NodeModel()
   readonly #precision = new PrintedDigits()
@@ -77,7 +67,6 @@ class DynaReader {
   #readLine: () => void = passOver
 
   constructor(file: MeshFile, options: ReadOptions) {
-    this.#file = file
     this.#options = options
     this.#lines = new TextLines(file, options)
   }
@@ -89,10 +78,10 @@ class DynaReader {
       this.#notes.add(`${this.#degenerate} elements of 8 nodes repeat some: as hexahedra they have J <= 0 somewhere.`)
     return collect({
       format: 'LS-DYNA',
-      fileName: this.#file.name,
+      fileName: this.#lines.file.name,
       placements: [{ model: this.#model, name: null, move: null }],
       precision: this.#precision,
-      notes: [...this.#notes],
+      notes: this.#notes,
       isCutOff: this.#isCutOff,
     })
   }
@@ -176,56 +165,8 @@ class DynaReader {
     this.#lines.refuse(`${shown(this.#keyword)} is not read here: write the nodes and elements themselves.`)
   }
 
-  /** The next line that belongs to the element; refuses with `fault` if there is none. */
-  #nextLine(fault: string): void {
-    const lines = this.#lines
-    const line = lines.number
-    while (lines.next()) {
-      if (lines.at(0) === DOLLAR || lines.isBlank) continue
-      if (lines.at(0) === STAR) break
-      return
-    }
-    lines.refuse(fault, line)
-  }
-
-  #skipLines(count: number, fault: string): void {
-    for (let i = 0; i < count; ++i) this.#nextLine(fault)
-  }
-
-  // Fields
-
-  /** Splits the line at commas, or in columns, or, if a word crosses these, at blanks. */
   #split(integers: number, reals = 0): void {
-    const lines = this.#lines
-    lines.scan()
-    if (lines.hasComma) {
-      lines.splitAtCommas()
-      return
-    }
-    if (lines.hasTab) {
-      lines.splitAtBlanks()
-      return
-    }
-    const { integer, real } = this.#widths
-    lines.startFields()
-    let at = lines.from
-    for (let i = 0; i < integers + reals && at < lines.to; ++i) {
-      const isReal = integers === 1 ? i > 0 : i >= integers
-      const next = at + (isReal ? real : integer)
-      lines.addField(at, next)
-      if (this.#hasBlankInside(i)) {
-        lines.splitAtBlanks()
-        return
-      }
-      at = next
-    }
-  }
-
-  #hasBlankInside(field: number): boolean {
-    const { bytes } = this.#lines
-    const to = this.#lines.fieldTo(field)
-    for (let at = this.#lines.fieldFrom(field); at < to; ++at) if ((bytes[at] as number) <= SPACE) return true
-    return false
+    splitCard(this.#lines, this.#widths, integers, reals)
   }
 
   // Nodes
@@ -234,17 +175,11 @@ class DynaReader {
     const lines = this.#lines
     this.#split(1, 3)
     const id = lines.id(0, 'a number of a node')
-    const x = lines.real(1, this.#precision)
-    const y = lines.real(2, this.#precision)
     if (lines.fieldCount < 4) {
-      this.#model.defineShortNode(lines, id, [x, y].slice(0, lines.fieldCount - 1))
-      return
-    }
-    const slot = this.#model.defineNode(lines, id, x, y, lines.real(3, this.#precision))
-    if (lines.isFieldBlank(1) || lines.isFieldBlank(2) || lines.isFieldBlank(3)) {
+      const given = [1, 2].slice(0, lines.fieldCount - 1).map(field => lines.real(field, this.#precision))
+      this.#model.defineShortNode(lines, id, given)
+    } else if (!this.#model.defineFields(lines, id, this.#precision))
       this.#notes.add('Blank coordinates are 0, as LS-DYNA reads them.')
-      this.#model.forgetPlaces()
-    } else this.#model.placeFields(lines, slot, 1)
   }
 
   // Elements
@@ -273,15 +208,15 @@ class DynaReader {
     const id = lines.id(0, 'a number of an element')
     const part = lines.id(1, 'a number of a part')
     let first = 2
-    if (filledFields(lines) <= 2) {
-      this.#nextLine(`element ${id} has no line of nodes.`)
+    if (lines.filledCount <= 2) {
+      nextCard(lines, `element ${id} has no line of nodes.`)
       this.#split(10)
       first = 0
     }
-    let count = this.#readNodes(id, first, Math.min(filledFields(lines), first + 10), 0)
+    let count = this.#readNodes(id, first, Math.min(lines.filledCount, first + 10), 0)
     while (count > 8 && this.#nodes[count - 1] === 0) count--
     const line = lines.number
-    this.#skipLines(further, `element ${id} lacks the lines of ${this.#keyword}.`)
+    skipCards(lines, further, `element ${id} lacks the lines of ${this.#keyword}.`)
     if (count === 10 && this.#nodes[8] !== 0) this.#model.addOther('tetrahedron')
     else this.#eightNodes(id, part, count, line)
   }
@@ -312,16 +247,7 @@ class DynaReader {
     }
     for (let i = 0; i < 8; ++i) this.#slots[i] = this.#model.slot(nodes[i] as number)
     if (isRepeating(nodes)) this.#degenerate++
-    this.#runsOf(part).add(this.#model.addHexahedron(id, this.#slots))
-  }
-
-  #runsOf(part: number): Runs {
-    let runs = this.#cellsOfPart.get(part)
-    if (runs === undefined) {
-      runs = new Runs()
-      this.#cellsOfPart.set(part, runs)
-    }
-    return runs
+    runsOf(this.#cellsOfPart, part).add(this.#model.addHexahedron(id, this.#slots))
   }
 
   #manyNodes(nodeCount: number, further: number): void {
@@ -331,14 +257,14 @@ class DynaReader {
     const line = lines.number
     let count = 0
     while (count < nodeCount) {
-      this.#nextLine(`element ${id} has ${count} nodes; ${nodeCount} were expected.`)
+      nextCard(lines, `element ${id} has ${count} nodes; ${nodeCount} were expected.`)
       this.#split(10)
       const wanted = Math.min(10, nodeCount - count)
-      if (filledFields(lines) < wanted)
-        lines.refuse(`element ${id} has ${count + filledFields(lines)} nodes; ${nodeCount} were expected.`)
+      if (lines.filledCount < wanted)
+        lines.refuse(`element ${id} has ${count + lines.filledCount} nodes; ${nodeCount} were expected.`)
       count = this.#readNodes(id, 0, wanted, count)
     }
-    this.#skipLines(further, `element ${id} lacks the lines of ${this.#keyword}.`)
+    skipCards(lines, further, `element ${id} lacks the lines of ${this.#keyword}.`)
     if (nodeCount === 15 || (nodeCount === 20 && this.#keyword.includes('T20'))) this.#model.addOther('tetrahedron')
     else if (nodeCount === 21 || nodeCount === 40) this.#model.addOther('wedge')
     else {
@@ -361,12 +287,17 @@ class DynaReader {
     this.#readLine = () => this.#solid(options === 'BETA' ? 1 : 0)
   }
 
+  /** The options of elements that are counted; null if one of them is not known here. */
+  #knownOptions(options: string, table: Readonly<Record<string, number>>): string[] | null {
+    const given = options.split('_').filter(option => option !== '')
+    if (given.every(option => table[option] !== undefined)) return given
+    this.#notes.add(`${shown(this.#keyword)}: its elements are not counted.`)
+    return null
+  }
+
   #startShells(options: string): void {
-    const known = options.split('_').filter(option => option !== '')
-    if (known.some(option => SHELL_LINES[option] === undefined)) {
-      this.#notes.add(`${shown(this.#keyword)}: its elements are not counted.`)
-      return
-    }
+    const known = this.#knownOptions(options, SHELL_LINES)
+    if (known === null) return
     const further = known.reduce((sum, option) => sum + (SHELL_LINES[option] as number), 0)
     const hasThickness = known.includes('THICKNESS')
     // The thickness and the angle stand on one line.
@@ -375,12 +306,13 @@ class DynaReader {
       const lines = this.#lines
       this.#split(10)
       const id = lines.id(0, 'a number of an element')
-      const count = this.#readNodes(id, 2, Math.min(filledFields(lines), 10), 0)
+      const count = this.#readNodes(id, 2, Math.min(lines.filledCount, 10), 0)
       if (count < 3) lines.refuse(`element ${id} has ${count} nodes; 3 or more were expected.`)
       const [third, fourth] = [this.#nodes[2], count > 3 ? this.#nodes[3] : 0]
       const hasMiddles = count > 4 && this.#nodes[4] !== 0
       this.#model.addOther(fourth === 0 || fourth === third ? 'triangle' : 'quadrilateral')
-      this.#skipLines(
+      skipCards(
+        lines,
         further - shared + (hasThickness && hasMiddles ? 1 : 0),
         `element ${id} lacks the lines of ${this.#keyword}.`,
       )
@@ -388,14 +320,11 @@ class DynaReader {
   }
 
   #startBeams(options: string): void {
-    const known = options.split('_').filter(option => option !== '')
-    if (known.some(option => BEAM_LINES[option] === undefined)) {
-      this.#notes.add(`${shown(this.#keyword)}: its elements are not counted.`)
-      return
-    }
+    const known = this.#knownOptions(options, BEAM_LINES)
+    if (known === null) return
     this.#readLine = () => {
       this.#model.addOther('line')
-      this.#skipLines(known.length, `an element lacks the lines of ${this.#keyword}.`)
+      skipCards(this.#lines, known.length, `an element lacks the lines of ${this.#keyword}.`)
     }
   }
 
@@ -409,14 +338,7 @@ class DynaReader {
         title = lines.text().trim()
         return
       }
-      lines.scan()
-      if (lines.hasComma) lines.splitAtCommas()
-      else {
-        const width = this.#widths === LONG ? 20 : 10
-        lines.startFields()
-        lines.addField(lines.from, lines.from + width)
-        if (this.#hasBlankInside(0)) lines.splitAtBlanks()
-      }
+      splitCard(lines, this.#widths === LONG ? LONG : TEN, 1)
       this.#partNames.set(lines.id(0, 'a number of a part'), title)
       title = null
       // Lines of the options follow, whose number depends on what they say.
@@ -438,35 +360,13 @@ class DynaReader {
     const lines: TextLines = this.#lines
     let name = lines.text().trim()
     while (name.endsWith(' +') && name.length < 4096 && lines.next()) name = name.slice(0, -2) + lines.text().trim()
-    if (depth >= DEEPEST_INCLUDE)
-      lines.refuse(`*INCLUDE of ${shown(name)}: files are included ${DEEPEST_INCLUDE} deep.`)
-    const file = this.#options.find(name)
-    if (file === null) lines.refuse(`*INCLUDE names ${shown(name)}, which is missing: give it together with this file.`)
+    const included = includedLines(lines, this.#options, '*INCLUDE', name, depth)
     const [readLine, usual] = [this.#readLine, this.#usual]
     this.#model.forgetPlaces()
-    this.#lines = new TextLines(file, this.#options)
+    this.#lines = included
     this.#readLines(depth + 1)
     this.#lines = lines
     this.#usual = usual
     this.#readLine = readLine
   }
-}
-
-/** "*NODE +" is wide, "*NODE %" has integers of ten columns, "*NODE -" is as usual for the code. */
-function widthsOf(text: string, name: string, usual: Widths): Widths {
-  const sign = text.slice(name.length).trim()[0]
-  if (sign === '+') return LONG
-  if (sign === '%') return TEN
-  return sign === '-' ? STANDARD : usual
-}
-
-function filledFields(lines: TextLines): number {
-  let count = lines.fieldCount
-  while (count > 0 && lines.isFieldBlank(count - 1)) count--
-  return count
-}
-
-function isRepeating(nodes: Float64Array): boolean {
-  for (let i = 0; i < 8; ++i) for (let j = 0; j < i; ++j) if (nodes[i] === nodes[j]) return true
-  return false
 }

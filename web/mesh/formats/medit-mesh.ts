@@ -1,29 +1,11 @@
 /** The mesh of Medit's files: vertices counted from 1, cells with references, orders of nodes. */
+import { vertexReference } from '../../model/hexahedron'
+import type { Refusing } from '../mesh'
 import { MeshBuilder } from '../mesh-builder'
-import { areAtMiddles } from '../middles'
-import { PrintedDigits } from '../precision'
 import type { MeditCells } from './medit-keywords'
-
-/** A cursor that can refuse with its position. */
-interface RefusingCursor {
-  refuse(what: string): never
-}
-
-/** The corners in a reference cube of side `side`, in VTK_HEXAHEDRON order. */
-const CORNERS = [
-  [0, 0, 0],
-  [1, 0, 0],
-  [1, 1, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-  [1, 0, 1],
-  [1, 1, 1],
-  [0, 1, 1],
-] as const
 
 export class MeditMesh {
   readonly builder: MeshBuilder
-  readonly digits = new PrintedDigits()
   /** True if the text leaves vertices out: cells may then name some that are not there. */
   mayLackVertices = false
   lackingVertices = 0
@@ -37,9 +19,9 @@ export class MeditMesh {
   }
 
   /** The place of each node of a cell in a cube of side 1, 2, ..., as HexahedraQ2Ordering and its kin state it. */
-  orderNodes(cursor: RefusingCursor, places: readonly (readonly number[])[]): void {
+  orderNodes(cursor: Refusing, places: readonly (readonly number[])[]): void {
     const side = Math.max(...places.flat())
-    const corners = CORNERS.map(corner =>
+    const corners = vertexReference.map(corner =>
       places.findIndex(node => node.every((value, axis) => value === side * (corner[axis] as number))),
     )
     if (corners.includes(-1)) cursor.refuse('the order of the nodes lacks a corner.')
@@ -47,7 +29,7 @@ export class MeditMesh {
   }
 
   /** A cell by its vertices, which are `vertices[from]` and following, counted from 1. */
-  cell(cursor: RefusingCursor, cells: MeditCells, vertices: ArrayLike<number>, from: number, reference: number): void {
+  cell(cursor: Refusing, cells: MeditCells, vertices: ArrayLike<number>, from: number, reference: number): void {
     const { kind, nodes, name } = cells
     const count = this.builder.pointCount
     const indices = this.#indices
@@ -74,10 +56,7 @@ export class MeditMesh {
       return
     }
     const others = order ? order.others.map(i => indices[i] as number) : indices.slice(8)
-    this.builder.notTrilinear(
-      corners,
-      areAtMiddles((point, axis) => this.builder.coordinate(point, axis), corners, others),
-    )
+    this.builder.quadraticCell(corners, others)
   }
 
   /** Different references become blocks, and what was noticed becomes notes. */
@@ -95,11 +74,6 @@ export class MeditMesh {
         builder.inBlock(name, cell)
       }
     }
-    if (this.lackingVertices > 0) {
-      builder.isCutOff = true
-      builder.note(`The text leaves vertices out: ${this.lackingVertices} cells that name them are not read.`)
-    }
-    const note = this.digits.note()
-    if (note !== null) builder.note(note)
+    builder.noteLacking(this.lackingVertices, 'vertices', 'cells')
   }
 }

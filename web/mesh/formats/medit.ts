@@ -1,6 +1,6 @@
 /** Medit's .mesh and .meshb, versions 1 to 4, and parts of these texts as people post them. */
 import type { Mesh } from '../mesh'
-import { headText, LARGEST_SNIPPET } from '../snippet-text'
+import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, readInTurn, type Start, TextRecords } from '../text-records'
@@ -37,37 +37,23 @@ function isKeyword(line: string): boolean {
 }
 
 class MeditReader {
-  readonly #file: MeshFile
-  readonly #options: ReadOptions
   readonly #mesh: MeditMesh
-  readonly #isSnippet: boolean
   readonly #cursor: TextCursor
   readonly #records: TextRecords
   #hasVertices = false
   #hasCells = false
   /** Cells before the vertices, and those whose order may be stated after them. */
   readonly #late: (Start & { cells: MeditCells })[] = []
-  #seen = 0
   /** The beginning of another file in the same text. */
   next: Start | null = null
 
   constructor(file: MeshFile, cursor: TextCursor, options: ReadOptions) {
-    this.#file = file
-    this.#options = options
     this.#mesh = new MeditMesh(file.name)
-    this.#isSnippet = file.size <= LARGEST_SNIPPET
     this.#cursor = cursor
-    this.#records = new TextRecords(cursor, this.#mesh.builder, {
-      isSnippet: this.#isSnippet,
+    this.#records = new TextRecords(file, cursor, this.#mesh.builder, options, {
       endsSection: cursor => isKeyword(cursor.peekLine(LINE_HEAD)),
       hasComments: true,
       hasEnds: false,
-      core: options.core,
-      onRecord: position => {
-        if (this.#seen++ % 65_536 > 0) return
-        this.#options.throwIfCancelled()
-        this.#options.onProgress(position / this.#file.size)
-      },
     })
   }
 
@@ -97,7 +83,7 @@ class MeditReader {
       this.#cursor.goTo(start)
       this.#cells(cells)
     }
-    if (!this.#hasCells && this.#isSnippet && !hasEnded && builder.pointCount === 8) {
+    if (!this.#hasCells && this.#records.isSnippet && !hasEnded && builder.pointCount === 8) {
       builder.isOrderStated = false
       builder.hexahedron([0, 1, 2, 3, 4, 5, 6, 7])
       builder.note('The text has eight vertices and no cells: they are taken in the order of the text.')
@@ -114,7 +100,8 @@ class MeditReader {
       if (cursor.isAtEnd) return null
       const line = cursor.peekLine(LINE_HEAD)
       if (isKeyword(line)) return { position: cursor.position, line: cursor.line, name: cursor.word() }
-      if (cursor.peek() !== HASH && !this.#isSnippet) cursor.refuse(`a keyword was expected, not ${shown(line)}.`)
+      if (cursor.peek() !== HASH && !this.#records.isSnippet)
+        cursor.refuse(`a keyword was expected, not ${shown(line)}.`)
       cursor.skipLine()
     }
   }
@@ -173,10 +160,7 @@ class MeditReader {
     const values: number[] = []
     for (let i = 0; i < 3; ++i) {
       if (inLine !== null && !this.#records.hasField('a coordinate')) return false
-      const value = cursor.number('a coordinate')
-      this.#mesh.digits.see(value, cursor.digits)
-      this.#mesh.builder.coordinateToken(cursor.numberFrom, cursor.position - cursor.numberFrom)
-      values.push(value)
+      values.push(this.#mesh.builder.readCoordinate(cursor))
     }
     if (inLine !== 3) {
       if (inLine !== null && !this.#records.hasField('a reference')) return false

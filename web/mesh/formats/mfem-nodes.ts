@@ -1,4 +1,5 @@
 /** The spaces of MFEM's nodes: which of a grid function's numbers are the corners of a hexahedron. */
+import type { Refusing } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
 import { shown } from '../text-cursor'
 import { wordTable } from '../word-table'
@@ -20,7 +21,7 @@ const NAMED: Readonly<Record<string, number>> = wordTable({ Linear: 1, Quadratic
 const MOST = 32
 
 /** Refuses spaces without nodes at the corners. */
-export function nodeSpaceOf(place: { refuse(what: string): never }, entries: ReadonlyMap<string, string>): NodeSpace {
+export function nodeSpaceOf(place: Refusing, entries: ReadonlyMap<string, string>): NodeSpace {
   const name = entries.get('FiniteElementCollection') ?? ''
   const [, isContinuous, isClosed, power] = /^(?:(H1(?:Pos|Ser)?)|(L2_T1))(?:@[A-Za-z])?_3D_P(\d+)$/.exec(name) ?? []
   const order = NAMED[name] ?? Number(power ?? 0)

@@ -1,14 +1,11 @@
 /** Vertices of MFEM's non-conforming meshes: each lies between two parents, which may lie between others. */
+import type { Refusing } from '../mesh'
 import type { MeshBuilder } from '../mesh-builder'
 
 const STRIDE = 4
 
 /** `parents` has vertex, two parents and the place between them, four numbers each. Vertices without parents are points already. */
-export function placeNonConforming(
-  place: { refuse(what: string): never },
-  builder: MeshBuilder,
-  parents: Float64Array,
-): void {
+export function placeNonConforming(place: Refusing, builder: MeshBuilder, parents: Float64Array): void {
   const rowOf = new Map<number, number>()
   for (let row = 0; row < parents.length; row += STRIDE) rowOf.set(parents[row] as number, row)
   for (const id of rowOf.keys()) {

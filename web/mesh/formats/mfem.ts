@@ -1,13 +1,12 @@
 /** MFEM's meshes, v1.0 to v1.3, whose vertices may be those of a grid function, and the leaves of non-conforming ones. */
 import type { Mesh } from '../mesh'
-import { MeshBuilder, type OtherCell } from '../mesh-builder'
-import { PrintedDigits } from '../precision'
-import { headText, LARGEST_SNIPPET } from '../snippet-text'
+import type { OtherCell } from '../mesh-builder'
+import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
 import { LINE_HEAD, readInTurn, type Start, TextRecords } from '../text-records'
-import { straightHexahedra } from './mfem-middles'
-import { type NodeSpace, nodeSpaceOf } from './mfem-nodes'
+import { MfemMesh } from './mfem-mesh'
+import { nodeSpaceOf } from './mfem-nodes'
 import { placeNonConforming } from './mfem-tree'
 
 /** Geometries by their number in the file. */
@@ -37,59 +36,27 @@ export const mfem: MeshFormat = {
   },
 }
 
-interface Quadratic {
-  readonly cells: number[]
-  readonly nodes: number
-  readonly at: (node: number, axis: number) => number
-}
-
 class MfemReader {
-  readonly #file: MeshFile
-  readonly #options: ReadOptions
-  readonly #builder: MeshBuilder
-  readonly #digits = new PrintedDigits()
-  readonly #isSnippet: boolean
+  readonly #mesh: MfemMesh
   readonly #cursor: TextCursor
   readonly #records: TextRecords
-  #isNonConforming = false
   /** The version of non-conforming meshes from which the place between two parents is stated. */
   #hasScales = false
-  #vertexCount: number | null = null
-  #hasNodes = false
-  #mayLackVertices = false
-  #lackingVertices = 0
-  #space: NodeSpace | null = null
-  /** Hexahedra of order 2, which are put into the mesh when all are known. */
-  #quadratic: Quadratic | null = null
   #rank = 0
   #parents: Float64Array | null = null
-  /** Names of groups of attributes, by attribute. */
-  readonly #sets = new Map<number, string[]>()
-  readonly #attributes: number[] = []
   readonly #vertices: number[] = []
   #elements: Start | null = null
   #boundary: Start | null = null
-  #seen = 0
   /** The beginning of another mesh in the same text. */
   next: Start | null = null
 
   constructor(file: MeshFile, cursor: TextCursor, options: ReadOptions) {
-    this.#file = file
-    this.#options = options
-    this.#builder = new MeshBuilder('MFEM', file.name)
-    this.#isSnippet = file.size <= LARGEST_SNIPPET
+    this.#mesh = new MfemMesh(file.name)
     this.#cursor = cursor
-    this.#records = new TextRecords(cursor, this.#builder, {
-      isSnippet: this.#isSnippet,
+    this.#records = new TextRecords(file, cursor, this.#mesh.builder, options, {
       endsSection: ahead => isSection(ahead.peekLine(LINE_HEAD)),
       hasComments: true,
       hasEnds: false,
-      core: options.core,
-      onRecord: position => {
-        if (this.#seen++ % 65_536 > 0) return
-        this.#options.throwIfCancelled()
-        this.#options.onProgress(position / this.#file.size)
-      },
     })
   }
 
@@ -102,40 +69,19 @@ class MfemReader {
       }
       this.#section(start)
     }
-    if (this.#vertexCount === null)
+    if (this.#mesh.vertexCount === null)
       this.#cursor.refuse(
-        `the ${this.#isNonConforming ? 'coordinates' : 'vertices'} were expected; the file ends without them.`,
+        `the ${this.#mesh.isNonConforming ? 'coordinates' : 'vertices'} were expected; the file ends without them.`,
       )
     if (this.#elements === null) this.#cursor.refuse('the elements were expected; there are none.')
     this.#cursor.goTo(this.#elements)
-    if (this.#isNonConforming) this.#readLeaves()
+    if (this.#mesh.isNonConforming) this.#readLeaves()
     else this.#readElements('elements')
     if (this.#boundary !== null) {
       this.#cursor.goTo(this.#boundary)
       this.#readElements('boundary elements')
     }
-    return this.#finished()
-  }
-
-  #finished(): Mesh {
-    const builder = this.#builder
-    if (this.#quadratic !== null) {
-      const { cells, nodes, at } = this.#quadratic
-      const straight = straightHexahedra(cells, this.#vertexCount ?? 0, nodes, at)
-      for (let cell = 0; 8 * cell < cells.length; ++cell)
-        builder.notTrilinear(cells.slice(8 * cell, 8 * cell + 8), straight?.[cell] ?? null)
-    }
-    const first = this.#attributes[0]
-    if (this.#sets.size > 0 || this.#attributes.some(attribute => attribute !== first))
-      for (const [cell, attribute] of this.#attributes.entries())
-        for (const name of this.#sets.get(attribute) ?? [`attribute ${attribute}`]) builder.inBlock(name, cell)
-    if (this.#lackingVertices > 0) {
-      builder.isCutOff = true
-      builder.note(`The text leaves vertices out: ${this.#lackingVertices} elements that name them are not read.`)
-    }
-    const note = this.#digits.note()
-    if (note !== null) builder.note(note)
-    return builder.mesh()
+    return this.#mesh.finished()
   }
 
   /** Passes what stands before the line with the format, and that line. */
@@ -152,9 +98,9 @@ class MfemReader {
       const [, kind = '', version] = /^MFEM ([A-Z -]*?) ?mesh v(\d+\.\d+)$/i.exec(line) ?? []
       if (/NURBS|INLINE/.test(kind))
         cursor.refuse(`this is an MFEM ${kind} mesh; refine it with MFEM and save it as “MFEM mesh v1.0”.`)
-      this.#isNonConforming = kind === 'NC'
-      this.#hasScales = this.#isNonConforming && version === '1.1'
-      const isKnown = this.#isNonConforming
+      this.#mesh.isNonConforming = kind === 'NC'
+      this.#hasScales = this.#mesh.isNonConforming && version === '1.1'
+      const isKnown = this.#mesh.isNonConforming
         ? version === '1.0' || version === '1.1'
         : kind === '' && /^1\.[0-3]$/.test(version ?? '')
       if (!isKnown) cursor.refuse(`the format is ${shown(line)}; MFEM mesh v1.0 to v1.3 are read.`)
@@ -192,55 +138,42 @@ class MfemReader {
       this.#boundary = here()
       this.#records.passSection()
     } else if (name === 'vertices') this.#readVertices()
-    else if (name === 'coordinates' && this.#isNonConforming) this.#readVertices()
+    else if (name === 'coordinates' && this.#mesh.isNonConforming) this.#readVertices()
     else if (name === 'nodes') this.#readNodes()
     else if (name === 'attribute_sets') this.#readSets()
     else if (name === 'rank') this.#rank = cursor.count('a rank')
-    else if (name === 'vertex_parents' && this.#isNonConforming) this.#readParents()
+    else if (name === 'vertex_parents' && this.#mesh.isNonConforming) this.#readParents()
     else this.#records.passSection()
   }
 
   #readVertices(): void {
-    if (this.#vertexCount !== null) this.#cursor.refuse('there are vertices twice.')
+    if (this.#mesh.vertexCount !== null) this.#cursor.refuse('there are vertices twice.')
     const cursor = this.#cursor
     const records = this.#records
     const count = cursor.count('the number of vertices')
-    this.#vertexCount = count
+    this.#mesh.vertexCount = count
     // "nodes" follows where a grid function has the places.
     if (records.next('vertices') !== 'record' || count === 0) return
     const dimension = cursor.count('the dimension of the space')
     if (dimension !== 3) cursor.refuse(`the vertices have ${dimension} coordinates; 3 were expected.`)
-    this.#mayLackVertices = records.points(count, 'vertices', id => this.#readVertex(id))
+    this.#mesh.mayLackVertices = records.points(count, 'vertices', id => this.#readVertex(id))
   }
 
   #readVertex(id: number): boolean {
-    const records = this.#records
-    if (!records.hasField('a coordinate')) return false
-    const x = this.#coordinate()
-    if (!records.hasField('a coordinate')) return false
-    const y = this.#coordinate()
-    if (!records.hasField('a coordinate')) return false
-    const z = this.#coordinate()
-    records.endLine('a vertex')
-    if (this.#isNonConforming) this.#builder.pointWithId(id, x, y, z)
-    else this.#builder.point(x, y, z)
+    const point = this.#records.coordinates()
+    if (point === null) return false
+    this.#records.endLine('a vertex')
+    if (this.#mesh.isNonConforming) this.#mesh.builder.pointWithId(id, ...point)
+    else this.#mesh.builder.point(...point)
     return true
-  }
-
-  #coordinate(): number {
-    const value = this.#cursor.number('a coordinate')
-    this.#digits.see(value, this.#cursor.digits)
-    if (!this.#hasNodes)
-      this.#builder.coordinateToken(this.#cursor.numberFrom, this.#cursor.position - this.#cursor.numberFrom)
-    return value
   }
 
   /** A grid function: the lines that say what it is, then its numbers. */
   #readNodes(): void {
     const cursor = this.#cursor
-    if (this.#isNonConforming) cursor.refuse('a non-conforming mesh with curved elements is not read.')
-    const vertices = this.#vertexCount ?? cursor.refuse('the number of vertices was expected before the nodes.')
-    if (this.#builder.pointCount > 0) cursor.refuse('there are vertices and nodes.')
+    if (this.#mesh.isNonConforming) cursor.refuse('a non-conforming mesh with curved elements is not read.')
+    if (this.#mesh.vertexCount === null) cursor.refuse('the number of vertices was expected before the nodes.')
+    if (this.#mesh.builder.pointCount > 0) cursor.refuse('there are vertices and nodes.')
     const entries = new Map<string, string>()
     while (this.#records.next('what the nodes are') !== 'record') {
       if (cursor.isAtEnd) cursor.refuse('the file ends where the nodes were expected.')
@@ -248,29 +181,18 @@ class MfemReader {
       const colon = line.indexOf(':')
       if (colon > 0) entries.set(line.slice(0, colon), line.slice(colon + 1).trim())
     }
-    this.#hasNodes = true
     const space = nodeSpaceOf(cursor, entries)
     const values: number[] = []
     do {
-      values.push(this.#coordinate())
+      const value = cursor.number('a coordinate')
+      this.#mesh.builder.digits.see(value, cursor.digits)
+      values.push(value)
       if (cursor.hasMoreOnLine()) continue
       this.#records.onRecord()
       if (this.#records.next('nodes') !== 'record') break
     } while (!this.#records.isElided)
     if (this.#records.isElided) cursor.refuse('the text leaves nodes out: whose the others are cannot be told.')
-    const nodes = values.length / 3
-    if (!Number.isInteger(nodes))
-      cursor.refuse(`the nodes have ${values.length} coordinates, which is no multiple of 3.`)
-    const isWrong = space.isContinuous && (space.order === 1 ? nodes !== vertices : nodes < vertices)
-    if (isWrong) cursor.refuse(`there are ${nodes} nodes for ${vertices} vertices.`)
-    // The first nodes of a continuous space are those of the vertices.
-    const wanted = space.isContinuous ? vertices : nodes
-    const at = (node: number, axis: number) => values[space.isByNode ? axis * nodes + node : 3 * node + axis] as number
-    for (let i = 0; i < wanted; ++i) this.#builder.point(at(i, 0), at(i, 1), at(i, 2))
-    this.#space = space
-    if (space.isContinuous && space.order === 2) this.#quadratic = { cells: [], nodes, at }
-    if (space.order > 1)
-      this.#builder.note(`The nodes are ${space.name}: the elements are of order ${space.order}, not trilinear.`)
+    this.#mesh.setNodes(cursor, space, values)
   }
 
   #readSets(): void {
@@ -283,7 +205,7 @@ class MfemReader {
         cursor.refuse(
           `a name in quotes, a number and so many attributes were expected, not ${shown(cursor.peekLine())}.`,
         )
-      for (const attribute of attributes) this.#sets.set(attribute, [...(this.#sets.get(attribute) ?? []), name])
+      for (const attribute of attributes) this.#mesh.nameAttribute(attribute, name)
       cursor.skipLine()
     }
   }
@@ -304,25 +226,19 @@ class MfemReader {
   #readElements(what: 'elements' | 'boundary elements'): void {
     const cursor = this.#cursor
     const records = this.#records
-    let node = 0
     records.all(cursor.count(`the number of ${what}`), what, () => {
       const attribute = cursor.number('an attribute')
       if (!records.hasField('a geometry')) return false
       const geometry = this.#geometry()
       if (!this.#readIds(geometry.nodes)) return false
-      const space = this.#space
-      if (what === 'elements' && space !== null && !space.isContinuous) {
-        this.#ownNodes(geometry.kind, attribute, node, space)
-        node += space.nodesOf(geometry.kind)
-      } else this.#element(geometry.kind, attribute)
+      if (what !== 'elements' || !this.#mesh.elementByNodes(geometry.kind, attribute))
+        this.#mesh.element(cursor, geometry.kind, attribute, this.#vertices)
       return true
     })
-    if (node > this.#builder.pointCount)
-      cursor.refuse(`the elements have ${node} nodes; there are ${this.#builder.pointCount}.`)
+    this.#mesh.checkNodes(cursor)
   }
 
-  #geometry(): (typeof GEOMETRIES)[number] {
-    const number = this.#cursor.number('a geometry')
+  #geometry(number = this.#cursor.number('a geometry')): (typeof GEOMETRIES)[number] {
     return GEOMETRIES[number] ?? this.#cursor.refuse(`an element has geometry ${number}; 0 to 7 were expected.`)
   }
 
@@ -336,51 +252,11 @@ class MfemReader {
     return true
   }
 
-  /** An element whose vertices are points. */
-  #element(kind: OtherCell | 'hexahedron', attribute: number): void {
-    const vertices = this.#vertices
-    const count = this.#vertexCount ?? 0
-    const there = this.#space?.isContinuous === false ? count : this.#builder.pointCount
-    for (const [i, vertex] of vertices.entries()) {
-      const index = this.#isNonConforming ? this.#builder.findId(vertex) : vertex < there ? vertex : -1
-      if (index < 0) {
-        if (this.#isNonConforming) this.#cursor.refuse(`an element names vertex ${vertex}, which has no place.`)
-        if (!this.#mayLackVertices || vertex >= count)
-          this.#cursor.refuse(`an element names vertex ${vertex}; the vertices are 0 to ${count - 1}.`)
-        this.#lackingVertices++
-        return
-      }
-      vertices[i] = index
-    }
-    this.#put(kind, attribute, vertices)
-  }
-
-  /** An element with nodes of its own, in lexicographic order. */
-  #ownNodes(kind: OtherCell | 'hexahedron', attribute: number, first: number, space: NodeSpace): void {
-    if (kind !== 'hexahedron') this.#put(kind, attribute, [])
-    else
-      this.#put(
-        kind,
-        attribute,
-        space.corners.map(corner => first + corner),
-      )
-  }
-
-  #put(kind: OtherCell | 'hexahedron', attribute: number, points: readonly number[]): void {
-    if (kind !== 'hexahedron') this.#builder.otherCell(kind)
-    else if (this.#quadratic !== null) for (const point of points) this.#quadratic.cells.push(point)
-    else if (this.#space !== null && this.#space.order > 1) this.#builder.notTrilinear(points)
-    else {
-      this.#builder.hexahedron(points)
-      this.#attributes.push(attribute)
-    }
-  }
-
   /** Elements of a tree: rank, attribute, geometry, type of refinement, then vertices where it is 0, else children. */
   #readLeaves(): void {
     const cursor = this.#cursor
     const records = this.#records
-    placeNonConforming(cursor, this.#builder, this.#parents ?? new Float64Array(0))
+    placeNonConforming(cursor, this.#mesh.builder, this.#parents ?? new Float64Array(0))
     let others = 0
     records.all(cursor.count('the number of elements'), 'elements', () => {
       const rank = cursor.number('a rank')
@@ -390,7 +266,7 @@ class MfemReader {
         cursor.skipLine()
         return true
       }
-      const geometry = GEOMETRIES[number] ?? cursor.refuse(`an element has geometry ${number}; 0 to 7 were expected.`)
+      const geometry = this.#geometry(number)
       const refinement = cursor.count('a type of refinement')
       if (refinement !== 0 || rank !== this.#rank) {
         if (refinement === 0) others++
@@ -398,11 +274,11 @@ class MfemReader {
         return true
       }
       if (!this.#readIds(geometry.nodes)) return false
-      this.#element(geometry.kind, attribute)
+      this.#mesh.element(cursor, geometry.kind, attribute, this.#vertices)
       return true
     })
-    this.#builder.note('The mesh is non-conforming: its leaves are read.')
-    if (others > 0) this.#builder.note(`${others} elements belong to other ranks: they are not read.`)
+    this.#mesh.builder.note('The mesh is non-conforming: its leaves are read.')
+    if (others > 0) this.#mesh.builder.note(`${others} elements belong to other ranks: they are not read.`)
   }
 }
 

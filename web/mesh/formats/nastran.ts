@@ -9,13 +9,14 @@ import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { wordTable } from '../word-table'
-import type { Vector } from './movement'
-import { addFields, Card, GRID_X, type LineLayout, plainMnemonic, shortText, splitCard } from './nastran-card'
-import { type FrameKind, Frames } from './nastran-frames'
-import { collect, NodeModel } from './node-model'
+import { includedLines } from './includes'
+import { type Card, GRID_X, shortText, splitCard } from './nastran-card'
+import { Cards, WANTED } from './nastran-cards'
+import { Frames } from './nastran-frames'
+import { NodeModel } from './node-model'
+import { collect } from './placements'
 import { TextLines } from './text-lines'
 
-const DEEPEST_INCLUDE = 16
 const [DOLLAR, STAR] = [36, 42] as const
 
 /** Usual forms by the byte behind the name: in columns, in wide columns and between commas. */
@@ -56,19 +57,6 @@ function both(type: OtherCell, names: string): Record<string, OtherCell> {
   return Object.fromEntries(names.split(' ').map(name => [name, type]))
 }
 
-/** The values that are read of each entry. */
-const WANTED: Readonly<Record<string, number>> = wordTable({
-  GRID: 5,
-  GRDSET: 2,
-  CHEXA: 23,
-  CORD1R: 8,
-  CORD1C: 8,
-  CORD1S: 8,
-  CORD2R: 11,
-  CORD2C: 11,
-  CORD2S: 11,
-})
-
 /** A CHEXA of 20 nodes: bottom edges, upright edges, top edges; as places among its nodes, in VTK order. */
 const ORDER_OF_20 = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15]
 
@@ -84,48 +72,31 @@ export const nastran: MeshFormat = {
 }
 
 class NastranReader {
-  readonly #file: MeshFile
   readonly #options: ReadOptions
   readonly #precision = new PrintedDigits()
-  readonly #notes: string[] = []
+  readonly #notes = new Set<string>()
   readonly #model = new NodeModel()
   readonly #frames: Frames
-  /** Frames of the nodes that are not in the basic one, by slot. */
-  readonly #frameOf = new Map<number, number>()
-  /** Slots of nodes that state no frame. */
-  readonly #withoutFrame = new Runs()
-  #defaultFrame = 0
-
+  readonly #cards: Cards
   #lines: TextLines
   #isBulk = false
   #isOver = false
   #isCutOff = false
-  /** Null while an entry goes on that is of no interest. */
-  #card: Card | null = null
-  /** One that is used again. */
-  #spare: Card | null = null
-  /** Entries whose next line has not come, and lines whose entry has not, by mnemonic. */
-  readonly #waiting = new Map<string, Card>()
-  readonly #orphans = new Map<string, Card>()
 
   constructor(file: MeshFile, options: ReadOptions) {
-    this.#file = file
     this.#options = options
     this.#lines = new TextLines(file, options)
-    this.#frames = new Frames(
-      (id, depth) => this.#basicOf(id, depth),
-      (what, line) => this.#lines.refuse(what, line),
-    )
+    this.#frames = new Frames(this.#model, (what, line) => this.#lines.refuse(what, line))
+    this.#cards = new Cards(this.#precision, card => this.#take(card))
   }
 
   read(): Mesh {
     this.#readLines(0)
-    this.#finish()
-    this.#joinOrphans()
+    this.#cards.finishAll(this.#lines)
     this.#intoBasicFrame()
     return collect({
       format: 'Nastran',
-      fileName: this.#file.name,
+      fileName: this.#lines.file.name,
       placements: [{ model: this.#model, name: null, move: null }],
       precision: this.#precision,
       notes: this.#notes,
@@ -160,10 +131,10 @@ class NastranReader {
     const form = isGrid ? GRID_ROWS[lines.at(4)] : lines.at(0) === 67 ? HEXAHEDRON_ROWS[lines.at(5)] : undefined
     const rows = form === undefined ? null : lines.rows(form)
     if (rows === null) return false
-    this.#finish()
+    this.#cards.finish()
     const { count, numbers, pattern } = rows
     if (isGrid) {
-      this.#model.defineRows(lines, rows, slot => this.#withoutFrame.add(slot))
+      this.#model.defineRows(lines, rows, slot => this.#frames.putWithout(slot))
       this.#precision.seeAll(rows)
       return true
     }
@@ -203,14 +174,12 @@ class NastranReader {
     while (quote !== '' && name.indexOf(quote, 1) < 0 && name.length < 4096 && lines.next()) name += lines.text().trim()
     name = quote === '' ? name : (name.slice(1).split(quote)[0]?.trim() ?? '')
     if (name === '') lines.refuse('INCLUDE names no file.')
-    if (depth >= DEEPEST_INCLUDE) lines.refuse(`INCLUDE of ${shown(name)}: files are included ${DEEPEST_INCLUDE} deep.`)
-    const file = this.#options.find(name)
-    if (file === null) lines.refuse(`INCLUDE names ${shown(name)}, which is missing: give it together with this file.`)
-    this.#finish()
+    const included = includedLines(lines, this.#options, 'INCLUDE', name, depth)
+    this.#cards.finish()
     this.#model.forgetPlaces()
-    this.#lines = new TextLines(file, this.#options)
+    this.#lines = included
     this.#readLines(depth + 1)
-    this.#finish()
+    this.#cards.finish()
     this.#lines = lines
   }
 
@@ -221,91 +190,27 @@ class NastranReader {
     const layout = splitCard(lines)
     const isContinuation = byte === 43 || byte === 42 || lines.isFieldBlank(0)
     if (isContinuation) {
-      this.#continue(layout)
+      this.#cards.goOn(lines, layout)
       return
     }
-    this.#finish()
+    this.#cards.finish()
     const name = nameOf(lines)
     if (name === 'ENDDATA') {
       this.#isOver = true
       return
     }
-    const wanted = WANTED[name]
-    if (wanted === undefined) {
-      const other = OTHERS[name]
-      if (other !== undefined) this.#model.addOther(other)
-      return
-    }
-    const card = this.#spare ?? new Card(name)
-    this.#spare = null
-    card.reset(name, lines.number)
-    addFields(card, lines, layout, wanted, name === 'GRID' ? this.#precision : null)
-    if (name === 'GRID' && card.count >= wanted) this.#take(card)
-    else this.#card = card
-  }
-
-  #continue(layout: LineLayout): void {
-    const lines = this.#lines
-    const mnemonic = plainMnemonic(lines, 0)
-    const waiting = mnemonic === '' ? undefined : this.#waiting.get(mnemonic)
-    const isNext =
-      this.#card !== null && (mnemonic === '' || this.#card.mnemonic === '' || mnemonic === this.#card.mnemonic)
-    if (!isNext && waiting) {
-      this.#finish()
-      this.#waiting.delete(mnemonic)
-      this.#card = waiting
-    } else if (!isNext && this.#card !== null) {
-      const orphan = new Card(this.#card.name)
-      orphan.line = lines.number
-      addFields(orphan, lines, layout, WANTED.CHEXA as number, null)
-      this.#orphans.set(mnemonic, orphan)
-      return
-    }
-    const card = this.#card
-    if (card === null) return
-    const isGrid = card.name === 'GRID'
-    card.fillUp()
-    addFields(card, lines, layout, WANTED[card.name] as number, isGrid ? this.#precision : null)
-    if (isGrid && card.count >= (WANTED.GRID as number)) {
-      this.#card = null
-      this.#take(card)
-    }
-  }
-
-  /** The entry has no further lines, or they come later. */
-  #finish(): void {
-    const card = this.#card
-    this.#card = null
-    if (card === null) return
-    if (card.mnemonic === '') {
-      this.#take(card)
-      return
-    }
-    const other = this.#waiting.get(card.mnemonic)
-    if (other) this.#take(other)
-    this.#waiting.set(card.mnemonic, card)
-  }
-
-  #joinOrphans(): void {
-    for (const card of this.#waiting.values()) {
-      for (let next = this.#orphans.get(card.mnemonic); next; next = this.#orphans.get(card.mnemonic)) {
-        this.#orphans.delete(card.mnemonic)
-        card.fillUp()
-        card.append(next)
-      }
-      this.#take(card)
-    }
-    for (const [mnemonic, { line }] of this.#orphans)
-      this.#lines.refuse(`the continuation ${shown(mnemonic)} belongs to no entry.`, line)
+    const other = OTHERS[name]
+    if (WANTED[name] !== undefined) this.#cards.begin(name, lines, layout)
+    else if (other !== undefined) this.#model.addOther(other)
   }
 
   #take(card: Card): void {
+    const lines = this.#lines
     if (card.name === 'GRID') this.#grid(card)
     else if (card.name === 'CHEXA') this.#hexahedron(card)
-    else if (card.name === 'GRDSET') this.#defaultFrame = card.isGiven[1] === 1 ? card.id(1, 'a frame', this.#lines) : 0
-    else if (card.name.startsWith('CORD1')) this.#frameByNodes(card)
-    else this.#frameByPoints(card)
-    this.#spare = card
+    else if (card.name === 'GRDSET') this.#frames.ofOthers = card.isGiven[1] === 1 ? card.id(1, 'a frame', lines) : 0
+    else if (card.name.startsWith('CORD1')) this.#frames.defineByNodes(card, lines)
+    else this.#frames.defineByPoints(card, lines)
   }
 
   #grid(card: Card): void {
@@ -325,20 +230,15 @@ class NastranReader {
     const slot = this.#model.defineNode(lines, id, x, y, z)
     const frame = given[1] === 1 ? card.id(1, 'a frame', lines) : -1
     if (frame > 0) {
-      if (!isNew && this.#frameOf.get(slot) !== frame)
+      if (!this.#frames.put(slot, frame, isNew))
         lines.refuse(`node ${id} is defined again, in another frame.`, card.line)
-      this.#frameOf.set(slot, frame)
-    } else if (frame < 0) this.#withoutFrame.add(slot)
+    } else if (frame < 0) this.#frames.putWithout(slot)
     const hasAll = given[GRID_X] === 1 && given[GRID_X + 1] === 1 && given[GRID_X + 2] === 1
-    if (!hasAll) this.#note('Blank coordinates are 0, as Nastran reads them.')
+    if (!hasAll) this.#notes.add('Blank coordinates are 0, as Nastran reads them.')
     if (frame > 0 || !hasAll) this.#model.forgetPlaces()
     else
       for (let axis = 0; axis < 3; ++axis)
         this.#model.place(lines, slot, axis, card.placeFrom[axis] as number, card.placeLength[axis] as number)
-  }
-
-  #note(sentence: string): void {
-    if (!this.#notes.includes(sentence)) this.#notes.push(sentence)
   }
 
   #hexahedron(card: Card): void {
@@ -371,64 +271,13 @@ class NastranReader {
     return count
   }
 
-  // Frames
-
-  #frameByNodes(card: Card): void {
-    for (const field of [0, 4]) {
-      if (card.isGiven[field] !== 1 && field > 0) break
-      const nodes = [1, 2, 3].map(i => card.id(field + i, 'a node', this.#lines)) as [number, number, number]
-      const kind = card.name[5] as FrameKind
-      this.#frames.define(card.id(field, 'a frame', this.#lines), {
-        kind,
-        points: null,
-        nodes,
-        inFrame: 0,
-        line: card.line,
-      })
-    }
-  }
-
-  #frameByPoints(card: Card): void {
-    const point = (from: number): Vector => [
-      card.values[from] as number,
-      card.values[from + 1] as number,
-      card.values[from + 2] as number,
-    ]
-    this.#frames.define(card.id(0, 'a frame', this.#lines), {
-      kind: card.name[5] as FrameKind,
-      points: [point(2), point(5), point(8)],
-      nodes: null,
-      inFrame: card.isGiven[1] === 1 ? card.id(1, 'a frame', this.#lines) : 0,
-      line: card.line,
-    })
-  }
-
   #intoBasicFrame(): void {
-    if (this.#defaultFrame > 0) for (const slot of this.#withoutFrame) this.#frameOf.set(slot, this.#defaultFrame)
-    if (this.#frameOf.size === 0) return
+    const count = this.#frames.intoBasic()
+    if (count === 0) return
     this.#model.forgetPlaces()
-    const count = this.#frameOf.size
-    for (const slot of [...this.#frameOf.keys()]) this.#basicOfSlot(slot, 0)
-    this.#note(
+    this.#notes.add(
       `${count} nodes are given in frames of their own; they are turned into the basic frame, and rounded to doubles.`,
     )
-  }
-
-  #basicOf(id: number, depth: number): Vector {
-    const slot = this.#model.definedSlot(id)
-    if (slot < 0) this.#lines.refuse(`a frame is defined by node ${id}, which is not defined.`)
-    return this.#basicOfSlot(slot, depth)
-  }
-
-  #basicOfSlot(slot: number, depth: number): Vector {
-    const { values } = this.#model.points
-    const frame = this.#frameOf.get(slot)
-    const point: Vector = [values[3 * slot] as number, values[3 * slot + 1] as number, values[3 * slot + 2] as number]
-    if (frame === undefined) return point
-    const basic = this.#frames.basic(frame, point, depth)
-    this.#frameOf.delete(slot)
-    values.set(basic, 3 * slot)
-    return basic
   }
 }
 

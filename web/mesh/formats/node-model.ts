@@ -5,21 +5,12 @@
 
 import type { FileRows } from '../file-rows'
 import { IdIndex } from '../id-index'
-import {
-  type Block,
-  type CoordinatePlaces,
-  type Mesh,
-  MeshRefusal,
-  MOST_IMPLIED_CELLS,
-  NOTHING_NOT_TRILINEAR,
-  type NotTrilinear,
-} from '../mesh'
+import { type CoordinatePlaces, MeshRefusal } from '../mesh'
 import type { OtherCell } from '../mesh-builder'
-import { ALL_MIDDLES, isAtMean } from '../middles'
-import { PlaceList } from '../place-list'
-import { largestOf, type PrintedDigits } from '../precision'
-import { Runs } from '../runs'
+import type { PrintedDigits } from '../precision'
+import { Runs, runsOf } from '../runs'
 import { shown } from '../text-cursor'
+import { TokenList } from '../token-list'
 import { TypedList } from '../typed-list'
 import type { TextLines } from './text-lines'
 
@@ -28,6 +19,9 @@ export const NO_NODE = 0xffffffff
 
 /** Slots of an element that is not trilinear: corners, edges in VTK order, faces -xi, +xi, -eta, +eta, -zeta, +zeta, centre. */
 export const QUADRATIC_SLOTS = 27
+
+/** The order in which most codes write the nodes of an element of 20: bottom edges, top edges, upright edges, as VTK. */
+export const ORDER_OF_20: readonly number[] = Array.from({ length: 20 }, (_, i) => i)
 
 const NAMED = 0
 const DEFINED = 1
@@ -43,8 +37,8 @@ export class NodeModel {
   readonly #state = new TypedList(Uint8Array)
   /** Lines of nodes with too few coordinates, by slot. */
   readonly #shortLines = new Map<number, { lines: TextLines; line: number; has: number }>()
-  readonly #placeFrom = new PlaceList()
-  readonly #placeLength = new TypedList(Uint16Array)
+  /** Coordinates in the file, three for each slot. */
+  readonly #tokens = new TokenList()
   /** The one file that all coordinates stand in, each as a token. */
   #placesIn: TextLines | null = null
   #hasPlaces = true
@@ -128,18 +122,12 @@ export class NodeModel {
 
   /** Nodes of rows that begin with the id and end with the coordinates; `onSlot` is given their slots. */
   defineRows(lines: TextLines, rows: FileRows, onSlot?: (slot: number) => void): void {
-    const { pattern, count, numbers, places, line, start, ahead } = rows
+    const { pattern, count, numbers, line, ahead } = rows
     const width = pattern.numberCount
     this.#index.expect(this.nodeCount + ahead)
     this.points.reserveMore(3 * count, 3 * ahead)
     this.nodeIds.reserveMore(count, ahead)
-    if (this.#hasPlaces) {
-      this.#placeFrom.reserve(3 * (this.nodeCount + count), 3 * ahead)
-      this.#placeLength.reserveMore(
-        3 * (this.nodeCount + count) - this.#placeLength.length,
-        3 * (this.nodeCount + ahead),
-      )
-    }
+    if (this.#keepsPlaces(lines)) this.#tokens.reserve(3 * (this.nodeCount + count), 3 * (this.nodeCount + ahead))
     for (let row = 0; row < count; ++row) {
       const at = width * (row + 1) - 3
       const id = numbers[width * row] as number
@@ -147,13 +135,7 @@ export class NodeModel {
       const y = numbers[at + 1] as number
       const z = numbers[at + 2] as number
       const slot = this.defineNode(lines, id, x, y, z, line + pattern.lineCount * row)
-      if (this.#hasPlaces) {
-        const first = pattern.realCount * (row + 1) - 3
-        for (let axis = 0; axis < 3; ++axis) {
-          const place = places[first + axis] as number
-          this.place(lines, slot, axis, start + (place & 0xffffff), place >>> 24)
-        }
-      }
+      if (this.#hasPlaces) this.#tokens.putRow(3 * slot, rows, row)
       onSlot?.(slot)
     }
   }
@@ -180,13 +162,15 @@ export class NodeModel {
 
   /** Keeps the position in the file of a node's coordinate; the mesh has places only with all. */
   place(lines: TextLines, slot: number, axis: number, from: number, length: number): void {
+    if (length <= 0 || length > 0xffff) this.#hasPlaces = false
+    if (this.#keepsPlaces(lines)) this.#tokens.put(3 * slot + axis, from, length)
+  }
+
+  /** True as long as all coordinates stand in one file. */
+  #keepsPlaces(lines: TextLines): boolean {
     this.#placesIn ??= lines
-    if (this.#placesIn !== lines || length <= 0 || length > 0xffff) this.#hasPlaces = false
-    if (!this.#hasPlaces) return
-    const at = 3 * slot + axis
-    if (at >= this.#placeLength.values.length) this.#placeLength.reserve(at + 1)
-    this.#placeFrom.put(at, from)
-    this.#placeLength.values[at] = length
+    if (this.#placesIn !== lines) this.#hasPlaces = false
+    return this.#hasPlaces
   }
 
   /** Does `place` for coordinates in three neighbouring fields of the line. */
@@ -195,6 +179,17 @@ export class NodeModel {
       const from = lines.fieldFrom(first + axis)
       this.place(lines, slot, axis, lines.placeOf(from), lines.fieldTo(first + axis) - from)
     }
+  }
+
+  /** Defines a node by the coordinates in fields 1 to 3, which are 0 where they are blank; true if none is. */
+  defineFields(lines: TextLines, id: number, precision: PrintedDigits): boolean {
+    const x = lines.real(1, precision)
+    const y = lines.real(2, precision)
+    const slot = this.defineNode(lines, id, x, y, lines.real(3, precision))
+    const isWhole = !lines.isFieldBlank(1) && !lines.isFieldBlank(2) && !lines.isFieldBlank(3)
+    if (isWhole) this.placeFields(lines, slot, 1)
+    else this.forgetPlaces()
+    return isWhole
   }
 
   forgetPlaces(): void {
@@ -222,12 +217,7 @@ export class NodeModel {
   }
 
   block(name: string): Runs {
-    let runs = this.blocks.get(name)
-    if (runs === undefined) {
-      runs = new Runs()
-      this.blocks.set(name, runs)
-    }
-    return runs
+    return runsOf(this.blocks, name)
   }
 
   /** The first element that names a node without three coordinates, as a sentence; null if there is none. */
@@ -313,133 +303,16 @@ export class NodeModel {
   }
 
   coordinatePlaces(): CoordinatePlaces | null {
-    const count = 3 * this.nodeCount
-    if (!this.#hasPlaces || this.#placesIn === null || count === 0) return null
-    this.#placeLength.reserve(count)
-    const lengths = this.#placeLength.values.subarray(0, count)
-    if (lengths.includes(0)) return null
-    return { kind: 'tokens', from: this.#placeFrom.upTo(count), lengths }
+    return this.#hasPlaces ? this.#tokens.places(3 * this.nodeCount) : null
   }
+}
+
+/** True if two of the first eight nodes are the same: as a hexahedron, the element has J <= 0 somewhere. */
+export function isRepeating(nodes: Float64Array): boolean {
+  for (let i = 0; i < 8; ++i) for (let j = 0; j < i; ++j) if (nodes[i] === nodes[j]) return true
+  return false
 }
 
 function same(a = Number.NaN, b = Number.NaN): boolean {
   return a === b || (Number.isNaN(a) && Number.isNaN(b))
-}
-
-/** A model somewhere: an instance of a part, or the one model there is. */
-export interface Placement {
-  readonly model: NodeModel
-  /** Null for what is in no part. */
-  readonly name: string | null
-  readonly move: Move | null
-  /** Blocks of this placement alone. */
-  readonly blocks?: ReadonlyMap<string, Runs>
-}
-
-export interface Collected {
-  readonly format: string
-  readonly fileName: string
-  readonly placements: readonly Placement[]
-  readonly precision: PrintedDigits
-  readonly notes: readonly string[]
-  readonly isCutOff: boolean
-}
-
-/** One mesh of all placements. Ids and names of blocks stand behind the name of their instance if several have cells. */
-export function collect({ format, fileName, placements, precision, notes, isCutOff }: Collected): Mesh {
-  const said = [...notes]
-  let leftOut = 0
-  for (const model of new Set(placements.map(placement => placement.model))) leftOut += model.check(fileName, isCutOff)
-  if (leftOut > 0) said.push(`The text leaves lines out: ${leftOut} elements without all of their nodes are not read.`)
-  const total = (count: (model: NodeModel) => number) => placements.reduce((sum, { model }) => sum + count(model), 0)
-  const [pointCount, cellCount] = [total(model => model.nodeCount), total(model => model.cellCount)]
-  const quadraticCount = total(model => model.quadraticIds.length)
-  if (placements.length > 1 && Math.max(pointCount, cellCount, quadraticCount) > MOST_IMPLIED_CELLS)
-    throw new MeshRefusal(
-      `${shown(fileName).slice(1, -1)}: its instances have ${Math.max(pointCount, cellCount)} nodes or elements; ${MOST_IMPLIED_CELLS} are read at most.`,
-    )
-
-  // A single model that is not moved is the mesh.
-  const only = placements.length === 1 && placements[0]?.move === null ? placements[0].model : null
-  const points = only?.points.whole() ?? new Float64Array(3 * pointCount)
-  const cells = only?.cells.whole() ?? new Uint32Array(8 * cellCount)
-  const quadratic = new Uint32Array(QUADRATIC_SLOTS * quadraticCount)
-  const others = new Map<string, number>()
-  const isNamed = placements.filter(({ model }) => model.cellCount > 0).length > 1
-  const numbers = isNamed ? null : (only?.cellIds.whole() ?? new Float64Array(cellCount))
-  const names: string[] = []
-  const blocks: Block[] = []
-  let [point, cell, far] = [0, 0, 0]
-  for (const { model, name, move, blocks: more } of placements) {
-    if (only === null) {
-      points.set(model.points.values.subarray(0, 3 * model.nodeCount), 3 * point)
-      if (move !== null) for (let i = 0; i < model.nodeCount; ++i) move(points, 3 * (point + i))
-      shifted(model.cells, cells, 8 * cell, point)
-      numbers?.set(model.cellIds.values.subarray(0, model.cellCount), cell)
-    }
-    shifted(model.quadratic, quadratic, far, point)
-    for (const [type, count] of model.others) others.set(type, (others.get(type) ?? 0) + count)
-    if (numbers === null)
-      for (let i = 0; i < model.cellCount; ++i)
-        names.push(`${name === null ? '' : `${name}.`}${model.cellIds.values[i]}`)
-    if (isNamed && name !== null && model.cellCount > 0)
-      blocks.push({ name, cells: Uint32Array.from({ length: model.cellCount }, (_, i) => cell + i) })
-    for (const [block, runs] of [...model.blocks, ...(more ?? [])]) {
-      if (runs.isEmpty) continue
-      const list = runs.sorted()
-      if (cell > 0) for (let i = 0; i < list.length; ++i) list[i] = (list[i] as number) + cell
-      blocks.push({ name: isNamed && name !== null ? `${name}.${block}` : block, cells: list })
-    }
-    point += model.nodeCount
-    cell += model.cellCount
-    far += model.quadratic.length
-  }
-
-  precision.largest = largestOf(points)
-  const note = precision.note()
-  if (note !== null) said.push(note)
-  return {
-    format,
-    points,
-    cells,
-    ids: numbers ?? names,
-    blocks,
-    notTrilinear: notTrilinearOf(quadratic, points, precision),
-    other: others,
-    notes: [...new Set(said)],
-    isOrderStated: true,
-    isCutOff,
-    coordinatePlaces: only?.coordinatePlaces() ?? null,
-    steps: [],
-  }
-}
-
-function shifted(from: TypedList<Uint32Array>, to: Uint32Array, at: number, by: number): void {
-  const { values, length } = from
-  for (let i = 0; i < length; ++i) to[at + i] = values[i] === NO_NODE ? NO_NODE : (values[i] as number) + by
-}
-
-/**
- * A further node is in the middle if it is where the corners' mean is, up to what printing has moved: u for the node and u for the mean,
- * where u is half a unit of the last place, or of the double.
- */
-function notTrilinearOf(quadratic: Uint32Array, points: Float64Array, precision: PrintedDigits): NotTrilinear {
-  const count = quadratic.length / QUADRATIC_SLOTS
-  if (count === 0) return NOTHING_NOT_TRILINEAR
-  const corners = new Uint32Array(8 * count)
-  const tolerance = 2 * Math.max(precision.movement(), 4 * Number.EPSILON * precision.largest)
-  let straight = 0
-  for (let cell = 0; cell < count; ++cell) {
-    const at = QUADRATIC_SLOTS * cell
-    for (let v = 0; v < 8; ++v) corners[8 * cell + v] = quadratic[at + v] as number
-    if (isStraight(quadratic, at, points, tolerance)) straight++
-  }
-  return { corners, straight }
-}
-
-function isStraight(quadratic: Uint32Array, at: number, points: Float64Array, tolerance: number): boolean {
-  const coordinate = (slot: number, axis: number) => points[3 * (quadratic[at + slot] as number) + axis] as number
-  return ALL_MIDDLES.every(
-    (corners, i) => quadratic[at + 8 + i] === NO_NODE || isAtMean(coordinate, 8 + i, corners, tolerance),
-  )
 }

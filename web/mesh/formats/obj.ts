@@ -5,7 +5,7 @@
 import { hexahedronOfFaces } from '../hexahedron-of-faces'
 import { MeshBuilder } from '../mesh-builder'
 import { headText } from '../snippet-text'
-import type { MeshFormat } from '../source'
+import { type MeshFormat, progressOf } from '../source'
 import { numberOf, shown, significantDigits, TextCursor } from '../text-cursor'
 
 export const obj: MeshFormat = {
@@ -15,18 +15,16 @@ export const obj: MeshFormat = {
     if (!/^v[ \t]+[-+.\d]+[ \t]+[-+.\d]/m.test(text)) return 'no'
     return /^f[ \t]+-?\d/m.test(text) || name.endsWith('.obj') ? 'yes' : 'no'
   },
-  read(file, { onProgress, throwIfCancelled }) {
+  read(file, options) {
     const builder = new MeshBuilder('OBJ', file.name)
     const cursor = new TextCursor(file)
+    const onLine = progressOf(file, options)
     const faces: number[][] = []
     const names: string[] = []
     let name = ''
     let others = 0
     for (let line = cursor.nextLine(); line !== null; line = cursor.nextLine()) {
-      if (cursor.line % 65_536 === 0) {
-        throwIfCancelled()
-        onProgress(cursor.position / file.size)
-      }
+      onLine(cursor.position)
       const [keyword, ...words] = line.trim().split(/\s+/)
       if (keyword === 'o' || keyword === 'g') name = words.join(' ')
       else if (keyword === 'v') {

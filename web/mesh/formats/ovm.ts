@@ -38,8 +38,7 @@ export const ovm: MeshFormat = {
       return Array.from({ length: size }, () => index(most, what))
     }
     const points = count('Vertices')
-    for (let i = 0; i < points; i++)
-      builder.point(builder.readCoordinate(cursor), builder.readCoordinate(cursor), builder.readCoordinate(cursor))
+    for (let i = 0; i < points; i++) builder.point(...builder.readPoint(cursor))
     const edges = count('Edges')
     const ends = Float64Array.from({ length: 2 * edges }, () => index(points, 'vertex'))
     const faceCount = count('Faces')

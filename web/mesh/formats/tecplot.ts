@@ -5,7 +5,7 @@
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { headText } from '../snippet-text'
 import { titledColumns } from '../snippets/point-set'
-import type { MeshFile, MeshFormat, ReadOptions } from '../source'
+import { type MeshFile, type MeshFormat, progressOf, type ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 import { wordTable } from '../word-table'
 
@@ -50,7 +50,7 @@ export const tecplot: MeshFormat = {
 class Reader {
   readonly #builder: MeshBuilder
   readonly #cursor: TextCursor
-  readonly #options: ReadOptions
+  readonly #onRecord: (position: number) => void
   readonly #size: number
   #axes: readonly number[] = [0, 1, 2]
   #variables = 3
@@ -58,7 +58,7 @@ class Reader {
   constructor(file: MeshFile, options: ReadOptions) {
     this.#builder = new MeshBuilder('Tecplot', file.name)
     this.#cursor = new TextCursor(file)
-    this.#options = options
+    this.#onRecord = progressOf(file, options)
     this.#size = file.size
   }
 
@@ -166,7 +166,7 @@ class Reader {
           builder.digits.see(value, cursor.digits)
           into[i] = value
         }
-        this.#progress()
+        this.#onRecord(cursor.position)
       }
       const [x, y, z] = axes as [Float64Array, Float64Array, Float64Array]
       for (let i = 0; i < nodes; i++) builder.point(x[i] as number, y[i] as number, z[i] as number)
@@ -186,7 +186,7 @@ class Reader {
           builder.coordinateToken(from[axis] as number, (to[axis] as number) - (from[axis] as number))
         }
         builder.point(row[x] as number, row[y] as number, row[z] as number)
-        if (i % 65_536 === 0) this.#progress()
+        this.#onRecord(cursor.position)
       }
     }
     const [kind, size] = CELLS[type] as readonly [OtherCell | 'hexahedron', number]
@@ -198,13 +198,8 @@ class Reader {
       })
       if (kind === 'hexahedron') builder.hexahedron(indices, builder.cellCount + 1)
       else builder.otherCell(kind)
-      if (cell % 65_536 === 0) this.#progress()
+      this.#onRecord(cursor.position)
     }
-  }
-
-  #progress(): void {
-    this.#options.throwIfCancelled()
-    this.#options.onProgress(this.#cursor.position / this.#size)
   }
 }
 

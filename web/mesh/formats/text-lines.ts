@@ -5,7 +5,7 @@
  */
 
 import type { RowPattern } from '../../core/reading-interface'
-import { doubleOfDigits } from '../decimal'
+import { doubleOfDigits, POWERS_OF_TEN } from '../decimal'
 import { FileChunk } from '../file-chunk'
 import { type FileRows, RowSearch, rowsAhead } from '../file-rows'
 import { MeshRefusal } from '../mesh'
@@ -19,7 +19,6 @@ const HEAD = 65_536
 
 const [TAB, LF, SPACE, PLUS, COMMA, MINUS, DOT, ZERO] = [9, 10, 32, 43, 44, 45, 46, 48] as const
 
-const POWERS_OF_TEN = Array.from({ length: 23 }, (_, i) => 10 ** i)
 const POWERS_OF_FIVE = Array.from({ length: 23 }, (_, i) => 5 ** i)
 const EXACT = 2 ** 53
 
@@ -217,6 +216,18 @@ export class TextLines {
     }
     this.#fieldFrom[this.fieldCount] = begin
     this.#fieldTo[this.fieldCount++] = end
+  }
+
+  /** Appends so many fields that stand side by side, each as wide, from byte `first` on. */
+  addColumns(count: number, width: number, first = this.from): void {
+    for (let i = 0; i < count; ++i) this.addField(first + i * width, first + (i + 1) * width)
+  }
+
+  /** The number of fields up to the last that is not blank. */
+  get filledCount(): number {
+    let count = this.fieldCount
+    while (count > 0 && this.isFieldBlank(count - 1)) count--
+    return count
   }
 
   /** Fields between commas. A comma at the end of the line begins one more, a blank one. */

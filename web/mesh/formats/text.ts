@@ -11,6 +11,7 @@ import { tablesOfLines, withDecimalPoints } from '../snippets/lines'
 import { tablesOfLists } from '../snippets/lists'
 import { withoutTags } from '../snippets/markup'
 import { tablesOfMatlab } from '../snippets/matlab-print'
+import { numberTable } from '../snippets/number-table'
 import { meshOfNumbers } from '../snippets/plain-numbers'
 import { Tokens } from '../snippets/tokens'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
@@ -125,18 +126,7 @@ function flatNumbers(text: string, fileName: string): Mesh | null {
       `${fileName}: row ${odd + 1} of the numbers has ${widths[odd]} of them, the first has ${width}.`,
     )
   if (values.length === 0 || values.length % 24 !== 0) return null
-  const table = {
-    names: [],
-    rows: [values],
-    integers: [false],
-    header: null,
-    labels: null,
-    ids: null,
-    isCut: false,
-    digits,
-    base: null,
-  }
-  return meshOfTables([table], { format: 'numbers', fileName })
+  return meshOfTables([numberTable([values], false, { digits })], { format: 'numbers', fileName })
 }
 
 /** A line before all numbers that has words and no digit. */

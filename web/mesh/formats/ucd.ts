@@ -4,7 +4,7 @@
  */
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { headText } from '../snippet-text'
-import type { MeshFormat } from '../source'
+import { type MeshFormat, progressOf } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 import { wordTable } from '../word-table'
 
@@ -32,25 +32,17 @@ export const ucd: MeshFormat = {
       ? 'yes'
       : 'no'
   },
-  read(file, { onProgress, throwIfCancelled }) {
+  read(file, options) {
     const builder = new MeshBuilder('UCD', file.name)
     const cursor = new TextCursor(file)
+    const onRecord = progressOf(file, options)
     skipComments(cursor)
     const nodes = cursor.count('the number of nodes')
     const cells = cursor.count('the number of cells')
     cursor.skipLine()
     for (let i = 0; i < nodes; i++) {
-      const id = cursor.count('the number of a node')
-      builder.pointWithId(
-        id,
-        builder.readCoordinate(cursor),
-        builder.readCoordinate(cursor),
-        builder.readCoordinate(cursor),
-      )
-      if (i % 65_536 === 0) {
-        throwIfCancelled()
-        onProgress(cursor.position / file.size)
-      }
+      builder.pointWithId(cursor.count('the number of a node'), ...builder.readPoint(cursor))
+      onRecord(cursor.position)
     }
     const hexahedra: { readonly id: number; readonly nodes: readonly number[] }[] = []
     for (let i = 0; i < cells; i++) {
@@ -64,10 +56,7 @@ export const ucd: MeshFormat = {
       )
       if (type === 'hexahedron') hexahedra.push({ id, nodes: indices })
       else builder.otherCell(type)
-      if (i % 65_536 === 0) {
-        throwIfCancelled()
-        onProgress(cursor.position / file.size)
-      }
+      onRecord(cursor.position)
     }
     const points = builder.mesh().points
     const mirrored = hexahedra.filter(cell => orientation(points, cell.nodes) < 0).length

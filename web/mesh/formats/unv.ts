@@ -68,12 +68,7 @@ function readNodes(cursor: TextCursor, builder: MeshBuilder): void {
   while (!isAtEndOfSet(cursor)) {
     const id = cursor.count('the number of a node')
     cursor.skipLine()
-    builder.pointWithId(
-      id,
-      builder.readCoordinate(cursor),
-      builder.readCoordinate(cursor),
-      builder.readCoordinate(cursor),
-    )
+    builder.pointWithId(id, ...builder.readPoint(cursor))
     cursor.skipLine()
   }
 }

@@ -66,34 +66,3 @@ export const vtkCellTypes: ReadonlyMap<number, VtkCellType> = new Map<number, Vt
 
 /** A voxel's nodes in the order of a hexahedron's. */
 export const VOXEL_ORDER = [0, 1, 3, 2, 4, 5, 7, 6] as const
-
-/**
- * The nodes of a Lagrange hexahedron of this order in the cube, three multiples of 1/order each
- * (vtkHigherOrderHexahedron). The four edges along zeta have two orders: that of VTK 9.1 and file
- * version 2.2 on, and the one before.
- */
-export function latticeOf(order: number, hasOldEdges: boolean): Uint8Array {
-  const inside = order - 1
-  const places = new Uint8Array(3 * (order + 1) ** 3)
-  for (let k = 0; k <= order; ++k)
-    for (let j = 0; j <= order; ++j) for (let i = 0; i <= order; ++i) places.set([i, j, k], 3 * nodeAt(i, j, k))
-  return places
-
-  function nodeAt(i: number, j: number, k: number): number {
-    const [isX, isY, isZ] = [i % order === 0, j % order === 0, k % order === 0]
-    const around = (a: number, b: number) => (a > 0 ? (b > 0 ? 2 : 1) : b > 0 ? 3 : 0)
-    const faces = inside * inside
-    if (isX && isY && isZ) return around(i, j) + (k > 0 ? 4 : 0)
-    if (isY && isZ) return 8 + (i - 1) + (j > 0 ? 2 * inside : 0) + (k > 0 ? 4 * inside : 0)
-    if (isX && isZ) return 8 + (j - 1) + (i > 0 ? inside : 3 * inside) + (k > 0 ? 4 * inside : 0)
-    if (isX && isY) {
-      const edge = hasOldEdges ? (i > 0 ? 1 : 0) + (j > 0 ? 2 : 0) : around(i, j)
-      return 8 + 8 * inside + (k - 1) + inside * edge
-    }
-    const onFaces = 8 + 12 * inside
-    if (isX) return onFaces + (j - 1) + inside * (k - 1) + (i > 0 ? faces : 0)
-    if (isY) return onFaces + 2 * faces + (i - 1) + inside * (k - 1) + (j > 0 ? faces : 0)
-    if (isZ) return onFaces + 4 * faces + (i - 1) + inside * (j - 1) + (k > 0 ? faces : 0)
-    return onFaces + 6 * faces + (i - 1) + inside * (j - 1 + inside * (k - 1))
-  }
-}

@@ -31,7 +31,7 @@ export function readCells(stream: LegacyStream): LegacyCells {
 
 /** Cells before version 5: the number of points of each, and these. */
 function cellsByCounts(stream: LegacyStream, declared: number, size: number): LegacyCells {
-  const list = stream.list(size, 'Int32', length => new Uint32Array(length), 'number')
+  const list = stream.list(size, 'Int32', Uint32Array, 'number')
   const isElided = list.length < size
   const ends = new Uint32Array(Math.min(declared, list.length))
   let at = 0
@@ -54,13 +54,12 @@ function cellsByCounts(stream: LegacyStream, declared: number, size: number): Le
 
 /** Cells from version 5 on: offsets of each and of the end, then all points. */
 function cellsByOffsets(stream: LegacyStream, count: number, size: number): LegacyCells {
-  const uint32 = (length: number) => new Uint32Array(length)
   const declared = Math.max(0, count - 1)
-  const offsets = stream.list(count, stream.type(), uint32, 'offset')
+  const offsets = stream.list(count, stream.type(), Uint32Array, 'offset')
   const keyword = stream.cursor.word()
   if (keyword.toUpperCase() !== 'CONNECTIVITY')
     stream.refuse(`${shown(keyword)} stands where CONNECTIVITY was expected.`)
-  const connectivity = stream.list(size, stream.type(), uint32, 'index')
+  const connectivity = stream.list(size, stream.type(), Uint32Array, 'index')
   if (offsets.length > 0 && offsets[0] !== 0) stream.refuse(`the first offset is ${offsets[0]}, where 0 was expected.`)
   const falling = firstFall(offsets)
   if (falling > 0)

@@ -52,7 +52,7 @@ function readArray(stream: LegacyStream, word: string, tuples: number, found: Fo
       stream.pass(components * count, type)
       return
     }
-    const list = stream.list(count, stream.typeOf(type), length => new Float64Array(length), 'number')
+    const list = stream.list(count, stream.typeOf(type), Float64Array, 'number')
     if (list.length < count) return
     found.arrays.set(name, list)
     if (isGlobal) found.globalIds = name

@@ -5,7 +5,7 @@ import { isEllipsis } from '../snippet-text'
 import type { MeshFile, ReadOptions } from '../source'
 import { shown, type TextCursor } from '../text-cursor'
 import { wordTable } from '../word-table'
-import { alignedTo, NUMBER_SIZES, type NumberList, type NumberType, putNumbers } from './vtu-arrays'
+import { alignedTo, type NumberList, type NumberType, putNumbers, sizeOf } from './vtk-numbers'
 
 const CHUNK = 256 * 1024
 const FIRST_CHUNK = 4096
@@ -87,10 +87,10 @@ export class LegacyStream {
   /**
    * The next `count` numbers. Of a text that leaves some out there may be fewer; then what is left out has been passed.
    */
-  list<T extends NumberList>(count: number, type: NumberType, make: (length: number) => T, what: string): T {
-    if (this.isBinary) return this.#binaryList(count, type, make, what)
+  list<T extends NumberList>(count: number, type: NumberType, List: new (length: number) => T, what: string): T {
+    if (this.isBinary) return this.#binaryList(count, type, List, what)
     const from = this.cursor.position
-    const list = make(Math.min(count, Math.ceil((this.file.size - from) / 2)))
+    const list = new List(Math.min(count, Math.ceil((this.file.size - from) / 2)))
     const run = new NumberRun(this.file, from, this.file.size, this.#options.core, position => this.report(position))
     const filled = list instanceof Float64Array ? run.numbers(list, 0, list.length) : run.indices(list, 0, list.length)
     this.digits = Math.max(this.digits, run.mostDigits)
@@ -108,16 +108,16 @@ export class LegacyStream {
     return list.slice(0, filled) as T
   }
 
-  #binaryList<T extends NumberList>(count: number, type: NumberType, make: (length: number) => T, what: string): T {
+  #binaryList<T extends NumberList>(count: number, type: NumberType, List: new (length: number) => T, what: string): T {
     this.cursor.skipLine()
-    const size = NUMBER_SIZES[type]
+    const size = sizeOf(type)
     let at = this.cursor.position
     const end = at + size * count
     if (end > this.file.size) {
       const has = `${count} times ${what} in ${size} bytes were expected, ${this.file.size - at} bytes are left`
       this.refuseAt(at, `${has}: the file is cut off.`)
     }
-    const list = make(count)
+    const list = new List(count)
     const chunk = new Uint8Array(Math.min(CHUNK, size * count))
     for (let filled = 0; filled < count; ) {
       const bytes = this.file.read(at, Math.min(end, at + CHUNK), chunk)
@@ -192,7 +192,7 @@ export class LegacyStream {
     else if (!this.isBinary) this.#passNumbers(numbers)
     else {
       this.cursor.skipLine()
-      const bytes = type === 'bit' ? Math.ceil(numbers / 8) : numbers * NUMBER_SIZES[this.typeOf(type)]
+      const bytes = type === 'bit' ? Math.ceil(numbers / 8) : numbers * sizeOf(this.typeOf(type))
       if (!(this.cursor.position + bytes <= this.file.size))
         this.refuse(`an array of ${bytes} bytes was expected: the file is cut off.`)
       this.cursor.goTo({ position: this.cursor.position + bytes })

@@ -2,7 +2,7 @@
  * VTK's legacy files, versions 1 to 5: unstructured grids, and structured and rectilinear grids and structured points, whose cells are
  * implied; in text, several after each other, or in big-endian binary.
  */
-import { type CoordinatePlaces, type Mesh, MeshRefusal, MOST_IMPLIED_CELLS } from '../mesh'
+import { type CoordinatePlaces, type Mesh, MeshRefusal } from '../mesh'
 import { headText, isEllipsis } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
@@ -10,9 +10,11 @@ import type { CellData } from './vtk-cell-data'
 import { VTK_HEXAHEDRON } from './vtk-cells'
 import { type LegacyCells, readCells } from './vtk-legacy-cells'
 import { readCellData } from './vtk-legacy-data'
+import { LegacyLattice } from './vtk-legacy-lattice'
 import { LegacyStream, lineThatBegins } from './vtk-legacy-stream'
-import { type Precision, VtkMesh } from './vtk-mesh'
-import { NUMBER_SIZES, type NumberType } from './vtu-arrays'
+import { VtkMesh } from './vtk-mesh'
+import { precisionOf } from './vtk-middles'
+import { type NumberType, sizeOf } from './vtk-numbers'
 
 const MAGIC = '# vtk DataFile Version'
 /** A part of a file that somebody has cut out begins with one of its sections. */
@@ -65,14 +67,11 @@ class LegacyDataset {
   #types: Uint8Array | null = null
   #cellData: CellData | null = null
   #time: string | null = null
-  #sizes: [number, number, number] | null = null
-  #origin: [number, number, number] = [0, 0, 0]
-  #spacing: [number, number, number] = [1, 1, 1]
-  #hasSpacing = false
-  readonly #axes: [Float64Array | null, Float64Array | null, Float64Array | null] = [null, null, null]
+  readonly #lattice: LegacyLattice
 
   constructor(file: MeshFile, options: ReadOptions, cursor: TextCursor, hasHeader: boolean) {
     this.#stream = new LegacyStream(file, options, cursor)
+    this.#lattice = new LegacyLattice(this.#stream)
     this.#hasHeader = hasHeader
     this.#cursor = cursor
   }
@@ -124,20 +123,19 @@ class LegacyDataset {
         this.#readTypes()
         return true
       case 'DIMENSIONS':
-        this.#sizes = [this.#stream.count(), this.#stream.count(), this.#stream.count()]
+        this.#lattice.readSizes()
         return true
       case 'ORIGIN':
-        this.#origin = this.#stream.triple()
+        this.#lattice.readOrigin()
         return true
       case 'SPACING':
       case 'ASPECT_RATIO':
-        this.#spacing = this.#stream.triple()
-        this.#hasSpacing = true
+        this.#lattice.readSpacing()
         return true
       case 'X_COORDINATES':
       case 'Y_COORDINATES':
       case 'Z_COORDINATES':
-        this.#readAxis('XYZ'.indexOf(keyword.charAt(0).toUpperCase()))
+        this.#pointType = this.#lattice.readAxis('XYZ'.indexOf(keyword.charAt(0).toUpperCase()))
         return true
       case 'METADATA':
         this.#stream.passMetadata()
@@ -160,8 +158,8 @@ class LegacyDataset {
 
   /** True if all that a mesh needs is there: anything may follow. */
   #isComplete(): boolean {
-    if (this.#type === 'STRUCTURED_POINTS') return this.#sizes !== null && this.#hasSpacing
-    if (this.#type === 'RECTILINEAR_GRID') return this.#axes.every(axis => axis !== null)
+    if (this.#type === 'STRUCTURED_POINTS') return this.#lattice.hasSteps
+    if (this.#type === 'RECTILINEAR_GRID') return this.#lattice.hasAxes
     if (this.#type === 'STRUCTURED_GRID') return this.#points !== null
     return this.#types !== null
   }
@@ -181,35 +179,19 @@ class LegacyDataset {
       this.#stream.refuse('more than 2^32 points are not read.')
     this.#pointType = this.#stream.type()
     const from = this.#cursor.position
-    const list = this.#stream.list(
-      3 * this.#declaredPoints,
-      this.#pointType,
-      length => new Float64Array(length),
-      'coordinate',
-    )
+    const list = this.#stream.list(3 * this.#declaredPoints, this.#pointType, Float64Array, 'coordinate')
     this.#points = list.subarray(0, list.length - (list.length % 3))
     this.#pointsTo = this.#cursor.position
-    this.#pointsFrom = this.#stream.isBinary ? this.#pointsTo - NUMBER_SIZES[this.#pointType] * list.length : from
+    this.#pointsFrom = this.#stream.isBinary ? this.#pointsTo - sizeOf(this.#pointType) * list.length : from
   }
 
   /** Reads the time among the arrays of the whole file. */
   #readField(): void {
     this.#stream.field((name, components, tuples, type) => {
       if (components * tuples === 1 && /^time(?:value)?$/i.test(name))
-        this.#time = String(
-          this.#stream.list(1, this.#stream.typeOf(type), length => new Float64Array(length), 'time')[0],
-        )
+        this.#time = String(this.#stream.list(1, this.#stream.typeOf(type), Float64Array, 'time')[0])
       else this.#stream.pass(components * tuples, type)
     })
-  }
-
-  #readAxis(axis: number): void {
-    const count = this.#stream.count()
-    const type = this.#stream.type()
-    this.#pointType = type
-    const list = this.#stream.list(count, type, length => new Float64Array(length), `${'xyz'[axis]} coordinate`)
-    if (list.length < count) this.#stream.refuse('a grid whose coordinates are left out has no cells.')
-    this.#axes[axis] = list
   }
 
   #readTypes(): void {
@@ -217,27 +199,22 @@ class LegacyDataset {
     if (cells === null) this.#stream.refuse('CELL_TYPES stands before CELLS.')
     const count = this.#stream.count()
     if (count !== cells.declared) this.#stream.refuse(`CELL_TYPES has ${count}, CELLS has ${cells.declared} cells.`)
-    this.#types = this.#stream.list(count, 'Int32', length => new Uint8Array(length), 'type')
-  }
-
-  #precision(): Precision {
-    const isFloat32 = this.#pointType === 'Float32'
-    // A Float32 needs nine digits; those that are printed with fewer are known to them.
-    return this.#stream.isBinary
-      ? { isFloat32, digits: 0 }
-      : { isFloat32: isFloat32 && this.#stream.digits >= 9, digits: this.#stream.digits }
+    this.#types = this.#stream.list(count, 'Int32', Uint8Array, 'type')
   }
 
   #mesh(): Mesh {
     const file = this.#stream.file
+    const precision = precisionOf(this.#pointType, !this.#stream.isBinary, this.#stream.digits)
     const end = file.size
     const mesh = new VtkMesh('VTK', what => {
       throw new MeshRefusal(`${file.name}: ${what}`)
     })
     if (this.#type === 'STRUCTURED_POINTS' || this.#type === 'RECTILINEAR_GRID' || this.#type === 'STRUCTURED_GRID') {
-      const sizes = this.#checkedSizes()
+      const sizes = this.#lattice.sizes()
       if (this.#type === 'STRUCTURED_GRID') this.#checkCount(sizes)
-      mesh.addStructured(() => this.#structuredPoints(sizes), sizes, this.#precision())
+      const points = this.#type === 'STRUCTURED_GRID' ? this.#points : null
+      const areSteps = this.#type === 'STRUCTURED_POINTS'
+      mesh.addStructured(() => points ?? this.#lattice.points(sizes, areSteps), sizes, precision)
     } else {
       if (this.#points === null) this.#stream.refuseAt(end, 'the file ends, and no section POINTS was there.')
       // VTK writes no section for no cells.
@@ -258,7 +235,7 @@ class LegacyDataset {
         types: types.subarray(0, whole),
         declaredCells: declared,
         hasFaceStreams: true,
-        precision: this.#precision(),
+        precision,
         cellData: this.#cellData,
       })
       if (areTypesLeftOut) {
@@ -282,58 +259,12 @@ class LegacyDataset {
     return { kind: 'block', from: this.#pointsFrom, type, isLittleEndian: false }
   }
 
-  #checkedSizes(): [number, number, number] {
-    const sizes = this.#sizes
-    if (sizes === null) return this.#stream.refuse('the grid has no DIMENSIONS.')
-    if (sizes.includes(0))
-      this.#stream.refuse(`the dimensions are ${sizes.join(' ')}, where counts from 1 on were expected.`)
-    const cells = sizes.reduce((product, size) => product * Math.max(1, size - 1), 1)
-    const points = sizes.reduce((product, size) => product * size, 1)
-    if (cells > MOST_IMPLIED_CELLS || points > 2 * MOST_IMPLIED_CELLS)
-      this.#stream.refuse(
-        `the dimensions ${sizes.join(' ')} imply ${cells} cells and ${points} points; at most ${MOST_IMPLIED_CELLS} cells and twice as many points are read.`,
-      )
-    return sizes
-  }
-
   #checkCount(sizes: readonly [number, number, number]): void {
     const count = sizes[0] * sizes[1] * sizes[2]
     if (this.#points === null) this.#stream.refuse('the grid has no POINTS.')
     if (this.#declaredPoints !== count)
       this.#stream.refuse(`the dimensions ${sizes.join(' ')} need ${count} points; POINTS has ${this.#declaredPoints}.`)
     if (this.#points.length < 3 * count) this.#stream.refuse('a grid whose points are left out has no cells.')
-  }
-
-  #structuredPoints(sizes: readonly [number, number, number]): Float64Array {
-    if (this.#type === 'STRUCTURED_GRID') return this.#points as Float64Array
-    const axes = this.#type === 'RECTILINEAR_GRID' ? this.#axes : this.#evenAxes(sizes)
-    const [x, y, z] = axes.map((axis, i) => {
-      const name = 'XYZ'[i]
-      if (axis === null) return this.#stream.refuse(`the grid has no ${name}_COORDINATES.`)
-      if (axis.length !== sizes[i])
-        this.#stream.refuse(`${name}_COORDINATES has ${axis.length}, the dimension is ${sizes[i]}.`)
-      return axis
-    }) as [Float64Array, Float64Array, Float64Array]
-    const points = new Float64Array(3 * sizes[0] * sizes[1] * sizes[2])
-    let at = 0
-    for (const zk of z)
-      for (const yj of y)
-        for (const xi of x) {
-          points[at] = xi
-          points[at + 1] = yj
-          points[at + 2] = zk
-          at += 3
-        }
-    return points
-  }
-
-  #evenAxes(sizes: readonly [number, number, number]): Float64Array[] {
-    return sizes.map((size, axis) =>
-      Float64Array.from(
-        { length: size },
-        (_, i) => (this.#origin[axis] as number) + i * (this.#spacing[axis] as number),
-      ),
-    )
   }
 }
 

@@ -1,16 +1,10 @@
 /** Makes a Mesh of what VTK's files hold: points, nodes of cells in a row, where each cell ends and its type; one grid or several. */
 import { type Block, type CoordinatePlaces, type Mesh, MOST_IMPLIED_CELLS } from '../mesh'
-import { isAtMean } from '../middles'
 import { float32Note, largestOf, printedDigits } from '../precision'
 import type { CellData } from './vtk-cell-data'
-import { latticeOf, VOXEL_ORDER, VTK_HEXAHEDRON, VTK_POLYHEDRON, type VtkCellType, vtkCellTypes } from './vtk-cells'
-
-/** The precision of coordinates: that of the coarsest grid counts. */
-export interface Precision {
-  readonly isFloat32: boolean
-  /** Significant digits of printed ones; 0 for binary ones. */
-  readonly digits: number
-}
+import { VOXEL_ORDER, VTK_HEXAHEDRON, VTK_POLYHEDRON, vtkCellTypes } from './vtk-cells'
+import { areNodesAtMiddles, type Precision, toleranceOf } from './vtk-middles'
+import { NotBoxes } from './vtk-voxels'
 
 export interface VtkGrid {
   /** Points that are there: fewer than declared if the text leaves some out. */
@@ -28,8 +22,6 @@ export interface VtkGrid {
   readonly cellData: CellData | null
 }
 
-const lattices = new Map<string, Uint8Array>()
-
 export class VtkMesh {
   readonly #format: string
   readonly #refuse: (what: string) => never
@@ -45,17 +37,15 @@ export class VtkMesh {
   #pointCount = 0
   #cellCount = 0
   #straight: number | null = null
-  #isOrderStated = true
-  #isCutOff = false
   #missingPoints = 0
   #missingCells = 0
-  #notBoxes = 0
-  #firstNotBox = 0
-  #boxesInOtherOrder = 0
+  readonly #notBoxes = new NotBoxes()
   #isFloat32 = false
   #digits = 0
   coordinatePlaces: CoordinatePlaces | null = null
   steps: readonly string[] = []
+  /** True if the file ends before it should, or leaves cells out. */
+  isCutOff = false
 
   constructor(format: string, refuse: (what: string) => never) {
     this.#format = format
@@ -64,11 +54,6 @@ export class VtkMesh {
 
   note(sentence: string): void {
     this.#notes.push(sentence)
-  }
-
-  /** Says that the file ends before it should, though all that was read is whole. */
-  setCutOff(): void {
-    this.#isCutOff = true
   }
 
   /** Adds a grid, with its cells as a block of this name if there is one. Refuses cells that name points that do not exist. */
@@ -108,26 +93,7 @@ export class VtkMesh {
       this.#addPart(new Float64Array(0), new Uint32Array(0), precision)
       return
     }
-    const points = pointsOf()
-    const cells = new Uint32Array(8 * count)
-    const [nx, ny, nz] = sizes
-    const layer = nx * ny
-    let at = 0
-    for (let k = 0; k + 1 < nz; ++k)
-      for (let j = 0; j + 1 < ny; ++j)
-        for (let i = 0; i + 1 < nx; ++i) {
-          const p = i + nx * j + layer * k
-          cells[at] = p
-          cells[at + 1] = p + 1
-          cells[at + 2] = p + 1 + nx
-          cells[at + 3] = p + nx
-          cells[at + 4] = p + layer
-          cells[at + 5] = p + 1 + layer
-          cells[at + 6] = p + 1 + nx + layer
-          cells[at + 7] = p + nx + layer
-          at += 8
-        }
-    this.#addPart(points, cells, precision)
+    this.#addPart(pointsOf(), cellsOfLattice(sizes, count), precision)
   }
 
   #addPart(points: Float64Array, cells: Uint32Array, precision: Precision): void {
@@ -185,7 +151,7 @@ export class VtkMesh {
       if (known.nodes > 0 && size !== known.nodes)
         this.#refuse(`cell ${cell} of type ${type} has ${size} points; it must have ${known.nodes}.`)
       if (known.kind === 'voxel') {
-        this.#checkBox(points, connectivity, start, tolerance, this.#cellCount + filled / 8)
+        this.#notBoxes.check(points, connectivity, start, tolerance, this.#cellCount + filled / 8)
         const nodes = VOXEL_ORDER.map(i => connectivity[start + i] as number)
         connectivity.set(nodes, filled)
         filled += 8
@@ -238,38 +204,6 @@ export class VtkMesh {
     if (at !== to) wrong()
   }
 
-  /** A voxel's corners lie on two planes along each axis, those of vertex 0 and of vertex 7. */
-  #checkBox(points: Float64Array, list: Uint32Array, start: number, tolerance: number, index: number): void {
-    const isBox = (bits: readonly number[]): boolean => {
-      for (let axis = 0; axis < 3; ++axis) {
-        const low = points[3 * (list[start] as number) + axis] as number
-        const far = bits.indexOf(7)
-        const high = points[3 * (list[start + far] as number) + axis] as number
-        const within = tolerance * Math.max(Math.abs(low), Math.abs(high))
-        for (let v = 0; v < 8; ++v) {
-          const value = points[3 * (list[start + v] as number) + axis] as number
-          // A corner that is not finite makes the cell unanswered anyway.
-          if (Math.abs(value - ((((bits[v] as number) >> axis) & 1) === 1 ? high : low)) > within) return false
-        }
-      }
-      return true
-    }
-    if (isBox([0, 1, 2, 3, 4, 5, 6, 7])) return
-    if (this.#notBoxes++ === 0) this.#firstNotBox = index
-    if (isBox([0, 1, 3, 2, 4, 5, 7, 6])) this.#boxesInOtherOrder++
-  }
-
-  #voxelNote(): void {
-    const which = `${this.#notBoxes} of the voxels (type 11) ${this.#notBoxes === 1 ? 'is no box' : 'are no boxes'} along the axes in the order of a voxel, first the hexahedron of index ${this.#firstNotBox}`
-    if (this.#boxesInOtherOrder === 0) this.note(`${which}: they are answered as hexahedra with these corners.`)
-    else {
-      this.#isOrderStated = false
-      this.note(
-        `${which}; ${this.#boxesInOtherOrder} would be in the order of a hexahedron (type 12), so the order of their nodes is not certain.`,
-      )
-    }
-  }
-
   #elisionNote(): void {
     const missing = [
       [this.#missingPoints, 'points'],
@@ -280,7 +214,7 @@ export class VtkMesh {
     this.note(
       `The text leaves something out: ${missing.join(' and ')} are not there or not whole; the others were read.`,
     )
-    if (this.#missingCells > 0) this.#isCutOff = true
+    if (this.#missingCells > 0) this.isCutOff = true
   }
 
   #precisionNote(points: Float64Array): void {
@@ -290,10 +224,11 @@ export class VtkMesh {
   }
 
   mesh(): Mesh {
-    const points = joined(this.#points, length => new Float64Array(length))
-    const cells = joined(this.#cells, length => new Uint32Array(length))
-    const corners = joined(this.#corners, length => new Uint32Array(length))
-    if (this.#notBoxes > 0) this.#voxelNote()
+    const points = joined(this.#points, Float64Array)
+    const cells = joined(this.#cells, Uint32Array)
+    const corners = joined(this.#corners, Uint32Array)
+    const notBoxes = this.#notBoxes.note()
+    if (notBoxes !== null) this.note(notBoxes)
     if (this.#missingPoints > 0 || this.#missingCells > 0) this.#elisionNote()
     this.#precisionNote(points)
     return {
@@ -305,8 +240,8 @@ export class VtkMesh {
       notTrilinear: { corners, straight: this.#straight },
       other: this.#other,
       notes: this.#notes,
-      isOrderStated: this.#isOrderStated,
-      isCutOff: this.#isCutOff,
+      isOrderStated: this.#notBoxes.isOrderCertain,
+      isCutOff: this.isCutOff,
       coordinatePlaces: this.#points.length === 1 && points.length > 0 ? this.coordinatePlaces : null,
       steps: this.steps,
     }
@@ -325,9 +260,9 @@ export function firstFall(list: Uint32Array): number {
   return -1
 }
 
-function joined<T extends Float64Array | Uint32Array>(parts: T[], make: (length: number) => T): T {
+function joined<T extends Float64Array | Uint32Array>(parts: T[], List: new (length: number) => T): T {
   if (parts.length === 1) return parts[0] as T
-  const whole = make(parts.reduce((sum, part) => sum + part.length, 0))
+  const whole = new List(parts.reduce((sum, part) => sum + part.length, 0))
   let at = 0
   for (const part of parts.splice(0)) {
     whole.set(part as never, at)
@@ -337,65 +272,24 @@ function joined<T extends Float64Array | Uint32Array>(parts: T[], make: (length:
   return whole
 }
 
-/** Middles with fewer digits are numbers that somebody typed, none that were rounded: no printer's default has fewer. */
-const FEWEST_DIGITS = 6
-const ALL_DIGITS = 17
-
-/**
- * The effect of rounding on a middle of coordinates of size 1: a sum of eight and a division in
- * doubles, after each was rounded when it was stored. Eight units in the last place are above all
- * of it.
- */
-function toleranceOf({ isFloat32, digits }: Precision): number {
-  const printed = digits > 0 && digits < ALL_DIGITS ? 10 ** (1 - digits) : 0
-  return Math.max(8 * 2 ** -52, isFloat32 ? 8 * 2 ** -24 : 0, digits >= FEWEST_DIGITS ? printed : 0)
-}
-
-/** Null where it was not looked at. */
-function areNodesAtMiddles(
-  { middles }: VtkCellType,
-  points: Float64Array,
-  nodes: Uint32Array,
-  tolerance: number,
-): boolean | null {
-  if (middles === undefined) return null
-  let largest = 0
-  for (let v = 0; v < 8; ++v)
-    for (let axis = 0; axis < 3; ++axis)
-      largest = Math.max(largest, Math.abs(points[3 * (nodes[v] as number) + axis] as number))
-  const within = tolerance * largest
-  if (middles === 'lattice') {
-    const order = Math.round(Math.cbrt(nodes.length)) - 1
-    if ((order + 1) ** 3 !== nodes.length || order > 255) return null
-    return [false, true].some(hasOldEdges => isOnLattice(points, nodes, order, hasOldEdges, within))
-  }
-  const coordinate = (node: number, axis: number) => points[3 * (nodes[node] as number) + axis] as number
-  return middles.every((corners, i) => isAtMean(coordinate, 8 + i, corners, within))
-}
-
-function isOnLattice(
-  points: Float64Array,
-  nodes: Uint32Array,
-  order: number,
-  hasOldEdges: boolean,
-  within: number,
-): boolean {
-  const key = `${order} ${hasOldEdges}`
-  const lattice = lattices.get(key) ?? latticeOf(order, hasOldEdges)
-  lattices.set(key, lattice)
-  for (let n = 8; n < nodes.length; ++n) {
-    const [x, y, z] = [0, 1, 2].map(axis => (lattice[3 * n + axis] as number) / order) as [number, number, number]
-    const weights = cornerWeights(x, y, z)
-    for (let axis = 0; axis < 3; ++axis) {
-      let sum = 0
-      for (let v = 0; v < 8; ++v) sum += (weights[v] as number) * (points[3 * (nodes[v] as number) + axis] as number)
-      if (!(Math.abs(sum - (points[3 * (nodes[n] as number) + axis] as number)) <= within)) return false
-    }
-  }
-  return true
-}
-
-function cornerWeights(x: number, y: number, z: number): number[] {
-  const around = [(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y]
-  return [...around.map(weight => weight * (1 - z)), ...around.map(weight => weight * z)]
+/** The cells between points in rows along x, then y, then z. */
+function cellsOfLattice([nx, ny, nz]: readonly [number, number, number], count: number): Uint32Array {
+  const cells = new Uint32Array(8 * count)
+  const layer = nx * ny
+  let at = 0
+  for (let k = 0; k + 1 < nz; ++k)
+    for (let j = 0; j + 1 < ny; ++j)
+      for (let i = 0; i + 1 < nx; ++i) {
+        const p = i + nx * j + layer * k
+        cells[at] = p
+        cells[at + 1] = p + 1
+        cells[at + 2] = p + 1 + nx
+        cells[at + 3] = p + nx
+        cells[at + 4] = p + layer
+        cells[at + 5] = p + 1 + layer
+        cells[at + 6] = p + 1 + nx + layer
+        cells[at + 7] = p + nx + layer
+        at += 8
+      }
+  return cells
 }

@@ -2,53 +2,26 @@
  * VTU, the XML file of VTK's unstructured grids, in all its encodings; .pvtu, which names the pieces of one, and .pvd, which names those of
  * its time steps, of which one is read.
  */
-import { type Mesh, MeshRefusal } from '../mesh'
+import type { Mesh } from '../mesh'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { XmlScanner, type XmlTag } from '../xml-scanner'
-import { type CellData, cellDataOf, cellDataRank } from './vtk-cell-data'
+import { type CellData, cellDataOf } from './vtk-cell-data'
 import { firstFall, VtkMesh } from './vtk-mesh'
+import { precisionOf } from './vtk-middles'
+import type { NumberList } from './vtk-numbers'
+import { type DataArray, type ReadArray, readArray, type Storage } from './vtu-arrays'
 import {
-  type DataArray,
-  decompressorNamed,
-  NUMBER_SIZES,
-  type NumberType,
-  type ReadArray,
-  readArray,
-  type Storage,
-} from './vtu-arrays'
-
-const DEEPEST = 64
-const [LESS, UNDERSCORE] = [60, 95] as const
-
-/** The sizes of a <Piece>, and its arrays that are needed. */
-interface Piece {
-  readonly at: number
-  readonly points: number
-  readonly cells: number
-  readonly arrays: Map<string, DataArray>
-  /** Arrays of cells that may be ids or blocks. */
-  readonly cellArrays: Map<string, DataArray>
-  /** The array of cells that the file calls global ids. */
-  globalIds: string | null
-}
-
-/** The contents of a <VTKFile>. */
-interface VtkDocument {
-  readonly type: string
-  readonly storage: Storage
-  readonly pieces: Piece[]
-  /** Tags <Piece Source> of .pvtu and <DataSet file> of .pvd. */
-  readonly sources: XmlTag[]
-  /** The time of the one grid, as an array of the file. */
-  time: DataArray | null
-  isComplete: boolean
-}
-
-const GRID = 'UnstructuredGrid'
-const PARALLEL_GRID = 'PUnstructuredGrid'
-const COLLECTION = 'Collection'
+  COLLECTION,
+  GRID,
+  PARALLEL_GRID,
+  type Piece,
+  refuse,
+  refuseType,
+  scanDocument,
+  type VtkDocument,
+} from './vtu-document'
 
 export const vtu: MeshFormat = {
   name: 'VTU',
@@ -76,19 +49,15 @@ export const vtu: MeshFormat = {
   },
 }
 
-function refuse(file: MeshFile, what: string): never {
-  throw new MeshRefusal(`${file.name}: ${what}`)
-}
-
 function readDocument(document: VtkDocument, file: MeshFile, options: ReadOptions, mesh: VtkMesh): void {
   if (document.type === PARALLEL_GRID || document.type === COLLECTION) readSources(document, file, options, mesh)
   else readPieces(document, mesh, null)
   if (document.time !== null && mesh.steps.length === 0) {
-    const { list } = readArray(document.storage, document.time, 1, length => new Float64Array(length))
+    const { list } = readArray(document.storage, document.time, 1, Float64Array)
     mesh.steps = [String(list[0])]
   }
   if (document.isComplete) return
-  mesh.setCutOff()
+  mesh.isCutOff = true
   mesh.note('The end of the file is missing: there is no </VTKFile>. What is whole was read.')
 }
 
@@ -150,45 +119,44 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
     if (array === undefined) refuse(file, `the <Piece> at byte ${piece.at} has no array ${shown(name)}.`)
     return array
   }
-  const uint32 = (length: number) => new Uint32Array(length)
+  const read = <T extends NumberList>(
+    name: string,
+    count: number,
+    List: new (length: number) => T,
+    mayHaveFewer = false,
+  ): ReadArray<T> =>
+    count === 0 ? { list: new List(0), digits: 0 } : readArray(storage, arrayOf(name), count, List, mayHaveFewer)
   if (pointCount === 0 && cellCount === 0) return 0
-  const empty: ReadArray<Uint32Array> = { list: uint32(0), digits: 0 }
-  const points =
-    pointCount === 0 ? null : readArray(storage, arrayOf('Points'), 3 * pointCount, length => new Float64Array(length))
-  const types =
-    cellCount === 0 ? null : readArray(storage, arrayOf('types'), cellCount, length => new Uint8Array(length))
-  const ends = cellCount === 0 ? empty : readArray(storage, arrayOf('offsets'), cellCount, uint32)
-  const falling = firstFall(ends.list)
-  if (falling > 0) {
-    const [before, end] = [ends.list[falling - 1], ends.list[falling]]
-    refuse(file, `the offset of cell ${falling} is ${end}, less than ${before}, that of the cell before.`)
-  }
-  const isWhole = ends.list.length === cellCount
-  const length = isWhole ? (ends.list.at(-1) ?? 0) : 0xffffffff
-  const connectivity = length === 0 ? empty : readArray(storage, arrayOf('connectivity'), length, uint32, !isWhole)
+  const { list: points, digits } = read('Points', 3 * pointCount, Float64Array)
+  const { list: types } = read('types', cellCount, Uint8Array)
+  const { list: ends } = read('offsets', cellCount, Uint32Array)
+  const falling = firstFall(ends)
+  if (falling > 0)
+    refuse(
+      file,
+      `the offset of cell ${falling} is ${ends[falling]}, less than ${ends[falling - 1]}, that of the cell before.`,
+    )
+  const isWhole = ends.length === cellCount
+  const { list: connectivity } = read('connectivity', isWhole ? (ends.at(-1) ?? 0) : 0xffffffff, Uint32Array, !isWhole)
   // If the text leaves something out, those cells are whole that all three arrays have.
-  let whole = Math.min(types?.list.length ?? 0, ends.list.length)
-  while (whole > 0 && (ends.list[whole - 1] as number) > connectivity.list.length) whole--
-  const coordinates = points?.list ?? new Float64Array(0)
-  const digits = points?.digits ?? 0
-  // A Float32 needs nine digits; those that are printed with fewer are known to them.
-  const isFloat32 =
-    arrays.get('Points')?.type === 'Float32' && (arrays.get('Points')?.format !== 'ascii' || digits >= 9)
+  let whole = Math.min(types.length, ends.length)
+  while (whole > 0 && (ends[whole - 1] as number) > connectivity.length) whole--
+  const isText = arrays.get('Points')?.format === 'ascii'
   mesh.add(
     {
-      points: coordinates.subarray(0, coordinates.length - (coordinates.length % 3)),
+      points: points.subarray(0, points.length - (points.length % 3)),
       declaredPoints: pointCount,
-      connectivity: connectivity.list,
-      ends: ends.list.subarray(0, whole),
-      types: types?.list.subarray(0, whole) ?? new Uint8Array(0),
+      connectivity,
+      ends: ends.subarray(0, whole),
+      types: types.subarray(0, whole),
       declaredCells: cellCount,
       hasFaceStreams: false,
-      precision: { isFloat32, digits },
+      precision: precisionOf(arrays.get('Points')?.type, isText, digits),
       cellData: cellData(storage, piece),
     },
     block,
   )
-  if (isOnly && block === null && pointCount > 0 && coordinates.length === 3 * pointCount)
+  if (isOnly && block === null && pointCount > 0 && points.length === 3 * pointCount)
     setPlaces(storage, arrayOf('Points'), mesh)
   return ghostCount(storage, arrays.get('vtkGhostType'), cellCount)
 }
@@ -196,7 +164,7 @@ function readPiece(storage: Storage, piece: Piece, isOnly: boolean, mesh: VtkMes
 function cellData(storage: Storage, { cells, cellArrays, globalIds }: Piece): CellData | null {
   const arrays = new Map<string, Float64Array>()
   for (const [name, array] of cellArrays) {
-    const { list } = readArray(storage, array, cells, length => new Float64Array(length), true)
+    const { list } = readArray(storage, array, cells, Float64Array, true)
     if (list.length === cells) arrays.set(name, list)
   }
   return arrays.size === 0 ? null : cellDataOf(arrays, globalIds)
@@ -221,188 +189,6 @@ const IS_COPY = 1
 
 function ghostCount(storage: Storage, array: DataArray | undefined, cells: number): number {
   if (array === undefined) return 0
-  const { list } = readArray(storage, array, cells, length => new Uint8Array(length))
+  const { list } = readArray(storage, array, cells, Uint8Array)
   return list.reduce((count, ghost) => count + (ghost & IS_COPY), 0)
-}
-
-function refuseType(file: MeshFile, type: string): never {
-  refuse(
-    file,
-    `this is VTK's XML file of type ${shown(type)}, which is not read: ParaView saves it as an unstructured grid (.vtu).`,
-  )
-}
-
-/** The next <VTKFile> and what is needed of it; null if there is none. */
-function scanDocument(scanner: XmlScanner, file: MeshFile, options: ReadOptions): VtkDocument | null {
-  for (let tag = scanner.next(); tag !== null; tag = scanner.next())
-    if (tag.kind === 'open' && tag.name === 'VTKFile') return new DocumentScan(scanner, file, options, tag).document
-  return null
-}
-
-class DocumentScan {
-  readonly document: VtkDocument
-  readonly #scanner: XmlScanner
-  readonly #file: MeshFile
-  /** Names of the elements that are open, the root first. */
-  readonly #open: string[] = ['VTKFile']
-
-  constructor(scanner: XmlScanner, file: MeshFile, options: ReadOptions, root: XmlTag) {
-    this.#scanner = scanner
-    this.#file = file
-    const type = root.attributes.get('type') ?? ''
-    const storage = storageOf(scanner, file, options, root)
-    const document = { type, storage, pieces: [] as Piece[], sources: [] as XmlTag[], time: null, isComplete: false }
-    this.document = document
-    if (![GRID, PARALLEL_GRID, COLLECTION].includes(type)) refuseType(file, type)
-    for (let tag = scanner.next(); tag !== null; tag = scanner.next()) {
-      options.throwIfCancelled()
-      if (tag.kind === 'close') {
-        const name = this.#open.pop()
-        if (name !== tag.name)
-          scanner.refuse(
-            tag.from,
-            `</${shown(tag.name).slice(1, -1)}> stands where </${shown(name ?? '').slice(1, -1)}> was expected.`,
-          )
-        if (this.#open.length === 0) {
-          document.isComplete = true
-          return
-        }
-        continue
-      }
-      if (tag.name === 'AppendedData') {
-        this.document = {
-          ...document,
-          storage: { ...storage, appended: this.#appended(tag) },
-          isComplete: endsWell(file),
-        }
-        return
-      }
-      this.#take(tag, document)
-      if (tag.isEmpty) continue
-      this.#open.push(tag.name)
-      if (this.#open.length > DEEPEST) scanner.refuse(tag.from, 'the elements are nested deeper than in any mesh.')
-    }
-    const inner = this.#open.at(-1)
-    if (inner !== GRID && inner !== 'VTKFile' && inner !== PARALLEL_GRID && inner !== COLLECTION)
-      refuse(
-        file,
-        `the file is cut off: it ends at byte ${file.size}, inside of <${shown(inner as string).slice(1, -1)}>.`,
-      )
-  }
-
-  #take(tag: XmlTag, document: VtkDocument): void {
-    const parent = this.#open.at(-1)
-    if (tag.name === 'Piece' && parent === GRID) document.pieces.push(this.#piece(tag))
-    else if ((tag.name === 'Piece' && parent === PARALLEL_GRID) || (tag.name === 'DataSet' && parent === COLLECTION))
-      document.sources.push(tag)
-    else if (tag.name === 'CellData' && parent === 'Piece') {
-      const piece = document.pieces.at(-1)
-      if (piece !== undefined) piece.globalIds = tag.attributes.get('GlobalIds') ?? null
-    } else if (tag.name === 'DataArray' && parent === 'FieldData' && isTime(tag))
-      document.time = this.#array(tag, 'TimeValue')
-    else if (tag.name === 'DataArray') {
-      const piece = document.pieces.at(-1)
-      const name = parent === 'Points' ? 'Points' : (tag.attributes.get('Name') ?? '')
-      const isNeeded = parent === 'Points' || parent === 'Cells' || (parent === 'CellData' && name === 'vtkGhostType')
-      if (piece === undefined || !this.#open.includes('Piece')) return
-      if (parent === 'CellData' && this.#isCellArray(tag, name, piece))
-        piece.cellArrays.set(name, this.#array(tag, name))
-      if (!isNeeded) return
-      if (!['Points', 'connectivity', 'offsets', 'types', 'vtkGhostType'].includes(name)) return
-      if (piece.arrays.has(name)) this.#scanner.refuse(tag.from, `a second array ${shown(name)} stands in one <Piece>.`)
-      piece.arrays.set(name, this.#array(tag, name))
-    }
-  }
-
-  #isCellArray({ attributes }: XmlTag, name: string, { globalIds }: Piece): boolean {
-    const isOne = (attributes.get('NumberOfComponents') ?? '1').trim() === '1'
-    return isOne && (attributes.get('type') ?? '') in NUMBER_SIZES && (name === globalIds || cellDataRank(name) >= 0)
-  }
-
-  #piece(tag: XmlTag): Piece {
-    const countOf = (name: string): number => {
-      const text = (tag.attributes.get(name) ?? '').trim()
-      if (!/^\d{1,15}$/.test(text))
-        this.#scanner.refuse(tag.from, `${name} is ${shown(text)}, where a count was expected.`)
-      return Number(text)
-    }
-    const [points, cells] = [countOf('NumberOfPoints'), countOf('NumberOfCells')]
-    if (Math.max(points, cells) > 0xffffffff)
-      this.#scanner.refuse(tag.from, 'more than 2^32 points or cells are not read.')
-    return { at: tag.from, points, cells, arrays: new Map(), cellArrays: new Map(), globalIds: null }
-  }
-
-  #array(tag: XmlTag, name: string): DataArray {
-    const { attributes, from, to, isEmpty } = tag
-    const type = attributes.get('type') ?? ''
-    if (!(type in NUMBER_SIZES))
-      this.#scanner.refuse(
-        from,
-        `${shown(name)} has type ${shown(type)}, where one like Float64 or Int64 was expected.`,
-      )
-    const format = attributes.get('format') ?? 'ascii'
-    if (format !== 'ascii' && format !== 'binary' && format !== 'appended')
-      this.#scanner.refuse(from, `${shown(name)} has format ${shown(format)}: ascii, binary or appended was expected.`)
-    const components = attributes.get('NumberOfComponents')
-    if (name === 'Points' && components !== undefined && components.trim() !== '3')
-      this.#scanner.refuse(from, `the points have ${shown(components)} components, where 3 were expected.`)
-    const offset = (attributes.get('offset') ?? '').trim()
-    if (format === 'appended' && !/^\d{1,15}$/.test(offset))
-      this.#scanner.refuse(
-        from,
-        `the offset of ${shown(name)} is ${shown(offset)}, where a count of bytes was expected.`,
-      )
-    const found = isEmpty ? to : this.#scanner.indexOf(LESS, to)
-    const end = found < 0 ? this.#file.size : found
-    this.#scanner.position = end
-    return {
-      name,
-      type: type as NumberType,
-      format,
-      offset: format === 'appended' ? Number(offset) : 0,
-      from: to,
-      to: end,
-    }
-  }
-
-  #appended(tag: XmlTag): Storage['appended'] {
-    const encoding = tag.attributes.get('encoding') ?? 'raw'
-    if (encoding !== 'raw' && encoding !== 'base64')
-      this.#scanner.refuse(tag.from, `the appended data are encoded as ${shown(encoding)}: raw or base64 was expected.`)
-    const underscore = this.#scanner.indexOf(UNDERSCORE, tag.to)
-    if (underscore < 0) refuse(this.#file, 'the file is cut off at the beginning of its appended data.')
-    return { from: underscore + 1, isBase64: encoding === 'base64' }
-  }
-}
-
-function storageOf(scanner: XmlScanner, file: MeshFile, options: ReadOptions, { attributes, from }: XmlTag): Storage {
-  const order = attributes.get('byte_order') ?? 'LittleEndian'
-  if (order !== 'LittleEndian' && order !== 'BigEndian')
-    scanner.refuse(from, `the byte order is ${shown(order)}: LittleEndian or BigEndian was expected.`)
-  const headerType = attributes.get('header_type') ?? 'UInt32'
-  if (headerType !== 'UInt32' && headerType !== 'UInt64')
-    scanner.refuse(from, `the header type is ${shown(headerType)}: UInt32 or UInt64 was expected.`)
-  const compressor = attributes.get('compressor') ?? ''
-  const decompress = compressor === '' ? null : decompressorNamed(compressor, options.core)
-  if (decompress === undefined)
-    scanner.refuse(
-      from,
-      `the compressor is ${shown(compressor)}: vtkZLib-, vtkLZ4- or vtkLZMADataCompressor was expected.`,
-    )
-  return { file, options, isLittleEndian: order === 'LittleEndian', headerType, decompress, appended: null }
-}
-
-function isTime({ attributes }: XmlTag): boolean {
-  const isOne = (attributes.get('NumberOfTuples') ?? '1').trim() === '1'
-  return (
-    isOne && /^time(?:value)?$/i.test(attributes.get('Name') ?? '') && (attributes.get('type') ?? '') in NUMBER_SIZES
-  )
-}
-
-const END = '</VTKFile>'
-
-/** True if the end tag is the last thing in the file. */
-function endsWell(file: MeshFile): boolean {
-  const tail = file.read(Math.max(0, file.size - 4096), file.size)
-  return new TextDecoder('latin1').decode(tail).trimEnd().endsWith(END)
 }

@@ -2,7 +2,7 @@
  * Coordinates that code sets one by one, "c[0][2] = 0.5;", "x(1,3) = 0.5d0" and "x[0] = 0; y[0] = 0; z[0] = 0;", and vectors as R prints
  * them, whose lines begin with the number of their first entry.
  */
-import { type NumberTable, transposed } from './number-table'
+import { type NumberTable, numberTable, transposed } from './number-table'
 import { Tokens } from './tokens'
 
 const SUBSCRIPT = '\\s?[[(]\\s?\\d{1,9}(?:\\s?,\\s?\\d{1,9})?\\s?[\\])]'
@@ -72,8 +72,7 @@ function mostDigits(entries: readonly Entry[]): number {
 }
 
 function tableOf(names: readonly string[], rows: number[][], digits: number): NumberTable {
-  const integers = (rows[0] ?? []).map(() => false)
-  return { names, rows, integers, header: null, labels: null, ids: null, isCut: false, digits, base: null }
+  return numberTable(rows, false, { names, digits })
 }
 
 const SET_ID = /\bSetId\(\s?(\d{1,9})\s?,\s?(\d{1,9})\s?\)/g

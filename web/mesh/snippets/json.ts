@@ -3,8 +3,7 @@ import type { Mesh } from '../mesh'
 import { MeshBuilder } from '../mesh-builder'
 import { shown } from '../text-cursor'
 import { meshOfTables } from './interpret'
-import type { NumberTable } from './number-table'
-import { inRowsOf, transposed } from './number-table'
+import { inRowsOf, type NumberTable, numberTable, transposed } from './number-table'
 
 const FORMAT = 'JSON'
 
@@ -145,7 +144,7 @@ function tableOf(rows: number[][], names: readonly string[]): NumberTable {
   const integers = Array.from({ length: width }, (_, c) =>
     rows.every(row => row[c] === undefined || Number.isInteger(row[c])),
   )
-  return { names, rows, integers, header: null, labels: null, ids: null, isCut: false, digits: 0, base: 0 }
+  return numberTable(rows, false, { names, integers, base: 0 })
 }
 
 /** The list that `analyze` reads: its order is this project's own. Null if there is none. */

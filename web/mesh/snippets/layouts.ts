@@ -2,21 +2,13 @@
  * 24 numbers without more may be eight points one after the other, or eight x, then eight y, then eight z. Where the usual reading has not
  * one element with J > 0 at its corners, and the other has nothing else, it is the other.
  */
+import { digitRows } from '../digit-rows'
 import { inRowsOf, type NumberTable, transposed, widthOf } from './number-table'
 
 const EIGHT = 8
 const COORDINATES = 24
 /** The ends of the three edges at each vertex, in the order of a right-handed frame. */
-const NEIGHBOURS = [
-  [1, 3, 4],
-  [2, 0, 5],
-  [3, 1, 6],
-  [0, 2, 7],
-  [7, 5, 0],
-  [4, 6, 1],
-  [5, 7, 2],
-  [6, 4, 3],
-] as const
+const NEIGHBOURS = digitRows('134 205 316 027 750 461 572 643')
 
 type Points = readonly (readonly number[])[]
 

@@ -2,59 +2,26 @@
  * Lists of numbers in brackets, as languages write and print them: Python, NumPy, C, JavaScript, Julia, MATLAB, R, Mathematica; and lists
  * without brackets behind a name. The brackets are a stack; each list is handed on once.
  */
+import { List, languageOf, tableOf } from './list-tables'
 import type { NumberTable } from './number-table'
-import { inRowsOf, transposed } from './number-table'
 import { Tokens } from './tokens'
 
 const [OPENING, CLOSING] = ['([{', ')]}']
 /** Lists of numbers are not nested as deep; brackets that are count for nothing. */
 const DEEPEST = 100
-/** Characters behind a list in which a change of its shape is looked for. */
+/** Characters behind Fortran's “&” in which its line ends. */
 const BEHIND = 160
-
-class List {
-  readonly values: number[] = []
-  readonly lists: List[] = []
-  /** The count of values, or lists, before each end of a row. */
-  readonly breaks: number[] = []
-  hasCommas = false
-  hasSemicolons = false
-  /** True if its numbers follow C++'s <<. */
-  isStreamed = false
-  /** True if words or strings stand in it. */
-  isMixed = false
-  areIntegers = true
-  digits = 0
-  /** The counts of values and lists before "..."; null if nothing is left out. */
-  cutAt: { readonly values: number; readonly lists: number } | null = null
-  /** The last word or string in it, which may name what follows. */
-  lastWord = ''
-  pending = ''
-  /** The index behind its closing bracket. */
-  end = 0
-  readonly depth: number
-  constructor(
-    readonly opener: string,
-    readonly callee: string,
-    readonly names: readonly string[],
-    readonly from: number,
-    readonly parent: List | null,
-  ) {
-    this.depth = parent === null ? 0 : parent.depth + 1
-  }
-}
 
 /** The tables that the lists of a text are, in its order. */
 export function tablesOfLists(text: string): NumberTable[] {
-  const reader = new ListReader(text)
-  return reader.read()
+  const language = languageOf(text)
+  return new ListReader(text).read().flatMap(list => tableOf(list, text, language) ?? [])
 }
 
 class ListReader {
   readonly #text: string
   readonly #tokens: Tokens
-  readonly #tables: NumberTable[] = []
-  readonly #isOneBased: boolean
+  readonly #lists: List[] = []
   #list: List = new List('', '', [], 0, null)
   /** The end of the last word, which a bracket that touches it belongs to. */
   #wordEnd = -1
@@ -71,21 +38,15 @@ class ListReader {
   /** Open brackets that are too deep for a list. */
   #deeper = 0
   readonly #hasPrompts: boolean
-  /** True if Eigen's matrices in it have three rows. */
-  readonly #hasThreeRows: boolean
 
   constructor(text: string) {
     this.#text = text
     this.#tokens = new Tokens(text, 0, true)
     this.#hasPrompts = text.includes('>>>')
-    this.#hasThreeRows = /\bMatrix(?:<\s?\w+\s?,\s?3\s?,\s?(?!3\b)|3X[df]\b)/.test(text.slice(0, 20_000))
-    this.#isOneBased =
-      /\b(?:Float64|Matrix\{|julia|msh\.|using Ferrite)|^[ \t]*\w{1,60}[ \t]*=[ \t]*\[[^[\]\n]{0,200};/m.test(
-        text.slice(0, 20_000),
-      )
   }
 
-  read(): NumberTable[] {
+  /** The lists of numbers, and of lists of numbers, in the order in which they end. */
+  read(): List[] {
     const tokens = this.#tokens
     for (let kind = tokens.next(); kind !== 'end'; kind = tokens.next()) {
       if (kind === 'number') this.#number()
@@ -97,10 +58,10 @@ class ListReader {
     }
     this.#endPlain()
     while (this.#list.parent !== null) {
-      this.#list.cutAt ??= { values: this.#list.values.length, lists: this.#list.lists.length }
+      this.#list.cut()
       this.#close(this.#text.length)
     }
-    return this.#tables
+    return this.#lists
   }
 
   #number(): void {
@@ -246,7 +207,7 @@ class ListReader {
     if (this.#isLineStart && this.#hasPrompts && this.#text[end] === ' ') return
     if (behind && !this.#isLineStart) {
       this.#tokens.to = this.#text.indexOf('\n', end) + 1
-    } else if (list.parent !== null) list.cutAt ??= { values: list.values.length, lists: list.lists.length }
+    } else if (list.parent !== null) list.cut()
   }
 
   #open(opener: string, callee: string): void {
@@ -290,12 +251,12 @@ class ListReader {
     const isNumeric = !list.isMixed && (count === 0 || list.lists.length === 0)
     const isEmpty = count === 0 && list.lists.length === 0
     if (isEmpty) {
-      if (list.cutAt !== null) parent.cutAt ??= { values: parent.values.length, lists: parent.lists.length }
+      if (list.cutAt !== null) parent.cut()
       return
     }
     if (isNumeric && parent.parent !== null) parent.lists.push(list)
-    else if (isNumeric) this.#hand(list)
-    else for (const inner of list.lists) this.#hand(inner)
+    else if (isNumeric) this.#lists.push(list)
+    else for (const inner of list.lists) this.#lists.push(inner)
     parent.pending = ''
     if (parent.parent === null) {
       parent.lastWord = ''
@@ -309,105 +270,4 @@ class ListReader {
     parent.areIntegers &&= list.areIntegers
     parent.digits = Math.max(parent.digits, list.digits)
   }
-
-  #hand(list: List): void {
-    const { rows, isCut, areIntegers, digits } = rowsOf(list)
-    // One number is neither a point nor a cell.
-    if (rows.length === 0 || (rows.length === 1 && (rows[0] as readonly number[]).length < 2)) return
-    const shaped = this.#shaped(rows, list)
-    const width = shaped.reduce((most, row) => Math.max(most, row.length), 0)
-    this.#tables.push({
-      names: list.callee === '' ? list.names : [...list.names, list.callee],
-      rows: shaped,
-      integers: Array.from({ length: width }, () => areIntegers),
-      header: null,
-      labels: null,
-      ids: null,
-      isCut,
-      digits,
-      base: this.#isOneBased || list.hasSemicolons ? 1 : 0,
-    })
-  }
-
-  /** A list of 24 that the code around it makes a matrix of: row by row, or column by column. */
-  #shaped(rows: number[][], list: List): number[][] {
-    const [values, shape] = rows as [number[], number[]?]
-    if (rows.length === 2 && shape?.length === 2 && (shape[0] as number) * (shape[1] as number) === values.length) {
-      // NumPy's function goes by rows, that of Fortran by columns.
-      const isByRows = /\.reshape$/.test(list.callee)
-      return shape[isByRows ? 0 : 1] === 3 ? inRowsOf(values, values.length / 3) : [values]
-    }
-    if (rows.length !== 1) return rows
-    if (list.isStreamed && this.#hasThreeRows) return inRowsOf(values, values.length / 3)
-    const behind = this.#text.slice(list.end, list.end + BEHIND)
-    const method = /^[^\n]{0,60}?\.reshape\s*\(\s*[([]?\s*(-?\d{1,9})\s*,\s*(-?\d{1,9})([^\n]{0,40})/.exec(behind)
-    if (method !== null) {
-      const isByColumns = /order\s*=\s*['"]F/.test(method[3] as string)
-      if (!isByColumns && Number(method[1]) === 3) return inRowsOf(values, values.length / 3)
-      if (isByColumns && Number(method[2]) === 3) return transposed(inRowsOf(values, values.length / 3))
-      return rows
-    }
-    const callee = list.parent?.callee ?? ''
-    // NumPy's function goes by rows, those of Julia, MATLAB and Fortran go by columns.
-    if (/\.reshape$/.test(callee) && /^[^\d\n]{0,20}3\s*,/.test(behind)) return inRowsOf(values, values.length / 3)
-    if (callee === 'reshape' || callee === 'matrix') {
-      const around = `${this.#text.slice(Math.max(list.from - 40, list.parent?.from ?? 0), list.from)} ${behind}`
-      const isByRows = /byrow\s*=\s*T/.test(around)
-      const columns =
-        /ncol\s*=\s*(\d{1,9})/.exec(around)?.[1] ??
-        /^[^\d\n]{0,20}(?:nrow\s*=\s*)?\d{1,9}\D{1,6}(\d{1,9})/.exec(behind)?.[1]
-      const isThreeWide = columns === '3' || (columns === undefined && /nrow\s*=\s*8/.test(around))
-      if (isByRows) return isThreeWide ? rows : inRowsOf(values, values.length / 3)
-      if (isThreeWide) return inRowsOf(values, values.length / 3)
-    }
-    return rows
-  }
-}
-
-/** The innermost lists one after another, up to where something is left out. */
-function rowsOf(list: List): { rows: number[][]; isCut: boolean; areIntegers: boolean; digits: number } {
-  const rows: number[][] = []
-  let isCut = false
-  let areIntegers = true
-  let digits = 0
-  const waiting: { readonly list: List; next: number }[] = [{ list, next: 0 }]
-  while (waiting.length > 0 && !isCut) {
-    const top = waiting[waiting.length - 1] as { readonly list: List; next: number }
-    const { list: inner } = top
-    if (inner.lists.length === 0) {
-      const values = inner.cutAt === null ? inner.values : inner.values.slice(0, inner.cutAt.values)
-      const parts = isBrokenWhereFull(inner) ? [values] : splitAt(values, inner.breaks)
-      // A row that was left in the middle is no row.
-      if (inner.cutAt !== null && inner.parent?.opener !== '' && parts.length > 0 && inner.opener !== '=') parts.pop()
-      for (const part of parts) rows.push(part)
-      areIntegers &&= inner.areIntegers
-      digits = Math.max(digits, inner.digits)
-      isCut = inner.cutAt !== null
-      waiting.pop()
-    } else if (top.next >= (inner.cutAt?.lists ?? inner.lists.length)) {
-      isCut = inner.cutAt !== null
-      waiting.pop()
-    } else waiting.push({ list: inner.lists[top.next++] as List, next: 0 })
-  }
-  return { rows, isCut, areIntegers, digits }
-}
-
-function splitAt(values: number[], breaks: readonly number[]): number[][] {
-  if (breaks.length === 0) return values.length > 0 ? [values] : []
-  const rows: number[][] = []
-  let from = 0
-  for (const to of [...breaks, values.length]) {
-    if (to > from) rows.push(values.slice(from, to))
-    from = Math.max(from, to)
-  }
-  return rows
-}
-
-/** True if NumPy broke a list where lines were full: a matrix has rows of other lengths. */
-function isBrokenWhereFull({ values, breaks, areIntegers, hasSemicolons }: List): boolean {
-  const [width = 0] = breaks
-  if (width === 0 || hasSemicolons || values.length % 24 > 0) return false
-  const rows = Math.ceil(values.length / width)
-  const isEven = breaks.every((end, i) => end === width * (i + 1)) && values.length === width * rows
-  return !isEven || (!areIntegers && width > 5 && width !== 8 && width % 24 > 1)
 }

@@ -1,6 +1,6 @@
 /** Matrices as MATLAB and Octave print them: a name and "=", a common factor, columns in blocks. */
 import { numberOf } from '../text-cursor'
-import type { NumberTable } from './number-table'
+import { type NumberTable, numberTable } from './number-table'
 import { Tokens } from './tokens'
 
 const NAME = /^([A-Za-z][\w.(),:]{0,60})\s{0,8}=$/
@@ -19,21 +19,8 @@ export function tablesOfMatlab(text: string): NumberTable[] {
   let integers = true
   const end = () => {
     const rows = (blocks[0] ?? []).map((_, i) => blocks.flatMap(block => block[i] ?? []))
-    if (rows.length > 0 && name !== null) {
-      const width = rows.reduce((most, row) => Math.max(most, row.length), 0)
-      const isInteger = integers && power === 0
-      tables.push({
-        names: [name],
-        rows,
-        integers: Array.from({ length: width }, () => isInteger),
-        header: null,
-        labels: null,
-        ids: null,
-        isCut: false,
-        digits,
-        base: 1,
-      })
-    }
+    if (rows.length > 0 && name !== null)
+      tables.push(numberTable(rows, integers && power === 0, { names: [name], digits, base: 1 }))
     blocks = [[]]
     power = 0
     digits = 0

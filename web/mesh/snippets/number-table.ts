@@ -20,6 +20,18 @@ export interface NumberTable {
   readonly base: 0 | 1 | null
 }
 
+/** The table of these rows, whose numbers are all written as integers or not; about the rest the text says nothing. */
+export function numberTable(
+  rows: NumberTable['rows'],
+  areIntegers: boolean,
+  rest: Partial<NumberTable> = {},
+): NumberTable {
+  const width = rows.reduce((most, row) => Math.max(most, row.length), 0)
+  const integers = Array.from({ length: width }, () => areIntegers)
+  const unsaid = { names: [], header: null, labels: null, ids: null, isCut: false, digits: 0, base: null }
+  return { ...unsaid, rows, integers, ...rest }
+}
+
 /** The width that all rows have, or 0. */
 export function widthOf({ rows }: NumberTable): number {
   const width = rows[0]?.length ?? 0

@@ -5,17 +5,17 @@
 import type { Mesh } from '../mesh'
 import { MeshBuilder } from '../mesh-builder'
 import { orderOfText } from '../snippet-text'
-import type { MeshFile, ReadOptions } from '../source'
+import { type MeshFile, progressOf, type ReadOptions } from '../source'
 import { TextCursor } from '../text-cursor'
 
 const COORDINATES = 24
-const PROGRESS_EVERY = 65_536
 const [LF, SPACE, TAB, CR, COMMA, SEMICOLON] = [10, 32, 9, 13, 44, 59] as const
 
 /** Throws a MeshRefusal with the line where something else stands, or where the numbers are no elements. */
-export function meshOfNumbers(file: MeshFile, { onProgress, throwIfCancelled }: ReadOptions): Mesh {
+export function meshOfNumbers(file: MeshFile, options: ReadOptions): Mesh {
   const cursor = new TextCursor(file)
   const builder = new MeshBuilder('numbers', file.name)
+  const onNumber = progressOf(file, options)
   const point: number[] = []
   let count = 0
   let width = 0
@@ -41,10 +41,7 @@ export function meshOfNumbers(file: MeshFile, { onProgress, throwIfCancelled }: 
       onLine++
       count++
       if (point.length === 3) builder.point(...(point.splice(0) as [number, number, number]))
-      if (count % PROGRESS_EVERY === 0) {
-        throwIfCancelled()
-        onProgress(cursor.position / file.size)
-      }
+      onNumber(cursor.position)
     }
   }
   endLine()

@@ -5,7 +5,7 @@
 import { presets, presetVertices } from '../../model/presets'
 import '../element'
 import { historyStep } from '../../element/shortcuts'
-import { onPaste } from '../../input/pasted-input'
+import { pastedIn } from '../../input/pasted-input'
 import { decodePermalink } from '../../model/permalink'
 import { entryAt, type HistoryEntry, keepEntry, presentKey } from '../history-entries'
 import { scrollOf, scrollTo } from '../scroll'
@@ -86,5 +86,6 @@ addEventListener('keydown', event => {
   lens[step]()
 })
 addEventListener('paste', event => {
-  if (event.target === document.body) onPaste(event, input => lens.offer('text' in input ? input.text : input.files))
+  const input = event.target === document.body ? pastedIn(event) : null
+  if (input !== null) lens.offer('text' in input ? input.text : input.files)
 })

@@ -1,8 +1,9 @@
 /** Algorithm 1 step by step: the points of each, M before and after, and the reasons to skip. */
 import { html, nothing, render, svg, type TemplateResult } from 'lit-html'
-import { type Entity, sliceChange, sliceOf } from '../../model/state'
+import { sliceChange, sliceOf } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
 import { entityTitle } from '../../views/entity-name'
+import { type Entity, marksSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import css from './algorithm.css?inline'
 import { type Following, followingSlice, type Query, STEP_COUNT, type Variant } from './following'
@@ -221,7 +222,7 @@ class AlgorithmView implements View {
   #light(entity: Entity | null): void {
     if (entity?.kind === this.#lit?.kind && entity?.id === this.#lit?.id) return
     this.#lit = entity && { kind: entity.kind, id: entity.id }
-    this.#context.dispatch({ type: 'highlight', entity: this.#lit })
+    this.#context.dispatch(sliceChange(marksSlice, { highlight: this.#lit }))
   }
 
   #onKey(event: KeyboardEvent): void {

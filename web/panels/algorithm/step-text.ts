@@ -18,9 +18,9 @@ export function stepSentence(step: TraceStep, shown: TraceShown): string {
 }
 
 export function answerSentence({ after, stops }: TraceStep, shown: TraceShown): string {
-  if (shown.query === 'minimum') return `That was all: the boundary minimum is ${jacdet(after, shown)}.`
+  if (shown.query === 'minimum') return `Done: the boundary minimum is ${jacdet(after, shown)}.`
   if (stops) return 'The query stops here: the element is invalid.'
-  return 'That was all, and everything is positive: the element is valid.'
+  return 'Done. Every value is positive: the element is valid.'
 }
 
 /** A step's outcome, for the list. */

@@ -4,7 +4,7 @@
  */
 import type { CheckId } from '../../core/report'
 import { type Vec3, vertexReference } from '../../model/hexahedron'
-import type { Samples } from '../../model/state'
+import type { Samples } from '../../views/scene-slices'
 
 export interface CheckDescription {
   readonly name: string
@@ -42,14 +42,14 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
     name: 'Corners and centre',
     usedBy: 'Verdict in VTK, PyVista, ParaView',
     looksAt:
-      'The least of jacdet over three lengths, at the vertices and the centre. It is from −1 to 1, or 1e30 if an edge or an axis has no length.',
+      'The scaled Jacobian: jacdet over the lengths of its three columns, the least at the vertices and the centre. It is from −1 to 1. Verdict gives 1e30 if an edge or an axis has no length.',
     unit: 'none',
     marks: at([...vertexReference, [1 / 2, 1 / 2, 1 / 2]]),
   },
   'gauss-2': {
     name: '2×2×2 Gauss points',
     usedBy: 'solvers',
-    looksAt: 'The least jacdet at eight points inside: a solver with full integration evaluates it there.',
+    looksAt: 'The least jacdet at eight points inside, where a solver with full integration evaluates it.',
     unit: 'jacdet',
     marks: at(grid(gaussAbscissae(Math.sqrt(1 / 3)))),
   },
@@ -63,7 +63,7 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
   edges: {
     name: 'Twelve edges',
     usedBy: null,
-    looksAt: 'The least jacdet along the twelve edges, from the quadratic on each edge, not from samples.',
+    looksAt: 'The least jacdet along the twelve edges. It comes from the quadratic on each edge, not from samples.',
     unit: 'jacdet',
     marks: { points: [], edges: true },
   },
@@ -71,7 +71,7 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
     name: 'One Bernstein bound',
     usedBy: null,
     looksAt:
-      'The least of the 27 Bernstein coefficients, from 20 samples. It is a lower bound of jacdet, often a poor one: it rejects some valid elements.',
+      'The least of the 27 Bernstein coefficients, which follow from 20 samples. It is a lower bound of jacdet, often a poor one: it rejects some valid elements.',
     unit: 'jacdet',
     // Corners and middles of edges: two coordinates at least are at an end.
     marks: at(grid(ENDS_AND_MIDDLE).filter(point => point.filter(x => x === 1 / 2).length < 2)),

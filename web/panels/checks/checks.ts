@@ -1,10 +1,12 @@
 /** Other checks of this element, each against the exact verdict. */
+
 import { html, render, type TemplateResult } from 'lit-html'
 import type { Check, CheckId, Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
-import type { ReferenceCube } from '../../model/state'
+import { type ReferenceCube, sliceChange } from '../../model/state'
 import { copyable, copyableJacdet } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
+import { marksSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
 import { checks as descriptions } from './check-words'
 import css from './checks.css?inline'
@@ -13,6 +15,12 @@ export const checksStyles = css
 
 /** The number that Verdict returns for a length of zero. */
 const NO_LENGTH = 1e30
+
+/** The manuals' acceptable range of the scaled Jacobian of hexahedra, and what is usual. */
+const CUBIT =
+  'https://cubit.sandia.gov/files/cubit/16.14/help_manual/WebHelp/mesh_generation/mesh_quality_assessment/hexahedral_metrics.htm'
+const VERDICT = 'https://public.kitware.com/Wiki/images/6/6b/VerdictManual-revA.pdf'
+const PRACTICE = 'https://autotwin.github.io/automesh/cli/metrics_hexahedral.html'
 
 class ChecksView implements View {
   readonly root = document.createElement('section')
@@ -63,7 +71,7 @@ class ChecksView implements View {
   #mark(id: CheckId | null): void {
     if (id === this.#marked) return
     this.#marked = id
-    this.#context.dispatch({ type: 'show-samples', samples: id && descriptions[id].marks })
+    this.#context.dispatch(sliceChange(marksSlice, { samples: id && descriptions[id].marks }))
   }
 }
 
@@ -82,14 +90,24 @@ function template(report: Report, cube: ReferenceCube): TemplateResult {
         ${report.checks.map((check, i) => row(check, report, cube, i === 0))}
       </tbody>
     </table>
+    ${thresholds}
     <details>
       <summary>What each looks at</summary>
-      <p>Point at a row, and the scene marks it.</p>
+      <p>
+        A check accepts an element if its number is above zero. Point at a row, and the scene marks what it looks at.
+      </p>
       <dl>
         ${report.checks.map(({ id }) => html`<div><dt>${descriptions[id].name}</dt><dd>${descriptions[id].looksAt}</dd></div>`)}
       </dl>
     </details>`
 }
+
+const link = (href: string, text: string) => html`<a href=${href} target="_blank" rel="noreferrer">${text}</a>`
+
+const thresholds = html`<p class="by">
+  The scaled Jacobian (corners and centre) is acceptable from 0.5 on in the manuals of ${link(CUBIT, 'Cubit')} and
+  ${link(VERDICT, 'Verdict')}, and ${link(PRACTICE, 'in practice')} often from 0.2 or 0.3 on.
+</p>`
 
 function row(
   { id, value, passes }: Check,
@@ -98,7 +116,7 @@ function row(
   isTabStop: boolean,
 ): TemplateResult {
   const { name, usedBy, unit } = descriptions[id]
-  const [yes, no] = id === 'tangents' ? ['certifies', 'does not'] : ['accepts', 'rejects']
+  const [yes, no] = id === 'tangents' ? ['certifies', 'cannot tell'] : ['accepts', 'rejects']
   const number =
     unit === 'none'
       ? copyable(formatNumber(value), String(value), { isTabStop })
@@ -106,16 +124,17 @@ function row(
   const { said, mark } = judged(passes, valid, id)
   return html`<tr data-check=${id} class=${mark === '✗' ? 'is-wrong' : ''}>
     <th scope="row"><span>${name}</span>${usedBy ? html` <span class="by">${usedBy}</span>` : ''}
-      ${unit === 'none' && value === NO_LENGTH ? html`<span class="by">1e30: an edge or axis has no length to it</span>` : ''}</th>
+      ${unit === 'none' ? html` <span class="by">usual limits 0.5, 0.3, 0.2</span>` : ''}
+      ${unit === 'none' && value === NO_LENGTH ? html`<span class="by">1e30: to Verdict an edge or axis has no length</span>` : ''}</th>
     <td class=${value < 0 ? 'negative' : ''}>${number}</td>
     <td>
-      ${passes ? yes : no}<span class="said">: ${said}</span>
+      ${passes ? yes : no}<span class=${mark === '✗' ? '' : 'said'}>: ${said}</span>
       <span class="mark" aria-hidden="true">${mark}</span>
     </td>
   </tr>`
 }
 
-/** Compares with the verdict; a check that only certifies is not wrong if it leaves it open. */
+/** Compares with the verdict; a check that only certifies is not wrong if it cannot tell. */
 function judged(passes: boolean, valid: boolean, id: CheckId): { said: string; mark: string } {
   if (passes === valid) return { said: 'agrees', mark: '✓' }
   return id === 'tangents' && !passes ? { said: 'leaves it open', mark: '–' } : { said: 'wrong', mark: '✗' }

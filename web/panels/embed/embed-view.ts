@@ -133,7 +133,7 @@ class EmbedView implements View {
             ${THEMES.map(each => html`<option ?selected=${each === theme}>${each === 'auto' ? 'as the reader’s' : each}</option>`)}
           </select>
         </label>
-        <label><input type="checkbox" .checked=${readonly} @change=${(event: Event) => this.#choose({ readonly: isChecked(event) })}> To be looked at only</label>
+        <label><input type="checkbox" .checked=${readonly} @change=${(event: Event) => this.#choose({ readonly: isChecked(event) })}> Cannot be changed by readers</label>
       </div>
       <p id="embed-refusal" aria-live="polite">${this.#height.refusal}</p>
       <fieldset>
@@ -148,7 +148,7 @@ class EmbedView implements View {
       ${[...host.setup, host.snippet(embed)].map(snippet => this.#snippet(snippet))}
       <p class="actions">
         <button type="button" @click=${() => this.#savePicture()}>Download ${PICTURE}</button>
-        <span>the preview as a picture, for readers without JavaScript; it goes beside the page</span>
+        <span>the preview as a picture, for readers without JavaScript. Put it beside the page.</span>
       </p>
       <p aria-live="polite" class="told">${this.#said}</p>
       <h3>Preview</h3>

@@ -5,10 +5,11 @@
 import type { Candidate, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { faces, vertexReference } from '../../model/hexahedron'
-import { type Entity, type ReferenceCube, type State, sliceOf } from '../../model/state'
+import { type ReferenceCube, type State, sliceOf } from '../../model/state'
 import { candidateShapes } from '../../scene/overlay/candidate-shapes'
 import { px, set, show, svg } from '../../scene/paint/svg'
 import { entityTitle } from '../../views/entity-name'
+import { type Entity, marksSlice } from '../../views/scene-slices'
 import { edgePlaces, isOnFace, netCells, netCorners, type Place, placeOnFace, placesOf } from './net'
 import { faceSlice } from './selected-face'
 
@@ -66,8 +67,9 @@ export class NetOverlay {
     this.#updateLabels(state, report)
     this.#updateRings(report)
     this.#updateCross(state)
-    set(this.#highlight, { d: state.highlight ? this.#highlightPath(state.highlight) : '' })
-    show(this.#highlight, state.highlight !== null)
+    const { highlight } = sliceOf(marksSlice, state)
+    set(this.#highlight, { d: highlight ? this.#highlightPath(highlight) : '' })
+    show(this.#highlight, highlight !== null)
   }
 
   #layOut(cell: number): void {

@@ -27,12 +27,12 @@ function needOf(face: FaceReport, number: Numbers): TemplateResult {
   const bound = number(face.lowerBound)
   const { skippedByValidityRule: isPositive, skippedByMinimumRule: isSkipped } = face
   if (isPositive && isSkipped)
-    return html`Its bound ${bound} alone settles this face. Its quartic is shown all the same.`
+    return html`Its bound ${bound} alone settles this face. The quartic is not needed, but shown.`
   if (isPositive)
-    return html`Its bound ${bound} shows it positive, but is below ${number(face.runningMinimum)}, the least value so far: the minimum needs the quartic.`
+    return html`Its bound ${bound} shows that the face is positive. It is below ${number(face.runningMinimum)}, the least value so far, so the minimum needs the quartic.`
   if (isSkipped)
-    return html`Its bound ${bound} is not below the least value so far, so this face has no lower minimum. Its quartic is shown all the same.`
-  return html`Its bound ${bound} settles nothing: the quartic is needed.`
+    return html`Its bound ${bound} is not below the least value so far, so this face has no lower minimum. The quartic is not needed, but shown.`
+  return html`Its bound ${bound} decides nothing, so the quartic is needed.`
 }
 
 function rootsSentence({ quarticIsZero, roots }: FaceReport): string {
@@ -41,7 +41,7 @@ function rootsSentence({ quarticIsZero, roots }: FaceReport): string {
     const end = roots.length === 0 ? ', so the least value is on an edge.' : ':'
     return `P has ${count} in (0, 1)${end}`
   }
-  const end = roots.length === 0 ? '' : ' Roots of what is left of it are looked at all the same:'
+  const end = roots.length === 0 ? '' : ' Roots that rounding may have left are tried as well:'
   return `P cannot be told from zero. If it is zero, the least value is on an edge (a lemma of the paper).${end}`
 }
 

@@ -4,9 +4,10 @@ import { approximation, lowerInside } from '../../core/inside'
 import type { Report } from '../../core/report'
 import { formatBound, formatJacdet, formatNumber, formatPoint } from '../../model/decimal'
 import type { Axis, Vec3 } from '../../model/hexahedron'
-import type { ReferenceCube, Section, State } from '../../model/state'
+import { type ReferenceCube, type State, sliceChange, sliceOf } from '../../model/state'
 import { ThemeReader } from '../../scene/paint/theme'
 import { copyableJacdet, copyablePoint } from '../../views/copyable'
+import { type SceneState, type Section, sceneSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
 import css from './inside-panel.css?inline'
 import { insideSentence } from './inside-words'
@@ -65,7 +66,8 @@ class InsidePanel implements View {
   }
 
   #drawWords({ state, probe, zeroSurface }: Frame, report: Report): void {
-    const { referenceCube: cube, section } = state
+    const { referenceCube: cube } = state
+    const { section } = sliceOf(sceneSlice, state)
     const isThere = zeroSurface && zeroSurface.triangles.length > 0
     const isHere = probe !== null && probe.point[section.axis] === section.value
     render(
@@ -79,7 +81,8 @@ class InsidePanel implements View {
   }
 
   /** Choices of where else the inside is shown. */
-  #placesOf({ faceDisplay, referenceShown }: State, isThere: boolean | null): TemplateResult {
+  #placesOf(state: State, isThere: boolean | null): TemplateResult {
+    const { faceDisplay, referenceShown } = sliceOf(sceneSlice, state)
     const isInScene = faceDisplay === 'inside'
     const show = (event: Event) => (event.target as HTMLInputElement).checked
     return html`<fieldset class="places">
@@ -88,15 +91,14 @@ class InsidePanel implements View {
           ><input
             type="checkbox"
             .checked=${isInScene}
-            @change=${(event: Event) =>
-              this.#context.dispatch({ type: 'show-faces', faceDisplay: show(event) ? 'inside' : 'opaque' })}
+            @change=${(event: Event) => this.#change({ faceDisplay: show(event) ? 'inside' : 'opaque' })}
           />in the element</label
         >
         <label
           ><input
             type="checkbox"
             .checked=${referenceShown}
-            @change=${(event: Event) => this.#context.dispatch({ type: 'show-reference', referenceShown: show(event) })}
+            @change=${(event: Event) => this.#change({ referenceShown: show(event) })}
           />and in the reference cube</label
         >
       </fieldset>
@@ -137,13 +139,17 @@ class InsidePanel implements View {
       </button>`
   }
 
+  #change(change: Partial<SceneState>): void {
+    this.#context.dispatch(sliceChange(sceneSlice, change))
+  }
+
   #show(section: Section): void {
-    this.#context.dispatch({ type: 'show-section', section })
+    this.#change({ section })
     this.#context.dispatch({ type: 'probe', point: null })
   }
 
   #goToMinimum(): void {
-    const { axis } = this.#context.state().section
+    const { axis } = sliceOf(sceneSlice, this.#context.state()).section
     if (this.#report) this.#show({ axis, value: minimizerOf(this.#report)[axis] })
     // The button is now disabled, and keys should not be lost with it.
     this.root.querySelector<HTMLElement>('input[type=range]')?.focus({ preventScroll: true })

@@ -5,12 +5,11 @@ import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 
 export function insideSentence(report: Report, cube: ReferenceCube): string {
-  if (report.valid)
-    return 'jacdet is positive on the boundary, so it is positive everywhere: by the theorem nothing inside is lower.'
+  if (report.valid) return 'J > 0 on the boundary, so J > 0 everywhere. By the theorem nothing inside is lower.'
   const inside = lowerInside(report)
   if (inside === null) return 'The boundary already shows that the element is invalid. Nothing lower is found inside.'
   const least = formatJacdet(approximation(inside).value, report.exponent, cube)
   return report.boundaryMinimum === 0
-    ? `On the boundary jacdet is never below zero, yet inside it falls to ${least}. Zero is not enough: valid means more than zero.`
-    : `The boundary already shows that the element is invalid. Inside, jacdet falls further, to ${least}.`
+    ? `J ≥ 0 on the boundary, yet inside it falls to ${least}. Zero is not enough: valid means more than zero.`
+    : `The boundary already shows that the element is invalid. Inside, J falls further, to ${least}.`
 }

@@ -4,12 +4,13 @@ import type { Report } from '../../core/report'
 import { axesOn, pointOn, sectionBernstein } from '../../core/section'
 import { formatJacdet, formatNumber } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
-import type { Section, State } from '../../model/state'
+import { type State, sliceOf } from '../../model/state'
 import { colourScaleInside, rampOf, type Theme } from '../../scene/paint/colour-map'
 import { type Palette, paintFace, paletteOf } from '../../scene/paint/face-raster'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
 import { isNew } from '../../views/is-new'
 import { inUnit, pointStep } from '../../views/point-steps'
+import { type Section, sceneSlice } from '../../views/scene-slices'
 
 export interface SectionPicture {
   readonly report: Report
@@ -65,7 +66,7 @@ export class SectionMap {
   }
 
   update({ report, theme, state, side }: SectionPicture): void {
-    const { section } = state
+    const { section } = sliceOf(sceneSlice, state)
     this.#section = section
     this.#probe = state.probe
     const isMoving = state.gestureStart !== null

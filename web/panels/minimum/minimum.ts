@@ -13,7 +13,7 @@ import css from './minimum.css?inline'
 
 export const minimumStyles = css
 
-const BOUND_MEANS = 'The exact minimum is at most this far from the computed one, of which fewer digits are shown.'
+const BOUND_MEANS = 'The exact minimum is at most this far from the computed one, which has more digits than are shown.'
 const VOLUME_MEANS = 'The integral of jacdet.'
 const RELATIVE_MEANS = 'The boundary minimum on [0,1]³ over |volume|.'
 

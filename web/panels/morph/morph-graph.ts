@@ -81,6 +81,6 @@ export class MorphGraph {
 function spoken({ crossings }: Morph, [first, last]: readonly string[]): string {
   const changes = crossings.map(({ validTau }) => validTau.toFixed(3)).join(', ')
   const ends = `Boundary minimum from A, ${first}, to B, ${last}`
-  if (crossings.length === 0) return `${ends}; the verdict is not seen to change`
+  if (crossings.length === 0) return `${ends}; no change of the verdict was found`
   return `${ends}; the verdict changes at tau ${changes}`
 }

@@ -30,7 +30,7 @@ const ENDS: readonly { readonly end: End; readonly name: string }[] = [
   { end: 'morphB', name: 'B' },
 ]
 const FOLLOWS: Readonly<Record<Follows, string>> = {
-  start: 'the start, what Reset goes back to',
+  start: 'the element that Reset goes back to',
   box: 'the box around the element',
   element: 'the element as it is',
   dented: 'the element with vertex 6 pushed in',
@@ -145,7 +145,7 @@ class MorphView implements View {
       return html`<p class="note">A and B are the same element. Move a vertex, or keep this one as A and choose another preset.</p>`
     if (crossings.length === 0)
       return html`<p class="note">
-        ${samples[0]?.valid ? 'Valid' : 'Invalid'} at every place looked at from A to B: the verdict was not seen to change.
+        ${samples[0]?.valid ? 'Valid' : 'Invalid'} at every place tried from A to B: no change of the verdict was found.
       </p>`
     return html`<table aria-label="Where the verdict changes">
         <tbody>
@@ -157,8 +157,8 @@ class MorphView implements View {
         </tbody>
       </table>
       <p class="note">
-        No double lies between the last valid and the first invalid τ, and each verdict is exact. The way is A + τ (B − A), with
-        every coordinate in doubles.
+        No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is
+        A + τ (B − A), with every coordinate in doubles.
       </p>`
   }
 

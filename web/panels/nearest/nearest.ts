@@ -7,6 +7,7 @@ import { type State, sliceChange, sliceOf } from '../../model/state'
 import { copyable } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
 import { NumberField } from '../../views/number-field'
+import { previewSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './nearest.css?inline'
@@ -37,14 +38,15 @@ class NearestView implements View {
   update(frame: Frame): void {
     const { state, report } = frame
     const nearest = answerTo(nearestQuestion, frame)
-    if (state.preview?.move && !state.openPanels.includes('nearest')) this.#preview(null)
+    const { preview } = sliceOf(previewSlice, state)
+    if (preview?.move && !state.openPanels.includes('nearest')) this.#preview(null)
     const share = sliceOf(nearestSlice, state).nearestRelativeMinimum
     this.#share.show(share)
     const known = nearest?.vertices === state.vertices && nearest.share === share ? nearest : null
     const isMoving = state.gestureStart !== null
     const { refusal } = this.#share
     const goal = goalOf(report, known, share)
-    if (isNew(this.root, goal?.words, known, share, refusal, isMoving, state.preview, this.#applied === state.vertices))
+    if (isNew(this.root, goal?.words, known, share, refusal, isMoving, preview, this.#applied === state.vertices))
       render(this.#template(goal, isMoving, known, state), this.root)
   }
 
@@ -63,7 +65,7 @@ class NearestView implements View {
     if (goal === null) return 'There is no verdict, so there is none to change.'
     if (isMoving) return 'The search starts when this change is done.'
     const applied = this.#applied === vertices ? 'The move is applied. Undo takes it back. ' : ''
-    return `${applied}How little has to move to make this element ${goal.words}?`
+    return `${applied}What is the smallest move that makes this element ${goal.words}?`
   }
 
   #moves(goal: Goal, nearest: Nearest | null, state: State): TemplateResult {
@@ -74,7 +76,7 @@ class NearestView implements View {
       </div>
       <div>
         <dt>All eight</dt>
-        <dd>${nearest?.ofAll === undefined ? LOOKING : this.#all(nearest.ofAll, goal, state)}</dd>
+        <dd>${nearest?.ofAll === undefined ? LOOKING : this.#all(nearest.ofAll, state)}</dd>
       </div>
     </dl>`
   }
@@ -94,15 +96,14 @@ class NearestView implements View {
       ${claim(one)}${this.#buttons(one, `vertex ${one.vertex}`, state)}`
   }
 
-  #all(move: NearestAnswer, goal: Goal, state: State): TemplateResult {
-    if (move === null || move === 'impossible')
-      return html`<p>No move was found that makes it ${goal.words} and is shorter than others.</p>`
+  #all(move: NearestAnswer, state: State): TemplateResult {
+    if (move === null || move === 'impossible') return html`<p>No such move of all eight vertices was found.</p>`
     return html`<p>Together by <b>${lengthOf(move.length)}</b>, the farthest by ${lengthOf(move.longest)}</p>
       ${claim(move)}${this.#buttons(move, 'all eight', state)}`
   }
 
   #buttons(move: NearestMove, what: string, state: State): TemplateResult {
-    const isOpen = state.preview?.move === move.vertices
+    const isOpen = sliceOf(previewSlice, state).preview?.move === move.vertices
     return html`<p class="go">
       <button
         type="button"
@@ -130,17 +131,17 @@ class NearestView implements View {
           the vertex moves.
         </p>
         <p>
-          The verdicts are exact on both sides. On the straight way to the element found, the place before it, a double away, still
-          ${goal.before}. If this element itself is on the border, the two are at most 2⁻⁶⁴ of the way apart.
+          The verdicts are exact on both sides. On the straight way to the element found, the place one double before it is still
+          ${goal.before}. If this element itself is on the border, the two places are at most 2⁻⁶⁴ of the way apart.
         </p>
         <p>
           The relative minimum is the least jacdet over the volume: 1 of a box, near 0 where an element is just valid. An element
           found certainly has what is asked for.
         </p>
         <p>
-          If one vertex moves, jacdet at each point is affine in it. So the places that make a valid element are convex, and the
-          nearest is found with a bound for all others. If all vertices move, a bound is known too. If it is smaller than the move,
-          quite different moves may be shorter.
+          If one vertex moves, jacdet at each point changes linearly with it. So the places that make a valid element form a convex set.
+          The nearest of them is found, with a bound for all others. If all vertices move, there is a bound, too. If the bound is
+          smaller than the move, quite different moves may be shorter.
         </p>
       </details>`
   }
@@ -156,7 +157,7 @@ class NearestView implements View {
   }
 
   #preview(move: Vertices | null): void {
-    this.#context.dispatch({ type: 'preview', preview: move && { move } })
+    this.#context.dispatch(sliceChange(previewSlice, { preview: move && { move } }))
   }
 
   /** One step to undo. What is said is new, so the focus moves there. */
@@ -179,10 +180,13 @@ interface Goal {
 function goalOf(report: Report | null, nearest: Nearest | null, share: number): Goal | null {
   if (report === null) return null
   const isMet = nearest?.isMet ?? (report.valid && (report.relativeMinimum ?? 0) >= share)
-  if (isMet) return { words: 'invalid', before: 'is valid' }
+  if (isMet) return { words: 'invalid', before: 'valid' }
   return share === 0
-    ? { words: 'valid', before: 'is invalid' }
-    : { words: `valid with a relative minimum of ${formatNumber(share)}`, before: 'has not, or not for certain' }
+    ? { words: 'valid', before: 'invalid' }
+    : {
+        words: `valid with a relative minimum of ${formatNumber(share)}`,
+        before: 'without it, or not certain to have it',
+      }
 }
 
 function lengthOf(length: number): TemplateResult {
@@ -197,7 +201,7 @@ function claim({ claim: known, bound }: NearestMove): TemplateResult {
     case 'local':
       return html`<p class="says">A local optimum: no small change of this move makes it shorter.${least}</p>`
     case 'found':
-      return html`<p class="says">The shortest that was found; a change of it may make it shorter.${least}</p>`
+      return html`<p class="says">The shortest move found. A shorter one may exist.${least}</p>`
   }
 }
 

@@ -2,9 +2,10 @@
 import { html, render, svg, type TemplateResult } from 'lit-html'
 import type { Vertices } from '../../model/hexahedron'
 import { type NodeOrder, nodeOrders } from '../../model/node-orders'
-import type { State } from '../../model/state'
+import { type State, sliceChange, sliceOf } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
+import { previewSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './node-order.css?inline'
@@ -26,10 +27,11 @@ class NodeOrderView implements View {
   update(frame: Frame): void {
     const { state, report } = frame
     const triedOrders = answerTo(triedOrdersQuestion, frame)
-    if (state.preview?.order && !state.openPanels.includes('node-order')) this.#preview(null)
+    const { preview } = sliceOf(previewSlice, state)
+    if (preview?.order && !state.openPanels.includes('node-order')) this.#preview(null)
     const isStale = triedOrders?.vertices !== state.vertices
     const isValid = report?.valid ?? null
-    if (isNew(this.root, isValid, triedOrders, isStale, state.referenceCube, state.preview, this.#used, state.start))
+    if (isNew(this.root, isValid, triedOrders, isStale, state.referenceCube, preview, this.#used, state.start))
       render(this.#template(isValid, isStale ? null : triedOrders, state), this.root)
   }
 
@@ -47,8 +49,10 @@ class NodeOrderView implements View {
     if (isValid) {
       const { vertices } = this.#context.state()
       const used =
-        this.#used?.vertices === vertices ? `The points were taken as “${this.#used.name}”; Undo takes that back. ` : ''
-      return `${used}The element is valid in the order its points are in, so no other is looked for.`
+        this.#used?.vertices === vertices
+          ? `The points were taken in the order “${this.#used.name}”. Undo takes this back. `
+          : ''
+      return `${used}The element is valid as its points are ordered, so no other order is tried.`
     }
     if (tried === null) return 'The orders are tried when this change is done.'
     const { count, helpful } = tried
@@ -67,7 +71,7 @@ class NodeOrderView implements View {
   #order(helpful: HelpfulOrder, given: Vertices, state: State): TemplateResult {
     const { orders, vertices, boundaryMinimum, exponent } = helpful
     const { name, permutation } = orders[0] as NodeOrder
-    const isOpen = state.preview?.order === permutation
+    const isOpen = sliceOf(previewSlice, state).preview?.order === permutation
     return html`<li>
       <p class="names">${orders.map(order => html`<span><strong>${order.name}</strong>${usedBy(order)}</span>`)}</p>
       <p class="says">${orders.map(order => order.says).join(' ')}</p>
@@ -88,7 +92,7 @@ class NodeOrderView implements View {
   }
 
   #preview(order: readonly number[] | null): void {
-    this.#context.dispatch({ type: 'preview', preview: order && { order } })
+    this.#context.dispatch(sliceChange(previewSlice, { preview: order && { order } }))
   }
 
   /** One step to undo. The button goes, so the focus moves to the sentence about it. */

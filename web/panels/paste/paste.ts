@@ -21,8 +21,8 @@ class PasteView implements View {
   update({ reading }: Frame): void {
     render(
       html`<p>
-          Press Ctrl+V (⌘V), drop a text or files anywhere on Hexlens, or use the box. Files that belong together, such as a .pvtu and
-          its pieces, are given together.
+          Press Ctrl+V (⌘V), drop a text or files anywhere on Hexlens, or use the box. Give files that belong together at once,
+          such as a .pvtu and its pieces.
         </p>
         <label for="paste-text">Text with eight points, or a part of a mesh file</label>
         <textarea id="paste-text" rows="5" spellcheck="false" autocomplete="off" autocapitalize="off"></textarea>
@@ -32,7 +32,7 @@ class PasteView implements View {
           <input type="file" multiple hidden @change=${this.#onFiles} />
         </p>
         ${reading ? html`<p class="outcome">${statusSentence(reading)}</p>` : nothing}
-        <p class="known">Read are ${formatNames.join(', ')}, gzipped or not; ${otherInputs}.</p>
+        <p class="known">Hexlens reads ${formatNames.join(', ')}, gzipped or not; ${otherInputs}.</p>
         <p class="private">Nothing that is pasted, dropped or typed here leaves the browser.</p>`,
       this.root,
     )

@@ -27,13 +27,13 @@ interface Reason {
 }
 
 const REASONS: Readonly<Record<CertifiedInterval['by'], Reason>> = {
-  b: { formula: 'b ≥ 0', because: 'in s it rises or is concave: nowhere below its lower end.' },
-  '2a+b': { formula: '2a + b ≤ 0', because: 'in s it falls or is concave: nowhere below its lower end.' },
+  b: { formula: 'b ≥ 0', because: 'in s jacdet rises or is concave, so it is nowhere below its lower end.' },
+  '2a+b': { formula: '2a + b ≤ 0', because: 'in s jacdet falls or is concave, so it is nowhere below its lower end.' },
   middle: {
     formula: 'c + b/2 > 0',
-    because: 'with c and a + b + c these are the Bernstein coefficients in s, all positive.',
+    because: 'with c and a + b + c these are the Bernstein coefficients in s. All are positive.',
   },
-  D: { formula: '4ac > b²', because: 'in s it is a parabola that never reaches zero.' },
+  D: { formula: '4ac > b²', because: 'in s jacdet is a parabola that never reaches zero.' },
 }
 
 class CertificateView implements View {
@@ -122,12 +122,12 @@ function invalidProof({ point, jacdet }: Invalid, cube: ReferenceCube): Template
   const shown = cube === 'unit' ? jacdet : eighth(jacdet)
   const value = html`<span class=${jacdet.numerator < 0n ? 'number negative' : 'number'}>${rationalText(shown)}</span>${roundedText(shown)}`
   return html`<p>
-      At (ξ, η, ζ) = <span class="number">(${point.map(rationalText).join(', ')})</span> the jacdet is exactly ${value},
-      which is not positive.
+      Proof: one point with J ${jacdet.numerator < 0n ? '<' : '='} 0. At (ξ, η, ζ) =
+      <span class="number">(${point.map(rationalText).join(', ')})</span> jacdet is exactly ${value}.
     </p>
     <p class="why">
-      One evaluation of the definition in rational numbers shows
-      it.${cube === 'unit' ? '' : ' The file has it on [0,1]³, eight times this.'}
+      To check it, evaluate the definition once in rational
+      numbers.${cube === 'unit' ? '' : ' The file has it on [0,1]³, eight times this.'}
     </p>`
 }
 

@@ -71,7 +71,7 @@ class ReadingView implements View {
     const isList = reading.cells.count > 1
     return html`<p class="status">
         <span>${statusSentence(reading)}${isList && cell === null ? ' Choose one to look at it.' : ''}</span>
-        ${isList ? html`<button type="button" @click=${() => this.#context.input.close()}>Put away</button>` : nothing}
+        ${isList ? html`<button type="button" @click=${() => this.#context.input.close()}>Close the list</button>` : nothing}
       </p>
       ${isList ? this.#list?.root : nothing} ${notes(reading, cell)}
       ${cell && this.#order(reading, cell, isValid)}`
@@ -80,7 +80,7 @@ class ReadingView implements View {
   #order(reading: ReadCells, { cell, id, order }: ShownCell, isValid: boolean | null): TemplateResult | typeof nothing {
     const whose = reading.cells.count > 1 ? `Cell ${id}: ` : ''
     if (order)
-      return html`<p class="order" tabindex="-1">${whose}taken in ${orderPhrase(order)}; Undo takes that back.</p>`
+      return html`<p class="order" tabindex="-1">${whose}taken in ${orderPhrase(order)}; Undo takes this back.</p>`
     const open = isValid === false ? reading.cells.openOrderOf(cell) : null
     if (open === null) return nothing
     return html`<p class="order">

@@ -11,6 +11,8 @@ import { whySentence } from './why'
 
 export const verdictStyles = css
 
+const JACDET_MEANS = 'J is jacdet: the map’s change of volume at a point.'
+
 class VerdictView implements View {
   readonly root = document.createElement('section')
 
@@ -39,18 +41,21 @@ class VerdictView implements View {
       ${kind && html`<p class="kind">${kind}</p>`}
       <p class="why">${unbrokenNames(whySentence(report))}</p>
       ${minimum(boundaryMinimum, inside && html`<span class="filler">on the </span>boundary`)}
-      ${inside && minimum(approximation(inside).value, html`inside`)}`
+      ${inside && minimum(approximation(inside).value, html`inside`)}
+      <p class="means">${JACDET_MEANS}</p>`
   }
 }
 
 const loading = html`<p class="word">–</p>`
 
 const noVerdict = html`<p class="word">NO VERDICT</p>
-  <p class="why">The core that computes the jacdet could not be started, so nothing is said about this element.</p>`
+  <p class="why">The core that computes jacdet did not start, so nothing is known of this element.</p>`
 
-/** The names of edges stay on one line each: every second part is one. */
+/** The names of edges, and what is said of J, stay on one line each: every second part is one. */
 function unbrokenNames(sentence: string): (TemplateResult | string)[] {
-  return sentence.split(/(\d–\d)/).map((text, i) => (i % 2 === 1 ? html`<span class="name">${text}</span>` : text))
+  return sentence
+    .split(/(\d–\d|J [<>=≤≥] 0)/)
+    .map((text, i) => (i % 2 === 1 ? html`<span class="name">${text}</span>` : text))
 }
 
 export const createVerdict: CreateView = () => new VerdictView()

@@ -31,23 +31,23 @@ function lowerInsideOfZero(report: Report): boolean {
 
 function sentenceWithoutCoincidences(report: Report): string {
   if (report.valid) {
-    return 'The jacdet is positive on all six faces, so it is positive everywhere (Knupp’s conjecture, now a theorem).'
+    return 'J > 0 on all six faces, so J > 0 everywhere (Knupp’s conjecture, now a theorem).'
   }
   if (report.class === 'inverted') {
-    return 'The jacdet is negative everywhere: the element is inverted. The usual cause is a mirrored node order.'
+    return 'J < 0 everywhere: the element is inverted. The usual cause is a mirrored node order.'
   }
-  if (report.class === 'collapsed') return 'The jacdet is 0 everywhere: the element is collapsed.'
+  if (report.class === 'collapsed') return 'J = 0 everywhere: the element is collapsed.'
   if (lowerInsideOfZero(report)) {
-    return 'The jacdet is nowhere negative on the boundary, yet it is inside: the theorem needs a positive boundary, zero is not enough.'
+    return 'J ≥ 0 on the boundary, yet J < 0 inside. The theorem needs J > 0 on the boundary: zero is not enough.'
   }
   if (report.boundaryMinimum === 0) {
-    return 'The minimum is exactly zero: the jacdet touches it, and a valid element must be strictly positive.'
+    return 'The minimum is exactly zero, and a valid element needs J > 0 everywhere.'
   }
   if (report.cornerMinimum <= 0) return vertexSentence(notPositive(report, 'vertex'))
   if (report.edgeMinimum <= 0) {
-    return `All eight vertices are positive, yet ${areNot('edge', notPositive(report, 'edge'))}.`
+    return `J > 0 at all eight vertices, yet J ≤ 0 on ${named('edge', notPositive(report, 'edge'))}.`
   }
-  return `All eight vertices and all twelve edges are positive, yet ${areNot('face', notPositive(report, 'face'))}.`
+  return `J > 0 at all vertices and on all edges, yet J ≤ 0 on ${named('face', notPositive(report, 'face'))}.`
 }
 
 function notPositive(report: Report, kind: CandidateKind): readonly string[] {
@@ -57,10 +57,11 @@ function notPositive(report: Report, kind: CandidateKind): readonly string[] {
 }
 
 function vertexSentence(names: readonly string[]): string {
-  if (names.length === VERTEX_COUNT) return 'None of the eight vertices is positive.'
-  return names.length === 1 ? `Vertex ${names[0]} is not positive.` : `Vertices ${listed(names)} are not positive.`
+  if (names.length === VERTEX_COUNT) return 'J ≤ 0 at all eight vertices.'
+  return names.length === 1 ? `J ≤ 0 at vertex ${names[0]}.` : `J ≤ 0 at vertices ${listed(names)}.`
 }
 
-function areNot(kind: CandidateKind, names: readonly string[]): string {
-  return names.length === 1 ? `${kind} ${names[0]} is not` : `${kind}s ${listed(names)} are not`
+/** "edge 0–1" or "edges 0–1 and 2–6". */
+function named(kind: CandidateKind, names: readonly string[]): string {
+  return `${kind}${names.length === 1 ? '' : 's'} ${listed(names)}`
 }

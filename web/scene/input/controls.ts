@@ -1,7 +1,8 @@
 /** The scene's few words and buttons: the legend of the marks, the display of the faces, turning, fit, help. */
 import type { Report } from '../../core/report'
 import { faces } from '../../model/hexahedron'
-import { CONTROLS, type Control, type FaceDisplay, type State } from '../../model/state'
+import { type State, sliceOf } from '../../model/state'
+import { CONTROLS, type Control, controlsSlice, type FaceDisplay, sceneSlice } from '../../views/scene-slices'
 import { candidateShapes } from '../overlay/candidate-shapes'
 import { svg } from '../paint/svg'
 
@@ -79,7 +80,9 @@ export class Controls {
     this.root.append(this.#legend, turns, ...CONTROLS.map(control => this.#buttons[control]))
   }
 
-  update({ faceDisplay, referenceShown, helpShown, controls }: State, report: Report | null): void {
+  update(state: State, report: Report | null): void {
+    const { faceDisplay, referenceShown } = sliceOf(sceneSlice, state)
+    const { controls, helpShown } = sliceOf(controlsSlice, state)
     for (const control of CONTROLS) this.#buttons[control].hidden = !controls.includes(control)
     this.#help.setAttribute('aria-expanded', String(helpShown))
     this.#reference.setAttribute('aria-pressed', String(referenceShown))

@@ -1,7 +1,8 @@
 /** The point of the faces, or of the section, that a line of sight meets first. */
 import { pointOn } from '../../core/section'
 import { type FaceTopology, faces, type Vec3, vertexReference } from '../../model/hexahedron'
-import type { FaceDisplay, State } from '../../model/state'
+import type { State } from '../../model/state'
+import type { FaceDisplay, SceneState } from '../../views/scene-slices'
 import type { Ray, SceneCamera, ScreenPoint } from '../space/camera'
 import { type Corners, faceCorners, patchPoint, sectionCorners } from '../space/patches'
 import { at, dot, map3 } from '../space/vec3'
@@ -42,7 +43,7 @@ export interface Seen {
   readonly camera: SceneCamera
   readonly vertices: readonly Vec3[]
   readonly handles: readonly ScreenPoint[]
-  readonly state: Pick<State, 'faceDisplay' | 'section' | 'selectedVertex'>
+  readonly state: Pick<SceneState, 'faceDisplay' | 'section'> & Pick<State, 'selectedVertex'>
 }
 
 /**

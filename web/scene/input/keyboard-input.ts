@@ -2,8 +2,10 @@
  * The scene by keyboard alone. Moves go along coordinate axes, each arrow along the one nearest to it on the screen, so that
  * they give readable numbers. A key held down is one gesture until it is released.
  */
+
 import { VERTEX_COUNT, type Vec3, vertexOf } from '../../model/hexahedron'
-import type { FaceDisplay } from '../../model/state'
+import { sliceChange, sliceOf } from '../../model/state'
+import { type FaceDisplay, sceneSlice } from '../../views/scene-slices'
 import type { SceneCamera } from '../space/camera'
 import { at, map3 } from '../space/vec3'
 import { extentOf } from '../space/world'
@@ -151,11 +153,11 @@ export class KeyboardInput {
   }
 
   get #display(): FaceDisplay {
-    return this.#target.host.state().faceDisplay
+    return sliceOf(sceneSlice, this.#target.host.state()).faceDisplay
   }
 
   #show(faceDisplay: FaceDisplay): void {
-    this.#target.host.dispatch({ type: 'show-faces', faceDisplay })
+    this.#target.host.dispatch(sliceChange(sceneSlice, { faceDisplay }))
   }
 
   #chooseNext(by: 1 | -1): void {

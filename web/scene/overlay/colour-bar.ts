@@ -1,8 +1,10 @@
 /** The colour bar: maximum, zero and minimum at their true positions on the scene's own ramps, and the reference cube. */
+
 import { approximation, lowerInside } from '../../core/inside'
 import type { JacobianReport, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
-import type { ReferenceCube, State } from '../../model/state'
+import { type ReferenceCube, type State, sliceOf } from '../../model/state'
+import { sceneSlice } from '../../views/scene-slices'
 import {
   type ColourScale,
   cssColour,
@@ -53,8 +55,8 @@ interface Label {
 let bars = 0
 
 /** The least jacdet of the boundary, or of the whole element if its inside is shown. */
-function leastShown(report: Report, { faceDisplay }: State): number {
-  const inside = faceDisplay === 'inside' ? lowerInside(report) : null
+function leastShown(report: Report, state: State): number {
+  const inside = sliceOf(sceneSlice, state).faceDisplay === 'inside' ? lowerInside(report) : null
   return inside ? approximation(inside).value : report.boundaryMinimum
 }
 

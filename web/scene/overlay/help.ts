@@ -2,18 +2,18 @@
 
 /** An action and its effect, which make a sentence. */
 const HELP: readonly (readonly [string, string])[] = [
-  ['Drag a handle', 'moves its vertex. With Shift in depth, with Alt on a grid, with X, Y or Z held along that axis'],
-  ['Drag elsewhere', 'turns the view. Ctrl and the wheel, or two fingers, zoom'],
+  ['Drag a handle', 'moves its vertex. Shift moves it in depth, Alt on a grid, X, Y or Z along that axis alone'],
+  ['Drag elsewhere', 'turns the view. Two fingers, or Ctrl and the wheel, zoom'],
   ['0 to 7, or [ and ]', 'choose a vertex'],
-  ['Arrow keys', 'move it along the nearest coordinate axis'],
+  ['Arrow keys', 'move the chosen vertex along the axis that is nearest to the arrow'],
   ['Page Up, Page Down', 'move it along the third axis'],
-  ['Shift, Alt', 'with these keys: ten times as far, a tenth'],
-  ['Point at a face', 'or tap it, to read the Jacobian there'],
-  ['P', 'goes through the candidates; C copies the point'],
-  ['Escape', 'takes back the move while a key or the pointer is held, else the point'],
-  ['A, D, W, S', 'turn the view; plus and minus zoom, F fits, Home resets it'],
-  ['T, I', 'make faces see-through, show what is inside; comma and dot show one face'],
-  ['R, ?', 'show and hide the reference cube, this help'],
+  ['Shift, Alt', 'with these keys make the step ten times as long, or a tenth'],
+  ['Point at a face', 'or tap it, to read jacdet at that point: the probe'],
+  ['P', 'puts the probe on the next candidate; C copies its numbers'],
+  ['Escape', 'puts a vertex that is being moved back; at other times it removes the probe'],
+  ['A, D, W, S', 'turn the view; plus and minus zoom, F fits it, Home resets it'],
+  ['T, I', 'make faces see-through, or show the inside; comma and full stop show one face alone'],
+  ['R, ?', 'show and hide the reference cube, or this help'],
 ]
 
 export class Help {

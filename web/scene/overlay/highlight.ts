@@ -1,6 +1,6 @@
 /** The entity that the page speaks of: a vertex with a ring around it, an edge drawn thick, a face outlined. */
 import { edgeVertices, faces } from '../../model/hexahedron'
-import type { Entity } from '../../model/state'
+import type { Entity } from '../../views/scene-slices'
 import { px, set, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 

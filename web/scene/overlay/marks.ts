@@ -2,11 +2,13 @@
  * The minimizer with its value, and the candidates on edges and faces as small marks by kind. If the inside is shown, value and
  * mark are those of the least jacdet of the whole element, and a ring stays on the boundary's minimizer.
  */
+
 import { approximation, lowerInside } from '../../core/inside'
 import type { Candidate, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { edgeName, edgeVertices, faces, type Vec3 } from '../../model/hexahedron'
-import type { FaceDisplay } from '../../model/state'
+import { sliceOf } from '../../model/state'
+import { type FaceDisplay, sceneSlice } from '../../views/scene-slices'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 import type { Box, Point } from '../space/layout'
@@ -73,7 +75,7 @@ export class Marks {
       return
     }
     const { minimizer } = report
-    const { faceDisplay } = picture.state
+    const { faceDisplay } = sliceOf(sceneSlice, picture.state)
     const inside = faceDisplay === 'inside' ? lowerInside(report) : null
     const marked = report.candidates.filter(
       c => c.kind !== 'vertex' && !samePoint(c.point, minimizer.point) && isOnFaces(c, faceDisplay),

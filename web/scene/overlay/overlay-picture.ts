@@ -2,6 +2,7 @@
 import type { Report } from '../../core/report'
 import type { Axis } from '../../model/hexahedron'
 import type { State } from '../../model/state'
+import type { Preview } from '../../views/scene-slices'
 import type { SceneCamera, ScreenPoint } from '../space/camera'
 import type { Box } from '../space/layout'
 import type { World } from '../space/world'
@@ -14,6 +15,7 @@ export interface HandleDrag {
 
 export interface OverlayPicture {
   readonly state: State
+  readonly preview: Preview | null
   readonly report: Report | null
   readonly world: World
   readonly camera: SceneCamera

@@ -1,7 +1,10 @@
 /** The SVG over the canvas: edges through the body, handles and their numbers, ghost, marks, axes. */
+
 import type { JacobianReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import { edgeVertices, VERTEX_COUNT, type Vertices, vertexOf } from '../../model/hexahedron'
+import { sliceOf } from '../../model/state'
+import { marksSlice } from '../../views/scene-slices'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { SceneCamera, ScreenPoint } from '../space/camera'
 import type { Box, Point } from '../space/layout'
@@ -89,7 +92,7 @@ export class Overlay {
     const edges = edgePath(edgeVertices, handles)
     set(this.#edgeHalo, { d: edges })
     set(this.#edges, { d: edges })
-    this.#highlight.update(picture.state.highlight, handles)
+    this.#highlight.update(sliceOf(marksSlice, picture.state).highlight, handles)
     this.#samples.update(picture, edges)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
@@ -107,10 +110,11 @@ export class Overlay {
   }
 
   /** Returns the middles of the numbers. */
-  #updateHandles({ handles, state, report, camera }: OverlayPicture): Point[] {
+  #updateHandles({ handles, state, preview, report, camera }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
-    const ringed = [report?.minimizer, state.highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
-    const texts = numberTexts(handles, state.preview?.order ?? null)
+    const { highlight } = sliceOf(marksSlice, state)
+    const ringed = [report?.minimizer, highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
+    const texts = numberTexts(handles, preview?.order ?? null)
     const numbers = handles.map((at, v) => {
       const { group, number } = this.#handles[v] as Handle
       const text = texts[v] as string
@@ -136,8 +140,8 @@ export class Overlay {
   }
 
   /** The edges of the vertex being moved as they were, or those of the order or the move that is previewed. */
-  #updateGhost({ state, world, camera, handles }: OverlayPicture): void {
-    const { vertices, gestureStart, selectedVertex, preview } = state
+  #updateGhost({ state, preview, world, camera, handles }: OverlayPicture): void {
+    const { vertices, gestureStart, selectedVertex } = state
     const moved = gestureStart !== null && gestureStart !== vertices
     const moving = preview?.move ? verticesThatDiffer(vertices, preview.move) : []
     for (const path of [this.#ghostHalo, this.#ghost]) show(path, moved || preview !== null)

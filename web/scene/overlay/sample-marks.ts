@@ -1,4 +1,6 @@
 /** The points or the twelve edges that a check evaluates, while the pointer is on it: dots, or thick lines. */
+import { sliceOf } from '../../model/state'
+import { marksSlice } from '../../views/scene-slices'
 import { px, set, show, svg } from '../paint/svg'
 import { patchPoint, sectionCorners } from '../space/patches'
 import { verticesInWorld } from '../space/world'
@@ -15,10 +17,10 @@ export class SampleMarks {
 
   /** `edges` is the path of the twelve. */
   update({ state, world, camera }: OverlayPicture, edges: string): void {
-    const { samples, vertices } = state
+    const { samples } = sliceOf(marksSlice, state)
     show(this.root, samples !== null)
     if (samples === null) return
-    const inWorld = verticesInWorld(world, vertices)
+    const inWorld = verticesInWorld(world, state.vertices)
     const dots = samples.points
       .map(([xi, eta, zeta]) => camera.project(patchPoint(sectionCorners(inWorld, { axis: 0, value: xi }), eta, zeta)))
       .filter(({ depth }) => depth > 0)

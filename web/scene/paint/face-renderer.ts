@@ -2,7 +2,7 @@
 import { type BufferAttribute, LinearSRGBColorSpace, Mesh, Scene, Vector3, WebGLRenderer } from 'three'
 import { sectionBernstein } from '../../core/section'
 import { faces, VERTEX_COUNT, type Vec3 } from '../../model/hexahedron'
-import type { FaceDisplay, Section } from '../../model/state'
+import type { FaceDisplay, Section } from '../../views/scene-slices'
 import { type Corners, faceCorners, facePoint, patchPoint, sectionCorners } from '../space/patches'
 import { at, map3 } from '../space/vec3'
 import type { Ramp } from './colour-map'

@@ -1,4 +1,4 @@
-/** The six faces as flat tiles, the farthest first, for the scene without WebGL and for small still pictures. */
+/** The six faces as flat tiles, the farthest first, for the scene without WebGL. */
 import type { Report } from '../../core/report'
 import { faces, type Vec3 } from '../../model/hexahedron'
 import { facePoint } from '../space/patches'
@@ -17,8 +17,6 @@ export interface FlatTile {
   readonly corners: readonly [FlatPoint, FlatPoint, FlatPoint, FlatPoint]
   /** jacdet at its middle: for a colour only, never for a verdict. */
   readonly value: number
-  /** The sides, from corner k to the next, that are on an edge of the element. */
-  readonly borders: readonly number[]
 }
 
 /** The faces asked for, `side` times `side` tiles each, of vertices that lie wherever `project` expects them. */
@@ -39,12 +37,10 @@ export function flatTiles(
       for (const j of range(side)) {
         const corners = [points[i]?.[j], points[i + 1]?.[j], points[i + 1]?.[j + 1], points[i]?.[j + 1]]
         const own = corners as unknown as FlatTile['corners']
-        const isBorder = [j === 0, i === side - 1, j === side - 1, i === 0]
         tiles.push({
           depth: own.reduce((sum, { depth }) => sum + depth, 0),
           corners: own,
           value: jacdetOn(bernstein, (i + 0.5) / side, (j + 0.5) / side),
-          borders: range(4).filter(k => isBorder[k]),
         })
       }
   }

@@ -1,6 +1,7 @@
 /** The scene's picture as it is on the page: painted in the host's colours when it differs, for the screen, a figure or paper. */
 import type { Report } from '../../core/report'
-import type { State } from '../../model/state'
+import { type State, sliceOf } from '../../model/state'
+import { sceneSlice } from '../../views/scene-slices'
 import type { Frame, ViewContext } from '../../views/view'
 import type { Layout } from '../space/layout'
 import { type ColourScale, colourScaleInside, colourScaleOf, type Ramp, rampOf, type Theme } from './colour-map'
@@ -77,14 +78,15 @@ export class Painting {
   }
 
   #paint({ state, report, zeroSurface }: Frame, layout: Layout, viewports: readonly Viewport[], isFine: boolean) {
+    const { faceDisplay: display, section } = sliceOf(sceneSlice, state)
     const picture = {
       ...layout.whole,
       report,
       scale: scaleOf(state, report),
       ramp: this.ramp as Ramp,
       theme: this.#theme as Theme,
-      display: state.faceDisplay,
-      section: state.section,
+      display,
+      section,
       zeroSurface,
       viewports,
       pixelRatio: layout.unit * (isFine ? FINE : Math.min(devicePixelRatio, MOST_ON_SCREEN)),
@@ -118,9 +120,9 @@ export class Painting {
   }
 }
 
-export function scaleOf({ faceDisplay }: State, report: Report | null): ColourScale | null {
+export function scaleOf(state: State, report: Report | null): ColourScale | null {
   if (report === null) return null
-  return faceDisplay === 'inside'
+  return sliceOf(sceneSlice, state).faceDisplay === 'inside'
     ? colourScaleInside(report)
     : colourScaleOf(report.boundaryMinimum, report.boundaryMaximum)
 }

@@ -2,7 +2,7 @@
 import type { Report } from '../../core/report'
 import type { Surface } from '../../core/zero-surface'
 import type { Vec3 } from '../../model/hexahedron'
-import type { FaceDisplay, Section } from '../../model/state'
+import type { FaceDisplay, Section } from '../../views/scene-slices'
 import type { SceneCamera } from '../space/camera'
 import type { ColourScale, Ramp, Theme } from './colour-map'
 

@@ -6,7 +6,7 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, RawShaderMaterial, Vector3, Vector4 } from 'three'
 import type { Surface } from '../../core/zero-surface'
 import { VERTEX_COUNT, vertexReference } from '../../model/hexahedron'
-import type { Section } from '../../model/state'
+import type { Section } from '../../views/scene-slices'
 import type { Rgb, Theme } from './colour-map'
 import type { FacesUniforms } from './faces-material'
 

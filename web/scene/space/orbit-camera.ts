@@ -1,8 +1,10 @@
 /** A camera with the hands and keys that turn it, and two of them that turn together. */
+
 import { Vector3 } from 'three'
-import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import type { Vec3 } from '../../model/hexahedron'
-import type { CameraView, State } from '../../model/state'
+import { type CameraView, type State, sliceOf } from '../../model/state'
+import { sceneSlice } from '../../views/scene-slices'
 import { DEFAULT_DIRECTION, SceneCamera } from './camera'
 import { at, map3 } from './vec3'
 
@@ -129,18 +131,22 @@ export class LinkedCameras {
 
   /** Turns the other one as `from` was turned. */
   follow(from: OrbitCamera): void {
-    const { referenceShown, camerasLinked } = this.#state()
     const to = from === this.#own ? this.other : this.#own
-    if (!to || !referenceShown || !camerasLinked || this.#isFollowing) return
+    if (!to || !areLinked(this.#state()) || this.#isFollowing) return
     this.#isFollowing = true
     to.direction = from.direction
     this.#isFollowing = false
   }
 
   /** A cube that has just been shown or linked is seen along the element's line. */
-  join({ referenceShown, camerasLinked }: State, before: State | null): void {
-    if (referenceShown && camerasLinked && !(before?.referenceShown && before.camerasLinked)) this.follow(this.#own)
+  join(state: State, before: State | null): void {
+    if (areLinked(state) && !(before && areLinked(before))) this.follow(this.#own)
   }
+}
+
+function areLinked(state: State): boolean {
+  const { referenceShown, camerasLinked } = sliceOf(sceneSlice, state)
+  return referenceShown && camerasLinked
 }
 
 function clamped(value: number, most: number): number {

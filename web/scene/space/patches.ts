@@ -1,6 +1,6 @@
 /** Points on the bilinear patches that the faces and the sections are. */
 import { type FaceTopology, faces, type Vec3 } from '../../model/hexahedron'
-import type { Section } from '../../model/state'
+import type { Section } from '../../views/scene-slices'
 import { at, map3 } from './vec3'
 
 /** The points at (s, t) = (0,0), (1,0), (0,1), (1,1). */

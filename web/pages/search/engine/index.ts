@@ -1,10 +1,9 @@
 /** Searches in the browser: the wasm and the workers as the built page serves them. */
 import { batchFiles } from '../../../core/batch/batch-files'
-import type { WorkerPort } from './messages'
+import { defaultWorkers } from '../../../core/batch/start'
+import { pagePort } from '../../../core/worker-ports'
+import type { WorkerPort } from '../../../core/workers'
 import type { SearchWorkers } from './search'
-
-/** More workers than that wait for memory. */
-const MOST_WORKERS = 16
 
 let module: Promise<WebAssembly.Module> | undefined
 
@@ -14,9 +13,10 @@ export async function searchWorkers(): Promise<SearchWorkers> {
     module = undefined
     throw reason
   })
-  return { module: await module, count: Math.min(navigator.hardwareConcurrency, MOST_WORKERS), spawn }
+  return { module: await module, count: defaultWorkers(), spawn }
 }
 
 function spawn(): WorkerPort {
-  return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }) as unknown as WorkerPort
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
+  return pagePort(worker, 'its script was not loaded.')
 }

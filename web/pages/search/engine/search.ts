@@ -2,12 +2,13 @@
  * A search under way: workers go through the stream of elements piece by piece, and what they find is taken in the stream's order, so
  * that after so many elements the finds are the same however many workers there are.
  */
+import { Pool, runAlone, type WorkerPort } from '../../../core/workers'
 import type { Vertices } from '../../../model/hexahedron'
-import type { Reply, WorkerPort } from './messages'
 import type { Polished } from './polish'
 import type { Query } from './query'
 import { type Find, type Order, Ranking } from './ranking'
 import { BLOCK, type PieceFinds } from './search-piece'
+import type { SearchJobs, SearchStart } from './worker'
 
 export interface SearchWorkers {
   /** hexlens-batch.wasm or hexlens-scalar.wasm, compiled. */
@@ -16,15 +17,15 @@ export interface SearchWorkers {
   readonly spawn: () => WorkerPort
 }
 
-/** A worker has its next piece when it is done with one. */
-const PIECES_AHEAD = 2
-
 /**
  * Pieces grow and shrink so that a worker is heard of about ten times a second, whether an element takes a microsecond or, where each is
  * analysed exactly, milliseconds. What is found does not depend on it.
  */
 const PIECE_MILLISECONDS = 100
 const MOST_BLOCKS = 256
+
+/** A worker's in sentences. */
+const NAME = 'a worker of this page'
 
 /** Milliseconds to wait, after a stop, for pieces under way. */
 const PATIENCE = 1000
@@ -34,9 +35,7 @@ export class Search {
   readonly #workers: SearchWorkers
   readonly #onNews: () => void
   readonly #onFailure: (reason: Error) => void
-  readonly #ports: WorkerPort[] = []
-  /** The time at which each worker last answered or was begun. */
-  readonly #heard = new Map<WorkerPort, number>()
+  #pool: Pool<SearchStart, SearchJobs>
   /** Pieces done before an earlier one, by their first blocks. */
   readonly #early = new Map<number, PieceFinds>()
   readonly #rankings: Readonly<Record<Order, Ranking>> = {
@@ -55,6 +54,7 @@ export class Search {
   constructor(query: Query, workers: SearchWorkers, onNews: () => void, onFailure: (reason: Error) => void) {
     this.query = query
     this.#workers = workers
+    this.#pool = poolOf(query, workers)
     this.#onNews = onNews
     this.#onFailure = onFailure
   }
@@ -82,9 +82,7 @@ export class Search {
     this.#most = Math.ceil(elements / BLOCK)
     if (this.#isRunning || this.#next >= this.#most) return
     this.#isRunning = true
-    while (this.#ports.length < this.#workers.count) this.#ports.push(this.#begin())
-    for (const port of this.#ports) this.#heard.set(port, performance.now())
-    for (let ahead = 0; ahead < PIECES_AHEAD; ++ahead) for (const port of this.#ports) this.#send(port)
+    for (let ahead = 0; ahead < this.#pool.capacity; ++ahead) void this.#search()
   }
 
   /** Takes in what is under way and nothing more; what takes too long is left, to be done anew when the search goes on. */
@@ -107,49 +105,39 @@ export class Search {
     this.#isRunning = false
     this.#next = this.#taken
     this.#early.clear()
-    for (const port of this.#ports.splice(0)) {
-      port.onmessage = null
-      port.terminate()
+    const old = this.#pool
+    this.#pool = poolOf(this.query, this.#workers)
+    old.stop(null)
+  }
+
+  /** Hands out a piece, and when that is done the next one. Pools that were left have nothing more to say. */
+  async #search(): Promise<void> {
+    const pool = this.#pool
+    while (pool === this.#pool && this.#next < this.#most) {
+      const piece = { first: this.#next, blocks: Math.min(this.#blocks, this.#most - this.#next) }
+      this.#next += piece.blocks
+      const finds = await pool.run('search', piece).catch(reason => {
+        if (pool === this.#pool) this.#fail(reason)
+      })
+      if (finds && pool === this.#pool) this.#take(finds)
     }
   }
 
-  #begin(): WorkerPort {
-    const port = this.#workers.spawn()
-    port.onmessage = ({ data }) => this.#take(port, data)
-    port.onerror = ({ message }) => this.#fail(brokenWorker(message))
-    port.postMessage({ kind: 'start', module: this.#workers.module })
-    port.postMessage({ kind: 'query', query: this.query })
-    return port
-  }
-
-  #send(port: WorkerPort): void {
-    const blocks = Math.min(this.#blocks, this.#most - this.#next)
-    if (blocks <= 0) return
-    port.postMessage({ kind: 'piece', piece: { first: this.#next, blocks } })
-    this.#next += blocks
-  }
-
-  #take(port: WorkerPort, reply: Reply): void {
-    if (reply.kind === 'failed') this.#fail(reply.message)
-    if (reply.kind !== 'result') return
-    this.#measure(port, reply.result)
-    this.#send(port)
-    this.#early.set(reply.result.piece.first, reply.result)
-    for (let result = this.#early.get(this.#taken); result; result = this.#early.get(this.#taken)) {
+  #take(finds: PieceFinds): void {
+    this.#measure(finds)
+    this.#early.set(finds.piece.first, finds)
+    for (let next = this.#early.get(this.#taken); next; next = this.#early.get(this.#taken)) {
       this.#early.delete(this.#taken)
-      this.#taken += result.piece.blocks
-      this.#found += result.found
-      for (const ranking of Object.values(this.#rankings)) for (const find of result.finds) ranking.add(find)
+      this.#taken += next.piece.blocks
+      this.#found += next.found
+      for (const ranking of Object.values(this.#rankings)) for (const find of next.finds) ranking.add(find)
     }
     this.#settle()
     this.#onNews()
   }
 
-  #measure(port: WorkerPort, { piece }: PieceFinds): void {
-    const now = performance.now()
-    const took = now - (this.#heard.get(port) ?? now)
-    this.#heard.set(port, now)
-    const fitting = (piece.blocks * PIECE_MILLISECONDS) / Math.max(took, 1)
+  #measure({ piece, milliseconds }: PieceFinds): void {
+    const fitting = (piece.blocks * PIECE_MILLISECONDS) / Math.max(milliseconds, 1)
     // No more than twice as many at a time: the first ones take long, and one may be an exception.
     this.#blocks = Math.floor(Math.max(1, Math.min(fitting, 2 * this.#blocks, MOST_BLOCKS)))
   }
@@ -158,9 +146,9 @@ export class Search {
     if (this.#taken === this.#next && this.#next >= this.#most) this.#isRunning = false
   }
 
-  #fail(message: string): void {
+  #fail(reason: Error): void {
     this.dispose()
-    this.#onFailure(new Error(message))
+    this.#onFailure(reason)
   }
 }
 
@@ -171,21 +159,10 @@ export function polished(
   { module, spawn }: Pick<SearchWorkers, 'module' | 'spawn'>,
   { signal, onStep = () => {} }: { signal?: AbortSignal; onStep?: (simpler: Polished) => void } = {},
 ): Promise<Polished> {
-  const port = spawn()
-  return new Promise<Polished>((resolve, reject) => {
-    signal?.throwIfAborted()
-    signal?.addEventListener('abort', () => reject(signal.reason))
-    port.onerror = ({ message }) => reject(new Error(brokenWorker(message)))
-    port.onmessage = ({ data }) => {
-      if (data.kind === 'simpler') onStep(data.polished)
-      if (data.kind === 'polished') resolve(data.polished)
-      if (data.kind === 'failed') reject(new Error(data.message))
-    }
-    port.postMessage({ kind: 'start', module })
-    port.postMessage({ kind: 'polish', query, vertices })
-  }).finally(() => port.terminate())
+  const worker = { name: NAME, spawn, start: { module, query } }
+  return runAlone<SearchJobs, 'polish'>(worker, { kind: 'polish', given: vertices }, { signal, onProgress: onStep })
 }
 
-function brokenWorker(reason = 'the browser gives no reason'): string {
-  return `a worker did not start or broke (${reason}).`
+function poolOf(query: Query, { module, count, spawn }: SearchWorkers): Pool<SearchStart, SearchJobs> {
+  return new Pool({ name: NAME, size: count, spawn, start: { module, query } })
 }

@@ -1,19 +1,22 @@
-/** Workers as the pool sees them: a page's Worker, and a thread of Node. */
+/** Workers as a pool sees them: a page's Worker, and a thread of Node. */
 import type { Worker as Thread } from 'node:worker_threads'
-import { whenReleased } from '../worker-lock'
-import type { Reply, WorkerPort } from './messages'
+import type { Reply, WorkerPort } from './workers'
+
+const UNREADABLE = 'its answer could not be read.'
 
 /** `blocked` is said when a script was not loaded: browsers give no reason then. */
 export function pagePort(worker: Worker, blocked: string): WorkerPort {
   const port: WorkerPort = {
     postMessage: (request, transfer) => worker.postMessage(request, transfer),
-    onmessage: null,
+    onreply: null,
     onbroken: null,
     terminate: () => worker.terminate(),
   }
   worker.onmessage = ({ data }: MessageEvent<Reply>) => {
-    if (data.kind === 'started' && data.lock !== null) whenReleased(data.lock, () => port.onbroken?.(ENDED))
-    port.onmessage?.({ data })
+    // A page that is being left has no more locks.
+    if (data.kind === 'started' && data.lock !== null)
+      navigator.locks.request(data.lock, () => port.onbroken?.(null)).catch(() => {})
+    port.onreply?.(data)
   }
   worker.onmessageerror = () => port.onbroken?.(UNREADABLE)
   worker.onerror = event => {
@@ -23,25 +26,22 @@ export function pagePort(worker: Worker, blocked: string): WorkerPort {
   return port
 }
 
-const ENDED = 'it was ended.'
-const UNREADABLE = 'its answer could not be read.'
-
 /** A thread without work does not keep the process from ending. */
 export function threadPort(thread: Thread): WorkerPort {
-  let pieces = 0
+  let jobs = 0
   const port: WorkerPort = {
     postMessage(request, transfer) {
       thread.postMessage(request, transfer)
-      if (request.kind === 'classify' && ++pieces === 1) thread.ref()
+      if (request.kind !== 'start' && ++jobs === 1) thread.ref()
     },
-    onmessage: null,
+    onreply: null,
     onbroken: null,
     terminate: () => void thread.terminate(),
   }
   thread.unref()
-  thread.on('message', (data: Reply) => {
-    if (data.kind === 'classified' && --pieces === 0) thread.unref()
-    port.onmessage?.({ data })
+  thread.on('message', (reply: Reply) => {
+    if (reply.kind === 'answer' && --jobs === 0) thread.unref()
+    port.onreply?.(reply)
   })
   thread.on('messageerror', () => port.onbroken?.(UNREADABLE))
   thread.on('error', error => port.onbroken?.(String(error)))

@@ -1,0 +1,101 @@
+/** The scene's parts of the state, which panels show and change, too. */
+import { between, described, flag, oneOf, record } from '../model/document-readers'
+import { type Axis, edgeVertices, faces, VERTEX_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import { type Action, type PassingSlice, type Slice, type State, sliceChange, sliceOf } from '../model/state'
+import { checkFinite, checkInCube, checkIndex, checkOrder, checkWithin } from '../model/store'
+
+/** Faces: all opaque, see-through, hardly seen around what is inside, or one face alone (0..5). */
+export type FaceDisplay = 'opaque' | 'see-through' | 'inside' | number
+
+/** A section of the reference cube: xi, eta or zeta (axis 0, 1, 2) is `value`, in [0,1]. */
+export interface Section {
+  readonly axis: Axis
+  readonly value: number
+}
+
+export interface SceneState {
+  readonly faceDisplay: FaceDisplay
+  /** True if the reference cube stands beside the element. */
+  readonly referenceShown: boolean
+  /** True if turning the element turns the reference cube, and the other way round. */
+  readonly camerasLinked: boolean
+  readonly section: Section
+}
+
+export const sceneSlice: Slice<SceneState> = {
+  name: 'scene',
+  first: { faceDisplay: 'opaque', referenceShown: false, camerasLinked: false, section: { axis: 2, value: 0.5 } },
+  readers: {
+    faceDisplay: described(
+      'How the faces are drawn: all opaque, see-through, hardly seen around what is inside, or one face alone, -xi, +xi, -eta, +eta, -zeta, +zeta.',
+      oneOf('opaque', 'see-through', 'inside', ...faces.keys()),
+    ),
+    referenceShown: described('Whether the reference cube stands beside the element.', flag),
+    camerasLinked: described('Whether turning the element turns the reference cube, and the other way round.', flag),
+    section: described(
+      'The section of Inside: xi, eta or zeta (axis 0, 1, 2) is `value`.',
+      record<Section>({ axis: oneOf(0, 1, 2), value: between(0, 1) }, {}),
+    ),
+  },
+  check({ faceDisplay, section }) {
+    if (typeof faceDisplay === 'number') checkIndex(faceDisplay, faces.length, 'face')
+    checkWithin(section.value, 0, 1)
+  },
+}
+
+/** Buttons of the scene that an author may leave out. */
+export const CONTROLS = ['faces', 'reference', 'turn', 'fit', 'help'] as const
+export type Control = (typeof CONTROLS)[number]
+
+/** The buttons that are there, and true if the sheet of keys is on the screen. */
+export const controlsSlice: PassingSlice<{ readonly controls: readonly Control[]; readonly helpShown: boolean }> = {
+  name: 'controls',
+  first: { controls: CONTROLS, helpShown: false },
+}
+
+export function helpToggled(state: State): Action {
+  return sliceChange(controlsSlice, { helpShown: !sliceOf(controlsSlice, state).helpShown })
+}
+
+/** Vertex 0..7, edge 0..11 or face 0..5 of the element, by `kind`. */
+export interface Entity {
+  readonly kind: 'vertex' | 'edge' | 'face'
+  readonly id: number
+}
+
+/** Points (xi, eta, zeta) of [0,1]^3, or the twelve edges, on which a check evaluates jacdet. */
+export interface Samples {
+  readonly points: readonly Vec3[]
+  readonly edges: boolean
+}
+
+const ENTITY_COUNTS: Readonly<Record<Entity['kind'], number>> = {
+  vertex: VERTEX_COUNT,
+  edge: edgeVertices.length,
+  face: faces.length,
+}
+
+/** The entity that is spoken of, and samples of the check that is pointed at, for every view to mark; null if there are none. */
+export const marksSlice: PassingSlice<{ readonly highlight: Entity | null; readonly samples: Samples | null }> = {
+  name: 'marks',
+  first: { highlight: null, samples: null },
+  check({ highlight, samples }) {
+    if (highlight) checkIndex(highlight.id, ENTITY_COUNTS[highlight.kind], highlight.kind)
+    samples?.points.forEach(checkInCube)
+  },
+}
+
+/** A change of the element that is drawn beside it: another node order, whose vertex i is the vertex `order[i]`, or other vertices. */
+export type Preview =
+  | { readonly order: readonly number[]; readonly move?: undefined }
+  | { readonly move: Vertices; readonly order?: undefined }
+
+export const previewSlice: PassingSlice<{ readonly preview: Preview | null }> = {
+  name: 'preview',
+  first: { preview: null },
+  check({ preview }) {
+    if (preview?.order) checkOrder(preview.order)
+    if (preview?.move) checkFinite(preview.move)
+  },
+  endsWithVertices: true,
+}
