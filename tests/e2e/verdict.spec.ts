@@ -84,7 +84,7 @@ for (const [width, height] of [
     await lens.open()
     const places = [
       lens.verdict.getByText('INVALID', { exact: true }),
-      lens.verdict.getByText(/^All eight vertices are positive/),
+      lens.verdict.locator('.why'),
       page.getByRole('heading', { name: 'Who would notice?' }),
       page.getByText('±').first(),
       page.getByText('(ξ, η, ζ) =').first(),
