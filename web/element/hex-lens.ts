@@ -66,8 +66,8 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
  * @attr {a preset’s id} [preset=looks-fine] - The element to start from. If `vertices` is there
  *   too, Reset goes back to the preset.
  * @attr {a list of words, or `all`} [views=scene verdict] - What is shown: `scene`, `verdict`,
- *   `toolbar`, `proof`, `checks`, `vertices`, and the panels that open on request: `face-maps`,
- *   `algorithm`, `inside`, `node-order`, `morph`, `paste`, `take-away`, `embed`. The pages of
+ *   `toolbar`, `checks`, `proof`, `vertices`, and the panels that open on request: `face-maps`,
+ *   `algorithm`, `inside`, `morph`, `node-order`, `paste`, `take-away`, `embed`. The pages of
  *   Hexlens add `nearest`; elsewhere the word is ignored. With the scene and the verdict alone, the
  *   verdict is a line or two below the scene.
  * @attr {a list of words, `all` or `none`} [controls=all] - Buttons of the scene: `faces`,
@@ -106,15 +106,16 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
  * @csspart toolbar
  * @csspart problems
  * @csspart announcer
- * @csspart proof
  * @csspart checks
+ * @csspart minimum - Shown with the verdict: the numbers behind it.
+ * @csspart proof
  * @csspart vertices
  * @csspart face-maps
  * @csspart algorithm
  * @csspart inside
- * @csspart node-order
- * @csspart morph
  * @csspart nearest - On the pages of Hexlens only.
+ * @csspart morph
+ * @csspart node-order
  * @csspart paste
  * @csspart reading - Beside the verdict where `paste` is among the views: what was read, and the
  *   cells to choose from.
@@ -151,6 +152,7 @@ export class HexLens extends ReflectingElement {
     permalink: () => this.permalink,
     figure: name => this.#views.figure(name),
     input: {
+      isWelcome: () => this.#input.isWelcome(),
       read: input => this.#input.read(input),
       close: () => this.#input.close(),
       show: (cell, order) => this.#input.show(cell, order),
