@@ -34,6 +34,7 @@ const state: fc.Arbitrary<State> = fc.record({
   preset: fc.option(fc.string()),
   start: vertices,
   selectedVertex: below(8),
+  isVertexChosen: fc.boolean(),
   phase: fc.constantFrom('starting', 'begun'),
   gestureStart: fc.constant(null),
   referenceCube: fc.constantFrom('unit', 'biunit'),

@@ -99,8 +99,9 @@ class VerticesView implements View {
       this.#values[index] = value
       this.#show(index)
     })
-    if (state.selectedVertex === this.#selected) return
-    this.#selected = state.selectedVertex
+    const selected = state.isVertexChosen ? state.selectedVertex : -1
+    if (selected === this.#selected) return
+    this.#selected = selected
     this.#rows.forEach((row, vertex) => {
       row.classList.toggle('selected', vertex === this.#selected)
     })

@@ -29,6 +29,10 @@ const DIGIT_WIDTH = 8
 /** Radii of a handle, and of a vertex that cannot be moved. */
 const RADIUS = 6
 const FIXED_RADIUS = 3
+/** The vertex whose handle shows that it can be dragged, while a hint says so: in most views it is at the rim. */
+const CUED = 6
+/** Arrowheads around it, up, right, down and left. */
+const CUE = 'M-4-12L0-16L4-12M12-4L16 0L12 4M4 12L0 16L-4 12M-12 4L-16 0L-12-4'
 /** Handles this close are one to the eye. */
 const SAME_HANDLE = 3
 /** Distance from a handle's middle to the middle of its number. */
@@ -130,7 +134,7 @@ export class Overlay {
       // A long number stays in the picture.
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
-      group.classList.toggle('selected', v === state.selectedVertex)
+      group.classList.toggle('selected', state.isVertexChosen && v === state.selectedVertex)
       return { x: at.x + ux * distance, y: at.y + uy * distance }
     })
     const selected = this.#handles[state.selectedVertex]?.group
@@ -215,6 +219,7 @@ function createHandle(vertex: number, radius: number): Handle {
     svg('circle', { class: 'dot', r: radius }),
     number,
   )
+  if (vertex === CUED && radius === RADIUS) group.prepend(svg('path', { class: 'cue', d: CUE }))
   return { group, number }
 }
 
