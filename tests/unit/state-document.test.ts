@@ -83,7 +83,7 @@ function read(given: unknown) {
 
 /** Named here once more: what a document leaves out is its promise, not its code's. */
 function lastingOf(state: State) {
-  const { phase, gestureStart, probe, isReadonly, canUndo, canRedo, slices, ...lasting } = state
+  const { phase, gestureStart, isVertexChosen, probe, isReadonly, canUndo, canRedo, slices, ...lasting } = state
   const { controls, marks, preview, ...lastingSlices } = slices
   return { ...lasting, slices: lastingSlices }
 }
