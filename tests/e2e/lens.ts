@@ -64,6 +64,22 @@ export class Lens {
   }
 }
 
+export interface Point {
+  readonly x: number
+  readonly y: number
+}
+
+/** The position of a vertex's handle on the page. */
+export async function handleOf(lens: Lens, vertex: number): Promise<Point> {
+  const circle = lens.page
+    .locator('hex-lens .handle', { hasText: new RegExp(`^${vertex}$`) })
+    .locator('circle')
+    .last()
+  const box = await circle.boundingBox()
+  if (box === null) throw new Error(`Vertex ${vertex} has no handle.`)
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
+}
+
 /** Keeps every WebGL context that the page makes, in `globalThis.contexts`. */
 export async function watchContexts(page: Page): Promise<void> {
   await page.addInitScript(() => {

@@ -34,6 +34,7 @@ const state: fc.Arbitrary<State> = fc.record({
   preset: fc.option(fc.string()),
   start: vertices,
   selectedVertex: below(8),
+  isVertexChosen: fc.boolean(),
   phase: fc.constantFrom('starting', 'begun'),
   gestureStart: fc.constant(null),
   referenceCube: fc.constantFrom('unit', 'biunit'),
@@ -83,7 +84,7 @@ function read(given: unknown) {
 
 /** Named here once more: what a document leaves out is its promise, not its code's. */
 function lastingOf(state: State) {
-  const { phase, gestureStart, probe, isReadonly, canUndo, canRedo, slices, ...lasting } = state
+  const { phase, gestureStart, isVertexChosen, probe, isReadonly, canUndo, canRedo, slices, ...lasting } = state
   const { controls, marks, preview, ...lastingSlices } = slices
   return { ...lasting, slices: lastingSlices }
 }

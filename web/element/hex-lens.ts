@@ -92,6 +92,9 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
  *   and so on), `core-failed`, `no-webgl`, `context-lost`, `input-refused`, `not-read`.
  *
  * @slot - Shown until the element is drawn, and where it never is: without JavaScript, for one.
+ * @slot hint - Words of the page’s own in the scene, where it has room for its legend. They stand in
+ *   the legend’s place, and arrows around a handle show that it can be dragged, until the reader
+ *   first moves a vertex.
  * @slot caption - Below the element, in the page’s own style.
  *
  * @csspart lens - The whole element.

@@ -9,8 +9,10 @@ import { pastedIn } from '../../input/pasted-input'
 import { decodePermalink } from '../../model/permalink'
 import { entryAt, type HistoryEntry, keepEntry, presentKey } from '../history-entries'
 import { scrollOf, scrollTo } from '../scroll'
+import { showHintOnce } from './hint'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
+showHintOnce(lens)
 
 let key = presentKey()
 /** The preset that the address is about: another one is another page to go back from. */

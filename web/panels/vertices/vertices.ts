@@ -83,8 +83,9 @@ class VerticesView implements View {
     state.vertices.forEach((value, index) => {
       this.#fields[index]?.show(value)
     })
-    if (state.selectedVertex === this.#selected) return
-    this.#selected = state.selectedVertex
+    const selected = state.isVertexChosen ? state.selectedVertex : -1
+    if (selected === this.#selected) return
+    this.#selected = selected
     this.#rows.forEach((row, vertex) => {
       row.classList.toggle('selected', vertex === this.#selected)
     })
