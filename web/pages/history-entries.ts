@@ -1,9 +1,10 @@
 /**
  * The state and scroll position at each entry of this tab's history, for Back, Forward and reload.
- * The address has the vertices; this has the rest, in the session's storage, where the browser
- * gives one: without it the rest is as in a new page.
+ * The address has the vertices; this has the rest. Where the browser keeps nothing, the rest is as
+ * in a new page.
  */
 import type { StateDocument } from '../model/state-document'
+import { Keeper, TAB_ALONE } from './keep'
 
 export interface HistoryEntry {
   readonly state: StateDocument
@@ -11,9 +12,12 @@ export interface HistoryEntry {
   readonly scroll: readonly number[]
 }
 
-const KEY = 'hexlens-entries'
+type Entries = readonly (readonly [string, HistoryEntry])[]
+
 /** Browsers keep fewer entries. */
 const MOST = 100
+
+const keeper = new Keeper<Entries>('entries', 1, value => (Array.isArray(value) ? value : null), TAB_ALONE)
 
 /** The key of the present entry, which is given one if it has none. */
 export function presentKey(): string {
@@ -25,24 +29,20 @@ export function presentKey(): string {
 }
 
 export function entryAt(key: string): HistoryEntry | null {
-  return stored().get(key) ?? null
+  return entries().get(key) ?? null
 }
 
 export function keepEntry(key: string, entry: HistoryEntry): void {
-  const entries = stored()
-  entries.delete(key) // the latest last
-  entries.set(key, entry)
-  try {
-    sessionStorage.setItem(KEY, JSON.stringify([...entries].slice(-MOST)))
-  } catch {
-    // Nothing can be kept.
-  }
+  const all = entries()
+  all.delete(key) // the latest last
+  all.set(key, entry)
+  keeper.keep([...all].slice(-MOST))
 }
 
-function stored(): Map<string, HistoryEntry> {
+function entries(): Map<string, HistoryEntry> {
   try {
-    return new Map(JSON.parse(sessionStorage.getItem(KEY) ?? '[]'))
+    return new Map(keeper.own())
   } catch {
-    return new Map()
+    return new Map() // somebody else has written there
   }
 }
