@@ -5,11 +5,15 @@ import { expect, Lens, test } from './lens'
 type Element = HTMLElementTagNameMap['hex-lens']
 
 const LAST = 'Your last element.'
-const goTo = (page: Page, name: string) =>
-  page.getByRole('navigation', { name: 'Hexlens' }).getByRole('link', { name }).click()
 const note = (page: Page) => page.locator('.pages .note')
 const history = (lens: Lens) => lens.element.evaluate(element => (element as Element).history)
 const stateOf = (lens: Lens) => lens.element.evaluate(element => (element as Element).state)
+
+async function goTo(page: Page, name: string): Promise<void> {
+  const pages = page.getByRole('navigation', { name: 'Hexlens' })
+  await pages.getByRole('link', { name }).click()
+  await expect(pages.locator('[aria-current=page]')).toHaveText(name)
+}
 
 async function type(lens: Lens, vertex: number, axis: 'x' | 'y' | 'z', value: string): Promise<void> {
   const before = lens.page.url()
@@ -49,7 +53,6 @@ test('the element, the view and undo survive the other pages, Back, a reload and
   for (const other of ['Lessons', 'Gallery', 'Search', 'Challenges'])
     await test.step(`by the links to ${other} and back`, async () => {
       await goTo(page, other)
-      await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
       await backByLink(lens)
       expect(page.url()).toBe(address)
       await expect(note(page)).toContainText(LAST)
@@ -60,7 +63,6 @@ test('the element, the view and undo survive the other pages, Back, a reload and
 
   await test.step('by Back and by a reload, which say nothing of it', async () => {
     await goTo(page, 'Lessons')
-    await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
     await page.goBack()
     await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
     expect(await history(lens)).toEqual(steps)
@@ -84,7 +86,6 @@ test('the element, the view and undo survive the other pages, Back, a reload and
     await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
     expect(await history(lens)).toEqual(steps)
     await goTo(page, 'Gallery')
-    await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
     await backByLink(other)
     expect((await other.vertices())[14]).toBe(3)
     await other.page.close()
@@ -114,7 +115,6 @@ test('the element, the view and undo survive the other pages, Back, a reload and
 
   await test.step('Start anew is a step, too', async () => {
     await goTo(page, 'Lessons')
-    await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
     await backByLink(lens)
     await page.getByRole('button', { name: 'Start anew' }).click()
     await expect.poll(() => lens.bits()).toEqual(first)
@@ -122,6 +122,145 @@ test('the element, the view and undo survive the other pages, Back, a reload and
     await lens.button('Undo').click()
     await expect.poll(() => lens.bits()).toEqual(made)
   })
+})
+
+test('each step of a lesson has its own element and undo', async ({ lens, page }) => {
+  const title = page.locator('.step[data-active] h2')
+  await lens.open('lessons.html#corners-are-not-enough/2')
+  await expect(title).toHaveText(/Between two corners/)
+  const begun = await lens.bits()
+  await lens.scene.focus()
+  await page.keyboard.press('5')
+  for (let i = 0; i < 3; ++i) await page.keyboard.press('Shift+ArrowRight')
+  await expect.poll(() => lens.bits()).not.toEqual(begun)
+  const [made, steps] = [await lens.bits(), await history(lens)]
+  expect(steps.elements.length).toBeGreaterThan(1)
+
+  await page.getByRole('button', { name: 'Next', exact: true }).click()
+  await expect(title).toHaveText(/The centre as well/)
+  expect((await history(lens)).elements).toHaveLength(1)
+  await page.getByRole('button', { name: 'Previous', exact: true }).click()
+  await expect(title).toHaveText(/Between two corners/)
+  expect(await history(lens)).toEqual(steps)
+
+  await goTo(page, 'Challenges')
+  await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
+  await lens.open('lessons.html#corners-are-not-enough/2')
+  await expect(page.getByText('You have changed the element.')).toBeVisible()
+  expect(await lens.bits()).toEqual(made)
+  await page.reload()
+  await expect(page.getByText('You have changed the element.')).toBeVisible()
+  expect(await history(lens)).toEqual(steps)
+  await page.getByRole('button', { name: 'Restore this step' }).click()
+  await expect.poll(() => lens.bits()).toEqual(begun)
+  await lens.scene.focus()
+  await page.keyboard.press('Control+z')
+  await expect.poll(() => lens.bits()).toEqual(made)
+})
+
+test('a step in the plane, too', async ({ page }) => {
+  await page.goto('lessons.html#quadrilaterals-first/1')
+  const undo = page.locator('.plane').getByRole('button', { name: 'Undo' })
+  await expect(undo).toBeDisabled()
+  await page.locator('.plane').getByRole('application').first().focus()
+  await page.keyboard.press('2')
+  for (let i = 0; i < 3; ++i) await page.keyboard.press('Shift+ArrowRight')
+  await expect(undo).toBeEnabled()
+  await page.getByRole('button', { name: 'Next', exact: true }).click()
+  await expect(undo).toBeDisabled()
+  await page.goto('gallery.html')
+  await page.goto('lessons.html#quadrilaterals-first/1')
+  await expect(undo).toBeEnabled()
+})
+
+test('each challenge has its own element and undo', async ({ lens, page }) => {
+  await lens.open('challenges.html#challenge=one-vertex')
+  await type(lens, 6, 'z', '0.75')
+  await type(lens, 6, 'z', '-0.125')
+  const [made, steps] = [await lens.bits(), await history(lens)]
+  await page.getByRole('link', { name: 'All challenges' }).click()
+  await page.getByRole('link', { name: 'Touch zero exactly' }).click()
+  await expect(page.getByRole('heading', { name: 'Touch zero exactly' })).toBeVisible()
+  expect((await history(lens)).elements).toHaveLength(1)
+  await goTo(page, 'Lessons')
+  await expect(page.locator('.column h1')).toBeVisible()
+  await goTo(page, 'Challenges')
+  await page.getByRole('link', { name: 'Break it with one vertex' }).click()
+  await expect(page.locator('#column .outcome')).toHaveText('Solved: every condition holds.')
+  expect(await lens.bits()).toEqual(made)
+  expect(await history(lens)).toEqual(steps)
+  expect(page.url()).toContain('vertices=')
+  for (const value of ['0.75', '1']) {
+    await page.locator('#column').getByRole('button', { name: 'Undo' }).click()
+    await expect(lens.field(6, 'z')).toHaveValue(value)
+  }
+})
+
+test('a challenge half written survives Back, a reload and another page, and is discarded on request', async ({
+  lens,
+  page,
+  context,
+}) => {
+  const column = page.locator('#column')
+  const fields = { Title: 'Half', 'What it is about': 'Not <b>done</b>', Goal: 'valid\nboundary', Hint: 'None' }
+  const expectDraft = async (on: Page = page) => {
+    for (const [label, value] of Object.entries(fields))
+      await expect(on.locator('#column').getByLabel(label)).toHaveValue(value)
+    await expect(on.locator('#column')).toContainText('The start is taken.')
+  }
+  await lens.open('challenges.html#write')
+  await lens.set((await lens.vertices()).with(0, -0))
+  await column.getByRole('button', { name: 'Take the element as the start' }).click()
+  for (const [label, value] of Object.entries(fields)) await column.getByLabel(label).fill(value)
+  await column.getByRole('link', { name: 'All challenges' }).click()
+  await expect(column.getByLabel('Title')).toBeHidden()
+  await page.goBack()
+  await expectDraft()
+  await page.reload()
+  await expectDraft()
+  await goTo(page, 'Gallery')
+  await goTo(page, 'Challenges')
+  await column.getByRole('link', { name: 'write one' }).click()
+  await expectDraft()
+
+  const other = await context.newPage()
+  await other.goto('challenges.html#write')
+  await expectDraft(other)
+  await other.locator('#column').getByLabel('Title').fill('Another')
+  await other.close()
+  await page.reload()
+  await expectDraft()
+
+  await column.getByRole('button', { name: 'Discard the draft' }).click()
+  await expect(column.getByLabel('Title')).toHaveValue('')
+  await column.getByRole('button', { name: 'Bring the draft back' }).click()
+  await expectDraft()
+  await column.getByRole('button', { name: 'Discard the draft' }).click()
+  await page.reload()
+  await expect(column.getByLabel('Title')).toHaveValue('')
+  await expect(column).toContainText('Until one is taken, the start is the element as it is.')
+})
+
+test('an element changed in the gallery is there again, and the address says that it is another', async ({
+  lens,
+  page,
+}) => {
+  await lens.open('gallery.html')
+  await page.getByRole('button').and(page.locator('.picture')).nth(1).click()
+  await expect.poll(() => page.url()).toContain('#')
+  const named = page.url()
+  await lens.scene.focus()
+  await page.keyboard.press('6')
+  await page.keyboard.press('Shift+ArrowRight')
+  await expect.poll(() => page.url()).not.toContain('#')
+  const steps = await history(lens)
+  await goTo(page, 'Lens')
+  await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
+  await goTo(page, 'Gallery')
+  expect(await history(lens)).toEqual(steps)
+  await lens.scene.focus()
+  await page.keyboard.press('Control+z')
+  await expect.poll(() => page.url()).toBe(named)
 })
 
 test('a page shown again as it was left goes on with what another has kept since', async ({ lens, page }) => {
@@ -175,7 +314,7 @@ test.describe('where the browser', () => {
       await page.reload()
       await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
       expect(await lens.bits()).toEqual(made) // the address has it
-      for (const other of ['lessons', 'challenges', 'gallery']) await lens.open(`${other}.html`)
+      for (const other of ['lessons.html#strictly/1', 'challenges.html', 'gallery.html']) await lens.open(other)
     })
 })
 

@@ -6,13 +6,16 @@
 import type { StateDocument } from '../model/state-document'
 import { Keeper, TAB_ALONE } from './keep'
 
-export interface HistoryEntry {
-  readonly state: StateDocument
+export interface ScrollEntry {
   /** Pixels: scroll positions of the page and of the panels; in the lessons, of the step. */
   readonly scroll: readonly number[]
 }
 
-type Entries = readonly (readonly [string, HistoryEntry])[]
+export interface HistoryEntry extends ScrollEntry {
+  readonly state: StateDocument
+}
+
+type Entries = readonly (readonly [string, ScrollEntry])[]
 
 /** Browsers keep fewer entries. */
 const MOST = 100
@@ -28,18 +31,19 @@ export function presentKey(): string {
   return entry
 }
 
-export function entryAt(key: string): HistoryEntry | null {
-  return entries().get(key) ?? null
+/** An entry belongs to one page, which keeps one kind. */
+export function entryAt<Entry extends ScrollEntry = HistoryEntry>(key: string): Entry | null {
+  return (entries().get(key) as Entry | undefined) ?? null
 }
 
-export function keepEntry(key: string, entry: HistoryEntry): void {
+export function keepEntry(key: string, entry: ScrollEntry | HistoryEntry): void {
   const all = entries()
   all.delete(key) // the latest last
   all.set(key, entry)
   keeper.keep([...all].slice(-MOST))
 }
 
-function entries(): Map<string, HistoryEntry> {
+function entries(): Map<string, ScrollEntry> {
   try {
     return new Map(keeper.own())
   } catch {

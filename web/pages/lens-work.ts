@@ -8,11 +8,15 @@ import type { StateDocument } from '../model/state-document'
 import { KEEPING_NOTES, Keeper } from './keep'
 import { say } from './note'
 
-type Lens = HTMLElementTagNameMap['hex-lens']
-
 export interface Work {
   readonly state: StateDocument
   readonly history: HistoryDocument
+}
+
+/** A lens, or what stands in its place. */
+interface Lens {
+  state: StateDocument
+  history: HistoryDocument
 }
 
 const VERSION = 1
@@ -37,14 +41,20 @@ export class LensWork {
   #isPressed = false
   #pause = 0
 
-  /** `reopen` is called when the page is shown again as it was left, and others may have kept work since. */
-  constructor(lens: Lens, reopen: () => void) {
+  /**
+   * The reader works in the elements. `reopen` is called when the page is shown again as it was
+   * left, and others may have kept work since.
+   */
+  constructor(lens: Lens, elements: Iterable<Element>, reopen: () => void) {
     this.#lens = lens
-    for (const type of OF_THE_READER) lens.addEventListener(type, () => this.touch(), { capture: true, passive: true })
-    lens.addEventListener('hex-change', () => {
-      this.touch()
-      this.#keepSoon()
-    })
+    for (const element of elements) {
+      for (const type of OF_THE_READER)
+        element.addEventListener(type, () => this.touch(), { capture: true, passive: true })
+      element.addEventListener('hex-change', () => {
+        this.touch()
+        this.#keepSoon()
+      })
+    }
     for (const type of ['pointerdown', 'pointerup', 'pointercancel'] as const)
       addEventListener(type, () => (this.#isPressed = type === 'pointerdown'), { capture: true, passive: true })
     addEventListener('pagehide', () => this.keep())
@@ -61,7 +71,7 @@ export class LensWork {
    * there is none, the lens stays as it is. True if there was work.
    */
   open(name: string, first: StateDocument | null = null): boolean {
-    this.keep()
+    this.close()
     this.#name = name
     this.#isTouched = false
     const work = this.#here.get(name) ?? this.#keeper.found()
@@ -86,6 +96,12 @@ export class LensWork {
     this.#here.set(this.#name, { state, history })
     const keeping = this.#keeper.keep({ state, history })
     if (keeping !== 'kept') say(KEEPING_NOTES[keeping])
+  }
+
+  /** Keeps what is shown; what is shown from now on is not kept. */
+  close(): void {
+    this.keep()
+    this.#name = null
   }
 
   /** Keeps nothing of what is shown now, nor of what this page has shown. */

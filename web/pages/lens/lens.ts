@@ -16,7 +16,7 @@ import { say, unsay } from '../note'
 import { scrollOf, scrollTo } from '../scroll'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
-const work = new LensWork(lens, arrive)
+const work = new LensWork(lens, [lens], arrive)
 
 const FIRST = presetVertices(presets[0])
 const LAST_ELEMENT = 'Your last element.'
