@@ -211,8 +211,9 @@ class Scene implements View, PaneScene {
       this.#help.show(sliceOf(controlsSlice, state).helpShown)
       reference?.update(frame)
     }
-    this.#pane.updateProbe(probe, state, pane)
-    reference?.updateProbe(probe)
+    const colour = this.#painting.colourAt(frame)
+    this.#pane.updateProbe(probe, colour, state, pane)
+    reference?.updateProbe(probe, colour)
   }
 
   #drawColourBar({ state, report, probe }: Frame): void {
