@@ -29,6 +29,8 @@ export interface ProbeLook {
   readonly words: string
 }
 
+type ProbePicture = Pick<OverlayPicture, 'world' | 'camera' | 'handles' | 'taken'>
+
 export class ProbeMark {
   readonly root = svg('g', { class: 'probe' })
   /** Under the marks. */
@@ -47,9 +49,11 @@ export class ProbeMark {
     this.#volume,
     svg('text', { class: 'note', y: LINE }, ENLARGED),
   )
+  readonly #leader = svg('path', { class: 'leader' })
   #place: LabelPlace | null = null
 
   constructor() {
+    this.box.root.prepend(this.#leader)
     this.root.append(
       ...this.#arrows.map(({ halo }) => halo),
       ...this.#arrows.map(({ line }) => line),
@@ -59,12 +63,8 @@ export class ProbeMark {
     )
   }
 
-  /** `taken` are boxes of other words, `handles` the vertices on the screen. */
-  update(
-    probe: JacobianReport | null,
-    look: ProbeLook,
-    { world, camera, handles, taken }: Pick<OverlayPicture, 'world' | 'camera' | 'handles' | 'taken'>,
-  ): void {
+  update(probe: JacobianReport | null, look: ProbeLook, picture: ProbePicture): void {
+    const { world, camera } = picture
     const middle = probe && camera.project(toWorld(world, probe.position))
     const isShown = middle !== null && middle.depth > 0
     show(this.root, isShown)
@@ -86,12 +86,16 @@ export class ProbeMark {
       const beyond = (reach + LETTER_DISTANCE) / reach
       set(letter, { x: px(from.x + (tip.x - from.x) * beyond), y: px(from.y + (tip.y - from.y) * beyond) })
     }
-    setText(this.#volume, look.words)
-    show(this.#words, look.words !== '')
-    if (look.words === '') return
-    this.#place = placeLabel({
-      anchor: meanOf(corners),
-      width: CHARACTER_WIDTH * Math.max(look.words.length, ENLARGED.length),
+    this.#updateWords(look.words, corners, picture)
+  }
+
+  #updateWords(words: string, corners: readonly ScreenPoint[], { camera, handles, taken }: ProbePicture): void {
+    setText(this.#volume, words)
+    const anchor = meanOf(corners)
+    const width = CHARACTER_WIDTH * Math.max(words.length, ENLARGED.length)
+    const place = placeLabel({
+      anchor,
+      width,
       height: 2 * LINE,
       bounds: { x: 8, y: 8, width: camera.width - 16, height: camera.height - 16 },
       points: handles,
@@ -100,8 +104,11 @@ export class ProbeMark {
       body: corners,
       previous: this.#place?.index ?? null,
     })
-    show(this.#words, this.#place.isFree)
-    moveTo(this.#words, { x: this.#place.x, y: this.#place.y - LINE / 2 })
+    this.#place = place
+    for (const mark of [this.#words, this.#leader]) show(mark, words !== '' && place.isFree)
+    moveTo(this.#words, { x: place.x, y: place.y - LINE / 2 })
+    const near = place.x - (Math.sign(place.x - anchor.x) * width) / 2
+    set(this.#leader, { d: `M${px(anchor.x)} ${px(anchor.y)}L${px(near)} ${px(place.y)}` })
   }
 }
 
