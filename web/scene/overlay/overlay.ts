@@ -6,15 +6,15 @@ import { edgeVertices, VERTEX_COUNT, type Vertices, vertexOf } from '../../model
 import { sliceOf } from '../../model/state'
 import { marksSlice } from '../../views/scene-slices'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
-import type { SceneCamera, ScreenPoint } from '../space/camera'
+import type { ScreenPoint } from '../space/camera'
 import type { Box, Point } from '../space/layout'
 import { at, map3 } from '../space/vec3'
-import { toWorld, verticesInWorld, type World } from '../space/world'
+import { toWorld, verticesInWorld } from '../space/world'
 import { Highlight } from './highlight'
 import { meanOf, numberDirection, overlap } from './label-place'
 import { Marks } from './marks'
 import { markScale, type OverlayPicture } from './overlay-picture'
-import { ProbeMark } from './probe-mark'
+import { type ProbeLook, ProbeMark } from './probe-mark'
 import { SampleMarks } from './sample-marks'
 import { type AxisLetters, Triad } from './triad'
 
@@ -65,6 +65,7 @@ export class Overlay {
   readonly #marks: Marks
   readonly #triad: Triad
   readonly #probe = new ProbeMark()
+  #picture: OverlayPicture | null = null
 
   constructor({ letters, isFixed }: OverlayKind) {
     this.#radius = isFixed ? FIXED_RADIUS : RADIUS
@@ -79,6 +80,7 @@ export class Overlay {
       this.#ghostHalo,
       this.#ghost,
       this.#ghostHandle,
+      this.#probe.box.root,
       this.#marks.candidates,
       ...this.#handles.map(handle => handle.group),
       this.#marks.minimizer,
@@ -97,6 +99,7 @@ export class Overlay {
 
   /** Everything but the probe. */
   update(picture: OverlayPicture): void {
+    this.#picture = picture
     const { camera, handles } = picture
     set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
     const edges = edgePath(edgeVertices, handles)
@@ -114,9 +117,11 @@ export class Overlay {
   }
 
   /** `readout` is the box of the words about the point, if there are any. */
-  updateProbe(probe: JacobianReport | null, world: World, camera: SceneCamera, readout: Box | null = null): void {
-    this.#probe.update(probe, world, camera)
+  updateProbe(probe: JacobianReport | null, look: ProbeLook, readout: Box | null = null): void {
     this.#marks.makeWay(probe && readout)
+    if (this.#picture === null) return
+    const taken = [...this.#picture.taken, readout, this.#marks.shownLabel].filter(box => box !== null)
+    this.#probe.update(probe, look, { ...this.#picture, taken })
   }
 
   /** Returns the middles of the numbers. */
