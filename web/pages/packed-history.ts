@@ -46,7 +46,9 @@ function after(before: HistoryElement, { vertices, start, preset = before.preset
 
 /** Minus zero is a text here, and so another value than zero. */
 function difference(before: Coordinates, now: Coordinates): Difference {
-  return now.flatMap((value, i) => (value === before[i] ? [] : [i, value]))
+  const all: Coordinates[number][] = []
+  for (const [i, value] of now.entries()) if (value !== before[i]) all.push(i, value)
+  return all
 }
 
 function changed(before: Coordinates, difference: Difference = []): Coordinates {
