@@ -3,10 +3,7 @@
 import type { Vertices } from '../../model/hexahedron'
 import type { CameraView } from '../../model/state'
 import { pointsOf } from '../../model/written-element'
-
-/** Values of the element's attribute `theme`. */
-export const THEMES = ['auto', 'light', 'dark'] as const
-export type ThemeName = (typeof THEMES)[number]
+import type { ThemeName } from './choice'
 
 /** Names of panels in the attribute `views`, in their order. */
 export const embeddableViews = [

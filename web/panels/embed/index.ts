@@ -1,7 +1,9 @@
 import { fold } from '../fold'
 import type { Panel } from '../panel'
+import { choiceSlice } from './choice'
 
 export const embed: Panel = {
   ...fold({ name: 'embed', title: 'Copy embed', load: () => import('./embed-view') }),
   region: 'panel',
+  slice: choiceSlice,
 }
