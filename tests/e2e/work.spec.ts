@@ -268,14 +268,11 @@ test('a page shown again as it was left goes on with what another has kept since
   await type(lens, 6, 'z', '0.75')
   const own = await history(lens)
   await page.evaluate(() => {
-    const key = Object.keys(sessionStorage).find(name => name.startsWith('hexlens-lens-'))
     dispatchEvent(new PageTransitionEvent('pagehide', { persisted: true }))
-    const kept = sessionStorage.getItem(key ?? 'hexlens-lens-1') ?? ''
-    const work = JSON.parse(kept)
-    const [element] = work.history.elements
-    work.history.elements.push({ ...element, vertices: element.vertices.with(2, 0.5) })
+    const work = JSON.parse(sessionStorage.getItem('hexlens-lens-1') ?? '')
+    work.history.steps.push({ vertices: [2, 0.5] })
     work.history.present += 1
-    work.state = { ...work.state, vertices: element.vertices.with(2, 0.5) }
+    work.state.vertices[2] = 0.5
     sessionStorage.setItem('hexlens-lens-1', JSON.stringify(work))
     dispatchEvent(new PageTransitionEvent('pageshow', { persisted: true }))
   })

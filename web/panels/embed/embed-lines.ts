@@ -4,10 +4,7 @@ import type { Vertices } from '../../model/hexahedron'
 import { numberText } from '../../model/number-text'
 import type { CameraView } from '../../model/state'
 import { pointsOf } from '../../model/written-element'
-
-/** Values of the element's attribute `theme`. */
-export const THEMES = ['auto', 'light', 'dark'] as const
-export type ThemeName = (typeof THEMES)[number]
+import type { ThemeName } from './choice'
 
 /** Names of panels in the attribute `views`, in their order. */
 export const embeddableViews = [
