@@ -11,9 +11,9 @@ import type { Box, Point } from '../space/layout'
 import { at, map3 } from '../space/vec3'
 import { toWorld, verticesInWorld, type World } from '../space/world'
 import { Highlight } from './highlight'
-import { meanOf, overlap } from './label-place'
+import { meanOf, numberDirection, overlap } from './label-place'
 import { Marks } from './marks'
-import type { OverlayPicture } from './overlay-picture'
+import { markScale, type OverlayPicture } from './overlay-picture'
 import { ProbeMark } from './probe-mark'
 import { SampleMarks } from './sample-marks'
 import { type AxisLetters, Triad } from './triad'
@@ -33,6 +33,8 @@ const FIXED_RADIUS = 3
 const CUED = 6
 /** Arrowheads around it, up, right, down and left. */
 const CUE = 'M-4-12L0-16L4-12M12-4L16 0L12 4M4 12L0 16L-4 12M-12 4L-16 0L-12-4'
+/** Paper around a handle. */
+const RIM = 2.5
 /** Handles this close are one to the eye. */
 const SAME_HANDLE = 3
 /** Distance from a handle's middle to the middle of its number. */
@@ -42,6 +44,8 @@ const RINGED_NUMBER_DISTANCE = 24
 
 interface Handle {
   readonly group: SVGGElement
+  readonly rim: SVGCircleElement
+  readonly dot: SVGCircleElement
   readonly number: SVGTextElement
 }
 
@@ -53,6 +57,7 @@ export class Overlay {
   readonly #ghost = svg('path', { class: 'ghost' })
   readonly #ghostHandle = svg('circle', { class: 'ghost', r: 6 })
   readonly #axisLine = svg('path', { class: 'axis-line' })
+  readonly #radius: number
   readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
   readonly #highlight = new Highlight()
@@ -62,7 +67,8 @@ export class Overlay {
   readonly #probe = new ProbeMark()
 
   constructor({ letters, isFixed }: OverlayKind) {
-    this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v, isFixed ? FIXED_RADIUS : RADIUS))
+    this.#radius = isFixed ? FIXED_RADIUS : RADIUS
+    this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v))
     this.#marks = new Marks(!isFixed)
     this.#triad = new Triad(letters)
     this.root.append(
@@ -119,23 +125,31 @@ export class Overlay {
     const { highlight } = sliceOf(marksSlice, state)
     const ringed = [report?.minimizer, highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
     const texts = numberTexts(handles, preview?.order ?? null)
+    const shown: Point[] = []
+    const scale = markScale(camera)
     const numbers = handles.map((at, v) => {
-      const { group, number } = this.#handles[v] as Handle
+      const { group, rim, dot, number } = this.#handles[v] as Handle
       const text = texts[v] as string
       setText(number, text)
       show(group, at.depth > 0)
       moveTo(group, at)
+      set(rim, { r: px(scale * (this.#radius + RIM)) })
+      set(dot, { r: px(scale * this.#radius) })
       const [dx, dy] = [at.x - middle.x, at.y - middle.y]
       const length = Math.hypot(dx, dy)
-      const [ux, uy] = length > 1 ? [dx / length, dy / length] : [0, -1]
-      const distance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
+      const outwards = length > 1 ? { x: dx / length, y: dy / length } : { x: 0, y: -1 }
+      const middleDistance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
+      const distance = middleDistance - (1 - scale) * this.#radius
+      const { x: ux, y: uy } = text === '' ? outwards : numberDirection(at, outwards, distance, shown)
       const half = (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
       const x = ux * (distance + half)
       // A long number stays in the picture.
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
       group.classList.toggle('selected', state.isVertexChosen && v === state.selectedVertex)
-      return { x: at.x + ux * distance, y: at.y + uy * distance }
+      const place = { x: at.x + ux * distance, y: at.y + uy * distance }
+      if (text !== '') shown.push(place)
+      return place
     })
     const selected = this.#handles[state.selectedVertex]?.group
     // The selected handle is drawn over its neighbours.
@@ -210,17 +224,13 @@ function lineBox(x: number, y: number, width: number): Box {
   return { x: x - width / 2, y: y - 10, width, height: 20 }
 }
 
-function createHandle(vertex: number, radius: number): Handle {
+function createHandle(vertex: number): Handle {
+  const rim = svg('circle', { class: 'rim' })
+  const dot = svg('circle', { class: 'dot' })
   const number = svg('text', { class: 'number', 'text-anchor': 'middle' }, String(vertex))
-  const group = svg(
-    'g',
-    { class: 'handle' },
-    svg('circle', { class: 'rim', r: radius + 2.5 }),
-    svg('circle', { class: 'dot', r: radius }),
-    number,
-  )
-  if (vertex === CUED && radius === RADIUS) group.prepend(svg('path', { class: 'cue', d: CUE }))
-  return { group, number }
+  const group = svg('g', { class: 'handle' }, rim, dot, number)
+  if (vertex === CUED) group.prepend(svg('path', { class: 'cue', d: CUE }))
+  return { group, rim, dot, number }
 }
 
 /**
