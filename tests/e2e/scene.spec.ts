@@ -290,7 +290,7 @@ test('keys show where the focus is, and the help', async ({ lens, page }) => {
   await test.step('the help is one key or one press away', async () => {
     const help = page.locator('hex-lens .scene-help')
     await expect(help).toBeHidden()
-    await expect(lens.scene).toHaveAccessibleDescription(/Arrow keys move it/)
+    await expect(lens.scene).toHaveAccessibleDescription(/Arrow keys move the chosen vertex/)
     await lens.scene.focus()
     await page.keyboard.press('?')
     await expect(help).toBeVisible()
