@@ -19,6 +19,11 @@ export function patchPoint([a, b, c, d]: Corners, s: number, t: number): Vec3 {
   return between(between(a, b, s), between(c, d, s), t)
 }
 
+/** The point that the trilinear map of these vertices makes of (xi, eta, zeta). */
+export function elementPoint(vertices: readonly Vec3[], [xi, eta, zeta]: Vec3): Vec3 {
+  return patchPoint(sectionCorners(vertices, { axis: 0, value: xi }), eta, zeta)
+}
+
 export function facePoint(vertices: readonly Vec3[], face: number, s: number, t: number): Vec3 {
   return patchPoint(faceCorners(vertices, face), s, t)
 }
