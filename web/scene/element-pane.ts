@@ -67,19 +67,19 @@ export class ElementPane extends Pane {
     this.#wasDragging = this.inputs.isDragging
   }
 
-  prepare({ vertices }: State): Viewport {
-    return this.viewport(verticesInWorld(this.world, vertices), 0, 0)
+  prepare(state: State): Viewport {
+    return this.viewport(verticesInWorld(this.world, state.vertices), state)
   }
 
   update({ state, report }: Frame, { taken }: PaneLayout): void {
     this.#drawnDrag = this.#drag
-    const { world, camera, seen: handles } = this
+    const { world, camera, sight, seen: handles } = this
     const { preview } = sliceOf(previewSlice, state)
-    this.overlay.update({ state, preview, report, world, camera, handles, drag: this.#drag, taken })
+    this.overlay.update({ state, preview, report, world, camera, sight, handles, drag: this.#drag, taken })
   }
 
   updateProbe(probe: JacobianReport | null, { referenceCube }: State, layout: PaneLayout): void {
-    this.overlay.updateProbe(probe, this.world, this.camera, layout.readout)
+    this.overlay.updateProbe(probe, this, layout.readout)
     this.#readout.update(probe, referenceCube, layout)
   }
 

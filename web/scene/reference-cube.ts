@@ -4,7 +4,7 @@
  */
 import type { Candidate, JacobianReport, Report } from '../core/report'
 import { type Vec3, vertexReference } from '../model/hexahedron'
-import { type CameraView, sliceChange, sliceOf } from '../model/state'
+import { type CameraView, type State, sliceChange, sliceOf } from '../model/state'
 import { sceneSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 import type { Viewport } from './paint/picture'
@@ -77,9 +77,9 @@ export class ReferenceCube extends Pane {
     return CORNERS
   }
 
-  prepare(): Viewport {
+  prepare(state: State): Viewport {
     this.inputs.probe.update()
-    return this.viewport(CORNERS, this.#left, this.#top)
+    return this.viewport(CORNERS, state, this.#left, this.#top)
   }
 
   update({ state, report }: Frame): void {
@@ -90,6 +90,7 @@ export class ReferenceCube extends Pane {
       report: this.#inCube(report),
       world: WORLD,
       camera: this.camera,
+      sight: this.sight,
       handles: this.seen,
       drag: null,
       taken: [],
@@ -99,7 +100,7 @@ export class ReferenceCube extends Pane {
   /** The columns of the map's derivative are the images of the axes. */
   updateProbe(probe: JacobianReport | null): void {
     const inCube = probe && { ...probe, position: probe.point, columns: AXES, axisExponents: [0, 0, 0] as const }
-    this.overlay.updateProbe(inCube, WORLD, this.camera)
+    this.overlay.updateProbe(inCube, this)
   }
 
   fit(toDefault: boolean): void {

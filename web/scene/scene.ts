@@ -203,7 +203,7 @@ class Scene implements View, PaneScene {
     const { pane } = this.#layout
     const reference = isReferenceShown(state) ? this.#reference : null
     const own = this.#pane.prepare(state)
-    const viewports = reference ? [own, reference.prepare()] : [own]
+    const viewports = reference ? [own, reference.prepare(state)] : [own]
     const isOther = this.#painting.paint(frame, this.#layout, viewports, isFigure)
     if (isOther || this.#pane.hasNewDrag || this.#differs(frame)) {
       this.#pane.update(frame, pane)

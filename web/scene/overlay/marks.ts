@@ -39,6 +39,7 @@ interface Mark {
 interface Least {
   readonly words: string
   readonly value: number
+  readonly point: Vec3
   readonly position: Vec3
   readonly isVertex: boolean
 }
@@ -94,7 +95,7 @@ export class Marks {
     for (const mark of [this.#leader, this.#label]) show(mark, isShown)
   }
 
-  #updateCandidates(marked: readonly Candidate[], { world, camera, report, state }: MarksPicture): void {
+  #updateCandidates(marked: readonly Candidate[], { world, camera, sight, report, state }: MarksPicture): void {
     while (this.#pool.length < marked.length) this.#pool.push(this.#createMark())
     this.#pool.forEach(({ group, path, title }, i) => {
       const candidate = marked[i]
@@ -102,6 +103,7 @@ export class Marks {
       show(group, at !== undefined && at.depth > 0)
       if (!candidate || !at) return
       moveTo(group, at)
+      group.classList.toggle('behind', sight.hides(candidate.point))
       set(path, { d: candidateShapes[candidate.kind] })
       const value = formatJacdet(candidate.value, report?.exponent ?? 0, state.referenceCube)
       setText(title, `Candidate ${elementPartName(candidate)}: J = ${value}`)
@@ -116,8 +118,8 @@ export class Marks {
     return { group, path, title }
   }
 
-  #updateLeast({ words, value, position, isVertex }: Least, exponent: number, picture: MarksPicture): void {
-    const { camera, world, state } = picture
+  #updateLeast({ words, value, point, position, isVertex }: Least, exponent: number, picture: MarksPicture): void {
+    const { camera, world, sight, state } = picture
     const at = camera.project(toWorld(world, position))
     show(this.minimizer, at.depth > 0)
     const radius = isVertex ? HANDLE_RING : RING
@@ -127,6 +129,7 @@ export class Marks {
     show(this.#core, !isVertex)
     show(this.#dot, !isVertex)
     this.minimizer.classList.toggle('positive', value > 0)
+    this.minimizer.classList.toggle('behind', sight.hides(point))
     if (!this.#isLabelled) return
     setText(this.#label, `${words} = ${formatJacdet(value, exponent, state.referenceCube)}`)
     this.#placeLabel(at, radius, picture)
@@ -166,12 +169,13 @@ export class Marks {
 }
 
 function leastOnBoundary({ minimizer }: Report): Least {
-  const { value, position, kind } = minimizer
-  return { words: 'min J', value, position, isVertex: kind === 'vertex' }
+  const { value, point, position, kind } = minimizer
+  return { words: 'min J', value, point, position, isVertex: kind === 'vertex' }
 }
 
 function leastInside(inside: Report['volumeMinimum']): Least {
-  return { words: 'min J inside', value: approximation(inside).value, position: inside.position, isVertex: false }
+  const { point, position } = inside
+  return { words: 'min J inside', value: approximation(inside).value, point, position, isVertex: false }
 }
 
 /** True if a candidate lies on the faces shown: one face alone has its own and those of its edges. */

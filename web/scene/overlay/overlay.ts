@@ -2,18 +2,18 @@
 
 import type { JacobianReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
-import { edgeVertices, VERTEX_COUNT, type Vertices, vertexOf } from '../../model/hexahedron'
+import { edgeVertices, VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { sliceOf } from '../../model/state'
-import { marksSlice } from '../../views/scene-slices'
+import { marksSlice, sceneSlice } from '../../views/scene-slices'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
-import type { SceneCamera, ScreenPoint } from '../space/camera'
+import type { ScreenPoint } from '../space/camera'
 import type { Box, Point } from '../space/layout'
-import { at, map3 } from '../space/vec3'
-import { toWorld, verticesInWorld, type World } from '../space/world'
+import { at, map3, mix } from '../space/vec3'
+import { toWorld, verticesInWorld } from '../space/world'
 import { Highlight } from './highlight'
 import { meanOf, overlap } from './label-place'
 import { Marks } from './marks'
-import type { OverlayPicture } from './overlay-picture'
+import type { OverlayPicture, Seen } from './overlay-picture'
 import { ProbeMark } from './probe-mark'
 import { SampleMarks } from './sample-marks'
 import { type AxisLetters, Triad } from './triad'
@@ -31,6 +31,8 @@ const RADIUS = 6
 const FIXED_RADIUS = 3
 /** Handles this close are one to the eye. */
 const SAME_HANDLE = 3
+/** Pieces of an edge, each hidden or seen as its middle is. */
+const EDGE_PIECES = 6
 /** Distance from a handle's middle to the middle of its number. */
 const NUMBER_DISTANCE = 17
 /** The same with a ring around the handle: the minimizer's, or that of the vertex spoken of. */
@@ -44,7 +46,9 @@ interface Handle {
 export class Overlay {
   readonly root = svg('svg', { class: 'scene-overlay lettered', 'aria-hidden': 'true' })
   readonly #edgeHalo = svg('path', { class: 'edge-halo' })
+  readonly #haloBehind = svg('path', { class: 'edge-halo behind' })
   readonly #edges = svg('path', { class: 'edges' })
+  readonly #edgesBehind = svg('path', { class: 'edges behind' })
   readonly #ghostHalo = svg('path', { class: 'ghost-halo' })
   readonly #ghost = svg('path', { class: 'ghost' })
   readonly #ghostHandle = svg('circle', { class: 'ghost', r: 6 })
@@ -64,6 +68,8 @@ export class Overlay {
     this.root.append(
       this.#edgeHalo,
       this.#edges,
+      this.#haloBehind,
+      this.#edgesBehind,
       this.#highlight.root,
       this.#axisLine,
       this.#ghostHalo,
@@ -87,12 +93,11 @@ export class Overlay {
 
   /** Everything but the probe. */
   update(picture: OverlayPicture): void {
-    const { camera, handles } = picture
+    const { camera } = picture
+    this.root.classList.toggle('opaque', sliceOf(sceneSlice, picture.state).faceDisplay === 'opaque')
     set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
-    const edges = edgePath(edgeVertices, handles)
-    set(this.#edgeHalo, { d: edges })
-    set(this.#edges, { d: edges })
-    this.#highlight.update(sliceOf(marksSlice, picture.state).highlight, handles)
+    const edges = this.#updateEdges(picture)
+    this.#highlight.update(sliceOf(marksSlice, picture.state).highlight, picture)
     this.#samples.update(picture, edges)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
@@ -104,13 +109,34 @@ export class Overlay {
   }
 
   /** `readout` is the box of the words about the point, if there are any. */
-  updateProbe(probe: JacobianReport | null, world: World, camera: SceneCamera, readout: Box | null = null): void {
-    this.#probe.update(probe, world, camera)
+  updateProbe(probe: JacobianReport | null, seen: Seen, readout: Box | null = null): void {
+    this.#probe.update(probe, seen)
     this.#marks.makeWay(probe && readout)
   }
 
+  /** Dashed where a face hides them. Returns the path of all. */
+  #updateEdges({ handles, camera, sight }: OverlayPicture): string {
+    const paths = { seen: '', behind: '' }
+    for (const [from, to] of edgeVertices) {
+      const on = (share: number) => mix(vertexReference[from] as Vec3, vertexReference[to] as Vec3, share)
+      let last = handles[from] as ScreenPoint
+      let drawn: keyof typeof paths | null = null
+      for (let piece = 1; piece <= EDGE_PIECES; piece++) {
+        const next = camera.project(sight.positionOf(on(piece / EDGE_PIECES)))
+        const kind = sight.hides(on((piece - 0.5) / EDGE_PIECES)) ? 'behind' : 'seen'
+        const isInFront = last.depth > 0 && next.depth > 0
+        if (isInFront) paths[kind] += `${drawn === kind ? '' : `M${px(last.x)} ${px(last.y)}`}L${px(next.x)} ${px(next.y)}`
+        drawn = isInFront ? kind : null
+        last = next
+      }
+    }
+    for (const path of [this.#edgeHalo, this.#edges]) set(path, { d: paths.seen })
+    for (const path of [this.#haloBehind, this.#edgesBehind]) set(path, { d: paths.behind })
+    return edgePath(edgeVertices, handles)
+  }
+
   /** Returns the middles of the numbers. */
-  #updateHandles({ handles, state, preview, report, camera }: OverlayPicture): Point[] {
+  #updateHandles({ handles, state, preview, report, camera, sight }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
     const { highlight } = sliceOf(marksSlice, state)
     const ringed = [report?.minimizer, highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
@@ -131,6 +157,7 @@ export class Overlay {
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
       group.classList.toggle('selected', v === state.selectedVertex)
+      group.classList.toggle('behind', sight.hides(vertexReference[v] as Vec3))
       return { x: at.x + ux * distance, y: at.y + uy * distance }
     })
     const selected = this.#handles[state.selectedVertex]?.group

@@ -2,9 +2,10 @@
 import type { JacobianReport } from '../../core/report'
 import type { Vec3 } from '../../model/hexahedron'
 import { moveTo, px, set, show, svg } from '../paint/svg'
-import type { SceneCamera, ScreenPoint } from '../space/camera'
+import type { ScreenPoint } from '../space/camera'
 import { at, map3 } from '../space/vec3'
-import { toWorld, type World } from '../space/world'
+import { toWorld } from '../space/world'
+import type { Seen } from './overlay-picture'
 
 /** Units of the longest column, were it parallel to the screen; in a low viewport this share of its height. */
 const LONGEST = 64
@@ -33,12 +34,13 @@ export class ProbeMark {
     )
   }
 
-  update(probe: JacobianReport | null, world: World, camera: SceneCamera): void {
+  update(probe: JacobianReport | null, { world, camera, sight }: Seen): void {
     const from = probe && toWorld(world, probe.position)
     const middle = from && camera.project(from)
     const isShown = middle !== null && middle.depth > 0
     show(this.root, isShown)
     if (probe === null || from === null || !isShown) return
+    this.root.classList.toggle('behind', sight.hides(probe.point))
     moveTo(this.#dot, middle)
     const columns = unitColumns(probe)
     const length = Math.min(LONGEST, LONGEST_SHARE * camera.height) * camera.lengthPerPixel(middle.depth)

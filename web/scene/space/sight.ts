@@ -3,7 +3,7 @@ import { type FaceTopology, faces, type Vec3 } from '../../model/hexahedron'
 import type { FaceDisplay } from '../../views/scene-slices'
 import type { SceneCamera } from './camera'
 import { type Corners, elementPoint, faceCorners } from './patches'
-import { at, cross, dot, map3 } from './vec3'
+import { at, cross, dot, map3, mix, way } from './vec3'
 
 export interface PatchHit {
   readonly s: number
@@ -26,26 +26,27 @@ const OVERLAP = 1e-6
  * of sight along d iff det(A(s), B(s), d) = 0: a quadratic in s, whose Bernstein coefficients are the products times d.
  */
 export function seenPatch(eye: Vec3, corners: Corners): SeenPatch {
-  const own = corners.map(corner => between(eye, corner)) as unknown as Corners
+  const own = corners.map(corner => way(eye, corner)) as unknown as Corners
   const [a0, a1, b0, b1] = own
-  const [one, other] = [cross(a0, b1), cross(a1, b0)]
-  const middle = map3(axis => (at(one, axis) + at(other, axis)) / 2)
-  return { corners: own, products: [cross(a0, b0), middle, cross(a1, b1)] }
+  return { corners: own, products: [cross(a0, b0), mix(cross(a0, b1), cross(a1, b0), 0.5), cross(a1, b1)] }
 }
 
 /** Every point of a patch on the line of sight, at most two. */
 export function hitsOf({ corners: [a0, a1, b0, b1], products: [p0, p1, p2] }: SeenPatch, direction: Vec3): PatchHit[] {
   const hits: PatchHit[] = []
-  for (const root of bernsteinRoots(dot(p0, direction), dot(p1, direction), dot(p2, direction))) {
+  const [c0, c1, c2] = [dot(p0, direction), dot(p1, direction), dot(p2, direction)]
+  // Of one sign: no root between 0 and 1, nor within the overlap, at whose end the quadratic is c0 - 2 OVERLAP c1 or so.
+  if (Math.min(c0 * c1, c2 * c1) > 4 * OVERLAP * c1 * c1) return hits
+  for (const root of bernsteinRoots(c0, c1, c2)) {
     const s = onFace(root)
     if (s === null) continue
     const a = mix(a0, a1, s)
-    const way = between(a, mix(b0, b1, s))
-    const across = cross(way, direction)
+    const along = way(a, mix(b0, b1, s))
+    const across = cross(along, direction)
     const square = dot(across, across)
     const t = onFace(square > 0 ? -dot(cross(a, direction), across) / square : 0)
     if (t === null) continue
-    const distance = (dot(a, direction) + t * dot(way, direction)) / dot(direction, direction)
+    const distance = (dot(a, direction) + t * dot(along, direction)) / dot(direction, direction)
     if (distance > 0) hits.push({ s, t, distance })
   }
   return hits
@@ -69,6 +70,11 @@ export class Sight {
       .map(face => seenPatch(this.#eye, faceCorners(vertices, face)))
   }
 
+  /** The position of (xi, eta, zeta) in world space. */
+  positionOf(point: Vec3): Vec3 {
+    return elementPoint(this.#vertices, point)
+  }
+
   /**
    * True if a face lies between the eye and the point (xi, eta, zeta), by more than the length of a pixel: less cannot be told from
    * the picture. The point's own faces meet its line of sight there, but for rounding, which is worst where the line touches a
@@ -76,8 +82,8 @@ export class Sight {
    * k is the face's twist across the line. A pixel is R / 2^11 long or more, so that is less for every k above 2^-27.
    */
   hides(point: Vec3): boolean {
-    const position = elementPoint(this.#vertices, point)
-    const direction = between(this.#eye, position)
+    const position = this.positionOf(point)
+    const direction = way(this.#eye, position)
     const pixel = this.#camera.lengthPerPixel(this.#camera.depth(position))
     const nearest = 1 - pixel / Math.sqrt(dot(direction, direction))
     return this.#patches.some(patch => hitsOf(patch, direction).some(({ distance }) => distance < nearest))
@@ -89,20 +95,12 @@ export class Sight {
     for (const [face, { axis, side, s, t }] of faces.entries() as Iterable<[number, FaceTopology]>) {
       if (point[axis] !== side) continue
       const [a, b, c, d] = faceCorners(this.#vertices, face)
-      const normal = cross(mix(between(a, b), between(c, d), point[t]), mix(between(a, c), between(b, d), point[s]))
+      const normal = cross(mix(way(a, b), way(c, d), point[t]), mix(way(a, c), way(b, d), point[s]))
       const length = Math.sqrt(dot(normal, normal))
       if (length > 0) normals.push(map3(k => at(normal, k) / length))
     }
     return normals
   }
-}
-
-function between(from: Vec3, to: Vec3): Vec3 {
-  return [to[0] - from[0], to[1] - from[1], to[2] - from[2]]
-}
-
-function mix(a: Vec3, b: Vec3, share: number): Vec3 {
-  return [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share]
 }
 
 function onFace(x: number): number | null {
