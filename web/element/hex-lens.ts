@@ -135,7 +135,7 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
  * @cssprop [--hl-line=#e4e5e3, dark #303336] - Hairlines.
  * @cssprop [--hl-negative=#b2182b, dark #f4787a] - The hue of negative jacdet.
  * @cssprop [--hl-positive=#2166ac, dark #74b3f0] - The hue of positive jacdet.
- * @cssprop [--hl-neutral=#f6f6f4, dark #26282b] - The colour of zero.
+ * @cssprop [--hl-neutral=#eeeeeb, dark #373a3f] - The colour of zero.
  */
 export class HexLens extends ReflectingElement {
   static readonly observedAttributes: readonly AttributeName[] = attributeNames

@@ -1,7 +1,7 @@
 /** Points on the bilinear patches that the faces and the sections are. */
 import { type FaceTopology, faces, type Vec3 } from '../../model/hexahedron'
 import type { Section } from '../../views/scene-slices'
-import { mix } from './vec3'
+import { cross, mix, way } from './vec3'
 
 /** The points at (s, t) = (0,0), (1,0), (0,1), (1,1). */
 export type Corners = readonly [Vec3, Vec3, Vec3, Vec3]
@@ -17,6 +17,11 @@ export function sectionCorners(vertices: readonly Vec3[], { axis, value }: Secti
 
 export function patchPoint([a, b, c, d]: Corners, s: number, t: number): Vec3 {
   return mix(mix(a, b, s), mix(c, d, s), t)
+}
+
+/** A vector of any length at right angles to a patch at (s, t); zero where the patch is a line or a point. */
+export function patchNormal([a, b, c, d]: Corners, s: number, t: number): Vec3 {
+  return cross(mix(way(a, b), way(c, d), t), mix(way(a, c), way(b, d), s))
 }
 
 /** The point that the trilinear map of these vertices makes of (xi, eta, zeta). */

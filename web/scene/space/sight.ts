@@ -2,7 +2,7 @@
 import { type FaceTopology, faces, type Vec3 } from '../../model/hexahedron'
 import type { FaceDisplay } from '../../views/scene-slices'
 import type { SceneCamera } from './camera'
-import { type Corners, elementPoint, faceCorners } from './patches'
+import { type Corners, elementPoint, faceCorners, patchNormal } from './patches'
 import { at, cross, dot, map3, mix, way } from './vec3'
 
 export interface PatchHit {
@@ -94,8 +94,7 @@ export class Sight {
     const normals: Vec3[] = []
     for (const [face, { axis, side, s, t }] of faces.entries() as Iterable<[number, FaceTopology]>) {
       if (point[axis] !== side) continue
-      const [a, b, c, d] = faceCorners(this.#vertices, face)
-      const normal = cross(mix(way(a, b), way(c, d), point[t]), mix(way(a, c), way(b, d), point[s]))
+      const normal = patchNormal(faceCorners(this.#vertices, face), point[s], point[t])
       const length = Math.sqrt(dot(normal, normal))
       if (length > 0) normals.push(map3(k => at(normal, k) / length))
     }
