@@ -16,7 +16,7 @@ import { Sight } from './space/sight'
 import type { World } from './space/world'
 
 /** The scene as its panes see it. */
-export interface PaneScene extends Pick<InputTarget, 'probeNext' | 'toggleReference'> {
+export interface PaneScene extends Pick<InputTarget, 'probeNext' | 'showMinimum' | 'toggleReference'> {
   readonly host: ViewContext
   /** Called at every move of a pane's camera. */
   onTurn(orbit: OrbitCamera): void
@@ -42,7 +42,7 @@ export abstract class Pane implements InputTarget {
   constructor(scene: PaneScene, kind: OverlayKind, description: string) {
     this.#scene = scene
     this.host = scene.host
-    this.overlay = new Overlay(kind)
+    this.overlay = new Overlay(kind, () => this.showMinimum())
     const { element } = this
     element.className = 'scene-stage'
     element.tabIndex = 0
@@ -91,6 +91,10 @@ export abstract class Pane implements InputTarget {
 
   probeNext(): void {
     this.#scene.probeNext()
+  }
+
+  showMinimum(): void {
+    this.#scene.showMinimum()
   }
 
   toggleReference(): void {

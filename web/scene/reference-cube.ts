@@ -9,6 +9,7 @@ import { sceneSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 import type { Viewport } from './paint/picture'
 import { Pane, type PaneScene } from './pane'
+import { DEFAULT_DIRECTION } from './space/camera'
 import { verticesInWorld, worldOf } from './space/world'
 
 const CUBE = vertexReference.flat()
@@ -104,7 +105,7 @@ export class ReferenceCube extends Pane {
   }
 
   fit(toDefault: boolean): void {
-    this.orbit.fit(CORNERS, toDefault)
+    this.orbit.fit(CORNERS, toDefault ? DEFAULT_DIRECTION : undefined)
     this.host.requestFrame()
   }
 

@@ -5,10 +5,11 @@
  * Dragged coordinates are rounded to the power of ten at or below one pixel's length. Keys: see help.ts; the digit on a
  * handle chooses that handle.
  */
+import { lowerInside } from '../core/inside'
 import { pointOfValue } from '../core/point-of-value'
 import type { Vec3 } from '../model/hexahedron'
 import { type Cameras, type CameraView, type State, sliceChange, sliceOf } from '../model/state'
-import { controlsSlice, helpToggled, sceneSlice } from '../views/scene-slices'
+import { controlsSlice, helpToggled, type SceneState, sceneSlice } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Update, View, ViewContext } from '../views/view'
 import { ElementPane } from './element-pane'
 import { Controls } from './input/controls'
@@ -67,6 +68,7 @@ class Scene implements View, PaneScene {
       toggleReference: () => this.toggleReference(),
       turn: (right, up) => this.#pane.turn(right, up),
       zoom: factor => this.#pane.zoom(factor),
+      showMinimum: () => this.showMinimum(),
       showFaces: faceDisplay => host.dispatch(sliceChange(sceneSlice, { faceDisplay })),
     })
     for (const { root } of [this.#colourBar, this.#help, this.#controls, this.#spokenProbe])
@@ -135,6 +137,17 @@ class Scene implements View, PaneScene {
     const next = nextCandidate(report, this.host.state().probe)
     this.#spokenProbe.announce(next)
     this.#probe(next.point)
+  }
+
+  showMinimum(): void {
+    const report = this.#shown?.report
+    if (!report) return
+    const { faceDisplay, section } = sliceOf(sceneSlice, this.host.state())
+    const inside = lowerInside(report)
+    const change = (change: Partial<SceneState>) => this.host.dispatch(sliceChange(sceneSlice, change))
+    if (inside) change({ faceDisplay: 'inside', section: { ...section, value: inside.point[section.axis] } })
+    else if (!this.#pane.turnTo(report.minimizer.point)) change({ faceDisplay: 'see-through' })
+    else if (faceDisplay !== 'see-through') change({ faceDisplay: 'opaque' })
   }
 
   toggleReference(): void {

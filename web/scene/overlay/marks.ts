@@ -61,8 +61,11 @@ export class Marks {
   /** The label's box; null if no place is free. */
   #labelBox: Box | null = null
 
-  constructor(isLabelled: boolean) {
+  constructor(isLabelled: boolean, onMinimum: () => void) {
     this.#isLabelled = isLabelled
+    // A press on the words is none on the scene.
+    this.#label.addEventListener('pointerdown', event => event.stopPropagation())
+    this.#label.addEventListener('click', onMinimum)
     this.minimizer.append(this.#second, this.#halo, this.#ring, this.#core, this.#dot)
     if (isLabelled) this.minimizer.append(this.#label)
     if (isLabelled) this.minimizer.prepend(this.#leader)

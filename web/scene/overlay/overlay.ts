@@ -61,9 +61,10 @@ export class Overlay {
   readonly #triad: Triad
   readonly #probe = new ProbeMark()
 
-  constructor({ letters, isFixed }: OverlayKind) {
+  /** `onMinimum` is called when the number of the minimum is pressed. */
+  constructor({ letters, isFixed }: OverlayKind, onMinimum: () => void) {
     this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v, isFixed ? FIXED_RADIUS : RADIUS))
-    this.#marks = new Marks(!isFixed)
+    this.#marks = new Marks(!isFixed, onMinimum)
     this.#triad = new Triad(letters)
     this.root.append(
       this.#edgeHalo,

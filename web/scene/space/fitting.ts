@@ -2,9 +2,9 @@
  * The part of space that the element's camera sees. It stays while vertices are moved; another element, or one that was typed
  * out of the picture, is brought into sight.
  */
-import type { Vertices } from '../../model/hexahedron'
+import type { Vec3, Vertices } from '../../model/hexahedron'
 import type { CameraView, State } from '../../model/state'
-import type { ScreenPoint } from './camera'
+import { DEFAULT_DIRECTION, type ScreenPoint } from './camera'
 import type { OrbitCamera, Pose } from './orbit-camera'
 import { verticesInWorld, type World, worldOf } from './world'
 
@@ -31,7 +31,8 @@ export class Fitting {
     this.#orbit = orbit
   }
 
-  choose(state: State, { before, resized, isDragged }: Change): void {
+  /** Returns true if another element is now seen from the default direction. */
+  choose(state: State, { before, resized, isDragged }: Change): boolean {
     const fitted = this.#fitted
     const another = fitted === null || fitted.preset !== state.preset || fitted.start !== state.start
     // A program that sets one element after another, none of them a preset, animates: the reader's camera stays.
@@ -40,16 +41,17 @@ export class Fitting {
     const typed = before?.gestureStart && !state.gestureStart && !isDragged
     const share = animated ? LEAST_SHARE.animation : LEAST_SHARE.jump
     this.#fitted = { preset: state.preset, start: state.start }
-    if ((another && !animated) || (jumped && !this.#isInSight(state, share)))
-      this.fit(state.vertices, another && !animated)
-    else if (typed && !this.#isInSight(state, 0)) this.fit(state.vertices, false)
+    const isNew = another && !animated
+    if (isNew) this.fit(state.vertices, DEFAULT_DIRECTION)
+    else if ((jumped && !this.#isInSight(state, share)) || (typed && !this.#isInSight(state, 0))) this.fit(state.vertices)
     else if (resized) this.#look(state.vertices, resized.camera)
+    return isNew
   }
 
   /** The whole element on paper. */
   putOnPaper(vertices: Vertices): void {
     this.#onScreen ??= { pose: this.#orbit.pose, world: this.world }
-    this.fit(vertices, false)
+    this.fit(vertices)
   }
 
   /** Restores the camera that the reader had on the screen. */
@@ -60,10 +62,10 @@ export class Fitting {
     this.#onScreen = null
   }
 
-  /** The whole element, along the same line of sight or in the default direction. */
-  fit(vertices: Vertices, toDefault: boolean): void {
+  /** The whole element, along the same line of sight or from the given direction. */
+  fit(vertices: Vertices, from?: Vec3): void {
     this.world = worldOf(vertices)
-    this.#orbit.fit(verticesInWorld(this.world, vertices), toDefault)
+    this.#orbit.fit(verticesInWorld(this.world, vertices), from)
   }
 
   look(vertices: Vertices, view: CameraView | null): void {
