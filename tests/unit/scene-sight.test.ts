@@ -18,13 +18,18 @@ function cameraOn(points: readonly Vec3[], direction: Vec3 = DEFAULT_DIRECTION):
   return camera
 }
 
-function sightOf(vertices: readonly number[], direction?: Vec3, display: 'opaque' | 'see-through' | 'inside' | number = 'opaque') {
+function sightOf(
+  vertices: readonly number[],
+  direction?: Vec3,
+  display: 'opaque' | 'see-through' | 'inside' | number = 'opaque',
+) {
   const points = verticesInWorld(worldOf(vertices), vertices)
   const camera = cameraOn(points, direction)
   return { points, camera, sight: new Sight(points, camera, display) }
 }
 
-const hiddenVertices = (sight: Sight) => [...vertexReference.keys()].filter(v => sight.hides(vertexReference[v] as Vec3))
+const hiddenVertices = (sight: Sight) =>
+  [...vertexReference.keys()].filter(v => sight.hides(vertexReference[v] as Vec3))
 
 type Triangle = readonly [Vec3, Vec3, Vec3]
 const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]]

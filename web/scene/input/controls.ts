@@ -80,7 +80,12 @@ export class Controls {
     const beside = 'The same colours in (ξ, η, ζ), beside the element (R)'
     this.#reference = button('Reference cube', beside, () => actions.toggleReference())
     this.#buttons = { minimum, faces: choice, reference: this.#reference, turn, fit, help: this.#help }
-    this.root.append(this.#buttons.minimum, this.#legend, turns, ...CONTROLS.slice(1).map(control => this.#buttons[control]))
+    this.root.append(
+      this.#buttons.minimum,
+      this.#legend,
+      turns,
+      ...CONTROLS.slice(1).map(control => this.#buttons[control]),
+    )
   }
 
   update(state: State, report: Report | null): void {

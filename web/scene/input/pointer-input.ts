@@ -144,7 +144,7 @@ export class PointerInput {
     if (grip === null || !grip.moving) return
     const keys: DragKeys = { axis: this.#axis, depth: shiftKey, snap: altKey }
     const to = grip.drag.moveTo(grip.nowX, grip.nowY, keys)
-    this.#target.showDrag({ axis: keys.axis, byTouch: grip.byTouch })
+    this.#target.showDrag({ axis: keys.axis, snaps: keys.snap, byTouch: grip.byTouch })
     this.#target.host.dispatch({ type: 'move-vertex', vertex: grip.vertex, to })
   }
 

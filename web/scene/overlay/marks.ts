@@ -50,7 +50,6 @@ export class Marks {
   readonly #pool: Mark[] = []
   readonly #halo = svg('circle', { class: 'rim' })
   readonly #ring = svg('circle', { class: 'ring' })
-  readonly #core = svg('circle', { class: 'core', r: 7 })
   readonly #dot = svg('circle', { class: 'pupil', r: 3 })
   readonly #leader = svg('path', { class: 'leader' })
   readonly #label = svg('text', { class: 'value' })
@@ -66,7 +65,7 @@ export class Marks {
     // A press on the words is none on the scene.
     this.#label.addEventListener('pointerdown', event => event.stopPropagation())
     this.#label.addEventListener('click', onMinimum)
-    this.minimizer.append(this.#second, this.#halo, this.#ring, this.#core, this.#dot)
+    this.minimizer.append(this.#second, this.#halo, this.#ring, this.#dot)
     if (isLabelled) this.minimizer.append(this.#label)
     if (isLabelled) this.minimizer.prepend(this.#leader)
   }
@@ -126,10 +125,9 @@ export class Marks {
     const at = camera.project(toWorld(world, position))
     show(this.minimizer, at.depth > 0)
     const radius = isVertex ? HANDLE_RING : RING
-    for (const circle of [this.#halo, this.#ring, this.#core, this.#dot]) set(circle, { cx: px(at.x), cy: px(at.y) })
+    for (const circle of [this.#halo, this.#ring, this.#dot]) set(circle, { cx: px(at.x), cy: px(at.y) })
     set(this.#halo, { r: radius })
     set(this.#ring, { r: radius })
-    show(this.#core, !isVertex)
     show(this.#dot, !isVertex)
     this.minimizer.classList.toggle('positive', value > 0)
     this.minimizer.classList.toggle('behind', sight.hides(point))

@@ -8,9 +8,10 @@ import type { Box } from '../space/layout'
 import type { Sight } from '../space/sight'
 import type { World } from '../space/world'
 
-/** The running drag of the selected vertex, and the axis that it is held to. */
+/** The running drag of the selected vertex, the axis that it is held to, and true if it goes along the grid. */
 export interface HandleDrag {
   readonly axis: Axis | null
+  readonly snaps: boolean
   readonly byTouch: boolean
 }
 

@@ -5,11 +5,12 @@ import { formatNumber } from '../../model/decimal'
 import { edgeVertices, VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { sliceOf } from '../../model/state'
 import { marksSlice, sceneSlice } from '../../views/scene-slices'
+import { gridStep, lengthOf, roundTo } from '../input/decimal-step'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 import type { Box, Point } from '../space/layout'
 import { at, map3, mix } from '../space/vec3'
-import { toWorld, verticesInWorld } from '../space/world'
+import { extentOf, toWorld, verticesInWorld } from '../space/world'
 import { Highlight } from './highlight'
 import { meanOf, overlap } from './label-place'
 import { Marks } from './marks'
@@ -37,6 +38,8 @@ const EDGE_PIECES = 6
 const NUMBER_DISTANCE = 17
 /** The same with a ring around the handle: the minimizer's, or that of the vertex spoken of. */
 const RINGED_NUMBER_DISTANCE = 24
+/** Least distance from a number's middle to other numbers and to handles. */
+const NUMBER_ROOM = 13
 
 interface Handle {
   readonly group: SVGGElement
@@ -52,6 +55,7 @@ export class Overlay {
   readonly #ghostHalo = svg('path', { class: 'ghost-halo' })
   readonly #ghost = svg('path', { class: 'ghost' })
   readonly #ghostHandle = svg('circle', { class: 'ghost', r: 6 })
+  readonly #grid = svg('path', { class: 'grid' })
   readonly #axisLine = svg('path', { class: 'axis-line' })
   readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
@@ -72,6 +76,7 @@ export class Overlay {
       this.#haloBehind,
       this.#edgesBehind,
       this.#highlight.root,
+      this.#grid,
       this.#axisLine,
       this.#ghostHalo,
       this.#ghost,
@@ -126,7 +131,8 @@ export class Overlay {
         const next = camera.project(sight.positionOf(on(piece / EDGE_PIECES)))
         const kind = sight.hides(on((piece - 0.5) / EDGE_PIECES)) ? 'behind' : 'seen'
         const isInFront = last.depth > 0 && next.depth > 0
-        if (isInFront) paths[kind] += `${drawn === kind ? '' : `M${px(last.x)} ${px(last.y)}`}L${px(next.x)} ${px(next.y)}`
+        if (isInFront)
+          paths[kind] += `${drawn === kind ? '' : `M${px(last.x)} ${px(last.y)}`}L${px(next.x)} ${px(next.y)}`
         drawn = isInFront ? kind : null
         last = next
       }
@@ -142,6 +148,7 @@ export class Overlay {
     const { highlight } = sliceOf(marksSlice, state)
     const ringed = [report?.minimizer, highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
     const texts = numberTexts(handles, preview?.order ?? null)
+    const placed: Point[] = []
     const numbers = handles.map((at, v) => {
       const { group, number } = this.#handles[v] as Handle
       const text = texts[v] as string
@@ -149,11 +156,16 @@ export class Overlay {
       show(group, at.depth > 0)
       moveTo(group, at)
       const [dx, dy] = [at.x - middle.x, at.y - middle.y]
-      const length = Math.hypot(dx, dy)
-      const [ux, uy] = length > 1 ? [dx / length, dy / length] : [0, -1]
       const distance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
       const half = (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
+      const outwards = Math.hypot(dx, dy) > 1 ? Math.atan2(dy, dx) : -Math.PI / 2
+      const [ux, uy] = freeDirection(outwards, direction => {
+        const taken = [...handles.filter((_, other) => texts[other] !== '' && other !== v), ...placed]
+        const [x, y] = [at.x + direction[0] * (distance + half), at.y + direction[1] * distance]
+        return taken.every(other => Math.hypot(Math.max(Math.abs(other.x - x) - half, 0), other.y - y) > NUMBER_ROOM)
+      })
       const x = ux * (distance + half)
+      if (text !== '') placed.push({ x: at.x + x, y: at.y + uy * distance })
       // A long number stays in the picture.
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
@@ -218,15 +230,55 @@ export class Overlay {
     return box
   }
 
-  /** The axis that the vertex is held to. */
-  #updateAxisLine({ state, drag, world, camera }: OverlayPicture): void {
+  /** The axis, or the grid, that the vertex is held to. */
+  #updateAxisLine(picture: OverlayPicture): void {
+    const { state, drag, world, camera } = picture
     const axis = drag?.axis ?? null
+    show(this.#grid, drag?.snaps === true)
+    if (drag?.snaps) set(this.#grid, { d: gridPath(picture) })
     show(this.#axisLine, axis !== null)
     if (axis === null) return
     const middle = toWorld(world, vertexOf(state.vertices, state.selectedVertex))
     const ends = [-4, 4].map(length => camera.project(map3(k => at(middle, k) + (k === axis ? length : 0))))
     set(this.#axisLine, { d: edgePath([[0, 1]], ends) })
   }
+}
+
+/** Eighths of a turn to either side, at which a number is tried if it would lie on a handle or on another number. */
+const TURNS = [0, 1, -1, 2, -2, 3, -3, 4]
+
+/** The first direction that is free, from this one on; this one if none is. */
+function freeDirection(
+  angle: number,
+  isFree: (direction: readonly [number, number]) => boolean,
+): readonly [number, number] {
+  const directions = TURNS.map(eighths => angle + (eighths * Math.PI) / 4).map(
+    turned => [Math.cos(turned), Math.sin(turned)] as const,
+  )
+  return directions.find(isFree) ?? (directions[0] as readonly [number, number])
+}
+
+/** The grid's lines on both sides of the vertex. */
+const GRID_LINES = 6
+
+/** The lines of Alt's grid about a vertex, in the two directions that are seen best. */
+function gridPath({ state, world, camera }: OverlayPicture): string {
+  const step = gridStep(extentOf(state.gestureStart ?? state.vertices))
+  const vertex = vertexOf(state.vertices, state.selectedVertex)
+  const back = camera.axes()[2].map(Math.abs)
+  const axes = [0, 1, 2].filter(axis => axis !== back.indexOf(Math.max(...back)))
+  const onGrid = (along: number, steps: number, across: number) =>
+    map3(axis => {
+      if (!axes.includes(axis)) return at(vertex, axis)
+      return roundTo(at(vertex, axis), step) + (axis === along ? steps : across) * lengthOf(step)
+    })
+  let path = ''
+  for (const along of axes)
+    for (let across = -GRID_LINES; across <= GRID_LINES; across++) {
+      const ends = [-GRID_LINES, GRID_LINES].map(steps => camera.project(toWorld(world, onGrid(along, steps, across))))
+      path += edgePath([[0, 1]], ends)
+    }
+  return path
 }
 
 /** The box of a line of text with its middle at (x, y). */

@@ -14,7 +14,7 @@ export interface Change {
   readonly before: State | null
   /** The camera before the pane was resized; null if it was not. */
   readonly resized: { readonly camera: CameraView | null } | null
-  /** True if a pointer in the scene moved the element: under it the picture must not move. */
+  /** True if a pointer in the scene moved the element: the picture stays as it is while it can. */
   readonly isDragged: boolean
 }
 
@@ -38,12 +38,15 @@ export class Fitting {
     // A program that sets one element after another, none of them a preset, animates: the reader's camera stays.
     const animated = another && fitted !== null && fitted.preset === null && state.preset === null
     const jumped = before && before.vertices !== state.vertices && !before.gestureStart && !state.gestureStart
-    const typed = before?.gestureStart && !state.gestureStart && !isDragged
+    const ended = before?.gestureStart && !state.gestureStart
+    // Out of a view that shows a part alone, only the vertex itself is brought back.
+    const moved = isDragged ? state.selectedVertex : null
     const share = animated ? LEAST_SHARE.animation : LEAST_SHARE.jump
     this.#fitted = { preset: state.preset, start: state.start }
     const isNew = another && !animated
     if (isNew) this.fit(state.vertices, DEFAULT_DIRECTION)
-    else if ((jumped && !this.#isInSight(state, share)) || (typed && !this.#isInSight(state, 0))) this.fit(state.vertices)
+    else if ((jumped && !this.#isInSight(state, share)) || (ended && !this.#isInSight(state, 0, moved)))
+      this.fit(state.vertices)
     else if (resized) this.#look(state.vertices, resized.camera)
     return isNew
   }
@@ -86,16 +89,16 @@ export class Fitting {
     return worldOf(vertices).size / this.world.size
   }
 
-  /** True if the element is all there, and spans at least a share of the pane. */
-  #isInSight({ vertices }: State, share: number): boolean {
+  /** True if the element, or one vertex of it, is all there, but for little, and it spans more than a share of the pane. */
+  #isInSight({ vertices }: State, share: number, only: number | null = null): boolean {
     const { camera } = this.#orbit
     camera.three.updateMatrixWorld()
     const points = verticesInWorld(this.world, vertices).map(point => camera.project(point))
     const { width, height } = camera
-    const inside = points.every(
-      ({ x, y, depth }) =>
-        depth > 0 && x > -0.05 * width && x < 1.05 * width && y > -0.05 * height && y < 1.05 * height,
-    )
+    const slack = only === null ? 0.05 : 0
+    const isThere = ({ x, y, depth }: ScreenPoint) =>
+      depth > 0 && Math.abs(x / width - 0.5) < 0.5 + slack && Math.abs(y / height - 0.5) < 0.5 + slack
+    const inside = points.every((point, v) => (only !== null && only !== v) || isThere(point))
     const spread = (of: (p: ScreenPoint) => number) => Math.max(...points.map(of)) - Math.min(...points.map(of))
     return inside && Math.max(spread(p => p.x) / width, spread(p => p.y) / height) > share
   }
