@@ -1,20 +1,21 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig, type Plugin } from 'vite'
 import { leanThree } from './tools/lean-three.mjs'
-import { appPages, pages } from './tools/pages.mjs'
+import { appPages, pageAt, pages } from './tools/pages.mjs'
 
 const root = fileURLToPath(new URL('.', import.meta.url))
 
-const contentSecurityPolicy = [
-  "default-src 'none'",
-  "script-src 'self' 'wasm-unsafe-eval'",
-  "style-src 'self'",
-  "img-src 'self' data: blob:",
-  "connect-src 'self'",
-  "font-src 'none'",
-  "base-uri 'none'",
-  "form-action 'none'",
-].join('; ')
+const contentSecurityPolicy = (hasFont: boolean) =>
+  [
+    "default-src 'none'",
+    "script-src 'self' 'wasm-unsafe-eval'",
+    "style-src 'self'",
+    "img-src 'self' data: blob:",
+    "connect-src 'self'",
+    `font-src ${hasFont ? "'self'" : "'none'"}`,
+    "base-uri 'none'",
+    "form-action 'none'",
+  ].join('; ')
 
 /** The policy as the first thing in the built page's head; not in development, whose reloading needs inline scripts. */
 const securityPolicy: Plugin = {
@@ -22,10 +23,13 @@ const securityPolicy: Plugin = {
   apply: 'build',
   transformIndexHtml: {
     order: 'post',
-    handler: () => [
+    handler: (_html, { path }) => [
       {
         tag: 'meta',
-        attrs: { 'http-equiv': 'Content-Security-Policy', content: contentSecurityPolicy },
+        attrs: {
+          'http-equiv': 'Content-Security-Policy',
+          content: contentSecurityPolicy(pageAt(path)?.hasFont ?? false),
+        },
         injectTo: 'head-prepend',
       },
     ],

@@ -1,13 +1,18 @@
 // The pages of the app, which the build makes, and what it writes into each: the only place that lists them.
 
-/** `file` is in web/pages, without its .html. */
+/** `file` is in web/pages, without its .html; `hasFont` if the page loads one. */
 export const appPages = [
   { file: 'index', name: 'Lens' },
-  { file: 'lessons', name: 'Lessons' },
+  { file: 'lessons', name: 'Lessons', hasFont: true },
   { file: 'challenges', name: 'Challenges' },
   { file: 'search', name: 'Search' },
   { file: 'gallery', name: 'Gallery' },
 ]
+
+/** The app's page at a path of the build; undefined if it is none. */
+export function pageAt(path) {
+  return appPages.find(({ file }) => path.endsWith(`/${file}.html`))
+}
 
 const head = `
     <meta charset="utf-8" />
@@ -36,7 +41,7 @@ export const pages = {
   transformIndexHtml: {
     order: 'pre',
     handler(source, { path }) {
-      const present = appPages.find(({ file }) => path.endsWith(`/${file}.html`))
+      const present = pageAt(path)
       if (!present) return source
       const html = withInserted(withInserted(source, /<head>/, head), /<hex-lens [^>]*>/, words)
       return { html, tags: [linksOn(present)] }

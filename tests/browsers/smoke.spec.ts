@@ -249,6 +249,27 @@ test('the pages beside the lens load and answer', async ({ address, driver }) =>
     expect(await complaints(driver)).toEqual([])
   })
 
+  await test.step('the lesson in the plane draws its quadrilateral, with the formulas in their font', async () => {
+    await driver.open(`${address}lessons.html#quadrilaterals-first/5`)
+    await expect.poll(() => textOf(driver, '.plane .verdict')).toMatch(/^INVALID\s+Least J: −3\/4, at corner 2$/)
+    const areCornersInside = () =>
+      driver.run(() => {
+        const pane = document.querySelector('.plane svg.element')?.getBoundingClientRect()
+        const dots = Array.from(document.querySelectorAll('.plane .corner .dot'), dot => dot.getBoundingClientRect())
+        const places = new Set(dots.map(({ left, top }) => `${Math.round(left)} ${Math.round(top)}`))
+        const inside = dots.filter(
+          ({ left, right, top, bottom }) =>
+            pane && left > pane.left && right < pane.right && top > pane.top && bottom < pane.bottom,
+        )
+        return [places.size, inside.length]
+      })
+    await expect.poll(areCornersInside).toEqual([4, 4])
+    await expect
+      .poll(() => driver.run(() => Array.from(document.fonts as unknown as Iterable<FontFace>, font => font.status)))
+      .toEqual(['loaded'])
+    expect(await complaints(driver)).toEqual([])
+  })
+
   await test.step('a challenge shows its solution, and that it is one', async () => {
     await driver.open(`${address}challenges.html`)
     await expectVerdict(driver, /VALID/)

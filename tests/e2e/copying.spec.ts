@@ -29,7 +29,7 @@ test('any number is copied with all its digits, by pressing it or by keys', asyn
   expect(await clipboard(page)).toBe(String(checks[2]?.value))
   // The table is one stop of the Tab key.
   await page.keyboard.press('Tab')
-  await expect(page.getByText('What each looks at')).toBeFocused()
+  await expect(page.getByRole('link', { name: 'Cubit' })).toBeFocused()
 
   await page.getByRole('button', { name: /\[0,1\]/ }).click()
   await lens.verdict.getByRole('button', { name: '−0.0013317', exact: true }).click()

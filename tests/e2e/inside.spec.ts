@@ -122,7 +122,7 @@ test('what is inside: where it is lower than the boundary, the section, in space
 
   await test.step('a valid element: the boundary is enough, and the section is shown all the same', async () => {
     await lens.set(cube)
-    await expect(panelOf(page)).toContainText('by the theorem nothing inside is lower')
+    await expect(panelOf(page)).toContainText('By the theorem nothing inside is lower')
     await expect(panelOf(page)).toContainText('J is zero nowhere inside')
     const { red, blue } = await hues(page, mapOf(page).locator('canvas'))
     expect([red, blue > 0.9]).toEqual([0, true])

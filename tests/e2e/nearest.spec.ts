@@ -47,7 +47,7 @@ test('the nearest element of the other verdict is found, looked at, applied and 
     await expect(panel).toContainText('The search starts when this change is done.')
     await lens.field(6, 'z').press('Enter')
     await lens.field(6, 'z').blur()
-    await expect(panel).toContainText('to make this element valid?')
+    await expect(panel).toContainText('that makes this element valid?')
     await expect(panel).toContainText(/Vertex \d by \d/)
     await expect(panel).toContainText(/Together by \d/)
   })

@@ -6,7 +6,7 @@ test('every preset gets the verdict it claims, and the first looks fine and is n
 
   await test.step('the first screen shows an element that looks fine and is not', async () => {
     await expect(lens.verdict).toHaveText(/^INVALID/)
-    await expect(lens.verdict).toContainText(/All eight vertices .* positive, yet (edge|face)/)
+    await expect(lens.verdict).toContainText(/J > 0 at all .*, yet J ≤ 0 on (edge|face)/)
     await expect(lens.preset).toHaveValue(/.+/)
   })
 

@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test'
 import { readHexahedron } from '../../web/cli/read-hexahedra'
 import { gallery } from '../../web/pages/gallery/gallery'
 import { elementVertices } from '../../web/pages/gallery/gallery-vertices'
-import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, test } from './lens'
+import { expect, expectAxeFindsNothing, expectLargeTargets, inSchemesAndWidths, type Lens, test } from './lens'
 
 /** The numbers of elements searched, and of elements found. */
 async function counts(page: Page): Promise<[number, number]> {
@@ -53,10 +53,10 @@ test('a search finds, stops, goes on; finds are shown, kept, polished and export
     await expect(news).toHaveText(/^Stopped\. /)
     const stopped = await counts(page)
     await expect(finds.first()).toBeVisible()
-    await lens.button('Go on').click()
+    await lens.button('Continue').click()
     await foundMoreThan(page, stopped[1])
     await lens.button('Stop').click()
-    await expect(lens.button('Start anew')).toBeVisible()
+    await expect(lens.button('Start over')).toBeVisible()
     const [elements] = await counts(page)
     expect(elements % 1024).toBe(0)
     expect(elements).toBeGreaterThan(stopped[0])
@@ -71,7 +71,7 @@ test('a search finds, stops, goes on; finds are shown, kept, polished and export
     await expect.poll(() => lens.bits()).not.toEqual(before)
     await expect(lens.verdict).toContainText('J > 0 at all vertices and on all edges')
     await expect(finds.first()).toHaveAttribute('aria-current', 'true')
-    await expect(page.getByText('It has the property')).toBeVisible()
+    await expect(page.getByText('The element in the lens has the property;')).toBeVisible()
     await page.getByLabel('simplest first').check()
   })
 
@@ -101,7 +101,7 @@ test('a search finds, stops, goes on; finds are shown, kept, polished and export
     const entries: unknown[] = JSON.parse(await readFile(await (await download).path(), 'utf8'))
     const hexahedra = entries.map(readHexahedron)
     expect(hexahedra.map(({ name }) => name)).toEqual([
-      expect.stringMatching(/^element-polished$/),
+      expect.stringMatching(/^edges-11-\d+-polished$/),
       expect.stringMatching(/^edges-11-\d+$/),
     ])
     expect(hexahedra[0]?.vertices).toEqual(await lens.vertices())
@@ -111,7 +111,8 @@ test('a search finds, stops, goes on; finds are shown, kept, polished and export
 
   await test.step('axe finds nothing, and targets are large enough, in each scheme and width', async () => {
     await page.getByText('What a property can say').click()
-    await lens.button('Start').click()
+    await page.getByText('How sure is that?').click()
+    await lens.button('Continue').click()
     await foundMoreThan(page, 0)
     await lens.button('Stop').click()
     await expect(finds.first().getByRole('img')).toHaveAttribute('alt', /Invalid/)
@@ -131,10 +132,168 @@ test('a search finds, stops, goes on; finds are shown, kept, polished and export
         },
       })
     })
-    await kept.getByRole('button', { name: /Remove edges/ }).click()
+    await kept.getByRole('button', { name: /Remove edges-\d+-\d+$/ }).click()
     await expect(kept.getByRole('img')).toHaveCount(1)
     await expect(page.getByText('This browser stores nothing for this page')).toBeVisible()
   })
+})
+
+/** The numbers in the counts, the picture of the first find, and what the form asks for. */
+async function searchState(page: Page) {
+  return {
+    counts: await counts(page),
+    first: await page.getByRole('list', { name: 'Found' }).getByRole('img').first().getAttribute('alt'),
+    number: await page.getByRole('list', { name: 'Found' }).getByRole('img').count(),
+    property: await page.getByLabel('Property').inputValue(),
+    seed: await page.getByLabel('Seed').inputValue(),
+  }
+}
+
+async function searchUntilFound(lens: Lens, page: Page): Promise<void> {
+  await lens.button('Start').click()
+  await foundMoreThan(page, 12)
+  await lens.button('Stop').click()
+  await expect(lens.button('Continue')).toBeVisible()
+  await expect(page.getByRole('list', { name: 'Found' }).getByRole('img').first()).toHaveAttribute('alt', /nvalid/)
+}
+
+for (const [width, height] of [
+  [1440, 900],
+  [1024, 768],
+  [390, 844],
+] as const)
+  test(`the first find is seen at once, above the form, at ${width}x${height}`, async ({ lens, page }) => {
+    await page.setViewportSize({ width, height })
+    await lens.open('./search.html?find=corners&seed=3')
+    const first = page.getByRole('list', { name: 'Found' }).getByRole('img').first()
+    // Enter in the form starts it, too, from below.
+    await page.getByLabel('Property').press('Enter')
+    await expect(first).toHaveAttribute('alt', /nvalid/)
+    await expect(first).toBeInViewport({ ratio: 1 })
+    await expect(lens.button('Stop')).toBeInViewport({ ratio: 1 })
+    await lens.button('Stop').click()
+    const [find, property] = [await first.boundingBox(), await page.getByLabel('Property').boundingBox()]
+    expect(find?.y).toBeLessThan(property?.y ?? 0)
+    const covering = await page.locator('hex-lens').boundingBox()
+    if (width < 800) expect(find?.y).toBeGreaterThan((covering?.y ?? 0) + (covering?.height ?? 0))
+    const isAbove = await first.evaluate(image => {
+      const field = document.querySelector('[name="property"]') as Element
+      return (image.compareDocumentPosition(field) & Node.DOCUMENT_POSITION_FOLLOWING) !== 0
+    })
+    expect(isAbove).toBe(true)
+  })
+
+for (const address of ['search.html', 'gallery.html'])
+  test(`handles do not cover the element on a phone, on ${address}`, async ({ lens, page }) => {
+    await page.setViewportSize({ width: 390, height: 844 })
+    await lens.open(address)
+    const boxes = await page
+      .locator('hex-lens .scene-pane .handle .dot, hex-lens .scene-pane .minimizer .ring')
+      .evaluateAll(circles => circles.map(circle => circle.getBoundingClientRect().toJSON() as DOMRect))
+    expect(boxes.length).toBe(9)
+    const width = Math.max(...boxes.map(({ right }) => right)) - Math.min(...boxes.map(({ left }) => left))
+    const height = Math.max(...boxes.map(({ bottom }) => bottom)) - Math.min(...boxes.map(({ top }) => top))
+    const covered = boxes.reduce((sum, box) => sum + (Math.PI / 4) * box.width * box.height, 0)
+    expect(covered / (width * height)).toBeLessThan(0.05)
+  })
+
+for (const [width, height] of [
+  [1440, 900],
+  [390, 844],
+] as const)
+  test(`finds, form and scroll are there after Back, reload and in a second tab, at ${width}x${height}`, async ({
+    lens,
+    page,
+    context,
+  }) => {
+    await page.setViewportSize({ width, height })
+    await lens.open('./search.html?find=corners&seed=4')
+    await searchUntilFound(lens, page)
+    await page.getByLabel('most extreme first').check()
+    await page.getByRole('list', { name: 'Found' }).getByRole('img').nth(1).click()
+    await page.getByRole('link', { name: 'Open on the page Lens' }).scrollIntoViewIfNeeded()
+    const before = await searchState(page)
+    const bits = await lens.bits()
+    const scrolled = () => page.evaluate(() => Math.round(scrollY))
+    const scroll = await scrolled()
+    expect(before.counts[1]).toBeGreaterThan(12)
+    const unchanged = async (page: Page) => {
+      await expect(page.getByRole('list', { name: 'Found' }).getByRole('img').first()).toHaveAttribute('alt', /nvalid/)
+      expect(await searchState(page)).toEqual(before)
+      await expect(page.getByLabel('most extreme first')).toBeChecked()
+    }
+
+    await page.getByRole('link', { name: 'Open on the page Lens' }).click()
+    await expect(lens.preset).toBeVisible()
+    await page.goBack()
+    await unchanged(page)
+    await expect.poll(scrolled).toBe(scroll)
+    expect(await lens.bits()).toEqual(bits)
+    await page.reload()
+    await unchanged(page)
+    await expect.poll(scrolled).toBe(scroll)
+
+    const second = await context.newPage()
+    await second.goto('./search.html')
+    await unchanged(second)
+    await second.getByLabel('Seed').fill('5')
+    await expect(second.getByText('These are of the search for')).toBeVisible()
+    await second.getByRole('button', { name: 'Start', exact: true }).click()
+    await foundMoreThan(second, 0)
+    await second.close()
+    await page.goto('./gallery.html')
+    await page.goto('./search.html')
+    await unchanged(page)
+    // It goes on where it ended.
+    await lens.button('Continue').click()
+    await foundMoreThan(page, before.counts[1])
+    await page.reload()
+    expect((await counts(page))[1]).toBeGreaterThan(before.counts[1])
+  })
+
+test('it is said how sure nothing makes one, and that nothing can be kept', async ({ lens, page }) => {
+  await lens.open(`./search.html?find=own&property=${encodeURIComponent('valid and centre < 0')}`)
+  await page.evaluate(() => {
+    sessionStorage.clear()
+    Storage.prototype.setItem = () => {
+      throw new DOMException('full', 'QuotaExceededError')
+    }
+  })
+  await lens.button('Start').click()
+  await expect.poll(async () => (await counts(page))[0]).toBeGreaterThan(100_000)
+  await lens.button('Stop').click()
+  await expect(page.getByText('This browser has no room left for this page.')).toBeVisible()
+  const [elements, found] = await counts(page)
+  expect(found).toBe(0)
+  const text = (await page.locator('.share').textContent()) ?? ''
+  const [, one = ''] = /^At most 1 in ([\d,]+) of the elements of this distribution have the property/.exec(text) ?? []
+  const bound = 1 / Number(one.replaceAll(',', ''))
+  expect((1 - bound) ** elements).toBeLessThan(0.05)
+  expect((1 - bound) ** elements).toBeGreaterThan(0.048)
+})
+
+test('a find leads to more extreme ones, until it is stopped', async ({ lens, page }) => {
+  await page.setViewportSize({ width: 390, height: 844 })
+  await lens.open('./search.html?find=depth-guard&seed=2')
+  await lens.button('Start').click()
+  await foundMoreThan(page, 0)
+  await lens.button('Stop').click()
+  await page.getByLabel('most extreme first').check()
+  const find = page.getByRole('list', { name: 'Found' }).getByRole('listitem').first()
+  const low = Number(await find.locator('.picture').textContent())
+  await find.getByRole('button', { name: 'More extreme' }).click()
+  await expect(find.getByText(/^[\d.]+(e-\d+)?, [\d,]+ steps?, [\d,]+ tried$/)).toBeVisible()
+  const stop = lens.button('Stop climbing').first()
+  await expect(stop).toBeFocused()
+  await stop.click()
+  const sentence = page.getByText(/^Climbed to .* in [\d,]+ steps?, and kept as depth-guard-2-\d+-climbed\.$/)
+  await expect(sentence.first()).toBeVisible()
+  const [, high] = /to ([\d.]+) in/.exec((await sentence.first().textContent()) ?? '') ?? []
+  expect(Number(high)).toBeGreaterThan(low)
+  await expect(find.getByText(/^[\d.]+, [\d,]+ steps?, [\d,]+ tried, kept$/)).toBeVisible()
+  await expect(page.getByRole('list', { name: 'Kept' }).getByRole('img')).toHaveCount(1)
+  await expect(lens.verdict).toHaveText(/^VALID/)
+  await expectAxeFindsNothing(page)
 })
 
 test('the gallery shows each element, in the lens too, and leads on', async ({ lens, page }) => {
@@ -165,6 +324,20 @@ test('the gallery shows each element, in the lens too, and leads on', async ({ l
       await expect(lens.verdict).toHaveText(element.claims[0].startsWith('valid') ? /^VALID/ : /^INVALID/)
       expect(new URL(page.url()).hash).toBe(`#${id}`)
     }
+  })
+
+  await test.step('on a phone the element is seen between its handles', async () => {
+    const size = page.viewportSize()
+    await page.setViewportSize({ width: 390, height: 844 })
+    const sizes = () =>
+      page.locator('hex-lens .scene-pane .handle .dot').evaluateAll(dots => {
+        const boxes = dots.map(dot => (dot as SVGCircleElement).getBBox())
+        const tops = dots.map(dot => dot.getBoundingClientRect().top)
+        return { widest: Math.max(...boxes.map(({ width }) => width)), height: Math.max(...tops) - Math.min(...tops) }
+      })
+    await expect.poll(async () => (await sizes()).widest).toBeLessThanOrEqual(8)
+    await expect.poll(async () => (await sizes()).height).toBeGreaterThan(125)
+    if (size) await page.setViewportSize(size)
   })
 
   await test.step('one that is changed is none of them any more', async () => {

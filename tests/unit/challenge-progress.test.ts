@@ -6,23 +6,9 @@ import { challenges } from '../../web/pages/challenges/challenges'
 import { Progress } from '../../web/pages/challenges/progress'
 import { conditionInWords, numbersInWords } from '../../web/pages/challenges/words'
 import { core, unitCube } from './core-fixtures'
+import { storage } from './storage'
 
 const KEY = 'hexlens-challenges'
-
-/** A browser's storage with the entries given. */
-function storage(entries: Readonly<Record<string, string>> = {}, refuses: readonly string[] = []) {
-  const kept = new Map(Object.entries(entries))
-  const unlessRefused = <T>(what: string, run: () => T): T => {
-    if (refuses.includes(what)) throw new DOMException('The operation is insecure.', 'SecurityError')
-    return run()
-  }
-  vi.stubGlobal('localStorage', {
-    getItem: (key: string) => unlessRefused('getItem', () => kept.get(key) ?? null),
-    setItem: (key: string, value: string) => unlessRefused('setItem', () => kept.set(key, value)),
-    removeItem: (key: string) => unlessRefused('removeItem', () => kept.delete(key)),
-  })
-  return kept
-}
 
 afterEach(() => vi.unstubAllGlobals())
 

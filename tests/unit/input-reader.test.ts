@@ -1,7 +1,7 @@
 /** Readings whose worker does not start, ends, or is no longer wanted: real threads, and the sentences about them. */
 import { Worker } from 'node:worker_threads'
 import { expect, it } from 'vitest'
-import { threadPort } from '../../web/core/worker-ports'
+import { threadPort } from '../../web/core/ports'
 import { InputReader, type ReadingWorker } from '../../web/input/input-reader'
 
 const AS_IT_WAS = 'The element is as it was.'

@@ -4,6 +4,7 @@ import type { Mesh } from '../../web/mesh/mesh'
 import { MeshRefusal } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
 import { fileOfBytes } from '../../web/mesh/source'
+import { processorTime } from './processor-time'
 
 const shared = new URL('../../../shared/', import.meta.url)
 const pastes = new URL('pastes/', shared)
@@ -65,9 +66,9 @@ describe('texts as people post them', () => {
   })
 
   test.each(readdirSync(pastes).filter(name => name.startsWith('min-')))('%s ends quickly', name => {
-    const start = performance.now()
+    const start = processorTime()
     expect(refusal(readFileSync(new URL(name, pastes)), name)).toMatch(/\.$/)
-    expect(performance.now() - start).toBeLessThan(5000)
+    expect(processorTime() - start).toBeLessThan(5000)
   })
 })
 
@@ -406,9 +407,9 @@ test('no text is slow', () => {
   ]
   for (const text of repeated) {
     for (const end of ['', ' q', '\n0 0 0']) {
-      const start = performance.now()
+      const start = processorTime()
       expect(refusal(text.repeat(size / text.length) + end), JSON.stringify(text)).not.toBe('')
-      expect(performance.now() - start, JSON.stringify(text + end)).toBeLessThan(4000)
+      expect(processorTime() - start, JSON.stringify(text + end)).toBeLessThan(4000)
     }
   }
 }, 600_000)

@@ -6,6 +6,7 @@ import { unlz4 } from '../../web/mesh/codecs/lz4'
 import { type Mesh, MeshRefusal } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
 import { fileOfBytes, type MeshFile } from '../../web/mesh/source'
+import { processorTime } from './processor-time'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 const nodes = [0, 1, 2, 3, 4, 5, 6, 7]
@@ -208,9 +209,9 @@ describe('VTU in text', () => {
   })
 
   test.each(['<', '<!--', '<!-- >', '<?', '<a b="', '<a>'])('%s repeated is not slow', piece => {
-    const started = performance.now()
+    const started = processorTime()
     refusalOf(() => read(`<VTKFile type="UnstructuredGrid">${piece.repeat(300_000)}`))
-    expect(performance.now() - started).toBeLessThan(2000)
+    expect(processorTime() - started).toBeLessThan(2000)
   })
 })
 
@@ -318,22 +319,22 @@ ${dots}
   test.each(['... ', '...\n', 'METADATA\n', '# vtk DataFile Version 3.0\n', 'ORIGIN 1 1 1\n', '1 2 3 ', '#'])(
     '%s repeated is not slow',
     piece => {
-      const started = performance.now()
+      const started = processorTime()
       const many = piece.repeat(Math.floor(600_000 / piece.length))
       refusalOf(() => read(grid(`DATASET UNSTRUCTURED_GRID\n${many}`), 'a.vtk'))
       refusalOf(() => read(grid(`DATASET UNSTRUCTURED_GRID\n${points}CELLS 1 9\n${many}`), 'a.vtk'))
-      expect(performance.now() - started).toBeLessThan(2000)
+      expect(processorTime() - started).toBeLessThan(2000)
     },
   )
 
   test('thousands of small files after each other are not slow', () => {
     const one = grid(`DATASET UNSTRUCTURED_GRID\n${points}CELLS 1 9\n8 ${nodes.join(' ')}\nCELL_TYPES 1\n12\n`)
     const vtu = vtuOf(variants[0] as Variant, [1])
-    const started = performance.now()
+    const started = processorTime()
     expect(read(one.repeat(5000), 'a.vtk').length).toBe(5000)
     expect(read(joined(Array(1000).fill(vtu))).length).toBe(1000)
     expect(only(vtuOf(variants.at(-1) as Variant, Array(1000).fill(1))).cells.length).toBe(8000)
-    expect(performance.now() - started).toBeLessThan(6000)
+    expect(processorTime() - started).toBeLessThan(6000)
   })
 
   test('voxels that are no boxes in any order are said to be none', () => {
@@ -369,10 +370,10 @@ CELLS 1 9\n8 ${nodes.join(' ')}\nCELL_TYPES 1\n12\n`
 
   test('what unpacks to far too much ends early', () => {
     const bomb = new Uint8Array(gzipSync(new Uint8Array(100_000_000), { level: 9 }))
-    const started = performance.now()
+    const started = processorTime()
     expect(refusalOf(() => read(bomb, 'a.vtk.gz'))).toMatch(/which no mesh does|no VTK file/)
     expect(refusalOf(() => read(bomb, 'a'))).toMatch(/in no format/)
-    expect(performance.now() - started).toBeLessThan(4000)
+    expect(processorTime() - started).toBeLessThan(4000)
   })
 })
 

@@ -5,6 +5,7 @@ import { MeshRefusal } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
 import { fileOfBytes, type MeshFile } from '../../web/mesh/source'
 import { core } from './core-fixtures'
+import { processorTime } from './processor-time'
 
 const shared = new URL('../../../shared/', import.meta.url)
 const madeFolder = new URL('meshes/made/', shared)
@@ -232,11 +233,11 @@ describe('malformed', () => {
     ['vtk-count-huge.vtk', /line 14: .CELLS. stands where coordinate 25 of 2999999999997 was expected/],
     ['vtk-types-fewer.vtk', /CELL_TYPES/],
   ])('%s', (name, sentence) => {
-    const started = performance.now()
+    const started = processorTime()
     const refusal = refusalOf(() => read(folder, name))
     expect(refusal).toMatch(sentence)
     expect(refusal).toContain(name.replace(/\.gz$/, ''))
-    expect(performance.now() - started).toBeLessThan(2000)
+    expect(processorTime() - started).toBeLessThan(2000)
   })
 
   test('what is not finite stays in the points', () => {

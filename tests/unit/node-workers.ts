@@ -5,7 +5,7 @@ import { Worker, type WorkerOptions } from 'node:worker_threads'
 import { build } from 'vite'
 import { type BatchCore, loadBatchCore } from '../../web/core/batch/batch-core'
 import { type Classifier, classifierOn } from '../../web/core/batch/classify'
-import { threadPort } from '../../web/core/worker-ports'
+import { threadPort } from '../../web/core/ports'
 import type { WorkerPort } from '../../web/core/workers'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))

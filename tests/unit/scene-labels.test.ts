@@ -1,5 +1,11 @@
 import { describe, expect, it } from 'vitest'
-import { convexHull, type LabelRequest, overlap, placeLabel } from '../../web/scene/overlay/label-place'
+import {
+  convexHull,
+  type LabelRequest,
+  numberDirection,
+  overlap,
+  placeLabel,
+} from '../../web/scene/overlay/label-place'
 
 const request: LabelRequest = {
   anchor: { x: 200, y: 150 },
@@ -78,4 +84,17 @@ describe('the convex hull', () => {
     expect(hull).toHaveLength(4)
     expect(hull).toEqual(expect.arrayContaining(corners))
   })
+})
+
+it('a number goes outwards, and aside where another one is', () => {
+  const [at, up] = [
+    { x: 100, y: 100 },
+    { x: 0, y: -1 },
+  ]
+  expect(numberDirection(at, up, 17, [])).toEqual(up)
+  expect(numberDirection(at, up, 17, [{ x: 130, y: 83 }])).toEqual(up)
+  const other = { x: 103, y: 85 }
+  const { x, y } = numberDirection(at, up, 17, [other])
+  expect(Math.hypot(x, y)).toBeCloseTo(1)
+  expect(Math.hypot(100 + 17 * x - other.x, 100 + 17 * y - other.y)).toBeGreaterThan(13)
 })

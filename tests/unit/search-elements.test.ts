@@ -130,7 +130,7 @@ describe('elements', () => {
     [{ law: { kind: 'normal', sigma: 1e9 } }, 'at most 100'],
     [{ law: { kind: 'box', least: 2, greatest: 1 } }, 'its least number below its greatest'],
     [{ law: { kind: 'box', least: Number.NaN, greatest: 1 } }, 'two numbers from −1000 to 1000'],
-    [{ law: { kind: 'box', least: 0.2, greatest: 1.9 }, grid: 'integers' }, 'two or more integers in it'],
+    [{ law: { kind: 'box', least: 0.2, greatest: 1.9 }, grid: 'integers' }, 'at least two integers in it'],
     [{ moved: 9 }, 'from 1 to 8'],
     [{ moved: 3, symmetry: 'quarter-turn' }, '4 vertices move together'],
   ] as const)('%j are refused in a sentence', (change, sentence) => {
@@ -226,8 +226,8 @@ it('a measure is one number, and says where it is not', () => {
     return result.ok ? null : result.error
   }
   expect(refusal('-boundary_min / (2 * boundary_max)')).toBeNull()
-  expect(refusal(' ')).toEqual({ message: 'There is no number to go by.', at: 0 })
-  expect(refusal('centre > 0')).toEqual({ message: 'What is wanted here is one number, not a comparison.', at: 0 })
+  expect(refusal(' ')).toEqual({ message: 'Write a number here, such as corner_min.', at: 0 })
+  expect(refusal('centre > 0')).toEqual({ message: 'Write one number here, not a comparison.', at: 0 })
   expect(refusal('centre > 0 and volume')?.message).toContain('one number')
   expect(refusal('valid')?.message).toContain('true or false')
   expect(refusal('centre +')).toMatchObject({ at: 8 })

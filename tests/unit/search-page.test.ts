@@ -2,6 +2,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { readHexahedron } from '../../web/cli/read-hexahedra'
 import { parseQuery } from '../../web/pages/search/engine/query'
+import { Tally } from '../../web/pages/search/engine/tally'
 import {
   decodeForm,
   encodeForm,
@@ -12,6 +13,14 @@ import {
   withField,
 } from '../../web/pages/search/form-state'
 import { exported, KeptElements } from '../../web/pages/search/kept'
+import {
+  MOST_SEARCHES,
+  SearchKeeper,
+  type SearchRecord,
+  type SearchWork,
+  searchOf,
+  withSearch,
+} from '../../web/pages/search/kept-searches'
 import { LiveRegion } from '../../web/pages/search/live-region'
 import { entry, unitCube } from './core-fixtures'
 import { readText, verticesOf } from './mesh-expectations'
@@ -75,13 +84,16 @@ describe('the form', () => {
   })
 })
 
-class Shelf {
+class MemoryStorage {
   readonly items = new Map<string, string>()
   getItem(key: string): string | null {
     return this.items.get(key) ?? null
   }
   setItem(key: string, value: string): void {
     this.items.set(key, value)
+  }
+  removeItem(key: string): void {
+    this.items.delete(key)
   }
 }
 
@@ -90,7 +102,7 @@ const names = (kept: KeptElements) => kept.elements.map(({ name }) => name)
 
 describe('what is kept', () => {
   it('is there for the next page, the last first, each element once', () => {
-    const shelf = new Shelf()
+    const shelf = new MemoryStorage()
     const kept = new KeptElements(() => shelf)
     for (const [name, x] of [
       ['a', 0.1],
@@ -107,7 +119,7 @@ describe('what is kept', () => {
   })
 
   it('does not lose what another page keeps at the same time', () => {
-    const shelf = new Shelf()
+    const shelf = new MemoryStorage()
     const [one, other] = [new KeptElements(() => shelf), new KeptElements(() => shelf)]
     one.add(element('one', 1.5))
     other.add(element('other', 2.5))
@@ -121,7 +133,7 @@ describe('what is kept', () => {
     })
     refused.add(element('a', 2))
     expect([names(refused), refused.persistence]).toEqual([['a'], 'unavailable'])
-    const shelf = new Shelf()
+    const shelf = new MemoryStorage()
     const full = new KeptElements(() => shelf)
     full.add(element('a', 2))
     shelf.setItem = () => {
@@ -134,7 +146,7 @@ describe('what is kept', () => {
   })
 
   it('leaves those of a later version alone, and reads around what is none', () => {
-    const shelf = new Shelf()
+    const shelf = new MemoryStorage()
     const later = '{"version":2,"elements":"in another form"}'
     shelf.setItem('hexlens-kept', later)
     const kept = new KeptElements(() => shelf)
@@ -157,6 +169,75 @@ describe('what is kept', () => {
     const pasted = readText('found.json', exported(list))
     expect(list.map((_, cell) => verticesOf(pasted, cell))).toEqual(list.map(({ vertices }) => vertices))
     expect(pasted.ids).toEqual(['a', 'b "quoted"'])
+  })
+})
+
+describe('searches', () => {
+  const shelves = () => {
+    const [tab, latest] = [new MemoryStorage(), new MemoryStorage()]
+    return { tab: () => tab, latest: () => latest }
+  }
+  const find = (index: number) => ({
+    index,
+    vertices: unitCube.with(0, -0).with(1, index / 7),
+    complexity: index,
+    extremeness: index === 3 ? -Infinity : 1 / index,
+  })
+  const recordOf = (seed: number, blocks = 10): SearchRecord => {
+    const query = queryOf(formOf(entry(kinds, 0), String(seed)))
+    const finds = [1, 2, 3].map(find)
+    return { find: 'corners', ran: 12.5, tally: Tally.from({ query, blocks, found: 19_506, finds }) }
+  }
+  const workOf = (...searches: SearchRecord[]): SearchWork => ({
+    form: 'find=corners&seed=7',
+    vertices: unitCube.with(2, 1 / 3),
+    order: 'extremeness',
+    searches,
+  })
+
+  it('are there for the next page with their finds, bit for bit', () => {
+    const stored = shelves()
+    const keeper = new SearchKeeper(stored)
+    expect(keeper.found()).toBeNull()
+    keeper.keep(workOf(recordOf(1), recordOf(2)))
+    const work = new SearchKeeper(stored).found()
+    expect({ ...work, searches: [] }).toEqual(workOf())
+    expect(work?.searches.map(({ tally }) => tally.document)).toEqual([1, 2].map(seed => recordOf(seed).tally.document))
+    expect(work?.searches[0]).toMatchObject({ find: 'corners', ran: 12.5 })
+    const tally = work?.searches[0]?.tally
+    expect([tally?.found, tally?.elements, tally?.finds('simplicity').length]).toEqual([19_506, 10_240, 3])
+    expect(Object.is(tally?.finds('simplicity')[0]?.vertices[0], -0)).toBe(true)
+  })
+
+  it('are the latest of each query, as many as there is room for', () => {
+    let searches: readonly SearchRecord[] = []
+    for (let seed = 0; seed < MOST_SEARCHES + 2; ++seed) searches = withSearch(searches, recordOf(seed))
+    searches = withSearch(searches, recordOf(5, 99))
+    expect(searches.map(({ tally }) => tally.query.seed)).toEqual([5, 9, 8, 7, 6, 4, 3, 2])
+    expect(searchOf(searches, recordOf(5).tally.query)?.tally.blocks).toBe(99)
+    expect(searchOf(searches, recordOf(0).tally.query)).toBeUndefined()
+  })
+
+  it('that are broken are left out, each alone', () => {
+    const stored = shelves()
+    const good = recordOf(1)
+    const { document } = good.tally
+    const broken: unknown[] = [
+      null,
+      { ...good, tally: { ...document, blocks: -1 } },
+      { ...good, tally: { ...document, query: { seed: 1 } } },
+      { ...good, tally: { ...document, finds: [{ ...find(1), vertices: [1] }] } },
+    ]
+    const text = { ...workOf(), searches: [...broken, { ...good, tally: document }] }
+    stored.tab().setItem(
+      'hexlens-searches-1',
+      JSON.stringify(text, (_, x) => (x === -Infinity ? -1e308 : x)),
+    )
+    expect(new SearchKeeper(stored).found()?.searches.length).toBe(1)
+    for (const other of ['7', '{"form":1}', '{"form":"","order":"up","searches":[]}']) {
+      stored.tab().setItem('hexlens-searches-1', other)
+      expect(new SearchKeeper(stored).found()).toBeNull()
+    }
   })
 })
 

@@ -1,11 +1,15 @@
 /** Searches with the real workers: what they find, whoever finds it, and what becomes of it when it is polished. */
 import { afterAll, expect, it } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
-import { isMet } from '../../web/model/condition'
+import { isCertainlyLess, isMet } from '../../web/model/condition'
+import { MOST_TRIED } from '../../web/pages/search/engine/climb'
+import { measured } from '../../web/pages/search/engine/measure'
 import { parseQuery, type Query } from '../../web/pages/search/engine/query'
 import { type Find, Ranking } from '../../web/pages/search/engine/ranking'
-import { polished, Search, type SearchWorkers } from '../../web/pages/search/engine/search'
+import { climbed, polished, Search, type SearchWorkers } from '../../web/pages/search/engine/search'
 import { BLOCK } from '../../web/pages/search/engine/search-piece'
+import { Tally } from '../../web/pages/search/engine/tally'
+import { Improvement, outcomeText } from '../../web/pages/search/improvement'
 import { ownSearch, searches } from '../../web/pages/search/searches'
 import { certificateOf, checked, type Loose } from './certificate-checker'
 import { core, entry, randomSource } from './core-fixtures'
@@ -148,6 +152,113 @@ it('goes on after a stop that waits for nothing, and with new workers after the 
   })
   search.dispose()
   expect(outcome(search)).toEqual(whole)
+})
+
+it('goes on in another page from what was kept', async () => {
+  const query = queryOf('corners', 6)
+  const whole = outcome(await searched(query, 4 * PIECE, force(2)))
+  const { tally } = await searched(query, PIECE, force(2))
+  const kept = Tally.from(JSON.parse(JSON.stringify(tally.document)))
+  expect(kept.document).toEqual(tally.document)
+  const search = await new Promise<Search>((resolve, reject) => {
+    const search = new Search(query, force(2), () => search.isRunning || resolve(search), reject, kept)
+    search.start(4 * PIECE)
+  })
+  search.dispose()
+  expect(outcome(search)).toEqual(whole)
+})
+
+/** The numbers of an element, and its measure in doubles. */
+function judged(query: Query, vertices: readonly number[]) {
+  const read = parseQuery(query)
+  const report = core.analyze(vertices)
+  if (!read.ok || !report.ok) throw new Error('The query or the element was refused.')
+  const { measure, start } = read.value
+  return {
+    measure,
+    extremeness: measured(measure, report.value, start),
+    quantities: quantitiesOf(report.value, start),
+  }
+}
+
+it.each(['corners', 'gap', 'nine-points', 'depth-guard'])(
+  'climbs from a find of %s, never down, and again the same',
+  async id => {
+    const query = queryOf(id)
+    const find = entry((await searched(query, entry([ENOUGH[id] ?? 0], 0), force(2))).finds('simplicity'), 0)
+    const heights: number[] = []
+    const best = await climbed(query, find.vertices, force(1), { onStep: step => heights.push(step.extremeness) })
+    expect(heights).toEqual(heights.toSorted((a, b) => a - b))
+    expect(has(query, best.vertices)).toBe(true)
+    const [low, high] = [judged(query, find.vertices), judged(query, best.vertices)]
+    expect(high.extremeness).toBe(best.extremeness)
+    expect(best.steps > 0).toBe(isCertainlyLess(low.measure, low.quantities, high.quantities))
+    if (best.steps === 0) expect(best.vertices).toEqual(find.vertices)
+    expect(best.tried).toBeLessThanOrEqual(MOST_TRIED + 64)
+    expect(await climbed(query, find.vertices, force(1))).toEqual(best)
+  },
+)
+
+/** Coordinates that differ, in steps of the grid. */
+function movedBy(from: readonly number[], to: readonly number[], step: number): number[] {
+  return to.flatMap((x, i) => (x === from[i] ? [] : [(x - (from[i] as number)) / step]))
+}
+
+it('climbs only where the distribution goes: its grid, its box, its symmetry, its vertices', async () => {
+  const query = queryOf('corners')
+  const integers = {
+    ...query,
+    distribution: { ...query.distribution, law: { kind: 'box', least: -2, greatest: 2 }, grid: 'integers' },
+  } as const
+  const turned = { ...query, distribution: { ...query.distribution, symmetry: 'third-turn' } } as const
+  const two = {
+    ...query,
+    distribution: { ...query.distribution, law: { kind: 'normal', sigma: 1 }, moved: 2 },
+  } as const
+  for (const [name, query] of Object.entries({ integers, turned, two })) {
+    const find = entry((await searched(query, 64 * BLOCK, force(2))).finds('simplicity'), 0)
+    const { vertices, steps } = await climbed(query, find.vertices, force(1))
+    expect(steps, name).toBeGreaterThan(0)
+    const { law, grid, symmetry } = query.distribution
+    expect(movedBy(find.vertices, vertices, grid === 'integers' ? 1 : 0.25).every(Number.isInteger), name).toBe(true)
+    if (law.kind === 'box') expect(vertices.every(x => x >= law.least && x <= law.greatest)).toBe(true)
+    else expect(vertices.every(x => x >= -6 * law.sigma && x <= 1 + 6 * law.sigma)).toBe(true)
+    if (symmetry === 'third-turn') {
+      // xi to eta to zeta to xi: vertices 1, 3, 4 and 2, 7, 5.
+      const [x, y, z] = vertices.slice(3, 6)
+      expect([vertices.slice(9, 12), vertices.slice(12, 15)]).toEqual([
+        [z, x, y],
+        [y, z, x],
+      ])
+    }
+    if (name === 'two') {
+      const start = parseQuery(query)
+      const other = start.ok ? start.value.start : []
+      const moved = new Set(vertices.flatMap((x, i) => (x === other[i] ? [] : [Math.floor(i / 3)])))
+      expect(moved.size).toBeLessThanOrEqual(2)
+    }
+  }
+})
+
+it('a climb that is stopped has come as far as it said', async () => {
+  const query = queryOf('depth-guard')
+  const find = entry((await searched(query, entry([ENOUGH['depth-guard'] ?? 0], 0), force(2))).finds('extremeness'), 0)
+  const whole: number[] = []
+  await climbed(query, find.vertices, force(1), { onStep: ({ extremeness }) => whole.push(extremeness) })
+  const climb = new Improvement({ kind: 'climb', query, vertices: find.vertices, name: 'a' })
+  await climb.run(force(1), () => climb.steps >= 5 && climb.stop())
+  expect(climb.steps).toBeGreaterThanOrEqual(5)
+  expect(climb.steps).toBeLessThan(new Set(whole).size)
+  expect(whole).toContain(climb.extremeness)
+  expect(judged(query, climb.best).extremeness).toBe(climb.extremeness)
+  expect(has(query, climb.best)).toBe(true)
+  expect(outcomeText(climb)).toMatch(/^Climbed to 0\.\d+ in \d+ steps, and kept as a-climbed\.$/)
+
+  const nowhere = new Improvement({ kind: 'polish', query, vertices: find.vertices, name: 'a' })
+  nowhere.stop()
+  await nowhere.run(force(1), () => {})
+  expect(nowhere.best).toBe(find.vertices)
+  expect(outcomeText(nowhere)).toBe('Nothing simpler was found near this element.')
 })
 
 it('says why it does not work', async () => {

@@ -13,8 +13,12 @@ interface Look {
 const DESKTOP: Look = { look: 'desktop', colorScheme: 'light', width: 900, height: 560 }
 const PHONE: Look = { look: 'phone', colorScheme: 'dark', width: 360, height: 720 }
 
-/** A fixed seed, so that the page of the search says the same again. */
-const ADDRESSES: Record<string, string> = { index: './', search: './search.html?find=edges&seed=11' }
+/** With the lens; a fixed seed, so that the page of the search says the same again. */
+const ADDRESSES: Record<string, string> = {
+  index: './',
+  lessons: './lessons.html#what-the-jacobian-determinant-is/1',
+  search: './search.html?find=edges&seed=11',
+}
 
 async function inLooks(lens: Lens, looks: readonly Look[], take: (look: string) => Promise<void>): Promise<void> {
   for (const { look, colorScheme, width, height } of looks) {
@@ -53,6 +57,17 @@ for (const { file } of appPages)
       await expect.soft(page).toHaveScreenshot(`${file}-${look}.png`)
     })
   })
+
+test('the overview of the lessons, and the lesson in the plane', async ({ lens, page }) => {
+  for (const [name, address, shown] of [
+    ['overview', './lessons.html', '.overview'],
+    ['plane', './lessons.html#quadrilaterals-first/5', '.plane .verdict .invalid'],
+  ] as const) {
+    await page.goto(address)
+    await expect(page.locator(shown)).toBeVisible()
+    await inLooks(lens, [DESKTOP, PHONE], look => expect.soft(page).toHaveScreenshot(`lessons-${name}-${look}.png`))
+  }
+})
 
 test('the page embed', async ({ lens, page }) => {
   await lens.open('./embed.html?views=scene+verdict+checks&controls=none')

@@ -4,7 +4,7 @@ import { loadBatchCore } from '../core/batch/batch-core'
 import { type Classifier, classifierOn, type Progress } from '../core/batch/classify'
 import type { Wanted } from '../core/batch/lists'
 import { defaultWorkers } from '../core/batch/start'
-import { threadPort } from '../core/worker-ports'
+import { threadPort } from '../core/ports'
 import type { ClassifyCells } from '../mesh/check'
 import type { Engine } from './engine'
 

@@ -23,7 +23,7 @@ export type Reply =
   /** The worker is of no more use. */
   | { readonly kind: 'failed'; readonly message: string }
 
-/** A worker of a page or a thread of Node: worker-ports.ts. */
+/** A worker of a page or a thread of Node: ports.ts. */
 export interface WorkerPort {
   postMessage(request: Request, transfer: ArrayBuffer[]): void
   onreply: ((reply: Reply) => void) | null

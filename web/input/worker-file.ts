@@ -1,5 +1,5 @@
 /** The worker that reads, as the built page serves it. */
-import { pagePort } from '../core/worker-ports'
+import { pagePort } from '../core/ports'
 import type { WorkerPort } from '../core/workers'
 
 export function startReadingWorker(): WorkerPort {

@@ -169,7 +169,7 @@ export class BinaryCursor {
     }
   }
 
-  /** Turned into the order of this machine: those of the other are copies. */
+  /** The bytes in the order of this machine; they are turned around in place, so they must be copies. */
   #inOrder(bytes: Uint8Array, size: 4 | 8): Uint8Array {
     if (this.isLittleEndian !== MACHINE_IS_LITTLE_ENDIAN) swapBytes(bytes, size)
     return bytes

@@ -20,5 +20,5 @@ export const formatNames = [
   'OBJ',
 ] as const
 
-/** The others: what is no mesh format. */
+/** Names of what is read and is no mesh format. */
 export const otherInputs = 'code, tables and logs with eight points in them, a link or a PNG taken away from here'

@@ -67,7 +67,7 @@ export class MeshBuilder {
     this.#tokens.put(this.#tokens.length, from, length)
   }
 
-  /** The same for the three coordinates with which a row ends. */
+  /** The texts of the three coordinates with which a row ends. */
   coordinateTokens(rows: FileRows, row: number): void {
     this.#tokens.putRow(this.#tokens.length, rows, row)
   }
@@ -122,7 +122,7 @@ export class MeshBuilder {
     if (!this.newPointWithId(id, x, y, z)) this.refuse(`node ${id} is defined twice.`)
   }
 
-  /** The same; false, and nothing is added, if the id is there already. */
+  /** Adds a point that the file calls `id`; false, and nothing is added, if the id is there already. */
   newPointWithId(id: number, x: number, y: number, z: number): boolean {
     if (this.hasPointWithId(id)) return false
     this.#pointOfId.set(id, this.pointCount)
@@ -174,7 +174,7 @@ export class MeshBuilder {
     return ids.length === this.cellCount && this.cellCount > 0 ? ids : null
   }
 
-  /** The eight corners of a cell that is not trilinear; whether its further nodes lie at the middles, or null if that was not looked at. */
+  /** A cell that is not trilinear, by its eight corners; `isStraight` is null if nobody looked whether its further nodes lie at the middles. */
   notTrilinear(corners: readonly number[], isStraight: boolean | null = null): void {
     for (const index of corners) this.#corners.push(index)
     if (isStraight !== null) this.#straight = (this.#straight ?? 0) + (isStraight ? 1 : 0)

@@ -26,7 +26,7 @@ export interface MeshCheck {
   /** jacdet < 0 everywhere: cells that are valid when numbered the other way round. */
   readonly mirrored: number
   readonly notTrilinear: { readonly count: number; readonly validByCorners: number }
-  /** The mesh's, and what the answers add. */
+  /** Notes of the mesh, and those that the answers add. */
   readonly notes: readonly string[]
   /** Indices of cells, worst first. */
   readonly worst: Uint32Array

@@ -22,7 +22,7 @@ export class NumberRun {
   readonly #file: MeshFile
   readonly #to: number
   readonly #core: ReadingCore | null
-  readonly #onPiece: (position: number) => void
+  readonly #onProgress: (position: number) => void
   #bytes: Uint8Array = new Uint8Array(0)
   readonly #memory = new FileChunk()
   /** The position of `#bytes` in the file. */
@@ -32,19 +32,19 @@ export class NumberRun {
   /** The most significant digits with which a number with a point or an exponent is written. */
   mostDigits = 0
 
-  /** Numbers in bytes [from, to) of the file; `onPiece` is called now and then with the byte that is next, and may throw. */
+  /** Numbers in bytes [from, to) of the file; `onProgress` is called now and then with the byte that is next, and may throw. */
   constructor(
     file: MeshFile,
     from: number,
     to: number,
     core: ReadingCore | null,
-    onPiece: (position: number) => void = () => {},
+    onProgress: (position: number) => void = () => {},
   ) {
     this.#file = file
     this.#start = from
     this.#to = to
     this.#core = core
-    this.#onPiece = onPiece
+    this.#onProgress = onProgress
   }
 
   /** The byte of the file that is next. */
@@ -52,7 +52,7 @@ export class NumberRun {
     return this.#start + this.#at
   }
 
-  /** Passes blanks; whether only they were left. */
+  /** Passes blanks; true if only they were left. */
   isAtEnd(): boolean {
     do {
       this.#at = afterBlanks(this.#bytes, this.#at)
@@ -74,7 +74,7 @@ export class NumberRun {
     const from = this.#start + this.#bytes.length
     const more = Math.min(this.#chunk, this.#to - from)
     if (had > LONGEST_NUMBER || more <= 0) return false
-    this.#onPiece(this.position)
+    this.#onProgress(this.position)
     this.#chunk = Math.min(CHUNK, 2 * this.#chunk)
     this.#bytes = this.#memory.next(this.#file, this.#bytes.subarray(this.#at), from, from + more)
     this.#start += this.#at
@@ -102,7 +102,7 @@ export class NumberRun {
     return this.#start + length >= this.#to ? length : length - LONGEST_NUMBER
   }
 
-  /** The one at which the core stops may be a number that it does not know. */
+  /** The word at which the core stops may be a number that it does not know. */
   #numbersBy(core: ReadingCore, limit: number, list: Float64Array, from: number, to: number): number {
     const { count, bytes, mostDigits } = core.numbers(this.#bytes, this.#at, limit, list, from, to)
     this.#at += bytes

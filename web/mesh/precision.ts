@@ -1,6 +1,6 @@
 /** Notes about coordinates that are stored as Float32 or with few printed digits. */
 
-/** All of a double. */
+/** So many digits tell a double from all others. */
 const MOST_DIGITS = 17
 /** Decimals of one or two digits are steps that somebody typed; with three, thirds are already rounded ones. */
 const FEWEST_DIGITS = 3

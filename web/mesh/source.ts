@@ -15,8 +15,8 @@ export type FindFile = (name: string) => MeshFile | null
 
 export interface ReadOptions {
   readonly find: FindFile
-  /** Called now and then with the part of the file that has been read, from 0 to 1. */
-  readonly onProgress: (part: number) => void
+  /** Called now and then with the share of the file that has been read, from 0 to 1. */
+  readonly onProgress: (share: number) => void
   /** The time step to read, counted from 0, of a file that has several. */
   readonly step: number | 'last'
   /** Throws if the reading is no longer wanted. */
@@ -36,7 +36,7 @@ export interface MeshFormat {
 
 const CALLS = 65_536
 
-/** To be called for each record of a file, with the byte it begins at: once in so many calls it tells of the progress. */
+/** A function to be called for each record of a file, with the byte that is next: it tells of the progress once in so many calls. */
 export function progressOf(file: MeshFile, { onProgress, throwIfCancelled }: ReadOptions): (position: number) => void {
   let calls = 0
   return position => {

@@ -14,9 +14,9 @@ import type { MeshFile } from './source'
 export { shown, withoutControls } from './shown'
 
 const CHUNK = 1024 * 1024
-/** A word or a number is no longer. */
+/** The longest word or number. */
 const LONGEST_WORD = 4096
-/** A line that is asked for as text is no longer. */
+/** The longest line that is asked for as text. */
 const LONGEST_LINE = 1024 * 1024
 
 const [TAB, LF, CR, SPACE, PLUS, MINUS, DOT, ZERO, NINE] = [9, 10, 13, 32, 43, 45, 46, 48, 57] as const
@@ -49,7 +49,7 @@ export class TextCursor {
     return this.#start + this.#at
   }
 
-  /** Counted from 1. */
+  /** The line of the next byte, counted from 1. */
   get line(): number {
     return this.#line
   }

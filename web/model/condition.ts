@@ -64,6 +64,15 @@ export function truthOf({ claim }: Condition, quantities: Quantities): boolean |
   )
 }
 
+/** True if the number is certainly less for the one element than for the other. */
+export function isCertainlyLess(number: NumberNode, one: Quantities, other: Quantities): boolean {
+  const less = (way: 'roughly' | 'exactly') => {
+    const [a, b] = [one, other].map(from => numberOf(number, { number: name => from[way](name) }))
+    return a && b ? isLess(a, b) : null
+  }
+  return less('roughly') ?? less('exactly') ?? false
+}
+
 interface Valuation {
   claimed(name: Claim): boolean
   number(name: NumberName): Enclosure | null
@@ -99,7 +108,7 @@ function allOf<T>(
   return all
 }
 
-function numberOf(node: NumberNode, valuation: Valuation): Enclosure | null {
+function numberOf(node: NumberNode, valuation: Pick<Valuation, 'number'>): Enclosure | null {
   if (node.kind === 'constant') return node.value
   if (node.kind === 'number') return valuation.number(node.name)
   if (node.kind === 'minus') return mapped(numberOf(node.of, valuation), negatedEnclosure)

@@ -10,7 +10,7 @@
 import workerSource from 'virtual:hexlens.batch-worker'
 import { type Classifier, classifierOn } from '../core/batch/classify'
 import { defaultWorkers } from '../core/batch/start'
-import { pagePort, threadPort } from '../core/worker-ports'
+import { pagePort, threadPort } from '../core/ports'
 import type { WorkerPort } from '../core/workers'
 import { batchInside } from './batch-inside'
 

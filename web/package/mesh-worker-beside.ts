@@ -1,5 +1,5 @@
 /** The worker that reads is a file beside the script, which would be half as large again with it inside, and is loaded when it is needed. */
-import { pagePort } from '../core/worker-ports'
+import { pagePort } from '../core/ports'
 import type { ReadingWorker } from '../input/input-reader'
 
 const NAME = 'hexlens.mesh-worker.js'

@@ -1,8 +1,8 @@
 /** Abaqus: parts, the instances of them that an assembly has, and where each is put. */
 import { shown } from '../text-cursor'
+import type { Context, Section } from './abaqus-context'
 import { moveLine, moveOf } from './abaqus-moves'
 import { AbaqusPart } from './abaqus-part'
-import type { Reading, Section } from './abaqus-reading'
 import { rigidMove } from './movement'
 import type { Placement } from './placements'
 import type { TextLines } from './text-lines'
@@ -25,19 +25,19 @@ export class AbaqusAssembly {
   readonly #instances = new Map<string, Instance>()
 
   /** *PART */
-  startPart(reading: Reading): void {
-    const name = reading.keyword.parameters.get('NAME') ?? ''
+  startPart(context: Context): void {
+    const name = context.keyword.parameters.get('NAME') ?? ''
     const key = name.toUpperCase()
-    if (this.#parts.has(key)) reading.lines.refuse(`part ${shown(name)} is defined twice.`)
-    reading.part = new AbaqusPart()
-    reading.frame = null
-    this.#parts.set(key, { name, part: reading.part })
+    if (this.#parts.has(key)) context.lines.refuse(`part ${shown(name)} is defined twice.`)
+    context.part = new AbaqusPart()
+    context.frame = null
+    this.#parts.set(key, { name, part: context.part })
   }
 
   /** *INSTANCE */
-  instanceSection(reading: Reading): Section {
-    const { parameters } = reading.keyword
-    const lines: TextLines = reading.lines
+  instanceSection(context: Context): Section {
+    const { parameters } = context.keyword
+    const lines: TextLines = context.lines
     const [name, partName] = [parameters.get('NAME') ?? '', parameters.get('PART') ?? '']
     if (parameters.has('LIBRARY') || parameters.has('INSTANCE'))
       lines.refuse('*INSTANCE from the library of another analysis is not read here.')
@@ -45,9 +45,9 @@ export class AbaqusAssembly {
     const moveLines: number[][] = []
     const own = new AbaqusPart()
     this.#instances.set(name.toUpperCase(), { name, partName, own, moveLines, line: lines.number, lines })
-    reading.part = own
-    reading.frame = null
-    return { line: () => moveLines.push(moveLine(reading.lines)) }
+    context.part = own
+    context.frame = null
+    return { line: () => moveLines.push(moveLine(context.lines)) }
   }
 
   /** The part in which an instance has its own sets; null if there is no such instance. */

@@ -2,43 +2,43 @@
 
 import { RowPattern } from '../../core/reading-interface'
 import type { Runs } from '../runs'
+import { type Context, type Section, wholeNumber } from './abaqus-context'
 import { unquoted } from './abaqus-keyword'
 import type { AbaqusPart } from './abaqus-part'
-import { type Reading, type Section, wholeNumber } from './abaqus-reading'
 import { type AbaqusType, abaqusType, ORDER_OF_27 } from './abaqus-types'
 import type { IdRanges } from './id-ranges'
 import { ORDER_OF_20 } from './node-model'
 
 const HEXAHEDRON_ROW = new RowPattern(['whole', ...Array.from({ length: 8 }, () => [',', 'whole']).flat(), 'end'])
 
-export function elementSection(reading: Reading): Section {
-  const { parameters } = reading.keyword
+export function elementSection(context: Context): Section {
+  const { parameters } = context.keyword
   const written = parameters.get('TYPE')
   if (written === undefined || written === '')
-    reading.lines.refuse('*ELEMENT without TYPE: the type of the elements was expected.')
+    context.lines.refuse('*ELEMENT without TYPE: the type of the elements was expected.')
   const type = abaqusType(written)
   const set = parameters.get('ELSET')
-  const part = reading.part
+  const part = context.part
   const into = set === undefined ? null : part.elementSet(set)
   return type.kind === 'other'
-    ? otherSection(reading, type, into?.ids ?? null)
-    : hexahedronSection(reading, type, written, into)
+    ? otherSection(context, type, into?.ids ?? null)
+    : hexahedronSection(context, type, written, into)
 }
 
 function hexahedronSection(
-  reading: Reading,
+  context: Context,
   type: Exclude<AbaqusType, { kind: 'other' }>,
   written: string,
   into: { cells: Runs; ids: IdRanges } | null,
 ): Section {
-  const { model } = reading.part
+  const { model } = context.part
   const slots = new Uint32Array(32)
   const fewest = type.kind === 'quadratic' ? type.fewest : type.nodes
   let id = -1
   let count = 0
   let line = 0
   const close = () => {
-    if (count < fewest) reading.lines.refuse(`element ${id} has ${count} nodes; ${written} has ${fewest}.`, line)
+    if (count < fewest) context.lines.refuse(`element ${id} has ${count} nodes; ${written} has ${fewest}.`, line)
     if (type.kind === 'hexahedron') {
       const cell = model.addHexahedron(id, slots)
       into?.cells.add(cell)
@@ -54,7 +54,7 @@ function hexahedronSection(
     id = -1
   }
   const readLine = () => {
-    const lines = reading.lines
+    const lines = context.lines
     const rows = id < 0 && type.kind === 'hexahedron' ? lines.rows(HEXAHEDRON_ROW) : null
     if (rows !== null) {
       const first = model.addRows(rows)
@@ -83,20 +83,20 @@ function hexahedronSection(
   return { line: readLine, end }
 }
 
-function otherSection(reading: Reading, type: Extract<AbaqusType, { kind: 'other' }>, ids: IdRanges | null): Section {
-  const part = reading.part
+function otherSection(context: Context, type: Extract<AbaqusType, { kind: 'other' }>, ids: IdRanges | null): Section {
+  const part = context.part
   let id = -1
   let count = 0
   let line = 0
   const close = () => {
     if (type.nodes !== null && count < type.nodes)
-      reading.lines.refuse(`element ${id} has ${count} nodes; its type has ${type.nodes}.`, line)
+      context.lines.refuse(`element ${id} has ${count} nodes; its type has ${type.nodes}.`, line)
     part.addOther(type.cell, id)
     ids?.add(id)
     id = -1
   }
   const readLine = () => {
-    const lines = reading.lines
+    const lines = context.lines
     lines.splitAtCommas()
     let fields = lines.fieldCount
     const goesOn = lines.isFieldBlank(fields - 1)
@@ -116,12 +116,12 @@ function otherSection(reading: Reading, type: Extract<AbaqusType, { kind: 'other
 }
 
 /** *ELGEN */
-export function elementLineSection(reading: Reading): Section {
-  const set = reading.keyword.parameters.get('ELSET')
-  const part = reading.part
+export function elementLineSection(context: Context): Section {
+  const set = context.keyword.parameters.get('ELSET')
+  const part = context.part
   part.model.forgetPlaces()
   const line = () => {
-    const lines = reading.lines
+    const lines = context.lines
     lines.splitAtCommas()
     const master = lines.id(0, 'an element number')
     const whole = (field: number) => (lines.isFieldBlank(field) ? 1 : lines.integer(field, 'a whole number'))
@@ -136,30 +136,30 @@ export function elementLineSection(reading: Reading): Section {
 }
 
 /** *ELCOPY */
-export function copyElements(reading: Reading): void {
-  const { parameters } = reading.keyword
-  if (parameters.has('REFLECT')) reading.lines.refuse('*ELCOPY with REFLECT is not read here.')
+export function copyElements(context: Context): void {
+  const { parameters } = context.keyword
+  if (parameters.has('REFLECT')) context.lines.refuse('*ELCOPY with REFLECT is not read here.')
   const target = parameters.get('NEWSET')
-  reading.part.copyElements(
-    reading.lines,
+  context.part.copyElements(
+    context.lines,
     parameters.get('OLDSET') ?? '',
-    wholeNumber(reading, 'ELEMENTSHIFT'),
-    wholeNumber(reading, 'SHIFTNODES'),
-    target === undefined ? null : reading.part.elementSet(target),
+    wholeNumber(context, 'ELEMENTSHIFT'),
+    wholeNumber(context, 'SHIFTNODES'),
+    target === undefined ? null : context.part.elementSet(target),
   )
 }
 
 /** *NSET and *ELSET. Null where the set has no numbers of its own. */
-export function setSection(reading: Reading, kind: 'NSET' | 'ELSET', part: AbaqusPart): Section | null {
-  const { parameters } = reading.keyword
+export function setSection(context: Context, kind: 'NSET' | 'ELSET', part: AbaqusPart): Section | null {
+  const { parameters } = context.keyword
   const name = parameters.get(kind)
-  if (name === undefined) reading.lines.refuse(`*${kind} without ${kind}: the name of the set was expected.`)
+  if (name === undefined) context.lines.refuse(`*${kind} without ${kind}: the name of the set was expected.`)
   const { ids, names } =
     kind === 'NSET' ? part.nodeSetWithNames(name) : part.elementSet(name, parameters.has('INTERNAL'))
   if (kind === 'NSET' && parameters.has('ELSET')) return null
   const isGenerated = parameters.has('GENERATE')
   const line = () => {
-    const lines = reading.lines
+    const lines = context.lines
     lines.splitAtCommas()
     if (isGenerated) {
       const first = lines.id(0, 'a number')

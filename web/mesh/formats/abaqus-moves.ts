@@ -17,13 +17,14 @@ export function moveOf(
   const [shift = [], turn] = moveLines
   if (moveLines.length > 2 || shift.slice(3).some(value => value !== 0))
     lines.refuse('a move is a line of 3 numbers and, for a rotation, one of 7.', line)
-  const part = (list: readonly number[], from: number): Vector => [
+  const vector = (list: readonly number[], from: number): Vector => [
     list[from] ?? 0,
     list[from + 1] ?? 0,
     list[from + 2] ?? 0,
   ]
   return {
-    translation: part(shift, 0),
-    rotation: turn && (turn[6] ?? 0) !== 0 ? { from: part(turn, 0), to: part(turn, 3), degrees: turn[6] ?? 0 } : null,
+    translation: vector(shift, 0),
+    rotation:
+      turn && (turn[6] ?? 0) !== 0 ? { from: vector(turn, 0), to: vector(turn, 3), degrees: turn[6] ?? 0 } : null,
   }
 }

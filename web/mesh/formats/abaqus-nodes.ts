@@ -2,37 +2,37 @@
 
 import { RowPattern } from '../../core/reading-interface'
 import { shown } from '../text-cursor'
+import { type Context, type Section, wholeNumber } from './abaqus-context'
 import { unquoted } from './abaqus-keyword'
 import { moveLine, moveOf } from './abaqus-moves'
-import { type Reading, type Section, wholeNumber } from './abaqus-reading'
 import type { IdRanges } from './id-ranges'
 import { cross, minus, outOfFrame, rigidMove, scaled, unit, type Vector } from './movement'
 import type { TextLines } from './text-lines'
 
 const NODE_ROW = new RowPattern(['whole', ',', 'real', ',', 'real', ',', 'real', 'end'])
 
-export function nodeSection(reading: Reading): Section {
-  const { parameters } = reading.keyword
+export function nodeSection(context: Context): Section {
+  const { parameters } = context.keyword
   const system = (parameters.get('SYSTEM') ?? 'R').toUpperCase()
-  if (system.startsWith('S')) reading.lines.refuse('*NODE with SYSTEM=S, spherical coordinates, is not read here.')
+  if (system.startsWith('S')) context.lines.refuse('*NODE with SYSTEM=S, spherical coordinates, is not read here.')
   if (!/^[RC]/.test(system))
-    reading.lines.refuse(`*NODE has an unknown SYSTEM ${shown(system)}: R, C or S was expected.`)
+    context.lines.refuse(`*NODE has an unknown SYSTEM ${shown(system)}: R, C or S was expected.`)
   const isCylindrical = system.startsWith('C')
   const set = parameters.get('NSET')
-  const ids = reading.part.nodeSet(set)
-  const isFar = isCylindrical || reading.frame !== null
+  const ids = context.part.nodeSet(set)
+  const isFar = isCylindrical || context.frame !== null
   if (isFar)
-    reading.notes.push('Coordinates in frames of their own are turned into global ones, and rounded to doubles.')
-  return { line: () => nodeLine(reading, ids, isFar, isCylindrical) }
+    context.notes.push('Coordinates in frames of their own are turned into global ones, and rounded to doubles.')
+  return { line: () => nodeLine(context, ids, isFar, isCylindrical) }
 }
 
-function nodeLine(reading: Reading, ids: IdRanges | null, isFar: boolean, isCylindrical: boolean): void {
-  const lines = reading.lines
-  const model = reading.part.model
+function nodeLine(context: Context, ids: IdRanges | null, isFar: boolean, isCylindrical: boolean): void {
+  const lines = context.lines
+  const model = context.part.model
   const rows = isFar ? null : lines.rows(NODE_ROW)
   if (rows !== null) {
     model.defineRows(lines, rows)
-    reading.precision.seeAll(rows)
+    context.precision.seeAll(rows)
     for (let row = 0; row < rows.count; ++row) ids?.add(rows.numbers[rows.pattern.numberCount * row] as number)
     return
   }
@@ -41,23 +41,23 @@ function nodeLine(reading: Reading, ids: IdRanges | null, isFar: boolean, isCyli
   if (lines.fieldCount > 8 || (lines.fieldCount === 8 && !lines.isFieldBlank(7)))
     lines.refuse(`node ${id} has ${lines.fieldCount - 1} numbers; 3 coordinates and a normal are expected at most.`)
   ids?.add(id)
-  const x = lines.real(1, reading.precision)
-  const y = lines.real(2, reading.precision)
-  const z = lines.real(3, reading.precision)
+  const x = lines.real(1, context.precision)
+  const y = lines.real(2, context.precision)
+  const z = lines.real(3, context.precision)
   for (let field = 4; field < lines.fieldCount; ++field) lines.real(field)
   if (lines.fieldCount < 4) {
     model.defineShortNode(lines, id, [x, y].slice(0, lines.fieldCount - 1))
     return
   }
   if (lines.isFieldBlank(1) || lines.isFieldBlank(2) || lines.isFieldBlank(3)) {
-    reading.notes.push('Blank coordinates are 0, as Abaqus reads them.')
+    context.notes.push('Blank coordinates are 0, as Abaqus reads them.')
     model.forgetPlaces()
   }
   if (isFar) {
     model.forgetPlaces()
     const angle = (y * Math.PI) / 180
     const local: Vector = isCylindrical ? [x * Math.cos(angle), x * Math.sin(angle), z] : [x, y, z]
-    const global = reading.frame === null ? local : outOfFrame(reading.frame, local)
+    const global = context.frame === null ? local : outOfFrame(context.frame, local)
     model.defineNode(lines, id, ...global)
     return
   }
@@ -66,20 +66,20 @@ function nodeLine(reading: Reading, ids: IdRanges | null, isFar: boolean, isCyli
 }
 
 /** *SYSTEM: the frame of the nodes that follow. */
-export function systemSection(reading: Reading): Section {
+export function systemSection(context: Context): Section {
   const given: Vector[] = []
-  reading.frame = null
+  context.frame = null
   const line = () => {
     const isFirst = given.length === 0
-    reading.lines.splitAtCommas()
-    given.push(vector(reading.lines, 0))
-    if (isFirst && hasNumbers(reading.lines, 3)) given.push(vector(reading.lines, 3))
+    context.lines.splitAtCommas()
+    given.push(vector(context.lines, 0))
+    if (isFirst && hasNumbers(context.lines, 3)) given.push(vector(context.lines, 3))
   }
   const end = () => {
     const [origin, onX, inPlane] = given
     if (!origin) return
     if (!onX) {
-      reading.frame = {
+      context.frame = {
         origin,
         axes: [
           [1, 0, 0],
@@ -92,8 +92,8 @@ export function systemSection(reading: Reading): Section {
     const along = minus(onX, origin)
     const x = unit(inPlane ? along : [along[0], along[1], 0])
     const normal: Vector | null = inPlane ? unit(cross(along, minus(inPlane, origin))) : [0, 0, 1]
-    if (x === null || normal === null) reading.lines.refuse('*SYSTEM: its points lie on a line.')
-    reading.frame = { origin, axes: [x, cross(normal, x), normal] }
+    if (x === null || normal === null) context.lines.refuse('*SYSTEM: its points lie on a line.')
+    context.frame = { origin, axes: [x, cross(normal, x), normal] }
   }
   return { line, end }
 }
@@ -107,17 +107,17 @@ function vector(lines: TextLines, from: number): Vector {
 }
 
 /** *NGEN */
-export function nodeLineSection(reading: Reading): Section {
-  const { parameters } = reading.keyword
-  const lines = reading.lines
+export function nodeLineSection(context: Context): Section {
+  const { parameters } = context.keyword
+  const lines = context.lines
   const curve = (parameters.get('LINE') ?? 'S').toUpperCase()
   if (curve !== 'S' || parameters.has('SYSTEM'))
     lines.refuse('*NGEN is read for straight lines only: not with LINE or SYSTEM.')
-  const part = reading.part
+  const part = context.part
   part.model.forgetPlaces()
   const set = parameters.get('NSET')
   const line = () => {
-    const at = reading.lines
+    const at = context.lines
     at.splitAtCommas()
     const [first, last] = [at.id(0, 'a node number'), at.id(1, 'a node number')]
     const step = Math.abs(at.integer(2, 'an increment')) || 1
@@ -127,16 +127,16 @@ export function nodeLineSection(reading: Reading): Section {
 }
 
 /** *NFILL */
-export function nodeFillSection(reading: Reading): Section {
-  const { parameters } = reading.keyword
+export function nodeFillSection(context: Context): Section {
+  const { parameters } = context.keyword
   for (const name of ['SINGULAR', 'TWOSTEP'])
-    if (parameters.has(name)) reading.lines.refuse(`*NFILL with ${name} is not read here.`)
-  if (Number(parameters.get('BIAS') ?? 1) !== 1) reading.lines.refuse('*NFILL with BIAS is not read here.')
-  const part = reading.part
+    if (parameters.has(name)) context.lines.refuse(`*NFILL with ${name} is not read here.`)
+  if (Number(parameters.get('BIAS') ?? 1) !== 1) context.lines.refuse('*NFILL with BIAS is not read here.')
+  const part = context.part
   part.model.forgetPlaces()
   const set = parameters.get('NSET')
   const line = () => {
-    const at = reading.lines
+    const at = context.lines
     at.splitAtCommas()
     const intervals = at.id(2, 'a number of intervals')
     const step = at.isFieldBlank(3) ? 1 : at.integer(3, 'an increment')
@@ -147,16 +147,16 @@ export function nodeFillSection(reading: Reading): Section {
 }
 
 /** *NCOPY */
-export function nodeCopySection(reading: Reading): Section {
-  const { parameters } = reading.keyword
-  const lines: TextLines = reading.lines
+export function nodeCopySection(context: Context): Section {
+  const { parameters } = context.keyword
+  const lines: TextLines = context.lines
   const line = lines.number
   for (const name of ['REFLECT', 'POLE'])
     if (parameters.has(name)) lines.refuse(`*NCOPY with ${name} is not read here; SHIFT is.`)
   if (!parameters.has('SHIFT')) lines.refuse('*NCOPY: SHIFT was expected.')
-  const change = wholeNumber(reading, 'CHANGENUMBER')
-  const multiple = parameters.has('MULTIPLE') ? wholeNumber(reading, 'MULTIPLE') : 1
-  const part = reading.part
+  const change = wholeNumber(context, 'CHANGENUMBER')
+  const multiple = parameters.has('MULTIPLE') ? wholeNumber(context, 'MULTIPLE') : 1
+  const part = context.part
   part.model.forgetPlaces()
   const old = part.sortedNodes(lines, parameters.get('OLDSET') ?? '')
   const target = parameters.get('NEWSET')
@@ -171,5 +171,5 @@ export function nodeCopySection(reading: Reading): Section {
       part.copyNodes(lines, old, k * change, move, part.nodeSet(target))
     }
   }
-  return { line: () => moveLines.push(moveLine(reading.lines)), end }
+  return { line: () => moveLines.push(moveLine(context.lines)), end }
 }

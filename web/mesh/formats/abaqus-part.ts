@@ -137,9 +137,9 @@ export class AbaqusPart {
     return [values[3 * slot] as number, values[3 * slot + 1] as number, values[3 * slot + 2] as number]
   }
 
-  #between(lines: TextLines, first: number, last: number, part: number, of: number, id: number): void {
+  #between(lines: TextLines, first: number, last: number, step: number, steps: number, id: number): void {
     const [a, b] = [this.#coordinates(lines, first), this.#coordinates(lines, last)]
-    const at = (axis: 0 | 1 | 2) => a[axis] + ((b[axis] - a[axis]) * part) / of
+    const at = (axis: 0 | 1 | 2) => a[axis] + ((b[axis] - a[axis]) * step) / steps
     if (id < 0) lines.refuse(`node ${id} is no number of a node.`)
     this.model.defineNode(lines, id, at(0), at(1), at(2))
   }

@@ -8,11 +8,11 @@ import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { AbaqusAssembly } from './abaqus-assembly'
+import type { Context, Section } from './abaqus-context'
 import { copyElements, elementLineSection, elementSection, setSection } from './abaqus-elements'
 import { type Keyword, keywordOf } from './abaqus-keyword'
 import { nodeCopySection, nodeFillSection, nodeLineSection, nodeSection, systemSection } from './abaqus-nodes'
 import type { AbaqusPart } from './abaqus-part'
-import type { Reading, Section } from './abaqus-reading'
 import { includedLines } from './includes'
 import type { Frame } from './movement'
 import { collect } from './placements'
@@ -50,7 +50,7 @@ export const abaqus: MeshFormat = {
   },
 }
 
-class AbaqusReader implements Reading {
+class AbaqusReader implements Context {
   readonly #file: MeshFile
   readonly #options: ReadOptions
   readonly #assembly = new AbaqusAssembly()

@@ -15,7 +15,7 @@ export class AnsysCommands {
   #pending: { readonly id: number; readonly nodes: number[]; readonly line: number } | null = null
   #lastNode = 0
   #lastElement = 0
-  /** The one that is active, in which the coordinates of N are. */
+  /** The number of the active frame, in which the coordinates of N are. */
   frame = 0
 
   /** `take` gets each element when it is whole. */

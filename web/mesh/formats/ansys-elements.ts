@@ -46,9 +46,9 @@ export class AnsysElements {
       this.#notes.push(`Type ${type} of elements is not defined: those of 8 nodes are taken for hexahedra.`)
     else if (found === null)
       this.#notes.push(`Elements of type ${routine} are not known here: they are counted as "other".`)
-    const answer = found ?? (routine === undefined ? null : ({ kind: 'other', cell: 'other' } as const))
-    this.#types.set(type, answer)
-    return answer
+    const taken = found ?? (routine === undefined ? null : ({ kind: 'other', cell: 'other' } as const))
+    this.#types.set(type, taken)
+    return taken
   }
 
   /** Adds an element with the first `count` of these nodes, which begins in this line. */

@@ -60,7 +60,7 @@ export class GmshMesh {
     return this.#blocksOf(tag, this.#groups.get(`3 ${tag}`) ?? [])
   }
 
-  /** The same where the element itself names its group; 0 stands for none. */
+  /** The names of the blocks of an element that names its group itself; 0 stands for none. */
   blocksOfElement(group: number, volume: number): readonly string[] {
     if (group !== this.#lastGroup || volume !== this.#lastVolume) {
       this.#lastGroup = group

@@ -12,7 +12,7 @@ import { type GmshType, gmshTypes } from './gmsh-types'
 
 const DOLLAR = 36
 const HEXAHEDRON_TYPE = '5'
-/** Elements that have more are read one by one. */
+/** The most tags of elements that are read as rows; those with more are read one by one. */
 const MOST_TAGS = 16
 
 const NODE_ROW = new RowPattern(['whole', 'real', 'real', 'real', 'end'])

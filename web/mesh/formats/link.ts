@@ -5,7 +5,7 @@ import { headText, snippetText } from '../snippet-text'
 import type { MeshFormat } from '../source'
 
 const FRAGMENT = /\bv=\w{1,20}&vertices=[^\s>)\]"']*/
-/** A link is no longer. */
+/** The longest link. */
 const LONGEST = 65_536
 
 export const link: MeshFormat = {

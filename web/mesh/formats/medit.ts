@@ -28,7 +28,7 @@ export const medit: MeshFormat = {
   },
 }
 
-/** True if it begins a section: a word alone or with a number, or one of the usual words. */
+/** True if the line begins a section: a word alone or with a number, or one of the usual words. */
 function isKeyword(line: string): boolean {
   if (/^[A-Z][A-Za-z0-9_]*(?:\s+\d+)?\s*$/.test(line)) return true
   const [, word = '', rest] = /^([A-Z][A-Za-z0-9]*)\s+(?:(\d)|[A-Z])/.exec(line) ?? []

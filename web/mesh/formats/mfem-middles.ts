@@ -31,12 +31,12 @@ export function straightHexahedra(
 }
 
 /** The numbers of all elements' edges or faces, each by the vertices that it has. */
-function numbered(cells: readonly number[], parts: readonly number[], size: number) {
+function numbered(cells: readonly number[], corners: readonly number[], size: number) {
   const known = new Map<string, number>()
   const numbers: number[] = []
   for (let at = 0; at < cells.length; at += 8)
-    for (let part = 0; part < parts.length; part += size) {
-      const vertices = parts.slice(part, part + size).map(vertex => cells[at + vertex] as number)
+    for (let first = 0; first < corners.length; first += size) {
+      const vertices = corners.slice(first, first + size).map(vertex => cells[at + vertex] as number)
       const key = vertices.sort((a, b) => a - b).join(' ')
       const number = known.get(key) ?? known.size
       known.set(key, number)

@@ -21,17 +21,17 @@ const NAMED: Readonly<Record<string, number>> = wordTable({ Linear: 1, Quadratic
 const MOST = 32
 
 /** Refuses spaces without nodes at the corners. */
-export function nodeSpaceOf(place: Refusing, entries: ReadonlyMap<string, string>): NodeSpace {
+export function nodeSpaceOf(cursor: Refusing, entries: ReadonlyMap<string, string>): NodeSpace {
   const name = entries.get('FiniteElementCollection') ?? ''
   const [, isContinuous, isClosed, power] = /^(?:(H1(?:Pos|Ser)?)|(L2_T1))(?:@[A-Za-z])?_3D_P(\d+)$/.exec(name) ?? []
   const order = NAMED[name] ?? Number(power ?? 0)
   if (order < 1 || order > MOST)
-    place.refuse(`the nodes are ${shown(name)}; H1_3D_P1 and higher orders, L2_T1_3D_P1 and Linear are read.`)
+    cursor.refuse(`the nodes are ${shown(name)}; H1_3D_P1 and higher orders, L2_T1_3D_P1 and Linear are read.`)
   if (entries.get('VDim') !== '3')
-    place.refuse(`the nodes have ${shown(entries.get('VDim') ?? 'no')} coordinates; 3 were expected.`)
+    cursor.refuse(`the nodes have ${shown(entries.get('VDim') ?? 'no')} coordinates; 3 were expected.`)
   const ordering = entries.get('Ordering')
   if (ordering !== '0' && ordering !== '1')
-    place.refuse(`an Ordering of 0 or 1 was expected, not ${shown(ordering ?? '')}.`)
+    cursor.refuse(`an Ordering of 0 or 1 was expected, not ${shown(ordering ?? '')}.`)
   const n = order + 1
   const last = order * (1 + n + n * n)
   return {
@@ -54,7 +54,7 @@ export function nodeSpaceOf(place: Refusing, entries: ReadonlyMap<string, string
       if (kind === 'tetrahedron') return (n * (n + 1) * (n + 2)) / 6
       if (kind === 'wedge') return (n * n * (n + 1)) / 2
       if (kind === 'pyramid') return (n * (n + 1) * (2 * n + 1)) / 6
-      return place.refuse(`an element of the kind ${kind} has no nodes of its own here.`)
+      return cursor.refuse(`an element of the kind ${kind} has no nodes of its own here.`)
     },
   }
 }

@@ -5,7 +5,7 @@ import type { MeshBuilder } from '../mesh-builder'
 const STRIDE = 4
 
 /** `parents` has vertex, two parents and the place between them, four numbers each. Vertices without parents are points already. */
-export function placeNonConforming(place: Refusing, builder: MeshBuilder, parents: Float64Array): void {
+export function placeNonConforming(cursor: Refusing, builder: MeshBuilder, parents: Float64Array): void {
   const rowOf = new Map<number, number>()
   for (let row = 0; row < parents.length; row += STRIDE) rowOf.set(parents[row] as number, row)
   for (const id of rowOf.keys()) {
@@ -17,11 +17,11 @@ export function placeNonConforming(place: Refusing, builder: MeshBuilder, parent
         continue
       }
       const row = rowOf.get(vertex)
-      if (row === undefined) place.refuse(`vertex ${vertex} has neither coordinates nor parents.`)
+      if (row === undefined) cursor.refuse(`vertex ${vertex} has neither coordinates nor parents.`)
       const [a, b, between] = [parents[row + 1] as number, parents[row + 2] as number, parents[row + 3] as number]
       const missing = [a, b].filter(parent => !builder.hasPointWithId(parent))
       if (missing.length > 0) {
-        if (open.length > rowOf.size) place.refuse(`vertex ${vertex} is a parent of its own parents.`)
+        if (open.length > rowOf.size) cursor.refuse(`vertex ${vertex} is a parent of its own parents.`)
         open.push(missing[0] as number)
         continue
       }

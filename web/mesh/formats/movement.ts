@@ -13,7 +13,7 @@ export const cross = (a: Vector, b: Vector): Vector => [
   a[0] * b[1] - a[1] * b[0],
 ]
 
-/** Null for what has no direction. */
+/** The vector of length one in this direction; null if there is none. */
 export function unit(a: Vector): Vector | null {
   const length = Math.hypot(...a)
   return length > 0 && Number.isFinite(length) ? scaled(a, 1 / length) : null

@@ -23,7 +23,7 @@ export class Cards {
   readonly #onCard: (card: Card) => void
   /** Null while an entry goes on that is of no interest. */
   #card: Card | null = null
-  /** One that is used again. */
+  /** A card that is used again. */
   #spare: Card | null = null
   /** Entries whose next line has not come, and lines whose entry has not, by mnemonic. */
   readonly #waiting = new Map<string, Card>()

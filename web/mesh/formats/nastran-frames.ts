@@ -16,7 +16,7 @@ interface FrameDefinition {
   readonly line: number
 }
 
-/** A chain of frames is no deeper. */
+/** The longest chain of frames that are defined by each other. */
 const DEEPEST = 256
 
 export class Frames {

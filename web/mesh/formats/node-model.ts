@@ -173,7 +173,7 @@ export class NodeModel {
     return this.#hasPlaces
   }
 
-  /** Does `place` for coordinates in three neighbouring fields of the line. */
+  /** Keeps the positions of three coordinates, which stand in neighbouring fields of the line. */
   placeFields(lines: TextLines, slot: number, first: number): void {
     for (let axis = 0; axis < 3; ++axis) {
       const from = lines.fieldFrom(first + axis)

@@ -17,7 +17,7 @@ import { type Move, NO_NODE, type NodeModel, QUADRATIC_SLOTS } from './node-mode
 /** A model somewhere: an instance of a part, or the one model there is. */
 export interface Placement {
   readonly model: NodeModel
-  /** Null for what is in no part. */
+  /** Null for a model that is in no part. */
   readonly name: string | null
   readonly move: Move | null
   /** Blocks of this placement alone. */

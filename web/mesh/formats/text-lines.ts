@@ -35,15 +35,15 @@ export class TextLines {
 
   readonly #chunk = new FileChunk()
 
-  /** They are others when the next line has been read. */
+  /** Bytes of the file with the line among them; other ones when the next line has been read. */
   bytes = new Uint8Array(0)
   /** The line is the bytes [from, to), without its end and the blanks before that. */
   from = 0
   to = 0
-  /** Counted from 1; 0 before the first. */
+  /** The number of the line, counted from 1; 0 before the first. */
   number = 0
 
-  /** Known once the line has been scanned. */
+  /** Commas and tabs are known once the line has been scanned. */
   hasComma = false
   hasTab = false
 

@@ -54,7 +54,7 @@ export class LegacyStream {
     this.refuseAt(this.cursor.position, what)
   }
 
-  report(position: number): void {
+  progress(position: number): void {
     this.#options.throwIfCancelled()
     this.#options.onProgress(position / this.file.size)
   }
@@ -91,7 +91,7 @@ export class LegacyStream {
     if (this.isBinary) return this.#binaryList(count, type, List, what)
     const from = this.cursor.position
     const list = new List(Math.min(count, Math.ceil((this.file.size - from) / 2)))
-    const run = new NumberRun(this.file, from, this.file.size, this.#options.core, position => this.report(position))
+    const run = new NumberRun(this.file, from, this.file.size, this.#options.core, position => this.progress(position))
     const filled = list instanceof Float64Array ? run.numbers(list, 0, list.length) : run.indices(list, 0, list.length)
     this.digits = Math.max(this.digits, run.mostDigits)
     if (filled < count) {
@@ -129,7 +129,7 @@ export class LegacyStream {
         )
       filled += bytes.length / size
       at += bytes.length
-      this.report(at)
+      this.progress(at)
     }
     this.cursor.goTo({ position: at })
     return list
@@ -203,8 +203,8 @@ export class LegacyStream {
     const run = new NumberRun(this.file, this.cursor.position, this.file.size, this.#options.core)
     const some = new Float64Array(1024)
     for (let left = count; left > 0; left -= some.length) {
-      const part = Math.min(left, some.length)
-      if (run.numbers(some, 0, part) === part) continue
+      const wanted = Math.min(left, some.length)
+      if (run.numbers(some, 0, wanted) === wanted) continue
       this.refuseAt(run.position, `${shown(run.nextWord())} stands where a number of a field was expected.`)
     }
     this.cursor.goTo({ position: run.position })

@@ -101,7 +101,7 @@ class LegacyDataset {
 
   /** True if another may follow. */
   #readSection(): boolean {
-    this.#stream.report(this.#cursor.position)
+    this.#stream.progress(this.#cursor.position)
     this.#cursor.skipBlanks()
     const from = this.#cursor.position
     if (this.#cursor.isAtEnd) return false

@@ -61,7 +61,7 @@ export class VtkMesh {
     const before = this.#cellCount
     const places: number[] | null = grid.cellData === null ? null : []
     const cells = this.#convert(grid, places)
-    this.#addPart(grid.points, cells, grid.precision)
+    this.#append(grid.points, cells, grid.precision)
     this.#addCellData(grid.cellData, places ?? [], before, cells.length / 8)
     if (block !== null)
       this.#grids.push({ name: block, cells: Uint32Array.from({ length: cells.length / 8 }, (_, i) => before + i) })
@@ -90,13 +90,13 @@ export class VtkMesh {
     if (cellsAlong.length < 3) {
       const flat = ['vertex', 'line', 'quadrilateral'][cellsAlong.length] as string
       this.#other.set(flat, (this.#other.get(flat) ?? 0) + count)
-      this.#addPart(new Float64Array(0), new Uint32Array(0), precision)
+      this.#append(new Float64Array(0), new Uint32Array(0), precision)
       return
     }
-    this.#addPart(pointsOf(), cellsOfLattice(sizes, count), precision)
+    this.#append(pointsOf(), cellsOfLattice(sizes, count), precision)
   }
 
-  #addPart(points: Float64Array, cells: Uint32Array, precision: Precision): void {
+  #append(points: Float64Array, cells: Uint32Array, precision: Precision): void {
     if (this.#pointCount > 0) for (let i = 0; i < cells.length; ++i) cells[i] = (cells[i] as number) + this.#pointCount
     this.#points.push(points)
     this.#cells.push(cells)
@@ -260,15 +260,15 @@ export function firstFall(list: Uint32Array): number {
   return -1
 }
 
-function joined<T extends Float64Array | Uint32Array>(parts: T[], List: new (length: number) => T): T {
-  if (parts.length === 1) return parts[0] as T
-  const whole = new List(parts.reduce((sum, part) => sum + part.length, 0))
+function joined<T extends Float64Array | Uint32Array>(lists: T[], List: new (length: number) => T): T {
+  if (lists.length === 1) return lists[0] as T
+  const whole = new List(lists.reduce((sum, list) => sum + list.length, 0))
   let at = 0
-  for (const part of parts.splice(0)) {
-    whole.set(part as never, at)
-    at += part.length
+  for (const list of lists.splice(0)) {
+    whole.set(list as never, at)
+    at += list.length
   }
-  parts.push(whole)
+  lists.push(whole)
   return whole
 }
 

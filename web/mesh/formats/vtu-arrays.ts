@@ -71,7 +71,7 @@ export function readArray<T extends NumberList>(
   return { list: new BinaryArray(storage, array, count, List).read(), digits: 0 }
 }
 
-/** The text of a number where it stands: for what was expected there. */
+/** Refuses with the line of a byte. */
 function refuseAt(file: MeshFile, position: number, what: string): never {
   throw new MeshRefusal(`${file.name}, line ${lineAt(file, position)}: ${what}`)
 }
@@ -210,7 +210,7 @@ class BinaryArray<T extends NumberList> {
       const chunk = this.#take(Math.min(left, CHUNK))
       left -= chunk.length
       this.#append(chunk)
-      this.#report()
+      this.#progress()
     }
   }
 
@@ -243,11 +243,11 @@ class BinaryArray<T extends NumberList> {
       this.#append(scratch.subarray(0, ready))
       scratch.copyWithin(0, ready, held)
       held -= ready
-      this.#report()
+      this.#progress()
     }
   }
 
-  #report(): void {
+  #progress(): void {
     const { file, options } = this.#storage
     options.throwIfCancelled()
     options.onProgress(this.#source.position / file.size)

@@ -48,7 +48,7 @@ interface Run {
 interface Line {
   readonly number: number
   readonly runs: readonly Run[]
-  /** The same for lines that are written alike. */
+  /** The line without its numbers: lines that are written alike have the same. */
   readonly skeleton: string
   readonly words: readonly string[]
   readonly digits: number

@@ -38,13 +38,13 @@ export class List {
     this.depth = parent === null ? 0 : parent.depth + 1
   }
 
-  /** Something is left out here. */
+  /** Notes that something is left out here. */
   cut(): void {
     this.cutAt ??= { values: this.values.length, lists: this.lists.length }
   }
 }
 
-/** What follows from the language that a text is written in. */
+/** Habits of the language that a text is written in. */
 export interface Language {
   readonly isOneBased: boolean
   /** True if Eigen's matrices in it have three rows. */

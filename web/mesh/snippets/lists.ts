@@ -7,7 +7,7 @@ import type { NumberTable } from './number-table'
 import { Tokens } from './tokens'
 
 const [OPENING, CLOSING] = ['([{', ')]}']
-/** Lists of numbers are not nested as deep; brackets that are count for nothing. */
+/** The deepest nesting of lists of numbers; brackets inside of it count for nothing. */
 const DEEPEST = 100
 /** Characters behind Fortran's “&” in which its line ends. */
 const BEHIND = 160

@@ -131,7 +131,7 @@ function doubleOf(found: string): number {
   return doubleOfHexadecimal(sign, `${whole}${fraction}`, Number(power) - 4 * fraction.length)
 }
 
-/** NaN for what is no double: nothing is rounded that was written bit for bit. */
+/** NaN for digits that are no double: nothing is rounded that was written bit for bit. */
 function doubleOfHexadecimal(sign: string, digits: string, exponent: number): number {
   const integer = BigInt(`0x${digits === '' ? '0' : digits.slice(0, LONGEST_HEXADECIMAL)}`)
   const mantissa = Number(integer)

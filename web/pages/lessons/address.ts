@@ -1,4 +1,4 @@
-/** Addresses of the steps of lessons: #corners-are-not-enough/2. */
+/** Addresses of the steps of lessons: #corners-are-not-enough/2. Without a step the page shows the overview. */
 import { type Lesson, type LessonStep, lessons } from './content/lessons'
 
 export interface StepAddress {
@@ -11,21 +11,22 @@ export function hashOf({ lesson, step }: StepAddress): string {
   return `#${lesson.id}/${step + 1}`
 }
 
-/** The step that a link names; else the first of the lesson, or of all. */
-export function addressOf(hash: string): StepAddress {
+/** The step that a link names; else the first of the lesson that it names; null is the overview. */
+export function addressOf(hash: string): StepAddress | null {
   const [id, number] = hash.replace(/^#/, '').split('/')
-  const lesson = lessons.find(given => given.id === id) ?? (lessons[0] as Lesson)
+  const lesson = lessons.find(given => given.id === id)
+  if (!lesson) return null
   const step = Number(number) - 1
-  return { lesson, step: lesson.id === id && step in lesson.steps ? step : 0 }
+  return { lesson, step: step in lesson.steps ? step : 0 }
 }
 
 /** The mistake in a link, in a sentence; null if it names a step, or nothing. */
 export function complaintAbout(hash: string): string | null {
   const [id = '', number] = hash.replace(/^#/, '').split('/')
-  const { lesson, step } = addressOf(hash)
+  const address = addressOf(hash)
   if (id === '') return null
-  if (lesson.id !== id) return `There is no lesson “${id.slice(0, 40)}”. This is the first.`
-  if (number === undefined || number === `${step + 1}`) return null
+  if (!address) return `There is no lesson “${id.slice(0, 40)}”. These are the lessons that there are.`
+  if (number === undefined || number === `${address.step + 1}`) return null
   return `This lesson has no step “${number.slice(0, 40)}”. This is its first.`
 }
 

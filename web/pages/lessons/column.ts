@@ -1,13 +1,15 @@
 /** The column of a lesson: its steps one under another, their claims, and the way on. */
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { guard } from 'lit-html/directives/guard.js'
-import { unsafeHTML } from 'lit-html/directives/unsafe-html.js'
 import type { Report } from '../../core/report'
+import type { Vertices } from '../../model/hexahedron'
 import { encodePermalink } from '../../model/permalink'
 import { hashOf, neighbour, type StepAddress, stepAt } from './address'
 import { claimList } from './claims'
-import { type LessonFigure, type LessonStep, lessons } from './content/lessons'
+import { isInPlane, type LessonFigure, type LessonQuestion, type LessonStep, lessons } from './content/lessons'
 import { edgeFigure } from './edge-figure'
+import { prose } from './prose'
+import { type Given, type QuestionActions, questionPart } from './question'
 import { sectionFigure } from './section-figure'
 import { verticesOf } from './step-state'
 
@@ -15,17 +17,23 @@ export interface ColumnState {
   readonly address: StepAddress
   /** The report of the element on the screen. */
   readonly live: Report | null
+  /** The vertices on the screen. */
+  readonly vertices: Vertices
   /** Reports of the steps' own elements, as far as they are there. */
   readonly own: readonly (Report | undefined)[]
   /** True if the element is not the step's own any more. */
   readonly isChanged: boolean
   /** The mistake in the address, if any. */
   readonly complaint: string | null
+  /** The answers to the lesson's questions, by their steps. */
+  readonly answers: readonly (Given | undefined)[]
 }
 
 export interface ColumnActions {
   readonly go: (to: StepAddress) => void
   readonly restore: () => void
+  /** To the question of a step of this lesson. */
+  readonly question: (step: number) => QuestionActions
 }
 
 export function column(state: ColumnState, actions: ColumnActions): TemplateResult {
@@ -44,8 +52,8 @@ export function column(state: ColumnState, actions: ColumnActions): TemplateResu
 
 function contents({ lesson }: StepAddress): TemplateResult {
   return html`<details class="contents">
-    <summary>Lesson ${lessons.indexOf(lesson) + 1} of ${lessons.length}</summary>
-    <ol>
+    <summary>Lesson ${lessons.indexOf(lesson)} of ${lessons.length - 1}</summary>
+    <ol start="0">
       ${lessons.map(
         other =>
           html`<li>
@@ -53,37 +61,64 @@ function contents({ lesson }: StepAddress): TemplateResult {
           </li>`,
       )}
     </ol>
+    <p><a href="#">All lessons</a></p>
   </details>`
 }
 
-function stepArticle(step: LessonStep, index: number, state: ColumnState, { restore }: ColumnActions): TemplateResult {
-  const { address, live, own, isChanged } = state
+function stepArticle(step: LessonStep, index: number, state: ColumnState, actions: ColumnActions): TemplateResult {
+  const { address, live, own, isChanged, answers } = state
   const isActive = index === address.step
   const report = (isActive ? live : own[index]) ?? null
+  const isAsked = step.question !== undefined && answers[index] === undefined
   return html`<article class="step" data-step=${index} ?data-active=${isActive}>
     <h2>
       <a href=${hashOf({ ...address, step: index })} aria-current=${isActive ? 'step' : nothing}>
         <span class="number">${index + 1}</span> ${step.title}
       </a>
     </h2>
-    ${prose(step.text)}
-    ${guard([step, report], () => computed(step, report))}
-    <p class="task">${prose(step.task)}</p>
+    ${step.question ? asked(step, step.question, index, state, actions) : nothing}
+    ${
+      isAsked
+        ? nothing
+        : html`${prose(step.text)}
+            ${guard([step, report], () => computed(step, report))}
+            <p class="task">${prose(step.task)}</p>`
+    }
     ${
       isActive
         ? html`<p class="tools">
-            <button type="button" @click=${restore}>Restore this step</button>
-            <a class="quiet" href=${`./#${encodePermalink(live?.vertices ?? verticesOf(step))}`}>Open in the lens</a>
-            <span class="quiet">${isChanged ? 'You have changed the element.' : nothing}</span>
+            <button type="button" @click=${actions.restore}>Restore this step</button>
+            <a class="quiet" href=${`./#${encodePermalink(state.vertices)}`}>Open in the lens</a>
+            <span class="quiet">${isChanged ? changeText(step) : nothing}</span>
           </p>`
         : nothing
     }
   </article>`
 }
 
-/** No line begins with the punctuation after a formula. */
-function prose(text: string): ReturnType<typeof unsafeHTML> {
-  return unsafeHTML(text.replace(/<math>(?:(?!<\/math>).)*<\/math>[.,;:)]+/gs, '<span class="together">$&</span>'))
+function asked(
+  step: LessonStep,
+  question: LessonQuestion,
+  index: number,
+  { address, live, own, answers }: ColumnState,
+  actions: ColumnActions,
+): TemplateResult {
+  return questionPart(
+    {
+      question,
+      given: answers[index],
+      own: own[index] ?? null,
+      start: verticesOf(step),
+      isActive: index === address.step,
+      isJudged: live !== null,
+      vertexName: isInPlane(step) ? 'Corner' : 'Vertex',
+    },
+    actions.question(index),
+  )
+}
+
+function changeText(step: LessonStep): string {
+  return `You have changed the ${isInPlane(step) ? 'quadrilateral' : 'element'}.`
 }
 
 /** Made anew only for another report: while a reader drags, only the step that is read has one. */

@@ -1,18 +1,23 @@
 /**
- * The page of the lessons: steps in the column beside the lens. The step that is read decides what the lens shows; the address names
- * it, so that a link, Back and a reload return to it, and to what the reader has done there.
+ * The page of the lessons: an overview, or steps in the column beside the lens. The step that is read decides what the lens shows; the
+ * address names it, so that a link, Back and a reload return to it, and to what the reader has done there.
  */
 import { render } from 'lit-html'
 import type { Report } from '../../core/report'
 import type { Lesson } from './content/lessons'
 import '../element'
 import { entryAt, type HistoryEntry, keepEntry, presentKey } from '../history-entries'
-import { scrollToTop } from '../scroll'
 import { addressOf, complaintAbout, hashOf, neighbour, type StepAddress, stepAt } from './address'
 import { type ColumnActions, column } from './column'
-import { stateOf, verticesOf } from './step-state'
+import { showMeanings } from './meaning'
+import { overview } from './overview'
+import { Progress } from './progress'
+import { type Given, isSolvedBy, type QuestionActions } from './question'
+import { Stage } from './stage'
+import { shownStep, verticesOf } from './step-state'
 import '../skip'
 
+const main = document.querySelector('main') as HTMLElement
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const root = document.querySelector('.column') as HTMLElement
 
@@ -20,50 +25,117 @@ const root = document.querySelector('.column') as HTMLElement
 const SETTLED = 120
 /** The reader's line, as a fraction of the free height of the window. */
 const READING = 0.42
+const OVERVIEW_TITLE = document.title
 
 const own = new Map<Lesson, readonly (Report | undefined)[]>()
-let address = addressOf(location.hash)
+const progress = new Progress()
+/** Null is the overview. */
+let address: StepAddress | null = null
 let key = presentKey()
-/** The scroll position that `show` has set, not the reader. */
+/** The scroll position that `show` has set, not the reader; and there the step's top in the window. */
 let scrolledTo = -1
+let heldAt = 0
 let settling = 0
 let width = innerWidth
+const stage = new Stage(main, lens, draw, onPress)
 
 const actions: ColumnActions = {
-  go: to => {
-    keepEntry(key, present())
-    history.pushState(null, '', hashOf(to))
-    key = presentKey()
-    show(to)
-  },
+  go,
   restore: () => apply(),
+  question: step => questionActions(step),
+}
+
+/** Null is the overview. */
+function go(to: StepAddress | null): void {
+  keepEntry(key, present())
+  history.pushState(null, '', to ? hashOf(to) : `${location.pathname}${location.search}`)
+  key = presentKey()
+  show(to)
+}
+
+function questionActions(step: number): QuestionActions {
+  return {
+    choose: choice => answer(step, choice),
+    handIn: () => answer(step, solved(step)),
+    show: () => answer(step, null),
+    askAgain: () => answer(step, undefined),
+  }
+}
+
+/** What the core says of the element that is handed in; undefined, no answer, while it says nothing. */
+function solved(step: number): boolean | undefined {
+  const asked = address?.lesson.steps[step]
+  if (!asked?.question || !stage.report) return undefined
+  return isSolvedBy(asked.question, stage.report, verticesOf(asked)) ?? undefined
+}
+
+function onPress(corner: number): void {
+  const answers = address && stepAt(address).question?.answer
+  const choice = answers?.kind === 'vertex' ? answers.vertices.indexOf(corner) : -1
+  if (address && choice >= 0) answer(address.step, choice)
+}
+
+/** Undefined asks again. */
+function answer(step: number, given: Given | undefined): void {
+  if (!address) return
+  const to = { ...address, step }
+  if (given === undefined) progress.forgetAnswer(to)
+  else progress.answer(to, given)
+  if (step === address.step) stage.ask(stepAt(to), isAsked(to))
+  holding(step, draw)
+  const place = given === undefined ? '.choices button' : '.judged'
+  articleOf(step)?.querySelector<HTMLElement>(place)?.focus({ preventScroll: true })
+}
+
+function isAsked(to: StepAddress): boolean {
+  return stepAt(to).question !== undefined && progress.answerTo(to) === undefined
 }
 
 function draw(): void {
-  const start = verticesOf(stepAt(address))
-  const isChanged = lens.vertices.some((value, i) => value !== start[i])
   const complaint = complaintAbout(location.hash)
+  if (!address) {
+    render(overview({ progress, complaint }, forget), root)
+    return
+  }
+  const { lesson } = address
+  const { vertices } = stage
+  const start = verticesOf(shownStep(stepAt(address), isAsked(address)))
   render(
-    column({ address, live: lens.report, own: own.get(address.lesson) ?? [], isChanged, complaint }, actions),
+    column(
+      {
+        address,
+        live: stage.report,
+        vertices,
+        own: own.get(lesson) ?? [],
+        isChanged: vertices.some((value, i) => value !== start[i]),
+        complaint,
+        answers: lesson.steps.map((_, step) => progress.answerTo({ lesson, step })),
+      },
+      actions,
+    ),
     root,
   )
 }
 
-/** The lens shows the step that is read. */
+function forget(): void {
+  progress.forget()
+  draw()
+  root.focus({ preventScroll: true })
+}
+
+/** The step as it begins. */
 function apply(): void {
-  const step = stepAt(address)
-  if (lens.views !== step.views) lens.views = step.views
-  lens.state = stateOf(step)
-  scrollToTop(lens)
+  stage.show(address && stepAt(address), address !== null && isAsked(address))
   draw()
 }
 
-function enter(to: StepAddress): void {
-  const isNewLesson = to.lesson !== address.lesson
+function enter(to: StepAddress | null): void {
+  const isNewLesson = to?.lesson !== address?.lesson
   address = to
-  document.title = `${to.lesson.title}: Hexlens lessons`
+  document.title = to ? `${to.lesson.title}: Hexlens lessons` : OVERVIEW_TITLE
+  if (to) progress.see(to)
   apply()
-  if (isNewLesson || !own.has(to.lesson)) void analyze(to.lesson)
+  if (to && (isNewLesson || !own.has(to.lesson))) void analyze(to.lesson)
 }
 
 /** Keeps a step where it is on the screen while steps above it change: their drawings come late. */
@@ -73,25 +145,30 @@ function holding(step: number, change: () => void): void {
   const by = topOf(step) - before
   if (by === 0) return
   scrollBy({ top: by, behavior: 'instant' })
-  if (scrolledTo >= 0) scrolledTo = scrollY
+  if (scrolledTo >= 0) hold(step)
 }
 
 /** Enters a step and has it in sight. */
-function show(to: StepAddress): void {
+function show(to: StepAddress | null): void {
   enter(to)
-  reveal(to.step)
+  reveal(to?.step ?? 0)
 }
 
 function reveal(step: number): void {
   if (step === 0) scrollTo(0, 0)
   else articleOf(step)?.scrollIntoView({ block: 'start', behavior: 'instant' })
+  hold(step)
+}
+
+function hold(step: number): void {
   scrolledTo = scrollY
+  heldAt = topOf(step)
 }
 
 async function analyze(lesson: Lesson): Promise<void> {
   const reports = await Promise.all(lesson.steps.map(step => lens.analyze(verticesOf(step)).catch(() => undefined)))
   own.set(lesson, reports) // without a core there are none, and the lens says so
-  holding(address.step, draw)
+  holding(address?.step ?? 0, draw)
 }
 
 function articleOf(step: number): Element | undefined {
@@ -104,7 +181,7 @@ function topOf(step: number): number {
 
 /** The step's top in the window: on the page it depends on drawings before it, which come late. */
 function present(): HistoryEntry {
-  return { state: lens.state, scroll: [topOf(address.step)] }
+  return { state: stage.state, scroll: address ? [topOf(address.step)] : [-scrollY] }
 }
 
 /** Shows the step of the address, with what the reader had done when it was left. */
@@ -113,9 +190,9 @@ function open(): void {
   show(addressOf(location.hash))
   if (!kept) return
   try {
-    lens.state = kept.state
-    scrollBy({ top: topOf(address.step) - (kept.scroll[0] ?? 0), behavior: 'instant' })
-    scrolledTo = scrollY
+    if (address) stage.state = kept.state
+    scrollBy({ top: (address ? topOf(address.step) : 0) - (kept.scroll[0] ?? 0), behavior: 'instant' })
+    hold(address?.step ?? 0)
     draw()
   } catch {
     apply() // what another version of the page kept
@@ -124,7 +201,7 @@ function open(): void {
 
 /** The last step that begins above the line at which one reads. */
 function stepInSight(): number {
-  const { top, bottom } = lens.getBoundingClientRect()
+  const { top, bottom } = stage.element.getBoundingClientRect()
   const free = Math.max(0, root.getBoundingClientRect().left > 0 ? top : bottom)
   const line = free + READING * (innerHeight - free)
   const isAtEnd = scrollY + innerHeight >= document.documentElement.scrollHeight - 2
@@ -140,29 +217,36 @@ function stepInSight(): number {
 function onSettled(): void {
   if (Math.abs(scrollY - scrolledTo) < 2) return
   scrolledTo = -1
-  const step = stepInSight()
-  if (step === address.step) return
-  holding(step, () => enter({ ...address, step }))
-  history.replaceState(history.state, '', hashOf(address))
+  if (!address) return
+  const to = { ...address, step: stepInSight() }
+  if (to.step === address.step) return
+  holding(to.step, () => enter(to))
+  history.replaceState(history.state, '', hashOf(to))
 }
 
 function onKey(event: KeyboardEvent): void {
   const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : null
-  const isOthers = event.altKey || event.ctrlKey || event.metaKey || event.shiftKey || event.target === lens
-  const to = by && !isOthers ? neighbour(address, by) : null
+  const isOthers = event.altKey || event.ctrlKey || event.metaKey || event.shiftKey
+  if (!address || !by || isOthers || stage.element.contains(event.target as Node)) return
+  const to = neighbour(address, by)
   if (!to) return
   event.preventDefault()
   const isInSteps = document.activeElement?.closest('.step') != null
-  actions.go(to)
+  go(to)
   if (isInSteps) articleOf(to.step)?.querySelector<HTMLElement>('h2 a')?.focus({ preventScroll: true })
 }
 
 history.scrollRestoration = 'manual'
 root.replaceChildren()
-draw()
 open()
-for (const type of ['hex-input', 'hex-change', 'hex-verdict']) lens.addEventListener(type, draw)
+showMeanings(root, main)
 addEventListener('keydown', onKey)
+// The font of the formulas comes late, and lines change.
+document.fonts.addEventListener('loadingdone', () => {
+  if (!address || Math.abs(scrollY - scrolledTo) >= 2) return
+  scrollBy({ top: topOf(address.step) - heldAt, behavior: 'instant' })
+  hold(address.step)
+})
 addEventListener(
   'scroll',
   () => {
@@ -174,16 +258,16 @@ addEventListener(
 addEventListener('resize', () => {
   if (innerWidth === width) return // only a bar of the browser has come or gone
   width = innerWidth
-  reveal(address.step)
+  if (address) reveal(address.step)
 })
 root.addEventListener('click', event => {
   const link = (event.target as Element).closest<HTMLAnchorElement>('a[href^="#"]')
   if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return
   event.preventDefault()
   link.closest('details')?.removeAttribute('open')
-  const { lesson } = address
-  actions.go(addressOf(link.hash))
-  if (address.lesson !== lesson) root.focus({ preventScroll: true })
+  const lesson = address?.lesson
+  go(addressOf(link.hash))
+  if (address?.lesson !== lesson) root.focus({ preventScroll: true })
 })
 addEventListener('popstate', () => {
   keepEntry(key, present())

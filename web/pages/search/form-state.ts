@@ -88,7 +88,7 @@ export interface DecodedForm {
 export function decodeForm(params: URLSearchParams): DecodedForm {
   const find = params.get('find')
   const kind = find === null ? searches[0] : kindOf(find)
-  const problems = kind ? [] : [`The address asks for “${find}”, which is nothing that is searched for here.`]
+  const problems = kind ? [] : [`The address asks for the search “${find}”, which this page does not have.`]
   const choices: Readonly<Record<string, object>> = { law: { normal: '', box: '' }, grid: grids, symmetry: symmetries }
   const form: Record<string, string> = { ...formOf(kind ?? searches[0]) }
   for (const name of Object.keys(form)) {
@@ -96,7 +96,7 @@ export function decodeForm(params: URLSearchParams): DecodedForm {
     if (name === 'find' || value === null) continue
     const choice = choices[name]
     if (choice && !Object.hasOwn(choice, value))
-      problems.push(`The address has “${value}” as ${name}, which is not known here.`)
+      problems.push(`The address has “${value}” as ${name}; this page knows ${Object.keys(choice).join(', ')}.`)
     else form[name] = value
   }
   return { form: form as unknown as FormState, problems }

@@ -13,16 +13,43 @@ export interface FormProps {
   onSubmit(): void
 }
 
+/** The choice of a search, which stands above the finds. */
+export function kindTemplate({ form, onChange }: FormProps): TemplateResult {
+  return html`${choiceTemplate(
+    'find',
+    'Find',
+    kinds.map(({ id, title }) => [id, title]),
+    form,
+    listener('find', onChange),
+  )}
+    <p class="quiet">${kindOf(form.find)?.note}</p>`
+}
+
+type Listener = (event: Event) => void
+
+function listener(name: keyof FormState, onChange: FormProps['onChange']): Listener {
+  return event => onChange(name, (event.target as HTMLInputElement | HTMLSelectElement).value)
+}
+
+function choiceTemplate(
+  name: keyof FormState,
+  label: string,
+  options: readonly (readonly [string, string])[],
+  form: FormState,
+  onInput: Listener,
+): TemplateResult {
+  return html`<label class="choice"
+    ><span>${label}</span>
+    <select form="query" name=${name} .value=${form[name]} @change=${onInput}>
+      ${options.map(([value, title]) => html`<option value=${value} ?selected=${value === form[name]}>${title}</option>`)}
+    </select></label
+  >`
+}
+
 export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): TemplateResult {
-  const listen = (name: keyof FormState) => (event: Event) =>
-    onChange(name, (event.target as HTMLInputElement | HTMLSelectElement).value)
+  const listen = (name: keyof FormState) => listener(name, onChange)
   const choice = (name: keyof FormState, label: string, options: readonly (readonly [string, string])[]) =>
-    html`<label class="choice"
-      ><span>${label}</span>
-      <select name=${name} .value=${form[name]} @change=${listen(name)}>
-        ${options.map(([value, title]) => html`<option value=${value} ?selected=${value === form[name]}>${title}</option>`)}
-      </select></label
-    >`
+    choiceTemplate(name, label, options, form, listen(name))
   const number = (name: keyof FormState, label: string, field: QueryError['field']) =>
     html`<input
       class="number"
@@ -43,19 +70,13 @@ export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): T
     html`<input type="radio" name="law" value=${value} .checked=${form.law === value} @change=${listen('law')} />`
 
   return html`<form id="query" class="query" @submit=${submit}>
-    ${choice(
-      'find',
-      'Find',
-      kinds.map(({ id, title }) => [id, title]),
-    )}
-    <p class="quiet">${kindOf(form.find)?.note}</p>
     ${condition('property', 'Property', form, errors, listen('property'))}
     ${condition('measure', 'Most extreme where this is greatest', form, errors, listen('measure'))}
     ${vocabulary()}
     <fieldset>
       <legend>Among these elements</legend>
       <div class="law">
-        <label>${law('normal')} the unit cube, moved by chance</label>
+        <label>${law('normal')} the unit cube, moved at random</label>
         <label>sigma ${number('sigma', 'Sigma', 'distribution')}</label>
       </div>
       <div class="law">

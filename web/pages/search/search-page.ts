@@ -1,28 +1,31 @@
 /**
  * The page Search: a form, a search in workers, its finds as small pictures, and elements that the
  * reader keeps. The form's state is in the address's query, the element in the lens in its
- * fragment.
+ * fragment; searches are kept with their finds, so that leaving the page loses none.
  */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
-import { quantitiesOf } from '../../core/quantities'
 import '../element'
-import { isMet } from '../../model/condition'
-import { formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import { decodePermalink, encodePermalink } from '../../model/permalink'
 import { saveFile } from '../../views/save-file'
+import { entryAt, keepEntry, presentKey } from '../history-entries'
 import { Pictures } from '../pictures'
+import { scrollOf, scrollTo } from '../scroll'
 import { searchWorkers } from './engine'
-import { startOf } from './engine/distribution'
-import { measured } from './engine/measure'
-import { type ParsedQuery, parseQuery } from './engine/query'
-import type { Find, Order } from './engine/ranking'
-import { polished, Search, type SearchWorkers } from './engine/search'
-import { formTemplate } from './form'
+import { parseQuery } from './engine/query'
+import type { Order } from './engine/ranking'
+import { Search, type SearchWorkers } from './engine/search'
+import { Tally } from './engine/tally'
+import { formTemplate, kindTemplate } from './form'
 import { decodeForm, encodeForm, type FormState, queryOf, withField } from './form-state'
+import { choiceOf, countsText, foundTemplate, shownFinds } from './found'
+import { Improvement, type ImprovementRequest, improvedName, improvementButton, outcomeText } from './improvement'
+import { inTheLensTemplate } from './in-the-lens'
 import { exported, isSame, type KeptElement, KeptElements } from './kept'
+import { SearchKeeper, type SearchRecord, searchOf, withSearch } from './kept-searches'
 import { LiveRegion } from './live-region'
-import { type Choice, choicesTemplate } from './results'
+import { Redraw } from './redraw'
+import { type Choice, choicesTemplate, keptTemplate } from './results'
 import '../skip'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
@@ -32,166 +35,167 @@ const root = document.querySelector('.searching') as HTMLElement
 const REDRAW = 500
 const SOON = 20
 
-/** Finds that are shown while they change from moment to moment. */
-const MOST_WHILE_RUNNING = 12
-
-const pictures = new Pictures(lens, root, () => schedule())
+const pictures = new Pictures(lens, root, () => schedule(hasFirstPicture && isRunning() ? REDRAW : SOON))
 const kept = new KeptElements(() => localStorage)
+const keeper = new SearchKeeper()
 const liveRegion = new LiveRegion(document.querySelector('.news') as HTMLElement)
 
-let { form, problems } = decodeForm(new URLSearchParams(location.search))
+const work = keeper.found()
+let { form, problems } = decodeForm(new URLSearchParams(location.search || (work?.form ?? '')))
 let parsed = parseQuery(queryOf(form))
-/** The last one that was begun, and what the form then asked to find. */
+let searches: readonly SearchRecord[] = work?.searches ?? []
+let order: Order = work?.order ?? 'simplicity'
+/** The search under way, or that can go on at once, and since when it runs. */
 let search: Search | null = null
-let searchedFor = form.find
-let order: Order = 'simplicity'
-/** Milliseconds that the search has run, and since when it runs again. */
-let [ran, since] = [0, 0]
+let since = 0
+let showsAll = false
+/** False while the first find is not seen yet. */
+let hasFirstPicture = false
 /** The last element that this page gave to the lens. */
 let chosen: Choice | null = null
-let polishing: { readonly controller: AbortController; steps: number } | null = null
+let improvement: Improvement | null = null
+let ended: Improvement | null = null
 let failure: string | null = null
-let redrawAt: ReturnType<typeof setTimeout> | undefined
+const redraw = new Redraw(draw)
 
-function schedule(delay = search?.isRunning ? REDRAW : SOON): void {
-  redrawAt ??= setTimeout(draw, delay)
+function schedule(delay = isRunning() ? REDRAW : SOON): void {
+  redraw.within(delay)
 }
 
 function draw(): void {
-  clearTimeout(redrawAt)
-  redrawAt = undefined
-  const finds = search?.finds(order).slice(0, search.isRunning ? MOST_WHILE_RUNNING : undefined) ?? []
+  redraw.cancel()
+  const record = shownRecord()
+  const finds = record ? shownFinds({ record, order, showsAll, isRunning: isRunning() }) : []
   pictures.begin([...finds, ...kept.elements].map(({ vertices }) => vertices))
-  render(template(finds), root)
+  render(template(record), root)
+  hasFirstPicture = finds[0] !== undefined && pictures.of(finds[0].vertices) !== null
   if (pictures.isBehind) schedule(SOON)
 }
 
-function template(finds: readonly Find[]): TemplateResult {
+function template(record: SearchRecord | undefined): TemplateResult {
+  const props = { form, errors: parsed.ok ? [] : parsed.error, onChange: change, onSubmit: begin }
   return html`${problems.map(problem => html`<p class="complaint" role="alert">${problem}</p>`)}
-    ${formTemplate({ form, errors: parsed.ok ? [] : parsed.error, onChange: change, onSubmit: begin })} ${running()} ${inTheLens()}
-    ${found(finds)} ${keptTemplate()}`
+    ${kindTemplate(props)} ${running(record)}
+    ${record ? [found(record), inTheLens()] : nothing}
+    ${formTemplate(props)}
+    ${record ? nothing : inTheLens()} ${keptElements()}`
 }
 
-/** The form may have been changed since. */
-function isOfTheForm({ query }: Search): boolean {
-  return parsed.ok && JSON.stringify(query) === JSON.stringify(parsed.value.query)
+/** The search of the form, or the latest. */
+function shownRecord(): SearchRecord | undefined {
+  return recordOfForm() ?? searches[0]
 }
 
-function running(): TemplateResult {
-  const isRunning = search?.isRunning ?? false
-  const canGoOn = search !== null && !isRunning && search.elements > 0 && isOfTheForm(search)
+function recordOfForm(): SearchRecord | undefined {
+  return parsed.ok ? searchOf(searches, parsed.value.query) : undefined
+}
+
+function isRunning(): boolean {
+  return search?.isRunning ?? false
+}
+
+function running(record: SearchRecord | undefined): TemplateResult {
+  const own = recordOfForm()
+  const canGoOn = !isRunning() && own !== undefined && own.tally.elements > 0
+  const label = isRunning() ? 'Stop' : canGoOn ? 'Start over' : 'Start'
+  // One button, which keeps the focus.
   return html`<div class="run">
-      ${
-        isRunning
-          ? html`<button type="button" @click=${stop}>Stop</button>`
-          : html`<button type="submit" form="query" ?disabled=${!parsed.ok}>${canGoOn ? 'Start anew' : 'Start'}</button>
-              ${canGoOn ? html`<button type="button" @click=${goOn}>Go on</button>` : nothing}`
-      }
-      <p class="counts">${counts()}</p>
+      <button
+        type=${isRunning() ? 'button' : 'submit'}
+        form="query"
+        ?disabled=${!isRunning() && !parsed.ok}
+        @click=${isRunning() ? stop : null}
+      >${label}</button>
+      ${canGoOn ? html`<button type="button" @click=${() => run(own)}>Continue</button>` : nothing}
+      <p class="counts">${record && counts(record)}</p>
     </div>
     ${failure === null ? nothing : html`<p class="complaint" role="alert">${failure}</p>`}`
 }
 
-function counts(): string {
-  if (!search || search.elements === 0) return search?.isRunning ? 'Starting …' : ''
-  const seconds = (ran + (search.isRunning ? performance.now() - since : 0)) / 1000
-  const rate = `${thousands(Math.round(search.elements / seconds / 1000) * 1000)} a second`
-  return `${thousands(search.elements)} elements, ${rate}; ${thousands(search.found)} found`
-}
-
-function thousands(count: number): string {
-  return count.toLocaleString('en')
+function counts({ tally, ran }: SearchRecord): string {
+  if (tally.elements === 0) return isRunning() ? 'Starting …' : ''
+  return countsText(tally, ran + (isRunning() ? performance.now() - since : 0))
 }
 
 function inTheLens(): TemplateResult | typeof nothing {
   const { report } = lens
   if (!parsed.ok || !report) return nothing
-  const has = isMet(parsed.value.property, quantitiesOf(report, parsed.value.start))
-  return html`<section aria-labelledby="in-lens">
-    <h2 id="in-lens">In the lens</h2>
-    <p>${has ? extremeness(parsed.value, report) : 'The element in the lens does not have the property.'}</p>
-    <div class="actions">
-      <button type="button" ?disabled=${isKept(lens.vertices)} @click=${keep}>${isKept(lens.vertices) ? 'Kept' : 'Keep'}</button>
-      ${
-        polishing
-          ? html`<button type="button" @click=${() => polishing?.controller.abort()}>Cancel</button>
-              <span class="quiet">Polishing, ${polishing.steps} ${polishing.steps === 1 ? 'step' : 'steps'} so far</span>`
-          : html`<button type="button" ?disabled=${!has} @click=${startPolishing}>Polish</button>`
-      }
-      <a class="button" href=${`./#${encodePermalink(lens.vertices)}`}>Open on the page Lens</a>
-    </div>
-  </section>`
+  return inTheLensTemplate({
+    parsed: parsed.value,
+    report,
+    name: nameInLens(),
+    isKept: kept.elements.some(element => isShown(element.vertices)),
+    improvement,
+    ended,
+    onStart: improve,
+    onKeep: keep,
+  })
 }
 
-function extremeness({ query, measure, start }: ParsedQuery, report: NonNullable<typeof lens.report>): TemplateResult {
-  return html`It has the property; <code>${query.measure}</code> is ${formatNumber(measured(measure, report, start))}.`
+function found(record: SearchRecord): TemplateResult {
+  const { query } = record.tally
+  return foundTemplate({
+    record,
+    isOfForm: record === recordOfForm(),
+    isRunning: isRunning(),
+    order,
+    showsAll,
+    keeping: keeper.keeping,
+    choicesTemplate: choices =>
+      choicesTemplate({
+        label: 'Found',
+        choices,
+        pictures,
+        isShown,
+        onChoose: choose,
+        actionsOf: ({ vertices, name }) =>
+          improvementButton({
+            request: { kind: 'climb', query, vertices, name },
+            label: 'More extreme',
+            name: `More extreme from here: ${name}`,
+            isPossible: true,
+            improvement,
+            ended,
+            onStart: improve,
+          }),
+      }),
+    onSort: value => {
+      order = value
+      draw()
+    },
+    onShowAll: () => {
+      showsAll = !showsAll
+      draw()
+    },
+    onExport: () =>
+      saveElements(
+        'found',
+        record.tally.finds(order).map(find => ({ ...choiceOf(record, find, order), property: query.property })),
+      ),
+  })
 }
 
-function found(finds: readonly Find[]): TemplateResult | typeof nothing {
-  if (!search) return nothing
-  const sorted = (value: Order, label: string) =>
-    html`<label><input type="radio" name="order" .checked=${order === value} @change=${() => sort(value)} /> ${label}</label>`
-  return html`<section aria-labelledby="found">
-    <div class="head">
-      <h2 id="found">Found</h2>
-      <div class="order" role="radiogroup" aria-label="Order">
-        ${sorted('simplicity', 'simplest first')} ${sorted('extremeness', 'most extreme first')}
-      </div>
-    </div>
-    ${
-      finds.length === 0
-        ? html`<p class="quiet">${search.isRunning ? 'Nothing yet.' : 'Nothing so far.'}</p>`
-        : [
-            choicesTemplate({ label: 'Found', choices: finds.map(choiceOf), pictures, isShown, onChoose: choose }),
-            html`<button type="button" @click=${() => save('found', finds.map(choiceOf))}>Export what is found</button>`,
-          ]
-    }
-  </section>`
-}
-
-function keptTemplate(): TemplateResult | typeof nothing {
-  const { elements, persistence } = kept
-  if (elements.length === 0 && persistence !== 'newer') return nothing
-  const choices = elements.map(element => ({ ...element, caption: element.name }))
-  return html`<section aria-labelledby="kept">
-    <h2 id="kept">Kept</h2>
-    ${STORAGE_NOTES[persistence] === '' ? nothing : html`<p class="quiet">${STORAGE_NOTES[persistence]}</p>`}
-    ${choicesTemplate({ label: 'Kept', choices, pictures, isShown, onChoose: choose, onRemove: remove })}
-    ${
-      elements.length > 0
-        ? html`<button type="button" @click=${() => save('kept', elements)}>Export what is kept</button>`
-        : nothing
-    }
-  </section>`
-}
-
-const STORAGE_NOTES: Readonly<Record<KeptElements['persistence'], string>> = {
-  stored: '',
-  unavailable:
-    'This browser stores nothing for this page. These elements are gone when the page is closed: export them to keep them.',
-  newer:
-    'A later version of this page has kept elements here. They stay as they are. What you keep now is gone when this page is closed.',
-}
-
-function choiceOf(find: Find): Choice {
-  const value = order === 'simplicity' ? movedText(find) : formatNumber(find.extremeness)
-  return { vertices: find.vertices, name: `${searchedFor}-${search?.query.seed}-${find.index}`, caption: value }
-}
-
-function movedText({ vertices }: Find): string {
-  const start = search ? startOf(search.query.distribution) : vertices
-  const moved = [0, 1, 2, 3, 4, 5, 6, 7].filter(v =>
-    [0, 1, 2].some(r => vertices[3 * v + r] !== start[3 * v + r]),
-  ).length
-  return `${moved} moved`
+function keptElements(): TemplateResult | typeof nothing {
+  return keptTemplate({
+    kept,
+    choicesTemplate: choices =>
+      choicesTemplate({
+        label: 'Kept',
+        choices,
+        pictures,
+        isShown,
+        onChoose: choose,
+        onRemove: element => {
+          kept.remove({ ...element, property: '' })
+          draw()
+        },
+      }),
+    onExport: () => saveElements('kept', kept.elements),
+  })
 }
 
 function isShown(vertices: Vertices): boolean {
   return isSame(vertices, lens.vertices)
-}
-
-function isKept(vertices: Vertices): boolean {
-  return kept.elements.some(element => isSame(element.vertices, vertices))
 }
 
 function change(name: keyof FormState, value: string): void {
@@ -210,36 +214,47 @@ function address(): void {
 }
 
 async function begin(): Promise<void> {
-  if (!parsed.ok) return
-  const { query } = parsed.value
-  failure = null
-  ran = 0
-  search?.dispose()
+  if (parsed.ok) await run({ find: form.find, tally: new Tally(parsed.value.query), ran: 0 })
+}
+
+async function run(record: SearchRecord): Promise<void> {
   try {
-    search = new Search(query, await workersOrReason(), news, fail)
-    searchedFor = form.find
+    const workers = await workersOrReason()
+    // Enter in the form submits it again.
+    if (search?.isRunning && recordOfForm()?.tally === search.tally) return
+    halt()
+    if (search?.tally !== record.tally) search = new Search(record.tally.query, workers, news, fail, record.tally)
   } catch (reason) {
     return fail(reason as Error)
   }
+  failure = null
+  searches = withSearch(searches, record)
+  hasFirstPicture = false
+  since = performance.now()
   liveRegion.begin()
-  goOn()
+  search.start()
+  draw()
+  document.querySelector('.run')?.scrollIntoView({ block: narrow.matches ? 'start' : 'nearest' })
+}
+
+/** Ends the workers at once; what they have handed in stays. */
+function halt(): void {
+  if (!search) return
+  const wasRunning = search.isRunning
+  search.dispose()
+  if (wasRunning) rest(search)
 }
 
 async function workersOrReason(): Promise<SearchWorkers> {
   try {
     return await searchWorkers()
   } catch (reason) {
-    throw new Error(`searching and polishing need WebAssembly (${reason instanceof Error ? reason.message : reason}).`)
+    throw new Error(`a search needs WebAssembly (${reason instanceof Error ? reason.message : reason}).`)
   }
 }
 
-function goOn(): void {
-  since = performance.now()
-  search?.start()
-  draw()
-}
-
-function stop(): void {
+function stop(event: Event): void {
+  event.preventDefault() // the button is one that submits again
   search?.stop()
 }
 
@@ -247,17 +262,24 @@ function stop(): void {
 function news(): void {
   if (!search) return
   liveRegion.report(search)
-  if (!search.isRunning) ran += performance.now() - since
-  schedule()
+  if (!search.isRunning) rest(search)
+  schedule(search.found > 0 && !hasFirstPicture ? 0 : undefined)
+}
+
+/** Keeps a search that has stopped. */
+function rest({ tally }: Search): void {
+  const record = searches.find(record => record.tally === tally)
+  if (!record) return
+  searches = withSearch(searches, { ...record, ran: record.ran + performance.now() - since })
+  keepWork()
+}
+
+function keepWork(): void {
+  keeper.keep({ form: String(encodeForm(form)), vertices: lens.vertices, order, searches })
 }
 
 function fail(reason: Error): void {
   failure = `This did not work: ${reason.message}`
-  draw()
-}
-
-function sort(value: Order): void {
-  order = value
   draw()
 }
 
@@ -268,59 +290,54 @@ function choose(choice: Choice): void {
   draw()
 }
 
-/** The name of what was chosen; with a word more where the reader has moved a vertex since. */
+/** The name that the element was found or kept by; with a word more if a vertex was moved since. */
 function nameInLens(): string {
-  if (chosen === null) return 'element'
-  return isShown(chosen.vertices) ? chosen.name : `${chosen.name}-changed`
+  const record = shownRecord()
+  const finds = (['simplicity', 'extremeness'] as const).flatMap(order => record?.tally.finds(order) ?? [])
+  const known = [chosen, ...kept.elements, ...finds].find(element => element && isShown(element.vertices))
+  if (known && 'name' in known) return known.name
+  if (record && known) return choiceOf(record, known, order).name
+  return chosen === null ? 'element' : `${chosen.name}-changed`
 }
 
 function keep(): void {
-  keepAs(nameInLens(), lens.vertices)
-}
-
-function keepAs(name: string, vertices: Vertices): void {
-  kept.add({ name, vertices, property: form.property })
+  const name = nameInLens()
+  kept.add({ name, vertices: lens.vertices, property: form.property })
   liveRegion.say(`Kept as ${name}.`)
   draw()
 }
 
-function remove({ name, vertices }: Choice): void {
-  kept.remove({ name, vertices, property: '' })
-  draw()
+function saveElements(what: string, elements: readonly KeptElement[]): void {
+  saveFile(`hexlens-${what}.json`, exported(elements), 'application/json')
 }
 
-function save(what: string, elements: readonly (Choice | KeptElement)[]): void {
-  const property = search?.query.property ?? ''
-  saveFile(`hexlens-${what}.json`, exported(elements.map(element => ({ property, ...element }))), 'application/json')
-}
-
-async function startPolishing(): Promise<void> {
-  if (!parsed.ok || polishing) return
-  const { query } = parsed.value
-  const name = `${nameInLens()}-polished`
-  const job = { controller: new AbortController(), steps: 0 }
-  polishing = job
-  draw()
+async function improve(request: ImprovementRequest): Promise<void> {
+  if (improvement) return
+  const { name, vertices } = request
+  const job = new Improvement(request)
+  improvement = job
+  if (isShown(vertices)) draw()
+  else choose({ name, vertices, caption: name })
   try {
-    const { vertices } = await polished(query, lens.vertices, await workersOrReason(), {
-      signal: job.controller.signal,
-      onStep: () => {
-        job.steps += 1
-        schedule()
-      },
-    })
-    polishing = null
-    kept.add({ name, vertices, property: query.property })
-    choose({ name, vertices, caption: name })
-    liveRegion.say(
-      job.steps > 0 ? `Polished in ${job.steps} steps, and kept.` : 'It cannot be made simpler here. Kept.',
-    )
+    await job.run(await workersOrReason(), schedule)
   } catch (reason) {
-    polishing = null
-    if (!job.controller.signal.aborted) return fail(reason as Error)
-    liveRegion.say('Polishing was cancelled.')
+    improvement = null
+    return fail(reason as Error)
   }
+  if (improvement === job) settle(job)
   draw()
+}
+
+/** Keeps what an improvement has come to, and shows it. */
+function settle(job: Improvement): void {
+  improvement = null
+  ended = job
+  const name = improvedName(job)
+  if (job.steps > 0) {
+    kept.add({ name, vertices: job.best, property: job.request.query.property })
+    choose({ name, vertices: job.best, caption: name })
+  }
+  liveRegion.say(outcomeText(job))
 }
 
 /** The width of beside.css at which the lens is above the column, with little room for panels. */
@@ -331,14 +348,43 @@ const chooseViews = () => {
 
 chooseViews()
 narrow.addEventListener('change', chooseViews)
+
 function openLink(): void {
   const link = decodePermalink(location.hash)
   if (link.ok) lens.vertices = link.value
   else if (link.error.code !== 'absent') lens.raise({ code: 'link-broken', message: link.error.message })
 }
 
-openLink()
+/** The element and the scroll of this entry of the history. The address has the last word on the element. */
+function openEntry(): void {
+  const entry = entryAt(key)
+  const link = decodePermalink(location.hash)
+  if (!link.ok && link.error.code === 'absent' && work) lens.vertices = work.vertices
+  if (!entry) return
+  try {
+    lens.state = { ...entry.state, vertices: lens.vertices }
+  } catch {
+    return // what another version of the page kept
+  }
+  scrollTo(lens, entry.scroll)
+}
+
+function leave(): void {
+  halt()
+  if (improvement) {
+    improvement.stop()
+    settle(improvement)
+  }
+  keepWork()
+  keepEntry(key, { state: lens.state, scroll: scrollOf(lens) })
+}
+
+history.scrollRestoration = 'manual'
+const key = presentKey()
 addEventListener('hashchange', openLink)
+addEventListener('pagehide', leave)
+// A phone may end a page that is not seen without a word.
+document.addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && keepWork())
 for (const type of ['hex-change', 'hex-verdict'] as const) lens.addEventListener(type, () => schedule())
 lens.addEventListener('hex-change', () => {
   lens.clear('link-broken')
@@ -348,4 +394,8 @@ addEventListener('storage', () => {
   kept.read()
   schedule()
 })
+// Restored as it was, but for what ran.
+addEventListener('pageshow', () => schedule())
+openLink()
 draw()
+openEntry()

@@ -23,7 +23,7 @@ export const searches: readonly [SearchKind, ...SearchKind[]] = [
   {
     id: 'corners',
     title: 'Corners positive, yet invalid',
-    note: 'jacdet is positive at all eight vertices, and elsewhere on the boundary negative.',
+    note: 'jacdet is positive at all eight vertices, and negative elsewhere on the boundary.',
     property: 'corner_min > 0 > boundary_min',
     measure: '-boundary_min / boundary_max',
     distribution: quarters,
@@ -31,7 +31,7 @@ export const searches: readonly [SearchKind, ...SearchKind[]] = [
   {
     id: 'edges',
     title: 'Edges positive, yet invalid',
-    note: 'jacdet is positive on all twelve edges, and inside a face negative. Such elements are rare, with the last of the symmetries less so.',
+    note: 'jacdet is positive on all twelve edges, and negative inside a face. Such elements are rare; with the last symmetry of the list they are less rare.',
     property: 'edge_min > 0 > boundary_min',
     measure: '-boundary_min / boundary_max',
     distribution: quarters,
@@ -47,7 +47,7 @@ export const searches: readonly [SearchKind, ...SearchKind[]] = [
   {
     id: 'nine-points',
     title: 'Passes the nine-point test, yet invalid',
-    note: 'The scaled Jacobian is positive at the eight vertices and the centre, where some programs look; elsewhere it is negative.',
+    note: 'The scaled Jacobian is positive at the eight vertices and the centre, where some programs look. Elsewhere jacdet is negative.',
     property: 'scaled_jacobian > 0 > boundary_min',
     measure: 'scaled_jacobian',
     distribution: { ...quarters, law: { kind: 'box', least: -4, greatest: 4 }, grid: 'integers' },
@@ -55,7 +55,7 @@ export const searches: readonly [SearchKind, ...SearchKind[]] = [
   {
     id: 'gap',
     title: 'Much lower inside than on the boundary',
-    note: 'The least jacdet of the whole element is below that of the boundary by more than a quarter of the greatest: only an invalid element can do this.',
+    note: 'The least jacdet of the whole element is below the least on the boundary, by more than a quarter of the greatest. Only invalid elements are such.',
     property: 'not valid and 0 < boundary_max < 4 * (boundary_min - volume_min)',
     measure: '(boundary_min - volume_min) / boundary_max',
     distribution: turned,

@@ -54,6 +54,22 @@ export function placeLabel(request: LabelRequest): LabelPlace {
   return { ...best, isFree: outsideBy(box, request.bounds) === 0 && !request.boxes.some(other => overlap(box, other)) }
 }
 
+/** Turns of a number about its handle, the least first. */
+const TURNS = [0, 0.7, -0.7, 1.4, -1.4, 2.1, -2.1, 2.8]
+
+/** Where a number goes from its handle: in this unit direction, or turned from it so far that it lies on none of the others. */
+export function numberDirection(at: Point, { x, y }: Point, distance: number, others: readonly Point[]): Point {
+  const turned = TURNS.map(turn => ({
+    x: x * Math.cos(turn) - y * Math.sin(turn),
+    y: x * Math.sin(turn) + y * Math.cos(turn),
+  }))
+  const isClear = (way: Point) =>
+    others.every(
+      other => Math.hypot(at.x + way.x * distance - other.x, at.y + way.y * distance - other.y) > 1.5 * NUMBER_RADIUS,
+    )
+  return turned.find(isClear) ?? { x, y }
+}
+
 /** Every place, the previous one first: mostly it is so good that no other needs a look. */
 function* inOrder(previous: number | null): Generator<number> {
   if (previous !== null) yield previous

@@ -16,10 +16,11 @@ import { samePoint } from '../space/vec3'
 import { toWorld } from '../space/world'
 import { candidateShapes } from './candidate-shapes'
 import { type LabelPlace, overlap, placeLabel } from './label-place'
-import type { OverlayPicture } from './overlay-picture'
+import { markScale, type OverlayPicture } from './overlay-picture'
 
 const RING = 9
 const HANDLE_RING = 12
+const PUPIL = 3
 const LABEL_HEIGHT = 20
 const CHARACTER_WIDTH = 9
 const ELBOW = 14
@@ -50,11 +51,11 @@ export class Marks {
   readonly #pool: Mark[] = []
   readonly #halo = svg('circle', { class: 'rim' })
   readonly #ring = svg('circle', { class: 'ring' })
-  readonly #dot = svg('circle', { class: 'pupil', r: 3 })
+  readonly #dot = svg('circle', { class: 'pupil' })
   readonly #leader = svg('path', { class: 'leader' })
   readonly #label = svg('text', { class: 'value' })
   /** The ring on the boundary's minimizer if another point has the label. */
-  readonly #second = svg('circle', { class: 'second', r: RING })
+  readonly #second = svg('circle', { class: 'second' })
   readonly #isLabelled: boolean
   #place: LabelPlace | null = null
   /** The label's box; null if no place is free. */
@@ -87,7 +88,7 @@ export class Marks {
     this.#updateLeast(inside ? leastInside(inside) : leastOnBoundary(report), report.exponent, picture)
     const second = inside && picture.camera.project(toWorld(picture.world, minimizer.position))
     show(this.#second, second !== null && second.depth > 0)
-    if (second) set(this.#second, { cx: px(second.x), cy: px(second.y) })
+    if (second) set(this.#second, { cx: px(second.x), cy: px(second.y), r: px(markScale(picture.camera) * RING) })
   }
 
   /** Hides the label behind words, if there are any: the verdict and the colour bar say its number, too. */
@@ -124,10 +125,12 @@ export class Marks {
     const { camera, world, sight, state } = picture
     const at = camera.project(toWorld(world, position))
     show(this.minimizer, at.depth > 0)
-    const radius = isVertex ? HANDLE_RING : RING
+    const scale = markScale(camera)
+    const radius = scale * (isVertex ? HANDLE_RING : RING)
     for (const circle of [this.#halo, this.#ring, this.#dot]) set(circle, { cx: px(at.x), cy: px(at.y) })
-    set(this.#halo, { r: radius })
-    set(this.#ring, { r: radius })
+    set(this.#halo, { r: px(radius) })
+    set(this.#ring, { r: px(radius) })
+    set(this.#dot, { r: px(scale * PUPIL) })
     show(this.#dot, !isVertex)
     this.minimizer.classList.toggle('positive', value > 0)
     this.minimizer.classList.toggle('behind', sight.hides(point))

@@ -33,3 +33,12 @@ export interface OverlayPicture extends Seen {
   /** Boxes of words that the overlay's must not cover. */
   readonly taken: readonly Box[]
 }
+
+/** Width and height, in the mean, of a picture in which marks have their full size; and the least share of it, still a mark to aim at. */
+const FULL_SIZE = 500
+const LEAST_SCALE = 0.6
+
+/** The size of handles and rings: in a small picture they would cover what they are about. */
+export function markScale({ width, height }: SceneCamera): number {
+  return Math.max(LEAST_SCALE, Math.min(Math.sqrt(width * height) / FULL_SIZE, 1))
+}

@@ -12,9 +12,9 @@ import type { Box, Point } from '../space/layout'
 import { at, map3, mix } from '../space/vec3'
 import { extentOf, toWorld, verticesInWorld } from '../space/world'
 import { Highlight } from './highlight'
-import { meanOf, overlap } from './label-place'
+import { meanOf, numberDirection, overlap } from './label-place'
 import { Marks } from './marks'
-import type { OverlayPicture, Seen } from './overlay-picture'
+import { markScale, type OverlayPicture, type Seen } from './overlay-picture'
 import { ProbeMark } from './probe-mark'
 import { SampleMarks } from './sample-marks'
 import { type AxisLetters, Triad } from './triad'
@@ -30,6 +30,8 @@ const DIGIT_WIDTH = 8
 /** Radii of a handle, and of a vertex that cannot be moved. */
 const RADIUS = 6
 const FIXED_RADIUS = 3
+/** Paper around a handle. */
+const RIM = 2.5
 /** Handles this close are one to the eye. */
 const SAME_HANDLE = 3
 /** Pieces of an edge, each hidden or seen as its middle is. */
@@ -38,11 +40,11 @@ const EDGE_PIECES = 6
 const NUMBER_DISTANCE = 17
 /** The same with a ring around the handle: the minimizer's, or that of the vertex spoken of. */
 const RINGED_NUMBER_DISTANCE = 24
-/** Least distance from a number's middle to other numbers and to handles. */
-const NUMBER_ROOM = 13
 
 interface Handle {
   readonly group: SVGGElement
+  readonly rim: SVGCircleElement
+  readonly dot: SVGCircleElement
   readonly number: SVGTextElement
 }
 
@@ -57,6 +59,7 @@ export class Overlay {
   readonly #ghostHandle = svg('circle', { class: 'ghost', r: 6 })
   readonly #grid = svg('path', { class: 'grid' })
   readonly #axisLine = svg('path', { class: 'axis-line' })
+  readonly #radius: number
   readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
   readonly #highlight = new Highlight()
@@ -67,7 +70,8 @@ export class Overlay {
 
   /** `onMinimum` is called when the number of the minimum is pressed. */
   constructor({ letters, isFixed }: OverlayKind, onMinimum: () => void) {
-    this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v, isFixed ? FIXED_RADIUS : RADIUS))
+    this.#radius = isFixed ? FIXED_RADIUS : RADIUS
+    this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v))
     this.#marks = new Marks(!isFixed, onMinimum)
     this.#triad = new Triad(letters)
     this.root.append(
@@ -148,30 +152,33 @@ export class Overlay {
     const { highlight } = sliceOf(marksSlice, state)
     const ringed = [report?.minimizer, highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
     const texts = numberTexts(handles, preview?.order ?? null)
-    const placed: Point[] = []
+    const shown: Point[] = []
+    const scale = markScale(camera)
     const numbers = handles.map((at, v) => {
-      const { group, number } = this.#handles[v] as Handle
+      const { group, rim, dot, number } = this.#handles[v] as Handle
       const text = texts[v] as string
       setText(number, text)
       show(group, at.depth > 0)
       moveTo(group, at)
+      set(rim, { r: px(scale * (this.#radius + RIM)) })
+      set(dot, { r: px(scale * this.#radius) })
       const [dx, dy] = [at.x - middle.x, at.y - middle.y]
-      const distance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
+      const length = Math.hypot(dx, dy)
+      const outwards = length > 1 ? { x: dx / length, y: dy / length } : { x: 0, y: -1 }
+      const middleDistance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
+      const distance = middleDistance - (1 - scale) * this.#radius
+      const others = [...shown, ...handles.filter((_, other) => other !== v && texts[other] !== '')]
+      const { x: ux, y: uy } = text === '' ? outwards : numberDirection(at, outwards, distance, others)
       const half = (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
-      const outwards = Math.hypot(dx, dy) > 1 ? Math.atan2(dy, dx) : -Math.PI / 2
-      const [ux, uy] = freeDirection(outwards, direction => {
-        const taken = [...handles.filter((_, other) => texts[other] !== '' && other !== v), ...placed]
-        const [x, y] = [at.x + direction[0] * (distance + half), at.y + direction[1] * distance]
-        return taken.every(other => Math.hypot(Math.max(Math.abs(other.x - x) - half, 0), other.y - y) > NUMBER_ROOM)
-      })
       const x = ux * (distance + half)
-      if (text !== '') placed.push({ x: at.x + x, y: at.y + uy * distance })
       // A long number stays in the picture.
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
       group.classList.toggle('selected', v === state.selectedVertex)
       group.classList.toggle('behind', sight.hides(vertexReference[v] as Vec3))
-      return { x: at.x + ux * distance, y: at.y + uy * distance }
+      const place = { x: at.x + ux * distance, y: at.y + uy * distance }
+      if (text !== '') shown.push(place)
+      return place
     })
     const selected = this.#handles[state.selectedVertex]?.group
     // The selected handle is drawn over its neighbours.
@@ -244,20 +251,6 @@ export class Overlay {
   }
 }
 
-/** Eighths of a turn to either side, at which a number is tried if it would lie on a handle or on another number. */
-const TURNS = [0, 1, -1, 2, -2, 3, -3, 4]
-
-/** The first direction that is free, from this one on; this one if none is. */
-function freeDirection(
-  angle: number,
-  isFree: (direction: readonly [number, number]) => boolean,
-): readonly [number, number] {
-  const directions = TURNS.map(eighths => angle + (eighths * Math.PI) / 4).map(
-    turned => [Math.cos(turned), Math.sin(turned)] as const,
-  )
-  return directions.find(isFree) ?? (directions[0] as readonly [number, number])
-}
-
 /** The grid's lines on both sides of the vertex. */
 const GRID_LINES = 6
 
@@ -286,16 +279,11 @@ function lineBox(x: number, y: number, width: number): Box {
   return { x: x - width / 2, y: y - 10, width, height: 20 }
 }
 
-function createHandle(vertex: number, radius: number): Handle {
+function createHandle(vertex: number): Handle {
+  const rim = svg('circle', { class: 'rim' })
+  const dot = svg('circle', { class: 'dot' })
   const number = svg('text', { class: 'number', 'text-anchor': 'middle' }, String(vertex))
-  const group = svg(
-    'g',
-    { class: 'handle' },
-    svg('circle', { class: 'rim', r: radius + 2.5 }),
-    svg('circle', { class: 'dot', r: radius }),
-    number,
-  )
-  return { group, number }
+  return { group: svg('g', { class: 'handle' }, rim, dot, number), rim, dot, number }
 }
 
 /**

@@ -124,6 +124,21 @@ export const lesson: Lesson = {
     },
     {
       title: 'Turned',
+      question: {
+        asks: `<p>Vertex 6 goes on, to ${math('t', '=', frac(1, 2))}. There ${J} at vertex 6 is ${math('−', frac(1, 2))}: the boxes near it are
+          turned inside out. Will the volume of the element be negative, too?</p>`,
+        answer: {
+          kind: 'choice',
+          choices: [
+            { says: 'The volume is negative, too', holds: 'volume < 0' },
+            { says: 'The volume is zero', holds: 'volume = 0' },
+            { says: 'The volume is still positive', holds: 'volume > 0' },
+          ],
+        },
+        because:
+          '<p>The volume is the mean of jacdet. Much that is positive makes up for a little that is negative.</p>',
+        before: { element: pulled(0.75) },
+      },
       text: `<p>At ${math('t', '=', frac(1, 2))} the boxes near vertex 6 are mirrored: red, hatched, and cut off by the heavy line
         ${math('J', '=', 0)}. The volume does not tell, it is still positive. So an element counts as <em>valid</em> only if
         ${math('J', '>', 0)} everywhere.</p>

@@ -102,7 +102,7 @@ export const lesson: Lesson = {
       title: 'Invalid by nothing at all',
       text: `<p>Here ${J} touches zero in the middle of a face and is positive on all edges. Exactly zero is not valid: at that point the element is
         flat, and the inverse of ${math('D', 'F')}, which every solver needs, does not exist.</p>`,
-      task: 'Move a vertex by one key press: choose one with 1 to 8, then an arrow. Valid or invalid, but no longer zero.',
+      task: 'Move a vertex by one key press: choose one with 0 to 7, then press an arrow. Valid or invalid, but no longer zero.',
       claims: [
         { says: 'The least jacdet is exactly 0', holds: 'boundary_min = 0' },
         { says: 'The edges have at least 1/48', holds: 'edge_min = 1/48' },

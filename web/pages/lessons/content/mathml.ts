@@ -45,9 +45,9 @@ export function sup(base: Term, above: Term): Markup {
   return element('msup', base, above)
 }
 
-/** The derivative of a function of one variable. */
+/** The derivative of a function of one variable. The sign stands as high as it should by itself. */
 export function prime(base: Term): Markup {
-  return sup(base, '′')
+  return row(base, { markup: '<mo lspace="0" rspace="0">′</mo>' })
 }
 
 export function subsup(base: Term, below: Term, above: Term): Markup {

@@ -22,8 +22,8 @@ export interface Distribution {
   readonly moved: number
 }
 
-/** Fine enough to be any number, coarse enough that 1 - x and the like are exact. */
-const STEPS: Readonly<Record<GridName, number>> = { free: 2 ** -32, quarters: 2 ** -2, integers: 1 }
+/** Of each grid; that of any numbers is fine enough to be such, coarse enough that 1 - x and the like are exact. */
+export const STEPS: Readonly<Record<GridName, number>> = { free: 2 ** -32, quarters: 2 ** -2, integers: 1 }
 
 export const MOST_SIGMA = 100
 export const MOST_COORDINATE = 1000
@@ -40,12 +40,12 @@ export function refusalOf({ law, grid, symmetry, moved }: Distribution): string 
     if (!(low < high))
       return grid === 'free'
         ? 'The box needs its least number below its greatest.'
-        : `The box needs two or more ${grid} in it.`
+        : `The box needs at least two ${grid} in it.`
   }
   if (!(Number.isInteger(moved) && moved >= 1 && moved <= VERTEX_COUNT))
-    return `The number of vertices that move is from 1 to ${VERTEX_COUNT}.`
+    return `The number of vertices that move is a whole number from 1 to ${VERTEX_COUNT}.`
   const together = Math.min(...orbitsOf(symmetries[symmetry]).map(({ length }) => length))
-  if (moved < together) return `With this symmetry ${together} vertices move together: at least so many have to move.`
+  if (moved < together) return `With this symmetry ${together} vertices move together: let at least ${together} move.`
   return null
 }
 
@@ -100,7 +100,7 @@ const ROUNDING = 1.5 * 2 ** 52
 function arrangementOf({ symmetry: name, moved }: Distribution, start: Vertices, random: Random) {
   if (name === 'none' && moved === VERTEX_COUNT) return null
   const symmetry: Symmetry = symmetries[name]
-  const order = orbitsOf(symmetry).map(orbit => ({ orbit, copies: copiesOf(orbit, symmetry) }))
+  const order = copiedOrbits(symmetry)
   const doubled = (start[0] as number) + (start[3 * FARTHEST] as number)
   return (elements: Float64Array, at: number): void => {
     if (moved < VERTEX_COUNT) shuffle(order, random)
@@ -108,10 +108,7 @@ function arrangementOf({ symmetry: name, moved }: Distribution, start: Vertices,
     for (const { orbit, copies } of order) {
       if (orbit.length > left) stay(elements, at, orbit, start)
       else {
-        for (const { to, from, isMirrored } of copies) {
-          const value = elements[at + from] as number
-          elements[at + to] = isMirrored ? doubled - value : value
-        }
+        copyAlong(copies, elements, at, doubled)
         left -= orbit.length
       }
     }
@@ -126,6 +123,24 @@ interface Copy {
   readonly to: number
   readonly from: number
   readonly isMirrored: boolean
+}
+
+/** An orbit, and the copies that give its other vertices the symmetry of the first. */
+export interface CopiedOrbit {
+  readonly orbit: Orbit
+  readonly copies: readonly Copy[]
+}
+
+export function copiedOrbits(symmetry: Symmetry): CopiedOrbit[] {
+  return orbitsOf(symmetry).map(orbit => ({ orbit, copies: copiesOf(orbit, symmetry) }))
+}
+
+/** `doubled` is twice the centre's coordinate; 0 for displacements. */
+export function copyAlong(copies: readonly Copy[], elements: Float64Array, at: number, doubled: number): void {
+  for (const { to, from, isMirrored } of copies) {
+    const value = elements[at + from] as number
+    elements[at + to] = isMirrored ? doubled - value : value
+  }
 }
 
 /** Copies in order: each vertex of the orbit is the image of the one before. */

@@ -1,7 +1,7 @@
 /** Searches in the browser: the wasm and the workers as the built page serves them. */
 import { batchFiles } from '../../../core/batch/batch-files'
 import { defaultWorkers } from '../../../core/batch/start'
-import { pagePort } from '../../../core/worker-ports'
+import { pagePort } from '../../../core/ports'
 import type { WorkerPort } from '../../../core/workers'
 import type { SearchWorkers } from './search'
 

@@ -10,12 +10,12 @@ import type { Result } from '../../../model/result'
 const COMPARED = ' > 0'
 
 export function parseMeasure(text: string): Result<NumberNode, ConditionError> {
-  if (text.trim() === '') return { ok: false, error: { message: 'There is no number to go by.', at: 0 } }
+  if (text.trim() === '') return { ok: false, error: { message: 'Write a number here, such as corner_min.', at: 0 } }
   const result = parseCondition(text + COMPARED)
   if (!result.ok) return { ok: false, error: { ...result.error, at: Math.min(result.error.at, text.length) } }
   const { claim } = result.value
   if (claim.kind !== 'chain' || claim.terms.length !== 2)
-    return { ok: false, error: { message: 'What is wanted here is one number, not a comparison.', at: 0 } }
+    return { ok: false, error: { message: 'Write one number here, not a comparison.', at: 0 } }
   return { ok: true, value: claim.terms[0] as NumberNode }
 }
 

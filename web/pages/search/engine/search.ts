@@ -4,10 +4,12 @@
  */
 import { Pool, runAlone, type WorkerPort } from '../../../core/workers'
 import type { Vertices } from '../../../model/hexahedron'
+import type { Climbed } from './climb'
 import type { Polished } from './polish'
 import type { Query } from './query'
-import { type Find, type Order, Ranking } from './ranking'
+import type { Find, Order } from './ranking'
 import { BLOCK, type PieceFinds } from './search-piece'
+import { Tally } from './tally'
 import type { SearchJobs, SearchStart } from './worker'
 
 export interface SearchWorkers {
@@ -31,28 +33,32 @@ const NAME = 'a worker of this page'
 const PATIENCE = 1000
 
 export class Search {
-  readonly query: Query
+  readonly tally: Tally
   readonly #workers: SearchWorkers
   readonly #onNews: () => void
   readonly #onFailure: (reason: Error) => void
   #pool: Pool<SearchStart, SearchJobs>
   /** Pieces done before an earlier one, by their first blocks. */
   readonly #early = new Map<number, PieceFinds>()
-  readonly #rankings: Readonly<Record<Order, Ranking>> = {
-    simplicity: new Ranking('simplicity'),
-    extremeness: new Ranking('extremeness'),
-  }
-  /** Blocks: the next to be handed out, those taken in, where to end, and how many a piece has. */
-  #next = 0
-  #taken = 0
+  /** Blocks: the next to be handed out, where to end, and how many a piece has. */
+  #next: number
   #most = Infinity
   #blocks = 1
-  #found = 0
   #isRunning = false
 
-  /** `onNews` is told whenever there is more; `onFailure` once, where a worker does not start or breaks: the search is over then. */
-  constructor(query: Query, workers: SearchWorkers, onNews: () => void, onFailure: (reason: Error) => void) {
-    this.query = query
+  /**
+   * `onNews` is told whenever there is more; `onFailure` once, where a worker does not start or breaks: the search is over then. It goes
+   * on where the tally ends.
+   */
+  constructor(
+    query: Query,
+    workers: SearchWorkers,
+    onNews: () => void,
+    onFailure: (reason: Error) => void,
+    tally = new Tally(query),
+  ) {
+    this.tally = tally
+    this.#next = tally.blocks
     this.#workers = workers
     this.#pool = poolOf(query, workers)
     this.#onNews = onNews
@@ -63,18 +69,22 @@ export class Search {
     return this.#isRunning
   }
 
+  get query(): Query {
+    return this.tally.query
+  }
+
   /** Elements looked at, all of the stream up to there. */
   get elements(): number {
-    return this.#taken * BLOCK
+    return this.tally.elements
   }
 
   /** Elements that have the property. */
   get found(): number {
-    return this.#found
+    return this.tally.found
   }
 
   finds(order: Order): readonly Find[] {
-    return this.#rankings[order].finds
+    return this.tally.finds(order)
   }
 
   /** Begins, or goes on where it was stopped; until so many elements have been looked at, if that is said. */
@@ -103,7 +113,7 @@ export class Search {
   /** Ends the workers. What was found stays, and `start` begins others. */
   dispose(): void {
     this.#isRunning = false
-    this.#next = this.#taken
+    this.#next = this.tally.blocks
     this.#early.clear()
     const old = this.#pool
     this.#pool = poolOf(this.query, this.#workers)
@@ -126,11 +136,10 @@ export class Search {
   #take(finds: PieceFinds): void {
     this.#measure(finds)
     this.#early.set(finds.piece.first, finds)
-    for (let next = this.#early.get(this.#taken); next; next = this.#early.get(this.#taken)) {
-      this.#early.delete(this.#taken)
-      this.#taken += next.piece.blocks
-      this.#found += next.found
-      for (const ranking of Object.values(this.#rankings)) for (const find of next.finds) ranking.add(find)
+    const { tally } = this
+    for (let next = this.#early.get(tally.blocks); next; next = this.#early.get(tally.blocks)) {
+      this.#early.delete(tally.blocks)
+      tally.take(next)
     }
     this.#settle()
     this.#onNews()
@@ -143,7 +152,7 @@ export class Search {
   }
 
   #settle(): void {
-    if (this.#taken === this.#next && this.#next >= this.#most) this.#isRunning = false
+    if (this.tally.blocks === this.#next && this.#next >= this.#most) this.#isRunning = false
   }
 
   #fail(reason: Error): void {
@@ -152,15 +161,34 @@ export class Search {
   }
 }
 
+interface ImprovementOptions<Improved> {
+  readonly signal?: AbortSignal
+  /** Told of the best so far. */
+  readonly onStep?: (improved: Improved) => void
+}
+
+type ImprovingWorkers = Pick<SearchWorkers, 'module' | 'spawn'>
+
 /** Polishes in a worker of its own. Rejects with the signal's reason, or if the worker fails. */
 export function polished(
   query: Query,
   vertices: Vertices,
-  { module, spawn }: Pick<SearchWorkers, 'module' | 'spawn'>,
-  { signal, onStep = () => {} }: { signal?: AbortSignal; onStep?: (simpler: Polished) => void } = {},
+  { module, spawn }: ImprovingWorkers,
+  { signal, onStep = () => {} }: ImprovementOptions<Polished> = {},
 ): Promise<Polished> {
   const worker = { name: NAME, spawn, start: { module, query } }
   return runAlone<SearchJobs, 'polish'>(worker, { kind: 'polish', given: vertices }, { signal, onProgress: onStep })
+}
+
+/** Climbs in a worker of its own. Rejects with the signal's reason, or if the worker fails. */
+export function climbed(
+  query: Query,
+  vertices: Vertices,
+  { module, spawn }: ImprovingWorkers,
+  { signal, onStep = () => {} }: ImprovementOptions<Climbed> = {},
+): Promise<Climbed> {
+  const worker = { name: NAME, spawn, start: { module, query } }
+  return runAlone<SearchJobs, 'climb'>(worker, { kind: 'climb', given: vertices }, { signal, onProgress: onStep })
 }
 
 function poolOf(query: Query, { module, count, spawn }: SearchWorkers): Pool<SearchStart, SearchJobs> {

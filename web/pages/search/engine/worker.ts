@@ -1,8 +1,9 @@
-/** A worker that searches: instances of the core of its own, and one piece after another, or one element polished. */
+/** A worker that searches: instances of the core of its own, and one piece after another, or one element polished or climbed from. */
 import { loadBatchCore } from '../../../core/batch/batch-core'
 import { type CoreExports, coreOf } from '../../../core/core'
 import { serve } from '../../../core/workers'
 import type { Vertices } from '../../../model/hexahedron'
+import { type Climbed, climb } from './climb'
 import { type Polished, polish } from './polish'
 import { parseQuery, type Query } from './query'
 import { type Piece, type PieceFinds, pieceSearcherOf } from './search-piece'
@@ -16,6 +17,7 @@ export interface SearchStart {
 export type SearchJobs = {
   search(piece: Piece): PieceFinds
   polish(vertices: Vertices, onStep: (simpler: Polished) => void): Polished
+  climb(vertices: Vertices, onProgress: (best: Climbed) => void): Climbed
 }
 
 serve<SearchStart, SearchJobs>('hexlens-search', async ({ module, query }) => {
@@ -27,5 +29,6 @@ serve<SearchStart, SearchJobs>('hexlens-search', async ({ module, query }) => {
   return {
     search: pieceSearcherOf(parsed.value, cores),
     polish: (vertices, onStep) => polish(parsed.value, vertices, cores, onStep),
+    climb: (vertices, onProgress) => climb(parsed.value, vertices, cores, onProgress),
   }
 })

@@ -1,4 +1,4 @@
-/** The lines for readers of Abaqus's keywords, and the purpose of those under a keyword. */
+/** The lines, part and frame that a keyword of Abaqus acts on, and the actions for the lines under it. */
 import type { PrintedDigits } from '../precision'
 import { shown } from '../text-cursor'
 import type { Keyword } from './abaqus-keyword'
@@ -6,12 +6,12 @@ import type { AbaqusPart } from './abaqus-part'
 import type { Frame } from './movement'
 import type { TextLines } from './text-lines'
 
-export interface Reading {
+export interface Context {
   /** Lines of the file that is being read: an included one has its own. */
   lines: TextLines
   keyword: Keyword
   part: AbaqusPart
-  /** That of *SYSTEM, in which nodes are given. */
+  /** The frame of *SYSTEM, in which nodes are given. */
   frame: Frame | null
   readonly precision: PrintedDigits
   readonly notes: string[]
@@ -24,7 +24,7 @@ export interface Section {
 }
 
 /** The whole number that a parameter of the keyword has. */
-export function wholeNumber({ keyword, lines }: Reading, parameter: string): number {
+export function wholeNumber({ keyword, lines }: Context, parameter: string): number {
   const text = keyword.parameters.get(parameter) ?? ''
   if (!/^[-+]?\d{1,15}$/.test(text))
     lines.refuse(`${shown(keyword.written)}: ${parameter} with a whole number was expected.`)
