@@ -44,7 +44,7 @@ export const sceneSlice: Slice<SceneState> = {
 }
 
 /** Buttons of the scene that an author may leave out. */
-export const CONTROLS = ['faces', 'reference', 'turn', 'fit', 'help'] as const
+export const CONTROLS = ['minimum', 'faces', 'reference', 'turn', 'fit', 'help'] as const
 export type Control = (typeof CONTROLS)[number]
 
 /** What drags of a vertex are held to, by keys or by chips. */

@@ -132,6 +132,7 @@ export class KeyboardInput {
     ']': () => this.#chooseNext(1),
     Escape: () => this.#escape(),
     p: () => this.#target.probeNext(),
+    m: () => this.#target.showMinimum(),
     r: () => this.#target.toggleReference(),
     a: () => this.#target.turn(-1, 0),
     d: () => this.#target.turn(1, 0),

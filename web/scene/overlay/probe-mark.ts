@@ -29,7 +29,7 @@ export interface ProbeLook {
   readonly words: string
 }
 
-type ProbePicture = Pick<OverlayPicture, 'world' | 'camera' | 'handles' | 'taken'>
+type ProbePicture = Pick<OverlayPicture, 'world' | 'camera' | 'handles' | 'taken' | 'sight'>
 
 export class ProbeMark {
   readonly root = svg('g', { class: 'probe' })
@@ -64,12 +64,13 @@ export class ProbeMark {
   }
 
   update(probe: JacobianReport | null, look: ProbeLook, picture: ProbePicture): void {
-    const { world, camera } = picture
+    const { world, camera, sight } = picture
     const middle = probe && camera.project(toWorld(world, probe.position))
     const isShown = middle !== null && middle.depth > 0
     show(this.root, isShown)
     show(this.box.root, isShown)
     if (probe === null || !isShown) return
+    this.root.classList.toggle('behind', sight.hides(probe.point))
     moveTo(this.#dot, middle)
     const corners = boxCorners(probe, world).map(corner => camera.project(corner))
     const isHidden = this.box.update(corners, look.colour, probe.jacdet < 0)
