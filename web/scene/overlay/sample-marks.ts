@@ -11,7 +11,7 @@ export class SampleMarks {
   readonly #behind = svg('path', { class: 'line behind' })
 
   constructor() {
-    this.root.append(this.#behind, this.#halo, this.#line)
+    this.root.append(this.#halo, this.#behind, this.#line)
   }
 
   /** `edges` is the path of the twelve. */
@@ -26,7 +26,8 @@ export class SampleMarks {
       if (depth > 0) dots[sight.hides(point) ? 'behind' : 'seen'] += `M${px(x)} ${px(y)}h0`
     }
     this.root.setAttribute('class', `samples ${samples.edges ? '' : 'dots'}`)
-    for (const path of [this.#halo, this.#line]) set(path, { d: samples.edges ? edges : dots.seen })
+    set(this.#halo, { d: samples.edges ? edges : dots.behind + dots.seen })
+    set(this.#line, { d: samples.edges ? edges : dots.seen })
     set(this.#behind, { d: dots.behind })
   }
 }
