@@ -2,7 +2,7 @@
 import { html, type TemplateResult } from 'lit-html'
 import { approximation } from '../../core/inside'
 import type { Report } from '../../core/report'
-import { formatJacdet } from '../../model/decimal'
+import { formatBound, formatJacdet } from '../../model/decimal'
 import { leastByBoxes } from './least-by-boxes'
 
 export function boxesFigure({ bernstein, exponent, boundaryMinimum }: Report): TemplateResult {
@@ -11,12 +11,12 @@ export function boxesFigure({ bernstein, exponent, boundaryMinimum }: Report): T
   const { value, error } = approximation({ lower, upper })
   const isBelow = upper < boundaryMinimum && boundaryMinimum - upper > upper - lower
   const verdict = isBelow
-    ? 'The least jacdet is inside.'
-    : 'They agree within the error of the first: no box has a lower jacdet than the boundary.'
+    ? 'The least jacdet is inside, not on the boundary.'
+    : 'The two agree, within the error of the first.'
   return html`<figure class="drawing">
     <dl class="two-numbers">
-      <dt>Whole element, by ${boxes} boxes</dt>
-      <dd class=${value < 0 ? 'negative' : ''}>${text(value)}${error > 0 ? html` <span class="quiet">± ${text(error)}</span>` : ''}</dd>
+      <dt>Whole element, by ${boxes === 1 ? '1 box' : `${boxes} boxes`}</dt>
+      <dd class=${value < 0 ? 'negative' : ''}>${text(value)}${error > 0 ? html` <span class="quiet">±\u00a0${formatBound(error, exponent, 'unit')}</span>` : ''}</dd>
       <dt>Boundary, by candidates</dt>
       <dd class=${boundaryMinimum < 0 ? 'negative' : ''}>${text(boundaryMinimum)}</dd>
     </dl>

@@ -12,6 +12,7 @@ import { at, map3 } from '../space/vec3'
 import { toWorld, verticesInWorld, type World } from '../space/world'
 import { Highlight } from './highlight'
 import { meanOf, numberDirection, overlap } from './label-place'
+import { LeastCurve } from './least-curve'
 import { Marks } from './marks'
 import { markScale, type OverlayPicture } from './overlay-picture'
 import { ProbeMark } from './probe-mark'
@@ -57,6 +58,7 @@ export class Overlay {
   readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
   readonly #highlight = new Highlight()
+  readonly #curve = new LeastCurve()
   readonly #samples = new SampleMarks()
   readonly #marks: Marks
   readonly #triad: Triad
@@ -71,6 +73,7 @@ export class Overlay {
       this.#edgeHalo,
       this.#edges,
       this.#highlight.root,
+      this.#curve.root,
       this.#axisLine,
       this.#ghostHalo,
       this.#ghost,
@@ -99,6 +102,7 @@ export class Overlay {
     set(this.#edgeHalo, { d: edges })
     set(this.#edges, { d: edges })
     this.#highlight.update(sliceOf(marksSlice, picture.state).highlight, handles)
+    this.#curve.update(picture)
     this.#samples.update(picture, edges)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)

@@ -111,6 +111,7 @@ export const lesson: Lesson = {
         answer: { kind: 'drag', holds: '-0.1 <= gauss2_min <= 0.1' },
         because: `<p>On the diagonal the first Gauss point turns at ${math('t', '=', 0.464)}. From 0.667 to there the element is invalid, and all
           eight points are positive.</p>`,
+        before: { views: 'scene verdict' },
       },
       text: `<p>The Gauss point next to vertex 6 lies at ${math('ξ', '=', 'η', '=', 'ζ', '=', 0.789)}. Red has to grow as far as that point
         before the solver stops. Until then it computes with an element that is folded over.</p>

@@ -8,6 +8,18 @@ const rest = of(1, '−', 'r')
 
 const fromBelow = { direction: [0.5, -0.75, -0.6], zoom: 1, pan: [0, 0, 0] } as const
 
+/** Its coefficients on the edge from vertex 3 to 2 are 1, -1/2 and 1: "bernstein-negative" of the gallery. */
+const steep = [
+  [0, 0, 0],
+  [1, 0, 0],
+  [1, 0, -1],
+  [0, 1, 0],
+  [0, 0, 1],
+  [1, 1, 0],
+  [1, 1, -2],
+  [0, 1, 1],
+] as const
+
 /** Half of the way from the unit cube to the preset face-negative. */
 const halfWay = [
   [0.25, 0.125, 0.125],
@@ -40,20 +52,22 @@ export const lesson: Lesson = {
           ${display(frac(row(q(0), q(2), '−', subsup('q', 1, 2)), row(q(0), '−', 2, q(1), '+', q(2))))}
           <p>The denominator is positive, so the numerator decides.</p>`,
         )}`,
-      task: `The dashed tangents meet below zero, at ${math(q(1))}. Yet the parabola stays above zero.`,
+      task: `Here ${math(q(1), '=', '−', frac(1, 2))}, and the tangents meet below zero. Yet the parabola stays above it. Drag vertex 2 until
+        it does not.`,
       claims: [
         { says: 'All twelve edges are positive', holds: 'edge_min > 0' },
-        { says: 'The least jacdet on them is 1/56', holds: 'edge_min = 1/56' },
+        { says: 'The least jacdet on them is 1/4', holds: 'edge_min = 1/4' },
       ],
-      figure: { kind: 'edge', edge: 0, hasCoefficients: true },
-      element: 'face-negative',
+      figure: { kind: 'edge', edge: 2, hasCoefficients: true },
+      element: steep,
       views: 'scene verdict',
+      state: { selectedVertex: 2 },
     },
     {
       title: 'Twelve good edges',
       question: {
-        asks: `<p>This is half of the way from the unit cube to the element of the last step. The vertices go on along straight lines. At the end
-          ${J} is still at least 1/32 at the vertices, and at least 1/56 on the edges.</p>
+        asks: `<p>This element is valid. It is half of the way from the unit cube to another one. The vertices go on along straight lines. At the
+          end ${J} is still at least 1/32 at the vertices, and at least 1/56 on the edges.</p>
           <p>And on the faces?</p>`,
         answer: {
           kind: 'choice',

@@ -125,7 +125,8 @@ export const lesson: Lesson = {
           'Why no slope is zero',
           `<p>Suppose that all three slopes of ${J} are zero at a point where ${math('J', '=', 0)}. There the columns ${math('U')},
           ${math('V')}, ${math('W')} of ${math('D', 'F')} lie in a plane. If two of them are parallel, say ${math('V')} and ${math('W')}, the
-          slice ${math('ξ', '=', 'const')} through the point is flat. It lies in the plane of ${math('V')} and ${math(second('η', 'ζ'))}.</p>
+          slice through the point on which ${math('ξ')} does not change is flat. Its plane has the directions ${math('V')} and</p>
+          ${display(second('η', 'ζ'))}
           <p>If no two are parallel, ${math('U', '=', 'α', 'V', '+', 'β', 'W')} with ${math('α')} and ${math('β')} not zero. The formula of the
           next step then gives ${math('κ', '=', 0)}, and again the slice is flat.</p>
           <p>The rim of the slice lies on the faces, where ${J} is positive. So by the step before last ${J} is positive on all of the slice,
@@ -146,15 +147,18 @@ export const lesson: Lesson = {
         ${display('κ', '=', det(tall('[', 'V', '|', 'W', '|', second('η', 'ζ'))))}
         ${foldout(
           'The calculation',
-          `<p>Let ${math('A', '=', second('ξ', 'η'))}, ${math('B', '=', second('ξ', 'ζ'))}, ${math('C', '=', second('η', 'ζ'))}, so that
-          ${math('κ', '=', columns('V', 'W', 'C'))}. ${math('F')} is linear in each coordinate, so</p>
+          `<p>Let</p>
+          ${display('A', '=', second('ξ', 'η'), ',', 'B', '=', second('ξ', 'ζ'), ',', 'C', '=', second('η', 'ζ'))}
+          <p>Then ${math('κ', '=', columns('V', 'W', 'C'))}. ${math('F')} is linear in each coordinate, so</p>
           ${display(slopeOfJ('η'), '=', columns('A', 'V', 'W'), '+', columns('U', 'V', 'C'), '=', 0)}
           ${display(slopeOfJ('ζ'), '=', columns('B', 'V', 'W'), '+', columns('U', 'C', 'W'), '=', 0)}
           <p>With ${math('U', '=', 'α', 'V', '+', 'β', 'W')} the second terms are ${math('−', 'β', 'κ')} and ${math('−', 'α', 'κ')}. So</p>
-          ${display(columns('A', 'V', 'W'), '=', 'β', 'κ', ',', columns('B', 'V', 'W'), '=', 'α', 'κ')}
-          <p>In the same way</p>
+          ${display(columns('A', 'V', 'W'), '=', 'β', 'κ')}
+          ${display(columns('B', 'V', 'W'), '=', 'α', 'κ')}
+          <p>Now the same for ${math('ξ')}:</p>
           ${display(slopeOfJ('ξ'), '=', columns('U', 'A', 'W'), '+', columns('U', 'V', 'B'))}
-          ${display('=', '−', 'α', columns('A', 'V', 'W'), '−', 'β', columns('B', 'V', 'W'), '=', '−', 2, 'α', 'β', 'κ')}`,
+          ${display('=', '−', 'α', columns('A', 'V', 'W'), '−', 'β', columns('B', 'V', 'W'))}
+          ${display('=', '−', 2, 'α', 'β', 'κ')}`,
         )}
         <p>If one of the factors were zero, a slice through that point would be flat. The rim of the slice lies on the faces, where ${J} is
         positive. Then ${J} would be positive on the slice, and not zero at the point.</p>
@@ -170,21 +174,22 @@ export const lesson: Lesson = {
       title: 'The least value, too',
       text: `<p>More is true. The least ${J} of a valid element is on the boundary. If it is also at a point inside, ${J} is constant along a line from
         there to a face.</p>
-        <p>The lens relies on this: in the picture the ring is on the faces by construction. So the numbers below are computed apart. The cube
-        is cut into boxes, and in each box ${J} is at least its least Bernstein coefficient. The theorem is not used.</p>
+        <p>The lens relies on this: of a valid element it computes the boundary alone. So its ring is always on a face, which proves nothing. Below,
+        the minimum of the whole element is computed apart. The reference cube is cut into boxes, and in each box ${J} is at least its least
+        Bernstein coefficient. The theorem is not used.</p>
         <p>Two things are left to explain: how strict <em>positive</em> has to be, and how the least value on a face is found.</p>`,
       task: 'Drag vertices and compare the two numbers. While the word is VALID, they agree. If it is INVALID, the first may be lower.',
       claims: [{ says: 'The element is valid', holds: 'valid' }],
       figure: { kind: 'boxes' },
       element: [
-        [0, 0, 0],
-        [1.25, -0.25, 0],
-        [1, 1, 0],
-        [0, 1, 0],
-        [0, 0, 1],
-        [1, 0, 1],
-        [1.5, 1.25, 1.5],
-        [0, 1, 1],
+        [0.25, 0.125, 0.125],
+        [1, 0, 0.5],
+        [0.75, 0.875, 0.125],
+        [0, 1, 0.5],
+        [0, 0, 0.5],
+        [0.875, 0.25, 0.875],
+        [1, 1, 0.5],
+        [0.125, 0.75, 0.875],
       ],
       views: 'scene verdict',
       state: { faceDisplay: 'see-through' },

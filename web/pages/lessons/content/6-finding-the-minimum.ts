@@ -64,14 +64,15 @@ export const lesson: Lesson = {
         <p>For each ${math('t')} this is a parabola in ${math('s')}. If it opens upwards, ${math('a', '>', 0)}, it is lowest at
         ${math(sup('s', '*'), '=', '−', 'b', '/', row('2', 'a'))}. These points, one for each ${math('t')}, form a curve on the face. The
         picture shows it as a dashed line.</p>`,
-      task: 'Point along the dashed line on the bottom face. jacdet is least where the ring is.',
+      task: 'Only the bottom face is drawn. Point at places along the dashed line: jacdet is least where the ring is.',
       claims: [{ says: 'The least jacdet is −1/16, inside a face', holds: 'boundary_min = -1/16 and edge_min > 0' }],
       element: 'face-negative',
       views: 'scene face-maps',
       state: {
         openPanels: ['face-maps'],
         selectedFace: 4,
-        camera: { direction: [0.5, -0.75, -0.6], zoom: 1, pan: [0, 0, 0] },
+        faceDisplay: 4,
+        camera: { direction: [0.75, -0.3, -0.6], zoom: 1.5, pan: [0, 0, 0] },
       },
     },
     {
