@@ -1,6 +1,6 @@
 /** The lessons as content: every claim at its step's own element, formulas, links, and what the lens is asked to show. */
 import { describe, expect, it } from 'vitest'
-import { facePolynomials, valueAt as valueOf } from '../../web/core/face-polynomials'
+import { facePolynomials, valueAt } from '../../web/core/face-polynomials'
 import { quantitiesOf } from '../../web/core/quantities'
 import type { Candidate } from '../../web/core/report'
 import { bernsteinOnEdge, gradientInside, valueInside } from '../../web/core/section'
@@ -9,7 +9,7 @@ import { faces as topology, type Vec3, vertexOf, vertexReference } from '../../w
 import { readState } from '../../web/model/state-document'
 import { addressOf, complaintAbout, hashOf, neighbour, type StepAddress, stepAt } from '../../web/pages/lessons/address'
 import { isInPlane, lessons } from '../../web/pages/lessons/content/lessons'
-import { stateOf, verticesOf } from '../../web/pages/lessons/step-state'
+import { shownStep, stateOf, verticesOf } from '../../web/pages/lessons/step-state'
 import { panels } from '../../web/panels/list'
 import { knownPanels } from '../../web/panels/panel'
 import { core, entry, randomSource, unitCube } from './core-fixtures'
@@ -143,8 +143,8 @@ describe('what the texts say besides', () => {
   it('half of the way to the element with a negative face all faces are positive', () => {
     const preset = pointsOf(elementOf('#edges-are-not-enough/3'))
     const half = preset.flatMap((point, v) => point.map((x, i) => (x + at(vertexReference[v] as Vec3, i)) / 2))
-    const { question } = stepAt(addressOf('#edges-are-not-enough/2') as StepAddress)
-    expect((question?.before?.element as readonly Vec3[]).flat()).toEqual(half)
+    const asked = stepAt(addressOf('#edges-are-not-enough/2') as StepAddress)
+    expect(verticesOf(shownStep(asked, true))).toEqual(half)
     expect(reportOf(half).valid).toBe(true)
   })
 
@@ -244,7 +244,7 @@ describe('what the texts say besides', () => {
     const { bernstein, quartic, quarticExponent } = entry(faces, 4)
     const polynomials = facePolynomials(bernstein)
     const leastAt = (t: number) => {
-      const [a, b, c] = [polynomials.a, polynomials.b, polynomials.c].map(of => valueOf(of, t)) as [
+      const [a, b, c] = [polynomials.a, polynomials.b, polynomials.c].map(of => valueAt(of, t)) as [
         number,
         number,
         number,
@@ -252,8 +252,8 @@ describe('what the texts say besides', () => {
       return (c - b ** 2 / (4 * a)) * 2 ** polynomials.exponent
     }
     for (const t of [0.2, 0.35, 0.5, 0.7]) {
-      const a = valueOf(polynomials.a, t) * 2 ** polynomials.exponent
-      const slope = (valueOf(quartic, t) * 2 ** quarticExponent) / (4 * a * a)
+      const a = valueAt(polynomials.a, t) * 2 ** polynomials.exponent
+      const slope = (valueAt(quartic, t) * 2 ** quarticExponent) / (4 * a * a)
       expect((leastAt(t + 1e-5) - leastAt(t - 1e-5)) / 2e-5).toBeCloseTo(slope, 6)
     }
   })

@@ -101,7 +101,11 @@ export const lesson: Lesson = {
       claims: [{ says: 'Positive on the edges, negative on a face', holds: 'edge_min > 0 and boundary_min < 0' }],
       element: 'face-negative',
       views: 'scene verdict',
-      state: { camera: fromBelow, faceDisplay: 4, selectedFace: 4 },
+      state: {
+        camera: { direction: [0.25, -0.3, -1], zoom: 1.15, pan: [0, 0, 0] },
+        faceDisplay: 4,
+        selectedFace: 4,
+      },
     },
     {
       title: 'Who would notice?',

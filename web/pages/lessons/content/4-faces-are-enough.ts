@@ -124,8 +124,8 @@ export const lesson: Lesson = {
         ${foldout(
           'Why no slope is zero',
           `<p>Suppose that all three slopes of ${J} are zero at a point where ${math('J', '=', 0)}. There the columns ${math('U')},
-          ${math('V')}, ${math('W')} of ${math('D', 'F')} lie in a plane. If two of them are parallel, say ${math('V')} and ${math('W')}, the
-          slice through the point on which ${math('ξ')} does not change is flat. Its plane has the directions ${math('V')} and</p>
+          ${math('V')}, ${math('W')} of ${math('D', 'F')} lie in a plane. Let two of them be parallel, say ${math('V')} and ${math('W')}. Then the
+          slice with the same ${math('ξ')} is flat. Its plane has the directions ${math('V')} and</p>
           ${display(second('η', 'ζ'))}
           <p>If no two are parallel, ${math('U', '=', 'α', 'V', '+', 'β', 'W')} with ${math('α')} and ${math('β')} not zero. The formula of the
           next step then gives ${math('κ', '=', 0)}, and again the slice is flat.</p>

@@ -23,7 +23,7 @@ const moved = (by: number) =>
 export const lesson: Lesson = {
   id: 'strictly',
   title: 'Strictly!',
-  summary: 'Zero on the faces, −1/4 in the middle: why positive has to mean more than zero.',
+  summary: 'Zero on the faces: why positive has to mean more than zero.',
   steps: [
     {
       title: 'Nowhere negative on the faces',
@@ -47,7 +47,7 @@ export const lesson: Lesson = {
         { says: 'The greatest is 1', holds: 'boundary_max = 1' },
       ],
       element: 'non-strict',
-      views: 'scene verdict',
+      views: 'scene',
       state: { referenceShown: true },
     },
     {

@@ -72,7 +72,7 @@ export const lesson: Lesson = {
         openPanels: ['face-maps'],
         selectedFace: 4,
         faceDisplay: 4,
-        camera: { direction: [0.75, -0.3, -0.6], zoom: 1.5, pan: [0, 0, 0] },
+        camera: { direction: [0.25, -0.3, -1], zoom: 1.15, pan: [0, 0, 0] },
       },
     },
     {
