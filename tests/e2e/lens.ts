@@ -6,6 +6,8 @@ export class Lens {
   readonly page: Page
   readonly element: Locator
   readonly verdict: Locator
+  /** The numbers behind the verdict. */
+  readonly minimum: Locator
   readonly scene: Locator
   readonly preset: Locator
 
@@ -13,6 +15,7 @@ export class Lens {
     this.page = page
     this.element = page.locator('hex-lens')
     this.verdict = page.getByRole('status', { name: 'Verdict' })
+    this.minimum = page.getByRole('group', { name: 'Minimum' })
     this.scene = page.getByRole('application', { name: /^The hexahedron/ })
     this.preset = page.getByRole('combobox', { name: 'Preset' })
   }
@@ -24,7 +27,7 @@ export class Lens {
   }
 
   field(vertex: number, axis: 'x' | 'y' | 'z'): Locator {
-    return this.page.getByRole('spinbutton', { name: `Vertex ${vertex} ${axis}` })
+    return this.page.getByRole('textbox', { name: `Vertex ${vertex} ${axis}` })
   }
 
   button(name: string): Locator {

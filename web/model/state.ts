@@ -24,12 +24,23 @@ export interface Cameras {
 /** Vertices set before the first frame are where the element starts; later each change is a step. */
 export type Phase = 'starting' | 'begun'
 
-export interface State {
+/** What a step changes. */
+export interface Snapshot {
   readonly vertices: Vertices
-  /** The preset the element started from, by id; null when it came from elsewhere. */
+  /** The preset that the element started from, by id; null when it came from elsewhere. */
   readonly preset: string | null
   /** Reset returns to these. */
   readonly start: Vertices
+}
+
+/** The elements that undo and redo go through, in order; undo goes back from the present one. */
+export interface History {
+  readonly elements: readonly Snapshot[]
+  /** Index of the present one. */
+  readonly present: number
+}
+
+export interface State extends Snapshot {
   readonly phase: Phase
   /** Vertices as they were when the running gesture began; null between gestures. */
   readonly gestureStart: Vertices | null
@@ -90,8 +101,10 @@ export type Action =
   | { readonly type: 'probe'; readonly point: Vec3 | null }
   | { readonly type: 'change-slice'; readonly slice: AnyPassingSlice; readonly change: object }
   | { readonly type: 'set-readonly'; readonly isReadonly: boolean }
-  /** Everything at once; what this changes of the element is one step to undo. */
+  /** Everything but the history at once; what this changes of the element is one step to undo. */
   | { readonly type: 'restore'; readonly state: LastingState }
+  /** Its present element and its steps take the place of all that there are. */
+  | { readonly type: 'take-history'; readonly history: History }
 
 export type Dispatch = (action: Action) => void
 

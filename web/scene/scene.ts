@@ -215,8 +215,9 @@ class Scene implements View, PaneScene {
       this.#help.update(sliceOf(controlsSlice, state))
       reference?.update(frame)
     }
-    this.#pane.updateProbe(probe, state, pane)
-    reference?.updateProbe(probe)
+    const colour = this.#painting.colourAt(frame)
+    this.#pane.updateProbe(probe, colour, state, pane)
+    reference?.updateProbe(probe, colour)
   }
 
   #drawColourBar({ state, report, probe }: Frame): void {

@@ -21,7 +21,7 @@ const FOR_KEYS: readonly Entry[] = [
   ['Arrow keys', 'move the chosen vertex along the axis that is nearest to the arrow'],
   ['Page Up, Page Down', 'move it along the third axis'],
   ['Shift, Alt', 'with these keys make the step ten times as long, or a tenth'],
-  ['Point at a face', 'or tap it, to read jacdet at that point: the probe'],
+  ['Point at a face', 'or tap it, to read jacdet there: the probe. The box is the image of a little cube, enlarged'],
   ['P', 'puts the probe on the next candidate; C copies its numbers'],
   ['Escape', 'puts a vertex that is being moved back; at other times it removes the probe'],
   ['A, D, W, S', 'turn the view; plus and minus zoom, F fits it, Home resets it'],
