@@ -61,7 +61,7 @@ export interface ControlsState {
   readonly controls: readonly Control[]
   /** True if the help is on the screen. */
   readonly helpShown: boolean
-  /** True if the last pointer was a finger or a pen: there may be no keys. */
+  /** True if the scene was last used by a finger or a pen: there may be no keys. */
   readonly byFinger: boolean
   /** What the chips hold drags to. */
   readonly held: DragKeys
