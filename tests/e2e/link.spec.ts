@@ -101,7 +101,7 @@ test('the address is the element: as it changes, when another is pasted, after a
     })
     await lens.set(tiny)
     await lens.button('Copy link').click()
-    await expect(page.getByRole('textbox')).toHaveValue(page.url())
+    await expect(page.getByRole('textbox', { name: 'The browser did not let' })).toHaveValue(page.url())
   })
 })
 

@@ -79,8 +79,8 @@ const EARLY = [
  * @attr {a preset’s id} [preset=looks-fine] - The element to start from. If `vertices` is there
  *   too, Reset goes back to the preset.
  * @attr {a list of words, or `all`} [views=scene verdict] - What is shown: `scene`, `verdict`,
- *   `toolbar`, `proof`, `checks`, `vertices`, and the panels that open on request: `face-maps`,
- *   `algorithm`, `inside`, `node-order`, `morph`, `paste`, `take-away`, `embed`. The pages of
+ *   `toolbar`, `checks`, `proof`, `vertices`, and the panels that open on request: `face-maps`,
+ *   `algorithm`, `inside`, `morph`, `node-order`, `paste`, `take-away`, `embed`. The pages of
  *   Hexlens add `nearest`; elsewhere the word is ignored. With the scene and the verdict alone, the
  *   verdict is a line or two below the scene.
  * @attr {a list of words, `all` or `none`} [controls=all] - Buttons of the scene: `faces`,
@@ -107,6 +107,9 @@ const EARLY = [
  *   and so on), `core-failed`, `no-webgl`, `context-lost`, `input-refused`, `not-read`.
  *
  * @slot - Shown until the element is drawn, and where it never is: without JavaScript, for one.
+ * @slot hint - Words of the page’s own in the scene, where it has room for its legend. They stand in
+ *   the legend’s place, and arrows around a handle show that it can be dragged, until the reader
+ *   first moves a vertex.
  * @slot caption - Below the element, in the page’s own style.
  *
  * @csspart lens - The whole element.
@@ -121,15 +124,16 @@ const EARLY = [
  * @csspart toolbar
  * @csspart problems
  * @csspart announcer
- * @csspart proof
  * @csspart checks
+ * @csspart minimum - Shown with the verdict: the numbers behind it.
+ * @csspart proof
  * @csspart vertices
  * @csspart face-maps
  * @csspart algorithm
  * @csspart inside
- * @csspart node-order
- * @csspart morph
  * @csspart nearest - On the pages of Hexlens only.
+ * @csspart morph
+ * @csspart node-order
  * @csspart paste
  * @csspart reading - Beside the verdict where `paste` is among the views: what was read, and the
  *   cells to choose from.
@@ -166,6 +170,7 @@ export class HexLens extends ReflectingElement {
     permalink: () => this.permalink,
     figure: name => this.#views.figure(name),
     input: {
+      isWelcome: () => this.#input.isWelcome(),
       read: input => this.#input.read(input),
       close: () => this.#input.close(),
       show: (cell, order) => this.#input.show(cell, order),

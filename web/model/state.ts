@@ -46,7 +46,10 @@ export interface State extends Snapshot {
   readonly gestureStart: Vertices | null
   readonly canUndo: boolean
   readonly canRedo: boolean
+  /** The vertex that keys move. */
   readonly selectedVertex: number
+  /** False until the reader, or a page, chooses a vertex: no view then shows one as chosen. */
+  readonly isVertexChosen: boolean
   readonly referenceCube: ReferenceCube
   /** The cameras last asked for, not as the reader turned them since; a new object each time, null before. */
   readonly cameras: Cameras | null
@@ -61,7 +64,10 @@ export interface State extends Snapshot {
 }
 
 /** State that outlives the page: no gestures, history, author's limits, and slices with readers alone. */
-export type LastingState = Omit<State, 'phase' | 'gestureStart' | 'canUndo' | 'canRedo' | 'probe' | 'isReadonly'>
+export type LastingState = Omit<
+  State,
+  'phase' | 'gestureStart' | 'canUndo' | 'canRedo' | 'isVertexChosen' | 'probe' | 'isReadonly'
+>
 
 export type Action =
   /** One vertex to a place. Inside a gesture it adds to that gesture's one undo step, outside it is a step of its own. */
@@ -87,7 +93,8 @@ export type Action =
   | { readonly type: 'undo' }
   | { readonly type: 'redo' }
   | { readonly type: 'reset' }
-  | { readonly type: 'select-vertex'; readonly vertex: number }
+  /** Null: none is chosen any more; keys still move the one that was. */
+  | { readonly type: 'select-vertex'; readonly vertex: number | null }
   | { readonly type: 'show-reference-cube'; readonly referenceCube: ReferenceCube }
   | { readonly type: 'open-panel'; readonly panel: string; readonly isOpen: boolean }
   | { readonly type: 'look'; readonly cameras: Cameras | null }

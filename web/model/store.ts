@@ -44,6 +44,7 @@ type Shown = Omit<State, keyof Snapshot | 'phase' | 'gestureStart' | 'canUndo' |
 /** The state of a new element. */
 export const SHOWN_FIRST: Shown = {
   selectedVertex: 0,
+  isVertexChosen: false,
   referenceCube: 'unit',
   cameras: null,
   probe: null,
@@ -173,7 +174,11 @@ export function createStore(vertices: Vertices, preset: string | null, firstPhas
         change({ ...present, vertices: kept(present.vertices, present.start) })
         break
       case 'select-vertex':
-        shown = { ...shown, selectedVertex: checkedVertex(action.vertex) }
+        shown = {
+          ...shown,
+          selectedVertex: checkedVertex(action.vertex ?? shown.selectedVertex),
+          isVertexChosen: action.vertex !== null,
+        }
         break
       case 'show-reference-cube':
         shown = { ...shown, referenceCube: action.referenceCube }
@@ -216,7 +221,9 @@ export function createStore(vertices: Vertices, preset: string | null, firstPhas
     const began = kept(present.start, accepted(start))
     change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
     endSlices()
-    shown = { ...shown, ...others, slices: { ...shown.slices, ...slices }, probe: null }
+    // The first vertex is everybody's who chose none.
+    const isVertexChosen = others.selectedVertex !== SHOWN_FIRST.selectedVertex
+    shown = { ...shown, ...others, isVertexChosen, slices: { ...shown.slices, ...slices }, probe: null }
   }
 
   /** The reader of the history has checked it. */

@@ -15,9 +15,11 @@ import { keepLists } from '../kept-list'
 import { LensWork } from '../lens-work'
 import { say, unsay } from '../note'
 import { scrollOf, scrollTo } from '../scroll'
+import { showHintOnce } from './hint'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const work = new LensWork(lens, [lens], arrive)
+showHintOnce(lens)
 
 const FIRST = presetVertices(presets[0])
 const LAST_ELEMENT = 'Your last element.'

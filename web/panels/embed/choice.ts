@@ -14,7 +14,7 @@ export interface Choice extends Pick<Embed, 'views' | 'theme' | 'readonly' | 'ca
   readonly label: string | null
 }
 
-export const HEIGHTS = { least: 160, most: 4000, step: 20 } as const
+export const HEIGHTS = { least: 160, most: 4000, isWhole: true } as const
 
 const FIRST: Choice = {
   host: '',

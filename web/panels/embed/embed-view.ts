@@ -3,6 +3,7 @@ import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { Vertices } from '../../model/hexahedron'
 import { type State, sliceChange, sliceOf } from '../../model/state'
 import { copyText } from '../../views/copy-text'
+import { NumberField } from '../../views/number-field'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { type Choice, choiceSlice, HEIGHTS, THEMES } from './choice'
@@ -13,6 +14,7 @@ import { hosts, type Snippet } from './hosts'
 export const styles = css
 
 const PICTURE = 'hexlens.png'
+const HEIGHT_STEP = 20
 /** The preview's events are not those of the element around it. */
 const EVENTS = ['hex-input', 'hex-change', 'hex-verdict', 'hex-error']
 
@@ -20,6 +22,14 @@ class EmbedView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
   readonly #preview = document.createElement('hex-lens')
+  readonly #height = new NumberField({
+    name: 'Height',
+    refusalId: 'embed-refusal',
+    onRefusal: () => this.#render(),
+    limits: HEIGHTS,
+    step: HEIGHT_STEP,
+    commit: height => this.#choose({ height }),
+  })
   #choice: Choice
   #vertices: Vertices
   #valid: boolean | null = null
@@ -30,6 +40,7 @@ class EmbedView implements View {
     this.#vertices = context.state().vertices
     this.#choice = choiceIn(context.state())
     this.root.className = 'embed'
+    this.#height.show(this.#choice.height)
     for (const name of EVENTS) this.#preview.addEventListener(name, event => event.stopPropagation())
     this.#render()
   }
@@ -40,6 +51,7 @@ class EmbedView implements View {
     const isSame = state.vertices === this.#vertices && valid === this.#valid && choice === this.#choice
     if (state.gestureStart !== null || isSame) return
     this.#choice = choice
+    this.#height.show(choice.height)
     this.#vertices = state.vertices
     this.#valid = valid
     this.#said = ''
@@ -51,10 +63,11 @@ class EmbedView implements View {
   }
 
   get #embed(): Embed {
-    const { host: _, label, ...choice } = this.#choice
+    const { host: _, label, views, ...choice } = this.#choice
     const said = this.#valid === null ? 'A hexahedron' : `${this.#valid ? 'A valid' : 'An invalid'} hexahedron`
     return {
       ...choice,
+      views: known(views),
       vertices: this.#vertices,
       label: label ?? said,
       link: this.#context.permalink(),
@@ -100,10 +113,7 @@ class EmbedView implements View {
             ${hosts.map(each => html`<option ?selected=${each === host}>${each.title}</option>`)}
           </select>
         </label>
-        <label>Height
-          <input type="number" min=${HEIGHTS.least} max=${HEIGHTS.most} step=${HEIGHTS.step} .value=${String(embed.height)}
-            @change=${(event: Event) => this.#chooseHeight(event.target as HTMLInputElement)}> px
-        </label>
+        <label>Height ${this.#height.input} px</label>
         <label>Colours
           <select @change=${(event: Event) => this.#choose({ theme: THEMES[selected(event).selectedIndex] ?? 'auto' })}>
             ${THEMES.map(each => html`<option ?selected=${each === theme}>${each === 'auto' ? 'as the reader’s' : each}</option>`)}
@@ -111,6 +121,7 @@ class EmbedView implements View {
         </label>
         <label><input type="checkbox" .checked=${readonly} @change=${(event: Event) => this.#choose({ readonly: isChecked(event) })}> Cannot be changed by readers</label>
       </div>
+      <p id="embed-refusal" aria-live="polite">${this.#height.refusal}</p>
       <fieldset>
         <legend>Shown</legend>
         ${embeddableViews.map(({ name, title }) => this.#viewChoice(name, title))}
@@ -138,7 +149,7 @@ class EmbedView implements View {
     const { views } = this.#choice
     const choose = (event: Event) => {
       const chosen = isChecked(event) ? [...views, name] : views.filter(view => view !== name)
-      this.#choose({ views: embeddableViews.map(view => view.name).filter(view => chosen.includes(view)) })
+      this.#choose({ views: known(chosen) })
     }
     return html`<label><input type="checkbox" .checked=${views.includes(name)} @change=${choose}> ${title}</label>`
   }
@@ -149,12 +160,6 @@ class EmbedView implements View {
       <p><span>${title}</span><button type="button" aria-label=${`Copy: ${place}`} @click=${() => this.#copy(place, text)}>Copy</button></p>
       <pre tabindex="0" aria-label=${title}><code>${text}</code></pre>
     </div>`
-  }
-
-  #chooseHeight(field: HTMLInputElement): void {
-    const height = Math.round(field.valueAsNumber)
-    if (height >= HEIGHTS.least && height <= HEIGHTS.most) this.#choose({ height })
-    else this.#tell(`A height is between ${HEIGHTS.least} and ${HEIGHTS.most} pixels.`)
   }
 
   get #previewCamera(): string | null {
@@ -187,6 +192,11 @@ function selected(event: Event): HTMLSelectElement {
 
 function isChecked(event: Event): boolean {
   return (event.target as HTMLInputElement).checked
+}
+
+/** In their order; those of a later program are left out. */
+function known(views: readonly string[]): readonly string[] {
+  return embeddableViews.map(({ name }) => name).filter(name => views.includes(name))
 }
 
 const choiceIn = (state: State) => sliceOf(choiceSlice, state).embedding

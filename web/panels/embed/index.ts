@@ -4,6 +4,5 @@ import { choiceSlice } from './choice'
 
 export const embed: Panel = {
   ...fold({ name: 'embed', title: 'Copy embed', load: () => import('./embed-view') }),
-  region: 'panel',
   slice: choiceSlice,
 }
