@@ -31,6 +31,10 @@ const RADIUS = 6
 const FIXED_RADIUS = 3
 /** Paper around a handle. */
 const RIM = 2.5
+/** The vertex whose handle shows that it can be dragged, while a hint says so: in most views it is at the rim. */
+const CUED = 6
+/** Arrowheads around it, up, right, down and left. */
+const CUE = 'M-4-12L0-16L4-12M12-4L16 0L12 4M4 12L0 16L-4 12M-12 4L-16 0L-12-4'
 /** Handles this close are one to the eye. */
 const SAME_HANDLE = 3
 /** Distance from a handle's middle to the middle of its number. */
@@ -65,7 +69,7 @@ export class Overlay {
 
   constructor({ letters, isFixed }: OverlayKind) {
     this.#radius = isFixed ? FIXED_RADIUS : RADIUS
-    this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v))
+    this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v, v === CUED && !isFixed))
     this.#marks = new Marks(!isFixed)
     this.#triad = new Triad(letters)
     this.root.append(
@@ -147,7 +151,7 @@ export class Overlay {
       // A long number stays in the picture.
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
-      group.classList.toggle('selected', v === state.selectedVertex)
+      group.classList.toggle('selected', state.isVertexChosen && v === state.selectedVertex)
       const place = { x: at.x + ux * distance, y: at.y + uy * distance }
       if (text !== '') shown.push(place)
       return place
@@ -225,11 +229,13 @@ function lineBox(x: number, y: number, width: number): Box {
   return { x: x - width / 2, y: y - 10, width, height: 20 }
 }
 
-function createHandle(vertex: number): Handle {
+function createHandle(vertex: number, hasCue: boolean): Handle {
   const rim = svg('circle', { class: 'rim' })
   const dot = svg('circle', { class: 'dot' })
   const number = svg('text', { class: 'number', 'text-anchor': 'middle' }, String(vertex))
-  return { group: svg('g', { class: 'handle' }, rim, dot, number), rim, dot, number }
+  const group = svg('g', { class: 'handle' }, rim, dot, number)
+  if (hasCue) group.prepend(svg('path', { class: 'cue', d: CUE }))
+  return { group, rim, dot, number }
 }
 
 /**
