@@ -5,7 +5,7 @@ import { expect, expectAxeFindsNothing, test } from './lens'
 const past = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 2, -0.5, 1.5, 0, 1, 1]
 
 const boxOf = (page: Page) => page.locator('hex-lens .scene-pane .volume-box')
-const hatchOf = (page: Page) => boxOf(page).locator('.hatch.dark')
+const hatchOf = (page: Page) => boxOf(page).locator('.hatch')
 const readoutOf = (page: Page) => page.locator('hex-lens .readout text:visible')
 
 /** A point of the edge from vertex 5 to vertex 1 on the screen. */
@@ -42,14 +42,14 @@ for (const colorScheme of ['light', 'dark'] as const) {
       const words = page.locator('hex-lens .scene-pane .probe', { hasText: /volume × −[\d./]+linear image, enlarged/ })
       await expect(words).toHaveCount(1)
       const littleCube = page.locator('hex-lens .reference .volume-box')
-      await expect(littleCube.locator('.visible')).toBeVisible()
+      await expect(littleCube.locator('.faces')).toBeVisible()
       await expect(littleCube.locator('.hidden')).toHaveAttribute('d', /^M/)
-      await expect(littleCube.locator('.hatch.dark')).toBeHidden()
+      await expect(littleCube.locator('.hatch')).toBeHidden()
       await expectAxeFindsNothing(page)
 
       await page.mouse.move(...(await onEdge(page, 0.8)))
       await expect(readoutOf(page)).toHaveText([/^J = 0\.\d+$/, /^\(ξ, η, ζ\)/, /^\(x, y, z\)/])
-      await expect(boxOf(page).locator('.visible')).toBeVisible()
+      await expect(boxOf(page).locator('.faces')).toBeVisible()
       await expect(hatchOf(page)).toBeHidden()
     })
 

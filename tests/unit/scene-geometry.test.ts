@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
-import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../web/scene/input/decimal-step'
 import { axisMoves, nextDisplay } from '../../web/scene/input/keyboard-input'
 import { pickHandle, pickRadius } from '../../web/scene/input/picking'
 import { VertexDrag } from '../../web/scene/input/vertex-drag'
@@ -12,6 +11,7 @@ import {
   writeIndices,
 } from '../../web/scene/paint/faces-geometry'
 import { DEFAULT_DIRECTION, SceneCamera } from '../../web/scene/space/camera'
+import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../web/scene/space/decimal-step'
 import { facePoint } from '../../web/scene/space/patches'
 import { extentOf, toPhysical, toWorld, verticesInWorld, worldOf } from '../../web/scene/space/world'
 

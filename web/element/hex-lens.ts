@@ -101,6 +101,8 @@ const EARLY = [
  *   or a number was entered.
  * @fires {CustomEvent<{ valid: boolean }>} hex-verdict - The first verdict, and each one that
  *   differs from the one before.
+ * @fires {CustomEvent<{ text: string } | { files: File[] } | null>} hex-list - There is a list to
+ *   choose from, and this is what it was read from; null when it is put away.
  * @fires {CustomEvent<{ code: string, message: string }>} hex-error - Something does not work, and
  *   `message` says so in a sentence. The codes: an attribute that is not understood (`bad-vertices`
  *   and so on), `core-failed`, `no-webgl`, `context-lost`, `input-refused`, `not-read`.
@@ -198,6 +200,7 @@ export class HexLens extends ReflectingElement {
     },
     refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
     onNews: () => this.#frames.schedule(),
+    onList: input => this.#tell('hex-list', input),
   })
   readonly #attributes = new AttributeInput(this, viewNames(HexLens.composition), {
     state: () => this.#store.state,
@@ -397,11 +400,11 @@ export class HexLens extends ReflectingElement {
   /**
    * Reads a text, a file, or files that belong together, as if dropped here. One element becomes
    * the element, as one step to undo. Of several the reader chooses one, where `paste` is among the
-   * views. What cannot be read is told by `hex-error`.
+   * views; `isQuiet` leaves the focus where it is. What cannot be read is told by `hex-error`.
    */
-  offer(given: string | File | readonly File[]): void {
-    if (typeof given === 'string') this.#input.read({ text: given })
-    else this.#input.read({ files: given instanceof File ? [given] : given })
+  offer(given: string | File | readonly File[], isQuiet = false): void {
+    const input = typeof given === 'string' ? { text: given } : { files: given instanceof File ? [given] : given }
+    this.#input.read(input, isQuiet)
   }
 
   /**

@@ -1,11 +1,7 @@
 /** The author's choice in Copy embed. */
 import { between, described, flag, oneOf, orNull, record, text, texts } from '../../model/document-readers'
 import type { Slice } from '../../model/state'
-import type { Embed } from './embed-lines'
-
-/** Values of the element's attribute `theme`. */
-export const THEMES = ['auto', 'light', 'dark'] as const
-export type ThemeName = (typeof THEMES)[number]
+import { type Embed, THEMES } from './embed-lines'
 
 export interface Choice extends Pick<Embed, 'views' | 'theme' | 'readonly' | 'camera' | 'height'> {
   /** Its id; one that is not known means the first. */

@@ -6,9 +6,9 @@ import { copyText } from '../../views/copy-text'
 import { NumberField } from '../../views/number-field'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
-import { type Choice, choiceSlice, HEIGHTS, THEMES } from './choice'
+import { type Choice, choiceSlice, HEIGHTS } from './choice'
 import css from './embed.css?inline'
-import { cameraText, type Embed, embeddableViews, verticesText } from './embed-lines'
+import { cameraText, type Embed, embeddableViews, THEMES, verticesText } from './embed-lines'
 import { hosts, type Snippet } from './hosts'
 
 export const styles = css
@@ -63,10 +63,11 @@ class EmbedView implements View {
   }
 
   get #embed(): Embed {
-    const { host: _, label, ...choice } = this.#choice
+    const { host: _, label, views, ...choice } = this.#choice
     const said = this.#valid === null ? 'A hexahedron' : `${this.#valid ? 'A valid' : 'An invalid'} hexahedron`
     return {
       ...choice,
+      views: known(views),
       vertices: this.#vertices,
       label: label ?? said,
       link: this.#context.permalink(),
@@ -148,7 +149,7 @@ class EmbedView implements View {
     const { views } = this.#choice
     const choose = (event: Event) => {
       const chosen = isChecked(event) ? [...views, name] : views.filter(view => view !== name)
-      this.#choose({ views: embeddableViews.map(view => view.name).filter(view => chosen.includes(view)) })
+      this.#choose({ views: known(chosen) })
     }
     return html`<label><input type="checkbox" .checked=${views.includes(name)} @change=${choose}> ${title}</label>`
   }
@@ -191,6 +192,11 @@ function selected(event: Event): HTMLSelectElement {
 
 function isChecked(event: Event): boolean {
   return (event.target as HTMLInputElement).checked
+}
+
+/** In their order; those of a later program are left out. */
+function known(views: readonly string[]): readonly string[] {
+  return embeddableViews.map(({ name }) => name).filter(name => views.includes(name))
 }
 
 const choiceIn = (state: State) => sliceOf(choiceSlice, state).embedding

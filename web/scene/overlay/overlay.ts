@@ -5,14 +5,15 @@ import { formatNumber } from '../../model/decimal'
 import { edgeVertices, VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { sliceOf } from '../../model/state'
 import { marksSlice, sceneSlice } from '../../views/scene-slices'
-import { gridStep, lengthOf, roundTo } from '../input/decimal-step'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
+import { gridStep, lengthOf, roundTo } from '../space/decimal-step'
 import type { Box, Point } from '../space/layout'
 import { at, map3, mix } from '../space/vec3'
 import { extentOf, toWorld, verticesInWorld } from '../space/world'
 import { Highlight } from './highlight'
 import { meanOf, numberDirection, overlap } from './label-place'
+import { LeastCurve } from './least-curve'
 import { Marks } from './marks'
 import { markScale, type OverlayPicture } from './overlay-picture'
 import { type ProbeLook, ProbeMark } from './probe-mark'
@@ -67,6 +68,7 @@ export class Overlay {
   readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
   readonly #highlight = new Highlight()
+  readonly #curve = new LeastCurve()
   readonly #samples = new SampleMarks()
   readonly #marks: Marks
   readonly #triad: Triad
@@ -86,6 +88,7 @@ export class Overlay {
       this.#edgesBehind,
       this.#highlight.root,
       this.#grid,
+      this.#curve.root,
       this.#axisLine,
       this.#ghostHalo,
       this.#ghost,
@@ -115,6 +118,7 @@ export class Overlay {
     set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
     const edges = this.#updateEdges(picture)
     this.#highlight.update(sliceOf(marksSlice, picture.state).highlight, picture)
+    this.#curve.update(picture)
     this.#samples.update(picture, edges)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)

@@ -4,7 +4,7 @@
  */
 import { timesPowerOfTwo } from '../../core/power-of-two'
 import type { JacobianReport } from '../../core/report'
-import { edgeVertices, faces, type Vec3, vertexReference } from '../../model/hexahedron'
+import { edgeVertices, type FaceTopology, faces, type Vec3, vertexReference } from '../../model/hexahedron'
 import { HATCH_PERIOD } from '../paint/colour-map'
 import { px, set, show, svg } from '../paint/svg'
 import type { Point } from '../space/layout'
@@ -37,14 +37,13 @@ export function boxCorners(
   )
 }
 
-/** True for each face that is seen from outside, or of a box inside out from inside: of a convex body, by its turn on the screen. */
-export function facesSeen(corners: readonly Point[], isInsideOut: boolean): readonly boolean[] {
-  return faces.map(({ axis, side, vertices }) => {
+/** The faces seen from outside, or of a box inside out from inside: of a convex body, by their turn on the screen. */
+export function facesSeen(corners: readonly Point[], isInsideOut: boolean): readonly FaceTopology[] {
+  return faces.filter(({ axis, side, vertices }) => {
     const [a, b, c, d] = vertices.map(v => corners[v]) as unknown as Quad
-    const diagonals = turn(a, d, b, c)
     // s, t and the outward normal are right-handed on +xi, -eta and +zeta; y is downwards.
     const isRightHanded = (axis === 1) !== (side === 1)
-    return (isRightHanded !== isInsideOut ? diagonals : -diagonals) < 0
+    return (isRightHanded !== isInsideOut ? 1 : -1) * turn(a, d, b, c) < 0
   })
 }
 
@@ -62,9 +61,8 @@ export class VolumeBox {
 
   /** Returns whether an edge, given by its corners, is hidden. */
   update(corners: readonly Point[], colour: string, isInsideOut: boolean): (edge: readonly number[]) => boolean {
-    const isSeen = facesSeen(corners, isInsideOut)
-    const seen = faces.filter((_, face) => isSeen[face]).map(({ vertices }) => vertices)
-    const quads = seen.map(vertices => vertices.map(v => corners[v]) as unknown as Quad)
+    const seen = facesSeen(corners, isInsideOut)
+    const quads = seen.map(({ vertices }) => vertices.map(v => corners[v]) as unknown as Quad)
     const outlines = quads.map(([a, b, c, d]) => `M${[a, b, d, c].map(place).join('L')}Z`).join('')
     set(this.root, { color: colour })
     for (const mark of [this.#halo, this.#faces]) set(mark, { d: outlines })
@@ -73,7 +71,7 @@ export class VolumeBox {
     })
     show(this.#hatch, isInsideOut)
     if (isInsideOut) set(this.#hatch, { d: quads.map(stripesOn).join('') })
-    return edge => !seen.some(vertices => edge.every(v => vertices.includes(v)))
+    return edge => !seen.some(({ vertices }) => edge.every(v => vertices.includes(v)))
   }
 }
 
