@@ -85,6 +85,8 @@ function answer(step: number, given: Given | undefined): void {
   else progress.answer(to, given)
   if (step === address.step) stage.ask(stepAt(to), isAsked(to))
   holding(step, draw)
+  // The step is shorter again: what is in sight would be the next one.
+  if (given === undefined && step === address.step) reveal(step)
   const place = given === undefined ? '.choices button' : '.judged'
   articleOf(step)?.querySelector<HTMLElement>(place)?.focus({ preventScroll: true })
 }
