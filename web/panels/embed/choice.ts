@@ -1,11 +1,21 @@
 /** The author's choice in Copy embed. */
 import { between, described, flag, oneOf, orNull, record, text, texts } from '../../model/document-readers'
 import type { Slice } from '../../model/state'
-import { type Embed, THEMES } from './embed-lines'
 
-export interface Choice extends Pick<Embed, 'views' | 'theme' | 'readonly' | 'camera' | 'height'> {
+/** Values of the element's attribute `theme`. */
+export const THEMES = ['auto', 'light', 'dark'] as const
+
+export interface Choice {
   /** Its id; one that is not known means the first. */
   readonly host: string
+  /** Names of panels, such as `scene` and `verdict`. */
+  readonly views: readonly string[]
+  readonly theme: (typeof THEMES)[number]
+  readonly readonly: boolean
+  /** Azimuth, elevation, zoom as the attribute says them; null is the default view. */
+  readonly camera: string | null
+  /** CSS pixels. */
+  readonly height: number
   /** Null if it is to be the one that follows from the verdict. */
   readonly label: string | null
 }

@@ -4,6 +4,7 @@ import type { Vertices } from '../../model/hexahedron'
 import { numberText } from '../../model/number-text'
 import type { CameraView } from '../../model/state'
 import { pointsOf } from '../../model/written-element'
+import type { Choice } from './choice'
 
 /** Names of panels in the attribute `views`, in their order. */
 export const embeddableViews = [
@@ -22,20 +23,8 @@ export const embeddableViews = [
   { name: 'toolbar', title: 'Presets, undo' },
 ] as const
 
-/** Values of the element's attribute `theme`. */
-export const THEMES = ['auto', 'light', 'dark'] as const
-export type ThemeName = (typeof THEMES)[number]
-
-export interface Embed {
+export interface Embed extends Omit<Choice, 'host' | 'label'> {
   readonly vertices: Vertices
-  /** Names of panels, such as `scene` and `verdict`. */
-  readonly views: readonly string[]
-  readonly theme: ThemeName
-  readonly readonly: boolean
-  /** Azimuth, elevation, zoom as the attribute says them; null is the default view. */
-  readonly camera: string | null
-  /** CSS pixels. */
-  readonly height: number
   /** The text for screen readers, and in the picture's place. */
   readonly label: string
   /** The address that opens the element, for readers without JavaScript. */
