@@ -30,7 +30,7 @@ export interface ProbeLook {
   readonly words: string
 }
 
-type ProbePicture = Pick<OverlayPicture, 'world' | 'camera' | 'handles' | 'taken'>
+type ProbePicture = Pick<OverlayPicture, 'world' | 'camera' | 'handles' | 'taken' | 'sight'>
 
 export class ProbeMark {
   readonly root = svg('g', { class: 'probe' })
@@ -65,10 +65,13 @@ export class ProbeMark {
   }
 
   update(probe: JacobianReport | null, look: ProbeLook, picture: ProbePicture): void {
-    const { world, camera } = picture
+    const { world, camera, sight } = picture
     const corners = probe ? boxCorners(probe, world).map(corner => camera.project(corner)) : []
     const isShown = corners.length > 0 && corners.every(({ depth }) => depth > 0)
-    for (const { root } of [this, this.box]) show(root, isShown)
+    for (const { root } of [this, this.box]) {
+      show(root, isShown)
+      root.classList.toggle('behind', isShown && probe !== null && sight.hides(probe.point))
+    }
     if (probe === null || !isShown) return
     moveTo(this.#dot, camera.project(toWorld(world, probe.position)))
     const isHidden = this.box.update(corners, look.colour, probe.jacdet < 0)
