@@ -8,7 +8,7 @@ const FOR_FINGERS: readonly Entry[] = [
   ['Drag a handle', 'moves its vertex. X, Y, Z, Depth and Grid, there once a vertex is chosen, hold the next drags'],
   ['Drag elsewhere', 'turns the view if you begin sideways; up and down scrolls the page'],
   ['Two fingers', 'zoom and shift the view; Fit brings the element back'],
-  ['Tap a face', 'to read jacdet at that point: the probe'],
+  ['Tap a face', 'to read jacdet there: the probe. The box is the image of a little cube, enlarged'],
   ['Tap beside the element', 'to remove the probe and let go of the vertex'],
   ['Turn', 'turns and zooms the view by buttons'],
   ['All faces', 'makes faces see-through, or shows one alone'],

@@ -68,9 +68,11 @@ export class ProbeMark {
     const { world, camera, sight } = picture
     const corners = probe ? boxCorners(probe, world).map(corner => camera.project(corner)) : []
     const isShown = corners.length > 0 && corners.every(({ depth }) => depth > 0)
-    for (const { root } of [this, this.box]) show(root, isShown)
+    for (const { root } of [this, this.box]) {
+      show(root, isShown)
+      root.classList.toggle('behind', isShown && probe !== null && sight.hides(probe.point))
+    }
     if (probe === null || !isShown) return
-    this.root.classList.toggle('behind', sight.hides(probe.point))
     moveTo(this.#dot, camera.project(toWorld(world, probe.position)))
     const isHidden = this.box.update(corners, look.colour, probe.jacdet < 0)
     const [from] = corners as [ScreenPoint]

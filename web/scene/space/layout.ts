@@ -79,10 +79,11 @@ export class Layout {
     this.unit = unit
     this.whole = { width: root.clientWidth / unit, height: root.clientHeight / unit }
     root.dataset.split = isSplit ? this.#split() : 'none'
-    root.classList.toggle('tight', root.dataset.split === 'beside' && this.whole.width < BESIDE)
+    const isTight = root.dataset.split === 'beside' && this.whole.width < BESIDE
+    root.classList.toggle('tight', isTight)
     const [width, height] = [pane.offsetWidth / unit, pane.offsetHeight / unit]
     if (width === this.pane.width && height === this.pane.height) return false
-    this.pane = paneLayout(width, height)
+    this.pane = paneLayout(width, height, isTight)
     root.classList.toggle('narrow', this.pane.isNarrow)
     root.classList.toggle('low', this.pane.isLow)
     return true
@@ -96,7 +97,8 @@ export class Layout {
   }
 }
 
-function paneLayout(width: number, height: number): PaneLayout {
+/** A tight scene has no triad here. */
+function paneLayout(width: number, height: number, isTight = false): PaneLayout {
   const isNarrow = width < NARROW
   const isLow = height < LOW
   const barLength = Math.round(Math.max(90, isNarrow ? Math.min(200, width - 210) : Math.min(220, height * 0.3)))
@@ -104,7 +106,7 @@ function paneLayout(width: number, height: number): PaneLayout {
   const controls = isNarrow && !isLow ? 66 : 44
   // Right of the triad; in a narrow pane below the colour bar.
   const readout = {
-    x: 92,
+    x: isTight ? 14 : 92,
     y: (isNarrow ? 62 : 18) - READOUT_LINE / 2,
     width: 260,
     height: (isNarrow ? 2 : 3) * READOUT_LINE,
