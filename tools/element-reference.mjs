@@ -36,9 +36,14 @@ async function schemas() {
     logLevel: 'silent',
     server: { middlewareMode: true, ws: false },
   })
-  const { stateJsonSchema, challengeJsonSchema } = await server.ssrLoadModule('/web/pages/schemas.ts')
+  const { stateJsonSchema, historyJsonSchema, challengeJsonSchema } =
+    await server.ssrLoadModule('/web/pages/schemas.ts')
   await server.close()
-  return { 'docs/state.schema.json': json(stateJsonSchema), 'docs/challenge.schema.json': json(challengeJsonSchema) }
+  return {
+    'docs/state.schema.json': json(stateJsonSchema),
+    'docs/history.schema.json': json(historyJsonSchema),
+    'docs/challenge.schema.json': json(challengeJsonSchema),
+  }
 }
 
 const json = value => `${JSON.stringify(value, null, 2)}\n`

@@ -10,6 +10,8 @@ import { historyStep } from '../../element/shortcuts'
 import { written } from '../../model/document-readers'
 import { sameBits, type Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
+import { Forget } from '../forget'
+import { LensWork } from '../lens-work'
 import { type Challenge, judged, readChallenge, readChallengeText } from './challenge'
 import { type ChallengeAddress, challengeFragment, readChallengeAddress } from './challenge-link'
 import { type Actions, challengeColumn, listColumn, type Opened } from './column'
@@ -22,6 +24,17 @@ const column = document.createElement('div')
 document.querySelector('#column')?.append(column)
 
 const progress = new Progress()
+const work = new LensWork(lens, [lens], () => {
+  writeForm = newForm()
+  open()
+})
+const forgetting = new Forget(draw, () => {
+  progress.forget()
+  work.forget()
+  writeForm = newForm()
+  work.open('challenges')
+})
+let writeForm = newForm()
 let form: WriteForm | null = null
 let complaint: string | null = null
 let address: ChallengeAddress = { kind: 'list' }
@@ -34,22 +47,27 @@ function open(): void {
   address = result.ok ? result.value : { kind: 'list' }
   complaint = result.ok ? null : result.error
   opened = null
-  form = address.kind === 'write' ? new WriteForm(() => lens.vertices, draw) : null
+  form = address.kind === 'write' ? writeForm : null
   if (address.kind === 'challenge') openNamed(address.id, address.vertices)
   if (address.kind === 'own') openOwn(address.json, address.vertices)
+  if (opened === null) work.open('challenges')
   judge()
+}
+
+function newForm(): WriteForm {
+  return new WriteForm(() => lens.vertices, draw)
 }
 
 function openNamed(id: string, vertices: Vertices | null): void {
   const named = challenges.find(challenge => challenge.id === id)
   const result = named && readChallenge(named)
-  if (result?.ok) begin(id, result.value, vertices)
+  if (result?.ok) begin(id, `challenge-${id}`, result.value, vertices)
   else refuse(`There is no challenge “${id.slice(0, 40)}”.`)
 }
 
 function openOwn(json: string, vertices: Vertices | null): void {
   const result = readChallengeText(json)
-  if (result.ok) begin(null, result.value, vertices)
+  if (result.ok) begin(null, `challenge-${json}`, result.value, vertices)
   else refuse(result.error.message)
 }
 
@@ -58,7 +76,8 @@ function refuse(message: string): void {
   address = { kind: 'list' }
 }
 
-function begin(id: string | null, challenge: Challenge, vertices: Vertices | null): void {
+/** The reader's work on it is kept under the name. What a link adds to that is a step. */
+function begin(id: string | null, name: string, challenge: Challenge, vertices: Vertices | null): void {
   opened = {
     id,
     challenge,
@@ -69,7 +88,11 @@ function begin(id: string | null, challenge: Challenge, vertices: Vertices | nul
     copying: null,
     toBeat: null,
   }
-  put(vertices ?? challenge.start, challenge.start)
+  const start = written(challenge.start)
+  const isFound = work.open(name, { ...lens.state, preset: null, start, vertices: start })
+  given = lens.vertices
+  if (vertices) put(vertices, challenge.start)
+  else if (isFound) nameInAddress(given)
   void measureSolution(challenge)
 }
 
@@ -81,7 +104,7 @@ async function measureSolution(challenge: Challenge): Promise<void> {
   if (report && opened?.challenge === challenge) change({ toBeat: shownNumber(record.quantity, report, start).value })
 }
 
-/** One step to undo, unless it is the first thing there. */
+/** One step to undo. */
 function put(vertices: Vertices, start: Vertices): void {
   given = vertices
   lens.state = { ...lens.state, preset: null, start: written(start), vertices: written(vertices) }
@@ -114,11 +137,14 @@ function settle(): void {
   judge()
   conclude(opened)
   if (opened.outcome === 'solved' && opened.id !== null && !sameBits(vertices, given)) keep(opened.id, opened)
-  if (address.kind === 'challenge' || address.kind === 'own') {
-    address = { ...address, vertices }
-    history.replaceState(history.state, '', `#${challengeFragment(address)}`)
-  }
+  nameInAddress(vertices)
   draw()
+}
+
+function nameInAddress(vertices: Vertices): void {
+  if (address.kind !== 'challenge' && address.kind !== 'own') return
+  address = { ...address, vertices }
+  history.replaceState(history.state, '', `#${challengeFragment(address)}`)
 }
 
 function keep(id: string, { challenge: { record, start }, report }: Opened): void {
@@ -163,7 +189,8 @@ const title = document.title
 function draw(): void {
   document.title = opened ? `Hexlens: ${opened.challenge.title}` : title
   const content =
-    form?.column() ?? (opened ? challengeColumn(opened, progress, actions) : listColumn(progress, complaint, actions))
+    form?.column() ??
+    (opened ? challengeColumn(opened, progress, actions) : listColumn(progress, complaint, actions, forgetting))
   render(html`${content}`, column)
 }
 

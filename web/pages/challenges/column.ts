@@ -4,6 +4,7 @@ import { claims, numbers } from '../../core/quantities'
 import type { Report } from '../../core/report'
 import { isNumberName } from '../../model/condition/names'
 import { formatNumber } from '../../model/decimal'
+import type { Forget } from '../forget'
 import type { Challenge, Contest, Judgement } from './challenge'
 import { challengeFragment } from './challenge-link'
 import { challenges } from './challenges'
@@ -35,7 +36,12 @@ export interface Actions {
   forget(): void
 }
 
-export function listColumn(progress: Progress, complaint: string | null, actions: Actions): TemplateResult {
+export function listColumn(
+  progress: Progress,
+  complaint: string | null,
+  actions: Actions,
+  forgetting: Forget,
+): TemplateResult {
   return html`${complaint === null ? '' : html`<p class="complaint" role="alert">${complaint}</p>`}
     <p>
       Things to make with a hexahedron. Drag its vertices, choose one and use the arrow keys, or type its numbers. Every condition is
@@ -55,7 +61,8 @@ export function listColumn(progress: Progress, complaint: string | null, actions
     <p>
       A challenge for others has a start, a goal in numbers and a few words. All of it is in a link:
       <a href=${`#${challengeFragment({ kind: 'write' })}`}>write one</a>.
-    </p>`
+    </p>
+    ${forgetting.template()}`
 }
 
 function progressInWords(progress: Progress): string {

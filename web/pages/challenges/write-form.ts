@@ -2,20 +2,43 @@
 import { html, type TemplateResult } from 'lit-html'
 import { claims, numbers } from '../../core/quantities'
 import { written } from '../../model/document-readers'
-import type { Vertices } from '../../model/hexahedron'
+import { COORDINATE_COUNT, type Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
+import { KEEPING_NOTES, Keeper } from '../keep'
 import { CHALLENGE_VERSION, type ChallengeDocument, LIMITS, readChallengeText } from './challenge'
 import { challengeFragment } from './challenge-link'
+
+interface Draft {
+  readonly title: string
+  readonly text: string
+  readonly goal: string
+  readonly hint: string
+  /** Null until it is taken: then it is the element as it is. */
+  readonly start: Vertices | null
+  readonly solution: Vertices | null
+}
+
+const EMPTY: Draft = { title: '', text: '', goal: 'not valid\ncorner_min > 0', hint: '', start: null, solution: null }
+
+/** Null if it is no draft. */
+function readDraft(value: unknown): Draft | null {
+  const { title, text, goal, hint, start, solution } = (value ?? {}) as Partial<Record<keyof Draft, unknown>>
+  const areTexts = [title, text, goal, hint].every(each => typeof each === 'string')
+  const areElements = [start, solution].every(each => each === null || isElement(each))
+  return areTexts && areElements ? (value as Draft) : null
+}
+
+function isElement(value: unknown): boolean {
+  return Array.isArray(value) && value.length === COORDINATE_COUNT && value.every(Number.isFinite)
+}
 
 export class WriteForm {
   readonly #vertices: () => Vertices
   readonly #onChange: () => void
-  #title = ''
-  #text = ''
-  #goal = 'not valid\ncorner_min > 0'
-  #hint = ''
-  #start: Vertices | null = null
-  #solution: Vertices | null = null
+  readonly #drafts = new Keeper('draft', 1, readDraft)
+  #draft = this.#drafts.found() ?? EMPTY
+  /** The draft that was discarded last, until something is written again. */
+  #discarded: Draft | null = null
   #link: string | null = null
   #said = ''
   #complaint = ''
@@ -30,13 +53,13 @@ export class WriteForm {
     return html`<p class="quiet"><a href="#">All challenges</a></p>
       <h2 tabindex="-1" class="title">Write a challenge</h2>
       <p>
-        It is kept nowhere but in its link. What each part may be is described in
+        Its link is all that others need; the draft is kept in this browser. What each part may be is described in
         <code>docs/challenge.schema.json</code>.
       </p>
-      ${field('Title', html`<input maxlength=${LIMITS.title} .value=${this.#title} @input=${this.#to(value => (this.#title = value))} />`)}
+      ${field('Title', html`<input maxlength=${LIMITS.title} .value=${this.#draft.title} @input=${this.#to('title')} />`)}
       ${field(
         'What it is about, as plain text',
-        html`<textarea rows="3" maxlength=${LIMITS.text} .value=${this.#text} @input=${this.#to(value => (this.#text = value))}></textarea>`,
+        html`<textarea rows="3" maxlength=${LIMITS.text} .value=${this.#draft.text} @input=${this.#to('text')}></textarea>`,
       )}
       ${field(
         'Goal: conditions that all have to hold, one a line',
@@ -45,8 +68,8 @@ export class WriteForm {
           class="code"
           spellcheck="false"
           autocapitalize="off"
-          .value=${this.#goal}
-          @input=${this.#to(value => (this.#goal = value))}
+          .value=${this.#draft.goal}
+          @input=${this.#to('goal')}
         ></textarea>`,
       )}
       <details class="quiet">
@@ -64,17 +87,23 @@ export class WriteForm {
       </details>
       ${field(
         'Hint, if you like',
-        html`<textarea rows="2" maxlength=${LIMITS.hint} .value=${this.#hint} @input=${this.#to(value => (this.#hint = value))}></textarea>`,
+        html`<textarea rows="2" maxlength=${LIMITS.hint} .value=${this.#draft.hint} @input=${this.#to('hint')}></textarea>`,
       )}
       <p class="actions">
         <button type="button" @click=${() => this.#take('start')}>Take the element as the start</button>
         <button type="button" @click=${() => this.#take('solution')}>Take the element as a solution</button>
       </p>
       <p class="quiet">
-        ${this.#start ? 'The start is taken.' : 'Until one is taken, the start is the element as it is.'}
-        ${this.#solution ? 'A solution is taken.' : 'Without a solution there is none to show.'}
+        ${this.#draft.start ? 'The start is taken.' : 'Until one is taken, the start is the element as it is.'}
+        ${this.#draft.solution ? 'A solution is taken.' : 'Without a solution there is none to show.'}
       </p>
-      <p class="actions"><button type="button" @click=${() => this.#make()}>Make the link</button></p>
+      <p class="actions">
+        <button type="button" @click=${() => this.#make()}>Make the link</button>
+        <button type="button" @click=${() => this.#toggleDiscarded()}>
+          ${this.#discarded ? 'Bring the draft back' : 'Discard the draft'}
+        </button>
+      </p>
+      <p role="status" class="quiet">${KEEPING_NOTES[this.#drafts.keeping]}</p>
       <p class="complaint" role="alert">${this.#complaint}</p>
       <p role="status" class="quiet">${this.#said}</p>
       ${
@@ -85,13 +114,28 @@ export class WriteForm {
       }`
   }
 
-  #to(set: (value: string) => void) {
-    return (event: Event) => set((event.target as HTMLInputElement).value)
+  #to(key: 'title' | 'text' | 'goal' | 'hint') {
+    return (event: Event) => this.#write({ [key]: (event.target as HTMLInputElement).value })
   }
 
   #take(what: 'start' | 'solution'): void {
-    if (what === 'start') this.#start = this.#vertices()
-    else this.#solution = this.#vertices()
+    this.#write({ [what]: this.#vertices() })
+  }
+
+  #write(some: Partial<Draft>): void {
+    this.#draft = { ...this.#draft, ...some }
+    this.#discarded = null
+    this.#drafts.keep(this.#draft)
+    this.#onChange()
+  }
+
+  #toggleDiscarded(): void {
+    const before = this.#discarded === null ? this.#draft : null
+    this.#write(this.#discarded ?? EMPTY)
+    this.#discarded = before
+    this.#link = null
+    this.#complaint = ''
+    this.#said = ''
     this.#onChange()
   }
 
@@ -113,17 +157,18 @@ export class WriteForm {
   }
 
   #document(): ChallengeDocument {
+    const { title, text, start, goal, hint, solution } = this.#draft
     return {
       version: CHALLENGE_VERSION,
-      title: this.#title,
-      text: this.#text,
-      start: written(this.#start ?? this.#vertices()),
-      goal: this.#goal
+      title,
+      text,
+      start: written(start ?? this.#vertices()),
+      goal: goal
         .split('\n')
         .map(line => line.trim())
         .filter(line => line !== ''),
-      ...(this.#hint.trim() === '' ? {} : { hint: this.#hint }),
-      ...(this.#solution ? { solution: written(this.#solution) } : {}),
+      ...(hint.trim() === '' ? {} : { hint }),
+      ...(solution ? { solution: written(solution) } : {}),
     }
   }
 }
