@@ -21,7 +21,7 @@ const light = rampOf({
   ink: hex('#1c1e21'),
   negative: hex('#b2182b'),
   positive: hex('#2166ac'),
-  neutral: hex('#f6f6f4'),
+  neutral: hex('#eeeeeb'),
 })
 
 function analyzed(vertices: readonly number[]): Report {

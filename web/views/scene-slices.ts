@@ -44,7 +44,7 @@ export const sceneSlice: Slice<SceneState> = {
 }
 
 /** Buttons of the scene that an author may leave out. */
-export const CONTROLS = ['faces', 'reference', 'turn', 'fit', 'help'] as const
+export const CONTROLS = ['minimum', 'faces', 'reference', 'turn', 'fit', 'help'] as const
 export type Control = (typeof CONTROLS)[number]
 
 /** What drags of a vertex are held to, by keys or by chips. */
@@ -61,7 +61,7 @@ export interface ControlsState {
   readonly controls: readonly Control[]
   /** True if the help is on the screen. */
   readonly helpShown: boolean
-  /** True if the last pointer was a finger or a pen: there may be no keys. */
+  /** True if the scene was last used by a finger or a pen: there may be no keys. */
   readonly byFinger: boolean
   /** What the chips hold drags to. */
   readonly held: DragKeys

@@ -147,7 +147,8 @@ function enter(to: StepAddress | null): void {
 
 /** Keeps a step where it is on the screen while steps above it change: their drawings come late. */
 function holding(step: number, change: () => void): void {
-  const before = topOf(step)
+  // The font may have moved it before anybody was told.
+  const before = step === address?.step && Math.abs(scrollY - scrolledTo) < 2 ? heldAt : topOf(step)
   change()
   const by = topOf(step) - before
   if (by === 0) return
