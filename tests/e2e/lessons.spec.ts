@@ -54,10 +54,10 @@ test('a step is linked to, played with, restored, left and come back to', async 
   await test.step('what is done to the element shows in the claims, and one button takes it back', async () => {
     const own = await lens.vertices()
     await lens.scene.focus()
-    await page.keyboard.press('5')
+    await page.keyboard.press('2')
     for (let i = 0; i < 3; ++i) await page.keyboard.press('Shift+ArrowRight')
     await expect.poll(() => lens.vertices()).not.toEqual(own)
-    await expect(claimsOf(page).filter({ hasText: /: does not hold/ })).toHaveCount(1)
+    await expect(claimsOf(page).filter({ hasText: /: does not hold/ })).not.toHaveCount(0)
     await expect(stepOf(page)).toContainText('You have changed the element.')
     const played = await lens.vertices()
 
@@ -79,7 +79,7 @@ test('a step is linked to, played with, restored, left and come back to', async 
     await page.goBack()
     await expect(titleOf(page)).toHaveText(/The centre as well/)
     await page.mouse.move(850, 300)
-    await page.mouse.wheel(0, 440)
+    await page.mouse.wheel(0, (await stepOf(page).boundingBox())?.height ?? 0)
     await expect(page).toHaveURL(/#corners-are-not-enough\/4$/)
     await expect(titleOf(page)).toHaveText(/The points of a solver/)
     await page.goBack()

@@ -125,7 +125,7 @@ export const lesson: Lesson = {
           <p>This is the unit matrix plus ${math('t', '−', 1)} times the matrix of ones. So its determinant is
           ${math(1, '+', 3, of('t', '−', 1), '=', 3, 't', '−', 2)}.</p>`,
         )}`,
-      task: 'Drag vertex 6 towards vertex 0 until VALID becomes INVALID. On the diagonal that is at t = 2/3, where the formula gives zero.',
+      task: 'Drag vertex 6 towards vertex 0 until VALID becomes INVALID. On the diagonal that is at t\u00a0=\u00a02/3, where the formula gives zero.',
       claims: [
         { says: 'The element is valid', holds: 'valid' },
         { says: 'The least jacdet is 1/4, at a vertex', holds: 'boundary_min = 1/4 and corner_min = 1/4' },

@@ -89,7 +89,7 @@ export const lesson: Lesson = {
           <p>The terms of degree five cancel. On a face ${J} has no term with ${math(sup('s', 2), sup('t', 2))}, which is why ${math('a')} is
           linear.</p>`,
         )}`,
-      task: 'Below the maps, in the plot of P, find its root at t = 1/2.',
+      task: 'Below the maps, in the plot of P, find its root at t\u00a0=\u00a01/2.',
       claims: [{ says: 'The least jacdet is −1/16, inside a face', holds: 'boundary_min = -1/16 and edge_min > 0' }],
       element: 'face-negative',
       views: 'scene face-maps',
