@@ -36,9 +36,13 @@ async function schemas() {
     logLevel: 'silent',
     server: { middlewareMode: true, ws: false },
   })
-  const { stateJsonSchema, challengeJsonSchema } = await server.ssrLoadModule('/web/pages/schemas.ts')
+  const { stateJsonSchema, challengeJsonSchema, seriesJsonSchema } = await server.ssrLoadModule('/web/pages/schemas.ts')
   await server.close()
-  return { 'docs/state.schema.json': json(stateJsonSchema), 'docs/challenge.schema.json': json(challengeJsonSchema) }
+  return {
+    'docs/state.schema.json': json(stateJsonSchema),
+    'docs/challenge.schema.json': json(challengeJsonSchema),
+    'docs/series.schema.json': json(seriesJsonSchema),
+  }
 }
 
 const json = value => `${JSON.stringify(value, null, 2)}\n`

@@ -1,131 +1,282 @@
-/** The form with which a teacher writes a challenge: what it makes is a link, and what cannot be read is said in a sentence. */
+/** The form with which a teacher writes challenges: what it makes is a link, and what cannot be read is said in a sentence. */
 import { html, type TemplateResult } from 'lit-html'
-import { claims, numbers } from '../../core/quantities'
-import { written } from '../../model/document-readers'
-import type { Vertices } from '../../model/hexahedron'
+import { quantitiesOf } from '../../core/quantities'
+import type { Report } from '../../core/report'
+import { truthOf } from '../../model/condition'
+import { sameBits, type Vertices } from '../../model/hexahedron'
+import { Refusal } from '../../model/result'
 import { copyText } from '../../views/copy-text'
-import { CHALLENGE_VERSION, type ChallengeDocument, LIMITS, readChallengeText } from './challenge'
-import { challengeFragment } from './challenge-link'
+import { chooser } from '../conditions/chooser'
+import { LIMITS, MOST_CHARACTERS } from './challenge'
+import { lengthWarning, linkTo } from './challenge-link'
+import { challenges } from './challenges'
+import { goalRow } from './column'
+import {
+  canGrow,
+  conditionsOf,
+  current,
+  type Draft,
+  documentOf,
+  newDraft,
+  newWriting,
+  titleOf,
+  type Writing,
+  withDraft,
+  withEntry,
+  withMoved,
+  withoutEntry,
+} from './drafts'
+import { type Entry, entryReader, SERIES_VERSION } from './series'
+import { encodeSeries } from './series-code'
+
+/** What the form needs of the page. */
+export interface FormHost {
+  readonly vertices: () => Vertices
+  readonly report: () => Report | null
+  readonly analyze: (vertices: Vertices) => Promise<Report>
+  /** Puts an element on the page: one step to undo. */
+  readonly show: (vertices: Vertices) => void
+  readonly print: (entries: readonly Entry[], link: string) => Promise<string>
+  /** The form looks different now. */
+  readonly onChange: () => void
+}
 
 export class WriteForm {
-  readonly #vertices: () => Vertices
-  readonly #onChange: () => void
-  #title = ''
-  #text = ''
-  #goal = 'not valid\ncorner_min > 0'
-  #hint = ''
-  #start: Vertices | null = null
-  #solution: Vertices | null = null
-  #link: string | null = null
+  readonly #host: FormHost
+  #writing: Writing
+  #solution: { readonly vertices: Vertices; readonly report: Report } | null = null
+  #made: { readonly entries: readonly Entry[]; readonly link: string } | null = null
   #said = ''
   #complaint = ''
 
-  /** `vertices` are those of the element on the page. */
-  constructor(vertices: () => Vertices, onChange: () => void) {
-    this.#vertices = vertices
-    this.#onChange = onChange
+  constructor(host: FormHost, writing: Writing = newWriting()) {
+    this.#host = host
+    this.#writing = writing
   }
 
   column(): TemplateResult {
+    const entry = current(this.#writing)
     return html`<p class="quiet"><a href="#">All challenges</a></p>
       <h2 tabindex="-1" class="title">Write a challenge</h2>
       <p>
         It is kept nowhere but in its link. What each part may be is described in
         <code>docs/challenge.schema.json</code>.
       </p>
-      ${field('Title', html`<input maxlength=${LIMITS.title} .value=${this.#title} @input=${this.#to(value => (this.#title = value))} />`)}
+      ${this.#writing.entries.length > 1 ? this.#seriesList() : ''}
+      ${entry.kind === 'draft' ? this.#fields(entry) : html`<p>“${titleOf(entry)}” is one of this page’s: it is not changed here.</p>`}
+      <h3>Series</h3>
+      <p class="quiet">Several challenges go into one link. A student gets them in order and may skip one.</p>
+      <p class="actions">
+        <button type="button" ?disabled=${!canGrow(this.#writing)} @click=${() => this.#write(withEntry(this.#left(), newDraft()))}>
+          Add another challenge
+        </button>
+        <select aria-label="Add one of this page’s" ?disabled=${!canGrow(this.#writing)} @change=${(event: Event) => this.#addOfThisPage(event)}>
+          <option value="">Add one of this page’s …</option>
+          ${challenges.map(({ id, title }) => html`<option value=${id}>${title}</option>`)}
+        </select>
+      </p>
+      <p class="actions"><button type="button" @click=${() => this.#make()}>Make the link</button></p>
+      <p class="complaint" role="alert">${this.#complaint}</p>
+      <p role="status" class="quiet">${this.#said}</p>
+      ${
+        this.#made === null
+          ? ''
+          : html`<p><input class="link" readonly aria-label="Link to the challenge" .value=${this.#made.link} /></p>
+              <p class="actions">
+                <a class="button" href=${this.#made.link}>Open it</a>
+                <button type="button" @click=${() => this.#print()}>Print on one side</button>
+              </p>`
+      }`
+  }
+
+  #seriesList(): TemplateResult {
+    const { entries, at } = this.#writing
+    return html`<h3 id="in-series">The series, in order</h3>
+      <ol class="series" aria-labelledby="in-series">
+        ${entries.map((entry, i) => {
+          const title = titleOf(entry)
+          const name = `${i + 1}, ${title}`
+          return html`<li>
+            <button type="button" class="series-title" aria-current=${i === at ? 'true' : 'false'} @click=${() => this.#open(i)}>
+              ${title}
+            </button>
+            <button type="button" class="small" aria-label=${`Move ${name} up`} ?disabled=${i === 0} @click=${() => this.#write(withMoved(this.#writing, i, -1))}>↑</button>
+            <button type="button" class="small" aria-label=${`Move ${name} down`} ?disabled=${i === entries.length - 1} @click=${() => this.#write(withMoved(this.#writing, i, 1))}>↓</button>
+            <button type="button" class="small" aria-label=${`Remove ${name}`} @click=${() => this.#write(withoutEntry(this.#writing, i))}>Remove</button>
+          </li>`
+        })}
+      </ol>`
+  }
+
+  #fields(draft: Draft): TemplateResult {
+    const to = (key: 'title' | 'text' | 'hint') => (event: Event) =>
+      this.#write(withDraft(this.#writing, { [key]: (event.target as HTMLInputElement).value }))
+    return html`${field('Title', html`<input maxlength=${LIMITS.title} .value=${draft.title} @input=${to('title')} />`)}
       ${field(
         'What it is about, as plain text',
-        html`<textarea rows="3" maxlength=${LIMITS.text} .value=${this.#text} @input=${this.#to(value => (this.#text = value))}></textarea>`,
+        html`<textarea rows="3" maxlength=${LIMITS.text} .value=${draft.text} @input=${to('text')}></textarea>`,
       )}
-      ${field(
-        'Goal: conditions that all have to hold, one a line',
-        html`<textarea
-          rows="3"
-          class="code"
-          spellcheck="false"
-          autocapitalize="off"
-          .value=${this.#goal}
-          @input=${this.#to(value => (this.#goal = value))}
-        ></textarea>`,
-      )}
-      <details class="quiet">
-        <summary>What conditions can say</summary>
-        <p>
-          Comparisons with &lt;, &lt;=, &gt;, &gt;=, = and != of sums, products and numbers such as 0.2 and 1/3, joined by and, or, not. They
-          speak of:
-        </p>
-        <dl class="meanings">
-          ${Object.entries({ ...claims, ...numbers }).map(
-            ([name, { sentence }]) => html`<dt><code>${name}</code></dt>
-              <dd>${sentence}</dd>`,
-          )}
-        </dl>
-      </details>
+      ${chooser({
+        rows: draft.goal,
+        most: LIMITS.goal,
+        mostCharacters: LIMITS.condition,
+        onChange: goal => this.#write(withDraft(this.#writing, { goal })),
+      })}
       ${field(
         'Hint, if you like',
-        html`<textarea rows="2" maxlength=${LIMITS.hint} .value=${this.#hint} @input=${this.#to(value => (this.#hint = value))}></textarea>`,
+        html`<textarea rows="2" maxlength=${LIMITS.hint} .value=${draft.hint} @input=${to('hint')}></textarea>`,
       )}
       <p class="actions">
         <button type="button" @click=${() => this.#take('start')}>Take the element as the start</button>
         <button type="button" @click=${() => this.#take('solution')}>Take the element as a solution</button>
       </p>
       <p class="quiet">
-        ${this.#start ? 'The start is taken.' : 'Until one is taken, the start is the element as it is.'}
-        ${this.#solution ? 'A solution is taken.' : 'Without a solution there is none to show.'}
+        ${draft.start ? 'The start is taken.' : 'Until one is taken, the start is the element as it is.'}
+        ${draft.solution ? 'A solution is taken.' : 'Without a solution there is none to show.'}
       </p>
-      <p class="actions"><button type="button" @click=${() => this.#make()}>Make the link</button></p>
-      <p class="complaint" role="alert">${this.#complaint}</p>
-      <p role="status" class="quiet">${this.#said}</p>
-      ${
-        this.#link === null
-          ? ''
-          : html`<p><input class="link" readonly aria-label="Link to the challenge" .value=${this.#link} /></p>
-              <p><a href=${this.#link}>Open it</a></p>`
-      }`
+      ${this.#preview(draft)}`
   }
 
-  #to(set: (value: string) => void) {
-    return (event: Event) => set((event.target as HTMLInputElement).value)
+  /** The challenge as a student sees it, with the conditions of the element as it is now. */
+  #preview(draft: Draft): TemplateResult {
+    const report = this.#host.report()
+    const start = draft.start ?? this.#host.vertices()
+    const conditions = conditionsOf(draft.goal)
+    const quantities = report && quantitiesOf(report, start)
+    return html`<section class="preview" aria-labelledby="preview-title">
+      <h3 id="preview-title">As a student sees it, with the element as it is now</h3>
+      <p class="preview-heading">${draft.title.trim() || 'No title yet'}</p>
+      <p class="as-written">${draft.text.trim() || 'No text yet.'}</p>
+      <ul class="goal">
+        ${conditions.map((condition, i) =>
+          condition === null
+            ? html`<li><span class="mark" aria-hidden="true">–</span><span>Condition ${i + 1} is not understood.</span></li>`
+            : goalRow(condition, quantities ? truthOf(condition, quantities) : undefined, report, start),
+        )}
+      </ul>
+      <p class="quiet solution-check">${this.#solutionInWords(draft, start)}</p>
+    </section>`
+  }
+
+  /** Whether the solution fulfils every condition, by the core. */
+  #solutionInWords({ solution, goal }: Draft, start: Vertices): string {
+    if (solution === null) return 'No solution is taken, so it is open whether there is one.'
+    if (this.#solution === null || !sameBits(this.#solution.vertices, solution)) {
+      void this.#analyzeSolution(solution)
+      return 'The solution is being judged.'
+    }
+    const quantities = quantitiesOf(this.#solution.report, start)
+    const missed = conditionsOf(goal).flatMap((condition, i) =>
+      condition !== null && truthOf(condition, quantities) === true ? [] : [i + 1],
+    )
+    if (missed.length === 0) return 'The solution fulfils every condition.'
+    return `The solution does not fulfil condition ${missed.join(', ')}.`
+  }
+
+  async #analyzeSolution(vertices: Vertices): Promise<void> {
+    const report = await this.#host.analyze(vertices).catch(() => null) // the element says that there is no core
+    if (report === null) return
+    this.#solution = { vertices, report }
+    this.#host.onChange()
+  }
+
+  /** A link that was made is not this challenge's any more. */
+  #write(writing: Writing): void {
+    this.#writing = writing
+    this.#made = null
+    this.#said = ''
+    this.#host.onChange()
+  }
+
+  /** The entries once the form turns to another: a start that was the element as it is then stays that element. */
+  #left(): Writing {
+    const entry = current(this.#writing)
+    const isOpen = entry.kind === 'draft' && entry.start === null
+    return isOpen ? withDraft(this.#writing, { start: this.#host.vertices() }) : this.#writing
+  }
+
+  /** Another entry is in the form, and its start in the lens. */
+  #open(at: number): void {
+    if (at === this.#writing.at) return
+    const { entries } = this.#left()
+    this.#write({ entries, at })
+    const entry = current(this.#writing)
+    if (entry.kind === 'draft' && entry.start) this.#host.show(entry.start)
   }
 
   #take(what: 'start' | 'solution'): void {
-    if (what === 'start') this.#start = this.#vertices()
-    else this.#solution = this.#vertices()
-    this.#onChange()
+    this.#write(withDraft(this.#writing, { [what]: this.#host.vertices() }))
+  }
+
+  #addOfThisPage(event: Event): void {
+    const select = event.target as HTMLSelectElement
+    const { value: id } = select
+    select.value = ''
+    if (id !== '') this.#write(withEntry(this.#left(), { kind: 'of this page', id }))
   }
 
   async #make(): Promise<void> {
-    const json = JSON.stringify(this.#document())
-    const result = readChallengeText(json)
-    this.#complaint = result.ok ? '' : asInTheForm(result.error.message)
-    this.#link = null
+    this.#made = null
     this.#said = ''
-    if (result.ok) {
-      const address = new URL(location.href)
-      address.hash = challengeFragment({ kind: 'own', json, vertices: null })
-      this.#link = address.href
-      this.#said = (await copyText(address.href))
-        ? 'The link is copied.'
-        : 'Copying is not allowed here; this is the link:'
+    const entries = this.#readEntries()
+    if (entries) {
+      const link = await linkOf(entries)
+      const isCopied = await copyText(link)
+      this.#made = { entries, link }
+      this.#said = [
+        isCopied ? 'The link is copied.' : 'Copying is not allowed here; this is the link:',
+        lengthWarning(link),
+      ].join(' ')
     }
-    this.#onChange()
+    this.#host.onChange()
   }
 
-  #document(): ChallengeDocument {
-    return {
-      version: CHALLENGE_VERSION,
-      title: this.#title,
-      text: this.#text,
-      start: written(this.#start ?? this.#vertices()),
-      goal: this.#goal
-        .split('\n')
-        .map(line => line.trim())
-        .filter(line => line !== ''),
-      ...(this.#hint.trim() === '' ? {} : { hint: this.#hint }),
-      ...(this.#solution ? { solution: written(this.#solution) } : {}),
+  /** The entries as a student's page reads them; null, and a complaint, if one cannot be read. */
+  #readEntries(): readonly Entry[] | null {
+    const { entries } = this.#writing
+    this.#complaint = ''
+    const read: Entry[] = []
+    for (const [i, entry] of entries.entries()) {
+      const document = documentOf(entry, this.#host.vertices())
+      try {
+        const { length } = JSON.stringify(document)
+        if (length > MOST_CHARACTERS)
+          throw new Refusal(`The challenge is ${length} characters long; ${MOST_CHARACTERS} are the most that is read.`)
+        read.push(entryReader(document, 'challenge'))
+      } catch (reason) {
+        if (!(reason instanceof Refusal)) throw reason
+        const sentence = asInTheForm(reason.message)
+        this.#complaint = entries.length > 1 ? `Challenge ${i + 1}: ${sentence}` : sentence
+        this.#writing = { entries, at: i }
+        return null
+      }
     }
+    return read
   }
+
+  async #print(): Promise<void> {
+    if (this.#made === null) return
+    this.#said = await this.#host.print(this.#made.entries, await printedLink(this.#made.entries))
+    this.#host.onChange()
+  }
+}
+
+/** A single challenge's link can be read by people; several are deflated. */
+async function linkOf(entries: readonly Entry[]): Promise<string> {
+  const [first] = entries
+  if (entries.length > 1 || first === undefined) return printedLink(entries)
+  return first.id === null
+    ? linkTo({ kind: 'own', json: JSON.stringify(first.document), vertices: null })
+    : linkTo({ kind: 'challenge', id: first.id, vertices: null })
+}
+
+/** The shortest link: the coarser its QR code, the better cameras read it. */
+export async function printedLink(entries: readonly Entry[]): Promise<string> {
+  const [first] = entries
+  if (entries.length === 1 && first && first.id !== null)
+    return linkTo({ kind: 'challenge', id: first.id, vertices: null })
+  const document = { version: SERIES_VERSION, challenges: entries.map(({ document }) => document) } as const
+  return linkTo({ kind: 'series', code: await encodeSeries(document), at: 0, vertices: null })
 }
 
 /** The reader speaks of keys; here they are fields and lines. */
