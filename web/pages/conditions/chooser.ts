@@ -87,7 +87,7 @@ function rowTemplate(
       </select>
       ${row.kind === 'comparison' ? comparison(row, label, mistake, put) : ''}
       ${row.kind === 'text' ? field(`${label} as text`, row.text, mistake, text => put({ kind: 'text', text }), mostCharacters) : ''}
-      <button type="button" class="small" aria-label=${`Remove condition ${i + 1}`} @click=${remove}>Remove</button>
+      <button type="button" class="small" aria-label=${`Remove condition ${i + 1}`} @click=${remove}>✕</button>
     </div>
     <p class="complaint" id=${idOf(label)}>${mistake ?? ''}</p>
   </li>`
@@ -116,7 +116,7 @@ function field(
   mostCharacters: number,
 ): TemplateResult {
   return html`<input
-    class="code"
+    class=${label.endsWith('as text') ? 'code is-text' : 'code'}
     aria-label=${label}
     aria-invalid=${mistake === null ? nothing : 'true'}
     aria-describedby=${mistake === null ? nothing : idOf(label.replace(/(,| as) .*/, ''))}
