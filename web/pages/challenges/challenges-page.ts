@@ -70,6 +70,7 @@ function openAddress(asked: ChallengeAddress, problem: string | null): void {
       analyze: vertices => lens.analyze(vertices),
       show: vertices => put(vertices, vertices),
       print: (entries, link) => sheet.print(entries, link),
+      discardPrint: () => sheet.clear(),
       onChange: draw,
     })
   if (address.kind === 'challenge') openNamed(address.id, address.vertices)

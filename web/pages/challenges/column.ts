@@ -175,7 +175,7 @@ function seriesNavigation(place: Place): TemplateResult {
             href=${`#${fragmentAt(place, i)}`}
             aria-current=${i === place.at ? 'step' : 'false'}
             title=${challenge.title}
-            >${i + 1}<span class="said">: ${challenge.title}${isSolved ? ', solved' : ''}</span>${
+            >${i + 1}<span class="said"> ${challenge.title}${isSolved ? ', solved' : ''}</span>${
               isSolved ? html`<span aria-hidden="true">✓</span>` : ''
             }</a
           >

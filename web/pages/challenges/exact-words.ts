@@ -15,7 +15,8 @@ export function exactNumbersInWords({ names }: Condition, report: Report, start:
   return parts.join(', ')
 }
 
-function exactInWords(name: NumberName, report: Report, start: Vertices): string {
+/** "Twist ≈ 177.2": one number. */
+export function exactInWords(name: NumberName, report: Report, start: Vertices): string {
   const { lower, upper } = numbers[name].exactly(report, start)
   const fraction = isAtMost(upper, lower) ? shortFraction(lower) : null
   return fraction === null

@@ -8,8 +8,9 @@ import type { Report } from '../../core/report'
 import { VERTEX_COUNT, type Vertices } from '../../model/hexahedron'
 import { type Judgement, judged } from './challenge'
 import { goalRow } from './column'
-import { exactNumbersInWords } from './exact-words'
+import { exactInWords, exactNumbersInWords } from './exact-words'
 import type { Entry, HandedIn } from './series'
+import { contestInWords } from './words'
 
 export interface JudgedEntry {
   readonly entry: Entry
@@ -69,7 +70,7 @@ function entryTemplate(
   isShown: boolean,
   show: () => void,
 ): TemplateResult {
-  const { title, text, goal, start, solution } = challenge
+  const { title, text, goal, start, solution, record } = challenge
   return html`<section class="handed-in">
     <h3>${i + 1}. ${title}: ${outcomeInWords(vertices, answer)}</h3>
     <p class="as-written quiet">${text}</p>
@@ -81,6 +82,11 @@ function entryTemplate(
               goalRow(condition, answer?.judgement.truths[k], answer?.report ?? null, start, exactNumbersInWords),
             )}
           </ul>
+          ${
+            record === null || answer === null
+              ? ''
+              : html`<p>${contestInWords(record)} ${exactInWords(record.quantity, answer.report, start)}.</p>`
+          }
           <p>${differencesInWords(vertices, start, solution)}</p>
           <p class="actions">
             <button type="button" aria-pressed=${isShown} @click=${show}>Show element ${i + 1} in the lens</button>

@@ -37,6 +37,8 @@ export interface FormHost {
   /** Puts an element on the page: one step to undo. */
   readonly show: (vertices: Vertices) => void
   readonly print: (entries: readonly Entry[], link: string) => Promise<string>
+  /** What was made ready to print is not what the form says any more. */
+  readonly discardPrint: () => void
   /** The form looks different now. */
   readonly onChange: () => void
 }
@@ -185,6 +187,7 @@ export class WriteForm {
     this.#writing = writing
     this.#made = null
     this.#said = ''
+    this.#host.discardPrint()
     this.#host.onChange()
   }
 

@@ -81,7 +81,7 @@ function rowTemplate(
   const subject = subjectOf(row)
   const choose = (event: Event) => put(withSubject(row, (event.target as HTMLSelectElement).value as Subject))
   return html`<li>
-    <div class="row">
+    <div class=${`row is-${row.kind}`}>
       <select aria-label=${label} .value=${live(subject)} @change=${choose}>
         ${SUBJECTS.map(each => html`<option value=${each} ?selected=${each === subject}>${SUBJECT_NAMES[each]}</option>`)}
       </select>
@@ -116,7 +116,7 @@ function field(
   mostCharacters: number,
 ): TemplateResult {
   return html`<input
-    class=${label.endsWith('as text') ? 'code is-text' : 'code'}
+    class="code"
     aria-label=${label}
     aria-invalid=${mistake === null ? nothing : 'true'}
     aria-describedby=${mistake === null ? nothing : idOf(label.replace(/(,| as) .*/, ''))}
