@@ -13,9 +13,9 @@ import {
   newWriting,
   titleOf,
   withDraft,
-  withEntry,
+  withMember,
   withMoved,
-  withoutEntry,
+  withoutMember,
 } from '../../web/pages/challenges/drafts'
 import { shortFraction } from '../../web/pages/challenges/exact-words'
 import { differencesInWords, handedInView, judgedAnew } from '../../web/pages/challenges/handed-in'
@@ -80,17 +80,17 @@ describe('a series', () => {
         if (!address.ok || address.value.kind !== 'series') throw new Error('It is no series.')
         const result = await decodeSeries(address.value.code)
         if (!result.ok) throw new Error(result.error)
-        const { entries, handedIn } = result.value
+        const { members, handedIn } = result.value
         const again: SeriesDocument = {
           version: 1,
-          challenges: entries.map(({ document }) => document),
+          challenges: members.map(({ document }) => document),
           handedIn: handedIn && {
             name: handedIn.name,
             elements: handedIn.elements.map(vertices => vertices && written(vertices)),
           },
         }
         expect(again).toEqual(document)
-        for (const [i, { challenge }] of entries.entries()) {
+        for (const [i, { challenge }] of members.entries()) {
           const given = document.challenges[i]
           if (typeof given === 'object') expect(written(challenge.start)).toEqual(given.start)
         }
@@ -106,7 +106,7 @@ describe('a series', () => {
     })
     const challenges = random.map(text => ({ ...challenge, text: text.replaceAll(/[<&]/g, '+') }))
     const code = await encodeSeries({ version: 1, challenges })
-    expect(await decodeSeries(code)).toMatchObject({ ok: true, value: { entries: { length: MOST_CHALLENGES } } })
+    expect(await decodeSeries(code)).toMatchObject({ ok: true, value: { members: { length: MOST_CHALLENGES } } })
     expect(lengthWarning(`https://x/#series=${code}`)).toMatch(/^The link has \d+ characters\. Some mail/)
     expect(lengthWarning('x'.repeat(8000))).toBe('')
     expect(await qrCode(code)).toBeNull()
@@ -119,7 +119,7 @@ describe('a series', () => {
     [{ version: 1, challenges: ['none'] }, /^There is no challenge “none”\.$/],
     [
       { version: 1, challenges: Array(13).fill('one-vertex') },
-      /^series\.challenges has 13 entries; 12 are the most\.$/,
+      /^series\.challenges has 13 challenges; 12 are the most\.$/,
     ],
     [
       { version: 1, challenges: [challenge, { ...challenge, title: '' }] },
@@ -127,7 +127,10 @@ describe('a series', () => {
     ],
     [{ version: 1, challenges: [{ ...challenge, version: 3 }] }, /of version 3/],
     [{ version: 1, challenges: ['one-vertex'], handedIn: { elements: [] } }, /^series\.handedIn\.elements is empty\.$/],
-    [{ version: 1, challenges: ['one-vertex'], handedIn: { elements: [null, null] } }, /needs one entry for each/],
+    [
+      { version: 1, challenges: ['one-vertex'], handedIn: { elements: [null, null] } },
+      /needs an element or null for each/,
+    ],
     [{ version: 1, challenges: ['one-vertex'], handedIn: { name: '<b>x', elements: [null] } }, /looks like HTML/],
   ])('%# is refused in a sentence', (given, sentence) => {
     const result = readSeries(given)
@@ -176,14 +179,14 @@ describe('what is handed in', () => {
       },
     })
     if (!read.ok || !read.value.handedIn) throw new Error('It is not read.')
-    const view = await judgedAnew(handedInView(read.value.entries, read.value.handedIn), async vertices => {
+    const view = await judgedAnew(handedInView(read.value.members, read.value.handedIn), async vertices => {
       const result = core.analyze(vertices)
       if (!result.ok) throw new Error(result.error.message)
       return result.value
     })
     expect(view.name).toBe('Ada')
-    expect(view.entries.map(({ answer }) => answer?.judgement.isSolved ?? null)).toEqual([false, false, null])
-    expect(view.entries[1]?.answer?.judgement.truths).toEqual([false, true])
+    expect(view.members.map(({ answer }) => answer?.judgement.isSolved ?? null)).toEqual([false, false, null])
+    expect(view.members[1]?.answer?.judgement.truths).toEqual([false, true])
   })
 
   it('says how it differs from the start and from the solution', () => {
@@ -243,22 +246,22 @@ describe('what a reader has made in a series', () => {
 describe('what a teacher is writing', () => {
   it('is a list that is never empty, and the form stays with its challenge', () => {
     let writing = withDraft(newWriting(), { title: 'a' })
-    writing = withEntry(writing, { kind: 'of this page', id: 'one-vertex' })
-    writing = withDraft(withEntry(writing, newDraft()), { title: 'c' })
-    const titles = () => writing.entries.map(titleOf)
+    writing = withMember(writing, { kind: 'of this page', id: 'one-vertex' })
+    writing = withDraft(withMember(writing, newDraft()), { title: 'c' })
+    const titles = () => writing.members.map(titleOf)
     expect([titles(), writing.at]).toEqual([['a', 'Break it with one vertex', 'c'], 2])
     writing = withMoved(writing, 2, -1)
     expect([titles(), writing.at]).toEqual([['a', 'c', 'Break it with one vertex'], 1])
     writing = withMoved(writing, 0, -1)
-    writing = withoutEntry(writing, 0)
+    writing = withoutMember(writing, 0)
     expect([titles(), writing.at]).toEqual([['c', 'Break it with one vertex'], 0])
-    writing = withoutEntry(withoutEntry(writing, 1), 0)
+    writing = withoutMember(withoutMember(writing, 1), 0)
     expect(writing).toEqual(newWriting())
   })
 
   it('is a document that the reader takes', () => {
-    const { entries } = withDraft(newWriting(), { title: 'T', text: 'x' })
-    const documents = [...entries, { kind: 'of this page', id: 'one-vertex' } as const].map(e =>
+    const { members } = withDraft(newWriting(), { title: 'T', text: 'x' })
+    const documents = [...members, { kind: 'of this page', id: 'one-vertex' } as const].map(e =>
       documentOf(e, unitCube),
     )
     expect(readSeries({ version: 1, challenges: documents }).ok).toBe(true)

@@ -18,7 +18,7 @@ import { handInLink } from './hand-in'
 import { type HandedInView, handedInColumn, handedInView, judgedAnew } from './handed-in'
 import { MadeInSeries } from './made'
 import { Progress } from './progress'
-import type { Entry, Series } from './series'
+import type { Member, Series } from './series'
 import { decodeSeries } from './series-code'
 import { Sheet } from './sheet'
 import { printedLink, WriteForm } from './write-form'
@@ -69,7 +69,7 @@ function openAddress(asked: ChallengeAddress, problem: string | null): void {
       report: () => lens.report,
       analyze: vertices => lens.analyze(vertices),
       show: vertices => put(vertices, vertices),
-      print: (entries, link) => sheet.print(entries, link),
+      print: (members, link) => sheet.print(members, link),
       discardPrint: () => sheet.clear(),
       onChange: draw,
     })
@@ -93,16 +93,16 @@ function openOwn(json: string, vertices: Vertices | null): void {
 }
 
 function openSeries(value: Series, { code, at, vertices }: ChallengeAddress & { kind: 'series' }): void {
-  const { entries, handedIn: given } = value
-  const entry = entries[at]
-  if (given) openHandedIn(handedInView(entries, given))
-  else if (entry === undefined) refuse(`The series has ${entries.length} challenges, and none is number ${at + 1}.`)
-  else begin(entry.id, entry.challenge, vertices ?? made.of(code)[at]?.vertices ?? null, placeIn(code, at, entries))
+  const { members, handedIn: given } = value
+  const member = members[at]
+  if (given) openHandedIn(handedInView(members, given))
+  else if (member === undefined) refuse(`The series has ${members.length} challenges, and none is number ${at + 1}.`)
+  else begin(member.id, member.challenge, vertices ?? made.of(code)[at]?.vertices ?? null, placeIn(code, at, members))
 }
 
-function placeIn(code: string, at: number, entries: readonly Entry[]): Place {
+function placeIn(code: string, at: number, members: readonly Member[]): Place {
   const all = made.of(code)
-  return { code, at, entries, solved: entries.map((_, i) => all[i]?.isSolved ?? false) }
+  return { code, at, members, solved: members.map((_, i) => all[i]?.isSolved ?? false) }
 }
 
 function openHandedIn(view: HandedInView): void {
@@ -110,7 +110,7 @@ function openHandedIn(view: HandedInView): void {
   showHandedIn(view.shown)
   void judgedAnew(view, vertices => lens.analyze(vertices)).then(
     judgedView => {
-      if (handedIn?.entries !== view.entries) return
+      if (handedIn?.members !== view.members) return
       handedIn = { ...judgedView, shown: handedIn.shown }
       draw()
     },
@@ -121,8 +121,8 @@ function openHandedIn(view: HandedInView): void {
 function showHandedIn(at: number): void {
   if (handedIn === null) return
   handedIn = { ...handedIn, shown: at }
-  const shown = handedIn.entries[at]
-  if (shown?.vertices) put(shown.vertices, shown.entry.challenge.start)
+  const shown = handedIn.members[at]
+  if (shown?.vertices) put(shown.vertices, shown.member.challenge.start)
   draw()
 }
 
@@ -199,9 +199,9 @@ function settle(): void {
   draw()
 }
 
-function keepInSeries({ code, at, entries }: Place, vertices: Vertices, outcome: Opened['outcome']): void {
+function keepInSeries({ code, at, members }: Place, vertices: Vertices, outcome: Opened['outcome']): void {
   made.add(code, at, { vertices, isSolved: outcome === 'solved' })
-  change({ place: placeIn(code, at, entries) })
+  change({ place: placeIn(code, at, members) })
 }
 
 function keep(id: string, { challenge: { record, start }, report }: Opened): void {
@@ -231,9 +231,9 @@ const actions: Actions = {
   },
   handIn: async () => {
     if (opened === null) return
-    const entries = openedEntries(opened)
+    const members = openedMembers(opened)
     try {
-      const link = await handInLink(entries, elementsToHandIn(opened), studentName)
+      const link = await handInLink(members, elementsToHandIn(opened), studentName)
       change({ handingIn: await copied(link, `The link to hand in is copied. ${lengthWarning(link)}`) })
     } catch (reason) {
       if (!(reason instanceof Refusal)) throw reason
@@ -242,8 +242,8 @@ const actions: Actions = {
   },
   print: async () => {
     if (opened === null) return
-    const entries = openedEntries(opened)
-    const printing = await sheet.print(entries, await printedLink(entries))
+    const members = openedMembers(opened)
+    const printing = await sheet.print(members, await printedLink(members))
     change({ printing })
   },
   forget: () => {
@@ -261,8 +261,8 @@ async function copied(link: string, text: string): Promise<Copying> {
 }
 
 /** The challenges of the series, or the one that stands alone. */
-function openedEntries({ id, challenge, place }: Opened): readonly Entry[] {
-  if (place) return place.entries
+function openedMembers({ id, challenge, place }: Opened): readonly Member[] {
+  if (place) return place.members
   const document = address.kind === 'own' ? (JSON.parse(address.json) as ChallengeDocument) : (id as string)
   return [{ id, challenge, document }]
 }
@@ -272,7 +272,7 @@ function elementsToHandIn({ place, outcome }: Opened): readonly (Vertices | null
   const { vertices } = lens
   if (place === null) return [vertices]
   const all = made.of(place.code)
-  return place.entries.map((_, i) => {
+  return place.members.map((_, i) => {
     const known = all[i] ?? null
     return i === place.at && (outcome === 'solved' || !known?.isSolved) ? vertices : (known?.vertices ?? null)
   })

@@ -9,7 +9,7 @@ import { type Challenge, type Contest, type Judgement, LIMITS } from './challeng
 import { challengeFragment } from './challenge-link'
 import { challenges } from './challenges'
 import type { Progress } from './progress'
-import type { Entry } from './series'
+import type { Member } from './series'
 import { conditionInWords, numberInWords, numbersInWords } from './words'
 
 /** A challenge that is open, and how it stands. */
@@ -42,7 +42,7 @@ export interface Copying {
 export interface Place {
   readonly code: string
   readonly at: number
-  readonly entries: readonly Entry[]
+  readonly members: readonly Member[]
   /** By the index of the challenge. */
   readonly solved: readonly boolean[]
 }
@@ -102,7 +102,7 @@ export function challengeColumn(
 ): TemplateResult {
   const { id, challenge, report, judgement, isHintShown, copying, place } = opened
   return html`<p class="quiet"><a href="#">All challenges</a>${positionInWords(id, place)}</p>
-    ${place && place.entries.length > 1 ? seriesNavigation(place) : ''}
+    ${place && place.members.length > 1 ? seriesNavigation(place) : ''}
     <h2 tabindex="-1" class="title">${challenge.title}</h2>
     <p class="as-written">${challenge.text}</p>
     <h3>Goal</h3>
@@ -132,7 +132,7 @@ export function challengeColumn(
     <details ?open=${id === null || place !== null}>
       <summary>Hand in, print</summary>
       <p class="quiet">
-        The link to hand in holds ${place && place.entries.length > 1 ? 'these challenges and your elements' : 'this challenge and your element'},
+        The link to hand in holds ${place && place.members.length > 1 ? 'these challenges and your elements' : 'this challenge and your element'},
         bit for bit. Whoever opens it sees each judged anew.
       </p>
       <label class="field"
@@ -158,7 +158,7 @@ export function copyingTemplate(copying: Copying | null, label: string): Templat
 }
 
 function positionInWords(id: string | null, place: Place | null): string {
-  if (place && place.entries.length > 1) return ` · ${place.at + 1} of ${place.entries.length} in this series`
+  if (place && place.members.length > 1) return ` · ${place.at + 1} of ${place.members.length} in this series`
   const position = challenges.findIndex(challenge => challenge.id === id)
   return position < 0 ? ' · one that somebody has written' : ` · ${position + 1} of ${challenges.length}`
 }
@@ -167,7 +167,7 @@ function positionInWords(id: string | null, place: Place | null): string {
 function seriesNavigation(place: Place): TemplateResult {
   return html`<nav aria-label="The series">
     <ol class="series-places">
-      ${place.entries.map(({ challenge }, i) => {
+      ${place.members.map(({ challenge }, i) => {
         const isSolved = place.solved[i] ?? false
         return html`<li>
           <a
@@ -232,17 +232,17 @@ function outcomeInWords({ outcome }: Opened): string {
 
 /** Within a series one may go on unsolved. */
 function nextLink({ id, outcome, place }: Opened): TemplateResult | string {
-  if (place && place.entries.length > 1) {
-    const next = place.entries[place.at + 1]
+  if (place && place.members.length > 1) {
+    const next = place.members[place.at + 1]
     if (next !== undefined) {
       const word = outcome === 'open' ? 'Skip to' : 'Next'
       return html`<p><a href=${`#${fragmentAt(place, place.at + 1)}`}>${word}: ${next.challenge.title}</a></p>`
     }
     const left = place.solved.findIndex(isSolved => !isSolved)
-    if (left < 0) return html`<p>All ${place.entries.length} are solved: the link to hand in is below.</p>`
+    if (left < 0) return html`<p>All ${place.members.length} are solved: the link to hand in is below.</p>`
     return left === place.at
       ? ''
-      : html`<p><a href=${`#${fragmentAt(place, left)}`}>Not solved yet: ${place.entries[left]?.challenge.title}</a></p>`
+      : html`<p><a href=${`#${fragmentAt(place, left)}`}>Not solved yet: ${place.members[left]?.challenge.title}</a></p>`
   }
   const next = challenges[challenges.findIndex(challenge => challenge.id === id) + 1]
   if (outcome !== 'solved' || id === null || next === undefined) return ''

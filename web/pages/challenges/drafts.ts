@@ -29,7 +29,7 @@ export interface OfThisPage {
 
 export interface Writing {
   /** At least one. */
-  readonly entries: readonly (Draft | OfThisPage)[]
+  readonly members: readonly (Draft | OfThisPage)[]
   readonly at: number
 }
 
@@ -42,52 +42,52 @@ export function newDraft(): Draft {
 }
 
 export function newWriting(): Writing {
-  return { entries: [newDraft()], at: 0 }
+  return { members: [newDraft()], at: 0 }
 }
 
-export function current({ entries, at }: Writing): Draft | OfThisPage {
-  return entries[at] as Draft | OfThisPage
+export function current({ members, at }: Writing): Draft | OfThisPage {
+  return members[at] as Draft | OfThisPage
 }
 
 export function withDraft(writing: Writing, some: Partial<Draft>): Writing {
-  const { entries, at } = writing
-  const draft = entries[at]
-  return draft?.kind === 'draft' ? { ...writing, entries: entries.with(at, { ...draft, ...some }) } : writing
+  const { members, at } = writing
+  const draft = members[at]
+  return draft?.kind === 'draft' ? { ...writing, members: members.with(at, { ...draft, ...some }) } : writing
 }
 
-export function canGrow({ entries }: Writing): boolean {
-  return entries.length < MOST_CHALLENGES
+export function canGrow({ members }: Writing): boolean {
+  return members.length < MOST_CHALLENGES
 }
 
 /** The new one stands behind the others and is in the form. */
-export function withEntry({ entries }: Writing, entry: Draft | OfThisPage): Writing {
-  return { entries: [...entries, entry], at: entries.length }
+export function withMember({ members }: Writing, member: Draft | OfThisPage): Writing {
+  return { members: [...members, member], at: members.length }
 }
 
-/** Exchanges an entry with the one before it or behind it. What is in the form stays there. */
-export function withMoved({ entries, at }: Writing, from: number, by: -1 | 1): Writing {
+/** Exchanges a member with the one before it or behind it. What is in the form stays there. */
+export function withMoved({ members, at }: Writing, from: number, by: -1 | 1): Writing {
   const to = from + by
-  const [moved, other] = [entries[from], entries[to]]
-  if (moved === undefined || other === undefined) return { entries, at }
-  return { entries: entries.with(from, other).with(to, moved), at: at === from ? to : at === to ? from : at }
+  const [moved, other] = [members[from], members[to]]
+  if (moved === undefined || other === undefined) return { members, at }
+  return { members: members.with(from, other).with(to, moved), at: at === from ? to : at === to ? from : at }
 }
 
 /** Without the last there is an empty one. */
-export function withoutEntry({ entries, at }: Writing, index: number): Writing {
-  const left = entries.toSpliced(index, 1)
+export function withoutMember({ members, at }: Writing, index: number): Writing {
+  const left = members.toSpliced(index, 1)
   if (left.length === 0) return newWriting()
-  return { entries: left, at: Math.min(index < at ? at - 1 : at, left.length - 1) }
+  return { members: left, at: Math.min(index < at ? at - 1 : at, left.length - 1) }
 }
 
-export function titleOf(entry: Draft | OfThisPage): string {
-  if (entry.kind === 'draft') return entry.title.trim() || 'Untitled'
-  return challenges.find(({ id }) => id === entry.id)?.title ?? entry.id
+export function titleOf(member: Draft | OfThisPage): string {
+  if (member.kind === 'draft') return member.title.trim() || 'Untitled'
+  return challenges.find(({ id }) => id === member.id)?.title ?? member.id
 }
 
 /** `now` is the element on the page. */
-export function documentOf(entry: Draft | OfThisPage, now: Vertices): string | ChallengeDocument {
-  if (entry.kind === 'of this page') return entry.id
-  const { title, text, goal, hint, start, solution } = entry
+export function documentOf(member: Draft | OfThisPage, now: Vertices): string | ChallengeDocument {
+  if (member.kind === 'of this page') return member.id
+  const { title, text, goal, hint, start, solution } = member
   return {
     version: CHALLENGE_VERSION,
     title,

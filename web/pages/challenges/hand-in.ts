@@ -3,12 +3,12 @@ import { written } from '../../model/document-readers'
 import type { Vertices } from '../../model/hexahedron'
 import { LIMITS, plainText } from './challenge'
 import { linkTo } from './challenge-link'
-import { type Entry, SERIES_VERSION } from './series'
+import { type Member, SERIES_VERSION } from './series'
 import { encodeSeries } from './series-code'
 
 /** Throws Refusal if the name is no plain text. */
 export async function handInLink(
-  entries: readonly Entry[],
+  members: readonly Member[],
   elements: readonly (Vertices | null)[],
   studentName: string,
 ): Promise<string> {
@@ -16,7 +16,7 @@ export async function handInLink(
   const name = trimmed === '' ? {} : { name: plainText(LIMITS.title)(trimmed, 'Your name') }
   const code = await encodeSeries({
     version: SERIES_VERSION,
-    challenges: entries.map(({ document }) => document),
+    challenges: members.map(({ document }) => document),
     handedIn: { ...name, elements: elements.map(vertices => vertices && written(vertices)) },
   })
   return linkTo({ kind: 'series', code, at: 0, vertices: null })

@@ -9,11 +9,11 @@ import { VERTEX_COUNT, type Vertices } from '../../model/hexahedron'
 import { type Judgement, judged } from './challenge'
 import { goalRow } from './column'
 import { exactInWords, exactNumbersInWords } from './exact-words'
-import type { Entry, HandedIn } from './series'
+import type { Member, HandedIn } from './series'
 import { contestInWords } from './words'
 
-export interface JudgedEntry {
-  readonly entry: Entry
+export interface JudgedMember {
+  readonly member: Member
   readonly vertices: Vertices | null
   /** Null where nothing was made, and until it is judged. */
   readonly answer: { readonly report: Report; readonly judgement: Judgement } | null
@@ -21,16 +21,16 @@ export interface JudgedEntry {
 
 export interface HandedInView {
   readonly name: string | null
-  readonly entries: readonly JudgedEntry[]
+  readonly members: readonly JudgedMember[]
   /** The index of the element in the lens. */
   readonly shown: number
 }
 
-export function handedInView(entries: readonly Entry[], { name, elements }: HandedIn): HandedInView {
+export function handedInView(members: readonly Member[], { name, elements }: HandedIn): HandedInView {
   const shown = elements.findIndex(vertices => vertices !== null)
   return {
     name,
-    entries: entries.map((entry, i) => ({ entry, vertices: elements[i] ?? null, answer: null })),
+    members: members.map((member, i) => ({ member, vertices: elements[i] ?? null, answer: null })),
     shown: Math.max(shown, 0),
   }
 }
@@ -39,33 +39,33 @@ export async function judgedAnew(
   view: HandedInView,
   analyze: (vertices: Vertices) => Promise<Report>,
 ): Promise<HandedInView> {
-  const entries = await Promise.all(
-    view.entries.map(async each => {
+  const members = await Promise.all(
+    view.members.map(async each => {
       if (each.vertices === null) return each
       const report = await analyze(each.vertices)
-      const { challenge } = each.entry
+      const { challenge } = each.member
       return { ...each, answer: { report, judgement: judged(challenge, quantitiesOf(report, challenge.start)) } }
     }),
   )
-  return { ...view, entries }
+  return { ...view, members }
 }
 
 export function handedInColumn(view: HandedInView, show: (at: number) => void): TemplateResult {
-  const { name, entries } = view
-  const solved = entries.filter(({ answer }) => answer?.judgement.isSolved).length
-  const isJudged = entries.every(({ vertices, answer }) => vertices === null || answer !== null)
+  const { name, members } = view
+  const solved = members.filter(({ answer }) => answer?.judgement.isSolved).length
+  const isJudged = members.every(({ vertices, answer }) => vertices === null || answer !== null)
   return html`<p class="quiet"><a href="#">All challenges</a> · handed in</p>
     <h2 tabindex="-1" class="title">${name === null ? 'Handed in' : `Handed in by ${name}`}</h2>
-    <p role="status" class="outcome">${isJudged ? `${solved} of ${entries.length} solved.` : 'Judging …'}</p>
+    <p role="status" class="outcome">${isJudged ? `${solved} of ${members.length} solved.` : 'Judging …'}</p>
     <p class="quiet">
       Each element comes from the link bit for bit and was judged here, exactly. The name is what the student wrote. A change in the lens
       does not change what was handed in.
     </p>
-    ${entries.map((each, i) => entryTemplate(each, i, i === view.shown, () => show(i)))}`
+    ${members.map((each, i) => memberTemplate(each, i, i === view.shown, () => show(i)))}`
 }
 
-function entryTemplate(
-  { entry: { challenge }, vertices, answer }: JudgedEntry,
+function memberTemplate(
+  { member: { challenge }, vertices, answer }: JudgedMember,
   i: number,
   isShown: boolean,
   show: () => void,
@@ -95,7 +95,7 @@ function entryTemplate(
   </section>`
 }
 
-function outcomeInWords(vertices: Vertices | null, answer: JudgedEntry['answer']): string {
+function outcomeInWords(vertices: Vertices | null, answer: JudgedMember['answer']): string {
   if (vertices === null) return 'nothing was handed in'
   if (answer === null) return 'not judged'
   return answer.judgement.isSolved ? 'solved' : 'not solved'

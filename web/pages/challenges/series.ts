@@ -36,7 +36,7 @@ interface HandedInDocument {
 }
 
 /** A challenge of a series. */
-export interface Entry {
+export interface Member {
   /** Null of a teacher's. */
   readonly id: string | null
   readonly challenge: Challenge
@@ -51,7 +51,7 @@ export interface HandedIn {
 }
 
 export interface Series {
-  readonly entries: readonly Entry[]
+  readonly members: readonly Member[]
   readonly handedIn: HandedIn | null
 }
 
@@ -64,16 +64,16 @@ export function readSeries(given: unknown): Result<Series, string> {
     if (version !== SERIES_VERSION) throw new Refusal(`The series’ version has to be ${SERIES_VERSION}.`)
     const { challenges, handedIn } = readDocument(given, 'series')
     if (handedIn && handedIn.elements.length !== challenges.length)
-      throw new Refusal('series.handedIn.elements needs one entry for each challenge.')
-    return { ok: true, value: { entries: challenges, handedIn } }
+      throw new Refusal('series.handedIn.elements needs an element or null for each challenge.')
+    return { ok: true, value: { members: challenges, handedIn } }
   } catch (reason) {
     if (reason instanceof Refusal) return { ok: false, error: reason.message }
     throw reason
   }
 }
 
-/** An entry from its document. Throws Refusal. */
-export const entryReader: Reader<Entry> = reader<Entry>(
+/** An member from its document. Throws Refusal. */
+export const memberReader: Reader<Member> = reader<Member>(
   { anyOf: [{ enum: ofThisPage.map(({ id }) => id) }, { $ref: '#/$defs/challenge' }] },
   (value, path) => {
     if (typeof value !== 'string')
@@ -91,15 +91,15 @@ function listOf<T>(each: Reader<T>, atLeast: number): Reader<readonly T[]> {
       const items = list(value, path)
       if (items.length < atLeast) throw new Refusal(`${path} is empty.`)
       if (items.length > MOST_CHALLENGES)
-        throw new Refusal(`${path} has ${items.length} entries; ${MOST_CHALLENGES} are the most.`)
+        throw new Refusal(`${path} has ${items.length} challenges; ${MOST_CHALLENGES} are the most.`)
       return items.map((item, i) => each(item, `${path}[${i}]`))
     },
   )
 }
 
-const readDocument = record<{ readonly challenges: readonly Entry[]; readonly handedIn: HandedIn | null }>(
+const readDocument = record<{ readonly challenges: readonly Member[]; readonly handedIn: HandedIn | null }>(
   {
-    challenges: described('The challenges in order: ids of this page’s own, or whole ones.', listOf(entryReader, 1)),
+    challenges: described('The challenges in order: ids of this page’s own, or whole ones.', listOf(memberReader, 1)),
     handedIn: described(
       'What a student has made: it is judged anew when it is opened.',
       orNull(

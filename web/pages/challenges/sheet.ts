@@ -7,7 +7,7 @@ import { html, render, svg, type TemplateResult } from 'lit-html'
 import { fractionOf } from '../../model/decimal'
 import { COORDINATE_COUNT, type Vertices } from '../../model/hexahedron'
 import { MOST_BYTES, type QrCode, qrCode } from './qr-code'
-import type { Entry } from './series'
+import type { Member } from './series'
 import { conditionInWords, contestInWords } from './words'
 
 /** Sizes of text in points: the largest that fits is taken. */
@@ -31,12 +31,12 @@ export class Sheet {
   }
 
   /** Makes the side and has it printed. Resolves to sentences for the reader. */
-  async print(entries: readonly Entry[], link: string): Promise<string> {
+  async print(members: readonly Member[], link: string): Promise<string> {
     const [code, pictures] = await Promise.all([
       qrCode(link),
-      picturesOf(entries.map(({ challenge }) => challenge.start)),
+      picturesOf(members.map(({ challenge }) => challenge.start)),
     ])
-    render(sheet(entries, link, code, pictures), this.#element)
+    render(sheet(members, link, code, pictures), this.#element)
     document.querySelector('main')?.before(this.#element)
     const images = [...this.#element.querySelectorAll('img')]
     await Promise.all(images.map(image => image.decode().catch(() => {}))) // it is left white then
@@ -88,16 +88,16 @@ async function picturesOf(elements: readonly Vertices[]): Promise<readonly (stri
 }
 
 function sheet(
-  entries: readonly Entry[],
+  members: readonly Member[],
   link: string,
   code: QrCode | null,
   pictures: readonly (string | null)[],
 ): TemplateResult {
-  const isSeries = entries.length > 1
+  const isSeries = members.length > 1
   return html`<header>
       <div>
         <p class="sheet-kind">Hexlens</p>
-        ${isSeries ? html`<h1>${entries.length} challenges</h1>` : ''}
+        ${isSeries ? html`<h1>${members.length} challenges</h1>` : ''}
         <p>
           Open the link, drag the vertices of the element or type their coordinates, and meet every condition. The page judges at once,
           exactly; “Copy link to hand in” makes the link to send back.
@@ -107,7 +107,7 @@ function sheet(
       </div>
       ${code === null ? '' : qrPicture(code)}
     </header>
-    ${entries.map((entry, i) => challengeOnSheet(entry, isSeries ? i + 1 : null, pictures[i] ?? null))}`
+    ${members.map((member, i) => challengeOnSheet(member, isSeries ? i + 1 : null, pictures[i] ?? null))}`
 }
 
 function qrPicture({ side, path }: QrCode): TemplateResult {
@@ -125,7 +125,7 @@ function qrPicture({ side, path }: QrCode): TemplateResult {
   </svg>`
 }
 
-function challengeOnSheet({ challenge }: Entry, number: number | null, picture: string | null): TemplateResult {
+function challengeOnSheet({ challenge }: Member, number: number | null, picture: string | null): TemplateResult {
   const { title, text, goal, start, record } = challenge
   return html`<article>
     ${picture === null ? '' : html`<img alt="The element to start from" src=${picture} />`}

@@ -22,11 +22,11 @@ import {
   titleOf,
   type Writing,
   withDraft,
-  withEntry,
+  withMember,
   withMoved,
-  withoutEntry,
+  withoutMember,
 } from './drafts'
-import { type Entry, entryReader, SERIES_VERSION } from './series'
+import { type Member, memberReader, SERIES_VERSION } from './series'
 import { encodeSeries } from './series-code'
 
 /** What the form needs of the page. */
@@ -36,7 +36,7 @@ export interface FormHost {
   readonly analyze: (vertices: Vertices) => Promise<Report>
   /** Puts an element on the page: one step to undo. */
   readonly show: (vertices: Vertices) => void
-  readonly print: (entries: readonly Entry[], link: string) => Promise<string>
+  readonly print: (members: readonly Member[], link: string) => Promise<string>
   /** What was made ready to print is not what the form says any more. */
   readonly discardPrint: () => void
   /** The form looks different now. */
@@ -47,7 +47,7 @@ export class WriteForm {
   readonly #host: FormHost
   #writing: Writing
   #solution: { readonly vertices: Vertices; readonly report: Report } | null = null
-  #made: { readonly entries: readonly Entry[]; readonly link: string } | null = null
+  #made: { readonly members: readonly Member[]; readonly link: string } | null = null
   #said = ''
   #complaint = ''
 
@@ -57,19 +57,19 @@ export class WriteForm {
   }
 
   column(): TemplateResult {
-    const entry = current(this.#writing)
+    const member = current(this.#writing)
     return html`<p class="quiet"><a href="#">All challenges</a></p>
       <h2 tabindex="-1" class="title">Write a challenge</h2>
       <p>
         It is kept nowhere but in its link. What each part may be is described in
         <code>docs/challenge.schema.json</code>.
       </p>
-      ${this.#writing.entries.length > 1 ? this.#seriesList() : ''}
-      ${entry.kind === 'draft' ? this.#fields(entry) : html`<p>“${titleOf(entry)}” is one of this page’s: it is not changed here.</p>`}
+      ${this.#writing.members.length > 1 ? this.#seriesList() : ''}
+      ${member.kind === 'draft' ? this.#fields(member) : html`<p>“${titleOf(member)}” is one of this page’s: it is not changed here.</p>`}
       <h3>Series</h3>
       <p class="quiet">Several challenges go into one link. A student gets them in order and may skip one.</p>
       <p class="actions">
-        <button type="button" ?disabled=${!canGrow(this.#writing)} @click=${() => this.#write(withEntry(this.#left(), newDraft()))}>
+        <button type="button" ?disabled=${!canGrow(this.#writing)} @click=${() => this.#write(withMember(this.#left(), newDraft()))}>
           Add another challenge
         </button>
         <select aria-label="Add one of this page’s" ?disabled=${!canGrow(this.#writing)} @change=${(event: Event) => this.#addOfThisPage(event)}>
@@ -92,19 +92,19 @@ export class WriteForm {
   }
 
   #seriesList(): TemplateResult {
-    const { entries, at } = this.#writing
+    const { members, at } = this.#writing
     return html`<h3 id="in-series">The series, in order</h3>
       <ol class="series" aria-labelledby="in-series">
-        ${entries.map((entry, i) => {
-          const title = titleOf(entry)
+        ${members.map((member, i) => {
+          const title = titleOf(member)
           const name = `${i + 1}, ${title}`
           return html`<li>
             <button type="button" class="series-title" aria-current=${i === at ? 'true' : 'false'} @click=${() => this.#open(i)}>
               ${title}
             </button>
             <button type="button" class="small" aria-label=${`Move ${name} up`} ?disabled=${i === 0} @click=${() => this.#write(withMoved(this.#writing, i, -1))}>↑</button>
-            <button type="button" class="small" aria-label=${`Move ${name} down`} ?disabled=${i === entries.length - 1} @click=${() => this.#write(withMoved(this.#writing, i, 1))}>↓</button>
-            <button type="button" class="small" aria-label=${`Remove ${name}`} @click=${() => this.#write(withoutEntry(this.#writing, i))}>Remove</button>
+            <button type="button" class="small" aria-label=${`Move ${name} down`} ?disabled=${i === members.length - 1} @click=${() => this.#write(withMoved(this.#writing, i, 1))}>↓</button>
+            <button type="button" class="small" aria-label=${`Remove ${name}`} @click=${() => this.#write(withoutMember(this.#writing, i))}>Remove</button>
           </li>`
         })}
       </ol>`
@@ -191,20 +191,20 @@ export class WriteForm {
     this.#host.onChange()
   }
 
-  /** The entries once the form turns to another: a start that was the element as it is then stays that element. */
+  /** The members once the form turns to another: a start that was the element as it is then stays that element. */
   #left(): Writing {
-    const entry = current(this.#writing)
-    const isOpen = entry.kind === 'draft' && entry.start === null
+    const member = current(this.#writing)
+    const isOpen = member.kind === 'draft' && member.start === null
     return isOpen ? withDraft(this.#writing, { start: this.#host.vertices() }) : this.#writing
   }
 
-  /** Another entry is in the form, and its start in the lens. */
+  /** Another member is in the form, and its start in the lens. */
   #open(at: number): void {
     if (at === this.#writing.at) return
-    const { entries } = this.#left()
-    this.#write({ entries, at })
-    const entry = current(this.#writing)
-    if (entry.kind === 'draft' && entry.start) this.#host.show(entry.start)
+    const { members } = this.#left()
+    this.#write({ members, at })
+    const member = current(this.#writing)
+    if (member.kind === 'draft' && member.start) this.#host.show(member.start)
   }
 
   #take(what: 'start' | 'solution'): void {
@@ -215,17 +215,17 @@ export class WriteForm {
     const select = event.target as HTMLSelectElement
     const { value: id } = select
     select.value = ''
-    if (id !== '') this.#write(withEntry(this.#left(), { kind: 'of this page', id }))
+    if (id !== '') this.#write(withMember(this.#left(), { kind: 'of this page', id }))
   }
 
   async #make(): Promise<void> {
     this.#made = null
     this.#said = ''
-    const entries = this.#readEntries()
-    if (entries) {
-      const link = await linkOf(entries)
+    const members = this.#readMembers()
+    if (members) {
+      const link = await linkOf(members)
       const isCopied = await copyText(link)
-      this.#made = { entries, link }
+      this.#made = { members, link }
       this.#said = [
         isCopied ? 'The link is copied.' : 'Copying is not allowed here; this is the link:',
         lengthWarning(link),
@@ -234,23 +234,23 @@ export class WriteForm {
     this.#host.onChange()
   }
 
-  /** The entries as a student's page reads them; null, and a complaint, if one cannot be read. */
-  #readEntries(): readonly Entry[] | null {
-    const { entries } = this.#writing
+  /** The members as a student's page reads them; null, and a complaint, if one cannot be read. */
+  #readMembers(): readonly Member[] | null {
+    const { members } = this.#writing
     this.#complaint = ''
-    const read: Entry[] = []
-    for (const [i, entry] of entries.entries()) {
-      const document = documentOf(entry, this.#host.vertices())
+    const read: Member[] = []
+    for (const [i, member] of members.entries()) {
+      const document = documentOf(member, this.#host.vertices())
       try {
         const { length } = JSON.stringify(document)
         if (length > MOST_CHARACTERS)
           throw new Refusal(`The challenge is ${length} characters long; ${MOST_CHARACTERS} are the most that is read.`)
-        read.push(entryReader(document, 'challenge'))
+        read.push(memberReader(document, 'challenge'))
       } catch (reason) {
         if (!(reason instanceof Refusal)) throw reason
         const sentence = asInTheForm(reason.message)
-        this.#complaint = entries.length > 1 ? `Challenge ${i + 1}: ${sentence}` : sentence
-        this.#writing = { entries, at: i }
+        this.#complaint = members.length > 1 ? `Challenge ${i + 1}: ${sentence}` : sentence
+        this.#writing = { members, at: i }
         return null
       }
     }
@@ -259,26 +259,26 @@ export class WriteForm {
 
   async #print(): Promise<void> {
     if (this.#made === null) return
-    this.#said = await this.#host.print(this.#made.entries, await printedLink(this.#made.entries))
+    this.#said = await this.#host.print(this.#made.members, await printedLink(this.#made.members))
     this.#host.onChange()
   }
 }
 
 /** A single challenge's link can be read by people; several are deflated. */
-async function linkOf(entries: readonly Entry[]): Promise<string> {
-  const [first] = entries
-  if (entries.length > 1 || first === undefined) return printedLink(entries)
+async function linkOf(members: readonly Member[]): Promise<string> {
+  const [first] = members
+  if (members.length > 1 || first === undefined) return printedLink(members)
   return first.id === null
     ? linkTo({ kind: 'own', json: JSON.stringify(first.document), vertices: null })
     : linkTo({ kind: 'challenge', id: first.id, vertices: null })
 }
 
 /** The shortest link: the coarser its QR code, the better cameras read it. */
-export async function printedLink(entries: readonly Entry[]): Promise<string> {
-  const [first] = entries
-  if (entries.length === 1 && first && first.id !== null)
+export async function printedLink(members: readonly Member[]): Promise<string> {
+  const [first] = members
+  if (members.length === 1 && first && first.id !== null)
     return linkTo({ kind: 'challenge', id: first.id, vertices: null })
-  const document = { version: SERIES_VERSION, challenges: entries.map(({ document }) => document) } as const
+  const document = { version: SERIES_VERSION, challenges: members.map(({ document }) => document) } as const
   return linkTo({ kind: 'series', code: await encodeSeries(document), at: 0, vertices: null })
 }
 
