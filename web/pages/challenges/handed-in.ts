@@ -9,7 +9,7 @@ import { VERTEX_COUNT, type Vertices } from '../../model/hexahedron'
 import { type Judgement, judged } from './challenge'
 import { goalRow } from './column'
 import { exactInWords, exactNumbersInWords } from './exact-words'
-import type { Member, HandedIn } from './series'
+import type { HandedIn, Member } from './series'
 import { contestInWords } from './words'
 
 export interface JudgedMember {
