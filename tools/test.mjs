@@ -21,6 +21,9 @@ const stages = [
   [{ name: 'browser', run: browser, long: true }],
 ]
 
+/** A hundred thousand verdicts, each proved; and some of test:exact and test:read. */
+const LONG_UNIT_TESTS = ['tests/property/**', 'tests/exact/**', 'tests/read/**'].flatMap(path => ['--exclude', path])
+
 await runMain(async () => {
   const { fast } = readArguments()
   const total = counts()
@@ -99,9 +102,6 @@ async function native({ fast }) {
   }
   return judged(result, status)
 }
-
-/** A hundred thousand verdicts, each proved; and some of test:exact and test:read. */
-const LONG_UNIT_TESTS = ['tests/property/**', 'tests/exact/**', 'tests/read/**'].flatMap(path => ['--exclude', path])
 
 async function unit({ fast }) {
   const file = join(results, 'unit.json')

@@ -39,7 +39,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await expect(page.getByRole('alert').filter({ hasText: /link/i })).toBeVisible()
         await lens.button('Copy link').click()
         await lens.field(2, 'y').fill('')
-        await expect(page.getByText('Vertex 2 y needs a finite number')).toBeVisible()
+        await expect(page.getByText('Vertex 2 y: A number is missing.')).toBeVisible()
         await expectAxeFindsNothing(page)
       })
     })

@@ -107,7 +107,21 @@ test('a challenge is solved by keyboard, kept, shared, explained and forgotten',
     await expect(column(page).getByRole('listitem').first()).toHaveText(/solved/)
     await column(page).getByRole('button', { name: 'Forget what I have solved' }).click()
     await expect(column(page)).toContainText('0 of')
-    expect(await page.evaluate(() => localStorage.length)).toBe(0)
+    await expect(column(page).getByRole('button', { name: 'Forget what I have solved' })).toBeHidden()
+  })
+
+  await test.step('all that is kept can be forgotten, elements and undo, too', async () => {
+    const kept = () => page.evaluate(() => [localStorage, sessionStorage].flatMap(storage => Object.keys(storage)))
+    expect(await kept()).toContain('hexlens-challenge-one-vertex-1')
+    await page.evaluate(() => localStorage.setItem('others', 'stay'))
+    await column(page).getByRole('button', { name: 'Forget what is kept here' }).click()
+    await expect(column(page).getByRole('button', { name: 'Keep it' })).toBeFocused()
+    await expectAxeFindsNothingInColumn(lens)
+    await column(page).getByRole('button', { name: 'Forget it all' }).click()
+    await expect(column(page)).toContainText('Nothing is kept any more.')
+    expect(await kept()).toEqual(['others'])
+    await column(page).getByRole('link', { name: 'Break it with one vertex' }).click()
+    await expect(marks(page).nth(1)).toHaveText(/, now 0/)
   })
 })
 

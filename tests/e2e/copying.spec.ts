@@ -16,7 +16,7 @@ test('any number is copied with all its digits, by pressing it or by keys', asyn
   await minimum.click()
   await expect(said(lens)).toHaveText(`Copied ${boundaryMinimum}`)
   expect(await clipboard(page)).toBe(String(boundaryMinimum))
-  await lens.verdict.getByRole('button', { name: '(0, 0.59091, 1)' }).press('Enter')
+  await lens.minimum.getByRole('button', { name: '(0, 0.59091, 1)' }).press('Enter')
   expect(await clipboard(page)).toBe(minimizer.point.join(', '))
 
   const table = page.getByRole('table', { name: 'Who would notice?' })

@@ -17,7 +17,7 @@ test('the lines for each host follow the element and the choices, and so does th
   const preview = previewOf(page)
   await preview.scrollIntoViewIfNeeded()
   await expect(preview.getByRole('status', { name: 'Verdict' })).toHaveText(/^INVALID/)
-  await expect(panel.getByRole('textbox')).toHaveValue('An invalid hexahedron')
+  await expect(panel.getByRole('textbox', { name: 'Description' })).toHaveValue('An invalid hexahedron')
 
   const before = page.url()
   await lens.element.first().evaluate(
@@ -27,11 +27,11 @@ test('the lines for each host follow the element and the choices, and so does th
     cube.with(0, -0),
   )
   await expect(preview.getByRole('status', { name: 'Verdict' })).toHaveText(/^VALID/)
-  await expect(panel.getByRole('textbox')).toHaveValue('A valid hexahedron')
+  await expect(panel.getByRole('textbox', { name: 'Description' })).toHaveValue('A valid hexahedron')
   await panel.getByRole('checkbox', { name: 'Who would notice' }).check()
   await panel.getByRole('checkbox', { name: 'Scene' }).uncheck()
-  await panel.getByRole('spinbutton').fill('320')
-  await panel.getByRole('spinbutton').press('Enter')
+  await panel.getByRole('textbox', { name: 'Height' }).fill('320')
+  await panel.getByRole('textbox', { name: 'Height' }).press('Enter')
   await panel.getByRole('combobox', { name: 'Colours' }).selectOption('dark')
   await panel.getByRole('checkbox', { name: 'Cannot be changed by readers' }).check()
   const [head, body] = (await lines()) as [string, string]

@@ -72,7 +72,7 @@ test.describe('paste', () => {
       await expect(refusal.getByText('Infinity')).toHaveCount(0)
       await lens.field(0, 'x').focus()
       await pasteAnywhere(page, upper.join(' '))
-      await expect(page.getByText(/was left out/)).toBeVisible()
+      await expect(page.getByText(/^Vertex 0 x: “.*” is not one number/)).toBeVisible()
       expect(await lens.vertices()).toEqual(cube)
     })
 

@@ -6,6 +6,8 @@ export class Lens {
   readonly page: Page
   readonly element: Locator
   readonly verdict: Locator
+  /** The numbers behind the verdict. */
+  readonly minimum: Locator
   readonly scene: Locator
   readonly preset: Locator
 
@@ -13,6 +15,7 @@ export class Lens {
     this.page = page
     this.element = page.locator('hex-lens')
     this.verdict = page.getByRole('status', { name: 'Verdict' })
+    this.minimum = page.getByRole('group', { name: 'Minimum' })
     this.scene = page.getByRole('application', { name: /^The hexahedron/ })
     this.preset = page.getByRole('combobox', { name: 'Preset' })
   }
@@ -24,7 +27,7 @@ export class Lens {
   }
 
   field(vertex: number, axis: 'x' | 'y' | 'z'): Locator {
-    return this.page.getByRole('spinbutton', { name: `Vertex ${vertex} ${axis}` })
+    return this.page.getByRole('textbox', { name: `Vertex ${vertex} ${axis}` })
   }
 
   button(name: string): Locator {
@@ -59,6 +62,22 @@ export class Lens {
       () => new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))),
     )
   }
+}
+
+export interface Point {
+  readonly x: number
+  readonly y: number
+}
+
+/** The position of a vertex's handle on the page. */
+export async function handleOf(lens: Lens, vertex: number): Promise<Point> {
+  const circle = lens.page
+    .locator('hex-lens .handle', { hasText: new RegExp(`^${vertex}$`) })
+    .locator('circle')
+    .last()
+  const box = await circle.boundingBox()
+  if (box === null) throw new Error(`Vertex ${vertex} has no handle.`)
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
 }
 
 /** Keeps every WebGL context that the page makes, in `globalThis.contexts`. */

@@ -43,7 +43,6 @@ test('a copied link opens the doubles again, bit for bit', async ({ lens, page, 
       const other = new Lens(await context.newPage())
       await other.open(link)
       expect(await other.bits()).toEqual(bits)
-      await expect(other.button('Undo')).toBeDisabled()
       await other.page.close()
     })
 })
@@ -102,7 +101,7 @@ test('the address is the element: as it changes, when another is pasted, after a
     })
     await lens.set(tiny)
     await lens.button('Copy link').click()
-    await expect(page.getByRole('textbox')).toHaveValue(page.url())
+    await expect(page.getByRole('textbox', { name: 'The browser did not let' })).toHaveValue(page.url())
   })
 })
 

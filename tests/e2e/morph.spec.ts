@@ -12,11 +12,11 @@ const sliderOf = (page: Page) => page.getByRole('slider', { name: 'Place between
 async function openMorph(lens: Lens, page: Page): Promise<void> {
   await lens.open()
   await lens.button('Morph').click()
-  await expect(panelOf(page)).toContainText('A and B are the same element')
+  await expect(panelOf(page)).toContainText('the box around the element')
   await lens.preset.selectOption('cube')
   await lens.button('Keep as A').click()
   await lens.preset.selectOption('looks-fine')
-  await expect(panelOf(page)).not.toContainText('A and B are the same element')
+  await expect(panelOf(page)).toContainText('kept')
 }
 
 async function shownTau(page: Page, row: string): Promise<number> {
@@ -89,6 +89,77 @@ test('between two elements the verdict changes between neighbouring doubles, and
     await lens.button('Forget both').click()
     await expect(lens.button('Forget both')).toHaveCount(0)
     await expect(page.getByRole('button', { name: 'First invalid' })).toBeVisible()
+  })
+})
+
+test('it starts between two different elements, and plays when it is asked to', async ({ lens, page }) => {
+  await lens.open()
+  await lens.button('Morph').click()
+  const panel = panelOf(page)
+
+  await test.step('from the box around the element, which the verdict shows, to the element', async () => {
+    await expect(panel).toContainText('the box around the element')
+    await expect(panel).toContainText('the element as it is')
+    await expect(page.getByRole('button', { name: 'First invalid' })).toBeVisible()
+    await expect(sliderOf(page)).toHaveValue('1')
+    for (let frame = 0; frame < 10; frame++) await lens.nextFrame()
+    expect(await lens.vertices()).toEqual(looksFine)
+  })
+
+  await test.step('a cube is its own box: it goes to one with a vertex pushed in', async () => {
+    await lens.preset.selectOption('cube')
+    await expect(panel).toContainText('the element with vertex 6 pushed in')
+    await expect(page.getByRole('button', { name: 'First invalid' })).toBeVisible()
+    await expect(sliderOf(page)).toHaveValue('0')
+  })
+
+  await test.step('played it comes to B by itself, as one step to undo', async () => {
+    await lens.button('Play').click()
+    await expect(lens.button('Pause')).toBeVisible()
+    await expect(sliderOf(page)).toHaveValue('1')
+    await expect(lens.button('Play')).toBeVisible()
+    await expect(lens.verdict).toHaveText(/^INVALID/)
+    expect((await lens.vertices()).slice(18, 21)).toEqual([0.25, 0.25, 0.25])
+    await lens.button('Undo').click()
+    await expect.poll(() => lens.vertices()).toEqual(cube)
+  })
+
+  await test.step('it pauses where it is; Escape takes it back; who moves the element ends it', async () => {
+    const between = /^0\.[0-9]+$/
+    await lens.button('Play').click()
+    await expect(sliderOf(page)).toHaveValue(between)
+    await lens.button('Pause').click()
+    const paused = await sliderOf(page).inputValue()
+    for (let frame = 0; frame < 10; frame++) await lens.nextFrame()
+    await expect(sliderOf(page)).toHaveValue(paused)
+    await lens.button('Play').click()
+    await page.keyboard.press('Escape')
+    await expect(sliderOf(page)).toHaveValue(paused)
+    await lens.button('Play').click()
+    await expect(lens.button('Pause')).toBeVisible()
+    await lens.set(looksFine)
+    await expect(lens.button('Play')).toBeVisible()
+    expect(await lens.vertices()).toEqual(looksFine)
+  })
+
+  await test.step('who wants little motion sees eight places', async () => {
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await sliderOf(page).focus()
+    await page.keyboard.press('Home')
+    const seen = new Set<number>()
+    await page.exposeFunction('sawPlace', (place: number) => seen.add(place))
+    await lens.element.evaluate(element => {
+      element.addEventListener('hex-input', () => {
+        const slider = (element.shadowRoot as ShadowRoot).querySelector<HTMLInputElement>('.morph [type=range]')
+        requestAnimationFrame(() =>
+          (globalThis as unknown as { sawPlace(place: number): void }).sawPlace(Number(slider?.value)),
+        )
+      })
+    })
+    await lens.button('Play').click()
+    await expect(sliderOf(page)).toHaveValue('1')
+    await expect.poll(() => seen.has(1)).toBe(true)
+    for (const place of seen) expect(8 * place).toBe(Math.round(8 * place))
   })
 })
 

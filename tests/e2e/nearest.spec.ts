@@ -52,6 +52,29 @@ test('the nearest element of the other verdict is found, looked at, applied and 
     await expect(panel).toContainText(/Together by \d/)
   })
 
+  await test.step('a relative minimum is asked for, in any way to write a number, and what is none is refused', async () => {
+    const field = page.getByRole('textbox', { name: 'Relative minimum' })
+    for (const text of ['1,234', '1', '−1/8', 'much']) {
+      await field.fill(text)
+      await field.press('Enter')
+      await expect(field).toHaveAccessibleDescription(/^Relative minimum: “.*” .* 0 is kept\.$/)
+      await expect(field).toHaveValue(text)
+    }
+    await field.fill('1/5')
+    await field.press('Enter')
+    await expect(field).not.toHaveAttribute('aria-invalid')
+    await expect(panel).toContainText('makes this element valid with a relative minimum of 0.2?')
+    await expect(panel).toContainText(/Together by \d/)
+    await lens.button('Apply the move of all eight').click()
+    await expect(lens.minimum).toContainText(/Relative minimum\s*(0\.2|0\.20000)\s*no dimension/)
+    await expect(panel).toContainText('makes this element invalid?')
+    await lens.button('Undo').click()
+    await field.fill('0')
+    await field.press('Enter')
+    await expect(panel).toContainText('makes this element valid?')
+    await expect(panel).toContainText(/Together by \d/)
+  })
+
   await test.step('closed it takes its ghost along', async () => {
     await preview.click()
     await expect(ghost).toBeVisible()

@@ -52,7 +52,7 @@ test('the element among others, heard by people and by the page, taken out and p
     const second = page.locator('hex-lens').nth(1)
     await second.scrollIntoViewIfNeeded()
     await expect(page.getByRole('status', { name: 'Verdict' })).toHaveText([/^INVALID/, /^VALID/])
-    await second.getByRole('spinbutton', { name: 'Vertex 6 z' }).fill('-3')
+    await second.getByRole('textbox', { name: 'Vertex 6 z' }).fill('-3')
     await expect(second.getByRole('status', { name: 'Verdict' })).toHaveText(/^INVALID/)
     await expect(page.locator('hex-lens').first().getByRole('button', { name: 'Undo' })).toBeDisabled()
     await second.evaluate(element => element.remove())

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test'
 import { colourScaleOf, type Rgb, rampColour, rampOf, rampPosition } from '../../web/scene/paint/colour-map'
-import { expect, type Lens, test } from './lens'
+import { expect, handleOf, type Lens, type Point, test } from './lens'
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 
@@ -13,22 +13,6 @@ const light = rampOf({
   positive: hex('#2166ac'),
   neutral: hex('#f6f6f4'),
 })
-
-interface Point {
-  readonly x: number
-  readonly y: number
-}
-
-/** The position of a vertex's handle on the page. */
-async function handleOf(lens: Lens, vertex: number): Promise<Point> {
-  const circle = lens.page
-    .locator('hex-lens .handle', { hasText: new RegExp(`^${vertex}$`) })
-    .locator('circle')
-    .last()
-  const box = await circle.boundingBox()
-  if (box === null) throw new Error(`Vertex ${vertex} has no handle.`)
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
-}
 
 /** The page at the end of one frame's callback, before the browser showed it. */
 interface Seen {
@@ -378,28 +362,5 @@ test('with the keyboard alone vertices are chosen and moved', async ({ lens, pag
     })
     await lens.nextFrame()
     expect(await lens.vertices()).toEqual(moved)
-  })
-})
-
-test.describe('with a finger', () => {
-  test.use({ hasTouch: true, viewport: { width: 390, height: 844 } })
-
-  test('a handle is dragged, in one step to undo', async ({ lens, page, context }) => {
-    await lens.open()
-    await lens.set(cube)
-    const { x, y } = await handleOf(lens, 6)
-    const touch = await context.newCDPSession(page)
-    const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: Point[]) =>
-      touch.send('Input.dispatchTouchEvent', { type, touchPoints: points })
-    await send('touchStart', [{ x: x + 8, y: y + 6 }])
-    for (let step = 1; step <= 4; step++) await send('touchMove', [{ x: x + 8 + 8 * step, y: y + 6 - 10 * step }])
-    await send('touchEnd', [])
-    await lens.nextFrame()
-    const moved = await lens.vertices()
-    expect(moved.slice(18, 21)).not.toEqual([1, 1, 1])
-    expect(moved.slice(0, 18)).toEqual(cube.slice(0, 18))
-    expect(await page.evaluate(() => scrollY)).toBe(0)
-    await lens.button('Undo').click()
-    await expect.poll(() => lens.vertices()).toEqual(cube)
   })
 })

@@ -319,7 +319,7 @@ test('attributes, properties, methods and events', async ({ page }) => {
     )
     lens.readOnly = true
     await settled()
-    const field = lens.shadowRoot?.querySelector('input[type=number]') as HTMLInputElement
+    const field = lens.shadowRoot?.querySelector('.vertices input') as HTMLInputElement
     const held = lens.vertices
     const scene = lens.shadowRoot?.querySelector('.scene-stage') as HTMLElement
     scene.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp', bubbles: true, composed: true }))

@@ -38,7 +38,7 @@ async function pack(): Promise<void> {
   const staging = join(elsewhere, 'staging')
   mkdirSync(staging, { recursive: true })
   mkdirSync(join(staging, 'docs'))
-  const schemas = ['docs/state.schema.json', 'docs/check.schema.json']
+  const schemas = ['docs/state.schema.json', 'docs/history.schema.json', 'docs/check.schema.json']
   for (const name of ['package.json', 'README.md', 'LICENSE', 'custom-elements.json', ...schemas])
     copyFileSync(join(root, name), join(staging, name))
   await buildPackage(join(staging, 'dist'))

@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest'
 import { approximation, lowerInside } from '../../web/core/inside'
 import type { Report } from '../../web/core/report'
-import { certainBy, noLowerInside } from '../../web/panels/verdict/certainty'
+import { certainBy, noLowerInside } from '../../web/panels/minimum/certainty'
 import { cases, caseVertices, core, depthGuardCases, randomHexahedron, randomSource } from './core-fixtures'
 
 function reportOf(vertices: readonly number[]): Report {

@@ -11,6 +11,7 @@ import {
   documentOf,
   newDraft,
   newWriting,
+  readWriting,
   titleOf,
   withDraft,
   withMember,
@@ -257,6 +258,24 @@ describe('what a teacher is writing', () => {
     expect([titles(), writing.at]).toEqual([['c', 'Break it with one vertex'], 0])
     writing = withoutMember(withoutMember(writing, 1), 0)
     expect(writing).toEqual(newWriting())
+  })
+
+  it('is read again as it was kept; anything else is nothing', () => {
+    const writing = withMember(withDraft(newWriting(), { solution: unitCube }), {
+      kind: 'of this page',
+      id: 'one-vertex',
+    })
+    expect(readWriting(JSON.parse(JSON.stringify(writing)))).toEqual(writing)
+    const draft = newDraft()
+    for (const members of [
+      [],
+      [{ ...draft, title: 1 }],
+      [{ ...draft, start: [1] }],
+      [{ ...draft, goal: [{ kind: 'claim' }] }],
+    ])
+      expect(readWriting({ members, at: 0 })).toBeNull()
+    for (const value of [null, 3, { members: [draft], at: 1 }, { members: [{ kind: 'of this page', id: 'x' }], at: 0 }])
+      expect(readWriting(value)).toBeNull()
   })
 
   it('is a document that the reader takes', () => {

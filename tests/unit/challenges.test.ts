@@ -18,6 +18,7 @@ import {
 } from '../../web/pages/challenges/challenge'
 import { challengeFragment, readChallengeAddress } from '../../web/pages/challenges/challenge-link'
 import { challenges, type NamedChallenge } from '../../web/pages/challenges/challenges'
+import { numbersInWords } from '../../web/pages/challenges/words'
 import { caseVertices, core, unitCube } from './core-fixtures'
 
 const schema = JSON.parse(readFileSync(new URL('../../docs/challenge.schema.json', import.meta.url), 'utf8'))
@@ -213,4 +214,11 @@ describe('the twist', () => {
     expect(twistOf(unitCube.map((x, i) => (i < 12 ? x : 1))).error).toBe(360)
     expect(twistOf(Array(24).fill(0)).error).toBe(360)
   })
+})
+
+it('writes one number in one way: the volume minimum is a fraction where the boundary minimum is', () => {
+  const challenge = readOf(challenges.find(({ id }) => id === 'lower-inside'))
+  const report = core.analyze(challenge.start)
+  const [condition] = challenge.goal
+  expect(report.ok && condition && numbersInWords(condition, report.value, challenge.start)).toBe('−1/8 and −1/8')
 })

@@ -52,7 +52,8 @@ describe('the manifest', () => {
     const used = new Set([...styles.matchAll(/--hl-[\w-]+/g)].map(([name]) => name))
     used.delete('--hl-scheme') // follows the attribute theme
     expect(names('cssProperties').sort()).toEqual([...used].sort())
-    expect(names('slots')).toEqual(['', 'caption'])
+    expect(names('slots')).toEqual(['', 'hint', 'caption'])
     expect(read('web/element/view-host.ts')).toContain('slot name="caption"')
+    expect(read('web/scene/input/controls.ts')).toContain(".name = 'hint'")
   })
 })

@@ -11,8 +11,8 @@ import {
 } from '../../web/panels/nearest/search/nearest'
 import { caseVertices, core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 
-function nearestOf(vertices: Vertices): Nearest {
-  const search = searchNearest(core, vertices)
+function nearestOf(vertices: Vertices, share = 0): Nearest {
+  const search = searchNearest(core, vertices, share)
   for (;;) {
     const { done, value } = search.next()
     if (done) return value
@@ -50,8 +50,8 @@ describe('the nearest element of the other verdict', () => {
   it('of the unit cube is where arithmetic says', () => {
     // jacdet at vertex 0 is 1 - x - y - z of its position: the plane is 1/sqrt(3) away. With all of
     // them moved it is a half: there G^T G = I + (1,1,1)(1,1,1)^T, whose greatest eigenvalue is 4.
-    const { valid, ofVertex, ofOne, ofAll } = nearestOf(unitCube)
-    expect(valid).toBe(true)
+    const { isMet, ofVertex, ofOne, ofAll } = nearestOf(unitCube)
+    expect(isMet).toBe(true)
     for (const answer of ofVertex) {
       expect(moveOf(answer).length).toBeCloseTo(1 / Math.sqrt(3), 12)
       expect(moveOf(answer).claim).toBe('least')
@@ -65,8 +65,8 @@ describe('the nearest element of the other verdict', () => {
   })
 
   it('of a cube with a vertex pushed through is behind the same plane', () => {
-    const { valid, ofVertex, ofAll } = nearestOf(pushed)
-    expect(valid).toBe(false)
+    const { isMet, ofVertex, ofAll } = nearestOf(pushed)
+    expect(isMet).toBe(false)
     expect(moveOf(ofVertex[0]).length).toBeCloseTo(1 / 2 / Math.sqrt(3), 6)
     expect(moveOf(ofVertex[0]).claim).toBe('least')
     expect(ofVertex[6]).toBe('impossible') // jacdet at vertex 0 does not know where vertex 6 is
@@ -80,17 +80,17 @@ describe('the nearest element of the other verdict', () => {
       const vertices = randomHexahedron(random, sigma)
       const nearest = nearestOf(vertices)
       for (const { vertex, vertices: found, before, length, bound, claim } of movesOf(nearest)) {
-        expect([isValid(found), isValid(before)]).toEqual([!nearest.valid, nearest.valid])
+        expect([isValid(found), isValid(before)]).toEqual([!nearest.isMet, nearest.isMet])
         const moved = found.filter((x, i) => vertex !== null && Math.floor(i / 3) !== vertex && x !== vertices[i])
         expect(moved).toEqual([])
         expect(bound).toBeLessThanOrEqual(length)
         expect(length * (1 - 2 ** -20) <= bound).toBe(claim === 'least')
-        if (nearest.valid) expect(claim).toBe('least')
-        if (claim === 'least') expect(isValid(elementAt(vertices, found, 0.5))).toBe(nearest.valid)
+        if (nearest.isMet) expect(claim).toBe('least')
+        if (claim === 'least') expect(isValid(elementAt(vertices, found, 0.5))).toBe(nearest.isMet)
         for (let n = 0; n < 50; n++) {
           const way = vertices.map((_, i) => (vertex === null || Math.floor(i / 3) === vertex ? 2 * random() - 1 : 0))
           const factor = (0.999 * bound) / Math.hypot(...way)
-          expect(isValid(vertices.map((x, i) => x + factor * entry(way, i)))).toBe(nearest.valid)
+          expect(isValid(vertices.map((x, i) => x + factor * entry(way, i)))).toBe(nearest.isMet)
           tried++
         }
       }
@@ -110,7 +110,7 @@ describe('the nearest element of the other verdict', () => {
             vertex === null || Math.floor(i / 3) === vertex ? entry(found, i) - x + noise * (2 * random() - 1) : 0,
           )
           const factor = (0.9999 * length) / Math.hypot(...way)
-          expect(isValid(vertices.map((x, i) => x + factor * entry(way, i)))).toBe(nearest.valid)
+          expect(isValid(vertices.map((x, i) => x + factor * entry(way, i)))).toBe(nearest.isMet)
         }
       }
     }
@@ -184,7 +184,7 @@ describe('the nearest element of the other verdict', () => {
     const moves = movesOf(nearest)
     expect(moves).not.toEqual([])
     for (const { vertices: found, before, length, bound } of moves) {
-      expect([isValid(found), isValid(before)]).toEqual([!nearest.valid, nearest.valid])
+      expect([isValid(found), isValid(before)]).toEqual([!nearest.isMet, nearest.isMet])
       expect(length).toBeGreaterThan(0)
       expect(bound).toBeLessThanOrEqual(length)
     }
@@ -192,7 +192,7 @@ describe('the nearest element of the other verdict', () => {
 
   it('is not looked for where there is no size, nor beyond the doubles', () => {
     const point = nearestOf(Array(24).fill(3))
-    expect([point.valid, point.ofOne, point.ofAll]).toEqual([false, null, null])
+    expect([point.isMet, point.ofOne, point.ofAll]).toEqual([false, null, null])
     const huge = nearestOf(unitCube.map(x => (2 * x - 1) * Number.MAX_VALUE))
     for (const { vertices, before } of movesOf(huge))
       expect([isValid(vertices), isValid(before)]).toEqual([false, true])
@@ -210,6 +210,74 @@ describe('the nearest element of the other verdict', () => {
     const counts = known.map(({ ofVertex }) => ofVertex.length)
     expect(counts).toEqual(counts.toSorted((a, b) => a - b))
     expect(new Set(counts)).toEqual(new Set([1, 2, 3, 4, 5, 6, 7, 8]))
+  })
+})
+
+describe('the nearest element with a relative minimum that is asked for', () => {
+  const shareOf = (vertices: Vertices) => {
+    const result = core.analyze(vertices)
+    return result.ok && result.value.valid ? (result.value.relativeMinimum as number) : Number.NEGATIVE_INFINITY
+  }
+
+  it('is where arithmetic says, from an invalid element and from a valid one', () => {
+    // With vertex 0 of the cube at (x, x, x) jacdet is 1 - 3 x there, its least, and the volume is
+    // 1 - 3/4 x. So x is to be (1 - share) / (3 (1 - share/4)).
+    for (const share of [0.125, 0.5, 0.875])
+      for (const x of [0.5, 0.32]) {
+        const { isMet, ofVertex, ofAll } = nearestOf([x, x, x, ...unitCube.slice(3)], share)
+        expect(isMet).toBe(false)
+        const move = moveOf(ofVertex[0])
+        const wanted = (1 - share) / (3 * (1 - share / 4))
+        expect(move.length).toBeCloseTo((x - wanted) * Math.sqrt(3), 6)
+        expect(move.claim).toBe('least')
+        expect(moveOf(ofAll).length).toBeLessThanOrEqual(move.length)
+        for (const found of [move, moveOf(ofAll)]) {
+          expect(shareOf(found.vertices)).toBeGreaterThanOrEqual(share)
+          expect(shareOf(found.vertices)).toBeCloseTo(share, 6)
+          expect(shareOf(found.before)).toBeLessThan(share + 2 ** -40)
+        }
+      }
+  })
+
+  it('has it, and what is shorter than the bound has not', () => {
+    const random = randomSource(20260720)
+    let tried = 0
+    for (const [sigma, share] of [
+      [0.15, 0.7],
+      [0.3, 0.1],
+    ] as const) {
+      const vertices = randomHexahedron(random, sigma)
+      const nearest = nearestOf(vertices, share)
+      expect(nearest.isMet).toBe(false)
+      for (const { vertex, vertices: found, length, bound } of movesOf(nearest)) {
+        expect(shareOf(found)).toBeGreaterThanOrEqual(share)
+        expect(bound).toBeLessThanOrEqual(length)
+        for (let n = 0; n < 50; n++) {
+          const way = vertices.map((_, i) => (vertex === null || Math.floor(i / 3) === vertex ? 2 * random() - 1 : 0))
+          const factor = (0.999 * bound) / Math.hypot(...way)
+          expect(shareOf(vertices.map((x, i) => x + factor * entry(way, i)))).toBeLessThan(share)
+          tried++
+        }
+      }
+    }
+    expect(tried).toBeGreaterThan(50)
+  })
+
+  it('is an invalid one where it is there already', () => {
+    expect(nearestOf(unitCube, 0.5).isMet).toBe(true)
+    expect(nearestOf(unitCube, 0.5).ofVertex).toEqual(nearestOf(unitCube).ofVertex)
+  })
+
+  it('scales with the element', () => {
+    const [one, other] = [1, 2 ** 40].map(factor =>
+      movesOf(
+        nearestOf(
+          pushed.map(x => x * factor),
+          0.5,
+        ),
+      ),
+    )
+    expect(other?.map(({ length }) => length / 2 ** 40)).toEqual(one?.map(({ length }) => length))
   })
 })
 

@@ -3,7 +3,6 @@ import type { Candidate, Report } from '../../web/core/report'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
 import { bernsteinRoots, hitFaces, pointUnder, referenceOf } from '../../web/scene/input/face-hit'
 import { nextCandidate } from '../../web/scene/input/probe-input'
-import { unitColumns } from '../../web/scene/overlay/probe-mark'
 import { DEFAULT_DIRECTION, type Ray, SceneCamera } from '../../web/scene/space/camera'
 import { facePoint, patchPoint, sectionCorners } from '../../web/scene/space/patches'
 import { verticesInWorld, worldOf } from '../../web/scene/space/world'
@@ -120,45 +119,6 @@ describe('roots of a quadratic in Bernstein form', () => {
     within.forEach((root, i) => {
       expect(root).toBeCloseTo(expected[i] as number, 8)
     })
-  })
-})
-
-describe('the columns as arrows', () => {
-  it('have one common factor, and the longest is 1 long', () => {
-    const columns = [
-      [3, 0, 4],
-      [0, -2.5, 0],
-      [0, 0, 0],
-    ] as const
-    expect(unitColumns({ columns, axisExponents: [0, 0, 0] })).toEqual([
-      [0.6, 0, 0.8],
-      [0, -0.5, 0],
-      [0, 0, 0],
-    ])
-  })
-
-  it('take columns of any size, each axis with its own exponent', () => {
-    const columns = [
-      [1, 0, 0],
-      [0, 1, 0],
-      [0, 0, 1.5],
-    ] as const
-    expect(unitColumns({ columns, axisExponents: [3000, 2999, 0] })).toEqual([
-      [1, 0, 0],
-      [0, 0.5, 0],
-      [0, 0, 0],
-    ])
-    const tiny = columns.map(column => column.map(x => x * 2 ** -1060)) as unknown as typeof columns
-    expect(unitColumns({ columns: tiny, axisExponents: [-1500, -1500, -1500] })?.[2]).toEqual([0, 0, 1])
-  })
-
-  it('are none where all vanish', () => {
-    const columns = [
-      [0, 0, 0],
-      [0, -0, 0],
-      [0, 0, 0],
-    ] as const
-    expect(unitColumns({ columns, axisExponents: [0, 0, 0] })).toBeNull()
   })
 })
 

@@ -280,6 +280,21 @@ describe('the store', () => {
     expect(Object.is(target.state.vertices[0], -0)).toBe(true)
   })
 
+  it('has a chosen vertex once somebody chose one, until it is let go of', () => {
+    const target = dispatched()
+    expect(target.state.isVertexChosen).toBe(false)
+    target.dispatch({ type: 'select-vertex', vertex: 0 })
+    expect(target.state).toMatchObject({ selectedVertex: 0, isVertexChosen: true })
+    target.dispatch({ type: 'select-vertex', vertex: 5 })
+    target.dispatch({ type: 'select-vertex', vertex: null })
+    expect(target.state).toMatchObject({ selectedVertex: 5, isVertexChosen: false })
+    const first = createStore(unitCube, 'cube').state
+    target.dispatch({ type: 'restore', state: { ...first, selectedVertex: 4 } })
+    expect(target.state.isVertexChosen).toBe(true)
+    target.dispatch({ type: 'restore', state: first })
+    expect(target.state).toMatchObject({ selectedVertex: 0, isVertexChosen: false })
+  })
+
   it('restored keeps what is passing, but for a preview', () => {
     const samples = { points: [[0, 0.5, 1]], edges: false } as const
     const target = dispatched(sliceChange(marksSlice, { samples }), show({ order: [1, 0, 3, 2, 5, 4, 7, 6] }))

@@ -10,7 +10,7 @@ export interface Change {
 }
 
 export function changeBetween(core: Core, a: Vertices, b: Vertices, change: Change): Change {
-  const bisection = changesBetween(core, a, b, change)
+  const bisection = changesBetween(vertices => verdictOf(core, vertices), a, b, change)
   for (;;) {
     const { done, value } = bisection.next()
     if (done) return value
@@ -18,22 +18,22 @@ export function changeBetween(core: Core, a: Vertices, b: Vertices, change: Chan
 }
 
 /**
- * Bisects with the certain verdict, pausing after each; those at `near` and `far` must differ. Ends
- * early if the two are no more than `least` apart.
+ * Bisects with the certain verdict or another claim, pausing after each; those at `near` and `far`
+ * must differ. Ends early if the two are no more than `least` apart.
  */
 export function* changesBetween(
-  core: Core,
+  holds: (vertices: Vertices) => boolean,
   a: Vertices,
   b: Vertices,
   { near, far }: Change,
   least = 0,
 ): Generator<undefined, Change> {
-  const verdictNear = verdictOf(core, elementAt(a, b, near))
+  const holdsNear = holds(elementAt(a, b, near))
   let [last, first] = [near, far]
   for (;;) {
     const middle = (last + first) / 2
     if (middle === last || middle === first || Math.abs(first - last) <= least) break
-    if (verdictOf(core, elementAt(a, b, middle)) === verdictNear) last = middle
+    if (holds(elementAt(a, b, middle)) === holdsNear) last = middle
     else first = middle
     yield
   }

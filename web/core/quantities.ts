@@ -21,6 +21,7 @@ import {
   exactSubdivision,
   exactVolume,
 } from './exact/exact-numbers'
+import { approximation, lowerInside } from './inside'
 import { boundaryMaximumError, scaledJacobianError, valueError } from './number-errors'
 import type { CheckId, Report } from './report'
 
@@ -71,7 +72,10 @@ export const numbers: Readonly<Record<NumberName, NumberDescription>> = {
     sentence:
       'The least jacdet in the whole element: of a valid one the boundary minimum, of an invalid one it may be lower.',
     unit: 'jacdet',
-    shown: ({ valid, boundaryMinimum, volumeMinimum }) => (valid ? boundaryMinimum : volumeMinimum.upper),
+    shown: report => {
+      const inside = lowerInside(report)
+      return inside === null ? report.boundaryMinimum : approximation(inside).value
+    },
     roughly: volumeMinimum,
     exactly: exactVolumeMinimum,
   },

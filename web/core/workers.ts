@@ -221,16 +221,14 @@ export async function unlessAborted<T>(
   return work().finally(() => signal?.removeEventListener('abort', listener))
 }
 
-/** The memory of the lists in a message and in the objects of which it is made. */
-export function memoryOf(message: unknown): ArrayBuffer[] {
-  const found = new Set<ArrayBuffer>()
-  const look = (value: unknown): void => {
-    if (value instanceof ArrayBuffer) found.add(value)
-    else if (ArrayBuffer.isView(value)) look(value.buffer)
-    else if (typeof value === 'object' && value !== null && !Array.isArray(value)) Object.values(value).forEach(look)
-  }
-  look(message)
-  return [...found]
+/** The memory of the lists in a message and in the plain objects of which it is made. */
+export function memoryOf(message: unknown, found: ArrayBuffer[] = []): ArrayBuffer[] {
+  const value = ArrayBuffer.isView(message) ? message.buffer : message
+  if (value instanceof ArrayBuffer) {
+    if (!found.includes(value)) found.push(value)
+  } else if (typeof value === 'object' && value !== null && !Array.isArray(value))
+    for (const part of Object.values(value)) memoryOf(part, found)
+  return found
 }
 
 interface Scope {
@@ -245,21 +243,21 @@ export function serve<Start, J extends Jobs>(name: string, start: (given: Start)
   let jobs: J
   let turn: Promise<unknown> = Promise.resolve()
 
-  async function answer({ kind, given }: Request): Promise<Reply> {
+  const reply = (message: Reply) => scope.postMessage(message, memoryOf(message))
+
+  async function answer({ kind, given }: Request): Promise<void> {
     if (kind === 'start') {
-      const started = await Promise.all([start(given as Start), isInBrowser ? heldLock(name) : null])
-      jobs = started[0]
-      return { kind: 'started', lock: started[1] }
+      const [made, lock] = await Promise.all([start(given as Start), isInBrowser ? heldLock(name) : null])
+      jobs = made
+      reply({ kind: 'started', lock })
+    } else {
+      const tell = (progress: unknown) => reply({ kind: 'progress', progress })
+      reply({ kind: 'answer', answer: await jobs[kind]?.(given as never, tell as never) })
     }
-    const tell = (progress: unknown) => scope.postMessage({ kind: 'progress', progress }, [])
-    return { kind: 'answer', answer: await jobs[kind]?.(given as never, tell as never) }
   }
 
   scope.onmessage = ({ data }) => {
-    turn = turn
-      .then(() => answer(data))
-      .then(reply => scope.postMessage(reply, memoryOf(reply)))
-      .catch(reason => scope.postMessage({ kind: 'failed', message: wordsOf(reason) }, []))
+    turn = turn.then(() => answer(data)).catch(reason => reply({ kind: 'failed', message: wordsOf(reason) }))
   }
 }
 

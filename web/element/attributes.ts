@@ -1,6 +1,7 @@
 /** The attributes of `<hex-lens>`: their values, the sentences that refuse others, and what each changes. */
 
 import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import { numberText } from '../model/number-text'
 import { type Preset, presetOf, presets, presetVertices } from '../model/presets'
 import { type CameraView, type Dispatch, type State, sliceChange } from '../model/state'
 import { CONTROLS, type Control, controlsSlice } from '../views/scene-slices'
@@ -72,7 +73,7 @@ export function readAttribute<Name extends AttributeName>(
 /** The text of the attribute `vertices`, which gives these very bits back. */
 export function verticesText(vertices: Vertices): string {
   const points = Array.from({ length: COORDINATE_COUNT / 3 }, (_, v) => vertices.slice(3 * v, 3 * v + 3))
-  return points.map(point => point.map(x => (Object.is(x, -0) ? '-0' : String(x))).join(' ')).join(', ')
+  return points.map(point => point.map(numberText).join(' ')).join(', ')
 }
 
 /** 24 numbers; commas, brackets and white space stand between them. */

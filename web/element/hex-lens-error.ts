@@ -1,3 +1,4 @@
+import type { HistoryErrorCode } from '../model/history-document'
 import type { StateErrorCode } from '../model/state-document'
 
 /** The reason why an element refused its input: `code` for programs, `message` for people. */
@@ -7,6 +8,7 @@ export type HexLensErrorCode =
   | 'bad-attribute'
   | 'no-core'
   | 'no-picture'
+  | HistoryErrorCode
   | StateErrorCode
 
 export class HexLensError extends TypeError {

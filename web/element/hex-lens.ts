@@ -9,6 +9,7 @@ import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
 import { InputReader } from '../input/input-reader'
 import type { Vertices } from '../model/hexahedron'
+import { type HistoryDocument, historyDocument, readHistory } from '../model/history-document'
 import { encodePermalink } from '../model/permalink'
 import { presetOf, presets, presetVertices } from '../model/presets'
 import type { Action, Cameras } from '../model/state'
@@ -53,7 +54,19 @@ const CHANGES: ReadonlySet<Action['type']> = new Set([
 ])
 
 /** Properties that a page may have set on the element before its script came. */
-const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'theme', 'poster', 'label', 'readOnly']
+const EARLY = [
+  'history',
+  'vertices',
+  'state',
+  'preset',
+  'views',
+  'controls',
+  'camera',
+  'theme',
+  'poster',
+  'label',
+  'readOnly',
+]
 
 /**
  * @summary One trilinear hexahedron to drag, coloured by its Jacobian determinant, with a certain
@@ -66,8 +79,8 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
  * @attr {a preset’s id} [preset=looks-fine] - The element to start from. If `vertices` is there
  *   too, Reset goes back to the preset.
  * @attr {a list of words, or `all`} [views=scene verdict] - What is shown: `scene`, `verdict`,
- *   `toolbar`, `proof`, `checks`, `vertices`, and the panels that open on request: `face-maps`,
- *   `algorithm`, `inside`, `node-order`, `morph`, `paste`, `take-away`, `embed`. The pages of
+ *   `toolbar`, `checks`, `proof`, `vertices`, and the panels that open on request: `face-maps`,
+ *   `algorithm`, `inside`, `morph`, `node-order`, `paste`, `take-away`, `embed`. The pages of
  *   Hexlens add `nearest`; elsewhere the word is ignored. With the scene and the verdict alone, the
  *   verdict is a line or two below the scene.
  * @attr {a list of words, `all` or `none`} [controls=all] - Buttons of the scene: `faces`,
@@ -92,6 +105,9 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
  *   and so on), `core-failed`, `no-webgl`, `context-lost`, `input-refused`, `not-read`.
  *
  * @slot - Shown until the element is drawn, and where it never is: without JavaScript, for one.
+ * @slot hint - Words of the page’s own in the scene, where it has room for its legend. They stand in
+ *   the legend’s place, and arrows around a handle show that it can be dragged, until the reader
+ *   first moves a vertex.
  * @slot caption - Below the element, in the page’s own style.
  *
  * @csspart lens - The whole element.
@@ -106,15 +122,16 @@ const EARLY = ['vertices', 'state', 'preset', 'views', 'controls', 'camera', 'th
  * @csspart toolbar
  * @csspart problems
  * @csspart announcer
- * @csspart proof
  * @csspart checks
+ * @csspart minimum - Shown with the verdict: the numbers behind it.
+ * @csspart proof
  * @csspart vertices
  * @csspart face-maps
  * @csspart algorithm
  * @csspart inside
- * @csspart node-order
- * @csspart morph
  * @csspart nearest - On the pages of Hexlens only.
+ * @csspart morph
+ * @csspart node-order
  * @csspart paste
  * @csspart reading - Beside the verdict where `paste` is among the views: what was read, and the
  *   cells to choose from.
@@ -151,6 +168,7 @@ export class HexLens extends ReflectingElement {
     permalink: () => this.permalink,
     figure: name => this.#views.figure(name),
     input: {
+      isWelcome: () => this.#input.isWelcome(),
       read: input => this.#input.read(input),
       close: () => this.#input.close(),
       show: (cell, order) => this.#input.show(cell, order),
@@ -257,6 +275,23 @@ export class HexLens extends ReflectingElement {
     const result = readState(given, knownPanels(HexLens.composition.panels))
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
     this.#dispatch({ type: 'restore', state: result.value })
+  }
+
+  /**
+   * The elements that undo and redo lead to, as plain data to keep as JSON, every bit of it:
+   * `docs/history.schema.json`. Of a gesture that still runs it has where that began. An assignment
+   * takes the place of all steps and shows their present element; what is set after it is a step.
+   * Version 1 can always be read. A later one throws HexLensError with the code `unknown-version`,
+   * anything else outside the schema with another.
+   */
+  get history(): HistoryDocument {
+    return historyDocument(this.#store.history)
+  }
+
+  set history(given: HistoryDocument) {
+    const result = readHistory(given)
+    if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
+    this.#dispatch({ type: 'take-history', history: result.value })
   }
 
   /** The id of the preset that the element started from. Throws HexLensError if given another text. */

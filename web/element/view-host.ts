@@ -83,7 +83,8 @@ export class ViewHost {
     const has = (region: Panel['region']) => shown.some(panel => panel.region === region)
     this.lens.classList.toggle('has-panel', panels.length > 0)
     this.lens.classList.toggle('has-folds', has('folds'))
-    this.lens.classList.toggle('has-line', panels.length === 1 && panels[0]?.name === 'verdict')
+    const isVerdicts = (panel: Panel) => panel.name === 'verdict' || panel.with === 'verdict'
+    this.lens.classList.toggle('has-line', panels.length > 0 && panels.every(isVerdicts))
     this.lens.classList.toggle('has-stage', has('stage'))
   }
 

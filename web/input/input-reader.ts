@@ -38,6 +38,10 @@ export class InputReader implements InputHost {
     this.#taker = taker
   }
 
+  isWelcome(): boolean {
+    return this.#taker.isWelcome()
+  }
+
   /** Listens for what is pasted or dropped anywhere in an element; `lens` shows where a drop will be taken. */
   listen(shadow: ShadowRoot, lens: HTMLElement): void {
     const onInput = (input: PastedInput | null) => input !== null && this.read(input)

@@ -43,6 +43,8 @@ export interface ShownCell {
 
 /** Requests of views. */
 export interface InputHost {
+  /** True if this element reads what is pasted into it. */
+  isWelcome(): boolean
   read(input: PastedInput): void
   /** Ends what is under way, or puts away what was read. */
   close(): void

@@ -2,6 +2,7 @@
 
 import type { Vertices } from '../model/hexahedron'
 import { type NodeOrder, nodeOrders } from '../model/node-orders'
+import { readNumber } from '../model/number-text'
 import { firstBlocks, type Mesh } from './mesh'
 import type { MeshCheck, Standing } from './mesh-check'
 import { shown } from './shown'
@@ -99,16 +100,15 @@ export class CheckedCells {
     return this.#columns.worst.indexOf(cell)
   }
 
-  /** The next cell after `after` that the file calls so, from the first again behind the last; null if there is none. */
+  /**
+   * The next cell after `after` that the file calls so, from the first again behind the last; null if
+   * there is none. Where ids are numbers, `id` is one however it is written.
+   */
   find(id: string, after = -1): number | null {
     const { ids } = this.#columns
     const count = this.count
     const isIt =
-      ids === null
-        ? (cell: number) => String(cell) === id
-        : ids instanceof Float64Array
-          ? isNumber(ids, Number(id === '' ? Number.NaN : id))
-          : isName(ids, new TextEncoder().encode(id))
+      ids === null || ids instanceof Float64Array ? isNumber(ids, id) : isName(ids, new TextEncoder().encode(id))
     for (let step = 1; step <= count; ++step) {
       const cell = (after + step) % count
       if (isIt(cell)) return cell
@@ -145,8 +145,10 @@ export class CheckedCells {
   }
 }
 
-function isNumber(ids: Float64Array, wanted: number): (cell: number) => boolean {
-  return cell => ids[cell] === wanted
+/** Without ids the index is the number. */
+function isNumber(ids: Float64Array | null, id: string): (cell: number) => boolean {
+  const wanted = readNumber(id)
+  return cell => wanted.ok && (ids === null ? cell : ids[cell]) === wanted.value
 }
 
 function isName({ bytes, ends }: PackedNames, wanted: Uint8Array): (cell: number) => boolean {

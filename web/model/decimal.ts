@@ -146,7 +146,8 @@ function shownDigits(mantissa: number, exponent: number, rounding: Rounding): Ro
     : coarse
 }
 
-function spoken(text: string): string {
+/** A number as it is printed, in ASCII. */
+export function spoken(text: string): string {
   return text
     .replace('×10', 'e')
     .replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹]/g, digit => String(SUPERSCRIPTS.indexOf(digit)))

@@ -5,7 +5,7 @@
  * "-0".
  */
 import { COORDINATE_COUNT, type Vertices } from './hexahedron'
-import { Refusal } from './result'
+import { type CodedError, Refusal, type Result, refused } from './result'
 
 export type Coordinate = number | '-0'
 
@@ -99,6 +99,26 @@ export function object(value: unknown, path: string): Readonly<Record<string, un
   if (typeof value !== 'object' || value === null || Array.isArray(value))
     throw new Refusal(`${path} has to be an object.`)
   return value as Record<string, unknown>
+}
+
+/** Reads a document by its version: a later one is refused as that, what is no such document with `code`. */
+export function readVersion<T, const Code extends string>(
+  name: string,
+  code: Code,
+  known: number,
+  given: unknown,
+  read: () => T,
+): Result<T, CodedError<Code | 'unknown-version'>> {
+  try {
+    const { version } = object(given, name)
+    if (typeof version === 'number' && version > known)
+      return refused('unknown-version', `The ${name} is of version ${version}, which is not known here.`)
+    if (version !== known) throw new Refusal(`The ${name}’s version has to be ${known}.`)
+    return { ok: true, value: read() }
+  } catch (reason) {
+    if (reason instanceof Refusal) return refused(code, reason.message)
+    throw reason
+  }
 }
 
 export function list(value: unknown, path: string, length?: number): readonly unknown[] {

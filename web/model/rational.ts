@@ -55,6 +55,35 @@ export function scaledInteger(integer: bigint, exponent: number): Rational {
     : { numerator: integer, denominator: 1n << BigInt(-exponent) }
 }
 
+/** "12.5e-3" as the fraction that it is; null if its exponent is beyond the greatest one, either way. */
+export function decimalFraction(text: string, greatestExponent: number): Rational | null {
+  const [digits = '', power = '0'] = text.toLowerCase().split('e')
+  const [whole = '', fraction = ''] = digits.split('.')
+  const exponent = Number(power) - fraction.length
+  if (!(Math.abs(exponent) <= greatestExponent)) return null
+  const integer = BigInt(whole + fraction)
+  const tens = 10n ** BigInt(Math.abs(exponent))
+  return exponent < 0 ? { numerator: integer, denominator: tens } : { numerator: integer * tens, denominator: 1n }
+}
+
+/** The double nearest to a fraction that is not negative, half to even; infinity beyond the largest. */
+export function nearestDouble({ numerator, denominator }: Rational): number {
+  // 2^(lead - 1) < value < 2^(lead + 1), so the quotient has 53 or 54 bits, or is subnormal.
+  const lead = bitLength(numerator) - bitLength(denominator)
+  const isBelow = scaledUp(numerator, -lead) < scaledUp(denominator, lead)
+  const unit = Math.max(lead - (isBelow ? 53 : 52), -1074)
+  const [dividend, divisor] = [scaledUp(numerator, -unit), scaledUp(denominator, unit)]
+  const quotient = dividend / divisor
+  const twice = 2n * (dividend - quotient * divisor)
+  const isUp = twice > divisor || (twice === divisor && (quotient & 1n) === 1n)
+  // At most 2^53, so exact; a power of two beyond 2^1023 is taken in two steps.
+  return Number(isUp ? quotient + 1n : quotient) * 2 ** Math.min(unit, 900) * 2 ** Math.max(unit - 900, 0)
+}
+
+function scaledUp(integer: bigint, exponent: number): bigint {
+  return exponent > 0 ? integer << BigInt(exponent) : integer
+}
+
 const double = new DataView(new ArrayBuffer(8))
 
 /** A finite double as integer * 2^exponent, exactly. */

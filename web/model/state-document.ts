@@ -11,17 +11,17 @@ import {
   described,
   indexBelow,
   list,
-  object,
   oneOf,
   orNull,
   type Reader,
   reader,
+  readVersion,
   record,
   type Schema,
   text,
 } from './document-readers'
 import { VERTEX_COUNT, type Vec3, type Vertices } from './hexahedron'
-import { type CodedError, Refusal, type Result, refused } from './result'
+import { type CodedError, Refusal, type Result } from './result'
 import { type AnySlice, type Cameras, type CameraView, type LastingState, sliceOf } from './state'
 import { SHOWN_FIRST } from './store'
 
@@ -57,24 +57,16 @@ export function stateDocument(state: LastingState, { names, slices }: KnownPanel
 
 /** Reads what `stateDocument` or a person wrote, or what JSON.parse made of it. */
 export function readState(given: unknown, { names, slices }: KnownPanels): StateResult {
-  try {
-    const { version } = object(given, 'state')
-    if (typeof version === 'number' && version > STATE_VERSION)
-      return refused('unknown-version', `The state is of version ${version}, which is not known here.`)
-    if (version !== STATE_VERSION) throw new Refusal(`The state’s version has to be ${STATE_VERSION}.`)
+  return readVersion('state', 'malformed-state', STATE_VERSION, given, () => {
     const { camera, referenceCamera, start, ...shown } = elementReader(names)(given, 'state')
     const kept = slices.map(slice => [slice.name, sliceReader(slice)(given, 'state')])
-    const state = {
+    return {
       ...shown,
       start: (start as Vertices | undefined) ?? shown.vertices,
       cameras: { camera, referenceCamera },
       slices: Object.fromEntries(kept),
     }
-    return { ok: true, value: state }
-  } catch (reason) {
-    if (reason instanceof Refusal) return refused('malformed-state', reason.message)
-    throw reason
-  }
+  })
 }
 
 /** JSON Schema of all that a document has. */

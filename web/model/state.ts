@@ -24,18 +24,32 @@ export interface Cameras {
 /** Vertices set before the first frame are where the element starts; later each change is a step. */
 export type Phase = 'starting' | 'begun'
 
-export interface State {
+/** What a step changes. */
+export interface Snapshot {
   readonly vertices: Vertices
-  /** The preset the element started from, by id; null when it came from elsewhere. */
+  /** The preset that the element started from, by id; null when it came from elsewhere. */
   readonly preset: string | null
   /** Reset returns to these. */
   readonly start: Vertices
+}
+
+/** The elements that undo and redo go through, in order; undo goes back from the present one. */
+export interface History {
+  readonly elements: readonly Snapshot[]
+  /** Index of the present one. */
+  readonly present: number
+}
+
+export interface State extends Snapshot {
   readonly phase: Phase
   /** Vertices as they were when the running gesture began; null between gestures. */
   readonly gestureStart: Vertices | null
   readonly canUndo: boolean
   readonly canRedo: boolean
+  /** The vertex that keys move. */
   readonly selectedVertex: number
+  /** False until the reader, or a page, chooses a vertex: no view then shows one as chosen. */
+  readonly isVertexChosen: boolean
   readonly referenceCube: ReferenceCube
   /** The cameras last asked for, not as the reader turned them since; a new object each time, null before. */
   readonly cameras: Cameras | null
@@ -50,7 +64,10 @@ export interface State {
 }
 
 /** State that outlives the page: no gestures, history, author's limits, and slices with readers alone. */
-export type LastingState = Omit<State, 'phase' | 'gestureStart' | 'canUndo' | 'canRedo' | 'probe' | 'isReadonly'>
+export type LastingState = Omit<
+  State,
+  'phase' | 'gestureStart' | 'canUndo' | 'canRedo' | 'isVertexChosen' | 'probe' | 'isReadonly'
+>
 
 export type Action =
   /** One vertex to a place. Inside a gesture it adds to that gesture's one undo step, outside it is a step of its own. */
@@ -76,15 +93,18 @@ export type Action =
   | { readonly type: 'undo' }
   | { readonly type: 'redo' }
   | { readonly type: 'reset' }
-  | { readonly type: 'select-vertex'; readonly vertex: number }
+  /** Null: none is chosen any more; keys still move the one that was. */
+  | { readonly type: 'select-vertex'; readonly vertex: number | null }
   | { readonly type: 'show-reference-cube'; readonly referenceCube: ReferenceCube }
   | { readonly type: 'open-panel'; readonly panel: string; readonly isOpen: boolean }
   | { readonly type: 'look'; readonly cameras: Cameras | null }
   | { readonly type: 'probe'; readonly point: Vec3 | null }
   | { readonly type: 'change-slice'; readonly slice: AnyPassingSlice; readonly change: object }
   | { readonly type: 'set-readonly'; readonly isReadonly: boolean }
-  /** Everything at once; what this changes of the element is one step to undo. */
+  /** Everything but the history at once; what this changes of the element is one step to undo. */
   | { readonly type: 'restore'; readonly state: LastingState }
+  /** Its present element and its steps take the place of all that there are. */
+  | { readonly type: 'take-history'; readonly history: History }
 
 export type Dispatch = (action: Action) => void
 

@@ -14,17 +14,19 @@ import {
   vertexReference,
   withVertex,
 } from './hexahedron'
-import { type Action, type LastingState, type Phase, type State, sliceOf } from './state'
+import { type Action, type History, type LastingState, type Phase, type Snapshot, type State, sliceOf } from './state'
 
 export interface Store {
   /** The state now: a new object after every change, never mutated. */
   readonly state: State
+  /** All elements that undo and redo lead to; of a gesture that still runs, where it began. */
+  readonly history: History
   /**
    * Applies one action. In short:
    * - `begin-gesture` commits a gesture that still runs; commit and cancel without a gesture do nothing.
    * - `undo` in a gesture that moved something takes back that gesture alone; in one that did not, the step before it.
    * - `redo`, `reset` in a gesture cancel it first.
-   * - `restore` cancels a gesture that still runs.
+   * - `restore` and `take-history` cancel a gesture that still runs.
    * - `set-vertices` makes the given element the one that `reset` goes back to; undo brings back the earlier one. Numbers that are
    *   already there change nothing, unless they are now called by a preset's name.
    *
@@ -37,18 +39,12 @@ export interface Store {
 /** Undo steps kept; a page that animates an element for hours must not fill the memory. */
 export const HISTORY_LIMIT = 1000
 
-/** Undo and redo go from one to another. */
-interface Snapshot {
-  readonly vertices: Vertices
-  readonly preset: string | null
-  readonly start: Vertices
-}
-
 type Shown = Omit<State, keyof Snapshot | 'phase' | 'gestureStart' | 'canUndo' | 'canRedo'>
 
 /** The state of a new element. */
 export const SHOWN_FIRST: Shown = {
   selectedVertex: 0,
+  isVertexChosen: false,
   referenceCube: 'unit',
   cameras: null,
   probe: null,
@@ -62,6 +58,8 @@ export function createStore(vertices: Vertices, preset: string | null, firstPhas
   const start = accepted(vertices)
   let present: Snapshot = { vertices: start, preset, start }
   let phase = firstPhase
+  /** Steps are kept from the first frame on; with a history, at once. */
+  let isRecording = phase === 'begun'
   let past: readonly Snapshot[] = []
   let future: readonly Snapshot[] = []
   let gestureStart: Snapshot | null = null
@@ -83,7 +81,7 @@ export function createStore(vertices: Vertices, preset: string | null, firstPhas
   }
 
   function record(before: Snapshot): void {
-    if (phase === 'starting') return
+    if (!isRecording) return
     past = [...past, before].slice(-HISTORY_LIMIT)
     future = []
   }
@@ -153,6 +151,7 @@ export function createStore(vertices: Vertices, preset: string | null, firstPhas
       }
       case 'begin':
         phase = 'begun'
+        isRecording = true
         break
       case 'begin-gesture':
         commit()
@@ -175,7 +174,11 @@ export function createStore(vertices: Vertices, preset: string | null, firstPhas
         change({ ...present, vertices: kept(present.vertices, present.start) })
         break
       case 'select-vertex':
-        shown = { ...shown, selectedVertex: checkedVertex(action.vertex) }
+        shown = {
+          ...shown,
+          selectedVertex: checkedVertex(action.vertex ?? shown.selectedVertex),
+          isVertexChosen: action.vertex !== null,
+        }
         break
       case 'show-reference-cube':
         shown = { ...shown, referenceCube: action.referenceCube }
@@ -206,6 +209,10 @@ export function createStore(vertices: Vertices, preset: string | null, firstPhas
         cancel()
         restore(action.state)
         break
+      case 'take-history':
+        cancel()
+        takeHistory(action.history)
+        break
     }
   }
 
@@ -214,7 +221,18 @@ export function createStore(vertices: Vertices, preset: string | null, firstPhas
     const began = kept(present.start, accepted(start))
     change({ vertices: kept(present.vertices, kept(began, accepted(vertices))), preset, start: began })
     endSlices()
-    shown = { ...shown, ...others, slices: { ...shown.slices, ...slices }, probe: null }
+    // The first vertex is everybody's who chose none.
+    const isVertexChosen = others.selectedVertex !== SHOWN_FIRST.selectedVertex
+    shown = { ...shown, ...others, isVertexChosen, slices: { ...shown.slices, ...slices }, probe: null }
+  }
+
+  /** The reader of the history has checked it. */
+  function takeHistory({ elements, present: index }: History): void {
+    const next = elements[index] as Snapshot
+    past = elements.slice(0, index)
+    present = { ...next, vertices: kept(present.vertices, next.vertices), start: kept(present.start, next.start) }
+    future = elements.slice(index + 1).toReversed()
+    isRecording = true
   }
 
   function endSlices(): void {
@@ -226,6 +244,9 @@ export function createStore(vertices: Vertices, preset: string | null, firstPhas
   return {
     get state() {
       return state
+    },
+    get history() {
+      return { elements: [...past, gestureStart ?? present, ...future.toReversed()], present: past.length }
     },
     dispatch(action) {
       const { vertices } = present

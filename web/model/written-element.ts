@@ -1,5 +1,7 @@
 /** The parts that all texts of the export share. */
+
 import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf } from './hexahedron'
+import { numberText } from './number-text'
 
 /** A text that an element can be taken away as. Reading it back gives the vertices bit for bit. */
 export interface Writer {
@@ -18,6 +20,6 @@ export function pointsOf(vertices: Vertices): Vec3[] {
 
 /** The shortest decimal that reads back as the same double, always with a point or an exponent: a bare -0 is an integer to many. */
 export function decimalText(value: number): string {
-  const text = Object.is(value, -0) ? '-0' : String(value)
+  const text = numberText(value)
   return /[.e]/.test(text) ? text : `${text}.0`
 }

@@ -2,11 +2,11 @@
 import { coreFiles } from '../core/core-files'
 import { define } from '../element/define'
 import { panels } from '../panels/list'
+import { morph } from '../panels/morph'
 import { nearest } from '../panels/nearest'
-import { paste } from '../panels/paste'
 
 define({
   core: coreFiles,
-  panels: panels.toSpliced(panels.indexOf(paste), 0, nearest),
+  panels: panels.toSpliced(panels.indexOf(morph), 0, nearest),
   readingWorker: async () => (await import('../input/worker-file')).startReadingWorker,
 })

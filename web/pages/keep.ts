@@ -20,10 +20,27 @@ type Shelf = Pick<Storage, 'getItem' | 'setItem' | 'removeItem'>
 /** Each may throw: a browser can refuse to hand its storages out. */
 export interface Shelves {
   readonly tab: () => Shelf
-  readonly latest: () => Shelf
+  /** Null if a new tab begins with nothing. */
+  readonly latest: (() => Shelf) | null
 }
 
-const BROWSER: Shelves = { tab: () => sessionStorage, latest: () => localStorage }
+/** What is of no use to another tab. */
+export const TAB_ALONE: Shelves = { tab: () => sessionStorage, latest: null }
+const BROWSER: Shelves = { ...TAB_ALONE, latest: () => localStorage }
+
+const PREFIX = 'hexlens-'
+
+/** Forgets all that this browser keeps for Hexlens, but for other tabs' own work. */
+export function forgetAll(shelves: readonly (() => Storage)[] = [() => sessionStorage, () => localStorage]): void {
+  for (const shelf of shelves)
+    try {
+      const storage = shelf()
+      const keys = Array.from({ length: storage.length }, (_, i) => storage.key(i))
+      for (const key of keys) if (key?.startsWith(PREFIX)) storage.removeItem(key)
+    } catch {
+      // Nothing is stored there.
+    }
+}
 
 export class Keeper<Work> {
   readonly #key: string
@@ -36,7 +53,7 @@ export class Keeper<Work> {
    * lost. `read` checks what comes back from the storage: null if it is not such work.
    */
   constructor(name: string, version: number, read: (value: unknown) => Work | null, shelves = BROWSER) {
-    this.#key = `hexlens-${name}-${version}`
+    this.#key = `${PREFIX}${name}-${version}`
     this.#read = read
     this.#shelves = shelves
   }
@@ -53,7 +70,8 @@ export class Keeper<Work> {
 
   /** This tab's work or, in a tab that has none, the latest of all tabs. */
   found(): Work | null {
-    return this.own() ?? this.#from(this.#shelves.latest)
+    const { latest } = this.#shelves
+    return this.own() ?? (latest && this.#from(latest))
   }
 
   /** Takes the place of this tab's work. Work is JSON, and its numbers come back bit for bit. */
@@ -62,15 +80,16 @@ export class Keeper<Work> {
     this.#keeping = this.#put(this.#shelves.tab, text)
     // Older work must not come back as the tab's own.
     if (this.#keeping === 'full') this.#remove(this.#shelves.tab)
-    this.#put(this.#shelves.latest, text)
+    if (this.#shelves.latest) this.#put(this.#shelves.latest, text)
     return this.#keeping
   }
 
   /** Forgets this tab's work; the latest of all tabs only if it is this one. */
   forget(): void {
-    const text = this.#text(this.#shelves.tab)
-    if (text !== null && text === this.#text(this.#shelves.latest)) this.#remove(this.#shelves.latest)
-    this.#remove(this.#shelves.tab)
+    const { tab, latest } = this.#shelves
+    const text = this.#text(tab)
+    if (latest && text !== null && text === this.#text(latest)) this.#remove(latest)
+    this.#remove(tab)
   }
 
   #from(shelf: () => Shelf): Work | null {

@@ -1,5 +1,6 @@
 /** JSON Schemas of the documents that people write; tools/element-reference.mjs puts them into docs/. */
 
+import { historySchema } from '../model/history-document'
 import { stateSchema } from '../model/state-document'
 import { panels } from '../panels/list'
 import { nearest } from '../panels/nearest'
@@ -16,6 +17,13 @@ export const stateJsonSchema = {
   title: 'State of a <hex-lens> element, version 1',
   description: `What \`element.state\` gives and takes. ${FOR_EVER} A missing key means what a new element shows. Panels that a reader does not know are ignored.`,
   ...stateSchema(knownPanels([...panels, nearest])),
+}
+
+export const historyJsonSchema = {
+  ...DIALECT,
+  title: 'History of a <hex-lens> element, version 1',
+  description: `What \`element.history\` gives and takes: the elements that undo and redo lead to. ${FOR_EVER}`,
+  ...historySchema(),
 }
 
 export const challengeJsonSchema = {

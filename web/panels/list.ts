@@ -6,6 +6,7 @@ import { checks } from './checks'
 import { embed } from './embed'
 import { faceMaps } from './face-maps'
 import { inside } from './inside'
+import { minimum } from './minimum'
 import { morph } from './morph'
 import { nodeOrder } from './node-order'
 import type { Panel } from './panel'
@@ -24,14 +25,15 @@ export const panels: readonly Panel[] = [
   announcer,
   reading,
   verdict,
-  proof,
   checks,
+  minimum,
+  proof,
   vertices,
   faceMaps,
   algorithm,
   inside,
-  nodeOrder,
   morph,
+  nodeOrder,
   paste,
   takeAway,
   embed,

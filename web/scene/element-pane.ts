@@ -1,5 +1,6 @@
 /** The element in physical space, with vertices to move. */
 import type { JacobianReport } from '../core/report'
+import { formatJacdet } from '../model/decimal'
 import type { Vec3 } from '../model/hexahedron'
 import { type State, sliceOf } from '../model/state'
 import { previewSlice } from '../views/scene-slices'
@@ -78,8 +79,10 @@ export class ElementPane extends Pane {
     this.overlay.update({ state, preview, report, world, camera, handles, drag: this.#drag, taken })
   }
 
-  updateProbe(probe: JacobianReport | null, { referenceCube }: State, layout: PaneLayout): void {
-    this.overlay.updateProbe(probe, this.world, this.camera, layout.readout)
+  /** `colour` is that of jacdet at the probe. */
+  updateProbe(probe: JacobianReport | null, colour: string, { referenceCube }: State, layout: PaneLayout): void {
+    const words = probe ? `volume × ${formatJacdet(probe.jacdet, probe.exponent, referenceCube)}` : ''
+    this.overlay.updateProbe(probe, { colour, words }, layout.readout)
     this.#readout.update(probe, referenceCube, layout)
   }
 

@@ -15,11 +15,16 @@ const CUBE = vertexReference.flat()
 const WORLD = worldOf(CUBE)
 const CORNERS = verticesInWorld(WORLD, CUBE)
 const INSETS = { top: 56, right: 44, bottom: 72, left: 44 }
-const AXES: readonly [Vec3, Vec3, Vec3] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-]
+const IDENTITY = {
+  columns: [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+  axisExponents: [0, 0, 0],
+  jacdet: 1,
+  exponent: 0,
+} as const
 
 const HELP =
   'Drag or the arrow keys turn it, plus and minus zoom, F fits. Point at a face, or tap it, and the same point is marked in space. P points at the minimizer, then at one candidate after another.'
@@ -96,10 +101,11 @@ export class ReferenceCube extends Pane {
     })
   }
 
-  /** The columns of the map's derivative are the images of the axes. */
-  updateProbe(probe: JacobianReport | null): void {
-    const inCube = probe && { ...probe, position: probe.point, columns: AXES, axisExponents: [0, 0, 0] as const }
-    this.overlay.updateProbe(inCube, WORLD, this.camera)
+  /** The columns of the map's derivative are the images of the axes; of the map to the cube itself they are the axes. */
+  updateProbe(probe: JacobianReport | null, colour: string): void {
+    const { point } = probe ?? {}
+    const inCube = point && { ...IDENTITY, point, position: point }
+    this.overlay.updateProbe(inCube ?? null, { colour, words: '' })
   }
 
   fit(toDefault: boolean): void {

@@ -67,11 +67,15 @@ class Scene implements View, PaneScene {
       toggleReference: () => this.toggleReference(),
       turn: (right, up) => this.#pane.turn(right, up),
       zoom: factor => this.#pane.zoom(factor),
+      hold: held => host.dispatch(sliceChange(controlsSlice, { held })),
       showFaces: faceDisplay => host.dispatch(sliceChange(sceneSlice, { faceDisplay })),
     })
     for (const { root } of [this.#colourBar, this.#help, this.#controls, this.#spokenProbe])
       this.#pane.root.append(root)
     this.root.append(this.#painting.root, this.#pane.root)
+    const onPointer = ({ pointerType }: PointerEvent) =>
+      host.dispatch(sliceChange(controlsSlice, { byFinger: pointerType !== 'mouse' }))
+    this.root.addEventListener('pointerdown', onPointer, { capture: true })
     this.#resizes.observe(this.root)
   }
 
@@ -208,11 +212,12 @@ class Scene implements View, PaneScene {
     if (isOther || this.#pane.hasNewDrag || this.#differs(frame)) {
       this.#pane.update(frame, pane)
       this.#controls.update(state, report)
-      this.#help.show(sliceOf(controlsSlice, state).helpShown)
+      this.#help.update(sliceOf(controlsSlice, state))
       reference?.update(frame)
     }
-    this.#pane.updateProbe(probe, state, pane)
-    reference?.updateProbe(probe)
+    const colour = this.#painting.colourAt(frame)
+    this.#pane.updateProbe(probe, colour, state, pane)
+    reference?.updateProbe(probe, colour)
   }
 
   #drawColourBar({ state, report, probe }: Frame): void {

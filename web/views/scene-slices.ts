@@ -47,10 +47,40 @@ export const sceneSlice: Slice<SceneState> = {
 export const CONTROLS = ['faces', 'reference', 'turn', 'fit', 'help'] as const
 export type Control = (typeof CONTROLS)[number]
 
-/** The buttons that are there, and true if the sheet of keys is on the screen. */
-export const controlsSlice: PassingSlice<{ readonly controls: readonly Control[]; readonly helpShown: boolean }> = {
+/** What drags of a vertex are held to, by keys or by chips. */
+export interface DragKeys {
+  readonly axis: Axis | null
+  readonly depth: boolean
+  readonly snap: boolean
+}
+
+export const FREE: DragKeys = { axis: null, depth: false, snap: false }
+
+export interface ControlsState {
+  /** The buttons that are there. */
+  readonly controls: readonly Control[]
+  /** True if the help is on the screen. */
+  readonly helpShown: boolean
+  /** True if the last pointer was a finger or a pen: there may be no keys. */
+  readonly byFinger: boolean
+  /** What the chips hold drags to. */
+  readonly held: DragKeys
+}
+
+export const controlsSlice: PassingSlice<ControlsState> = {
   name: 'controls',
-  first: { controls: CONTROLS, helpShown: false },
+  first: {
+    controls: CONTROLS,
+    helpShown: false,
+    byFinger: globalThis.matchMedia?.('(pointer: coarse)').matches ?? false,
+    held: FREE,
+  },
+}
+
+/** What the chips hold a drag to now: nothing while a mouse drags. */
+export function heldByChips(state: State): DragKeys {
+  const { byFinger, held } = sliceOf(controlsSlice, state)
+  return byFinger ? held : FREE
 }
 
 export function helpToggled(state: State): Action {

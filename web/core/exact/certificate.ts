@@ -2,10 +2,17 @@
  * Proofs that jacdet is positive, or is not, which anyone can check from the definitions: docs/certificates.md. Of an invalid
  * element a rational point with jacdet <= 0; of a valid one intervals on which a condition with few signs holds.
  */
-import { bernsteinIndices } from '../../model/bernstein'
 import { edgeVertices, faces, VERTEX_COUNT, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { isLess, productOf, type Rational, scaledInteger } from '../../model/rational'
-import { type ExactJacdet, exactEdge, exactFace, exactJacdet, exactVertex } from './exact-jacdet'
+import {
+  type ExactJacdet,
+  exactEdge,
+  exactFace,
+  exactJacdet,
+  exactVertex,
+  type RationalPoint,
+  valueAt,
+} from './exact-jacdet'
 import { exactBoundarySign, faceParabolas, type Sign } from './exact-sign'
 import {
   commonDivisor,
@@ -27,8 +34,6 @@ export interface CertifiedInterval {
   readonly to: Rational
   readonly by: 'b' | '2a+b' | 'D' | 'middle'
 }
-
-export type RationalPoint = readonly [Rational, Rational, Rational]
 
 /** Every Rational is in lowest terms. */
 export type Certificate =
@@ -79,15 +84,6 @@ function lowestTerms({ numerator, denominator }: Rational): Rational {
   let [a, b] = [numerator < 0n ? -numerator : numerator, denominator]
   while (b > 0n) [a, b] = [b, a % b]
   return { numerator: numerator / a, denominator: denominator / a }
-}
-
-/** jacdet at a point of the boundary, over the ExactJacdet's power of two and its factor 4. */
-function valueAt({ bernstein }: ExactJacdet, point: RationalPoint): Rational {
-  const weights = point.map(({ numerator: x, denominator: d }) => [(d - x) * (d - x), 2n * x * (d - x), x * x])
-  const weightOf = (n: number) =>
-    weights.reduce((all, ofAxis, axis) => all * (ofAxis[bernsteinIndices[n]?.[axis] as number] as bigint), 1n)
-  const numerator = bernstein.reduce((all, coefficient, n) => all + coefficient * weightOf(n), 0n)
-  return { numerator, denominator: point.reduce((all, { denominator: d }) => all * d * d, 1n) }
 }
 
 /** A point where jacdet has the sign of the boundary minimum, -1 or 0: a vertex if one has it, else on an edge, else on a face. */

@@ -3,13 +3,15 @@
 import {
   BERNSTEIN_COUNT,
   bernsteinIndex,
+  bernsteinIndices,
   bernsteinMiddles,
   edgeBernstein,
   faceBernstein,
   vertexBernstein,
 } from '../../model/bernstein'
-import { type Axis, edgeVertices, type Vertices, vertexReference } from '../../model/hexahedron'
-import { dyadicOf } from '../../model/rational'
+import { type Axis, edgeVertices, type Vec3, type Vertices, vertexReference } from '../../model/hexahedron'
+import { dyadicOf, type Rational, scaledDouble } from '../../model/rational'
+import { rounded } from './rounding'
 
 export interface ExactJacdet {
   /** Four times the 27 coefficients, over 2^exponent; the cube's centre is left 0. */
@@ -19,6 +21,8 @@ export interface ExactJacdet {
   readonly edges: readonly IntegerVector[]
   readonly axisExponents: readonly number[]
 }
+
+export type RationalPoint = readonly [Rational, Rational, Rational]
 
 export type IntegerVector = readonly [bigint, bigint, bigint]
 
@@ -110,4 +114,20 @@ export function exactEdge({ bernstein }: ExactJacdet, edge: number): [bigint, bi
 
 export function exactVertex({ bernstein }: ExactJacdet, vertex: number): bigint {
   return bernstein[vertexBernstein[vertex] as number] as bigint
+}
+
+/** jacdet at a point of the boundary, over the ExactJacdet's power of two and its factor 4. */
+export function valueAt({ bernstein }: ExactJacdet, point: RationalPoint): Rational {
+  const weights = point.map(({ numerator: x, denominator: d }) => [(d - x) * (d - x), 2n * x * (d - x), x * x])
+  const weightOf = (n: number) =>
+    weights.reduce((all, ofAxis, axis) => all * (ofAxis[bernsteinIndices[n]?.[axis] as number] as bigint), 1n)
+  const numerator = bernstein.reduce((all, coefficient, n) => all + coefficient * weightOf(n), 0n)
+  return { numerator, denominator: point.reduce((all, { denominator: d }) => all * d * d, 1n) }
+}
+
+/** jacdet at any point of the cube, rounded: mantissa * 2^exponent. */
+export function exactValueAt(vertices: Vertices, point: Vec3): ReturnType<typeof rounded> {
+  const jacdet = exactJacdet(vertices)
+  const exactPoint = point.map(coordinate => scaledDouble(coordinate, 0)) as unknown as RationalPoint
+  return rounded(valueAt({ ...jacdet, bernstein: sixteenths(jacdet) }, exactPoint), jacdet.exponent - 4)
 }

@@ -7,6 +7,7 @@
  *     comparison  = sum { ("<" | "<=" | ">" | ">=" | "=" | "!=") sum }
  *     primary     = number | name | "(" either ")"
  */
+import { decimalFraction } from '../rational'
 import { type Enclosure, exactly } from './enclosure'
 import { CLAIMS, type Claim, NUMBERS, type NumberName } from './names'
 
@@ -216,12 +217,7 @@ function named(text: string, at: number): Node {
 
 /** A decimal as the fraction that it is. */
 function constant(text: string, at: number): NumberNode {
-  const [digits = '', power = '0'] = text.toLowerCase().split('e')
-  const [whole = '', fraction = ''] = digits.split('.')
-  const exponent = Number(power) - fraction.length
-  if (!(Math.abs(exponent) <= GREATEST_POWER)) throw new NotACondition('This number is too large or too small.', at)
-  const numerator = BigInt(whole + fraction)
-  const tens = 10n ** BigInt(Math.abs(exponent))
-  const value = exponent < 0 ? { numerator, denominator: tens } : { numerator: numerator * tens, denominator: 1n }
+  const value = decimalFraction(text, GREATEST_POWER)
+  if (value === null) throw new NotACondition('This number is too large or too small.', at)
   return { kind: 'constant', value: exactly(value) }
 }

@@ -11,6 +11,8 @@ import { written } from '../../model/document-readers'
 import { sameBits, type Vertices } from '../../model/hexahedron'
 import { Refusal } from '../../model/result'
 import { copyText } from '../../views/copy-text'
+import { Forget } from '../forget'
+import { LensWork } from '../lens-work'
 import { type Challenge, type ChallengeDocument, judged, readChallenge, readChallengeText } from './challenge'
 import { type ChallengeAddress, challengeFragment, lengthWarning, linkTo, readChallengeAddress } from './challenge-link'
 import { type Actions, type Copying, challengeColumn, listColumn, type Opened, type Place } from './column'
@@ -31,6 +33,18 @@ document.querySelector('#column')?.append(column)
 const progress = new Progress()
 const made = new MadeInSeries()
 const sheet = new Sheet()
+const work = new LensWork(lens, [lens], () => {
+  writeForm = newForm()
+  void open()
+})
+const forgetting = new Forget(draw, () => {
+  progress.forget()
+  made.forget()
+  work.forget()
+  writeForm = newForm()
+  work.open('challenges')
+})
+let writeForm = newForm()
 let studentName = ''
 let form: WriteForm | null = null
 let handedIn: HandedInView | null = null
@@ -61,43 +75,50 @@ function openAddress(asked: ChallengeAddress, problem: string | null): void {
   complaint = problem
   opened = null
   handedIn = null
-  form = null
+  form = address.kind === 'write' ? writeForm : null
   sheet.clear()
-  if (address.kind === 'write')
-    form = new WriteForm({
-      vertices: () => lens.vertices,
-      report: () => lens.report,
-      analyze: vertices => lens.analyze(vertices),
-      show: vertices => put(vertices, vertices),
-      print: (members, link) => sheet.print(members, link),
-      discardPrint: () => sheet.clear(),
-      onChange: draw,
-    })
   if (address.kind === 'challenge') openNamed(address.id, address.vertices)
   if (address.kind === 'own') openOwn(address.json, address.vertices)
   if (address.kind === 'series' && series) openSeries(series.value, address)
+  if (opened === null && handedIn === null) work.open('challenges')
   judge()
+}
+
+function newForm(): WriteForm {
+  return new WriteForm({
+    vertices: () => lens.vertices,
+    report: () => lens.report,
+    analyze: vertices => lens.analyze(vertices),
+    show: vertices => put(vertices, vertices),
+    print: (members, link) => sheet.print(members, link),
+    discardPrint: () => sheet.clear(),
+    onChange: draw,
+  })
 }
 
 function openNamed(id: string, vertices: Vertices | null): void {
   const named = challenges.find(challenge => challenge.id === id)
   const result = named && readChallenge(named)
-  if (result?.ok) begin(id, result.value, vertices, null)
+  if (result?.ok) begin({ id, name: `challenge-${id}`, challenge: result.value, vertices, place: null })
   else refuse(`There is no challenge “${id.slice(0, 40)}”.`)
 }
 
 function openOwn(json: string, vertices: Vertices | null): void {
   const result = readChallengeText(json)
-  if (result.ok) begin(null, result.value, vertices, null)
+  if (result.ok) begin({ id: null, name: `challenge-${json}`, challenge: result.value, vertices, place: null })
   else refuse(result.error.message)
 }
 
 function openSeries(value: Series, { code, at, vertices }: ChallengeAddress & { kind: 'series' }): void {
-  const { members, handedIn: given } = value
+  const { members, handedIn: elements } = value
   const member = members[at]
-  if (given) openHandedIn(handedInView(members, given))
+  if (elements) openHandedIn(handedInView(members, elements))
   else if (member === undefined) refuse(`The series has ${members.length} challenges, and none is number ${at + 1}.`)
-  else begin(member.id, member.challenge, vertices ?? made.of(code)[at]?.vertices ?? null, placeIn(code, at, members))
+  else {
+    const { id, challenge } = member
+    const name = `challenge-series-${code}-${at + 1}`
+    begin({ id, name, challenge, vertices, place: placeIn(code, at, members) })
+  }
 }
 
 function placeIn(code: string, at: number, members: readonly Member[]): Place {
@@ -107,6 +128,7 @@ function placeIn(code: string, at: number, members: readonly Member[]): Place {
 
 function openHandedIn(view: HandedInView): void {
   handedIn = view
+  work.close() // a student's elements are not the reader's work
   showHandedIn(view.shown)
   void judgedAnew(view, vertices => lens.analyze(vertices)).then(
     judgedView => {
@@ -131,7 +153,16 @@ function refuse(message: string): void {
   address = { kind: 'list' }
 }
 
-function begin(id: string | null, challenge: Challenge, vertices: Vertices | null, place: Place | null): void {
+interface Beginning {
+  readonly id: string | null
+  /** The reader's work on it is kept under this. What a link adds to that is a step. */
+  readonly name: string
+  readonly challenge: Challenge
+  readonly vertices: Vertices | null
+  readonly place: Place | null
+}
+
+function begin({ id, name, challenge, vertices, place }: Beginning): void {
   opened = {
     id,
     challenge,
@@ -145,7 +176,12 @@ function begin(id: string | null, challenge: Challenge, vertices: Vertices | nul
     toBeat: null,
     place,
   }
-  put(vertices ?? challenge.start, challenge.start)
+  const start = written(challenge.start)
+  const isFound = work.open(name, { ...lens.state, preset: null, start, vertices: start })
+  const known = isFound || place === null ? null : (made.of(place.code)[place.at]?.vertices ?? null)
+  given = lens.vertices
+  if (vertices ?? known) put((vertices ?? known) as Vertices, challenge.start)
+  else if (isFound) nameInAddress(given)
   void measureSolution(challenge)
 }
 
@@ -192,11 +228,14 @@ function settle(): void {
   const isReaders = !sameBits(vertices, given)
   if (opened.outcome === 'solved' && opened.id !== null && isReaders) keep(opened.id, opened)
   if (opened.place && isReaders && opened.outcome !== 'shown') keepInSeries(opened.place, vertices, opened.outcome)
-  if (address.kind === 'challenge' || address.kind === 'own' || address.kind === 'series') {
-    address = { ...address, vertices }
-    history.replaceState(history.state, '', `#${challengeFragment(address)}`)
-  }
+  nameInAddress(vertices)
   draw()
+}
+
+function nameInAddress(vertices: Vertices): void {
+  if (address.kind !== 'challenge' && address.kind !== 'own' && address.kind !== 'series') return
+  address = { ...address, vertices }
+  history.replaceState(history.state, '', `#${challengeFragment(address)}`)
 }
 
 function keepInSeries({ code, at, members }: Place, vertices: Vertices, outcome: Opened['outcome']): void {
@@ -295,7 +334,7 @@ function content(): TemplateResult {
   if (handedIn) return handedInColumn(handedIn, showHandedIn)
   return opened
     ? challengeColumn(opened, progress, studentName, actions)
-    : listColumn(progress, !made.isEmpty, complaint, actions)
+    : listColumn({ progress, hasMade: !made.isEmpty, complaint, actions, forgetting })
 }
 
 /** The numbers stand beside the scene where there is room: on smaller screens it would be crowded out. */

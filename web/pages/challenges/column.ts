@@ -5,6 +5,7 @@ import type { Report } from '../../core/report'
 import type { Condition } from '../../model/condition'
 import { isNumberName } from '../../model/condition/names'
 import { formatNumber } from '../../model/decimal'
+import type { Forget } from '../forget'
 import { type Challenge, type Contest, type Judgement, LIMITS } from './challenge'
 import { challengeFragment } from './challenge-link'
 import { challenges } from './challenges'
@@ -59,12 +60,16 @@ export interface Actions {
   forget(): void
 }
 
-export function listColumn(
-  progress: Progress,
-  hasMade: boolean,
-  complaint: string | null,
-  actions: Pick<Actions, 'forget'>,
-): TemplateResult {
+export interface ListProps {
+  readonly progress: Progress
+  /** True if something was made in a series. */
+  readonly hasMade: boolean
+  readonly complaint: string | null
+  readonly actions: Pick<Actions, 'forget'>
+  readonly forgetting: Forget
+}
+
+export function listColumn({ progress, hasMade, complaint, actions, forgetting }: ListProps): TemplateResult {
   return html`${complaint === null ? '' : html`<p class="complaint" role="alert">${complaint}</p>`}
     <p>
       Things to make with a hexahedron. Drag its vertices, choose one and use the arrow keys, or type its numbers. Every condition is
@@ -84,7 +89,8 @@ export function listColumn(
     <p>
       A challenge for others has a start, a goal in numbers and a few words. All of it is in a link, and so is a series of several:
       <a href=${`#${challengeFragment({ kind: 'write' })}`}>write one</a>.
-    </p>`
+    </p>
+    ${forgetting.template()}`
 }
 
 function progressInWords(progress: Progress): string {

@@ -3,8 +3,10 @@
  * stands in it by its id; of the others the one at `at` is in the form.
  */
 import { parseCondition } from '../../model/condition'
+import { NUMBERS } from '../../model/condition/names'
+import { COMPARISONS } from '../../model/condition/parse'
 import { written } from '../../model/document-readers'
-import type { Vertices } from '../../model/hexahedron'
+import { COORDINATE_COUNT, type Vertices } from '../../model/hexahedron'
 import type { Row } from '../conditions/rows'
 import { textOfRow } from '../conditions/rows'
 import { CHALLENGE_VERSION, type ChallengeDocument } from './challenge'
@@ -105,4 +107,37 @@ export function conditionsOf(rows: readonly Row[]) {
     const result = parseCondition(textOfRow(row))
     return result.ok ? result.value : null
   })
+}
+
+/** What was kept, as JSON.parse gives it; null if it is no such thing. */
+export function readWriting(value: unknown): Writing | null {
+  const { members, at } = (value ?? {}) as Partial<Writing>
+  return Array.isArray(members) &&
+    members.every(isMember) &&
+    Number.isInteger(at) &&
+    members[at as number] !== undefined
+    ? (value as Writing)
+    : null
+}
+
+function isMember(value: unknown): boolean {
+  const member = (value ?? {}) as Partial<Record<keyof Draft | 'id', unknown>>
+  if (member.kind === 'of this page') return challenges.some(({ id }) => id === member.id)
+  const areTexts = [member.title, member.text, member.hint].every(each => typeof each === 'string')
+  const areElements = [member.start, member.solution].every(each => each === null || isElement(each))
+  return member.kind === 'draft' && areTexts && areElements && Array.isArray(member.goal) && member.goal.every(isRow)
+}
+
+function isRow(value: unknown): boolean {
+  const row = (value ?? {}) as Partial<
+    Record<'kind' | 'isValid' | 'quantity' | 'comparison' | 'number' | 'text', unknown>
+  >
+  if (row.kind === 'claim') return typeof row.isValid === 'boolean'
+  if (row.kind === 'text') return typeof row.text === 'string'
+  const isKnown = [...NUMBERS].some(name => name === row.quantity) && COMPARISONS.some(sign => sign === row.comparison)
+  return row.kind === 'comparison' && isKnown && typeof row.number === 'string'
+}
+
+function isElement(value: unknown): boolean {
+  return Array.isArray(value) && value.length === COORDINATE_COUNT && value.every(Number.isFinite)
 }

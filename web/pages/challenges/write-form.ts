@@ -7,6 +7,7 @@ import { sameBits, type Vertices } from '../../model/hexahedron'
 import { Refusal } from '../../model/result'
 import { copyText } from '../../views/copy-text'
 import { chooser } from '../conditions/chooser'
+import { KEEPING_NOTES, Keeper } from '../keep'
 import { LIMITS, MOST_CHARACTERS } from './challenge'
 import { lengthWarning, linkTo } from './challenge-link'
 import { challenges } from './challenges'
@@ -19,6 +20,7 @@ import {
   documentOf,
   newDraft,
   newWriting,
+  readWriting,
   titleOf,
   type Writing,
   withDraft,
@@ -45,15 +47,17 @@ export interface FormHost {
 
 export class WriteForm {
   readonly #host: FormHost
-  #writing: Writing
+  readonly #drafts = new Keeper('writing', 1, readWriting)
+  #writing = this.#drafts.found() ?? newWriting()
+  /** What was written before a draft was discarded, until something is written again. */
+  #before: Writing | null = null
   #solution: { readonly vertices: Vertices; readonly report: Report } | null = null
   #made: { readonly members: readonly Member[]; readonly link: string } | null = null
   #said = ''
   #complaint = ''
 
-  constructor(host: FormHost, writing: Writing = newWriting()) {
+  constructor(host: FormHost) {
     this.#host = host
-    this.#writing = writing
   }
 
   column(): TemplateResult {
@@ -61,7 +65,7 @@ export class WriteForm {
     return html`<p class="quiet"><a href="#">All challenges</a></p>
       <h2 tabindex="-1" class="title">Write a challenge</h2>
       <p>
-        It is kept nowhere but in its link. What each part may be is described in
+        Its link is all that others need; the draft is kept in this browser. What each part may be is described in
         <code>docs/challenge.schema.json</code>.
       </p>
       ${this.#writing.members.length > 1 ? this.#seriesList() : ''}
@@ -77,7 +81,13 @@ export class WriteForm {
           ${challenges.map(({ id, title }) => html`<option value=${id}>${title}</option>`)}
         </select>
       </p>
-      <p class="actions"><button type="button" @click=${() => this.#make()}>Make the link</button></p>
+      <p class="actions">
+        <button type="button" @click=${() => this.#make()}>Make the link</button>
+        <button type="button" @click=${() => this.#toggleDiscarded()}>
+          ${this.#before ? 'Bring the draft back' : 'Discard the draft'}
+        </button>
+      </p>
+      <p role="status" class="quiet">${KEEPING_NOTES[this.#drafts.keeping]}</p>
       <p class="complaint" role="alert">${this.#complaint}</p>
       <p role="status" class="quiet">${this.#said}</p>
       ${
@@ -104,7 +114,7 @@ export class WriteForm {
             </button>
             <button type="button" class="small" aria-label=${`Move ${name} up`} ?disabled=${i === 0} @click=${() => this.#write(withMoved(this.#writing, i, -1))}>↑</button>
             <button type="button" class="small" aria-label=${`Move ${name} down`} ?disabled=${i === members.length - 1} @click=${() => this.#write(withMoved(this.#writing, i, 1))}>↓</button>
-            <button type="button" class="small" aria-label=${`Remove ${name}`} @click=${() => this.#write(withoutMember(this.#writing, i))}>Remove</button>
+            <button type="button" class="small" aria-label=${`Remove ${name}`} @click=${() => this.#discard(i)}>Remove</button>
           </li>`
         })}
       </ol>`
@@ -185,10 +195,25 @@ export class WriteForm {
   /** A link that was made is not this challenge's any more. */
   #write(writing: Writing): void {
     this.#writing = writing
+    this.#before = null
+    this.#drafts.keep(writing)
     this.#made = null
     this.#said = ''
     this.#host.discardPrint()
     this.#host.onChange()
+  }
+
+  #discard(index: number): void {
+    const before = this.#writing
+    this.#complaint = ''
+    this.#write(withoutMember(before, index))
+    this.#before = before
+    this.#host.onChange()
+  }
+
+  #toggleDiscarded(): void {
+    if (this.#before) this.#write(this.#before)
+    else this.#discard(this.#writing.at)
   }
 
   /** The members once the form turns to another: a start that was the element as it is then stays that element. */

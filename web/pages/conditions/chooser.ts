@@ -56,8 +56,8 @@ export function chooser({ rows, most, mostCharacters, onChange }: ChooserProps):
         aria-label="The conditions as text, one a line"
         spellcheck="false"
         autocapitalize="off"
-        .value=${live(textOfRows(rows))}
-        @change=${(event: Event) => onChange(rowsOf((event.target as HTMLTextAreaElement).value))}
+        .value=${live(typed.get(rows) ?? textOfRows(rows))}
+        @input=${(event: Event) => onChange(rowsOfTyped((event.target as HTMLTextAreaElement).value))}
       ></textarea>
       <p>They speak of:</p>
       <dl class="meanings">
@@ -67,6 +67,15 @@ export function chooser({ rows, most, mostCharacters, onChange }: ChooserProps):
         )}
       </dl>
     </details>`
+}
+
+/** Rows that were typed as text: as long as no menu changes them, the text stays as it was typed. */
+const typed = new WeakMap<readonly Row[], string>()
+
+function rowsOfTyped(text: string): readonly Row[] {
+  const rows = rowsOf(text)
+  typed.set(rows, text)
+  return rows
 }
 
 function rowTemplate(

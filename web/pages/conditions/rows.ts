@@ -4,7 +4,7 @@
  */
 import { type ConditionError, parseCondition } from '../../model/condition'
 import { NUMBERS, type NumberName } from '../../model/condition/names'
-import { COMPARISONS, type Comparison, type NumberNode } from '../../model/condition/parse'
+import type { Comparison, NumberNode } from '../../model/condition/parse'
 import type { Result } from '../../model/result'
 
 export type Row =
@@ -101,8 +101,6 @@ export const COMPARISONS_IN_WORDS: Readonly<Record<Comparison, string>> = {
   '=': '= equal to',
   '!=': '≠ other than',
 }
-
-export { COMPARISONS }
 
 function isConstant(node: NumberNode): boolean {
   switch (node.kind) {

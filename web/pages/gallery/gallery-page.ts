@@ -3,7 +3,9 @@ import { html, nothing, render, type TemplateResult } from 'lit-html'
 import { type GalleryElement, type GalleryRoom, gallery } from './gallery'
 import { elementVertices } from './gallery-vertices'
 import '../element'
+import { sameBits } from '../../model/hexahedron'
 import { encodePermalink } from '../../model/permalink'
+import { LensWork } from '../lens-work'
 import { BLANK, Pictures } from '../pictures'
 import '../skip'
 
@@ -12,6 +14,7 @@ const root = document.querySelector('.gallery') as HTMLElement
 
 const elements = gallery.flatMap(room => room.elements)
 const pictures = new Pictures(lens, root, () => schedule())
+const work = new LensWork(lens, [lens], arrive)
 
 let chosen: GalleryElement | null = null
 let redraw = 0
@@ -87,23 +90,30 @@ function complaint(): string | null {
     : `There is no “${id.slice(0, 40)}” in the gallery.`
 }
 
-/** The element that the address names, else the one in the lens, if it is of the gallery. */
-function named(): GalleryElement | undefined {
-  return elements.find(({ id }) => `#${id}` === location.hash) ?? elements.find(({ id }) => id === lens.preset)
+/** What the address names is a step after what was there. */
+function openAddress(): void {
+  const named = elements.find(({ id }) => `#${id}` === location.hash)
+  chosen = named ?? elements.find(isInLens) ?? null
+  if (named && !isInLens(named)) show(named)
+  else draw()
 }
 
-function openAddress(): void {
-  const element = named()
-  if (element) show(element)
-  else draw()
+function isInLens(element: GalleryElement): boolean {
+  return sameBits(elementVertices(element), lens.vertices)
+}
+
+function arrive(): void {
+  work.open('gallery')
+  openAddress()
 }
 
 addEventListener('hashchange', openAddress)
 // An element that the reader has changed is another one.
 lens.addEventListener('hex-change', () => {
-  if (!chosen || elementVertices(chosen).every((x, i) => x === lens.vertices[i])) return
-  chosen = null
+  if (chosen && isInLens(chosen)) return
+  chosen = elements.find(isInLens) ?? null
+  history.replaceState(history.state, '', chosen ? `#${chosen.id}` : location.pathname + location.search)
   schedule()
 })
-openAddress()
+arrive()
 if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView({ block: 'center' })

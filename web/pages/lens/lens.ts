@@ -1,16 +1,27 @@
 /**
- * The page: `<hex-lens>` with what it shows kept in the address, so that bookmark and link work, and in the session beside the
- * entry of the history, so that reload, Back and Forward return to the same place.
+ * The page: `<hex-lens>` with what it shows kept in the address, so that bookmark and link work, and beside the entry of the history,
+ * so that reload, Back and Forward return to the same place. Without an element in the address it shows the reader's last one. Undo
+ * goes on from there in any case.
  */
+import { sameBits, type Vertices } from '../../model/hexahedron'
 import { presets, presetVertices } from '../../model/presets'
 import '../element'
 import { historyStep } from '../../element/shortcuts'
 import { pastedIn } from '../../input/pasted-input'
 import { decodePermalink } from '../../model/permalink'
+import { STATE_VERSION, type StateDocument } from '../../model/state-document'
 import { entryAt, type HistoryEntry, keepEntry, presentKey } from '../history-entries'
+import { LensWork } from '../lens-work'
+import { say, unsay } from '../note'
 import { scrollOf, scrollTo } from '../scroll'
+import { showHintOnce } from './hint'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
+const work = new LensWork(lens, [lens], arrive)
+showHintOnce(lens)
+
+const FIRST = presetVertices(presets[0])
+const LAST_ELEMENT = 'Your last element.'
 
 let key = presentKey()
 /** The preset that the address is about: another one is another page to go back from. */
@@ -27,32 +38,53 @@ function settle(): void {
   before = present()
 }
 
+/** Work that was kept comes first: what the address or the entry then changes is a step in it. */
+function arrive(): void {
+  const isFound = work.open('lens')
+  const link = decodePermalink(location.hash)
+  const isNew = entryAt(key) === null
+  // A link's element is looked at as in a new lens.
+  if (isFound && isNew && link.ok && !sameBits(lens.vertices, link.value))
+    lens.state = { ...lens.state, camera: null, referenceCamera: null }
+  openAddress()
+  const { elements } = lens.history
+  if (isFound && isNew && !link.ok && (elements.length > 1 || !sameBits(lens.vertices, FIRST))) {
+    if (link.error.code === 'absent') history.replaceState(history.state, '', lens.permalink)
+    say(LAST_ELEMENT, { label: 'Start anew', press: startAnew })
+  }
+  if (isFound || link.ok) work.touch()
+}
+
+function startAnew(): void {
+  lens.state = { version: STATE_VERSION, vertices: FIRST, preset: presets[0].id } as StateDocument
+  unsay(LAST_ELEMENT)
+}
+
 function openAddress(): void {
   const link = decodePermalink(location.hash)
-  const vertices = link.ok ? link.value : link.error.code === 'absent' ? presetVertices(presets[0]) : null
+  const isAbsent = !link.ok && link.error.code === 'absent'
   const kept = entryAt(key)
-  if (vertices) {
-    if (kept) open(kept, vertices)
-    else lens.vertices = vertices
-    lens.clear('link-broken')
-  } else if (!link.ok) {
+  if (link.ok && kept) open(kept, link.value)
+  else if (link.ok) lens.vertices = link.value
+  else if (isAbsent && kept) open(kept)
+  else if (!isAbsent)
     lens.raise({ code: 'link-broken', message: `${link.error.message} The element shown is not the link’s.` })
-  }
+  if (link.ok || isAbsent) lens.clear('link-broken')
   settle()
 }
 
 /** The address has the last word on the vertices. */
-function open({ state, scroll }: HistoryEntry, vertices: readonly number[]): void {
+function open({ state, scroll }: HistoryEntry, linked: Vertices | null = null): void {
   try {
-    lens.state = { ...state, vertices }
+    lens.state = linked ? { ...state, vertices: linked } : state
     scrollTo(lens, scroll)
   } catch {
-    lens.vertices = vertices // what another version of the page kept
+    if (linked) lens.vertices = linked // what another version of the page kept
   }
 }
 
 history.scrollRestoration = 'manual'
-openAddress()
+arrive()
 addEventListener('popstate', () => {
   keepEntry(key, present())
   key = presentKey()
@@ -70,6 +102,7 @@ for (const type of ['pointerdown', 'keydown'] as const)
 
 lens.addEventListener('hex-change', () => {
   lens.clear('link-broken')
+  unsay(LAST_ELEMENT)
   if (lens.preset !== null && lens.preset !== preset) {
     keepEntry(key, before)
     history.pushState(null, '', lens.permalink)

@@ -6,7 +6,8 @@ import { render } from 'lit-html'
 import type { Report } from '../../core/report'
 import type { Lesson } from './content/lessons'
 import '../element'
-import { entryAt, type HistoryEntry, keepEntry, presentKey } from '../history-entries'
+import { entryAt, keepEntry, presentKey, type ScrollEntry } from '../history-entries'
+import { LensWork } from '../lens-work'
 import { addressOf, complaintAbout, hashOf, neighbour, type StepAddress, stepAt } from './address'
 import { type ColumnActions, column } from './column'
 import { showMeanings } from './meaning'
@@ -38,6 +39,7 @@ let heldAt = 0
 let settling = 0
 let width = innerWidth
 const stage = new Stage(main, lens, draw, onPress)
+const work = new LensWork(stage, main.querySelectorAll('hex-lens, .plane'), open)
 
 const actions: ColumnActions = {
   go,
@@ -134,7 +136,10 @@ function enter(to: StepAddress | null): void {
   address = to
   document.title = to ? `${to.lesson.title}: Hexlens lessons` : OVERVIEW_TITLE
   if (to) progress.see(to)
-  apply()
+  work.close()
+  stage.show(to && stepAt(to), to !== null && isAsked(to))
+  if (to) work.open(`lesson-${to.lesson.id}-${stepAt(to).title}`, stage.state)
+  draw()
   if (to && (isNewLesson || !own.has(to.lesson))) void analyze(to.lesson)
 }
 
@@ -180,23 +185,17 @@ function topOf(step: number): number {
 }
 
 /** The step's top in the window: on the page it depends on drawings before it, which come late. */
-function present(): HistoryEntry {
-  return { state: stage.state, scroll: address ? [topOf(address.step)] : [-scrollY] }
+function present(): ScrollEntry {
+  return { scroll: address ? [topOf(address.step)] : [-scrollY] }
 }
 
-/** Shows the step of the address, with what the reader had done when it was left. */
+/** Shows the step of the address where it was in the window. */
 function open(): void {
-  const kept = entryAt(key)
+  const kept = entryAt<ScrollEntry>(key)
   show(addressOf(location.hash))
   if (!kept) return
-  try {
-    if (address) stage.state = kept.state
-    scrollBy({ top: (address ? topOf(address.step) : 0) - (kept.scroll[0] ?? 0), behavior: 'instant' })
-    hold(address?.step ?? 0)
-    draw()
-  } catch {
-    apply() // what another version of the page kept
-  }
+  scrollBy({ top: (address ? topOf(address.step) : 0) - (kept.scroll[0] ?? 0), behavior: 'instant' })
+  hold(address?.step ?? 0)
 }
 
 /** The last step that begins above the line at which one reads. */

@@ -1,6 +1,7 @@
 /** What stands beside the column: the lens in a step with a hexahedron, the plane in one with a quadrilateral, nothing on the overview. */
 import type { Report } from '../../core/report'
-import { COORDINATE_COUNT, type Vertices } from '../../model/hexahedron'
+import type { Vertices } from '../../model/hexahedron'
+import type { HistoryDocument } from '../../model/history-document'
 import type { StateDocument } from '../../model/state-document'
 import { scrollToTop } from '../scroll'
 import { type HexahedronStep, isInPlane, type LessonStep } from './content/lessons'
@@ -41,10 +42,19 @@ export class Stage {
     return this.#shows === 'plane' ? planeState(this.#plane.vertices) : this.#lens.state
   }
 
-  /** Throws if it is not the state of what is shown. */
+  /** Throws if it is none. The plane has nothing that is not in its history. */
   set state(state: StateDocument) {
     if (this.#shows === 'lens') this.#lens.state = state
-    else if (state.vertices?.length === COORDINATE_COUNT) this.#plane.vertices = state.vertices.map(Number)
+  }
+
+  get history(): HistoryDocument {
+    return this.#shows === 'plane' ? this.#plane.history : this.#lens.history
+  }
+
+  /** Throws if it is none. */
+  set history(history: HistoryDocument) {
+    if (this.#shows === 'plane') this.#plane.history = history
+    else this.#lens.history = history
   }
 
   /** The step as it begins; null is the overview. */

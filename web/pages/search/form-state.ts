@@ -1,5 +1,6 @@
 /** The form of a search as the reader typed it, in the address and as a query. */
 
+import { readNumber } from '../../model/number-text'
 import type { Distribution, GridName } from './engine/distribution'
 import type { Query } from './engine/query'
 import { type SymmetryName, symmetries } from './engine/symmetry'
@@ -67,7 +68,8 @@ export function queryOf(form: FormState): Query {
 
 /** NaN if the text is not a number. */
 function numberOf(text: string): number {
-  return text.trim() === '' ? Number.NaN : Number(text.trim().replace('−', '-'))
+  const read = readNumber(text)
+  return read.ok ? read.value : Number.NaN
 }
 
 /** The kind's name, then the fields that differ from its own. */

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html'
 import { claims, numbers } from '../../core/quantities'
 import { VERTEX_COUNT } from '../../model/hexahedron'
+import { readNumber } from '../../model/number-text'
 import type { QueryError } from './engine/query'
 import { symmetries } from './engine/symmetry'
 import { type FormState, grids, kindOf, kinds } from './form-state'
@@ -50,15 +51,19 @@ export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): T
   const listen = (name: keyof FormState) => listener(name, onChange)
   const choice = (name: keyof FormState, label: string, options: readonly (readonly [string, string])[]) =>
     choiceTemplate(name, label, options, form, listen(name))
+  const unread = unreadNumbers(form)
+  const isWrong = (name: keyof FormState, field: QueryError['field']) =>
+    unread.length > 0 ? unread.some(each => each.name === name) : errors.some(error => error.field === field)
   const number = (name: keyof FormState, label: string, field: QueryError['field']) =>
     html`<input
       class="number"
       name=${name}
       aria-label=${label}
-      inputmode="decimal"
+      inputmode=${name === 'seed' ? 'numeric' : nothing}
       autocomplete="off"
+      spellcheck="false"
       .value=${form[name]}
-      aria-invalid=${errors.some(error => error.field === field) ? 'true' : nothing}
+      aria-invalid=${isWrong(name, field) ? 'true' : nothing}
       aria-describedby=${`${field}-error`}
       @input=${listen(name)}
     />`
@@ -103,7 +108,7 @@ export function formTemplate({ form, errors, onChange, onSubmit }: FormProps): T
         )}
         <label class="choice"><span>Seed</span>${number('seed', 'Seed', 'seed')}</label>
       </div>
-      ${complaint('distribution', errors)} ${complaint('seed', errors)}
+      ${complaint('distribution', errors, unread)} ${complaint('seed', errors, unread)}
     </fieldset>
   </form>`
 }
@@ -141,10 +146,33 @@ function errorPosition(text: string, at: number): TemplateResult {
     ><span class="said">At character ${at + 1}:</span> `
 }
 
-function complaint(field: QueryError['field'], errors: readonly QueryError[]): TemplateResult {
-  return html`<div class="complaint" id=${`${field}-error`}>
-    ${errors.filter(error => error.field === field).map(({ message }) => message)}
-  </div>`
+interface UnreadNumber {
+  readonly name: keyof FormState
+  readonly field: QueryError['field']
+  readonly message: string
+}
+
+/** The numbers that the search would use, and whose text is none. */
+function unreadNumbers(form: FormState): readonly UnreadNumber[] {
+  const used = form.law === 'normal' ? ['sigma', 'seed'] : ['least', 'greatest', 'seed']
+  return (used as (keyof FormState)[]).flatMap(name => {
+    const read = readNumber(form[name])
+    const label = name.charAt(0).toUpperCase() + name.slice(1)
+    return read.ok
+      ? []
+      : [{ name, field: name === 'seed' ? 'seed' : 'distribution', message: `${label}: ${read.error.message}` }]
+  })
+}
+
+/** Why a number is none says more than the refusal of the whole. */
+function complaint(
+  field: QueryError['field'],
+  errors: readonly QueryError[],
+  unread: readonly UnreadNumber[],
+): TemplateResult {
+  const own = unread.filter(each => each.field === field)
+  const said = own.length > 0 ? own : errors.filter(error => error.field === field)
+  return html`<div class="complaint" id=${`${field}-error`}>${said.map(({ message }) => message).join(' ')}</div>`
 }
 
 function vocabulary(): TemplateResult {

@@ -1,6 +1,7 @@
 /** An element to embed elsewhere, and the markup that the hosts' snippets share. */
 
 import type { Vertices } from '../../model/hexahedron'
+import { numberText } from '../../model/number-text'
 import type { CameraView } from '../../model/state'
 import { pointsOf } from '../../model/written-element'
 
@@ -12,14 +13,14 @@ export type ThemeName = (typeof THEMES)[number]
 export const embeddableViews = [
   { name: 'scene', title: 'Scene' },
   { name: 'verdict', title: 'Verdict' },
-  { name: 'proof', title: 'Proof' },
   { name: 'checks', title: 'Who would notice' },
+  { name: 'proof', title: 'Proof' },
   { name: 'vertices', title: 'Vertices' },
   { name: 'face-maps', title: 'Face maps' },
   { name: 'algorithm', title: 'Algorithm 1' },
   { name: 'inside', title: 'Inside' },
-  { name: 'node-order', title: 'Node order' },
   { name: 'morph', title: 'Morph' },
+  { name: 'node-order', title: 'Node order' },
   { name: 'paste', title: 'Paste or drop' },
   { name: 'take-away', title: 'Take away' },
   { name: 'toolbar', title: 'Presets, undo' },
@@ -78,7 +79,7 @@ export function cameraText({ direction: [x, y, z], zoom }: CameraView): string {
 /** Points with commas between, in the shortest decimals that read back as the same doubles. */
 export function verticesText(vertices: Vertices): string {
   return pointsOf(vertices)
-    .map(point => point.map(value => (Object.is(value, -0) ? '-0' : String(value))).join(' '))
+    .map(point => point.map(numberText).join(' '))
     .join(', ')
 }
 

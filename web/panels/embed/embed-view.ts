@@ -2,6 +2,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
+import { NumberField } from '../../views/number-field'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import css from './embed.css?inline'
@@ -11,7 +12,8 @@ import { type Host, hosts, type Snippet } from './hosts'
 export const styles = css
 
 const PICTURE = 'hexlens.png'
-const HEIGHTS = { least: 160, most: 4000, step: 20 } as const
+const HEIGHTS = { least: 160, most: 4000, isWhole: true } as const
+const HEIGHT_STEP = 20
 /** The preview's events are not those of the element around it. */
 const EVENTS = ['hex-input', 'hex-change', 'hex-verdict', 'hex-error']
 
@@ -31,6 +33,14 @@ class EmbedView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
   readonly #preview = document.createElement('hex-lens')
+  readonly #height = new NumberField({
+    name: 'Height',
+    refusalId: 'embed-refusal',
+    onRefusal: () => this.#render(),
+    limits: HEIGHTS,
+    step: HEIGHT_STEP,
+    commit: height => this.#choose({ height }),
+  })
   #choice: Choice = {
     host: hosts[0],
     views: ['scene', 'verdict'],
@@ -48,6 +58,7 @@ class EmbedView implements View {
     this.#context = context
     this.#vertices = context.state().vertices
     this.root.className = 'embed'
+    this.#height.show(this.#choice.height)
     for (const name of EVENTS) this.#preview.addEventListener(name, event => event.stopPropagation())
     this.#render()
   }
@@ -116,10 +127,7 @@ class EmbedView implements View {
             ${hosts.map(each => html`<option ?selected=${each === host}>${each.title}</option>`)}
           </select>
         </label>
-        <label>Height
-          <input type="number" min=${HEIGHTS.least} max=${HEIGHTS.most} step=${HEIGHTS.step} .value=${String(embed.height)}
-            @change=${(event: Event) => this.#chooseHeight(event.target as HTMLInputElement)}> px
-        </label>
+        <label>Height ${this.#height.input} px</label>
         <label>Colours
           <select @change=${(event: Event) => this.#choose({ theme: THEMES[selected(event).selectedIndex] ?? 'auto' })}>
             ${THEMES.map(each => html`<option ?selected=${each === theme}>${each === 'auto' ? 'as the reader’s' : each}</option>`)}
@@ -127,6 +135,7 @@ class EmbedView implements View {
         </label>
         <label><input type="checkbox" .checked=${readonly} @change=${(event: Event) => this.#choose({ readonly: isChecked(event) })}> Cannot be changed by readers</label>
       </div>
+      <p id="embed-refusal" aria-live="polite">${this.#height.refusal}</p>
       <fieldset>
         <legend>Shown</legend>
         ${embeddableViews.map(({ name, title }) => this.#viewChoice(name, title))}
@@ -165,12 +174,6 @@ class EmbedView implements View {
       <p><span>${title}</span><button type="button" aria-label=${`Copy: ${place}`} @click=${() => this.#copy(place, text)}>Copy</button></p>
       <pre tabindex="0" aria-label=${title}><code>${text}</code></pre>
     </div>`
-  }
-
-  #chooseHeight(field: HTMLInputElement): void {
-    const height = Math.round(field.valueAsNumber)
-    if (height >= HEIGHTS.least && height <= HEIGHTS.most) this.#choose({ height })
-    else this.#tell(`A height is between ${HEIGHTS.least} and ${HEIGHTS.most} pixels.`)
   }
 
   get #previewCamera(): string | null {

@@ -1,7 +1,4 @@
 import { fold } from '../fold'
 import type { Panel } from '../panel'
 
-export const embed: Panel = {
-  ...fold({ name: 'embed', title: 'Copy embed', load: () => import('./embed-view') }),
-  region: 'panel',
-}
+export const embed: Panel = fold({ name: 'embed', title: 'Copy embed', load: () => import('./embed-view') })

@@ -12,25 +12,39 @@ import { answerTo } from '../panel'
 import css from './morph.css?inline'
 import type { Morph } from './morph-answer'
 import { MorphGraph } from './morph-graph'
-import { type Ends, endsSlice, morphQuestion } from './morph-question'
+import { type Ends, endsSlice, type Follows, morphQuestion, type Way } from './morph-question'
 
 export const styles = css
 
 type End = keyof Ends
 
 const STEP = 0.001
-const ENDS: readonly { readonly end: End; readonly name: string; readonly follows: string }[] = [
-  { end: 'morphA', name: 'A', follows: 'the element that Reset goes back to' },
-  { end: 'morphB', name: 'B', follows: 'the element as it is' },
+/** Milliseconds from A to B. */
+const PLAYING_TIME = 5000
+/** Milliseconds that one frame counts at most: a page that was hidden goes on where it was. */
+const LONGEST_FRAME = 100
+/** Places that readers see who want little motion. */
+const STILL_PLACES = 8
+const ENDS: readonly { readonly end: End; readonly name: string }[] = [
+  { end: 'morphA', name: 'A' },
+  { end: 'morphB', name: 'B' },
 ]
+const FOLLOWS: Readonly<Record<Follows, string>> = {
+  start: 'the element that Reset goes back to',
+  box: 'the box around the element',
+  element: 'the element as it is',
+  dented: 'the element with vertex 6 pushed in',
+}
 
 class MorphView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
   readonly #graph = new MorphGraph()
-  #morph: Morph | null = null
+  #morph: Way | null = null
   #tau = 1
   #isSliding = false
+  /** The animation frame that is asked for, while the element plays. */
+  #playing: number | null = null
 
   constructor(context: ViewContext) {
     this.#context = context
@@ -40,7 +54,10 @@ class MorphView implements View {
   update(frame: Frame): void {
     const { state, report } = frame
     const morph = answerTo(morphQuestion, frame)
-    if (!state.openPanels.includes('morph')) return
+    if (!state.openPanels.includes('morph')) {
+      this.#commit()
+      return
+    }
     this.#morph = morph
     this.root.hidden = morph === null
     if (morph === null || report === null) return
@@ -48,9 +65,21 @@ class MorphView implements View {
     if (here !== null) this.#tau = here
     this.#graph.update(morph, here, state.referenceCube)
     const ends = sliceOf(endsSlice, state)
-    if (!isNew(this.root, morph, here, report, ends, state.referenceCube, state.gestureStart === null)) return
+    if (
+      !isNew(
+        this.root,
+        morph,
+        here,
+        report,
+        ends,
+        state.referenceCube,
+        state.gestureStart === null,
+        this.#playing === null,
+      )
+    )
+      return
     render(
-      html`<div>${this.#endsOf(ends)}</div>
+      html`<div>${this.#endsOf(ends, morph)}</div>
         ${this.#graph.root}
         <div>${this.#slider(here, report, state.referenceCube)}</div>
         <div>${this.#crossings(morph, here)}</div>`,
@@ -62,12 +91,12 @@ class MorphView implements View {
     this.#commit()
   }
 
-  #endsOf(ends: Ends): TemplateResult {
+  #endsOf(ends: Ends, { follows }: Way): TemplateResult {
     return html`<dl>
         ${ENDS.map(
-          ({ end, name, follows }) => html`<div>
+          ({ end, name }, i) => html`<div>
             <dt>${name}</dt>
-            <dd>${ends[end] === null ? follows : 'kept'}</dd>
+            <dd>${ends[end] === null ? FOLLOWS[follows[i] as Follows] : 'kept'}</dd>
             <dd><button type="button" @click=${() => this.#keep(end, this.#context.state().vertices)}>Keep as ${name}</button></dd>
           </div>`,
         )}
@@ -99,6 +128,9 @@ class MorphView implements View {
         />
       </label>
       <p class="place">
+        <button type="button" @click=${() => this.#playOrPause(here)} @keydown=${(event: KeyboardEvent) => this.#onKey(event)}>
+          ${this.#playing === null ? 'Play' : 'Pause'}
+        </button>
         ${
           here === null
             ? 'The element is not on the way from A to B. Move the slider to put it there.'
@@ -164,14 +196,55 @@ class MorphView implements View {
   }
 
   #slideTo(tau: number): void {
+    this.#halt()
     const morph = this.#morph
     if (morph === null) return
-    if (!this.#isSliding) {
-      this.#hold(morph)
-      this.#context.dispatch({ type: 'begin-gesture' })
-      this.#isSliding = true
-    }
+    this.#begin(morph)
     this.#moveTo(morph, tau)
+  }
+
+  #begin(morph: Morph): void {
+    if (this.#isSliding) return
+    this.#hold(morph)
+    this.#context.dispatch({ type: 'begin-gesture' })
+    this.#isSliding = true
+  }
+
+  /** From where the element is to B, or all the way again; one step to undo. */
+  #playOrPause(here: number | null): void {
+    const morph = this.#morph
+    if (this.#playing !== null || morph === null) {
+      this.#commit()
+      this.#context.requestFrame()
+      return
+    }
+    this.#begin(morph)
+    const places = matchMedia('(prefers-reduced-motion: reduce)').matches ? STILL_PLACES : 1 / STEP
+    let played = here === null || here === 1 ? 0 : here
+    let before: number | null = null
+    let placed: Vertices | null = null
+    const play = (time: number) => {
+      if (placed !== null && this.#context.state().vertices !== placed) {
+        this.#halt()
+        this.#isSliding = false // something else has moved the element, and ended the gesture
+        this.#context.requestFrame()
+        return
+      }
+      played += before === null ? 0 : Math.min(time - before, LONGEST_FRAME) / PLAYING_TIME
+      before = time
+      const tau = Math.min(1, Math.floor(played * places) / places)
+      if (placed === null || tau !== this.#tau) this.#moveTo(morph, tau)
+      placed = this.#context.state().vertices
+      if (tau < 1) this.#playing = requestAnimationFrame(play)
+      else this.#commit()
+    }
+    this.#playing = requestAnimationFrame(play)
+    this.#context.requestFrame()
+  }
+
+  #halt(): void {
+    if (this.#playing !== null) cancelAnimationFrame(this.#playing)
+    this.#playing = null
   }
 
   #jump(tau: number): void {
@@ -188,6 +261,7 @@ class MorphView implements View {
   }
 
   #commit(): void {
+    this.#halt()
     if (!this.#isSliding) return
     this.#isSliding = false
     this.#context.dispatch({ type: 'commit-gesture' })
@@ -195,6 +269,7 @@ class MorphView implements View {
 
   #onKey(event: KeyboardEvent): void {
     if (event.key !== 'Escape' || !this.#isSliding) return
+    this.#halt()
     this.#isSliding = false
     this.#context.dispatch({ type: 'cancel-gesture' })
     event.preventDefault()

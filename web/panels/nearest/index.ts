@@ -1,6 +1,6 @@
 import { fold } from '../fold'
 import type { Panel } from '../panel'
-import { nearestQuestion, takeSearch } from './nearest-question'
+import { nearestQuestion, nearestSlice, takeSearch } from './nearest-question'
 
 async function load() {
   const [view, { searchNearest }] = await Promise.all([import('./nearest'), import('./search/nearest')])
@@ -11,5 +11,6 @@ async function load() {
 export const nearest: Panel = {
   ...fold({ name: 'nearest', title: 'Nearest invalid, nearest valid', load }),
   changes: true,
+  slice: nearestSlice,
   question: nearestQuestion,
 }

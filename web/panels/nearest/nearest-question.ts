@@ -1,8 +1,28 @@
 /** The search for the nearest element of the other verdict, in slices while the panel is open. */
 import type { Core } from '../../core/report'
+import { between, described } from '../../model/document-readers'
 import type { Vertices } from '../../model/hexahedron'
+import { type Slice, sliceOf } from '../../model/state'
 import type { Inquiry, Question } from '../panel'
 import type { Nearest, searchNearest } from './search/nearest'
+
+/** Boxes alone have the relative minimum 1; the nearer to it, the longer the search. */
+export const SHARES = { least: 0, most: 0.9 } as const
+
+export interface Wanted {
+  readonly nearestRelativeMinimum: number
+}
+
+export const nearestSlice: Slice<Wanted> = {
+  name: 'nearest',
+  first: { nearestRelativeMinimum: 0 },
+  readers: {
+    nearestRelativeMinimum: described(
+      'The relative minimum that the nearest valid element is to have, on the pages of Hexlens.',
+      between(SHARES.least, SHARES.most),
+    ),
+  },
+}
 
 /** Milliseconds for which the search may keep the page at once. */
 const SLICE_MS = 6
@@ -19,6 +39,7 @@ export const nearestQuestion: Question<Nearest> = { name: 'nearest', start: onNe
 function inquiry(onNews: () => void): Inquiry<Nearest> {
   let nearest: Nearest | null = null
   let searched: Vertices | null = null
+  let wanted = 0
   let timer: ReturnType<typeof setTimeout> | undefined
 
   function stop(): void {
@@ -41,12 +62,16 @@ function inquiry(onNews: () => void): Inquiry<Nearest> {
 
   return {
     /** The moves found so far, for the vertices that it names. */
-    answer(core: Core, { vertices, gestureStart, openPanels }) {
+    answer(core: Core, state) {
+      const { vertices, gestureStart, openPanels } = state
+      const { nearestRelativeMinimum } = sliceOf(nearestSlice, state)
       const isWanted = openPanels.includes('nearest')
-      if (!isWanted || (searched !== null && searched !== vertices)) stop()
+      const isOther = searched !== null && (searched !== vertices || wanted !== nearestRelativeMinimum)
+      if (!isWanted || isOther) stop()
       if (isWanted && search !== null && gestureStart === null && searched === null) {
         searched = vertices
-        proceed(search(core, vertices))
+        wanted = nearestRelativeMinimum
+        proceed(search(core, vertices, wanted))
       }
       return nearest
     },

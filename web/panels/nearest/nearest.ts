@@ -1,15 +1,17 @@
 /** The least moves to the other verdict, to preview and to apply. */
 import { html, render, type TemplateResult } from 'lit-html'
+import type { Report } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { Vertices } from '../../model/hexahedron'
 import { type State, sliceChange, sliceOf } from '../../model/state'
 import { copyable } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
+import { NumberField } from '../../views/number-field'
 import { previewSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { answerTo } from '../panel'
 import css from './nearest.css?inline'
-import { nearestQuestion } from './nearest-question'
+import { nearestQuestion, nearestSlice, SHARES } from './nearest-question'
 import type { Nearest, NearestAnswer, NearestMove } from './search/nearest'
 
 export const styles = css
@@ -17,6 +19,14 @@ export const styles = css
 class NearestView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
+  readonly #share = new NumberField({
+    name: 'Relative minimum',
+    refusalId: 'nearest-refusal',
+    onRefusal: () => this.#context.requestFrame(),
+    limits: SHARES,
+    step: 1 / 8,
+    commit: nearestRelativeMinimum => this.#context.dispatch(sliceChange(nearestSlice, { nearestRelativeMinimum })),
+  })
   /** The vertices after the last move that was applied. */
   #applied: Vertices | null = null
 
@@ -30,34 +40,39 @@ class NearestView implements View {
     const nearest = answerTo(nearestQuestion, frame)
     const { preview } = sliceOf(previewSlice, state)
     if (preview?.move && !state.openPanels.includes('nearest')) this.#preview(null)
-    const known = nearest?.vertices === state.vertices ? nearest : null
-    const valid = report?.valid ?? null
+    const share = sliceOf(nearestSlice, state).nearestRelativeMinimum
+    this.#share.show(share)
+    const known = nearest?.vertices === state.vertices && nearest.share === share ? nearest : null
     const isMoving = state.gestureStart !== null
-    if (isNew(this.root, valid, known, isMoving, preview, this.#applied === state.vertices))
-      render(this.#template(valid, isMoving, known, state), this.root)
+    const { refusal } = this.#share
+    const goal = goalOf(report, known, share)
+    if (isNew(this.root, goal?.words, known, share, refusal, isMoving, preview, this.#applied === state.vertices))
+      render(this.#template(goal, isMoving, known, state), this.root)
   }
 
   dispose(): void {
     this.#preview(null)
   }
 
-  #template(valid: boolean | null, isMoving: boolean, nearest: Nearest | null, state: State): TemplateResult {
-    return html`<p tabindex="-1" class="answer">${this.#answer(valid, isMoving, state)}</p>
-      ${valid === null || isMoving ? '' : [this.#moves(valid, nearest, state), this.#each(valid, nearest, state)]}`
+  #template(goal: Goal | null, isMoving: boolean, nearest: Nearest | null, state: State): TemplateResult {
+    return html`<label class="wanted">Relative minimum of a valid element, at least ${this.#share.input}</label>
+      <p id="nearest-refusal" class="says" aria-live="polite">${this.#share.refusal}</p>
+      <p tabindex="-1" class="answer">${this.#answer(goal, isMoving, state)}</p>
+      ${goal === null || isMoving ? '' : [this.#moves(goal, nearest, state), this.#each(goal, nearest, state)]}`
   }
 
-  #answer(valid: boolean | null, isMoving: boolean, { vertices }: State): string {
-    if (valid === null) return 'There is no verdict, so there is none to change.'
+  #answer(goal: Goal | null, isMoving: boolean, { vertices }: State): string {
+    if (goal === null) return 'There is no verdict, so there is none to change.'
     if (isMoving) return 'The search starts when this change is done.'
     const applied = this.#applied === vertices ? 'The move is applied. Undo takes it back. ' : ''
-    return `${applied}What is the smallest move that makes this element ${other(valid)}?`
+    return `${applied}What is the smallest move that makes this element ${goal.words}?`
   }
 
-  #moves(valid: boolean, nearest: Nearest | null, state: State): TemplateResult {
+  #moves(goal: Goal, nearest: Nearest | null, state: State): TemplateResult {
     return html`<dl>
       <div>
         <dt>One vertex</dt>
-        <dd>${nearest?.ofOne === undefined ? LOOKING : this.#best(nearest.ofOne, valid, nearest, state)}</dd>
+        <dd>${nearest?.ofOne === undefined ? LOOKING : this.#best(nearest.ofOne, goal, nearest, state)}</dd>
       </div>
       <div>
         <dt>All eight</dt>
@@ -66,14 +81,14 @@ class NearestView implements View {
     </dl>`
   }
 
-  #best(one: NearestMove | null, valid: boolean, { ofVertex }: Nearest, state: State): TemplateResult {
+  #best(one: NearestMove | null, goal: Goal, { ofVertex }: Nearest, state: State): TemplateResult {
     if (one === null) {
       const isCertain = ofVertex.every(answer => answer === 'impossible')
       return html`<p>
         ${
           isCertain
-            ? `No vertex alone can make it ${other(valid)}, wherever it goes.`
-            : `No move of one vertex was found that makes it ${other(valid)}.`
+            ? `No vertex alone can make it ${goal.words}, wherever it goes.`
+            : `No move of one vertex was found that makes it ${goal.words}.`
         }
       </p>`
     }
@@ -102,7 +117,7 @@ class NearestView implements View {
     </p>`
   }
 
-  #each(valid: boolean, nearest: Nearest | null, state: State): TemplateResult {
+  #each(goal: Goal, nearest: Nearest | null, state: State): TemplateResult {
     return html`<details>
         <summary>Each vertex alone</summary>
         <ol start="0">
@@ -117,7 +132,11 @@ class NearestView implements View {
         </p>
         <p>
           The verdicts are exact on both sides. On the straight way to the element found, the place one double before it is still
-          ${valid ? 'valid' : 'invalid'}. If this element itself is on the border, the two places are at most 2⁻⁶⁴ of the way apart.
+          ${goal.before}. If this element itself is on the border, the two places are at most 2⁻⁶⁴ of the way apart.
+        </p>
+        <p>
+          The relative minimum is the least jacdet over the volume: 1 of a box, near 0 where an element is just valid. An element
+          found certainly has what is asked for.
         </p>
         <p>
           If one vertex moves, jacdet at each point changes linearly with it. So the places that make a valid element form a convex set.
@@ -151,8 +170,23 @@ class NearestView implements View {
 
 const LOOKING = html`<p class="says">looking…</p>`
 
-function other(valid: boolean): string {
-  return valid ? 'invalid' : 'valid'
+interface Goal {
+  /** "to make this element …" */
+  readonly words: string
+  /** "the place before it still …" */
+  readonly before: string
+}
+
+function goalOf(report: Report | null, nearest: Nearest | null, share: number): Goal | null {
+  if (report === null) return null
+  const isMet = nearest?.isMet ?? (report.valid && (report.relativeMinimum ?? 0) >= share)
+  if (isMet) return { words: 'invalid', before: 'valid' }
+  return share === 0
+    ? { words: 'valid', before: 'invalid' }
+    : {
+        words: `valid with a relative minimum of ${formatNumber(share)}`,
+        before: 'without it, or not certain to have it',
+      }
 }
 
 function lengthOf(length: number): TemplateResult {

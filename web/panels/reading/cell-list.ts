@@ -24,6 +24,7 @@ export class CellList {
   #active = 0
   #shown: number | null = null
   #message = ''
+  #isRefused = false
 
   constructor(cells: CheckedCells, onChoose: (cell: number) => void) {
     this.cells = cells
@@ -89,7 +90,7 @@ export class CellList {
     const idName = this.cells.hasIds ? 'Cell' : 'Index'
     render(
       html`<form @submit=${this.#onGoTo}>
-          <label>Go to ${idName.toLowerCase()} <input autocomplete="off" spellcheck="false" inputmode=${this.cells.hasIds ? 'text' : 'numeric'} /></label>
+          <label>Go to ${idName.toLowerCase()} <input autocomplete="off" spellcheck="false" inputmode=${this.cells.hasIds ? 'text' : 'numeric'} aria-invalid=${this.#isRefused ? 'true' : nothing} aria-describedby="cell-message" /></label>
           <button type="submit">Go</button>
         </form>
         <div class=${columns} aria-hidden="true">
@@ -110,7 +111,7 @@ export class CellList {
             </div>
           </div>
         </div>
-        <p class="message" role="status">${this.#message}</p>`,
+        <p class="message" id="cell-message" role="status">${this.#message}</p>`,
       this.root,
     )
   }
@@ -160,6 +161,7 @@ export class CellList {
     if (wanted === '') return
     const cell = this.cells.find(wanted, this.cells.at(this.#active).cell)
     this.#message = cell === null ? `There is no cell ${wanted}.` : ''
+    this.#isRefused = cell === null
     if (cell === null) this.#render()
     else {
       this.#goTo(this.cells.rankOf(cell))
@@ -180,6 +182,7 @@ export class CellList {
 
   #choose(rank: number): void {
     this.#active = rank
+    this.#isRefused = false
     const { cell, id, why } = this.cells.at(rank)
     const canBeShown = this.cells.verticesOf(cell) !== null
     this.#message = canBeShown ? '' : `Cell ${id} cannot be shown: ${why}.`

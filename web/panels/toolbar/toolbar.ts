@@ -1,5 +1,6 @@
-/** The line above everything: presets, undo and redo, and the link. */
+/** The line above everything: presets, undo and redo, paste, and the link. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
+import type { Vertices } from '../../model/hexahedron'
 import { type Preset, presets, presetVertices } from '../../model/presets'
 import type { State } from '../../model/state'
 import { copyText } from '../../views/copy-text'
@@ -18,6 +19,9 @@ class ToolbarView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
   #outcome: CopyOutcome | null = null
+  /** How to paste where the button may not; shown until the element is another. */
+  #hint = ''
+  #hinted: Vertices | null = null
 
   constructor(context: ViewContext) {
     this.#context = context
@@ -26,6 +30,7 @@ class ToolbarView implements View {
 
   update({ state }: Frame): void {
     if (this.#outcome && this.#outcome.link !== this.#context.permalink()) this.#outcome = null
+    if (state.vertices !== this.#hinted) this.#hint = ''
     const shown = shownPreset(state)
     render(
       html`<span class="brand">Hexlens</span>
@@ -40,7 +45,7 @@ class ToolbarView implements View {
         </label>
         ${shown?.valid === null && !state.isReadonly ? this.#another(shown) : nothing}
         <p class="note" ?hidden=${state.preset === null}>${noteOf(state, shown)}</p>
-        <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : nothing}</p>
+        <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : this.#hint}</p>
         <div class="actions">
           <button type="button" ?disabled=${!state.canUndo || state.isReadonly} @click=${() => this.#context.dispatch({ type: 'undo' })}>
             Undo
@@ -49,6 +54,7 @@ class ToolbarView implements View {
             Redo
           </button>
           <button type="button" ?disabled=${state.isReadonly} @click=${() => this.#context.dispatch({ type: 'reset' })}>Reset</button>
+          ${this.#context.input.isWelcome() ? html`<button type="button" @click=${this.#paste}>Paste</button>` : nothing}
           <button type="button" @click=${this.#copyLink}>Copy link</button>
         </div>
         ${
@@ -76,6 +82,18 @@ class ToolbarView implements View {
 
   #open(preset: Preset): void {
     this.#context.dispatch({ type: 'set-vertices', vertices: presetVertices(preset), preset: preset.id })
+  }
+
+  /** Browsers may ask first, or forbid it; then the panel has a box to paste into. */
+  readonly #paste = async (): Promise<void> => {
+    try {
+      this.#context.input.read({ text: await navigator.clipboard.readText() })
+    } catch {
+      this.#hint = 'Press Ctrl+V (⌘V), or use the box.'
+      this.#hinted = this.#context.state().vertices
+      this.#context.dispatch({ type: 'open-panel', panel: 'paste', isOpen: true })
+      this.#context.requestFrame()
+    }
   }
 
   readonly #copyLink = async (): Promise<void> => {

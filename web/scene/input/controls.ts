@@ -1,16 +1,25 @@
-/** The scene's few words and buttons: the legend of the marks, the display of the faces, turning, fit, help. */
+/** The scene's few words and buttons: the legend of the marks, or a page's hint in its place, chips, the display of the faces, turning, fit, help. */
 import type { Report } from '../../core/report'
 import { faces } from '../../model/hexahedron'
 import { type State, sliceOf } from '../../model/state'
-import { CONTROLS, type Control, controlsSlice, type FaceDisplay, sceneSlice } from '../../views/scene-slices'
+import {
+  CONTROLS,
+  type Control,
+  controlsSlice,
+  type DragKeys,
+  type FaceDisplay,
+  sceneSlice,
+} from '../../views/scene-slices'
 import { candidateShapes } from '../overlay/candidate-shapes'
 import { svg } from '../paint/svg'
+import { Chips } from './chips'
 
 export interface ControlActions {
   toggleHelp(): void
   fit(): void
   toggleReference(): void
   showFaces(faceDisplay: FaceDisplay): void
+  hold(keys: DragKeys): void
   /** In steps to the right and up. */
   turn(right: number, up: number): void
   zoom(factor: number): void
@@ -33,6 +42,9 @@ export class Controls {
   readonly #reference: HTMLButtonElement
   readonly #buttons: Readonly<Record<Control, HTMLElement>>
   readonly #legend = document.createElement('p')
+  /** The page's hint, which stands here until the first gesture. */
+  readonly #hint = document.createElement('slot')
+  readonly #chips: Chips
   readonly #kinds: Readonly<Record<'edge' | 'face', HTMLElement>> = {
     edge: legendEntry('edge', 'edge candidate'),
     face: legendEntry('face', 'face candidate'),
@@ -40,7 +52,13 @@ export class Controls {
 
   constructor(actions: ControlActions) {
     this.root.className = 'scene-controls'
-    this.#legend.append(this.#kinds.edge, this.#kinds.face)
+    this.#hint.name = 'hint'
+    this.#hint.append(this.#kinds.edge, this.#kinds.face)
+    this.#hint.addEventListener('slotchange', () => {
+      this.root.classList.toggle('hints', this.#hint.assignedElements().length > 0)
+    })
+    this.#legend.append(this.#hint)
+    this.#chips = new Chips(keys => actions.hold(keys))
     this.#faces.append(
       option('opaque', 'All faces'),
       option('see-through', 'See-through'),
@@ -77,12 +95,19 @@ export class Controls {
     const beside = 'The same colours in (ξ, η, ζ), beside the element (R)'
     this.#reference = button('Reference cube', beside, () => actions.toggleReference())
     this.#buttons = { faces: choice, reference: this.#reference, turn, fit, help: this.#help }
-    this.root.append(this.#legend, turns, ...CONTROLS.map(control => this.#buttons[control]))
+    this.root.append(this.#legend, this.#chips.root, turns, ...CONTROLS.map(control => this.#buttons[control]))
   }
 
   update(state: State, report: Report | null): void {
     const { faceDisplay, referenceShown } = sliceOf(sceneSlice, state)
-    const { controls, helpShown } = sliceOf(controlsSlice, state)
+    const { controls, helpShown, byFinger, held } = sliceOf(controlsSlice, state)
+    const hasChips = byFinger && state.isVertexChosen && !state.isReadonly
+    this.#chips.update(held, hasChips)
+    this.#legend.hidden = hasChips
+    if (state.gestureStart !== null && this.#hint.isConnected) {
+      this.#hint.replaceWith(...this.#hint.childNodes)
+      this.root.classList.remove('hints')
+    }
     for (const control of CONTROLS) this.#buttons[control].hidden = !controls.includes(control)
     this.#help.setAttribute('aria-expanded', String(helpShown))
     this.#reference.setAttribute('aria-pressed', String(referenceShown))

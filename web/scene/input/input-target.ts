@@ -4,12 +4,14 @@ import type { Dispatch, State } from '../../model/state'
 import type { HandleDrag } from '../overlay/overlay-picture'
 import type { SceneCamera, ScreenPoint } from '../space/camera'
 import type { Point } from '../space/layout'
+import type { OrbitCamera } from '../space/orbit-camera'
 import type { World } from '../space/world'
 
 export interface InputTarget {
   /** It has the focus, and receives pointers and keys. */
   readonly element: HTMLElement
   readonly camera: SceneCamera
+  readonly orbit: Pick<OrbitCamera, 'pose'>
   readonly world: World
   readonly host: { state(): State; readonly dispatch: Dispatch }
   /** True if vertices are moved here; else arrow keys turn the camera. */

@@ -6,12 +6,14 @@ import { ProbeInput } from './probe-input'
 
 export class Inputs {
   readonly probe: ProbeInput
+  readonly #target: InputTarget
   readonly #element: HTMLElement
   readonly #keyboard: KeyboardInput
   readonly #pointer: PointerInput
   readonly #listening = new AbortController()
 
   constructor(target: InputTarget) {
+    this.#target = target
     this.#element = target.element
     this.#keyboard = new KeyboardInput(target)
     this.#pointer = new PointerInput(target, () => this.#keyboard.commit())
@@ -19,6 +21,7 @@ export class Inputs {
     const { signal } = this.#listening
     this.#element.addEventListener('keydown', this.#onKey, { signal })
     this.#element.addEventListener('keyup', this.#onKey, { signal })
+    this.#element.addEventListener('focus', this.#onFocus, { signal })
     this.#element.addEventListener('blur', this.#onBlur, { signal })
   }
 
@@ -39,6 +42,13 @@ export class Inputs {
       delete this.#element.dataset.pointed
       this.#keyboard.onKeyDown(event)
     } else this.#keyboard.onKeyUp(event)
+  }
+
+  /** Keys move the vertex that is shown as chosen. */
+  readonly #onFocus = (): void => {
+    const { host, movesVertices } = this.#target
+    if (movesVertices && this.#element.dataset.pointed === undefined)
+      host.dispatch({ type: 'select-vertex', vertex: host.state().selectedVertex })
   }
 
   readonly #onBlur = (): void => {

@@ -97,6 +97,7 @@ export class KeyboardInput {
     const { host, camera } = this.#target
     if (move === undefined) return false
     if (!this.#moving) {
+      this.#choose(host.state().selectedVertex)
       this.#moving = true
       host.dispatch({ type: 'begin-gesture' })
     }

@@ -1,15 +1,30 @@
 /**
  * Mouse, pen and touch on the handles. One pointer at a time, captured; a pointer elsewhere goes on to the orbit controls, which
- * never hear of one that drags. A drag is one gesture: release commits, Escape and pointercancel restore.
+ * never hear of one that drags. A drag is one gesture: release commits, Escape and pointercancel restore. A finger turns the view
+ * once its way cannot be a scroll of the page.
  */
 import { type Axis, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
+import { type DragKeys, heldByChips } from '../../views/scene-slices'
+import type { Pose } from '../space/orbit-camera'
 import { extentOf } from '../space/world'
 import type { InputTarget } from './input-target'
 import { pickHandle, pickRadius } from './picking'
-import { type DragKeys, VertexDrag } from './vertex-drag'
+import { VertexDrag } from './vertex-drag'
 
 /** Units that a pressed pointer may tremble before it drags. */
 const STILL = { touch: 4, other: 1.5 }
+
+/** Units, of CSS pixels, in which a finger shows its way, and beyond which the browser would have taken it for a scroll. */
+const WAY = { shown: 8, untaken: 40 }
+
+/** A pointer beside the handles. */
+interface Swipe {
+  readonly x: number
+  readonly y: number
+  /** The camera before it, which a pointercancel restores. */
+  readonly pose: Pose
+  turns: boolean
+}
 
 interface Grip {
   readonly pointerId: number
@@ -32,6 +47,7 @@ export class PointerInput {
   readonly #listening = new AbortController()
   /** Pointers that the orbit controls have. */
   readonly #orbiting = new Set<number>()
+  #swipe: Swipe | null = null
   #grip: Grip | null = null
   #axis: Axis | null = null
   #hovered: number | null = null
@@ -86,6 +102,7 @@ export class PointerInput {
   }
 
   readonly #onDown = (event: PointerEvent): void => {
+    if (!event.isTrusted) return // ours, for the orbit controls
     if (this.#grip !== null) {
       event.stopImmediatePropagation()
       event.preventDefault()
@@ -95,6 +112,10 @@ export class PointerInput {
     this.#target.element.focus({ preventScroll: true })
     const vertex = event.button === 0 && this.#orbiting.size === 0 ? this.#pick(event) : null
     if (vertex === null) {
+      if (this.#orbiting.size === 0) {
+        const { pose } = this.#target.orbit
+        this.#swipe = { ...this.#target.positionOf(event), pose, turns: event.pointerType === 'mouse' }
+      }
       this.#orbiting.add(event.pointerId)
       return
     }
@@ -122,7 +143,8 @@ export class PointerInput {
   readonly #onMove = (event: PointerEvent): void => {
     const grip = this.#grip
     if (grip === null) {
-      if (this.#orbiting.size === 0 && event.pointerType !== 'touch') this.#hover(this.#pick(event))
+      if (this.#orbiting.size > 0) this.#follow(event)
+      else if (event.pointerType !== 'touch') this.#hover(this.#pick(event))
       return
     }
     event.stopImmediatePropagation()
@@ -139,10 +161,29 @@ export class PointerInput {
     this.#drag(event)
   }
 
+  /** The orbit controls begin where the finger has shown that it turns. */
+  #follow(event: PointerEvent): void {
+    const swipe = this.#swipe
+    if (swipe === null || swipe.turns) return
+    const { x, y } = this.#target.positionOf(event)
+    const [across, along] = [Math.abs(x - swipe.x), Math.abs(y - swipe.y)]
+    const isMany = this.#orbiting.size > 1
+    swipe.turns = isMany || along > WAY.untaken || (across > WAY.shown && across > along)
+    event.stopImmediatePropagation()
+    if (!swipe.turns || isMany) return
+    for (const type of ['pointercancel', 'pointerdown'])
+      this.#target.element.dispatchEvent(new PointerEvent(type, event))
+  }
+
   #drag({ shiftKey, altKey }: { readonly shiftKey: boolean; readonly altKey: boolean }): void {
     const grip = this.#grip
     if (grip === null || !grip.moving) return
-    const keys: DragKeys = { axis: this.#axis, depth: shiftKey, snap: altKey }
+    const held = heldByChips(this.#target.host.state())
+    const keys: DragKeys = {
+      axis: this.#axis ?? held.axis,
+      depth: shiftKey || held.depth,
+      snap: altKey || held.snap,
+    }
     const to = grip.drag.moveTo(grip.nowX, grip.nowY, keys)
     this.#target.showDrag({ axis: keys.axis, byTouch: grip.byTouch })
     this.#target.host.dispatch({ type: 'move-vertex', vertex: grip.vertex, to })
@@ -157,7 +198,9 @@ export class PointerInput {
   }
 
   readonly #onCancel = (event: PointerEvent): void => {
-    this.#orbiting.delete(event.pointerId)
+    if (!event.isTrusted) return
+    const wasOrbiting = this.#orbiting.delete(event.pointerId)
+    if (event.type === 'pointercancel' && wasOrbiting && this.#swipe) this.#target.orbit.pose = this.#swipe.pose
     if (this.#grip?.pointerId === event.pointerId) this.cancel()
   }
 

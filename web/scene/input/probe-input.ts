@@ -1,9 +1,11 @@
 /**
- * Pointing at the probe: a mouse or pen by hovering, with no button pressed; a finger by a tap. The probe of a mouse stays while
+ * Pointing at the probe: a mouse or pen by hovering, with no button pressed; a finger by a tap, which also lets go of the chosen vertex. The probe of a mouse stays while
  * the camera is turned, and goes when the pointer leaves the faces. One line of sight is followed a frame.
  */
 import type { Candidate, Report } from '../../core/report'
 import type { Vec3 } from '../../model/hexahedron'
+import { sliceChange } from '../../model/state'
+import { controlsSlice, FREE } from '../../views/scene-slices'
 import type { Point } from '../space/layout'
 import { samePoint } from '../space/vec3'
 import type { InputTarget } from './input-target'
@@ -70,7 +72,7 @@ export class ProbeInput {
 
   readonly #onDown = (event: PointerEvent): void => {
     this.#next = null
-    const alone = event.pointerType === 'touch' && event.isPrimary
+    const alone = event.isTrusted && event.pointerType === 'touch' && event.isPrimary
     this.#tap = alone ? { ...this.#target.positionOf(event), pointerId: event.pointerId } : null
   }
 
@@ -79,7 +81,10 @@ export class ProbeInput {
     this.#tap = null
     if (tap?.pointerId !== event.pointerId) return
     const { x, y } = this.#target.positionOf(event)
-    if (Math.hypot(x - tap.x, y - tap.y) < TAP_RADIUS) this.#point(this.#target.pointAt(x, y))
+    if (Math.hypot(x - tap.x, y - tap.y) >= TAP_RADIUS) return
+    this.#point(this.#target.pointAt(x, y))
+    this.#target.host.dispatch({ type: 'select-vertex', vertex: null })
+    this.#target.host.dispatch(sliceChange(controlsSlice, { held: FREE }))
   }
 
   readonly #onCancel = (): void => {

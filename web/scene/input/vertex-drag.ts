@@ -3,17 +3,11 @@
  * vertex, in depth along the line of sight, or along one axis; rounded to what a pixel can tell, or to a grid.
  */
 import type { Axis, Vec3 } from '../../model/hexahedron'
+import type { DragKeys } from '../../views/scene-slices'
 import type { SceneCamera } from '../space/camera'
 import { at, dot, map3 } from '../space/vec3'
 import { finite, toWorld, type World } from '../space/world'
 import { gridStep, lengthOf, roundingStep, roundTo, type Step } from './decimal-step'
-
-/** The keys held down while dragging. */
-export interface DragKeys {
-  readonly axis: Axis | null
-  readonly depth: boolean
-  readonly snap: boolean
-}
 
 export interface DragStart {
   readonly camera: SceneCamera

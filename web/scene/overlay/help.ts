@@ -1,14 +1,27 @@
-/** The effects of hands and keys in the scene: its description for those who hear the page, and on request for everybody. */
+/** The effects of fingers, mouse and keys in the scene: its description for those who hear the page, and on request for everybody. */
+import type { ControlsState } from '../../views/scene-slices'
 
 /** An action and its effect, which make a sentence. */
-const HELP: readonly (readonly [string, string])[] = [
+type Entry = readonly [action: string, effect: string]
+
+const FOR_FINGERS: readonly Entry[] = [
+  ['Drag a handle', 'moves its vertex. X, Y, Z, Depth and Grid, there once a vertex is chosen, hold the next drags'],
+  ['Drag elsewhere', 'turns the view if you begin sideways; up and down scrolls the page'],
+  ['Two fingers', 'zoom and shift the view; Fit brings the element back'],
+  ['Tap a face', 'to read jacdet at that point: the probe'],
+  ['Tap beside the element', 'to remove the probe and let go of the vertex'],
+  ['Turn', 'turns and zooms the view by buttons'],
+  ['All faces', 'makes faces see-through, or shows one alone'],
+]
+
+const FOR_KEYS: readonly Entry[] = [
   ['Drag a handle', 'moves its vertex. Shift moves it in depth, Alt on a grid, X, Y or Z along that axis alone'],
   ['Drag elsewhere', 'turns the view. Two fingers, or Ctrl and the wheel, zoom'],
   ['0 to 7, or [ and ]', 'choose a vertex'],
   ['Arrow keys', 'move the chosen vertex along the axis that is nearest to the arrow'],
   ['Page Up, Page Down', 'move it along the third axis'],
   ['Shift, Alt', 'with these keys make the step ten times as long, or a tenth'],
-  ['Point at a face', 'or tap it, to read jacdet at that point: the probe'],
+  ['Point at a face', 'or tap it, to read jacdet there: the probe. The box is the image of a little cube, enlarged'],
   ['P', 'puts the probe on the next candidate; C copies its numbers'],
   ['Escape', 'puts a vertex that is being moved back; at other times it removes the probe'],
   ['A, D, W, S', 'turn the view; plus and minus zoom, F fits it, Home resets it'],
@@ -18,27 +31,30 @@ const HELP: readonly (readonly [string, string])[] = [
 
 export class Help {
   readonly root = document.createElement('dl')
+  #isForFingers: boolean | null = null
 
   constructor(id: string) {
     this.root.id = id
     this.root.className = 'scene-help'
     this.root.hidden = true
     this.root.tabIndex = 0 // it scrolls in a small scene
-    for (const [keys, effect] of HELP) this.root.append(entry(keys, effect))
   }
 
-  show(isShown: boolean): void {
-    this.root.hidden = !isShown
+  update({ helpShown, byFinger }: Pick<ControlsState, 'helpShown' | 'byFinger'>): void {
+    this.root.hidden = !helpShown
+    if (byFinger === this.#isForFingers) return
+    this.#isForFingers = byFinger
+    this.root.replaceChildren(...(byFinger ? FOR_FINGERS : FOR_KEYS).map(entry))
   }
 }
 
-function entry(keys: string, effect: string): HTMLElement {
+function entry([action, effect]: Entry): HTMLElement {
   const [line, term, detail] = ['div', 'dt', 'dd'].map(name => document.createElement(name)) as [
     HTMLElement,
     HTMLElement,
     HTMLElement,
   ]
-  term.textContent = keys
+  term.textContent = action
   detail.textContent = `${effect}.`
   line.append(term, ' ', detail, ' ')
   return line

@@ -59,6 +59,8 @@ export class Marks {
   readonly #second = svg('circle', { class: 'second' })
   readonly #isLabelled: boolean
   #place: LabelPlace | null = null
+  /** The label's box while it is shown. */
+  shownLabel: Box | null = null
   /** The label's box; null if no place is free. */
   #labelBox: Box | null = null
 
@@ -94,6 +96,7 @@ export class Marks {
     const box = this.#labelBox
     const isShown = box !== null && !(words && overlap(box, words))
     for (const mark of [this.#leader, this.#label]) show(mark, isShown)
+    this.shownLabel = isShown ? box : null
   }
 
   #updateCandidates(marked: readonly Candidate[], { world, camera, report, state }: MarksPicture): void {

@@ -6,15 +6,15 @@ import { edgeVertices, VERTEX_COUNT, type Vertices, vertexOf } from '../../model
 import { sliceOf } from '../../model/state'
 import { marksSlice } from '../../views/scene-slices'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
-import type { SceneCamera, ScreenPoint } from '../space/camera'
+import type { ScreenPoint } from '../space/camera'
 import type { Box, Point } from '../space/layout'
 import { at, map3 } from '../space/vec3'
-import { toWorld, verticesInWorld, type World } from '../space/world'
+import { toWorld, verticesInWorld } from '../space/world'
 import { Highlight } from './highlight'
 import { meanOf, numberDirection, overlap } from './label-place'
 import { Marks } from './marks'
 import { markScale, type OverlayPicture } from './overlay-picture'
-import { ProbeMark } from './probe-mark'
+import { type ProbeLook, ProbeMark } from './probe-mark'
 import { SampleMarks } from './sample-marks'
 import { type AxisLetters, Triad } from './triad'
 
@@ -31,6 +31,10 @@ const RADIUS = 6
 const FIXED_RADIUS = 3
 /** Paper around a handle. */
 const RIM = 2.5
+/** The vertex whose handle shows that it can be dragged, while a hint says so: in most views it is at the rim. */
+const CUED = 6
+/** Arrowheads around it, up, right, down and left. */
+const CUE = 'M-4-12L0-16L4-12M12-4L16 0L12 4M4 12L0 16L-4 12M-12 4L-16 0L-12-4'
 /** Handles this close are one to the eye. */
 const SAME_HANDLE = 3
 /** Distance from a handle's middle to the middle of its number. */
@@ -61,10 +65,11 @@ export class Overlay {
   readonly #marks: Marks
   readonly #triad: Triad
   readonly #probe = new ProbeMark()
+  #picture: OverlayPicture | null = null
 
   constructor({ letters, isFixed }: OverlayKind) {
     this.#radius = isFixed ? FIXED_RADIUS : RADIUS
-    this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v))
+    this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v, v === CUED && !isFixed))
     this.#marks = new Marks(!isFixed)
     this.#triad = new Triad(letters)
     this.root.append(
@@ -75,6 +80,7 @@ export class Overlay {
       this.#ghostHalo,
       this.#ghost,
       this.#ghostHandle,
+      this.#probe.box.root,
       this.#marks.candidates,
       ...this.#handles.map(handle => handle.group),
       this.#marks.minimizer,
@@ -93,6 +99,7 @@ export class Overlay {
 
   /** Everything but the probe. */
   update(picture: OverlayPicture): void {
+    this.#picture = picture
     const { camera, handles } = picture
     set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
     const edges = edgePath(edgeVertices, handles)
@@ -110,9 +117,11 @@ export class Overlay {
   }
 
   /** `readout` is the box of the words about the point, if there are any. */
-  updateProbe(probe: JacobianReport | null, world: World, camera: SceneCamera, readout: Box | null = null): void {
-    this.#probe.update(probe, world, camera)
+  updateProbe(probe: JacobianReport | null, look: ProbeLook, readout: Box | null = null): void {
     this.#marks.makeWay(probe && readout)
+    if (this.#picture === null) return
+    const taken = [...this.#picture.taken, readout, this.#marks.shownLabel].filter(box => box !== null)
+    this.#probe.update(probe, look, { ...this.#picture, taken })
   }
 
   /** Returns the middles of the numbers. */
@@ -142,7 +151,7 @@ export class Overlay {
       // A long number stays in the picture.
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
-      group.classList.toggle('selected', v === state.selectedVertex)
+      group.classList.toggle('selected', state.isVertexChosen && v === state.selectedVertex)
       const place = { x: at.x + ux * distance, y: at.y + uy * distance }
       if (text !== '') shown.push(place)
       return place
@@ -220,11 +229,13 @@ function lineBox(x: number, y: number, width: number): Box {
   return { x: x - width / 2, y: y - 10, width, height: 20 }
 }
 
-function createHandle(vertex: number): Handle {
+function createHandle(vertex: number, hasCue: boolean): Handle {
   const rim = svg('circle', { class: 'rim' })
   const dot = svg('circle', { class: 'dot' })
   const number = svg('text', { class: 'number', 'text-anchor': 'middle' }, String(vertex))
-  return { group: svg('g', { class: 'handle' }, rim, dot, number), rim, dot, number }
+  const group = svg('g', { class: 'handle' }, rim, dot, number)
+  if (hasCue) group.prepend(svg('path', { class: 'cue', d: CUE }))
+  return { group, rim, dot, number }
 }
 
 /**

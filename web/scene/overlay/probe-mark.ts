@@ -1,62 +1,114 @@
-/** The probe, and from it the columns of DF as arrows: the derivatives of position by xi, eta and zeta there. */
+/** The probe, its volume box, and as sides of that the columns of DF: the derivatives of position by xi, eta and zeta there. */
 import type { JacobianReport } from '../../core/report'
-import type { Vec3 } from '../../model/hexahedron'
-import { moveTo, px, set, show, svg } from '../paint/svg'
-import type { SceneCamera, ScreenPoint } from '../space/camera'
-import { at, map3 } from '../space/vec3'
-import { toWorld, type World } from '../space/world'
+import { moveTo, px, set, setText, show, svg } from '../paint/svg'
+import type { ScreenPoint } from '../space/camera'
+import { toWorld } from '../space/world'
+import { type LabelPlace, meanOf, placeLabel } from './label-place'
+import type { OverlayPicture } from './overlay-picture'
+import { boxCorners, VolumeBox } from './volume-box'
 
-/** Units of the longest column, were it parallel to the screen; in a low viewport this share of its height. */
-const LONGEST = 64
-const LONGEST_SHARE = 1 / 6
 /** Units of an arrow's head, and of the shortest arrow that has one. */
 const HEAD = 7
 const SHORTEST = 4
-const LETTERS = ['ξ', 'η', 'ζ'] as const
+/** Each with the corner of the box that it points at from corner 0. */
+const LETTERS = [
+  ['ξ', 1],
+  ['η', 3],
+  ['ζ', 4],
+] as const
 const LETTER_DISTANCE = 9
+const CHARACTER_WIDTH = 7.5
+const LINE = 16
+const ENLARGED = 'linear image, enlarged'
+
+/** How the probe looks beyond its place. */
+export interface ProbeLook {
+  /** The colour of jacdet there. */
+  readonly colour: string
+  /** The box's volume in words; none at the little cube. */
+  readonly words: string
+}
+
+type ProbePicture = Pick<OverlayPicture, 'world' | 'camera' | 'handles' | 'taken'>
 
 export class ProbeMark {
   readonly root = svg('g', { class: 'probe' })
-  readonly #arrows = LETTERS.map(letter => ({
+  /** Under the marks. */
+  readonly box = new VolumeBox()
+  readonly #arrows = LETTERS.map(([letter, corner]) => ({
     halo: svg('path', { class: 'halo' }),
     line: svg('path', { class: 'arrow' }),
     letter: svg('text', { 'text-anchor': 'middle' }, letter),
+    corner,
   }))
   readonly #dot = svg('circle', { class: 'point', r: 4 })
+  readonly #volume = svg('text')
+  readonly #words = svg(
+    'g',
+    { 'text-anchor': 'middle' },
+    this.#volume,
+    svg('text', { class: 'note', y: LINE }, ENLARGED),
+  )
+  readonly #leader = svg('path', { class: 'leader' })
+  #place: LabelPlace | null = null
 
   constructor() {
+    this.box.root.prepend(this.#leader)
     this.root.append(
       ...this.#arrows.map(({ halo }) => halo),
       ...this.#arrows.map(({ line }) => line),
       this.#dot,
       ...this.#arrows.map(({ letter }) => letter),
+      this.#words,
     )
   }
 
-  update(probe: JacobianReport | null, world: World, camera: SceneCamera): void {
-    const from = probe && toWorld(world, probe.position)
-    const middle = from && camera.project(from)
+  update(probe: JacobianReport | null, look: ProbeLook, picture: ProbePicture): void {
+    const { world, camera } = picture
+    const middle = probe && camera.project(toWorld(world, probe.position))
     const isShown = middle !== null && middle.depth > 0
     show(this.root, isShown)
-    if (probe === null || from === null || !isShown) return
+    show(this.box.root, isShown)
+    if (probe === null || !isShown) return
     moveTo(this.#dot, middle)
-    const columns = unitColumns(probe)
-    const length = Math.min(LONGEST, LONGEST_SHARE * camera.height) * camera.lengthPerPixel(middle.depth)
-    this.#arrows.forEach(({ halo, line, letter }, k) => {
-      const column = columns?.[k]
-      const tip = column && camera.project(map3(axis => at(from, axis) + at(column, axis) * length))
-      const path = tip ? arrowPath(middle, tip) : null
+    const corners = boxCorners(probe, world).map(corner => camera.project(corner))
+    const isHidden = this.box.update(corners, look.colour, probe.jacdet < 0)
+    const [from] = corners as [ScreenPoint]
+    for (const { halo, line, letter, corner } of this.#arrows) {
+      const tip = corners[corner] as ScreenPoint
+      const path = arrowPath(from, tip)
       for (const mark of [halo, line, letter]) show(mark, path !== null)
-      if (!tip || path === null) return
+      if (path === null) continue
       set(halo, { d: path })
       set(line, { d: path })
-      const reach = Math.hypot(tip.x - middle.x, tip.y - middle.y)
+      line.classList.toggle('hidden', isHidden([0, corner]))
+      const reach = Math.hypot(tip.x - from.x, tip.y - from.y)
       const beyond = (reach + LETTER_DISTANCE) / reach
-      set(letter, {
-        x: px(middle.x + (tip.x - middle.x) * beyond),
-        y: px(middle.y + (tip.y - middle.y) * beyond),
-      })
+      set(letter, { x: px(from.x + (tip.x - from.x) * beyond), y: px(from.y + (tip.y - from.y) * beyond) })
+    }
+    this.#updateWords(look.words, corners, picture)
+  }
+
+  #updateWords(words: string, corners: readonly ScreenPoint[], { camera, handles, taken }: ProbePicture): void {
+    setText(this.#volume, words)
+    const anchor = meanOf(corners)
+    const width = CHARACTER_WIDTH * Math.max(words.length, ENLARGED.length)
+    const place = placeLabel({
+      anchor,
+      width,
+      height: 2 * LINE,
+      bounds: { x: 8, y: 8, width: camera.width - 16, height: camera.height - 16 },
+      points: handles,
+      numbers: corners,
+      boxes: taken,
+      body: corners,
+      previous: this.#place?.index ?? null,
     })
+    this.#place = place
+    for (const mark of [this.#words, this.#leader]) show(mark, words !== '' && place.isFree)
+    moveTo(this.#words, { x: place.x, y: place.y - LINE / 2 })
+    const near = place.x - (Math.sign(place.x - anchor.x) * width) / 2
+    set(this.#leader, { d: `M${px(anchor.x)} ${px(anchor.y)}L${px(near)} ${px(place.y)}` })
   }
 }
 
@@ -68,29 +120,4 @@ function arrowPath(from: ScreenPoint, to: ScreenPoint): string | null {
   const [ux, uy] = [(dx / length) * Math.min(HEAD, length), (dy / length) * Math.min(HEAD, length)]
   const wing = (side: number) => `${px(to.x - ux - side * uy * 0.45)} ${px(to.y - uy + side * ux * 0.45)}`
   return `M${px(from.x)} ${px(from.y)}L${px(to.x)} ${px(to.y)}M${wing(1)}L${px(to.x)} ${px(to.y)}L${wing(-1)}`
-}
-
-/**
- * The columns times one common factor, the longest of length 1; null where all vanish. Physical and world space differ by a
- * shift and one scale, so these are directions in either.
- */
-export function unitColumns({
-  columns,
-  axisExponents,
-}: Pick<JacobianReport, 'columns' | 'axisExponents'>): readonly [Vec3, Vec3, Vec3] | null {
-  // Components are numbers times 2^exponent of any size: the greatest exponent is taken out before there is a product.
-  const exponents = columns.flatMap(column =>
-    column.map((x, axis) => (x === 0 ? -Infinity : Math.log2(Math.abs(x)) + at(axisExponents, axis))),
-  )
-  const greatest = Math.ceil(Math.max(...exponents))
-  if (!Number.isFinite(greatest)) return null
-  const scaled = columns.map(column => map3(axis => timesPower(at(column, axis), at(axisExponents, axis) - greatest)))
-  const longest = Math.max(...scaled.map(column => Math.hypot(...column)))
-  return scaled.map(column => map3(axis => at(column, axis) / longest)) as unknown as readonly [Vec3, Vec3, Vec3]
-}
-
-/** x * 2^power, in two steps: 2^power alone may be no double though the product is. */
-function timesPower(x: number, power: number): number {
-  const half = Math.trunc(power / 2)
-  return x * 2 ** half * 2 ** (power - half)
 }

@@ -30,11 +30,17 @@ export class Readout {
     })
     this.#jacdet.classList.toggle('negative', probe.jacdet < 0)
     const jacdet = formatJacdet(probe.jacdet, probe.exponent, cube)
-    setText(this.#jacdet, `J${isNarrow ? formatPoint(probe.point) : ''} = ${jacdet}`)
+    setText(this.#jacdet, `J${isNarrow ? formatPoint(probe.point) : ''} = ${jacdet}${boxWords(probe, ': ')}`)
     show(this.#reference, !isNarrow)
     setText(this.#reference, `(ξ, η, ζ) = ${formatPoint(probe.point)}`)
     setText(this.#position, `${isNarrow ? 'at' : '(x, y, z) ='} ${formatPoint(probe.position)}`)
   }
+}
+
+/** What becomes of the little cube if it does not only change its shape. */
+function boxWords({ jacdet }: JacobianReport, before: string): string {
+  if (jacdet > 0) return ''
+  return before + (jacdet < 0 ? 'inside out' : 'flat')
 }
 
 /** The candidate that a key has marked, to be heard. */
@@ -67,12 +73,12 @@ export class SpokenProbe {
   }
 }
 
-/** "Minimum, edge 4-7: jacdet -11.28. xi 0, eta 0, zeta 0.4196. x -1, y 2.2, z 0.1." */
+/** "Minimum, edge 4-7: jacdet -11.28, inside out. xi 0, eta 0, zeta 0.4196. x -1, y 2.2, z 0.1." */
 function spokenProbe(probe: JacobianReport, at: Candidate, isMinimum: boolean, cube: ReferenceCube): string {
   const part = at.kind === 'edge' ? `edge ${edgeName(at.id).replace('–', '-')}` : `${at.kind} ${at.id}`
   const name = isMinimum ? `Minimum, ${part}` : `Candidate, ${part}`
   const list = (names: readonly string[], values: readonly number[]) =>
     names.map((coordinate, i) => `${coordinate} ${speakNumber(values[i] as number)}`).join(', ')
   const jacdet = speakJacdet(probe.jacdet, probe.exponent, cube)
-  return `${name}: jacdet ${jacdet}. ${list(['xi', 'eta', 'zeta'], probe.point)}. ${list(['x', 'y', 'z'], probe.position)}.`
+  return `${name}: jacdet ${jacdet}${boxWords(probe, ', ')}. ${list(['xi', 'eta', 'zeta'], probe.point)}. ${list(['x', 'y', 'z'], probe.position)}.`
 }

@@ -56,7 +56,7 @@ function styledMarkup(element: SVGSVGElement, box: Box): string {
     const target = copied?.[i] as Element
     const style = getComputedStyle(original)
     for (const attribute of ['class', 'tabindex']) target.removeAttribute(attribute)
-    if (style.display === 'none') target.remove()
+    if (style.display === 'none' || original.matches('.cue')) target.remove()
     else if (original instanceof SVGGraphicsElement) setStyles(target, style, original instanceof SVGTextElement)
   })
   for (const [attribute, value] of Object.entries(box)) copy.setAttribute(attribute, String(value))

@@ -1,10 +1,21 @@
 /** The scene's picture as it is on the page: painted in the host's colours when it differs, for the screen, a figure or paper. */
+import { timesPowerOfTwo } from '../../core/power-of-two'
 import type { Report } from '../../core/report'
 import { type State, sliceOf } from '../../model/state'
 import { sceneSlice } from '../../views/scene-slices'
 import type { Frame, ViewContext } from '../../views/view'
 import type { Layout } from '../space/layout'
-import { type ColourScale, colourScaleInside, colourScaleOf, type Ramp, rampOf, type Theme } from './colour-map'
+import {
+  type ColourScale,
+  colourScaleInside,
+  colourScaleOf,
+  cssColour,
+  type Ramp,
+  rampColour,
+  rampOf,
+  rampPosition,
+  type Theme,
+} from './colour-map'
 import { createFacePainter } from './face-painter'
 import { copyOf } from './figure'
 import { FlatPainter } from './flat-painter'
@@ -69,6 +80,14 @@ export class Painting {
       this.#picturesCopied = this.picturesDrawn
     }
     return isOther
+  }
+
+  /** The colour of jacdet at the probe; none without one. */
+  colourAt({ state, report, probe }: Frame): string {
+    const scale = scaleOf(state, report)
+    if (probe === null || report === null || scale === null || this.ramp === null) return 'none'
+    const value = timesPowerOfTwo(probe.jacdet, probe.exponent - report.exponent)
+    return cssColour(rampColour(this.ramp, rampPosition(scale, value)))
   }
 
   dispose(): void {

@@ -43,7 +43,7 @@ export interface PaneLayout extends Size {
 /** Least width of a scene with the reference cube beside the element, else it is below it. */
 const BESIDE = 560
 /** In a lower scene it is beside it, too: below it one would have to scroll to see it. */
-const TOO_LOW = 340
+const TOO_LOW = 440
 /** A narrower pane has a phone's layout. */
 const NARROW = 560
 /** In a lower pane everything but the element makes way for it. */
@@ -130,7 +130,7 @@ function insetsOf(isNarrow: boolean, height: number): Insets {
   if (height < LOWEST && isNarrow) return { top: 62, right: 36, bottom: 54, left: 36 }
   if (height < LOW)
     return isNarrow ? { top: 76, right: 36, bottom: 60, left: 36 } : { top: 44, right: 156, bottom: 60, left: 92 }
-  return isNarrow ? { top: 110, right: 36, bottom: 96, left: 36 } : { top: 64, right: 156, bottom: 72, left: 92 }
+  return isNarrow ? { top: 110, right: 36, bottom: 112, left: 36 } : { top: 64, right: 156, bottom: 72, left: 92 }
 }
 
 /** A pointer's distance from the top left of an element, in units. */

@@ -29,6 +29,9 @@ const pulled = (t: number) =>
     [0, 1, 1],
   ] as const
 
+/** The unit cube with vertex 6 past vertex 5: jacdet at vertex 5 is the y of vertex 6. */
+const past = pulled(1).with(6, [2, -0.5, 1.5])
+
 /** The way from vertex 6 to vertex 0 is seen from the side: drags are in the plane of the screen. */
 const ontoDiagonal = { direction: [0.8, -0.3, 0.5], zoom: 1, pan: [0, 0, 0] } as const
 
@@ -153,6 +156,30 @@ export const lesson: Lesson = {
       element: pulled(0.5),
       views: 'scene verdict',
       state: { selectedVertex: 6, camera: ontoDiagonal },
+    },
+    {
+      title: 'The volume box',
+      question: {
+        asks: `<p>From the unit cube, vertex 6 moves to ${math(of(2, ',', row('−', frac(1, 2)), ',', frac(3, 2)))}, past vertex 5. At one vertex the
+          tiny boxes turn inside out. At which?</p>`,
+        answer: { kind: 'vertex', vertices: [2, 5, 6, 7] },
+        because: `<p>At vertex 5 one column has changed, the edge to vertex 6. It now points to negative ${math('y')}. At vertex 6 all three
+          columns have changed, and ${J} is 1 again.</p>`,
+        before: { element: pulled(1) },
+      },
+      text: `<p>Where you point, a little cube stands in the reference cube. In the element you see its <em>volume box</em>, the linear image,
+        enlarged: the three columns are its sides. Its signed volume is ${J} times that of the little cube.</p>
+        <p>Towards a place with ${math('J', '=', 0)} the box becomes flat. Beyond, where ${math('J', '<', 0)}, it is inside out: hatched, since one
+        sees its faces from inside.</p>`,
+      task: 'Point at vertex 5, or press P in the picture. Then point along the edge to vertex 1, and watch the box become flat and turn.',
+      claims: [
+        { says: 'At a vertex the box has half the volume, inside out', holds: 'corner_min = -1/2' },
+        { says: 'Elsewhere it is not: between them it is flat', holds: 'boundary_min < 0 and boundary_max > 0' },
+        { says: 'The element is invalid', holds: 'not valid' },
+      ],
+      element: past,
+      views: 'scene verdict',
+      state: { referenceShown: true },
     },
   ],
 }

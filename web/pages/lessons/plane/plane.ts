@@ -7,6 +7,8 @@ import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { Report } from '../../../core/report'
 import { formatJacdet, formatNumber, speakJacdet, speakNumber } from '../../../model/decimal'
 import { type Vertices, vertexOf } from '../../../model/hexahedron'
+import { type HistoryDocument, historyDocument, readHistory } from '../../../model/history-document'
+import { Refusal } from '../../../model/result'
 import type { Action } from '../../../model/state'
 import { createStore, type Store } from '../../../model/store'
 import { colourScaleOf, type Ramp, rampOf, type Theme } from '../../../scene/paint/colour-map'
@@ -107,8 +109,15 @@ export class Plane {
     return this.#store.state.vertices
   }
 
-  set vertices(vertices: Vertices) {
-    this.#dispatch({ type: 'set-vertices', vertices, preset: null })
+  get history(): HistoryDocument {
+    return historyDocument(this.#store.history)
+  }
+
+  /** Throws Refusal if it is none. */
+  set history(given: HistoryDocument) {
+    const result = readHistory(given)
+    if (!result.ok) throw new Refusal(result.error.message)
+    this.#dispatch({ type: 'take-history', history: result.value })
     this.#settle()
   }
 

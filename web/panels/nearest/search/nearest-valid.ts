@@ -9,6 +9,7 @@ import { timesPowerOfTwo } from '../../../core/power-of-two'
 import type { Core, Report } from '../../../core/report'
 import { type Vec3, type Vertices, vertexOf } from '../../../model/hexahedron'
 import { ofAllVertices } from './distances'
+import { analyzed, excessOf, type Goal } from './goal'
 import { type HalfSpaces, leastVector } from './least-distance'
 import { SLACK, TOLERANCE } from './least-on-boundary'
 import { map3, movedEdges, neighbours, responseAt, type ScaledElement } from './scaled-element'
@@ -26,7 +27,7 @@ export interface ValidTarget {
 const MARGIN = { first: 2 ** -8, factor: 2 ** -7, least: 2 ** -36 }
 const MOST_ROUNDS = 80
 
-/** A point at which jacdet has to be positive: J + g . d > 0. */
+/** A point at which jacdet, less the share, has to be positive: J + g . d > 0. */
 interface Cut {
   readonly jacdet: number
   readonly gradient: readonly number[]
@@ -35,18 +36,20 @@ interface Cut {
 /** Yields after each element. */
 export function* nearestValidOfVertex(
   core: Core,
+  goal: Goal,
   vertices: Vertices,
   scaled: ScaledElement,
   vertex: number,
 ): Generator<undefined, ValidTarget> {
   const report = analyzed(core, vertices)
   const largest = largestJacdet(report, scaled)
+  const excessAt = excessOf(scaled.edges, goal.share)
   const cutAt = (point: Vec3): Cut => {
-    const { jacdet, gradients } = responseAt(scaled.edges, point)
+    const { jacdet, gradients } = excessAt(point)
     return { jacdet, gradient: gradients[vertex] as Vec3 }
   }
   let margin = MARGIN.first * largest
-  let cuts: readonly Cut[] = lowPoints(report, scaled, margin).map(cutAt)
+  let cuts: readonly Cut[] = lowPoints(report, goal, scaled, margin).map(cutAt)
   let found: { vertices: Vertices; length: number } | null = null
   let bound = 0
   for (let round = 0; round < MOST_ROUNDS && margin >= MARGIN.least * largest; round++) {
@@ -64,11 +67,11 @@ export function* nearestValidOfVertex(
     const length = Math.hypot(...vector)
     if (!target.every(Number.isFinite)) break
     const there = analyzed(core, target)
-    if (there.valid) {
+    if (goal.isMet(target)) {
       if (found === null || length < found.length) found = { vertices: target, length }
       if (found.length * (1 - TOLERANCE) <= bound) break
       margin *= MARGIN.factor
-    } else cuts = [...cuts, ...lowPoints(there, scaled, margin).map(cutAt)]
+    } else cuts = [...cuts, ...lowPoints(there, goal, scaled, margin).map(cutAt)]
     yield
   }
   return { vertices: found?.vertices ?? null, bound, isLocallyLeast: false }
@@ -77,6 +80,7 @@ export function* nearestValidOfVertex(
 /** Starts at the element itself, and at other elements that are valid. */
 export function* nearestValidOfAll(
   core: Core,
+  goal: Goal,
   vertices: Vertices,
   scaled: ScaledElement,
   others: readonly Vertices[],
@@ -89,7 +93,7 @@ export function* nearestValidOfAll(
   const starts = [vertices, ...others]
   for (let run = 0; run < starts.length; run++) {
     const start = starts[run] as Vertices
-    const descent = yield* descend(core, vertices, scaled, largest, movesBetween(vertices, start, scaled))
+    const descent = yield* descend(core, goal, vertices, scaled, largest, movesBetween(vertices, start, scaled))
     bound = Math.max(bound, boundFrom(scaled, descent.points))
     if (descent.vertices && (best === null || descent.length < best.length))
       best = { ...descent, vertices: descent.vertices }
@@ -118,6 +122,7 @@ const SETTLED_PER_MARGIN = 4
 /** The shortest move at which jacdet, linear about the last one, exceeds the margin; then again. */
 function* descend(
   core: Core,
+  goal: Goal,
   vertices: Vertices,
   scaled: ScaledElement,
   largest: number,
@@ -135,12 +140,13 @@ function* descend(
     if (!target.every(Number.isFinite)) break
     const there = analyzed(core, target)
     const length = Math.hypot(...at)
-    const edges = movedEdges(scaled, moves)
-    points = distinct([...lowPoints(there, scaled, 4 * margin), ...points]).filter(point =>
-      hasLength(responseAt(edges, point).gradients.flat()),
+    const isMet = goal.isMet(target)
+    const excessAt = excessOf(movedEdges(scaled, moves), goal.share)
+    points = distinct([...lowPoints(there, goal, scaled, 4 * margin), ...points]).filter(point =>
+      hasLength(excessAt(point).gradients.flat()),
     )
     const cuts = points.map((point): Cut => {
-      const { jacdet, gradients } = responseAt(edges, point)
+      const { jacdet, gradients } = excessAt(point)
       const gradient = gradients.flat()
       return { jacdet: jacdet - product(gradient, at), gradient }
     })
@@ -154,8 +160,8 @@ function* descend(
     const step = vector.map((value, i) => value - (at[i] as number))
     const size = Math.hypot(...step)
     const isSettled = size <= SETTLED * length
-    if (there.valid && length <= best.length) best = { vertices: target, length, points, isSettled }
-    if (there.valid && size <= Math.max(SETTLED, (SETTLED_PER_MARGIN * margin) / largest) * length) {
+    if (isMet && length <= best.length) best = { vertices: target, length, points, isSettled }
+    if (isMet && size <= Math.max(SETTLED, (SETTLED_PER_MARGIN * margin) / largest) * length) {
       margin *= MARGIN.factor
       if (margin < MARGIN.least * largest) break
     }
@@ -225,20 +231,20 @@ const QUARTERS = [0, 1 / 4, 1 / 2, 3 / 4, 1]
 /** Points at which a bound is tried first. */
 const GRID = QUARTERS.flatMap(xi => QUARTERS.flatMap(eta => QUARTERS.map((zeta): Vec3 => [xi, eta, zeta])))
 
-export function analyzed(core: Core, vertices: Vertices): Report {
-  const result = core.analyze(vertices)
-  if (!result.ok) throw new Error(result.error.message)
-  return result.value
-}
-
 function largestJacdet({ bernstein, exponent }: Report, scaled: ScaledElement): number {
   return timesPowerOfTwo(Math.max(...bernstein.map(Math.abs)), exponent - 3 * scaled.exponent) || 1
 }
 
-/** The candidates at which jacdet is below the margin. */
-function lowPoints({ candidates, exponent }: Report, scaled: ScaledElement, margin: number): Vec3[] {
+/** The candidates at which jacdet is below the margin, and the share of the volume. */
+function lowPoints(
+  { candidates, exponent, volume, volumeExponent }: Report,
+  { share }: Goal,
+  scaled: ScaledElement,
+  margin: number,
+): Vec3[] {
+  const least = margin + share * timesPowerOfTwo(volume, volumeExponent - 3 * scaled.exponent)
   return candidates
-    .filter(({ value }) => timesPowerOfTwo(value, exponent - 3 * scaled.exponent) < margin)
+    .filter(({ value }) => timesPowerOfTwo(value, exponent - 3 * scaled.exponent) < least)
     .map(({ point }) => point)
 }
 

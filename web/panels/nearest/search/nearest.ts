@@ -10,8 +10,9 @@ import type { Core } from '../../../core/report'
 import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../../model/hexahedron'
 import { elementAt } from '../../../model/way'
 import { moveDownhill, moveOfAll, moveOfVertex, ofAllVertices, ofVertex } from './distances'
+import { analyzed, type Goal, goalOf } from './goal'
 import { leastOnBoundary } from './least-on-boundary'
-import { analyzed, movedVertices, nearestValidOfAll, nearestValidOfVertex } from './nearest-valid'
+import { movedVertices, nearestValidOfAll, nearestValidOfVertex } from './nearest-valid'
 import { columnsAt, map3, type ScaledElement, scaledElement } from './scaled-element'
 
 export interface NearestMove {
@@ -36,7 +37,10 @@ export type NearestAnswer = NearestMove | 'impossible' | null
 
 export interface Nearest {
   readonly vertices: Vertices
-  readonly valid: boolean
+  /** The relative minimum that was asked for. */
+  readonly share: number
+  /** True if the element has it, and invalid ones are looked for; else those that have it are. */
+  readonly isMet: boolean
   /** Answers for vertices 0, 1, …, as far as they are done. */
   readonly ofVertex: readonly NearestAnswer[]
   /** The shortest of one vertex: null if there is none, undefined until all are done. */
@@ -49,23 +53,27 @@ export interface Nearest {
 const OUT_OF_REACH = 2 ** 20
 const LEAST = 2 ** -20
 
-/** Yields the answers so far every few milliseconds; the whole may take some tenths of a second. */
-export function* searchNearest(core: Core, vertices: Vertices): Generator<Nearest, Nearest> {
-  const valid = verdictOf(core, vertices)
+/**
+ * Yields the answers so far every few milliseconds; the whole may take some tenths of a second.
+ * `share` is the relative minimum that a valid element is to have.
+ */
+export function* searchNearest(core: Core, vertices: Vertices, share = 0): Generator<Nearest, Nearest> {
+  const goal = goalOf(core, share)
+  const isMet = goal.isMet(vertices)
   const scaled = scaledElement(vertices)
-  let nearest: Nearest = { vertices, valid, ofVertex: [], ofOne: undefined, ofAll: undefined }
+  let nearest: Nearest = { vertices, share, isMet, ofVertex: [], ofOne: undefined, ofAll: undefined }
   for (let vertex = 0; vertex < VERTEX_COUNT; vertex++) {
-    const search = valid
+    const search = isMet
       ? invalidOfVertex(core, vertices, scaled as ScaledElement, vertex)
-      : validOfVertex(core, vertices, scaled, vertex)
+      : validOfVertex(core, goal, vertices, scaled, vertex)
     const answer = yield* paused(search, nearest)
     nearest = { ...nearest, ofVertex: [...nearest.ofVertex, answer] }
     yield nearest
   }
   nearest = { ...nearest, ofOne: bestOf(nearest.ofVertex) }
-  const search = valid
+  const search = isMet
     ? invalidOfAll(core, vertices, scaled as ScaledElement)
-    : validOfAll(core, vertices, scaled, nearest.ofOne ?? null)
+    : validOfAll(core, goal, vertices, scaled, nearest.ofOne ?? null)
   const ofAll = yield* paused(search, nearest)
   return { ...nearest, ofAll: shorterOf(ofAll, nearest.ofOne ?? null) }
 }
@@ -101,7 +109,11 @@ function* invalidOfVertex(
 ): Generator<undefined, NearestAnswer> {
   const { point, bound } = yield* leastOnBoundary(scaled.edges, ofVertex(vertex))
   const target = invalidBeyond(core, vertices, moveOfVertex(scaled.edges, point, vertex), scaled)
-  return yield* moveTo(core, vertices, target, { vertex, bound: inUnits(bound, scaled), isLocal: true })
+  return yield* moveTo(v => verdictOf(core, v), vertices, target, {
+    vertex,
+    bound: inUnits(bound, scaled),
+    isLocal: true,
+  })
 }
 
 function* invalidOfAll(core: Core, vertices: Vertices, scaled: ScaledElement): Generator<undefined, NearestAnswer> {
@@ -109,33 +121,43 @@ function* invalidOfAll(core: Core, vertices: Vertices, scaled: ScaledElement): G
   const least = moveOfAll(scaled.edges, point)
   const moves = least ?? moveDownhill(scaled.edges, analyzed(core, vertices).minimizer.point)
   const target = invalidBeyond(core, vertices, moves, scaled)
-  return yield* moveTo(core, vertices, target, { vertex: null, bound: inUnits(bound, scaled), isLocal: least !== null })
+  return yield* moveTo(v => verdictOf(core, v), vertices, target, {
+    vertex: null,
+    bound: inUnits(bound, scaled),
+    isLocal: least !== null,
+  })
 }
 
 function* validOfVertex(
   core: Core,
+  goal: Goal,
   vertices: Vertices,
   scaled: ScaledElement | null,
   vertex: number,
 ): Generator<undefined, NearestAnswer> {
   if (scaled === null) return 'impossible' // seven vertices in one point
-  const { vertices: target, bound, isLocallyLeast } = yield* nearestValidOfVertex(core, vertices, scaled, vertex)
+  const { vertices: target, bound, isLocallyLeast } = yield* nearestValidOfVertex(core, goal, vertices, scaled, vertex)
   if (target === null) return bound > OUT_OF_REACH ? 'impossible' : null
-  return yield* moveTo(core, vertices, target, { vertex, bound: inUnits(bound, scaled), isLocal: isLocallyLeast })
+  return yield* moveTo(goal.isMet, vertices, target, { vertex, bound: inUnits(bound, scaled), isLocal: isLocallyLeast })
 }
 
 function* validOfAll(
   core: Core,
+  goal: Goal,
   vertices: Vertices,
   scaled: ScaledElement | null,
   one: NearestMove | null,
 ): Generator<undefined, NearestAnswer> {
   if (scaled === null) return null // however small a cube is taken, a smaller one is nearer
-  const box = yield* wayToBox(core, vertices, scaled)
+  const box = yield* wayToBox(goal, vertices, scaled)
   const others = [one?.vertices, box].filter(other => other !== undefined && other !== null)
-  const { vertices: target, bound, isLocallyLeast } = yield* nearestValidOfAll(core, vertices, scaled, others)
+  const { vertices: target, bound, isLocallyLeast } = yield* nearestValidOfAll(core, goal, vertices, scaled, others)
   const found = target ?? one?.vertices ?? box
-  return yield* moveTo(core, vertices, found, { vertex: null, bound: inUnits(bound, scaled), isLocal: isLocallyLeast })
+  return yield* moveTo(goal.isMet, vertices, found, {
+    vertex: null,
+    bound: inUnits(bound, scaled),
+    isLocal: isLocallyLeast,
+  })
 }
 
 /** Moves that change nothing in doubles, or no verdict, are doubled as often as this. */
@@ -154,7 +176,7 @@ function invalidBeyond(core: Core, vertices: Vertices, moves: readonly Vec3[], s
 
 /** A box with the element's mean edges, or a cube; or the element where the way becomes valid. */
 function* wayToBox(
-  core: Core,
+  goal: Goal,
   vertices: Vertices,
   { edges, exponent }: ScaledElement,
 ): Generator<undefined, Vertices | null> {
@@ -169,9 +191,9 @@ function* wayToBox(
       }),
     ),
   )
-  const box = boxes.find(candidate => candidate.every(Number.isFinite) && verdictOf(core, candidate))
+  const box = boxes.find(candidate => candidate.every(Number.isFinite) && goal.isMet(candidate))
   if (box === undefined) return null
-  const { far } = yield* changesBetween(core, vertices, box, { near: 0, far: 1 })
+  const { far } = yield* changesBetween(goal.isMet, vertices, box, { near: 0, far: 1 })
   return elementAt(vertices, box, far)
 }
 
@@ -194,13 +216,13 @@ const LEAST_SHARE = 2 ** -64
 
 /** The nearest move that doubles allow on the straight way to the target. */
 function* moveTo(
-  core: Core,
+  holds: (vertices: Vertices) => boolean,
   vertices: Vertices,
   target: Vertices | null,
   { vertex, bound, isLocal }: Known,
 ): Generator<undefined, NearestAnswer> {
-  if (!target?.every(Number.isFinite) || verdictOf(core, target) === verdictOf(core, vertices)) return null
-  const { near, far } = yield* changesBetween(core, vertices, target, { near: 0, far: 1 }, LEAST_SHARE)
+  if (!target?.every(Number.isFinite) || holds(target) === holds(vertices)) return null
+  const { near, far } = yield* changesBetween(holds, vertices, target, { near: 0, far: 1 }, LEAST_SHARE)
   const found = elementAt(vertices, target, far)
   const ways = vertexReference.map((_, v) =>
     Math.hypot(...map3(axis => vertexOf(found, v)[axis] - vertexOf(vertices, v)[axis])),

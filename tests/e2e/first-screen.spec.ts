@@ -1,0 +1,57 @@
+import { expect, expectAxeFindsNothing, handleOf, test } from './lens'
+
+for (const [width, height] of [
+  [1440, 900],
+  [1024, 768],
+  [390, 844],
+] as const)
+  test(`at ${width} pixels the first screen says what to do, until it is done`, async ({ lens, page }) => {
+    await page.setViewportSize({ width, height })
+    await lens.open()
+    const hint = page.locator('.hint')
+    const legend = page.locator('hex-lens').getByText('edge candidate', { exact: true })
+    const cue = page.locator('hex-lens .scene-pane .cue')
+    const svg = () => lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).toSVG())
+
+    await test.step('the important is in sight', async () => {
+      await expect(hint).toBeInViewport({ ratio: 1 })
+      await expect(hint).toContainText('turns red (J < 0) the map folds over, and a solver would fail there')
+      await expect(lens.verdict.locator('.word')).toBeInViewport({ ratio: 1 })
+      await expect(lens.verdict.locator('.why')).toBeInViewport({ ratio: 1 })
+      await expect(legend).toBeHidden()
+      await expectAxeFindsNothing(page)
+    })
+
+    await test.step('a handle shows that it can be dragged, and none looks chosen', async () => {
+      await expect(cue).toBeVisible()
+      expect(await svg()).not.toContain('M-4-12')
+      await expect(page.locator('hex-lens .handle.selected, hex-lens tr.selected')).toHaveCount(0)
+    })
+
+    await test.step('with the focus of the keyboard the first one is', async () => {
+      await lens.scene.focus()
+      await expect(page.locator('hex-lens .scene-pane .handle.selected')).toHaveText('0')
+    })
+
+    await test.step('another preset is no drag', async () => {
+      await lens.preset.selectOption({ label: 'Unit cube' })
+      await lens.nextFrame()
+      await expect(hint).toBeVisible()
+    })
+
+    await test.step('the first drag ends it for good', async () => {
+      const { x, y } = await handleOf(lens, 6)
+      await page.mouse.move(x, y)
+      await page.mouse.down()
+      await page.mouse.move(x + 20, y - 20, { steps: 2 })
+      await expect(hint).toHaveCount(0)
+      await page.mouse.up()
+      await expect(cue).toBeHidden()
+      await page.getByRole('combobox', { name: 'Preset' }).selectOption({ label: 'Looks fine, is not' })
+      await expect(legend).toBeVisible()
+      await page.reload()
+      await expect(legend).toBeVisible()
+      await expect(hint).toHaveCount(0)
+      await expect(cue).toBeHidden()
+    })
+  })
