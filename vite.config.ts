@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig, type Plugin } from 'vite'
+import { leanReaders } from './tools/lean-readers.mjs'
 import { leanThree } from './tools/lean-three.mjs'
 import { appPages, pageAt, pages } from './tools/pages.mjs'
 
@@ -42,7 +43,7 @@ export default defineConfig({
   appType: 'mpa',
   publicDir: `${root}public`,
   cacheDir: `${root}node_modules/.vite`,
-  plugins: [leanThree, pages, securityPolicy],
+  plugins: [leanThree, leanReaders, pages, securityPolicy],
   worker: { format: 'es' },
   server: { fs: { allow: [root] } },
   build: {

@@ -3,6 +3,7 @@
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { basename, dirname, join, resolve } from 'node:path'
 import { promisify } from 'node:util'
+import { leanReaders } from './lean-readers.mjs'
 import { leanThree } from './lean-three.mjs'
 import { must, root, tsc } from './run.mjs'
 
@@ -111,7 +112,7 @@ function licences() {
 async function scriptOf({ entry, isWidget = false, format = 'es', external = [], around: [before, after] = ['', ''] }) {
   const groups = [{ name: 'wasm', test: /-inside\.ts$/ }, { name: 'libraries', test: /node_modules/ }, { name: 'ours' }]
   const split = { codeSplitting: { groups }, minify: false }
-  const chunks = await chunksOf({ entry, formats: ['es'] }, [insideOneFile, leanThree], external, split)
+  const chunks = await chunksOf({ entry, formats: ['es'] }, [insideOneFile, leanThree, leanReaders], external, split)
   const whole = { codeSplitting: false, minify: true, postBanner: `${BANNER}\n${before}`, postFooter: after }
   const given = { entry: chunks[0].fileName, formats: [format], name: 'hexlens' }
   const [{ code }] = await chunksOf(given, [modulesOf(chunks), insideOneFile], external, whole)

@@ -1,9 +1,12 @@
 /** Walks that lost the reader's work: to another page and back, by reload, to a second tab, where the browser keeps nothing. */
+import { readFileSync } from 'node:fs'
 import type { Page } from '@playwright/test'
+import { drop } from './input'
 import { expect, Lens, test } from './lens'
 
 type Element = HTMLElementTagNameMap['hex-lens']
 
+const LIST = new URL('../../../shared/pastes/44-calculix-6000.inp', import.meta.url)
 const LAST = 'Your last element.'
 const note = (page: Page) => page.locator('.pages .note')
 const history = (lens: Lens) => lens.element.evaluate(element => (element as Element).history)
@@ -122,6 +125,59 @@ test('the element, the view and undo survive the other pages, Back, a reload and
     await lens.button('Undo').click()
     await expect.poll(() => lens.bits()).toEqual(made)
   })
+})
+
+test('a list that was read is there again, until it is closed', async ({ lens, page }) => {
+  const list = page.getByRole('listbox')
+  await lens.open()
+  await drop(lens.scene, { files: [{ name: '44-calculix-6000.inp', bytes: readFileSync(LIST) }] })
+  await expect(list).toBeFocused()
+  await page.keyboard.press('Enter')
+  await expect(lens.verdict).toHaveText(/^INVALID/)
+  await lens.nextFrame()
+  const chosen = await history(lens)
+  await expect.poll(() => page.evaluate(() => sessionStorage.getItem('hexlens-list-1'))).not.toBeNull()
+
+  await goTo(page, 'Gallery')
+  await backByLink(lens)
+  await expect(page.getByRole('region', { name: 'What was read' })).toContainText('6000 hexahedra')
+  await expect(list).toBeVisible()
+  await expect(list).not.toBeFocused()
+  expect(await history(lens)).toEqual(chosen)
+  await page.reload()
+  await expect(list).toBeVisible()
+  await lens.button('Close the list').click()
+  await page.reload()
+  await expect(lens.verdict).toHaveText(/^INVALID/)
+  await lens.nextFrame()
+  await expect(list).toHaveCount(0)
+  expect(await history(lens)).toEqual(chosen)
+})
+
+test('a list that cannot be kept is said to be gone on leaving', async ({ lens, page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(globalThis, 'indexedDB', { value: undefined })
+  })
+  await lens.open()
+  await drop(lens.scene, { files: [{ name: '44-calculix-6000.inp', bytes: readFileSync(LIST) }] })
+  await expect(note(page)).toHaveText('The list is gone when you leave this page: this browser does not keep it.')
+  await lens.button('Close the list').click()
+  await expect(note(page)).toBeEmpty()
+})
+
+test('what is chosen in Copy embed is there again', async ({ lens, page }) => {
+  await lens.open()
+  await lens.button('Copy embed').click()
+  await page.getByRole('spinbutton', { name: 'Height' }).fill('640')
+  await page.getByRole('spinbutton', { name: 'Height' }).press('Enter')
+  await page.getByRole('combobox', { name: 'For' }).selectOption('Sphinx')
+  await page.getByRole('textbox', { name: 'Description' }).fill('Mine')
+  await page.getByRole('textbox', { name: 'Description' }).press('Enter')
+  await goTo(page, 'Gallery')
+  await backByLink(lens)
+  await expect(page.getByRole('spinbutton', { name: 'Height' })).toHaveValue('640')
+  await expect(page.getByRole('combobox', { name: 'For' })).toHaveValue(/Sphinx/)
+  await expect(page.getByRole('textbox', { name: 'Description' })).toHaveValue('Mine')
 })
 
 test('each step of a lesson has its own element and undo', async ({ lens, page }) => {
@@ -274,14 +330,11 @@ test('a page shown again as it was left goes on with what another has kept since
   await type(lens, 6, 'z', '0.75')
   const own = await history(lens)
   await page.evaluate(() => {
-    const key = Object.keys(sessionStorage).find(name => name.startsWith('hexlens-lens-'))
     dispatchEvent(new PageTransitionEvent('pagehide', { persisted: true }))
-    const kept = sessionStorage.getItem(key ?? 'hexlens-lens-1') ?? ''
-    const work = JSON.parse(kept)
-    const [element] = work.history.elements
-    work.history.elements.push({ ...element, vertices: element.vertices.with(2, 0.5) })
+    const work = JSON.parse(sessionStorage.getItem('hexlens-lens-1') ?? '')
+    work.history.steps.push({ vertices: [2, 0.5] })
     work.history.present += 1
-    work.state = { ...work.state, vertices: element.vertices.with(2, 0.5) }
+    work.state.vertices[2] = 0.5
     sessionStorage.setItem('hexlens-lens-1', JSON.stringify(work))
     dispatchEvent(new PageTransitionEvent('pageshow', { persisted: true }))
   })

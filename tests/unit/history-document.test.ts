@@ -6,6 +6,7 @@ import { describe, expect, it } from 'vitest'
 import { type HistoryDocument, historyDocument, readHistory } from '../../web/model/history-document'
 import type { Action } from '../../web/model/state'
 import { createStore, HISTORY_LIMIT, type Store } from '../../web/model/store'
+import { packed, unpacked } from '../../web/pages/packed-history'
 import { unitCube } from './core-fixtures'
 
 const schema = JSON.parse(readFileSync(new URL('../../docs/history.schema.json', import.meta.url), 'utf8'))
@@ -62,6 +63,7 @@ describe('a history', () => {
         const text = JSON.stringify(historyDocument(store.history))
         expect(fits(JSON.parse(text)), JSON.stringify(fits.errors)).toBe(true)
         const again = restored(JSON.parse(text))
+        expect(unpacked(JSON.parse(JSON.stringify(packed(JSON.parse(text)))))).toEqual(JSON.parse(text))
         expect(JSON.stringify(historyDocument(again.history))).toBe(text)
         expect(walked(again)).toEqual(walked(store))
       }),
@@ -94,6 +96,8 @@ describe('a history', () => {
     expect([document.elements.length, document.present]).toEqual([HISTORY_LIMIT + 1, HISTORY_LIMIT])
     expect(fits(document)).toBe(true)
     expect(restored(document).state.canUndo).toBe(true)
+    expect(unpacked(packed(document))).toEqual(document)
+    expect(JSON.stringify(packed(document)).length).toBeLessThan(JSON.stringify(document).length / 5)
     const more = { ...document, elements: [...document.elements, cube] }
     expect(fits(more)).toBe(false)
     expect(readHistory(more)).toMatchObject({ ok: false, error: { message: expect.stringContaining('1001') } })

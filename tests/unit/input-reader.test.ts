@@ -18,6 +18,7 @@ function readingWith(worker: ReadingWorker) {
     take: vertices => vertices,
     refuse: message => message !== null && refuse(message),
     onNews: () => news.push(reader.reading?.state ?? null),
+    onList: () => {},
   })
   reader.read({ text: '0 0 0' })
   return { reader, refused, news }

@@ -6,6 +6,7 @@ import type { Vertices } from '../../web/model/hexahedron'
 import type { Cameras, CameraView, State } from '../../web/model/state'
 import { readState, stateDocument } from '../../web/model/state-document'
 import { createStore } from '../../web/model/store'
+import { choiceSlice } from '../../web/panels/embed/choice'
 import { panels } from '../../web/panels/list'
 import { nearest } from '../../web/panels/nearest'
 import { knownPanels } from '../../web/panels/panel'
@@ -52,6 +53,17 @@ const state: fc.Arbitrary<State> = fc.record({
         query: fc.constantFrom('minimum', 'validity'),
         variant: fc.constantFrom('roots', 'roots-b'),
         step: below(26),
+      }),
+    }),
+    embed: fc.record({
+      embedding: fc.record({
+        host: fc.string(),
+        views: fc.array(fc.string()),
+        theme: fc.constantFrom('auto', 'light', 'dark'),
+        readonly: fc.boolean(),
+        camera: fc.option(fc.string()),
+        height: within(160, 4000),
+        label: fc.option(fc.string()),
       }),
     }),
     morph: fc.record({ morphA: fc.option(vertices), morphB: fc.option(vertices) }),
@@ -143,7 +155,7 @@ describe('a state', () => {
       section: { axis: 0, value: 0.83 },
     })
     // What came later is as in a new element.
-    expect(stateDocument(state, known)).toEqual({ ...kept, nearestRelativeMinimum: 0 })
+    expect(stateDocument(state, known)).toEqual({ ...kept, nearestRelativeMinimum: 0, ...choiceSlice.first })
   })
 
   it('of a later version is refused as that, of none as malformed', () => {

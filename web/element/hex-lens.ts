@@ -83,10 +83,11 @@ const EARLY = [
  *   `algorithm`, `inside`, `morph`, `node-order`, `paste`, `take-away`, `embed`. The pages of
  *   Hexlens add `nearest`; elsewhere the word is ignored. With the scene and the verdict alone, the
  *   verdict is a line or two below the scene.
- * @attr {a list of words, `all` or `none`} [controls=all] - Buttons of the scene: `faces`,
+ * @attr {a list of words, `all` or `none`} [controls=all] - Buttons of the scene: `minimum`, `faces`,
  *   `reference`, `turn`, `fit`, `help`. The keys work without their buttons.
  * @attr {azimuth, elevation, zoom} [camera=-58 24 1] - The first view: two angles in degrees, and
- *   how many times nearer than the view in which the element just fits. Turning by the reader
+ *   how many times nearer than the view in which the element just fits. Without it, a preset whose
+ *   minimum is negative and hidden, or hardly seen from there, is first seen from another direction. Turning by the reader
  *   changes `state`, not this.
  * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` follows the reader’s system.
  * @attr {there or not} [readonly=not] - The reader may look and turn, but not change the element.
@@ -100,6 +101,8 @@ const EARLY = [
  *   or a number was entered.
  * @fires {CustomEvent<{ valid: boolean }>} hex-verdict - The first verdict, and each one that
  *   differs from the one before.
+ * @fires {CustomEvent<{ text: string } | { files: File[] } | null>} hex-list - There is a list to
+ *   choose from, and this is what it was read from; null when it is put away.
  * @fires {CustomEvent<{ code: string, message: string }>} hex-error - Something does not work, and
  *   `message` says so in a sentence. The codes: an attribute that is not understood (`bad-vertices`
  *   and so on), `core-failed`, `no-webgl`, `context-lost`, `input-refused`, `not-read`.
@@ -152,7 +155,7 @@ const EARLY = [
  * @cssprop [--hl-line=#e4e5e3, dark #303336] - Hairlines.
  * @cssprop [--hl-negative=#b2182b, dark #f4787a] - The hue of negative jacdet.
  * @cssprop [--hl-positive=#2166ac, dark #74b3f0] - The hue of positive jacdet.
- * @cssprop [--hl-neutral=#f6f6f4, dark #26282b] - The colour of zero.
+ * @cssprop [--hl-neutral=#eeeeeb, dark #373a3f] - The colour of zero.
  */
 export class HexLens extends ReflectingElement {
   static readonly observedAttributes: readonly AttributeName[] = attributeNames
@@ -197,6 +200,7 @@ export class HexLens extends ReflectingElement {
     },
     refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
     onNews: () => this.#frames.schedule(),
+    onList: input => this.#tell('hex-list', input),
   })
   readonly #attributes = new AttributeInput(this, viewNames(HexLens.composition), {
     state: () => this.#store.state,
@@ -384,13 +388,23 @@ export class HexLens extends ReflectingElement {
   }
 
   /**
+   * Turns the scene to where the minimum is seen from outside, in less than a second or, where the
+   * reader wants no motion, at once. Faces that hide it from everywhere become see-through. If jacdet
+   * is lower inside than on the boundary, the inside is shown, cut at its minimum. Before the scene
+   * is drawn it does nothing.
+   */
+  showMinimum(): void {
+    this.#views.showMinimum()
+  }
+
+  /**
    * Reads a text, a file, or files that belong together, as if dropped here. One element becomes
    * the element, as one step to undo. Of several the reader chooses one, where `paste` is among the
-   * views. What cannot be read is told by `hex-error`.
+   * views; `isQuiet` leaves the focus where it is. What cannot be read is told by `hex-error`.
    */
-  offer(given: string | File | readonly File[]): void {
-    if (typeof given === 'string') this.#input.read({ text: given })
-    else this.#input.read({ files: given instanceof File ? [given] : given })
+  offer(given: string | File | readonly File[], isQuiet = false): void {
+    const input = typeof given === 'string' ? { text: given } : { files: given instanceof File ? [given] : given }
+    this.#input.read(input, isQuiet)
   }
 
   /**

@@ -21,6 +21,8 @@ export interface InputTaker {
   refuse(message: string | null): void
   /** `reading` has changed. */
   onNews(): void
+  /** There is a list to choose from, and what it was read from; null when it is put away. */
+  onList(input: PastedInput | null): void
 }
 
 export class InputReader implements InputHost {
@@ -61,14 +63,15 @@ export class InputReader implements InputHost {
     })
   }
 
-  read(input: PastedInput): void {
-    void this.#read(this.#completed(input))
+  read(input: PastedInput, isQuiet = false): void {
+    void this.#read(this.#completed(input), isQuiet)
   }
 
   close(): void {
     this.#underWay?.abort()
     this.#underWay = null
     this.#taker.refuse(null)
+    if (this.reading?.state === 'read') this.#taker.onList(null)
     this.#set(null)
   }
 
@@ -83,7 +86,7 @@ export class InputReader implements InputHost {
     this.#taker.onNews()
   }
 
-  async #read(input: PastedInput): Promise<void> {
+  async #read(input: PastedInput, isQuiet: boolean): Promise<void> {
     this.close()
     const underWay = new AbortController()
     this.#underWay = underWay
@@ -94,7 +97,7 @@ export class InputReader implements InputHost {
     if (underWay.signal.aborted) return
     this.#underWay = null
     if ('refused' in outcome) this.#refuse(outcome.refused, input, outcome.missing)
-    else this.#take(outcome)
+    else this.#take(outcome, input, isQuiet)
   }
 
   /** Whatever ends the worker becomes a sentence. */
@@ -113,7 +116,11 @@ export class InputReader implements InputHost {
     }
   }
 
-  #take({ summary, columns }: Extract<ReadingOutcome, { columns: unknown }>): void {
+  #take(
+    { summary, columns }: Extract<ReadingOutcome, { columns: unknown }>,
+    input: PastedInput,
+    isQuiet: boolean,
+  ): void {
     const cells = new CheckedCells(columns)
     const { id, why } = cells.at(0)
     if (cells.count === 1 && cells.verticesOf(0) === null) {
@@ -122,9 +129,12 @@ export class InputReader implements InputHost {
     }
     this.#waiting = null
     this.#shown = new WeakMap()
-    this.reading = { state: 'read', summary, cells, cellOf: vertices => this.#shown.get(vertices) ?? null }
+    this.reading = { state: 'read', isQuiet, summary, cells, cellOf: vertices => this.#shown.get(vertices) ?? null }
     if (cells.count === 1) this.show(0)
-    else this.#taker.onNews()
+    else {
+      this.#taker.onNews()
+      this.#taker.onList(input)
+    }
   }
 
   #refuse(message: string, input: PastedInput | null, missing: readonly string[]): void {

@@ -27,6 +27,8 @@ export type Reading =
 
 export interface ReadCells {
   readonly state: 'read'
+  /** True if it was there before: the reader may be somewhere else. */
+  readonly isQuiet: boolean
   readonly summary: ReadSummary
   /** One cell or more. */
   readonly cells: CheckedCells

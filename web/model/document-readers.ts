@@ -43,6 +43,10 @@ export const text = reader({ type: 'string' }, (value, path) => {
   return value
 })
 
+export const texts = reader<readonly string[]>({ type: 'array', items: text.schema }, (value, path) =>
+  list(value, path).map((each, i) => text(each, `${path}[${i}]`)),
+)
+
 export function oneOf<const Choices extends readonly unknown[]>(...choices: Choices): Reader<Choices[number]> {
   return reader({ enum: choices }, (value, path) => {
     if (!choices.includes(value)) throw new Refusal(`${path} has to be one of ${choices.join(', ')}.`)

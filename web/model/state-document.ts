@@ -19,6 +19,7 @@ import {
   record,
   type Schema,
   text,
+  texts,
 } from './document-readers'
 import { VERTEX_COUNT, type Vec3, type Vertices } from './hexahedron'
 import { type CodedError, Refusal, type Result } from './result'
@@ -85,10 +86,9 @@ const sliceReader = ({ readers, first }: AnySlice) => record(readers, first)
 
 /** Panels of a later program are left out. */
 function panelNames(known: readonly string[]): Reader<readonly string[]> {
-  return reader<readonly string[]>({ type: 'array', items: { type: 'string' } }, (value, path) => {
-    const names = new Set(list(value, path).map((name, i) => text(name, `${path}[${i}]`)))
-    return [...names].filter(name => known.includes(name))
-  })
+  return reader<readonly string[]>(texts.schema, (value, path) =>
+    [...new Set(texts(value, path))].filter(name => known.includes(name)),
+  )
 }
 
 const vector = { type: 'array', minItems: 3, maxItems: 3, items: { type: 'number', minimum: -1000, maximum: 1000 } }

@@ -1,6 +1,7 @@
 /** The way to forget all that this browser keeps for Hexlens. It asks once more, in its place. */
 import { html, type TemplateResult } from 'lit-html'
 import { forgetAll } from './keep'
+import { forgetLists } from './kept-list'
 
 export class Forget {
   readonly #onChange: () => void
@@ -39,6 +40,7 @@ export class Forget {
     const place = (event.target as Element).closest<HTMLElement>('.forget')
     if (next === 'done') {
       forgetAll()
+      forgetLists()
       this.#onForget()
     }
     this.#onChange()

@@ -7,10 +7,11 @@ import { HISTORY_VERSION, type HistoryDocument } from '../model/history-document
 import type { StateDocument } from '../model/state-document'
 import { KEEPING_NOTES, Keeper } from './keep'
 import { say } from './note'
+import { type PackedHistory, packed, unpacked } from './packed-history'
 
-export interface Work {
+interface Work {
   readonly state: StateDocument
-  readonly history: HistoryDocument
+  readonly history: PackedHistory
 }
 
 /** A lens, or what stands in its place. */
@@ -24,10 +25,9 @@ const VERSION = 1
 const PAUSE = 800
 const OF_THE_READER = ['pointerdown', 'keydown', 'wheel'] as const
 
-/** The lens checks the rest, and refuses what another version of the page kept. */
+/** What another version of the page or somebody else has stored is found out when it is shown. */
 function readWork(value: unknown): Work | null {
-  const { state, history } = (value ?? {}) as Partial<Work>
-  return state && history ? { state, history } : null
+  return value as Work | null
 }
 
 export class LensWork {
@@ -76,11 +76,12 @@ export class LensWork {
     this.#isTouched = false
     const work = this.#here.get(name) ?? this.#keeper.found()
     try {
-      if (work) this.#show(work)
+      if (work === null) return this.#begin(first)
+      this.#show(work.state, unpacked(work.history))
+      return true
     } catch {
       return this.#begin(first)
     }
-    return work === null ? this.#begin(first) : true
   }
 
   /** From now on what is shown is kept, though the reader has not done anything with it. */
@@ -92,9 +93,9 @@ export class LensWork {
   keep(): void {
     clearTimeout(this.#pause)
     if (this.#name === null || !this.#isTouched) return
-    const { state, history } = this.#lens
-    this.#here.set(this.#name, { state, history })
-    const keeping = this.#keeper.keep({ state, history })
+    const work = { state: this.#lens.state, history: packed(this.#lens.history) }
+    this.#here.set(this.#name, work)
+    const keeping = this.#keeper.keep(work)
     if (keeping !== 'kept') say(KEEPING_NOTES[keeping])
   }
 
@@ -118,7 +119,7 @@ export class LensWork {
     return keeper
   }
 
-  #show({ state, history }: Work): void {
+  #show(state: StateDocument, history: HistoryDocument): void {
     this.#lens.history = history
     this.#lens.state = state
   }
@@ -126,10 +127,7 @@ export class LensWork {
   #begin(first: StateDocument | null): false {
     if (first === null) return false
     const { vertices, preset = null, start = vertices } = first
-    this.#show({
-      state: first,
-      history: { version: HISTORY_VERSION, elements: [{ vertices, preset, start }], present: 0 },
-    })
+    this.#show(first, { version: HISTORY_VERSION, elements: [{ vertices, preset, start }], present: 0 })
     return false
   }
 

@@ -11,6 +11,7 @@ import { pastedIn } from '../../input/pasted-input'
 import { decodePermalink } from '../../model/permalink'
 import { STATE_VERSION, type StateDocument } from '../../model/state-document'
 import { entryAt, type HistoryEntry, keepEntry, presentKey } from '../history-entries'
+import { keepLists } from '../kept-list'
 import { LensWork } from '../lens-work'
 import { say, unsay } from '../note'
 import { scrollOf, scrollTo } from '../scroll'
@@ -110,6 +111,8 @@ lens.addEventListener('hex-change', () => {
   } else history.replaceState(history.state, '', lens.permalink)
   settle()
 })
+
+keepLists(lens)
 
 // While nothing has the focus, undo, redo and paste can only mean the element.
 addEventListener('keydown', event => {

@@ -5,10 +5,6 @@ import { numberText } from '../../model/number-text'
 import type { CameraView } from '../../model/state'
 import { pointsOf } from '../../model/written-element'
 
-/** Values of the element's attribute `theme`. */
-export const THEMES = ['auto', 'light', 'dark'] as const
-export type ThemeName = (typeof THEMES)[number]
-
 /** Names of panels in the attribute `views`, in their order. */
 export const embeddableViews = [
   { name: 'scene', title: 'Scene' },
@@ -25,6 +21,10 @@ export const embeddableViews = [
   { name: 'take-away', title: 'Take away' },
   { name: 'toolbar', title: 'Presets, undo' },
 ] as const
+
+/** Values of the element's attribute `theme`. */
+export const THEMES = ['auto', 'light', 'dark'] as const
+export type ThemeName = (typeof THEMES)[number]
 
 export interface Embed {
   readonly vertices: Vertices

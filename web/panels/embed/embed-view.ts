@@ -1,33 +1,22 @@
 /** The element for other documentation: lines to copy for each kind of site, and their preview. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { Vertices } from '../../model/hexahedron'
+import { type State, sliceChange, sliceOf } from '../../model/state'
 import { copyText } from '../../views/copy-text'
 import { NumberField } from '../../views/number-field'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
+import { type Choice, choiceSlice, HEIGHTS } from './choice'
 import css from './embed.css?inline'
-import { cameraText, type Embed, embeddableViews, THEMES, type ThemeName, verticesText } from './embed-lines'
-import { type Host, hosts, type Snippet } from './hosts'
+import { cameraText, type Embed, embeddableViews, THEMES, verticesText } from './embed-lines'
+import { hosts, type Snippet } from './hosts'
 
 export const styles = css
 
 const PICTURE = 'hexlens.png'
-const HEIGHTS = { least: 160, most: 4000, isWhole: true } as const
 const HEIGHT_STEP = 20
 /** The preview's events are not those of the element around it. */
 const EVENTS = ['hex-input', 'hex-change', 'hex-verdict', 'hex-error']
-
-/** The author's choice. */
-interface Choice {
-  readonly host: Host
-  readonly views: readonly string[]
-  readonly theme: ThemeName
-  readonly readonly: boolean
-  readonly camera: string | null
-  readonly height: number
-  /** Null if it is to be the one that follows from the verdict. */
-  readonly label: string | null
-}
 
 class EmbedView implements View {
   readonly root = document.createElement('div')
@@ -41,15 +30,7 @@ class EmbedView implements View {
     step: HEIGHT_STEP,
     commit: height => this.#choose({ height }),
   })
-  #choice: Choice = {
-    host: hosts[0],
-    views: ['scene', 'verdict'],
-    theme: 'auto',
-    readonly: false,
-    camera: null,
-    height: 480,
-    label: null,
-  }
+  #choice: Choice
   #vertices: Vertices
   #valid: boolean | null = null
   #said = ''
@@ -57,6 +38,7 @@ class EmbedView implements View {
   constructor(context: ViewContext) {
     this.#context = context
     this.#vertices = context.state().vertices
+    this.#choice = choiceIn(context.state())
     this.root.className = 'embed'
     this.#height.show(this.#choice.height)
     for (const name of EVENTS) this.#preview.addEventListener(name, event => event.stopPropagation())
@@ -65,7 +47,11 @@ class EmbedView implements View {
 
   update({ state, report }: Frame): void {
     const valid = report?.valid ?? null
-    if (state.gestureStart !== null || (state.vertices === this.#vertices && valid === this.#valid)) return
+    const choice = choiceIn(state)
+    const isSame = state.vertices === this.#vertices && valid === this.#valid && choice === this.#choice
+    if (state.gestureStart !== null || isSame) return
+    this.#choice = choice
+    this.#height.show(choice.height)
     this.#vertices = state.vertices
     this.#valid = valid
     this.#said = ''
@@ -77,10 +63,11 @@ class EmbedView implements View {
   }
 
   get #embed(): Embed {
-    const { host: _, label, ...choice } = this.#choice
+    const { host: _, label, views, ...choice } = this.#choice
     const said = this.#valid === null ? 'A hexahedron' : `${this.#valid ? 'A valid' : 'An invalid'} hexahedron`
     return {
       ...choice,
+      views: known(views),
       vertices: this.#vertices,
       label: label ?? said,
       link: this.#context.permalink(),
@@ -89,9 +76,7 @@ class EmbedView implements View {
   }
 
   #choose(change: Partial<Choice>): void {
-    this.#choice = { ...this.#choice, ...change }
-    this.#said = ''
-    this.#render()
+    this.#context.dispatch(sliceChange(choiceSlice, { embedding: { ...this.#choice, ...change } }))
   }
 
   #render(): void {
@@ -119,11 +104,12 @@ class EmbedView implements View {
   }
 
   #template(embed: Embed): TemplateResult {
-    const { host, theme, readonly, camera } = this.#choice
+    const { theme, readonly, camera } = this.#choice
+    const host = hosts.find(({ id }) => id === this.#choice.host) ?? hosts[0]
     return html`
       <div class="choices">
         <label>For
-          <select @change=${(event: Event) => this.#choose({ host: hosts[selected(event).selectedIndex] ?? hosts[0] })}>
+          <select @change=${(event: Event) => this.#choose({ host: hosts[selected(event).selectedIndex]?.id ?? '' })}>
             ${hosts.map(each => html`<option ?selected=${each === host}>${each.title}</option>`)}
           </select>
         </label>
@@ -163,7 +149,7 @@ class EmbedView implements View {
     const { views } = this.#choice
     const choose = (event: Event) => {
       const chosen = isChecked(event) ? [...views, name] : views.filter(view => view !== name)
-      this.#choose({ views: embeddableViews.map(view => view.name).filter(view => chosen.includes(view)) })
+      this.#choose({ views: known(chosen) })
     }
     return html`<label><input type="checkbox" .checked=${views.includes(name)} @change=${choose}> ${title}</label>`
   }
@@ -207,5 +193,12 @@ function selected(event: Event): HTMLSelectElement {
 function isChecked(event: Event): boolean {
   return (event.target as HTMLInputElement).checked
 }
+
+/** In their order; those of a later program are left out. */
+function known(views: readonly string[]): readonly string[] {
+  return embeddableViews.map(({ name }) => name).filter(name => views.includes(name))
+}
+
+const choiceIn = (state: State) => sliceOf(choiceSlice, state).embedding
 
 export const create: CreateView = context => new EmbedView(context)

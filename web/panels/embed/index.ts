@@ -1,4 +1,8 @@
 import { fold } from '../fold'
 import type { Panel } from '../panel'
+import { choiceSlice } from './choice'
 
-export const embed: Panel = fold({ name: 'embed', title: 'Copy embed', load: () => import('./embed-view') })
+export const embed: Panel = {
+  ...fold({ name: 'embed', title: 'Copy embed', load: () => import('./embed-view') }),
+  slice: choiceSlice,
+}

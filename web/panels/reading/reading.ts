@@ -47,7 +47,7 @@ class ReadingView implements View {
     this.#list = new CellList(reading.cells, cell => this.#context.input.show(cell))
     this.#list.setShown(reading.cellOf(vertices)?.cell ?? null)
     this.#context.requestFrame()
-    this.#list.whenDrawn().then(list => list.focus())
+    if (!reading.isQuiet) this.#list.whenDrawn().then(list => list.focus())
   }
 
   /** The section is a region of the page only if there is something in it. */
