@@ -36,13 +36,14 @@ async function schemas() {
     logLevel: 'silent',
     server: { middlewareMode: true, ws: false },
   })
-  const { stateJsonSchema, historyJsonSchema, challengeJsonSchema } =
+  const { stateJsonSchema, historyJsonSchema, challengeJsonSchema, seriesJsonSchema } =
     await server.ssrLoadModule('/web/pages/schemas.ts')
   await server.close()
   return {
     'docs/state.schema.json': json(stateJsonSchema),
     'docs/history.schema.json': json(historyJsonSchema),
     'docs/challenge.schema.json': json(challengeJsonSchema),
+    'docs/series.schema.json': json(seriesJsonSchema),
   }
 }
 

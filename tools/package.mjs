@@ -97,6 +97,7 @@ function licences() {
     ['Hexlens', 'LICENSE'],
     ['three.js', 'node_modules/three/LICENSE'],
     ['lit-html', 'node_modules/lit-html/LICENSE'],
+    ['uqr, for QR codes on paper', 'node_modules/uqr/LICENSE'],
     ['STIX Two Math, for the formulas of the lessons', 'web/pages/lessons/math-font/OFL.txt'],
   ]
   return parts.map(([name, path]) => `${name}\n\n${readFileSync(join(root, path), 'utf8').trim()}\n`).join('\n\n')

@@ -8,6 +8,8 @@ const column = (page: Page) => page.locator('#column')
 const outcome = (page: Page) => page.locator('#column .outcome')
 /** The numbers stand beside the scene. */
 const ROOMY = { width: 1350, height: 480 }
+const condition = (page: Page, n: number) => column(page).getByRole('combobox', { name: `Condition ${n}`, exact: true })
+const CUBE = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 const marks = (page: Page) => page.locator('#column .goal li')
 
 async function openChallenges(lens: Lens, fragment: string): Promise<void> {
@@ -130,20 +132,29 @@ test('a teacher writes a challenge in a link; what cannot be read is said', asyn
   const complaint = column(page).getByRole('alert')
 
   await test.step('with a form that says what is wrong', async () => {
-    await lens.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1])
+    await lens.set(CUBE)
     await make.click()
     await expect(complaint).toHaveText('The title is empty.')
-    await column(page).getByLabel('Title').fill('Squeeze it')
+    await column(page).getByRole('textbox', { name: 'Title' }).fill('Squeeze it')
     await column(page).getByLabel('What it is about').fill('Keep it valid,\nwith J < 1/8 somewhere.')
-    await column(page).getByLabel('Goal').fill('valid\nsmoothness > 3')
+    await column(page).getByText('The conditions as text').click()
+    const text = column(page).getByRole('textbox', { name: 'The conditions as text, one a line' })
+    await expect(text).toHaveValue('not valid\ncorner_min > 0')
+    await text.fill('valid\nsmoothness > 3')
     await make.click()
     await expect(complaint).toContainText('Condition 2, “smoothness > 3”, is not understood at character 1')
-    await column(page).getByLabel('Goal').fill('valid\nboundary_min < 1/8')
+    await expect(condition(page, 2)).toHaveValue('text')
+    await expect(column(page).getByRole('textbox', { name: 'Condition 2 as text' })).toHaveAccessibleDescription(
+      /^At character 1: “smoothness” is not a name/,
+    )
+    await text.fill('valid\nboundary_min < 1/8')
+    await text.blur()
+    await expect(condition(page, 2)).toHaveValue('boundary_min')
     await column(page).getByRole('button', { name: 'Take the element as the start' }).click()
     await make.click()
     await expect(complaint).toBeEmpty()
     await inSchemesAndWidths(lens, () => expectAxeFindsNothingInColumn(lens))
-    await expectLargeTargets(column(page).locator('button, input, textarea, summary'))
+    await expectLargeTargets(column(page).locator('button, input, textarea, summary, select'))
     await page.setViewportSize(ROOMY)
   })
 

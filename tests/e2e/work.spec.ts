@@ -258,7 +258,12 @@ test('a challenge half written survives Back, a reload and another page, and is 
   context,
 }) => {
   const column = page.locator('#column')
-  const fields = { Title: 'Half', 'What it is about': 'Not <b>done</b>', Goal: 'valid\nboundary', Hint: 'None' }
+  const fields = {
+    Title: 'Half',
+    'What it is about': 'Not <b>done</b>',
+    'The conditions as text': 'valid\nboundary',
+    Hint: 'None',
+  }
   const expectDraft = async (on: Page = page) => {
     for (const [label, value] of Object.entries(fields))
       await expect(on.locator('#column').getByLabel(label)).toHaveValue(value)
@@ -267,6 +272,7 @@ test('a challenge half written survives Back, a reload and another page, and is 
   await lens.open('challenges.html#write')
   await lens.set((await lens.vertices()).with(0, -0))
   await column.getByRole('button', { name: 'Take the element as the start' }).click()
+  await column.getByText('The conditions as text').click()
   for (const [label, value] of Object.entries(fields)) await column.getByLabel(label).fill(value)
   await column.getByRole('link', { name: 'All challenges' }).click()
   await expect(column.getByLabel('Title')).toBeHidden()

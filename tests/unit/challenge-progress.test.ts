@@ -85,7 +85,7 @@ describe('a condition in words', () => {
       const read = readChallenge(document)
       if (!read.ok) throw new Error(read.error.message)
       const challenge: Challenge = { ...read.value, start: unitCube }
-      return challenge.goal.map(condition => numbersInWords(condition, result.value, challenge))
+      return challenge.goal.map(condition => numbersInWords(condition, result.value, challenge.start))
     })
     expect(words[0]).toEqual(['it is valid', '0'])
     expect(words[5]).toEqual(['1 and 1'])

@@ -174,8 +174,14 @@ describe('the address of a challenge', () => {
   })
 
   it.each([
-    ['#other', 'The link is broken: it should begin with challenge= or own=, and what comes then should not be empty.'],
-    ['#own=', 'The link is broken: it should begin with challenge= or own=, and what comes then should not be empty.'],
+    [
+      '#other',
+      'The link is broken: it should begin with challenge=, own= or series=, and what comes then should not be empty.',
+    ],
+    [
+      '#own=',
+      'The link is broken: it should begin with challenge=, own= or series=, and what comes then should not be empty.',
+    ],
     ['#own=%7', 'The link is broken: its percent-encoding is cut off or not UTF-8.'],
     ['#challenge=one-vertex&v=1&vertices=1,2', 'The link holds 2 numbers where 24 are needed.'],
     ['#challenge=one-vertex&v=2&vertices=1', 'The link is of version “2”, which is not known here.'],
@@ -214,5 +220,5 @@ it('writes one number in one way: the volume minimum is a fraction where the bou
   const challenge = readOf(challenges.find(({ id }) => id === 'lower-inside'))
   const report = core.analyze(challenge.start)
   const [condition] = challenge.goal
-  expect(report.ok && condition && numbersInWords(condition, report.value, challenge)).toBe('−1/8 and −1/8')
+  expect(report.ok && condition && numbersInWords(condition, report.value, challenge.start)).toBe('−1/8 and −1/8')
 })

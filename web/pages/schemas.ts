@@ -6,6 +6,7 @@ import { panels } from '../panels/list'
 import { nearest } from '../panels/nearest'
 import { knownPanels } from '../panels/panel'
 import { challengeSchema } from './challenges/challenge'
+import { seriesSchema } from './challenges/series'
 
 const DIALECT = { $schema: 'https://json-schema.org/draft/2020-12/schema' }
 const FOR_EVER =
@@ -30,4 +31,11 @@ export const challengeJsonSchema = {
   title: 'A challenge of Hexlens, version 1',
   description: `What \`challenges.html#own=\` and percent-encoded JSON opens. ${FOR_EVER} The whole is at most 8000 characters long. Texts are plain text: what looks like HTML is refused.`,
   ...challengeSchema,
+}
+
+export const seriesJsonSchema = {
+  ...DIALECT,
+  title: 'A series of challenges of Hexlens, version 1',
+  description: `What \`challenges.html#series=\` opens: JSON, deflated without a header (RFC 1951), in base64url. ${FOR_EVER} Texts are plain text: what looks like HTML is refused.`,
+  ...seriesSchema,
 }

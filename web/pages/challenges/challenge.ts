@@ -80,11 +80,7 @@ export function readChallengeText(json: string): ChallengeResult {
 /** Reads what JSON.parse made of it. */
 export function readChallenge(given: unknown): ChallengeResult {
   try {
-    const { version } = object(given, 'challenge')
-    if (typeof version === 'number' && version > CHALLENGE_VERSION)
-      return refused('unknown-version', `The challenge is of version ${version}, which is not known here.`)
-    if (version !== CHALLENGE_VERSION) throw new Refusal(`The challenge’s version has to be ${CHALLENGE_VERSION}.`)
-    return { ok: true, value: readDocument(given, 'challenge') }
+    return { ok: true, value: challengeReader(given, 'challenge') }
   } catch (reason) {
     if (reason instanceof CodedRefusal) return refused(reason.code, reason.message)
     if (reason instanceof Refusal) return refused('malformed', reason.message)
@@ -105,7 +101,7 @@ class CodedRefusal extends Refusal {
 const MARKUP = /<[a-z!/?]|&(#\d+|#x[\da-f]+|[a-z]+\d*);/i
 
 /** Plain text: shown as it is, so what looks like markup is a mistake. */
-function plainText(most: number): Reader<string> {
+export function plainText(most: number): Reader<string> {
   return reader({ type: 'string', minLength: 1, maxLength: most }, (value, path) => {
     if (typeof value !== 'string') throw new Refusal(`${path} has to be a text.`)
     if (value.trim() === '') throw new Refusal(`${path} is empty.`)
@@ -162,12 +158,24 @@ const readDocument: Reader<Challenge> = record<Challenge>(
 )
 
 const { required, properties, ...others } = readDocument.schema
-export const challengeSchema: Schema = {
-  ...others,
-  required: ['version', ...(required as string[])],
-  properties: { version: { const: CHALLENGE_VERSION }, ...(properties as object) },
-  $defs: { vertices: COORDINATES_SCHEMA },
-}
+
+/** A document with its version. */
+export const challengeReader: Reader<Challenge> = reader(
+  {
+    ...others,
+    required: ['version', ...(required as string[])],
+    properties: { version: { const: CHALLENGE_VERSION }, ...(properties as object) },
+  },
+  (given, path) => {
+    const { version } = object(given, path)
+    if (typeof version === 'number' && version > CHALLENGE_VERSION)
+      throw new CodedRefusal('unknown-version', `The challenge is of version ${version}, which is not known here.`)
+    if (version !== CHALLENGE_VERSION) throw new Refusal(`The challenge’s version has to be ${CHALLENGE_VERSION}.`)
+    return readDocument(given, path)
+  },
+)
+
+export const challengeSchema: Schema = { ...challengeReader.schema, $defs: { vertices: COORDINATES_SCHEMA } }
 
 /** The state of the conditions: null is one that even exact arithmetic leaves open. */
 export interface Judgement {

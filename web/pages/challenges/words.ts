@@ -4,7 +4,7 @@ import type { Report } from '../../core/report'
 import type { Condition } from '../../model/condition'
 import { isNumberName, type NumberName } from '../../model/condition/names'
 import { formatJacdet, formatNumber } from '../../model/decimal'
-import type { Challenge } from './challenge'
+import type { Challenge, Contest } from './challenge'
 
 const SIGNS: readonly (readonly [RegExp, string])[] = [
   [/<=/g, '≤'],
@@ -25,7 +25,7 @@ export function conditionInWords({ text, names }: Condition): string {
 }
 
 /** The element's numbers that are in the condition. */
-export function numbersInWords(condition: Condition, report: Report, { start }: Challenge): string {
+export function numbersInWords(condition: Condition, report: Report, start: Challenge['start']): string {
   const names = condition.names.filter(isNumberName)
   if (names.length === 0) return report.valid ? 'it is valid' : 'it is invalid'
   return names.map(name => numberInWords(name, report, start)).join(' and ')
@@ -34,4 +34,9 @@ export function numbersInWords(condition: Condition, report: Report, { start }: 
 export function numberInWords(name: NumberName, report: Report, start: Challenge['start']): string {
   const { value, exponent } = shownNumber(name, report, start)
   return numbers[name].unit === 'jacdet' ? formatJacdet(value, exponent, 'unit') : formatNumber(value)
+}
+
+/** "Twist: the greatest wins." */
+export function contestInWords({ quantity, best }: Contest): string {
+  return `${numbers[quantity].name}: the ${best} wins.`
 }
