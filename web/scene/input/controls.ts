@@ -93,7 +93,7 @@ export class Controls {
     choice.className = 'choice'
     choice.append(this.#faces)
     this.#help = button('Help', 'What keys and pointers do (?)', () => actions.toggleHelp())
-    const minimum = button('Show the minimum', 'Turn to it, or look through the faces (M)', () => actions.showMinimum())
+    const minimum = button('Show the minimum', 'Turn to where it is seen (M)', () => actions.showMinimum())
     minimum.className = 'to-minimum'
     const beside = 'The same colours in (ξ, η, ζ), beside the element (R)'
     this.#reference = button('Reference cube', beside, () => actions.toggleReference())

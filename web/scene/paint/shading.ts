@@ -15,8 +15,8 @@ export const SHADE = 0.05
 
 /** The direction in world space from which the light comes. */
 export function lightOf(camera: SceneCamera): Vec3 {
-  const [right, up, back] = camera.axes()
-  return map3(axis => LIGHT[0] * at(right, axis) + LIGHT[1] * at(up, axis) + LIGHT[2] * at(back, axis))
+  const axes = camera.axes()
+  return map3(axis => dot(LIGHT, [at(axes[0], axis), at(axes[1], axis), at(axes[2], axis)]))
 }
 
 /** The light from 0 to 1 on the side of a face that is seen, with a normal of any length, and the eye in this direction from it. */
