@@ -74,8 +74,9 @@ test('a row that is pointed at has its points marked in the scene and in the ref
   await lens.open()
   const marks = page.locator('.scene-overlay .samples')
   const dots = async (scene: number) => {
-    const path = await marks.nth(scene).locator('.line').getAttribute('d')
-    return path?.match(/h0/g)?.length ?? 0
+    const lines = await marks.nth(scene).locator('.line').all()
+    const paths = await Promise.all(lines.map(line => line.getAttribute('d')))
+    return paths.join('').match(/h0/g)?.length ?? 0
   }
 
   await test.step('by the mouse, and no longer', async () => {

@@ -21,7 +21,7 @@ const light = rampOf({
   ink: hex('#1c1e21'),
   negative: hex('#b2182b'),
   positive: hex('#2166ac'),
-  neutral: hex('#f6f6f4'),
+  neutral: hex('#eeeeeb'),
 })
 
 function analyzed(vertices: readonly number[]): Report {
@@ -54,6 +54,38 @@ async function hover(map: Locator, x: number, y: number): Promise<void> {
   const inside = (way: number, size: number) => Math.max(1, Math.min(size - 1, way * size))
   await map.hover({ position: { x: inside(x, width), y: inside(y, height) } })
 }
+
+test('the scene draws the curve s*(t) of the chosen face while the panel is open', async ({ lens, page }) => {
+  await openMaps(lens, faceNegative)
+  const curve = lens.scene.locator('.least-curve .line').first()
+  const path = async () => (await curve.getAttribute('d')) ?? ''
+  await mapOf(page, '−ζ').press('Enter')
+  await expect(curve).toBeVisible()
+  const onFace = await path()
+  expect(onFace.match(/L/g)?.length).toBeGreaterThan(10)
+
+  await test.step('it goes through the minimizer in the middle of the face', async () => {
+    const [x, y] = await lens.scene
+      .locator('.minimizer .ring')
+      .evaluate(ring => ['cx', 'cy'].map(name => Number(ring.getAttribute(name))))
+    const distances = onFace
+      .split(/[ML]/)
+      .filter(Boolean)
+      .map(point => point.split(' ').map(Number))
+      .map(([px = 0, py = 0]) => Math.hypot(px - (x ?? 0), py - (y ?? 0)))
+    expect(Math.min(...distances)).toBeLessThan(1)
+  })
+
+  await test.step('another face has another, a move of a vertex changes it, and without the panel there is none', async () => {
+    await mapOf(page, '+ζ').press('Enter')
+    await expect.poll(path).not.toBe(onFace)
+    const onTop = await path()
+    await lens.set(faceNegative.with(18, 1.25))
+    await expect.poll(path).not.toBe(onTop)
+    await lens.button('Face maps').click()
+    await expect(curve).toBeHidden()
+  })
+})
 
 test('looking at a point of a map, by pointer and by keys', async ({ lens, page }) => {
   await openMaps(lens, asymmetric)

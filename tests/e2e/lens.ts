@@ -72,7 +72,7 @@ export interface Point {
 /** The position of a vertex's handle on the page. */
 export async function handleOf(lens: Lens, vertex: number): Promise<Point> {
   const circle = lens.page
-    .locator('hex-lens .handle', { hasText: new RegExp(`^${vertex}$`) })
+    .locator('hex-lens .scene-pane .handle', { hasText: new RegExp(`^${vertex}$`) })
     .locator('circle')
     .last()
   const box = await circle.boundingBox()

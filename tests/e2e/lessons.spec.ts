@@ -47,7 +47,9 @@ test('every step of every lesson, and what each claims holds on the screen', asy
 test('a step is linked to, played with, restored, left and come back to', async ({ lens, page }) => {
   await lens.open('lessons.html#corners-are-not-enough/2')
   await expect(titleOf(page)).toHaveText(/Between two corners/)
-  await expect(stepOf(page).getByRole('img')).toHaveAccessibleName(/edge 0–4: 24 at vertex 0.* lowest −11\.28 at 0\.42/)
+  await expect(stepOf(page).getByRole('img')).toHaveAccessibleName(
+    /edge 1–2: 7\/8 at vertex 1.* lowest −0\.030711 at 0\.70/,
+  )
 
   await test.step('what is done to the element shows in the claims, and one button takes it back', async () => {
     const own = await lens.vertices()
@@ -119,7 +121,7 @@ test('a step is linked to, played with, restored, left and come back to', async 
 test('a link leads to its step, though drawings of steps before it and the font come late', async ({ lens, page }) => {
   await page.setViewportSize({ width: 390, height: 844 })
   await lens.open('lessons.html#faces-are-enough/6')
-  await expect(page.locator('.column .drawing')).toHaveCount(1)
+  await expect(page.locator('.column .drawing')).toHaveCount(2)
   const below = async () =>
     (await titleOf(page).evaluate(title => title.getBoundingClientRect().top)) -
     (await lens.element.evaluate(element => element.getBoundingClientRect().bottom))
@@ -166,10 +168,10 @@ test('a link leads to its step, though drawings of steps before it and the font 
   await test.step('a reload, too, and the two drawings of a lesson are apart', async () => {
     await page.evaluate(() => scrollBy(0, 40))
     await page.reload()
-    await expect(page.locator('.column .drawing')).toHaveCount(1)
+    await expect(page.locator('.column .drawing')).toHaveCount(2)
     await expect.poll(async () => Math.abs((await below()) + 24)).toBeLessThan(2)
     await page.evaluate(() => {
-      location.hash = '#corners-are-not-enough/5'
+      location.hash = '#corners-are-not-enough/6'
     })
     await expect(page.locator('.column .drawing')).toHaveCount(2)
     const reds = page.locator('.column .drawing').evaluateAll(drawings =>

@@ -84,7 +84,9 @@ test('what is pointed at, by keyboard or pointer, is marked with its numbers', a
     const said = page.locator('hex-lens .scene-pane > .said')
     await lens.scene.focus()
     await page.keyboard.press('p')
-    await expect(said).toHaveText(/^Minimum, edge 4-7: jacdet -0\.01065\d*\. xi 0, eta 0\.5909\d*, zeta 1\. x /)
+    await expect(said).toHaveText(
+      /^Minimum, edge 4-7: jacdet -0\.01065\d*, inside out\. xi 0, eta 0\.5909\d*, zeta 1\. x /,
+    )
     expect((await readout(page)).jacdet).toBeCloseTo(report.minimizer.value, 4)
     const places = new Set<string>()
     for (let n = 1; n < report.count; n++) {

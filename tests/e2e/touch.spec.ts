@@ -164,6 +164,15 @@ test('chips hold the drags of the chosen vertex', async ({ lens, page }) => {
     await expect(chip('X')).toHaveAttribute('aria-pressed', 'false')
   })
 
+  await test.step('they stand with the reference cube and its link', async () => {
+    await lens.button('Reference cube').tap()
+    const link = await boxOf(page.locator('hex-lens .reference-link'))
+    const last = await boxOf(chip('Grid'))
+    expect(link.y + link.height).toBeLessThanOrEqual(last.y)
+    await page.getByRole('checkbox', { name: 'Link views' }).tap()
+    await lens.button('Reference cube').tap()
+  })
+
   await test.step('a mouse, which comes with keys, needs none', async () => {
     await expect(chips).toBeVisible()
     const { x, y } = await handleOf(lens, 2)

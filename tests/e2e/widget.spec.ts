@@ -123,7 +123,7 @@ test('thirty on a page share one context, are drawn when they are seen, and leav
         return [fontSize, fontStyle, letterSpacing, textTransform, textAlign]
       }
       const word = lens.shadowRoot?.querySelector('.verdict .word') as HTMLElement
-      const button = lens.shadowRoot?.querySelector('.scene-controls button') as HTMLElement
+      const button = lens.shadowRoot?.querySelector('.scene-controls > button:last-child') as HTMLElement
       return [read(word), read(document.querySelector('p') as HTMLElement), getComputedStyle(button).display !== 'none']
     })
   expect(styles).toEqual([

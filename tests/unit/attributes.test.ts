@@ -52,7 +52,7 @@ describe('the attribute vertices', () => {
 describe('the other attributes', () => {
   it('have a meaning where they are not there', () => {
     expect(attribute('views', null)).toEqual(['scene', 'verdict'])
-    expect(attribute('controls', null)).toEqual(['faces', 'reference', 'turn', 'fit', 'help'])
+    expect(attribute('controls', null)).toEqual(['minimum', 'faces', 'reference', 'turn', 'fit', 'help'])
     expect(attribute('theme', null)).toBe('auto')
     expect([attribute('readonly', null), attribute('readonly', '')]).toEqual([false, true])
     for (const name of ['vertices', 'preset', 'camera', 'poster', 'label'] as const)

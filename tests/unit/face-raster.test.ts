@@ -22,7 +22,7 @@ const theme: Theme = {
   ink: hex('#1c1e21'),
   negative: hex('#b2182b'),
   positive: hex('#2166ac'),
-  neutral: hex('#f6f6f4'),
+  neutral: hex('#eeeeeb'),
 }
 const ramp = rampOf(theme)
 const palette = paletteOf(ramp, theme)

@@ -23,9 +23,11 @@ const htmlOf = ({ text, task, question }: LessonStep) =>
   [text, task, question?.asks ?? '', question?.because ?? ''].join('\n')
 
 describe('questions', () => {
-  it('there are some in the plane and some of the lens', () => {
+  it('every lesson has one, and by dragging they are answered in the plane and in the lens', () => {
     expect(asking.filter(({ step }) => isInPlane(step)).length).toBeGreaterThan(1)
-    expect(asking.filter(({ step }) => !isInPlane(step)).length).toBeGreaterThan(0)
+    for (const { id } of lessons)
+      expect(asking.filter(({ name }) => name.startsWith(`${id}/`)).length, id).toBeGreaterThan(0)
+    expect(asking.some(({ step, question }) => !isInPlane(step) && question.answer.kind === 'drag')).toBe(true)
   })
 
   it.each(asking)('$name: one choice is right, and the core says which', ({ step, question }) => {
@@ -71,12 +73,46 @@ describe('questions', () => {
     expect(answers).toEqual([false, true, true, false])
   })
 
+  it('where a Gauss point turns is found in the lens', () => {
+    const { step, question } = asking.find(({ name }) => name === 'corners-are-not-enough/5') as (typeof asking)[number]
+    const start = verticesOf(step)
+    const answers = [0.75, 2 / 3, 0.55, 0.48, 0.464, 0.42, 0.36].map(t =>
+      isSolvedBy(question, reportOf(start.map((x, i) => (Math.floor(i / 3) === 6 ? t : x))), start),
+    )
+    expect(answers).toEqual([false, false, false, true, true, true, false])
+  })
+
   it('what is shown before is another element, and after the answer the step’s own', () => {
     const shown = asking.filter(({ question }) => question.before?.element)
     expect(shown.length).toBeGreaterThan(0)
     for (const { step } of shown) {
       expect(verticesOf(shownStep(step, true))).not.toEqual(verticesOf(step))
       expect(shownStep(step, false)).toBe(step)
+    }
+  })
+})
+
+describe('the texts', () => {
+  const LONGEST = 22
+  const sentencesOf = (html: string) =>
+    html
+      .replace(/<math display[\s\S]*?<\/math>|<\/(p|summary)>/g, ' . ')
+      .replace(/<math[\s\S]*?<\/math>/g, ' formula ')
+      .replace(/<[^>]*>/g, ' ')
+      .split(/[.?:](?=\s)/)
+      .map(sentence => sentence.split(/\s+/).filter(word => /[\p{L}\d]/u.test(word)))
+      .filter(words => words.length > 1)
+
+  it.each(steps)('$name: no sentence is long; a formula counts as a word', ({ step }) => {
+    for (const words of sentencesOf(htmlOf(step))) expect(words.length, words.join(' ')).toBeLessThanOrEqual(LONGEST)
+  })
+
+  it('derivations are in foldouts, whose summary has no word to press in it', () => {
+    const foldouts = steps.flatMap(({ step }) => withTerms(htmlOf(step)).match(/<details[\s\S]*?<\/details>/g) ?? [])
+    expect(foldouts.length).toBeGreaterThan(6)
+    for (const foldout of foldouts) {
+      expect(foldout).toMatch(/^<details class="foldout"><summary>[^<>]+<\/summary><p>/)
+      expect(foldout).toContain('<math display="block">')
     }
   })
 })

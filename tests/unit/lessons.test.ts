@@ -1,14 +1,15 @@
 /** The lessons as content: every claim at its step's own element, formulas, links, and what the lens is asked to show. */
 import { describe, expect, it } from 'vitest'
+import { facePolynomials, valueAt } from '../../web/core/face-polynomials'
 import { quantitiesOf } from '../../web/core/quantities'
 import type { Candidate } from '../../web/core/report'
-import { gradientInside, valueInside } from '../../web/core/section'
+import { bernsteinOnEdge, gradientInside, valueInside } from '../../web/core/section'
 import { isMet, parseCondition } from '../../web/model/condition'
 import { faces as topology, type Vec3, vertexOf, vertexReference } from '../../web/model/hexahedron'
 import { readState } from '../../web/model/state-document'
 import { addressOf, complaintAbout, hashOf, neighbour, type StepAddress, stepAt } from '../../web/pages/lessons/address'
 import { isInPlane, lessons } from '../../web/pages/lessons/content/lessons'
-import { stateOf, verticesOf } from '../../web/pages/lessons/step-state'
+import { shownStep, stateOf, verticesOf } from '../../web/pages/lessons/step-state'
 import { panels } from '../../web/panels/list'
 import { knownPanels } from '../../web/panels/panel'
 import { core, entry, randomSource, unitCube } from './core-fixtures'
@@ -122,6 +123,35 @@ describe('what the texts say besides', () => {
     }
   })
 
+  it('with vertex 6 at (t, t, t) the Gauss point next to it turns at t = 0.464', () => {
+    const gauss = (1 + Math.sqrt(1 / 3)) / 2
+    expect(gauss.toFixed(3)).toBe('0.789')
+    expect((3 * gauss ** 2).toFixed(3)).toBe('1.866')
+    const turns = 1 - 1 / (3 * gauss ** 2)
+    expect(turns.toFixed(3)).toBe('0.464')
+    const own = elementOf('#corners-are-not-enough/5')
+    const leastAt = (t: number) => {
+      const { bernstein, checks } = reportOf(own.map((x, i) => (Math.floor(i / 3) === 6 ? t : x)))
+      const [x, y, z] = [0.3, 0.6, 0.9]
+      expect(valueInside(bernstein, [x, y, z])).toBeCloseTo(1 + (t - 1) * (y * z + x * z + x * y), 12)
+      return checks.find(({ id }) => id === 'gauss-2')?.value ?? Number.NaN
+    }
+    expect(leastAt(turns + 1e-6)).toBeGreaterThan(0)
+    expect(leastAt(turns - 1e-6)).toBeLessThan(0)
+  })
+
+  it('half of the way to the element with a negative face all faces are positive', () => {
+    const preset = pointsOf(elementOf('#edges-are-not-enough/3'))
+    const half = preset.flatMap((point, v) => point.map((x, i) => (x + at(vertexReference[v] as Vec3, i)) / 2))
+    const asked = stepAt(addressOf('#edges-are-not-enough/2') as StepAddress)
+    expect(verticesOf(shownStep(asked, true))).toEqual(half)
+    expect(reportOf(half).valid).toBe(true)
+  })
+
+  it('an edge whose tangents meet below zero is positive', () => {
+    expect(bernsteinOnEdge(reportOf(elementOf('#edges-are-not-enough/1')).bernstein, 2)).toEqual([1, -1 / 2, 1])
+  })
+
   it('an edge is positive exactly by its three coefficients, least where the formula says', () => {
     const random = randomSource(11)
     for (let n = 0; n < 300; ++n) {
@@ -188,6 +218,43 @@ describe('what the texts say besides', () => {
       const [slope, ...across] = gradientInside(bernstein, [0, 0, 0])
       for (const value of across) expect(value).toBeCloseTo(0, 12)
       expect(slope).toBeCloseTo(-2 * alpha * beta * kappa, 12)
+      // The steps of the calculation.
+      expect(determinant(a, v, w)).toBeCloseTo(beta * kappa, 12)
+      expect(determinant(b, v, w)).toBeCloseTo(alpha * kappa, 12)
+      expect(determinant(u, a, w) + determinant(u, v, b)).toBeCloseTo(slope, 12)
+    }
+  })
+
+  it('at the centre of the paper’s element no vector is mapped to less than half its length, and no move of d moves it by 2d', () => {
+    const random = randomSource(29)
+    for (let n = 0; n < 300; ++n) {
+      const [a, b, c] = [random() - 0.5, random() - 0.5, random() - 0.5]
+      const image = Math.hypot(b + c, a + c, a + b) / 2
+      expect(image ** 2).toBeCloseTo((a * a + b * b + c * c + (a + b + c) ** 2) / 4, 12)
+      expect(image).toBeGreaterThanOrEqual(Math.hypot(a, b, c) / 2 - 1e-12)
+      const signed = [-1, 1].flatMap(i => [-1, 1].flatMap(j => [-1, 1].map(k => i * a + j * b + k * c)))
+      expect(signed.reduce((total, value) => total + value ** 2, 0) / 8).toBeCloseTo(a * a + b * b + c * c, 12)
+      const most = signed.reduce((total, value) => total + Math.abs(value), 0) / 4
+      expect(most).toBeLessThanOrEqual(2 * Math.hypot(a, b, c) + 1e-12)
+    }
+  })
+
+  it('along the curve s*(t) of a face the slope of jacdet by t is P/(4a²)', () => {
+    const { faces } = reportOf(elementOf('#finding-the-minimum/3'))
+    const { bernstein, quartic, quarticExponent } = entry(faces, 4)
+    const polynomials = facePolynomials(bernstein)
+    const leastAt = (t: number) => {
+      const [a, b, c] = [polynomials.a, polynomials.b, polynomials.c].map(of => valueAt(of, t)) as [
+        number,
+        number,
+        number,
+      ]
+      return (c - b ** 2 / (4 * a)) * 2 ** polynomials.exponent
+    }
+    for (const t of [0.2, 0.35, 0.5, 0.7]) {
+      const a = valueAt(polynomials.a, t) * 2 ** polynomials.exponent
+      const slope = (valueAt(quartic, t) * 2 ** quarticExponent) / (4 * a * a)
+      expect((leastAt(t + 1e-5) - leastAt(t - 1e-5)) / 2e-5).toBeCloseTo(slope, 6)
     }
   })
 

@@ -11,6 +11,8 @@ import {
   rampPosition,
   type Theme,
 } from '../../web/scene/paint/colour-map'
+import { lightOf, lightOn, shaded } from '../../web/scene/paint/shading'
+import { SceneCamera } from '../../web/scene/space/camera'
 
 const hex = (text: string): Rgb =>
   [1, 3, 5].map(at => Number.parseInt(text.slice(at, at + 2), 16) / 255) as unknown as Rgb
@@ -20,19 +22,32 @@ const light: Theme = {
   ink: hex('#1c1e21'),
   negative: hex('#b2182b'),
   positive: hex('#2166ac'),
-  neutral: hex('#f6f6f4'),
+  neutral: hex('#eeeeeb'),
 }
 const dark: Theme = {
   paper: hex('#17181a'),
   ink: hex('#e9e9e6'),
   negative: hex('#f4787a'),
   positive: hex('#74b3f0'),
-  neutral: hex('#26282b'),
+  neutral: hex('#373a3f'),
 }
 
 const contrast = (a: Rgb, b: Rgb) => {
   const [less, more] = [luminance(a), luminance(b)].sort((x, y) => x - y) as [number, number]
   return (more + 0.05) / (less + 0.05)
+}
+
+/** Lightness in OKLab, of encoded sRGB. */
+const lightness = (colour: Rgb) => {
+  const [r, g, b] = colour.map(x => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4)) as [
+    number,
+    number,
+    number,
+  ]
+  const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b)
+  const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b)
+  const s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b)
+  return 0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s
 }
 
 describe.each([
@@ -56,6 +71,24 @@ describe.each([
     }
   })
 
+  it('begins with a neutral that is told from the paper, also in the shade', () => {
+    // Two differences that are just noticed, each 0.02 in OKLab (CSS Color 4).
+    expect(Math.abs(lightness(theme.neutral) - lightness(theme.paper))).toBeGreaterThan(0.04)
+    expect(Math.abs(lightness(shaded(theme.neutral, 0)) - lightness(theme.paper))).toBeGreaterThan(0.04)
+  })
+
+  it('loses less in the shade than there is from level to level, up to the theme’s own hue', () => {
+    for (const side of [ramp.negative, ramp.positive]) {
+      const levels = side.slice(0, RAMP_STEPS).map(lightness)
+      const steps = levels.slice(1).map((level, i) => Math.abs(level - (levels[i] as number)))
+      for (const colour of side.map((_, i) => rampColour(ramp, (side === ramp.negative ? -1 : 1) * (i / RAMP_STEPS)))) {
+        const loss = lightness(shaded(colour, 1)) - lightness(shaded(colour, 0))
+        expect(loss).toBeGreaterThan(0.03)
+        expect(loss).toBeLessThan(Math.min(...steps))
+      }
+    }
+  })
+
   it('stays in the gamut', () => {
     for (const colour of [...ramp.negative, ...ramp.positive]) {
       for (const component of colour) {
@@ -68,6 +101,19 @@ describe.each([
   it('lets the zero line, which lies in a neutral casing, stand out on both sides', () => {
     expect(contrast(theme.ink, theme.neutral)).toBeGreaterThan(3)
     for (const position of [-0.1, 0.1]) expect(contrast(theme.ink, rampColour(ramp, position))).toBeGreaterThan(3)
+  })
+})
+
+describe('the light', () => {
+  it('falls unlike on the three sides of a cube that are seen at first, and alike on either side of a face', () => {
+    const camera = new SceneCamera()
+    const { x, y, z } = camera.three.position
+    const on = (normal: readonly [number, number, number]) => lightOn(normal, [x, y, z], lightOf(camera))
+    const [top, front, right] = [on([0, 0, 1]), on([0, -1, 0]), on([1, 0, 0])]
+    expect(top - front).toBeGreaterThan(0.3)
+    expect(front - right).toBeGreaterThan(0.3)
+    expect(on([0, 0, -3])).toBeCloseTo(top)
+    expect(on([0, 0, 0])).toBe(0)
   })
 })
 

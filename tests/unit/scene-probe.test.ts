@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest'
 import type { Candidate, Report } from '../../web/core/report'
 import { faces, type Vec3, vertexReference } from '../../web/model/hexahedron'
-import { bernsteinRoots, hitFaces, pointUnder, referenceOf } from '../../web/scene/input/face-hit'
+import { hitFaces, pointUnder, referenceOf } from '../../web/scene/input/face-hit'
 import { nextCandidate } from '../../web/scene/input/probe-input'
 import { DEFAULT_DIRECTION, type Ray, SceneCamera } from '../../web/scene/space/camera'
 import { facePoint, patchPoint, sectionCorners } from '../../web/scene/space/patches'
+import { bernsteinRoots } from '../../web/scene/space/sight'
 import { verticesInWorld, worldOf } from '../../web/scene/space/world'
 
 const cube = vertexReference

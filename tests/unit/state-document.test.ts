@@ -155,7 +155,7 @@ describe('a state', () => {
       section: { axis: 0, value: 0.83 },
     })
     // What came later is as in a new element.
-    expect(stateDocument(state, known)).toEqual({ ...kept, ...choiceSlice.first, nearestRelativeMinimum: 0 })
+    expect(stateDocument(state, known)).toEqual({ ...kept, nearestRelativeMinimum: 0, ...choiceSlice.first })
   })
 
   it('of a later version is refused as that, of none as malformed', () => {

@@ -225,6 +225,16 @@ describe('the store', () => {
     expect(sliceOf(marksSlice, target.state).samples).toBeNull()
   })
 
+  it('keeps the face whose curve is drawn, and refuses one that is not there', () => {
+    const target = dispatched(sliceChange(marksSlice, { curveOn: 4 }))
+    expect(target.state.canUndo).toBe(false)
+    target.dispatch({ type: 'move-all', vertices: unitCube.with(4, 0.5) })
+    expect(sliceOf(marksSlice, target.state).curveOn).toBe(4)
+    expect(() => target.dispatch(sliceChange(marksSlice, { curveOn: 6 }))).toThrow(RangeError)
+    target.dispatch(sliceChange(marksSlice, { curveOn: null }))
+    expect(sliceOf(marksSlice, target.state).curveOn).toBeNull()
+  })
+
   it('previews a move until the vertices change, and refuses what is no element', () => {
     const moved = unitCube.with(4, 0.5)
     const target = dispatched(show({ move: moved }))

@@ -86,7 +86,7 @@ describe('the volume box', () => {
     const vertices = [0, 1, 0, 1, 1, -4, 1, 4, -3, -2, -1, -2, -4, 1, 4, 4, -1, 4, 4, 1, 3, -2, 3, 1]
     const point: Vec3 = [0, 0.25, 0.5]
     const corners = cornersOf(vertices, point)
-    for (const power of [-1060, -600, -1, 700, 1020]) {
+    for (const power of [-1000, -600, -1, 700, 1020]) {
       const scaled = vertices.map(x => x * 2 ** (power / 2) * 2 ** (power / 2))
       cornersOf(scaled, point).forEach((corner, v) => {
         corner.forEach((x, axis) => {
@@ -131,7 +131,7 @@ describe('a face of the box', () => {
           )
         }
         const isClear = Math.abs(side(eye)) > 1e-9 && Math.abs(side(middle)) > 1e-9
-        if (isClear) expect(seen[f], `${name}, face ${f}`).toBe(side(eye) < 0 !== side(middle) < 0)
+        if (isClear) expect(seen.includes(face), `${name}, face ${f}`).toBe(side(eye) < 0 !== side(middle) < 0)
       })
       if (jacdet < 0) insideOut++
     }

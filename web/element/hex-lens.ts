@@ -83,10 +83,11 @@ const EARLY = [
  *   `algorithm`, `inside`, `morph`, `node-order`, `paste`, `take-away`, `embed`. The pages of
  *   Hexlens add `nearest`; elsewhere the word is ignored. With the scene and the verdict alone, the
  *   verdict is a line or two below the scene.
- * @attr {a list of words, `all` or `none`} [controls=all] - Buttons of the scene: `faces`,
+ * @attr {a list of words, `all` or `none`} [controls=all] - Buttons of the scene: `minimum`, `faces`,
  *   `reference`, `turn`, `fit`, `help`. The keys work without their buttons.
  * @attr {azimuth, elevation, zoom} [camera=-58 24 1] - The first view: two angles in degrees, and
- *   how many times nearer than the view in which the element just fits. Turning by the reader
+ *   how many times nearer than the view in which the element just fits. Without it, a preset whose
+ *   minimum is negative and hidden, or hardly seen from there, is first seen from another direction. Turning by the reader
  *   changes `state`, not this.
  * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` follows the reader’s system.
  * @attr {there or not} [readonly=not] - The reader may look and turn, but not change the element.
@@ -154,7 +155,7 @@ const EARLY = [
  * @cssprop [--hl-line=#e4e5e3, dark #303336] - Hairlines.
  * @cssprop [--hl-negative=#b2182b, dark #f4787a] - The hue of negative jacdet.
  * @cssprop [--hl-positive=#2166ac, dark #74b3f0] - The hue of positive jacdet.
- * @cssprop [--hl-neutral=#f6f6f4, dark #26282b] - The colour of zero.
+ * @cssprop [--hl-neutral=#eeeeeb, dark #373a3f] - The colour of zero.
  */
 export class HexLens extends ReflectingElement {
   static readonly observedAttributes: readonly AttributeName[] = attributeNames
@@ -384,6 +385,16 @@ export class HexLens extends ReflectingElement {
   async toSVG(name: FigureName = 'scene'): Promise<string> {
     const [{ figureSvg }, figure] = await Promise.all([import('../views/figure-files'), this.#figure(name)])
     return figureSvg(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
+  }
+
+  /**
+   * Turns the scene to where the minimum is seen from outside, in less than a second or, where the
+   * reader wants no motion, at once. Faces that hide it from everywhere become see-through. If jacdet
+   * is lower inside than on the boundary, the inside is shown, cut at its minimum. Before the scene
+   * is drawn it does nothing.
+   */
+  showMinimum(): void {
+    this.#views.showMinimum()
   }
 
   /**

@@ -131,6 +131,10 @@ export class ViewHost {
     return this.#views.reduce<Cameras | null>((found, view) => found ?? view.cameras?.() ?? null, null)
   }
 
+  showMinimum(): void {
+    for (const view of this.#views) view.showMinimum?.()
+  }
+
   figure(name: FigureName): Figure | null {
     return this.#views.reduce<Figure | null>((found, view) => found ?? view.figure?.(name) ?? null, null)
   }

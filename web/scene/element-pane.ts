@@ -9,9 +9,14 @@ import type { HandleDrag } from './overlay/overlay-picture'
 import { Readout } from './overlay/readout'
 import type { Viewport } from './paint/picture'
 import { Pane, type PaneScene } from './pane'
+import { DEFAULT_DIRECTION } from './space/camera'
 import { type Change, Fitting } from './space/fitting'
 import type { Layout, PaneLayout } from './space/layout'
-import { verticesInWorld, type World } from './space/world'
+import { directionBetween, directionTo } from './space/showing'
+import { verticesInWorld, type World, worldOf } from './space/world'
+
+/** Long enough to follow, short enough not to wait for. */
+const TURN_MS = 400
 
 export class ElementPane extends Pane {
   readonly root = document.createElement('div')
@@ -22,11 +27,16 @@ export class ElementPane extends Pane {
   #drawnDrag: HandleDrag | null = null
   /** True if the gesture last drawn is of the pointer here, under which the picture must not move. */
   #wasDragging = false
+  /** The turn that the camera is in. */
+  #turn: { readonly from: Vec3; readonly to: Vec3; readonly start: number } | null = null
 
   constructor(scene: PaneScene, description: string) {
     super(scene, { letters: ['x', 'y', 'z'], isFixed: false }, description)
     this.root.className = 'scene-pane'
     this.element.dataset.cursor = 'orbit'
+    this.element.addEventListener('pointerdown', () => {
+      this.#turn = null
+    })
     this.overlay.root.append(this.#readout.root)
     this.root.append(this.element)
   }
@@ -61,22 +71,55 @@ export class ElementPane extends Pane {
   }
 
   /** Looks elsewhere if the frame asks for it. `changesMedium` says whether it is the first on paper or again on the screen. */
-  aim({ state, isForPaper }: Frame, changesMedium: boolean, change: Omit<Change, 'isDragged'>): void {
+  aim({ state, report, isForPaper }: Frame, changesMedium: boolean, change: Omit<Change, 'isDragged'>): void {
     if (isForPaper) this.fitting.putOnPaper(state.vertices)
     else if (changesMedium) this.fitting.leavePaper()
-    else this.fitting.choose(state, { ...change, isDragged: this.#wasDragging })
+    else if (this.fitting.choose(state, { ...change, isDragged: this.#wasDragging })) {
+      // A preset that is negative somewhere shows that at first.
+      if (state.preset !== null && report && report.boundaryMinimum < 0) {
+        const direction = this.#directionTo(report.minimizer.point, DEFAULT_DIRECTION, true)
+        if (direction) this.fitting.fit(state.vertices, direction)
+      }
+    } else this.#goOnTurning(state)
     this.#wasDragging = this.inputs.isDragging
   }
 
-  prepare({ vertices }: State): Viewport {
-    return this.viewport(verticesInWorld(this.world, vertices), 0, 0)
+  /** Turns to where a point of the boundary is seen; returns false if faces hide it from everywhere. */
+  turnTo(point: Vec3): boolean {
+    const from = this.orbit.direction
+    const to = this.#directionTo(point, from, false)
+    this.#turn = to && { from, to, start: performance.now() }
+    this.host.requestFrame()
+    return to !== null
+  }
+
+  #directionTo(point: Vec3, from: Vec3, isLazy: boolean): Vec3 | null {
+    const { pose } = this.orbit
+    const { vertices } = this.host.state()
+    const direction = directionTo(point, verticesInWorld(worldOf(vertices), vertices), this.camera, from, isLazy)
+    this.orbit.pose = pose
+    return direction
+  }
+
+  #goOnTurning({ vertices }: State): void {
+    if (this.#turn === null) return
+    const { from, to, start } = this.#turn
+    const isAtOnce = matchMedia('(prefers-reduced-motion: reduce)').matches
+    const share = isAtOnce ? 1 : Math.min((performance.now() - start) / TURN_MS, 1)
+    this.fitting.fit(vertices, directionBetween(from, to, share * share * (3 - 2 * share)))
+    if (share === 1) this.#turn = null
+    else this.host.requestFrame()
+  }
+
+  prepare(state: State): Viewport {
+    return this.viewport(verticesInWorld(this.world, state.vertices), state)
   }
 
   update({ state, report }: Frame, { taken }: PaneLayout): void {
     this.#drawnDrag = this.#drag
-    const { world, camera, seen: handles } = this
+    const { world, camera, sight, seen: handles } = this
     const { preview } = sliceOf(previewSlice, state)
-    this.overlay.update({ state, preview, report, world, camera, handles, drag: this.#drag, taken })
+    this.overlay.update({ state, preview, report, world, camera, sight, handles, drag: this.#drag, taken })
   }
 
   /** `colour` is that of jacdet at the probe. */
@@ -98,7 +141,7 @@ export class ElementPane extends Pane {
 
   fit(toDefault: boolean): void {
     if (this.inputs.isDragging) return
-    this.fitting.fit(this.host.state().vertices, toDefault)
+    this.fitting.fit(this.host.state().vertices, toDefault ? DEFAULT_DIRECTION : undefined)
     this.host.requestFrame()
   }
 }

@@ -1,6 +1,6 @@
 /** A pane of the scene with a camera of its own: its element on the screen, the overlay over it, and its inputs. */
 import type { Vec3 } from '../model/hexahedron'
-import { sliceOf } from '../model/state'
+import { type State, sliceOf } from '../model/state'
 import { sceneSlice } from '../views/scene-slices'
 import type { ViewContext } from '../views/view'
 import { pointUnder } from './input/face-hit'
@@ -12,10 +12,11 @@ import type { Viewport } from './paint/picture'
 import type { ScreenPoint } from './space/camera'
 import { type Point, positionIn } from './space/layout'
 import { OrbitCamera } from './space/orbit-camera'
+import { Sight } from './space/sight'
 import type { World } from './space/world'
 
 /** The scene as its panes see it. */
-export interface PaneScene extends Pick<InputTarget, 'probeNext' | 'toggleReference'> {
+export interface PaneScene extends Pick<InputTarget, 'probeNext' | 'showMinimum' | 'toggleReference'> {
   readonly host: ViewContext
   /** Called at every move of a pane's camera. */
   onTurn(orbit: OrbitCamera): void
@@ -33,13 +34,15 @@ export abstract class Pane implements InputTarget {
   protected unit = 1
   /** The vertices on the screen when the picture was painted. */
   protected seen: readonly ScreenPoint[] = []
+  /** What the faces hide in that picture. */
+  sight: Sight
   readonly #scene: PaneScene
 
   /** `description` is the id of the element that describes the pane. */
   constructor(scene: PaneScene, kind: OverlayKind, description: string) {
     this.#scene = scene
     this.host = scene.host
-    this.overlay = new Overlay(kind)
+    this.overlay = new Overlay(kind, () => this.showMinimum())
     const { element } = this
     element.className = 'scene-stage'
     element.tabIndex = 0
@@ -47,6 +50,7 @@ export abstract class Pane implements InputTarget {
     element.setAttribute('aria-describedby', description)
     element.append(this.overlay.root)
     this.orbit = new OrbitCamera(element, () => scene.onTurn(this.orbit))
+    this.sight = new Sight([], this.camera, 'inside')
     this.inputs = new Inputs(this)
   }
 
@@ -89,6 +93,10 @@ export abstract class Pane implements InputTarget {
     this.#scene.probeNext()
   }
 
+  showMinimum(): void {
+    this.#scene.showMinimum()
+  }
+
   toggleReference(): void {
     this.#scene.toggleReference()
   }
@@ -99,10 +107,11 @@ export abstract class Pane implements InputTarget {
   }
 
   /** Follows the vertices and the camera before the picture is painted. */
-  protected viewport(vertices: readonly Vec3[], left: number, top: number): Viewport {
+  protected viewport(vertices: readonly Vec3[], state: State, left = 0, top = 0): Viewport {
     const { camera } = this
     camera.enclose(vertices)
     this.seen = vertices.map(vertex => camera.project(vertex))
+    this.sight = new Sight(vertices, camera, sliceOf(sceneSlice, state).faceDisplay)
     return { left, top, vertices, camera }
   }
 }

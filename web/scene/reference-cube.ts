@@ -4,11 +4,12 @@
  */
 import type { Candidate, JacobianReport, Report } from '../core/report'
 import { type Vec3, vertexReference } from '../model/hexahedron'
-import { type CameraView, sliceChange, sliceOf } from '../model/state'
+import { type CameraView, type State, sliceChange, sliceOf } from '../model/state'
 import { sceneSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 import type { Viewport } from './paint/picture'
 import { Pane, type PaneScene } from './pane'
+import { DEFAULT_DIRECTION } from './space/camera'
 import { verticesInWorld, worldOf } from './space/world'
 
 const CUBE = vertexReference.flat()
@@ -82,9 +83,9 @@ export class ReferenceCube extends Pane {
     return CORNERS
   }
 
-  prepare(): Viewport {
+  prepare(state: State): Viewport {
     this.inputs.probe.update()
-    return this.viewport(CORNERS, this.#left, this.#top)
+    return this.viewport(CORNERS, state, this.#left, this.#top)
   }
 
   update({ state, report }: Frame): void {
@@ -95,6 +96,7 @@ export class ReferenceCube extends Pane {
       report: this.#inCube(report),
       world: WORLD,
       camera: this.camera,
+      sight: this.sight,
       handles: this.seen,
       drag: null,
       taken: [],
@@ -109,7 +111,7 @@ export class ReferenceCube extends Pane {
   }
 
   fit(toDefault: boolean): void {
-    this.orbit.fit(CORNERS, toDefault)
+    this.orbit.fit(CORNERS, toDefault ? DEFAULT_DIRECTION : undefined)
     this.host.requestFrame()
   }
 

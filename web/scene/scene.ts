@@ -5,10 +5,11 @@
  * Dragged coordinates are rounded to the power of ten at or below one pixel's length. Keys: see help.ts; the digit on a
  * handle chooses that handle.
  */
+import { lowerInside } from '../core/inside'
 import { pointOfValue } from '../core/point-of-value'
 import type { Vec3 } from '../model/hexahedron'
 import { type Cameras, type CameraView, type State, sliceChange, sliceOf } from '../model/state'
-import { controlsSlice, helpToggled, sceneSlice } from '../views/scene-slices'
+import { controlsSlice, helpToggled, type SceneState, sceneSlice } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Update, View, ViewContext } from '../views/view'
 import { ElementPane } from './element-pane'
 import { Controls } from './input/controls'
@@ -68,6 +69,7 @@ class Scene implements View, PaneScene {
       turn: (right, up) => this.#pane.turn(right, up),
       zoom: factor => this.#pane.zoom(factor),
       hold: held => host.dispatch(sliceChange(controlsSlice, { held })),
+      showMinimum: () => this.showMinimum(),
       showFaces: faceDisplay => host.dispatch(sliceChange(sceneSlice, { faceDisplay })),
     })
     for (const { root } of [this.#colourBar, this.#help, this.#controls, this.#spokenProbe])
@@ -141,6 +143,17 @@ class Scene implements View, PaneScene {
     this.#probe(next.point)
   }
 
+  showMinimum(): void {
+    const report = this.#shown?.report
+    if (!report) return
+    const { faceDisplay, section } = sliceOf(sceneSlice, this.host.state())
+    const inside = lowerInside(report)
+    const change = (change: Partial<SceneState>) => this.host.dispatch(sliceChange(sceneSlice, change))
+    if (inside) change({ faceDisplay: 'inside', section: { ...section, value: inside.point[section.axis] } })
+    else if (!this.#pane.turnTo(report.minimizer.point)) change({ faceDisplay: 'see-through' })
+    else if (faceDisplay !== 'see-through') change({ faceDisplay: 'opaque' })
+  }
+
   toggleReference(): void {
     const referenceShown = !isReferenceShown(this.host.state())
     if (!referenceShown && this.#reference?.element.matches(':focus')) this.#pane.element.focus()
@@ -207,7 +220,7 @@ class Scene implements View, PaneScene {
     const { pane } = this.#layout
     const reference = isReferenceShown(state) ? this.#reference : null
     const own = this.#pane.prepare(state)
-    const viewports = reference ? [own, reference.prepare()] : [own]
+    const viewports = reference ? [own, reference.prepare(state)] : [own]
     const isOther = this.#painting.paint(frame, this.#layout, viewports, isFigure)
     if (isOther || this.#pane.hasNewDrag || this.#differs(frame)) {
       this.#pane.update(frame, pane)

@@ -44,7 +44,7 @@ export const sceneSlice: Slice<SceneState> = {
 }
 
 /** Buttons of the scene that an author may leave out. */
-export const CONTROLS = ['faces', 'reference', 'turn', 'fit', 'help'] as const
+export const CONTROLS = ['minimum', 'faces', 'reference', 'turn', 'fit', 'help'] as const
 export type Control = (typeof CONTROLS)[number]
 
 /** What drags of a vertex are held to, by keys or by chips. */
@@ -61,7 +61,7 @@ export interface ControlsState {
   readonly controls: readonly Control[]
   /** True if the help is on the screen. */
   readonly helpShown: boolean
-  /** True if the last pointer was a finger or a pen: there may be no keys. */
+  /** True if the scene was last used by a finger or a pen: there may be no keys. */
   readonly byFinger: boolean
   /** What the chips hold drags to. */
   readonly held: DragKeys
@@ -105,13 +105,23 @@ const ENTITY_COUNTS: Readonly<Record<Entity['kind'], number>> = {
   face: faces.length,
 }
 
-/** The entity that is spoken of, and samples of the check that is pointed at, for every view to mark; null if there are none. */
-export const marksSlice: PassingSlice<{ readonly highlight: Entity | null; readonly samples: Samples | null }> = {
+export interface MarksState {
+  /** The entity that is spoken of. */
+  readonly highlight: Entity | null
+  /** Samples of the check that is pointed at. */
+  readonly samples: Samples | null
+  /** The face whose curve s*(t) is drawn: the points at which jacdet is least among those of the same t. */
+  readonly curveOn: number | null
+}
+
+/** What every view is to mark; null where there is nothing. */
+export const marksSlice: PassingSlice<MarksState> = {
   name: 'marks',
-  first: { highlight: null, samples: null },
-  check({ highlight, samples }) {
+  first: { highlight: null, samples: null, curveOn: null },
+  check({ highlight, samples, curveOn }) {
     if (highlight) checkIndex(highlight.id, ENTITY_COUNTS[highlight.kind], highlight.kind)
     samples?.points.forEach(checkInCube)
+    if (curveOn !== null) checkIndex(curveOn, faces.length, 'face')
   },
 }
 

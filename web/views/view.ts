@@ -75,6 +75,8 @@ export interface View {
   figure?(name: FigureName): Figure | null
   /** The cameras as they are now, if they are this view's; null before its first picture, and until it looks as was asked for last. */
   cameras?(): Cameras | null
+  /** Shows where the minimum is, if that is this view's to show. */
+  showMinimum?(): void
   /** True if something of it is still to be loaded. */
   readonly isLoading?: boolean
   dispose(): void

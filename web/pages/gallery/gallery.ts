@@ -182,6 +182,7 @@ export const gallery: readonly GalleryRoom[] = [
           [1, 1, 1],
           [0, 1, 1],
         ],
+        lesson: 'corners-are-not-enough',
         challenge: 'gauss-and-scaled',
       },
       {

@@ -5,6 +5,7 @@ import type { Report } from '../../core/report'
 import type { Vertices } from '../../model/hexahedron'
 import { encodePermalink } from '../../model/permalink'
 import { hashOf, neighbour, type StepAddress, stepAt } from './address'
+import { boxesFigure } from './boxes-figure'
 import { claimList } from './claims'
 import { isInPlane, type LessonFigure, type LessonQuestion, type LessonStep, lessons } from './content/lessons'
 import { edgeFigure } from './edge-figure'
@@ -129,7 +130,8 @@ function computed(step: LessonStep, report: Report | null): TemplateResult {
 }
 
 function drawing(figure: LessonFigure, report: Report): TemplateResult {
-  return figure.kind === 'edge' ? edgeFigure(report, figure.edge) : sectionFigure(report, figure.value)
+  if (figure.kind === 'edge') return edgeFigure(report, figure.edge, figure.hasCoefficients ?? false)
+  return figure.kind === 'section' ? sectionFigure(report, figure.value) : boxesFigure(report)
 }
 
 function end({ lesson }: StepAddress): TemplateResult {

@@ -85,6 +85,8 @@ function answer(step: number, given: Given | undefined): void {
   else progress.answer(to, given)
   if (step === address.step) stage.ask(stepAt(to), isAsked(to))
   holding(step, draw)
+  // The step is shorter again: what is in sight would be the next one.
+  if (given === undefined && step === address.step) reveal(step)
   const place = given === undefined ? '.choices button' : '.judged'
   articleOf(step)?.querySelector<HTMLElement>(place)?.focus({ preventScroll: true })
 }
@@ -145,7 +147,8 @@ function enter(to: StepAddress | null): void {
 
 /** Keeps a step where it is on the screen while steps above it change: their drawings come late. */
 function holding(step: number, change: () => void): void {
-  const before = topOf(step)
+  // The font may have moved it before anybody was told.
+  const before = step === address?.step && Math.abs(scrollY - scrolledTo) < 2 ? heldAt : topOf(step)
   change()
   const by = topOf(step) - before
   if (by === 0) return

@@ -12,8 +12,10 @@ export function minutesOf({ steps }: Lesson): number {
   return Math.ceil(words / WORDS_A_MINUTE + tasks * MINUTES_A_TASK)
 }
 
+/** Without foldouts: they are for those who want them. */
 function htmlOf({ text, task, claims, question }: LessonStep): string {
-  return [text, task, ...claims.map(({ says }) => says), question?.asks ?? '', question?.because ?? ''].join(' ')
+  const html = [text, task, ...claims.map(({ says }) => says), question?.asks ?? '', question?.because ?? ''].join(' ')
+  return html.replace(/<details[\s\S]*?<\/details>/g, ' ')
 }
 
 /** A formula in a line counts as a word. */

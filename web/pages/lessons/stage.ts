@@ -68,17 +68,20 @@ export class Stage {
     } else this.#showInLens(step, isAsked)
   }
 
-  /** Hides what gives the answer away, or shows it; the reader's own changes stay in the plane. */
+  /** Hides what gives the answer away, or shows it. The reader's own changes stay in the plane, and where they are the answer. */
   ask(step: LessonStep, isAsked: boolean): void {
-    if (!isInPlane(step)) this.#showInLens(step, isAsked)
-    else if (!isAsked || !step.question) this.#plane.asks = 'nothing'
+    if (!isInPlane(step)) {
+      const dragged = step.question?.answer.kind === 'drag' && !isAsked ? this.#lens.vertices : null
+      this.#showInLens(step, isAsked, dragged)
+    } else if (!isAsked || !step.question) this.#plane.asks = 'nothing'
     else this.#plane.asks = step.question.answer.kind === 'drag' ? 'drag' : 'choice'
   }
 
-  #showInLens(step: HexahedronStep, isAsked: boolean): void {
+  /** `vertices` in the place of the step's, if there are any. */
+  #showInLens(step: HexahedronStep, isAsked: boolean, vertices: Vertices | null = null): void {
     const shown = shownStep(step, isAsked)
     if (this.#lens.views !== shown.views) this.#lens.views = shown.views
-    this.#lens.state = stateOf(shown)
+    this.#lens.state = vertices ? { ...stateOf(shown), vertices } : stateOf(shown)
     scrollToTop(this.#lens)
   }
 }

@@ -4,8 +4,9 @@ import { html, render } from 'lit-html'
 import { type FacePolynomials, facePolynomials, leastInRow } from '../../core/face-polynomials'
 import type { FaceReport, Report } from '../../core/report'
 import { type FaceTopology, faces, type Vec3 } from '../../model/hexahedron'
-import { sliceOf } from '../../model/state'
+import { sliceChange, sliceOf } from '../../model/state'
 import { isNew } from '../../views/is-new'
+import { marksSlice } from '../../views/scene-slices'
 import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../../views/view'
 import { boundsTable } from './bounds-table'
 import css from './face-maps.css?inline'
@@ -59,7 +60,9 @@ class FaceMapsView implements View {
     this.#resizes.observe(this.root)
   }
 
-  update({ report }: Frame): void {
+  update({ state, report }: Frame): void {
+    const isRead = report !== null && state.openPanels.includes('face-maps')
+    this.#drawCurveOn(isRead ? sliceOf(faceSlice, state).selectedFace : null)
     this.root.hidden = report === null
     this.#report = report
     if (report !== null) this.#net.layOut(this.#width, report)
@@ -71,7 +74,14 @@ class FaceMapsView implements View {
 
   dispose(): void {
     this.#resizes.disconnect()
+    this.#drawCurveOn(null)
     this.#net.dispose()
+  }
+
+  /** In the scene. */
+  #drawCurveOn(face: number | null): void {
+    if (face !== sliceOf(marksSlice, this.#context.state()).curveOn)
+      this.#context.dispatch(sliceChange(marksSlice, { curveOn: face }))
   }
 
   /** Probes the point at which the face's row t has its least value. */

@@ -78,7 +78,11 @@ export class Plots {
     for (const plot of this.#plots) plot.point(t)
     const text = t === null ? '' : this.#valuesText(t)
     this.#values.classList.toggle('off-paper', t === null)
-    setText(this.#values, text || 'Point at a plot: the maps mark the least point of that row of the face.')
+    setText(
+      this.#values,
+      text ||
+        'Point at a plot: the maps mark the least point of that row of the face. The dashed line in the picture joins these points.',
+    )
     this.#slider.setAttribute('aria-valuenow', String(t ?? 0))
     this.#slider.setAttribute('aria-valuetext', text || 'no t chosen')
   }

@@ -18,6 +18,7 @@ export interface ControlActions {
   toggleHelp(): void
   fit(): void
   toggleReference(): void
+  showMinimum(): void
   showFaces(faceDisplay: FaceDisplay): void
   hold(keys: DragKeys): void
   /** In steps to the right and up. */
@@ -92,10 +93,18 @@ export class Controls {
     choice.className = 'choice'
     choice.append(this.#faces)
     this.#help = button('Help', 'What keys and pointers do (?)', () => actions.toggleHelp())
+    const minimum = button('Show the minimum', 'Turn to it, or look through the faces (M)', () => actions.showMinimum())
+    minimum.className = 'to-minimum'
     const beside = 'The same colours in (ξ, η, ζ), beside the element (R)'
     this.#reference = button('Reference cube', beside, () => actions.toggleReference())
-    this.#buttons = { faces: choice, reference: this.#reference, turn, fit, help: this.#help }
-    this.root.append(this.#legend, this.#chips.root, turns, ...CONTROLS.map(control => this.#buttons[control]))
+    this.#buttons = { minimum, faces: choice, reference: this.#reference, turn, fit, help: this.#help }
+    this.root.append(
+      this.#buttons.minimum,
+      this.#legend,
+      this.#chips.root,
+      turns,
+      ...CONTROLS.slice(1).map(control => this.#buttons[control]),
+    )
   }
 
   update(state: State, report: Report | null): void {

@@ -24,6 +24,8 @@ export interface InputTarget {
   pointAt(x: number, y: number): Vec3 | null
   /** Marks the minimizer, or the candidate after the one that is marked. */
   probeNext(): void
+  /** Turns to the minimum, or shows it through the faces. */
+  showMinimum(): void
   /** Marks the handle that a press would take. */
   showHover(vertex: number | null): void
   /** Shows the running drag of the selected vertex; null when none is running. */

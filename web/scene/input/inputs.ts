@@ -1,4 +1,6 @@
 /** Pointer, keys and probe of one pane. Keys are the pointer's while it drags. */
+import { sliceChange } from '../../model/state'
+import { controlsSlice } from '../../views/scene-slices'
 import type { InputTarget } from './input-target'
 import { KeyboardInput } from './keyboard-input'
 import { PointerInput } from './pointer-input'
@@ -44,11 +46,12 @@ export class Inputs {
     } else this.#keyboard.onKeyUp(event)
   }
 
-  /** Keys move the vertex that is shown as chosen. */
+  /** Who comes with keys sees the vertex that they move, and needs no chips. */
   readonly #onFocus = (): void => {
     const { host, movesVertices } = this.#target
-    if (movesVertices && this.#element.dataset.pointed === undefined)
-      host.dispatch({ type: 'select-vertex', vertex: host.state().selectedVertex })
+    if (this.#element.dataset.pointed !== undefined) return
+    host.dispatch(sliceChange(controlsSlice, { byFinger: false }))
+    if (movesVertices) host.dispatch({ type: 'select-vertex', vertex: host.state().selectedVertex })
   }
 
   readonly #onBlur = (): void => {

@@ -7,9 +7,9 @@ import { VERTEX_COUNT, type Vec3, vertexOf } from '../../model/hexahedron'
 import { sliceChange, sliceOf } from '../../model/state'
 import { type FaceDisplay, sceneSlice } from '../../views/scene-slices'
 import type { SceneCamera } from '../space/camera'
+import { addDecimal, keyStep, lengthOf } from '../space/decimal-step'
 import { at, map3 } from '../space/vec3'
 import { extentOf } from '../space/world'
-import { addDecimal, keyStep, lengthOf } from './decimal-step'
 import type { InputTarget } from './input-target'
 
 /** The coordinate axis that one of right, up and towards the eye stands for, and its sign. */
@@ -132,6 +132,7 @@ export class KeyboardInput {
     ']': () => this.#chooseNext(1),
     Escape: () => this.#escape(),
     p: () => this.#target.probeNext(),
+    m: () => this.#target.showMinimum(),
     r: () => this.#target.toggleReference(),
     a: () => this.#target.turn(-1, 0),
     d: () => this.#target.turn(1, 0),

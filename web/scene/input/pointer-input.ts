@@ -185,7 +185,7 @@ export class PointerInput {
       snap: altKey || held.snap,
     }
     const to = grip.drag.moveTo(grip.nowX, grip.nowY, keys)
-    this.#target.showDrag({ axis: keys.axis, byTouch: grip.byTouch })
+    this.#target.showDrag({ axis: keys.axis, snaps: keys.snap, byTouch: grip.byTouch })
     this.#target.host.dispatch({ type: 'move-vertex', vertex: grip.vertex, to })
   }
 

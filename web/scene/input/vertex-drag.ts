@@ -5,9 +5,9 @@
 import type { Axis, Vec3 } from '../../model/hexahedron'
 import type { DragKeys } from '../../views/scene-slices'
 import type { SceneCamera } from '../space/camera'
+import { gridStep, lengthOf, roundingStep, roundTo, type Step } from '../space/decimal-step'
 import { at, dot, map3 } from '../space/vec3'
 import { finite, toWorld, type World } from '../space/world'
-import { gridStep, lengthOf, roundingStep, roundTo, type Step } from './decimal-step'
 
 export interface DragStart {
   readonly camera: SceneCamera

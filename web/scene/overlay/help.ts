@@ -23,6 +23,7 @@ const FOR_KEYS: readonly Entry[] = [
   ['Shift, Alt', 'with these keys make the step ten times as long, or a tenth'],
   ['Point at a face', 'or tap it, to read jacdet there: the probe. The box is the image of a little cube, enlarged'],
   ['P', 'puts the probe on the next candidate; C copies its numbers'],
+  ['M', 'turns the view to the minimum, or shows it through the faces'],
   ['Escape', 'puts a vertex that is being moved back; at other times it removes the probe'],
   ['A, D, W, S', 'turn the view; plus and minus zoom, F fits it, Home resets it'],
   ['T, I', 'make faces see-through, or show the inside; comma and full stop show one face alone'],

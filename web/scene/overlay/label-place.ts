@@ -55,9 +55,9 @@ export function placeLabel(request: LabelRequest): LabelPlace {
 }
 
 /** Turns of a number about its handle, the least first. */
-const TURNS = [0, 0.7, -0.7, 1.4, -1.4]
+const TURNS = [0, 0.7, -0.7, 1.4, -1.4, 2.1, -2.1, 2.8]
 
-/** Where a number goes from its handle: in this unit direction, or turned from it so far that it lies on no other number. */
+/** Where a number goes from its handle: in this unit direction, or turned from it so far that it lies on none of the others. */
 export function numberDirection(at: Point, { x, y }: Point, distance: number, others: readonly Point[]): Point {
   const turned = TURNS.map(turn => ({
     x: x * Math.cos(turn) - y * Math.sin(turn),

@@ -20,7 +20,6 @@ import { markScale, type OverlayPicture } from './overlay-picture'
 
 const RING = 9
 const HANDLE_RING = 12
-const CORE = 7
 const PUPIL = 3
 const LABEL_HEIGHT = 20
 const CHARACTER_WIDTH = 9
@@ -41,6 +40,7 @@ interface Mark {
 interface Least {
   readonly words: string
   readonly value: number
+  readonly point: Vec3
   readonly position: Vec3
   readonly isVertex: boolean
 }
@@ -51,7 +51,6 @@ export class Marks {
   readonly #pool: Mark[] = []
   readonly #halo = svg('circle', { class: 'rim' })
   readonly #ring = svg('circle', { class: 'ring' })
-  readonly #core = svg('circle', { class: 'core' })
   readonly #dot = svg('circle', { class: 'pupil' })
   readonly #leader = svg('path', { class: 'leader' })
   readonly #label = svg('text', { class: 'value' })
@@ -64,9 +63,12 @@ export class Marks {
   /** The label's box; null if no place is free. */
   #labelBox: Box | null = null
 
-  constructor(isLabelled: boolean) {
+  constructor(isLabelled: boolean, onMinimum: () => void) {
     this.#isLabelled = isLabelled
-    this.minimizer.append(this.#second, this.#halo, this.#ring, this.#core, this.#dot)
+    // A press on the words is none on the scene.
+    this.#label.addEventListener('pointerdown', event => event.stopPropagation())
+    this.#label.addEventListener('click', onMinimum)
+    this.minimizer.append(this.#second, this.#halo, this.#ring, this.#dot)
     if (isLabelled) this.minimizer.append(this.#label)
     if (isLabelled) this.minimizer.prepend(this.#leader)
   }
@@ -99,7 +101,7 @@ export class Marks {
     this.shownLabel = isShown ? box : null
   }
 
-  #updateCandidates(marked: readonly Candidate[], { world, camera, report, state }: MarksPicture): void {
+  #updateCandidates(marked: readonly Candidate[], { world, camera, sight, report, state }: MarksPicture): void {
     while (this.#pool.length < marked.length) this.#pool.push(this.#createMark())
     this.#pool.forEach(({ group, path, title }, i) => {
       const candidate = marked[i]
@@ -107,6 +109,7 @@ export class Marks {
       show(group, at !== undefined && at.depth > 0)
       if (!candidate || !at) return
       moveTo(group, at)
+      group.classList.toggle('behind', sight.hides(candidate.point))
       set(path, { d: candidateShapes[candidate.kind] })
       const value = formatJacdet(candidate.value, report?.exponent ?? 0, state.referenceCube)
       setText(title, `Candidate ${elementPartName(candidate)}: J = ${value}`)
@@ -121,20 +124,19 @@ export class Marks {
     return { group, path, title }
   }
 
-  #updateLeast({ words, value, position, isVertex }: Least, exponent: number, picture: MarksPicture): void {
-    const { camera, world, state } = picture
+  #updateLeast({ words, value, point, position, isVertex }: Least, exponent: number, picture: MarksPicture): void {
+    const { camera, world, sight, state } = picture
     const at = camera.project(toWorld(world, position))
     show(this.minimizer, at.depth > 0)
     const scale = markScale(camera)
     const radius = scale * (isVertex ? HANDLE_RING : RING)
-    for (const circle of [this.#halo, this.#ring, this.#core, this.#dot]) set(circle, { cx: px(at.x), cy: px(at.y) })
+    for (const circle of [this.#halo, this.#ring, this.#dot]) set(circle, { cx: px(at.x), cy: px(at.y) })
     set(this.#halo, { r: px(radius) })
     set(this.#ring, { r: px(radius) })
-    set(this.#core, { r: px(scale * CORE) })
     set(this.#dot, { r: px(scale * PUPIL) })
-    show(this.#core, !isVertex)
     show(this.#dot, !isVertex)
     this.minimizer.classList.toggle('positive', value > 0)
+    this.minimizer.classList.toggle('behind', sight.hides(point))
     if (!this.#isLabelled) return
     setText(this.#label, `${words} = ${formatJacdet(value, exponent, state.referenceCube)}`)
     this.#placeLabel(at, radius, picture)
@@ -174,12 +176,13 @@ export class Marks {
 }
 
 function leastOnBoundary({ minimizer }: Report): Least {
-  const { value, position, kind } = minimizer
-  return { words: 'min J', value, position, isVertex: kind === 'vertex' }
+  const { value, point, position, kind } = minimizer
+  return { words: 'min J', value, point, position, isVertex: kind === 'vertex' }
 }
 
 function leastInside(inside: Report['volumeMinimum']): Least {
-  return { words: 'min J inside', value: approximation(inside).value, position: inside.position, isVertex: false }
+  const { point, position } = inside
+  return { words: 'min J inside', value: approximation(inside).value, point, position, isVertex: false }
 }
 
 /** True if a candidate lies on the faces shown: one face alone has its own and those of its edges. */

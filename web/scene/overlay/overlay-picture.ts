@@ -5,20 +5,28 @@ import type { State } from '../../model/state'
 import type { Preview } from '../../views/scene-slices'
 import type { SceneCamera, ScreenPoint } from '../space/camera'
 import type { Box } from '../space/layout'
+import type { Sight } from '../space/sight'
 import type { World } from '../space/world'
 
-/** The running drag of the selected vertex, and the axis that it is held to. */
+/** The running drag of the selected vertex, the axis that it is held to, and true if it goes along the grid. */
 export interface HandleDrag {
   readonly axis: Axis | null
+  readonly snaps: boolean
   readonly byTouch: boolean
 }
 
-export interface OverlayPicture {
+/** How a pane sees the element. */
+export interface Seen {
+  readonly world: World
+  readonly camera: SceneCamera
+  /** Marks that it hides are drawn dashed. */
+  readonly sight: Sight
+}
+
+export interface OverlayPicture extends Seen {
   readonly state: State
   readonly preview: Preview | null
   readonly report: Report | null
-  readonly world: World
-  readonly camera: SceneCamera
   /** The vertices on the screen. */
   readonly handles: readonly ScreenPoint[]
   readonly drag: HandleDrag | null

@@ -2,16 +2,18 @@
 
 import type { JacobianReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
-import { edgeVertices, VERTEX_COUNT, type Vertices, vertexOf } from '../../model/hexahedron'
+import { edgeVertices, VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { sliceOf } from '../../model/state'
-import { marksSlice } from '../../views/scene-slices'
+import { marksSlice, sceneSlice } from '../../views/scene-slices'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
+import { gridStep, lengthOf, roundTo } from '../space/decimal-step'
 import type { Box, Point } from '../space/layout'
-import { at, map3 } from '../space/vec3'
-import { toWorld, verticesInWorld } from '../space/world'
+import { at, map3, mix } from '../space/vec3'
+import { extentOf, toWorld, verticesInWorld } from '../space/world'
 import { Highlight } from './highlight'
 import { meanOf, numberDirection, overlap } from './label-place'
+import { LeastCurve } from './least-curve'
 import { Marks } from './marks'
 import { markScale, type OverlayPicture } from './overlay-picture'
 import { type ProbeLook, ProbeMark } from './probe-mark'
@@ -37,6 +39,8 @@ const CUED = 6
 const CUE = 'M-4-12L0-16L4-12M12-4L16 0L12 4M4 12L0 16L-4 12M-12 4L-16 0L-12-4'
 /** Handles this close are one to the eye. */
 const SAME_HANDLE = 3
+/** Pieces of an edge, each hidden or seen as its middle is. */
+const EDGE_PIECES = 6
 /** Distance from a handle's middle to the middle of its number. */
 const NUMBER_DISTANCE = 17
 /** The same with a ring around the handle: the minimizer's, or that of the vertex spoken of. */
@@ -52,30 +56,39 @@ interface Handle {
 export class Overlay {
   readonly root = svg('svg', { class: 'scene-overlay lettered', 'aria-hidden': 'true' })
   readonly #edgeHalo = svg('path', { class: 'edge-halo' })
+  readonly #haloBehind = svg('path', { class: 'edge-halo behind' })
   readonly #edges = svg('path', { class: 'edges' })
+  readonly #edgesBehind = svg('path', { class: 'edges behind' })
   readonly #ghostHalo = svg('path', { class: 'ghost-halo' })
   readonly #ghost = svg('path', { class: 'ghost' })
   readonly #ghostHandle = svg('circle', { class: 'ghost', r: 6 })
+  readonly #grid = svg('path', { class: 'grid' })
   readonly #axisLine = svg('path', { class: 'axis-line' })
   readonly #radius: number
   readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
   readonly #highlight = new Highlight()
+  readonly #curve = new LeastCurve()
   readonly #samples = new SampleMarks()
   readonly #marks: Marks
   readonly #triad: Triad
   readonly #probe = new ProbeMark()
   #picture: OverlayPicture | null = null
 
-  constructor({ letters, isFixed }: OverlayKind) {
+  /** `onMinimum` is called when the number of the minimum is pressed. */
+  constructor({ letters, isFixed }: OverlayKind, onMinimum: () => void) {
     this.#radius = isFixed ? FIXED_RADIUS : RADIUS
     this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v, v === CUED && !isFixed))
-    this.#marks = new Marks(!isFixed)
+    this.#marks = new Marks(!isFixed, onMinimum)
     this.#triad = new Triad(letters)
     this.root.append(
       this.#edgeHalo,
       this.#edges,
+      this.#haloBehind,
+      this.#edgesBehind,
       this.#highlight.root,
+      this.#grid,
+      this.#curve.root,
       this.#axisLine,
       this.#ghostHalo,
       this.#ghost,
@@ -100,12 +113,12 @@ export class Overlay {
   /** Everything but the probe. */
   update(picture: OverlayPicture): void {
     this.#picture = picture
-    const { camera, handles } = picture
+    const { camera } = picture
+    this.root.classList.toggle('opaque', sliceOf(sceneSlice, picture.state).faceDisplay === 'opaque')
     set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
-    const edges = edgePath(edgeVertices, handles)
-    set(this.#edgeHalo, { d: edges })
-    set(this.#edges, { d: edges })
-    this.#highlight.update(sliceOf(marksSlice, picture.state).highlight, handles)
+    const edges = this.#updateEdges(picture)
+    this.#highlight.update(sliceOf(marksSlice, picture.state).highlight, picture)
+    this.#curve.update(picture)
     this.#samples.update(picture, edges)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
@@ -124,8 +137,30 @@ export class Overlay {
     this.#probe.update(probe, look, { ...this.#picture, taken })
   }
 
+  /** Dashed where a face hides them. Returns the path of all. */
+  #updateEdges({ handles, camera, sight }: OverlayPicture): string {
+    const paths = { seen: '', behind: '' }
+    for (const [from, to] of edgeVertices) {
+      const on = (share: number) => mix(vertexReference[from] as Vec3, vertexReference[to] as Vec3, share)
+      let last = handles[from] as ScreenPoint
+      let drawn: keyof typeof paths | null = null
+      for (let piece = 1; piece <= EDGE_PIECES; piece++) {
+        const next = camera.project(sight.positionOf(on(piece / EDGE_PIECES)))
+        const kind = sight.hides(on((piece - 0.5) / EDGE_PIECES)) ? 'behind' : 'seen'
+        const isInFront = last.depth > 0 && next.depth > 0
+        if (isInFront)
+          paths[kind] += `${drawn === kind ? '' : `M${px(last.x)} ${px(last.y)}`}L${px(next.x)} ${px(next.y)}`
+        drawn = isInFront ? kind : null
+        last = next
+      }
+    }
+    for (const path of [this.#edgeHalo, this.#edges]) set(path, { d: paths.seen })
+    for (const path of [this.#haloBehind, this.#edgesBehind]) set(path, { d: paths.behind })
+    return edgePath(edgeVertices, handles)
+  }
+
   /** Returns the middles of the numbers. */
-  #updateHandles({ handles, state, preview, report, camera }: OverlayPicture): Point[] {
+  #updateHandles({ handles, state, preview, report, camera, sight }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
     const { highlight } = sliceOf(marksSlice, state)
     const ringed = [report?.minimizer, highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
@@ -145,13 +180,15 @@ export class Overlay {
       const outwards = length > 1 ? { x: dx / length, y: dy / length } : { x: 0, y: -1 }
       const middleDistance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
       const distance = middleDistance - (1 - scale) * this.#radius
-      const { x: ux, y: uy } = text === '' ? outwards : numberDirection(at, outwards, distance, shown)
+      const others = [...shown, ...handles.filter((_, other) => other !== v && texts[other] !== '')]
+      const { x: ux, y: uy } = text === '' ? outwards : numberDirection(at, outwards, distance, others)
       const half = (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
       const x = ux * (distance + half)
       // A long number stays in the picture.
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
       group.classList.toggle('selected', state.isVertexChosen && v === state.selectedVertex)
+      group.classList.toggle('behind', sight.hides(vertexReference[v] as Vec3))
       const place = { x: at.x + ux * distance, y: at.y + uy * distance }
       if (text !== '') shown.push(place)
       return place
@@ -213,15 +250,41 @@ export class Overlay {
     return box
   }
 
-  /** The axis that the vertex is held to. */
-  #updateAxisLine({ state, drag, world, camera }: OverlayPicture): void {
+  /** The axis, or the grid, that the vertex is held to. */
+  #updateAxisLine(picture: OverlayPicture): void {
+    const { state, drag, world, camera } = picture
     const axis = drag?.axis ?? null
+    show(this.#grid, drag?.snaps === true)
+    if (drag?.snaps) set(this.#grid, { d: gridPath(picture) })
     show(this.#axisLine, axis !== null)
     if (axis === null) return
     const middle = toWorld(world, vertexOf(state.vertices, state.selectedVertex))
     const ends = [-4, 4].map(length => camera.project(map3(k => at(middle, k) + (k === axis ? length : 0))))
     set(this.#axisLine, { d: edgePath([[0, 1]], ends) })
   }
+}
+
+/** The grid's lines on both sides of the vertex. */
+const GRID_LINES = 6
+
+/** The lines of Alt's grid about a vertex, in the two directions that are seen best. */
+function gridPath({ state, world, camera }: OverlayPicture): string {
+  const step = gridStep(extentOf(state.gestureStart ?? state.vertices))
+  const vertex = vertexOf(state.vertices, state.selectedVertex)
+  const back = camera.axes()[2].map(Math.abs)
+  const axes = [0, 1, 2].filter(axis => axis !== back.indexOf(Math.max(...back)))
+  const onGrid = (along: number, steps: number, across: number) =>
+    map3(axis => {
+      if (!axes.includes(axis)) return at(vertex, axis)
+      return roundTo(at(vertex, axis), step) + (axis === along ? steps : across) * lengthOf(step)
+    })
+  let path = ''
+  for (const along of axes)
+    for (let across = -GRID_LINES; across <= GRID_LINES; across++) {
+      const ends = [-GRID_LINES, GRID_LINES].map(steps => camera.project(toWorld(world, onGrid(along, steps, across))))
+      path += edgePath([[0, 1]], ends)
+    }
+  return path
 }
 
 /** The box of a line of text with its middle at (x, y). */

@@ -17,9 +17,10 @@ const LETTERS = [
   ['ζ', 4],
 ] as const
 const LETTER_DISTANCE = 9
-const CHARACTER_WIDTH = 7.5
+const CHARACTER_WIDTH = 8
 const LINE = 16
 const ENLARGED = 'linear image, enlarged'
+const ENLARGED_WIDTH = 140
 
 /** How the probe looks beyond its place. */
 export interface ProbeLook {
@@ -29,7 +30,7 @@ export interface ProbeLook {
   readonly words: string
 }
 
-type ProbePicture = Pick<OverlayPicture, 'world' | 'camera' | 'handles' | 'taken'>
+type ProbePicture = Pick<OverlayPicture, 'world' | 'camera' | 'handles' | 'taken' | 'sight'>
 
 export class ProbeMark {
   readonly root = svg('g', { class: 'probe' })
@@ -64,14 +65,13 @@ export class ProbeMark {
   }
 
   update(probe: JacobianReport | null, look: ProbeLook, picture: ProbePicture): void {
-    const { world, camera } = picture
-    const middle = probe && camera.project(toWorld(world, probe.position))
-    const isShown = middle !== null && middle.depth > 0
-    show(this.root, isShown)
-    show(this.box.root, isShown)
+    const { world, camera, sight } = picture
+    const corners = probe ? boxCorners(probe, world).map(corner => camera.project(corner)) : []
+    const isShown = corners.length > 0 && corners.every(({ depth }) => depth > 0)
+    for (const { root } of [this, this.box]) show(root, isShown)
     if (probe === null || !isShown) return
-    moveTo(this.#dot, middle)
-    const corners = boxCorners(probe, world).map(corner => camera.project(corner))
+    this.root.classList.toggle('behind', sight.hides(probe.point))
+    moveTo(this.#dot, camera.project(toWorld(world, probe.position)))
     const isHidden = this.box.update(corners, look.colour, probe.jacdet < 0)
     const [from] = corners as [ScreenPoint]
     for (const { halo, line, letter, corner } of this.#arrows) {
@@ -91,8 +91,10 @@ export class ProbeMark {
 
   #updateWords(words: string, corners: readonly ScreenPoint[], { camera, handles, taken }: ProbePicture): void {
     setText(this.#volume, words)
+    for (const mark of [this.#words, this.#leader]) show(mark, false)
+    if (words === '') return
     const anchor = meanOf(corners)
-    const width = CHARACTER_WIDTH * Math.max(words.length, ENLARGED.length)
+    const width = Math.max(CHARACTER_WIDTH * words.length, ENLARGED_WIDTH)
     const place = placeLabel({
       anchor,
       width,
@@ -105,7 +107,7 @@ export class ProbeMark {
       previous: this.#place?.index ?? null,
     })
     this.#place = place
-    for (const mark of [this.#words, this.#leader]) show(mark, words !== '' && place.isFree)
+    for (const mark of [this.#words, this.#leader]) show(mark, place.isFree)
     moveTo(this.#words, { x: place.x, y: place.y - LINE / 2 })
     const near = place.x - (Math.sign(place.x - anchor.x) * width) / 2
     set(this.#leader, { d: `M${px(anchor.x)} ${px(anchor.y)}L${px(near)} ${px(place.y)}` })

@@ -30,17 +30,22 @@ export class Readout {
     })
     this.#jacdet.classList.toggle('negative', probe.jacdet < 0)
     const jacdet = formatJacdet(probe.jacdet, probe.exponent, cube)
-    setText(this.#jacdet, `J${isNarrow ? formatPoint(probe.point) : ''} = ${jacdet}${boxWords(probe, ': ')}`)
+    setText(
+      this.#jacdet,
+      isNarrow ? `J${formatPoint(probe.point)} = ${jacdet}` : `J = ${jacdet}${boxWords(probe, ': ')}`,
+    )
     show(this.#reference, !isNarrow)
     setText(this.#reference, `(ξ, η, ζ) = ${formatPoint(probe.point)}`)
-    setText(this.#position, `${isNarrow ? 'at' : '(x, y, z) ='} ${formatPoint(probe.position)}`)
+    setText(
+      this.#position,
+      `${isNarrow ? `${boxWords(probe, '', ' ')}at` : '(x, y, z) ='} ${formatPoint(probe.position)}`,
+    )
   }
 }
 
 /** What becomes of the little cube if it does not only change its shape. */
-function boxWords({ jacdet }: JacobianReport, before: string): string {
-  if (jacdet > 0) return ''
-  return before + (jacdet < 0 ? 'inside out' : 'flat')
+function boxWords({ jacdet }: JacobianReport, before: string, after = ''): string {
+  return jacdet > 0 ? '' : `${before}${jacdet < 0 ? 'inside out' : 'flat'}${after}`
 }
 
 /** The candidate that a key has marked, to be heard. */

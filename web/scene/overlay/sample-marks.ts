@@ -2,30 +2,32 @@
 import { sliceOf } from '../../model/state'
 import { marksSlice } from '../../views/scene-slices'
 import { px, set, show, svg } from '../paint/svg'
-import { patchPoint, sectionCorners } from '../space/patches'
-import { verticesInWorld } from '../space/world'
 import type { OverlayPicture } from './overlay-picture'
 
 export class SampleMarks {
   readonly root = svg('g', { class: 'samples' })
   readonly #halo = svg('path', { class: 'halo' })
   readonly #line = svg('path', { class: 'line' })
+  readonly #behind = svg('path', { class: 'line behind' })
 
   constructor() {
-    this.root.append(this.#halo, this.#line)
+    this.root.append(this.#halo, this.#behind, this.#line)
   }
 
   /** `edges` is the path of the twelve. */
-  update({ state, world, camera }: OverlayPicture, edges: string): void {
+  update({ state, camera, sight }: OverlayPicture, edges: string): void {
     const { samples } = sliceOf(marksSlice, state)
     show(this.root, samples !== null)
     if (samples === null) return
-    const inWorld = verticesInWorld(world, state.vertices)
-    const dots = samples.points
-      .map(([xi, eta, zeta]) => camera.project(patchPoint(sectionCorners(inWorld, { axis: 0, value: xi }), eta, zeta)))
-      .filter(({ depth }) => depth > 0)
-      .map(({ x, y }) => `M${px(x)} ${px(y)}h0`) // round ends make a dot of a line without a length
+    const dots = { seen: '', behind: '' }
+    for (const point of samples.points) {
+      const { x, y, depth } = camera.project(sight.positionOf(point))
+      // Round ends make a dot of a line without a length.
+      if (depth > 0) dots[sight.hides(point) ? 'behind' : 'seen'] += `M${px(x)} ${px(y)}h0`
+    }
     this.root.setAttribute('class', `samples ${samples.edges ? '' : 'dots'}`)
-    for (const path of [this.#halo, this.#line]) set(path, { d: samples.edges ? edges : dots.join('') })
+    set(this.#halo, { d: samples.edges ? edges : dots.behind + dots.seen })
+    set(this.#line, { d: samples.edges ? edges : dots.seen })
+    set(this.#behind, { d: dots.behind })
   }
 }

@@ -2,8 +2,9 @@
  * The volume box at the probe: a little cube, and its image by the linear part of the map there. Its signed volume over the little
  * cube's is jacdet. If that is negative the box is inside out: the hatched insides of its faces are outside.
  */
+import { timesPowerOfTwo } from '../../core/power-of-two'
 import type { JacobianReport } from '../../core/report'
-import { edgeVertices, faces, type Vec3, vertexReference } from '../../model/hexahedron'
+import { edgeVertices, type FaceTopology, faces, type Vec3, vertexReference } from '../../model/hexahedron'
 import { HATCH_PERIOD } from '../paint/colour-map'
 import { px, set, show, svg } from '../paint/svg'
 import type { Point } from '../space/layout'
@@ -25,11 +26,9 @@ export function boxCorners(
   world: World,
 ): readonly Vec3[] {
   const middle = toWorld(world, position)
-  // Columns are numbers times 2^exponent of any size, so sizes are divided by a number from 1 to 2.
-  const exponent = Math.floor(Math.log2(world.size))
-  const size = timesPower(world.size, -exponent)
+  // A column may be twice the greatest double; a quarter of it never overflows.
   const sides = columns.map(column =>
-    map3(axis => timesPower((SIDE * at(column, axis)) / size, at(axisExponents, axis) - exponent)),
+    map3(axis => timesPowerOfTwo(SIDE * at(column, axis), at(axisExponents, axis)) / world.size),
   )
   return vertexReference.map(corner =>
     map3(axis =>
@@ -38,56 +37,41 @@ export function boxCorners(
   )
 }
 
-/** x * 2^power, in two steps: 2^power alone may be no double though the product is. */
-function timesPower(x: number, power: number): number {
-  const half = Math.trunc(power / 2)
-  return x * 2 ** half * 2 ** (power - half)
-}
-
-/** True for each face that is seen from outside, or of a box inside out from inside: of a convex body, by its turn on the screen. */
-export function facesSeen(corners: readonly Point[], isInsideOut: boolean): readonly boolean[] {
-  return faces.map(({ axis, side, vertices }) => {
+/** The faces seen from outside, or of a box inside out from inside: of a convex body, by their turn on the screen. */
+export function facesSeen(corners: readonly Point[], isInsideOut: boolean): readonly FaceTopology[] {
+  return faces.filter(({ axis, side, vertices }) => {
     const [a, b, c, d] = vertices.map(v => corners[v]) as unknown as Quad
-    const diagonals = turn(a, d, b, c)
     // s, t and the outward normal are right-handed on +xi, -eta and +zeta; y is downwards.
     const isRightHanded = (axis === 1) !== (side === 1)
-    return (isRightHanded !== isInsideOut ? diagonals : -diagonals) < 0
+    return (isRightHanded !== isInsideOut ? 1 : -1) * turn(a, d, b, c) < 0
   })
 }
 
 export class VolumeBox {
   readonly root = svg('g', { class: 'volume-box' })
-  readonly #hidden = svg('path', { class: 'hidden' })
-  readonly #faces = svg('path', { class: 'faces' })
-  readonly #hatch = ['light', 'dark'].map(tone => svg('path', { class: `hatch ${tone}` }))
   readonly #halo = svg('path', { class: 'halo' })
-  readonly #edges = svg('path', { class: 'visible' })
+  readonly #faces = svg('path', { class: 'faces' })
+  /** Dashed: solid where the outline of a face is under them. */
+  readonly #edges = svg('path', { class: 'hidden' })
+  readonly #hatch = svg('path', { class: 'hatch' })
 
   constructor() {
-    this.root.append(this.#faces, this.#hidden, ...this.#hatch, this.#halo, this.#edges)
+    this.root.append(this.#halo, this.#faces, this.#edges, this.#hatch)
   }
 
   /** Returns whether an edge, given by its corners, is hidden. */
   update(corners: readonly Point[], colour: string, isInsideOut: boolean): (edge: readonly number[]) => boolean {
     const seen = facesSeen(corners, isInsideOut)
-    const isHidden = (edge: readonly number[]) =>
-      !faces.some(({ vertices }, face) => seen[face] && edge.every(v => vertices.includes(v)))
-    const path = (edges: typeof edgeVertices) =>
-      edges.map(([from, to]) => line(corners[from] as Point, corners[to] as Point)).join('')
-    const outlines = faces
-      .filter((_, face) => seen[face])
-      .map(({ vertices }) => vertices.map(v => corners[v]) as unknown as Quad)
+    const quads = seen.map(({ vertices }) => vertices.map(v => corners[v]) as unknown as Quad)
+    const outlines = quads.map(([a, b, c, d]) => `M${[a, b, d, c].map(place).join('L')}Z`).join('')
     set(this.root, { color: colour })
-    set(this.#faces, { d: outlines.map(([a, b, c, d]) => `M${[a, b, d, c].map(place).join('L')}Z`).join('') })
-    set(this.#hidden, { d: path(edgeVertices.filter(isHidden)) })
-    const edges = path(edgeVertices.filter(edge => !isHidden(edge)))
-    for (const mark of [this.#halo, this.#edges]) set(mark, { d: edges })
-    const stripes = isInsideOut ? outlines.map(stripesOn).join('') : ''
-    for (const mark of this.#hatch) {
-      show(mark, isInsideOut)
-      set(mark, { d: stripes })
-    }
-    return isHidden
+    for (const mark of [this.#halo, this.#faces]) set(mark, { d: outlines })
+    set(this.#edges, {
+      d: edgeVertices.map(([from, to]) => line(corners[from] as Point, corners[to] as Point)).join(''),
+    })
+    show(this.#hatch, isInsideOut)
+    if (isInsideOut) set(this.#hatch, { d: quads.map(stripesOn).join('') })
+    return edge => !seen.some(({ vertices }) => edge.every(v => vertices.includes(v)))
   }
 }
 

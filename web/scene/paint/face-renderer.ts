@@ -19,6 +19,7 @@ import {
 } from './faces-geometry'
 import { createFacesMaterial, createFacesUniforms, writeRamp } from './faces-material'
 import { OPACITY, type Picture, type Viewport } from './picture'
+import { lightOf } from './shading'
 import { ZeroSurfaceMesh } from './zero-surface-mesh'
 
 const OPAQUE: Vec3 = [1, 1, 1]
@@ -76,6 +77,7 @@ export class FaceRenderer {
       this.#zeroSurface.cut(section, sideSeen(viewport, corners, section))
     }
     this.#uniforms.eye.value.copy(camera.three.position)
+    this.#uniforms.toLight.value.set(...lightOf(camera))
     this.#chooseFaces(viewport, display)
     this.#renderer.render(this.#scene, camera.three)
   }

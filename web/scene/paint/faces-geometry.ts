@@ -38,12 +38,15 @@ export function tilesOfFaces(order: readonly number[]): Uint16Array {
 }
 
 /**
- * The division of a bilinear patch whose triangles are within a pixel of it: in a quad of n x n the middle lies
- * |twist| / (4 n^2) off the diagonal. `twist` is p(0,0) - p(1,0) - p(0,1) + p(1,1), in pixels.
+ * The division of a bilinear patch whose triangles are within OFF pixels of it: in a quad of n x n the middle lies
+ * |twist| / (4 n^2) off the diagonal. `twist` is p(0,0) - p(1,0) - p(0,1) + p(1,1), in pixels. Much less than a pixel: near an edge
+ * on which jacdet is almost zero two faces almost touch, and triangles would come through each other in black and white teeth.
  */
+const OFF = 1 / 8
+
 export function quadsPerTileFor(twist: number): number {
   for (let quads = 1; quads < FACE_QUADS / FACE_TILES; quads *= 2)
-    if (twist <= 4 * (quads * FACE_TILES) ** 2) return quads
+    if (twist <= 4 * OFF * (quads * FACE_TILES) ** 2) return quads
   return FACE_QUADS / FACE_TILES
 }
 

@@ -1,13 +1,14 @@
 /**
  * The shader of the faces and of the section: positions are bilinear in (s, t) of four of the vertices, the section's own behind
  * the element's eight; jacdet is the biquadratic with the face's nine Bernstein coefficients, evaluated per pixel with its gradient.
- * Every line (border, zero contour, level, hatch) is drawn at its distance in pixels, so its width is the same everywhere. No
- * light falls on the colours.
+ * Every line (border, zero contour, level, hatch) is drawn at its distance in pixels, so its width is the same everywhere. The
+ * light that falls on the faces, not on the section, is faint: see shading.ts.
  */
 import { DoubleSide, GLSL3, RawShaderMaterial, Vector3, Vector4 } from 'three'
 import { faces, VERTEX_COUNT } from '../../model/hexahedron'
 import { HATCH_PERIOD, RAMP_STEPS, type Ramp, type Rgb } from './colour-map'
 import { SECTION } from './faces-geometry'
+import { SHADE } from './shading'
 
 const FACE_COUNT = faces.length + 1
 const COEFFICIENT_COUNT = 9 * FACE_COUNT
@@ -77,6 +78,7 @@ uniform vec4 positiveSteps[6];
 uniform vec3 ink;
 uniform vec3 paper;
 uniform vec3 eye;
+uniform vec3 toLight;
 uniform float pixelRatio;
 uniform float hatchPeriod;
 // Opacities: of faces where positive and where negative, and of lines on them. The section hides what is behind it.
@@ -86,6 +88,7 @@ const float STEPS = ${RAMP_STEPS}.0;
 // Below this change per pixel, and this value where nothing changes, single precision shows noise.
 const float LEAST_SLOPE = 1e-6;
 const float LEAST_VALUE = 1e-6;
+const vec3 LUMINANCE = vec3(0.2126, 0.7152, 0.0722);
 
 float coverage(float distance, float halfWidth) {
   return 1.0 - smoothstep(halfWidth - 0.5, halfWidth + 0.5, distance);
@@ -114,18 +117,14 @@ vec3 jacdet(vec2 p) {
   return vec3(dot(bt, along), dot(bt, b * ds), dot(dt, along));
 }
 
-// Zero where the surface turns away from the eye.
-float facing(vec2 p) {
-  vec3 s = byS + p.y * twist;
-  vec3 t = byT + p.x * twist;
-  return dot(cross(s, t), origin + p.x * byS + p.y * t - eye);
-}
-
 void main() {
   vec2 p = clamp(st, 0.0, 1.0);
   vec2 sSlope = vec2(dFdx(st.x), dFdy(st.x));
   vec2 tSlope = vec2(dFdx(st.y), dFdy(st.y));
-  float turned = facing(p);
+  vec3 t = byT + p.x * twist;
+  vec3 normal = cross(byS + p.y * twist, t);
+  // Zero where the surface turns away from the eye.
+  float turned = dot(normal, origin + p.x * byS + p.y * t - eye);
   vec2 turnedSlope = vec2(dFdx(turned), dFdy(turned));
 
   vec3 f = jacdet(p);
@@ -133,11 +132,15 @@ void main() {
   float extent = f.x < 0.0 ? negativeExtent : positiveExtent;
   float position = clamp(f.x / extent, -1.0, 1.0);
   vec3 colour = rampColour(position);
+  float lit = -sign(turned) * dot(normal, toLight) / max(length(normal), 1e-20);
+  float lightness = pow(dot(colour * colour, LUMINANCE), 1.0 / 3.0);
+  float shade = face == ${SECTION} ? 1.0 : 1.0 - ${SHADE} * (1.0 - max(lit, 0.0)) / lightness;
+  colour *= shade;
 
   // A line on the colour takes whichever of ink and paper stands out from it.
   vec3 dark = dot(ink, vec3(1.0)) < dot(paper, vec3(1.0)) ? ink : paper;
   vec3 light = dark == ink ? paper : ink;
-  float brightness = dot(colour, vec3(0.2126, 0.7152, 0.0722));
+  float brightness = dot(colour, LUMINANCE);
   vec3 tone = mix(light, dark, smoothstep(0.30, 0.35, brightness));
 
   float zeroDistance = abs(f.x) / max(slope, 1e-20) / pixelRatio;
@@ -163,7 +166,7 @@ void main() {
   // Within the heavy line's casing nothing but the neutral lies beside it.
   float casing = zeroSeen * coverage(zeroDistance * pixelRatio, 2.4 * pixelRatio);
   float zero = zeroSeen * coverage(zeroDistance * pixelRatio, 1.15 * pixelRatio);
-  colour = mix(colour, neutral, casing);
+  colour = mix(colour, neutral * shade, casing);
   colour = mix(colour, ink, zero);
 
   vec2 toBorder = min(p, 1.0 - p) / max(vec2(length(sSlope), length(tSlope)), 1e-20);
@@ -193,6 +196,7 @@ export function createFacesUniforms() {
     ink: { value: new Vector3() },
     paper: { value: new Vector3() },
     eye: { value: new Vector3() },
+    toLight: { value: new Vector3() },
     pixelRatio: { value: 1 },
     hatchPeriod: { value: HATCH_PERIOD },
     opacity: { value: new Vector3(1, 1, 1) },

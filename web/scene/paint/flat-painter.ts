@@ -1,8 +1,10 @@
 /** The coloured faces without WebGL: tiles in SVG, the farthest first, in the colour of jacdet at their middle, hatched if negative. */
 import type { Vec3 } from '../../model/hexahedron'
+import { way } from '../space/vec3'
 import { cssColour, rampColour, rampPosition } from './colour-map'
 import { flatTiles, pathOf } from './flat-tiles'
 import { type FacePainter, LastPicture, OPACITY, type Picture, type Viewport } from './picture'
+import { lightOf, lightOn, shaded } from './shading'
 import { set, show, svg } from './svg'
 
 /** Tiles to a face's side: small enough to show where jacdet is negative, few enough for every frame of a drag. */
@@ -73,9 +75,14 @@ function tilesOf({ vertices, camera, left, top }: Viewport, { report, display, s
     const { x, y, depth } = camera.project(point)
     return { x: x + left, y: y + top, depth }
   }
-  return flatTiles(report, vertices, SIDE, project, isShown).map(({ corners, value }) => ({
-    path: `${pathOf(corners)}Z`,
-    colour: cssColour(rampColour(ramp, rampPosition(scale, value))),
-    isNegative: value < 0,
-  }))
+  const light = lightOf(camera)
+  const { x, y, z } = camera.three.position
+  return flatTiles(report, vertices, SIDE, project, isShown).map(({ corners, value, middle, normal }) => {
+    const lit = lightOn(normal, way(middle, [x, y, z]), light)
+    return {
+      path: `${pathOf(corners)}Z`,
+      colour: cssColour(shaded(rampColour(ramp, rampPosition(scale, value)), lit)),
+      isNegative: value < 0,
+    }
+  })
 }

@@ -1,7 +1,7 @@
 /** The six faces as flat tiles, the farthest first, for the scene without WebGL. */
 import type { Report } from '../../core/report'
 import { faces, type Vec3 } from '../../model/hexahedron'
-import { facePoint } from '../space/patches'
+import { faceCorners, facePoint, patchNormal } from '../space/patches'
 import { px } from './svg'
 
 /** A point as it is seen: y downwards, depth away from the eye. */
@@ -17,6 +17,9 @@ export interface FlatTile {
   readonly corners: readonly [FlatPoint, FlatPoint, FlatPoint, FlatPoint]
   /** jacdet at its middle: for a colour only, never for a verdict. */
   readonly value: number
+  /** Its middle where the vertices are, and a normal there of any length. */
+  readonly middle: Vec3
+  readonly normal: Vec3
 }
 
 /** The faces asked for, `side` times `side` tiles each, of vertices that lie wherever `project` expects them. */
@@ -37,10 +40,13 @@ export function flatTiles(
       for (const j of range(side)) {
         const corners = [points[i]?.[j], points[i + 1]?.[j], points[i + 1]?.[j + 1], points[i]?.[j + 1]]
         const own = corners as unknown as FlatTile['corners']
+        const [s, t] = [(i + 0.5) / side, (j + 0.5) / side]
         tiles.push({
           depth: own.reduce((sum, { depth }) => sum + depth, 0),
           corners: own,
-          value: jacdetOn(bernstein, (i + 0.5) / side, (j + 0.5) / side),
+          value: jacdetOn(bernstein, s, t),
+          middle: facePoint(vertices, face, s, t),
+          normal: patchNormal(faceCorners(vertices, face), s, t),
         })
       }
   }

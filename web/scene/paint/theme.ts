@@ -6,7 +6,7 @@ const PROPERTIES: Readonly<Record<keyof Theme, { readonly name: string; readonly
   ink: { name: '--hl-ink', fallback: [0.11, 0.118, 0.129] },
   negative: { name: '--hl-negative', fallback: [0.698, 0.094, 0.169] },
   positive: { name: '--hl-positive', fallback: [0.129, 0.4, 0.675] },
-  neutral: { name: '--hl-neutral', fallback: [0.965, 0.965, 0.957] },
+  neutral: { name: '--hl-neutral', fallback: [0.933, 0.933, 0.922] },
 }
 
 /**

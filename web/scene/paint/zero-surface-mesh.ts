@@ -9,6 +9,7 @@ import { VERTEX_COUNT, vertexReference } from '../../model/hexahedron'
 import type { Section } from '../../views/scene-slices'
 import type { Rgb, Theme } from './colour-map'
 import type { FacesUniforms } from './faces-material'
+import { LIGHT } from './shading'
 
 const references = vertexReference.map(point => `vec3(${point.map(x => x.toFixed(1)).join(', ')})`).join(', ')
 
@@ -59,8 +60,7 @@ uniform vec3 hue;
 uniform vec3 lit;
 // Cut away is where dot(at, cut.xyz) > cut.w.
 uniform vec4 cut;
-// From over the reader's left shoulder.
-const vec3 LIGHT = normalize(vec3(-0.35, 0.6, 0.72));
+const vec3 LIGHT = vec3(${LIGHT});
 
 void main() {
   if (dot(at, cut.xyz) > cut.w) discard;

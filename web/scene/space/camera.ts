@@ -19,14 +19,22 @@ export interface Ray {
 }
 
 /** The direction from the element to the camera by default: front, right of the middle, above. */
-export const DEFAULT_DIRECTION: Vec3 = direction(-58, 24)
+export const DEFAULT_DIRECTION: Vec3 = directionAt((-58 * Math.PI) / 180, (24 * Math.PI) / 180)
 
 const FIELD_OF_VIEW = 28
 
-function direction(azimuthDegrees: number, elevationDegrees: number): Vec3 {
-  const azimuth = (azimuthDegrees * Math.PI) / 180
-  const elevation = (elevationDegrees * Math.PI) / 180
+/** The unit vector at these angles. */
+export function directionAt(azimuth: number, elevation: number): Vec3 {
   return [Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation)]
+}
+
+export function azimuthOf([x, y]: Vec3): number {
+  return Math.atan2(y, x)
+}
+
+/** Of a unit vector. */
+export function elevationOf([, , z]: Vec3): number {
+  return Math.asin(Math.max(-1, Math.min(1, z)))
 }
 
 export class SceneCamera {

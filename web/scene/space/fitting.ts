@@ -2,9 +2,9 @@
  * The part of space that the element's camera sees. It stays while vertices are moved; another element, or one that was typed
  * out of the picture, is brought into sight.
  */
-import type { Vertices } from '../../model/hexahedron'
+import type { Vec3, Vertices } from '../../model/hexahedron'
 import type { CameraView, State } from '../../model/state'
-import type { ScreenPoint } from './camera'
+import { DEFAULT_DIRECTION, type ScreenPoint } from './camera'
 import type { OrbitCamera, Pose } from './orbit-camera'
 import { verticesInWorld, type World, worldOf } from './world'
 
@@ -14,7 +14,7 @@ export interface Change {
   readonly before: State | null
   /** The camera before the pane was resized; null if it was not. */
   readonly resized: { readonly camera: CameraView | null } | null
-  /** True if a pointer in the scene moved the element: under it the picture must not move. */
+  /** True if a pointer in the scene moved the element: the picture stays as it is while it can. */
   readonly isDragged: boolean
 }
 
@@ -31,25 +31,30 @@ export class Fitting {
     this.#orbit = orbit
   }
 
-  choose(state: State, { before, resized, isDragged }: Change): void {
+  /** Returns true if another element is now seen from the default direction. */
+  choose(state: State, { before, resized, isDragged }: Change): boolean {
     const fitted = this.#fitted
     const another = fitted === null || fitted.preset !== state.preset || fitted.start !== state.start
     // A program that sets one element after another, none of them a preset, animates: the reader's camera stays.
     const animated = another && fitted !== null && fitted.preset === null && state.preset === null
     const jumped = before && before.vertices !== state.vertices && !before.gestureStart && !state.gestureStart
-    const typed = before?.gestureStart && !state.gestureStart && !isDragged
+    const ended = before?.gestureStart && !state.gestureStart
+    // Out of a view that shows a part alone, only the vertex itself is brought back.
+    const moved = isDragged ? state.selectedVertex : null
     const share = animated ? LEAST_SHARE.animation : LEAST_SHARE.jump
     this.#fitted = { preset: state.preset, start: state.start }
-    if ((another && !animated) || (jumped && !this.#isInSight(state, share)))
-      this.fit(state.vertices, another && !animated)
-    else if (typed && !this.#isInSight(state, 0)) this.fit(state.vertices, false)
+    const isNew = another && !animated
+    if (isNew) this.fit(state.vertices, DEFAULT_DIRECTION)
+    else if ((jumped && !this.#isInSight(state, share)) || (ended && !this.#isInSight(state, 0, moved)))
+      this.fit(state.vertices)
     else if (resized) this.#look(state.vertices, resized.camera)
+    return isNew
   }
 
   /** The whole element on paper. */
   putOnPaper(vertices: Vertices): void {
     this.#onScreen ??= { pose: this.#orbit.pose, world: this.world }
-    this.fit(vertices, false)
+    this.fit(vertices)
   }
 
   /** Restores the camera that the reader had on the screen. */
@@ -60,10 +65,10 @@ export class Fitting {
     this.#onScreen = null
   }
 
-  /** The whole element, along the same line of sight or in the default direction. */
-  fit(vertices: Vertices, toDefault: boolean): void {
+  /** The whole element, along the same line of sight or from the given direction. */
+  fit(vertices: Vertices, from?: Vec3): void {
     this.world = worldOf(vertices)
-    this.#orbit.fit(verticesInWorld(this.world, vertices), toDefault)
+    this.#orbit.fit(verticesInWorld(this.world, vertices), from)
   }
 
   look(vertices: Vertices, view: CameraView | null): void {
@@ -84,16 +89,16 @@ export class Fitting {
     return worldOf(vertices).size / this.world.size
   }
 
-  /** True if the element is all there, and spans at least a share of the pane. */
-  #isInSight({ vertices }: State, share: number): boolean {
+  /** True if the element, or one vertex of it, is all there, but for little, and it spans more than a share of the pane. */
+  #isInSight({ vertices }: State, share: number, only: number | null = null): boolean {
     const { camera } = this.#orbit
     camera.three.updateMatrixWorld()
     const points = verticesInWorld(this.world, vertices).map(point => camera.project(point))
     const { width, height } = camera
-    const inside = points.every(
-      ({ x, y, depth }) =>
-        depth > 0 && x > -0.05 * width && x < 1.05 * width && y > -0.05 * height && y < 1.05 * height,
-    )
+    const slack = only === null ? 0.05 : 0
+    const isThere = ({ x, y, depth }: ScreenPoint) =>
+      depth > 0 && Math.abs(x / width - 0.5) < 0.5 + slack && Math.abs(y / height - 0.5) < 0.5 + slack
+    const inside = points.every((point, v) => (only !== null && only !== v) || isThere(point))
     const spread = (of: (p: ScreenPoint) => number) => Math.max(...points.map(of)) - Math.min(...points.map(of))
     return inside && Math.max(spread(p => p.x) / width, spread(p => p.y) / height) > share
   }

@@ -5,7 +5,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import type { Vec3 } from '../../model/hexahedron'
 import { type CameraView, type State, sliceOf } from '../../model/state'
 import { sceneSlice } from '../../views/scene-slices'
-import { DEFAULT_DIRECTION, SceneCamera } from './camera'
+import { azimuthOf, DEFAULT_DIRECTION, directionAt, elevationOf, SceneCamera } from './camera'
 import { at, map3 } from './vec3'
 
 const ORBIT_STEP = Math.PI / 12
@@ -62,12 +62,10 @@ export class OrbitCamera {
 
   /** Turns it in steps to the right and up, never over the pole. */
   turn(right: number, up: number): void {
-    const [x, y, z] = this.direction
-    const azimuth = Math.atan2(y, x) + right * ORBIT_STEP
+    const { direction } = this
     const most = Math.PI / 2 - 0.01
-    const elevation = clamped(Math.asin(clamped(z, 1)) + up * ORBIT_STEP, most)
-    const across = Math.cos(elevation)
-    this.direction = [across * Math.cos(azimuth), across * Math.sin(azimuth), Math.sin(elevation)]
+    const elevation = Math.max(-most, Math.min(most, elevationOf(direction) + up * ORBIT_STEP))
+    this.direction = directionAt(azimuthOf(direction) + right * ORBIT_STEP, elevation)
   }
 
   zoom(factor: number): void {
@@ -76,9 +74,9 @@ export class OrbitCamera {
     this.#controls.update()
   }
 
-  /** Fits all points, along the same line of sight or in the default direction. */
-  fit(points: readonly Vec3[], toDefault: boolean): void {
-    this.#controls.target.set(...this.camera.fit(points, toDefault ? DEFAULT_DIRECTION : undefined))
+  /** Fits all points, along the same line of sight or from the given direction. */
+  fit(points: readonly Vec3[], from?: Vec3): void {
+    this.#controls.target.set(...this.camera.fit(points, from))
     this.#controls.update()
   }
 
@@ -147,10 +145,6 @@ export class LinkedCameras {
 function areLinked(state: State): boolean {
   const { referenceShown, camerasLinked } = sliceOf(sceneSlice, state)
   return referenceShown && camerasLinked
-}
-
-function clamped(value: number, most: number): number {
-  return Math.max(-most, Math.min(most, value))
 }
 
 const scratch = new Vector3()

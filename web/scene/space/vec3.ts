@@ -13,6 +13,18 @@ export function dot(a: Vec3, b: Vec3): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+export function cross(a: Vec3, b: Vec3): Vec3 {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+export function way(from: Vec3, to: Vec3): Vec3 {
+  return [to[0] - from[0], to[1] - from[1], to[2] - from[2]]
+}
+
+export function mix(a: Vec3, b: Vec3, share: number): Vec3 {
+  return [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share]
+}
+
 export function samePoint(a: Vec3, b: Vec3): boolean {
   return a.every((value, axis) => value === b[axis])
 }

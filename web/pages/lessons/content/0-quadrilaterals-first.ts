@@ -18,7 +18,7 @@ export const lesson: Lesson = {
         corners of the square go. Every other point goes to a weighted mean of the four:</p>
         ${display('F', '=', rest('ξ'), rest('η'), p(0), '+', 'ξ', rest('η'), p(1))}
         ${display('+', 'ξ', 'η', p(2), '+', rest('ξ'), 'η', p(3))}
-        <p>If one of ${math('ξ')} and ${math('η')} stays as it is, ${math('F')} is linear in the other. It is <em>bilinear</em>, and the lines of the
+        <p>While one of ${math('ξ')} and ${math('η')} stays as it is, ${math('F')} is linear in the other. It is <em>bilinear</em>, and the lines of the
         grid stay straight.</p>`,
       task: 'Drag a corner. Then point at one of the two pictures, or tap it: the other marks the same point.',
       claims: [],
@@ -31,13 +31,13 @@ export const lesson: Lesson = {
     },
     {
       title: 'A little square',
-      text: `<p>Take a little square around a point. Its image is nearly a parallelogram: the smaller the square, the more nearly. The sides of the
+      text: `<p>Take a little square around a point. Its image is nearly a parallelogram: the smaller the square, the smaller the difference. The sides of the
         parallelogram are the columns of the Jacobian matrix, times the side of the little square:</p>
         ${display('D', 'F', '=', tall('[', slope('ξ'), '|', slope('η')))}
         <p>The Jacobian determinant, or <em>jacdet</em>, says how many times larger the parallelogram is than the little square:</p>
         ${display('J', '=', det('D', 'F'))}
-        <p>The colours show it from point to point. Its mean over the square is the area of the quadrilateral.</p>`,
-      task: 'Move the little square about. Where the blue is strong, the parallelogram is large.',
+        <p>The colours show ${J} at every point. Its mean over the square is the area of the quadrilateral.</p>`,
+      task: 'Move the little square over the picture. Where the blue is strong, the parallelogram is large.',
       claims: [
         { says: 'The least jacdet is 7/8', holds: 'boundary_min = 7/8' },
         { says: 'The greatest is 19/8', holds: 'boundary_max = 19/8' },
@@ -54,7 +54,7 @@ export const lesson: Lesson = {
     {
       title: 'Turned inside out',
       question: {
-        asks: `<p>Corner 2 will be pushed inwards. At some place ${J} becomes zero at this corner, and further in it is negative. The colours are
+        asks: `<p>Corner 2 will be pushed inwards. At some place ${J} at this corner becomes zero, and further in it is negative. The colours are
           hidden.</p>
           <p>Where is that place? Drag corner 2 to where you expect it.</p>`,
         answer: { kind: 'drag', holds: '-0.15 <= boundary_min <= 0.15' },
@@ -77,7 +77,7 @@ export const lesson: Lesson = {
     {
       title: 'Which corner?',
       question: {
-        asks: `<p>Here all four corners are fine. The colours are hidden again.</p>
+        asks: `<p>Here ${J} is positive at all four corners. The colours are hidden again.</p>
           <p>At which corner is ${J} least? Choose one here, or press it in the picture.</p>`,
         answer: { kind: 'vertex', vertices: [0, 1, 2, 3] },
         because: `<p>At a corner ${J} is twice the area of the triangle that the corner makes with its two neighbours. It is small where sides are
@@ -104,7 +104,7 @@ export const lesson: Lesson = {
         ${display('J', '=', columns('a', 'b'), '+', 'ξ', columns('a', 'c'), '+', 'η', columns('c', 'b'))}
         <p>The term with ${math('ξ', 'η')} has the factor ${math(columns('c', 'c'), '=', 0)}. What is left is linear: on the square the lines of equal
         colour are straight and parallel. So ${J} is least at a corner. Four numbers decide.</p>`,
-      task: 'Drag corners, any way you like: the ring of the least jacdet is always at a corner.',
+      task: 'Drag corners as you like: the ring of the least jacdet is always at a corner.',
       claims: [
         { says: 'The least jacdet is at a corner', holds: 'boundary_min = corner_min' },
         { says: 'and here it is negative', holds: 'corner_min < 0' },
@@ -119,9 +119,9 @@ export const lesson: Lesson = {
     {
       title: 'Not so in space',
       text: `<p>A hexahedron has a third coordinate ${math('ζ')}, and three columns. Each is bilinear in the two other coordinates. Their determinant
-        ${J} has degree two in each coordinate, and nothing cancels.</p>
+        ${J} has degree two in each coordinate, and these terms do not cancel.</p>
         <p>So ${J} along an edge need not be linear. It may be a parabola, positive at both ends and negative in between. The drawing shows such an edge.</p>`,
-      task: 'Find the red on the edge between vertices 0 and 4. No corner tells of it.',
+      task: 'Find the red on the edge between vertices 0 and 4. At both of its ends jacdet is positive.',
       claims: [
         { says: 'All eight corners are positive', holds: 'corner_min > 0' },
         { says: 'and the element is invalid', holds: 'not valid' },

@@ -1,7 +1,9 @@
+import { foldout } from './foldout'
 import type { Lesson } from './lessons'
-import { det, display, frac, math, of, row, tall } from './mathml'
+import { det, display, frac, math, matrix, of, row, tall } from './mathml'
 
 const J = math('J')
+const less = row('t', '−', 1)
 const slope = (by: string) => frac(row('∂', 'F'), row('∂', by))
 
 /** 2 × 1 × 1, sheared. */
@@ -43,7 +45,7 @@ export const lesson: Lesson = {
     {
       title: 'A cube, bent',
       text: `<p>A hexahedral element is the unit cube, bent by a map ${math('F')}. The eight vertices say where the cube’s corners go. In
-        between ${math('F')} is linear along each of the three reference coordinates ${math('ξ')}, ${math('η')}, ${math('ζ')}: it is
+        between, ${math('F')} is linear in each of the three reference coordinates ${math('ξ')}, ${math('η')}, ${math('ζ')}: it is
         <em>trilinear</em>. Straight edges stay straight; faces may bend.</p>`,
       task: 'Point at a face in one picture, or tap it. The other marks the same point.',
       claims: [],
@@ -62,7 +64,7 @@ export const lesson: Lesson = {
     },
     {
       title: 'Three columns',
-      text: `<p>Follow a tiny box at some point of the cube. ${math('F')} makes a tiny slanted box of it, whose sides point along the columns of
+      text: `<p>Take a tiny box at some point of the cube. ${math('F')} makes a tiny slanted box of it. Its sides point along the columns of
         the Jacobian matrix:</p>
         ${display('D', 'F', '=', tall('[', slope('ξ'), '|', slope('η'), '|', slope('ζ')))}
         <p>At a vertex they are the three edges that meet there.</p>`,
@@ -75,7 +77,7 @@ export const lesson: Lesson = {
       title: 'Their volume',
       text: `<p>The Jacobian determinant, or <em>jacdet</em>, is the signed volume that the three columns span:</p>
         ${display('J', '=', det('D', 'F'))}
-        <p>It says how many times larger the tiny box has become. This block is 2 × 1 × 1 before it is sheared, and shearing changes no
+        <p>It says how many times larger the tiny box has become. This block was 2 × 1 × 1 before it was sheared. Shearing changes no
         volume.</p>`,
       task: `Drag vertex 6 anywhere: the columns are no longer the same everywhere, and neither is ${J}.`,
       claims: [
@@ -88,8 +90,8 @@ export const lesson: Lesson = {
     },
     {
       title: 'From place to place',
-      text: `<p>Here vertex 6 of the unit cube is pulled outwards. Near vertex 0 nothing has changed; towards vertex 6 the boxes grow. ${J} is
-        a polynomial, of degree two in each of ${math('ξ')}, ${math('η')} and ${math('ζ')}, and its mean over the cube is the element’s
+      text: `<p>Here vertex 6 of the unit cube is pulled outwards. Near vertex 0 nothing has changed. Towards vertex 6 the boxes grow. ${J} is
+        a polynomial of degree two in each of ${math('ξ')}, ${math('η')} and ${math('ζ')}. Its mean over the cube is the element’s
         volume.</p>`,
       task: `Look from vertex 0 to vertex 6: the stronger the blue, the larger ${J}.`,
       claims: [
@@ -102,8 +104,8 @@ export const lesson: Lesson = {
     },
     {
       title: 'Inside out',
-      text: `<p>The sign of ${J} is about orientation. In this cube bottom and top have changed places: every tiny box is mirrored, and
-        ${math('J', '=', '−', 1)} everywhere. Its edges look like any cube’s. A solver sees a <em>negative Jacobian</em> and stops.</p>`,
+      text: `<p>The sign of ${J} says whether a box is mirrored. In this cube bottom and top have changed places. So every tiny box is mirrored, and
+        ${math('J', '=', '−', 1)} everywhere. Its edges look like those of any cube. A solver reports a <em>negative Jacobian</em> and stops.</p>`,
       task: 'Find vertex 0: it is on top. The usual cause is a file whose nodes come in another order.',
       claims: [
         { says: 'jacdet is nowhere more than −1', holds: 'boundary_max = -1' },
@@ -115,8 +117,15 @@ export const lesson: Lesson = {
     {
       title: 'About to turn',
       text: `<p>Now vertex 6 is pushed in. With vertex 6 at ${math(of('t', ',', 't', ',', 't'))} its three edges span
-        ${math('J', '=', 3, 't', '−', 2)}. At ${math('t', '=', frac(3, 4))} that is ${math(frac(1, 4))}, still positive.</p>`,
-      task: 'Drag vertex 6 towards vertex 0 until VALID turns to INVALID. On the diagonal that is at t = 2/3, where the formula gives zero.',
+        ${math('J', '=', 3, 't', '−', 2)}. At ${math('t', '=', frac(3, 4))} that is ${math(frac(1, 4))}, still positive.</p>
+        ${foldout(
+          'Where the formula comes from',
+          `<p>The three edges at vertex 6 come from vertices 7, 5 and 2. As columns they are</p>
+          ${display(matrix(['t', less, less], [less, 't', less], [less, less, 't']))}
+          <p>This is the unit matrix plus ${math('t', '−', 1)} times the matrix of ones. So its determinant is
+          ${math(1, '+', 3, of('t', '−', 1), '=', 3, 't', '−', 2)}.</p>`,
+        )}`,
+      task: 'Drag vertex 6 towards vertex 0 until VALID becomes INVALID. On the diagonal that is at t = 2/3, where the formula gives zero.',
       claims: [
         { says: 'The element is valid', holds: 'valid' },
         { says: 'The least jacdet is 1/4, at a vertex', holds: 'boundary_min = 1/4 and corner_min = 1/4' },
@@ -129,11 +138,11 @@ export const lesson: Lesson = {
       title: 'Turned',
       question: {
         asks: `<p>Vertex 6 goes on, to ${math('t', '=', frac(1, 2))}. There ${J} at vertex 6 is ${math('−', frac(1, 2))}: the boxes near it are
-          turned inside out. Will the volume of the element be negative, too?</p>`,
+          turned inside out. Will the volume of the element be negative as well?</p>`,
         answer: {
           kind: 'choice',
           choices: [
-            { says: 'The volume is negative, too', holds: 'volume < 0' },
+            { says: 'The volume is negative as well', holds: 'volume < 0' },
             { says: 'The volume is zero', holds: 'volume = 0' },
             { says: 'The volume is still positive', holds: 'volume > 0' },
           ],
@@ -142,11 +151,11 @@ export const lesson: Lesson = {
           '<p>The volume is the mean of jacdet. Much that is positive makes up for a little that is negative.</p>',
         before: { element: pulled(0.75) },
       },
-      text: `<p>At ${math('t', '=', frac(1, 2))} the boxes near vertex 6 are mirrored: red, hatched, and cut off by the heavy line
-        ${math('J', '=', 0)}. The volume does not tell, it is still positive. So an element counts as <em>valid</em> only if
+      text: `<p>At ${math('t', '=', frac(1, 2))} the boxes near vertex 6 are mirrored: red, hatched, and bounded by the heavy line
+        ${math('J', '=', 0)}. The volume does not show it: it is still positive. So an element counts as <em>valid</em> only if
         ${math('J', '>', 0)} everywhere.</p>
         <p>How can one be sure of <em>everywhere</em>? The next lessons are about that.</p>`,
-      task: 'Compare: the 2×2×2 Gauss points, at which solvers look, see nothing negative here.',
+      task: 'Compare: at the 2×2×2 Gauss points, where solvers evaluate it, jacdet is positive here.',
       claims: [
         { says: 'jacdet is −1/2 at a vertex', holds: 'corner_min = -1/2' },
         { says: 'The element is invalid', holds: 'not valid' },

@@ -1,3 +1,4 @@
+import { foldout } from './foldout'
 import type { Lesson } from './lessons'
 import { display, frac, math, of, prime, row, sub, sup } from './mathml'
 
@@ -23,12 +24,13 @@ export const lesson: Lesson = {
   steps: [
     {
       title: 'Finitely many candidates',
-      text: `<p>The least ${J} on the boundary is at a vertex, or inside an edge, or inside a face. Each case is a small calculation that leaves a
-        few points. Eight vertices, twelve edges, six faces: 26 steps, and the least of all candidates is the least of all.</p>`,
-      task: 'Step through Algorithm 1 with its buttons: each vertex, edge and face lights up in its turn.',
+      text: `<p>The least ${J} on the boundary is at a vertex, or inside an edge, or inside a face. For each of these a small calculation gives a
+        few candidates. Eight vertices, twelve edges and six faces make 26 steps. The least ${J} of the candidates is the least on the
+        boundary.</p>`,
+      task: 'Go through Algorithm 1 with its buttons: the picture marks each vertex, edge and face in turn.',
       claims: [
         { says: 'The vertices alone would say 3/64', holds: 'corner_min = 3/64' },
-        { says: 'The edges take it below zero', holds: 'edge_min < 0' },
+        { says: 'On the edges it is below zero', holds: 'edge_min < 0' },
         { says: 'No face goes lower', holds: 'boundary_min = edge_min' },
       ],
       element: 'looks-fine',
@@ -37,13 +39,20 @@ export const lesson: Lesson = {
     },
     {
       title: 'An edge: a parabola',
-      text: `<p>With the three numbers of an edge, the parabola’s lowest point is strictly inside exactly if ${math(q(1))} is below
-        ${math(q(0))} and ${math(q(2))}. It lies at</p>
+      text: `<p>An edge has three numbers, as in lesson 3. The lowest point of its parabola lies between the ends exactly if ${math(q(1))} is less than
+        both ${math(q(0))} and ${math(q(2))}. It is at</p>
         ${display('r', '=', frac(row(q(0), '−', q(1)), row(q(0), '−', 2, q(1), '+', q(2))))}
-        <p>Otherwise an end is lowest, and the ends have been looked at already.</p>`,
-      task: 'On this edge it is at 7/12 of the way, and −1/48 there. Drag vertex 4 and watch it move.',
+        <p>Otherwise ${J} is least at an end. The ends are vertices, and they are candidates already.</p>
+        ${foldout(
+          'Where the formula comes from',
+          `<p>Along the edge the slope of ${J} is</p>
+          ${display(2, of(of(1, '−', 'r'), of(q(1), '−', q(0)), '+', 'r', of(q(2), '−', q(1))))}
+          <p>It goes linearly from ${math(2, of(q(1), '−', q(0)))} to ${math(2, of(q(2), '−', q(1)))}. It changes from negative to positive
+          exactly if ${math(q(1))} is less than both others, and it is zero at ${math('r')}.</p>`,
+        )}`,
+      task: 'On this edge it is at 7/12 of the way, and there jacdet is −1/48. Drag vertex 4 and watch it move.',
       claims: [{ says: 'The least jacdet is −1/48, on an edge', holds: 'boundary_min = -1/48 and edge_min = -1/48' }],
-      figure: { kind: 'edge', edge: 8 },
+      figure: { kind: 'edge', edge: 8, hasCoefficients: true },
       element: 'edge-negative',
       views: 'scene verdict',
       state: { selectedVertex: 4, camera: { direction: [-0.6, -0.75, 0.35], zoom: 1, pan: [0, 0, 0] } },
@@ -53,24 +62,34 @@ export const lesson: Lesson = {
       text: `<p>On a face with coordinates ${math('s')} and ${math('t')}</p>
         ${display('J', '=', at('a'), sup('s', 2), '+', at('b'), 's', '+', at('c'))}
         <p>For each ${math('t')} this is a parabola in ${math('s')}. If it opens upwards, ${math('a', '>', 0)}, it is lowest at
-        ${math(sup('s', '*'), '=', '−', 'b', '/', row('2', 'a'))}. As ${math('t')} moves, that point draws a curve on the face; follow it downhill.</p>`,
-      task: 'The red ring in the map of the bottom face is where that curve is lowest.',
+        ${math(sup('s', '*'), '=', '−', 'b', '/', row('2', 'a'))}. These points, one for each ${math('t')}, form a curve on the face. The
+        picture shows it as a dashed line.</p>`,
+      task: 'Only the bottom face is drawn. Point at places along the dashed line: jacdet is least where the ring is.',
       claims: [{ says: 'The least jacdet is −1/16, inside a face', holds: 'boundary_min = -1/16 and edge_min > 0' }],
       element: 'face-negative',
       views: 'scene face-maps',
       state: {
         openPanels: ['face-maps'],
         selectedFace: 4,
-        camera: { direction: [0.5, -0.75, -0.6], zoom: 1, pan: [0, 0, 0] },
+        faceDisplay: 4,
+        camera: { direction: [0.25, -0.3, -1], zoom: 1.15, pan: [0, 0, 0] },
       },
     },
     {
-      title: 'Downhill ends at a quartic',
-      text: `<p>Along the curve the slope of ${J} is ${math('P', '/', row(4, sup('a', 2)))} with</p>
+      title: 'A quartic for the curve',
+      text: `<p>Along the curve the slope of ${J}, by ${math('t')}, is ${math('P', '/', row(4, sup('a', 2)))} with</p>
         ${display('P', '=', 4, sup('a', 2), prime('c'), '−', 2, 'a', 'b', prime('b'), '+', prime('a'), sup('b', 2))}
-        <p>${math('a')} is linear in ${math('t')}, ${math('b')} and ${math('c')} are quadratic, so ${math('P')} has degree four at most: four roots, four
-        candidates. A root counts if ${math('a', '>', 0)} and ${math(0, '<', sup('s', '*'), '<', 1)} there.</p>`,
-      task: 'Below the maps find the root of P, at t = 1/2, in its plot.',
+        <p>${math('a')} is linear in ${math('t')}, and ${math('b')} and ${math('c')} are quadratic. So ${math('P')} has at most degree four: a
+        quartic. Its roots give at most four candidates. A root counts if ${math('a', '>', 0)} and
+        ${math(0, '<', sup('s', '*'), '<', 1)} there.</p>
+        ${foldout(
+          'Where P comes from',
+          `<p>At ${math(sup('s', '*'))} the value is ${math('c', '−', sup('b', 2), '/', row(4, 'a'))}. Its derivative by ${math('t')} is</p>
+          ${display(prime('c'), '−', frac(row('b', prime('b')), row(2, 'a')), '+', frac(row(prime('a'), sup('b', 2)), row(4, sup('a', 2))), '=', frac('P', row(4, sup('a', 2))))}
+          <p>The terms of degree five cancel. On a face ${J} has no term with ${math(sup('s', 2), sup('t', 2))}, which is why ${math('a')} is
+          linear.</p>`,
+        )}`,
+      task: 'Below the maps, in the plot of P, find its root at t = 1/2.',
       claims: [{ says: 'The least jacdet is −1/16, inside a face', holds: 'boundary_min = -1/16 and edge_min > 0' }],
       element: 'face-negative',
       views: 'scene face-maps',
@@ -82,10 +101,10 @@ export const lesson: Lesson = {
     },
     {
       title: 'Saddles do no harm',
-      text: `<p>Not every root is a lowest point. On each of the four side faces of the same element the root gives a saddle: ${J} rises one way and
-        falls the other, and is 1/16 there. Nothing has to be sorted out. Each candidate is a point of the element, so its ${J} is never below the
-        least one.</p>`,
-      task: 'Find the squares on the four side faces of the map: 1/16, more than on some edges.',
+      text: `<p>Not every root gives a lowest point. On each of the four side faces of the same element the root gives a saddle: ${J} rises one way and
+        falls the other way. There it is 1/16. Saddles need not be removed. Each candidate is a point of the boundary, so its ${J} is never below
+        the least one.</p>`,
+      task: 'Find the square marks on the four side faces in the map. There jacdet is 1/16, more than on some edges.',
       claims: [
         { says: 'The edges have less than 1/16', holds: 'edge_min < 1/16' },
         { says: 'The least of all is −1/16', holds: 'boundary_min = -1/16' },
@@ -96,10 +115,10 @@ export const lesson: Lesson = {
     },
     {
       title: 'When P is zero',
-      text: `<p>On the face ${math('ξ', '=', 1)} of the last lesson’s element ${math('J', '=', sup(of('s', '−', 't'), 2))}, lowest all along a line. There
-        ${math('a', '=', 1)}, ${math('b', '=', '−', 2, 't')}, ${math('c', '=', sup('t', 2))}, and ${math('P')} vanishes for every ${math('t')}: there are no roots to
-        find. Nor are any needed. Along the curve ${J} does not change, and the curve leads to an edge, which has been looked at.</p>`,
-      task: 'See the line of zeros in the map: its two ends are vertices.',
+      text: `<p>On the face ${math('ξ', '=', 1)} of the last lesson’s element ${math('J', '=', sup(of('s', '−', 't'), 2))}. It is zero all along a line. There
+        ${math('a', '=', 1)}, ${math('b', '=', '−', 2, 't')} and ${math('c', '=', sup('t', 2))}, so ${math('P')} is zero for every ${math('t')}. No roots can be
+        found, and none are needed. Along the curve ${J} does not change, and the curve ends on an edge. The edges have candidates already.</p>`,
+      task: 'Find the line of zeros in the map: its two ends are vertices.',
       claims: [
         { says: 'The least jacdet on the faces is 0', holds: 'boundary_min = 0' },
         { says: 'and so it is on the edges', holds: 'edge_min = 0' },
@@ -110,9 +129,24 @@ export const lesson: Lesson = {
     },
     {
       title: 'Most faces can be skipped',
-      text: `<p>Written in Bernstein form, ${J} on a face is at every point a weighted mean of nine coefficients. So it is never below the least of
-        them, ${math(sub('L', 'R'))}. If ${math(sub('L', 'R'), '≥', 'M')}, the least value found so far, the face cannot win: no quartic.</p>`,
-      task: 'Here all six faces are skipped; the step shown says why. Go back through the others.',
+      question: {
+        asks: `<p>In Bernstein form, ${J} on a face is at every point a weighted mean of nine coefficients. So it is never below the least of them,
+          ${math(sub('L', 'R'))}. Let ${math('M')} be the least value found so far. If ${math(sub('L', 'R'), '≥', 'M')}, the face is skipped.</p>
+          <p>For this element vertices and edges give ${math('M', '=', 1)}. Is there a face whose quartic has to be solved?</p>`,
+        answer: {
+          kind: 'choice',
+          choices: [
+            { says: 'Yes: some coefficient is below 1', holds: 'bernstein_min < boundary_min' },
+            { says: 'No: all coefficients are at least 1', holds: 'bernstein_min >= boundary_min' },
+          ],
+        },
+        because:
+          '<p>An element that is bent only a little has coefficients close to its values. So most faces of a good mesh are skipped.</p>',
+        before: { views: 'scene verdict' },
+      },
+      text: `<p>${math(sub('L', 'R'))} costs little, and a quartic costs more. On this element ${math(sub('L', 'R'), '≥', 'M')} on all six faces, so no
+        quartic is solved.</p>`,
+      task: 'All six faces are skipped, and the step shown says why. Go back through the others.',
       claims: [
         { says: 'The least jacdet is 1', holds: 'boundary_min = 1' },
         { says: 'and no Bernstein coefficient is lower', holds: 'bernstein_min >= boundary_min' },
@@ -123,9 +157,10 @@ export const lesson: Lesson = {
     },
     {
       title: 'And inside?',
-      text: `<p>For a valid element the work is done: by the theorem nothing inside is lower. For an invalid one it may be. The lens looks for that as
-        well, by cutting the element into ever smaller boxes with Bernstein bounds of their own; but the verdict does not wait for it.</p>`,
-      task: 'Now you know all that the lens does. The challenges ask you to use it.',
+      text: `<p>For a valid element this is all: by the theorem nothing inside is lower. Inside an invalid one ${J} may be lower. The lens finds that
+        minimum as well. It cuts the element into smaller and smaller boxes, each with its own Bernstein bounds. The verdict does not depend on
+        it.</p>`,
+      task: 'This is all that the lens does. The challenges ask you to use it.',
       claims: [
         { says: 'On the boundary the least jacdet is −1/16', holds: 'boundary_min = -1/16' },
         { says: 'Inside it is lower', holds: 'volume_min < boundary_min' },

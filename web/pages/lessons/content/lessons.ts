@@ -15,10 +15,12 @@ export interface LessonClaim {
 
 /** A drawing in the column, made from the report of the element on the screen. */
 export type LessonFigure =
-  /** jacdet along an edge: its parabola, with the three Bernstein coefficients. */
-  | { readonly kind: 'edge'; readonly edge: number }
+  /** jacdet along an edge: its parabola with the control polygon, whose three coefficients may be named. */
+  | { readonly kind: 'edge'; readonly edge: number; readonly hasCoefficients?: boolean }
   /** The curve jacdet = 0 on the section zeta = value, with the slopes of jacdet at its ends. */
   | { readonly kind: 'section'; readonly value: number }
+  /** The least jacdet of the whole element, computed without the theorem, beside that of the boundary. */
+  | { readonly kind: 'boxes' }
 
 /**
  * Asked before the step is shown: text, task, claims and figure come with the answer, or when the reader gives up. What is right is never

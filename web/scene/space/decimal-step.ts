@@ -18,13 +18,13 @@ export function keyStep(extent: number): Step {
   return { digits: 1, exponent: Math.max(LEAST_EXPONENT, Math.round(Math.log10(extent) - 1.7)) }
 }
 
-/** The grid of Alt: the coarsest of 1, 1/4 and their powers of ten that divides the element in four or more. */
+/** The grid of Alt: the coarsest of 1, 1/4 and their powers of ten that divides the element in ten or more. */
 export function gridStep(extent: number): Step {
-  const quarter = extent / 4
-  const exponent = decade(quarter)
+  const tenth = extent / 10
+  const exponent = decade(tenth)
   const fine: Step = { digits: 1, exponent }
   const middle: Step = { digits: 25, exponent: Math.max(LEAST_EXPONENT, exponent - 1) }
-  return quarter / lengthOf(fine) >= 2.5 ? middle : fine
+  return tenth / lengthOf(fine) >= 2.5 ? middle : fine
 }
 
 export function lengthOf({ digits, exponent }: Step): number {
