@@ -76,7 +76,10 @@ class EmbedView implements View {
   }
 
   #choose(change: Partial<Choice>): void {
-    this.#context.dispatch(sliceChange(choiceSlice, { embedding: { ...this.#choice, ...change } }))
+    this.#choice = { ...this.#choice, ...change }
+    this.#context.dispatch(sliceChange(choiceSlice, { embedding: this.#choice }))
+    this.#said = ''
+    this.#render()
   }
 
   #render(): void {
