@@ -10,8 +10,9 @@ const readoutOf = (page: Page) => page.locator('.plane .readout')
 const stepOf = (page: Page) => page.getByRole('article').filter({ has: page.locator('[aria-current=step]') })
 const claimsOf = (page: Page) => stepOf(page).getByRole('list', { name: 'Computed' }).getByRole('listitem')
 
-/** The middle of a corner's handle in the window. */
+/** The middle of a corner's handle in the window, when the plane is drawn anew: the column's link is there a frame before it. */
 async function middleOf(page: Page, corner: number): Promise<{ x: number; y: number }> {
+  await page.evaluate(() => new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve))))
   const box = await elementOf(page).locator('.corner .dot').nth(corner).boundingBox()
   if (!box) throw new Error(`Corner ${corner} is not drawn.`)
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
