@@ -6,9 +6,9 @@ import { copyText } from '../../views/copy-text'
 import { NumberField } from '../../views/number-field'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
-import { type Choice, choiceSlice, HEIGHTS } from './choice'
+import { type Choice, choiceSlice, HEIGHTS, THEMES } from './choice'
 import css from './embed.css?inline'
-import { cameraText, type Embed, embeddableViews, THEMES, verticesText } from './embed-lines'
+import { cameraText, type Embed, embeddableViews, verticesText } from './embed-lines'
 import { hosts, type Snippet } from './hosts'
 
 export const styles = css
