@@ -61,6 +61,8 @@ for (const [width, height] of SIZES)
     lens,
     page,
   }) => {
+    // On a phone the button comes when the hint has gone.
+    await page.addInitScript(() => localStorage.setItem('hexlens-hint-done', ''))
     await page.setViewportSize({ width, height })
     await lens.open()
     await lens.set(pushed)
