@@ -1,8 +1,8 @@
 /** Loads the C core and is the only place that sees its memory. The contracts are those of wasm/include/hexlens.h. */
-import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../model/hexahedron'
+import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
 import { type Certificate, certify } from './exact/certificate'
-import { exactValueAt } from './exact/exact-jacdet'
-import type { Core, CoreError, JacobianReport, Report, Result } from './report'
+import { exactJacdetAt } from './exact/exact-jacdet'
+import type { Core, CoreError, Report, Result } from './report'
 import { Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
 
 /** Exports of hexlens.wasm, of the modules for batches, and of hexlens-twin.js, made by wasm2js. */
@@ -100,26 +100,9 @@ export function coreOf(wasm: CoreExports): Core {
         () => unpackMinimum(new Unpacker(output)),
       ),
     jacobian: (vertices, point) =>
-      answer(vertices, point, wasm.jacobian_at, () => withSign(unpackJacobian(new Unpacker(output), point), vertices)),
+      answer(vertices, point, wasm.jacobian_at, () => ({
+        ...unpackJacobian(new Unpacker(output), point),
+        ...exactJacdetAt(vertices, point),
+      })),
   }
-}
-
-/**
- * Twice the error of a determinant of doubles, in X_0 X_1 X_2, where X_r is the extent of the vertices on axis r; u = 2^-53. An edge
- * vector is off by one rounding of at most u X_r, and two interpolations add less than 9 u X_r, so a column is off by 10 u X_r.
- * Each of the six products of three entries is then off by 35 u X_0 X_1 X_2 with its own five roundings: together less than
- * 2^8 u. The other half is more than what extents and logarithms are off by.
- */
-const JACDET_ERROR_BITS = -44
-
-/** The answer, its jacdet computed exactly and rounded where its error might be as large as itself. */
-function withSign(answer: JacobianReport, vertices: Vertices): JacobianReport {
-  const { jacdet, exponent, point } = answer
-  const extents = [0, 1, 2].map(axis => {
-    const values = Array.from({ length: VERTEX_COUNT }, (_, v) => vertices[3 * v + axis] as number)
-    return Math.log2(Math.max(...values) - Math.min(...values))
-  })
-  if (Math.log2(Math.abs(jacdet)) + exponent > extents.reduce((a, b) => a + b, JACDET_ERROR_BITS)) return answer
-  const exact = exactValueAt(vertices, point)
-  return { ...answer, jacdet: exact.mantissa, exponent: exact.exponent }
 }

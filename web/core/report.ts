@@ -137,7 +137,7 @@ export interface JacobianReport {
   /** The columns dF/dxi, dF/deta, dF/dzeta; component `a` of each is its number times 2^axisExponents[a]. */
   readonly columns: readonly [Vec3, Vec3, Vec3]
   readonly axisExponents: Vec3
-  /** det DF, times 2^exponent. Its sign is the exact one: 0 means exactly zero. */
+  /** det DF, times 2^exponent, correctly rounded from its exact value: 0 means exactly zero. */
   readonly jacdet: number
   readonly exponent: number
 }

@@ -125,9 +125,11 @@ export function valueAt({ bernstein }: ExactJacdet, point: RationalPoint): Ratio
   return { numerator, denominator: point.reduce((all, { denominator: d }) => all * d * d, 1n) }
 }
 
-/** jacdet at any point of the cube, rounded: mantissa * 2^exponent. */
-export function exactValueAt(vertices: Vertices, point: Vec3): ReturnType<typeof rounded> {
-  const jacdet = exactJacdet(vertices)
+/** jacdet at any point of the cube, times 2^exponent, correctly rounded: unlike one in doubles it has the right sign. */
+export function exactJacdetAt(vertices: Vertices, point: Vec3): { jacdet: number; exponent: number } {
+  const exact = exactJacdet(vertices)
   const exactPoint = point.map(coordinate => scaledDouble(coordinate, 0)) as unknown as RationalPoint
-  return rounded(valueAt({ ...jacdet, bernstein: sixteenths(jacdet) }, exactPoint), jacdet.exponent - 4)
+  const value = valueAt({ ...exact, bernstein: sixteenths(exact) }, exactPoint)
+  const { mantissa, exponent } = rounded(value, exact.exponent - 4)
+  return { jacdet: mantissa, exponent }
 }
