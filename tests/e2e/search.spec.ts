@@ -335,7 +335,7 @@ test('the gallery shows each element, in the lens too, and leads on', async ({ l
         const tops = dots.map(dot => dot.getBoundingClientRect().top)
         return { widest: Math.max(...boxes.map(({ width }) => width)), height: Math.max(...tops) - Math.min(...tops) }
       })
-    await expect.poll(async () => (await sizes()).widest).toBeLessThanOrEqual(8)
+    await expect.poll(async () => (await sizes()).widest).toBeLessThanOrEqual(8.5)
     await expect.poll(async () => (await sizes()).height).toBeGreaterThan(125)
     if (size) await page.setViewportSize(size)
   })
