@@ -373,7 +373,8 @@ test.describe('where the browser', () => {
       await page.reload()
       await expect(lens.verdict).toHaveText(/^(VALID|INVALID)/)
       expect(await lens.bits()).toEqual(made) // the address has it
-      for (const other of ['lessons.html#strictly/1', 'challenges.html', 'gallery.html']) await lens.open(other)
+      for (const other of ['lessons.html#corners-are-not-enough/2', 'challenges.html', 'gallery.html'])
+        await lens.open(other)
     })
 })
 
