@@ -86,15 +86,17 @@ describe('the convex hull', () => {
   })
 })
 
-it('a number goes outwards, and aside where another one is', () => {
+it('a number goes outwards, and aside where another one or a taken box is', () => {
   const [at, up] = [
     { x: 100, y: 100 },
     { x: 0, y: -1 },
   ]
-  expect(numberDirection(at, up, 17, [])).toEqual(up)
-  expect(numberDirection(at, up, 17, [{ x: 130, y: 83 }])).toEqual(up)
+  expect(numberDirection(at, up, 17, [], [])).toEqual(up)
+  expect(numberDirection(at, up, 17, [{ x: 130, y: 83 }], [])).toEqual(up)
   const other = { x: 103, y: 85 }
-  const { x, y } = numberDirection(at, up, 17, [other])
+  const { x, y } = numberDirection(at, up, 17, [other], [])
   expect(Math.hypot(x, y)).toBeCloseTo(1)
   expect(Math.hypot(100 + 17 * x - other.x, 100 + 17 * y - other.y)).toBeGreaterThan(13)
+  const bar = { x: 0, y: 0, width: 200, height: 84 }
+  expect(at.y + 17 * numberDirection(at, up, 17, [], [bar]).y).toBeGreaterThan(84)
 })

@@ -57,16 +57,34 @@ export function placeLabel(request: LabelRequest): LabelPlace {
 /** Turns of a number about its handle, the least first. */
 const TURNS = [0, 0.7, -0.7, 1.4, -1.4, 2.1, -2.1, 2.8]
 
-/** Where a number goes from its handle: in this unit direction, or turned from it so far that it lies on none of the others. */
-export function numberDirection(at: Point, { x, y }: Point, distance: number, others: readonly Point[]): Point {
+/**
+ * Where a number goes from its handle: in this unit direction, or turned from it so far that it lies on none of the others and
+ * on no box that is taken.
+ */
+export function numberDirection(
+  at: Point,
+  { x, y }: Point,
+  distance: number,
+  others: readonly Point[],
+  taken: readonly Box[],
+): Point {
   const turned = TURNS.map(turn => ({
     x: x * Math.cos(turn) - y * Math.sin(turn),
     y: x * Math.sin(turn) + y * Math.cos(turn),
   }))
-  const isClear = (way: Point) =>
-    others.every(
-      other => Math.hypot(at.x + way.x * distance - other.x, at.y + way.y * distance - other.y) > 1.5 * NUMBER_RADIUS,
+  const isClear = (way: Point) => {
+    const middle = { x: at.x + way.x * distance, y: at.y + way.y * distance }
+    const box = {
+      x: middle.x - NUMBER_RADIUS,
+      y: middle.y - NUMBER_RADIUS,
+      width: 2 * NUMBER_RADIUS,
+      height: 2 * NUMBER_RADIUS,
+    }
+    return (
+      others.every(other => Math.hypot(middle.x - other.x, middle.y - other.y) > 1.5 * NUMBER_RADIUS) &&
+      !taken.some(other => overlap(box, other))
     )
+  }
   return turned.find(isClear) ?? { x, y }
 }
 

@@ -160,7 +160,7 @@ export class Overlay {
   }
 
   /** Returns the middles of the numbers. */
-  #updateHandles({ handles, state, preview, report, camera, sight }: OverlayPicture): Point[] {
+  #updateHandles({ handles, state, preview, report, camera, sight, taken }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
     const { highlight } = sliceOf(marksSlice, state)
     const ringed = [report?.minimizer, highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
@@ -181,7 +181,7 @@ export class Overlay {
       const middleDistance = ringed.includes(v) ? RINGED_NUMBER_DISTANCE : NUMBER_DISTANCE
       const distance = middleDistance - (1 - scale) * this.#radius
       const others = [...shown, ...handles.filter((_, other) => other !== v && texts[other] !== '')]
-      const { x: ux, y: uy } = text === '' ? outwards : numberDirection(at, outwards, distance, others)
+      const { x: ux, y: uy } = text === '' ? outwards : numberDirection(at, outwards, distance, others, taken)
       const half = (DIGIT_WIDTH / 2) * Math.max(text.length - 1, 0)
       const x = ux * (distance + half)
       // A long number stays in the picture.
