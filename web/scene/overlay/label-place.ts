@@ -34,6 +34,7 @@ const WEIGHT = { outside: 40, point: 220, crossing: 90, box: 400, body: 22, inwa
 
 const POINT_RADIUS = 12
 const NUMBER_RADIUS = 9
+const DIGIT = { width: 8, height: 10 }
 
 export function placeLabel(request: LabelRequest): LabelPlace {
   const hull = convexHull(request.body)
@@ -74,12 +75,7 @@ export function numberDirection(
   }))
   const isClear = (way: Point) => {
     const middle = { x: at.x + way.x * distance, y: at.y + way.y * distance }
-    const box = {
-      x: middle.x - NUMBER_RADIUS,
-      y: middle.y - NUMBER_RADIUS,
-      width: 2 * NUMBER_RADIUS,
-      height: 2 * NUMBER_RADIUS,
-    }
+    const box = { x: middle.x - DIGIT.width / 2, y: middle.y - DIGIT.height / 2, ...DIGIT }
     return (
       others.every(other => Math.hypot(middle.x - other.x, middle.y - other.y) > 1.5 * NUMBER_RADIUS) &&
       !taken.some(other => overlap(box, other))

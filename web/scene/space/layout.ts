@@ -129,7 +129,7 @@ function paneLayout(width: number, height: number, isTight = false): PaneLayout 
 }
 
 function insetsOf(isNarrow: boolean, height: number): Insets {
-  if (height < LOWEST && isNarrow) return { top: 62, right: 36, bottom: 54, left: 36 }
+  if (height < LOWEST && isNarrow) return { top: 68, right: 36, bottom: 54, left: 36 }
   if (height < LOW)
     return isNarrow ? { top: 76, right: 36, bottom: 60, left: 36 } : { top: 44, right: 156, bottom: 60, left: 92 }
   return isNarrow ? { top: 110, right: 36, bottom: 112, left: 36 } : { top: 64, right: 156, bottom: 72, left: 92 }
