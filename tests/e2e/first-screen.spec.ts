@@ -15,7 +15,7 @@ for (const [width, height] of [
 
     await test.step('the important is in sight', async () => {
       await expect(hint).toBeInViewport({ ratio: 1 })
-      await expect(hint).toContainText('turns red (J < 0) the map folds over, and a solver would fail there')
+      await expect(hint).toContainText('Where J < 0 (red) the map folds over, and a solver goes wrong')
       await expect(lens.verdict.locator('.word')).toBeInViewport({ ratio: 1 })
       await expect(lens.verdict.locator('.why')).toBeInViewport({ ratio: 1 })
       await expect(legend).toBeHidden()

@@ -78,7 +78,7 @@ export const lesson: Lesson = {
         look at the eight vertices and the centre, and take the least.</p>
         <p>Here that is 0.57. The manuals of ${link(CUBIT, 'Cubit')} and ${link(VERDICT, 'Verdict')} call 0.5 to 1 acceptable. But nine points
         are still points. The gallery has an invalid element with ${link('./gallery.html#scaled-0-86', '0.86')}.</p>`,
-      task: 'Read the second line of the table. It says 0.57, and “accepts: wrong”.',
+      task: 'Read the second line of the table. It says 0.56637, and “accepts: wrong”.',
       claims: [
         { says: 'At the vertices jacdet is at least 1/8', holds: 'corner_min = 1/8' },
         { says: 'At the centre it is 31/32', holds: 'centre = 31/32' },
@@ -137,7 +137,7 @@ export const lesson: Lesson = {
         { says: 'At the vertices jacdet is at least 1/2', holds: 'corner_min = 1/2' },
         { says: 'On an edge it is −1/48', holds: 'edge_min = -1/48' },
         {
-          says: 'The Gauss points and the scaled Jacobian are positive',
+          says: 'The 2×2×2 and 3×3×3 Gauss points and the scaled Jacobian are positive',
           holds: 'gauss2_min > 0 and gauss3_min > 0 and scaled_jacobian > 0.2',
         },
       ],
