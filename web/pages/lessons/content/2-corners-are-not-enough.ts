@@ -130,7 +130,7 @@ export const lesson: Lesson = {
     },
     {
       title: 'Mend it',
-      text: `<p>A simpler one: a unit cube with three vertices moved. Its vertices have at least 1/2. Again ${J} is negative on one edge, where it
+      text: `<p>A simpler one: a unit cube with three vertices moved. At its vertices ${J} is at least 1/2. Yet ${J} is negative on one edge, where it
         falls to −1/48. More sample points would help here. The next such part may be narrower, and lie between them.</p>`,
       task: 'Drag vertex 3 back towards its corner of the cube, until the parabola lies above zero.',
       claims: [
