@@ -146,7 +146,7 @@ test('the page loads, draws, follows pointer and keys, opens its panels, and com
   await test.step(`${driver.version} loads it, with a verdict and a picture`, async () => {
     await driver.resize(1200, 780)
     await driver.open(address)
-    await expectVerdict(driver, /^INVALID\s*min J = −0\.010653/)
+    await expectVerdict(driver, /^INVALID.*min J = −0\.010653/s)
     expect((await look(driver))?.alerts).toEqual([])
   })
 
