@@ -58,7 +58,7 @@ async function hover(map: Locator, x: number, y: number): Promise<void> {
 test('the scene draws the curve s*(t) of the chosen face while the panel is open', async ({ lens, page }) => {
   await openMaps(lens, faceNegative)
   const curve = lens.scene.locator('.least-curve').first()
-  /** What faces hide of it, then what is seen. */
+  /** Its hidden pieces, then its seen ones. */
   const path = () => curve.locator('.line').evaluateAll(lines => lines.map(line => line.getAttribute('d')).join(''))
   await mapOf(page, '−ζ').press('Enter')
   await expect(curve).toBeVisible()

@@ -1,4 +1,4 @@
-/** What is behind looks as if it were, and one press shows the minimum. */
+/** Hidden marks look hidden, and one press shows the minimum. */
 import type { Locator } from '@playwright/test'
 import { presets } from '../../web/model/presets'
 import { expect, type Lens, test } from './lens'

@@ -170,7 +170,7 @@ function lettersAtRandom(seed: number, count: number): string {
   }).join('')
 }
 
-/** What a camera would find in the picture. */
+/** The text of the QR code, as a camera would read it from the picture. */
 async function scanned(page: Page, code: Locator): Promise<string | undefined> {
   const picture = (await code.screenshot()).toString('base64')
   const { pixels, width, height } = await page.evaluate(async base64 => {

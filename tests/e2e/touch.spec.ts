@@ -77,7 +77,7 @@ test('a swipe up scrolls and leaves the view as it was; one sideways turns it; t
     await lens.nextFrame()
     const later = await handleOf(lens, 6)
     expect(Math.hypot(later.x - after.x, later.y - after.y)).toBeGreaterThan(20)
-    // What showed the finger's way is not made up for: the view does not jump.
+    // The turn starts where the finger's way was decided: the view does not jump.
     expect(first).toBeLessThan(8)
     expect(await page.evaluate(() => scrollY)).toBe(0)
   })
@@ -246,7 +246,7 @@ test('on a phone the scene stays in sight above what is said of it', async ({ le
         expect(side.y, hash).toBeGreaterThanOrEqual(stage.y + stage.height)
         expect(side.height, hash).toBeGreaterThan(least)
         await expect(lens.scene).toBeInViewport({ ratio: 0.98 })
-        // What the step says begins under them, or beside them.
+        // The step's text begins under the panels, or beside them.
         if (width < height) expect(step.y, hash).toBeGreaterThanOrEqual(side.y + side.height)
         await expect(page.locator('.step[data-active] h2')).toBeInViewport({ ratio: 1 })
       }

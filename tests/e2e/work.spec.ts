@@ -340,7 +340,7 @@ test('a page shown again as it was left goes on with what another has kept since
   })
   await lens.nextFrame()
   const { elements, present } = await history(lens)
-  // What the address names is shown, and the other's element is one undo away.
+  // The address's element is shown, and the other's is one undo away.
   expect(elements).toHaveLength(own.elements.length + 2)
   expect(elements[present]).toEqual(own.elements[own.present])
   expect(elements[present - 1]?.vertices[2]).toBe(0.5)

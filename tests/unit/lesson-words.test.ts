@@ -1,4 +1,4 @@
-/** What goes with the lessons' texts: questions, the glossary, the times, and the characters of the formulas' font. */
+/** Companions of the lessons' texts: questions, the glossary, the times, and the characters of the formulas' font. */
 import { readFileSync, statSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'

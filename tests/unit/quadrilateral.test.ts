@@ -57,7 +57,7 @@ describe('the map', () => {
   it('is inverted: every point of the square is among the preimages of its image', () => {
     for (const given of [square, ...quadrilaterals(3, 200)])
       for (const point of grid) {
-        // Where the map folds the two preimages are near each other, and their distance is lost as the root of what was rounded.
+        // Near a fold the two preimages nearly coincide: rounding by e moves them by the root of e.
         if (Math.abs(jacdetAt(given, point)) < 1e-3) continue
         const found = preimages(given, pointAt(given, point))
         const distances = found.map(([xi, eta]) => Math.hypot(xi - point[0], eta - point[1]))

@@ -90,7 +90,7 @@ function complaint(): string | null {
     : `There is no “${id.slice(0, 40)}” in the gallery.`
 }
 
-/** What the address names is a step after what was there. */
+/** The address's element is a step after the one that was there. */
 function openAddress(): void {
   const named = elements.find(({ id }) => `#${id}` === location.hash)
   chosen = named ?? elements.find(isInLens) ?? null
