@@ -1,4 +1,5 @@
 /** The order from the worst cell to the best. */
+import { byRisingKey } from './rising'
 
 /** Cells are compared by these; all lists have one entry a cell. */
 export interface Severity {
@@ -31,7 +32,7 @@ export function worstFirst(
   const all = new Uint32Array(count)
   let listed = 0
   for (let cell = 0; cell < count; ++cell) if (isListed(cell)) all[listed++] = cell
-  return all.subarray(0, listed).sort(before).slice(0, Math.min(most, listed))
+  return byRisingKey(all.subarray(0, listed), keys).slice(0, Math.min(most, listed))
 }
 
 /** Rising from the worst on: relative minima are above the least double, and nothing is above an infinity. */
