@@ -7,6 +7,7 @@ const layers = [
   ['panels'],
   ['scene'],
   ['views'],
+  ['survey'],
   ['input'],
   ['mesh'],
   ['core'],

@@ -1,8 +1,8 @@
 /** Verdicts of a mesh's cells where it is read: few by the core, many by the core for batches, where that starts. */
 import { type BatchCore, type BatchOptions, loadBatchCore } from '../core/batch/batch-core'
 import { type Answers, answersOf, emptyLists, STATUSES, type Wanted } from '../core/batch/lists'
-import type { Core } from '../core/report'
-import { CLASSES } from '../core/unpack'
+import type { Core, Report } from '../core/report'
+import { CHECKS, CLASSES } from '../core/unpack'
 import type { ClassifyCells } from '../mesh/check'
 import { verticesOf } from '../mesh/vertices-of'
 
@@ -22,39 +22,67 @@ export function cellClassifier(
     if (total > FEW) batch ??= batchModule().then(loadBatchCore, () => null)
     const batchCore = total > FEW ? await batch : null
     if (batchCore) return batchCore.classify({ points, cells, firstPoint: 0 }, wanted, options)
-    return oneByOne(core, { points, cells }, options)
+    return oneByOne(core, { points, cells }, wanted, options)
   }
   return classify as ClassifyCells
 }
-
-const ALL = { relativeMinima: true, classes: true, statuses: true } as const
 
 /** The way where WebAssembly is forbidden, too: the core may be its twin. */
 function oneByOne(
   core: Core,
   mesh: { readonly points: Float64Array; readonly cells: Uint32Array },
+  wanted: Wanted,
   { onProgress }: Required<Pick<BatchOptions, 'onProgress'>>,
 ) {
   const count = mesh.cells.length / 8
-  const answers = answersOf(emptyLists(count, ALL)) as Answers<typeof ALL>
-  let [validCount, unansweredCount] = [0, 0]
+  const answers = answersOf(emptyLists(count, wanted))
+  let [validCount, unansweredCount, exactCount] = [0, 0, 0]
   let firstUnanswered: number | null = null
   for (let cell = 0; cell < count; ++cell) {
     const result = core.analyze(verticesOf(mesh, cell))
     if (result.ok) {
-      const { valid, relativeMinimum, class: itsClass } = result.value
-      answers.valid[cell] = Number(valid)
-      answers.relativeMinima[cell] = relativeMinimum ?? Number.NaN
-      answers.classes[cell] = CLASSES.indexOf(itsClass)
-      if (valid) validCount++
+      put(answers, cell, result.value)
+      if (result.value.valid) validCount++
+      if (result.value.decidedBy === 'exact') exactCount++
     } else {
-      answers.relativeMinima[cell] = Number.NaN
-      answers.statuses[cell] = STATUSES.indexOf('not-finite')
+      putUnanswered(answers, cell)
       firstUnanswered ??= cell
       unansweredCount++
     }
     if (cell % 256 === 255) onProgress(cell)
   }
   const invalidCount = count - validCount - unansweredCount
-  return { ...answers, validCount, invalidCount, unansweredCount, firstUnanswered, exactCount: 0 }
+  return { ...answers, validCount, invalidCount, unansweredCount, firstUnanswered, exactCount }
+}
+
+function put(
+  { valid, minima, relativeMinima, volumes, classes, acceptedBy, exact }: Answers,
+  cell: number,
+  report: Report,
+) {
+  valid[cell] = Number(report.valid)
+  if (relativeMinima) relativeMinima[cell] = report.relativeMinimum ?? Number.NaN
+  if (classes) classes[cell] = CLASSES.indexOf(report.class)
+  if (exact) exact[cell] = Number(report.decidedBy === 'exact')
+  if (minima) {
+    minima.values[cell] = report.boundaryMinimum
+    minima.minimizers.set(report.minimizer.point, 3 * cell)
+    minima.cornerMinima[cell] = report.cornerMinimum
+    minima.exponents[cell] = report.exponent
+  }
+  if (volumes) {
+    volumes.values[cell] = report.volume
+    volumes.exponents[cell] = report.volumeExponent
+  }
+  if (acceptedBy)
+    acceptedBy[cell] = report.checks.reduce((mask, { id, passes }) => mask | (Number(passes) << CHECKS.indexOf(id)), 0)
+}
+
+function putUnanswered({ minima, relativeMinima, volumes, statuses }: Answers, cell: number): void {
+  if (relativeMinima) relativeMinima[cell] = Number.NaN
+  if (statuses) statuses[cell] = STATUSES.indexOf('not-finite')
+  minima?.values.fill(Number.NaN, cell, cell + 1)
+  minima?.minimizers.fill(Number.NaN, 3 * cell, 3 * cell + 3)
+  minima?.cornerMinima.fill(Number.NaN, cell, cell + 1)
+  volumes?.values.fill(Number.NaN, cell, cell + 1)
 }

@@ -1,19 +1,14 @@
 /** The worker reads one input, decides its cells and hands all over. It is ended afterwards. */
-import type { ReadingCore } from '../core/reading-interface'
-import { type CoreSources, startCore } from '../core/start-core'
 import { seldom, serve } from '../core/workers'
 import { checkMesh } from '../mesh/check'
 import { notesBesideOrder } from '../mesh/check-notes'
 import { countSentences, headline } from '../mesh/check-summary'
 import { type CheckedColumns, columnsOf } from '../mesh/checked-cells'
-import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
-import { MissingFiles, readTogether } from '../mesh/read-mesh'
-import { fileOfBytes, type MeshFile } from '../mesh/source'
 import { cellClassifier } from './classify-cells'
-import { meshFileOf } from './file-reading'
 import type { PastedInput } from './pasted-input'
+import { coreOf, meshOf, type ReadingEngine, refusalOf } from './read-input'
 import type { ReadingProgress, ReadSummary } from './reading'
 
 export type ReadingOutcome =
@@ -25,14 +20,6 @@ type Tell = (progress: ReadingProgress) => void
 
 export type ReadingJobs = { read(input: PastedInput, tell: Tell): Promise<ReadingOutcome> }
 
-/** The wasm that reads and decides. */
-export interface ReadingEngine {
-  readonly core: CoreSources
-  /** Null where there is none; readers then do without. */
-  readonly readingCore: () => Promise<ReadingCore | null>
-  readonly batchModule: () => Promise<WebAssembly.Module>
-}
-
 export function serveReading(engine: ReadingEngine): void {
   serve<null, ReadingJobs>('hexlens-reading', () => ({
     read: (input, tell) => read(input, engine, tell).catch(refusalOf),
@@ -40,31 +27,17 @@ export function serveReading(engine: ReadingEngine): void {
 }
 
 async function read(input: PastedInput, engine: ReadingEngine, tell: Tell): Promise<ReadingOutcome> {
-  const mesh = meshOf(filesOf(input), await engine.readingCore(), seldom(tell))
+  const mesh = await meshOf(input, engine, seldom(tell))
   const check = await checkOf(mesh, engine, seldom(tell))
   const summary = summaryOf(check)
   if (check.hexahedra > 0) return { summary, columns: columnsOf(check) }
   throw new MeshRefusal([`Read as ${summary.format}: no hexahedra of eight nodes.`, ...summary.sentences].join(' '))
 }
 
-function filesOf(input: PastedInput): MeshFile[] {
-  if ('files' in input) return input.files.map(meshFileOf)
-  return [fileOfBytes('The text', new TextEncoder().encode(input.text))]
-}
-
-function meshOf(files: readonly MeshFile[], core: ReadingCore | null, tell: Tell): Mesh {
-  const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
-  const [first, ...others] = readTogether(files, { onProgress, throwIfCancelled: () => {}, core })
-  if (!first) throw new MeshRefusal('There is no mesh in it.')
-  return joined([first, ...others])
-}
-
-async function checkOf(mesh: Mesh, { core: sources, batchModule }: ReadingEngine, tell: Tell): Promise<MeshCheck> {
-  const core = await startCore(sources).catch(reason => {
-    throw new MeshRefusal(`Nothing was decided: the core did not start (${reason.message}).`)
-  })
+async function checkOf(mesh: Mesh, engine: ReadingEngine, tell: Tell): Promise<MeshCheck> {
+  const core = await coreOf(engine)
   const onProgress = (done: number, total: number) => tell({ step: 'deciding', fraction: done / total })
-  const classify = cellClassifier(core, batchModule, onProgress)
+  const classify = cellClassifier(core, engine.batchModule, onProgress)
   return checkMesh(mesh, { classify, core }, { worst: Infinity, minRelative: null, skipsDegenerate: false })
 }
 
@@ -80,17 +53,4 @@ function summaryOf(check: MeshCheck): ReadSummary {
       ...(hexahedra === 1 ? [...mesh.notes, ...notesBesideOrder(check)] : notes),
     ],
   }
-}
-
-function refusalOf(reason: unknown): ReadingOutcome {
-  const missing = reason instanceof MissingFiles ? reason.names : []
-  return { refused: sentenceOf(reason), missing }
-}
-
-function sentenceOf(reason: unknown): string {
-  if (reason instanceof MeshRefusal) return reason.message
-  const why = reason instanceof Error ? reason.message : String(reason)
-  if (reason instanceof DOMException) return `It could not be opened: ${why}`
-  if (reason instanceof RangeError) return `Reading it needs more memory than there is here (${why}).`
-  return `Reading it failed, which is a fault of Hexlens (${why}).`
 }

@@ -84,8 +84,11 @@ export class CheckedCells {
 
   /** The cell of a rank in the list, from 0, the worst. */
   at(rank: number): ListedCell {
-    const { blocks, blockNames, standings, relativeMinima, worst } = this.#columns
-    const cell = worst[rank] as number
+    return this.named(this.#columns.worst[rank] as number)
+  }
+
+  named(cell: number): ListedCell {
+    const { blocks, blockNames, standings, relativeMinima } = this.#columns
     return {
       cell,
       id: shown(this.#idOf(cell)).slice(1, -1),

@@ -15,7 +15,7 @@ import {
   vertexReference,
   withVertex,
 } from '../../../model/hexahedron'
-import { FALSE, filterOf } from './filter'
+import { FALSE, filterOf } from '../../../core/filter/filter'
 import type { ParsedQuery } from './query'
 import { analysis, type Cores } from './search-piece'
 import { complexityOf, complexityOfNumber } from './simplicity'

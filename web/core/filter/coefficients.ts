@@ -9,8 +9,8 @@ import {
   edgeBernstein,
   faceBernstein,
   vertexBernstein,
-} from '../../../model/bernstein'
-import { faces, type Vec3, vertexReference } from '../../../model/hexahedron'
+} from '../../model/bernstein'
+import { faces, type Vec3, vertexReference } from '../../model/hexahedron'
 
 /**
  * True if a corner value of the element whose coordinates begin there is at most `most`. It stops

@@ -1,0 +1,44 @@
+/** How many cells have which relative minimum. */
+import type { MeshCheck } from '../mesh/mesh-check'
+import type { Histogram } from './survey-jobs'
+
+/** Bins between 0 and 1, the greatest relative minimum that there is; below 0 as wide, down to -1. */
+const BINS = 40
+const PERCENTS = [1, 10, 50, 90, 99]
+
+export function histogramOf({ answers: { relativeMinima }, worst, hexahedra }: MeshCheck): Histogram {
+  const bins = new Uint32Array(2 * BINS + 1)
+  let least = Infinity
+  let counted = 0
+  for (const value of relativeMinima) {
+    if (Number.isNaN(value)) continue
+    counted++
+    if (value < least) least = value
+    const at = binOf(value)
+    bins[at] = (bins[at] as number) + 1
+  }
+  const first = bins.findIndex(count => count > 0)
+  if (first < 0) return { edges: [], counts: [], percentiles: [], beside: hexahedra }
+  const edges = Array.from({ length: bins.length - first + 1 }, (_, i) => (first + i - 1 - BINS) / BINS)
+  if (first === 0) edges[0] = least
+  return {
+    edges,
+    counts: [...bins.subarray(first)],
+    percentiles: percentilesOf(relativeMinima, worst, counted),
+    beside: hexahedra - counted,
+  }
+}
+
+/** Bin 0 is all that is below -1. */
+function binOf(value: number): number {
+  return Math.max(0, Math.min(2 * BINS, 1 + BINS + Math.floor(value * BINS)))
+}
+
+/** The value of the first cell, from the worst on, that has at least so many per cent up to it. */
+function percentilesOf(relativeMinima: Float64Array, worst: Uint32Array, count: number): Histogram['percentiles'] {
+  const ranked = worst.filter(cell => !Number.isNaN(relativeMinima[cell] as number))
+  return PERCENTS.map(percent => {
+    const rank = Math.max(0, Math.ceil((percent * count) / 100) - 1)
+    return { percent, value: relativeMinima[ranked[rank] as number] as number }
+  })
+}

@@ -1,0 +1,95 @@
+/** An open mesh as the page has it: questions to its worker, each answered by a promise. */
+import { Pool, type WorkerPort, wordsOf } from '../core/workers'
+import type { PastedInput } from '../input/pasted-input'
+import type { ReadingProgress } from '../input/reading'
+import type {
+  Arrangement,
+  CellDetail,
+  FaceList,
+  FixId,
+  Histogram,
+  Opening,
+  Place,
+  Row,
+  Selected,
+  Selection,
+  ShownCells,
+  SurveyJobs,
+} from './survey-jobs'
+
+/** Rejects with an Error whose message is a sentence when the worker has ended, was closed, or ran out of memory. */
+export class OpenSurvey {
+  readonly #pool: Pool<null, SurveyJobs>
+  #selection = 0
+
+  constructor(spawn: () => WorkerPort) {
+    this.#pool = new Pool({ name: 'the worker of the mesh', size: 1, spawn, start: null })
+  }
+
+  /** Whatever goes wrong is a sentence. */
+  async open(input: PastedInput, onProgress: (progress: ReadingProgress) => void): Promise<Opening> {
+    try {
+      return await this.#pool.run('open', input, { onProgress })
+    } catch (reason) {
+      return { refused: `Nothing was read: ${wordsOf(reason).replace(/[.]?$/, '.')}`, missing: [] }
+    }
+  }
+
+  /** Ends the worker with all that it holds; what it was asked rejects. */
+  close(): void {
+    this.#selection++
+    this.#pool.stop(new Error('The mesh was closed.'))
+  }
+
+  rows(from: number, to: number): Promise<readonly Row[]> {
+    return this.#pool.run('rows', { from, to })
+  }
+
+  async arrange(order: Arrangement): Promise<void> {
+    await this.#pool.run('arrange', order)
+  }
+
+  /** Tells of each step; the last has looked at all cells. Another selection ends it: null then. */
+  async select(selection: Selection, total: number, onStep: (selected: Selected) => void): Promise<Selected | null> {
+    const own = ++this.#selection
+    let selected = await this.#pool.run('select', selection)
+    while (own === this.#selection) {
+      onStep(selected)
+      if (selected.done === total) return selected
+      selected = await this.#pool.run('selectOn', null)
+    }
+    return null
+  }
+
+  find(id: string, after: number): Promise<Place | null> {
+    return this.#pool.run('find', { id, after })
+  }
+
+  nextInvalid(rank: number, step: 1 | -1): Promise<Place | null> {
+    return this.#pool.run('nextInvalid', { rank, step })
+  }
+
+  placeOf(cell: number): Promise<Place> {
+    return this.#pool.run('placeOf', cell)
+  }
+
+  histogram(): Promise<Histogram> {
+    return this.#pool.run('histogram', null)
+  }
+
+  detail(cell: number): Promise<CellDetail> {
+    return this.#pool.run('detail', cell)
+  }
+
+  join(onProgress: (fraction: number) => void): Promise<{ readonly boundaryFaces: number }> {
+    return this.#pool.run('join', null, { onProgress })
+  }
+
+  faces(shown: ShownCells): Promise<FaceList> {
+    return this.#pool.run('faces', shown)
+  }
+
+  mend(fix: FixId): Promise<Opening> {
+    return this.#pool.run('mend', fix)
+  }
+}

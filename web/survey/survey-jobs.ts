@@ -1,0 +1,180 @@
+/** What the worker of an open mesh is asked, and how it answers. Cells are counted from 0 in the file's order. */
+import type { CheckId, ElementClass } from '../core/report'
+import type { PastedInput } from '../input/pasted-input'
+import type { ReadingProgress } from '../input/reading'
+import type { Standing } from '../mesh/mesh-check'
+import type { Vec3, Vertices } from '../model/hexahedron'
+import type { NodeOrder } from '../model/node-orders'
+
+/** All jobs but `open` want a mesh that is open. Each is short; what takes long goes on in steps. */
+export type SurveyJobs = {
+  open(input: PastedInput, tell: (progress: ReadingProgress) => void): Promise<Opening>
+  /** Rows from one rank to another in the present order. */
+  rows(ranks: { readonly from: number; readonly to: number }): readonly Row[]
+  arrange(order: Arrangement): null
+  /** Begins another selection. */
+  select(selection: Selection): Selected
+  /** Goes on with it, for some milliseconds. */
+  selectOn(_: null): Selected
+  /** The next listed cell that the file calls so, behind a rank, from the first again behind the last. */
+  find(wanted: { readonly id: string; readonly after: number }): Place | null
+  /** The next invalid cell in the list, behind or before a rank and round its end; null if none is invalid. */
+  nextInvalid(from: { readonly rank: number; readonly step: 1 | -1 }): Place | null
+  placeOf(cell: number): Place
+  histogram(_: null): Histogram
+  detail(cell: number): CellDetail
+  /** Cells that share a face; the other jobs on faces want it first. */
+  join(_: null, tell: (fraction: number) => void): { readonly boundaryFaces: number }
+  faces(shown: ShownCells): FaceList
+  /** Exchanges the bottom with the top of what is mirrored, or takes the order that makes all valid. */
+  mend(fix: FixId): Promise<Opening>
+}
+
+export type Opening =
+  | { readonly opened: Overview }
+  /** One sentence; `missing` are files that are named and were not given. */
+  | { readonly refused: string; readonly missing: readonly string[] }
+
+export interface Overview {
+  readonly name: string
+  readonly format: string
+  /** "12 of 88,432 hexahedra are invalid. ..." */
+  readonly headline: string
+  /** What was not checked, and notes. */
+  readonly sentences: readonly string[]
+  readonly hexahedra: number
+  readonly counts: Readonly<Record<Standing, number>>
+  readonly fixes: readonly Fix[]
+  readonly blocks: readonly { readonly name: string; readonly cells: number }[]
+  readonly hasIds: boolean
+  /** Of the points of cells; null if none is finite. */
+  readonly bounds: Bounds | null
+  /** The worst, ten at most. */
+  readonly worst: readonly Row[]
+}
+
+export interface Bounds {
+  readonly least: Vec3
+  readonly greatest: Vec3
+}
+
+export type FixId = 'mirrored'
+
+export interface Fix {
+  readonly id: FixId
+  /** "Correct 97 mirrored cells": the words of its button. */
+  readonly words: string
+}
+
+export interface Place {
+  readonly cell: number
+  /** In the list as it is now; null if the cell is not in it. */
+  readonly rank: number | null
+}
+
+/** A jacdet, times 2^exponent. */
+export interface Scaled {
+  readonly value: number
+  readonly exponent: number
+}
+
+export interface Row {
+  readonly cell: number
+  /** The id in the file, or the cell's index if it has none; safe to show. */
+  readonly id: string
+  readonly block: string | null
+  readonly standing: Standing
+  readonly class: ElementClass | null
+  /** NaN where the volume is 0, or there is no answer. */
+  readonly relativeMinimum: number
+  readonly minimum: Scaled
+  readonly volume: Scaled
+  readonly acceptedBy: readonly CheckId[]
+  /** Why there is no answer; null where there is one. */
+  readonly why: string | null
+}
+
+/** `worst` is by relative minimum, cells of volume 0 in their place; all others put ties in this order. */
+export type Column = 'worst' | 'id' | 'block' | 'minimum' | 'volume' | 'class' | 'accepted-by'
+
+export interface Arrangement {
+  readonly column: Column
+  readonly isDescending: boolean
+}
+
+/** Cells that are listed: all of these at once. */
+export interface Selection {
+  /** In the language of conditions; null for all. */
+  readonly condition: string | null
+  /** Relative minima from one number to another, both within; null for all. */
+  readonly range: readonly [number, number] | null
+}
+
+export interface Selected {
+  /** Cells that are in the list so far. */
+  readonly listed: number
+  /** Cells that have been looked at: all of them when it is done. */
+  readonly done: number
+}
+
+/** Counts of relative minima, of all answered cells whose volume is not 0. */
+export interface Histogram {
+  /** Bin i is [edges[i], edges[i + 1]), the last with its end; 0 is an edge wherever there are numbers of both signs. */
+  readonly edges: readonly number[]
+  readonly counts: readonly number[]
+  /** Relative minima below which 1, 10, 50, 90 and 99 % of the cells are. */
+  readonly percentiles: readonly { readonly percent: number; readonly value: number }[]
+  /** Cells that are in no bin: of volume 0, or unanswered. */
+  readonly beside: number
+}
+
+export interface CellDetail {
+  readonly row: Row
+  /** Null where a coordinate is not finite. */
+  readonly vertices: Vertices | null
+  /** The order in which the cell is valid, where its own is not stated and it is not valid in that of the text. */
+  readonly openOrder: NodeOrder | null
+  /** Cells with a face of it, by that face; without `join` none. */
+  readonly neighbours: readonly Neighbour[]
+}
+
+export interface Neighbour {
+  readonly cell: number
+  readonly face: number
+  readonly isInvalid: boolean
+  /** 24 coordinates. */
+  readonly vertices: readonly number[]
+}
+
+/** Cells of the picture. What bounds them is shown, or all of their faces. */
+export interface ShownCells {
+  readonly cells:
+    | { readonly which: 'all' }
+    /** Those whose middle, less `origin`, is behind a plane: its product with the normal is `offset` at most. */
+    | { readonly which: 'behind-plane'; readonly normal: Vec3; readonly offset: number }
+    /** The invalid ones, and so many rings of cells around them that share a point. */
+    | { readonly which: 'invalid'; readonly rings: number }
+    | { readonly which: 'below'; readonly relativeMinimum: number }
+    | { readonly which: 'listed' }
+    | { readonly which: 'block'; readonly block: number }
+    | { readonly which: 'one'; readonly cell: number }
+  /** Every face of each cell: for cells that are drawn apart. */
+  readonly isWhole: boolean
+  /** The worst cells come first, and so many are enough. */
+  readonly most: number
+}
+
+/** Bilinear faces, seen from outside their cells. */
+export interface FaceList {
+  /** Four corners a face, in cyclic order, less `origin`, the middle of the bounds. */
+  readonly corners: Float32Array
+  /** The relative minimum of the face's cell; NaN where there is none. */
+  readonly relativeMinima: Float32Array
+  readonly cells: Uint32Array
+  /** The middle of the face's cell, less `origin`. */
+  readonly middles: Float32Array
+  readonly origin: Vec3
+  /** Cells that are shown, and those that should be. */
+  readonly shown: number
+  readonly wanted: number
+}

@@ -1,0 +1,8 @@
+/** The worker of an open mesh, as the built page serves it. */
+import { pagePort } from '../core/ports'
+import type { WorkerPort } from '../core/workers'
+
+export function startSurveyWorker(): WorkerPort {
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
+  return pagePort(worker, 'its script was not loaded, or a policy of the page forbids it.')
+}

@@ -1,0 +1,212 @@
+/** An open mesh with the answers of all its cells, in its worker: what the page shows of it is asked here. */
+import type { Core } from '../core/report'
+import { CHECKS, CLASSES } from '../core/unpack'
+import { CheckedCells, columnsOf } from '../mesh/checked-cells'
+import type { MeshCheck } from '../mesh/mesh-check'
+import { type Neighbours, neighboursOf } from '../mesh/neighbours'
+import { verticesOf } from '../mesh/vertices-of'
+import type { Vec3 } from '../model/hexahedron'
+import { arranged } from './arrange'
+import { facesOf } from './faces'
+import { histogramOf } from './histogram'
+import { boundsOf, overviewOf } from './overview'
+import { SelectionRun } from './selection'
+import type {
+  Arrangement,
+  Bounds,
+  CellDetail,
+  FaceList,
+  Histogram,
+  Neighbour,
+  Overview,
+  Place,
+  Row,
+  Scaled,
+  Selected,
+  Selection,
+  ShownCells,
+} from './survey-jobs'
+
+const FACES = 6
+const TEN = 10
+const NOT_LISTED = 0xffffffff
+
+export class Survey {
+  readonly check: MeshCheck
+  readonly #core: Core
+  readonly #cells: CheckedCells
+  readonly #bounds: Bounds | null
+  /** All cells in the present order. */
+  #order: Uint32Array
+  #selection: SelectionRun
+  /** The list and the rank of each cell in it, until order or selection change. */
+  #listed: { readonly cells: Uint32Array; readonly ranks: Uint32Array } | null = null
+  #neighbours: Neighbours | null = null
+  #middles: Float32Array | null = null
+
+  /** Of a check with minima, volumes and the checks that accept. */
+  constructor(check: MeshCheck, core: Core) {
+    this.check = check
+    this.#core = core
+    this.#cells = new CheckedCells(columnsOf(check))
+    this.#bounds = boundsOf(check.mesh)
+    this.#order = check.worst
+    this.#selection = new SelectionRun(check, core, ALL)
+  }
+
+  overview(name: string): Overview {
+    const worst = [...this.check.worst.subarray(0, TEN)].map(cell => this.#rowOf(cell))
+    return overviewOf(name, this.check, { worst, bounds: this.#bounds })
+  }
+
+  rows(from: number, to: number): readonly Row[] {
+    return [...this.#list().cells.subarray(from, to)].map(cell => this.#rowOf(cell))
+  }
+
+  arrange(order: Arrangement): void {
+    this.#order = arranged(this.check, order)
+    this.#listed = null
+  }
+
+  select(selection: Selection): Selected {
+    this.#selection = new SelectionRun(this.check, this.#core, selection)
+    return this.selectOn(0)
+  }
+
+  selectOn(milliseconds: number): Selected {
+    this.#listed = null
+    return this.#selection.run(milliseconds)
+  }
+
+  find(id: string, after: number): Place | null {
+    const { cells } = this.#list()
+    const first = after < 0 ? -1 : (cells[after] ?? -1)
+    let cell = this.#cells.find(id, first)
+    const begun = cell
+    while (cell !== null && !this.#selection.isListed(cell)) {
+      cell = this.#cells.find(id, cell)
+      if (cell === begun) break
+    }
+    return cell === null ? null : this.placeOf(cell)
+  }
+
+  nextInvalid(rank: number, step: 1 | -1): Place | null {
+    const { cells } = this.#list()
+    const count = cells.length
+    for (let i = 1; i <= count; ++i) {
+      const at = (((rank + step * i) % count) + count) % count
+      const cell = cells[at] as number
+      if (this.check.standingOf(cell) === 'invalid') return { cell, rank: at }
+    }
+    return null
+  }
+
+  placeOf(cell: number): Place {
+    const rank = this.#list().ranks[cell] as number
+    return { cell, rank: rank === NOT_LISTED ? null : rank }
+  }
+
+  histogram(): Histogram {
+    return histogramOf(this.check)
+  }
+
+  detail(cell: number): CellDetail {
+    return {
+      row: this.#rowOf(cell),
+      vertices: this.#cells.verticesOf(cell),
+      openOrder: this.#cells.openOrderOf(cell),
+      neighbours: this.#neighboursOf(cell),
+    }
+  }
+
+  join(onProgress: (fraction: number) => void): number {
+    const { points, cells } = this.check.mesh
+    const total = this.check.hexahedra
+    this.#neighbours ??= neighboursOf(cells, points.length / 3, { onProgress: done => onProgress(done / total) })
+    return this.#neighbours.boundary.length
+  }
+
+  faces(shown: ShownCells): FaceList {
+    this.join(() => {})
+    const origin = middleOf(this.#bounds)
+    this.#middles ??= middlesOf(this.check, origin)
+    return facesOf(
+      {
+        check: this.check,
+        origin,
+        neighbours: this.#neighbours as Neighbours,
+        middles: this.#middles,
+        isListed: cell => this.#selection.isListed(cell),
+      },
+      shown,
+    )
+  }
+
+  #list(): { readonly cells: Uint32Array; readonly ranks: Uint32Array } {
+    if (this.#listed) return this.#listed
+    const cells = this.#selection.isAll ? this.#order : this.#order.filter(cell => this.#selection.isListed(cell))
+    const ranks = new Uint32Array(this.check.hexahedra).fill(NOT_LISTED)
+    for (const [rank, cell] of cells.entries()) ranks[cell] = rank
+    this.#listed = { cells, ranks }
+    return this.#listed
+  }
+
+  #rowOf(cell: number): Row {
+    const { minima, volumes, acceptedBy, classes } = this.check.answers
+    const { id, block, standing, relativeMinimum, why } = this.#cells.named(cell)
+    const scaled = (list: { values: Float64Array; exponents: Int16Array } | null): Scaled => ({
+      value: why === null ? (list?.values[cell] ?? Number.NaN) : Number.NaN,
+      exponent: list?.exponents[cell] ?? 0,
+    })
+    return {
+      cell,
+      id,
+      block,
+      standing,
+      class: CLASSES[classes[cell] as number] ?? null,
+      relativeMinimum,
+      minimum: scaled(minima),
+      volume: scaled(volumes),
+      acceptedBy: CHECKS.filter((_, c) => ((acceptedBy?.[cell] ?? 0) >> c) & 1),
+      why,
+    }
+  }
+
+  #neighboursOf(cell: number): Neighbour[] {
+    const across = this.#neighbours?.across
+    if (!across) return []
+    return Array.from({ length: FACES }, (_, face) => face).flatMap(face => {
+      const other = across[FACES * cell + face] as number
+      if (other < 0) return []
+      const neighbour = Math.floor(other / FACES)
+      const isInvalid = this.check.standingOf(neighbour) === 'invalid'
+      return [{ cell: neighbour, face, isInvalid, vertices: verticesOf(this.check.mesh, neighbour) }]
+    })
+  }
+}
+
+const ALL: Selection = { condition: null, range: null }
+
+/** The mean of a cell's vertices less the origin, in single precision: for pictures. */
+function middlesOf({ mesh: { points, cells }, hexahedra }: MeshCheck, [ox, oy, oz]: Vec3): Float32Array {
+  const middles = new Float32Array(3 * hexahedra)
+  for (let cell = 0; cell < hexahedra; ++cell) {
+    let [x, y, z] = [0, 0, 0]
+    for (let v = 8 * cell; v < 8 * cell + 8; ++v) {
+      const at = 3 * (cells[v] as number)
+      x += (points[at] as number) - ox
+      y += (points[at + 1] as number) - oy
+      z += (points[at + 2] as number) - oz
+    }
+    middles[3 * cell] = x / 8
+    middles[3 * cell + 1] = y / 8
+    middles[3 * cell + 2] = z / 8
+  }
+  return middles
+}
+
+function middleOf(bounds: Bounds | null): Vec3 {
+  if (!bounds) return [0, 0, 0]
+  const middle = (axis: 0 | 1 | 2) => bounds.least[axis] / 2 + bounds.greatest[axis] / 2
+  return [middle(0), middle(1), middle(2)]
+}
