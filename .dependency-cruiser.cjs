@@ -5,6 +5,7 @@ const layers = [
   ['pages', 'package'],
   ['cli', 'element'],
   ['panels'],
+  ['mesh-scene'],
   ['scene'],
   ['views'],
   ['survey'],

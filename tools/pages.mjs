@@ -3,6 +3,7 @@
 /** `file` is in web/pages, without its .html; `hasFont` if the page loads one. */
 export const appPages = [
   { file: 'index', name: 'Lens' },
+  { file: 'mesh', name: 'Mesh' },
   { file: 'lessons', name: 'Lessons', hasFont: true },
   { file: 'challenges', name: 'Challenges' },
   { file: 'search', name: 'Search' },

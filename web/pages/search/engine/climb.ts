@@ -6,11 +6,12 @@
  * so no element on the way is less extreme than the one before. It goes from long moves to short
  * ones, until that leads up no more. The same steps on every machine.
  */
+
+import { FALSE, filterOf } from '../../../core/filter/filter'
 import { quantitiesOf } from '../../../core/quantities'
 import { isCertainlyLess, isMet, type Quantities } from '../../../model/condition'
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../../../model/hexahedron'
 import { copiedOrbits, copyAlong, type Distribution, STEPS } from './distribution'
-import { FALSE, filterOf } from '../../../core/filter/filter'
 import { measured } from './measure'
 import type { ParsedQuery } from './query'
 import { type Random, randomOf } from './random'

@@ -4,6 +4,8 @@
  * first; each step lowers the complexity, and there are finitely many elements of such numbers, so
  * it ends. The same steps on every machine.
  */
+
+import { FALSE, filterOf } from '../../../core/filter/filter'
 import { quantitiesOf } from '../../../core/quantities'
 import { isMet } from '../../../model/condition'
 import {
@@ -15,7 +17,6 @@ import {
   vertexReference,
   withVertex,
 } from '../../../model/hexahedron'
-import { FALSE, filterOf } from '../../../core/filter/filter'
 import type { ParsedQuery } from './query'
 import { analysis, type Cores } from './search-piece'
 import { complexityOf, complexityOfNumber } from './simplicity'

@@ -1,13 +1,13 @@
 /** The pieces of a search: elements are drawn, judged, filtered, analysed, the best handed on. */
 
 import type { BatchCore } from '../../../core/batch/batch-core'
+import { hasCornerAtMost } from '../../../core/filter/coefficients'
+import { coefficientError, FALSE, filterOf, TRUE } from '../../../core/filter/filter'
 import { quantitiesOf } from '../../../core/quantities'
 import type { Core, Report } from '../../../core/report'
 import { isMet } from '../../../model/condition'
 import { COORDINATE_COUNT, type Vertices } from '../../../model/hexahedron'
-import { hasCornerAtMost } from '../../../core/filter/coefficients'
 import { sourceOf } from './distribution'
-import { coefficientError, FALSE, filterOf, TRUE } from '../../../core/filter/filter'
 import { measured } from './measure'
 import type { ParsedQuery } from './query'
 import { randomOf } from './random'

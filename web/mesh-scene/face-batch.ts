@@ -1,0 +1,168 @@
+/** Bilinear faces of one layer of the picture: one instance each, one draw call. It knows three.js and the shader. */
+import {
+  BufferAttribute,
+  DoubleSide,
+  GLSL3,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  InstancedInterleavedBuffer,
+  InterleavedBufferAttribute,
+  Mesh,
+  RawShaderMaterial,
+  Vector3,
+} from 'three'
+import type { Vec3 } from '../model/hexahedron'
+import { SHADE } from '../scene/paint/shading'
+import type { FaceList } from '../survey/survey-jobs'
+
+// (s, t) of the corners in cyclic order, and of the middle, about which four triangles lie: those of a
+// bent face meet there, so that it looks the same from both sides.
+const PATCH = Float32Array.of(0, 0, 1, 0, 1, 1, 0, 1, 0.5, 0.5)
+const TRIANGLES = Uint8Array.of(0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4)
+
+const vertexShader = /* glsl */ `
+precision highp float;
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform float scale;
+uniform float size;
+in vec2 patchPoint;
+in vec3 corner0;
+in vec3 corner1;
+in vec3 corner2;
+in vec3 corner3;
+in vec3 middle;
+in vec3 faceColour;
+out vec2 st;
+out vec3 position;
+flat out vec3 colour;
+
+void main() {
+  st = patchPoint;
+  colour = faceColour;
+  vec3 point = mix(mix(corner0, corner1, st.x), mix(corner3, corner2, st.x), st.y);
+  position = mix(middle, point, size) * scale;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}
+`
+
+const fragmentShader = /* glsl */ `
+precision highp float;
+in vec2 st;
+in vec3 position;
+flat in vec3 colour;
+out vec4 fragment;
+uniform vec3 eye;
+uniform vec3 toLight;
+uniform vec3 ink;
+uniform float opacity;
+uniform float lineOpacity;
+uniform float pixelRatio;
+
+const vec3 LUMINANCE = vec3(0.2126, 0.7152, 0.0722);
+
+void main() {
+  vec3 normal = cross(dFdx(position), dFdy(position));
+  float lit = max(dot(normal * sign(dot(normal, eye - position)), toLight) / max(length(normal), 1e-30), 0.0);
+  float lightness = pow(dot(colour * colour, LUMINANCE), 1.0 / 3.0);
+  vec3 shaded = colour * (1.0 - ${SHADE} * (1.0 - lit) / max(lightness, 0.1));
+  // Pixels from the nearest edge. Lines of cells of a few pixels would leave no colour: they fade.
+  vec2 slope = max(fwidth(st), vec2(1e-6));
+  vec2 pixels = min(st, 1.0 - st) / slope / pixelRatio;
+  float line = 1.0 - smoothstep(0.2, 1.0, min(pixels.x, pixels.y));
+  float room = 1.0 - smoothstep(0.08, 0.35, max(slope.x, slope.y) * pixelRatio);
+  float shown = line * room * lineOpacity;
+  fragment = vec4(mix(shaded, ink, shown), mix(opacity, 1.0, shown * 0.6));
+}
+`
+
+/** What all layers of a picture have in common. */
+export interface FaceView {
+  /** World units a unit of the mesh. */
+  readonly scale: number
+  /** Of a cell, from 0 to 1: less than 1 draws cells apart. */
+  readonly size: number
+  readonly eye: Vec3
+  readonly toLight: Vec3
+  readonly ink: Vec3
+  readonly pixelRatio: number
+}
+
+export class FaceBatch {
+  readonly mesh: Mesh
+  readonly #uniforms = {
+    scale: { value: 1 },
+    size: { value: 1 },
+    eye: { value: new Vector3() },
+    toLight: { value: new Vector3() },
+    ink: { value: new Vector3() },
+    opacity: { value: 1 },
+    lineOpacity: { value: 0.55 },
+    pixelRatio: { value: 1 },
+  }
+  readonly #material = new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader,
+    fragmentShader,
+    uniforms: this.#uniforms,
+    side: DoubleSide,
+  })
+  #faces: FaceList | null = null
+
+  constructor() {
+    this.mesh = new Mesh(new InstancedBufferGeometry(), this.#material)
+    this.mesh.frustumCulled = false
+    this.mesh.visible = false
+  }
+
+  get faces(): FaceList | null {
+    return this.#faces
+  }
+
+  /** Three bytes a face in `colours`. */
+  show(faces: FaceList | null, colours: Uint8Array): void {
+    this.#faces = faces
+    this.mesh.geometry.dispose()
+    this.mesh.visible = faces !== null && faces.cells.length > 0
+    if (!faces) return
+    const geometry = new InstancedBufferGeometry()
+    geometry.setIndex(new BufferAttribute(TRIANGLES, 1))
+    geometry.setAttribute('patchPoint', new BufferAttribute(PATCH, 2))
+    const corners = new InstancedInterleavedBuffer(faces.corners, 12)
+    for (let corner = 0; corner < 4; ++corner)
+      geometry.setAttribute(`corner${corner}`, new InterleavedBufferAttribute(corners, 3, 3 * corner))
+    geometry.setAttribute('middle', new InstancedBufferAttribute(faces.middles, 3))
+    geometry.setAttribute('faceColour', new InstancedBufferAttribute(colours, 3, true))
+    geometry.instanceCount = faces.cells.length
+    this.mesh.geometry = geometry
+  }
+
+  recolour(colours: Uint8Array): void {
+    if (this.#faces) this.mesh.geometry.setAttribute('faceColour', new InstancedBufferAttribute(colours, 3, true))
+  }
+
+  get isTranslucent(): boolean {
+    return this.mesh.visible && this.#uniforms.opacity.value < 1
+  }
+
+  set opacity(opacity: number) {
+    this.#uniforms.opacity.value = opacity
+    this.#material.transparent = opacity < 1
+    this.#material.depthWrite = opacity === 1
+  }
+
+  write({ scale, size, eye, toLight, ink, pixelRatio }: FaceView): void {
+    const uniforms = this.#uniforms
+    uniforms.scale.value = scale
+    uniforms.size.value = size
+    uniforms.eye.value.set(...eye)
+    uniforms.toLight.value.set(...toLight)
+    uniforms.ink.value.set(...ink)
+    uniforms.pixelRatio.value = pixelRatio
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose()
+    this.#material.dispose()
+  }
+}

@@ -1,0 +1,280 @@
+/**
+ * The picture of a mesh: layers of faces on a canvas, the chosen cell's edges in SVG above them. Drawn when something has changed,
+ * once a frame. Without WebGL nothing is drawn, and `isDrawn` says so.
+ */
+import { LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three'
+import { edgeVertices, type Vec3, type Vertices } from '../model/hexahedron'
+import { type Ramp, type Rgb, rampOf, type Theme } from '../scene/paint/colour-map'
+import { lightOf } from '../scene/paint/shading'
+import { ThemeReader } from '../scene/paint/theme'
+import { OrbitCamera } from '../scene/space/orbit-camera'
+import type { Bounds, FaceList, Neighbour } from '../survey/survey-jobs'
+import { faceColours } from './cell-colour'
+import { FaceBatch } from './face-batch'
+import { type FaceHit, firstHit } from './ray'
+
+export type LayerName = 'surface' | 'invalid'
+
+/** Half of the longest side of the bounds in world space. */
+const HALF_EXTENT = 1
+
+export class MeshPicture {
+  /** Null where there is no WebGL. */
+  readonly #renderer: WebGLRenderer | null
+  readonly #root: HTMLElement
+  readonly #canvas = document.createElement('canvas')
+  readonly #overlay = document.createElementNS('http://www.w3.org/2000/svg', 'svg')
+  readonly #camera: OrbitCamera
+  readonly #theme: ThemeReader
+  readonly #scene = new Scene()
+  readonly #layers: Readonly<Record<LayerName, FaceBatch>> = { surface: new FaceBatch(), invalid: new FaceBatch() }
+  readonly #observer: ResizeObserver
+  #corners: readonly Vec3[] = []
+  #origin: Vec3 = [0, 0, 0]
+  #scale = 1
+  #size = 1
+  #chosen: Vertices | null = null
+  #neighbours: readonly Neighbour[] = []
+  #painted: { readonly theme: Theme; readonly ramp: Ramp } | null = null
+  #frame = 0
+  #isNew = true
+
+  constructor(root: HTMLElement) {
+    this.#root = root
+    this.#canvas.className = 'mesh-canvas'
+    this.#overlay.classList.add('mesh-overlay')
+    this.#overlay.setAttribute('aria-hidden', 'true')
+    root.append(this.#canvas, this.#overlay)
+    this.#renderer = rendererOn(this.#canvas)
+    this.#camera = new OrbitCamera(root, () => this.draw())
+    this.#theme = new ThemeReader(root, () => this.draw())
+    // The invalid cells first: what is translucent comes after what is not.
+    this.#scene.add(this.#layers.invalid.mesh, this.#layers.surface.mesh)
+    this.#observer = new ResizeObserver(() => this.draw())
+    this.#observer.observe(root)
+  }
+
+  get isDrawn(): boolean {
+    return this.#renderer !== null
+  }
+
+  /** Another mesh, seen whole. */
+  open(bounds: Bounds | null): void {
+    const { least, greatest } = bounds ?? { least: [0, 0, 0], greatest: [1, 1, 1] }
+    const half = [0, 1, 2].map(axis => (greatest[axis as 0] - least[axis as 0]) / 2) as unknown as Vec3
+    this.#origin = [0, 1, 2].map(axis => least[axis as 0] / 2 + greatest[axis as 0] / 2) as unknown as Vec3
+    this.#scale = HALF_EXTENT / (Math.max(...half) || 1)
+    const side = (sign: number, axis: 0 | 1 | 2) => sign * half[axis] * this.#scale
+    this.#corners = [-1, 1].flatMap(x =>
+      [-1, 1].flatMap(y => [-1, 1].map((z): Vec3 => [side(x, 0), side(y, 1), side(z, 2)])),
+    )
+    this.#chosen = null
+    this.#neighbours = []
+    this.#isNew = true
+    for (const layer of Object.values(this.#layers)) layer.show(null, new Uint8Array(0))
+    this.draw()
+  }
+
+  show(layer: LayerName, faces: FaceList | null): void {
+    this.#layers[layer].show(faces, faces ? this.#coloursOf(faces) : new Uint8Array(0))
+    this.draw()
+  }
+
+  /** 1 hides what is behind the surface. */
+  set opacity(opacity: number) {
+    this.#layers.surface.opacity = opacity
+    this.draw()
+  }
+
+  /** Cells are drawn with this part of their size. */
+  set size(size: number) {
+    this.#size = size
+    this.draw()
+  }
+
+  /** The chosen cell stands out, its neighbours are thin lines, invalid ones red. */
+  choose(vertices: Vertices | null, neighbours: readonly Neighbour[] = []): void {
+    this.#chosen = vertices
+    this.#neighbours = neighbours
+    this.draw()
+  }
+
+  /** The whole mesh. */
+  fit(): void {
+    this.#camera.fit(this.#corners)
+    this.draw()
+  }
+
+  /** Looks at a cell, with its surroundings. */
+  flyTo(vertices: Vertices): void {
+    const points = this.#worldOf(vertices)
+    const middle = [0, 1, 2].map(axis => points.reduce((sum, point) => sum + (point[axis as 0] as number), 0) / 8)
+    const around = points.map(
+      point =>
+        point.map(
+          (value, axis) => (middle[axis] as number) + SURROUNDINGS * (value - (middle[axis] as number)),
+        ) as unknown as Vec3,
+    )
+    this.#camera.fit(around)
+    this.draw()
+  }
+
+  turn(right: number, up: number): void {
+    this.#camera.turn(right, up)
+  }
+
+  zoom(factor: number): void {
+    this.#camera.zoom(factor)
+  }
+
+  /** From the target to the eye, of length 1. */
+  get direction(): Vec3 {
+    return this.#camera.direction
+  }
+
+  /** The cell at a point of the picture, from its top left; null beside the mesh. */
+  cellAt(x: number, y: number): number | null {
+    const { origin, direction } = this.#camera.camera.ray(x, y)
+    const from = origin.map(value => value / this.#scale) as unknown as Vec3
+    const hits = Object.values(this.#layers).map(({ faces }) => faces && firstHit(faces, from, direction, this.#size))
+    const [surface, invalid] = hits as [FaceHit | null, FaceHit | null]
+    if (this.#layers.surface.isTranslucent && invalid) return invalid.cell
+    if (!surface || !invalid) return (surface ?? invalid)?.cell ?? null
+    return surface.distance < invalid.distance ? surface.cell : invalid.cell
+  }
+
+  /** Asks for a frame. */
+  draw(): void {
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#frame = 0
+      this.#draw()
+    })
+  }
+
+  /** The picture as it is, with its background. */
+  async toPNG(): Promise<Blob> {
+    this.#draw()
+    const { width, height } = this.#canvas
+    const copy = new OffscreenCanvas(width, height)
+    const context = copy.getContext('2d') as OffscreenCanvasRenderingContext2D
+    const [r, g, b] = this.#paint().theme.paper.map(part => Math.round(255 * part))
+    context.fillStyle = `rgb(${r} ${g} ${b})`
+    context.fillRect(0, 0, width, height)
+    context.drawImage(this.#canvas, 0, 0)
+    return copy.convertToBlob({ type: 'image/png' })
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#frame)
+    this.#observer.disconnect()
+    this.#theme.dispose()
+    this.#camera.dispose()
+    for (const layer of Object.values(this.#layers)) layer.dispose()
+    this.#renderer?.dispose()
+    this.#renderer?.forceContextLoss()
+    this.#canvas.remove()
+    this.#overlay.remove()
+  }
+
+  #draw(): void {
+    const { clientWidth: width, clientHeight: height } = this.#root
+    if (width === 0 || height === 0) return
+    const { camera } = this.#camera
+    camera.resize(width, height, { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN })
+    if (this.#isNew && this.#corners.length > 0) {
+      this.#isNew = false
+      this.#camera.look(this.#corners, HALF_EXTENT, null)
+    }
+    camera.enclose(this.#corners)
+    const { theme } = this.#paint()
+    const { x, y, z } = camera.three.position
+    const pixelRatio = Math.min(devicePixelRatio, MOST_PIXEL_RATIO)
+    const view = {
+      scale: this.#scale,
+      size: this.#size,
+      eye: [x, y, z] as Vec3,
+      toLight: lightOf(camera),
+      ink: theme.ink,
+      pixelRatio,
+    }
+    for (const layer of Object.values(this.#layers)) layer.write(view)
+    if (this.#renderer) {
+      this.#renderer.setPixelRatio(pixelRatio)
+      this.#renderer.setSize(width, height, false)
+      this.#renderer.render(this.#scene, camera.three)
+    }
+    this.#drawChosen(width, height)
+  }
+
+  /** Colours anew where the theme is another. */
+  #paint(): { readonly theme: Theme; readonly ramp: Ramp } {
+    const theme = this.#theme.read()
+    if (this.#painted?.theme === theme) return this.#painted
+    const painted = { theme, ramp: rampOf(theme) }
+    this.#painted = painted
+    for (const layer of Object.values(this.#layers)) if (layer.faces) layer.recolour(this.#coloursOf(layer.faces))
+    return painted
+  }
+
+  #coloursOf(faces: FaceList): Uint8Array {
+    const { ramp, theme } = this.#paint()
+    return faceColours(
+      faces,
+      ramp,
+      theme.paper.map((part, i) => (part + (theme.ink[i] as number)) / 2) as unknown as Rgb,
+    )
+  }
+
+  #drawChosen(width: number, height: number): void {
+    this.#overlay.setAttribute('viewBox', `0 0 ${width} ${height}`)
+    if (!this.#chosen) {
+      this.#overlay.replaceChildren()
+      return
+    }
+    const path = (name: string, vertices: Vertices) => {
+      const element = document.createElementNS('http://www.w3.org/2000/svg', 'path')
+      element.setAttribute('class', name)
+      element.setAttribute('d', this.#edgesOf(vertices))
+      return element
+    }
+    this.#overlay.replaceChildren(
+      ...this.#neighbours.map(({ isInvalid, vertices }) =>
+        path(isInvalid ? 'neighbour invalid' : 'neighbour', vertices),
+      ),
+      path('halo', this.#chosen),
+      path('chosen', this.#chosen),
+    )
+  }
+
+  #edgesOf(vertices: Vertices): string {
+    const points = this.#worldOf(vertices).map(point => this.#camera.camera.project(point))
+    return edgeVertices
+      .map(([from, to]) => [points[from], points[to]])
+      .filter(([a, b]) => a && b && a.depth > 0 && b.depth > 0)
+      .map(([a, b]) => `M${a?.x.toFixed(1)} ${a?.y.toFixed(1)}L${b?.x.toFixed(1)} ${b?.y.toFixed(1)}`)
+      .join('')
+  }
+
+  #worldOf(vertices: Vertices): Vec3[] {
+    return Array.from({ length: 8 }, (_, v) =>
+      [0, 1, 2].map(axis => ((vertices[3 * v + axis] as number) - (this.#origin[axis as 0] as number)) * this.#scale),
+    ) as unknown as Vec3[]
+  }
+}
+
+/** CSS pixels about the mesh. */
+const MARGIN = 24
+/** A cell is shown with the space of so many of it along each axis. */
+const SURROUNDINGS = 5
+/** Beyond it nobody sees the difference, and software draws four times as long. */
+const MOST_PIXEL_RATIO = 2
+
+function rendererOn(canvas: HTMLCanvasElement): WebGLRenderer | null {
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: true, powerPreference: 'high-performance' })
+  if (!context) return null
+  const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true })
+  renderer.outputColorSpace = LinearSRGBColorSpace
+  renderer.setClearColor(0, 0)
+  renderer.sortObjects = false
+  return renderer
+}
