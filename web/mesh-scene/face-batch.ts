@@ -2,11 +2,13 @@
 import {
   BufferAttribute,
   DoubleSide,
+  EqualDepth,
   GLSL3,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
   InstancedInterleavedBuffer,
   InterleavedBufferAttribute,
+  LessEqualDepth,
   Mesh,
   RawShaderMaterial,
   Vector3,
@@ -148,7 +150,12 @@ export class FaceBatch {
   set opacity(opacity: number) {
     this.#uniforms.opacity.value = opacity
     this.#material.transparent = opacity < 1
-    this.#material.depthWrite = opacity === 1
+  }
+
+  /** The depth alone, or the colours where the depth is that. */
+  beIn(pass: 'invalid' | 'depth' | 'surface'): void {
+    this.#material.colorWrite = pass !== 'depth'
+    this.#material.depthFunc = pass === 'surface' && this.isTranslucent ? EqualDepth : LessEqualDepth
   }
 
   write({ scale, size, eye, toLight, ink, pixelRatio }: FaceView): void {

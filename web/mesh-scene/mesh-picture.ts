@@ -48,8 +48,6 @@ export class MeshPicture {
     this.#renderer = rendererOn(this.#canvas)
     this.#camera = new OrbitCamera(root, () => this.draw())
     this.#theme = new ThemeReader(root, () => this.draw())
-    // The invalid cells first: what is translucent comes after what is not.
-    this.#scene.add(this.#layers.invalid.mesh, this.#layers.surface.mesh)
     this.#observer = new ResizeObserver(() => this.draw())
     this.#observer.observe(root)
   }
@@ -201,9 +199,22 @@ export class MeshPicture {
     if (this.#renderer) {
       this.#renderer.setPixelRatio(pixelRatio)
       this.#renderer.setSize(width, height, false)
-      this.#renderer.render(this.#scene, camera.three)
+      this.#renderer.clear()
+      for (const pass of PASSES) this.#drawPass(this.#renderer, pass)
     }
     this.#drawChosen(width, height)
+  }
+
+  /** Of a translucent surface only what is in front is blended with what is behind it: its depth comes first, alone. */
+  #drawPass(renderer: WebGLRenderer, pass: (typeof PASSES)[number]): void {
+    const { surface, invalid } = this.#layers
+    const isTranslucent = surface.isTranslucent
+    if (pass === 'depth' && !isTranslucent) return
+    if (pass === 'depth') renderer.clearDepth()
+    surface.beIn(pass)
+    this.#scene.clear()
+    this.#scene.add(pass === 'invalid' ? invalid.mesh : surface.mesh)
+    renderer.render(this.#scene, this.#camera.camera.three)
   }
 
   /** Colours anew where the theme is another. */
@@ -262,6 +273,7 @@ export class MeshPicture {
   }
 }
 
+const PASSES = ['invalid', 'depth', 'surface'] as const
 /** CSS pixels about the mesh. */
 const MARGIN = 24
 /** A cell is shown with the space of so many of it along each axis. */
@@ -276,5 +288,6 @@ function rendererOn(canvas: HTMLCanvasElement): WebGLRenderer | null {
   renderer.outputColorSpace = LinearSRGBColorSpace
   renderer.setClearColor(0, 0)
   renderer.sortObjects = false
+  renderer.autoClear = false
   return renderer
 }
