@@ -16,7 +16,7 @@ export interface Faced {
   readonly isListed: (cell: number) => boolean
 }
 
-/** Faces that bound what is shown; all faces of its cells if these are drawn whole. A cell with a coordinate that is not finite has none. */
+/** Faces that bound what is shown; all faces of its cells if these are drawn whole. One with a coordinate that is not finite is left out. */
 export function facesOf(faced: Faced, shown: ShownCells): FaceList {
   const { check, neighbours } = faced
   const mask = maskOf(faced, shown.cells)

@@ -87,7 +87,7 @@ export class Survey {
       cell = this.#cells.find(id, cell)
       if (cell === begun) break
     }
-    return cell === null ? null : this.placeOf(cell)
+    return cell !== null && this.#selection.isListed(cell) ? this.placeOf(cell) : null
   }
 
   nextInvalid(rank: number, step: 1 | -1): Place | null {

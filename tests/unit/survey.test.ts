@@ -1,0 +1,235 @@
+/** An open mesh as its worker answers for it, with the real core. */
+import { describe, expect, test } from 'vitest'
+import { quantitiesOf } from '../../web/core/quantities'
+import { cellClassifier } from '../../web/input/classify-cells'
+import type { Mesh } from '../../web/mesh/mesh'
+import { isMet, parseCondition } from '../../web/model/condition'
+import { part } from '../../web/pages/mesh/part'
+import { mended } from '../../web/survey/mend'
+import { Survey } from '../../web/survey/survey'
+import type { Column, Selection, ShownCells } from '../../web/survey/survey-jobs'
+import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
+import {
+  checked,
+  classifyCells as classify,
+  flat,
+  invalidCorner,
+  meshOf,
+  mirroredCube,
+  moved,
+  notFinite,
+} from './mesh-fixtures'
+
+const LISTS = { minima: true, volumes: true, acceptedBy: true }
+const ALL: ShownCells = { cells: { which: 'all' }, isWhole: false, most: Infinity }
+
+async function surveyOf(mesh: Mesh): Promise<Survey> {
+  return new Survey(await checked(mesh, { worst: Infinity, lists: LISTS }), core)
+}
+
+/** The cells of the list as it is. */
+function listed(survey: Survey): number[] {
+  return survey.rows(0, Infinity).map(({ cell }) => cell)
+}
+
+function select(survey: Survey, selection: Partial<Selection>): number[] {
+  survey.select({ condition: null, range: null, ...selection })
+  while (survey.selectOn(1e3).done < survey.check.hexahedra);
+  return listed(survey)
+}
+
+const elbow: Mesh = { ...meshOf([]), ...part() }
+const few = meshOf([unitCube, notFinite, mirroredCube, flat, invalidCorner])
+const next = randomSource(11)
+const many = meshOf(Array.from({ length: 400 }, () => randomHexahedron(next, 0.35)))
+
+describe('the sentence on top', () => {
+  test('says how many are invalid, and how many of those others accept', async () => {
+    const survey = await surveyOf(elbow)
+    expect(survey.overview('elbow.vtk').headline).toBe(
+      '12 of 7,168 hexahedra are invalid. The eight corners would accept 4 of them, VTK’s scaled Jacobian 4.',
+    )
+    expect(survey.overview('elbow.vtk').worst.map(({ standing }) => standing)).toEqual(Array(10).fill('invalid'))
+  })
+
+  test.each([
+    [[unitCube, unitCube], 'All 2 hexahedra are valid.'],
+    [[unitCube], 'The hexahedron is valid.'],
+    [[mirroredCube], 'The hexahedron is invalid. The eight corners and VTK’s scaled Jacobian reject it, too.'],
+    [[unitCube, notFinite], 'None of 2 hexahedra is known to be invalid. 1 is unanswered.'],
+    [
+      [mirroredCube, flat, notFinite, notFinite],
+      '2 of 4 hexahedra are invalid. The eight corners would accept 0 of them, VTK’s scaled Jacobian 1. 2 are unanswered.',
+    ],
+  ])('%#', async (elements, sentence) => {
+    expect((await surveyOf(meshOf(elements))).overview('a').headline).toBe(sentence)
+  })
+})
+
+describe('the list', () => {
+  test('has every cell, worst first, with its numbers and who accepts it', async () => {
+    const survey = await surveyOf(few)
+    expect(survey.rows(0, 2).map(({ cell, id, standing }) => [cell, id, standing])).toEqual([
+      [4, '5', 'invalid'],
+      [2, '3', 'invalid'],
+    ])
+    const [cube] = survey.rows(3, 4)
+    expect(cube).toMatchObject({ class: 'valid', relativeMinimum: 1, minimum: { value: 1 }, volume: { value: 1 } })
+    expect(cube?.acceptedBy.length).toBe(8)
+    expect(survey.rows(4, 5)[0]).toMatchObject({ standing: 'unanswered', why: 'vertex 6 y is NaN' })
+    expect(survey.rows(5, 9)).toEqual([])
+  })
+
+  test.each<[Column, (survey: Survey, cell: number) => number]>([
+    ['id', (_, cell) => cell],
+    ['minimum', (survey, cell) => survey.check.answers.minima?.values[cell] as number],
+    ['volume', (survey, cell) => survey.check.answers.volumes?.values[cell] as number],
+    ['class', (survey, cell) => survey.check.answers.classes[cell] as number],
+  ])('is sorted by %s, up and down', async (column, keyOf) => {
+    const survey = await surveyOf(many)
+    for (const isDescending of [false, true]) {
+      survey.arrange({ column, isDescending })
+      const keys = listed(survey).map(cell => keyOf(survey, cell))
+      expect(keys).toEqual(keys.toSorted((a, b) => (isDescending ? b - a : a - b)))
+      expect(new Set(listed(survey)).size).toBe(400)
+    }
+  })
+
+  test('finds cells by id, and the next invalid one, in its own order', async () => {
+    const survey = await surveyOf(few)
+    expect(survey.find('5', -1)).toEqual({ cell: 4, rank: 0 })
+    expect(survey.find('77', -1)).toBe(null)
+    expect([survey.nextInvalid(0, 1)?.cell, survey.nextInvalid(2, 1)?.cell, survey.nextInvalid(0, -1)?.cell]).toEqual([
+      2, 4, 3,
+    ])
+    select(survey, { condition: 'valid' })
+    expect(survey.find('5', -1)).toBe(null)
+    expect(survey.nextInvalid(-1, 1)).toBe(null)
+    expect(survey.placeOf(4)).toEqual({ cell: 4, rank: null })
+  })
+})
+
+describe('a selection', () => {
+  test.each([
+    'not valid and corner_min > 0',
+    'valid and scaled_jacobian < 0.4',
+    'boundary_min / volume < 0.2',
+    'gauss2_min > 0 and not valid',
+    'twist > 20 or edge_min < -0.1',
+  ])('has the cells that meet “%s”, as one by one', async condition => {
+    const survey = await surveyOf(many)
+    const parsed = parseCondition(condition)
+    if (!parsed.ok) throw new Error(parsed.error.message)
+    const expected = Array.from({ length: 400 }, (_, cell) => cell).filter(cell => {
+      const answer = survey.check.answerTo(cell)
+      return 'report' in answer && isMet(parsed.value, quantitiesOf(answer.report, answer.report.vertices))
+    })
+    const found = select(survey, { condition })
+    expect(found.toSorted((a, b) => a - b)).toEqual(expected)
+    expect(expected.length).toBeGreaterThan(0)
+  })
+
+  test('goes on in steps, and is cut by a range of relative minima', async () => {
+    const survey = await surveyOf(many)
+    expect(survey.select({ condition: 'not valid', range: null })).toEqual({ listed: 0, done: 0 })
+    const relative = survey.check.answers.relativeMinima
+    const within = select(survey, { range: [0, 0.25] })
+    expect(within.length).toBe(relative.filter(value => value >= 0 && value <= 0.25).length)
+    expect(select(survey, {}).length).toBe(400)
+  })
+
+  test('takes coordinates of any size', async () => {
+    const sizes = [1e-150, 1e-90, 1, 1e90, 1e150]
+    const survey = await surveyOf(
+      meshOf(sizes.flatMap(size => [unitCube, invalidCorner].map(all => all.map(x => x * size)))),
+    )
+    expect(select(survey, { condition: 'corner_min > 0' }).toSorted()).toEqual([0, 2, 4, 6, 8])
+    expect(select(survey, { condition: 'not valid' }).toSorted()).toEqual([1, 3, 5, 7, 9])
+  })
+})
+
+test('the histogram counts each cell once, with zero as an edge, and its percentiles are those of the list', async () => {
+  const survey = await surveyOf(many)
+  const { edges, counts, percentiles, beside } = survey.histogram()
+  expect(counts.reduce((sum, count) => sum + count, 0) + beside).toBe(400)
+  expect(edges).toContain(0)
+  expect(edges.length).toBe(counts.length + 1)
+  const sorted = [...survey.check.answers.relativeMinima].sort((a, b) => a - b)
+  expect(percentiles.map(({ value }) => value)).toEqual([1, 10, 50, 90, 99].map(percent => sorted[4 * percent - 1]))
+  const least = sorted[0] as number
+  expect(edges[0]).toBeLessThanOrEqual(least)
+})
+
+describe('faces', () => {
+  test('of all cells are the boundary; of fewer, what bounds these', async () => {
+    const survey = await surveyOf(elbow)
+    const boundary = survey.join(() => {})
+    expect(survey.faces(ALL).cells.length).toBe(boundary)
+    expect(boundary).toBe(2 * 256 + 32 * 28)
+    const one = survey.faces({ cells: { which: 'one', cell: 3000 }, isWhole: false, most: Infinity })
+    expect([one.cells.length, one.shown, one.wanted]).toEqual([6, 1, 1])
+    const invalid = survey.faces({ cells: { which: 'invalid', rings: 0 }, isWhole: true, most: Infinity })
+    expect(invalid.cells.length).toBe(6 * 12)
+    expect([...invalid.relativeMinima].every(value => value < 0)).toBe(true)
+    const ring = survey.faces({ cells: { which: 'invalid', rings: 1 }, isWhole: true, most: Infinity })
+    expect(ring.shown).toBeGreaterThan(60)
+    const worst = survey.faces({ cells: { which: 'invalid', rings: 0 }, isWhole: true, most: 5 })
+    expect([worst.shown, worst.wanted]).toEqual([5, 12])
+    expect(new Set(worst.cells)).toEqual(new Set(survey.check.worst.subarray(0, 5)))
+  })
+
+  test('behind a plane are those of the cells whose middle is there, less the origin', async () => {
+    const survey = await surveyOf(elbow)
+    const { origin } = survey.faces(ALL)
+    const half = survey.faces({
+      cells: { which: 'behind-plane', normal: [0, 1, 0], offset: 0 },
+      isWhole: false,
+      most: Infinity,
+    })
+    expect(origin[1]).toBeCloseTo(0)
+    expect(half.shown).toBe(7168 / 2)
+    for (let face = 0; face < half.cells.length; ++face) expect(half.middles[3 * face + 1]).toBeLessThanOrEqual(0)
+  })
+
+  test('of a cell that is not finite are those that are, without a number', async () => {
+    const { cells, relativeMinima } = (await surveyOf(few)).faces(ALL)
+    const own = [...relativeMinima].filter((_, face) => cells[face] === 1)
+    expect(own).toEqual([Number.NaN, Number.NaN, Number.NaN])
+    expect(cells.length).toBe(5 * 6 - 3)
+  })
+})
+
+test('a chosen cell comes with its neighbours, once faces are joined', async () => {
+  const survey = await surveyOf(elbow)
+  expect(survey.detail(3000).neighbours).toEqual([])
+  survey.join(() => {})
+  const { neighbours, vertices, row } = survey.detail(3000)
+  expect([row.cell, vertices?.length, neighbours.length]).toEqual([3000, 24, 6])
+  expect(neighbours.map(({ cell }) => cell)).toContain(3000 - 256)
+})
+
+test('what is mirrored is corrected, with a note, and nothing else', async () => {
+  const mesh = meshOf([unitCube, mirroredCube, mirroredCube, invalidCorner])
+  const survey = await surveyOf(mesh)
+  expect(survey.overview('a').fixes).toEqual([{ id: 'mirrored', words: 'Correct 2 mirrored cells' }])
+  const better = await surveyOf(mended(survey.check, 'mirrored'))
+  expect(better.check).toMatchObject({ valid: 3, invalid: 1, mirrored: 0 })
+  expect(better.overview('a').sentences.join(' ')).toContain('2 mirrored hexahedra have been corrected here')
+  expect([...mesh.cells.subarray(0, 8)]).toEqual([...better.check.mesh.cells.subarray(0, 8)])
+})
+
+test('where no batches run, cells are answered one by one, the same in all lists', async () => {
+  const wanted = { ...LISTS, relativeMinima: true, classes: true, statuses: true, exact: true } as const
+  const alone = cellClassifier(
+    core,
+    () => Promise.reject(new Error('none')),
+    () => {},
+  )
+  const mesh = meshOf([
+    ...Array.from({ length: 80 }, () => randomHexahedron(next, 0.4)),
+    notFinite,
+    flat,
+    moved(1, [0, 0, 0]),
+  ])
+  expect(await alone(mesh.points, mesh.cells, wanted)).toEqual(await classify(mesh.points, mesh.cells, wanted))
+})
