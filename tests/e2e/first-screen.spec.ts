@@ -1,5 +1,24 @@
 import { expect, expectAxeFindsNothing, handleOf, test } from './lens'
 
+test('after a first drag that makes the element invalid the page says where the red may be', async ({ lens, page }) => {
+  await lens.open()
+  await lens.preset.selectOption({ label: 'Unit cube' })
+  await lens.nextFrame()
+  const { x, y } = await handleOf(lens, 6)
+  const { x: toX, y: toY } = await handleOf(lens, 3)
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await page.mouse.move(toX, toY, { steps: 3 })
+  await page.mouse.up()
+  await expect(lens.verdict).toHaveText(/^INVALID/)
+  const note = page.getByText('The red may lie behind.')
+  const camera = () => lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).state.camera)
+  const before = await camera()
+  await note.getByRole('button', { name: 'Show the minimum' }).click()
+  await expect(note).toHaveCount(0)
+  await expect.poll(camera).not.toEqual(before)
+})
+
 for (const [width, height] of [
   [1440, 900],
   [1024, 768],
@@ -15,7 +34,7 @@ for (const [width, height] of [
 
     await test.step('the important is in sight', async () => {
       await expect(hint).toBeInViewport({ ratio: 1 })
-      await expect(hint).toContainText('Where J < 0 (red) the map folds over, and a solver goes wrong')
+      await expect(hint).toContainText('Where J < 0 (red) the map folds over')
       await expect(lens.verdict.locator('.word')).toBeInViewport({ ratio: 1 })
       await expect(lens.verdict.locator('.why')).toBeInViewport({ ratio: 1 })
       await expect(legend).toBeHidden()
@@ -47,6 +66,7 @@ for (const [width, height] of [
       await expect(hint).toHaveCount(0)
       await page.mouse.up()
       await expect(cue).toBeHidden()
+      await expect(page.getByText('The red may lie behind.')).toHaveCount(0)
       await page.getByRole('combobox', { name: 'Preset' }).selectOption({ label: 'Looks fine, is not' })
       await expect(legend).toBeVisible()
       await page.reload()
