@@ -138,6 +138,8 @@ async function chunksOf(lib, plugins, external, output) {
     resolve: { conditions: ['node'] },
     build: {
       target: 'es2022',
+      // Browsers with light-dark(): a rewritten one follows no scheme but the one it is declared in.
+      cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
       write: false,
       lib,
       rolldownOptions: {
