@@ -253,8 +253,7 @@ export class HexLens extends ReflectingElement {
   }
 
   attributeChangedCallback(name: AttributeName): void {
-    this.#language.speak()
-    this.#attributes.take(name)
+    this.#language.during(() => this.#attributes.take(name))
   }
 
   /**
@@ -462,7 +461,7 @@ export class HexLens extends ReflectingElement {
   /** In another language: the views are made anew, and attributes that were refused are read again. */
   #sayAnew(): void {
     this.#showPanels(this.#viewNames)
-    for (const name of attributeNames) if (this.#problems.has(`bad-${name}`)) this.#attributes.take(name)
+    for (const name of attributeNames) if (this.#problems.has(`bad-${name}`)) this.attributeChangedCallback(name)
   }
 
   #setVertices(vertices: Vertices, preset: string | null): void {

@@ -40,11 +40,17 @@ export class OwnLanguage {
     speak(this.#tag)
   }
 
+  /** Likewise while the work is done, which may be a part of another element's. */
+  during(work: () => void): void {
+    const before = speak(this.#tag)
+    work()
+    speak(before)
+  }
+
   #take(): void {
     this.#tag = languageOf(this.#element)
     this.#lens.lang = this.#tag
     this.#lens.dir = 'ltr'
-    this.speak()
   }
 
   readonly #check = (): void => {

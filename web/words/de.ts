@@ -305,6 +305,7 @@ export const german: Dictionary = {
   Lexicographic: 'Lexikografisch',
   'Lexicographic, last coordinate fastest': 'Lexikografisch, letzte Koordinate am schnellsten',
   light: 'hell',
+  'linear image, enlarged': 'lineares Bild, vergrößert',
   Link: 'Link',
   'Link copied': 'Link kopiert',
   'Link views': 'Ansichten koppeln',
@@ -405,6 +406,8 @@ export const german: Dictionary = {
   'points, and the corners of the faces': 'Punkte, und die Ecken der Flächen',
   Preset: 'Beispiel',
   'Presets, undo': 'Beispiele, Rückgängig',
+  'Press Ctrl+V (⌘V), drop a text or files anywhere on Hexlens, or use the box. Give files that belong together at once, such as a .pvtu and its pieces.':
+    'Strg+V (⌘V) drücken, einen Text oder Dateien irgendwo auf Hexlens ablegen, oder das Feld benutzen. Dateien, die zusammengehören, auf einmal geben, etwa eine .pvtu und ihre Teile.',
   'Press Ctrl+V (⌘V), or use the box.': 'Strg+V (⌘V) drücken, oder das Feld benutzen.',
   Preview: 'Vorschau',
   'Preview {order}': 'Vorschau {order}',

@@ -24,7 +24,7 @@ export const ARRIVAL = 'hexlens-words'
 /** The element and its languages are files of their own, which meet here: dictionaries by their language tags. */
 const arrived = globalThis as { hexlensWords?: Record<string, Dictionary> }
 
-let spoken: Dictionary | undefined
+let spoken = 'en'
 
 export function addLanguage(tag: string, dictionary: Dictionary): void {
   arrived.hexlensWords = { ...arrived.hexlensWords, [tag]: dictionary }
@@ -37,9 +37,11 @@ export function languageOf(element: Element): string {
   return matching.reduce((best, tag) => (best === 'en' || tag.length > best.length ? tag : best), 'en')
 }
 
-/** What is said from now on is in this language, until another element speaks. */
-export function speak(tag: string): void {
-  spoken = arrived.hexlensWords?.[tag]
+/** What is said from now on is in this language, until another element speaks. Returns the one before. */
+export function speak(tag: string): string {
+  const before = spoken
+  spoken = tag
+  return before
 }
 
 /** A sentence with its holes filled. */
@@ -59,7 +61,7 @@ export function sayParts<const Sentence extends Word, Value>(
 }
 
 function filled<Value>(sentence: Word, values?: Readonly<Record<string, Value>>): (string | Value)[] {
-  return (spoken?.[sentence] ?? sentence)
+  return (arrived.hexlensWords?.[spoken]?.[sentence] ?? sentence)
     .split(/[{}]/)
     .map((part, i) => (i % 2 === 1 ? ((values as Readonly<Record<string, Value>>)[part] as Value) : part))
 }

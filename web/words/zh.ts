@@ -294,6 +294,7 @@ export const chinese: Dictionary = {
   Lexicographic: '字典序',
   'Lexicographic, last coordinate fastest': '字典序，最后一个坐标变化最快',
   light: '浅色',
+  'linear image, enlarged': '线性像，已放大',
   Link: '链接',
   'Link copied': '链接已复制',
   'Link views': '联动视图',
@@ -387,6 +388,8 @@ export const chinese: Dictionary = {
   'points, and the corners of the faces': '点，以及面的角点',
   Preset: '预设',
   'Presets, undo': '预设，撤销',
+  'Press Ctrl+V (⌘V), drop a text or files anywhere on Hexlens, or use the box. Give files that belong together at once, such as a .pvtu and its pieces.':
+    '按 Ctrl+V（⌘V），把文本或文件拖到 Hexlens 的任何地方，或使用文本框。属于一起的文件请一次给出，例如 .pvtu 及其分块。',
   'Press Ctrl+V (⌘V), or use the box.': '请按 Ctrl+V（⌘V），或使用文本框。',
   Preview: '预览',
   'Preview {order}': '预览 {order}',

@@ -22,8 +22,9 @@ class PasteView implements View {
   update({ reading }: Frame): void {
     render(
       html`<p>
-          Press Ctrl+V (⌘V), drop a text or files anywhere on Hexlens, or use the box. Give files that belong together at once,
-          such as a .pvtu and its pieces.
+          ${say(
+            'Press Ctrl+V (⌘V), drop a text or files anywhere on Hexlens, or use the box. Give files that belong together at once, such as a .pvtu and its pieces.',
+          )}
         </p>
         <label for="paste-text">${say('Text with eight points, or a part of a mesh file')}</label>
         <textarea id="paste-text" rows="5" spellcheck="false" autocomplete="off" autocapitalize="off"></textarea>
