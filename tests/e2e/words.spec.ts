@@ -8,7 +8,7 @@ type Element = HTMLElementTagNameMap['hex-lens']
 
 /** Names, and what stands for itself in every language. */
 const NAMES =
-  /\b(Hexlens|jacdet|min|max|[a-cstx-zABCDJLMPRX-Z]|px|tau|xi|eta|zeta|Roots\+B|Cubit|Verdict|Zhang|iframe|Sphinx|MyST in Sphinx|MkDocs|Quarto|Jupyter|BibTeX|Python|(?:[-\w]+)\.(?:png|pvtu)|points in text|camera|theme|vertices|round|pink|auto, light, dark|many|[A-Z-]{2,}|Gmsh, Medit|Abaqus, Nastran, Ansys|libMesh|Kratos, Tecplot, blockMeshDict, ncdump|Roots)\b|\de[-+]?\d/g
+  /\b(Hexlens|jacdet|min|max|[a-cstx-zABCDJLMPRX-Z]|px|4ac|2a|tau|xi|eta|zeta|Roots\+B|Cubit|Verdict|Zhang|iframe|Sphinx|MyST in Sphinx|MkDocs|Quarto|Jupyter|BibTeX|Python|(?:[-\w]+)\.(?:png|pvtu)|points in text|camera|theme|vertices|round|pink|auto, light, dark|many|[A-Z-]{2,}|Gmsh, Medit|Abaqus, Nastran, Ansys|libMesh|Kratos, Tecplot, blockMeshDict, ncdump|Roots)\b|\de[-+]?\d/g
 
 /** A language in which every letter of a sentence is a dot, but those of its holes; so a letter on the page is untranslated. */
 async function speakPseudo(page: Page): Promise<void> {

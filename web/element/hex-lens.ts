@@ -91,7 +91,8 @@ const EARLY = [
  *   how many times nearer than the view in which the element just fits. Without it, a preset whose
  *   minimum is negative and hidden, or hardly seen from there, is first seen from another direction. Turning by the reader
  *   changes `state`, not this.
- * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` follows the reader’s system.
+ * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` is the `color-scheme` of the page where the
+ *   element stands.
  * @attr {there or not} [readonly=not] - The reader may look and turn, but not change the element.
  *   Programs may change it.
  * @attr {an address} [poster=none] - A picture in the element’s place until it is drawn.
