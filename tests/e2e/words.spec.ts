@@ -68,18 +68,15 @@ test('every word goes through the list: none is left where a language has dots f
     '.copied, .take-away button, .embed .snippet button, .certificate .actions button, .toolbar .actions button',
   )
   await look()
-  const presets = await inside.evaluate(element =>
-    [...(element.shadowRoot as ShadowRoot).querySelectorAll<HTMLOptionElement>('.preset option')].map(
-      ({ value }) => value,
-    ),
-  )
-  for (const preset of presets.filter(id => id !== '')) {
+  // Of each kind one: invalid on edges, valid, lower inside, zero, inverted, mended by another order, coincident.
+  const presets = ['looks-fine', 'cube', 'non-strict', 'touching', 'inverted', 'wrong-order', 'wedge']
+  for (const preset of presets) {
     await inside.evaluate((element, preset) => {
       ;(element as Element).preset = preset
     }, preset)
     await look()
     // Steps of the algorithm, probes, and the node orders of this element.
-    for (let step = 0; step < 4; step++) {
+    for (let step = 0; step < 2; step++) {
       await press('.algorithm li:nth-child(7n) button, .node-order [aria-expanded=false]')
       await inside.evaluate(element => {
         const scene = (element.shadowRoot as ShadowRoot).querySelector('.scene-stage') as HTMLElement
@@ -185,25 +182,24 @@ test('an element speaks the language around it, as soon as that is there or anot
   await expect.poll(said).toEqual(['en INVALID', 'zh 无效', 'de UNGÜLTIG', 'zh 无效'])
 })
 
-for (const width of [390, 320])
-  test(`German fits into ${width} px`, async ({ lens, page }) => {
-    test.setTimeout(600_000)
-    await page.addInitScript(de => {
-      Object.assign(globalThis, { hexlensWords: { de } })
-      addEventListener('DOMContentLoaded', () => {
-        document.documentElement.lang = 'de'
-      })
-    }, german as Words)
-    await page.setViewportSize({ width, height: 844 })
-    await page.goto('./')
-    const inside = page.locator('hex-lens').first()
-    await expect(page.locator('hex-lens .word')).toHaveText('UNGÜLTIG')
-    await inside.evaluate(element => {
-      for (const button of (element.shadowRoot as ShadowRoot).querySelectorAll<HTMLElement>(
-        '[aria-expanded=false], summary',
-      ))
-        button.click()
+test('German fits into a phone', async ({ lens, page }) => {
+  test.setTimeout(600_000)
+  await page.addInitScript(de => {
+    Object.assign(globalThis, { hexlensWords: { de } })
+    addEventListener('DOMContentLoaded', () => {
+      document.documentElement.lang = 'de'
     })
+  }, german as Words)
+  await page.setViewportSize({ width: 390, height: 844 })
+  await page.goto('./')
+  const inside = page.locator('hex-lens').first()
+  await expect(lens.element.locator('.word')).toHaveText('UNGÜLTIG')
+  await inside.evaluate(element => {
+    const root = element.shadowRoot as ShadowRoot
+    for (const button of root.querySelectorAll<HTMLElement>('[aria-expanded=false], summary')) button.click()
+  })
+  for (const width of [390, 320]) {
+    await page.setViewportSize({ width, height: 844 })
     await expect.poll(() => inside.evaluate(element => (element as Element).complete)).toBe(true)
     const over = await inside.evaluate(element => {
       const root = element.shadowRoot as ShadowRoot
@@ -213,7 +209,7 @@ for (const width of [390, 320])
         .filter(each => each.getBoundingClientRect().width > 1 && each.getBoundingClientRect().right > right + 1)
         .map(each => `${each.localName}.${each.className} ${each.textContent?.trim().slice(0, 40)}`)
     })
-    expect(over).toEqual([])
+    expect([width, over]).toEqual([width, []])
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width)
-    await expect(lens.element.first()).toBeVisible()
-  })
+  }
+})
