@@ -48,6 +48,8 @@ export default defineConfig({
   server: { fs: { allow: [root] } },
   build: {
     target: 'es2022',
+    // Browsers with light-dark(): a rewritten one follows no scheme but the one it is declared in.
+    cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
     outDir: `${root}dist/app`,
     emptyOutDir: true,
     modulePreload: { polyfill: false },

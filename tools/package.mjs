@@ -73,6 +73,7 @@ const bundles = [
   { file: 'hexlens.mesh.js', entry: ours('mesh.ts') },
   meshWorker,
   { file: 'hexlens.anywidget.js', entry: ours('anywidget.ts'), isWidget: true },
+  ...['de', 'zh'].map(tag => ({ file: `hexlens.lang.${tag}.js`, format: 'iife', entry: ours(`lang/${tag}.ts`) })),
   { file: 'hexlens.cli.js', entry: ours('cli.ts'), external: /^node:/ },
   { file: 'hexlens.twin.js', entry: join(root, 'build', 'hexlens-twin.js') },
 ]
@@ -138,6 +139,8 @@ async function chunksOf(lib, plugins, external, output) {
     resolve: { conditions: ['node'] },
     build: {
       target: 'es2022',
+      // Browsers with light-dark(): a rewritten one follows no scheme but the one it is declared in.
+      cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
       write: false,
       lib,
       rolldownOptions: {
@@ -173,7 +176,7 @@ async function writeTypes(outDir) {
   const project = join(root, 'tsconfig.types.json')
   await must(process.execPath, [tsc, '-p', project, '--outDir', outDir], 'The types were not written.')
   const named = new Set(
-    ['package/hexlens', 'package/core', 'package/batch', 'package/mesh'].map(name => join(outDir, `${name}.d.ts`)),
+    ['hexlens', 'core', 'batch', 'mesh', 'lang/de', 'lang/zh'].map(name => join(outDir, 'package', `${name}.d.ts`)),
   )
   for (const path of named) {
     const text = readFileSync(path, 'utf8').replace(/(from |import |import\()'(\.[^']+)'/g, (_, before, name) => {

@@ -13,6 +13,8 @@ test('the package is packed and installs elsewhere', () => {
       'dist/hexlens.batch-worker.js',
       'dist/hexlens.mesh.js',
       'dist/hexlens.mesh-worker.js',
+      'dist/hexlens.lang.de.js',
+      'dist/hexlens.lang.zh.js',
       'dist/app/index.html',
       'custom-elements.json',
     ]),

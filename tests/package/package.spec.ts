@@ -133,6 +133,20 @@ test('from file:// one script is all there is', async ({ page }) => {
   expect(complaints).toEqual([])
 })
 
+test('a language is a script of its own, that may come after the element', async ({ lens, page, served }) => {
+  const german = '<script type="module">import "./node_modules/hexlens/dist/hexlens.lang.de.js"</script>'
+  write(
+    'german.html',
+    element(
+      `<script defer src="${dist}/hexlens.iife.js"></script>${german}<script defer src="${dist}/hexlens.lang.zh.js"></script>`,
+    ).replace('lang="en"', 'lang="de"'),
+  )
+  await page.goto(`${served}/german.html`)
+  await expect(lens.element.locator('.word')).toHaveText('UNGÜLTIG')
+  await page.evaluate(() => document.documentElement.setAttribute('lang', 'zh-Hans'))
+  await expect(lens.element.locator('.word')).toHaveText('无效')
+})
+
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 
 /** Offers a text to the element, as if it were pasted. */

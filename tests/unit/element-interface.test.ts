@@ -50,7 +50,6 @@ describe('the manifest', () => {
   it('has the slots and the custom properties of the style sheet', () => {
     const styles = read('web/element/hex-lens.css')
     const used = new Set([...styles.matchAll(/--hl-[\w-]+/g)].map(([name]) => name))
-    used.delete('--hl-scheme') // follows the attribute theme
     expect(names('cssProperties').sort()).toEqual([...used].sort())
     expect(names('slots')).toEqual(['', 'hint', 'caption'])
     expect(read('web/element/view-host.ts')).toContain('slot name="caption"')

@@ -6,6 +6,7 @@ import { type Preset, presetOf, presets, presetVertices } from '../model/presets
 import { type CameraView, type Dispatch, type State, sliceChange } from '../model/state'
 import { CONTROLS, type Control, controlsSlice } from '../views/scene-slices'
 import type { Problem } from '../views/view'
+import { say } from '../words/say'
 import type { Composition } from './composition'
 import { HexLensError } from './hex-lens-error'
 
@@ -80,24 +81,33 @@ export function verticesText(vertices: Vertices): string {
 export function readVertices(text: string): Vertices {
   const numbers = text.split(/[\s,;()[\]]+/).filter(word => word !== '')
   const bad = numbers.find(number => !DECIMAL.test(number))
-  if (bad !== undefined) throw refusal('vertices', `“${shortened(bad)}” is not a number`)
+  if (bad !== undefined) throw refusal('vertices', say('“{text}” is not a number', { text: shortened(bad) }))
   return checkedVertices(numbers.map(Number))
 }
 
 /** Returns a copy. Throws HexLensError unless given 24 finite numbers. */
 export function checkedVertices(given: ArrayLike<number> | null | undefined): Vertices {
   if (given?.length !== COORDINATE_COUNT)
-    throw new HexLensError('wrong-count', `A hexahedron has 24 coordinates; ${given?.length ?? 'none'} were given.`)
+    throw new HexLensError(
+      'wrong-count',
+      given == null
+        ? say('A hexahedron has 24 coordinates; none were given.')
+        : say('A hexahedron has 24 coordinates; {count} were given.', { count: given.length }),
+    )
   const vertices = Array.from(given)
   const bad = vertices.findIndex(value => !Number.isFinite(value))
-  if (bad >= 0) throw new HexLensError('not-finite', `Coordinate ${bad} is ${vertices[bad]}, not a finite number.`)
+  if (bad >= 0)
+    throw new HexLensError(
+      'not-finite',
+      say('Coordinate {index} is {value}, not a finite number.', { index: bad, value: String(vertices[bad]) }),
+    )
   return vertices
 }
 
 function readPreset(text: string): Preset {
   const preset = presets.find(({ id }) => id === text.trim())
   const known = presets.map(({ id }) => id).join(', ')
-  if (!preset) throw refusal('preset', `“${shortened(text)}” is none of ${known}`)
+  if (!preset) throw refusal('preset', say('“{text}” is none of {known}', { text: shortened(text), known }))
   return preset
 }
 
@@ -115,8 +125,10 @@ function readCamera(text: string): CameraView {
     Math.abs(elevation) <= MOST_ELEVATION &&
     (zoom === undefined || (zoom >= ZOOMS[0] && zoom <= ZOOMS[1]))
   if (!isRight) {
-    const form = 'azimuth and elevation in degrees and a zoom, such as “-58 24 1.5”'
-    throw refusal('camera', `“${shortened(text)}” is not ${form}`)
+    const form = say('“{text}” is not azimuth and elevation in degrees and a zoom, such as “-58 24 1.5”', {
+      text: shortened(text),
+    })
+    throw refusal('camera', form)
   }
   return { direction: direction(azimuth, elevation), zoom: zoom ?? 1, pan: [0, 0, 0] }
 }
@@ -140,17 +152,18 @@ function words<Word extends string>(name: AttributeName, text: string, known: re
   const given = text.split(/[\s,]+/).filter(word => word !== '')
   if (given.length === 1 && given[0] === 'all') return known
   if (given.length === 1 && given[0] === 'none') return []
-  return given.map(word => oneOf(name, word, known, ', all or none'))
+  return given.map(word => oneOf(name, word, [...known, 'all' as Word, 'none' as Word]))
 }
 
-function oneOf<Word extends string>(name: AttributeName, text: string, known: readonly Word[], more = ''): Word {
+function oneOf<Word extends string>(name: AttributeName, text: string, known: readonly Word[]): Word {
   const word = known.find(each => each === text.trim())
-  if (word === undefined) throw refusal(name, `“${shortened(text)}” is none of ${known.join(', ')}${more}`)
+  if (word === undefined)
+    throw refusal(name, say('“{text}” is none of {known}', { text: shortened(text), known: known.join(', ') }))
   return word
 }
 
 function refusal(name: AttributeName, why: string): HexLensError {
-  return new HexLensError('bad-attribute', `The attribute ${name} is not understood: ${why}.`)
+  return new HexLensError('bad-attribute', say('The attribute {name} is not understood: {why}.', { name, why }))
 }
 
 function shortened(text: string): string {

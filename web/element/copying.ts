@@ -9,6 +9,7 @@ import type { JacobianReport } from '../core/report'
 import { jacdetInFull } from '../model/decimal'
 import type { ReferenceCube } from '../model/state'
 import { copyText } from '../views/copy-text'
+import { say } from '../words/say'
 
 const NUMBER = 'data'
 const POINT = '[data-copies="point"]'
@@ -61,8 +62,9 @@ export class Copying {
   }
 
   async #copy(text: string, at: Element): Promise<void> {
+    const [copied, refused] = [say('Copied'), say('Copying is not allowed here:')]
     const isCopied = await copyText(text)
-    render(html`${isCopied ? 'Copied' : 'Copying is not allowed here:'} <span>${text}</span>`, this.#told)
+    render(html`${isCopied ? copied : refused} <span>${text}</span>`, this.#told)
     this.#place(at)
     if (!isCopied) getSelection()?.selectAllChildren(this.#told.lastElementChild as Element)
   }

@@ -18,6 +18,7 @@ import { createStore } from '../model/store'
 import { knownPanels, type Panel } from '../panels/panel'
 import type { SceneState } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
+import { say } from '../words/say'
 import { Analyzer } from './analyzer'
 import {
   AttributeInput,
@@ -34,6 +35,7 @@ import type { Composition } from './composition'
 import { Copying, pointInFull } from './copying'
 import { type DueFrame, FrameLoop } from './frame-loop'
 import { HexLensError } from './hex-lens-error'
+import { OwnLanguage } from './own-language'
 import { ReflectingElement } from './reflecting-element'
 import { shortcut } from './shortcuts'
 import { ViewHost } from './view-host'
@@ -89,7 +91,8 @@ const EARLY = [
  *   how many times nearer than the view in which the element just fits. Without it, a preset whose
  *   minimum is negative and hidden, or hardly seen from there, is first seen from another direction. Turning by the reader
  *   changes `state`, not this.
- * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` follows the reader’s system.
+ * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` is the `color-scheme` of the page where the
+ *   element stands.
  * @attr {there or not} [readonly=not] - The reader may look and turn, but not change the element.
  *   Programs may change it.
  * @attr {an address} [poster=none] - A picture in the element’s place until it is drawn.
@@ -178,6 +181,7 @@ export class HexLens extends ReflectingElement {
     },
   }
   readonly #views: ViewHost
+  readonly #language: OwnLanguage
   readonly #analyzer = new Analyzer(
     HexLens.composition.panels,
     message => this.raise({ code: 'core-failed', message }),
@@ -222,6 +226,7 @@ export class HexLens extends ReflectingElement {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
     this.#views = new ViewHost(shadow, this.#context, HexLens.composition.panels)
+    this.#language = new OwnLanguage(this, this.#views.lens, () => this.#sayAnew())
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
     new Copying(this.#views.lens, () => {
       const { state } = this.#store
@@ -231,6 +236,7 @@ export class HexLens extends ReflectingElement {
   }
 
   connectedCallback(): void {
+    this.#language.start()
     for (const name of EARLY) this.#adopt(name)
     this.#views.begin(this.#shownPanels)
     this.#frames.start()
@@ -240,6 +246,7 @@ export class HexLens extends ReflectingElement {
 
   disconnectedCallback(): void {
     this.#keepCameras()
+    this.#language.stop()
     this.#frames.stop()
     this.#analyzer.stop()
     this.#views.end()
@@ -247,7 +254,7 @@ export class HexLens extends ReflectingElement {
   }
 
   attributeChangedCallback(name: AttributeName): void {
-    this.#attributes.take(name)
+    this.#language.during(() => this.#attributes.take(name))
   }
 
   /**
@@ -384,7 +391,7 @@ export class HexLens extends ReflectingElement {
    */
   async toSVG(name: FigureName = 'scene'): Promise<string> {
     const [{ figureSvg }, figure] = await Promise.all([import('../views/figure-files'), this.#figure(name)])
-    return figureSvg(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
+    return figureSvg(figure, this.#store.state.vertices, this.label ?? this.preset ?? say('Hexahedron'))
   }
 
   /**
@@ -452,6 +459,12 @@ export class HexLens extends ReflectingElement {
     this.#frames.schedule()
   }
 
+  /** In another language: the views are made anew, and attributes that were refused are read again. */
+  #sayAnew(): void {
+    this.#showPanels(this.#viewNames)
+    for (const name of attributeNames) if (this.#problems.has(`bad-${name}`)) this.attributeChangedCallback(name)
+  }
+
   #setVertices(vertices: Vertices, preset: string | null): void {
     this.#dispatch({ type: 'set-vertices', vertices, preset })
   }
@@ -487,9 +500,13 @@ export class HexLens extends ReflectingElement {
       this.#frames.schedule()
     } catch (reason) {
       const why = reason instanceof Error ? reason.message : String(reason)
+      this.#language.speak()
       this.raise({
         code: 'core-failed',
-        message: `The WebAssembly core did not start, so there is no verdict (${why}). The vertices and the link still work; reload the page to try again.`,
+        message: say(
+          'The WebAssembly core did not start, so there is no verdict ({why}). The vertices and the link still work; reload the page to try again.',
+          { why },
+        ),
       })
     } finally {
       clearTimeout(slow)
@@ -500,6 +517,7 @@ export class HexLens extends ReflectingElement {
     this.#tellChanges()
     const { state } = this.#store
     if (!isSeen) return { isWaiting: false, isUnmade: false }
+    this.#language.speak()
     const frame: Frame = {
       state,
       ...this.#analyzer.analyze(state),

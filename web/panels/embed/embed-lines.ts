@@ -4,6 +4,7 @@ import type { Vertices } from '../../model/hexahedron'
 import { numberText } from '../../model/number-text'
 import type { CameraView } from '../../model/state'
 import { pointsOf } from '../../model/written-element'
+import type { PlainWord } from '../../words/say'
 import type { Choice } from './choice'
 
 /** Names of panels in the attribute `views`, in their order. */
@@ -21,7 +22,7 @@ export const embeddableViews = [
   { name: 'paste', title: 'Paste or drop' },
   { name: 'take-away', title: 'Take away' },
   { name: 'toolbar', title: 'Presets, undo' },
-] as const
+] as const satisfies readonly { readonly name: string; readonly title: PlainWord }[]
 
 export interface Embed extends Omit<Choice, 'host' | 'label'> {
   readonly vertices: Vertices

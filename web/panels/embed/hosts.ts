@@ -2,11 +2,12 @@
 
 import { encodePermalink } from '../../model/permalink'
 import { pointsOf } from '../../model/written-element'
+import type { PlainWord } from '../../words/say'
 import { attributesOf, type Embed, elementMarkup, escaped } from './embed-lines'
 
 export interface Snippet {
   /** The name of the file that it goes into, or words. */
-  readonly place: string
+  readonly place: PlainWord
   /** The name that fences of Markdown have for it. */
   readonly language: string
   readonly text: string
@@ -30,7 +31,7 @@ function indented(text: string, by: string): string {
 }
 
 /** The picture is a file beside the page that shows it. */
-const html = (place: string) => (embed: Embed) => ({
+const html = (place: PlainWord) => (embed: Embed) => ({
   place,
   language: 'html',
   text: elementMarkup(embed, STYLE(embed)),

@@ -2,6 +2,7 @@
 import { type FaceTopology, faces } from '../../model/hexahedron'
 import { type FaceRaster, paintFace } from '../../scene/paint/face-raster'
 import { inUnit, pointStep } from '../../views/point-steps'
+import { say } from '../../words/say'
 
 export interface FaceMapActions {
   /** A place in the cell, from its upper left, each in [0,1]. */
@@ -37,7 +38,10 @@ export class FaceMap {
     this.root.type = 'button'
     this.root.className = 'face-map on-paper'
     this.root.dataset.face = String(face)
-    this.root.setAttribute('aria-label', `Face ${name}, vertices ${vertices.toSorted((a, b) => a - b).join(', ')}`)
+    this.root.setAttribute(
+      'aria-label',
+      say('Face {name}, vertices {vertices}', { name, vertices: vertices.toSorted((a, b) => a - b).join(', ') }),
+    )
     this.root.setAttribute('aria-describedby', describedBy)
     this.root.append(this.#canvas)
     this.#listen()

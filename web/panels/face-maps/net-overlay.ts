@@ -10,6 +10,7 @@ import { candidateShapes } from '../../scene/overlay/candidate-shapes'
 import { px, set, show, svg } from '../../scene/paint/svg'
 import { entityTitle } from '../../views/entity-name'
 import { type Entity, marksSlice } from '../../views/scene-slices'
+import { say } from '../../words/say'
 import { edgePlaces, isOnFace, netCells, netCorners, type Place, placeOnFace, placesOf } from './net'
 import { faceSlice } from './selected-face'
 
@@ -38,7 +39,7 @@ export class NetOverlay {
   readonly #crossHalo = svg('path', { class: 'cross-halo' })
   readonly #cross = svg('path', { class: 'cross' })
   readonly #rings = svg('g', { class: 'rings' })
-  readonly #candidates = svg('g', { role: 'group', 'aria-label': 'Candidates for the minimum' })
+  readonly #candidates = svg('g', { role: 'group', 'aria-label': say('Candidates for the minimum') })
   readonly #marks: Mark[] = []
   readonly #probe: (candidate: Candidate | null) => void
   #listed: readonly Candidate[] = []
@@ -226,7 +227,8 @@ export class NetOverlay {
 export function candidateText(candidate: Candidate, report: Report, cube: ReferenceCube): string {
   const value = formatJacdet(candidate.value, report.exponent, cube)
   const isLeast = candidate.point === report.minimizer.point || samePoint(candidate, report.minimizer)
-  return `${entityTitle(candidate)}: J = ${value}${isLeast ? ', the minimum' : ''}`
+  const entity = entityTitle(candidate)
+  return isLeast ? say('{entity}: J = {value}, the minimum', { entity, value }) : `${entity}: J = ${value}`
 }
 
 function samePoint(a: Candidate, b: Candidate): boolean {

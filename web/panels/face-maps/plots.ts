@@ -8,6 +8,7 @@ import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
 import { inUnit, pointStep } from '../../views/point-steps'
+import { say } from '../../words/say'
 import { decimalText } from './formulas'
 
 export interface PlotsPicture {
@@ -73,7 +74,10 @@ export class Plots {
       this.#curves.forEach((curve, i) => {
         this.#plots[i]?.draw(curve, picture.face)
       })
-      this.#slider.setAttribute('aria-label', `t on face ${picture.name}, with P, D, a and s* there`)
+      this.#slider.setAttribute(
+        'aria-label',
+        say('t on face {face}, with P, D, a and s* there', { face: picture.name }),
+      )
     }
     for (const plot of this.#plots) plot.point(t)
     const text = t === null ? '' : this.#valuesText(t)
@@ -81,10 +85,12 @@ export class Plots {
     setText(
       this.#values,
       text ||
-        'Point at a plot: the maps mark the least point of that row of the face. The dashed line in the picture joins these points.',
+        say(
+          'Point at a plot: the maps mark the least point of that row of the face. The dashed line in the picture joins these points.',
+        ),
     )
     this.#slider.setAttribute('aria-valuenow', String(t ?? 0))
-    this.#slider.setAttribute('aria-valuetext', text || 'no t chosen')
+    this.#slider.setAttribute('aria-valuetext', text || say('no t chosen'))
   }
 
   #valuesText(t: number): string {
@@ -218,7 +224,7 @@ function curvesOf({ face, polynomials, exponent, cube }: PlotsPicture): Curve[] 
     { ...fitted, name: 'a', title: 'a(t)', at: t => valueAt(polynomials.a, t), text: text(scaling, 1) },
     {
       name: 's*',
-      title: 's*(t), inside from 0 to 1',
+      title: say('s*(t), inside from 0 to 1'),
       at: t => vertexInS(polynomials, t),
       range: [-0.5, 1.5],
       text: formatNumber,

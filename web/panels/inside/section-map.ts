@@ -11,6 +11,7 @@ import { px, set, setText, show, svg } from '../../scene/paint/svg'
 import { isNew } from '../../views/is-new'
 import { inUnit, pointStep } from '../../views/point-steps'
 import { type Section, sceneSlice } from '../../views/scene-slices'
+import { say } from '../../words/say'
 
 export interface SectionPicture {
   readonly report: Report
@@ -95,7 +96,7 @@ export class SectionMap {
 
   #layOut({ axis, value }: Section, side: number): void {
     const name = `${AXIS_NAMES[axis]} = ${formatNumber(value)}`
-    this.root.setAttribute('aria-label', `Map of jacdet on the section ${name}`)
+    this.root.setAttribute('aria-label', say('Map of jacdet on the section {section}', { section: name }))
     set(this.#svg, { width: side, height: side, viewBox: `0 0 ${side} ${side}` })
     set(this.#border, { width: side, height: side })
     const [s, t] = axesOn(axis)

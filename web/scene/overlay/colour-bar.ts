@@ -5,6 +5,7 @@ import type { JacobianReport, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { type ReferenceCube, type State, sliceOf } from '../../model/state'
 import { sceneSlice } from '../../views/scene-slices'
+import { say } from '../../words/say'
 import {
   type ColourScale,
   cssColour,
@@ -122,7 +123,10 @@ export class ColourBar {
     this.#updateTicks(labels, fromTop, upright, length)
     this.#updateProbe(probe && fromTop(timesPowerOfTwo(probe.jacdet, probe.exponent - exponent)), upright, length)
     set(this.#svg, {
-      'aria-label': `Colours of jacdet: maximum ${format(maximum)}, zero, minimum ${format(minimum)}`,
+      'aria-label': say('Colours of jacdet: maximum {maximum}, zero, minimum {minimum}', {
+        maximum: format(maximum),
+        minimum: format(minimum),
+      }),
     })
   }
 
@@ -149,8 +153,9 @@ export class ColourBar {
   #updateTitle(cube: ReferenceCube): void {
     if (this.#title.dataset.cube === cube) return
     this.#title.dataset.cube = cube
-    this.#title.textContent = cube === 'unit' ? 'jacdet on [0,1]³' : 'jacdet on [−1,1]³'
-    this.#title.title = cube === 'unit' ? 'Show jacdet on [−1,1]³, an eighth' : 'Show jacdet on [0,1]³, eight times'
+    this.#title.textContent = cube === 'unit' ? say('jacdet on [0,1]³') : say('jacdet on [−1,1]³')
+    this.#title.title =
+      cube === 'unit' ? say('Show jacdet on [−1,1]³, an eighth') : say('Show jacdet on [0,1]³, eight times')
   }
 
   #updateRamp(ramp: Ramp, top: number, bottom: number, zero: number, upright: boolean, length: number): void {

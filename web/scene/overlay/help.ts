@@ -1,8 +1,9 @@
 /** The effects of fingers, mouse and keys in the scene: its description for those who hear the page, and on request for everybody. */
 import type { ControlsState } from '../../views/scene-slices'
+import { type PlainWord, say } from '../../words/say'
 
 /** An action and its effect, which make a sentence. */
-type Entry = readonly [action: string, effect: string]
+type Entry = readonly [action: PlainWord, effect: PlainWord]
 
 const FOR_FINGERS: readonly Entry[] = [
   ['Drag a handle', 'moves its vertex. X, Y, Z, Depth and Grid, there once a vertex is chosen, hold the next drags'],
@@ -55,8 +56,8 @@ function entry([action, effect]: Entry): HTMLElement {
     HTMLElement,
     HTMLElement,
   ]
-  term.textContent = action
-  detail.textContent = `${effect}.`
+  term.textContent = say(action)
+  detail.textContent = say('{sentence}.', { sentence: say(effect) })
   line.append(term, ' ', detail, ' ')
   return line
 }

@@ -4,6 +4,7 @@ import type { Report } from '../../core/report'
 import { type State, sliceOf } from '../../model/state'
 import { sceneSlice } from '../../views/scene-slices'
 import type { Frame, ViewContext } from '../../views/view'
+import { say } from '../../words/say'
 import type { Layout } from '../space/layout'
 import {
   type ColourScale,
@@ -52,7 +53,7 @@ export class Painting {
     this.#scene = scene
     this.#host = host
     const painter = createFacePainter({ lost: () => this.#onContext(true), restored: () => this.#onContext(false) })
-    if (painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
+    if (painter === null) host.raise({ code: 'no-webgl', message: say(NO_WEBGL) })
     else host.clear('no-webgl')
     this.#painter = painter ?? new FlatPainter()
     if (this.#painter.isLost) this.#onContext(true)
@@ -133,7 +134,7 @@ export class Painting {
   #onContext(isLost: boolean): void {
     this.#isLost = isLost
     this.#scene.classList.toggle('unpainted', isLost)
-    if (isLost) this.#host.raise({ code: 'context-lost', message: CONTEXT_LOST })
+    if (isLost) this.#host.raise({ code: 'context-lost', message: say(CONTEXT_LOST) })
     else this.#host.clear('context-lost')
     this.#host.requestFrame()
   }
