@@ -47,7 +47,7 @@ const ways: Readonly<Record<string, (lens: Lens, vertices: readonly number[]) =>
   'the menu of presets': ({ preset }) => preset.selectOption('looks-fine'),
   'a link': ({ element }) =>
     element.evaluate(lens => {
-      location.hash = new URL((lens as Element).permalink).hash
+      location.hash = new URL((lens as Element).permalink as string).hash
     }),
   'what is pasted': async ({ page, scene }, vertices) => {
     await scene.focus()
