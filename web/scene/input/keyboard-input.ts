@@ -97,7 +97,7 @@ export class KeyboardInput {
     const { key, shiftKey } = event
     const move = MOVES[key]
     const { host, camera } = this.#target
-    if (move === undefined || host.state().isReadonly) return false
+    if (move === undefined) return false
     if (!this.#moving) {
       this.#choose(host.state().selectedVertex)
       this.#moving = true
