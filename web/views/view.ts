@@ -91,8 +91,8 @@ export interface ViewContext {
   clear(code: Problem['code']): void
   /** Asks for an update although neither state nor report changed (the camera moved, a resize). */
   requestFrame(): void
-  /** The address that opens this very element again, vertices bit for bit. */
-  permalink(): string
+  /** The address that opens this very element again, vertices bit for bit; null if there is no such page. */
+  permalink(): string | null
   /** A picture; null if it is not on the page. */
   figure(name: FigureName): Figure | null
   readonly input: InputHost

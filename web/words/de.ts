@@ -449,7 +449,6 @@ export const german: Dictionary = {
   'Section at': 'Schnitt bei',
   'Section at {axis}': 'Schnitt bei {axis}',
   'See-through': 'Durchsichtig',
-  'Shift, Alt': 'Umschalt, Alt',
   'show and hide the reference cube, or this help': 'zeigen und verbergen den Referenzwürfel oder diese Hilfe',
   'Show jacdet on [0,1]³, eight times': 'jacdet auf [0,1]³ zeigen, das Achtfache',
   'Show jacdet on [−1,1]³, an eighth': 'jacdet auf [−1,1]³ zeigen, ein Achtel',
@@ -692,8 +691,6 @@ export const german: Dictionary = {
   'Who would notice?': 'Wer würde es merken?',
   'with c and a + b + c these are the Bernstein coefficients in s. All are positive.':
     'mit c und a + b + c sind dies die Bernstein-Koeffizienten in s. Alle sind positiv.',
-  'with these keys make the step ten times as long, or a tenth':
-    'machen mit diesen Tasten den Schritt zehnmal so lang oder ein Zehntel',
   wrong: 'falsch',
   'Wrong node order': 'Falsche Knotenreihenfolge',
   'Zero on the faces, negative inside': 'Null auf den Flächen, negativ im Inneren',
@@ -734,4 +731,9 @@ export const german: Dictionary = {
   '“{text}” is not a number': '„{text}“ ist keine Zahl',
   '“{text}” is not azimuth and elevation in degrees and a zoom, such as “-58 24 1.5”':
     '„{text}“ ist nicht Azimut und Höhenwinkel in Grad und ein Zoom, wie „-58 24 1.5“',
+  'of the type {type}': 'vom Typ {type}',
+  '“{text}” is not the address of a page': '„{text}“ ist nicht die Adresse einer Seite',
+  'Shift, Ctrl': 'Umschalt, Strg',
+  'with arrow keys make the step ten times as long, or a tenth. On a Mac, and with Page Up and Down, it is Alt':
+    'machen mit den Pfeiltasten den Schritt zehnmal so lang oder ein Zehntel so lang. Auf einem Mac und mit Bild auf und Bild ab ist es Alt',
 }

@@ -296,6 +296,7 @@ export const english = [
   'number',
   'NumPy array, exact',
   'of the boundary, likewise',
+  'of the type {type}',
   'Of {count} other orders of the same eight points, one makes it valid:',
   'Of {count} other orders of the same eight points, {helpful} make it valid:',
   'On a face jacdet is {formula}, with s and t in the order of ξ, η, ζ. On each interval of t it is positive at {lower} and {upper}. In between it is positive for the reason given.',
@@ -372,7 +373,7 @@ export const english = [
   'Section at',
   'Section at {axis}',
   'See-through',
-  'Shift, Alt',
+  'Shift, Ctrl',
   'show and hide the reference cube, or this help',
   'Show jacdet on [0,1]³, eight times',
   'Show jacdet on [−1,1]³, an eighth',
@@ -556,8 +557,8 @@ export const english = [
   'Where the verdict changes',
   'Who would notice',
   'Who would notice?',
+  'with arrow keys make the step ten times as long, or a tenth. On a Mac, and with Page Up and Down, it is Alt',
   'with c and a + b + c these are the Bernstein coefficients in s. All are positive.',
-  'with these keys make the step ten times as long, or a tenth',
   'wrong',
   'Wrong node order',
   'Zero on the faces, negative inside',
@@ -593,6 +594,7 @@ export const english = [
   '“{text}” is none of {known}',
   '“{text}” is not a number',
   '“{text}” is not azimuth and elevation in degrees and a zoom, such as “-58 24 1.5”',
+  '“{text}” is not the address of a page',
 ] as const
 
 export type Word = (typeof english)[number]

@@ -429,7 +429,6 @@ export const chinese: Dictionary = {
   'Section at': '截面位于',
   'Section at {axis}': '截面位于 {axis}',
   'See-through': '透明',
-  'Shift, Alt': 'Shift、Alt',
   'show and hide the reference cube, or this help': '显示和隐藏参考立方体，或本帮助',
   'Show jacdet on [0,1]³, eight times': '显示 [0,1]³ 上的 jacdet，八倍',
   'Show jacdet on [−1,1]³, an eighth': '显示 [−1,1]³ 上的 jacdet，八分之一',
@@ -653,7 +652,6 @@ export const chinese: Dictionary = {
   'Who would notice?': '谁会发现？',
   'with c and a + b + c these are the Bernstein coefficients in s. All are positive.':
     '它与 c 和 a + b + c 是关于 s 的 Bernstein 系数。全都为正。',
-  'with these keys make the step ten times as long, or a tenth': '与这些键一起使步长变为十倍或十分之一',
   wrong: '错误',
   'Wrong node order': '错误的节点次序',
   'Zero on the faces, negative inside': '面上为零，内部为负',
@@ -692,4 +690,9 @@ export const chinese: Dictionary = {
   '“{text}” is not a number': '“{text}”不是数',
   '“{text}” is not azimuth and elevation in degrees and a zoom, such as “-58 24 1.5”':
     '“{text}”不是以度为单位的方位角、仰角和缩放，例如“-58 24 1.5”',
+  'of the type {type}': '类型为 {type}',
+  '“{text}” is not the address of a page': '“{text}”不是页面地址',
+  'Shift, Ctrl': 'Shift、Ctrl',
+  'with arrow keys make the step ten times as long, or a tenth. On a Mac, and with Page Up and Down, it is Alt':
+    '与方向键一起使步长变为十倍或十分之一。在 Mac 上以及使用 Page Up、Page Down 时为 Alt',
 }

@@ -4,6 +4,7 @@ import { version } from '../../../package.json'
 import type { Report } from '../../core/report'
 import { reportJson } from '../../core/report-json'
 import { jacdetInFull } from '../../model/decimal'
+import type { Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
 import { figurePng, figureSvg } from '../../views/figure-files'
 import { isNew } from '../../views/is-new'
@@ -40,7 +41,7 @@ class TakeAwayView implements View {
   /** The last thing done; reported until the element is another. */
   #done: {
     readonly title: string
-    readonly link: string
+    readonly vertices: Vertices
     readonly message: string
     readonly isCopied: boolean
   } | null = null
@@ -60,7 +61,9 @@ class TakeAwayView implements View {
         note: say('the six faces unfolded, likewise'),
         save: () => this.#saveSvg('face-maps'),
       },
-      { title: say('Link'), note: say('opens this very element'), text: () => context.permalink() },
+      ...(context.permalink() === null
+        ? []
+        : [{ title: say('Link'), note: say('opens this very element'), text: () => context.permalink() ?? '' }]),
       {
         title: say('Minimum'),
         note: say('jacdet in all digits, on the cube chosen'),
@@ -100,9 +103,9 @@ class TakeAwayView implements View {
     return report ? jacdetInFull(value(report), report.exponent, this.#context.state().referenceCube) : ''
   }
 
-  update({ report }: Frame): void {
+  update({ report, state }: Frame): void {
     this.#report = report
-    if (this.#done && this.#done.link !== this.#context.permalink()) this.#done = null
+    if (this.#done?.vertices !== state.vertices) this.#done = null
     const without = report === null
     if (isNew(this.root, without, this.#done)) render(this.#template(without), this.root)
   }
@@ -145,7 +148,7 @@ class TakeAwayView implements View {
   }
 
   #tell(title: string, message: string, isCopied = false): void {
-    this.#done = { title, link: this.#context.permalink(), message, isCopied }
+    this.#done = { title, vertices: this.#context.state().vertices, message, isCopied }
     this.#context.requestFrame()
   }
 
