@@ -30,7 +30,6 @@ for (const [width, height] of [
     const hint = page.locator('.hint')
     const legend = page.locator('hex-lens').getByText('edge candidate', { exact: true })
     const cue = page.locator('hex-lens .scene-pane .cue')
-    const svg = () => lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).toSVG())
 
     await test.step('the important is in sight', async () => {
       await expect(hint).toBeInViewport({ ratio: 1 })
@@ -43,7 +42,12 @@ for (const [width, height] of [
 
     await test.step('a handle shows that it can be dragged, and none looks chosen', async () => {
       await expect(cue).toBeVisible()
-      expect(await svg()).not.toContain('M-4-12')
+      // The figure is the same at each size, and drawing it takes seconds.
+      if (width === 390) {
+        const figure = await lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).toSVG())
+        expect(figure).toContain('<circle')
+        expect(figure).not.toContain('M-4-12')
+      }
       await expect(page.locator('hex-lens .handle.selected, hex-lens tr.selected')).toHaveCount(0)
     })
 
