@@ -134,9 +134,3 @@ function insetsOf(isNarrow: boolean, height: number): Insets {
     return isNarrow ? { top: 76, right: 36, bottom: 60, left: 36 } : { top: 44, right: 156, bottom: 60, left: 92 }
   return isNarrow ? { top: 110, right: 36, bottom: 112, left: 36 } : { top: 64, right: 156, bottom: 72, left: 92 }
 }
-
-/** A pointer's distance from the top left of an element, in units. */
-export function positionIn(element: Element, unit: number, { clientX, clientY }: MouseEvent): Point {
-  const { left, top } = element.getBoundingClientRect()
-  return { x: (clientX - left) / unit, y: (clientY - top) / unit }
-}
