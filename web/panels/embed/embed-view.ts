@@ -102,8 +102,7 @@ class EmbedView implements View {
       if (value === null) this.#preview.removeAttribute(name)
       else this.#preview.setAttribute(name, value)
     }
-    this.#preview.style.width = '100%'
-    this.#preview.style.height = `${embed.height}px`
+    this.#preview.style.minHeight = `${embed.height}px`
   }
 
   #template(embed: Embed): TemplateResult {
