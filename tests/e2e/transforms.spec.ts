@@ -39,8 +39,9 @@ test('a pointer does the same under any transform, perspective or zoom, and whil
   await page.goto('./')
   await expect(lens.verdict).toHaveText(/^INVALID/)
   await page.evaluate(() => {
+    for (const sheet of document.querySelectorAll('link[rel=stylesheet]')) sheet.remove()
     const fresh = Object.assign(document.createElement('hex-lens'), { views: 'scene face-maps inside' })
-    fresh.style.cssText = 'aspect-ratio: auto; --hl-stage-height: 420px'
+    fresh.style.cssText = '--hl-aspect-ratio: auto; --hl-stage-height: 420px'
     const host = Object.assign(document.createElement('div'), { id: 'host' })
     host.append(fresh)
     document.body.replaceChildren(host)
