@@ -39,7 +39,10 @@ const measured = (page: Page) =>
       height: lens.clientHeight,
       place: (lens.parentElement as HTMLElement).clientWidth,
       picture: part('stage').clientHeight,
-      element: Math.max(span(({ x }) => x), span(({ y }) => y)),
+      element: Math.max(
+        span(({ x }) => x),
+        span(({ y }) => y),
+      ),
       covered: covered.length,
       scrolls: [lens, part('lens'), part('panels'), ...root.querySelectorAll('.panel')].filter(
         ({ scrollHeight, clientHeight, scrollWidth, clientWidth }) =>
@@ -48,7 +51,10 @@ const measured = (page: Page) =>
     }
   })
 
-test('what Copy embed writes has most of its box for the picture, and grows by what is opened', async ({ lens, page }) => {
+test('what Copy embed writes has most of its box for the picture, and grows by what is opened', async ({
+  lens,
+  page,
+}) => {
   await page.setViewportSize({ width: 1000, height: 1200 })
   await lens.open()
   const snippet = readFileSync('docs/embedding.md', 'utf8')
@@ -110,7 +116,7 @@ test('the box has a width and a height in any place', async ({ lens, page }) => 
       const { width, height, picture, covered, scrolls, ...rest } = await measured(page)
       const [least, most] = 'width' in expected ? [expected.width].flat() : [280]
       expect(width).toBeGreaterThanOrEqual(least as number)
-      expect(width).toBeLessThanOrEqual(most ?? least as number)
+      expect(width).toBeLessThanOrEqual(most ?? (least as number))
       if ('height' in expected) expect(height).toBe(expected.height)
       expect(picture).toBeGreaterThan(height / 2)
       expect({ covered, scrolls }).toEqual({ covered: 0, scrolls: 0 })

@@ -34,7 +34,10 @@ async function settled(page: Page): Promise<void> {
   await expect.poll(() => lens.evaluate(element => (element as Element).complete)).toBe(true)
 }
 
-test('a pointer does the same under any transform, perspective or zoom, and while it changes', async ({ lens, page }) => {
+test('a pointer does the same under any transform, perspective or zoom, and while it changes', async ({
+  lens,
+  page,
+}) => {
   await page.setViewportSize({ width: 1800, height: 1000 })
   await page.goto('./')
   await expect(lens.verdict).toHaveText(/^INVALID/)
@@ -73,7 +76,12 @@ test('a pointer does the same under any transform, perspective or zoom, and whil
       await lens.nextFrame()
       const readout = await page.locator('hex-lens .scene-pane .readout').textContent()
       const texts = (readout?.match(/\(ξ, η, ζ\) = \(([^)]*)\)/)?.[1] ?? '').split(', ')
-      return texts.map(text => text.split('/').map(Number).reduce((numerator, denominator) => numerator / denominator))
+      return texts.map(text =>
+        text
+          .split('/')
+          .map(Number)
+          .reduce((numerator, denominator) => numerator / denominator),
+      )
     }
     const places = [
       ...(await probed(lens.scene, 0.5, 0.55)),
@@ -121,19 +129,27 @@ test('a pointer does the same under any transform, perspective or zoom, and whil
       await settled(page)
       const numbers = await pointed()
       if (name === 'none') expected = numbers
-      expect(numbers.map((number, i) => Math.abs(number - (expected[i] as number)) < 0.03)).toEqual(numbers.map(() => true))
+      expect(numbers.map((number, i) => Math.abs(number - (expected[i] as number)) < 0.03)).toEqual(
+        numbers.map(() => true),
+      )
       // Sharp where it is seen larger.
-      const sharpness = await page.locator('hex-lens canvas').first().evaluate(canvas => {
-        const { width, clientWidth } = canvas as HTMLCanvasElement
-        return width / clientWidth
-      })
+      const sharpness = await page
+        .locator('hex-lens canvas')
+        .first()
+        .evaluate(canvas => {
+          const { width, clientWidth } = canvas as HTMLCanvasElement
+          return width / clientWidth
+        })
       expect(sharpness).toBeCloseTo(name.startsWith('twice') ? 2 : name === 'zoomed' ? 1.5 : Math.max(1, sharpness), 1)
     })
 
   await test.step('in an animation', async () => {
     await dress('')
     const animation = await host.evaluateHandle(element => {
-      const animation = element.animate([{ transform: 'none' }, { transform: 'translate(80px, 60px) rotate(20deg) scale(0.8)' }], 1000)
+      const animation = element.animate(
+        [{ transform: 'none' }, { transform: 'translate(80px, 60px) rotate(20deg) scale(0.8)' }],
+        1000,
+      )
       animation.pause()
       return animation
     })

@@ -129,7 +129,10 @@ export const hosts: readonly [Host, ...Host[]] = [
     snippet: embed => ({
       place: 'in the page',
       language: 'mdx',
-      text: elementMarkup(embed, `style={{ display: 'block', minHeight: ${embed.height}, '--hl-aspect-ratio': 'auto' }}`),
+      text: elementMarkup(
+        embed,
+        `style={{ display: 'block', minHeight: ${embed.height}, '--hl-aspect-ratio': 'auto' }}`,
+      ),
     }),
   },
   {
