@@ -70,6 +70,9 @@ test('a pointer does the same under any transform, perspective or zoom, and whil
   /** All that pointing leads to, in numbers. */
   const pointed = async (): Promise<number[]> => {
     const probed = async (box: Locator, x: number, y: number) => {
+      // What was pointed at before has more words.
+      await page.mouse.move(1, 1)
+      await settled(page)
       await box.evaluate(element => element.scrollIntoView({ block: 'center' }))
       const at = await seenAt(box, x, y)
       await page.mouse.move(at.x, at.y)

@@ -1,8 +1,8 @@
 /** A pane of the scene with a camera of its own: its element on the screen, the overlay over it, and its inputs. */
 import type { Vec3 } from '../model/hexahedron'
 import { type State, sliceOf } from '../model/state'
-import { sceneSlice } from '../views/scene-slices'
 import { placeIn, stretchOf } from '../views/place-in'
+import { sceneSlice } from '../views/scene-slices'
 import type { ViewContext } from '../views/view'
 import { pointUnder } from './input/face-hit'
 import type { InputTarget } from './input/input-target'

@@ -60,6 +60,7 @@ export class PointerInput {
     const early = { capture: true, signal }
     this.#orbiting = new OrbitInput(target.orbit, signal)
     element.addEventListener('pointerdown', this.#onDown, early)
+    element.addEventListener('pointerdown', this.#onPress, { signal })
     element.addEventListener('pointermove', this.#onMove, early)
     element.addEventListener('pointerup', this.#onUp, early)
     element.addEventListener('pointercancel', this.#onCancel, early)
@@ -114,15 +115,20 @@ export class PointerInput {
     const isFirst = this.#orbiting.isIdle
     const vertex = event.button === 0 && isFirst ? this.#pick(event) : null
     if (vertex === null) {
-      const { element, orbit } = this.#target
-      if (isFirst) this.#swipe = { from: event, pose: orbit.pose, turns: event.pointerType === 'mouse' }
-      this.#orbiting.begin(event, this.#target.positionOf(event))
-      element.setPointerCapture(event.pointerId)
+      const isMouse = event.pointerType === 'mouse'
+      if (isFirst) this.#swipe = { from: event, pose: this.#target.orbit.pose, turns: isMouse }
+      if (!isMouse) this.#orbiting.begin(event, this.#target.positionOf(event))
       return
     }
     event.stopImmediatePropagation()
     event.preventDefault()
     this.#take(vertex, event)
+  }
+
+  /** Words in the scene that are pressed keep the mouse's click to themselves; a finger's way may begin on them. */
+  readonly #onPress = (event: PointerEvent): void => {
+    this.#orbiting.begin(event, this.#target.positionOf(event))
+    this.#target.element.setPointerCapture(event.pointerId)
   }
 
   #take(vertex: number, event: PointerEvent): void {

@@ -2,8 +2,8 @@
 import { timesPowerOfTwo } from '../../core/power-of-two'
 import type { Report } from '../../core/report'
 import { type State, sliceOf } from '../../model/state'
-import { sceneSlice } from '../../views/scene-slices'
 import { stretchOf } from '../../views/place-in'
+import { sceneSlice } from '../../views/scene-slices'
 import type { Frame, ViewContext } from '../../views/view'
 import type { Layout } from '../space/layout'
 import {
