@@ -150,8 +150,11 @@ function page({ tagName, summary, attributes, members, events, slots, cssStates,
       cssProperties.map(p => [code(p.name), p.default, p.description]),
     ),
     '## Its box',
-    'The element is a block of a fixed box: as wide as its place, as high as `--hl-aspect-ratio` says, or as `height` or `aspect-ratio` do in the page’s style. So that nothing moves when the script arrives, the page says the same in its own style sheet:',
-    '    hex-lens { display: block; aspect-ratio: 4 / 3 }',
+    'The element is a block as wide as its place, and 280 to 560 pixels where the place leaves that open: in a flex row, a float, a table cell. It is as high as `--hl-aspect-ratio` says, with a picture at least 22rem, and grows with what is shown. `min-height` makes it higher, and `aspect-ratio` is the page’s to set. With a `height` it scrolls what has no room.',
+    'Narrower than 896 pixels, all panels but the verdict are below the picture and closed: **Details** opens them, and the box grows. So that nothing moves when the script arrives, the page says how high the element begins in its own style sheet:',
+    '    hex-lens:not(:defined) { display: block; aspect-ratio: 4 / 3; min-height: 22rem }',
+    '## Transforms and zoom',
+    'Pointers keep to the picture under any `transform`, `perspective`, `zoom` or animation of the element or of what is around it. The picture is drawn as fine as it is seen, up to four times its size. No browser tells of a transform, so it is measured for each new picture; pointing at the element draws one.',
   ]
     .join('\n\n')
     .concat('\n')

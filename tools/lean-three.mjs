@@ -13,8 +13,7 @@ const source = join(root, 'node_modules', 'three', 'src')
 
 /**
  * Classes that are made and not asked for anything: there are no textures, no targets but the
- * canvas, nothing is sorted or culled by its bounds, and OrbitControls wants its ray only where it
- * does not pan in the plane of the screen.
+ * canvas, and nothing is sorted or culled by its bounds.
  */
 const idle = [
   'math/FrustumArray',

@@ -139,7 +139,8 @@ test('put in and taken out a hundred times, nothing is left behind', async ({ pa
   await elements(page).evaluate(lens => {
     lens.style.width = '160px'
   })
-  await elements(page).getByRole('button', { name: 'Inside', exact: true }).dispatchEvent('click')
+  for (const name of ['Details', 'Inside'])
+    await elements(page).getByRole('button', { name, exact: true }).dispatchEvent('click')
   await expectAllComplete(page, 1)
   const client = await page.context().newCDPSession(page)
   await client.send('Performance.enable')

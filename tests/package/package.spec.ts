@@ -263,12 +263,8 @@ test.describe('under a strict policy', () => {
 
 test('with three.js from the page there is one of it', async ({ lens, page }) => {
   cpSync(join(root, 'node_modules/three/build'), join(elsewhere, 'three/build'), { recursive: true })
-  mkdirSync(join(elsewhere, 'three/addons/controls'), { recursive: true })
-  const controls = 'controls/OrbitControls.js'
-  cpSync(join(root, 'node_modules/three/examples/jsm', controls), join(elsewhere, 'three/addons', controls))
   const imports = {
     three: './three/build/three.module.js',
-    'three/addons/': './three/addons/',
     hexlens: `./${dist}/hexlens.three.js`,
   }
   const modules = `<script type="importmap">${JSON.stringify({ imports })}</script>

@@ -9,6 +9,7 @@ import type { JacobianReport } from '../core/report'
 import { jacdetInFull } from '../model/decimal'
 import type { ReferenceCube } from '../model/state'
 import { copyText } from '../views/copy-text'
+import { placeIn } from '../views/place-in'
 import { say } from '../words/say'
 
 const NUMBER = 'data'
@@ -78,12 +79,13 @@ export class Copying {
   /** Puts the message under the copied number, within the element. */
   #place(at: Element): void {
     const told = this.#told
-    const box = this.#lens.getBoundingClientRect()
-    const { left, bottom } = at.getBoundingClientRect()
+    const { clientWidth: width, clientHeight: height, scrollTop } = this.#lens
+    const { left: clientX, bottom: clientY } = at.getBoundingClientRect()
+    const { x, y } = placeIn(this.#lens, { clientX, clientY }) ?? { x: 0, y: 0 }
     const within = (from: number, room: number, scrolled = 0) =>
       `${Math.max(GAP, Math.min(room - GAP, from)) + scrolled}px`
-    told.style.left = within(left - box.left, box.width - told.offsetWidth)
-    told.style.top = within(bottom - box.top + GAP, box.height - told.offsetHeight, this.#lens.scrollTop)
+    told.style.left = within(x * width, width - told.offsetWidth)
+    told.style.top = within(y * height - scrollTop + GAP, height - told.offsetHeight, scrollTop)
   }
 
   #hide(): void {

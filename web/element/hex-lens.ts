@@ -160,9 +160,9 @@ const EARLY = [
  * @csspart embed
  *
  * @cssprop [--hl-aspect-ratio=4 / 3] - Aspect ratio of the element’s box, if its height is not
- *   given.
+ *   given; `auto` leaves it to the content and to `min-height`.
  * @cssprop [--hl-stage-height=minmax(11rem, 1fr)] - Height of the picture’s row if panels are below
- *   it: any value of grid-template-rows.
+ *   it: any value of grid-template-rows. With it, all panels below are open.
  * @cssprop [--hl-split-stage-height=minmax(22rem, 1fr)] - The same while the reference cube is
  *   below the element.
  * @cssprop [--hl-rem=16px] - The unit for the sizes of text and marks, whatever the page’s own text

@@ -53,8 +53,8 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
     if (typeof value === 'string' && value !== '') lens.setAttribute(name, value)
   }
   if (model.get('readonly') === true) lens.setAttribute('readonly', '')
-  lens.style.width = '100%'
-  lens.style.height = `${model.get('height')}px`
+  lens.style.minHeight = `${model.get('height')}px`
+  lens.style.setProperty('--hl-aspect-ratio', 'auto')
 
   const toLens = () => {
     const vertices = doublesOf(model.get('vertices') as DataView)

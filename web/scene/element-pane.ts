@@ -66,8 +66,7 @@ export class ElementPane extends Pane {
     this.element.setAttribute('aria-label', name)
   }
 
-  resize({ unit, pane, isEmpty }: Layout): void {
-    this.unit = unit
+  resize({ pane, isEmpty }: Layout): void {
     if (!isEmpty) this.camera.resize(pane.width, pane.height, pane.insets)
   }
 

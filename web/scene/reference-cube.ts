@@ -63,7 +63,6 @@ export class ReferenceCube extends Pane {
   resize(unit: number): void {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.root
     const view = this.cameraView()
-    this.unit = unit
     this.#left = offsetLeft / unit
     this.#top = offsetTop / unit
     this.camera.resize(Math.max(offsetWidth, 1) / unit, Math.max(offsetHeight, 1) / unit, INSETS)

@@ -27,7 +27,7 @@ import { Layout } from './space/layout'
 import { LinkedCameras, type OrbitCamera } from './space/orbit-camera'
 
 /** Everything in a figure: neither the controls, nor marks for the pointer. */
-const IN_FIGURE = 'canvas, .scene-flat, .scene-overlay, .scene-scale > *'
+const IN_FIGURE = 'canvas, .scene-flat, .scene-overlay, .scene-scale > button, .scene-scale svg'
 
 class Scene implements View, PaneScene {
   readonly root = document.createElement('div')

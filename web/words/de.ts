@@ -736,4 +736,5 @@ export const german: Dictionary = {
   'Shift, Ctrl': 'Umschalt, Strg',
   'with arrow keys make the step ten times as long, or a tenth. On a Mac, and with Page Up and Down, it is Alt':
     'machen mit den Pfeiltasten den Schritt zehnmal so lang oder ein Zehntel so lang. Auf einem Mac und mit Bild auf und Bild ab ist es Alt',
+  Details: 'Einzelheiten',
 }

@@ -117,6 +117,7 @@ export const english = [
   'degenerate',
   'Depth',
   'Description, for screen readers and in the picture’s place',
+  'Details',
   'Dismiss',
   'Done. Every value is positive: the element is valid.',
   'Done: the boundary minimum is {minimum}.',

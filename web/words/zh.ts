@@ -695,4 +695,5 @@ export const chinese: Dictionary = {
   'Shift, Ctrl': 'Shift、Ctrl',
   'with arrow keys make the step ten times as long, or a tenth. On a Mac, and with Page Up and Down, it is Alt':
     '与方向键一起使步长变为十倍或十分之一。在 Mac 上以及使用 Page Up、Page Down 时为 Alt',
+  Details: '详情',
 }

@@ -43,6 +43,10 @@ class EmbedView implements View {
     this.#choice = choiceIn(context.state())
     this.root.className = 'embed'
     this.#height.show(this.#choice.height)
+    // Of the page around it the preview has no layout.
+    for (const name of ['--hl-stage-height', '--hl-split-stage-height'])
+      this.#preview.style.setProperty(name, 'initial')
+    this.#preview.style.setProperty('--hl-aspect-ratio', 'auto')
     for (const name of EVENTS) this.#preview.addEventListener(name, event => event.stopPropagation())
     this.#render()
   }
@@ -110,8 +114,7 @@ class EmbedView implements View {
       if (value === null) this.#preview.removeAttribute(name)
       else this.#preview.setAttribute(name, value)
     }
-    this.#preview.style.width = '100%'
-    this.#preview.style.height = `${embed.height}px`
+    this.#preview.style.minHeight = `${embed.height}px`
   }
 
   #template(embed: Embed): TemplateResult {

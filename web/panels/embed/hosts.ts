@@ -24,7 +24,8 @@ export interface Host {
   snippet(embed: Embed): Snippet
 }
 
-const STYLE = ({ height }: Embed) => `style="display: block; width: 100%; height: ${height}px"`
+/** The box grows beyond the height by what the reader opens. */
+const STYLE = ({ height }: Embed) => `style="display: block; min-height: ${height}px; --hl-aspect-ratio: auto"`
 
 function indented(text: string, by: string): string {
   return text.replace(/^(?=.)/gm, by)
@@ -129,7 +130,10 @@ export const hosts: readonly [Host, ...Host[]] = [
     snippet: embed => ({
       place: 'in the page',
       language: 'mdx',
-      text: elementMarkup(embed, `style={{ display: 'block', width: '100%', height: ${embed.height} }}`),
+      text: elementMarkup(
+        embed,
+        `style={{ display: 'block', minHeight: ${embed.height}, '--hl-aspect-ratio': 'auto' }}`,
+      ),
     }),
   },
   {

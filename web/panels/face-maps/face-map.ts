@@ -1,6 +1,7 @@
 /** One face of the net: a button with the face's picture, which reports the point pointed at. */
 import { type FaceTopology, faces } from '../../model/hexahedron'
 import { type FaceRaster, paintFace } from '../../scene/paint/face-raster'
+import { placeIn } from '../../views/place-in'
 import { inUnit, isForeign, pointStep } from '../../views/point-steps'
 import { say } from '../../words/say'
 
@@ -66,9 +67,9 @@ export class FaceMap {
   #listen(): void {
     const { root, face } = this
     const actions = this.#actions
-    const point = ({ clientX, clientY }: PointerEvent) => {
-      const { left, top, width, height } = root.getBoundingClientRect()
-      actions.point(face, inUnit((clientX - left) / width), inUnit((clientY - top) / height))
+    const point = (event: PointerEvent) => {
+      const place = placeIn(root, event)
+      if (place) actions.point(face, inUnit(place.x), inUnit(place.y))
     }
     root.addEventListener('pointermove', point)
     root.addEventListener('pointerdown', event => {

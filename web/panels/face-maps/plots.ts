@@ -7,6 +7,7 @@ import type { FaceReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
+import { placeIn } from '../../views/place-in'
 import { inUnit, isForeign, pointStep } from '../../views/point-steps'
 import { say } from '../../words/say'
 import { decimalText } from './formulas'
@@ -104,11 +105,10 @@ export class Plots {
   #listen(): void {
     const slider = this.#slider
     const point = (event: PointerEvent) => {
-      const svgElement = (event.target as Element).closest('svg')
-      if (!svgElement) return
-      const { left, width } = svgElement.getBoundingClientRect()
-      const x = ((event.clientX - left) / width) * WIDTH
-      const t = (x - BOX.left) / (BOX.right - BOX.left)
+      const plot = (event.target as Element).closest<HTMLElement>('.plot')
+      const place = plot && placeIn(plot, event)
+      if (!place) return
+      const t = (place.x * WIDTH - BOX.left) / (BOX.right - BOX.left)
       this.#choose(Math.round(inUnit(t) * 200) / 200)
     }
     slider.addEventListener('pointermove', point)
@@ -131,7 +131,7 @@ export class Plots {
 }
 
 class Plot {
-  readonly root = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, 'aria-hidden': 'true' })
+  readonly root = document.createElement('div')
   readonly #title = svg('text', { class: 'title', x: BOX.left, y: 12 })
   readonly #greatest = svg('text', { class: 'extreme', x: BOX.right, y: 12, 'text-anchor': 'end' })
   readonly #least = svg('text', { class: 'extreme', x: WIDTH / 2, y: HEIGHT - 3, 'text-anchor': 'middle' })
@@ -148,8 +148,11 @@ class Plot {
     const ends = [0, 1].map(t =>
       svg('text', { class: 'end', x: xOf(t), y: HEIGHT - 3, 'text-anchor': t === 0 ? 'start' : 'end' }, String(t)),
     )
-    this.root.append(this.#lines, this.#zero, this.#guide, this.#curve, ...this.#roots, this.#dot)
-    this.root.append(this.#title, this.#greatest, this.#least, ...ends)
+    const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, 'aria-hidden': 'true' })
+    picture.append(this.#lines, this.#zero, this.#guide, this.#curve, ...this.#roots, this.#dot)
+    picture.append(this.#title, this.#greatest, this.#least, ...ends)
+    this.root.className = 'plot'
+    this.root.append(picture)
   }
 
   draw(curve: Curve, { roots }: FaceReport): void {

@@ -9,6 +9,7 @@ import { colourScaleInside, rampOf, type Theme } from '../../scene/paint/colour-
 import { type Palette, paintFace, paletteOf } from '../../scene/paint/face-raster'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
 import { isNew } from '../../views/is-new'
+import { placeIn } from '../../views/place-in'
 import { inUnit, isForeign, pointStep } from '../../views/point-steps'
 import { type Section, sceneSlice } from '../../views/scene-slices'
 import { say } from '../../words/say'
@@ -145,10 +146,10 @@ export class SectionMap {
 
   #listen(): void {
     const { root } = this
-    root.addEventListener('pointermove', ({ clientX, clientY }) => {
-      const { left, top, width, height } = this.#canvas.getBoundingClientRect()
+    root.addEventListener('pointermove', event => {
+      const place = placeIn(root, event)
       const onGrid = (way: number) => Math.round(inUnit(way) * GRID) / GRID
-      this.#probeAt(onGrid((clientX - left) / width), onGrid(1 - (clientY - top) / height))
+      if (place) this.#probeAt(onGrid(place.x), onGrid(1 - place.y))
     })
     root.addEventListener('pointerleave', () => this.#setProbe(null))
     root.addEventListener('blur', () => this.#setProbe(null))

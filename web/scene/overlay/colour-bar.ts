@@ -4,6 +4,8 @@ import { approximation, lowerInside } from '../../core/inside'
 import type { JacobianReport, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { type ReferenceCube, type State, sliceOf } from '../../model/state'
+import { placeIn } from '../../views/place-in'
+import { inUnit } from '../../views/point-steps'
 import { sceneSlice } from '../../views/scene-slices'
 import { say } from '../../words/say'
 import {
@@ -64,6 +66,7 @@ function leastShown(report: Report, state: State): number {
 export class ColourBar {
   readonly root = document.createElement('div')
   readonly #title = document.createElement('button')
+  readonly #box = document.createElement('div')
   readonly #svg = svg('svg', { class: 'lettered', role: 'img' })
   readonly #gradient: SVGLinearGradientElement
   readonly #hatch: SVGPathElement
@@ -102,7 +105,9 @@ export class ColourBar {
     for (const { line, label } of Object.values(this.#ticks)) this.#svg.append(line, label)
     this.#svg.append(this.#probe, this.#target)
     this.#listen(onProbe)
-    this.root.append(this.#title, this.#svg)
+    this.#box.className = 'bar'
+    this.#box.append(this.#svg)
+    this.root.append(this.#title, this.#box)
   }
 
   update(picture: ColourBarPicture): void {
@@ -140,14 +145,14 @@ export class ColourBar {
     })
   }
 
-  #valueAt({ clientX, clientY }: PointerEvent): number | null {
-    if (!this.#shown) return null
-    const { state, report, scale, upright } = this.#shown
+  #valueAt(event: PointerEvent): number | null {
+    const place = placeIn(this.#box, event)
+    if (!this.#shown || !place) return null
+    const { state, report, scale, upright, length } = this.#shown
     if (!report || !scale) return null
-    const { left, top: upper, width, height } = this.#bar.getBoundingClientRect()
-    const fromTop = upright ? (clientY - upper) / height : 1 - (clientX - left) / width
+    const fromTop = upright ? (place.y * (length + 2 * OVERHANG) - OVERHANG) / length : 1 - place.x
     const [bottom, top] = endsOf(leastShown(report, state), report.boundaryMaximum)
-    return rampValue(scale, top - Math.max(0, Math.min(1, fromTop)) * (top - bottom))
+    return rampValue(scale, top - inUnit(fromTop) * (top - bottom))
   }
 
   #updateTitle(cube: ReferenceCube): void {
