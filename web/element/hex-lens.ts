@@ -12,11 +12,14 @@ import type { Vertices } from '../model/hexahedron'
 import { type HistoryDocument, historyDocument, readHistory } from '../model/history-document'
 import { encodePermalink } from '../model/permalink'
 import { presetOf, presets, presetVertices } from '../model/presets'
-import type { Action, Cameras } from '../model/state'
+import { Refusal } from '../model/result'
+import { type Action, type Cameras, type CameraView, sliceChange, sliceOf } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore } from '../model/store'
+import { elementAt } from '../model/way'
 import { knownPanels, type Panel } from '../panels/panel'
-import type { SceneState } from '../views/scene-slices'
+import { DEFAULT_VIEW } from '../scene/space/orbit-camera'
+import { type SceneState, scriptSlice } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
 import { Analyzer } from './analyzer'
 import {
@@ -34,7 +37,18 @@ import type { Composition } from './composition'
 import { Copying, pointInFull } from './copying'
 import { type DueFrame, FrameLoop } from './frame-loop'
 import { HexLensError } from './hex-lens-error'
+import { Looking } from './looking'
+import { cameraBetween, Motion, type MotionOptions } from './motion'
 import { ReflectingElement } from './reflecting-element'
+import {
+  type CameraGoal,
+  type HighlightedParts,
+  readCameraView,
+  readHighlights,
+  readSeconds,
+  understood,
+} from './script-arguments'
+import { Sharing } from './sharing'
 import { shortcut } from './shortcuts'
 import { ViewHost } from './view-host'
 
@@ -66,6 +80,9 @@ const EARLY = [
   'poster',
   'label',
   'readOnly',
+  'group',
+  'share',
+  'hiddenFaces',
 ]
 
 /**
@@ -94,18 +111,12 @@ const EARLY = [
  *   Programs may change it.
  * @attr {an address} [poster=none] - A picture in the element’s place until it is drawn.
  * @attr {a text} [label=none] - The name of the whole for screen readers.
- *
- * @fires {CustomEvent<null>} hex-input - The vertices have changed. At most once a frame, also
- *   during a drag.
- * @fires {CustomEvent<null>} hex-change - A change of the vertices is committed: a drag has ended,
- *   or a number was entered.
- * @fires {CustomEvent<{ valid: boolean }>} hex-verdict - The first verdict, and each one that
- *   differs from the one before.
- * @fires {CustomEvent<{ text: string } | { files: File[] } | null>} hex-list - There is a list to
- *   choose from, and this is what it was read from; null when it is put away.
- * @fires {CustomEvent<{ code: string, message: string }>} hex-error - Something does not work, and
- *   `message` says so in a sentence. The codes: an attribute that is not understood (`bad-vertices`
- *   and so on), `core-failed`, `no-webgl`, `context-lost`, `input-refused`, `not-read`.
+ * @attr {a name} [group=none] - Elements of one group have one element with one history, one camera
+ *   and one point that is pointed at. One that joins takes what the group has.
+ * @attr {a list of words, `all` or `none`} [share=all] - What it shares with its group: `vertices`,
+ *   `camera`, `probe`. Two elements share what both say.
+ * @attr {a list of numbers, `all` or `none`} [hidden-faces=none] - Faces that are not drawn: 0 to 5
+ *   are -xi, +xi, -eta, +eta, -zeta, +zeta. One that the reader asks for alone is drawn.
  *
  * @slot - Shown until the element is drawn, and where it never is: without JavaScript, for one.
  * @slot hint - Words of the page’s own in the scene, where it has room for its legend. They stand in
@@ -168,6 +179,10 @@ export class HexLens extends ReflectingElement {
     raise: problem => this.raise(problem),
     clear: code => this.clear(code),
     requestFrame: () => this.#frames.schedule(),
+    turned: () => {
+      this.#looking.hasTurned = true
+      this.#frames.schedule()
+    },
     permalink: () => this.permalink,
     figure: name => this.#views.figure(name),
     input: {
@@ -189,6 +204,19 @@ export class HexLens extends ReflectingElement {
     tell: (event: string, detail: unknown = null) => this.#tell(event, detail),
     reflect: () => this.#attributes.reflect(this.#store.state),
   })
+  readonly #looking = new Looking({
+    tell: (event: string, detail: unknown) => this.#tell(event, detail),
+  })
+  readonly #sharing = new Sharing({
+    state: () => this.#store.state,
+    history: () => this.#store.history,
+    camera: () => this.#looking.camera,
+    dispatch: action => this.#dispatch(action),
+    lookFrom: camera => this.#lookFrom(camera),
+    draw: time => this.#frames.drawIn(time),
+  })
+  readonly #turning = new Motion(this)
+  readonly #morphing = new Motion(this)
   readonly #frames = new FrameLoop(this, frame => this.#onFrame(frame))
   /** Names of panels, as the attribute last said them. */
   #viewNames: readonly string[] = FIRST_VIEWS
@@ -210,12 +238,13 @@ export class HexLens extends ReflectingElement {
       this.#dispatch({ type: 'set-readonly', isReadonly })
       this.#showPanels(this.#viewNames)
     },
-    lookFrom: camera => {
-      const referenceCamera = this.#camerasNow?.referenceCamera ?? null
-      this.#dispatch({ type: 'look', cameras: { camera, referenceCamera } })
-    },
+    lookFrom: camera => this.#lookFrom(camera),
     setPoster: address => this.#views.setPoster(address),
     setLabel: label => this.#views.setLabel(label),
+    share: change => {
+      Object.assign(this.#sharing, change)
+      if (this.isConnected) this.#sharing.join()
+    },
   })
 
   constructor() {
@@ -232,6 +261,7 @@ export class HexLens extends ReflectingElement {
 
   connectedCallback(): void {
     for (const name of EARLY) this.#adopt(name)
+    this.#sharing.join()
     this.#views.begin(this.#shownPanels)
     this.#frames.start()
     if (this.#analyzer.core === null) void this.#start()
@@ -243,6 +273,7 @@ export class HexLens extends ReflectingElement {
     this.#frames.stop()
     this.#analyzer.stop()
     this.#views.end()
+    this.#sharing.leave()
     this.#input.close()
   }
 
@@ -260,7 +291,7 @@ export class HexLens extends ReflectingElement {
   }
 
   set vertices(given: ArrayLike<number> | string) {
-    const vertices = typeof given === 'string' ? readVertices(given) : checkedVertices(given)
+    const vertices = verticesOf(given)
     this.#setVertices(vertices, presetOf(vertices))
   }
 
@@ -296,6 +327,31 @@ export class HexLens extends ReflectingElement {
     const result = readHistory(given)
     if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
     this.#dispatch({ type: 'take-history', history: result.value })
+  }
+
+  /**
+   * The camera as it is now: the `direction` to the eye, how many times nearer it is than where the
+   * element just fits in (`zoom`), and how far the view is shifted (`pan`), as in `state`. An
+   * assignment looks that way at once; a text is the attribute, null the default view. What is not
+   * understood is told by `hex-error`.
+   */
+  get camera(): CameraView {
+    return this.#camerasNow?.camera ?? DEFAULT_VIEW
+  }
+
+  set camera(given: CameraGoal | string | null | undefined) {
+    if (typeof given === 'string') this.setAttribute('camera', given)
+    else this.#attempt('camera', () => this.#lookFrom(given ? readCameraView(given) : null))
+  }
+
+  /** Faces that are not drawn, 0 to 5. Reflects the attribute `hidden-faces`. */
+  get hiddenFaces(): readonly number[] {
+    return sliceOf(scriptSlice, this.#store.state).hiddenFaces
+  }
+
+  set hiddenFaces(given: readonly number[] | string | null | undefined) {
+    if (given === null || given === undefined) this.removeAttribute('hidden-faces')
+    else this.setAttribute('hidden-faces', [given].flat().join(' '))
   }
 
   /** The id of the preset that the element started from. Throws HexLensError if given another text. */
@@ -351,6 +407,79 @@ export class HexLens extends ReflectingElement {
   /** Redoes one step of the element. */
   redo(): void {
     this.#dispatch({ type: 'redo' })
+  }
+
+  /** Goes back to where the element started, as the reader’s Reset does: one step to undo. */
+  reset(): void {
+    this.#dispatch({ type: 'reset' })
+  }
+
+  /** Shows the whole element, along the same line of sight. Before the scene is drawn it does nothing. */
+  fit(): void {
+    if (this.#looking.camera) this.#lookFrom({ ...DEFAULT_VIEW, direction: this.camera.direction })
+  }
+
+  /**
+   * Moves the camera there, in 0.4 seconds or in others, or at once where the reader wants no
+   * motion. Ends where it is if the reader takes the element in hand, if something else turns it, or
+   * by `signal`. Resolves to whether it has arrived; rejects with HexLensError.
+   *
+   * @param {{ direction: number[], zoom?: number, pan?: number[] }} camera
+   * @param {number} seconds
+   * @param {{ signal?: AbortSignal }} options
+   */
+  async moveCamera(camera: CameraGoal, seconds = 0.4, options: MotionOptions = {}): Promise<boolean> {
+    const to = understood(() => readCameraView(camera))
+    const length = understood(() => readSeconds(seconds))
+    const from = this.camera
+    let asked = this.#store.state.cameras
+    return this.#turning.play(length, options, share => {
+      if (!this.isConnected || this.#store.state.cameras !== asked) return false
+      this.#lookFrom(cameraBetween(from, to, share))
+      asked = this.#store.state.cameras
+      return true
+    })
+  }
+
+  /**
+   * Moves the vertices straight to others, given as for `vertices`, in 2 seconds or in others, or at
+   * once where the reader wants no motion: one step to undo. Ends where it is as `moveCamera` does.
+   * Resolves to whether it has arrived; rejects with HexLensError.
+   *
+   * @param {ArrayLike<number> | string} to
+   * @param {number} seconds
+   * @param {{ signal?: AbortSignal }} options
+   */
+  async playMorph(to: ArrayLike<number> | string, seconds = 2, options: MotionOptions = {}): Promise<boolean> {
+    const end = verticesOf(to)
+    const length = understood(() => readSeconds(seconds))
+    const from = this.#store.state.vertices
+    this.#dispatch({ type: 'begin-gesture' })
+    let placed = this.#store.state.vertices
+    return this.#morphing.play(
+      length,
+      options,
+      share => {
+        const { vertices, gestureStart } = this.#store.state
+        if (!this.isConnected || vertices !== placed || gestureStart === null) return false
+        this.#dispatch({ type: 'move-all', vertices: elementAt(from, end, share) })
+        placed = this.#store.state.vertices
+        return true
+      },
+      () => this.#dispatch({ type: 'commit-gesture' }),
+    )
+  }
+
+  /**
+   * Marks parts of the element, in the scene and in the face maps: `vertices`, `edges` and `faces`
+   * by their numbers, `point` in reference coordinates. They stay marked until the next call; without
+   * an argument nothing is. No part of the history, and not read out: the page says what they are.
+   * What is not understood is told by `hex-error`.
+   *
+   * @param {{ vertices?: number[], edges?: number[], faces?: number[], point?: number[] }} parts
+   */
+  highlight(parts: HighlightedParts | null = null): void {
+    this.#attempt('highlight', () => this.#dispatch(sliceChange(scriptSlice, { highlights: readHighlights(parts) })))
   }
 
   /** The core’s report on any 24 numbers, or on the element’s own. Rejects with HexLensError. */
@@ -429,6 +558,17 @@ export class HexLens extends ReflectingElement {
     if (this.#problems.delete(code)) this.#frames.schedule()
   }
 
+  /** Does what a script asks for, or says why it is not understood. */
+  #attempt(what: string, act: () => void): void {
+    try {
+      act()
+      this.clear(`bad-${what}`)
+    } catch (reason) {
+      if (!(reason instanceof Refusal)) throw reason
+      this.raise({ code: `bad-${what}`, message: reason.message })
+    }
+  }
+
   /** A property set before the class was there hides the class's own. */
   #adopt(name: string): void {
     const early = Object.getOwnPropertyDescriptor(this, name)
@@ -459,6 +599,11 @@ export class HexLens extends ReflectingElement {
   /** The cameras as the reader has turned them, or as they were asked for. */
   get #camerasNow(): Cameras | null {
     return this.#views.cameras() ?? this.#store.state.cameras
+  }
+
+  #lookFrom(camera: CameraView | null): void {
+    const referenceCamera = this.#camerasNow?.referenceCamera ?? null
+    this.#dispatch({ type: 'look', cameras: { camera, referenceCamera } })
   }
 
   /** Views that are made anew look the same way. */
@@ -499,7 +644,10 @@ export class HexLens extends ReflectingElement {
   #onFrame({ time, isNews, isSeen, isForPaper }: DueFrame) {
     this.#tellChanges()
     const { state } = this.#store
-    if (!isSeen) return { isWaiting: false, isUnmade: false }
+    if (!isSeen) {
+      this.#sharing.tell(time)
+      return { isWaiting: false, isUnmade: false }
+    }
     const frame: Frame = {
       state,
       ...this.#analyzer.analyze(state),
@@ -508,6 +656,8 @@ export class HexLens extends ReflectingElement {
       isForPaper,
     }
     this.#views.draw(frame, isNews, time)
+    this.#looking.tell(() => this.#views.cameras() && this.camera, frame.probe)
+    this.#sharing.tell(time)
     return this.#views
   }
 
@@ -536,6 +686,10 @@ export class HexLens extends ReflectingElement {
   #tell(name: string, detail: unknown = null): void {
     this.dispatchEvent(new CustomEvent(name, { bubbles: true, composed: true, detail }))
   }
+}
+
+function verticesOf(given: ArrayLike<number> | string): Vertices {
+  return typeof given === 'string' ? readVertices(given) : checkedVertices(given)
 }
 
 declare global {

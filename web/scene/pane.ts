@@ -1,7 +1,7 @@
 /** A pane of the scene with a camera of its own: its element on the screen, the overlay over it, and its inputs. */
 import type { Vec3 } from '../model/hexahedron'
 import { type State, sliceOf } from '../model/state'
-import { sceneSlice } from '../views/scene-slices'
+import { sceneSlice, scriptSlice } from '../views/scene-slices'
 import type { ViewContext } from '../views/view'
 import { pointUnder } from './input/face-hit'
 import type { InputTarget } from './input/input-target'
@@ -77,7 +77,7 @@ export abstract class Pane implements InputTarget {
 
   pointAt(x: number, y: number): Vec3 | null {
     const { selectedVertex, ...now } = this.host.state()
-    const state = { ...sliceOf(sceneSlice, now), selectedVertex }
+    const state = { ...sliceOf(sceneSlice, now), ...sliceOf(scriptSlice, now), selectedVertex }
     return pointUnder({ camera: this.camera, vertices: this.vertices(), handles: this.seen, state }, x, y)
   }
 
@@ -111,7 +111,12 @@ export abstract class Pane implements InputTarget {
     const { camera } = this
     camera.enclose(vertices)
     this.seen = vertices.map(vertex => camera.project(vertex))
-    this.sight = new Sight(vertices, camera, sliceOf(sceneSlice, state).faceDisplay)
+    this.sight = new Sight(
+      vertices,
+      camera,
+      sliceOf(sceneSlice, state).faceDisplay,
+      sliceOf(scriptSlice, state).hiddenFaces,
+    )
     return { left, top, vertices, camera }
   }
 }

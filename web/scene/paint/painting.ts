@@ -2,7 +2,7 @@
 import { timesPowerOfTwo } from '../../core/power-of-two'
 import type { Report } from '../../core/report'
 import { type State, sliceOf } from '../../model/state'
-import { sceneSlice } from '../../views/scene-slices'
+import { drawnFaces, sceneSlice, scriptSlice } from '../../views/scene-slices'
 import type { Frame, ViewContext } from '../../views/view'
 import type { Layout } from '../space/layout'
 import {
@@ -105,6 +105,7 @@ export class Painting {
       ramp: this.ramp as Ramp,
       theme: this.#theme as Theme,
       display,
+      faces: drawnFaces(display, sliceOf(scriptSlice, state).hiddenFaces),
       section,
       zeroSurface,
       viewports,

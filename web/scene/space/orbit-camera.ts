@@ -13,7 +13,8 @@ const ORBIT_STEP = Math.PI / 12
 const DECIMALS = 6
 /** Beyond this there is next to nothing to see. */
 const FAR = 1000
-const DEFAULT: CameraView = { direction: rounded(DEFAULT_DIRECTION), zoom: 1, pan: [0, 0, 0] }
+/** The view in which the element just fits. */
+export const DEFAULT_VIEW: CameraView = { direction: rounded(DEFAULT_DIRECTION), zoom: 1, pan: [0, 0, 0] }
 
 export interface Pose {
   readonly position: Vector3
@@ -91,7 +92,7 @@ export class OrbitCamera {
     const zoom = fitted.distance / this.camera.three.position.distanceTo(target)
     const direction = rounded(this.direction)
     // An element far out of sight is brought back.
-    if (!(zoom >= 1 / FAR && zoom <= FAR && pan.length() <= FAR)) return { ...DEFAULT, direction }
+    if (!(zoom >= 1 / FAR && zoom <= FAR && pan.length() <= FAR)) return { ...DEFAULT_VIEW, direction }
     const view: CameraView = { direction, zoom: decimal(zoom), pan: rounded([pan.x, pan.y, pan.z]) }
     return isDefault(view) ? null : view
   }
@@ -151,7 +152,7 @@ const scratch = new Vector3()
 
 function isDefault(view: CameraView): boolean {
   const numbers = ({ direction, zoom, pan }: CameraView) => [...direction, zoom, ...pan]
-  return numbers(view).every((value, i) => value === numbers(DEFAULT)[i])
+  return numbers(view).every((value, i) => value === numbers(DEFAULT_VIEW)[i])
 }
 
 function rounded([x, y, z]: Vec3): Vec3 {
