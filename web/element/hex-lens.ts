@@ -105,7 +105,7 @@ const EARLY = [
  * @attr {azimuth, elevation, zoom} [camera=-58 24 1] - The first view: two angles in degrees, and
  *   how many times nearer than the view in which the element just fits. Without it, a preset whose
  *   minimum is negative and hidden, or hardly seen from there, is first seen from another direction. Turning by the reader
- *   changes `state`, not this.
+ *   changes the property and `state`, not this.
  * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` follows the reader’s system.
  * @attr {there or not} [readonly=not] - The reader may look and turn, but not change the element.
  *   Programs may change it.
