@@ -5,8 +5,18 @@ import { panels } from '../panels/list'
 import { coreInside } from './core-inside'
 import { readingWorkerBeside } from './mesh-worker-beside'
 
+export type { Report } from '../core/report'
+export type { HexLensEventMap, ProbeDetail } from '../element/events'
 export { HexLens } from '../element/hex-lens'
 export { HexLensError, type HexLensErrorCode } from '../element/hex-lens-error'
+export type { MotionOptions } from '../element/motion'
+export type { CameraGoal, HighlightedParts } from '../element/script-arguments'
+export type { HistoryDocument } from '../model/history-document'
+export type { CameraView } from '../model/state'
+export type { StateDocument } from '../model/state-document'
+export type { SceneState } from '../views/scene-slices'
+export type { FigureName, Problem } from '../views/view'
+export type { HexLensAttributes } from './authors'
 export { setMeshWorker } from './mesh-worker-beside'
 
 define({ core: coreInside, panels, otherPanels: ['nearest'], readingWorker: readingWorkerBeside })
