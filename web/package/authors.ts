@@ -12,7 +12,7 @@ export interface HexLensAttributes extends Texts {
   readonly camera?: string | CameraGoal | null | undefined
   readonly readonly?: boolean | '' | undefined
   readonly readOnly?: boolean | undefined
-  readonly hiddenFaces?: readonly number[] | undefined
+  readonly hiddenFaces?: string | readonly number[] | undefined
   readonly state?: HexLens['state'] | undefined
   readonly history?: HexLens['history'] | undefined
 }
