@@ -68,7 +68,10 @@ async function describedElement() {
         ...(attributes.has(member.name) && { attribute: attributes.get(member.name) }),
         // A default value is code, and the description says it.
         ...(parameters && {
-          parameters: parameters.map(({ default: code, ...rest }) => ({ ...rest, optional: code !== undefined })),
+          parameters: parameters.map(({ default: code, ...rest }) => ({
+            ...rest,
+            optional: rest.optional === true || code !== undefined,
+          })),
         }),
       })),
     events: eventsOf(ts.createSourceFile(EVENTS, textOf(EVENTS), ts.ScriptTarget.ESNext, true), ts),
@@ -110,7 +113,7 @@ function manifest(element) {
   return json({ schemaVersion: '2.1.0', modules: [module] })
 }
 
-function page({ tagName, summary, attributes, members, events, slots, cssParts, cssProperties }) {
+function page({ tagName, summary, attributes, members, events, slots, cssStates, cssParts, cssProperties }) {
   const code = text => `\`${text}\``
   const call = ({ name, parameters = [] }) =>
     code(`${name}(${parameters.map(({ name, optional }) => name + (optional ? '?' : '')).join(', ')})`)
@@ -146,6 +149,12 @@ function page({ tagName, summary, attributes, members, events, slots, cssParts, 
     table(
       ['slot', ''],
       slots.map(s => [s.name === '' ? 'between the tags' : code(s.name), s.description]),
+    ),
+    '## States',
+    'For style sheets: `hex-lens:state(invalid)`.',
+    table(
+      ['state', ''],
+      cssStates.map(s => [code(s.name), s.description]),
     ),
     '## CSS parts',
     table(

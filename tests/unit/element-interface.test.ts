@@ -37,6 +37,11 @@ describe('the manifest', () => {
     expect([...new Set(told)].sort()).toEqual(names('events').sort())
   })
 
+  it('has the states that are set', () => {
+    const set = [...read('web/element/readiness.ts').matchAll(/#set\('(\w+)'/g)].map(match => match[1])
+    expect(element.cssStates.map(({ name }: { name: string }) => name).sort()).toEqual([...new Set(set)].sort())
+  })
+
   it('has a CSS part of every view, and says each that can be chosen', () => {
     const all = [...panels, nearest]
     const views = all.map(({ name }) => name)

@@ -1,6 +1,6 @@
 /** The attributes of `<hex-lens>`: their values, the sentences that refuse others, and what each changes. */
 
-import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import { COORDINATE_COUNT, VERTEX_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
 import { numberText } from '../model/number-text'
 import { type Preset, presetOf, presets, presetVertices } from '../model/presets'
 import { type CameraView, type Dispatch, type State, sliceChange } from '../model/state'
@@ -25,6 +25,7 @@ export interface Attributes {
   readonly group: string | null
   readonly share: readonly Shared[]
   readonly 'hidden-faces': readonly number[]
+  readonly app: URL | null
 }
 
 export type AttributeName = keyof Attributes
@@ -67,6 +68,7 @@ const readers: { readonly [Name in AttributeName]: Read<Attributes[Name]> } = {
   group: text => text || null,
   share: text => (text === null ? SHARED : words('share', text, SHARED)),
   'hidden-faces': text => (text === null ? [] : words('hidden-faces', text, FACES).map(Number)),
+  app: text => (text === null ? null : readAddress(text)),
 }
 
 export const attributeNames = Object.keys(readers) as AttributeName[]
@@ -93,14 +95,43 @@ export function readVertices(text: string): Vertices {
   return checkedVertices(numbers.map(Number))
 }
 
-/** Returns a copy. Throws HexLensError unless given 24 finite numbers. */
-export function checkedVertices(given: ArrayLike<number> | null | undefined): Vertices {
-  if (given?.length !== COORDINATE_COUNT)
-    throw new HexLensError('wrong-count', `A hexahedron has 24 coordinates; ${given?.length ?? 'none'} were given.`)
-  const vertices = Array.from(given)
+/** A text as in the attribute, 24 numbers, or eight times three. */
+export type GivenVertices = string | ArrayLike<number> | ArrayLike<ArrayLike<number>>
+
+/** Returns a copy. Throws HexLensError unless given 24 finite numbers, whatever else it is given. */
+export function checkedVertices(given: unknown): Vertices {
+  if (typeof given === 'string') return readVertices(given)
+  const rows = listOf(given)
+  const isNested = rows?.length === VERTEX_COUNT && rows.every(row => listOf(row)?.length === 3)
+  const vertices = isNested ? rows.flatMap(row => listOf(row)) : rows
+  if (vertices?.length !== COORDINATE_COUNT)
+    throw new HexLensError('wrong-count', `A hexahedron has 24 coordinates; ${vertices?.length ?? 'none'} were given.`)
   const bad = vertices.findIndex(value => !Number.isFinite(value))
-  if (bad >= 0) throw new HexLensError('not-finite', `Coordinate ${bad} is ${vertices[bad]}, not a finite number.`)
-  return vertices
+  if (bad >= 0)
+    throw new HexLensError('not-finite', `Coordinate ${bad} is ${wordOf(vertices[bad])}, not a finite number.`)
+  return vertices as number[]
+}
+
+/** A copy of an array or the like; null if it is none. */
+export function listOf(given: unknown): unknown[] | null {
+  const isList = typeof given === 'object' && given !== null && 'length' in given && typeof given.length === 'number'
+  return isList ? Array.from(given as ArrayLike<unknown>) : null
+}
+
+/** What somebody has given instead of a number, in a sentence. */
+function wordOf(given: unknown): string {
+  return typeof given === 'number' ? String(given) : given === null ? 'null' : `of the type ${typeof given}`
+}
+
+/** The address of a page, from this one; the fragment is the element's. */
+function readAddress(text: string): URL {
+  let address: URL | null = null
+  try {
+    address = new URL(text, globalThis.document?.baseURI)
+  } catch {}
+  if (address === null || !/^(https?|file):$/.test(address.protocol))
+    throw refusal('app', `“${shortened(text)}” is not the address of a page`)
+  return address
 }
 
 function readPreset(text: string): Preset {
@@ -179,12 +210,25 @@ export interface AttributeHost {
 export interface AttributeActions {
   readonly state: () => State
   readonly dispatch: Dispatch
+  readonly setVertices: (vertices: Vertices) => void
+  readonly setApp: (address: URL | null) => void
   readonly showViews: (names: readonly string[]) => void
   readonly setReadonly: (isReadonly: boolean) => void
   readonly lookFrom: (camera: CameraView | null) => void
   readonly setPoster: (address: string | null) => void
   readonly setLabel: (label: string | null) => void
   readonly share: (change: Partial<Pick<Sharing, 'name' | 'kinds'>>) => void
+}
+
+/** Takes the value of an attribute or a property; one that is not understood raises a problem, and changes nothing. */
+export function taking(host: Pick<AttributeHost, 'raise' | 'clear'>, name: string, take: () => void): void {
+  try {
+    take()
+    host.clear(`bad-${name}`)
+  } catch (reason) {
+    if (!(reason instanceof HexLensError)) throw reason
+    host.raise({ code: `bad-${name}`, message: reason.message })
+  }
 }
 
 /** Turns attributes into actions, and writes the vertices and the preset back. */
@@ -206,6 +250,7 @@ export class AttributeInput {
     group: name => this.#actions.share({ name }),
     share: kinds => this.#actions.share({ kinds }),
     'hidden-faces': hiddenFaces => this.#actions.dispatch(sliceChange(scriptSlice, { hiddenFaces })),
+    app: address => this.#actions.setApp(address),
   }
 
   constructor(host: AttributeHost, names: ViewNames, actions: AttributeActions) {
@@ -217,14 +262,8 @@ export class AttributeInput {
   /** Does what an attribute says; one that is not understood changes nothing. */
   take(name: AttributeName): void {
     if (this.#isReflecting) return
-    try {
-      const take = this.#takes[name] as (value: unknown) => void
-      take(this.#valueOf(name))
-      this.#host.clear(`bad-${name}`)
-    } catch (reason) {
-      if (!(reason instanceof HexLensError)) throw reason
-      this.#host.raise({ code: `bad-${name}`, message: reason.message })
-    }
+    const take = this.#takes[name] as (value: unknown) => void
+    taking(this.#host, name, () => take(this.#valueOf(name)))
   }
 
   /** Writes the present vertices and preset. */
@@ -240,6 +279,10 @@ export class AttributeInput {
   /** The two attributes, in any order before the first frame, are where the element starts. */
   #takeElement(vertices: Vertices | null, preset: Preset | null): void {
     const isStarting = this.#actions.state().phase === 'starting'
+    if (vertices !== null && !isStarting) {
+      this.#actions.setVertices(vertices)
+      return
+    }
     const own = vertices ?? (isStarting ? this.#understood('vertices') : null)
     const from = preset ?? (isStarting ? this.#understood('preset') : null)
     const first = own ?? (from && presetVertices(from))

@@ -45,19 +45,25 @@ export class Copying {
   #onKeyDown(event: KeyboardEvent): void {
     const { key } = event
     const target = event.target as Element
-    if (key === 'Escape') this.#hide()
+    if (key === 'Escape' && this.#told.textContent !== '') {
+      this.#hide()
+      event.preventDefault()
+    }
     if (event.ctrlKey || event.metaKey || event.altKey || target.matches('input, textarea, select')) return
     const number = target.closest<HTMLDataElement>(NUMBER)
     const way = WAYS[key]
-    if (key === 'c' || key === 'C') this.#copyPoint(target)
-    else if (number && (key === 'Enter' || key === ' ')) void this.#copy(number.value, number)
+    if (key === 'c' || key === 'C') {
+      if (!this.#copyPoint(target)) return
+    } else if (number && (key === 'Enter' || key === ' ')) void this.#copy(number.value, number)
     else if (!number || way === undefined || !goOn(number, way)) return
     event.preventDefault()
   }
 
-  #copyPoint(at: Element): void {
+  /** False if nothing is pointed at. */
+  #copyPoint(at: Element): boolean {
     const text = this.#point()
     if (text !== null) void this.#copy(text, at)
+    return text !== null
   }
 
   async #copy(text: string, at: Element): Promise<void> {

@@ -8,12 +8,11 @@
 import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
 import { InputReader } from '../input/input-reader'
-import type { Vertices } from '../model/hexahedron'
+import { sameBits, type Vertices } from '../model/hexahedron'
 import { type HistoryDocument, historyDocument, readHistory } from '../model/history-document'
 import { encodePermalink } from '../model/permalink'
 import { presetOf, presets, presetVertices } from '../model/presets'
-import { Refusal } from '../model/result'
-import { type Action, type Cameras, type CameraView, sliceChange, sliceOf } from '../model/state'
+import { type Action, type Cameras, type CameraView, type ChangeSource, sliceChange, sliceOf } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore } from '../model/store'
 import { elementAt } from '../model/way'
@@ -28,8 +27,10 @@ import {
   attributeNames,
   checkedVertices,
   FIRST_VIEWS,
+  type GivenVertices,
+  listOf,
   readAttribute,
-  readVertices,
+  taking,
   viewNames,
 } from './attributes'
 import { Changes } from './changes'
@@ -37,17 +38,12 @@ import type { Composition } from './composition'
 import { Copying, pointInFull } from './copying'
 import { type DueFrame, FrameLoop } from './frame-loop'
 import { HexLensError } from './hex-lens-error'
+import { Keys } from './keys'
 import { Looking } from './looking'
 import { cameraBetween, Motion, type MotionOptions } from './motion'
-import { ReflectingElement } from './reflecting-element'
-import {
-  type CameraGoal,
-  type HighlightedParts,
-  readCameraView,
-  readHighlights,
-  readSeconds,
-  understood,
-} from './script-arguments'
+import { Readiness } from './readiness'
+import { ReflectingElement, textOf } from './reflecting-element'
+import { type CameraGoal, type HighlightedParts, readCameraView, readHighlights, readSeconds } from './script-arguments'
 import { Sharing } from './sharing'
 import { shortcut } from './shortcuts'
 import { ViewHost } from './view-host'
@@ -79,6 +75,7 @@ const EARLY = [
   'theme',
   'poster',
   'label',
+  'app',
   'readOnly',
   'group',
   'share',
@@ -117,12 +114,18 @@ const EARLY = [
  *   `camera`, `probe`. Two elements share what both say.
  * @attr {a list of numbers, `all` or `none`} [hidden-faces=none] - Faces that are not drawn: 0 to 5
  *   are -xi, +xi, -eta, +eta, -zeta, +zeta. One that the reader asks for alone is drawn.
+ * @attr {an address} [app=none] - The Hexlens page that links to the element lead to; empty for the
+ *   page itself. Without it there are neither links nor “Copy embed”.
  *
  * @slot - Shown until the element is drawn, and where it never is: without JavaScript, for one.
  * @slot hint - Words of the page’s own in the scene, where it has room for its legend. They stand in
  *   the legend’s place, and arrows around a handle show that it can be dragged, until the reader
  *   first moves a vertex.
  * @slot caption - Below the element, in the page’s own style.
+ *
+ * @cssState ready - Everything in sight has been drawn.
+ * @cssState valid - The verdict; neither this nor the next while there is none.
+ * @cssState invalid
  *
  * @csspart lens - The whole element.
  * @csspart head - The part above the picture: toolbar and problems.
@@ -201,7 +204,7 @@ export class HexLens extends ReflectingElement {
   readonly #problems = new Map<Problem['code'], Problem>()
   readonly #store = createStore(presetVertices(presets[0]), presets[0].id, 'starting')
   readonly #changes = new Changes({
-    tell: (event: string, detail: unknown = null) => this.#tell(event, detail),
+    tell: (event, detail) => this.#tell(event, detail),
     reflect: () => this.#attributes.reflect(this.#store.state),
   })
   readonly #looking = new Looking({
@@ -211,19 +214,23 @@ export class HexLens extends ReflectingElement {
     state: () => this.#store.state,
     history: () => this.#store.history,
     camera: () => this.#looking.camera,
-    dispatch: action => this.#dispatch(action),
+    source: () => this.#changes.source,
+    dispatch: (action, source) => this.#dispatch(action, source),
     lookFrom: camera => this.#lookFrom(camera),
     draw: time => this.#frames.drawIn(time),
   })
   readonly #turning = new Motion(this)
   readonly #morphing = new Motion(this)
   readonly #frames = new FrameLoop(this, frame => this.#onFrame(frame))
+  readonly #readiness = new Readiness(this, () => this.#tell('hex-ready'))
+  readonly #keys: Keys
+  #app: URL | null = null
   /** Names of panels, as the attribute last said them. */
   #viewNames: readonly string[] = FIRST_VIEWS
   readonly #input = new InputReader(HexLens.composition.readingWorker, {
     isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
     take: vertices => {
-      this.#setVertices(vertices, null)
+      this.#dispatch({ type: 'set-vertices', vertices, preset: null }, 'paste')
       return this.#store.state.vertices
     },
     refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
@@ -233,6 +240,11 @@ export class HexLens extends ReflectingElement {
   readonly #attributes = new AttributeInput(this, viewNames(HexLens.composition), {
     state: () => this.#store.state,
     dispatch: action => this.#dispatch(action),
+    setVertices: vertices => this.#setVertices(vertices),
+    setApp: address => {
+      this.#app = address
+      this.#showPanels(this.#viewNames)
+    },
     showViews: names => this.#showPanels(names),
     setReadonly: isReadonly => {
       this.#dispatch({ type: 'set-readonly', isReadonly })
@@ -257,6 +269,7 @@ export class HexLens extends ReflectingElement {
       return pointInFull(this.#analyzer.probed(state), state.referenceCube)
     })
     this.#input.listen(shadow, this.#views.lens)
+    this.#keys = new Keys(this, shadow)
   }
 
   connectedCallback(): void {
@@ -275,6 +288,8 @@ export class HexLens extends ReflectingElement {
     this.#views.end()
     this.#sharing.leave()
     this.#input.close()
+    this.#keys.leave()
+    this.#readiness.end()
   }
 
   attributeChangedCallback(name: AttributeName): void {
@@ -282,24 +297,24 @@ export class HexLens extends ReflectingElement {
   }
 
   /**
-   * A copy of the 24 coordinates. Takes any array-like of 24 finite numbers, or a text as in the
-   * attribute. Once the element is drawn, an assignment is one step to undo. For anything else it
-   * throws HexLensError and keeps the old vertices.
+   * A copy of the 24 coordinates. Takes 24 finite numbers in an array or the like, eight times three
+   * of them, or a text as in the attribute. Once the element is drawn, an assignment is one step to
+   * undo; one in a gesture of the reader is part of its step. The numbers that are there already
+   * change nothing. While a gesture runs, neither do those that events have brought of late, unless
+   * they are set in the listener itself: a page that gives back what it was told may do so late.
    */
   get vertices(): number[] {
     return this.#store.state.vertices.slice()
   }
 
-  set vertices(given: ArrayLike<number> | string) {
-    const vertices = verticesOf(given)
-    this.#setVertices(vertices, presetOf(vertices))
+  set vertices(given: GivenVertices) {
+    taking(this, 'vertices', () => this.#setVertices(checkedVertices(given)))
   }
 
   /**
    * Everything that a reader expects to come back, as plain data to keep as JSON:
-   * `docs/state.schema.json`. Version 1 can always be read. A later one throws HexLensError with
-   * the code `unknown-version`, anything else outside the schema with another. A change of the
-   * vertices is one step to undo.
+   * `docs/state.schema.json`. Version 1 can always be read. A later one, or anything else outside the
+   * schema, changes nothing and is told by `hex-error`. A change of the vertices is one step to undo.
    */
   get state(): StateDocument & SceneState {
     const state = { ...this.#store.state, cameras: this.#camerasNow }
@@ -307,26 +322,30 @@ export class HexLens extends ReflectingElement {
   }
 
   set state(given: StateDocument) {
-    const result = readState(given, knownPanels(HexLens.composition.panels))
-    if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
-    this.#dispatch({ type: 'restore', state: result.value })
+    taking(this, 'state', () => {
+      const result = readState(given, knownPanels(HexLens.composition.panels))
+      if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
+      this.#dispatch({ type: 'restore', state: result.value })
+    })
   }
 
   /**
    * The elements that undo and redo lead to, as plain data to keep as JSON, every bit of it:
    * `docs/history.schema.json`. Of a gesture that still runs it has where that began. An assignment
    * takes the place of all steps and shows their present element; what is set after it is a step.
-   * Version 1 can always be read. A later one throws HexLensError with the code `unknown-version`,
-   * anything else outside the schema with another.
+   * Version 1 can always be read. A later one, or anything else outside the schema, changes nothing
+   * and is told by `hex-error`.
    */
   get history(): HistoryDocument {
     return historyDocument(this.#store.history)
   }
 
   set history(given: HistoryDocument) {
-    const result = readHistory(given)
-    if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
-    this.#dispatch({ type: 'take-history', history: result.value })
+    taking(this, 'history', () => {
+      const result = readHistory(given)
+      if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
+      this.#dispatch({ type: 'take-history', history: result.value })
+    })
   }
 
   /**
@@ -341,7 +360,8 @@ export class HexLens extends ReflectingElement {
 
   set camera(given: CameraGoal | string | null | undefined) {
     if (typeof given === 'string') this.setAttribute('camera', given)
-    else this.#attempt('camera', () => this.#lookFrom(given ? readCameraView(given) : null))
+    else
+      taking(this, 'camera', () => this.#lookFrom(given === undefined || given === null ? null : readCameraView(given)))
   }
 
   /** Faces that are not drawn, 0 to 5. Reflects the attribute `hidden-faces`. */
@@ -350,18 +370,21 @@ export class HexLens extends ReflectingElement {
   }
 
   set hiddenFaces(given: readonly number[] | string | null | undefined) {
-    if (given === null || given === undefined) this.removeAttribute('hidden-faces')
-    else this.setAttribute('hidden-faces', [given].flat().join(' '))
+    const text = listOf(given)?.map(textOf).join(' ') ?? textOf(given)
+    if (text === null) this.removeAttribute('hidden-faces')
+    else this.setAttribute('hidden-faces', text)
   }
 
-  /** The id of the preset that the element started from. Throws HexLensError if given another text. */
+  /** The id of the preset that the element started from. Null, if set, changes nothing. */
   get preset(): string | null {
     return this.#store.state.preset
   }
 
   set preset(id: string | null) {
-    const preset = readAttribute('preset', id, viewNames(HexLens.composition))
-    if (preset) this.#setVertices(presetVertices(preset), preset.id)
+    taking(this, 'preset', () => {
+      const preset = readAttribute('preset', textOf(id), viewNames(HexLens.composition))
+      if (preset) this.#dispatch({ type: 'set-vertices', vertices: presetVertices(preset), preset: preset.id })
+    })
   }
 
   /**
@@ -372,9 +395,10 @@ export class HexLens extends ReflectingElement {
     return this.#analyzer.report(this.#store.state.vertices)
   }
 
-  /** The address of this page that opens these vertices again, bit for bit. */
-  get permalink(): string {
-    const address = new URL(document.location.href)
+  /** The address that opens these vertices again, bit for bit, in the page `app`; null without one. */
+  get permalink(): string | null {
+    if (this.#app === null) return null
+    const address = new URL(this.#app)
     address.hash = encodePermalink(this.#store.state.vertices)
     return address.href
   }
@@ -387,8 +411,13 @@ export class HexLens extends ReflectingElement {
     return this.#views.scrollers.map(({ scrollTop }) => scrollTop)
   }
 
-  set scrollPositions(positions: readonly number[]) {
-    for (const [i, scroller] of this.#views.scrollers.entries()) scroller.scrollTop = positions[i] ?? 0
+  set scrollPositions(given: readonly number[]) {
+    taking(this, 'scroll-positions', () => {
+      const positions = listOf(given)
+      if (!positions?.every(Number.isFinite))
+        throw new HexLensError('not-finite', 'The scroll positions are not a list of numbers.')
+      for (const [i, scroller] of this.#views.scrollers.entries()) scroller.scrollTop = Number(positions[i] ?? 0)
+    })
   }
 
   /**
@@ -399,19 +428,34 @@ export class HexLens extends ReflectingElement {
     return this.#frames.isSeen && this.#store.state.phase === 'begun' && this.#frames.isIdle && this.#views.isComplete
   }
 
+  /** Resolved when everything in sight is drawn for the first time; the event is `hex-ready`. */
+  get ready(): Promise<void> {
+    return this.#readiness.first
+  }
+
+  /**
+   * Focuses the scene, or without a scene the first control. Before the element is drawn it does so
+   * once it is, unless the focus has gone elsewhere since.
+   *
+   * @param {FocusOptions} [options]
+   */
+  override focus(options?: FocusOptions): void {
+    this.#readiness.focus(options)
+  }
+
   /** Undoes one step of the element. */
   undo(): void {
-    this.#dispatch({ type: 'undo' })
+    this.#dispatch({ type: 'undo' }, 'history')
   }
 
   /** Redoes one step of the element. */
   redo(): void {
-    this.#dispatch({ type: 'redo' })
+    this.#dispatch({ type: 'redo' }, 'history')
   }
 
   /** Goes back to where the element started, as the reader’s Reset does: one step to undo. */
   reset(): void {
-    this.#dispatch({ type: 'reset' })
+    this.#dispatch({ type: 'reset' }, 'history')
   }
 
   /** Shows the whole element, along the same line of sight. Before the scene is drawn it does nothing. */
@@ -429,8 +473,8 @@ export class HexLens extends ReflectingElement {
    * @param {{ signal?: AbortSignal }} options
    */
   async moveCamera(camera: CameraGoal, seconds = 0.4, options: MotionOptions = {}): Promise<boolean> {
-    const to = understood(() => readCameraView(camera))
-    const length = understood(() => readSeconds(seconds))
+    const to = readCameraView(camera)
+    const length = readSeconds(seconds)
     const from = this.camera
     let asked = this.#store.state.cameras
     return this.#turning.play(length, options, share => {
@@ -446,13 +490,13 @@ export class HexLens extends ReflectingElement {
    * once where the reader wants no motion: one step to undo. Ends where it is as `moveCamera` does.
    * Resolves to whether it has arrived; rejects with HexLensError.
    *
-   * @param {ArrayLike<number> | string} to
+   * @param {GivenVertices} to
    * @param {number} seconds
    * @param {{ signal?: AbortSignal }} options
    */
-  async playMorph(to: ArrayLike<number> | string, seconds = 2, options: MotionOptions = {}): Promise<boolean> {
-    const end = verticesOf(to)
-    const length = understood(() => readSeconds(seconds))
+  async playMorph(to: GivenVertices, seconds = 2, options: MotionOptions = {}): Promise<boolean> {
+    const end = checkedVertices(to)
+    const length = readSeconds(seconds)
     const from = this.#store.state.vertices
     this.#dispatch({ type: 'begin-gesture' })
     let placed = this.#store.state.vertices
@@ -479,11 +523,11 @@ export class HexLens extends ReflectingElement {
    * @param {{ vertices?: number[], edges?: number[], faces?: number[], point?: number[] }} parts
    */
   highlight(parts: HighlightedParts | null = null): void {
-    this.#attempt('highlight', () => this.#dispatch(sliceChange(scriptSlice, { highlights: readHighlights(parts) })))
+    taking(this, 'highlight', () => this.#dispatch(sliceChange(scriptSlice, { highlights: readHighlights(parts) })))
   }
 
   /** The core’s report on any 24 numbers, or on the element’s own. Rejects with HexLensError. */
-  async analyze(given: ArrayLike<number> = this.#store.state.vertices): Promise<Report> {
+  async analyze(given: GivenVertices = this.#store.state.vertices): Promise<Report> {
     const vertices = checkedVertices(given)
     const core = await fetchCore(HexLens.composition.core).catch(reason => {
       throw new HexLensError(
@@ -497,8 +541,9 @@ export class HexLens extends ReflectingElement {
   }
 
   /**
-   * The scene as it is. The file contains the vertices: dropped on the page, it opens them again.
-   * Rejects with HexLensError.
+   * The scene as it is, at the size that it has on the page, in view or not. The file contains the
+   * vertices: dropped on the page, it opens them again. Rejects with HexLensError; its code is
+   * `no-picture` if the element is not on the page, has no scene, or is not displayed.
    */
   async toPNG(): Promise<Blob> {
     const [{ figurePng }, figure] = await Promise.all([import('../views/figure-files'), this.#figure('scene')])
@@ -506,8 +551,8 @@ export class HexLens extends ReflectingElement {
   }
 
   /**
-   * The scene, or the face maps while their panel is open, as a document of its own. Rejects with
-   * HexLensError.
+   * The scene, or the face maps while their panel is open, as a document of its own. Rejects as
+   * `toPNG()` does.
    *
    * @param {'scene' | 'face-maps'} name
    */
@@ -558,17 +603,6 @@ export class HexLens extends ReflectingElement {
     if (this.#problems.delete(code)) this.#frames.schedule()
   }
 
-  /** Does what a script asks for, or says why it is not understood. */
-  #attempt(what: string, act: () => void): void {
-    try {
-      act()
-      this.clear(`bad-${what}`)
-    } catch (reason) {
-      if (!(reason instanceof Refusal)) throw reason
-      this.raise({ code: `bad-${what}`, message: reason.message })
-    }
-  }
-
   /** A property set before the class was there hides the class's own. */
   #adopt(name: string): void {
     const early = Object.getOwnPropertyDescriptor(this, name)
@@ -580,7 +614,11 @@ export class HexLens extends ReflectingElement {
   get #shownPanels(): readonly Panel[] {
     const { isReadonly } = this.#store.state
     return HexLens.composition.panels.filter(
-      panel => panel.always || (this.#viewNames.includes(panel.with ?? panel.name) && !(isReadonly && panel.changes)),
+      panel =>
+        panel.always ||
+        (this.#viewNames.includes(panel.with ?? panel.name) &&
+          !(isReadonly && panel.changes) &&
+          !(panel.links && this.#app === null)),
     )
   }
 
@@ -592,8 +630,15 @@ export class HexLens extends ReflectingElement {
     this.#frames.schedule()
   }
 
-  #setVertices(vertices: Vertices, preset: string | null): void {
-    this.#dispatch({ type: 'set-vertices', vertices, preset })
+  /** The page's own: in a gesture of the reader a part of it, and nothing if it only comes back. */
+  #setVertices(vertices: Vertices): void {
+    const { phase, vertices: present, gestureStart } = this.#store.state
+    const isGesture = gestureStart !== null
+    const comesBack = sameBits(vertices, present) || (isGesture && this.#changes.isEcho(vertices))
+    if (phase === 'begun' && comesBack) return
+    this.#dispatch(
+      isGesture ? { type: 'move-all', vertices } : { type: 'set-vertices', vertices, preset: presetOf(vertices) },
+    )
   }
 
   /** The cameras as the reader has turned them, or as they were asked for. */
@@ -611,15 +656,18 @@ export class HexLens extends ReflectingElement {
     this.#dispatch({ type: 'look', cameras: this.#camerasNow })
   }
 
-  /** The first frame waits for the core. */
-  #dispatch(action: Action): void {
+  /** The first frame waits for the core. The action is the reader's if `source` is null. */
+  #dispatch(action: Action, source: ChangeSource | null = 'program'): void {
     const before = this.#store.state
     this.#store.dispatch(action)
-    if (this.#store.state !== before && before.phase === 'begun') this.#frames.schedule()
+    const after = this.#store.state
+    if (after === before) return
+    this.#changes.note(before, after, action, source)
+    if (before.phase === 'begun') this.#frames.schedule()
   }
 
   #dispatchOfReader(action: Action): void {
-    if (!(this.#store.state.isReadonly && CHANGES.has(action.type))) this.#dispatch(action)
+    if (!(this.#store.state.isReadonly && CHANGES.has(action.type))) this.#dispatch(action, null)
   }
 
   /** The core comes before the first frame, unless it is slow to come. */
@@ -658,18 +706,26 @@ export class HexLens extends ReflectingElement {
     this.#views.draw(frame, isNews, time)
     this.#looking.tell(() => this.#views.cameras() && this.camera, frame.probe)
     this.#sharing.tell(time)
+    if (this.complete && !this.#views.isWaiting) this.#readiness.drawn()
     return this.#views
   }
 
   #tellChanges(): void {
     this.#store.dispatch({ type: 'begin' })
-    this.#changes.tell(this.#store.state, this.report)
+    const { report } = this
+    this.#readiness.judged(report?.valid ?? null)
+    this.#changes.tell(this.#store.state, report)
   }
 
   #figure(name: FigureName): Promise<Figure> {
     return this.#frames.whileDrawn(async () => {
       await fetchCore(HexLens.composition.core).catch(() => {}) // without it there are lines, and they are drawn
-      while (this.isConnected && !this.complete) await new Promise(requestAnimationFrame)
+      const isDisplayed = () => {
+        const { width, height } = this.getBoundingClientRect()
+        return width > 0 && height > 0
+      }
+      while (isDisplayed() && !this.complete) await new Promise(requestAnimationFrame)
+      if (!isDisplayed()) throw new HexLensError('no-picture', 'The element is not displayed, so there is no picture.')
       const figure = this.#views.figure(name)
       if (figure === null) throw new HexLensError('no-picture', `There is no picture of the ${name} on the page.`)
       return figure
@@ -686,10 +742,6 @@ export class HexLens extends ReflectingElement {
   #tell(name: string, detail: unknown = null): void {
     this.dispatchEvent(new CustomEvent(name, { bubbles: true, composed: true, detail }))
   }
-}
-
-function verticesOf(given: ArrayLike<number> | string): Vertices {
-  return typeof given === 'string' ? readVertices(given) : checkedVertices(given)
 }
 
 declare global {

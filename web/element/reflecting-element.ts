@@ -5,7 +5,7 @@ import type { TellingElement } from './events'
 const Base = (globalThis.HTMLElement ?? class {}) as unknown as { new (): TellingElement; prototype: TellingElement }
 
 export abstract class ReflectingElement extends Base {
-  /** Reflects the attribute, as do the next seven. */
+  /** Reflects the attribute, as do the next eight. */
   declare views: string | null
   declare controls: string | null
   declare theme: string | null
@@ -13,25 +13,37 @@ export abstract class ReflectingElement extends Base {
   declare label: string | null
   declare group: string | null
   declare share: string | null
+  declare app: string | null
 
   get readOnly(): boolean {
     return this.hasAttribute('readonly')
   }
 
   set readOnly(isReadonly: boolean) {
-    this.toggleAttribute('readonly', isReadonly)
+    this.toggleAttribute('readonly', Boolean(isReadonly))
   }
 }
 
-for (const name of ['views', 'controls', 'theme', 'poster', 'label', 'group', 'share'])
+/** The text of an attribute for what a property is set to; null for none. Not everything has a text. */
+export function textOf(given: unknown): string | null {
+  if (given === null || given === undefined) return null
+  try {
+    return String(given)
+  } catch {
+    return typeof given
+  }
+}
+
+for (const name of ['views', 'controls', 'theme', 'poster', 'label', 'group', 'share', 'app'])
   Object.defineProperty(ReflectingElement.prototype, name, {
     configurable: true,
     enumerable: true,
     get(this: HTMLElement) {
       return this.getAttribute(name)
     },
-    set(this: HTMLElement, text: string | null | undefined) {
-      if (text === null || text === undefined) this.removeAttribute(name)
+    set(this: HTMLElement, given: unknown) {
+      const text = textOf(given)
+      if (text === null) this.removeAttribute(name)
       else this.setAttribute(name, text)
     },
   })

@@ -42,35 +42,35 @@ const parts: { readonly [Key in keyof Parts]: Reader<Parts[Key]> } = {
   faces: indices(faces.length),
   point: orNull(inCube),
 }
+const partsReader = record<Parts>(parts, { vertices: [], edges: [], faces: [], point: null })
 
+/** Throws HexLensError, as all of these do. */
 export function readHighlights(given: unknown): ScriptState['highlights'] {
-  const wanted = object(given ?? {}, 'highlight')
-  const other = Object.keys(wanted).find(key => !(key in parts))
-  if (other !== undefined) throw new Refusal(`highlight takes ${Object.keys(parts).join(', ')}, not ${other}.`)
-  const { point, ...ids } = record<Parts>(parts, { vertices: [], edges: [], faces: [], point: null })(
-    wanted,
-    'highlight',
-  )
-  const of = (kind: 'vertex' | 'edge' | 'face', all: readonly number[]) => all.map(id => ({ kind, id }))
-  return [
-    ...of('face', ids.faces),
-    ...of('edge', ids.edges),
-    ...of('vertex', ids.vertices),
-    ...(point ? [{ kind: 'point', point } as const] : []),
-  ]
+  return understood(() => {
+    const wanted = object(given ?? {}, 'highlight')
+    const other = Object.keys(wanted).find(key => !(key in parts))
+    if (other !== undefined) throw new Refusal(`highlight takes ${Object.keys(parts).join(', ')}, not ${other}.`)
+    const { point, ...ids } = partsReader(wanted, 'highlight')
+    const of = (kind: 'vertex' | 'edge' | 'face', all: readonly number[]) => all.map(id => ({ kind, id }))
+    return [
+      ...of('face', ids.faces),
+      ...of('edge', ids.edges),
+      ...of('vertex', ids.vertices),
+      ...(point ? [{ kind: 'point', point } as const] : []),
+    ]
+  })
 }
 
 export function readCameraView(given: unknown): CameraView {
-  return camera(given, 'camera')
+  return understood(() => camera(given, 'camera'))
 }
 
 /** An hour at most. */
 export function readSeconds(given: unknown): number {
-  return between(0, 3600)(given, 'seconds')
+  return understood(() => between(0, 3600)(given, 'seconds'))
 }
 
-/** What `read` gives; a refusal is a HexLensError. */
-export function understood<T>(read: () => T): T {
+function understood<T>(read: () => T): T {
   try {
     return read()
   } catch (reason) {

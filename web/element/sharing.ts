@@ -2,7 +2,7 @@
  * Elements of one `group` have one element, one camera and one point that is pointed at, as far as both of two `share` it. In the
  * frame in which one of them has changed, the others follow and are drawn. What they follow is no news of theirs.
  */
-import type { Action, CameraView, History, State } from '../model/state'
+import type { Action, CameraView, ChangeSource, History, State } from '../model/state'
 
 export const SHARED = ['vertices', 'camera', 'probe'] as const
 export type Shared = (typeof SHARED)[number]
@@ -12,7 +12,9 @@ export interface SharingHost {
   readonly history: () => History
   /** As it was last seen; null before the first picture. */
   readonly camera: () => CameraView | null
-  readonly dispatch: (action: Action) => void
+  /** Whose its last change was. */
+  readonly source: () => ChangeSource
+  readonly dispatch: (action: Action, source: ChangeSource) => void
   readonly lookFrom: (camera: CameraView) => void
   /** Draws what is new in this very frame. */
   readonly draw: (time: number) => void
@@ -54,7 +56,7 @@ export class Sharing {
   /** What it points at is not pointed at any more. */
   leave(): void {
     if (this.#members === null) return
-    if (this.kinds.includes('probe')) this.#host.dispatch({ type: 'probe', point: null })
+    if (this.kinds.includes('probe')) this.#host.dispatch({ type: 'probe', point: null }, 'program')
     this.tell(null)
     this.#members.delete(this)
     if (this.#members.size === 0) groups.delete(this.name ?? '')
@@ -92,7 +94,9 @@ export class Sharing {
   #follow(other: Sharing, news: readonly Shared[]): boolean {
     const both = news.filter(kind => this.kinds.includes(kind) && other.kinds.includes(kind))
     const theirs = other.#host
-    const { dispatch, lookFrom, state } = this.#host
+    const { lookFrom, state } = this.#host
+    const source = theirs.source()
+    const dispatch = (action: Action) => this.#host.dispatch(action, source)
     const { gestureStart, vertices, probe, isVertexChosen, selectedVertex } = theirs.state()
     if (both.includes('vertices')) {
       if (gestureStart === null) dispatch({ type: 'take-history', history: theirs.history() })

@@ -116,7 +116,7 @@ export class NumberField {
     const way = key === 'ArrowUp' ? 1 : key === 'ArrowDown' ? -1 : 0
     if (key === 'Escape') {
       if (this.#before === null && this.input.value === numberText(this.#value)) return
-      event.stopPropagation()
+      event.preventDefault()
       this.#cancel()
       this.#write()
       this.#refuse('')

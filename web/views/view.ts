@@ -93,8 +93,8 @@ export interface ViewContext {
   requestFrame(): void
   /** The camera has moved: likewise, and it may be news for the page. */
   turned(): void
-  /** The address that opens this very element again, vertices bit for bit. */
-  permalink(): string
+  /** The address that opens this very element again, vertices bit for bit; null if there is no such page. */
+  permalink(): string | null
   /** A picture; null if it is not on the page. */
   figure(name: FigureName): Figure | null
   readonly input: InputHost

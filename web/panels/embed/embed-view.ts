@@ -8,7 +8,7 @@ import { saveFile } from '../../views/save-file'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
 import { type Choice, choiceSlice, HEIGHTS, THEMES } from './choice'
 import css from './embed.css?inline'
-import { cameraText, type Embed, embeddableViews, verticesText } from './embed-lines'
+import { appOf, cameraText, type Embed, embeddableViews, verticesText } from './embed-lines'
 import { hosts, type Snippet } from './hosts'
 
 export const styles = css
@@ -16,7 +16,7 @@ export const styles = css
 const PICTURE = 'hexlens.png'
 const HEIGHT_STEP = 20
 /** The preview's events are not those of the element around it. */
-const EVENTS = ['hex-input', 'hex-change', 'hex-verdict', 'hex-error']
+const EVENTS = ['hex-input', 'hex-change', 'hex-verdict', 'hex-ready', 'hex-error']
 
 class EmbedView implements View {
   readonly root = document.createElement('div')
@@ -70,7 +70,7 @@ class EmbedView implements View {
       views: known(views),
       vertices: this.#vertices,
       label: label ?? said,
-      link: this.#context.permalink(),
+      link: this.#context.permalink() ?? '', // the panel is not there without one
       poster: PICTURE,
     }
   }
@@ -96,6 +96,7 @@ class EmbedView implements View {
       label: `Preview: ${embed.label}`,
       readonly: embed.readonly ? '' : null,
       camera: embed.camera,
+      app: appOf(embed),
     }
     for (const [name, value] of Object.entries(attributes)) {
       if (value === this.#preview.getAttribute(name)) continue

@@ -1,7 +1,7 @@
 /** One face of the net: a button with the face's picture, which reports the point pointed at. */
 import { type FaceTopology, faces } from '../../model/hexahedron'
 import { type FaceRaster, paintFace } from '../../scene/paint/face-raster'
-import { inUnit, pointStep } from '../../views/point-steps'
+import { inUnit, isForeign, pointStep } from '../../views/point-steps'
 
 export interface FaceMapActions {
   /** A place in the cell, from its upper left, each in [0,1]. */
@@ -81,7 +81,7 @@ export class FaceMap {
 
   #onKey(event: KeyboardEvent): void {
     const direction = DIRECTIONS[event.key]
-    if (event.ctrlKey || event.metaKey) return
+    if (isForeign(event)) return
     if (direction) {
       const step = pointStep(event)
       this.#actions.step(this.face, direction[0] * step, direction[1] * step)

@@ -9,6 +9,7 @@ import { type ReferenceCube, type State, sliceOf } from '../../model/state'
 import { candidateShapes } from '../../scene/overlay/candidate-shapes'
 import { px, set, show, svg } from '../../scene/paint/svg'
 import { entityTitle } from '../../views/entity-name'
+import { isForeign } from '../../views/point-steps'
 import { type Entity, type SpokenPoint, spokenOf } from '../../views/scene-slices'
 import { edgePlaces, isOnFace, netCells, netCorners, type Place, placeOnFace, placesOf } from './net'
 import { faceSlice } from './selected-face'
@@ -41,6 +42,7 @@ export class NetOverlay {
   readonly #candidates = svg('g', { role: 'group', 'aria-label': 'Candidates for the minimum' })
   readonly #marks: Mark[] = []
   readonly #probe: (candidate: Candidate | null) => void
+  #isProbing = false
   #listed: readonly Candidate[] = []
   /** The one that Tab reaches. */
   #current = 0
@@ -56,7 +58,7 @@ export class NetOverlay {
     this.root.append(decoration, this.#candidates, rings)
     this.#candidates.addEventListener('keydown', event => this.#onKey(event))
     this.#candidates.addEventListener('focusin', event => this.#onFocus(event))
-    this.#candidates.addEventListener('focusout', () => this.#probe(null))
+    this.#candidates.addEventListener('focusout', () => this.#probeAt(null))
   }
 
   update({ state, report, cell }: NetPicture): void {
@@ -206,7 +208,12 @@ export class NetOverlay {
     const index = Number((target as SVGGElement).dataset.candidate)
     this.#current = index
     this.#updateTabStop()
-    this.#probe(this.#listed[index] ?? null)
+    this.#probeAt(this.#listed[index] ?? null)
+  }
+
+  #probeAt(candidate: Candidate | null): void {
+    this.#isProbing = candidate !== null
+    this.#probe(candidate)
   }
 
   #onKey(event: KeyboardEvent): void {
@@ -219,7 +226,8 @@ export class NetOverlay {
       Home: 0,
       End: last,
     }[event.key]
-    if (event.key === 'Escape') this.#probe(null)
+    if (isForeign(event)) return
+    if (event.key === 'Escape' && this.#isProbing) this.#probeAt(null)
     else if (next !== undefined) {
       this.#marks.find(({ group }) => group.dataset.candidate === String(next))?.group.focus({ preventScroll: true })
     } else return

@@ -7,7 +7,7 @@ import type { FaceReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
-import { inUnit, pointStep } from '../../views/point-steps'
+import { inUnit, isForeign, pointStep } from '../../views/point-steps'
 import { decimalText } from './formulas'
 
 export interface PlotsPicture {
@@ -113,8 +113,8 @@ export class Plots {
     slider.addEventListener('blur', () => this.#choose(null))
     slider.addEventListener('keydown', event => {
       const way = KEYS[event.key]
-      if (event.ctrlKey || event.metaKey) return
-      if (event.key === 'Escape') this.#choose(null)
+      if (isForeign(event)) return
+      if (event.key === 'Escape' && this.#t !== null) this.#choose(null)
       else if (event.key === 'Home') this.#choose(0)
       else if (event.key === 'End') this.#choose(1)
       else if (way === undefined) return

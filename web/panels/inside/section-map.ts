@@ -9,7 +9,7 @@ import { colourScaleInside, rampOf, type Theme } from '../../scene/paint/colour-
 import { type Palette, paintFace, paletteOf } from '../../scene/paint/face-raster'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
 import { isNew } from '../../views/is-new'
-import { inUnit, pointStep } from '../../views/point-steps'
+import { inUnit, isForeign, pointStep } from '../../views/point-steps'
 import { type Section, sceneSlice } from '../../views/scene-slices'
 
 export interface SectionPicture {
@@ -160,7 +160,7 @@ export class SectionMap {
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey) return
+    if (isForeign(event)) return
     const direction = DIRECTIONS[event.key]
     const { axis, value } = this.#section
     const probe = this.#probe?.[axis] === value ? this.#probe : null

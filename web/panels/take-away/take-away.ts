@@ -4,6 +4,7 @@ import { version } from '../../../package.json'
 import type { Report } from '../../core/report'
 import { reportJson } from '../../core/report-json'
 import { jacdetInFull } from '../../model/decimal'
+import type { Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
 import { figurePng, figureSvg } from '../../views/figure-files'
 import { isNew } from '../../views/is-new'
@@ -37,7 +38,7 @@ class TakeAwayView implements View {
   readonly #rows: readonly Row[]
   #report: Report | null = null
   /** The last thing done; reported until the element is another. */
-  #done: { readonly title: string; readonly link: string; readonly message: string } | null = null
+  #done: { readonly title: string; readonly vertices: Vertices; readonly message: string } | null = null
 
   constructor(context: ViewContext) {
     this.#context = context
@@ -54,7 +55,9 @@ class TakeAwayView implements View {
         note: 'the six faces unfolded, likewise',
         save: () => this.#saveSvg('face-maps'),
       },
-      { title: 'Link', note: 'opens this very element', text: () => context.permalink() },
+      ...(context.permalink() === null
+        ? []
+        : [{ title: 'Link', note: 'opens this very element', text: () => context.permalink() ?? '' }]),
       {
         title: 'Minimum',
         note: 'jacdet in all digits, on the cube chosen',
@@ -94,9 +97,9 @@ class TakeAwayView implements View {
     return report ? jacdetInFull(value(report), report.exponent, this.#context.state().referenceCube) : ''
   }
 
-  update({ report }: Frame): void {
+  update({ report, state }: Frame): void {
     this.#report = report
-    if (this.#done && this.#done.link !== this.#context.permalink()) this.#done = null
+    if (this.#done?.vertices !== state.vertices) this.#done = null
     const without = report === null
     if (isNew(this.root, without, this.#done)) render(this.#template(without), this.root)
   }
@@ -132,7 +135,7 @@ class TakeAwayView implements View {
   }
 
   #tell(title: string, message: string): void {
-    this.#done = { title, link: this.#context.permalink(), message }
+    this.#done = { title, vertices: this.#context.state().vertices, message }
     this.#context.requestFrame()
   }
 

@@ -13,6 +13,7 @@ export const toolbarStyles = css
 interface CopyOutcome {
   readonly copied: boolean
   readonly link: string
+  readonly vertices: Vertices
 }
 
 class ToolbarView implements View {
@@ -29,7 +30,7 @@ class ToolbarView implements View {
   }
 
   update({ state }: Frame): void {
-    if (this.#outcome && this.#outcome.link !== this.#context.permalink()) this.#outcome = null
+    if (this.#outcome?.vertices !== state.vertices) this.#outcome = null
     if (state.vertices !== this.#hinted) this.#hint = ''
     const shown = shownPreset(state)
     render(
@@ -55,7 +56,7 @@ class ToolbarView implements View {
           </button>
           <button type="button" ?disabled=${state.isReadonly} @click=${() => this.#context.dispatch({ type: 'reset' })}>Reset</button>
           ${this.#context.input.isWelcome() ? html`<button type="button" @click=${this.#paste}>Paste</button>` : nothing}
-          <button type="button" @click=${this.#copyLink}>Copy link</button>
+          ${this.#context.permalink() === null ? nothing : html`<button type="button" @click=${this.#copyLink}>Copy link</button>`}
         </div>
         ${
           this.#outcome?.copied === false
@@ -98,7 +99,9 @@ class ToolbarView implements View {
 
   readonly #copyLink = async (): Promise<void> => {
     const link = this.#context.permalink()
-    this.#outcome = { copied: await copyText(link), link }
+    if (link === null) return
+    const { vertices } = this.#context.state()
+    this.#outcome = { copied: await copyText(link), link, vertices }
     this.#context.requestFrame()
   }
 }

@@ -67,7 +67,7 @@ class VerticesView implements View {
         this.#refusal.textContent = refusals.join(' ')
       },
       live: {
-        begin: () => dispatch({ type: 'begin-gesture' }),
+        begin: () => dispatch({ type: 'begin-gesture', by: 'field' }),
         type: to => dispatch({ type: 'move-coordinate', index, to }),
         cancel: () => dispatch({ type: 'cancel-gesture' }),
       },

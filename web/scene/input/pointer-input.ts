@@ -89,10 +89,10 @@ export class PointerInput {
     if (down && event.key === 'Escape') {
       this.cancel()
     } else {
-      const axis = AXES[event.key.toLowerCase()]
+      const axis = event.ctrlKey || event.metaKey ? undefined : AXES[event.key.toLowerCase()]
       const concerns = axis !== undefined || event.key === 'Shift' || event.key === 'Alt'
       if (!concerns) return
-      if (axis !== undefined && !event.ctrlKey && !event.metaKey) {
+      if (axis !== undefined) {
         if (down) this.#axis = axis
         else if (this.#axis === axis) this.#axis = null
       }
@@ -156,7 +156,7 @@ export class PointerInput {
       const still = grip.byTouch ? STILL.touch : STILL.other
       if (Math.hypot(x - grip.x, y - grip.y) < still) return
       grip.moving = true
-      this.#target.host.dispatch({ type: 'begin-gesture' })
+      this.#target.host.dispatch({ type: 'begin-gesture', by: 'pointer' })
     }
     this.#drag(event)
   }

@@ -20,7 +20,10 @@ const FOR_KEYS: readonly Entry[] = [
   ['0 to 7, or [ and ]', 'choose a vertex'],
   ['Arrow keys', 'move the chosen vertex along the axis that is nearest to the arrow'],
   ['Page Up, Page Down', 'move it along the third axis'],
-  ['Shift, Alt', 'with these keys make the step ten times as long, or a tenth'],
+  [
+    'Shift, Ctrl',
+    'with arrow keys make the step ten times as long, or a tenth. On a Mac, and with Page Up and Down, it is Alt',
+  ],
   ['Point at a face', 'or tap it, to read jacdet there: the probe. The box is the image of a little cube, enlarged'],
   ['P', 'puts the probe on the next candidate; C copies its numbers'],
   ['M', 'turns the view to the minimum, or shows it through the faces'],

@@ -7,6 +7,7 @@ import type { Action, State } from '../../../model/state'
 import { pickRadius } from '../../../scene/input/picking'
 import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../../scene/space/decimal-step'
 import { extentOf } from '../../../scene/space/world'
+import { isForeign, isSmallStep } from '../../../views/point-steps'
 import { baseOf, CORNER_COUNT, preimages, type Vec2 } from './quadrilateral'
 import type { PlaneView } from './view'
 
@@ -177,8 +178,8 @@ export function listen(target: PlaneTarget): void {
     })
 
   element.addEventListener('keydown', event => {
-    const { key, shiftKey, altKey } = event
-    if (event.ctrlKey || event.metaKey) return
+    const { key, shiftKey } = event
+    if (isForeign(event)) return
     const arrow = ARROWS[key]
     if (key === 'Escape') {
       if (grip) end('cancel-gesture')
@@ -196,7 +197,10 @@ export function listen(target: PlaneTarget): void {
         if (held.size === 0) dispatch({ type: 'begin-gesture' })
         held.add(key)
         const step = keyStep(extentOf(state().gestureStart ?? state().vertices))
-        const length = lengthOf({ ...step, exponent: step.exponent + (shiftKey ? 1 : 0) - (altKey ? 1 : 0) })
+        const length = lengthOf({
+          ...step,
+          exponent: step.exponent + (shiftKey ? 1 : 0) - (isSmallStep(event) ? 1 : 0),
+        })
         const corner = target.selected()
         const [x, y] = vertexOf(state().vertices, corner)
         move(corner, [addDecimal(x, arrow[0] * length), addDecimal(y, arrow[1] * length)])
