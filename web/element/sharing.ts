@@ -99,8 +99,10 @@ export class Sharing {
     const dispatch = (action: Action) => this.#host.dispatch(action, source)
     const { gestureStart, vertices, probe, isVertexChosen, selectedVertex } = theirs.state()
     if (both.includes('vertices')) {
-      if (gestureStart === null) dispatch({ type: 'take-history', history: theirs.history() })
-      else {
+      if (gestureStart === null) {
+        dispatch({ type: 'commit-gesture' }) // what is there already stays the same array
+        dispatch({ type: 'take-history', history: theirs.history() })
+      } else {
         if (state().gestureStart === null) dispatch({ type: 'begin-gesture' })
         dispatch({ type: 'move-all', vertices })
       }
