@@ -21,7 +21,11 @@ async function visit(page: Page, ...attributes: readonly Readonly<Record<string,
         )
       return lens
     })
-    document.body.replaceChildren(...lenses)
+    const [main, heading] = [document.createElement('main'), document.createElement('h1')]
+    heading.textContent = 'Elements'
+    heading.style.cssText = 'margin: 0; font-size: 16px'
+    main.append(heading, ...lenses)
+    document.body.replaceChildren(main)
     document.body.style.cssText = 'margin: 0'
     const settled = async () => {
       do await new Promise(requestAnimationFrame)
@@ -205,16 +209,16 @@ test('two of a group: a drag, a turn and a point in one are seen in the other in
   await expectSame()
   await allTold(page)
 
-  await mouse.move(30, 150)
+  await mouse.move(30, 170)
   await mouse.down()
   for (const step of [10, 20]) {
-    await mouse.move(30 + step, 150)
+    await mouse.move(30 + step, 170)
     await allSettled(page)
   }
   await mouse.up()
   await expectSame()
   await expectTogether('hex-camera', 2)
-  await mouse.move(210, 160)
+  await mouse.move(210, 180)
   await allSettled(page)
   await expectTogether('hex-probe', 1)
   await expect(page.locator('#b .scene-stage .probe').first()).toBeVisible()
