@@ -1,6 +1,7 @@
 /** The element as a page's script has it: highlights, hidden faces, cameras, morphs, and elements of one group. */
 import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
+import { snippetsOf } from '../package/documentation'
 import { expect, test } from './lens'
 
 type Element = HTMLElementTagNameMap['hex-lens']
@@ -165,6 +166,14 @@ test('highlights, hidden faces, a camera that moves and a morph, and sentences f
     await lens.moveCamera({ direction: [0, 0, 1], zoom: 2 }, 3000)
     await lens.playMorph(lens.vertices.with(0, -1), 3000)
   })
+  await allTold(page)
+  const [html = '', script = ''] = snippetsOf('From script')
+  await page.evaluate(html => {
+    document.body.innerHTML = html
+    document.addEventListener('hex-error', event => told.push((event as CustomEvent).detail))
+  }, html)
+  await page.evaluate(script => Object.getPrototypeOf(async () => {}).constructor(script)(), script)
+  expect(await page.evaluate(() => [document.querySelectorAll('hex-lens').length, told])).toEqual([2, []])
 })
 
 test('two of a group: a drag, a turn and a point in one are seen in the other in the same frame', async ({ page }) => {

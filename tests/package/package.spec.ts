@@ -194,7 +194,8 @@ test.describe('under a strict policy', () => {
   test.use({ expectedErrors: /violates the following|policy: script-src forbids wasm-eval/ })
 
   test('the one module runs, and the core in a worker, with the twin beside them', async ({ lens, page }) => {
-    const policy = "default-src 'none'; script-src 'self'; img-src data: blob:; require-trusted-types-for 'script'; trusted-types lit-html hexlens"
+    const policy =
+      "default-src 'none'; script-src 'self'; img-src data: blob:; require-trusted-types-for 'script'; trusted-types lit-html hexlens"
     write(
       'policy.html',
       element(
