@@ -197,6 +197,10 @@ test('Jupyter: what is moved moves the array, and what is assigned moves the pic
     await expect(lens.verdict).toHaveText(/^INVALID/, { timeout: 60_000 })
     expect(await lens.vertices()).toEqual(documented.vertices)
     await lens.scene.focus()
+    // In the notebook these keys cut the cell, change its kind, and search.
+    for (const key of ['x', 'm', 'f', 's']) await page.keyboard.press(key)
+    await expect(page.locator('.jp-CodeCell')).toHaveCount(cells.length)
+    await expect(lens.scene).toBeFocused()
     await page.keyboard.press('7')
     await page.keyboard.press('ArrowRight')
     await lens.nextFrame()

@@ -195,7 +195,7 @@ test.describe('under a strict policy', () => {
 
   test('the one module runs, and the core in a worker, with the twin beside them', async ({ lens, page }) => {
     const policy =
-      "default-src 'none'; script-src 'self'; img-src data: blob:; require-trusted-types-for 'script'; trusted-types lit-html hexlens"
+      "default-src 'none'; script-src 'self'; img-src data: blob:; require-trusted-types-for 'script'; trusted-types lit-html hexlens 'allow-duplicates'"
     write(
       'policy.html',
       element(
@@ -219,6 +219,12 @@ test.describe('under a strict policy', () => {
       ]),
     )
     await expect(readRegion(lens)).toContainText('2 hexahedra, 1 INVALID, 1 valid.')
+    // A second copy gives the class of the first.
+    const second = await page.evaluate(async script => {
+      const { HexLens } = await import(script)
+      return [HexLens === customElements.get('hex-lens'), new HexLens().vertices.length]
+    }, `/${dist}/hexlens.es.js?again`)
+    expect(second).toEqual([true, 24])
     write(
       'worker.js',
       `import { loadCore } from './${dist}/hexlens.core.js'
@@ -226,7 +232,11 @@ test.describe('under a strict policy', () => {
     )
     const [inWorker, inElement] = await lens.element.evaluate(async element => {
       const { report, vertices } = element as HTMLElementTagNameMap['hex-lens']
-      const worker = new Worker('worker.js', { type: 'module' })
+      const { trustedTypes } = globalThis as unknown as {
+        trustedTypes: { createPolicy(name: string, rules: object): { createScriptURL(own: string): string } }
+      }
+      const policy = trustedTypes.createPolicy('hexlens', { createScriptURL: (own: string) => own })
+      const worker = new Worker(policy.createScriptURL('worker.js'), { type: 'module' })
       const answer = new Promise(resolve => {
         worker.onmessage = ({ data }) => resolve(data)
       })
