@@ -1,5 +1,6 @@
 // The reference of the element and of its documents, for tools and for people: custom-elements.json
-// and docs/element.md from the comments of its class, docs/*.schema.json from the readers.
+// and docs/element.md from the comments of its class and of its events, docs/*.schema.json from the
+// readers.
 // --check: complains of the files that are not as they would be written.
 
 import { readFileSync, writeFileSync } from 'node:fs'
@@ -9,6 +10,7 @@ import { isScript, root, runMain } from './run.mjs'
 
 /** The class that the element's extends, and its own. */
 const SOURCES = ['web/element/reflecting-element.ts', 'web/element/hex-lens.ts']
+const EVENTS = 'web/element/events.ts'
 
 /** Names of the files that are not up to date; written unless only checked. */
 export async function elementReference({ check }) {
@@ -54,8 +56,8 @@ async function describedElement() {
   const { create, ts } = await import('@custom-elements-manifest/analyzer') // not before it is installed
   const modules = SOURCES.map(path => ts.createSourceFile(path, textOf(path), ts.ScriptTarget.ESNext, true))
   const { declarations } = create({ modules }).modules.at(-1)
-  const { description, members, events, ...element } = declarations.find(({ customElement }) => customElement)
-  const attributes = new Set(element.attributes.map(({ name }) => name))
+  const { description, members, events: _, ...element } = declarations.find(({ customElement }) => customElement)
+  const attributes = new Map(element.attributes.map(({ name }) => [propertyOf(name), name]))
   return withoutLineBreaks({
     ...element,
     superclass: { name: 'HTMLElement' },
@@ -63,7 +65,7 @@ async function describedElement() {
       .filter(member => member.privacy !== 'private' && !member.static)
       .map(({ inheritedFrom, parameters, ...member }) => ({
         ...member,
-        ...(attributes.has(member.name.toLowerCase()) && { attribute: member.name.toLowerCase() }),
+        ...(attributes.has(member.name) && { attribute: attributes.get(member.name) }),
         // A default value is code, and the description says it.
         ...(parameters && {
           parameters: parameters.map(({ default: code, ...rest }) => ({
@@ -72,8 +74,23 @@ async function describedElement() {
           })),
         }),
       })),
-    events: events.filter(event => event.description), // the others are calls of the constructor
+    events: eventsOf(ts.createSourceFile(EVENTS, textOf(EVENTS), ts.ScriptTarget.ESNext, true), ts),
   })
+}
+
+/** The property of an attribute, in the case that HTML's own have. */
+function propertyOf(attribute) {
+  return attribute === 'readonly' ? 'readOnly' : attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase())
+}
+
+/** The members of the event map, each with its comment. */
+function eventsOf(file, ts) {
+  const map = file.statements.find(each => ts.isInterfaceDeclaration(each) && each.name.text === 'HexLensEventMap')
+  return map.members.map(member => ({
+    name: member.name.text,
+    type: { text: member.type.getText(file) },
+    description: member.jsDoc.at(-1).comment,
+  }))
 }
 
 function withoutLineBreaks(element) {
@@ -104,7 +121,7 @@ function page({ tagName, summary, attributes, members, events, slots, cssStates,
     `# \`<${tagName}>\``,
     summary,
     'For authors who put the element into their pages: every name it understands. `docs/embedding.md` has the first steps.',
-    `Written by \`npm run reference\` from the comments in \`${SOURCES.at(-1)}\`.`,
+    `Written by \`npm run reference\` from the comments in \`${SOURCES.at(-1)}\` and \`${EVENTS}\`.`,
     '## Attributes',
     table(
       ['attribute', 'takes', 'without it', ''],

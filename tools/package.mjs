@@ -171,13 +171,12 @@ function modulesOf(chunks) {
  * Declarations of what the entries export and of what that names. Readers of a package ask for file
  * names in full; tsc leaves them as our sources, which a bundler reads, have them.
  */
-async function writeTypes(outDir) {
+export async function writeTypes(outDir) {
   rmSync(outDir, { recursive: true, force: true })
   const project = join(root, 'tsconfig.types.json')
   await must(process.execPath, [tsc, '-p', project, '--outDir', outDir], 'The types were not written.')
-  const named = new Set(
-    ['hexlens', 'core', 'batch', 'mesh', 'lang/de', 'lang/zh'].map(name => join(outDir, 'package', `${name}.d.ts`)),
-  )
+  const entries = ['hexlens', 'react', 'preact', 'vue', 'svelte', 'core', 'batch', 'mesh', 'lang/de', 'lang/zh']
+  const named = new Set(entries.map(name => join(outDir, 'package', `${name}.d.ts`)))
   for (const path of named) {
     const text = readFileSync(path, 'utf8').replace(/(from |import |import\()'(\.[^']+)'/g, (_, before, name) => {
       named.add(join(dirname(path), `${name}.d.ts`))

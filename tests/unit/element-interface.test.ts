@@ -32,7 +32,7 @@ describe('the manifest', () => {
   })
 
   it('has the events that are told', () => {
-    const source = read('web/element/hex-lens.ts') + read('web/element/changes.ts')
+    const source = ['hex-lens', 'changes', 'looking'].map(name => read(`web/element/${name}.ts`)).join('')
     const told = [...source.matchAll(/\btell\('(hex-[\w-]+)'/g)].map(match => match[1])
     expect([...new Set(told)].sort()).toEqual(names('events').sort())
   })

@@ -4,11 +4,12 @@ import { COORDINATE_COUNT, VERTEX_COUNT, type Vec3, type Vertices } from '../mod
 import { numberText } from '../model/number-text'
 import { type Preset, presetOf, presets, presetVertices } from '../model/presets'
 import { type CameraView, type Dispatch, type State, sliceChange } from '../model/state'
-import { CONTROLS, type Control, controlsSlice } from '../views/scene-slices'
+import { CONTROLS, type Control, controlsSlice, scriptSlice } from '../views/scene-slices'
 import type { Problem } from '../views/view'
 import { say } from '../words/say'
 import type { Composition } from './composition'
 import { HexLensError } from './hex-lens-error'
+import { SHARED, type Shared, type Sharing } from './sharing'
 
 export interface Attributes {
   readonly vertices: Vertices | null
@@ -21,12 +22,17 @@ export interface Attributes {
   readonly readonly: boolean
   readonly poster: string | null
   readonly label: string | null
+  /** Null outside a group. */
+  readonly group: string | null
+  readonly share: readonly Shared[]
+  readonly 'hidden-faces': readonly number[]
   readonly app: URL | null
 }
 
 export type AttributeName = keyof Attributes
 export type Theme = (typeof THEMES)[number]
 
+const FACES = ['0', '1', '2', '3', '4', '5'] as const
 const THEMES = ['auto', 'light', 'dark'] as const
 export const FIRST_VIEWS = ['scene', 'verdict']
 const DECIMAL = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i
@@ -60,6 +66,9 @@ const readers: { readonly [Name in AttributeName]: Read<Attributes[Name]> } = {
   readonly: text => text !== null,
   poster: text => text,
   label: text => text,
+  group: text => text || null,
+  share: text => (text === null ? SHARED : words('share', text, SHARED)),
+  'hidden-faces': text => (text === null ? [] : words('hidden-faces', text, FACES).map(Number)),
   app: text => (text === null ? null : readAddress(text)),
 }
 
@@ -220,6 +229,7 @@ export interface AttributeActions {
   readonly lookFrom: (camera: CameraView | null) => void
   readonly setPoster: (address: string | null) => void
   readonly setLabel: (label: string | null) => void
+  readonly share: (change: Partial<Pick<Sharing, 'name' | 'kinds'>>) => void
 }
 
 /** Takes the value of an attribute or a property; one that is not understood raises a problem, and changes nothing. */
@@ -249,6 +259,9 @@ export class AttributeInput {
     readonly: isReadonly => this.#actions.setReadonly(isReadonly),
     poster: poster => this.#actions.setPoster(poster),
     label: label => this.#actions.setLabel(label),
+    group: name => this.#actions.share({ name }),
+    share: kinds => this.#actions.share({ kinds }),
+    'hidden-faces': hiddenFaces => this.#actions.dispatch(sliceChange(scriptSlice, { hiddenFaces })),
     app: address => this.#actions.setApp(address),
   }
 

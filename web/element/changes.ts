@@ -32,7 +32,8 @@ export class Changes {
   /** The vertices after the last change that was done; likewise. */
   #committed: Vertices | null = null
   #toldValid: boolean | null = null
-  #source: ChangeSource = 'program'
+  /** Whose the last change is. */
+  source: ChangeSource = 'program'
   #gesture: ChangeSource = 'panel'
   #isTelling = false
 
@@ -44,7 +45,7 @@ export class Changes {
   note(before: State, after: State, action: Action, source: ChangeSource | null): void {
     if (action.type === 'begin-gesture') this.#gesture = action.by ?? 'panel'
     const isDone = before.gestureStart !== null && after.gestureStart === null
-    if (before.vertices !== after.vertices || isDone) this.#source = source ?? this.#readers(action, before)
+    if (before.vertices !== after.vertices || isDone) this.source = source ?? this.#readers(action, before)
   }
 
   /**
@@ -61,7 +62,7 @@ export class Changes {
     const [last = null] = this.#told
     this.#committed ??= vertices
     if (last !== vertices) this.#told = [vertices, ...this.#told.slice(0, MOST_TOLD - 1)]
-    const source = this.#source
+    const { source } = this
     const tell = (event: ChangeEvent) => this.#listener.tell(event, detailOf(vertices, report, source))
     this.#isTelling = true
     if (last !== null && last !== vertices) tell('hex-input')

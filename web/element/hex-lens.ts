@@ -12,11 +12,13 @@ import { sameBits, type Vertices } from '../model/hexahedron'
 import { type HistoryDocument, historyDocument, readHistory } from '../model/history-document'
 import { encodePermalink } from '../model/permalink'
 import { presetOf, presets, presetVertices } from '../model/presets'
-import type { Action, Cameras, ChangeSource } from '../model/state'
+import { type Action, type Cameras, type CameraView, type ChangeSource, sliceChange, sliceOf } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore } from '../model/store'
+import { elementAt } from '../model/way'
 import { knownPanels, type Panel } from '../panels/panel'
-import type { SceneState } from '../views/scene-slices'
+import { DEFAULT_VIEW } from '../scene/space/orbit-camera'
+import { type SceneState, scriptSlice } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
 import { say } from '../words/say'
 import { Analyzer } from './analyzer'
@@ -38,9 +40,13 @@ import { Copying, pointInFull } from './copying'
 import { type DueFrame, FrameLoop } from './frame-loop'
 import { HexLensError } from './hex-lens-error'
 import { Keys } from './keys'
+import { Looking } from './looking'
+import { cameraBetween, Motion, type MotionOptions } from './motion'
 import { OwnLanguage } from './own-language'
 import { Readiness } from './readiness'
 import { ReflectingElement, textOf } from './reflecting-element'
+import { type CameraGoal, type HighlightedParts, readCameraView, readHighlights, readSeconds } from './script-arguments'
+import { Sharing } from './sharing'
 import { shortcut } from './shortcuts'
 import { ViewHost } from './view-host'
 
@@ -73,6 +79,9 @@ const EARLY = [
   'label',
   'app',
   'readOnly',
+  'group',
+  'share',
+  'hiddenFaces',
 ]
 
 /**
@@ -95,31 +104,21 @@ const EARLY = [
  * @attr {azimuth, elevation, zoom} [camera=-58 24 1] - The first view: two angles in degrees, and
  *   how many times nearer than the view in which the element just fits. Without it, a preset whose
  *   minimum is negative and hidden, or hardly seen from there, is first seen from another direction. Turning by the reader
- *   changes `state`, not this.
+ *   changes the property and `state`, not this.
  * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` is the `color-scheme` of the page where the
  *   element stands.
  * @attr {there or not} [readonly=not] - The reader may look and turn, but not change the element.
  *   Programs may change it.
  * @attr {an address} [poster=none] - A picture in the element’s place until it is drawn.
  * @attr {a text} [label=none] - The name of the whole for screen readers.
+ * @attr {a name} [group=none] - Elements of one group have one element with one history, one camera
+ *   and one point that is pointed at. One that joins takes what the group has.
+ * @attr {a list of words, `all` or `none`} [share=all] - What it shares with its group: `vertices`,
+ *   `camera`, `probe`. Two elements share what both say.
+ * @attr {a list of numbers, `all` or `none`} [hidden-faces=none] - Faces that are not drawn: 0 to 5
+ *   are -xi, +xi, -eta, +eta, -zeta, +zeta. One that the reader asks for alone is drawn.
  * @attr {an address} [app=none] - The Hexlens page that links to the element lead to; empty for the
  *   page itself. Without it there are neither links nor “Copy embed”.
- *
- * @fires {CustomEvent<ChangeDetail>} hex-input - The vertices have changed. At most once a frame, also
- *   during a drag. The detail of this and the next two is `{ vertices, valid, boundaryMinimum, source }`:
- *   24 numbers, a verdict and a number or null, and whose the change is: `pointer`, `keyboard`, `field`,
- *   `panel`, `preset`, `paste`, `history` (undo, redo, reset) or `program` (the page).
- * @fires {CustomEvent<ChangeDetail>} hex-change - A change of the vertices is done: a drag has ended,
- *   or a number was entered. Not for what the page itself has set, as with native inputs.
- * @fires {CustomEvent<ChangeDetail>} hex-verdict - The first verdict, and each one that differs from
- *   the one before.
- * @fires {CustomEvent<null>} hex-ready - Everything in sight is drawn for the first time since the
- *   element came into the page.
- * @fires {CustomEvent<{ text: string } | { files: File[] } | null>} hex-list - There is a list to
- *   choose from, and this is what it was read from; null when it is put away.
- * @fires {CustomEvent<{ code: string, message: string }>} hex-error - Something does not work, and
- *   `message` says so in a sentence. The codes: an attribute or a property that is not understood
- *   (`bad-vertices` and so on), which then stays as it was, `core-failed`, `no-webgl`, `context-lost`, `input-refused`, `not-read`.
  *
  * @slot - Shown until the element is drawn, and where it never is: without JavaScript, for one.
  * @slot hint - Words of the page’s own in the scene, where it has room for its legend. They stand in
@@ -186,6 +185,10 @@ export class HexLens extends ReflectingElement {
     raise: problem => this.raise(problem),
     clear: code => this.clear(code),
     requestFrame: () => this.#frames.schedule(),
+    turned: () => {
+      this.#looking.hasTurned = true
+      this.#frames.schedule()
+    },
     permalink: () => this.permalink,
     figure: name => this.#views.figure(name),
     input: {
@@ -208,6 +211,20 @@ export class HexLens extends ReflectingElement {
     tell: (event, detail) => this.#tell(event, detail),
     reflect: () => this.#attributes.reflect(this.#store.state),
   })
+  readonly #looking = new Looking({
+    tell: (event: string, detail: unknown) => this.#tell(event, detail),
+  })
+  readonly #sharing = new Sharing({
+    state: () => this.#store.state,
+    history: () => this.#store.history,
+    camera: () => this.#looking.camera,
+    source: () => this.#changes.source,
+    dispatch: (action, source) => this.#dispatch(action, source),
+    lookFrom: camera => this.#lookFrom(camera),
+    draw: time => this.#frames.drawIn(time),
+  })
+  readonly #turning = new Motion(this)
+  readonly #morphing = new Motion(this)
   readonly #frames = new FrameLoop(this, frame => this.#onFrame(frame))
   readonly #readiness = new Readiness(this, () => this.#tell('hex-ready'))
   readonly #keys: Keys
@@ -237,12 +254,13 @@ export class HexLens extends ReflectingElement {
       this.#dispatch({ type: 'set-readonly', isReadonly })
       this.#showPanels(this.#viewNames)
     },
-    lookFrom: camera => {
-      const referenceCamera = this.#camerasNow?.referenceCamera ?? null
-      this.#dispatch({ type: 'look', cameras: { camera, referenceCamera } })
-    },
+    lookFrom: camera => this.#lookFrom(camera),
     setPoster: address => this.#views.setPoster(address),
     setLabel: label => this.#views.setLabel(label),
+    share: change => {
+      Object.assign(this.#sharing, change)
+      if (this.isConnected) this.#sharing.join()
+    },
   })
 
   constructor() {
@@ -262,6 +280,7 @@ export class HexLens extends ReflectingElement {
   connectedCallback(): void {
     this.#language.start()
     for (const name of EARLY) this.#adopt(name)
+    this.#sharing.join()
     this.#views.begin(this.#shownPanels)
     this.#frames.start()
     if (this.#analyzer.core === null) void this.#start()
@@ -274,6 +293,7 @@ export class HexLens extends ReflectingElement {
     this.#frames.stop()
     this.#analyzer.stop()
     this.#views.end()
+    this.#sharing.leave()
     this.#input.close()
     this.#keys.leave()
     this.#readiness.end()
@@ -333,6 +353,33 @@ export class HexLens extends ReflectingElement {
       if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
       this.#dispatch({ type: 'take-history', history: result.value })
     })
+  }
+
+  /**
+   * The camera as it is now: the `direction` to the eye, how many times nearer it is than where the
+   * element just fits in (`zoom`), and how far the view is shifted (`pan`), as in `state`. An
+   * assignment looks that way at once; a text is the attribute, null the default view. What is not
+   * understood is told by `hex-error`.
+   */
+  get camera(): CameraView {
+    return this.#camerasNow?.camera ?? DEFAULT_VIEW
+  }
+
+  set camera(given: CameraGoal | string | null | undefined) {
+    if (typeof given === 'string') this.setAttribute('camera', given)
+    else
+      taking(this, 'camera', () => this.#lookFrom(given === undefined || given === null ? null : readCameraView(given)))
+  }
+
+  /** Faces that are not drawn, 0 to 5. Reflects the attribute `hidden-faces`. */
+  get hiddenFaces(): readonly number[] {
+    return sliceOf(scriptSlice, this.#store.state).hiddenFaces
+  }
+
+  set hiddenFaces(given: readonly number[] | string | null | undefined) {
+    const text = listOf(given)?.map(textOf).join(' ') ?? textOf(given)
+    if (text === null) this.removeAttribute('hidden-faces')
+    else this.setAttribute('hidden-faces', text)
   }
 
   /** The id of the preset that the element started from. Null, if set, changes nothing. */
@@ -411,6 +458,79 @@ export class HexLens extends ReflectingElement {
   /** Redoes one step of the element. */
   redo(): void {
     this.#dispatch({ type: 'redo' }, 'history')
+  }
+
+  /** Goes back to where the element started, as the reader’s Reset does: one step to undo. */
+  reset(): void {
+    this.#dispatch({ type: 'reset' }, 'history')
+  }
+
+  /** Shows the whole element, along the same line of sight. Before the scene is drawn it does nothing. */
+  fit(): void {
+    if (this.#looking.camera) this.#lookFrom({ ...DEFAULT_VIEW, direction: this.camera.direction })
+  }
+
+  /**
+   * Moves the camera there, in 0.4 seconds or in others, or at once where the reader wants no
+   * motion. Ends where it is if the reader takes the element in hand, if something else turns it, or
+   * by `signal`. Resolves to whether it has arrived; rejects with HexLensError.
+   *
+   * @param {{ direction: number[], zoom?: number, pan?: number[] }} camera
+   * @param {number} seconds
+   * @param {{ signal?: AbortSignal }} options
+   */
+  async moveCamera(camera: CameraGoal, seconds = 0.4, options: MotionOptions = {}): Promise<boolean> {
+    const to = readCameraView(camera)
+    const length = readSeconds(seconds)
+    const from = this.camera
+    let asked = this.#store.state.cameras
+    return this.#turning.play(length, options, share => {
+      if (!this.isConnected || this.#store.state.cameras !== asked) return false
+      this.#lookFrom(cameraBetween(from, to, share))
+      asked = this.#store.state.cameras
+      return true
+    })
+  }
+
+  /**
+   * Moves the vertices straight to others, given as for `vertices`, in 2 seconds or in others, or at
+   * once where the reader wants no motion: one step to undo. Ends where it is as `moveCamera` does.
+   * Resolves to whether it has arrived; rejects with HexLensError.
+   *
+   * @param {GivenVertices} to
+   * @param {number} seconds
+   * @param {{ signal?: AbortSignal }} options
+   */
+  async playMorph(to: GivenVertices, seconds = 2, options: MotionOptions = {}): Promise<boolean> {
+    const end = checkedVertices(to)
+    const length = readSeconds(seconds)
+    const from = this.#store.state.vertices
+    this.#dispatch({ type: 'begin-gesture' })
+    let placed = this.#store.state.vertices
+    return this.#morphing.play(
+      length,
+      options,
+      share => {
+        const { vertices, gestureStart } = this.#store.state
+        if (!this.isConnected || vertices !== placed || gestureStart === null) return false
+        this.#dispatch({ type: 'move-all', vertices: elementAt(from, end, share) })
+        placed = this.#store.state.vertices
+        return true
+      },
+      () => this.#dispatch({ type: 'commit-gesture' }),
+    )
+  }
+
+  /**
+   * Marks parts of the element, in the scene and in the face maps: `vertices`, `edges` and `faces`
+   * by their numbers, `point` in reference coordinates. They stay marked until the next call; without
+   * an argument nothing is. No part of the history, and not read out: the page says what they are.
+   * What is not understood is told by `hex-error`.
+   *
+   * @param {{ vertices?: number[], edges?: number[], faces?: number[], point?: number[] }} parts
+   */
+  highlight(parts: HighlightedParts | null = null): void {
+    taking(this, 'highlight', () => this.#dispatch(sliceChange(scriptSlice, { highlights: readHighlights(parts) })))
   }
 
   /** The core’s report on any 24 numbers, or on the element’s own. Rejects with HexLensError. */
@@ -539,6 +659,11 @@ export class HexLens extends ReflectingElement {
     return this.#views.cameras() ?? this.#store.state.cameras
   }
 
+  #lookFrom(camera: CameraView | null): void {
+    const referenceCamera = this.#camerasNow?.referenceCamera ?? null
+    this.#dispatch({ type: 'look', cameras: { camera, referenceCamera } })
+  }
+
   /** Views that are made anew look the same way. */
   #keepCameras(): void {
     this.#dispatch({ type: 'look', cameras: this.#camerasNow })
@@ -584,7 +709,10 @@ export class HexLens extends ReflectingElement {
   #onFrame({ time, isNews, isSeen, isForPaper }: DueFrame) {
     this.#tellChanges()
     const { state } = this.#store
-    if (!isSeen) return { isWaiting: false, isUnmade: false }
+    if (!isSeen) {
+      this.#sharing.tell(time)
+      return { isWaiting: false, isUnmade: false }
+    }
     this.#language.speak()
     const frame: Frame = {
       state,
@@ -594,6 +722,8 @@ export class HexLens extends ReflectingElement {
       isForPaper,
     }
     this.#views.draw(frame, isNews, time)
+    this.#looking.tell(() => this.#views.cameras() && this.camera, frame.probe)
+    this.#sharing.tell(time)
     if (this.complete && !this.#views.isWaiting) this.#readiness.drawn()
     return this.#views
   }

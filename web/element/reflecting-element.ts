@@ -1,16 +1,18 @@
 /** Properties that are their attributes, and no more. */
+import type { TellingElement } from './events'
 
 /** A server has no elements; it only has to be able to import this. */
-const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement)
+const Base = (globalThis.HTMLElement ?? class {}) as unknown as { new (): TellingElement; prototype: TellingElement }
 
 export abstract class ReflectingElement extends Base {
-  /** Reflects the attribute, as do the next seven. */
+  /** Reflects the attribute, as do the next eight. */
   declare views: string | null
   declare controls: string | null
-  declare camera: string | null
   declare theme: string | null
   declare poster: string | null
   declare label: string | null
+  declare group: string | null
+  declare share: string | null
   declare app: string | null
 
   get readOnly(): boolean {
@@ -32,7 +34,7 @@ export function textOf(given: unknown): string | null {
   }
 }
 
-for (const name of ['views', 'controls', 'camera', 'theme', 'poster', 'label', 'app'])
+for (const name of ['views', 'controls', 'theme', 'poster', 'label', 'group', 'share', 'app'])
   Object.defineProperty(ReflectingElement.prototype, name, {
     configurable: true,
     enumerable: true,

@@ -2,7 +2,7 @@
 import type { JacobianReport } from '../core/report'
 import { formatJacdet } from '../model/decimal'
 import type { Vec3 } from '../model/hexahedron'
-import { type State, sliceOf } from '../model/state'
+import { type CameraView, type State, sliceOf } from '../model/state'
 import { previewSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 import { say } from '../words/say'
@@ -109,6 +109,12 @@ export class ElementPane extends Pane {
     this.fitting.fit(vertices, directionBetween(from, to, share * share * (3 - 2 * share)))
     if (share === 1) this.#turn = null
     else this.host.requestFrame()
+  }
+
+  /** Looks as a program wants it, in place of a turn that still runs. */
+  look({ vertices }: State, camera: CameraView | null): void {
+    this.#turn = null
+    this.fitting.look(vertices, camera)
   }
 
   prepare(state: State): Viewport {

@@ -2,7 +2,7 @@
 import type { Vec3 } from '../model/hexahedron'
 import { type State, sliceOf } from '../model/state'
 import { placeIn, stretchOf } from '../views/place-in'
-import { sceneSlice } from '../views/scene-slices'
+import { sceneSlice, scriptSlice } from '../views/scene-slices'
 import type { ViewContext } from '../views/view'
 import { pointUnder } from './input/face-hit'
 import type { InputTarget } from './input/input-target'
@@ -87,7 +87,7 @@ export abstract class Pane implements InputTarget {
 
   pointAt(x: number, y: number): Vec3 | null {
     const { selectedVertex, ...now } = this.host.state()
-    const state = { ...sliceOf(sceneSlice, now), selectedVertex }
+    const state = { ...sliceOf(sceneSlice, now), ...sliceOf(scriptSlice, now), selectedVertex }
     return pointUnder({ camera: this.camera, vertices: this.vertices(), handles: this.seen, state }, x, y)
   }
 
@@ -120,7 +120,12 @@ export abstract class Pane implements InputTarget {
     const { camera } = this
     camera.enclose(vertices)
     this.seen = vertices.map(vertex => camera.project(vertex))
-    this.sight = new Sight(vertices, camera, sliceOf(sceneSlice, state).faceDisplay)
+    this.sight = new Sight(
+      vertices,
+      camera,
+      sliceOf(sceneSlice, state).faceDisplay,
+      sliceOf(scriptSlice, state).hiddenFaces,
+    )
     return { left, top, vertices, camera }
   }
 }

@@ -11,7 +11,7 @@ import { figureOf } from '../../scene/paint/figure'
 import { ThemeReader } from '../../scene/paint/theme'
 import { isNew } from '../../views/is-new'
 import { inUnit } from '../../views/point-steps'
-import { marksSlice } from '../../views/scene-slices'
+import { spokenOf } from '../../views/scene-slices'
 import type { Figure, Frame, ViewContext } from '../../views/view'
 import { say } from '../../words/say'
 import { FaceMap } from './face-map'
@@ -157,9 +157,9 @@ export class FaceNet {
 
   #drawMarks({ state }: Frame, report: Report): void {
     const { probe, referenceCube } = state
-    const { highlight } = sliceOf(marksSlice, state)
+    const spoken = JSON.stringify(spokenOf(state))
     const { selectedFace } = sliceOf(faceSlice, state)
-    if (!isNew(this.#overlay, report, this.#cell, probe, selectedFace, highlight, referenceCube)) return
+    if (!isNew(this.#overlay, report, this.#cell, probe, selectedFace, spoken, referenceCube)) return
     for (const { root, face } of this.#maps) root.setAttribute('aria-pressed', String(face === selectedFace))
     this.#overlay.update({ state, report, cell: this.#cell })
   }

@@ -4,13 +4,13 @@
  */
 import type { Candidate, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
-import { faces, vertexReference } from '../../model/hexahedron'
+import { faces, type Vec3, vertexReference } from '../../model/hexahedron'
 import { type ReferenceCube, type State, sliceOf } from '../../model/state'
 import { candidateShapes } from '../../scene/overlay/candidate-shapes'
 import { px, set, show, svg } from '../../scene/paint/svg'
 import { entityTitle } from '../../views/entity-name'
 import { isForeign } from '../../views/point-steps'
-import { type Entity, marksSlice } from '../../views/scene-slices'
+import { type Entity, type SpokenPoint, spokenOf } from '../../views/scene-slices'
 import { say } from '../../words/say'
 import { edgePlaces, isOnFace, netCells, netCorners, type Place, placeOnFace, placesOf } from './net'
 import { faceSlice } from './selected-face'
@@ -70,9 +70,9 @@ export class NetOverlay {
     this.#updateLabels(state, report)
     this.#updateRings(report)
     this.#updateCross(state)
-    const { highlight } = sliceOf(marksSlice, state)
-    set(this.#highlight, { d: highlight ? this.#highlightPath(highlight) : '' })
-    show(this.#highlight, highlight !== null)
+    const path = spokenOf(state).map(spoken => this.#highlightPath(spoken))
+    set(this.#highlight, { d: path.join('') })
+    show(this.#highlight, path.length > 0)
   }
 
   #layOut(cell: number): void {
@@ -182,9 +182,12 @@ export class NetOverlay {
     }
   }
 
-  #highlightPath({ kind, id }: Entity): string {
+  #highlightPath(spoken: Entity | SpokenPoint): string {
     const cell = this.#cell
     const at = ({ x, y }: Place) => `${px(x * cell)} ${px(y * cell)}`
+    const ring = (place: Place) => `M${at(place)}m-7 0a7 7 0 1 0 14 0a7 7 0 1 0 -14 0`
+    if (spoken.kind === 'point') return placesOf(spoken.point).map(ring).join('')
+    const { kind, id } = spoken
     if (kind === 'edge')
       return edgePlaces(id)
         .map(([from, to]) => `M${at(from)}L${at(to)}`)
@@ -193,8 +196,9 @@ export class NetOverlay {
       const { column, row } = netCells[id] as (typeof netCells)[number]
       return `M${at({ x: column, y: row })}h${px(cell)}v${px(cell)}h${px(-cell)}Z`
     }
-    const places = placesOf(vertexReference[id] ?? [0, 0, 0])
-    return places.map(place => `M${at(place)}m-7 0a7 7 0 1 0 14 0a7 7 0 1 0 -14 0`).join('')
+    return placesOf(vertexReference[id] as Vec3)
+      .map(ring)
+      .join('')
   }
 
   #translate({ x, y }: Place): string {

@@ -3,7 +3,7 @@ import { timesPowerOfTwo } from '../../core/power-of-two'
 import type { Report } from '../../core/report'
 import { type State, sliceOf } from '../../model/state'
 import { stretchOf } from '../../views/place-in'
-import { sceneSlice } from '../../views/scene-slices'
+import { drawnFaces, sceneSlice, scriptSlice } from '../../views/scene-slices'
 import type { Frame, ViewContext } from '../../views/view'
 import { say } from '../../words/say'
 import type { Layout } from '../space/layout'
@@ -113,6 +113,7 @@ export class Painting {
       ramp: this.ramp as Ramp,
       theme: this.#theme as Theme,
       display,
+      faces: drawnFaces(display, sliceOf(scriptSlice, state).hiddenFaces),
       section,
       zeroSurface,
       viewports,

@@ -16,7 +16,8 @@ const FAR = 1000
 const DISTANCE = { least: 0.05, most: 1000 }
 /** Right above the target the camera would have no upper side. */
 const MOST_ELEVATION = Math.PI / 2 - 1e-6
-const DEFAULT: CameraView = { direction: rounded(DEFAULT_DIRECTION), zoom: 1, pan: [0, 0, 0] }
+/** The view in which the element just fits. */
+export const DEFAULT_VIEW: CameraView = { direction: rounded(DEFAULT_DIRECTION), zoom: 1, pan: [0, 0, 0] }
 
 export interface Pose {
   readonly position: Vector3
@@ -109,7 +110,7 @@ export class OrbitCamera {
     const zoom = fitted.distance / this.#distance
     const direction = rounded(this.direction)
     // An element far out of sight is brought back.
-    if (!(zoom >= 1 / FAR && zoom <= FAR && pan.length() <= FAR)) return { ...DEFAULT, direction }
+    if (!(zoom >= 1 / FAR && zoom <= FAR && pan.length() <= FAR)) return { ...DEFAULT_VIEW, direction }
     const view: CameraView = { direction, zoom: decimal(zoom), pan: rounded([pan.x, pan.y, pan.z]) }
     return isDefault(view) ? null : view
   }
@@ -195,7 +196,7 @@ function inReach(distance: number): number {
 
 function isDefault(view: CameraView): boolean {
   const numbers = ({ direction, zoom, pan }: CameraView) => [...direction, zoom, ...pan]
-  return numbers(view).every((value, i) => value === numbers(DEFAULT)[i])
+  return numbers(view).every((value, i) => value === numbers(DEFAULT_VIEW)[i])
 }
 
 function rounded([x, y, z]: Vec3): Vec3 {
