@@ -5,7 +5,7 @@
 // three/src are whole ones of ours here, which saves 80 kB; no line of the others is edited.
 // Only for builds, whose tests then run on it; `npm run dev` has three.js as it is.
 
-import { existsSync } from 'node:fs'
+import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
 import { Failure, root } from './run.mjs'
 
@@ -196,4 +196,13 @@ export const leanThree = {
   load(id) {
     return id.startsWith(source) ? standIns[id.slice(source.length + 1)] : null
   },
+}
+
+/** Names by which three.js tells its classes, such as `isSkinnedMesh`: undefined where nothing of the class is left. */
+export function classFlags() {
+  const sources = readdirSync(source, { recursive: true }).filter(name => name.endsWith('.js'))
+  const names = sources.flatMap(name =>
+    readFileSync(join(source, name), 'utf8').match(/(?<=\.)is[A-Z]\w*(?= = true;)/g),
+  )
+  return new Set(names.filter(name => name !== null))
 }

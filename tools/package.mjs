@@ -4,8 +4,9 @@ import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'nod
 import { basename, dirname, join, resolve } from 'node:path'
 import { promisify } from 'node:util'
 import { leanReaders } from './lean-readers.mjs'
-import { leanThree } from './lean-three.mjs'
+import { classFlags, leanThree } from './lean-three.mjs'
 import { must, root, tsc } from './run.mjs'
+import { withoutUnread } from './unread-members.mjs'
 
 const source = path => join(root, 'web', path)
 
@@ -110,13 +111,30 @@ function licences() {
  * libraries do not come between modules of ours.
  */
 async function scriptOf({ entry, isWidget = false, format = 'es', external = [], around: [before, after] = ['', ''] }) {
-  const groups = [{ name: 'wasm', test: /-inside\.ts$/ }, { name: 'libraries', test: /node_modules/ }, { name: 'ours' }]
+  const groups = [
+    { name: 'wasm', test: /-inside\.ts$/ },
+    { name: 'three', test: /node_modules\/three\// },
+    { name: 'libraries', test: /node_modules/ },
+    { name: 'ours' },
+  ]
   const split = { codeSplitting: { groups }, minify: false }
-  const chunks = await chunksOf({ entry, formats: ['es'] }, [insideOneFile, leanThree, leanReaders], external, split)
+  const plugins = [insideOneFile, leanThree, leanReaders]
+  const chunks = await withLeanThree(await chunksOf({ entry, formats: ['es'] }, plugins, external, split))
   const whole = { codeSplitting: false, minify: true, postBanner: `${BANNER}\n${before}`, postFooter: after }
   const given = { entry: chunks[0].fileName, formats: [format], name: 'hexlens' }
   const [{ code }] = await chunksOf(given, [modulesOf(chunks), insideOneFile], external, whole)
   return isWidget ? smallest(code, format) : code
+}
+
+async function withLeanThree(chunks) {
+  const isThree = ({ name }) => name === 'three'
+  const others = chunks.filter(chunk => !isThree(chunk)).map(({ code }) => code)
+  return Promise.all(
+    chunks.map(async chunk => {
+      const { fileName, code } = chunk
+      return { fileName, code: isThree(chunk) ? await withoutUnread(code, others, classFlags()) : code }
+    }),
+  )
 }
 
 /** Terser takes 2.6 kB more away than rolldown's minifier, and seconds to do it. */
