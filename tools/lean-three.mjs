@@ -193,7 +193,7 @@ const standIns = {
         this.#gl = gl
         this.#shaders = sources.map(([type, source]) => {
           const shader = gl.createShader(type)
-          gl.shaderSource(shader, '#version ' + glslVersion + source)
+          gl.shaderSource(shader, '#version ' + glslVersion + '\\n' + source)
           gl.compileShader(shader)
           gl.attachShader(program, shader)
           return shader

@@ -4,6 +4,7 @@ import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'nod
 import { basename, dirname, join, resolve } from 'node:path'
 import { promisify } from 'node:util'
 import { leanReaders } from './lean-readers.mjs'
+import { leanText } from './lean-text.mjs'
 import { classFlags, leanThree } from './lean-three.mjs'
 import { must, root, tsc } from './run.mjs'
 import { withoutUnread } from './unread-members.mjs'
@@ -118,7 +119,7 @@ async function scriptOf({ entry, isWidget = false, format = 'es', external = [],
     { name: 'ours' },
   ]
   const split = { codeSplitting: { groups }, minify: false }
-  const plugins = [insideOneFile, leanThree, leanReaders]
+  const plugins = [insideOneFile, leanThree, leanReaders, leanText]
   const chunks = await withLeanThree(await chunksOf({ entry, formats: ['es'] }, plugins, external, split))
   const whole = { codeSplitting: false, minify: true, postBanner: `${BANNER}\n${before}`, postFooter: after }
   const given = { entry: chunks[0].fileName, formats: [format], name: 'hexlens' }
@@ -140,7 +141,7 @@ async function withLeanThree(chunks) {
 /** Terser takes 2.6 kB more away than rolldown's minifier, and seconds to do it. */
 async function smallest(code, format) {
   const { minify } = await import('terser')
-  const options = { module: format === 'es', ecma: 2022, format: { comments: /^!/ } }
+  const options = { module: format === 'es', ecma: 2022, compress: { passes: 2 }, format: { comments: /^!/ } }
   return (await minify(code, options)).code
 }
 
