@@ -278,6 +278,37 @@ const standIns = {
     export class WebGLShadowMap {
       render() {}
     }`,
+  // All that is drawn has two sides, hides what is behind it, and blends premultiplied colours or none.
+  'renderers/webgl/WebGLState.js': `
+    export class WebGLState {
+      #gl
+      #program = null
+      constructor(gl) {
+        this.#gl = gl
+        this.buffers = {
+          color: { setClear: (...colour) => gl.clearColor(...colour.slice(0, 4)), setMask() {} },
+          depth: { getReversed: () => false, setTest() {}, setMask: isWritten => gl.depthMask(isWritten) },
+          stencil: { setMask() {} },
+        }
+        gl.enable(gl.DEPTH_TEST)
+        gl.depthFunc(gl.LEQUAL)
+        gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA)
+      }
+      setMaterial({ transparent, depthWrite }) {
+        const gl = this.#gl
+        if (transparent) gl.enable(gl.BLEND)
+        else gl.disable(gl.BLEND)
+        gl.depthMask(depthWrite)
+      }
+      setPolygonOffset() {}
+      useProgram(program) {
+        if (program === this.#program) return false
+        this.#gl.useProgram(program)
+        this.#program = program
+        return true
+      }
+      viewport({ x, y, z, w }) { this.#gl.viewport(x, y, z, w) }
+    }`,
   'renderers/webgl/WebGLTextures.js': `
     export class WebGLTextures {
       resetTextureUnits() {}
