@@ -1,6 +1,6 @@
 // The files of the published package, but for the page: each one file, for browsers without a bundler as for bundlers.
 
-import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { basename, dirname, join, resolve } from 'node:path'
 import { promisify } from 'node:util'
 import { leanReaders } from './lean-readers.mjs'
@@ -86,6 +86,21 @@ export async function buildPackage(folder) {
   await buildScripts(outDir)
   await writeTypes(join(outDir, 'types'))
   writeFileSync(join(outDir, 'licences.txt'), licences())
+}
+
+/** Fills the folder that npm packs, but for the page: its README is for those who install it, its manifest without tools. */
+export async function stagePackage(folder) {
+  const {
+    scripts: _,
+    devDependencies: __,
+    private: ___,
+    ...manifest
+  } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'))
+  for (const path of ['LICENSE', ...manifest.files.filter(path => !path.startsWith('dist/'))])
+    cpSync(join(root, path), join(folder, path))
+  cpSync(ours('README.md'), join(folder, 'README.md'))
+  writeFileSync(join(folder, 'package.json'), `${JSON.stringify(manifest, null, 2)}\n`)
+  await buildPackage(join(folder, 'dist'))
 }
 
 /** The scripts alone. */
@@ -193,7 +208,9 @@ async function writeTypes(outDir) {
   const project = join(root, 'tsconfig.types.json')
   await must(process.execPath, [tsc, '-p', project, '--outDir', outDir], 'The types were not written.')
   const named = new Set(
-    ['package/hexlens', 'package/core', 'package/batch', 'package/mesh'].map(name => join(outDir, `${name}.d.ts`)),
+    ['package/hexlens', 'package/light', 'package/core', 'package/batch', 'package/mesh'].map(name =>
+      join(outDir, `${name}.d.ts`),
+    ),
   )
   for (const path of named) {
     const text = readFileSync(path, 'utf8').replace(/(from |import |import\()'(\.[^']+)'/g, (_, before, name) => {
