@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig, type Plugin } from 'vite'
 import { leanReaders } from './tools/lean-readers.mjs'
+import { leanText } from './tools/lean-text.mjs'
 import { leanThree } from './tools/lean-three.mjs'
 import { appPages, pageAt, pages } from './tools/pages.mjs'
 
@@ -43,7 +44,7 @@ export default defineConfig({
   appType: 'mpa',
   publicDir: `${root}public`,
   cacheDir: `${root}node_modules/.vite`,
-  plugins: [leanThree, leanReaders, pages, securityPolicy],
+  plugins: [leanThree, leanReaders, leanText, pages, securityPolicy],
   worker: { format: 'es' },
   server: { fs: { allow: [root] } },
   build: {

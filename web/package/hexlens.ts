@@ -1,10 +1,14 @@
-/** The package's element: importing it defines `<hex-lens>`, with all but the panels that only the pages have. */
+/**
+ * The package's element: importing it defines `<hex-lens>`, with all but the panels that only the pages have. `hexlens/three` is the
+ * same without three.js: it pays on a page that has three.js of the same version, and nowhere else.
+ */
 import './core-inside' // first: gzip finds more likeness in code that the wasm does not part
 import { define } from '../element/define'
 import type { HexLens as Element } from '../element/hex-lens'
 import { panels } from '../panels/list'
 import { coreInside } from './core-inside'
 import { readingWorkerBeside } from './mesh-worker-beside'
+import './no-trace'
 
 export type { Report } from '../core/report'
 export type { GivenVertices } from '../element/attributes'
@@ -29,8 +33,3 @@ export const HexLens = define({
   readingWorker: readingWorkerBeside,
 })
 export type HexLens = Element
-
-/** lit-html has noted its version in a global list; a guest leaves nothing behind. */
-const { litHtmlVersions: noted } = globalThis as { litHtmlVersions?: string[] }
-noted?.pop()
-if (noted?.length === 0) Reflect.deleteProperty(globalThis, 'litHtmlVersions')

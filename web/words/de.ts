@@ -737,4 +737,5 @@ export const german: Dictionary = {
   'with arrow keys make the step ten times as long, or a tenth. On a Mac, and with Page Up and Down, it is Alt':
     'machen mit den Pfeiltasten den Schritt zehnmal so lang oder ein Zehntel so lang. Auf einem Mac und mit Bild auf und Bild ab ist es Alt',
   Details: 'Einzelheiten',
+  'the light file of Hexlens has no readers': 'die leichte Datei von Hexlens enthält keine Leser',
 }

@@ -432,6 +432,7 @@ export const english = [
   'The least jacdet found before this face',
   'The least of the 27 Bernstein coefficients, which follow from 20 samples. It is a lower bound of jacdet, often a poor one: it rejects some valid elements.',
   'The least of the face’s nine Bernstein coefficients',
+  'the light file of Hexlens has no readers',
   'the minimum',
   'The minimum is exactly zero, and a valid element needs J > 0 everywhere.',
   'The minimum is exactly zero, in the middle of a face. A valid element needs more than zero.',

@@ -696,4 +696,5 @@ export const chinese: Dictionary = {
   'with arrow keys make the step ten times as long, or a tenth. On a Mac, and with Page Up and Down, it is Alt':
     '与方向键一起使步长变为十倍或十分之一。在 Mac 上以及使用 Page Up、Page Down 时为 Alt',
   Details: '详情',
+  'the light file of Hexlens has no readers': 'Hexlens 的轻量文件不含读取器',
 }
