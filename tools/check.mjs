@@ -89,7 +89,7 @@ async function nothingLeftOut() {
   const excepted = /\b(?:test|it|describe|suite|bench)(?:\.\w+)*\.(?:only|skip|skipIf|runIf|todo|fixme|fail|fails)\b/
   return files.flatMap(name => {
     const isRun =
-      /^tests\/.*\.test\.ts$/.test(name) || /^tests\/(e2e|browsers|package|visual)\/.*\.spec\.ts$/.test(name)
+      /^tests\/.*\.test\.ts$/.test(name) || /^tests\/(e2e|browsers|hosts|package|visual)\/.*\.spec\.ts$/.test(name)
     const lines = readFileSync(join(root, name), 'utf8').split('\n')
     return [
       ...(isRun ? [] : [`${name}: no suite runs this file`]),
