@@ -104,11 +104,12 @@ export function run(cwd: string, command: string, ...words: string[]): void {
 }
 
 /** Does the work once in a run of the tests, whichever of its workers asks first. */
-export function onceInRun(name: string, work: () => void): void {
-  const stamp = join(hosts, `${name}.run`)
+export async function onceInRun(name: string, work: () => void | Promise<void>): Promise<void> {
+  mkdirSync(join(hosts, 'runs'), { recursive: true })
+  const stamp = join(hosts, 'runs', name)
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === runOfTests) return
   rmSync(stamp, { force: true })
-  work()
+  await work()
   writeFileSync(stamp, runOfTests)
 }
 

@@ -14,7 +14,7 @@ nameHost('JupyterLab', () => pythonVersion('jupyterlab'))
 
 test.beforeAll(async ({ playwright }) => {
   test.setTimeout(300_000)
-  onceInRun('jupyter', () => {
+  await onceInRun('jupyter', () => {
     const source = join(site('jupyter', '.'), 'python')
     cpSync(join(root, 'python'), source, { recursive: true })
     for (const name of ['hexlens.anywidget.js', 'hexlens.mesh-worker.js'])

@@ -42,5 +42,6 @@ test('what the server rendered comes to life', async ({ lens }) => {
     html('', `<div id="root">${rendered}</div><script type="module" src="/client.js"></script>`),
   )
   await build({ ...config, build: { outDir: 'site' } })
-  await expectDocumented(lens, 'mdx/site/index.html')
+  await lens.open('mdx/site/index.html')
+  await expectDocumented(lens)
 })
