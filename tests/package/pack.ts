@@ -12,10 +12,11 @@ export const root = fileURLToPath(new URL('../..', import.meta.url)).replace(/[\
 /** The folder it is installed in, one of each port that tests run at. */
 export const elsewhere = join(tmpdir(), `hexlens-elsewhere-${process.env.HEXLENS_TEST_PORT ?? 41735}`)
 
+/** Names the run of the tests: its workers have one parent. Runs that are given one name share what they have made. */
+export const run = process.env.HEXLENS_TEST_RUN ?? String(process.ppid)
+
 /** Once in a run of the tests, by the worker that asks first; the others wait. */
 export async function packOnce(): Promise<void> {
-  // The workers of a run have one parent.
-  const run = String(process.ppid)
   const stamp = join(elsewhere, 'run')
   const isStamped = () => existsSync(stamp) && readFileSync(stamp, 'utf8') === run
   await withLock(
