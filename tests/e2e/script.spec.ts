@@ -170,6 +170,8 @@ test('highlights, hidden faces, a camera that moves and a morph, and sentences f
   const [html = '', script = ''] = snippetsOf('From script')
   await page.evaluate(html => {
     document.body.innerHTML = html
+    for (const lens of document.querySelectorAll('hex-lens'))
+      lens.style.cssText = 'display: inline-block; width: 420px; height: 330px'
     document.addEventListener('hex-error', event => told.push((event as CustomEvent).detail))
   }, html)
   await page.evaluate(script => Object.getPrototypeOf(async () => {}).constructor(script)(), script)

@@ -111,7 +111,8 @@ test('a state is data: set on another element it is the same there, and one that
     while (!other.shadowRoot?.querySelector('[data-frames]')) await new Promise(requestAnimationFrame)
     const refusals: string[] = []
     lens.addEventListener('hex-error', event => refusals.push((event as CustomEvent).detail.code))
-    for (const wrong of [{ ...first, version: 2 }, { ...first, faceDisplay: 9 }, 'x']) lens.state = wrong as typeof first
+    for (const wrong of [{ ...first, version: 2 }, { ...first, faceDisplay: 9 }, 'x'])
+      lens.state = wrong as typeof first
     return { before, after: other.state, minus: Object.is(other.vertices[0], -0), refusals, kept: lens.state, first }
   })
   expect(told.minus).toBe(true)
