@@ -166,6 +166,7 @@ test('highlights, hidden faces, a camera that moves and a morph, and sentences f
     await lens.moveCamera({ direction: [0, 0, 1], zoom: 2 }, 3000)
     await lens.playMorph(lens.vertices.with(0, -1), 3000)
   })
+  await allSettled(page)
   await allTold(page)
   const [html = '', script = ''] = snippetsOf('From script')
   await page.evaluate(html => {
