@@ -29,7 +29,7 @@ export function isControls(target: Element, event: KeyboardEvent): boolean {
   if (isCommand || altKey) return false
   if (target.matches(CHOICE)) return CHOICES.test(key)
   if (target.matches('button, summary, a, input')) return key === 'Enter' || (key === ' ' && !target.matches('a'))
-  return target.scrollHeight > target.clientHeight && SCROLLS.test(key)
+  return SCROLLS.test(key) && /auto|scroll/.test(getComputedStyle(target).overflowY)
 }
 
 export class Keys {
