@@ -166,10 +166,13 @@ test('highlights, hidden faces, a camera that moves and a morph, and sentences f
     await lens.moveCamera({ direction: [0, 0, 1], zoom: 2 }, 3000)
     await lens.playMorph(lens.vertices.with(0, -1), 3000)
   })
+  await allSettled(page)
   await allTold(page)
   const [html = '', script = ''] = snippetsOf('From script')
   await page.evaluate(html => {
     document.body.innerHTML = html
+    for (const lens of document.querySelectorAll('hex-lens'))
+      lens.style.cssText = 'display: inline-block; width: 420px; height: 330px'
     document.addEventListener('hex-error', event => told.push((event as CustomEvent).detail))
   }, html)
   await page.evaluate(script => Object.getPrototypeOf(async () => {}).constructor(script)(), script)
