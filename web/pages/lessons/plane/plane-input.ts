@@ -4,10 +4,10 @@
  */
 import { vertexOf } from '../../../model/hexahedron'
 import type { Action, State } from '../../../model/state'
-import { placeIn } from '../../../views/place-in'
 import { pickRadius } from '../../../scene/input/picking'
 import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../../scene/space/decimal-step'
 import { extentOf } from '../../../scene/space/world'
+import { placeIn } from '../../../views/place-in'
 import { baseOf, CORNER_COUNT, preimages, type Vec2 } from './quadrilateral'
 import type { PlaneView } from './view'
 
