@@ -96,7 +96,7 @@ describe('hidden faces', () => {
     expect(readAttribute('hidden-faces', '5, 0', views)).toEqual([5, 0])
     expect(readAttribute('hidden-faces', 'all', views)).toHaveLength(6)
     expect(readAttribute('hidden-faces', '', views)).toEqual([])
-    expect(() => readAttribute('hidden-faces', '6', views)).toThrow('“6” is none of 0, 1, 2, 3, 4, 5, all or none')
+    expect(() => readAttribute('hidden-faces', '6', views)).toThrow('“6” is none of 0, 1, 2, 3, 4, 5, all, none')
     expect(readAttribute('share', 'camera probe', views)).toEqual(['camera', 'probe'])
   })
 

@@ -53,7 +53,7 @@ describe('the sentences', () => {
     const steps = traceOf(shown.report, shown)
     const last = steps.at(-1)
     expect(last && stepSentence(last, shown)).toMatch(
-      /^Face −ζ: its Bernstein bound −.* is not positive, so its quartic/,
+      /^Face −ζ: its Bernstein bound −.* is not positive; its quartic/,
     )
     expect(last && answerSentence(last, shown)).toBe('The query stops here: the element is invalid.')
   })
