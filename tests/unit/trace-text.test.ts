@@ -52,9 +52,7 @@ describe('the sentences', () => {
     const shown = shownOf(preset('face-negative'), valid)
     const steps = traceOf(shown.report, shown)
     const last = steps.at(-1)
-    expect(last && stepSentence(last, shown)).toMatch(
-      /^Face −ζ: its Bernstein bound −.* is not positive; its quartic/,
-    )
+    expect(last && stepSentence(last, shown)).toMatch(/^Face −ζ: its Bernstein bound −.* is not positive; its quartic/)
     expect(last && answerSentence(last, shown)).toBe('The query stops here: the element is invalid.')
   })
 
