@@ -27,7 +27,7 @@ const checks = [
   { name: 'imports (dependency-cruiser)', complaints: () => output(importsCheck) },
   { name: 'C warnings', complaints: () => output(['make', '-C', 'wasm', '--no-print-directory', 'warnings']) },
   { name: 'element reference', complaints: staleReference },
-  { name: 'lock file', complaints: addressesInLock },
+  { name: 'lock files', complaints: addressesInLocks },
   { name: 'tests', complaints: nothingLeftOut },
   { name: 'sizes', complaints: sizes },
 ]
@@ -67,10 +67,17 @@ async function staleReference() {
 }
 
 /** The address of a package is the installing machine's affair. */
-async function addressesInLock() {
-  const { packages } = JSON.parse(readFileSync(join(root, 'package-lock.json'), 'utf8'))
-  const named = Object.keys(packages).filter(name => packages[name].resolved !== undefined)
+async function addressesInLocks() {
+  const hosts = readdirSync(join(root, 'tests/hosts')).map(name => join('tests/hosts', name, 'package-lock.json'))
+  const named = ['package-lock.json', ...hosts].filter(existsInProject).flatMap(file => {
+    const { packages } = JSON.parse(readFileSync(join(root, file), 'utf8'))
+    return Object.keys(packages).filter(name => packages[name].resolved !== undefined)
+  })
   return named.length === 0 ? [] : [...named, 'Take out the addresses: npm install --omit-lockfile-registry-resolved']
+}
+
+function existsInProject(file) {
+  return existsSync(join(root, file))
 }
 
 /** Tests that are excepted from running, and test files that no suite picks up. */
@@ -82,7 +89,7 @@ async function nothingLeftOut() {
   const excepted = /\b(?:test|it|describe|suite|bench)(?:\.\w+)*\.(?:only|skip|skipIf|runIf|todo|fixme|fail|fails)\b/
   return files.flatMap(name => {
     const isRun =
-      /^tests\/.*\.test\.ts$/.test(name) || /^tests\/(e2e|browsers|package|visual)\/.*\.spec\.ts$/.test(name)
+      /^tests\/.*\.test\.ts$/.test(name) || /^tests\/(e2e|browsers|hosts|package|visual)\/.*\.spec\.ts$/.test(name)
     const lines = readFileSync(join(root, name), 'utf8').split('\n')
     return [
       ...(isRun ? [] : [`${name}: no suite runs this file`]),

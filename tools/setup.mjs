@@ -1,5 +1,6 @@
 // Sets everything up that building, serving and testing need: npm packages, make, emcc, the wasm; for tests also C and
-// C++ compilers, CMake, pkg-config, a clang with libFuzzer, Python, Chromium and, on Linux, Firefox and WebKitGTK. Each
+// C++ compilers, CMake, pkg-config, a clang with libFuzzer, Python, Chromium and, on Linux, Firefox and WebKitGTK; for
+// the tests in foreign hosts Sphinx, MkDocs and JupyterLab. Each
 // step is quick when there is nothing to do, and either completes or leaves nothing behind. Plain Node without
 // dependencies: it installs them.
 
@@ -16,8 +17,12 @@ const EMSDK_VERSION = '4.0.10'
 const EMSDK_SOURCE = 'https://github.com/emscripten-core/emsdk.git'
 const EMSDK_FOLDER = join(root, '.emsdk')
 
-/** Purposes of a setup: build and serve; formatter, linter, C warnings; benchmarks; all tests. */
-const PURPOSES = ['start', 'check', 'bench', 'unit', 'test']
+/** Purposes of a setup: build and serve; formatter, linter, C warnings; benchmarks; all tests; those in foreign hosts. */
+const PURPOSES = ['start', 'check', 'bench', 'unit', 'test', 'hosts']
+
+/** Python packages by what needs them: where they are installed, and the file that names them. */
+const testsPython = { folder: 'build/python', requirements: 'tests/property/requirements.txt' }
+const hostsPython = { folder: 'build/hosts/python', requirements: 'tests/hosts/requirements.txt' }
 
 const steps = [
   { what: 'Node', isDone: nodeIsNewEnough, run: refuseNode },
@@ -46,9 +51,17 @@ const steps = [
     for: ['bench'],
   },
   { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['unit', 'test'] },
-  { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'unit', 'test'] },
-  { what: 'the Python packages', isDone: hostsAreCurrent, run: installHosts, for: ['unit', 'test'] },
-  { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test'] },
+  { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'unit', 'test', 'hosts'] },
+  ...[
+    { python: testsPython, for: ['unit', 'test'] },
+    { python: hostsPython, for: ['hosts'] },
+  ].map(({ python, for: purposes }) => ({
+    what: `the Python packages of ${python.requirements}`,
+    isDone: () => pythonPackagesAreCurrent(python),
+    run: say => installPythonPackages(say, python),
+    for: purposes,
+  })),
+  { what: 'a Chromium that starts', isDone: findChromium, run: installChromium, for: ['test', 'hosts'] },
   { what: 'the fonts of the visual tests', isDone: hasVisualFonts, run: installVisualFonts, for: ['test'] },
   { what: 'Firefox, WebKitGTK and a screen for them', isDone: otherBrowsers, run: installOtherBrowsers, for: ['test'] },
 ]
@@ -229,29 +242,31 @@ async function installPython(say) {
   await installDebianPackages(say, 'python3', ['python3'])
 }
 
-/** Sphinx, MkDocs and JupyterLab, in which the tests embed the element, and VTK. */
-const hosts = join(root, 'build', 'hosts')
-const hostsStampFile = join(hosts, 'hexlens-stamp')
-const requirements = join(root, 'tests', 'package', 'requirements.txt')
+const pythonStampOf = ({ folder }) => join(root, folder, 'hexlens-stamp')
+const requirementsOf = ({ requirements }) => readFileSync(join(root, requirements), 'utf8')
 
-function hostsAreCurrent() {
-  return existsSync(hostsStampFile) && readFileSync(hostsStampFile, 'utf8') === readFileSync(requirements, 'utf8')
+function pythonPackagesAreCurrent(python) {
+  const stamp = pythonStampOf(python)
+  return existsSync(stamp) && readFileSync(stamp, 'utf8') === requirementsOf(python)
 }
 
-async function installHosts(say) {
-  say('installing the Python packages of tests/package/requirements.txt into build/hosts')
-  rmSync(hosts, { recursive: true, force: true })
-  const venv = ['-m', 'venv', hosts]
+async function installPythonPackages(say, python) {
+  const { folder, requirements } = python
+  say(`installing the Python packages of ${requirements} into ${folder}`)
+  const environment = join(root, folder)
+  rmSync(environment, { recursive: true, force: true })
+  const venv = ['-m', 'venv', environment]
   // Debian has venv in a package of its own.
   if ((await run('python3', venv)).status !== 0) {
     await installDebianPackages(say, 'python3 -m venv', ['python3-venv'])
     await must('python3', venv, 'Install what python3 needs to make a virtual environment, then repeat.')
   }
-  const python = join(hosts, 'bin', 'python')
+  const interpreter = join(environment, 'bin', 'python')
   const advice = 'Check that the Python package index can be reached (Python 3.11 or later is needed), then repeat.'
-  await must(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', 'uv'], advice)
-  await must(join(hosts, 'bin', 'uv'), ['pip', 'install', '--quiet', '--python', python, '-r', requirements], advice)
-  writeFileSync(hostsStampFile, readFileSync(requirements, 'utf8'))
+  await must(interpreter, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', 'uv'], advice)
+  const words = ['pip', 'install', '--quiet', '--python', interpreter, '-r', join(root, requirements)]
+  await must(join(environment, 'bin', 'uv'), words, advice)
+  writeFileSync(pythonStampOf(python), requirementsOf(python))
 }
 
 async function installChromium(say) {

@@ -1,11 +1,10 @@
 // npm test: sets up, runs the native, unit and browser tests and ends with the counts. --fast: without the browser and
 // the long native tests.
 
-import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
-import { createServer } from 'node:net'
-import { tmpdir } from 'node:os'
+import { mkdirSync, readdirSync, rmSync } from 'node:fs'
 import { join, relative } from 'node:path'
 import { parseArgs } from 'node:util'
+import { readJson, runPlaywright } from './playwright.mjs'
 import { Failure, isAlive, root, run, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
@@ -119,13 +118,7 @@ async function unit({ fast }) {
 }
 
 async function browser() {
-  const port = await freePort()
-  const env = { ...process.env, HEXLENS_TEST_PORT: String(port), HEXLENS_TEST_RESULTS: relative(root, results) }
-  const playwright = join(root, 'node_modules', '@playwright', 'test', 'cli.js')
-  const { status } = await run(process.execPath, [playwright, 'test'], { output: 'show', env })
-  rmSync(join(root, 'dist', `test-${port}`), { recursive: true, force: true })
-  rmSync(join(tmpdir(), `hexlens-elsewhere-${port}`), { recursive: true, force: true })
-  const report = readJson(join(results, 'browser.json'))
+  const { status, report } = await runPlaywright(relative(root, results))
   if (!report) return judged(counts(), status)
   const { expected, unexpected, flaky, skipped } = report.stats
   return { ...judged(counts(expected, unexpected + flaky, skipped), status), detail: testsOfBrowsers(report) }
@@ -139,22 +132,4 @@ function testsOfBrowsers(report) {
   ]
   const names = testsIn(report).map(test => test.projectName)
   return [...new Set(names)].map(name => `${name} ${names.filter(other => other === name).length}`).join(', ')
-}
-
-function readJson(file) {
-  try {
-    return JSON.parse(readFileSync(file, 'utf8'))
-  } catch {
-    return undefined
-  }
-}
-
-function freePort() {
-  return new Promise((resolve, reject) => {
-    const socket = createServer().on('error', reject)
-    socket.listen(0, '127.0.0.1', () => {
-      const { port } = socket.address()
-      socket.close(() => resolve(port))
-    })
-  })
 }

@@ -1,21 +1,22 @@
 /** Builds the package, packs it and installs it elsewhere, as its users get it. */
 import { execFileSync } from 'node:child_process'
-import { copyFileSync, cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { withLock } from '../../tools/lock.mjs'
-import { buildPackage } from '../../tools/package.mjs'
+import { stagePackage } from '../../tools/package.mjs'
 
 export const root = fileURLToPath(new URL('../..', import.meta.url)).replace(/[\\/]$/, '')
 
 /** The folder it is installed in, one of each port that tests run at. */
 export const elsewhere = join(tmpdir(), `hexlens-elsewhere-${process.env.HEXLENS_TEST_PORT ?? 41735}`)
 
+/** Names the run of the tests: its workers have one parent. Runs that are given one name share what they have made. */
+export const run = process.env.HEXLENS_TEST_RUN ?? String(process.ppid)
+
 /** Once in a run of the tests, by the worker that asks first; the others wait. */
 export async function packOnce(): Promise<void> {
-  // The workers of a run have one parent.
-  const run = String(process.ppid)
   const stamp = join(elsewhere, 'run')
   const isStamped = () => existsSync(stamp) && readFileSync(stamp, 'utf8') === run
   await withLock(
@@ -36,12 +37,8 @@ export async function packOnce(): Promise<void> {
 
 async function pack(): Promise<void> {
   const staging = join(elsewhere, 'staging')
-  mkdirSync(staging, { recursive: true })
-  mkdirSync(join(staging, 'docs'))
-  const schemas = ['docs/state.schema.json', 'docs/history.schema.json', 'docs/check.schema.json']
-  for (const name of ['package.json', 'README.md', 'LICENSE', 'custom-elements.json', ...schemas])
-    copyFileSync(join(root, name), join(staging, name))
-  await buildPackage(join(staging, 'dist'))
+  mkdirSync(staging)
+  await stagePackage(staging)
   cpSync(join(root, `dist/test-${process.env.HEXLENS_TEST_PORT ?? 41735}`), join(staging, 'dist/app'), {
     recursive: true,
   })

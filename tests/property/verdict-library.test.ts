@@ -7,7 +7,7 @@ import { edgeVertices, type Vertices, vertexOf, vertexReference } from '../../we
 import { cases, core, entry, randomHexahedron, randomSource, unitCube } from '../unit/core-fixtures'
 import { holdsFor, seed } from './replay'
 
-const python = fileURLToPath(new URL('../../build/hosts/bin/python', import.meta.url))
+const python = fileURLToPath(new URL('../../build/python/bin/python', import.meta.url))
 const program = fileURLToPath(new URL('verdict_numbers.py', import.meta.url))
 
 function numbersOfVerdict(list: readonly Vertices[]): number[] {
@@ -15,7 +15,8 @@ function numbersOfVerdict(list: readonly Vertices[]): number[] {
     input: new Uint8Array(new Float64Array(list.flat()).buffer),
     maxBuffer: 2 ** 26,
   })
-  if (error || status !== 0) throw new Error(`build/hosts has no VTK (npm run setup -- --for unit): ${error ?? stderr}`)
+  if (error || status !== 0)
+    throw new Error(`build/python has no VTK (npm run setup -- --for unit): ${error ?? stderr}`)
   return [...new Float64Array(stdout.buffer.slice(stdout.byteOffset, stdout.byteOffset + stdout.byteLength))]
 }
 
