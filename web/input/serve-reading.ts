@@ -1,24 +1,42 @@
 /** The worker reads one input, decides its cells and hands all over. It is ended afterwards. */
+import type { ReadingCore } from '../core/reading-interface'
+import type { Core } from '../core/report'
+import { type CoreSources, startCore } from '../core/start-core'
 import { seldom, serve } from '../core/workers'
 import { checkMesh } from '../mesh/check'
 import { notesBesideOrder } from '../mesh/check-notes'
 import { countSentences, headline } from '../mesh/check-summary'
 import { type CheckedColumns, columnsOf } from '../mesh/checked-cells'
+import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
+import { MissingFiles, readTogether } from '../mesh/read-mesh'
+import { fileOfBytes, type MeshFile } from '../mesh/source'
 import { cellClassifier } from './classify-cells'
+import { meshFileOf } from './file-reading'
 import type { PastedInput } from './pasted-input'
-import { coreOf, meshOf, type ReadingEngine, refusalOf } from './read-input'
 import type { ReadingProgress, ReadSummary } from './reading'
 
-export type ReadingOutcome =
-  | { readonly summary: ReadSummary; readonly columns: CheckedColumns }
-  /** One sentence; `missing` are files that are named and were not given. */
-  | { readonly refused: string; readonly missing: readonly string[] }
+export type ReadingOutcome = { readonly summary: ReadSummary; readonly columns: CheckedColumns } | Refused
+
+export interface Refused {
+  /** One sentence. */
+  readonly refused: string
+  /** Files that are named and were not given. */
+  readonly missing: readonly string[]
+}
 
 type Tell = (progress: ReadingProgress) => void
 
 export type ReadingJobs = { read(input: PastedInput, tell: Tell): Promise<ReadingOutcome> }
+
+/** The wasm that reads and decides. */
+export interface ReadingEngine {
+  readonly core: CoreSources
+  /** Null where there is none; readers then do without. */
+  readonly readingCore: () => Promise<ReadingCore | null>
+  readonly batchModule: () => Promise<WebAssembly.Module>
+}
 
 export function serveReading(engine: ReadingEngine): void {
   serve<null, ReadingJobs>('hexlens-reading', () => ({
@@ -32,6 +50,26 @@ async function read(input: PastedInput, engine: ReadingEngine, tell: Tell): Prom
   const summary = summaryOf(check)
   if (check.hexahedra > 0) return { summary, columns: columnsOf(check) }
   throw new MeshRefusal([`Read as ${summary.format}: no hexahedra of eight nodes.`, ...summary.sentences].join(' '))
+}
+
+function filesOf(input: PastedInput): MeshFile[] {
+  if ('files' in input) return input.files.map(meshFileOf)
+  return [fileOfBytes('The text', new TextEncoder().encode(input.text))]
+}
+
+/** One mesh of all that was given. Throws a MeshRefusal, or what the engine throws. */
+export async function meshOf(input: PastedInput, { readingCore }: ReadingEngine, tell: Tell): Promise<Mesh> {
+  const core = await readingCore()
+  const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
+  const [first, ...others] = readTogether(filesOf(input), { onProgress, throwIfCancelled: () => {}, core })
+  if (!first) throw new MeshRefusal('There is no mesh in it.')
+  return joined([first, ...others])
+}
+
+export function coreOf({ core }: ReadingEngine): Promise<Core> {
+  return startCore(core).catch(reason => {
+    throw new MeshRefusal(`Nothing was decided: the core did not start (${reason.message}).`)
+  })
 }
 
 async function checkOf(mesh: Mesh, engine: ReadingEngine, tell: Tell): Promise<MeshCheck> {
@@ -53,4 +91,18 @@ function summaryOf(check: MeshCheck): ReadSummary {
       ...(hexahedra === 1 ? [...mesh.notes, ...notesBesideOrder(check)] : notes),
     ],
   }
+}
+
+/** Whatever went wrong, in a sentence. */
+export function refusalOf(reason: unknown): Refused {
+  const missing = reason instanceof MissingFiles ? reason.names : []
+  return { refused: sentenceOf(reason), missing }
+}
+
+function sentenceOf(reason: unknown): string {
+  if (reason instanceof MeshRefusal) return reason.message
+  const why = reason instanceof Error ? reason.message : String(reason)
+  if (reason instanceof DOMException) return `It could not be opened: ${why}`
+  if (reason instanceof RangeError) return `Reading it needs more memory than there is here (${why}).`
+  return `Reading it failed, which is a fault of Hexlens (${why}).`
 }

@@ -4,11 +4,14 @@
  */
 import { LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three'
 import { edgeVertices, type Vec3, type Vertices } from '../model/hexahedron'
+import { OrbitInput } from '../scene/input/orbit-input'
 import { type Ramp, type Rgb, rampOf, type Theme } from '../scene/paint/colour-map'
 import { lightOf } from '../scene/paint/shading'
 import { ThemeReader } from '../scene/paint/theme'
+import type { Point } from '../scene/space/layout'
 import { OrbitCamera } from '../scene/space/orbit-camera'
 import type { Bounds, FaceList, Neighbour } from '../survey/survey-jobs'
+import { placeIn } from '../views/place-in'
 import { faceColours } from './cell-colour'
 import { FaceBatch } from './face-batch'
 import { type FaceHit, firstHit } from './ray'
@@ -24,7 +27,8 @@ export class MeshPicture {
   readonly #root: HTMLElement
   readonly #canvas = document.createElement('canvas')
   readonly #overlay = document.createElementNS('http://www.w3.org/2000/svg', 'svg')
-  readonly #camera: OrbitCamera
+  readonly #camera = new OrbitCamera(() => this.draw())
+  readonly #listening = new AbortController()
   readonly #theme: ThemeReader
   readonly #scene = new Scene()
   readonly #layers: Readonly<Record<LayerName, FaceBatch>> = { surface: new FaceBatch(), invalid: new FaceBatch() }
@@ -46,7 +50,7 @@ export class MeshPicture {
     this.#overlay.setAttribute('aria-hidden', 'true')
     root.append(this.#canvas, this.#overlay)
     this.#renderer = rendererOn(this.#canvas)
-    this.#camera = new OrbitCamera(root, () => this.draw())
+    this.#listen()
     this.#theme = new ThemeReader(root, () => this.draw())
     this.#observer = new ResizeObserver(() => this.draw())
     this.#observer.observe(root)
@@ -130,9 +134,10 @@ export class MeshPicture {
     return this.#camera.direction
   }
 
-  /** The cell at a point of the picture, from its top left; null beside the mesh. */
-  cellAt(x: number, y: number): number | null {
-    const { origin, direction } = this.#camera.camera.ray(x, y)
+  /** The cell at a pointer; null beside the mesh. */
+  cellAt(event: PointerEvent): number | null {
+    const place = this.#placeOf(event)
+    const { origin, direction } = this.#camera.camera.ray(place.x, place.y)
     const from = origin.map(value => value / this.#scale) as unknown as Vec3
     const hits = Object.values(this.#layers).map(({ faces }) => faces && firstHit(faces, from, direction, this.#size))
     const [surface, invalid] = hits as [FaceHit | null, FaceHit | null]
@@ -166,12 +171,36 @@ export class MeshPicture {
     cancelAnimationFrame(this.#frame)
     this.#observer.disconnect()
     this.#theme.dispose()
-    this.#camera.dispose()
+    this.#listening.abort()
     for (const layer of Object.values(this.#layers)) layer.dispose()
     this.#renderer?.dispose()
     this.#renderer?.forceContextLoss()
     this.#canvas.remove()
     this.#overlay.remove()
+  }
+
+  #placeOf(event: MouseEvent): Point {
+    const { x, y } = placeIn(this.#root, event) ?? { x: 0, y: 0 }
+    return { x: x * this.#root.clientWidth, y: y * this.#root.clientHeight }
+  }
+
+  #listen(): void {
+    const { signal } = this.#listening
+    const orbit = new OrbitInput(this.#camera, signal)
+    const root = this.#root
+    root.addEventListener(
+      'pointerdown',
+      event => {
+        root.setPointerCapture(event.pointerId)
+        orbit.begin(event, this.#placeOf(event))
+      },
+      { signal },
+    )
+    root.addEventListener('pointermove', event => orbit.move(event, this.#placeOf(event)), { signal })
+    for (const type of ['pointerup', 'pointercancel'] as const)
+      root.addEventListener(type, ({ pointerId }) => orbit.end(pointerId), { signal })
+    root.addEventListener('wheel', event => orbit.wheel(event, this.#placeOf(event)), { signal, passive: false })
+    root.addEventListener('contextmenu', event => event.preventDefault(), { signal })
   }
 
   #draw(): void {

@@ -151,7 +151,7 @@ export class PictureControls {
   }
 
   #cellAt(event: PointerEvent): number | null {
-    return this.#picture.cellAt(event.offsetX, event.offsetY)
+    return this.#picture.cellAt(event)
   }
 
   #point(event: PointerEvent): void {
