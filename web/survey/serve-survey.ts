@@ -9,6 +9,7 @@ import { coreOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-re
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import { mended } from './mend'
+import type { Conditioned } from './selection'
 import { Survey } from './survey'
 import type { FixId, Opening, SurveyJobs } from './survey-jobs'
 
@@ -18,7 +19,13 @@ const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true }
 /** Milliseconds of a selection's step: other questions wait so long. */
 const STEP = 12
 
-export function serveSurvey(engine: ReadingEngine): void {
+export type SurveyEngine = ReadingEngine & Pick<Conditioned, 'meeting'>
+
+export function serveSurvey(engine: SurveyEngine): void {
+  serve<null, SurveyJobs>('hexlens-survey', () => surveyJobs(engine))
+}
+
+export function surveyJobs(engine: SurveyEngine): SurveyJobs {
   let open: {
     readonly name: string
     readonly survey: Survey
@@ -37,7 +44,7 @@ export function serveSurvey(engine: ReadingEngine): void {
     const classify = open?.classify ?? cellClassifier(core, engine.batchModule, onProgress)
     const options = { worst: Infinity, minRelative: null, skipsDegenerate: false, lists: LISTS }
     const check = await checkMesh(mesh, { classify, core }, options)
-    open = { name, survey: new Survey(check, core), classify, core }
+    open = { name, survey: new Survey(check, { core, meeting: engine.meeting }), classify, core }
     const overview = open.survey.overview(name)
     if (check.hexahedra > 0) return { opened: overview }
     throw new MeshRefusal([`Read as ${mesh.format}: no hexahedra of eight nodes.`, ...overview.sentences].join(' '))
@@ -47,7 +54,7 @@ export function serveSurvey(engine: ReadingEngine): void {
     return surveyed(nameOf(input), await meshOf(input, engine, seldom(tell)), seldom(tell))
   }
 
-  serve<null, SurveyJobs>('hexlens-survey', () => ({
+  return {
     open: (input, tell) => opening(input, tell).catch(refusalOf),
     rows: ({ from, to }) => survey().rows(from, to),
     arrange(order) {
@@ -67,7 +74,7 @@ export function serveSurvey(engine: ReadingEngine): void {
       const { check } = survey()
       return surveyed(open?.name ?? '', mended(check, fix), () => {})
     },
-  }))
+  }
 }
 
 function nameOf(input: PastedInput): string {

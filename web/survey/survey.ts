@@ -1,5 +1,4 @@
 /** An open mesh with the answers of all its cells, in its worker: what the page shows of it is asked here. */
-import type { Core } from '../core/report'
 import { CHECKS, CLASSES } from '../core/unpack'
 import { CheckedCells, columnsOf } from '../mesh/checked-cells'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -10,7 +9,7 @@ import { arranged } from './arrange'
 import { facesOf } from './faces'
 import { histogramOf } from './histogram'
 import { boundsOf, overviewOf } from './overview'
-import { SelectionRun } from './selection'
+import { type Conditioned, SelectionRun } from './selection'
 import type {
   Arrangement,
   Bounds,
@@ -33,7 +32,7 @@ const NOT_LISTED = 0xffffffff
 
 export class Survey {
   readonly check: MeshCheck
-  readonly #core: Core
+  readonly #conditioned: Conditioned
   readonly #cells: CheckedCells
   readonly #bounds: Bounds | null
   /** All cells in the present order. */
@@ -45,13 +44,13 @@ export class Survey {
   #middles: Float32Array | null = null
 
   /** Of a check with minima, volumes and the checks that accept. */
-  constructor(check: MeshCheck, core: Core) {
+  constructor(check: MeshCheck, conditioned: Conditioned) {
     this.check = check
-    this.#core = core
+    this.#conditioned = conditioned
     this.#cells = new CheckedCells(columnsOf(check))
     this.#bounds = boundsOf(check.mesh)
     this.#order = check.worst
-    this.#selection = new SelectionRun(check, core, ALL)
+    this.#selection = new SelectionRun(check, conditioned, ALL)
   }
 
   overview(name: string): Overview {
@@ -69,7 +68,7 @@ export class Survey {
   }
 
   select(selection: Selection): Selected {
-    this.#selection = new SelectionRun(this.check, this.#core, selection)
+    this.#selection = new SelectionRun(this.check, this.#conditioned, selection)
     return this.selectOn(0)
   }
 
