@@ -12,7 +12,7 @@ export interface Guest {
   /** Makes the site, once in a run. */
   readonly build: () => void | Promise<void>
   readonly address: string
-  /** The host's own switch from light to dark and back, in as many clicks as it has schemes. */
+  /** The host's own switch from light to dark and back: a list, or a button to click for the next of its schemes. */
   readonly schemes?: (page: Page) => Locator
   /** Brings the element into view where the page does not show it. */
   readonly show?: (page: Page) => Promise<void>
@@ -45,14 +45,14 @@ export function testGuest(guest: Guest): void {
     test('starts, is right, and axe finds nothing in it', async ({ lens, page }) => {
       await open(lens)
       await expectDocumented(lens)
-      await expect(async () => expect(await isComplete(lens)).toBe(true)).toPass({ timeout: 60_000 })
+      await expectComplete(lens)
       await page.screenshot({ path: join(hosts, 'pictures', `${name}.png`) })
       await expectAxeFindsNothingInElement(page)
     })
 
     test('the picture has half of the box in columns of all widths', async ({ lens }) => {
       await open(lens)
-      for (const width of COLUMNS) expect(await roomIn(lens, width), `${width} pixels`).toMatchObject(ROOM)
+      await expectRoom(lens)
     })
 
     test('a vertex is dragged', async ({ lens }) => {
@@ -87,8 +87,11 @@ export async function expectDocumented(lens: Lens): Promise<void> {
   await expect(lens.page.getByRole('group', { name: documented.label })).toBeVisible()
 }
 
-function isComplete(lens: Lens): Promise<boolean> {
-  return lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).complete)
+/** Everything of it that is in sight is drawn. */
+export async function expectComplete(lens: Lens): Promise<void> {
+  await expect
+    .poll(() => lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).complete))
+    .toBe(true)
 }
 
 export async function expectAxeFindsNothingInElement(page: Page): Promise<void> {
@@ -102,15 +105,19 @@ export async function expectAxeFindsNothingInElement(page: Page): Promise<void> 
 
 const ROOM = { picture: true, covered: 0, scrolls: 0 }
 
+export async function expectRoom(lens: Lens): Promise<void> {
+  for (const width of COLUMNS) expect(await roomIn(lens, width), `${width} pixels`).toMatchObject(ROOM)
+}
+
 /** The element's room in a column: its picture has half of its box, no handle is under a button, and nothing scrolls. */
-export async function roomIn(lens: Lens, width: number): Promise<typeof ROOM & { readonly share: number }> {
+async function roomIn(lens: Lens, width: number): Promise<typeof ROOM & { readonly share: number }> {
   await lens.element.evaluate((element, width) => {
     const column = element.parentElement as HTMLElement
     column.style.cssText = `box-sizing: content-box; width: ${width}px; min-width: 0; max-width: none; padding: 0`
   }, width)
   await lens.element.evaluate(element => element.scrollIntoView({ block: 'start' }))
   await lens.nextFrame()
-  await expect.poll(() => isComplete(lens)).toBe(true)
+  await expectComplete(lens)
   return await lens.element.evaluate(element => {
     const root = element.shadowRoot as ShadowRoot
     const part = (name: string) => root.querySelector(`[part~=${name}]`) as HTMLElement
@@ -174,9 +181,11 @@ export async function expectKeysToStay(lens: Lens): Promise<void> {
   expect(heard[0]?.split(' ')[0]).toBe('Escape')
 }
 
-async function switchTo(page: Page, button: Locator, dark: boolean): Promise<void> {
+async function switchTo(page: Page, control: Locator, dark: boolean): Promise<void> {
+  const isList = await control.evaluate(element => element.matches('select'))
   await expect(async () => {
-    if ((await isDark(page.locator('body'))) !== dark) await button.click()
+    if (isList) await control.selectOption(dark ? 'dark' : 'light')
+    else if ((await isDark(page.locator('body'))) !== dark) await control.click()
     await expect.poll(() => isDark(page.locator('body')), { timeout: 2_000 }).toBe(dark)
   }).toPass({ timeout: 60_000 })
 }

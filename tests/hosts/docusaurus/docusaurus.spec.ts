@@ -9,7 +9,6 @@ const config = `export default {
   title: 'A site',
   url: 'https://example.org',
   baseUrl: '/docusaurus/build/',
-  trailingSlash: false,
   onBrokenLinks: 'throw',
   presets: [['classic', { docs: { routeBasePath: '/' }, blog: false, pages: false }]],
 }
@@ -23,11 +22,11 @@ testGuest({
     const [top, place] = snippetsOf('MDX') as [string, string]
     mkdirSync(join(folder, 'docs'))
     writeFileSync(join(folder, 'docusaurus.config.js'), config)
-    writeFileSync(join(folder, 'docs/page.mdx'), `${top}\n\n# A page\n\n${place}\n`)
+    writeFileSync(join(folder, 'docs/page.mdx'), `---\nslug: /\n---\n\n${top}\n\n# A page\n\n${place}\n`)
     putFiles(join(folder, 'static'))
     run(folder, 'docusaurus', 'build')
   },
-  address: 'docusaurus/build/page.html',
+  address: 'docusaurus/build/',
   schemes: page =>
     page
       .locator('button[class*=ColorModeToggle], [class*=colorModeToggle] button, button[class*=toggleButton]')
