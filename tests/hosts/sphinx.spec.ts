@@ -2,9 +2,9 @@
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Page } from '@playwright/test'
-import { snippetsOf } from '../../package/documentation'
-import { expectDocumented, testGuest } from '../guest'
-import { expect, pythonVersion, root, run, site, test } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { expectDocumented, testGuest } from './guest'
+import { expect, pythonVersion, root, run, site, test } from './host'
 
 interface Theme {
   readonly name: string

@@ -2,11 +2,11 @@
 import { copyFileSync, cpSync, readdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Page } from '@playwright/test'
-import { Lens } from '../../e2e/lens'
-import { snippetsOf } from '../../package/documentation'
-import { documented } from '../../unit/embed-fixture'
-import { expectAxeFindsNothingInElement, expectComplete, expectDrag, expectRoom, isDark } from '../guest'
-import { dist, expect, hosts, nameHost, onceInRun, python, pythonVersion, root, run, site, test } from '../host'
+import { Lens } from '../e2e/lens'
+import { snippetsOf } from '../package/documentation'
+import { documented } from '../unit/embed-fixture'
+import { expectAxeFindsNothingInElement, expectComplete, expectDrag, expectRoom, isDark } from './guest'
+import { dist, expect, hosts, nameHost, onceInRun, python, pythonVersion, root, run, site, test } from './host'
 import { Lab, notebook, runCell } from './lab'
 
 const folder = join(hosts, 'jupyter')

@@ -1,9 +1,9 @@
 /** The module behind bundlers. */
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { snippetsOf } from '../../package/documentation'
-import { expectDocumented } from '../guest'
-import { html, installed, npmVersion, onceInRun, putFiles, run, test } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { expectDocumented } from './guest'
+import { html, installed, npmVersion, onceInRun, putFiles, run, test } from './host'
 
 /** What each bundler is told to make `NAME/page.js` of `page.js`. */
 const bundlers = {

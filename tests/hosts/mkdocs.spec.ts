@@ -1,9 +1,9 @@
 /** MkDocs with its own theme and with Material. */
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { snippetsOf } from '../../package/documentation'
-import { testGuest } from '../guest'
-import { pythonVersion, run, site } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { testGuest } from './guest'
+import { pythonVersion, run, site } from './host'
 
 /** Neither theme is to ask another host, for a highlighter or for fonts. */
 const MKDOCS = 'theme: {name: mkdocs, highlightjs: false}'

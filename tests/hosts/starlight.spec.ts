@@ -1,9 +1,9 @@
 /** Starlight, of Astro: the last one that runs in Node 20. */
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { snippetsOf } from '../../package/documentation'
-import { testGuest } from '../guest'
-import { installed, npmVersion, putFiles, run } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { testGuest } from './guest'
+import { installed, npmVersion, putFiles, run } from './host'
 
 const FILES = {
   'astro.config.mjs': `import starlight from '@astrojs/starlight'

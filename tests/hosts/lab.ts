@@ -4,7 +4,7 @@ import { createWriteStream } from 'node:fs'
 import { createServer } from 'node:net'
 import { join } from 'node:path'
 import type { APIRequestContext, Page } from '@playwright/test'
-import { expect, python } from '../host'
+import { expect, python } from './host'
 
 export class Lab {
   readonly address: string

@@ -1,9 +1,9 @@
 /** Docusaurus 3. */
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { snippetsOf } from '../../package/documentation'
-import { testGuest } from '../guest'
-import { installed, npmVersion, putFiles, run } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { testGuest } from './guest'
+import { installed, npmVersion, putFiles, run } from './host'
 
 const config = `export default {
   title: 'A site',
