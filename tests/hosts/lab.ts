@@ -58,7 +58,8 @@ export class Lab {
   async open(page: Page, notebook: string): Promise<void> {
     await expect(async () => {
       const kernel = await this.#startKernel(page.request, notebook)
-      await page.goto(`${this.address}/lab/tree/${notebook}`)
+      // Without what an earlier page had open.
+      await page.goto(`${this.address}/lab/tree/${notebook}?reset`)
       // The server learns of a kernel's state only while somebody listens: from here on JupyterLab does.
       await expect
         .poll(async () => (await (await page.request.get(kernel)).json()).execution_state, { timeout: 60_000 })
