@@ -11,6 +11,7 @@ const layers = [
   ['mesh'],
   ['core'],
   ['model'],
+  ['words'],
 ]
 
 // The same in the scene; its own files are above them.

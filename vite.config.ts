@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig, type Plugin } from 'vite'
 import { leanReaders } from './tools/lean-readers.mjs'
+import { leanText } from './tools/lean-text.mjs'
 import { leanThree } from './tools/lean-three.mjs'
 import { appPages, pageAt, pages } from './tools/pages.mjs'
 
@@ -43,11 +44,13 @@ export default defineConfig({
   appType: 'mpa',
   publicDir: `${root}public`,
   cacheDir: `${root}node_modules/.vite`,
-  plugins: [leanThree, leanReaders, pages, securityPolicy],
+  plugins: [leanThree, leanReaders, leanText, pages, securityPolicy],
   worker: { format: 'es' },
   server: { fs: { allow: [root] } },
   build: {
     target: 'es2022',
+    // Browsers with light-dark(): a rewritten one follows no scheme but the one it is declared in.
+    cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
     outDir: `${root}dist/app`,
     emptyOutDir: true,
     modulePreload: { polyfill: false },

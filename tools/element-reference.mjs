@@ -1,5 +1,6 @@
 // The reference of the element and of its documents, for tools and for people: custom-elements.json
-// and docs/element.md from the comments of its class, docs/*.schema.json from the readers.
+// and docs/element.md from the comments of its class and of its events, docs/*.schema.json from the
+// readers.
 // --check: complains of the files that are not as they would be written.
 
 import { readFileSync, writeFileSync } from 'node:fs'
@@ -9,6 +10,7 @@ import { isScript, root, runMain } from './run.mjs'
 
 /** The class that the element's extends, and its own. */
 const SOURCES = ['web/element/reflecting-element.ts', 'web/element/hex-lens.ts']
+const EVENTS = 'web/element/events.ts'
 
 /** Names of the files that are not up to date; written unless only checked. */
 export async function elementReference({ check }) {
@@ -54,8 +56,8 @@ async function describedElement() {
   const { create, ts } = await import('@custom-elements-manifest/analyzer') // not before it is installed
   const modules = SOURCES.map(path => ts.createSourceFile(path, textOf(path), ts.ScriptTarget.ESNext, true))
   const { declarations } = create({ modules }).modules.at(-1)
-  const { description, members, events, ...element } = declarations.find(({ customElement }) => customElement)
-  const attributes = new Set(element.attributes.map(({ name }) => name))
+  const { description, members, events: _, ...element } = declarations.find(({ customElement }) => customElement)
+  const attributes = new Map(element.attributes.map(({ name }) => [propertyOf(name), name]))
   return withoutLineBreaks({
     ...element,
     superclass: { name: 'HTMLElement' },
@@ -63,14 +65,32 @@ async function describedElement() {
       .filter(member => member.privacy !== 'private' && !member.static)
       .map(({ inheritedFrom, parameters, ...member }) => ({
         ...member,
-        ...(attributes.has(member.name.toLowerCase()) && { attribute: member.name.toLowerCase() }),
+        ...(attributes.has(member.name) && { attribute: attributes.get(member.name) }),
         // A default value is code, and the description says it.
         ...(parameters && {
-          parameters: parameters.map(({ default: code, ...rest }) => ({ ...rest, optional: code !== undefined })),
+          parameters: parameters.map(({ default: code, ...rest }) => ({
+            ...rest,
+            optional: rest.optional === true || code !== undefined,
+          })),
         }),
       })),
-    events: events.filter(event => event.description), // the others are calls of the constructor
+    events: eventsOf(ts.createSourceFile(EVENTS, textOf(EVENTS), ts.ScriptTarget.ESNext, true), ts),
   })
+}
+
+/** The property of an attribute, in the case that HTML's own have. */
+function propertyOf(attribute) {
+  return attribute === 'readonly' ? 'readOnly' : attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase())
+}
+
+/** The members of the event map, each with its comment. */
+function eventsOf(file, ts) {
+  const map = file.statements.find(each => ts.isInterfaceDeclaration(each) && each.name.text === 'HexLensEventMap')
+  return map.members.map(member => ({
+    name: member.name.text,
+    type: { text: member.type.getText(file) },
+    description: member.jsDoc.at(-1).comment,
+  }))
 }
 
 function withoutLineBreaks(element) {
@@ -93,7 +113,7 @@ function manifest(element) {
   return json({ schemaVersion: '2.1.0', modules: [module] })
 }
 
-function page({ tagName, summary, attributes, members, events, slots, cssParts, cssProperties }) {
+function page({ tagName, summary, attributes, members, events, slots, cssStates, cssParts, cssProperties }) {
   const code = text => `\`${text}\``
   const call = ({ name, parameters = [] }) =>
     code(`${name}(${parameters.map(({ name, optional }) => name + (optional ? '?' : '')).join(', ')})`)
@@ -101,7 +121,7 @@ function page({ tagName, summary, attributes, members, events, slots, cssParts, 
     `# \`<${tagName}>\``,
     summary,
     'For authors who put the element into their pages: every name it understands. `docs/embedding.md` has the first steps.',
-    `Written by \`npm run reference\` from the comments in \`${SOURCES.at(-1)}\`.`,
+    `Written by \`npm run reference\` from the comments in \`${SOURCES.at(-1)}\` and \`${EVENTS}\`.`,
     '## Attributes',
     table(
       ['attribute', 'takes', 'without it', ''],
@@ -130,6 +150,12 @@ function page({ tagName, summary, attributes, members, events, slots, cssParts, 
       ['slot', ''],
       slots.map(s => [s.name === '' ? 'between the tags' : code(s.name), s.description]),
     ),
+    '## States',
+    'For style sheets: `hex-lens:state(invalid)`.',
+    table(
+      ['state', ''],
+      cssStates.map(s => [code(s.name), s.description]),
+    ),
     '## CSS parts',
     table(
       ['part', ''],
@@ -141,8 +167,11 @@ function page({ tagName, summary, attributes, members, events, slots, cssParts, 
       cssProperties.map(p => [code(p.name), p.default, p.description]),
     ),
     '## Its box',
-    'The element is a block of a fixed box: as wide as its place, as high as `--hl-aspect-ratio` says, or as `height` or `aspect-ratio` do in the page’s style. So that nothing moves when the script arrives, the page says the same in its own style sheet:',
-    '    hex-lens { display: block; aspect-ratio: 4 / 3 }',
+    'The element is a block as wide as its place, and 280 to 560 pixels where the place leaves that open: in a flex row, a float, a table cell. It is as high as `--hl-aspect-ratio` says, with a picture at least 22rem, and grows with what is shown. `min-height` makes it higher, and `aspect-ratio` is the page’s to set. With a `height` it scrolls what has no room.',
+    'Narrower than 896 pixels, all panels but the verdict are below the picture and closed: **Details** opens them, and the box grows. So that nothing moves when the script arrives, the page says how high the element begins in its own style sheet:',
+    '    hex-lens:not(:defined) { display: block; aspect-ratio: 4 / 3; min-height: 22rem }',
+    '## Transforms and zoom',
+    'Pointers keep to the picture under any `transform`, `perspective`, `zoom` or animation of the element or of what is around it. The picture is drawn as fine as it is seen, up to four times its size. No browser tells of a transform, so it is measured for each new picture; pointing at the element draws one.',
   ]
     .join('\n\n')
     .concat('\n')

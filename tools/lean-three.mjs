@@ -2,10 +2,11 @@
 // carries the shaders of every built-in material with it (lights, shadows, environments, textures),
 // and XR; Mesh carries what finds a ray's triangle, a material what writes it as JSON. No option of
 // three.js leaves these out, and a bundler cannot see that nothing asks for them. So modules of
-// three/src are whole ones of ours here, which saves 80 kB; no line of the others is edited.
+// three/src are whole ones of ours here, which saves 90 kB; no line of the others is edited. What
+// else nobody asks for, unread-members.mjs takes out of the package's files: another 8 kB.
 // Only for builds, whose tests then run on it; `npm run dev` has three.js as it is.
 
-import { existsSync } from 'node:fs'
+import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
 import { Failure, root } from './run.mjs'
 
@@ -13,8 +14,7 @@ const source = join(root, 'node_modules', 'three', 'src')
 
 /**
  * Classes that are made and not asked for anything: there are no textures, no targets but the
- * canvas, nothing is sorted or culled by its bounds, and OrbitControls wants its ray only where it
- * does not pan in the plane of the screen.
+ * canvas, and nothing is sorted or culled by its bounds.
  */
 const idle = [
   'math/FrustumArray',
@@ -77,6 +77,28 @@ const standIns = {
       onBeforeCompile() {}
       customProgramCacheKey() { return '' }
       dispose() { this.dispatchEvent({ type: 'dispose' }) }
+    }`,
+  'math/Color.js': `
+    export class Color {
+      constructor(hex) { this.set(hex) }
+      set(hex) {
+        this.r = ((hex >> 16) & 255) / 255
+        this.g = ((hex >> 8) & 255) / 255
+        this.b = (hex & 255) / 255
+      }
+      copy({ r, g, b }) {
+        Object.assign(this, { r, g, b })
+        return this
+      }
+    }`,
+  // What three.js has for colours that the shader gives as they are to be seen.
+  'math/ColorManagement.js': `
+    import { LinearSRGBColorSpace, SRGBColorSpace } from '../constants.js'
+    export const SRGBToLinear = null
+    export const ColorManagement = {
+      workingColorSpace: LinearSRGBColorSpace,
+      _getDrawingBufferColorSpace: () => SRGBColorSpace,
+      _getUnpackColorSpace: () => SRGBColorSpace,
     }`,
   // The faces are never culled: their vertices are where the shader puts them.
   'math/Frustum.js': `
@@ -151,9 +173,140 @@ const standIns = {
         material.uniformsNeedUpdate = false
       }
     }`,
+  'renderers/webgl/WebGLProgram.js': `
+    import { error } from '../../utils.js'
+    import { WebGLUniforms } from './WebGLUniforms.js'
+    let count = 0
+    export class WebGLProgram {
+      id = count++
+      usedTimes = 1
+      #gl
+      #shaders
+      #uniforms
+      #attributes
+      constructor(gl, cacheKey, { glslVersion, vertexShader, fragmentShader }) {
+        const program = gl.createProgram()
+        const sources = [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]
+        this.cacheKey = cacheKey
+        this.program = program
+        this.#gl = gl
+        this.#shaders = sources.map(([type, source]) => {
+          const shader = gl.createShader(type)
+          gl.shaderSource(shader, '#version ' + glslVersion + '\\n' + source)
+          gl.compileShader(shader)
+          gl.attachShader(program, shader)
+          return shader
+        })
+        gl.linkProgram(program)
+      }
+      // Asking for anything waits for the compiler, so that nothing is asked before the first use.
+      #use() {
+        const { program } = this
+        const gl = this.#gl
+        if (this.#uniforms) return
+        if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+          error(gl.getProgramInfoLog(program), ...this.#shaders.map(shader => gl.getShaderInfoLog(shader)))
+        for (const shader of this.#shaders) gl.deleteShader(shader)
+        this.#uniforms = new WebGLUniforms(gl, program)
+        this.#attributes = {}
+        for (let i = gl.getProgramParameter(program, gl.ACTIVE_ATTRIBUTES); i-- > 0; ) {
+          const { name, type } = gl.getActiveAttrib(program, i)
+          this.#attributes[name] = { type, location: gl.getAttribLocation(program, name), locationSize: 1 }
+        }
+      }
+      getUniforms() {
+        this.#use()
+        return this.#uniforms
+      }
+      getAttributes() {
+        this.#use()
+        return this.#attributes
+      }
+      destroy() {
+        this.#gl.deleteProgram(this.program)
+      }
+    }`,
+  // A program for each pair of shaders, whatever is drawn with it.
+  'renderers/webgl/WebGLPrograms.js': `
+    import { NoToneMapping } from '../../constants.js'
+    import { WebGLProgram } from './WebGLProgram.js'
+    export class WebGLPrograms {
+      programs = []
+      #renderer
+      #bindingStates
+      constructor(renderer, environments, extensions, capabilities, bindingStates) {
+        this.#renderer = renderer
+        this.#bindingStates = bindingStates
+      }
+      getParameters({ glslVersion, vertexShader, fragmentShader }) {
+        return {
+          glslVersion,
+          vertexShader,
+          fragmentShader,
+          outputColorSpace: this.#renderer.outputColorSpace,
+          toneMapping: NoToneMapping,
+          morphTargets: false,
+          morphNormals: false,
+          morphColors: false,
+          morphTargetsCount: 0,
+          vertexAlphas: false,
+          vertexTangents: false,
+        }
+      }
+      getProgramCacheKey({ vertexShader, fragmentShader }) { return vertexShader + fragmentShader }
+      getUniforms({ uniforms }) { return uniforms }
+      acquireProgram(parameters, cacheKey) {
+        const known = this.programs.find(program => program.cacheKey === cacheKey)
+        if (known) {
+          known.usedTimes++
+          return known
+        }
+        const program = new WebGLProgram(this.#renderer.getContext(), cacheKey, parameters)
+        this.programs.push(program)
+        return program
+      }
+      releaseProgram(program) {
+        if (--program.usedTimes > 0) return
+        this.programs.splice(this.programs.indexOf(program), 1)
+        this.#bindingStates.releaseStatesOfProgram(program)
+        program.destroy()
+      }
+      releaseShaderCache() {}
+    }`,
   'renderers/webgl/WebGLShadowMap.js': `
     export class WebGLShadowMap {
       render() {}
+    }`,
+  // All that is drawn has two sides, hides what is behind it, and blends premultiplied colours or none.
+  'renderers/webgl/WebGLState.js': `
+    export class WebGLState {
+      #gl
+      #program = null
+      constructor(gl) {
+        this.#gl = gl
+        this.buffers = {
+          color: { setClear: (...colour) => gl.clearColor(...colour.slice(0, 4)), setMask() {} },
+          depth: { getReversed: () => false, setTest() {}, setMask: isWritten => gl.depthMask(isWritten) },
+          stencil: { setMask() {} },
+        }
+        gl.enable(gl.DEPTH_TEST)
+        gl.depthFunc(gl.LEQUAL)
+        gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA)
+      }
+      setMaterial({ transparent, depthWrite }) {
+        const gl = this.#gl
+        if (transparent) gl.enable(gl.BLEND)
+        else gl.disable(gl.BLEND)
+        gl.depthMask(depthWrite)
+      }
+      setPolygonOffset() {}
+      useProgram(program) {
+        if (program === this.#program) return false
+        this.#gl.useProgram(program)
+        this.#program = program
+        return true
+      }
+      viewport({ x, y, z, w }) { this.#gl.viewport(x, y, z, w) }
     }`,
   'renderers/webgl/WebGLTextures.js': `
     export class WebGLTextures {
@@ -196,4 +349,13 @@ export const leanThree = {
   load(id) {
     return id.startsWith(source) ? standIns[id.slice(source.length + 1)] : null
   },
+}
+
+/** Names by which three.js tells its classes, such as `isSkinnedMesh`: undefined where nothing of the class is left. */
+export function classFlags() {
+  const sources = readdirSync(source, { recursive: true }).filter(name => name.endsWith('.js'))
+  const names = sources.flatMap(name =>
+    readFileSync(join(source, name), 'utf8').match(/(?<=\.)is[A-Z]\w*(?= = true;)/g),
+  )
+  return new Set(names.filter(name => name !== null))
 }

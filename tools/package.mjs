@@ -1,11 +1,13 @@
 // The files of the published package, but for the page: each one file, for browsers without a bundler as for bundlers.
 
-import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { basename, dirname, join, resolve } from 'node:path'
 import { promisify } from 'node:util'
 import { leanReaders } from './lean-readers.mjs'
-import { leanThree } from './lean-three.mjs'
+import { leanText } from './lean-text.mjs'
+import { classFlags, leanThree } from './lean-three.mjs'
 import { must, root, tsc } from './run.mjs'
+import { withoutUnread } from './unread-members.mjs'
 
 const source = path => join(root, 'web', path)
 
@@ -66,6 +68,7 @@ const meshWorker = {
 const bundles = [
   { file: 'hexlens.es.js', entry: ours('hexlens.ts'), isWidget: true },
   { file: 'hexlens.iife.js', entry: ours('script.ts'), format: 'iife', isWidget: true },
+  { file: 'hexlens.light.js', entry: ours('light.ts'), isWidget: true },
   { file: 'hexlens.three.js', entry: ours('hexlens.ts'), external: /^three(\/|$)/ },
   { file: 'hexlens.core.js', entry: ours('core.ts') },
   { file: 'hexlens.batch.js', entry: ours('batch.ts') },
@@ -73,6 +76,7 @@ const bundles = [
   { file: 'hexlens.mesh.js', entry: ours('mesh.ts') },
   meshWorker,
   { file: 'hexlens.anywidget.js', entry: ours('anywidget.ts'), isWidget: true },
+  ...['de', 'zh'].map(tag => ({ file: `hexlens.lang.${tag}.js`, format: 'iife', entry: ours(`lang/${tag}.ts`) })),
   { file: 'hexlens.cli.js', entry: ours('cli.ts'), external: /^node:/ },
   { file: 'hexlens.twin.js', entry: join(root, 'build', 'hexlens-twin.js') },
 ]
@@ -83,6 +87,21 @@ export async function buildPackage(folder) {
   await buildScripts(outDir)
   await writeTypes(join(outDir, 'types'))
   writeFileSync(join(outDir, 'licences.txt'), licences())
+}
+
+/** Fills the folder that npm packs, but for the page: its README is for those who install it, its manifest without tools. */
+export async function stagePackage(folder) {
+  const {
+    scripts: _,
+    devDependencies: __,
+    private: ___,
+    ...manifest
+  } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'))
+  for (const path of ['LICENSE', ...manifest.files.filter(path => !path.startsWith('dist/'))])
+    cpSync(join(root, path), join(folder, path))
+  cpSync(ours('README.md'), join(folder, 'README.md'))
+  writeFileSync(join(folder, 'package.json'), `${JSON.stringify(manifest, null, 2)}\n`)
+  await buildPackage(join(folder, 'dist'))
 }
 
 /** The scripts alone. */
@@ -110,19 +129,36 @@ function licences() {
  * libraries do not come between modules of ours.
  */
 async function scriptOf({ entry, isWidget = false, format = 'es', external = [], around: [before, after] = ['', ''] }) {
-  const groups = [{ name: 'wasm', test: /-inside\.ts$/ }, { name: 'libraries', test: /node_modules/ }, { name: 'ours' }]
+  const groups = [
+    { name: 'wasm', test: /-inside\.ts$/ },
+    { name: 'three', test: /node_modules\/three\// },
+    { name: 'libraries', test: /node_modules/ },
+    { name: 'ours' },
+  ]
   const split = { codeSplitting: { groups }, minify: false }
-  const chunks = await chunksOf({ entry, formats: ['es'] }, [insideOneFile, leanThree, leanReaders], external, split)
+  const plugins = [insideOneFile, leanThree, leanReaders, leanText]
+  const chunks = await withLeanThree(await chunksOf({ entry, formats: ['es'] }, plugins, external, split))
   const whole = { codeSplitting: false, minify: true, postBanner: `${BANNER}\n${before}`, postFooter: after }
   const given = { entry: chunks[0].fileName, formats: [format], name: 'hexlens' }
   const [{ code }] = await chunksOf(given, [modulesOf(chunks), insideOneFile], external, whole)
   return isWidget ? smallest(code, format) : code
 }
 
+async function withLeanThree(chunks) {
+  const isThree = ({ name }) => name === 'three'
+  const others = chunks.filter(chunk => !isThree(chunk)).map(({ code }) => code)
+  return Promise.all(
+    chunks.map(async chunk => {
+      const { fileName, code } = chunk
+      return { fileName, code: isThree(chunk) ? await withoutUnread(code, others, classFlags()) : code }
+    }),
+  )
+}
+
 /** Terser takes 2.6 kB more away than rolldown's minifier, and seconds to do it. */
 async function smallest(code, format) {
   const { minify } = await import('terser')
-  const options = { module: format === 'es', ecma: 2022, format: { comments: /^!/ } }
+  const options = { module: format === 'es', ecma: 2022, compress: { passes: 2 }, format: { comments: /^!/ } }
   return (await minify(code, options)).code
 }
 
@@ -138,6 +174,8 @@ async function chunksOf(lib, plugins, external, output) {
     resolve: { conditions: ['node'] },
     build: {
       target: 'es2022',
+      // Browsers with light-dark(): a rewritten one follows no scheme but the one it is declared in.
+      cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
       write: false,
       lib,
       rolldownOptions: {
@@ -168,13 +206,24 @@ function modulesOf(chunks) {
  * Declarations of what the entries export and of what that names. Readers of a package ask for file
  * names in full; tsc leaves them as our sources, which a bundler reads, have them.
  */
-async function writeTypes(outDir) {
+export async function writeTypes(outDir) {
   rmSync(outDir, { recursive: true, force: true })
   const project = join(root, 'tsconfig.types.json')
   await must(process.execPath, [tsc, '-p', project, '--outDir', outDir], 'The types were not written.')
-  const named = new Set(
-    ['package/hexlens', 'package/core', 'package/batch', 'package/mesh'].map(name => join(outDir, `${name}.d.ts`)),
-  )
+  const entries = [
+    'hexlens',
+    'light',
+    'react',
+    'preact',
+    'vue',
+    'svelte',
+    'core',
+    'batch',
+    'mesh',
+    'lang/de',
+    'lang/zh',
+  ]
+  const named = new Set(entries.map(name => join(outDir, 'package', `${name}.d.ts`)))
   for (const path of named) {
     const text = readFileSync(path, 'utf8').replace(/(from |import |import\()'(\.[^']+)'/g, (_, before, name) => {
       named.add(join(dirname(path), `${name}.d.ts`))

@@ -47,7 +47,7 @@ class HexLens(anywidget.AnyWidget):
     vertices           array of 8 x 3 doubles; assign to it, observe it
     valid              True, False, or None before the front end has answered
     boundary_minimum   least jacdet on the boundary, of the map from [0,1]^3; None where it is not a double
-    views, controls, camera, theme, label, readonly: the attributes of <hex-lens>; height in CSS pixels
+    views, controls, camera, theme, label, app, readonly: the attributes of <hex-lens>; height in CSS pixels
     """
 
     _esm = Path(__file__).parent / "hexlens.anywidget.js"
@@ -60,6 +60,7 @@ class HexLens(anywidget.AnyWidget):
     camera = traitlets.Unicode("").tag(sync=True)
     theme = traitlets.Unicode("").tag(sync=True)
     label = traitlets.Unicode("").tag(sync=True)
+    app = traitlets.Unicode("").tag(sync=True)
     readonly = traitlets.Bool(False).tag(sync=True)
     height = traitlets.Int(480).tag(sync=True)
 

@@ -38,13 +38,14 @@ test('the lines for each host follow the element and the choices, and so does th
   expect(head).toBe('<script defer src="hexlens.iife.js"></script>')
   expect(body).toContain('vertices="-0 0 0, 1 0 0, 1 1 0, 0 1 0, 0 0 1, 1 0 1, 1 1 1, 0 1 1"')
   expect(body).toContain(
-    'views="verdict checks"\n  theme="dark"\n  readonly\n  style="display: block; width: 100%; height: 320px"',
+    'views="verdict checks"\n  theme="dark"\n  readonly\n  style="display: block; min-height: 320px; --hl-aspect-ratio: auto"',
   )
   expect(body).toContain(
     `<a href="${page.url().replaceAll('&', '&amp;')}"><img src="hexlens.png" alt="A valid hexahedron"`,
   )
   await expect(preview.getByRole('application')).toHaveCount(0)
-  expect((await preview.boundingBox())?.height).toBe(320)
+  await panel.getByRole('checkbox', { name: 'Who would notice' }).uncheck()
+  await expect.poll(async () => (await preview.boundingBox())?.height).toBe(320)
   expect(await preview.evaluate(element => [element.getAttribute('theme'), element.hasAttribute('readonly')])).toEqual([
     'dark',
     true,

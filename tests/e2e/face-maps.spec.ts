@@ -36,6 +36,8 @@ function jacdetAt(vertices: readonly number[], point: Vec3): number {
   return result.value.jacdet
 }
 
+test.use({ pictureRatio: 1 })
+
 const panelOf = (page: Page) => page.getByRole('region', { name: 'Face maps' })
 const mapOf = (page: Page, name: string) => page.getByRole('button', { name: `Face ${name},` })
 const readoutOf = (page: Page) => panelOf(page).locator('.readout')

@@ -10,6 +10,8 @@ const SIZES = [
   [390, 844],
 ] as const
 
+test.use({ pictureRatio: 1 })
+
 const handle = (lens: Lens, vertex: number): Locator =>
   lens.page.locator('hex-lens .scene-pane .handle', { hasText: new RegExp(`^${vertex}$`) })
 const ring = (lens: Lens): Locator => lens.page.locator('hex-lens .scene-pane .minimizer .ring')

@@ -2,7 +2,7 @@ import type { Locator, Page } from '@playwright/test'
 import { expect, expectAxeFindsNothing, inSchemesAndWidths, type Lens, test } from './lens'
 
 // Room for the reference cube beside the element.
-test.use({ viewport: { width: 1100, height: 640 } })
+test.use({ pictureRatio: 1, viewport: { width: 1100, height: 640 } })
 
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 const panelOf = (page: Page) => page.getByRole('region', { name: 'Inside' })

@@ -98,13 +98,25 @@ export async function watchContexts(page: Page): Promise<void> {
   })
 }
 
-/** Sentences in the console that a test provokes on purpose. */
-interface Expected {
+interface Options {
+  /** Sentences in the console that a test provokes on purpose. */
   expectedErrors: RegExp | null
+  /**
+   * Pixels of the faces' picture for each of the screen's, each way: software would take more than a third of the time of all
+   * tests for it. A test of the picture itself says 1.
+   */
+  pictureRatio: number
 }
 
-export const test = base.extend<{ lens: Lens } & Expected>({
+export const test = base.extend<{ lens: Lens } & Options>({
   expectedErrors: [null, { option: true }],
+  pictureRatio: [0.25, { option: true }],
+  context: async ({ context, pictureRatio }, use) => {
+    await context.addInitScript(ratio => {
+      Object.defineProperty(globalThis, 'devicePixelRatio', { value: ratio * devicePixelRatio })
+    }, pictureRatio)
+    await use(context)
+  },
   lens: async ({ page, baseURL, expectedErrors }, use) => {
     const complaints: string[] = []
     page.on('pageerror', error => complaints.push(`exception: ${error.message}`))
@@ -174,7 +186,8 @@ export async function expectAxeFindsNothing(page: Page, part?: string): Promise<
   // One frame is enough: the mode for many opens a page for each run. Rules of WCAG 2.2 alone have
   // to be asked for.
   // Only violations are described: the rest would take a quarter of the time.
-  const builder = new AxeBuilder({ page })
+  const isThere = await page.evaluate(() => 'axe' in globalThis)
+  const builder = new AxeBuilder(isThere ? { page, axeSource: 'void 0' } : { page })
     .setLegacyMode()
     .options({ rules: { 'target-size': { enabled: true } }, resultTypes: ['violations'] })
   if (part !== undefined) builder.include({ fromShadowDom: ['hex-lens', part] })

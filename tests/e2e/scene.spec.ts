@@ -16,6 +16,8 @@ const light = rampOf({
 })
 
 /** The page at the end of one frame's callback, before the browser showed it. */
+test.use({ pictureRatio: 1 })
+
 interface Seen {
   readonly frame: number
   readonly vertices: readonly number[]

@@ -109,20 +109,16 @@ test('a state is data: set on another element it is the same there, and one that
     lens.parentElement?.append(other)
     const before = other.state
     while (!other.shadowRoot?.querySelector('[data-frames]')) await new Promise(requestAnimationFrame)
-    const refusals = [{ ...first, version: 2 }, { ...first, faceDisplay: 9 }, 'x'].map(wrong => {
-      try {
-        lens.state = wrong as typeof first
-        return 'taken'
-      } catch (error) {
-        return (error as { code: string }).code
-      }
-    })
+    const refusals: string[] = []
+    lens.addEventListener('hex-error', event => refusals.push((event as CustomEvent).detail.code))
+    for (const wrong of [{ ...first, version: 2 }, { ...first, faceDisplay: 9 }, 'x'])
+      lens.state = wrong as typeof first
     return { before, after: other.state, minus: Object.is(other.vertices[0], -0), refusals, kept: lens.state, first }
   })
   expect(told.minus).toBe(true)
   expect(told.before.camera).toEqual({ direction: [3, 0, 4], zoom: 2, pan: [0, 0, 0.5] })
   expect(told.after).toEqual({ ...told.before, camera: { direction: [0.6, 0, 0.8], zoom: 2, pan: [0, 0, 0.5] } })
-  expect(told.refusals).toEqual(['unknown-version', 'malformed-state', 'malformed-state'])
+  expect(told.refusals).toEqual(['bad-state', 'bad-state', 'bad-state'])
   expect(told.kept).toEqual(told.first)
   await expect(page.locator('hex-lens').nth(1).getByRole('button', { name: 'Undo' })).toBeDisabled()
 })

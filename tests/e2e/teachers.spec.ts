@@ -173,7 +173,7 @@ function lettersAtRandom(seed: number, count: number): string {
 /** The text of the QR code, as a camera would read it from the picture. */
 async function scanned(page: Page, code: Locator): Promise<string | undefined> {
   const picture = (await code.screenshot()).toString('base64')
-  const { pixels, width, height } = await page.evaluate(async base64 => {
+  const { base64, width, height } = await page.evaluate(async base64 => {
     const image = new Image()
     image.src = `data:image/png;base64,${base64}`
     await image.decode()
@@ -183,9 +183,14 @@ async function scanned(page: Page, code: Locator): Promise<string | undefined> {
     const context = canvas.getContext('2d') as CanvasRenderingContext2D
     context.drawImage(image, 0, 0)
     const { data } = context.getImageData(0, 0, image.width, image.height)
-    return { pixels: Array.from(data), width: image.width, height: image.height }
+    const reader = new FileReader()
+    reader.readAsDataURL(new Blob([data]))
+    await new Promise(resolve => reader.addEventListener('load', resolve))
+    // A list of millions of numbers would take seconds on its way.
+    const [, bytes = ''] = (reader.result as string).split(',')
+    return { base64: bytes, width: image.width, height: image.height }
   }, picture)
-  return jsQR(Uint8ClampedArray.from(pixels), width, height)?.data
+  return jsQR(new Uint8ClampedArray(Buffer.from(base64, 'base64')), width, height)?.data
 }
 
 test.describe('on paper', () => {

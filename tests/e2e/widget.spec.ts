@@ -139,7 +139,8 @@ test('put in and taken out a hundred times, nothing is left behind', async ({ pa
   await elements(page).evaluate(lens => {
     lens.style.width = '160px'
   })
-  await elements(page).getByRole('button', { name: 'Inside', exact: true }).dispatchEvent('click')
+  for (const name of ['Details', 'Inside'])
+    await elements(page).getByRole('button', { name, exact: true }).dispatchEvent('click')
   await expectAllComplete(page, 1)
   const client = await page.context().newCDPSession(page)
   await client.send('Performance.enable')
@@ -283,7 +284,7 @@ test('attributes, properties, methods and events', async ({ page }) => {
     for (const name of ['hex-input', 'hex-change', 'hex-verdict', 'hex-error']) {
       document.addEventListener(name, event => {
         const { detail } = event as CustomEvent
-        events.push(detail ? `${name} ${JSON.stringify(detail)}` : name)
+        events.push(`${name} ${detail.source ?? JSON.stringify(detail)} ${detail.valid ?? ''}`)
       })
     }
     const settled = async () => {
@@ -367,10 +368,10 @@ test('attributes, properties, methods and events', async ({ page }) => {
   expect(told.svg).toMatch(/^<svg .*<title>A cube<\/title>\n<desc>v=1&#38;vertices=/s)
   expect(told.own).toEqual(['scene verdict vertices', 'dark', ''])
   expect(told.events.slice(0, 4)).toEqual([
-    'hex-input',
-    'hex-verdict {"valid":false}',
-    'hex-change',
-    'hex-error {"code":"bad-vertices","message":"A hexahedron has 24 coordinates; 3 were given."}',
+    'hex-input program false',
+    'hex-verdict program false',
+    'hex-error {"code":"bad-vertices","message":"A hexahedron has 24 coordinates; 3 were given."} ',
+    'hex-input history true',
   ])
 })
 

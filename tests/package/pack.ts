@@ -1,11 +1,11 @@
 /** Builds the package, packs it and installs it elsewhere, as its users get it. */
 import { execFileSync } from 'node:child_process'
-import { copyFileSync, cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { withLock } from '../../tools/lock.mjs'
-import { buildPackage } from '../../tools/package.mjs'
+import { stagePackage } from '../../tools/package.mjs'
 
 export const root = fileURLToPath(new URL('../..', import.meta.url)).replace(/[\\/]$/, '')
 
@@ -37,12 +37,8 @@ export async function packOnce(): Promise<void> {
 
 async function pack(): Promise<void> {
   const staging = join(elsewhere, 'staging')
-  mkdirSync(staging, { recursive: true })
-  mkdirSync(join(staging, 'docs'))
-  const schemas = ['docs/state.schema.json', 'docs/history.schema.json', 'docs/check.schema.json']
-  for (const name of ['package.json', 'README.md', 'LICENSE', 'custom-elements.json', ...schemas])
-    copyFileSync(join(root, name), join(staging, name))
-  await buildPackage(join(staging, 'dist'))
+  mkdirSync(staging)
+  await stagePackage(staging)
   cpSync(join(root, `dist/test-${process.env.HEXLENS_TEST_PORT ?? 41735}`), join(staging, 'dist/app'), {
     recursive: true,
   })

@@ -133,6 +133,20 @@ test('from file:// one script is all there is', async ({ page }) => {
   expect(complaints).toEqual([])
 })
 
+test('a language is a script of its own, that may come after the element', async ({ lens, page, served }) => {
+  const german = '<script type="module">import "./node_modules/hexlens/dist/hexlens.lang.de.js"</script>'
+  write(
+    'german.html',
+    element(
+      `<script defer src="${dist}/hexlens.iife.js"></script>${german}<script defer src="${dist}/hexlens.lang.zh.js"></script>`,
+    ).replace('lang="en"', 'lang="de"'),
+  )
+  await page.goto(`${served}/german.html`)
+  await expect(lens.element.locator('.word')).toHaveText('UNGÜLTIG')
+  await page.evaluate(() => document.documentElement.setAttribute('lang', 'zh-Hans'))
+  await expect(lens.element.locator('.word')).toHaveText('无效')
+})
+
 const cube = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1]
 
 /** Offers a text to the element, as if it were pasted. */
@@ -194,7 +208,8 @@ test.describe('under a strict policy', () => {
   test.use({ expectedErrors: /violates the following|policy: script-src forbids wasm-eval/ })
 
   test('the one module runs, and the core in a worker, with the twin beside them', async ({ lens, page }) => {
-    const policy = "default-src 'none'; script-src 'self'; img-src data: blob:"
+    const policy =
+      "default-src 'none'; script-src 'self'; img-src data: blob:; require-trusted-types-for 'script'; trusted-types lit-html hexlens 'allow-duplicates'"
     write(
       'policy.html',
       element(
@@ -218,6 +233,12 @@ test.describe('under a strict policy', () => {
       ]),
     )
     await expect(readRegion(lens)).toContainText('2 hexahedra, 1 INVALID, 1 valid.')
+    // A second copy gives the class of the first.
+    const second = await page.evaluate(async script => {
+      const { HexLens } = await import(script)
+      return [HexLens === customElements.get('hex-lens'), new HexLens().vertices.length]
+    }, `/${dist}/hexlens.es.js?again`)
+    expect(second).toEqual([true, 24])
     write(
       'worker.js',
       `import { loadCore } from './${dist}/hexlens.core.js'
@@ -225,7 +246,11 @@ test.describe('under a strict policy', () => {
     )
     const [inWorker, inElement] = await lens.element.evaluate(async element => {
       const { report, vertices } = element as HTMLElementTagNameMap['hex-lens']
-      const worker = new Worker('worker.js', { type: 'module' })
+      const { trustedTypes } = globalThis as unknown as {
+        trustedTypes: { createPolicy(name: string, rules: object): { createScriptURL(own: string): string } }
+      }
+      const policy = trustedTypes.createPolicy('hexlens', { createScriptURL: (own: string) => own })
+      const worker = new Worker(policy.createScriptURL('worker.js'), { type: 'module' })
       const answer = new Promise(resolve => {
         worker.onmessage = ({ data }) => resolve(data)
       })
@@ -238,12 +263,8 @@ test.describe('under a strict policy', () => {
 
 test('with three.js from the page there is one of it', async ({ lens, page }) => {
   cpSync(join(root, 'node_modules/three/build'), join(elsewhere, 'three/build'), { recursive: true })
-  mkdirSync(join(elsewhere, 'three/addons/controls'), { recursive: true })
-  const controls = 'controls/OrbitControls.js'
-  cpSync(join(root, 'node_modules/three/examples/jsm', controls), join(elsewhere, 'three/addons', controls))
   const imports = {
     three: './three/build/three.module.js',
-    'three/addons/': './three/addons/',
     hexlens: `./${dist}/hexlens.three.js`,
   }
   const modules = `<script type="importmap">${JSON.stringify({ imports })}</script>

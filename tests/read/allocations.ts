@@ -27,7 +27,8 @@ for (const name of NAMES) {
         const [first] = args
         // An array counts even where there is no memory for it; a view of a buffer is no allocation.
         if (typeof first === 'number') count(target.BYTES_PER_ELEMENT * first)
-        else if (!(first instanceof ArrayBuffer)) count(target.BYTES_PER_ELEMENT * ((first as never[]).length ?? 0))
+        else if (!(first instanceof ArrayBuffer))
+          count(target.BYTES_PER_ELEMENT * ((first as never[] | undefined)?.length ?? 0))
         return Reflect.construct(target, args, self)
       },
     }),

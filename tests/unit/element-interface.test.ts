@@ -32,9 +32,14 @@ describe('the manifest', () => {
   })
 
   it('has the events that are told', () => {
-    const source = read('web/element/hex-lens.ts') + read('web/element/changes.ts')
+    const source = ['hex-lens', 'changes', 'looking'].map(name => read(`web/element/${name}.ts`)).join('')
     const told = [...source.matchAll(/\btell\('(hex-[\w-]+)'/g)].map(match => match[1])
     expect([...new Set(told)].sort()).toEqual(names('events').sort())
+  })
+
+  it('has the states that are set', () => {
+    const set = [...read('web/element/readiness.ts').matchAll(/#set\('(\w+)'/g)].map(match => match[1])
+    expect(element.cssStates.map(({ name }: { name: string }) => name).sort()).toEqual([...new Set(set)].sort())
   })
 
   it('has a CSS part of every view, and says each that can be chosen', () => {
@@ -50,7 +55,6 @@ describe('the manifest', () => {
   it('has the slots and the custom properties of the style sheet', () => {
     const styles = read('web/element/hex-lens.css')
     const used = new Set([...styles.matchAll(/--hl-[\w-]+/g)].map(([name]) => name))
-    used.delete('--hl-scheme') // follows the attribute theme
     expect(names('cssProperties').sort()).toEqual([...used].sort())
     expect(names('slots')).toEqual(['', 'hint', 'caption'])
     expect(read('web/element/view-host.ts')).toContain('slot name="caption"')

@@ -1,5 +1,6 @@
 /** Every given text is the same mesh, or is refused as before, with what mail and Markdown put around it. */
 import { readdirSync, readFileSync } from 'node:fs'
+import { isDeepStrictEqual } from 'node:util'
 import { describe, expect, test } from 'vitest'
 import { type Mesh, MeshRefusal } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
@@ -37,8 +38,10 @@ function checkPlaces({ points, coordinatePlaces: places }: Mesh, bytes: Uint8Arr
   const text = Buffer.from(bytes).toString('latin1')
   for (const [i, from] of places.from.entries()) {
     const token = text.slice(from, from + (places.lengths[i] as number))
-    expect(token).toMatch(/^[-+]?[\d.]/)
-    if (/^[-+]?[\d.]+(?:e[-+]\d+)?$/i.test(token)) expect(Number(token)).toBe(points[i])
+    // There are too many tokens to call expect for each.
+    if (!/^[-+]?[\d.]/.test(token)) expect(token).toMatch(/^[-+]?[\d.]/)
+    const isPlain = /^[-+]?[\d.]+(?:e[-+]\d+)?$/i.test(token)
+    if (isPlain && !Object.is(Number(token), points[i])) expect(Number(token)).toBe(points[i])
   }
 }
 
@@ -76,7 +79,11 @@ describe.each(['meshes/made/', 'pastes/'])('%s', folder => {
     const text = new TextDecoder().decode(bytes)
     if (text.includes('\ufffd') || /^\s*>|```/m.test(text)) return
     const plain = answerTo(name, bytes)
-    for (const [wrapping, wrapped] of wrappings) expect(answerTo(name, wrapped(text)), wrapping).toEqual(plain)
+    for (const [wrapping, wrapped] of wrappings) {
+      const answer = answerTo(name, wrapped(text))
+      // Node compares long lists faster; where it finds a difference, expect describes it.
+      if (!isDeepStrictEqual(answer, plain)) expect(answer, wrapping).toEqual(plain)
+    }
   })
 })
 

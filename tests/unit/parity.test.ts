@@ -5,6 +5,7 @@ import { expect, it } from 'vitest'
 import * as twin from '../../build/hexlens-twin.js'
 import { emptyLists } from '../../web/core/batch/lists'
 import { type CoreExports, coreOf } from '../../web/core/core'
+import { isWhole } from '../exact/scale'
 import { ALL_LISTS, expectAsReports } from './batch-answers'
 import { cases, core, depthGuardCases, randomHexahedron, randomSource, unitCube, wasmBytes } from './core-fixtures'
 import { batchCores } from './node-workers'
@@ -19,18 +20,24 @@ const POINT = [0.25, 0.625, 0.8125]
 const FACES_AT = 3 + 9 + 1 + 8 + 8 + 9 + 3 + 27
 const AFTER_CANDIDATES = 2 + 8 + 3
 
+/** The last of the list: exact arithmetic takes longest for random bits, since they have all exponents. */
+const FROM_BITS = 300
+
+/** The twin takes hundreds of times as long for one of these as for another: npm run test:exact compares all. */
+const TWIN_FROM_BITS = isWhole ? FROM_BITS : FROM_BITS / 5
+
 function hexahedra(): number[][] {
   const random = randomSource(20260505)
   const list = [...cases, ...depthGuardCases].map(({ vertices }) => vertices.flat())
   for (let n = 0; n < 5700; ++n) list.push(randomHexahedron(random, 0.1 * (1 + (n % 20))))
   for (let n = 0; n < 2000; ++n) list.push(randomHexahedron(random, 0.5).map(x => Math.round(x * 4) / 4))
+  list.push(unitCube.with(5, Number.NaN))
   const bits = new BigUint64Array(24)
-  for (let n = 0; n < 300; ++n) {
+  for (let n = 0; n < FROM_BITS; ++n) {
     for (let i = 0; i < 24; ++i)
       bits[i] = (BigInt(Math.floor(random() * 2 ** 32)) << 32n) | BigInt(Math.floor(random() * 2 ** 32))
     list.push([...new Float64Array(bits.buffer.slice(0))])
   }
-  list.push(unitCube.with(5, Number.NaN))
   return list
 }
 
@@ -87,7 +94,9 @@ it('agrees bit for bit on the exact cases, random elements and random bits', asy
   expect(answers.byteLength).toBe(wasm.byteLength)
   expect(Buffer.from(wasm.buffer).equals(answers)).toBe(true)
   expect(wasm.length).toBeGreaterThan(400 * 7000)
-  expect(Buffer.from(answersOf(twin, list).buffer).equals(answers)).toBe(true)
+  const twins = answersOf(twin, list.slice(0, list.length - FROM_BITS + TWIN_FROM_BITS))
+  expect(twins.length).toBeGreaterThan(400 * 7000)
+  expect(Buffer.from(twins.buffer).equals(answers.subarray(0, twins.byteLength))).toBe(true)
 })
 
 /** Bytes, so that NaN equals NaN: all lists have it for a cell that is not finite. */

@@ -1,6 +1,6 @@
 /** Proofs as text: long numbers cut, neighbouring intervals taken together. */
 import { describe, expect, it } from 'vitest'
-import { type CertifiedInterval, certify } from '../../web/core/exact/certificate'
+import { type CertifiedInterval, certificateOf, certify } from '../../web/core/exact/certificate'
 import { sliceChange, sliceOf } from '../../web/model/state'
 import { createStore } from '../../web/model/store'
 import { proofSlice } from '../../web/panels/proof/proof-question'
@@ -59,9 +59,12 @@ describe('the intervals of a face', () => {
 
 describe('asking for a proof', () => {
   it('gives the certificate, or refuses what has no verdict', () => {
-    expect(core.certificate(unitCube)).toEqual({ ok: true, value: certify(unitCube) })
-    expect(core.certificate(unitCube.slice(1))).toMatchObject({ ok: false, error: { code: 'wrong-count' } })
-    expect(core.certificate(unitCube.with(3, Number.NaN))).toMatchObject({ ok: false, error: { code: 'not-finite' } })
+    expect(certificateOf(core, unitCube)).toEqual({ ok: true, value: certify(unitCube) })
+    expect(certificateOf(core, unitCube.slice(1))).toMatchObject({ ok: false, error: { code: 'wrong-count' } })
+    expect(certificateOf(core, unitCube.with(3, Number.NaN))).toMatchObject({
+      ok: false,
+      error: { code: 'not-finite' },
+    })
   })
 
   it('is no step of history', () => {

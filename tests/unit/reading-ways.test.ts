@@ -1,6 +1,7 @@
 /** Files are read the same with wasm and without. */
 import { readdirSync, readFileSync, statSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
+import { isDeepStrictEqual } from 'node:util'
 import { describe, expect, test } from 'vitest'
 import { loadReadingCore } from '../../web/core/reading-core'
 import type { ReadingCore } from '../../web/core/reading-interface'
@@ -35,8 +36,9 @@ function plain(mesh: Mesh): object {
 }
 
 function expectSame(file: MeshFile): Outcome {
-  const byWasm = outcome(file, core)
-  expect(byWasm, file.name).toEqual(outcome(file, null))
+  const [byWasm, without] = [outcome(file, core), outcome(file, null)]
+  // Node compares the long lists in a tenth of the time, and tells 0 from -0, too; where it finds a difference, expect describes it.
+  if (!isDeepStrictEqual(byWasm, without)) expect(byWasm, file.name).toEqual(without)
   return byWasm
 }
 

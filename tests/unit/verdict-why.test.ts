@@ -109,8 +109,8 @@ describe('the sentence that says why', () => {
 
 describe('the name of a place', () => {
   it('leads to the coordinates', () => {
-    expect(placeName({ kind: 'vertex', id: 3 })).toBe('at vertex 3,')
-    expect(placeName({ kind: 'edge', id: 2 })).toBe('on edge 2–3 at')
-    expect(placeName({ kind: 'face', id: 5 })).toBe('on face +ζ at')
+    expect(placeName({ kind: 'vertex', id: 3 })).toBe('at vertex 3, (ξ, η, ζ)')
+    expect(placeName({ kind: 'edge', id: 2 })).toBe('on edge 2–3 at (ξ, η, ζ)')
+    expect(placeName({ kind: 'face', id: 5 })).toBe('on face +ζ at (ξ, η, ζ)')
   })
 })

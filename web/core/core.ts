@@ -1,6 +1,5 @@
 /** Loads the C core and is the only place that sees its memory. The contracts are those of wasm/include/hexlens.h. */
 import { COORDINATE_COUNT, type Vertices } from '../model/hexahedron'
-import { type Certificate, certify } from './exact/certificate'
 import { exactJacdetAt } from './exact/exact-jacdet'
 import type { Core, CoreError, Report, Result } from './report'
 import { Unpacker, unpackJacobian, unpackMinimum, unpackReport, unpackVerdict } from './unpack'
@@ -83,15 +82,9 @@ export function coreOf(wasm: CoreExports): Core {
     return answer(vertices, [], wasm.decide, () => unpackVerdict(new Unpacker(output)))
   }
 
-  function certificate(vertices: Vertices): Result<Certificate> {
-    const result = isValid(vertices)
-    return result.ok ? { ok: true, value: certify(vertices) } : result
-  }
-
   return {
     analyze,
     isValid,
-    certificate,
     boundaryMinimum: (vertices, variant) =>
       answer(
         vertices,

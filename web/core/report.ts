@@ -6,7 +6,6 @@
  */
 import type { Vec3, Vertices } from '../model/hexahedron'
 import type { Result as AnyResult } from '../model/result'
-import type { Certificate } from './exact/certificate'
 
 export type CandidateKind = 'vertex' | 'edge' | 'face'
 
@@ -161,8 +160,6 @@ export interface Core {
   isValid(vertices: Vertices): Result<boolean>
   /** Boundary minimum by Algorithm 1 with (`roots-b`) or without (`roots`) the Bernstein face bounds. */
   boundaryMinimum(vertices: Vertices, variant: 'roots' | 'roots-b'): Result<{ minimizer: Candidate; exponent: number }>
-  /** A proof of the verdict that anyone can check: docs/certificates.md. */
-  certificate(vertices: Vertices): Result<Certificate>
   /** `point` must lie in [0,1]^3. */
   jacobian(vertices: Vertices, point: Vec3): Result<JacobianReport>
 }

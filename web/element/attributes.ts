@@ -1,13 +1,15 @@
 /** The attributes of `<hex-lens>`: their values, the sentences that refuse others, and what each changes. */
 
-import { COORDINATE_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
+import { COORDINATE_COUNT, VERTEX_COUNT, type Vec3, type Vertices } from '../model/hexahedron'
 import { numberText } from '../model/number-text'
 import { type Preset, presetOf, presets, presetVertices } from '../model/presets'
 import { type CameraView, type Dispatch, type State, sliceChange } from '../model/state'
-import { CONTROLS, type Control, controlsSlice } from '../views/scene-slices'
+import { CONTROLS, type Control, controlsSlice, scriptSlice } from '../views/scene-slices'
 import type { Problem } from '../views/view'
+import { say } from '../words/say'
 import type { Composition } from './composition'
 import { HexLensError } from './hex-lens-error'
+import { SHARED, type Shared, type Sharing } from './sharing'
 
 export interface Attributes {
   readonly vertices: Vertices | null
@@ -20,11 +22,17 @@ export interface Attributes {
   readonly readonly: boolean
   readonly poster: string | null
   readonly label: string | null
+  /** Null outside a group. */
+  readonly group: string | null
+  readonly share: readonly Shared[]
+  readonly 'hidden-faces': readonly number[]
+  readonly app: URL | null
 }
 
 export type AttributeName = keyof Attributes
 export type Theme = (typeof THEMES)[number]
 
+const FACES = ['0', '1', '2', '3', '4', '5'] as const
 const THEMES = ['auto', 'light', 'dark'] as const
 export const FIRST_VIEWS = ['scene', 'verdict']
 const DECIMAL = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i
@@ -58,6 +66,10 @@ const readers: { readonly [Name in AttributeName]: Read<Attributes[Name]> } = {
   readonly: text => text !== null,
   poster: text => text,
   label: text => text,
+  group: text => text || null,
+  share: text => (text === null ? SHARED : words('share', text, SHARED)),
+  'hidden-faces': text => (text === null ? [] : words('hidden-faces', text, FACES).map(Number)),
+  app: text => (text === null ? null : readAddress(text)),
 }
 
 export const attributeNames = Object.keys(readers) as AttributeName[]
@@ -80,24 +92,61 @@ export function verticesText(vertices: Vertices): string {
 export function readVertices(text: string): Vertices {
   const numbers = text.split(/[\s,;()[\]]+/).filter(word => word !== '')
   const bad = numbers.find(number => !DECIMAL.test(number))
-  if (bad !== undefined) throw refusal('vertices', `“${shortened(bad)}” is not a number`)
+  if (bad !== undefined) throw refusal('vertices', say('“{text}” is not a number', { text: shortened(bad) }))
   return checkedVertices(numbers.map(Number))
 }
 
-/** Returns a copy. Throws HexLensError unless given 24 finite numbers. */
-export function checkedVertices(given: ArrayLike<number> | null | undefined): Vertices {
-  if (given?.length !== COORDINATE_COUNT)
-    throw new HexLensError('wrong-count', `A hexahedron has 24 coordinates; ${given?.length ?? 'none'} were given.`)
-  const vertices = Array.from(given)
+/** A text as in the attribute, 24 numbers, or eight times three. */
+export type GivenVertices = string | ArrayLike<number> | ArrayLike<ArrayLike<number>>
+
+/** Returns a copy. Throws HexLensError unless given 24 finite numbers, whatever else it is given. */
+export function checkedVertices(given: unknown): Vertices {
+  if (typeof given === 'string') return readVertices(given)
+  const rows = listOf(given)
+  const isNested = rows?.length === VERTEX_COUNT && rows.every(row => listOf(row)?.length === 3)
+  const vertices = isNested ? rows.flatMap(row => listOf(row)) : rows
+  if (vertices?.length !== COORDINATE_COUNT)
+    throw new HexLensError(
+      'wrong-count',
+      vertices
+        ? say('A hexahedron has 24 coordinates; {count} were given.', { count: vertices.length })
+        : say('A hexahedron has 24 coordinates; none were given.'),
+    )
   const bad = vertices.findIndex(value => !Number.isFinite(value))
-  if (bad >= 0) throw new HexLensError('not-finite', `Coordinate ${bad} is ${vertices[bad]}, not a finite number.`)
-  return vertices
+  if (bad >= 0)
+    throw new HexLensError(
+      'not-finite',
+      say('Coordinate {index} is {value}, not a finite number.', { index: bad, value: wordOf(vertices[bad]) }),
+    )
+  return vertices as number[]
+}
+
+/** A copy of an array or the like; null if it is none. */
+export function listOf(given: unknown): unknown[] | null {
+  const isList = typeof given === 'object' && given !== null && 'length' in given && typeof given.length === 'number'
+  return isList ? Array.from(given as ArrayLike<unknown>) : null
+}
+
+/** What somebody has given instead of a number, in a sentence. */
+function wordOf(given: unknown): string {
+  return typeof given === 'number' || given === null ? String(given) : say('of the type {type}', { type: typeof given })
+}
+
+/** The address of a page, from this one; the fragment is the element's. */
+function readAddress(text: string): URL {
+  let address: URL | null = null
+  try {
+    address = new URL(text, globalThis.document?.baseURI)
+  } catch {}
+  if (address === null || !/^(https?|file):$/.test(address.protocol))
+    throw refusal('app', say('“{text}” is not the address of a page', { text: shortened(text) }))
+  return address
 }
 
 function readPreset(text: string): Preset {
   const preset = presets.find(({ id }) => id === text.trim())
   const known = presets.map(({ id }) => id).join(', ')
-  if (!preset) throw refusal('preset', `“${shortened(text)}” is none of ${known}`)
+  if (!preset) throw refusal('preset', say('“{text}” is none of {known}', { text: shortened(text), known }))
   return preset
 }
 
@@ -115,8 +164,10 @@ function readCamera(text: string): CameraView {
     Math.abs(elevation) <= MOST_ELEVATION &&
     (zoom === undefined || (zoom >= ZOOMS[0] && zoom <= ZOOMS[1]))
   if (!isRight) {
-    const form = 'azimuth and elevation in degrees and a zoom, such as “-58 24 1.5”'
-    throw refusal('camera', `“${shortened(text)}” is not ${form}`)
+    const form = say('“{text}” is not azimuth and elevation in degrees and a zoom, such as “-58 24 1.5”', {
+      text: shortened(text),
+    })
+    throw refusal('camera', form)
   }
   return { direction: direction(azimuth, elevation), zoom: zoom ?? 1, pan: [0, 0, 0] }
 }
@@ -140,17 +191,18 @@ function words<Word extends string>(name: AttributeName, text: string, known: re
   const given = text.split(/[\s,]+/).filter(word => word !== '')
   if (given.length === 1 && given[0] === 'all') return known
   if (given.length === 1 && given[0] === 'none') return []
-  return given.map(word => oneOf(name, word, known, ', all or none'))
+  return given.map(word => oneOf(name, word, [...known, 'all' as Word, 'none' as Word]))
 }
 
-function oneOf<Word extends string>(name: AttributeName, text: string, known: readonly Word[], more = ''): Word {
+function oneOf<Word extends string>(name: AttributeName, text: string, known: readonly Word[]): Word {
   const word = known.find(each => each === text.trim())
-  if (word === undefined) throw refusal(name, `“${shortened(text)}” is none of ${known.join(', ')}${more}`)
+  if (word === undefined)
+    throw refusal(name, say('“{text}” is none of {known}', { text: shortened(text), known: known.join(', ') }))
   return word
 }
 
 function refusal(name: AttributeName, why: string): HexLensError {
-  return new HexLensError('bad-attribute', `The attribute ${name} is not understood: ${why}.`)
+  return new HexLensError('bad-attribute', say('The attribute {name} is not understood: {why}.', { name, why }))
 }
 
 function shortened(text: string): string {
@@ -170,11 +222,25 @@ export interface AttributeHost {
 export interface AttributeActions {
   readonly state: () => State
   readonly dispatch: Dispatch
+  readonly setVertices: (vertices: Vertices) => void
+  readonly setApp: (address: URL | null) => void
   readonly showViews: (names: readonly string[]) => void
   readonly setReadonly: (isReadonly: boolean) => void
   readonly lookFrom: (camera: CameraView | null) => void
   readonly setPoster: (address: string | null) => void
   readonly setLabel: (label: string | null) => void
+  readonly share: (change: Partial<Pick<Sharing, 'name' | 'kinds'>>) => void
+}
+
+/** Takes the value of an attribute or a property; one that is not understood raises a problem, and changes nothing. */
+export function taking(host: Pick<AttributeHost, 'raise' | 'clear'>, name: string, take: () => void): void {
+  try {
+    take()
+    host.clear(`bad-${name}`)
+  } catch (reason) {
+    if (!(reason instanceof HexLensError)) throw reason
+    host.raise({ code: `bad-${name}`, message: reason.message })
+  }
 }
 
 /** Turns attributes into actions, and writes the vertices and the preset back. */
@@ -193,6 +259,10 @@ export class AttributeInput {
     readonly: isReadonly => this.#actions.setReadonly(isReadonly),
     poster: poster => this.#actions.setPoster(poster),
     label: label => this.#actions.setLabel(label),
+    group: name => this.#actions.share({ name }),
+    share: kinds => this.#actions.share({ kinds }),
+    'hidden-faces': hiddenFaces => this.#actions.dispatch(sliceChange(scriptSlice, { hiddenFaces })),
+    app: address => this.#actions.setApp(address),
   }
 
   constructor(host: AttributeHost, names: ViewNames, actions: AttributeActions) {
@@ -204,14 +274,8 @@ export class AttributeInput {
   /** Does what an attribute says; one that is not understood changes nothing. */
   take(name: AttributeName): void {
     if (this.#isReflecting) return
-    try {
-      const take = this.#takes[name] as (value: unknown) => void
-      take(this.#valueOf(name))
-      this.#host.clear(`bad-${name}`)
-    } catch (reason) {
-      if (!(reason instanceof HexLensError)) throw reason
-      this.#host.raise({ code: `bad-${name}`, message: reason.message })
-    }
+    const take = this.#takes[name] as (value: unknown) => void
+    taking(this.#host, name, () => take(this.#valueOf(name)))
   }
 
   /** Writes the present vertices and preset. */
@@ -227,6 +291,10 @@ export class AttributeInput {
   /** The two attributes, in any order before the first frame, are where the element starts. */
   #takeElement(vertices: Vertices | null, preset: Preset | null): void {
     const isStarting = this.#actions.state().phase === 'starting'
+    if (vertices !== null && !isStarting) {
+      this.#actions.setVertices(vertices)
+      return
+    }
     const own = vertices ?? (isStarting ? this.#understood('vertices') : null)
     const from = preset ?? (isStarting ? this.#understood('preset') : null)
     const first = own ?? (from && presetVertices(from))

@@ -9,6 +9,8 @@ import type { JacobianReport } from '../core/report'
 import { jacdetInFull } from '../model/decimal'
 import type { ReferenceCube } from '../model/state'
 import { copyText } from '../views/copy-text'
+import { placeIn } from '../views/place-in'
+import { say } from '../words/say'
 
 const NUMBER = 'data'
 const POINT = '[data-copies="point"]'
@@ -45,24 +47,31 @@ export class Copying {
   #onKeyDown(event: KeyboardEvent): void {
     const { key } = event
     const target = event.target as Element
-    if (key === 'Escape') this.#hide()
+    if (key === 'Escape' && this.#told.textContent !== '') {
+      this.#hide()
+      event.preventDefault()
+    }
     if (event.ctrlKey || event.metaKey || event.altKey || target.matches('input, textarea, select')) return
     const number = target.closest<HTMLDataElement>(NUMBER)
     const way = WAYS[key]
-    if (key === 'c' || key === 'C') this.#copyPoint(target)
-    else if (number && (key === 'Enter' || key === ' ')) void this.#copy(number.value, number)
+    if (key === 'c' || key === 'C') {
+      if (!this.#copyPoint(target)) return
+    } else if (number && (key === 'Enter' || key === ' ')) void this.#copy(number.value, number)
     else if (!number || way === undefined || !goOn(number, way)) return
     event.preventDefault()
   }
 
-  #copyPoint(at: Element): void {
+  /** False if nothing is pointed at. */
+  #copyPoint(at: Element): boolean {
     const text = this.#point()
     if (text !== null) void this.#copy(text, at)
+    return text !== null
   }
 
   async #copy(text: string, at: Element): Promise<void> {
+    const [copied, refused] = [say('Copied'), say('Copying is not allowed here:')]
     const isCopied = await copyText(text)
-    render(html`${isCopied ? 'Copied' : 'Copying is not allowed here:'} <span>${text}</span>`, this.#told)
+    render(html`${isCopied ? copied : refused} <span>${text}</span>`, this.#told)
     this.#place(at)
     if (!isCopied) getSelection()?.selectAllChildren(this.#told.lastElementChild as Element)
   }
@@ -70,12 +79,13 @@ export class Copying {
   /** Puts the message under the copied number, within the element. */
   #place(at: Element): void {
     const told = this.#told
-    const box = this.#lens.getBoundingClientRect()
-    const { left, bottom } = at.getBoundingClientRect()
+    const { clientWidth: width, clientHeight: height, scrollTop } = this.#lens
+    const { left: clientX, bottom: clientY } = at.getBoundingClientRect()
+    const { x, y } = placeIn(this.#lens, { clientX, clientY }) ?? { x: 0, y: 0 }
     const within = (from: number, room: number, scrolled = 0) =>
       `${Math.max(GAP, Math.min(room - GAP, from)) + scrolled}px`
-    told.style.left = within(left - box.left, box.width - told.offsetWidth)
-    told.style.top = within(bottom - box.top + GAP, box.height - told.offsetHeight, this.#lens.scrollTop)
+    told.style.left = within(x * width, width - told.offsetWidth)
+    told.style.top = within(y * height - scrollTop + GAP, height - told.offsetHeight, scrollTop)
   }
 
   #hide(): void {

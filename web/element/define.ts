@@ -2,8 +2,10 @@
 import type { Composition } from './composition'
 import { HexLens } from './hex-lens'
 
-/** A server has no registry; a second script leaves the first one's element alone. */
-export function define({ otherPanels = [], ...others }: Composition): void {
+/** The class that is registered: a second script leaves the first one's alone. A server has no registry. */
+export function define({ otherPanels = [], ...others }: Composition): typeof HexLens {
   HexLens.composition = { otherPanels, ...others }
-  if (globalThis.customElements && !customElements.get('hex-lens')) customElements.define('hex-lens', HexLens)
+  const { customElements: registry } = globalThis
+  if (registry && !registry.get('hex-lens')) registry.define('hex-lens', HexLens)
+  return (registry?.get('hex-lens') as typeof HexLens | undefined) ?? HexLens
 }

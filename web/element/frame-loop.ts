@@ -54,6 +54,12 @@ export class FrameLoop {
     this.#ask()
   }
 
+  /** Draws what is new in a frame of the page that is already there, not in the next one. */
+  drawIn(time: number): void {
+    cancelAnimationFrame(this.#request)
+    if (this.#element.isConnected) this.#onFrame(time)
+  }
+
   get isIdle(): boolean {
     return this.#request === 0
   }

@@ -6,6 +6,7 @@ export type HexLensErrorCode =
   | 'wrong-count'
   | 'not-finite'
   | 'bad-attribute'
+  | 'bad-argument'
   | 'no-core'
   | 'no-picture'
   | HistoryErrorCode

@@ -8,16 +8,19 @@
 import { fetchCore } from '../core/fetch-core'
 import type { Report } from '../core/report'
 import { InputReader } from '../input/input-reader'
-import type { Vertices } from '../model/hexahedron'
+import { sameBits, type Vertices } from '../model/hexahedron'
 import { type HistoryDocument, historyDocument, readHistory } from '../model/history-document'
 import { encodePermalink } from '../model/permalink'
 import { presetOf, presets, presetVertices } from '../model/presets'
-import type { Action, Cameras } from '../model/state'
+import { type Action, type Cameras, type CameraView, type ChangeSource, sliceChange, sliceOf } from '../model/state'
 import { readState, type StateDocument, stateDocument } from '../model/state-document'
 import { createStore } from '../model/store'
+import { elementAt } from '../model/way'
 import { knownPanels, type Panel } from '../panels/panel'
-import type { SceneState } from '../views/scene-slices'
+import { DEFAULT_VIEW } from '../scene/space/orbit-camera'
+import { type SceneState, scriptSlice } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
+import { say } from '../words/say'
 import { Analyzer } from './analyzer'
 import {
   AttributeInput,
@@ -25,8 +28,10 @@ import {
   attributeNames,
   checkedVertices,
   FIRST_VIEWS,
+  type GivenVertices,
+  listOf,
   readAttribute,
-  readVertices,
+  taking,
   viewNames,
 } from './attributes'
 import { Changes } from './changes'
@@ -34,7 +39,14 @@ import type { Composition } from './composition'
 import { Copying, pointInFull } from './copying'
 import { type DueFrame, FrameLoop } from './frame-loop'
 import { HexLensError } from './hex-lens-error'
-import { ReflectingElement } from './reflecting-element'
+import { Keys } from './keys'
+import { Looking } from './looking'
+import { cameraBetween, Motion, type MotionOptions } from './motion'
+import { OwnLanguage } from './own-language'
+import { Readiness } from './readiness'
+import { ReflectingElement, textOf } from './reflecting-element'
+import { type CameraGoal, type HighlightedParts, readCameraView, readHighlights, readSeconds } from './script-arguments'
+import { Sharing } from './sharing'
 import { shortcut } from './shortcuts'
 import { ViewHost } from './view-host'
 
@@ -65,7 +77,11 @@ const EARLY = [
   'theme',
   'poster',
   'label',
+  'app',
   'readOnly',
+  'group',
+  'share',
+  'hiddenFaces',
 ]
 
 /**
@@ -88,30 +104,31 @@ const EARLY = [
  * @attr {azimuth, elevation, zoom} [camera=-58 24 1] - The first view: two angles in degrees, and
  *   how many times nearer than the view in which the element just fits. Without it, a preset whose
  *   minimum is negative and hidden, or hardly seen from there, is first seen from another direction. Turning by the reader
- *   changes `state`, not this.
- * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` follows the reader’s system.
+ *   changes the property and `state`, not this.
+ * @attr {`auto`, `light` or `dark`} [theme=auto] - `auto` is the `color-scheme` of the page where the
+ *   element stands.
  * @attr {there or not} [readonly=not] - The reader may look and turn, but not change the element.
  *   Programs may change it.
  * @attr {an address} [poster=none] - A picture in the element’s place until it is drawn.
  * @attr {a text} [label=none] - The name of the whole for screen readers.
- *
- * @fires {CustomEvent<null>} hex-input - The vertices have changed. At most once a frame, also
- *   during a drag.
- * @fires {CustomEvent<null>} hex-change - A change of the vertices is committed: a drag has ended,
- *   or a number was entered.
- * @fires {CustomEvent<{ valid: boolean }>} hex-verdict - The first verdict, and each one that
- *   differs from the one before.
- * @fires {CustomEvent<{ text: string } | { files: File[] } | null>} hex-list - There is a list to
- *   choose from, and this is what it was read from; null when it is put away.
- * @fires {CustomEvent<{ code: string, message: string }>} hex-error - Something does not work, and
- *   `message` says so in a sentence. The codes: an attribute that is not understood (`bad-vertices`
- *   and so on), `core-failed`, `no-webgl`, `context-lost`, `input-refused`, `not-read`.
+ * @attr {a name} [group=none] - Elements of one group have one element with one history, one camera
+ *   and one point that is pointed at. One that joins takes what the group has.
+ * @attr {a list of words, `all` or `none`} [share=all] - What it shares with its group: `vertices`,
+ *   `camera`, `probe`. Two elements share what both say.
+ * @attr {a list of numbers, `all` or `none`} [hidden-faces=none] - Faces that are not drawn: 0 to 5
+ *   are -xi, +xi, -eta, +eta, -zeta, +zeta. One that the reader asks for alone is drawn.
+ * @attr {an address} [app=none] - The Hexlens page that links to the element lead to; empty for the
+ *   page itself. Without it there are neither links nor “Copy embed”.
  *
  * @slot - Shown until the element is drawn, and where it never is: without JavaScript, for one.
  * @slot hint - Words of the page’s own in the scene, where it has room for its legend. They stand in
  *   the legend’s place, and arrows around a handle show that it can be dragged, until the reader
  *   first moves a vertex.
  * @slot caption - Below the element, in the page’s own style.
+ *
+ * @cssState ready - Everything in sight has been drawn.
+ * @cssState valid - The verdict; neither this nor the next while there is none.
+ * @cssState invalid
  *
  * @csspart lens - The whole element.
  * @csspart head - The part above the picture: toolbar and problems.
@@ -142,9 +159,9 @@ const EARLY = [
  * @csspart embed
  *
  * @cssprop [--hl-aspect-ratio=4 / 3] - Aspect ratio of the element’s box, if its height is not
- *   given.
+ *   given; `auto` leaves it to the content and to `min-height`.
  * @cssprop [--hl-stage-height=minmax(11rem, 1fr)] - Height of the picture’s row if panels are below
- *   it: any value of grid-template-rows.
+ *   it: any value of grid-template-rows. With it, all panels below are open.
  * @cssprop [--hl-split-stage-height=minmax(22rem, 1fr)] - The same while the reference cube is
  *   below the element.
  * @cssprop [--hl-rem=16px] - The unit for the sizes of text and marks, whatever the page’s own text
@@ -168,6 +185,10 @@ export class HexLens extends ReflectingElement {
     raise: problem => this.raise(problem),
     clear: code => this.clear(code),
     requestFrame: () => this.#frames.schedule(),
+    turned: () => {
+      this.#looking.hasTurned = true
+      this.#frames.schedule()
+    },
     permalink: () => this.permalink,
     figure: name => this.#views.figure(name),
     input: {
@@ -178,6 +199,7 @@ export class HexLens extends ReflectingElement {
     },
   }
   readonly #views: ViewHost
+  readonly #language: OwnLanguage
   readonly #analyzer = new Analyzer(
     HexLens.composition.panels,
     message => this.raise({ code: 'core-failed', message }),
@@ -186,16 +208,33 @@ export class HexLens extends ReflectingElement {
   readonly #problems = new Map<Problem['code'], Problem>()
   readonly #store = createStore(presetVertices(presets[0]), presets[0].id, 'starting')
   readonly #changes = new Changes({
-    tell: (event: string, detail: unknown = null) => this.#tell(event, detail),
+    tell: (event, detail) => this.#tell(event, detail),
     reflect: () => this.#attributes.reflect(this.#store.state),
   })
+  readonly #looking = new Looking({
+    tell: (event: string, detail: unknown) => this.#tell(event, detail),
+  })
+  readonly #sharing = new Sharing({
+    state: () => this.#store.state,
+    history: () => this.#store.history,
+    camera: () => this.#looking.camera,
+    source: () => this.#changes.source,
+    dispatch: (action, source) => this.#dispatch(action, source),
+    lookFrom: camera => this.#lookFrom(camera),
+    draw: time => this.#frames.drawIn(time),
+  })
+  readonly #turning = new Motion(this)
+  readonly #morphing = new Motion(this)
   readonly #frames = new FrameLoop(this, frame => this.#onFrame(frame))
+  readonly #readiness = new Readiness(this, () => this.#tell('hex-ready'))
+  readonly #keys: Keys
+  #app: URL | null = null
   /** Names of panels, as the attribute last said them. */
   #viewNames: readonly string[] = FIRST_VIEWS
   readonly #input = new InputReader(HexLens.composition.readingWorker, {
     isWelcome: () => this.#shownPanels.some(panel => panel.name === 'paste'),
     take: vertices => {
-      this.#setVertices(vertices, null)
+      this.#dispatch({ type: 'set-vertices', vertices, preset: null }, 'paste')
       return this.#store.state.vertices
     },
     refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
@@ -205,33 +244,43 @@ export class HexLens extends ReflectingElement {
   readonly #attributes = new AttributeInput(this, viewNames(HexLens.composition), {
     state: () => this.#store.state,
     dispatch: action => this.#dispatch(action),
+    setVertices: vertices => this.#setVertices(vertices),
+    setApp: address => {
+      this.#app = address
+      this.#showPanels(this.#viewNames)
+    },
     showViews: names => this.#showPanels(names),
     setReadonly: isReadonly => {
       this.#dispatch({ type: 'set-readonly', isReadonly })
       this.#showPanels(this.#viewNames)
     },
-    lookFrom: camera => {
-      const referenceCamera = this.#camerasNow?.referenceCamera ?? null
-      this.#dispatch({ type: 'look', cameras: { camera, referenceCamera } })
-    },
+    lookFrom: camera => this.#lookFrom(camera),
     setPoster: address => this.#views.setPoster(address),
     setLabel: label => this.#views.setLabel(label),
+    share: change => {
+      Object.assign(this.#sharing, change)
+      if (this.isConnected) this.#sharing.join()
+    },
   })
 
   constructor() {
     super()
     const shadow = this.attachShadow({ mode: 'open' })
     this.#views = new ViewHost(shadow, this.#context, HexLens.composition.panels)
+    this.#language = new OwnLanguage(this, this.#views.lens, () => this.#sayAnew())
     shadow.addEventListener('keydown', event => this.#onKeyDown(event as KeyboardEvent))
     new Copying(this.#views.lens, () => {
       const { state } = this.#store
       return pointInFull(this.#analyzer.probed(state), state.referenceCube)
     })
     this.#input.listen(shadow, this.#views.lens)
+    this.#keys = new Keys(this, shadow)
   }
 
   connectedCallback(): void {
+    this.#language.start()
     for (const name of EARLY) this.#adopt(name)
+    this.#sharing.join()
     this.#views.begin(this.#shownPanels)
     this.#frames.start()
     if (this.#analyzer.core === null) void this.#start()
@@ -240,35 +289,39 @@ export class HexLens extends ReflectingElement {
 
   disconnectedCallback(): void {
     this.#keepCameras()
+    this.#language.stop()
     this.#frames.stop()
     this.#analyzer.stop()
     this.#views.end()
+    this.#sharing.leave()
     this.#input.close()
+    this.#keys.leave()
+    this.#readiness.end()
   }
 
   attributeChangedCallback(name: AttributeName): void {
-    this.#attributes.take(name)
+    this.#language.during(() => this.#attributes.take(name))
   }
 
   /**
-   * A copy of the 24 coordinates. Takes any array-like of 24 finite numbers, or a text as in the
-   * attribute. Once the element is drawn, an assignment is one step to undo. For anything else it
-   * throws HexLensError and keeps the old vertices.
+   * A copy of the 24 coordinates. Takes 24 finite numbers in an array or the like, eight times three
+   * of them, or a text as in the attribute. Once the element is drawn, an assignment is one step to
+   * undo; one in a gesture of the reader is part of its step. The numbers that are there already
+   * change nothing. While a gesture runs, neither do those that events have brought of late, unless
+   * they are set in the listener itself: a page that gives back what it was told may do so late.
    */
   get vertices(): number[] {
     return this.#store.state.vertices.slice()
   }
 
-  set vertices(given: ArrayLike<number> | string) {
-    const vertices = typeof given === 'string' ? readVertices(given) : checkedVertices(given)
-    this.#setVertices(vertices, presetOf(vertices))
+  set vertices(given: GivenVertices) {
+    taking(this, 'vertices', () => this.#setVertices(checkedVertices(given)))
   }
 
   /**
    * Everything that a reader expects to come back, as plain data to keep as JSON:
-   * `docs/state.schema.json`. Version 1 can always be read. A later one throws HexLensError with
-   * the code `unknown-version`, anything else outside the schema with another. A change of the
-   * vertices is one step to undo.
+   * `docs/state.schema.json`. Version 1 can always be read. A later one, or anything else outside the
+   * schema, changes nothing and is told by `hex-error`. A change of the vertices is one step to undo.
    */
   get state(): StateDocument & SceneState {
     const state = { ...this.#store.state, cameras: this.#camerasNow }
@@ -276,36 +329,69 @@ export class HexLens extends ReflectingElement {
   }
 
   set state(given: StateDocument) {
-    const result = readState(given, knownPanels(HexLens.composition.panels))
-    if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
-    this.#dispatch({ type: 'restore', state: result.value })
+    taking(this, 'state', () => {
+      const result = readState(given, knownPanels(HexLens.composition.panels))
+      if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
+      this.#dispatch({ type: 'restore', state: result.value })
+    })
   }
 
   /**
    * The elements that undo and redo lead to, as plain data to keep as JSON, every bit of it:
    * `docs/history.schema.json`. Of a gesture that still runs it has where that began. An assignment
    * takes the place of all steps and shows their present element; what is set after it is a step.
-   * Version 1 can always be read. A later one throws HexLensError with the code `unknown-version`,
-   * anything else outside the schema with another.
+   * Version 1 can always be read. A later one, or anything else outside the schema, changes nothing
+   * and is told by `hex-error`.
    */
   get history(): HistoryDocument {
     return historyDocument(this.#store.history)
   }
 
   set history(given: HistoryDocument) {
-    const result = readHistory(given)
-    if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
-    this.#dispatch({ type: 'take-history', history: result.value })
+    taking(this, 'history', () => {
+      const result = readHistory(given)
+      if (!result.ok) throw new HexLensError(result.error.code, result.error.message)
+      this.#dispatch({ type: 'take-history', history: result.value })
+    })
   }
 
-  /** The id of the preset that the element started from. Throws HexLensError if given another text. */
+  /**
+   * The camera as it is now: the `direction` to the eye, how many times nearer it is than where the
+   * element just fits in (`zoom`), and how far the view is shifted (`pan`), as in `state`. An
+   * assignment looks that way at once; a text is the attribute, null the default view. What is not
+   * understood is told by `hex-error`.
+   */
+  get camera(): CameraView {
+    return this.#camerasNow?.camera ?? DEFAULT_VIEW
+  }
+
+  set camera(given: CameraGoal | string | null | undefined) {
+    if (typeof given === 'string') this.setAttribute('camera', given)
+    else
+      taking(this, 'camera', () => this.#lookFrom(given === undefined || given === null ? null : readCameraView(given)))
+  }
+
+  /** Faces that are not drawn, 0 to 5. Reflects the attribute `hidden-faces`. */
+  get hiddenFaces(): readonly number[] {
+    return sliceOf(scriptSlice, this.#store.state).hiddenFaces
+  }
+
+  set hiddenFaces(given: readonly number[] | string | null | undefined) {
+    const text = listOf(given)?.map(textOf).join(' ') ?? textOf(given)
+    if (text === null) this.removeAttribute('hidden-faces')
+    else this.setAttribute('hidden-faces', text)
+  }
+
+  /** The id of the preset that the element started from. Null, if set, changes nothing. */
   get preset(): string | null {
     return this.#store.state.preset
   }
 
   set preset(id: string | null) {
-    const preset = readAttribute('preset', id, viewNames(HexLens.composition))
-    if (preset) this.#setVertices(presetVertices(preset), preset.id)
+    taking(this, 'preset', () => {
+      const preset = readAttribute('preset', textOf(id), viewNames(HexLens.composition))
+      if (preset) this.#dispatch({ type: 'set-vertices', vertices: presetVertices(preset), preset: preset.id })
+    })
   }
 
   /**
@@ -316,9 +402,10 @@ export class HexLens extends ReflectingElement {
     return this.#analyzer.report(this.#store.state.vertices)
   }
 
-  /** The address of this page that opens these vertices again, bit for bit. */
-  get permalink(): string {
-    const address = new URL(document.location.href)
+  /** The address that opens these vertices again, bit for bit, in the page `app`; null without one. */
+  get permalink(): string | null {
+    if (this.#app === null) return null
+    const address = new URL(this.#app)
     address.hash = encodePermalink(this.#store.state.vertices)
     return address.href
   }
@@ -331,8 +418,13 @@ export class HexLens extends ReflectingElement {
     return this.#views.scrollers.map(({ scrollTop }) => scrollTop)
   }
 
-  set scrollPositions(positions: readonly number[]) {
-    for (const [i, scroller] of this.#views.scrollers.entries()) scroller.scrollTop = positions[i] ?? 0
+  set scrollPositions(given: readonly number[]) {
+    taking(this, 'scroll-positions', () => {
+      const positions = listOf(given)
+      if (!positions?.every(Number.isFinite))
+        throw new HexLensError('not-finite', 'The scroll positions are not a list of numbers.')
+      for (const [i, scroller] of this.#views.scrollers.entries()) scroller.scrollTop = Number(positions[i] ?? 0)
+    })
   }
 
   /**
@@ -343,18 +435,106 @@ export class HexLens extends ReflectingElement {
     return this.#frames.isSeen && this.#store.state.phase === 'begun' && this.#frames.isIdle && this.#views.isComplete
   }
 
+  /** Resolved when everything in sight is drawn for the first time; the event is `hex-ready`. */
+  get ready(): Promise<void> {
+    return this.#readiness.first
+  }
+
+  /**
+   * Focuses the scene, or without a scene the first control. Before the element is drawn it does so
+   * once it is, unless the focus has gone elsewhere since.
+   *
+   * @param {FocusOptions} [options]
+   */
+  override focus(options?: FocusOptions): void {
+    this.#readiness.focus(options)
+  }
+
   /** Undoes one step of the element. */
   undo(): void {
-    this.#dispatch({ type: 'undo' })
+    this.#dispatch({ type: 'undo' }, 'history')
   }
 
   /** Redoes one step of the element. */
   redo(): void {
-    this.#dispatch({ type: 'redo' })
+    this.#dispatch({ type: 'redo' }, 'history')
+  }
+
+  /** Goes back to where the element started, as the reader’s Reset does: one step to undo. */
+  reset(): void {
+    this.#dispatch({ type: 'reset' }, 'history')
+  }
+
+  /** Shows the whole element, along the same line of sight. Before the scene is drawn it does nothing. */
+  fit(): void {
+    if (this.#looking.camera) this.#lookFrom({ ...DEFAULT_VIEW, direction: this.camera.direction })
+  }
+
+  /**
+   * Moves the camera there, in 0.4 seconds or in others, or at once where the reader wants no
+   * motion. Ends where it is if the reader takes the element in hand, if something else turns it, or
+   * by `signal`. Resolves to whether it has arrived; rejects with HexLensError.
+   *
+   * @param {{ direction: number[], zoom?: number, pan?: number[] }} camera
+   * @param {number} seconds
+   * @param {{ signal?: AbortSignal }} options
+   */
+  async moveCamera(camera: CameraGoal, seconds = 0.4, options: MotionOptions = {}): Promise<boolean> {
+    const to = readCameraView(camera)
+    const length = readSeconds(seconds)
+    const from = this.camera
+    let asked = this.#store.state.cameras
+    return this.#turning.play(length, options, share => {
+      if (!this.isConnected || this.#store.state.cameras !== asked) return false
+      this.#lookFrom(cameraBetween(from, to, share))
+      asked = this.#store.state.cameras
+      return true
+    })
+  }
+
+  /**
+   * Moves the vertices straight to others, given as for `vertices`, in 2 seconds or in others, or at
+   * once where the reader wants no motion: one step to undo. Ends where it is as `moveCamera` does.
+   * Resolves to whether it has arrived; rejects with HexLensError.
+   *
+   * @param {GivenVertices} to
+   * @param {number} seconds
+   * @param {{ signal?: AbortSignal }} options
+   */
+  async playMorph(to: GivenVertices, seconds = 2, options: MotionOptions = {}): Promise<boolean> {
+    const end = checkedVertices(to)
+    const length = readSeconds(seconds)
+    const from = this.#store.state.vertices
+    this.#dispatch({ type: 'begin-gesture' })
+    let placed = this.#store.state.vertices
+    return this.#morphing.play(
+      length,
+      options,
+      share => {
+        const { vertices, gestureStart } = this.#store.state
+        if (!this.isConnected || vertices !== placed || gestureStart === null) return false
+        this.#dispatch({ type: 'move-all', vertices: elementAt(from, end, share) })
+        placed = this.#store.state.vertices
+        return true
+      },
+      () => this.#dispatch({ type: 'commit-gesture' }),
+    )
+  }
+
+  /**
+   * Marks parts of the element, in the scene and in the face maps: `vertices`, `edges` and `faces`
+   * by their numbers, `point` in reference coordinates. They stay marked until the next call; without
+   * an argument nothing is. No part of the history, and not read out: the page says what they are.
+   * What is not understood is told by `hex-error`.
+   *
+   * @param {{ vertices?: number[], edges?: number[], faces?: number[], point?: number[] }} parts
+   */
+  highlight(parts: HighlightedParts | null = null): void {
+    taking(this, 'highlight', () => this.#dispatch(sliceChange(scriptSlice, { highlights: readHighlights(parts) })))
   }
 
   /** The core’s report on any 24 numbers, or on the element’s own. Rejects with HexLensError. */
-  async analyze(given: ArrayLike<number> = this.#store.state.vertices): Promise<Report> {
+  async analyze(given: GivenVertices = this.#store.state.vertices): Promise<Report> {
     const vertices = checkedVertices(given)
     const core = await fetchCore(HexLens.composition.core).catch(reason => {
       throw new HexLensError(
@@ -368,8 +548,9 @@ export class HexLens extends ReflectingElement {
   }
 
   /**
-   * The scene as it is. The file contains the vertices: dropped on the page, it opens them again.
-   * Rejects with HexLensError.
+   * The scene as it is, at the size that it has on the page, in view or not. The file contains the
+   * vertices: dropped on the page, it opens them again. Rejects with HexLensError; its code is
+   * `no-picture` if the element is not on the page, has no scene, or is not displayed.
    */
   async toPNG(): Promise<Blob> {
     const [{ figurePng }, figure] = await Promise.all([import('../views/figure-files'), this.#figure('scene')])
@@ -377,14 +558,14 @@ export class HexLens extends ReflectingElement {
   }
 
   /**
-   * The scene, or the face maps while their panel is open, as a document of its own. Rejects with
-   * HexLensError.
+   * The scene, or the face maps while their panel is open, as a document of its own. Rejects as
+   * `toPNG()` does.
    *
    * @param {'scene' | 'face-maps'} name
    */
   async toSVG(name: FigureName = 'scene'): Promise<string> {
     const [{ figureSvg }, figure] = await Promise.all([import('../views/figure-files'), this.#figure(name)])
-    return figureSvg(figure, this.#store.state.vertices, this.label ?? this.preset ?? 'Hexahedron')
+    return figureSvg(figure, this.#store.state.vertices, this.label ?? this.preset ?? say('Hexahedron'))
   }
 
   /**
@@ -440,7 +621,11 @@ export class HexLens extends ReflectingElement {
   get #shownPanels(): readonly Panel[] {
     const { isReadonly } = this.#store.state
     return HexLens.composition.panels.filter(
-      panel => panel.always || (this.#viewNames.includes(panel.with ?? panel.name) && !(isReadonly && panel.changes)),
+      panel =>
+        panel.always ||
+        (this.#viewNames.includes(panel.with ?? panel.name) &&
+          !(isReadonly && panel.changes) &&
+          !(panel.links && this.#app === null)),
     )
   }
 
@@ -452,8 +637,21 @@ export class HexLens extends ReflectingElement {
     this.#frames.schedule()
   }
 
-  #setVertices(vertices: Vertices, preset: string | null): void {
-    this.#dispatch({ type: 'set-vertices', vertices, preset })
+  /** The page's own: in a gesture of the reader a part of it, and nothing if it only comes back. */
+  #setVertices(vertices: Vertices): void {
+    const { phase, vertices: present, gestureStart } = this.#store.state
+    const isGesture = gestureStart !== null
+    const comesBack = sameBits(vertices, present) || (isGesture && this.#changes.isEcho(vertices))
+    if (phase === 'begun' && comesBack) return
+    this.#dispatch(
+      isGesture ? { type: 'move-all', vertices } : { type: 'set-vertices', vertices, preset: presetOf(vertices) },
+    )
+  }
+
+  /** In another language: the views are made anew, and attributes that were refused are read again. */
+  #sayAnew(): void {
+    this.#showPanels(this.#viewNames)
+    for (const name of attributeNames) if (this.#problems.has(`bad-${name}`)) this.attributeChangedCallback(name)
   }
 
   /** The cameras as the reader has turned them, or as they were asked for. */
@@ -461,20 +659,28 @@ export class HexLens extends ReflectingElement {
     return this.#views.cameras() ?? this.#store.state.cameras
   }
 
+  #lookFrom(camera: CameraView | null): void {
+    const referenceCamera = this.#camerasNow?.referenceCamera ?? null
+    this.#dispatch({ type: 'look', cameras: { camera, referenceCamera } })
+  }
+
   /** Views that are made anew look the same way. */
   #keepCameras(): void {
     this.#dispatch({ type: 'look', cameras: this.#camerasNow })
   }
 
-  /** The first frame waits for the core. */
-  #dispatch(action: Action): void {
+  /** The first frame waits for the core. The action is the reader's if `source` is null. */
+  #dispatch(action: Action, source: ChangeSource | null = 'program'): void {
     const before = this.#store.state
     this.#store.dispatch(action)
-    if (this.#store.state !== before && before.phase === 'begun') this.#frames.schedule()
+    const after = this.#store.state
+    if (after === before) return
+    this.#changes.note(before, after, action, source)
+    if (before.phase === 'begun') this.#frames.schedule()
   }
 
   #dispatchOfReader(action: Action): void {
-    if (!(this.#store.state.isReadonly && CHANGES.has(action.type))) this.#dispatch(action)
+    if (!(this.#store.state.isReadonly && CHANGES.has(action.type))) this.#dispatch(action, null)
   }
 
   /** The core comes before the first frame, unless it is slow to come. */
@@ -487,9 +693,13 @@ export class HexLens extends ReflectingElement {
       this.#frames.schedule()
     } catch (reason) {
       const why = reason instanceof Error ? reason.message : String(reason)
+      this.#language.speak()
       this.raise({
         code: 'core-failed',
-        message: `The WebAssembly core did not start, so there is no verdict (${why}). The vertices and the link still work; reload the page to try again.`,
+        message: say(
+          'The WebAssembly core did not start, so there is no verdict ({why}). The vertices and the link still work; reload the page to try again.',
+          { why },
+        ),
       })
     } finally {
       clearTimeout(slow)
@@ -499,7 +709,11 @@ export class HexLens extends ReflectingElement {
   #onFrame({ time, isNews, isSeen, isForPaper }: DueFrame) {
     this.#tellChanges()
     const { state } = this.#store
-    if (!isSeen) return { isWaiting: false, isUnmade: false }
+    if (!isSeen) {
+      this.#sharing.tell(time)
+      return { isWaiting: false, isUnmade: false }
+    }
+    this.#language.speak()
     const frame: Frame = {
       state,
       ...this.#analyzer.analyze(state),
@@ -508,18 +722,28 @@ export class HexLens extends ReflectingElement {
       isForPaper,
     }
     this.#views.draw(frame, isNews, time)
+    this.#looking.tell(() => this.#views.cameras() && this.camera, frame.probe)
+    this.#sharing.tell(time)
+    if (this.complete && !this.#views.isWaiting) this.#readiness.drawn()
     return this.#views
   }
 
   #tellChanges(): void {
     this.#store.dispatch({ type: 'begin' })
-    this.#changes.tell(this.#store.state, this.report)
+    const { report } = this
+    this.#readiness.judged(report?.valid ?? null)
+    this.#changes.tell(this.#store.state, report)
   }
 
   #figure(name: FigureName): Promise<Figure> {
     return this.#frames.whileDrawn(async () => {
       await fetchCore(HexLens.composition.core).catch(() => {}) // without it there are lines, and they are drawn
-      while (this.isConnected && !this.complete) await new Promise(requestAnimationFrame)
+      const isDisplayed = () => {
+        const { width, height } = this.getBoundingClientRect()
+        return width > 0 && height > 0
+      }
+      while (isDisplayed() && !this.complete) await new Promise(requestAnimationFrame)
+      if (!isDisplayed()) throw new HexLensError('no-picture', 'The element is not displayed, so there is no picture.')
       const figure = this.#views.figure(name)
       if (figure === null) throw new HexLensError('no-picture', `There is no picture of the ${name} on the page.`)
       return figure

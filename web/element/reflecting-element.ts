@@ -1,35 +1,49 @@
 /** Properties that are their attributes, and no more. */
+import type { TellingElement } from './events'
 
 /** A server has no elements; it only has to be able to import this. */
-const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement)
+const Base = (globalThis.HTMLElement ?? class {}) as unknown as { new (): TellingElement; prototype: TellingElement }
 
 export abstract class ReflectingElement extends Base {
-  /** Reflects the attribute, as do the next six. */
+  /** Reflects the attribute, as do the next eight. */
   declare views: string | null
   declare controls: string | null
-  declare camera: string | null
   declare theme: string | null
   declare poster: string | null
   declare label: string | null
+  declare group: string | null
+  declare share: string | null
+  declare app: string | null
 
   get readOnly(): boolean {
     return this.hasAttribute('readonly')
   }
 
   set readOnly(isReadonly: boolean) {
-    this.toggleAttribute('readonly', isReadonly)
+    this.toggleAttribute('readonly', Boolean(isReadonly))
   }
 }
 
-for (const name of ['views', 'controls', 'camera', 'theme', 'poster', 'label'])
+/** The text of an attribute for what a property is set to; null for none. Not everything has a text. */
+export function textOf(given: unknown): string | null {
+  if (given === null || given === undefined) return null
+  try {
+    return String(given)
+  } catch {
+    return typeof given
+  }
+}
+
+for (const name of ['views', 'controls', 'theme', 'poster', 'label', 'group', 'share', 'app'])
   Object.defineProperty(ReflectingElement.prototype, name, {
     configurable: true,
     enumerable: true,
     get(this: HTMLElement) {
       return this.getAttribute(name)
     },
-    set(this: HTMLElement, text: string | null | undefined) {
-      if (text === null || text === undefined) this.removeAttribute(name)
+    set(this: HTMLElement, given: unknown) {
+      const text = textOf(given)
+      if (text === null) this.removeAttribute(name)
       else this.setAttribute(name, text)
     },
   })

@@ -9,12 +9,13 @@ export function historyStep(event: KeyboardEvent): 'undo' | 'redo' | null {
   return key === 'y' && event.ctrlKey ? 'redo' : null
 }
 
-/** The action that a key asks for, else null: a question mark outside fields, or a step in history. */
+/** The action that a key asks for, else null: a question mark outside fields, or a step in history that there is. */
 export function shortcut(event: KeyboardEvent, state: State): Action | null {
   const target = event.target as Element
   if (event.defaultPrevented) return null
   if (event.key === '?' && !target.matches('input, textarea, select')) return helpToggled(state)
   const step = historyStep(event)
   const isMidEdit = state.gestureStart !== null || target.matches('[aria-invalid]')
-  return step === null || isMidEdit ? null : { type: step }
+  if (step === null || isMidEdit || state.isReadonly) return null
+  return state[step === 'undo' ? 'canUndo' : 'canRedo'] ? { type: step } : null
 }

@@ -10,6 +10,7 @@ import { adoptStyles } from '../panels/style-sheets'
 import marks from '../scene/overlay/marks.css?inline'
 import said from '../views/said.css?inline'
 import type { Figure, FigureName, Frame, View, ViewContext } from '../views/view'
+import { BelowPicture } from './below-picture'
 import css from './hex-lens.css?inline'
 import printing from './printing.css?inline'
 import { UpdateQueue } from './update-queue'
@@ -22,7 +23,11 @@ const tree = html`<div class="element">
   <div class="lens" part="lens">
     <div class="head" part="head"></div>
     <div class="stage" part="stage"></div>
-    <div class="side" part="panels"><div class="panel"></div><div class="folds"></div></div>
+    <div class="side" part="panels">
+      <div class="panel"></div>
+      <div class="fold details"></div>
+      <div class="folds"></div>
+    </div>
   </div>
   <div class="before" part="fallback"><img alt="" part="poster" hidden /><slot></slot></div>
   <div class="caption" part="caption"><slot name="caption"></slot></div>
@@ -38,6 +43,7 @@ export class ViewHost {
   /** The poster, and the content between the tags, until the views are made. */
   readonly #before: HTMLElement
   readonly #poster: HTMLImageElement
+  readonly #below: BelowPicture
   #views: readonly View[] = []
   /** Slow views join the others in the next frame: making and drawing them take one each. */
   #made: readonly { readonly panel: Panel; readonly view: View }[] = []
@@ -58,6 +64,7 @@ export class ViewHost {
     this.#regions = { head: box('head'), stage: box('stage'), panel: box('panel'), folds: box('folds') }
     this.scrollers = [box('side'), box('panel'), box('folds'), this.lens]
     this.#before = box('before')
+    this.#below = new BelowPicture(this.lens, box('stage'), box('details'))
     this.#poster = shadow.querySelector('img') as HTMLImageElement
   }
 
@@ -84,11 +91,12 @@ export class ViewHost {
     this.lens.classList.toggle('has-panel', panels.length > 0)
     this.lens.classList.toggle('has-folds', has('folds'))
     const isVerdicts = (panel: Panel) => panel.name === 'verdict' || panel.with === 'verdict'
-    this.lens.classList.toggle('has-line', panels.length > 0 && panels.every(isVerdicts))
     this.lens.classList.toggle('has-stage', has('stage'))
+    this.#below.begin(has('stage'), panels.length > 0, panels.length > 0 && panels.every(isVerdicts))
   }
 
   end(): void {
+    this.#below.end()
     for (const view of [...this.#views, ...this.#made.map(({ view }) => view)]) {
       view.dispose()
       view.root.remove()

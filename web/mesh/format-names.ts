@@ -19,6 +19,3 @@ export const formatNames = [
   'ncdump',
   'OBJ',
 ] as const
-
-/** Names of what is read and is no mesh format. */
-export const otherInputs = 'code, tables and logs with eight points in them, a link or a PNG taken away from here'

@@ -5,14 +5,15 @@
  * Sources: deal.II's GeometryInfo, DOLFINx's io::cells and VTK_VOXEL number lexicographically; Gmsh's MED writer,
  * MHexahedron::getVertexMED; meshio's AVS-UCD reader; OpenVolumeMesh's add_cell for eight vertices; PETSc's DMPlexInvertCell.
  */
+import type { PlainWord } from '../words/say'
 export interface NodeOrder {
   readonly id: string
-  readonly name: string
+  readonly name: PlainWord
   /** Programs or formats that use it; null where it is nobody's in particular. */
-  readonly usedBy: string | null
+  readonly usedBy: PlainWord | null
   readonly permutation: readonly number[]
   /** One plain sentence. */
-  readonly says: string
+  readonly says: PlainWord
 }
 
 export const nodeOrders: readonly NodeOrder[] = [

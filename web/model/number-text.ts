@@ -2,6 +2,8 @@
  * The text of a field as one number: decimals, fractions such as 1/3, 1 1/2 and ½, and numbers as
  * the page prints them (−1/8, 3.88×10⁻¹²). The value is the double nearest to what is written.
  */
+
+import { say } from '../words/say'
 import { spoken } from './decimal'
 import { decimalFraction, nearestDouble, productOf, type Rational, reciprocal, sumOf } from './rational'
 import { type CodedError, type Result, refused } from './result'
@@ -36,27 +38,35 @@ export function numberText(value: number): string {
 /** The message is a sentence about the text. */
 export function readNumber(text: string, limits: Limits = {}): Result<number, NumberTextError> {
   const typed = text.trim()
-  if (typed === '') return refused('missing', 'A number is missing.')
+  if (typed === '') return refused('missing', say('A number is missing.'))
   const quoted = `“${typed.length > QUOTED ? `${typed.slice(0, QUOTED)}…` : typed}”`
   const plain = typed.replace(VULGAR, fraction => ` ${fraction.normalize('NFKD')} `)
   const [, sign = '', whole = '0', over = '', under = '1'] =
     (plain.length <= GREATEST_LENGTH && NUMBER.exec(plain.trim())) || []
-  if (over === '') return refused('not-a-number', `${quoted} is not one number, such as −1.5, 1/3 or 2e-3.`)
+  if (over === '')
+    return refused('not-a-number', say('{text} is not one number, such as −1.5, 1/3 or 2e-3.', { text: quoted }))
   const ambiguous = [over, under].find(part => PERHAPS_THOUSANDS.test(part))
   if (ambiguous !== undefined) {
-    const [point, none] = ['.', ''].map(comma => typed.replace(ambiguous, ambiguous.replace(',', comma)))
-    return refused('ambiguous', `${quoted} can mean ${point} or ${none}: write one of them.`)
+    const [point, none] = ['.', ''].map(comma => typed.replace(ambiguous, ambiguous.replace(',', comma))) as [
+      string,
+      string,
+    ]
+    return refused(
+      'ambiguous',
+      say('{text} can mean {point} or {none}: write one of them.', { text: quoted, point, none }),
+    )
   }
   const [numerator, denominator, integer] = [over, under, whole].map(fractionOf)
-  if (denominator?.numerator === 0n) return refused('not-a-number', `${quoted} divides by zero.`)
+  if (denominator?.numerator === 0n) return refused('not-a-number', say('{text} divides by zero.', { text: quoted }))
   const exact = numerator && denominator && integer && sumOf(integer, productOf(numerator, reciprocal(denominator)))
   const size = exact ? nearestDouble(exact) : Number.POSITIVE_INFINITY
   if (!exact || size === Number.POSITIVE_INFINITY || (size === 0 && exact.numerator !== 0n))
-    return refused('out-of-range', `${quoted} is outside the doubles, which are from 5e-324 to 1.8e308.`)
+    return refused(
+      'out-of-range',
+      say('{text} is outside the doubles, which are from 5e-324 to 1.8e308.', { text: quoted }),
+    )
   const value = sign === '-' || sign === '−' || sign === '–' ? -size : size
-  return isWithin(value, limits)
-    ? { ok: true, value }
-    : refused('out-of-range', `${quoted} is not ${limitsInWords(limits)}.`)
+  return isWithin(value, limits) ? { ok: true, value } : refused('out-of-range', outOfLimits(quoted, limits))
 }
 
 function fractionOf(decimal: string): Rational | null {
@@ -67,8 +77,13 @@ export function isWithin(value: number, { least = -Infinity, most = Infinity, is
   return value >= least && value <= most && (!isWhole || Number.isInteger(value))
 }
 
-function limitsInWords({ least, most, isWhole }: Limits): string {
-  const kind = isWhole ? 'a whole number' : 'a number'
-  const from = least === undefined ? '' : most === undefined ? ` of ${least} or more` : ` from ${least} to ${most}`
-  return kind + from
+function outOfLimits(text: string, { least, most, isWhole }: Limits): string {
+  if (least === undefined) return say('{text} is not a whole number.', { text })
+  if (most === undefined)
+    return isWhole
+      ? say('{text} is not a whole number of {least} or more.', { text, least })
+      : say('{text} is not a number of {least} or more.', { text, least })
+  return isWhole
+    ? say('{text} is not a whole number from {least} to {most}.', { text, least, most })
+    : say('{text} is not a number from {least} to {most}.', { text, least, most })
 }

@@ -2,13 +2,15 @@
  * Elements to start from, in the order of the list on the page. The first is the page's first screen. Each note is a claim
  * that tests/unit/presets.test.ts checks in exact arithmetic.
  */
+
+import type { PlainWord } from '../words/say'
 import { type Vec3, type Vertices, vertexReference } from './hexahedron'
 
 export interface Preset {
   readonly id: string
-  readonly title: string
+  readonly title: PlainWord
   /** One plain sentence: what it shows. */
-  readonly note: string
+  readonly note: PlainWord
   /** Null where chance decides. */
   readonly valid: boolean | null
   /** Eight points, or how to draw new ones each time from random numbers in [0,1). */

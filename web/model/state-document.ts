@@ -119,7 +119,7 @@ const cameraRecord = record<CameraView>(
   { zoom: 1, pan: [0, 0, 0] },
 )
 const cameraSchema = cameraRecord.schema
-const camera = reader({ $ref: '#/$defs/camera' }, cameraRecord)
+export const camera = reader({ $ref: '#/$defs/camera' }, cameraRecord)
 
 type Read = Omit<LastingState, 'cameras' | 'slices'> & Cameras
 

@@ -69,6 +69,16 @@ export type LastingState = Omit<
   'phase' | 'gestureStart' | 'canUndo' | 'canRedo' | 'isVertexChosen' | 'probe' | 'isReadonly'
 >
 
+/** The reader's means of a gesture: a panel's own, such as a slider, if it is none of the others. */
+export type GestureSource = 'pointer' | 'keyboard' | 'field' | 'panel'
+
+/**
+ * Whose a change of the vertices is. `history`: undo, redo and reset; `preset`: chosen from the menu;
+ * `paste`: read from what was pasted, dropped or opened; `panel`: another panel's; `program`: set by
+ * the page.
+ */
+export type ChangeSource = GestureSource | 'history' | 'preset' | 'paste' | 'program'
+
 export type Action =
   /** One vertex to a place. Inside a gesture it adds to that gesture's one undo step, outside it is a step of its own. */
   | { readonly type: 'move-vertex'; readonly vertex: number; readonly to: Vec3 }
@@ -87,7 +97,7 @@ export type Action =
   /** The first frame is there: from now on changes are steps. */
   | { readonly type: 'begin' }
   /** A gesture is one undo step by intent: begin, any number of moves, then commit, or cancel to restore. */
-  | { readonly type: 'begin-gesture' }
+  | { readonly type: 'begin-gesture'; readonly by?: GestureSource }
   | { readonly type: 'commit-gesture' }
   | { readonly type: 'cancel-gesture' }
   | { readonly type: 'undo' }

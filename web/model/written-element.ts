@@ -1,5 +1,6 @@
 /** The parts that all texts of the export share. */
 
+import type { PlainWord } from '../words/say'
 import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf } from './hexahedron'
 import { numberText } from './number-text'
 
@@ -7,7 +8,7 @@ import { numberText } from './number-text'
 export interface Writer {
   readonly title: string
   /** A few words beside the title. */
-  readonly note: string
+  readonly note: PlainWord
   readonly extension: string
   readonly mediaType: string
   /** `name` is that of the element: letters, digits, hyphens. */

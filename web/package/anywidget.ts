@@ -3,6 +3,7 @@
  * end first, so every bit arrives; the verdict goes to Python once a change is done.
  */
 import './hexlens'
+import { sameBits } from '../model/hexahedron'
 import { setMeshWorker } from './mesh-worker-beside'
 
 type Lens = HTMLElementTagNameMap['hex-lens']
@@ -21,7 +22,7 @@ type Listener = (content?: unknown, buffers?: readonly DataView[]) => void
 /** Milliseconds that the kernel may take to answer. */
 const PATIENCE_MS = 30_000
 
-const ATTRIBUTES = ['views', 'controls', 'camera', 'theme', 'label']
+const ATTRIBUTES = ['views', 'controls', 'camera', 'theme', 'label', 'app']
 
 /** Nothing lies beside a notebook's script: the kernel sends the one that reads. */
 function meshWorkerFrom(model: Model): Promise<string> {
@@ -52,12 +53,14 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
     if (typeof value === 'string' && value !== '') lens.setAttribute(name, value)
   }
   if (model.get('readonly') === true) lens.setAttribute('readonly', '')
-  lens.style.width = '100%'
-  lens.style.height = `${model.get('height')}px`
+  lens.style.minHeight = `${model.get('height')}px`
+  lens.style.setProperty('--hl-aspect-ratio', 'auto')
 
   const toLens = () => {
     const vertices = doublesOf(model.get('vertices') as DataView)
-    if (!vertices.every((value, i) => Object.is(value, lens.vertices[i]))) lens.vertices = vertices
+    if (sameBits(vertices, lens.vertices)) return
+    lens.vertices = vertices
+    if (lens.report) tellVerdict()
   }
   const toPython = () => {
     model.set('vertices', bytesOf(lens.vertices))

@@ -11,6 +11,7 @@ import workerSource from 'virtual:hexlens.batch-worker'
 import { type Classifier, classifierOn } from '../core/batch/classify'
 import { defaultWorkers } from '../core/batch/start'
 import { pagePort, threadPort } from '../core/ports'
+import { scriptAddress } from '../core/script-address'
 import type { WorkerPort } from '../core/workers'
 import { batchInside } from './batch-inside'
 
@@ -64,10 +65,13 @@ let blobUrl: string | undefined
 
 function pageWorker(workerUrl: string | URL | undefined): WorkerPort {
   if (workerUrl !== undefined)
-    return pagePort(new Worker(workerUrl, { type: 'module' }), `its script was not loaded from ${workerUrl}`)
+    return pagePort(
+      new Worker(scriptAddress(workerUrl), { type: 'module' }),
+      `its script was not loaded from ${workerUrl}`,
+    )
   blobUrl ??= URL.createObjectURL(new Blob([workerSource], { type: 'text/javascript' }))
   try {
-    return pagePort(new Worker(blobUrl, { type: 'module' }), BLOCKED)
+    return pagePort(new Worker(scriptAddress(blobUrl), { type: 'module' }), BLOCKED)
   } catch (reason) {
     throw new Error(BLOCKED, { cause: reason })
   }

@@ -1,5 +1,6 @@
 /** The worker that reads is a file beside the script, which would be half as large again with it inside, and is loaded when it is needed. */
 import { pagePort } from '../core/ports'
+import { scriptAddress } from '../core/script-address'
 import type { ReadingWorker } from '../input/input-reader'
 
 const NAME = 'hexlens.mesh-worker.js'
@@ -20,7 +21,7 @@ export const readingWorkerBeside: ReadingWorker = async () => {
   const address = new URL(await findAddress(), document.baseURI)
   const isOwn = address.origin === location.origin && address.protocol !== 'file:'
   const script = isOwn ? address : await addressOfCopy(address.href)
-  return () => pagePort(new Worker(script), BLOCKED)
+  return () => pagePort(new Worker(scriptAddress(script)), BLOCKED)
 }
 
 type HandedOver = HTMLScriptElement & { readonly work?: () => void }
@@ -40,7 +41,7 @@ async function copied(address: string): Promise<string> {
   await new Promise((resolve, reject) => {
     script.onload = resolve
     script.onerror = () => reject(new Error(BLOCKED))
-    script.src = address
+    script.src = scriptAddress(address)
     document.head.append(script)
   }).finally(() => script.remove())
   return URL.createObjectURL(new Blob([`(${script.work})()`], { type: 'text/javascript' }))

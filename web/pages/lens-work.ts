@@ -7,7 +7,9 @@ import { HISTORY_VERSION, type HistoryDocument } from '../model/history-document
 import type { StateDocument } from '../model/state-document'
 import { KEEPING_NOTES, Keeper } from './keep'
 import { say } from './note'
+import { onSettled } from './on-settled'
 import { type PackedHistory, packed, unpacked } from './packed-history'
+import { put } from './put'
 
 interface Work {
   readonly state: StateDocument
@@ -50,7 +52,7 @@ export class LensWork {
     for (const element of elements) {
       for (const type of OF_THE_READER)
         element.addEventListener(type, () => this.touch(), { capture: true, passive: true })
-      element.addEventListener('hex-change', () => {
+      onSettled(element, () => {
         this.touch()
         this.#keepSoon()
       })
@@ -120,8 +122,10 @@ export class LensWork {
   }
 
   #show(state: StateDocument, history: HistoryDocument): void {
-    this.#lens.history = history
-    this.#lens.state = state
+    put(() => {
+      this.#lens.history = history
+      this.#lens.state = state
+    })
   }
 
   #begin(first: StateDocument | null): false {

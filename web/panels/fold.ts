@@ -6,6 +6,7 @@
 import { html, render } from 'lit-html'
 import type { Action, State } from '../model/state'
 import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../views/view'
+import { type PlainWord, say } from '../words/say'
 import type { Panel } from './panel'
 import { adoptStyles } from './style-sheets'
 
@@ -16,6 +17,7 @@ export interface FoldContent {
 
 export interface FoldOptions {
   readonly name: string
+  /** In English; one that is in the list of words is said in the language of the page. */
   readonly title: string
   readonly load: () => Promise<FoldContent>
   /** What the reader's opening or closing changes besides. */
@@ -43,7 +45,7 @@ class Fold implements View {
     this.#context = context
     this.#options = options
     this.root.className = 'fold'
-    this.root.setAttribute('aria-label', options.title)
+    this.root.setAttribute('aria-label', say(options.title as PlainWord))
     this.#render()
   }
 
@@ -63,7 +65,7 @@ class Fold implements View {
     const { name, title } = this.#options
     const id = `panel-${name}`
     render(
-      html`<h2><button type="button" class="on-paper" aria-expanded=${this.#isOpen} aria-controls=${id} @click=${() => this.#toggle()}>${title}</button></h2>
+      html`<h2><button type="button" class="on-paper" aria-expanded=${this.#isOpen} aria-controls=${id} @click=${() => this.#toggle()}>${say(title as PlainWord)}</button></h2>
         <div id=${id} ?hidden=${!this.#isOpen}>${this.#view?.root ?? this.#failure}</div>`,
       this.root,
     )
@@ -100,7 +102,8 @@ class Fold implements View {
       this.#view = create(this.#context)
       this.#updates = [...this.#updates, ...(this.#view.updates ?? [])]
     } catch (reason) {
-      this.#failure = `This panel could not be loaded (${reason instanceof Error ? reason.message : reason}). Reload the page to try again.`
+      const why = reason instanceof Error ? reason.message : String(reason)
+      this.#failure = say('This panel could not be loaded ({why}). Reload the page to try again.', { why })
     }
     this.isLoading = false
     this.#render()

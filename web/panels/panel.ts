@@ -23,6 +23,8 @@ export interface Panel {
   readonly with?: string
   /** True if it is left out of a read-only element. */
   readonly changes?: true
+  /** True if it is left out of an element that has no page to link to. */
+  readonly links?: true
   /** True if it is closed at first: its name is in `State.openPanels` while it is open. */
   readonly opens?: true
   readonly slice?: AnySlice

@@ -2,9 +2,10 @@
 import type { JacobianReport } from '../core/report'
 import { formatJacdet } from '../model/decimal'
 import type { Vec3 } from '../model/hexahedron'
-import { type State, sliceOf } from '../model/state'
+import { type CameraView, type State, sliceOf } from '../model/state'
 import { previewSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
+import { say } from '../words/say'
 import type { HandleDrag } from './overlay/overlay-picture'
 import { Readout } from './overlay/readout'
 import type { Viewport } from './paint/picture'
@@ -61,12 +62,11 @@ export class ElementPane extends Pane {
   name({ isReadonly }: State): void {
     if (isReadonly === this.#isReadonly) return
     this.#isReadonly = isReadonly
-    const name = isReadonly ? 'The hexahedron in space' : 'The hexahedron in space, eight vertices to move'
+    const name = isReadonly ? say('The hexahedron in space') : say('The hexahedron in space, eight vertices to move')
     this.element.setAttribute('aria-label', name)
   }
 
-  resize({ unit, pane, isEmpty }: Layout): void {
-    this.unit = unit
+  resize({ pane, isEmpty }: Layout): void {
     if (!isEmpty) this.camera.resize(pane.width, pane.height, pane.insets)
   }
 
@@ -111,6 +111,12 @@ export class ElementPane extends Pane {
     else this.host.requestFrame()
   }
 
+  /** Looks as a program wants it, in place of a turn that still runs. */
+  look({ vertices }: State, camera: CameraView | null): void {
+    this.#turn = null
+    this.fitting.look(vertices, camera)
+  }
+
   prepare(state: State): Viewport {
     return this.viewport(verticesInWorld(this.world, state.vertices), state)
   }
@@ -124,7 +130,9 @@ export class ElementPane extends Pane {
 
   /** `colour` is that of jacdet at the probe. */
   updateProbe(probe: JacobianReport | null, colour: string, { referenceCube }: State, layout: PaneLayout): void {
-    const words = probe ? `volume × ${formatJacdet(probe.jacdet, probe.exponent, referenceCube)}` : ''
+    const words = probe
+      ? say('volume × {factor}', { factor: formatJacdet(probe.jacdet, probe.exponent, referenceCube) })
+      : ''
     this.overlay.updateProbe(probe, { colour, words }, layout.readout)
     this.#readout.update(probe, referenceCube, layout)
   }

@@ -1,16 +1,18 @@
 /** A pane of the scene with a camera of its own: its element on the screen, the overlay over it, and its inputs. */
 import type { Vec3 } from '../model/hexahedron'
 import { type State, sliceOf } from '../model/state'
-import { sceneSlice } from '../views/scene-slices'
+import { placeIn, stretchOf } from '../views/place-in'
+import { sceneSlice, scriptSlice } from '../views/scene-slices'
 import type { ViewContext } from '../views/view'
 import { pointUnder } from './input/face-hit'
 import type { InputTarget } from './input/input-target'
 import { Inputs } from './input/inputs'
+import { pickRadius } from './input/picking'
 import { Overlay, type OverlayKind } from './overlay/overlay'
 import type { HandleDrag } from './overlay/overlay-picture'
 import type { Viewport } from './paint/picture'
 import type { ScreenPoint } from './space/camera'
-import { type Point, positionIn } from './space/layout'
+import type { Point } from './space/layout'
 import { OrbitCamera } from './space/orbit-camera'
 import { Sight } from './space/sight'
 import type { World } from './space/world'
@@ -30,13 +32,13 @@ export abstract class Pane implements InputTarget {
   abstract readonly movesVertices: boolean
   abstract readonly world: World
   protected readonly overlay: Overlay
-  /** CSS pixels of one unit. */
-  protected unit = 1
   /** The vertices on the screen when the picture was painted. */
   protected seen: readonly ScreenPoint[] = []
   /** What the faces hide in that picture. */
   sight: Sight
   readonly #scene: PaneScene
+  /** The pointer's, while an animation shows the pane from its edge. */
+  #lastPlace: Point = { x: 0, y: 0 }
 
   /** `description` is the id of the element that describes the pane. */
   constructor(scene: PaneScene, kind: OverlayKind, description: string) {
@@ -49,7 +51,7 @@ export abstract class Pane implements InputTarget {
     element.setAttribute('role', 'application')
     element.setAttribute('aria-describedby', description)
     element.append(this.overlay.root)
-    this.orbit = new OrbitCamera(element, () => scene.onTurn(this.orbit))
+    this.orbit = new OrbitCamera(() => scene.onTurn(this.orbit))
     this.sight = new Sight([], this.camera, 'inside')
     this.inputs = new Inputs(this)
   }
@@ -68,7 +70,15 @@ export abstract class Pane implements InputTarget {
   showDrag(_drag: HandleDrag | null): void {}
 
   positionOf(event: MouseEvent): Point {
-    return positionIn(this.element, this.unit, event)
+    const { width, height } = this.camera
+    const { x, y } = placeIn(this.element, event) ?? this.#lastPlace
+    this.#lastPlace = { x, y }
+    return { x: x * width, y: y * height }
+  }
+
+  /** Where the element is seen smaller than it is, as many pixels of the screen. */
+  pickRadius(pointerType: string): number {
+    return pickRadius(pointerType) / Math.min(1, stretchOf(this.element))
   }
 
   handles(): readonly ScreenPoint[] {
@@ -77,7 +87,7 @@ export abstract class Pane implements InputTarget {
 
   pointAt(x: number, y: number): Vec3 | null {
     const { selectedVertex, ...now } = this.host.state()
-    const state = { ...sliceOf(sceneSlice, now), selectedVertex }
+    const state = { ...sliceOf(sceneSlice, now), ...sliceOf(scriptSlice, now), selectedVertex }
     return pointUnder({ camera: this.camera, vertices: this.vertices(), handles: this.seen, state }, x, y)
   }
 
@@ -103,7 +113,6 @@ export abstract class Pane implements InputTarget {
 
   dispose(): void {
     this.inputs.dispose()
-    this.orbit.dispose()
   }
 
   /** Follows the vertices and the camera before the picture is painted. */
@@ -111,7 +120,12 @@ export abstract class Pane implements InputTarget {
     const { camera } = this
     camera.enclose(vertices)
     this.seen = vertices.map(vertex => camera.project(vertex))
-    this.sight = new Sight(vertices, camera, sliceOf(sceneSlice, state).faceDisplay)
+    this.sight = new Sight(
+      vertices,
+      camera,
+      sliceOf(sceneSlice, state).faceDisplay,
+      sliceOf(scriptSlice, state).hiddenFaces,
+    )
     return { left, top, vertices, camera }
   }
 }

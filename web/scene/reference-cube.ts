@@ -7,6 +7,7 @@ import { type Vec3, vertexReference } from '../model/hexahedron'
 import { type CameraView, type State, sliceChange, sliceOf } from '../model/state'
 import { sceneSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
+import { say } from '../words/say'
 import type { Viewport } from './paint/picture'
 import { Pane, type PaneScene } from './pane'
 import { DEFAULT_DIRECTION } from './space/camera'
@@ -27,8 +28,6 @@ const IDENTITY = {
   exponent: 0,
 } as const
 
-const HELP =
-  'Drag or the arrow keys turn it, plus and minus zoom, F fits. Point at a face, or tap it, and the same point is marked in space. P points at the minimizer, then at one candidate after another.'
 const HELP_ID = 'reference-help'
 
 export class ReferenceCube extends Pane {
@@ -50,11 +49,13 @@ export class ReferenceCube extends Pane {
     super(scene, { letters: ['ξ', 'η', 'ζ'], isFixed: true }, HELP_ID)
     this.#asked = camera
     this.root.className = 'reference'
-    this.element.setAttribute('aria-label', 'The reference cube, in xi, eta and zeta')
+    this.element.setAttribute('aria-label', say('The reference cube, in xi, eta and zeta'))
     const help = document.createElement('p')
     help.id = HELP_ID
     help.hidden = true
-    help.textContent = HELP
+    help.textContent = say(
+      'Drag or the arrow keys turn it, plus and minus zoom, F fits. Point at a face, or tap it, and the same point is marked in space. P points at the minimizer, then at one candidate after another.',
+    )
     this.root.append(this.element, help, this.#createLink())
   }
 
@@ -62,7 +63,6 @@ export class ReferenceCube extends Pane {
   resize(unit: number): void {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.root
     const view = this.cameraView()
-    this.unit = unit
     this.#left = offsetLeft / unit
     this.#top = offsetTop / unit
     this.camera.resize(Math.max(offsetWidth, 1) / unit, Math.max(offsetHeight, 1) / unit, INSETS)
@@ -118,12 +118,12 @@ export class ReferenceCube extends Pane {
   #createLink(): HTMLElement {
     const label = document.createElement('label')
     label.className = 'reference-link'
-    label.title = 'Turning one turns the other'
+    label.title = say('Turning one turns the other')
     this.#link.type = 'checkbox'
     this.#link.addEventListener('change', () => {
       this.host.dispatch(sliceChange(sceneSlice, { camerasLinked: this.#link.checked }))
     })
-    label.append(this.#link, 'Link views')
+    label.append(this.#link, say('Link views'))
     return label
   }
 

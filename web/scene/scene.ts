@@ -27,7 +27,7 @@ import { Layout } from './space/layout'
 import { LinkedCameras, type OrbitCamera } from './space/orbit-camera'
 
 /** Everything in a figure: neither the controls, nor marks for the pointer. */
-const IN_FIGURE = 'canvas, .scene-flat, .scene-overlay, .scene-scale > *'
+const IN_FIGURE = 'canvas, .scene-flat, .scene-overlay, .scene-scale > button, .scene-scale svg'
 
 class Scene implements View, PaneScene {
   readonly root = document.createElement('div')
@@ -132,7 +132,7 @@ class Scene implements View, PaneScene {
 
   onTurn(orbit: OrbitCamera): void {
     this.#cameras.follow(orbit)
-    this.host.requestFrame()
+    this.host.turned()
   }
 
   probeNext(): void {
@@ -210,8 +210,8 @@ class Scene implements View, PaneScene {
     const { cameras } = state
     if (cameras === null || cameras === this.#asked) return
     this.#asked = cameras
-    this.#pane.fitting.look(state.vertices, cameras.camera)
     this.#reference?.look(cameras.referenceCamera)
+    this.#pane.look(state, cameras.camera) // the last one leads where they are linked
   }
 
   /** If only the probe has changed, nothing else is touched. */

@@ -3,6 +3,7 @@ import { html, type TemplateResult } from 'lit-html'
 import { formatJacdet, formatPoint, jacdetInFull } from '../model/decimal'
 import type { Vec3 } from '../model/hexahedron'
 import type { ReferenceCube } from '../model/state'
+import { say } from '../words/say'
 
 export interface CopyableOptions {
   /** False for all numbers of a table but the first; arrow keys go from one to the next. */
@@ -17,7 +18,8 @@ export function copyable(
   full: string,
   { isTabStop = true, means }: CopyableOptions = {},
 ): TemplateResult {
-  const title = `Copy ${full}${means === undefined ? '' : `. ${means}`}`
+  const title =
+    means === undefined ? say('Copy {text}', { text: full }) : say('Copy {text}. {means}', { text: full, means })
   return html`<data role="button" tabindex=${isTabStop ? 0 : -1} value=${full} title=${title}>${text}</data>`
 }
 

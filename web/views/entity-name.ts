@@ -1,5 +1,6 @@
 /** The names of entities on the page. */
 import { edgeName, faces } from '../model/hexahedron'
+import { say } from '../words/say'
 import type { Entity } from './scene-slices'
 
 /** "3", "0–1" or "−ζ". */
@@ -11,10 +12,7 @@ export function entityName({ kind, id }: Entity): string {
 
 /** "Vertex 3", "Edge 0–1" or "Face −ζ". */
 export function entityTitle(entity: Entity): string {
-  return `${entity.kind[0]?.toUpperCase()}${entity.kind.slice(1)} ${entityName(entity)}`
-}
-
-/** "1", "1 and 2", "1, 2 and 3". */
-export function listed(names: readonly string[]): string {
-  return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
+  const name = entityName(entity)
+  if (entity.kind === 'vertex') return say('Vertex {name}', { name })
+  return entity.kind === 'edge' ? say('Edge {name}', { name }) : say('Face {name}', { name })
 }

@@ -4,6 +4,7 @@
  * final, Escape takes it back, and the arrow keys go up and down by a step.
  */
 import { isWithin, type Limits, numberText, readNumber } from '../model/number-text'
+import { say } from '../words/say'
 
 /** Characters that surely fit a field; a longer text may hide its exponent. */
 const WIDTH = 11
@@ -89,7 +90,13 @@ export class NumberField {
     const read = this.#read()
     if (!read.ok) {
       this.#cancel()
-      this.#refuse(`${this.#options.name}: ${read.error.message} ${numberText(this.#value)} is kept.`)
+      this.#refuse(
+        say('{field}: {why} {number} is kept.', {
+          field: this.#options.name,
+          why: read.error.message,
+          number: numberText(this.#value),
+        }),
+      )
       return
     }
     this.#refuse('')
@@ -116,7 +123,7 @@ export class NumberField {
     const way = key === 'ArrowUp' ? 1 : key === 'ArrowDown' ? -1 : 0
     if (key === 'Escape') {
       if (this.#before === null && this.input.value === numberText(this.#value)) return
-      event.stopPropagation()
+      event.preventDefault()
       this.#cancel()
       this.#write()
       this.#refuse('')

@@ -125,6 +125,34 @@ export const marksSlice: PassingSlice<MarksState> = {
   },
 }
 
+/** A point (xi, eta, zeta) of [0,1]^3 that is spoken of. */
+export interface SpokenPoint {
+  readonly kind: 'point'
+  readonly point: Vec3
+}
+
+export interface ScriptState {
+  readonly highlights: readonly (Entity | SpokenPoint)[]
+  readonly hiddenFaces: readonly number[]
+}
+
+/** What the page's script wants to be seen. Who asks for it has checked it. */
+export const scriptSlice: PassingSlice<ScriptState> = {
+  name: 'script',
+  first: { highlights: [], hiddenFaces: [] },
+}
+
+/** All that is spoken of, the panel's entity last. */
+export function spokenOf(state: State): ScriptState['highlights'] {
+  const { highlight } = sliceOf(marksSlice, state)
+  return [...sliceOf(scriptSlice, state).highlights, ...(highlight ? [highlight] : [])]
+}
+
+/** The faces that are drawn: one that the reader wants alone is, even if the page hides it. */
+export function drawnFaces(display: FaceDisplay, hidden: readonly number[]): readonly number[] {
+  return typeof display === 'number' ? [display] : [...faces.keys()].filter(face => !hidden.includes(face))
+}
+
 /** A change of the element that is drawn beside it: another node order, whose vertex i is the vertex `order[i]`, or other vertices. */
 export type Preview =
   | { readonly order: readonly number[]; readonly move?: undefined }

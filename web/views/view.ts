@@ -89,10 +89,12 @@ export interface ViewContext {
   /** Raises a problem, or takes it back by its code. */
   raise(problem: Problem): void
   clear(code: Problem['code']): void
-  /** Asks for an update although neither state nor report changed (the camera moved, a resize). */
+  /** Asks for an update although neither state nor report changed (a resize, for one). */
   requestFrame(): void
-  /** The address that opens this very element again, vertices bit for bit. */
-  permalink(): string
+  /** The camera has moved: likewise, and it may be news for the page. */
+  turned(): void
+  /** The address that opens this very element again, vertices bit for bit; null if there is no such page. */
+  permalink(): string | null
   /** A picture; null if it is not on the page. */
   figure(name: FigureName): Figure | null
   readonly input: InputHost

@@ -4,6 +4,7 @@
  */
 import { edgeVertices, faces, VERTEX_COUNT, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { isLess, productOf, type Rational, scaledInteger } from '../../model/rational'
+import type { Core, Result } from '../report'
 import {
   type ExactJacdet,
   exactEdge,
@@ -64,6 +65,12 @@ export function certify(vertices: Vertices): Certificate {
     point,
     jacdet: lowestTerms(productOf(valueAt(jacdet, point), scaledInteger(1n, jacdet.exponent - 2))),
   }
+}
+
+/** The certificate of numbers that the core has a verdict on, or its refusal. */
+export function certificateOf(core: Core, vertices: Vertices): Result<Certificate> {
+  const result = core.isValid(vertices)
+  return result.ok ? { ok: true, value: certify(vertices) } : result
 }
 
 /** The object that the command line prints and the page copies: docs/certificates.md, section 1. */

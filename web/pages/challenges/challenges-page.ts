@@ -13,6 +13,7 @@ import { Refusal } from '../../model/result'
 import { copyText } from '../../views/copy-text'
 import { Forget } from '../forget'
 import { LensWork } from '../lens-work'
+import { onSettled } from '../on-settled'
 import { type Challenge, type ChallengeDocument, judged, readChallenge, readChallengeText } from './challenge'
 import { type ChallengeAddress, challengeFragment, lengthWarning, linkTo, readChallengeAddress } from './challenge-link'
 import { type Actions, type Copying, challengeColumn, listColumn, type Opened, type Place } from './column'
@@ -353,7 +354,7 @@ addEventListener('hashchange', async () => {
 })
 lens.addEventListener('hex-input', judge)
 lens.addEventListener('hex-verdict', judge)
-lens.addEventListener('hex-change', settle)
+onSettled(lens, settle)
 // While nothing has the focus, undo and redo can only mean the element.
 addEventListener('keydown', event => {
   const step = event.target === document.body ? historyStep(event) : null

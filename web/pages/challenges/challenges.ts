@@ -126,7 +126,7 @@ export const challenges: readonly NamedChallenge[] = [
     start: turnedBlock,
     goal: ['valid', 'subdivision <= 0', 'moved <= 1'],
     record: null,
-    hint: 'Move vertex 7 until the element is just valid, then back by ever smaller steps: with Alt an arrow key takes a tenth of a step. The least J has to be away from the corners.',
+    hint: 'Move vertex 7 until the element is just valid, then back by ever smaller steps: with Ctrl (on a Mac: Alt) an arrow key takes a tenth of a step. The least J has to be away from the corners.',
     solution: turnedBlock.with(21, -0.0625).with(22, 0.0234375).with(23, 0.1875),
   },
 ]

@@ -6,6 +6,7 @@ import '../element'
 import { sameBits } from '../../model/hexahedron'
 import { encodePermalink } from '../../model/permalink'
 import { LensWork } from '../lens-work'
+import { onSettled } from '../on-settled'
 import { BLANK, Pictures } from '../pictures'
 import '../skip'
 
@@ -109,7 +110,7 @@ function arrive(): void {
 
 addEventListener('hashchange', openAddress)
 // An element that the reader has changed is another one.
-lens.addEventListener('hex-change', () => {
+onSettled(lens, () => {
   if (chosen && isInLens(chosen)) return
   chosen = elements.find(isInLens) ?? null
   history.replaceState(history.state, '', chosen ? `#${chosen.id}` : location.pathname + location.search)

@@ -1,8 +1,11 @@
-/** The hint in the scene, which a browser shows until its reader has moved a vertex once. */
+/** The hint in the scene, which a browser shows until its reader has moved a vertex once; then where the red may be. */
+import { say, unsay } from '../note'
+
+const BEHIND = 'The red may lie behind.'
 
 const KEY = 'hexlens-hint-done'
 
-export function showHintOnce(lens: HTMLElement): void {
+export function showHintOnce(lens: HTMLElementTagNameMap['hex-lens']): void {
   const hint = lens.querySelector('.hint') as HTMLElement
   if (isDone()) {
     hint.remove()
@@ -15,8 +18,20 @@ export function showHintOnce(lens: HTMLElement): void {
     ended.abort()
     hint.remove()
     keepDone()
+    lens.addEventListener('hex-change', () => sayWhereRedIs(lens), { once: true })
   }
   for (const type of ['hex-input', 'hex-change']) lens.addEventListener(type, end, { signal: ended.signal })
+}
+
+/** Most elements hide what was made negative by pushing a vertex inwards. */
+function sayWhereRedIs(lens: HTMLElementTagNameMap['hex-lens']): void {
+  if (lens.report?.valid !== false) return
+  const show = () => {
+    unsay(BEHIND)
+    lens.showMinimum()
+  }
+  say(BEHIND, { label: 'Show the minimum', press: show })
+  lens.addEventListener('hex-change', () => unsay(BEHIND), { once: true })
 }
 
 function isDone(): boolean {

@@ -14,6 +14,8 @@ import { entryAt, type HistoryEntry, keepEntry, presentKey } from '../history-en
 import { keepLists } from '../kept-list'
 import { LensWork } from '../lens-work'
 import { say, unsay } from '../note'
+import { onSettled } from '../on-settled'
+import { put } from '../put'
 import { scrollOf, scrollTo } from '../scroll'
 import { showHintOnce } from './hint'
 
@@ -77,7 +79,9 @@ function openAddress(): void {
 /** The address has the last word on the vertices. */
 function open({ state, scroll }: HistoryEntry, linked: Vertices | null = null): void {
   try {
-    lens.state = linked ? { ...state, vertices: linked } : state
+    put(() => {
+      lens.state = linked ? { ...state, vertices: linked } : state
+    })
     scrollTo(lens, scroll)
   } catch {
     if (linked) lens.vertices = linked // what another version of the page kept
@@ -101,7 +105,7 @@ for (const type of ['pointerdown', 'keydown'] as const)
     { capture: true, passive: true },
   )
 
-lens.addEventListener('hex-change', () => {
+onSettled(lens, () => {
   lens.clear('link-broken')
   unsay(LAST_ELEMENT)
   if (lens.preset !== null && lens.preset !== preset) {

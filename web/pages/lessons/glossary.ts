@@ -97,7 +97,8 @@ export const glossary: readonly Term[] = [
 const byForm = new Map(glossary.flatMap(term => term.forms.map(form => [form, term] as const)))
 /** Longer forms first: "Jacobian determinant" is one. */
 const forms = [...byForm.keys()].sort((a, b) => b.length - a.length)
-const FORMS = new RegExp(`(?<![\\p{L}-])(?:${forms.join('|').replaceAll(' ', '\\s+')})(?![\\p{L}-])`, 'giu')
+/** And the punctuation mark behind. */
+const FORMS = new RegExp(`(?<![\\p{L}-])(${forms.join('|').replaceAll(' ', '\\s+')})(?![\\p{L}-])([.,:;?!]?)`, 'giu')
 
 /** The id of the element with a term's meaning, which buttons refer to. */
 export const meaningId = ({ id }: Term): string => `meaning-${id}`
@@ -115,11 +116,12 @@ export function withTerms(html: string): string {
     .map((part, i) =>
       i % 2 === 1
         ? part
-        : part.replace(FORMS, words => {
+        : part.replace(FORMS, (_, words: string, mark: string) => {
             const term = byForm.get(words.toLowerCase().replace(/\s+/g, ' ')) as Term
-            if (marked.has(term)) return words
+            if (marked.has(term)) return words + mark
             marked.add(term)
-            return `<button type="button" class="term" data-term="${term.id}" aria-describedby="${meaningId(term)}">${words}</button>`
+            const button = `<button type="button" class="term" data-term="${term.id}" aria-describedby="${meaningId(term)}">${words}</button>`
+            return mark === '' ? button : `<span class="kept">${button}${mark}</span>`
           }),
     )
     .join('')

@@ -9,7 +9,9 @@ import type { Vertices } from '../../model/hexahedron'
 import { decodePermalink, encodePermalink } from '../../model/permalink'
 import { saveFile } from '../../views/save-file'
 import { entryAt, keepEntry, presentKey } from '../history-entries'
+import { onSettled } from '../on-settled'
 import { Pictures } from '../pictures'
+import { put } from '../put'
 import { scrollOf, scrollTo } from '../scroll'
 import { searchWorkers } from './engine'
 import { parseQuery } from './engine/query'
@@ -362,7 +364,9 @@ function openEntry(): void {
   if (!link.ok && link.error.code === 'absent' && work) lens.vertices = work.vertices
   if (!entry) return
   try {
-    lens.state = { ...entry.state, vertices: lens.vertices }
+    put(() => {
+      lens.state = { ...entry.state, vertices: lens.vertices }
+    })
   } catch {
     return // what another version of the page kept
   }
@@ -385,8 +389,9 @@ addEventListener('hashchange', openLink)
 addEventListener('pagehide', leave)
 // A phone may end a page that is not seen without a word.
 document.addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && keepWork())
-for (const type of ['hex-change', 'hex-verdict'] as const) lens.addEventListener(type, () => schedule())
-lens.addEventListener('hex-change', () => {
+lens.addEventListener('hex-verdict', () => schedule())
+onSettled(lens, () => {
+  schedule()
   lens.clear('link-broken')
   address()
 })

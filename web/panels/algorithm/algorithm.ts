@@ -5,6 +5,7 @@ import { copyableJacdet } from '../../views/copyable'
 import { entityTitle } from '../../views/entity-name'
 import { type Entity, marksSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
+import { say } from '../../words/say'
 import css from './algorithm.css?inline'
 import { type Following, followingSlice, type Query, STEP_COUNT, type Variant } from './following'
 import { minimumPlot } from './minimum-plot'
@@ -44,7 +45,7 @@ class AlgorithmView implements View {
     if (report === null || !state.openPanels.includes('algorithm')) {
       this.#pause()
       this.#light(null)
-      if (report === null) render(html`<p>There is no report to follow.</p>`, this.root)
+      if (report === null) render(html`<p>${say('There is no report to follow.')}</p>`, this.root)
       return
     }
     if (this.#drawn[0] !== report) this.#pause()
@@ -91,20 +92,20 @@ class AlgorithmView implements View {
     return html`${this.#choices(shown)}
       <p class="sentence">${signedNumbers(stepSentence(step, shown))} ${this.#isLast ? html`<span>${signedNumbers(answerSentence(step, shown))}</span>` : ''}</p>
       <p class="said" aria-live="polite">${this.#said}</p>
-      <div class="go" role="group" aria-label="Steps">
-        ${this.#button('First', this.#at > 0, () => this.#go(0))}
-        ${this.#button('Back', this.#at > 0, () => this.#go(this.#now - 1))}
+      <div class="go" role="group" aria-label=${say('Steps')}>
+        ${this.#button(say('First'), this.#at > 0, () => this.#go(0))}
+        ${this.#button(say('Back'), this.#at > 0, () => this.#go(this.#now - 1))}
         ${
           this.#lessMotion.matches
             ? nothing
-            : html`<button type="button" @click=${() => this.#toggle()}>${this.#timer === undefined ? 'Play' : 'Pause'}</button>`
+            : html`<button type="button" @click=${() => this.#toggle()}>${this.#timer === undefined ? say('Play') : say('Pause')}</button>`
         }
-        ${this.#button('Forward', !this.#isLast, () => this.#go(this.#now + 1))}
-        ${this.#button('Last', !this.#isLast, () => this.#go(this.#steps.length - 1))}
-        <span>${this.#at + 1} of ${this.#steps.length}</span>
+        ${this.#button(say('Forward'), !this.#isLast, () => this.#go(this.#now + 1))}
+        ${this.#button(say('Last'), !this.#isLast, () => this.#go(this.#steps.length - 1))}
+        <span>${say('{number} of {count}', { number: this.#at + 1, count: this.#steps.length })}</span>
       </div>
       ${this.#plot(shown)}
-      <ol aria-label="All steps" @keydown=${(event: KeyboardEvent) => this.#onKey(event)}>
+      <ol aria-label=${say('All steps')} @keydown=${(event: KeyboardEvent) => this.#onKey(event)}>
         ${this.#steps.map((each, i) => this.#row(each, i, shown))}
       </ol>`
   }
@@ -112,20 +113,20 @@ class AlgorithmView implements View {
   #choices({ query, variant }: TraceShown): TemplateResult {
     return html`<p class="choices">
       <label>
-        <span>Find</span>
+        <span>${say('Find')}</span>
         <select class="on-paper" @change=${(event: Event) => this.#choose({ query: chosen(event) as Query })}>
-          <option value="minimum" ?selected=${query === 'minimum'}>the minimum</option>
-          <option value="validity" ?selected=${query === 'validity'}>only whether it is valid</option>
+          <option value="minimum" ?selected=${query === 'minimum'}>${say('the minimum')}</option>
+          <option value="validity" ?selected=${query === 'validity'}>${say('only whether it is valid')}</option>
         </select>
       </label>
       <label>
-        <span>by</span>
+        <span>${say('by')}</span>
         <select class="on-paper" @change=${(event: Event) => this.#choose({ variant: chosen(event) as Variant })}>
           <option value="roots-b" ?selected=${variant === 'roots-b'}>Roots+B</option>
           <option value="roots" ?selected=${variant === 'roots'}>Roots</option>
         </select>
       </label>
-      <span class="means">${variant === 'roots' ? 'Every face’s quartic is solved.' : 'Faces that their Bernstein bounds rule out are skipped.'}</span>
+      <span class="means">${variant === 'roots' ? say('Every face’s quartic is solved.') : say('Faces that their Bernstein bounds rule out are skipped.')}</span>
     </p>`
   }
 
@@ -147,7 +148,7 @@ class AlgorithmView implements View {
       >
         <span>${entityTitle(step)}</span>
         <span class=${step.value === null ? 'none' : step.value < 0 ? 'negative' : ''}>${value}</span>
-        <span class="new">${step.stops ? 'stops' : step.after === step.before ? '' : 'new M'}</span>
+        <span class="new">${step.stops ? say('stops') : step.after === step.before ? '' : say('new M')}</span>
       </button>
     </li>`
   }
@@ -159,7 +160,10 @@ class AlgorithmView implements View {
     const m = this.#current.after
     const ends = PHASES.map((_, i) => PHASES.slice(0, i + 1).reduce((a, b) => a + b) / STEP_COUNT)
     const [first, last] = [this.#steps[0]?.after ?? null, this.#steps.at(-1)?.after ?? null]
-    const name = `M over the steps, from ${jacdet(first, shown)} down to ${jacdet(last, shown)}`
+    const name = say('M over the steps, from {first} down to {last}', {
+      first: jacdet(first, shown),
+      last: jacdet(last, shown),
+    })
     return html`<figure>
       <figcaption><span>M = ${m === null ? '' : copyableJacdet(m, shown.report.exponent, shown.cube)}</span></figcaption>
       <svg viewBox="-4 -6 ${width + 8} ${height + 12}" role="img" aria-label=${name}>
@@ -168,7 +172,7 @@ class AlgorithmView implements View {
         <path class="stairs" d=${path} />
         <circle cx=${mark?.x ?? 0} cy=${mark?.y ?? 0} r="3.5" />
       </svg>
-      <p class="phases" aria-hidden="true"><span>8 vertices</span><span>12 edges</span><span>6 faces</span></p>
+      <p class="phases" aria-hidden="true"><span>${say('8 vertices')}</span><span>${say('12 edges')}</span><span>${say('6 faces')}</span></p>
     </figure>`
   }
 

@@ -3,7 +3,8 @@ import type { Report } from '../../core/report'
 import { formatJacdet, formatNumber, formatPoint, fractionOf } from '../../model/decimal'
 import type { Vec3 } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
-import { entityTitle, listed } from '../../views/entity-name'
+import { entityTitle } from '../../views/entity-name'
+import { listed, say } from '../../words/say'
 import type { TraceOptions, TraceStep } from './trace'
 
 export interface TraceShown extends TraceOptions {
@@ -14,20 +15,22 @@ export interface TraceShown extends TraceOptions {
 const AXES = ['ξ', 'η', 'ζ']
 
 export function stepSentence(step: TraceStep, shown: TraceShown): string {
-  return `${entityTitle(step)}: ${step.kind === 'face' ? onFace(step, shown) : onEdge(step, shown)}.`
+  const clause = step.kind === 'face' ? onFace(step, shown) : onEdge(step, shown)
+  return say('{entity}: {clause}.', { entity: entityTitle(step), clause })
 }
 
 export function answerSentence({ after, stops }: TraceStep, shown: TraceShown): string {
-  if (shown.query === 'minimum') return `Done: the boundary minimum is ${jacdet(after, shown)}.`
-  if (stops) return 'The query stops here: the element is invalid.'
-  return 'Done. Every value is positive: the element is valid.'
+  if (shown.query === 'minimum')
+    return say('Done: the boundary minimum is {minimum}.', { minimum: jacdet(after, shown) })
+  if (stops) return say('The query stops here: the element is invalid.')
+  return say('Done. Every value is positive: the element is valid.')
 }
 
 /** A step's outcome, for the list. */
 export function stepOutcome({ kind, outcome, value }: TraceStep, shown: TraceShown): string {
   if (value !== null) return jacdet(value, shown)
-  if (outcome === 'bound') return 'skipped'
-  return kind === 'edge' ? 'no vertex inside' : 'no point inside'
+  if (outcome === 'bound') return say('skipped')
+  return kind === 'edge' ? say('no vertex inside') : say('no point inside')
 }
 
 export function jacdet(value: number | null, { report, cube }: TraceShown): string {
@@ -35,17 +38,21 @@ export function jacdet(value: number | null, { report, cube }: TraceShown): stri
 }
 
 function onEdge(step: TraceStep, shown: TraceShown): string {
-  const atEnd = 'so its least value is at an end, a vertex already seen'
   switch (step.outcome) {
     case 'straight':
-      return `jacdet is linear along it, ${atEnd}`
+      return say('jacdet is linear along it, so its least value is at an end, a vertex already seen')
     case 'concave':
-      return `its parabola opens downwards, ${atEnd}`
+      return say('its parabola opens downwards, so its least value is at an end, a vertex already seen')
     case 'vertex-outside':
-      return `its parabola opens upwards, but its vertex is not strictly inside, ${atEnd}`
+      return say(
+        'its parabola opens upwards, but its vertex is not strictly inside, so its least value is at an end, a vertex already seen',
+      )
     default:
       if (step.kind === 'vertex') return compared(step, shown)
-      return `its parabola opens upwards with its vertex inside, at ${along(step.points[0]?.point)}; ${compared(step, shown)}`
+      return say('its parabola opens upwards with its vertex inside, at {place}; {comparison}', {
+        place: along(step.points[0]?.point),
+        comparison: compared(step, shown),
+      })
   }
 }
 
@@ -58,43 +65,63 @@ function along(point: Vec3 = [0, 0, 0]): string {
 
 function onFace(step: TraceStep, shown: TraceShown): string {
   const face = shown.report.faces[step.id] as Report['faces'][number]
-  const bound = `Bernstein bound ${jacdet(face.lowerBound, shown)}`
+  const bound = jacdet(face.lowerBound, shown)
+  const m = jacdet(step.before, shown)
+  const isMinimum = shown.query === 'minimum'
   if (step.outcome === 'bound') {
-    return shown.query === 'minimum'
-      ? `skipped, since its ${bound} is not below M\u00a0=\u00a0${jacdet(step.before, shown)} and nothing on it is lower`
-      : `skipped, since its ${bound} is positive and nothing on it is lower`
+    return isMinimum
+      ? say('skipped, since its Bernstein bound {bound} is not below M\u00a0=\u00a0{m} and nothing on it is lower', {
+          bound,
+          m,
+        })
+      : say('skipped, since its Bernstein bound {bound} is positive and nothing on it is lower', { bound })
   }
-  return `${solving(step, bound, shown)}${found(step, face.roots.length, shown)}`
-}
-
-/** Why the quartic is solved. */
-function solving({ before }: TraceStep, bound: string, shown: TraceShown): string {
-  if (shown.variant === 'roots') return 'its quartic '
-  const fails = shown.query === 'minimum' ? `below M\u00a0=\u00a0${jacdet(before, shown)}` : 'not positive'
-  return `its ${bound} is ${fails}, so its quartic is solved; it `
+  const outcome = found(step, face.roots.length, shown)
+  if (shown.variant === 'roots') return outcome
+  return isMinimum
+    ? say('its Bernstein bound {bound} is below M\u00a0=\u00a0{m}; {outcome}', {
+        bound,
+        m,
+        outcome,
+      })
+    : say('its Bernstein bound {bound} is not positive; {outcome}', { bound, outcome })
 }
 
 function found(step: TraceStep, rootCount: number, shown: TraceShown): string {
   const { outcome, points } = step
-  const roots = rootCount === 1 ? 'one root' : `${rootCount} roots`
-  if (outcome === 'quartic-zero') return 'is identically zero, so the edges, already seen, suffice'
-  if (outcome === 'no-root') return 'has no root in (0, 1), so nothing inside can be the minimum'
+  const comparison = compared(step, shown)
+  if (outcome === 'quartic-zero') return say('its quartic is identically zero, so the edges, already seen, suffice')
+  if (outcome === 'no-root') return say('its quartic has no root in (0, 1), so nothing inside can be the minimum')
   if (outcome === 'no-root-kept')
-    return `has ${roots} in (0, 1), but there no parabola opens upwards with its vertex inside`
+    return rootCount === 1
+      ? say('its quartic has one root in (0, 1), but there no parabola opens upwards with its vertex inside')
+      : say('its quartic has {count} roots in (0, 1), but there no parabola opens upwards with its vertex inside', {
+          count: rootCount,
+        })
   if (points.length === 1)
-    return `gives one point, (ξ, η, ζ) = ${formatPoint(points[0]?.point ?? [0, 0, 0])}; ${compared(step, shown)}`
-  const values = listed(points.map(({ value }) => jacdet(value, shown)))
-  return `gives ${points.length} points with J\u00a0=\u00a0${values}; of the least, ${compared(step, shown)}`
+    return say('its quartic gives one point, (ξ, η, ζ) = {point}; {comparison}', {
+      point: formatPoint(points[0]?.point ?? [0, 0, 0]),
+      comparison,
+    })
+  return say('its quartic gives {count} points with J\u00a0=\u00a0{values}; of the least, {comparison}', {
+    count: points.length,
+    values: listed(points.map(({ value }) => jacdet(value, shown))),
+    comparison,
+  })
 }
 
 function compared({ value, before }: TraceStep, shown: TraceShown): string {
   const [now, m] = [jacdet(value, shown), jacdet(before, shown)]
   if (value === null) return ''
-  if (shown.query === 'validity') return `J\u00a0=\u00a0${now} is ${value > 0 ? 'positive' : 'not positive'}`
-  if (before === null) return `J\u00a0=\u00a0${now}, the first value, so M\u00a0=\u00a0${now}`
-  if (value < before && now === m) return `J\u00a0=\u00a0${now} is below M in digits not shown, and M becomes that`
-  if (value < before) return `J\u00a0=\u00a0${now} is below M\u00a0=\u00a0${m}, so M becomes ${now}`
+  if (shown.query === 'validity')
+    return value > 0
+      ? say('J\u00a0=\u00a0{now} is positive', { now })
+      : say('J\u00a0=\u00a0{now} is not positive', { now })
+  if (before === null) return say('J\u00a0=\u00a0{now}, the first value, so M\u00a0=\u00a0{now}', { now })
+  if (value < before && now === m)
+    return say('J\u00a0=\u00a0{now} is below M in digits not shown, and M becomes that', { now })
+  if (value < before) return say('J\u00a0=\u00a0{now} is below M\u00a0=\u00a0{m}, so M becomes {now}', { now, m })
   return value === before
-    ? `J\u00a0=\u00a0${now} is what M is already`
-    : `J\u00a0=\u00a0${now} is not below M\u00a0=\u00a0${m}`
+    ? say('J\u00a0=\u00a0{now} is what M is already', { now })
+    : say('J\u00a0=\u00a0{now} is not below M\u00a0=\u00a0{m}', { now, m })
 }

@@ -5,13 +5,14 @@
 import type { CheckId } from '../../core/report'
 import { type Vec3, vertexReference } from '../../model/hexahedron'
 import type { Samples } from '../../views/scene-slices'
+import type { PlainWord } from '../../words/say'
 
 export interface CheckDescription {
-  readonly name: string
+  readonly name: PlainWord
   /** Programs or methods that check this; null if there is none in particular. */
-  readonly usedBy: string | null
+  readonly usedBy: PlainWord | null
   /** Its samples in words. */
-  readonly looksAt: string
+  readonly looksAt: PlainWord
   /** The number is a jacdet, or one without a unit that is the same on every reference cube. */
   readonly unit: 'jacdet' | 'none'
   /** The scene marks these. */

@@ -8,6 +8,7 @@ import { copyable, copyableJacdet } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
 import { marksSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
+import { say, sayParts } from '../../words/say'
 import { checks as descriptions } from './check-words'
 import css from './checks.css?inline'
 
@@ -81,33 +82,34 @@ function checkOf(target: EventTarget | null): CheckId | null {
 }
 
 function template(report: Report, cube: ReferenceCube): TemplateResult {
-  return html`<h2 id="checks-title">Who would notice?</h2>
+  return html`<h2 id="checks-title">${say('Who would notice?')}</h2>
     <table aria-labelledby="checks-title">
       <thead>
-        <tr><th scope="col"><span class="said">Check</span></th><th scope="col">number</th><th scope="col">answer</th></tr>
+        <tr><th scope="col"><span class="said">${say('Check')}</span></th><th scope="col">${say('number')}</th><th scope="col">${say('answer')}</th></tr>
       </thead>
       <tbody>
         ${report.checks.map((check, i) => row(check, report, cube, i === 0))}
       </tbody>
     </table>
-    ${thresholds}
+    ${thresholds()}
     <details>
-      <summary>What each looks at</summary>
+      <summary>${say('What each looks at')}</summary>
       <p>
-        A check accepts an element if its number is above zero. Point at a row, and the scene marks what it looks at.
+        ${say('A check accepts an element if its number is above zero. Point at a row, and the scene marks what it looks at.')}
       </p>
       <dl>
-        ${report.checks.map(({ id }) => html`<div><dt>${descriptions[id].name}</dt><dd>${descriptions[id].looksAt}</dd></div>`)}
+        ${report.checks.map(({ id }) => html`<div><dt>${say(descriptions[id].name)}</dt><dd>${say(descriptions[id].looksAt)}</dd></div>`)}
       </dl>
     </details>`
 }
 
 const link = (href: string, text: string) => html`<a href=${href} target="_blank" rel="noreferrer">${text}</a>`
 
-const thresholds = html`<p class="by">
-  The scaled Jacobian (corners and centre) is acceptable from 0.5 on in the manuals of ${link(CUBIT, 'Cubit')} and
-  ${link(VERDICT, 'Verdict')}, and ${link(PRACTICE, 'in practice')} often from 0.2 or 0.3 on.
-</p>`
+const thresholds = () =>
+  html`<p class="by">${sayParts(
+    'The scaled Jacobian (corners and centre) is acceptable from 0.5 on in the manuals of {cubit} and {verdict}, and {inPractice} often from 0.2 or 0.3 on.',
+    { cubit: link(CUBIT, 'Cubit'), verdict: link(VERDICT, 'Verdict'), inPractice: link(PRACTICE, say('in practice')) },
+  )}</p>`
 
 function row(
   { id, value, passes }: Check,
@@ -116,16 +118,16 @@ function row(
   isTabStop: boolean,
 ): TemplateResult {
   const { name, usedBy, unit } = descriptions[id]
-  const [yes, no] = id === 'tangents' ? ['certifies', 'cannot tell'] : ['accepts', 'rejects']
+  const [yes, no] = id === 'tangents' ? [say('certifies'), say('cannot tell')] : [say('accepts'), say('rejects')]
   const number =
     unit === 'none'
       ? copyable(formatNumber(value), String(value), { isTabStop })
       : copyableJacdet(value, exponent, cube, { isTabStop })
   const { said, mark } = judged(passes, valid, id)
   return html`<tr data-check=${id} class=${mark === '✗' ? 'is-wrong' : ''}>
-    <th scope="row"><span>${name}</span>${usedBy ? html` <span class="by">${usedBy}</span>` : ''}
-      ${unit === 'none' ? html` <span class="by">usual limits 0.5, 0.3, 0.2</span>` : ''}
-      ${unit === 'none' && value === NO_LENGTH ? html`<span class="by">1e30: to Verdict an edge or axis has no length</span>` : ''}</th>
+    <th scope="row"><span>${say(name)}</span>${usedBy ? html` <span class="by">${say(usedBy)}</span>` : ''}
+      ${unit === 'none' ? html` <span class="by">${say('usual limits 0.5, 0.3, 0.2')}</span>` : ''}
+      ${unit === 'none' && value === NO_LENGTH ? html`<span class="by">${say('1e30: to Verdict an edge or axis has no length')}</span>` : ''}</th>
     <td class=${value < 0 ? 'negative' : ''}>${number}</td>
     <td>
       ${passes ? yes : no}<span class=${mark === '✗' ? '' : 'said'}>: ${said}</span>
@@ -136,8 +138,8 @@ function row(
 
 /** Compares with the verdict; a check that only certifies is not wrong if it cannot tell. */
 function judged(passes: boolean, valid: boolean, id: CheckId): { said: string; mark: string } {
-  if (passes === valid) return { said: 'agrees', mark: '✓' }
-  return id === 'tangents' && !passes ? { said: 'leaves it open', mark: '–' } : { said: 'wrong', mark: '✗' }
+  if (passes === valid) return { said: say('agrees'), mark: '✓' }
+  return id === 'tangents' && !passes ? { said: say('leaves it open'), mark: '–' } : { said: say('wrong'), mark: '✗' }
 }
 
 export const createChecks: CreateView = context => new ChecksView(context)

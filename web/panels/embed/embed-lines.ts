@@ -4,6 +4,7 @@ import type { Vertices } from '../../model/hexahedron'
 import { numberText } from '../../model/number-text'
 import type { CameraView } from '../../model/state'
 import { pointsOf } from '../../model/written-element'
+import type { PlainWord } from '../../words/say'
 import type { Choice } from './choice'
 
 /** Names of panels in the attribute `views`, in their order. */
@@ -21,7 +22,7 @@ export const embeddableViews = [
   { name: 'paste', title: 'Paste or drop' },
   { name: 'take-away', title: 'Take away' },
   { name: 'toolbar', title: 'Presets, undo' },
-] as const
+] as const satisfies readonly { readonly name: string; readonly title: PlainWord }[]
 
 export interface Embed extends Omit<Choice, 'host' | 'label'> {
   readonly vertices: Vertices
@@ -33,14 +34,23 @@ export interface Embed extends Omit<Choice, 'host' | 'label'> {
   readonly poster: string
 }
 
+/** The page that the link is of, if one of the views has a link. */
+export function appOf({ views, link }: Pick<Embed, 'views' | 'link'>): string | null {
+  const hasLinks = views.includes('toolbar') || views.includes('take-away')
+  return hasLinks ? link.replace(/#.*/, '') : null
+}
+
 /** The attributes besides `vertices` that differ from the defaults. */
-export function attributesOf({ views, theme, readonly, camera, label }: Embed): readonly (readonly [string, string])[] {
+export function attributesOf(embed: Embed): readonly (readonly [string, string])[] {
+  const { views, theme, readonly, camera, label } = embed
+  const app = appOf(embed)
   return [
     ['label', label] as const,
     ...(views.join(' ') === 'scene verdict' ? [] : [['views', views.join(' ') || 'none'] as const]),
     ...(camera === null ? [] : [['camera', camera] as const]),
     ...(theme === 'auto' ? [] : [['theme', theme] as const]),
     ...(readonly ? [['readonly', ''] as const] : []),
+    ...(app === null ? [] : [['app', app] as const]),
   ]
 }
 

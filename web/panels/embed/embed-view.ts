@@ -6,24 +6,26 @@ import { copyText } from '../../views/copy-text'
 import { NumberField } from '../../views/number-field'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
+import { type PlainWord, say } from '../../words/say'
 import { type Choice, choiceSlice, HEIGHTS, THEMES } from './choice'
 import css from './embed.css?inline'
-import { cameraText, type Embed, embeddableViews, verticesText } from './embed-lines'
+import { appOf, cameraText, type Embed, embeddableViews, verticesText } from './embed-lines'
 import { hosts, type Snippet } from './hosts'
 
 export const styles = css
 
 const PICTURE = 'hexlens.png'
 const HEIGHT_STEP = 20
+const THEME_WORDS = { auto: 'as the page’s', light: 'light', dark: 'dark' } as const
 /** The preview's events are not those of the element around it. */
-const EVENTS = ['hex-input', 'hex-change', 'hex-verdict', 'hex-error']
+const EVENTS = ['hex-input', 'hex-change', 'hex-verdict', 'hex-ready', 'hex-error']
 
 class EmbedView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
   readonly #preview = document.createElement('hex-lens')
   readonly #height = new NumberField({
-    name: 'Height',
+    name: say('Height'),
     refusalId: 'embed-refusal',
     onRefusal: () => this.#render(),
     limits: HEIGHTS,
@@ -41,6 +43,10 @@ class EmbedView implements View {
     this.#choice = choiceIn(context.state())
     this.root.className = 'embed'
     this.#height.show(this.#choice.height)
+    // Of the page around it the preview has no layout.
+    for (const name of ['--hl-stage-height', '--hl-split-stage-height'])
+      this.#preview.style.setProperty(name, 'initial')
+    this.#preview.style.setProperty('--hl-aspect-ratio', 'auto')
     for (const name of EVENTS) this.#preview.addEventListener(name, event => event.stopPropagation())
     this.#render()
   }
@@ -64,13 +70,18 @@ class EmbedView implements View {
 
   get #embed(): Embed {
     const { host: _, label, views, ...choice } = this.#choice
-    const said = this.#valid === null ? 'A hexahedron' : `${this.#valid ? 'A valid' : 'An invalid'} hexahedron`
+    const said =
+      this.#valid === null
+        ? say('A hexahedron')
+        : this.#valid
+          ? say('A valid hexahedron')
+          : say('An invalid hexahedron')
     return {
       ...choice,
       views: known(views),
       vertices: this.#vertices,
       label: label ?? said,
-      link: this.#context.permalink(),
+      link: this.#context.permalink() ?? '', // the panel is not there without one
       poster: PICTURE,
     }
   }
@@ -93,17 +104,17 @@ class EmbedView implements View {
       vertices: verticesText(embed.vertices),
       views: embed.views.join(' ') || 'none',
       theme: embed.theme,
-      label: `Preview: ${embed.label}`,
+      label: say('Preview: {label}', { label: embed.label }),
       readonly: embed.readonly ? '' : null,
       camera: embed.camera,
+      app: appOf(embed),
     }
     for (const [name, value] of Object.entries(attributes)) {
       if (value === this.#preview.getAttribute(name)) continue
       if (value === null) this.#preview.removeAttribute(name)
       else this.#preview.setAttribute(name, value)
     }
-    this.#preview.style.width = '100%'
-    this.#preview.style.height = `${embed.height}px`
+    this.#preview.style.minHeight = `${embed.height}px`
   }
 
   #template(embed: Embed): TemplateResult {
@@ -111,56 +122,57 @@ class EmbedView implements View {
     const host = hosts.find(({ id }) => id === this.#choice.host) ?? hosts[0]
     return html`
       <div class="choices">
-        <label>For
+        <label>${say('For')}
           <select @change=${(event: Event) => this.#choose({ host: hosts[selected(event).selectedIndex]?.id ?? '' })}>
             ${hosts.map(each => html`<option ?selected=${each === host}>${each.title}</option>`)}
           </select>
         </label>
-        <label>Height ${this.#height.input} px</label>
-        <label>Colours
+        <label>${say('Height')} ${this.#height.input} px</label>
+        <label>${say('Colours')}
           <select @change=${(event: Event) => this.#choose({ theme: THEMES[selected(event).selectedIndex] ?? 'auto' })}>
-            ${THEMES.map(each => html`<option ?selected=${each === theme}>${each === 'auto' ? 'as the reader’s' : each}</option>`)}
+            ${THEMES.map(each => html`<option ?selected=${each === theme}>${say(THEME_WORDS[each])}</option>`)}
           </select>
         </label>
-        <label><input type="checkbox" .checked=${readonly} @change=${(event: Event) => this.#choose({ readonly: isChecked(event) })}> Cannot be changed by readers</label>
+        <label><input type="checkbox" .checked=${readonly} @change=${(event: Event) => this.#choose({ readonly: isChecked(event) })}> ${say('Cannot be changed by readers')}</label>
       </div>
       <p id="embed-refusal" aria-live="polite">${this.#height.refusal}</p>
       <fieldset>
-        <legend>Shown</legend>
+        <legend>${say('Shown')}</legend>
         ${embeddableViews.map(({ name, title }) => this.#viewChoice(name, title))}
       </fieldset>
-      <label class="description">Description, for screen readers and in the picture’s place
+      <label class="description">${say('Description, for screen readers and in the picture’s place')}
         <input type="text" .value=${embed.label} placeholder=${embed.label}
           @change=${(event: Event) => this.#choose({ label: (event.target as HTMLInputElement).value.trim() || null })}>
       </label>
-      ${host.untested ? html`<p>Not tested in ${host.title} itself.</p>` : nothing}
+      ${host.untested ? html`<p>${say('Not tested in {host} itself.', { host: host.title })}</p>` : nothing}
       ${[...host.setup, host.snippet(embed)].map(snippet => this.#snippet(snippet))}
       <p class="actions">
-        <button type="button" @click=${() => this.#savePicture()}>Download ${PICTURE}</button>
-        <span>the preview as a picture, for readers without JavaScript. Put it beside the page.</span>
+        <button type="button" @click=${() => this.#savePicture()}>${say('Download {file}', { file: PICTURE })}</button>
+        <span>${say('the preview as a picture, for readers without JavaScript. Put it beside the page.')}</span>
       </p>
       <p aria-live="polite" class="told">${this.#said}</p>
-      <h3>Preview</h3>
+      <h3>${say('Preview')}</h3>
       <div class="preview">${this.#preview}</div>
       <p class="actions">
-        <button type="button" @click=${() => this.#choose({ camera: this.#previewCamera })}>Keep this view</button>
-        ${camera === null ? html`<span>turned and zoomed as in the preview</span>` : html`<button type="button" @click=${() => this.#choose({ camera: null })}>Forget it</button>`}
+        <button type="button" @click=${() => this.#choose({ camera: this.#previewCamera })}>${say('Keep this view')}</button>
+        ${camera === null ? html`<span>${say('turned and zoomed as in the preview')}</span>` : html`<button type="button" @click=${() => this.#choose({ camera: null })}>${say('Forget it')}</button>`}
       </p>`
   }
 
-  #viewChoice(name: string, title: string): TemplateResult {
+  #viewChoice(name: string, title: PlainWord): TemplateResult {
     const { views } = this.#choice
     const choose = (event: Event) => {
       const chosen = isChecked(event) ? [...views, name] : views.filter(view => view !== name)
       this.#choose({ views: known(chosen) })
     }
-    return html`<label><input type="checkbox" .checked=${views.includes(name)} @change=${choose}> ${title}</label>`
+    return html`<label><input type="checkbox" .checked=${views.includes(name)} @change=${choose}> ${say(title)}</label>`
   }
 
   #snippet({ place, text }: Snippet): TemplateResult {
-    const title = place.includes('.') ? place : `${place[0]?.toUpperCase()}${place.slice(1)}`
+    const where = say(place)
+    const title = place.includes('.') ? where : `${where[0]?.toUpperCase()}${where.slice(1)}`
     return html`<div class="snippet">
-      <p><span>${title}</span><button type="button" aria-label=${`Copy: ${place}`} @click=${() => this.#copy(place, text)}>Copy</button></p>
+      <p><span>${title}</span><button type="button" aria-label=${say('Copy: {what}', { what: where })} @click=${() => this.#copy(where, text)}>${say('Copy')}</button></p>
       <pre tabindex="0" aria-label=${title}><code>${text}</code></pre>
     </div>`
   }
@@ -176,15 +188,17 @@ class EmbedView implements View {
   }
 
   async #copy(place: string, text: string): Promise<void> {
-    this.#tell((await copyText(text)) ? `Copied: ${place}.` : 'The browser does not allow copying here.')
+    const [copied, refused] = [say('Copied: {what}.', { what: place }), say('The browser does not allow copying here.')]
+    this.#tell((await copyText(text)) ? copied : refused)
   }
 
   async #savePicture(): Promise<void> {
     try {
       saveFile(PICTURE, await this.#preview.toPNG(), 'image/png')
-      this.#tell(`Saved as ${PICTURE}.`)
+      this.#tell(say('Saved as {file}.', { file: PICTURE }))
     } catch (reason) {
-      this.#tell(`This could not be drawn (${reason instanceof Error ? reason.message : reason}).`)
+      const why = reason instanceof Error ? reason.message : String(reason)
+      this.#tell(say('This could not be drawn ({why}).', { why }))
     }
   }
 }

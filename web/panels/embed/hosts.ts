@@ -2,11 +2,12 @@
 
 import { encodePermalink } from '../../model/permalink'
 import { pointsOf } from '../../model/written-element'
+import type { PlainWord } from '../../words/say'
 import { attributesOf, type Embed, elementMarkup, escaped } from './embed-lines'
 
 export interface Snippet {
   /** The name of the file that it goes into, or words. */
-  readonly place: string
+  readonly place: PlainWord
   /** The name that fences of Markdown have for it. */
   readonly language: string
   readonly text: string
@@ -23,14 +24,15 @@ export interface Host {
   snippet(embed: Embed): Snippet
 }
 
-const STYLE = ({ height }: Embed) => `style="display: block; width: 100%; height: ${height}px"`
+/** The box grows beyond the height by what the reader opens. */
+const STYLE = ({ height }: Embed) => `style="display: block; min-height: ${height}px; --hl-aspect-ratio: auto"`
 
 function indented(text: string, by: string): string {
   return text.replace(/^(?=.)/gm, by)
 }
 
 /** The picture is a file beside the page that shows it. */
-const html = (place: string) => (embed: Embed) => ({
+const html = (place: PlainWord) => (embed: Embed) => ({
   place,
   language: 'html',
   text: elementMarkup(embed, STYLE(embed)),
@@ -128,7 +130,10 @@ export const hosts: readonly [Host, ...Host[]] = [
     snippet: embed => ({
       place: 'in the page',
       language: 'mdx',
-      text: elementMarkup(embed, `style={{ display: 'block', width: '100%', height: ${embed.height} }}`),
+      text: elementMarkup(
+        embed,
+        `style={{ display: 'block', minHeight: ${embed.height}, '--hl-aspect-ratio': 'auto' }}`,
+      ),
     }),
   },
   {

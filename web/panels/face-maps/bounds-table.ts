@@ -4,6 +4,7 @@ import type { FaceReport, Report } from '../../core/report'
 import { faces } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
 import { copyableJacdet } from '../../views/copyable'
+import { say, sayParts } from '../../words/say'
 
 export function boundsTable(
   { faces: reports, exponent }: Report,
@@ -19,14 +20,14 @@ export function boundsTable(
       <td>${settledBy(skippedByValidityRule)}</td>
       <td>${settledBy(skippedByMinimumRule)}</td>
     </tr>`
-  return html`<table aria-label="What settles each face">
+  return html`<table aria-label=${say('What settles each face')}>
       <thead>
         <tr>
-          <th scope="col">Face</th>
-          <th scope="col"><abbr title="The least of the face’s nine Bernstein coefficients">L<sub>R</sub></abbr></th>
-          <th scope="col"><abbr title="The least jacdet found before this face">M</abbr></th>
-          <th scope="col">sign by</th>
-          <th scope="col"><abbr title="minimum by">min by</abbr></th>
+          <th scope="col">${say('Face')}</th>
+          <th scope="col"><abbr title=${say('The least of the face’s nine Bernstein coefficients')}>L<sub>R</sub></abbr></th>
+          <th scope="col"><abbr title=${say('The least jacdet found before this face')}>M</abbr></th>
+          <th scope="col">${say('sign by')}</th>
+          <th scope="col"><abbr title=${say('minimum by')}>${say('min by')}</abbr></th>
         </tr>
       </thead>
       <tbody>
@@ -34,11 +35,13 @@ export function boundsTable(
       </tbody>
     </table>
     <p class="note">
-      L<sub>R</sub> is a lower bound of jacdet on the face. If L<sub>R</sub>\u00a0>\u00a00, the face is positive. If
-      L<sub>R</sub>\u00a0≥\u00a0M, the least value so far, the face has no lower minimum. Otherwise the quartic decides.
+      ${sayParts(
+        '{bound} is a lower bound of jacdet on the face. If {bound}\u00a0>\u00a00, the face is positive. If {bound}\u00a0≥\u00a0M, the least value so far, the face has no lower minimum. Otherwise the quartic decides.',
+        { bound: html`L<sub>R</sub>` },
+      )}
     </p>`
 }
 
 function settledBy(bound: boolean): string {
-  return bound ? 'bound' : 'quartic'
+  return bound ? say('bound') : say('quartic')
 }

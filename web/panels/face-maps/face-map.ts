@@ -1,7 +1,9 @@
 /** One face of the net: a button with the face's picture, which reports the point pointed at. */
 import { type FaceTopology, faces } from '../../model/hexahedron'
 import { type FaceRaster, paintFace } from '../../scene/paint/face-raster'
-import { inUnit, pointStep } from '../../views/point-steps'
+import { placeIn } from '../../views/place-in'
+import { inUnit, isForeign, pointStep } from '../../views/point-steps'
+import { say } from '../../words/say'
 
 export interface FaceMapActions {
   /** A place in the cell, from its upper left, each in [0,1]. */
@@ -37,7 +39,10 @@ export class FaceMap {
     this.root.type = 'button'
     this.root.className = 'face-map on-paper'
     this.root.dataset.face = String(face)
-    this.root.setAttribute('aria-label', `Face ${name}, vertices ${vertices.toSorted((a, b) => a - b).join(', ')}`)
+    this.root.setAttribute(
+      'aria-label',
+      say('Face {name}, vertices {vertices}', { name, vertices: vertices.toSorted((a, b) => a - b).join(', ') }),
+    )
     this.root.setAttribute('aria-describedby', describedBy)
     this.root.append(this.#canvas)
     this.#listen()
@@ -62,9 +67,9 @@ export class FaceMap {
   #listen(): void {
     const { root, face } = this
     const actions = this.#actions
-    const point = ({ clientX, clientY }: PointerEvent) => {
-      const { left, top, width, height } = root.getBoundingClientRect()
-      actions.point(face, inUnit((clientX - left) / width), inUnit((clientY - top) / height))
+    const point = (event: PointerEvent) => {
+      const place = placeIn(root, event)
+      if (place) actions.point(face, inUnit(place.x), inUnit(place.y))
     }
     root.addEventListener('pointermove', point)
     root.addEventListener('pointerdown', event => {
@@ -81,7 +86,7 @@ export class FaceMap {
 
   #onKey(event: KeyboardEvent): void {
     const direction = DIRECTIONS[event.key]
-    if (event.ctrlKey || event.metaKey) return
+    if (isForeign(event)) return
     if (direction) {
       const step = pointStep(event)
       this.#actions.step(this.face, direction[0] * step, direction[1] * step)

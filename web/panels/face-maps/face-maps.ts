@@ -8,6 +8,7 @@ import { sliceChange, sliceOf } from '../../model/state'
 import { isNew } from '../../views/is-new'
 import { marksSlice } from '../../views/scene-slices'
 import type { CreateView, Figure, FigureName, Frame, Update, View, ViewContext } from '../../views/view'
+import { say } from '../../words/say'
 import { boundsTable } from './bounds-table'
 import css from './face-maps.css?inline'
 import { FaceNet } from './face-net'
@@ -19,8 +20,6 @@ import { quarticWords } from './quartic'
 import { faceSlice } from './selected-face'
 
 export const styles = css
-
-const KEYS = 'Arrow keys move the point over this face. Escape removes it. Enter shows the face’s quartic.'
 
 class FaceMapsView implements View {
   readonly root = document.createElement('div')
@@ -51,7 +50,7 @@ class FaceMapsView implements View {
       if (frame.report !== null) draw(frame, frame.report)
     })
     this.root.className = 'face-maps'
-    const keys = html`<span id="face-map-keys" class="said">${KEYS}</span>`
+    const keys = html`<span id="face-map-keys" class="said">${say('Arrow keys move the point over this face. Escape removes it. Enter shows the face’s quartic.')}</span>`
     render([this.#net.root, keys, this.#table, this.#words, this.#plots.root, this.#formulas], this.root)
     this.#resizes = new ResizeObserver(entries => {
       this.#width = Math.floor(entries.at(-1)?.contentRect.width ?? 0)

@@ -11,8 +11,9 @@ import { figureOf } from '../../scene/paint/figure'
 import { ThemeReader } from '../../scene/paint/theme'
 import { isNew } from '../../views/is-new'
 import { inUnit } from '../../views/point-steps'
-import { marksSlice } from '../../views/scene-slices'
+import { spokenOf } from '../../views/scene-slices'
 import type { Figure, Frame, ViewContext } from '../../views/view'
+import { say } from '../../words/say'
 import { FaceMap } from './face-map'
 import { isOnFace, NET_COLUMNS, netCells, type Place, placeOnFace, placesOf, pointInCell } from './net'
 import { candidateText, NetOverlay } from './net-overlay'
@@ -27,8 +28,6 @@ const GRID = 200
 /** The most device pixels to a CSS pixel; and pixels a side while a gesture runs. */
 const MOST_PIXEL_RATIO = 3
 const GESTURE_SIZE = 64
-
-const HINT = 'Point at a map to read jacdet there, or use the arrow keys.'
 
 export type DrawReport = (frame: Frame, report: Report) => void
 
@@ -92,7 +91,7 @@ export class FaceNet {
     this.#tooltip.hidden = true
     this.root.className = 'face-net'
     const roots = inReadingOrder.map(map => map.root)
-    render([roots, this.#readout, legend, this.#overlay.root, this.#tooltip], this.root)
+    render([roots, this.#readout, legend(), this.#overlay.root, this.#tooltip], this.root)
     // Words for pointers are silent; where keys move the point, its value is spoken.
     this.root.addEventListener('focusin', () => this.#readout.setAttribute('aria-live', 'polite'))
     this.root.addEventListener('focusout', () => this.#readout.setAttribute('aria-live', 'off'))
@@ -158,9 +157,9 @@ export class FaceNet {
 
   #drawMarks({ state }: Frame, report: Report): void {
     const { probe, referenceCube } = state
-    const { highlight } = sliceOf(marksSlice, state)
+    const spoken = JSON.stringify(spokenOf(state))
     const { selectedFace } = sliceOf(faceSlice, state)
-    if (!isNew(this.#overlay, report, this.#cell, probe, selectedFace, highlight, referenceCube)) return
+    if (!isNew(this.#overlay, report, this.#cell, probe, selectedFace, spoken, referenceCube)) return
     for (const { root, face } of this.#maps) root.setAttribute('aria-pressed', String(face === selectedFace))
     this.#overlay.update({ state, report, cell: this.#cell })
   }
@@ -173,8 +172,8 @@ export class FaceNet {
     const words = isOn
       ? html`<b class=${probe.jacdet < 0 ? 'negative' : ''}>J = ${value}</b>
           <span>${formatPoint(probe.point)}</span>
-          <span>on ${onFaces.map(({ name }) => name).join(', ')}</span>`
-      : html`<span class="off-paper">${HINT}</span>`
+          <span>${say('on {faces}', { faces: onFaces.map(({ name }) => name).join(', ') })}</span>`
+      : html`<span class="off-paper">${say('Point at a map to read jacdet there, or use the arrow keys.')}</span>`
     render(words, this.#readout)
     const candidate = probe && report.candidates.find(({ point }) => point.every((x, axis) => x === probe.point[axis]))
     this.#tooltip.hidden = !candidate
@@ -201,7 +200,10 @@ function readingOrder(face: number): number {
   return row * NET_COLUMNS + column
 }
 
-const legend = html`<p class="legend">${Object.entries(candidateShapes).map(
-  ([kind, d]) =>
-    html`<span><svg viewBox="-6 -6 12 12" aria-hidden="true"><path class="candidate" d=${d} /></svg>${kind}</span>`,
-)}<span><svg viewBox="-9 -9 18 18" aria-hidden="true"><circle class="ring" r="7" /></svg>minimum</span></p>`
+const KINDS = ['vertex', 'edge', 'face'] as const
+
+const legend = () =>
+  html`<p class="legend">${KINDS.map(
+    kind =>
+      html`<span><svg viewBox="-6 -6 12 12" aria-hidden="true"><path class="candidate" d=${candidateShapes[kind]} /></svg>${say(kind)}</span>`,
+  )}<span><svg viewBox="-9 -9 18 18" aria-hidden="true"><circle class="ring" r="7" /></svg>${say('minimum')}</span></p>`

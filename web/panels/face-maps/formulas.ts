@@ -4,6 +4,7 @@ import { type FacePolynomials, powerCoefficients } from '../../core/face-polynom
 import type { FaceReport } from '../../core/report'
 import { asDouble, formatJacdet, formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
+import { say } from '../../words/say'
 
 type Fragment = TemplateResult | string
 
@@ -35,7 +36,7 @@ export function formulas(
     ${line([mathml`${P}${equals}`, ...quartic])}
     ${line([D, mathml`${equals}<mn>4</mn><mi>a</mi><mi>c</mi>`, mathml`${minus}${squared(mathml`<mi>b</mi>`)}`, mathml`<mo>,</mo>`, mathml`<msup><mi>s</mi><mo>*</mo></msup><mo>=</mo><mo>−</mo><mi>b</mi><mo>/</mo><mo stretchy="false">(</mo><mn>2</mn><mi>a</mi><mo stretchy="false">)</mo>`])}
   </div>
-  <p class="note">These coefficients are rounded to be read; the core keeps P in Bernstein form.</p>`
+  <p class="note">${say('These coefficients are rounded to be read; the core keeps P in Bernstein form.')}</p>`
 }
 
 // Each begins an element, where a sign has no room of its own.

@@ -4,12 +4,14 @@
  */
 import type { Candidate, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
-import { faces, vertexReference } from '../../model/hexahedron'
+import { faces, type Vec3, vertexReference } from '../../model/hexahedron'
 import { type ReferenceCube, type State, sliceOf } from '../../model/state'
 import { candidateShapes } from '../../scene/overlay/candidate-shapes'
 import { px, set, show, svg } from '../../scene/paint/svg'
 import { entityTitle } from '../../views/entity-name'
-import { type Entity, marksSlice } from '../../views/scene-slices'
+import { isForeign } from '../../views/point-steps'
+import { type Entity, type SpokenPoint, spokenOf } from '../../views/scene-slices'
+import { say } from '../../words/say'
 import { edgePlaces, isOnFace, netCells, netCorners, type Place, placeOnFace, placesOf } from './net'
 import { faceSlice } from './selected-face'
 
@@ -38,9 +40,10 @@ export class NetOverlay {
   readonly #crossHalo = svg('path', { class: 'cross-halo' })
   readonly #cross = svg('path', { class: 'cross' })
   readonly #rings = svg('g', { class: 'rings' })
-  readonly #candidates = svg('g', { role: 'group', 'aria-label': 'Candidates for the minimum' })
+  readonly #candidates = svg('g', { role: 'group', 'aria-label': say('Candidates for the minimum') })
   readonly #marks: Mark[] = []
   readonly #probe: (candidate: Candidate | null) => void
+  #isProbing = false
   #listed: readonly Candidate[] = []
   /** The one that Tab reaches. */
   #current = 0
@@ -56,7 +59,7 @@ export class NetOverlay {
     this.root.append(decoration, this.#candidates, rings)
     this.#candidates.addEventListener('keydown', event => this.#onKey(event))
     this.#candidates.addEventListener('focusin', event => this.#onFocus(event))
-    this.#candidates.addEventListener('focusout', () => this.#probe(null))
+    this.#candidates.addEventListener('focusout', () => this.#probeAt(null))
   }
 
   update({ state, report, cell }: NetPicture): void {
@@ -67,9 +70,9 @@ export class NetOverlay {
     this.#updateLabels(state, report)
     this.#updateRings(report)
     this.#updateCross(state)
-    const { highlight } = sliceOf(marksSlice, state)
-    set(this.#highlight, { d: highlight ? this.#highlightPath(highlight) : '' })
-    show(this.#highlight, highlight !== null)
+    const path = spokenOf(state).map(spoken => this.#highlightPath(spoken))
+    set(this.#highlight, { d: path.join('') })
+    show(this.#highlight, path.length > 0)
   }
 
   #layOut(cell: number): void {
@@ -179,9 +182,12 @@ export class NetOverlay {
     }
   }
 
-  #highlightPath({ kind, id }: Entity): string {
+  #highlightPath(spoken: Entity | SpokenPoint): string {
     const cell = this.#cell
     const at = ({ x, y }: Place) => `${px(x * cell)} ${px(y * cell)}`
+    const ring = (place: Place) => `M${at(place)}m-7 0a7 7 0 1 0 14 0a7 7 0 1 0 -14 0`
+    if (spoken.kind === 'point') return placesOf(spoken.point).map(ring).join('')
+    const { kind, id } = spoken
     if (kind === 'edge')
       return edgePlaces(id)
         .map(([from, to]) => `M${at(from)}L${at(to)}`)
@@ -190,8 +196,9 @@ export class NetOverlay {
       const { column, row } = netCells[id] as (typeof netCells)[number]
       return `M${at({ x: column, y: row })}h${px(cell)}v${px(cell)}h${px(-cell)}Z`
     }
-    const places = placesOf(vertexReference[id] ?? [0, 0, 0])
-    return places.map(place => `M${at(place)}m-7 0a7 7 0 1 0 14 0a7 7 0 1 0 -14 0`).join('')
+    return placesOf(vertexReference[id] as Vec3)
+      .map(ring)
+      .join('')
   }
 
   #translate({ x, y }: Place): string {
@@ -202,7 +209,12 @@ export class NetOverlay {
     const index = Number((target as SVGGElement).dataset.candidate)
     this.#current = index
     this.#updateTabStop()
-    this.#probe(this.#listed[index] ?? null)
+    this.#probeAt(this.#listed[index] ?? null)
+  }
+
+  #probeAt(candidate: Candidate | null): void {
+    this.#isProbing = candidate !== null
+    this.#probe(candidate)
   }
 
   #onKey(event: KeyboardEvent): void {
@@ -215,7 +227,8 @@ export class NetOverlay {
       Home: 0,
       End: last,
     }[event.key]
-    if (event.key === 'Escape') this.#probe(null)
+    if (isForeign(event)) return
+    if (event.key === 'Escape' && this.#isProbing) this.#probeAt(null)
     else if (next !== undefined) {
       this.#marks.find(({ group }) => group.dataset.candidate === String(next))?.group.focus({ preventScroll: true })
     } else return
@@ -226,7 +239,8 @@ export class NetOverlay {
 export function candidateText(candidate: Candidate, report: Report, cube: ReferenceCube): string {
   const value = formatJacdet(candidate.value, report.exponent, cube)
   const isLeast = candidate.point === report.minimizer.point || samePoint(candidate, report.minimizer)
-  return `${entityTitle(candidate)}: J = ${value}${isLeast ? ', the minimum' : ''}`
+  const entity = entityTitle(candidate)
+  return isLeast ? say('{entity}: J = {value}, the minimum', { entity, value }) : `${entity}: J = ${value}`
 }
 
 function samePoint(a: Candidate, b: Candidate): boolean {

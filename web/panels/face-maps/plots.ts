@@ -7,7 +7,9 @@ import type { FaceReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
-import { inUnit, pointStep } from '../../views/point-steps'
+import { placeIn } from '../../views/place-in'
+import { inUnit, isForeign, pointStep } from '../../views/point-steps'
+import { say } from '../../words/say'
 import { decimalText } from './formulas'
 
 export interface PlotsPicture {
@@ -73,7 +75,10 @@ export class Plots {
       this.#curves.forEach((curve, i) => {
         this.#plots[i]?.draw(curve, picture.face)
       })
-      this.#slider.setAttribute('aria-label', `t on face ${picture.name}, with P, D, a and s* there`)
+      this.#slider.setAttribute(
+        'aria-label',
+        say('t on face {face}, with P, D, a and s* there', { face: picture.name }),
+      )
     }
     for (const plot of this.#plots) plot.point(t)
     const text = t === null ? '' : this.#valuesText(t)
@@ -81,10 +86,12 @@ export class Plots {
     setText(
       this.#values,
       text ||
-        'Point at a plot: the maps mark the least point of that row of the face. The dashed line in the picture joins these points.',
+        say(
+          'Point at a plot: the maps mark the least point of that row of the face. The dashed line in the picture joins these points.',
+        ),
     )
     this.#slider.setAttribute('aria-valuenow', String(t ?? 0))
-    this.#slider.setAttribute('aria-valuetext', text || 'no t chosen')
+    this.#slider.setAttribute('aria-valuetext', text || say('no t chosen'))
   }
 
   #valuesText(t: number): string {
@@ -98,11 +105,10 @@ export class Plots {
   #listen(): void {
     const slider = this.#slider
     const point = (event: PointerEvent) => {
-      const svgElement = (event.target as Element).closest('svg')
-      if (!svgElement) return
-      const { left, width } = svgElement.getBoundingClientRect()
-      const x = ((event.clientX - left) / width) * WIDTH
-      const t = (x - BOX.left) / (BOX.right - BOX.left)
+      const plot = (event.target as Element).closest<HTMLElement>('.plot')
+      const place = plot && placeIn(plot, event)
+      if (!place) return
+      const t = (place.x * WIDTH - BOX.left) / (BOX.right - BOX.left)
       this.#choose(Math.round(inUnit(t) * 200) / 200)
     }
     slider.addEventListener('pointermove', point)
@@ -113,8 +119,8 @@ export class Plots {
     slider.addEventListener('blur', () => this.#choose(null))
     slider.addEventListener('keydown', event => {
       const way = KEYS[event.key]
-      if (event.ctrlKey || event.metaKey) return
-      if (event.key === 'Escape') this.#choose(null)
+      if (isForeign(event)) return
+      if (event.key === 'Escape' && this.#t !== null) this.#choose(null)
       else if (event.key === 'Home') this.#choose(0)
       else if (event.key === 'End') this.#choose(1)
       else if (way === undefined) return
@@ -125,7 +131,7 @@ export class Plots {
 }
 
 class Plot {
-  readonly root = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, 'aria-hidden': 'true' })
+  readonly root = document.createElement('div')
   readonly #title = svg('text', { class: 'title', x: BOX.left, y: 12 })
   readonly #greatest = svg('text', { class: 'extreme', x: BOX.right, y: 12, 'text-anchor': 'end' })
   readonly #least = svg('text', { class: 'extreme', x: WIDTH / 2, y: HEIGHT - 3, 'text-anchor': 'middle' })
@@ -142,8 +148,11 @@ class Plot {
     const ends = [0, 1].map(t =>
       svg('text', { class: 'end', x: xOf(t), y: HEIGHT - 3, 'text-anchor': t === 0 ? 'start' : 'end' }, String(t)),
     )
-    this.root.append(this.#lines, this.#zero, this.#guide, this.#curve, ...this.#roots, this.#dot)
-    this.root.append(this.#title, this.#greatest, this.#least, ...ends)
+    const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, 'aria-hidden': 'true' })
+    picture.append(this.#lines, this.#zero, this.#guide, this.#curve, ...this.#roots, this.#dot)
+    picture.append(this.#title, this.#greatest, this.#least, ...ends)
+    this.root.className = 'plot'
+    this.root.append(picture)
   }
 
   draw(curve: Curve, { roots }: FaceReport): void {
@@ -218,7 +227,7 @@ function curvesOf({ face, polynomials, exponent, cube }: PlotsPicture): Curve[] 
     { ...fitted, name: 'a', title: 'a(t)', at: t => valueAt(polynomials.a, t), text: text(scaling, 1) },
     {
       name: 's*',
-      title: 's*(t), inside from 0 to 1',
+      title: say('s*(t), inside from 0 to 1'),
       at: t => vertexInS(polynomials, t),
       range: [-0.5, 1.5],
       text: formatNumber,

@@ -9,6 +9,7 @@ import { ThemeReader } from '../../scene/paint/theme'
 import { copyableJacdet, copyablePoint } from '../../views/copyable'
 import { type SceneState, type Section, sceneSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
+import { say, sayParts } from '../../words/say'
 import css from './inside-panel.css?inline'
 import { insideSentence } from './inside-words'
 import { AXIS_NAMES, SectionMap } from './section-map'
@@ -18,7 +19,6 @@ export const styles = css
 const LARGEST_SIDE = 340
 const MARGIN = 22
 const STEP = 0.01
-const KEYS = 'Arrow keys move the point over the section. Escape removes it.'
 
 class InsidePanel implements View {
   readonly root = document.createElement('div')
@@ -74,7 +74,7 @@ class InsidePanel implements View {
       html`<div>${minima(report, cube)}</div>
         <div>${this.#placesOf(state, isThere)}</div>
         <div>${this.#controlsOf(report, section)}</div>
-        ${this.#map.root}<span id="section-keys" class="said">${KEYS}</span>
+        ${this.#map.root}<span id="section-keys" class="said">${say('Arrow keys move the point over the section. Escape removes it.')}</span>
         <p class="readout">${isHere ? readout(probe.point, probe.jacdet, probe.exponent, cube) : offSection(report, section)}</p>`,
       this.root,
     )
@@ -86,20 +86,20 @@ class InsidePanel implements View {
     const isInScene = faceDisplay === 'inside'
     const show = (event: Event) => (event.target as HTMLInputElement).checked
     return html`<fieldset class="places">
-        <legend>Shown in space</legend>
+        <legend>${say('Shown in space')}</legend>
         <label
           ><input
             type="checkbox"
             .checked=${isInScene}
             @change=${(event: Event) => this.#change({ faceDisplay: show(event) ? 'inside' : 'opaque' })}
-          />in the element</label
+          />${say('in the element')}</label
         >
         <label
           ><input
             type="checkbox"
             .checked=${referenceShown}
             @change=${(event: Event) => this.#change({ referenceShown: show(event) })}
-          />and in the reference cube</label
+          />${say('and in the reference cube')}</label
         >
       </fieldset>
       <p class="caption">${surfaceWords(isThere)}</p>`
@@ -109,7 +109,7 @@ class InsidePanel implements View {
     const name = AXIS_NAMES[axis]
     const goal = minimizerOf(report)
     return html`<fieldset class="axes">
-        <legend>Section at</legend>
+        <legend>${say('Section at')}</legend>
         ${AXIS_NAMES.map(
           (other, i) => html`<label
             ><input
@@ -129,13 +129,13 @@ class InsidePanel implements View {
           max="1"
           step=${STEP}
           .value=${String(value)}
-          aria-label=${`Section at ${name}`}
+          aria-label=${say('Section at {axis}', { axis: name })}
           aria-valuetext=${formatNumber(value)}
           @input=${(event: Event) => this.#show({ axis, value: (event.target as HTMLInputElement).valueAsNumber })}
         />
       </label>
       <button type="button" ?disabled=${goal[axis] === value} @click=${() => this.#goToMinimum()}>
-        ${lowerInside(report) ? 'Go to the minimum inside' : 'Go to the minimum'}
+        ${lowerInside(report) ? say('Go to the minimum inside') : say('Go to the minimum')}
       </button>`
   }
 
@@ -157,10 +157,10 @@ class InsidePanel implements View {
 }
 
 function surfaceWords(isThere: boolean | null): string {
-  if (isThere === null) return 'The section and the surface J = 0 can be shown in space.'
+  if (isThere === null) return say('The section and the surface J = 0 can be shown in space.')
   return isThere
-    ? 'Red: the surface J = 0, around the negative part. The section cuts through both.'
-    : 'J is zero nowhere inside, so there is no surface J = 0.'
+    ? say('Red: the surface J = 0, around the negative part. The section cuts through both.')
+    : say('J is zero nowhere inside, so there is no surface J = 0.')
 }
 
 function minimizerOf(report: Report): Vec3 {
@@ -174,19 +174,19 @@ function minima(report: Report, cube: ReferenceCube): TemplateResult {
   const volume = approximation(volumeMinimum)
   const isExact = lower === upper
   return html`<p class="why">${insideSentence(report, cube)}</p>
-    <table aria-label="Boundary minimum and volume minimum">
+    <table aria-label=${say('Boundary minimum and volume minimum')}>
       <tbody>
         <tr>
-          <th scope="row">On the boundary</th>
+          <th scope="row">${say('On the boundary')}</th>
           <td><b>${copyableJacdet(boundaryMinimum, exponent, cube)}</b></td>
-          <td>${boundaryMinimumError === 0 ? 'exactly' : `± ${formatBound(boundaryMinimumError, exponent, cube)}`}<br />at ${copyablePoint(minimizer.point)}</td>
+          <td>${boundaryMinimumError === 0 ? say('exactly') : `± ${formatBound(boundaryMinimumError, exponent, cube)}`}<br />${sayParts('at {point}', { point: copyablePoint(minimizer.point) })}</td>
         </tr>
         <tr>
-          <th scope="row">In the whole element</th>
-          <td>${inside ? html`<b>${copyableJacdet(volume.value, exponent, cube)}</b>` : 'the same'}</td>
+          <th scope="row">${say('In the whole element')}</th>
+          <td>${inside ? html`<b>${copyableJacdet(volume.value, exponent, cube)}</b>` : say('the same')}</td>
           <td>
-            ${isExact ? 'exactly' : html`between ${formatJacdet(lower, exponent, cube, 'down')} and ${formatJacdet(upper, exponent, cube, 'up')}`}
-            ${inside ? html`<br />at ${copyablePoint(point)}` : ''}
+            ${isExact ? say('exactly') : say('between {lower} and {upper}', { lower: formatJacdet(lower, exponent, cube, 'down'), upper: formatJacdet(upper, exponent, cube, 'up') })}
+            ${inside ? html`<br />${sayParts('at {point}', { point: copyablePoint(point) })}` : ''}
           </td>
         </tr>
       </tbody>
@@ -198,15 +198,21 @@ function jacdet(value: number, exponent: number, cube: ReferenceCube): TemplateR
 }
 
 function readout(point: Vec3, value: number, exponent: number, cube: ReferenceCube): TemplateResult {
-  return html`J = ${jacdet(value, exponent, cube)} at ${formatPoint(point)}`
+  return html`${sayParts('J = {value} at {point}', {
+    value: jacdet(value, exponent, cube),
+    point: formatPoint(point) as TemplateResult | string,
+  })}`
 }
 
 /** The hint, or the place of a minimizer that is marked although it is not on the section. */
 function offSection(report: Report, { axis, value }: Section): string {
   const at = minimizerOf(report)[axis]
-  if (at === value) return 'Point at the section to read jacdet there, or use the arrow keys.'
+  if (at === value) return say('Point at the section to read jacdet there, or use the arrow keys.')
   const off = formatNumber(Math.abs(at - value))
-  return `The minimum is not on this section: it is ${off} ${at > value ? 'above' : 'below'} it in ${AXIS_NAMES[axis]}, marked where it projects.`
+  const place = { off, axis: AXIS_NAMES[axis] }
+  return at > value
+    ? say('The minimum is not on this section: it is {off} above it in {axis}, marked where it projects.', place)
+    : say('The minimum is not on this section: it is {off} below it in {axis}, marked where it projects.', place)
 }
 
 export const create: CreateView = context => new InsidePanel(context)

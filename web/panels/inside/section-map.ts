@@ -9,8 +9,10 @@ import { colourScaleInside, rampOf, type Theme } from '../../scene/paint/colour-
 import { type Palette, paintFace, paletteOf } from '../../scene/paint/face-raster'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
 import { isNew } from '../../views/is-new'
-import { inUnit, pointStep } from '../../views/point-steps'
+import { placeIn } from '../../views/place-in'
+import { inUnit, isForeign, pointStep } from '../../views/point-steps'
 import { type Section, sceneSlice } from '../../views/scene-slices'
+import { say } from '../../words/say'
 
 export interface SectionPicture {
   readonly report: Report
@@ -95,7 +97,7 @@ export class SectionMap {
 
   #layOut({ axis, value }: Section, side: number): void {
     const name = `${AXIS_NAMES[axis]} = ${formatNumber(value)}`
-    this.root.setAttribute('aria-label', `Map of jacdet on the section ${name}`)
+    this.root.setAttribute('aria-label', say('Map of jacdet on the section {section}', { section: name }))
     set(this.#svg, { width: side, height: side, viewBox: `0 0 ${side} ${side}` })
     set(this.#border, { width: side, height: side })
     const [s, t] = axesOn(axis)
@@ -144,10 +146,10 @@ export class SectionMap {
 
   #listen(): void {
     const { root } = this
-    root.addEventListener('pointermove', ({ clientX, clientY }) => {
-      const { left, top, width, height } = this.#canvas.getBoundingClientRect()
+    root.addEventListener('pointermove', event => {
+      const place = placeIn(root, event)
       const onGrid = (way: number) => Math.round(inUnit(way) * GRID) / GRID
-      this.#probeAt(onGrid((clientX - left) / width), onGrid(1 - (clientY - top) / height))
+      if (place) this.#probeAt(onGrid(place.x), onGrid(1 - place.y))
     })
     root.addEventListener('pointerleave', () => this.#setProbe(null))
     root.addEventListener('blur', () => this.#setProbe(null))
@@ -160,7 +162,7 @@ export class SectionMap {
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey) return
+    if (isForeign(event)) return
     const direction = DIRECTIONS[event.key]
     const { axis, value } = this.#section
     const probe = this.#probe?.[axis] === value ? this.#probe : null

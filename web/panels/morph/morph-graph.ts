@@ -3,6 +3,7 @@ import { formatJacdet } from '../../model/decimal'
 import type { ReferenceCube } from '../../model/state'
 import { px, set, setText, show, svg } from '../../scene/paint/svg'
 import { isNew } from '../../views/is-new'
+import { say } from '../../words/say'
 import { curveOf, heightOf } from './curve'
 import type { Morph } from './morph-answer'
 
@@ -80,7 +81,8 @@ export class MorphGraph {
 
 function spoken({ crossings }: Morph, [first, last]: readonly string[]): string {
   const changes = crossings.map(({ validTau }) => validTau.toFixed(3)).join(', ')
-  const ends = `Boundary minimum from A, ${first}, to B, ${last}`
-  if (crossings.length === 0) return `${ends}; no change of the verdict was found`
-  return `${ends}; the verdict changes at tau ${changes}`
+  const ends = { first: first ?? '', last: last ?? '' }
+  return crossings.length === 0
+    ? say('Boundary minimum from A, {first}, to B, {last}; no change of the verdict was found', ends)
+    : say('Boundary minimum from A, {first}, to B, {last}; the verdict changes at tau {changes}', { ...ends, changes })
 }

@@ -8,6 +8,7 @@ import { elementAt, tauOf } from '../../model/way'
 import { copyable, copyableJacdet } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
+import { type PlainWord, say } from '../../words/say'
 import { answerTo } from '../panel'
 import css from './morph.css?inline'
 import type { Morph } from './morph-answer'
@@ -29,7 +30,7 @@ const ENDS: readonly { readonly end: End; readonly name: string }[] = [
   { end: 'morphA', name: 'A' },
   { end: 'morphB', name: 'B' },
 ]
-const FOLLOWS: Readonly<Record<Follows, string>> = {
+const FOLLOWS: Readonly<Record<Follows, PlainWord>> = {
   start: 'the element that Reset goes back to',
   box: 'the box around the element',
   element: 'the element as it is',
@@ -96,22 +97,26 @@ class MorphView implements View {
         ${ENDS.map(
           ({ end, name }, i) => html`<div>
             <dt>${name}</dt>
-            <dd>${ends[end] === null ? FOLLOWS[follows[i] as Follows] : 'kept'}</dd>
-            <dd><button type="button" @click=${() => this.#keep(end, this.#context.state().vertices)}>Keep as ${name}</button></dd>
+            <dd>${say(ends[end] === null ? FOLLOWS[follows[i] as Follows] : 'kept')}</dd>
+            <dd><button type="button" @click=${() => this.#keep(end, this.#context.state().vertices)}>${say('Keep as {name}', { name })}</button></dd>
           </div>`,
         )}
       </dl>
       ${
         ends.morphA === null && ends.morphB === null
           ? ''
-          : html`<p><button type="button" @click=${() => this.#forget()}>Forget both</button></p>`
+          : html`<p><button type="button" @click=${() => this.#forget()}>${say('Forget both')}</button></p>`
       }`
   }
 
   #slider(here: number | null, report: Report, cube: ReferenceCube): TemplateResult {
     const { valid: isValid, boundaryMinimum, exponent } = report
     const minimum = formatJacdet(boundaryMinimum, exponent, cube)
-    const text = here === null ? 'not on the way' : `${here}, ${isValid ? 'valid' : 'invalid'}, minimum ${minimum}`
+    const verdict = isValid ? say('valid') : say('invalid')
+    const text =
+      here === null
+        ? say('not on the way')
+        : say('{place}, {verdict}, minimum {minimum}', { place: here, verdict, minimum })
     return html`<label class="slide">
         <input
           type="range"
@@ -119,7 +124,7 @@ class MorphView implements View {
           max="1"
           step=${STEP}
           .value=${String(this.#tau)}
-          aria-label="Place between A and B"
+          aria-label=${say('Place between A and B')}
           aria-valuetext=${text}
           @input=${(event: Event) => this.#slideTo((event.target as HTMLInputElement).valueAsNumber)}
           @change=${() => this.#commit()}
@@ -129,36 +134,35 @@ class MorphView implements View {
       </label>
       <p class="place">
         <button type="button" @click=${() => this.#playOrPause(here)} @keydown=${(event: KeyboardEvent) => this.#onKey(event)}>
-          ${this.#playing === null ? 'Play' : 'Pause'}
+          ${this.#playing === null ? say('Play') : say('Pause')}
         </button>
         ${
           here === null
-            ? 'The element is not on the way from A to B. Move the slider to put it there.'
+            ? say('The element is not on the way from A to B. Move the slider to put it there.')
             : html`τ = <b>${copyable(String(here), String(here))}</b>
-              <span class="says">${isValid ? 'valid' : 'invalid'}, min J = ${copyableJacdet(boundaryMinimum, exponent, cube)}</span>`
+              <span class="says">${verdict}, min J = ${copyableJacdet(boundaryMinimum, exponent, cube)}</span>`
         }
       </p>`
   }
 
   #crossings({ a, b, samples, crossings }: Morph, here: number | null): TemplateResult {
     if (a === b || a.every((value, i) => Object.is(value, b[i])))
-      return html`<p class="note">A and B are the same element. Move a vertex, or keep this one as A and choose another preset.</p>`
+      return html`<p class="note">${say('A and B are the same element. Move a vertex, or keep this one as A and choose another preset.')}</p>`
     if (crossings.length === 0)
       return html`<p class="note">
-        ${samples[0]?.valid ? 'Valid' : 'Invalid'} at every place tried from A to B: no change of the verdict was found.
+        ${samples[0]?.valid ? say('Valid at every place tried from A to B: no change of the verdict was found.') : say('Invalid at every place tried from A to B: no change of the verdict was found.')}
       </p>`
-    return html`<table aria-label="Where the verdict changes">
+    return html`<table aria-label=${say('Where the verdict changes')}>
         <tbody>
           ${crossings.map(
             ({ validTau, invalidTau }, i) =>
-              html`${this.#crossing('Last valid', validTau, crossings.length > 1 ? i + 1 : 0, here)}
-              ${this.#crossing('First invalid', invalidTau, crossings.length > 1 ? i + 1 : 0, here)}`,
+              html`${this.#crossing(say('Last valid'), validTau, crossings.length > 1 ? i + 1 : 0, here)}
+              ${this.#crossing(say('First invalid'), invalidTau, crossings.length > 1 ? i + 1 : 0, here)}`,
           )}
         </tbody>
       </table>
       <p class="note">
-        No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is
-        A + τ (B − A), with every coordinate in doubles.
+        ${say('No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is A + τ (B − A), with every coordinate in doubles.')}
       </p>`
   }
 
@@ -168,7 +172,7 @@ class MorphView implements View {
         <button
           type="button"
           class="on-paper"
-          aria-label=${number > 0 ? `${name}, change ${number}` : name}
+          aria-label=${number > 0 ? say('{name}, change {number}', { name, number }) : name}
           aria-pressed=${tau === here}
           @click=${() => this.#jump(tau)}
         >

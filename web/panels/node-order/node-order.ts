@@ -7,6 +7,7 @@ import { copyableJacdet } from '../../views/copyable'
 import { isNew } from '../../views/is-new'
 import { previewSlice } from '../../views/scene-slices'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
+import { type PlainWord, say } from '../../words/say'
 import { answerTo } from '../panel'
 import css from './node-order.css?inline'
 import { type HelpfulOrder, type TriedOrders, triedOrdersQuestion } from './tried-orders'
@@ -17,7 +18,7 @@ export const styles = css
 class NodeOrderView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
-  #used: { readonly vertices: Vertices; readonly name: string } | null = null
+  #used: { readonly vertices: Vertices; readonly name: PlainWord } | null = null
 
   constructor(context: ViewContext) {
     this.#context = context
@@ -45,21 +46,24 @@ class NodeOrderView implements View {
   }
 
   #answer(isValid: boolean | null, tried: TriedOrders | null): string {
-    if (isValid === null) return 'There is no verdict, so there is nothing to compare.'
+    if (isValid === null) return say('There is no verdict, so there is nothing to compare.')
     if (isValid) {
       const { vertices } = this.#context.state()
       const used =
         this.#used?.vertices === vertices
-          ? `The points were taken in the order “${this.#used.name}”. Undo takes this back. `
+          ? `${say('The points were taken in the order “{order}”. Undo takes this back.', { order: say(this.#used.name) })} `
           : ''
-      return `${used}The element is valid as its points are ordered, so no other order is tried.`
+      return `${used}${say('The element is valid as its points are ordered, so no other order is tried.')}`
     }
-    if (tried === null) return 'The orders are tried when this change is done.'
+    if (tried === null) return say('The orders are tried when this change is done.')
     const { count, helpful } = tried
-    if (helpful.length === 0) return `None of the ${count} orders tried makes it valid.`
+    if (helpful.length === 0) return say('None of the {count} orders tried makes it valid.', { count })
     return helpful.length === 1
-      ? `Of ${count} other orders of the same eight points, one makes it valid:`
-      : `Of ${count} other orders of the same eight points, ${helpful.length} make it valid:`
+      ? say('Of {count} other orders of the same eight points, one makes it valid:', { count })
+      : say('Of {count} other orders of the same eight points, {helpful} make it valid:', {
+          count,
+          helpful: helpful.length,
+        })
   }
 
   #list({ vertices, helpful }: TriedOrders, state: State): TemplateResult {
@@ -70,24 +74,25 @@ class NodeOrderView implements View {
 
   #order(helpful: HelpfulOrder, given: Vertices, state: State): TemplateResult {
     const { orders, vertices, boundaryMinimum, exponent } = helpful
-    const { name, permutation } = orders[0] as NodeOrder
+    const { name: word, permutation } = orders[0] as NodeOrder
+    const name = say(word)
     const isOpen = sliceOf(previewSlice, state).preview?.order === permutation
     return html`<li>
-      <p class="names">${orders.map(order => html`<span><strong>${order.name}</strong>${usedBy(order)}</span>`)}</p>
-      <p class="says">${orders.map(order => order.says).join(' ')}</p>
+      <p class="names">${orders.map(order => html`<span><strong>${say(order.name)}</strong>${usedBy(order)}</span>`)}</p>
+      <p class="says">${orders.map(order => say(order.says)).join(' ')}</p>
       <p class="go">
         <button
           type="button"
-          aria-label=${`Preview ${name}`}
+          aria-label=${say('Preview {order}', { order: name })}
           aria-expanded=${isOpen}
           @click=${() => this.#preview(isOpen ? null : permutation)}
         >
-          Preview
+          ${say('Preview')}
         </button>
-        <button type="button" aria-label=${`Use this order: ${name}`} @click=${() => this.#use(helpful)}>Use this order</button>
+        <button type="button" aria-label=${say('Use this order: {order}', { order: name })} @click=${() => this.#use(helpful)}>${say('Use this order')}</button>
         <span>min J = ${copyableJacdet(boundaryMinimum, exponent, state.referenceCube)}</span>
       </p>
-      ${isOpen ? html`<div class="pictures">${picture(given, 'as it is', false)}${picture(vertices, name, true)}</div>` : ''}
+      ${isOpen ? html`<div class="pictures">${picture(given, null, false)}${picture(vertices, name, true)}</div>` : ''}
     </li>`
   }
 
@@ -98,35 +103,39 @@ class NodeOrderView implements View {
   /** One step to undo. The button goes, so the focus moves to the sentence about it. */
   #use({ orders, vertices }: HelpfulOrder): void {
     this.#context.dispatch({ type: 'set-vertices', vertices, preset: null })
-    this.#used = { vertices: this.#context.state().vertices, name: orders[0]?.name ?? '' }
+    this.#used = { vertices: this.#context.state().vertices, name: (orders[0] as NodeOrder).name }
     this.root.querySelector<HTMLElement>('.answer')?.focus({ preventScroll: true })
   }
 }
 
 function usedBy(order: NodeOrder): TemplateResult | string {
-  return order.usedBy ? html` <span class="by">${order.usedBy}</span>` : ''
+  return order.usedBy ? html` <span class="by">${say(order.usedBy)}</span>` : ''
 }
 
 function triedList({ count }: TriedOrders): TemplateResult {
   return html`<details>
-    <summary>The ${count} orders tried</summary>
+    <summary>${say('The {count} orders tried', { count })}</summary>
     <dl>
-      ${nodeOrders.map(order => html`<div><dt>${order.name}${usedBy(order)}</dt><dd>${order.says}</dd></div>`)}
+      ${nodeOrders.map(order => html`<div><dt>${say(order.name)}${usedBy(order)}</dt><dd>${say(order.says)}</dd></div>`)}
     </dl>
-    <p>Turning the numbers by one of the cube’s 24 rotations changes nothing, so orders that differ by one are tried once.</p>
+    <p>${say('Turning the numbers by one of the cube’s 24 rotations changes nothing, so orders that differ by one are tried once.')}</p>
   </details>`
 }
 
 /** The picture of an element, numbered in its own order. */
-function picture(vertices: Vertices, name: string, isValid: boolean): TemplateResult {
+function picture(vertices: Vertices, order: string | null, isValid: boolean): TemplateResult {
   const { points, path } = wireframe(vertices)
-  const word = isValid ? 'valid' : 'invalid'
+  const verdict = isValid ? say('valid') : say('invalid')
+  const label =
+    order === null
+      ? say('The element as it is: {verdict}', { verdict })
+      : say('The element in the order {order}: {verdict}', { order, verdict })
   return html`<figure>
-    <svg viewBox="-126 -122 252 244" role="img" aria-label=${`The element ${isValid ? `in the order ${name}` : name}: ${word}`}>
+    <svg viewBox="-126 -122 252 244" role="img" aria-label=${label}>
       <path d=${path} />
       ${points.map(({ x, y }, v) => svg`<text x=${112 * x} y=${112 * y}>${v}</text>`)}
     </svg>
-    <figcaption>${name}: ${word}</figcaption>
+    <figcaption>${order === null ? say('as it is: {verdict}', { verdict }) : say('{order}: {verdict}', { order, verdict })}</figcaption>
   </figure>`
 }
 

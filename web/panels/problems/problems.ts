@@ -1,6 +1,7 @@
 /** Problems, as sentences that stay until they are no longer true or are dismissed. */
-import { html, render } from 'lit-html'
+import { html, nothing, render } from 'lit-html'
 import type { CreateView, Frame, Problem, View, ViewContext } from '../../views/view'
+import { say } from '../../words/say'
 import css from './problems.css?inline'
 
 export const problemsStyles = css
@@ -26,10 +27,10 @@ class ProblemsView implements View {
     render(
       problems.map(
         problem => html`<p>
-          <span>${problem.message}</span>
+          <span lang=${problem.code === 'not-read' ? 'en' : nothing}>${problem.message}</span>
           ${
             dismissible.has(problem.code)
-              ? html`<button type="button" @click=${() => this.#context.clear(problem.code)}>Dismiss</button>`
+              ? html`<button type="button" @click=${() => this.#context.clear(problem.code)}>${say('Dismiss')}</button>`
               : null
           }
         </p>`,

@@ -7,6 +7,7 @@ import { copyText } from '../../views/copy-text'
 import { isNew } from '../../views/is-new'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
+import { type PlainWord, say, sayParts } from '../../words/say'
 import { answerTo } from '../panel'
 import css from './certificate.css?inline'
 import { type Proof, proofQuestion, proofSlice } from './proof-question'
@@ -23,7 +24,7 @@ type Valid = Extract<Certificate, { valid: true }>
 
 interface Reason {
   readonly formula: string
-  readonly because: string
+  readonly because: PlainWord
 }
 
 const REASONS: Readonly<Record<CertifiedInterval['by'], Reason>> = {
@@ -46,7 +47,7 @@ class CertificateView implements View {
     this.#context = context
     this.root.className = 'certificate'
     this.root.setAttribute('role', 'group')
-    this.root.setAttribute('aria-label', 'Proof')
+    this.root.setAttribute('aria-label', say('Proof'))
   }
 
   update(frame: Frame): void {
@@ -69,9 +70,9 @@ class CertificateView implements View {
           aria-controls="proof"
           @click=${() => this.#context.dispatch(sliceChange(proofSlice, { proofShown: !proofShown }))}
         >
-          ${proofShown ? 'Hide the proof' : 'Show the proof'}
+          ${proofShown ? say('Hide the proof') : say('Show the proof')}
         </button>
-        <span aria-live="polite">${isStale ? 'The proof follows when this change is done.' : ''}</span>
+        <span aria-live="polite">${isStale ? say('The proof follows when this change is done.') : ''}</span>
       </p>
       <div id="proof" class=${isStale ? 'is-stale' : ''} ?hidden=${!proofShown}>${proof && this.#proof(proof, cube)}</div>`
   }
@@ -85,18 +86,20 @@ class CertificateView implements View {
           certificate.valid
             ? ''
             : html`<button type="button" @click=${() => this.#copy(proof, 'numbers', numbersText(certificate))}>
-              ${copied === 'numbers' ? 'Copied' : 'Copy point and value'}
+              ${copied === 'numbers' ? say('Copied') : say('Copy point and value')}
             </button>`
         }
         <button type="button" @click=${() => this.#copy(proof, 'json', this.#file(proof).text)}>
-          ${copied === 'json' ? 'Copied' : 'Copy JSON'}
+          ${copied === 'json' ? say('Copied') : say('Copy JSON')}
         </button>
-        <button type="button" @click=${() => this.#download(proof)}>Download</button>
-        <span aria-live="polite">${copied === 'nothing' ? 'Copying is not allowed here. Download gives the same.' : ''}</span>
+        <button type="button" @click=${() => this.#download(proof)}>${say('Download')}</button>
+        <span aria-live="polite">${copied === 'nothing' ? say('Copying is not allowed here. Download gives the same.') : ''}</span>
       </p>
       <p class="check">
-        To check it without this page: <code>python3 tests/certificates/check_certificates.py FILE.json</code>.
-        <code>npm run -s hexlens -- certify</code> makes the same of a list of elements.
+        ${sayParts('To check it without this page: {check}. {certify} makes the same of a list of elements.', {
+          check: html`<code>python3 tests/certificates/check_certificates.py FILE.json</code>`,
+          certify: html`<code>npm run -s hexlens -- certify</code>`,
+        })}
       </p>`
   }
 
@@ -121,13 +124,15 @@ class CertificateView implements View {
 function invalidProof({ point, jacdet }: Invalid, cube: ReferenceCube): TemplateResult {
   const shown = cube === 'unit' ? jacdet : eighth(jacdet)
   const value = html`<span class=${jacdet.numerator < 0n ? 'number negative' : 'number'}>${rationalText(shown)}</span>${roundedText(shown)}`
-  return html`<p>
-      Proof: one point with J ${jacdet.numerator < 0n ? '<' : '='} 0. At (ξ, η, ζ) =
-      <span class="number">(${point.map(rationalText).join(', ')})</span> jacdet is exactly ${value}.
-    </p>
+  const place = html`(ξ, η, ζ) = <span class="number">(${point.map(rationalText).join(', ')})</span>`
+  return html`<p>${
+    jacdet.numerator < 0n
+      ? sayParts('Proof: one point with J < 0. At {point} jacdet is exactly {value}.', { point: place, value })
+      : sayParts('Proof: one point with J = 0. At {point} jacdet is exactly {value}.', { point: place, value })
+  }</p>
     <p class="why">
-      To check it, evaluate the definition once in rational
-      numbers.${cube === 'unit' ? '' : ' The file has it on [0,1]³, eight times this.'}
+      ${say('To check it, evaluate the definition once in rational numbers.')}
+      ${cube === 'unit' ? '' : say('The file has it on [0,1]³, eight times this.')}
     </p>`
 }
 
@@ -149,23 +154,25 @@ function validProof({ faces: intervals }: Valid): TemplateResult {
   const used = (Object.keys(REASONS) as CertifiedInterval['by'][]).filter(by =>
     runs.some(list => list.some(run => run.by === by)),
   )
-  return html`<p>
-      On a face jacdet is <span class="formula">a(t) s² + b(t) s + c(t)</span>, with s and t in the order of ξ, η, ζ. On each
-      interval of t it is positive at <span class="formula">s = 0</span> and <span class="formula">s = 1</span>. In between it is
-      positive for the reason given.
-    </p>
-    <table aria-label="Intervals of each face">
+  const formula = (text: string) => html`<span class="formula">${text}</span>`
+  return html`<p>${sayParts(
+    'On a face jacdet is {formula}, with s and t in the order of ξ, η, ζ. On each interval of t it is positive at {lower} and {upper}. In between it is positive for the reason given.',
+    { formula: formula('a(t) s² + b(t) s + c(t)'), lower: formula('s = 0'), upper: formula('s = 1') },
+  )}</p>
+    <table aria-label=${say('Intervals of each face')}>
       <thead>
-        <tr><th scope="col">face</th><th scope="col">t from … to …</th><th scope="col">intervals</th><th scope="col">reason</th></tr>
+        <tr><th scope="col">${say('face')}</th><th scope="col">${say('t from … to …')}</th><th scope="col">${say('intervals')}</th><th scope="col">${say('reason')}</th></tr>
       </thead>
       ${runs.map((list, face) => faceRows(list, face))}
     </table>
     <dl>
-      ${used.map(by => html`<div><dt>${REASONS[by].formula}</dt><dd>${REASONS[by].because}</dd></div>`)}
+      ${used.map(by => html`<div><dt>${REASONS[by].formula}</dt><dd>${say(REASONS[by].because)}</dd></div>`)}
     </dl>
     <p class="why">
-      Each sign is that of whole numbers, the Bernstein coefficients on the interval. If jacdet is positive on the six faces, it is
-      positive everywhere: Knupp’s conjecture, now a theorem (P. Zhang, <cite>Validating Hexahedra through their Boundaries</cite>).
+      ${sayParts(
+        'Each sign is that of whole numbers, the Bernstein coefficients on the interval. If jacdet is positive on the six faces, it is positive everywhere: Knupp’s conjecture, now a theorem ({paper}).',
+        { paper: html`P. Zhang, <cite lang="en">Validating Hexahedra through their Boundaries</cite>` },
+      )}
     </p>`
 }
 
@@ -177,10 +184,10 @@ function faceRows(runs: readonly Run[], face: number): TemplateResult {
     ${shown.map(
       ({ from, to, count, by }, i) => html`<tr>
         ${i === 0 ? html`<th scope="rowgroup" rowspan=${rowCount}>${faces[face]?.name}</th>` : ''}
-        <td>${rationalText(from)} to ${rationalText(to)}</td><td>${count}</td><td>${REASONS[by].formula}</td>
+        <td>${say('{from} to {to}', { from: rationalText(from), to: rationalText(to) })}</td><td>${count}</td><td>${REASONS[by].formula}</td>
       </tr>`,
     )}
-    ${left > 0 ? html`<tr><td colspan="3">and ${left} more, all in the file</td></tr>` : ''}
+    ${left > 0 ? html`<tr><td colspan="3">${say('and {count} more, all in the file', { count: left })}</td></tr>` : ''}
   </tbody>`
 }
 

@@ -1,5 +1,5 @@
 /** The panel's slice, true if the proof is shown, and its question: the certificate. */
-import type { Certificate } from '../../core/exact/certificate'
+import { type Certificate, certificateOf } from '../../core/exact/certificate'
 import { described, flag } from '../../model/document-readers'
 import type { Vertices } from '../../model/hexahedron'
 import { type Slice, sliceOf } from '../../model/state'
@@ -26,7 +26,7 @@ export const proofQuestion: Question<Proof> = {
         const { vertices, gestureStart } = state
         if (!sliceOf(proofSlice, state).proofShown) proof = null
         else if (proof?.vertices !== vertices && (proof === null || gestureStart === null)) {
-          const result = core.certificate(vertices)
+          const result = certificateOf(core, vertices)
           proof = result.ok ? { vertices, certificate: result.value } : null
         }
         return proof

@@ -6,6 +6,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { CheckedCells, ListedCell } from '../../mesh/checked-cells'
 import { formatJacdet } from '../../model/decimal'
+import { say } from '../../words/say'
 
 /**
  * Browsers lay out no box much higher than this, in pixels: longer lists scroll in larger steps.
@@ -87,20 +88,20 @@ export class CellList {
     const ranks = Array.from({ length: Math.max(seen, 1) }, (_, i) => first + i)
     const isActiveSeen = ranks.includes(this.#active)
     const columns = this.cells.hasBlocks ? 'columns with-blocks' : 'columns'
-    const idName = this.cells.hasIds ? 'Cell' : 'Index'
+    const { hasIds } = this.cells
     render(
       html`<form @submit=${this.#onGoTo}>
-          <label>Go to ${idName.toLowerCase()} <input autocomplete="off" spellcheck="false" inputmode=${this.cells.hasIds ? 'text' : 'numeric'} aria-invalid=${this.#isRefused ? 'true' : nothing} aria-describedby="cell-message" /></label>
-          <button type="submit">Go</button>
+          <label>${hasIds ? say('Go to cell') : say('Go to index')} <input autocomplete="off" spellcheck="false" inputmode=${this.cells.hasIds ? 'text' : 'numeric'} aria-invalid=${this.#isRefused ? 'true' : nothing} aria-describedby="cell-message" /></label>
+          <button type="submit">${say('Go')}</button>
         </form>
         <div class=${columns} aria-hidden="true">
-          <span>${idName}</span><span>Verdict</span><span>Relative min.</span>${this.cells.hasBlocks ? html`<span>Block</span>` : nothing}
+          <span>${hasIds ? say('Cell') : say('Index')}</span><span>${say('Verdict')}</span><span>${say('Relative min.')}</span>${this.cells.hasBlocks ? html`<span>${say('Block')}</span>` : nothing}
         </div>
         <div
           class="rows"
           role="listbox"
           tabindex="0"
-          aria-label="Cells, worst first"
+          aria-label=${say('Cells, worst first')}
           aria-activedescendant=${isActiveSeen ? `cell-at-${this.#active}` : nothing}
           @scroll=${() => this.#render()}
           @keydown=${this.#onKey}
@@ -130,8 +131,8 @@ export class CellList {
       aria-label=${spoken(listed)}
       @click=${() => this.#choose(rank)}
     >
-      <span>${id}</span><span class=${standing === 'invalid' ? 'negative' : ''}>${standing === 'invalid' ? 'INVALID' : standing}</span
-      ><span class=${why === null ? '' : 'why'}>${why ?? relative(listed)}</span>${
+      <span>${id}</span><span class=${standing === 'invalid' ? 'negative' : ''}>${standing === 'invalid' ? say('INVALID') : say(standing)}</span
+      ><span class=${why === null ? '' : 'why'}><span lang=${why === null ? nothing : 'en'}>${why ?? relative(listed)}</span></span>${
         this.cells.hasBlocks ? html`<span>${block ?? '–'}</span>` : nothing
       }
     </div>`
@@ -160,7 +161,7 @@ export class CellList {
     const wanted = this.root.querySelector('input')?.value.trim() ?? ''
     if (wanted === '') return
     const cell = this.cells.find(wanted, this.cells.at(this.#active).cell)
-    this.#message = cell === null ? `There is no cell ${wanted}.` : ''
+    this.#message = cell === null ? say('There is no cell {cell}.', { cell: wanted }) : ''
     this.#isRefused = cell === null
     if (cell === null) this.#render()
     else {
@@ -185,7 +186,7 @@ export class CellList {
     this.#isRefused = false
     const { cell, id, why } = this.cells.at(rank)
     const canBeShown = this.cells.verticesOf(cell) !== null
-    this.#message = canBeShown ? '' : `Cell ${id} cannot be shown: ${why}.`
+    this.#message = canBeShown ? '' : say('Cell {cell} cannot be shown: {why}.', { cell: id, why: why ?? '' })
     this.#render()
     if (canBeShown) this.#onChoose(cell)
   }
@@ -193,11 +194,14 @@ export class CellList {
 
 function relative({ standing, relativeMinimum }: ListedCell): string {
   if (standing === 'unanswered') return '–'
-  return Number.isNaN(relativeMinimum) ? 'volume 0' : formatJacdet(relativeMinimum, 0, 'unit')
+  return Number.isNaN(relativeMinimum) ? say('volume 0') : formatJacdet(relativeMinimum, 0, 'unit')
 }
 
 function spoken(listed: ListedCell): string {
   const { id, block, standing, why } = listed
-  const answer = why ?? `relative minimum ${relative(listed)}`
-  return `Cell ${id}, ${standing}, ${answer}${block === null ? '' : `, block ${block}`}`
+  const answer = why ?? say('relative minimum {minimum}', { minimum: relative(listed) })
+  const cell = { cell: id, verdict: say(standing), answer }
+  return block === null
+    ? say('Cell {cell}, {verdict}, {answer}', cell)
+    : say('Cell {cell}, {verdict}, {answer}, block {block}', { ...cell, block })
 }

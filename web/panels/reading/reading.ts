@@ -4,10 +4,11 @@ import type { ReadCells, Reading, ShownCell } from '../../input/reading'
 import type { Vertices } from '../../model/hexahedron'
 import { isNew } from '../../views/is-new'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
+import { say } from '../../words/say'
 import type { CellList } from './cell-list'
 import listCss from './cell-list.css?inline'
 import css from './reading.css?inline'
-import { notesOf, orderPhrase, statusSentence } from './reading-words'
+import { notesOf, statusSentence } from './reading-words'
 
 export const readingStyles = css + listCss
 
@@ -52,7 +53,7 @@ class ReadingView implements View {
 
   /** The section is a region of the page only if there is something in it. */
   #render(reading: Reading | null, cell: ShownCell | null, isValid: boolean | null): void {
-    if (reading && isSaid(reading, cell)) this.root.setAttribute('aria-label', 'What was read')
+    if (reading && isSaid(reading, cell)) this.root.setAttribute('aria-label', say('What was read'))
     else this.root.removeAttribute('aria-label')
     render(
       html`<p class="said" aria-live="polite">${reading && isSaid(reading, cell) ? heard(reading) : ''}</p>
@@ -66,26 +67,26 @@ class ReadingView implements View {
     if (reading.state === 'under-way')
       return html`<p class="status">
         <span>${statusSentence(reading)}</span>
-        <button type="button" @click=${() => this.#context.input.close()}>Cancel</button>
+        <button type="button" @click=${() => this.#context.input.close()}>${say('Cancel')}</button>
       </p>`
     const isList = reading.cells.count > 1
     return html`<p class="status">
-        <span>${statusSentence(reading)}${isList && cell === null ? ' Choose one to look at it.' : ''}</span>
-        ${isList ? html`<button type="button" @click=${() => this.#context.input.close()}>Close the list</button>` : nothing}
+        <span>${statusSentence(reading)}${isList && cell === null ? ` ${say('Choose one to look at it.')}` : ''}</span>
+        ${isList ? html`<button type="button" @click=${() => this.#context.input.close()}>${say('Close the list')}</button>` : nothing}
       </p>
       ${isList ? this.#list?.root : nothing} ${notes(reading, cell)}
       ${cell && this.#order(reading, cell, isValid)}`
   }
 
   #order(reading: ReadCells, { cell, id, order }: ShownCell, isValid: boolean | null): TemplateResult | typeof nothing {
-    const whose = reading.cells.count > 1 ? `Cell ${id}: ` : ''
+    const whose = reading.cells.count > 1 ? say('Cell {cell}:', { cell: id }) : ''
     if (order)
-      return html`<p class="order" tabindex="-1">${whose}taken in ${orderPhrase(order)}; Undo takes this back.</p>`
+      return html`<p class="order" tabindex="-1">${whose} ${say('Taken in the order “{order}”; Undo takes this back.', { order: say(order.name) })}</p>`
     const open = isValid === false ? reading.cells.openOrderOf(cell) : null
     if (open === null) return nothing
     return html`<p class="order">
-      <span>${whose}${whose === '' ? 'In' : 'in'} ${orderPhrase(open)} it is valid.</span>
-      <button type="button" @click=${() => this.#use(cell, open)}>Use it</button>
+      <span>${whose} ${say('In the order “{order}” it is valid.', { order: say(open.name) })}</span>
+      <button type="button" @click=${() => this.#use(cell, open)}>${say('Use it')}</button>
     </p>`
   }
 
@@ -109,7 +110,7 @@ function heard(reading: Reading): string {
 
 function notes(reading: ReadCells, cell: ShownCell | null): TemplateResult | typeof nothing {
   const sentences = notesOf(reading, cell?.order ?? null)
-  return sentences.length === 0 ? nothing : html`<p class="notes">${sentences.join(' ')}</p>`
+  return sentences.length === 0 ? nothing : html`<p class="notes" lang="en">${sentences.join(' ')}</p>`
 }
 
 export const createReading: CreateView = context => new ReadingView(context)

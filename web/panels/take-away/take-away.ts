@@ -4,11 +4,13 @@ import { version } from '../../../package.json'
 import type { Report } from '../../core/report'
 import { reportJson } from '../../core/report-json'
 import { jacdetInFull } from '../../model/decimal'
+import type { Vertices } from '../../model/hexahedron'
 import { copyText } from '../../views/copy-text'
 import { figurePng, figureSvg } from '../../views/figure-files'
 import { isNew } from '../../views/is-new'
 import { saveFile } from '../../views/save-file'
 import type { CreateView, Figure, FigureName, Frame, View, ViewContext } from '../../views/view'
+import { say } from '../../words/say'
 import { bibtex } from './formats/bibtex'
 import { writers } from './formats/writers'
 import css from './take-away.css?inline'
@@ -37,52 +39,59 @@ class TakeAwayView implements View {
   readonly #rows: readonly Row[]
   #report: Report | null = null
   /** The last thing done; reported until the element is another. */
-  #done: { readonly title: string; readonly link: string; readonly message: string } | null = null
+  #done: {
+    readonly title: string
+    readonly vertices: Vertices
+    readonly message: string
+    readonly isCopied: boolean
+  } | null = null
 
   constructor(context: ViewContext) {
     this.#context = context
     this.root.className = 'take-away'
     this.#rows = [
-      { title: 'PNG', note: 'the scene; dropped here it opens this element again', save: () => this.#savePng() },
+      { title: 'PNG', note: say('the scene; dropped here it opens this element again'), save: () => this.#savePng() },
       {
         title: 'SVG',
-        note: 'the scene: lines and words over a picture of the faces',
+        note: say('the scene: lines and words over a picture of the faces'),
         save: () => this.#saveSvg('scene'),
       },
       {
-        title: 'SVG of the face maps',
-        note: 'the six faces unfolded, likewise',
+        title: say('SVG of the face maps'),
+        note: say('the six faces unfolded, likewise'),
         save: () => this.#saveSvg('face-maps'),
       },
-      { title: 'Link', note: 'opens this very element', text: () => context.permalink() },
+      ...(context.permalink() === null
+        ? []
+        : [{ title: say('Link'), note: say('opens this very element'), text: () => context.permalink() ?? '' }]),
       {
-        title: 'Minimum',
-        note: 'jacdet in all digits, on the cube chosen',
+        title: say('Minimum'),
+        note: say('jacdet in all digits, on the cube chosen'),
         needsReport: true,
         text: () => this.#inFull(report => report.boundaryMinimum),
       },
       {
-        title: 'Maximum',
-        note: 'of the boundary, likewise',
+        title: say('Maximum'),
+        note: say('of the boundary, likewise'),
         needsReport: true,
         text: () => this.#inFull(report => report.boundaryMaximum),
       },
       {
-        title: 'Report',
-        note: 'JSON, every number of it',
+        title: say('Report'),
+        note: say('JSON, every number of it'),
         needsReport: true,
         text: () => (this.#report ? reportJson(this.#report, this.#name, version) : ''),
         file: { extension: 'json', mediaType: 'application/json' },
       },
       ...writers.map(({ title, note, write, ...file }) => ({
         title,
-        note,
+        note: say(note),
         text: () => write(context.state().vertices, this.#name),
         file,
       })),
       {
         title: 'BibTeX',
-        note: 'the paper behind the verdict',
+        note: say('the paper behind the verdict'),
         text: () => bibtex,
         file: { extension: 'bib', mediaType: 'application/x-bibtex' },
       },
@@ -94,9 +103,9 @@ class TakeAwayView implements View {
     return report ? jacdetInFull(value(report), report.exponent, this.#context.state().referenceCube) : ''
   }
 
-  update({ report }: Frame): void {
+  update({ report, state }: Frame): void {
     this.#report = report
-    if (this.#done && this.#done.link !== this.#context.permalink()) this.#done = null
+    if (this.#done?.vertices !== state.vertices) this.#done = null
     const without = report === null
     if (isNew(this.root, without, this.#done)) render(this.#template(without), this.root)
   }
@@ -110,17 +119,24 @@ class TakeAwayView implements View {
 
   #row(row: Row, without: boolean): TemplateResult {
     const { title, note, text, file, save } = row
-    const button = (word: string, act: () => Promise<void>) => {
-      const isDone = this.#done?.title === title && this.#done.message.startsWith(word === 'Copy' ? 'Copied' : 'Saved')
-      const shown = isDone && word === 'Copy' ? 'Copied' : word
-      return html`<button type="button" ?disabled=${without && row.needsReport} aria-label=${`${shown} ${title}`} @click=${act}>${shown}</button>`
-    }
+    const button = (word: string, name: string, act: () => Promise<void>) =>
+      html`<button type="button" ?disabled=${without && row.needsReport} aria-label=${name} @click=${act}>${word}</button>`
+    const download = (act: () => Promise<void>) => button(say('Download'), say('Download {title}', { title }), act)
+    const isCopied = this.#done?.title === title && this.#done.isCopied
     return html`<li>
       <span>${title} <span class="note">${note}</span></span>
       <span class="actions">
-        ${text ? button('Copy', () => this.#copy(title, text())) : ''}
-        ${text && file ? button('Download', () => this.#save(title, text(), file.extension, file.mediaType)) : ''}
-        ${save ? button('Download', () => this.#trying(title, save)) : ''}
+        ${
+          text
+            ? button(
+                isCopied ? say('Copied') : say('Copy'),
+                isCopied ? say('Copied {title}', { title }) : say('Copy {title}', { title }),
+                () => this.#copy(title, text()),
+              )
+            : ''
+        }
+        ${text && file ? download(() => this.#save(title, text(), file.extension, file.mediaType)) : ''}
+        ${save ? download(() => this.#trying(title, save)) : ''}
       </span>
     </li>`
   }
@@ -131,14 +147,15 @@ class TakeAwayView implements View {
     return preset !== null && start === vertices ? preset : 'hexahedron'
   }
 
-  #tell(title: string, message: string): void {
-    this.#done = { title, link: this.#context.permalink(), message }
+  #tell(title: string, message: string, isCopied = false): void {
+    this.#done = { title, vertices: this.#context.state().vertices, message, isCopied }
     this.#context.requestFrame()
   }
 
   async #copy(title: string, text: string): Promise<void> {
-    const copied = await copyText(text)
-    this.#tell(title, copied ? `Copied: ${title}.` : 'The browser does not allow copying here.')
+    const [copied, refused] = [say('Copied: {what}.', { what: title }), say('The browser does not allow copying here.')]
+    const isCopied = await copyText(text)
+    this.#tell(title, isCopied ? copied : refused, isCopied)
   }
 
   async #save(
@@ -150,14 +167,15 @@ class TakeAwayView implements View {
   ): Promise<void> {
     const name = title === 'BibTeX' ? 'zhang-hexahedra.bib' : `${stem}.${extension}`
     saveFile(name, content, mediaType)
-    this.#tell(title, `Saved as ${name}.`)
+    this.#tell(title, say('Saved as {file}.', { file: name }))
   }
 
   async #trying(title: string, save: () => Promise<void>): Promise<void> {
     try {
       await save()
     } catch (reason) {
-      this.#tell(title, `This could not be drawn (${reason instanceof Error ? reason.message : reason}).`)
+      const why = reason instanceof Error ? reason.message : String(reason)
+      this.#tell(title, say('This could not be drawn ({why}).', { why }))
     }
   }
 
@@ -172,7 +190,7 @@ class TakeAwayView implements View {
     const { vertices } = this.#context.state()
     const name = this.#name
     const text = figureSvg(await this.#figure(which), vertices, name)
-    const title = which === 'scene' ? 'SVG' : 'SVG of the face maps'
+    const title = which === 'scene' ? 'SVG' : say('SVG of the face maps')
     await this.#save(title, text, 'svg', 'image/svg+xml', which === 'scene' ? name : `${name}-face-maps`)
   }
 
@@ -187,7 +205,7 @@ class TakeAwayView implements View {
         figure = this.#context.figure(name)
       }
     }
-    if (figure === null) throw new Error('it is not on the page')
+    if (figure === null) throw new Error(say('it is not on the page'))
     return figure
   }
 }

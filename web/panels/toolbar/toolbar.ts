@@ -5,6 +5,7 @@ import { type Preset, presets, presetVertices } from '../../model/presets'
 import type { State } from '../../model/state'
 import { copyText } from '../../views/copy-text'
 import type { CreateView, Frame, View, ViewContext } from '../../views/view'
+import { say } from '../../words/say'
 import css from './toolbar.css?inline'
 
 export const toolbarStyles = css
@@ -13,14 +14,14 @@ export const toolbarStyles = css
 interface CopyOutcome {
   readonly copied: boolean
   readonly link: string
+  readonly vertices: Vertices
 }
 
 class ToolbarView implements View {
   readonly root = document.createElement('div')
   readonly #context: ViewContext
   #outcome: CopyOutcome | null = null
-  /** How to paste where the button may not; shown until the element is another. */
-  #hint = ''
+  /** The element for which the button may not paste: as long as it is this one, the toolbar says how to. */
   #hinted: Vertices | null = null
 
   constructor(context: ViewContext) {
@@ -29,38 +30,38 @@ class ToolbarView implements View {
   }
 
   update({ state }: Frame): void {
-    if (this.#outcome && this.#outcome.link !== this.#context.permalink()) this.#outcome = null
-    if (state.vertices !== this.#hinted) this.#hint = ''
+    if (this.#outcome?.vertices !== state.vertices) this.#outcome = null
+    if (state.vertices !== this.#hinted) this.#hinted = null
     const shown = shownPreset(state)
     render(
       html`<span class="brand">Hexlens</span>
         <label class="preset">
-          <span>Preset</span>
+          <span>${say('Preset')}</span>
           <select class="on-paper" ?disabled=${state.isReadonly} @change=${this.#onPreset}>
-            <option value="" hidden .selected=${shown === undefined}>Custom</option>
+            <option value="" hidden .selected=${shown === undefined}>${say('Custom')}</option>
             ${presets.map(
-              preset => html`<option value=${preset.id} .selected=${shown === preset}>${preset.title}</option>`,
+              preset => html`<option value=${preset.id} .selected=${shown === preset}>${say(preset.title)}</option>`,
             )}
           </select>
         </label>
         ${shown?.valid === null && !state.isReadonly ? this.#another(shown) : nothing}
         <p class="note" ?hidden=${state.preset === null}>${noteOf(state, shown)}</p>
-        <p class="outcome" aria-live="polite">${this.#outcome?.copied ? 'Link copied' : this.#hint}</p>
+        <p class="outcome" aria-live="polite">${this.#outcome?.copied ? say('Link copied') : this.#hinted ? say('Press Ctrl+V (⌘V), or use the box.') : ''}</p>
         <div class="actions">
           <button type="button" ?disabled=${!state.canUndo || state.isReadonly} @click=${() => this.#context.dispatch({ type: 'undo' })}>
-            Undo
+            ${say('Undo')}
           </button>
           <button type="button" ?disabled=${!state.canRedo || state.isReadonly} @click=${() => this.#context.dispatch({ type: 'redo' })}>
-            Redo
+            ${say('Redo')}
           </button>
-          <button type="button" ?disabled=${state.isReadonly} @click=${() => this.#context.dispatch({ type: 'reset' })}>Reset</button>
-          ${this.#context.input.isWelcome() ? html`<button type="button" @click=${this.#paste}>Paste</button>` : nothing}
-          <button type="button" @click=${this.#copyLink}>Copy link</button>
+          <button type="button" ?disabled=${state.isReadonly} @click=${() => this.#context.dispatch({ type: 'reset' })}>${say('Reset')}</button>
+          ${this.#context.input.isWelcome() ? html`<button type="button" @click=${this.#paste}>${say('Paste')}</button>` : nothing}
+          ${this.#context.permalink() === null ? nothing : html`<button type="button" @click=${this.#copyLink}>${say('Copy link')}</button>`}
         </div>
         ${
           this.#outcome?.copied === false
             ? html`<div class="link" role="alert">
-                <label for="link">The browser did not let the link be copied. Here it is:</label>
+                <label for="link">${say('The browser did not let the link be copied. Here it is:')}</label>
                 <input id="link" readonly .value=${this.#outcome.link} @focus=${selectAll} />
               </div>`
             : nothing
@@ -72,7 +73,7 @@ class ToolbarView implements View {
   dispose(): void {}
 
   #another(preset: Preset): TemplateResult {
-    return html`<button type="button" @click=${() => this.#open(preset)}>Another</button>`
+    return html`<button type="button" @click=${() => this.#open(preset)}>${say('Another')}</button>`
   }
 
   readonly #onPreset = (event: Event): void => {
@@ -89,7 +90,6 @@ class ToolbarView implements View {
     try {
       this.#context.input.read({ text: await navigator.clipboard.readText() })
     } catch {
-      this.#hint = 'Press Ctrl+V (⌘V), or use the box.'
       this.#hinted = this.#context.state().vertices
       this.#context.dispatch({ type: 'open-panel', panel: 'paste', isOpen: true })
       this.#context.requestFrame()
@@ -98,7 +98,9 @@ class ToolbarView implements View {
 
   readonly #copyLink = async (): Promise<void> => {
     const link = this.#context.permalink()
-    this.#outcome = { copied: await copyText(link), link }
+    if (link === null) return
+    const { vertices } = this.#context.state()
+    this.#outcome = { copied: await copyText(link), link, vertices }
     this.#context.requestFrame()
   }
 }
@@ -116,7 +118,8 @@ function shownPreset({ preset, vertices, start }: State): Preset | undefined {
 /** The preset's note, or the name of the one that this was. */
 function noteOf({ preset }: State, shown: Preset | undefined): string {
   const from = presets.find(({ id }) => id === preset)
-  return shown?.note ?? (from ? `Changed from “${from.title}”.` : '')
+  if (shown) return say(shown.note)
+  return from ? say('Changed from “{preset}”.', { preset: say(from.title) }) : ''
 }
 
 export const createToolbar: CreateView = context => new ToolbarView(context)

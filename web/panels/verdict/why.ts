@@ -3,11 +3,16 @@ import { lowerInside } from '../../core/inside'
 import type { Candidate, CandidateKind, Report } from '../../core/report'
 import { VERTEX_COUNT } from '../../model/hexahedron'
 import { coincidenceSentence, zerosAtSight } from '../../views/coincidences'
-import { entityName, listed } from '../../views/entity-name'
+import { entityName } from '../../views/entity-name'
+import { listed, say } from '../../words/say'
 
-/** "at vertex 3,", "on edge 0–1 at" or "on face −ζ at": coordinates follow. */
+/** "at vertex 3, (ξ, η, ζ)", "on edge 0–1 at (ξ, η, ζ)" or "on face −ζ at (ξ, η, ζ)": coordinates follow. */
 export function placeName({ kind, id }: Pick<Candidate, 'kind' | 'id'>): string {
-  return kind === 'vertex' ? `at vertex ${id},` : `on ${kind} ${entityName({ kind, id })} at`
+  const [name, point] = [entityName({ kind, id }), '(ξ, η, ζ)']
+  if (kind === 'vertex') return say('at vertex {name}, {point}', { name, point })
+  return kind === 'edge'
+    ? say('on edge {name} at {point}', { name, point })
+    : say('on face {name} at {point}', { name, point })
 }
 
 /** Coincident vertices come first if they explain it all, else last. */
@@ -31,23 +36,29 @@ function lowerInsideOfZero(report: Report): boolean {
 
 function sentenceWithoutCoincidences(report: Report): string {
   if (report.valid) {
-    return 'J > 0 on all six faces, so J > 0 everywhere (Knupp’s conjecture, now a theorem).'
+    return say('J > 0 on all six faces, so J > 0 everywhere (Knupp’s conjecture, now a theorem).')
   }
   if (report.class === 'inverted') {
-    return 'J < 0 everywhere: the element is inverted. The usual cause is a mirrored node order.'
+    return say('J < 0 everywhere: the element is inverted. The usual cause is a mirrored node order.')
   }
-  if (report.class === 'collapsed') return 'J = 0 everywhere: the element is collapsed.'
+  if (report.class === 'collapsed') return say('J = 0 everywhere: the element is collapsed.')
   if (lowerInsideOfZero(report)) {
-    return 'J ≥ 0 on the boundary, yet J < 0 inside. The theorem needs J > 0 on the boundary: zero is not enough.'
+    return say('J ≥ 0 on the boundary, yet J < 0 inside. The theorem needs J > 0 on the boundary: zero is not enough.')
   }
   if (report.boundaryMinimum === 0) {
-    return 'The minimum is exactly zero, and a valid element needs J > 0 everywhere.'
+    return say('The minimum is exactly zero, and a valid element needs J > 0 everywhere.')
   }
   if (report.cornerMinimum <= 0) return vertexSentence(notPositive(report, 'vertex'))
   if (report.edgeMinimum <= 0) {
-    return `J > 0 at all eight vertices, yet J ≤ 0 on ${named('edge', notPositive(report, 'edge'))}.`
+    const names = notPositive(report, 'edge')
+    return names.length === 1
+      ? say('J > 0 at all eight vertices, yet J ≤ 0 on edge {names}.', { names: listed(names) })
+      : say('J > 0 at all eight vertices, yet J ≤ 0 on edges {names}.', { names: listed(names) })
   }
-  return `J > 0 at all vertices and on all edges, yet J ≤ 0 on ${named('face', notPositive(report, 'face'))}.`
+  const names = notPositive(report, 'face')
+  return names.length === 1
+    ? say('J > 0 at all vertices and on all edges, yet J ≤ 0 on face {names}.', { names: listed(names) })
+    : say('J > 0 at all vertices and on all edges, yet J ≤ 0 on faces {names}.', { names: listed(names) })
 }
 
 function notPositive(report: Report, kind: CandidateKind): readonly string[] {
@@ -57,11 +68,8 @@ function notPositive(report: Report, kind: CandidateKind): readonly string[] {
 }
 
 function vertexSentence(names: readonly string[]): string {
-  if (names.length === VERTEX_COUNT) return 'J ≤ 0 at all eight vertices.'
-  return names.length === 1 ? `J ≤ 0 at vertex ${names[0]}.` : `J ≤ 0 at vertices ${listed(names)}.`
-}
-
-/** "edge 0–1" or "edges 0–1 and 2–6". */
-function named(kind: CandidateKind, names: readonly string[]): string {
-  return `${kind}${names.length === 1 ? '' : 's'} ${listed(names)}`
+  if (names.length === VERTEX_COUNT) return say('J ≤ 0 at all eight vertices.')
+  return names.length === 1
+    ? say('J ≤ 0 at vertex {names}.', { names: listed(names) })
+    : say('J ≤ 0 at vertices {names}.', { names: listed(names) })
 }

@@ -3,6 +3,7 @@ import { html, render } from 'lit-html'
 import { COORDINATE_COUNT, VERTEX_COUNT } from '../../model/hexahedron'
 import { NumberField } from '../../views/number-field'
 import type { CreateView, Frame, Update, View, ViewContext } from '../../views/view'
+import { say } from '../../words/say'
 import css from './vertices.css?inline'
 
 export const verticesStyles = css
@@ -12,7 +13,7 @@ const REFUSAL = 'vertices-refusal'
 const axisNames = ['x', 'y', 'z'] as const
 
 const template = (fields: readonly NumberField[]) => html`
-  <h2 id="vertices-title">Vertices</h2>
+  <h2 id="vertices-title">${say('Vertices')}</h2>
   <table>
     <thead>
       <tr>
@@ -60,14 +61,14 @@ class VerticesView implements View {
   #field(index: number): NumberField {
     const { dispatch } = this.#context
     const field = new NumberField({
-      name: `Vertex ${Math.floor(index / 3)} ${axisNames[index % 3]}`,
+      name: say('Vertex {name} {axis}', { name: Math.floor(index / 3), axis: axisNames[index % 3] as string }),
       refusalId: REFUSAL,
       onRefusal: () => {
         const refusals = this.#fields.map(({ refusal }) => refusal).filter(refusal => refusal !== '')
         this.#refusal.textContent = refusals.join(' ')
       },
       live: {
-        begin: () => dispatch({ type: 'begin-gesture' }),
+        begin: () => dispatch({ type: 'begin-gesture', by: 'field' }),
         type: to => dispatch({ type: 'move-coordinate', index, to }),
         cancel: () => dispatch({ type: 'cancel-gesture' }),
       },

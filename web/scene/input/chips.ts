@@ -1,7 +1,10 @@
 /** For those who have no keys at hand: toggles that hold the next drags to an axis, to depth or to the grid. */
 import { type DragKeys, FREE } from '../../views/scene-slices'
+import { type PlainWord, say } from '../../words/say'
 
-type Chip = { readonly [K in keyof DragKeys]: readonly [text: string, key: K, value: DragKeys[K]] }[keyof DragKeys]
+type Chip = {
+  readonly [K in keyof DragKeys]: readonly [text: 'X' | 'Y' | 'Z' | PlainWord, key: K, value: DragKeys[K]]
+}[keyof DragKeys]
 
 const CHIPS: readonly Chip[] = [
   ['X', 'axis', 0],
@@ -19,11 +22,11 @@ export class Chips {
   constructor(hold: (keys: DragKeys) => void) {
     this.root.className = 'chips'
     this.root.setAttribute('role', 'group')
-    this.root.setAttribute('aria-label', 'Drags are held to')
+    this.root.setAttribute('aria-label', say('Drags are held to'))
     this.#buttons = CHIPS.map(([text, key, value]) => {
       const button = document.createElement('button')
       button.type = 'button'
-      button.textContent = text
+      button.textContent = key === 'axis' ? text : say(text as PlainWord)
       button.addEventListener('click', () => {
         const { snap } = this.#held
         const isPressed = this.#held[key] === value

@@ -10,6 +10,7 @@ import {
   type FaceDisplay,
   sceneSlice,
 } from '../../views/scene-slices'
+import { type PlainWord, say } from '../../words/say'
 import { candidateShapes } from '../overlay/candidate-shapes'
 import { svg } from '../paint/svg'
 import { Chips } from './chips'
@@ -27,7 +28,7 @@ export interface ControlActions {
 }
 
 /** One press at a time, for those who cannot drag or pinch. */
-const TURNS: readonly (readonly [sign: string, name: string, act: (actions: ControlActions) => void])[] = [
+const TURNS: readonly (readonly [sign: string, name: PlainWord, act: (actions: ControlActions) => void])[] = [
   ['←', 'Turn left', actions => actions.turn(-1, 0)],
   ['→', 'Turn right', actions => actions.turn(1, 0)],
   ['↑', 'Turn up', actions => actions.turn(0, 1)],
@@ -47,8 +48,8 @@ export class Controls {
   readonly #hint = document.createElement('slot')
   readonly #chips: Chips
   readonly #kinds: Readonly<Record<'edge' | 'face', HTMLElement>> = {
-    edge: legendEntry('edge', 'edge candidate'),
-    face: legendEntry('face', 'face candidate'),
+    edge: legendEntry('edge', say('edge candidate')),
+    face: legendEntry('face', say('face candidate')),
   }
 
   constructor(actions: ControlActions) {
@@ -61,29 +62,29 @@ export class Controls {
     this.#legend.append(this.#hint)
     this.#chips = new Chips(keys => actions.hold(keys))
     this.#faces.append(
-      option('opaque', 'All faces'),
-      option('see-through', 'See-through'),
-      option('inside', 'Inside'),
-      ...faces.map((face, id) => option(String(id), `Face ${face.name} alone`)),
+      option('opaque', say('All faces')),
+      option('see-through', say('See-through')),
+      option('inside', say('Inside')),
+      ...faces.map((face, id) => option(String(id), say('Face {name} alone', { name: face.name }))),
     )
-    this.#faces.setAttribute('aria-label', 'Faces shown')
+    this.#faces.setAttribute('aria-label', say('Faces shown'))
     this.#faces.addEventListener('change', () => {
       const { value } = this.#faces
       actions.showFaces(/^\d$/.test(value) ? Number(value) : (value as FaceDisplay))
     })
-    const fit = button('Fit', 'Bring the element into view (F)', () => actions.fit())
+    const fit = button(say('Fit'), say('Bring the element into view (F)'), () => actions.fit())
     const turns = document.createElement('div')
     turns.className = 'turns'
     turns.id = 'scene-turns'
     turns.hidden = true
     turns.setAttribute('role', 'group')
-    turns.setAttribute('aria-label', 'Turn and zoom')
+    turns.setAttribute('aria-label', say('Turn and zoom'))
     for (const [sign, name, act] of TURNS) {
-      const turn = button(sign, name, () => act(actions))
-      turn.setAttribute('aria-label', name)
+      const turn = button(sign, say(name), () => act(actions))
+      turn.setAttribute('aria-label', say(name))
       turns.append(turn)
     }
-    const turn = button('Turn', 'Turn and zoom by pressing buttons', () => {
+    const turn = button(say('Turn'), say('Turn and zoom by pressing buttons'), () => {
       turns.hidden = !turns.hidden
       turn.setAttribute('aria-expanded', String(!turns.hidden))
     })
@@ -92,11 +93,11 @@ export class Controls {
     const choice = document.createElement('span')
     choice.className = 'choice'
     choice.append(this.#faces)
-    this.#help = button('Help', 'What keys and pointers do (?)', () => actions.toggleHelp())
-    const minimum = button('Show the minimum', 'Turn to where it is seen (M)', () => actions.showMinimum())
+    this.#help = button(say('Help'), say('What keys and pointers do (?)'), () => actions.toggleHelp())
+    const minimum = button(say('Show the minimum'), say('Turn to where it is seen (M)'), () => actions.showMinimum())
     minimum.className = 'to-minimum'
-    const beside = 'The same colours in (ξ, η, ζ), beside the element (R)'
-    this.#reference = button('Reference cube', beside, () => actions.toggleReference())
+    const beside = say('The same colours in (ξ, η, ζ), beside the element (R)')
+    this.#reference = button(say('Reference cube'), beside, () => actions.toggleReference())
     this.#buttons = { minimum, faces: choice, reference: this.#reference, turn, fit, help: this.#help }
     this.root.append(
       this.#buttons.minimum,

@@ -2,7 +2,7 @@
 import { pointOn } from '../../core/section'
 import { type FaceTopology, faces, type Vec3, vertexReference } from '../../model/hexahedron'
 import type { State } from '../../model/state'
-import type { FaceDisplay, SceneState } from '../../views/scene-slices'
+import { drawnFaces, type FaceDisplay, type SceneState, type ScriptState } from '../../views/scene-slices'
 import type { Ray, SceneCamera, ScreenPoint } from '../space/camera'
 import { faceCorners, sectionCorners } from '../space/patches'
 import { hitsOf, type PatchHit, seenPatch } from '../space/sight'
@@ -19,10 +19,14 @@ const ELEMENT_SIZE = 2
 const COINCIDENT = 1e-9
 
 /** The nearest hit of the faces that are shown; null if the ray meets none. */
-export function hitFaces(vertices: readonly Vec3[], display: FaceDisplay, ray: Ray): FaceHit | null {
+export function hitFaces(
+  vertices: readonly Vec3[],
+  display: FaceDisplay,
+  ray: Ray,
+  hidden: readonly number[] = [],
+): FaceHit | null {
   let first: FaceHit | null = null
-  for (let face = 0; face < faces.length; face++) {
-    if (typeof display === 'number' && face !== display) continue
+  for (const face of drawnFaces(display, hidden)) {
     for (const hit of hitsOf(seenPatch(ray.origin, faceCorners(vertices, face)), ray.direction)) {
       if (first === null || hit.distance < first.distance - COINCIDENT) first = { face, ...hit }
     }
@@ -35,7 +39,9 @@ export interface Seen {
   readonly camera: SceneCamera
   readonly vertices: readonly Vec3[]
   readonly handles: readonly ScreenPoint[]
-  readonly state: Pick<SceneState, 'faceDisplay' | 'section'> & Pick<State, 'selectedVertex'>
+  readonly state: Pick<SceneState, 'faceDisplay' | 'section'> &
+    Partial<Pick<ScriptState, 'hiddenFaces'>> &
+    Pick<State, 'selectedVertex'>
 }
 
 /**
@@ -46,11 +52,11 @@ export function pointUnder({ camera, vertices, handles, state }: Seen, x: number
   const vertex = pickHandle(handles, { x, y }, pickRadius('mouse'), state.selectedVertex)
   if (vertex !== null) return vertexReference[vertex] as Vec3
   const ray = camera.ray(x, y)
-  const { faceDisplay, section } = state
+  const { faceDisplay, hiddenFaces, section } = state
   const isInside = faceDisplay === 'inside'
   const hit = isInside
     ? nearest(hitsOf(seenPatch(ray.origin, sectionCorners(vertices, section)), ray.direction))
-    : hitFaces(vertices, faceDisplay, ray)
+    : hitFaces(vertices, faceDisplay, ray, hiddenFaces)
   if (hit === null) return null
   const depth = -hit.distance * dot(ray.direction, camera.axes()[2])
   const steps = 10 ** Math.max(0, Math.ceil(Math.log10(ELEMENT_SIZE / camera.lengthPerPixel(depth))))

@@ -11,13 +11,15 @@ export interface InputTarget {
   /** It has the focus, and receives pointers and keys. */
   readonly element: HTMLElement
   readonly camera: SceneCamera
-  readonly orbit: Pick<OrbitCamera, 'pose'>
+  readonly orbit: Pick<OrbitCamera, 'camera' | 'pose' | 'turnBy' | 'pan' | 'zoom'>
   readonly world: World
   readonly host: { state(): State; readonly dispatch: Dispatch }
   /** True if vertices are moved here; else arrow keys turn the camera. */
   readonly movesVertices: boolean
   /** The pointer in units from the top left, as are all points of the screen. */
   positionOf(event: MouseEvent): Point
+  /** Units from the middle of a handle that are on it for this type of pointer. */
+  pickRadius(pointerType: string): number
   /** The eight vertices on the screen; none if they cannot be moved. */
   handles(): readonly ScreenPoint[]
   /** (xi, eta, zeta) of the point that is seen there; null beside the element. */

@@ -5,6 +5,7 @@
 
 import { VERTEX_COUNT, type Vec3, vertexOf } from '../../model/hexahedron'
 import { sliceChange, sliceOf } from '../../model/state'
+import { isForeign, isSmallStep } from '../../views/point-steps'
 import { type FaceDisplay, sceneSlice } from '../../views/scene-slices'
 import type { SceneCamera } from '../space/camera'
 import { addDecimal, keyStep, lengthOf } from '../space/decimal-step'
@@ -71,7 +72,7 @@ export class KeyboardInput {
   }
 
   onKeyDown(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey) return
+    if (isForeign(event)) return
     const arrow = this.#target.movesVertices ? this.#move(event) : this.#turn(event)
     if (arrow || this.#command(event)) event.preventDefault()
   }
@@ -92,34 +93,38 @@ export class KeyboardInput {
     this.#target.host.dispatch({ type: how })
   }
 
-  #move({ key, shiftKey, altKey }: KeyboardEvent): boolean {
+  #move(event: KeyboardEvent): boolean {
+    const { key, shiftKey } = event
     const move = MOVES[key]
     const { host, camera } = this.#target
     if (move === undefined) return false
     if (!this.#moving) {
       this.#choose(host.state().selectedVertex)
       this.#moving = true
-      host.dispatch({ type: 'begin-gesture' })
+      host.dispatch({ type: 'begin-gesture', by: 'keyboard' })
     }
     this.#held.add(key)
     const { vertices, selectedVertex, gestureStart } = host.state()
     const from = vertexOf(vertices, selectedVertex)
     const step = keyStep(extentOf(gestureStart ?? vertices))
-    const scale = (shiftKey ? 1 : 0) - (altKey ? 1 : 0)
+    const scale = (shiftKey ? 1 : 0) - (isSmallStep(event) ? 1 : 0)
     const length = lengthOf({ ...step, exponent: Math.max(-323, step.exponent + scale) })
     const to = moved(from, camera, move, length)
     host.dispatch({ type: 'move-vertex', vertex: selectedVertex, to })
     return true
   }
 
-  #turn({ key }: KeyboardEvent): boolean {
-    const turn = TURNS[key]
-    if (turn) this.#target.turn(...turn)
-    return turn !== undefined
+  #turn(event: KeyboardEvent): boolean {
+    const turn = TURNS[event.key]
+    if (turn === undefined || isSmallStep(event)) return false
+    this.#target.turn(...turn)
+    return true
   }
 
-  #command({ key, altKey }: KeyboardEvent): boolean {
-    if (altKey) return false
+  #command(event: KeyboardEvent): boolean {
+    const { key } = event
+    if (isSmallStep(event)) return false
+    if (key === 'Escape') return this.#escape()
     const command = this.#commands[key.length === 1 ? key.toLowerCase() : key]
     if (command) command()
     else if (/^[0-7]$/.test(key)) this.#choose(Number(key))
@@ -130,7 +135,6 @@ export class KeyboardInput {
   readonly #commands: Readonly<Record<string, () => void>> = {
     '[': () => this.#chooseNext(-1),
     ']': () => this.#chooseNext(1),
-    Escape: () => this.#escape(),
     p: () => this.#target.probeNext(),
     m: () => this.#target.showMinimum(),
     r: () => this.#target.toggleReference(),
@@ -149,9 +153,13 @@ export class KeyboardInput {
     ',': () => this.#show(nextDisplay(this.#display, -1)),
   }
 
-  #escape(): void {
+  /** False if there is nothing to take back. */
+  #escape(): boolean {
+    const { host } = this.#target
     if (this.#moving) this.#finish('cancel-gesture')
-    else this.#target.host.dispatch({ type: 'probe', point: null })
+    else if (host.state().probe === null) return false
+    else host.dispatch({ type: 'probe', point: null })
+    return true
   }
 
   get #display(): FaceDisplay {

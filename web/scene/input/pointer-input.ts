@@ -1,26 +1,28 @@
 /**
- * Mouse, pen and touch on the handles. One pointer at a time, captured; a pointer elsewhere goes on to the orbit controls, which
- * never hear of one that drags. A drag is one gesture: release commits, Escape and pointercancel restore. A finger turns the view
- * once its way cannot be a scroll of the page.
+ * Mouse, pen and touch on the handles, one pointer at a time, captured; a pointer elsewhere turns the view. A drag is one gesture:
+ * release commits, Escape and pointercancel restore. A finger turns the view once its way cannot be a scroll of the page.
+ *
+ * What a hand does without meaning to, and how far it goes, is in CSS pixels of the screen, whatever the element's scale.
  */
 import { type Axis, VERTEX_COUNT, vertexOf } from '../../model/hexahedron'
 import { type DragKeys, heldByChips } from '../../views/scene-slices'
+import type { Point } from '../space/layout'
 import type { Pose } from '../space/orbit-camera'
 import { extentOf } from '../space/world'
 import type { InputTarget } from './input-target'
-import { pickHandle, pickRadius } from './picking'
+import { OrbitInput } from './orbit-input'
+import { pickHandle } from './picking'
 import { VertexDrag } from './vertex-drag'
 
-/** Units that a pressed pointer may tremble before it drags. */
+/** Ways that a pressed pointer may tremble before it drags. */
 const STILL = { touch: 4, other: 1.5 }
 
-/** Units, of CSS pixels, in which a finger shows its way, and beyond which the browser would have taken it for a scroll. */
+/** Ways after which a finger has shown where it goes, and the browser would have taken it for a scroll. */
 const WAY = { shown: 8, untaken: 40 }
 
 /** A pointer beside the handles. */
 interface Swipe {
-  readonly x: number
-  readonly y: number
+  readonly from: PointerEvent
   /** The camera before it, which a pointercancel restores. */
   readonly pose: Pose
   turns: boolean
@@ -31,11 +33,9 @@ interface Grip {
   readonly vertex: number
   readonly byTouch: boolean
   readonly drag: VertexDrag
-  readonly x: number
-  readonly y: number
-  /** The latest pointer position. */
-  nowX: number
-  nowY: number
+  readonly from: PointerEvent
+  /** The latest position in the pane. */
+  at: Point
   moving: boolean
 }
 
@@ -45,8 +45,7 @@ export class PointerInput {
   readonly #target: InputTarget
   readonly #commitKeys: () => void
   readonly #listening = new AbortController()
-  /** Pointers that the orbit controls have. */
-  readonly #orbiting = new Set<number>()
+  readonly #orbiting: OrbitInput
   #swipe: Swipe | null = null
   #grip: Grip | null = null
   #axis: Axis | null = null
@@ -57,13 +56,17 @@ export class PointerInput {
     this.#target = target
     this.#commitKeys = commitKeys
     const { element } = target
-    const early = { capture: true, signal: this.#listening.signal }
+    const { signal } = this.#listening
+    const early = { capture: true, signal }
+    this.#orbiting = new OrbitInput(target.orbit, signal)
     element.addEventListener('pointerdown', this.#onDown, early)
+    element.addEventListener('pointerdown', this.#onPress, { signal })
     element.addEventListener('pointermove', this.#onMove, early)
     element.addEventListener('pointerup', this.#onUp, early)
     element.addEventListener('pointercancel', this.#onCancel, early)
     element.addEventListener('lostpointercapture', this.#onCancel, early)
-    element.addEventListener('pointerleave', this.#onLeave, { signal: this.#listening.signal })
+    element.addEventListener('pointerleave', this.#onLeave, { signal })
+    element.addEventListener('contextmenu', event => event.preventDefault(), { signal })
     element.addEventListener('touchstart', this.#onTouchStart, { ...early, passive: false })
     element.addEventListener('wheel', this.#onWheel, early)
     element.addEventListener('dblclick', this.#onDoubleClick, early)
@@ -89,10 +92,10 @@ export class PointerInput {
     if (down && event.key === 'Escape') {
       this.cancel()
     } else {
-      const axis = AXES[event.key.toLowerCase()]
+      const axis = event.ctrlKey || event.metaKey ? undefined : AXES[event.key.toLowerCase()]
       const concerns = axis !== undefined || event.key === 'Shift' || event.key === 'Alt'
       if (!concerns) return
-      if (axis !== undefined && !event.ctrlKey && !event.metaKey) {
+      if (axis !== undefined) {
         if (down) this.#axis = axis
         else if (this.#axis === axis) this.#axis = null
       }
@@ -102,7 +105,6 @@ export class PointerInput {
   }
 
   readonly #onDown = (event: PointerEvent): void => {
-    if (!event.isTrusted) return // ours, for the orbit controls
     if (this.#grip !== null) {
       event.stopImmediatePropagation()
       event.preventDefault()
@@ -110,13 +112,12 @@ export class PointerInput {
     }
     this.#target.element.dataset.pointed = '' // no outline when a pointer gives the focus
     this.#target.element.focus({ preventScroll: true })
-    const vertex = event.button === 0 && this.#orbiting.size === 0 ? this.#pick(event) : null
+    const isFirst = this.#orbiting.isIdle
+    const vertex = event.button === 0 && isFirst ? this.#pick(event) : null
     if (vertex === null) {
-      if (this.#orbiting.size === 0) {
-        const { pose } = this.#target.orbit
-        this.#swipe = { ...this.#target.positionOf(event), pose, turns: event.pointerType === 'mouse' }
-      }
-      this.#orbiting.add(event.pointerId)
+      const isMouse = event.pointerType === 'mouse'
+      if (isFirst) this.#swipe = { from: event, pose: this.#target.orbit.pose, turns: isMouse }
+      if (!isMouse) this.#orbiting.begin(event, this.#target.positionOf(event))
       return
     }
     event.stopImmediatePropagation()
@@ -124,15 +125,21 @@ export class PointerInput {
     this.#take(vertex, event)
   }
 
+  /** Words in the scene that are pressed keep the mouse's click to themselves; a finger's way may begin on them. */
+  readonly #onPress = (event: PointerEvent): void => {
+    this.#orbiting.begin(event, this.#target.positionOf(event))
+    this.#target.element.setPointerCapture(event.pointerId)
+  }
+
   #take(vertex: number, event: PointerEvent): void {
     const { element, camera, world, host } = this.#target
     this.#commitKeys()
     const { vertices } = host.state()
-    const { x, y } = this.#target.positionOf(event)
+    const at = this.#target.positionOf(event)
     const position = vertexOf(vertices, vertex)
-    const drag = new VertexDrag({ camera, world, position, extent: extentOf(vertices), x, y })
+    const drag = new VertexDrag({ camera, world, position, extent: extentOf(vertices), ...at })
     const byTouch = event.pointerType === 'touch'
-    this.#grip = { pointerId: event.pointerId, vertex, byTouch, drag, x, y, nowX: x, nowY: y, moving: false }
+    this.#grip = { pointerId: event.pointerId, vertex, byTouch, drag, from: event, at, moving: false }
     this.#axis = null
     element.setPointerCapture(event.pointerId)
     host.dispatch({ type: 'select-vertex', vertex })
@@ -143,36 +150,32 @@ export class PointerInput {
   readonly #onMove = (event: PointerEvent): void => {
     const grip = this.#grip
     if (grip === null) {
-      if (this.#orbiting.size > 0) this.#follow(event)
+      if (!this.#orbiting.isIdle) this.#follow(event)
       else if (event.pointerType !== 'touch') this.#hover(this.#pick(event))
       return
     }
     event.stopImmediatePropagation()
     if (event.pointerId !== grip.pointerId) return
-    const { x, y } = this.#target.positionOf(event)
-    grip.nowX = x
-    grip.nowY = y
+    grip.at = this.#target.positionOf(event)
     if (!grip.moving) {
-      const still = grip.byTouch ? STILL.touch : STILL.other
-      if (Math.hypot(x - grip.x, y - grip.y) < still) return
+      if (Math.hypot(...wayOf(grip.from, event)) < (grip.byTouch ? STILL.touch : STILL.other)) return
       grip.moving = true
-      this.#target.host.dispatch({ type: 'begin-gesture' })
+      this.#target.host.dispatch({ type: 'begin-gesture', by: 'pointer' })
     }
     this.#drag(event)
   }
 
-  /** The orbit controls begin where the finger has shown that it turns. */
+  /** The view begins to turn where the finger has shown that it does. */
   #follow(event: PointerEvent): void {
     const swipe = this.#swipe
-    if (swipe === null || swipe.turns) return
-    const { x, y } = this.#target.positionOf(event)
-    const [across, along] = [Math.abs(x - swipe.x), Math.abs(y - swipe.y)]
-    const isMany = this.#orbiting.size > 1
-    swipe.turns = isMany || along > WAY.untaken || (across > WAY.shown && across > along)
-    event.stopImmediatePropagation()
-    if (!swipe.turns || isMany) return
-    for (const type of ['pointercancel', 'pointerdown'])
-      this.#target.element.dispatchEvent(new PointerEvent(type, event))
+    const at = this.#target.positionOf(event)
+    if (swipe === null || swipe.turns) {
+      this.#orbiting.move(event, at)
+      return
+    }
+    const [across, along] = wayOf(swipe.from, event).map(Math.abs) as [number, number]
+    swipe.turns = this.#orbiting.isByMany || along > WAY.untaken || (across > WAY.shown && across > along)
+    if (swipe.turns) this.#orbiting.begin(event, at)
   }
 
   #drag({ shiftKey, altKey }: { readonly shiftKey: boolean; readonly altKey: boolean }): void {
@@ -184,13 +187,13 @@ export class PointerInput {
       depth: shiftKey || held.depth,
       snap: altKey || held.snap,
     }
-    const to = grip.drag.moveTo(grip.nowX, grip.nowY, keys)
+    const to = grip.drag.moveTo(grip.at.x, grip.at.y, keys)
     this.#target.showDrag({ axis: keys.axis, snaps: keys.snap, byTouch: grip.byTouch })
     this.#target.host.dispatch({ type: 'move-vertex', vertex: grip.vertex, to })
   }
 
   readonly #onUp = (event: PointerEvent): void => {
-    this.#orbiting.delete(event.pointerId)
+    this.#orbiting.end(event.pointerId)
     if (this.#grip?.pointerId !== event.pointerId) return
     event.stopImmediatePropagation()
     this.#end('commit-gesture')
@@ -198,8 +201,7 @@ export class PointerInput {
   }
 
   readonly #onCancel = (event: PointerEvent): void => {
-    if (!event.isTrusted) return
-    const wasOrbiting = this.#orbiting.delete(event.pointerId)
+    const wasOrbiting = this.#orbiting.end(event.pointerId)
     if (event.type === 'pointercancel' && wasOrbiting && this.#swipe) this.#target.orbit.pose = this.#swipe.pose
     if (this.#grip?.pointerId === event.pointerId) this.cancel()
   }
@@ -229,7 +231,7 @@ export class PointerInput {
     const { element } = this.#target
     const ours = event.ctrlKey || event.metaKey || element.matches(':focus')
     if (this.#grip !== null) event.preventDefault()
-    if (this.#grip !== null || !ours) event.stopImmediatePropagation()
+    else if (ours) this.#orbiting.wheel(event, this.#target.positionOf(event))
   }
 
   readonly #onDoubleClick = (event: MouseEvent): void => {
@@ -241,7 +243,7 @@ export class PointerInput {
     const type = event instanceof PointerEvent ? event.pointerType : 'mouse'
     const handles = this.#target.handles()
     if (handles.length !== VERTEX_COUNT) return null
-    return pickHandle(handles, at, pickRadius(type), this.#target.host.state().selectedVertex)
+    return pickHandle(handles, at, this.#target.pickRadius(type), this.#target.host.state().selectedVertex)
   }
 
   #hover(vertex: number | null): void {
@@ -250,4 +252,8 @@ export class PointerInput {
     this.#hovered = vertex
     this.#target.showHover(vertex)
   }
+}
+
+function wayOf(from: PointerEvent, to: PointerEvent): readonly [right: number, down: number] {
+  return [to.clientX - from.clientX, to.clientY - from.clientY]
 }

@@ -4,7 +4,10 @@ import { approximation, lowerInside } from '../../core/inside'
 import type { JacobianReport, Report } from '../../core/report'
 import { formatJacdet } from '../../model/decimal'
 import { type ReferenceCube, type State, sliceOf } from '../../model/state'
+import { placeIn } from '../../views/place-in'
+import { inUnit } from '../../views/point-steps'
 import { sceneSlice } from '../../views/scene-slices'
+import { say } from '../../words/say'
 import {
   type ColourScale,
   cssColour,
@@ -63,6 +66,7 @@ function leastShown(report: Report, state: State): number {
 export class ColourBar {
   readonly root = document.createElement('div')
   readonly #title = document.createElement('button')
+  readonly #box = document.createElement('div')
   readonly #svg = svg('svg', { class: 'lettered', role: 'img' })
   readonly #gradient: SVGLinearGradientElement
   readonly #hatch: SVGPathElement
@@ -101,7 +105,9 @@ export class ColourBar {
     for (const { line, label } of Object.values(this.#ticks)) this.#svg.append(line, label)
     this.#svg.append(this.#probe, this.#target)
     this.#listen(onProbe)
-    this.root.append(this.#title, this.#svg)
+    this.#box.className = 'bar'
+    this.#box.append(this.#svg)
+    this.root.append(this.#title, this.#box)
   }
 
   update(picture: ColourBarPicture): void {
@@ -122,7 +128,10 @@ export class ColourBar {
     this.#updateTicks(labels, fromTop, upright, length)
     this.#updateProbe(probe && fromTop(timesPowerOfTwo(probe.jacdet, probe.exponent - exponent)), upright, length)
     set(this.#svg, {
-      'aria-label': `Colours of jacdet: maximum ${format(maximum)}, zero, minimum ${format(minimum)}`,
+      'aria-label': say('Colours of jacdet: maximum {maximum}, zero, minimum {minimum}', {
+        maximum: format(maximum),
+        minimum: format(minimum),
+      }),
     })
   }
 
@@ -136,21 +145,22 @@ export class ColourBar {
     })
   }
 
-  #valueAt({ clientX, clientY }: PointerEvent): number | null {
-    if (!this.#shown) return null
-    const { state, report, scale, upright } = this.#shown
+  #valueAt(event: PointerEvent): number | null {
+    const place = placeIn(this.#box, event)
+    if (!this.#shown || !place) return null
+    const { state, report, scale, upright, length } = this.#shown
     if (!report || !scale) return null
-    const { left, top: upper, width, height } = this.#bar.getBoundingClientRect()
-    const fromTop = upright ? (clientY - upper) / height : 1 - (clientX - left) / width
+    const fromTop = upright ? (place.y * (length + 2 * OVERHANG) - OVERHANG) / length : 1 - place.x
     const [bottom, top] = endsOf(leastShown(report, state), report.boundaryMaximum)
-    return rampValue(scale, top - Math.max(0, Math.min(1, fromTop)) * (top - bottom))
+    return rampValue(scale, top - inUnit(fromTop) * (top - bottom))
   }
 
   #updateTitle(cube: ReferenceCube): void {
     if (this.#title.dataset.cube === cube) return
     this.#title.dataset.cube = cube
-    this.#title.textContent = cube === 'unit' ? 'jacdet on [0,1]³' : 'jacdet on [−1,1]³'
-    this.#title.title = cube === 'unit' ? 'Show jacdet on [−1,1]³, an eighth' : 'Show jacdet on [0,1]³, eight times'
+    this.#title.textContent = cube === 'unit' ? say('jacdet on [0,1]³') : say('jacdet on [−1,1]³')
+    this.#title.title =
+      cube === 'unit' ? say('Show jacdet on [−1,1]³, an eighth') : say('Show jacdet on [0,1]³, eight times')
   }
 
   #updateRamp(ramp: Ramp, top: number, bottom: number, zero: number, upright: boolean, length: number): void {

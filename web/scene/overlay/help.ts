@@ -1,8 +1,9 @@
 /** The effects of fingers, mouse and keys in the scene: its description for those who hear the page, and on request for everybody. */
 import type { ControlsState } from '../../views/scene-slices'
+import { type PlainWord, say } from '../../words/say'
 
 /** An action and its effect, which make a sentence. */
-type Entry = readonly [action: string, effect: string]
+type Entry = readonly [action: PlainWord, effect: PlainWord]
 
 const FOR_FINGERS: readonly Entry[] = [
   ['Drag a handle', 'moves its vertex. X, Y, Z, Depth and Grid, there once a vertex is chosen, hold the next drags'],
@@ -20,7 +21,10 @@ const FOR_KEYS: readonly Entry[] = [
   ['0 to 7, or [ and ]', 'choose a vertex'],
   ['Arrow keys', 'move the chosen vertex along the axis that is nearest to the arrow'],
   ['Page Up, Page Down', 'move it along the third axis'],
-  ['Shift, Alt', 'with these keys make the step ten times as long, or a tenth'],
+  [
+    'Shift, Ctrl',
+    'with arrow keys make the step ten times as long, or a tenth. On a Mac, and with Page Up and Down, it is Alt',
+  ],
   ['Point at a face', 'or tap it, to read jacdet there: the probe. The box is the image of a little cube, enlarged'],
   ['P', 'puts the probe on the next candidate; C copies its numbers'],
   ['M', 'turns the view to the minimum, or shows it through the faces'],
@@ -55,8 +59,8 @@ function entry([action, effect]: Entry): HTMLElement {
     HTMLElement,
     HTMLElement,
   ]
-  term.textContent = action
-  detail.textContent = `${effect}.`
+  term.textContent = say(action)
+  detail.textContent = say('{sentence}.', { sentence: say(effect) })
   line.append(term, ' ', detail, ' ')
   return line
 }

@@ -9,6 +9,7 @@ import { formatJacdet } from '../../model/decimal'
 import { edgeName, edgeVertices, faces, type Vec3 } from '../../model/hexahedron'
 import { sliceOf } from '../../model/state'
 import { type FaceDisplay, sceneSlice } from '../../views/scene-slices'
+import { say } from '../../words/say'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 import type { Box, Point } from '../space/layout'
@@ -112,7 +113,7 @@ export class Marks {
       group.classList.toggle('behind', sight.hides(candidate.point))
       set(path, { d: candidateShapes[candidate.kind] })
       const value = formatJacdet(candidate.value, report?.exponent ?? 0, state.referenceCube)
-      setText(title, `Candidate ${elementPartName(candidate)}: J = ${value}`)
+      setText(title, say('Candidate {place}: J = {value}', { place: elementPartName(candidate), value }))
     })
   }
 
@@ -182,7 +183,7 @@ function leastOnBoundary({ minimizer }: Report): Least {
 
 function leastInside(inside: Report['volumeMinimum']): Least {
   const { point, position } = inside
-  return { words: 'min J inside', value: approximation(inside).value, point, position, isVertex: false }
+  return { words: say('min J inside'), value: approximation(inside).value, point, position, isVertex: false }
 }
 
 /** True if a candidate lies on the faces shown: one face alone has its own and those of its edges. */
@@ -193,5 +194,7 @@ function isOnFaces({ kind, id }: Candidate, display: FaceDisplay): boolean {
 }
 
 function elementPartName({ kind, id }: Candidate): string {
-  return kind === 'edge' ? `on edge ${edgeName(id)}` : `on face ${faces[id]?.name}`
+  return kind === 'edge'
+    ? say('on edge {name}', { name: edgeName(id) })
+    : say('on face {name}', { name: faces[id]?.name ?? '' })
 }

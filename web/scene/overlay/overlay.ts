@@ -4,14 +4,14 @@ import type { JacobianReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import { edgeVertices, VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { sliceOf } from '../../model/state'
-import { marksSlice, sceneSlice } from '../../views/scene-slices'
+import { sceneSlice, spokenOf } from '../../views/scene-slices'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 import { gridStep, lengthOf, roundTo } from '../space/decimal-step'
 import type { Box, Point } from '../space/layout'
 import { at, map3, mix } from '../space/vec3'
 import { extentOf, toWorld, verticesInWorld } from '../space/world'
-import { Highlight } from './highlight'
+import { Highlights } from './highlight'
 import { meanOf, numberDirection, overlap } from './label-place'
 import { LeastCurve } from './least-curve'
 import { Marks } from './marks'
@@ -67,7 +67,7 @@ export class Overlay {
   readonly #radius: number
   readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
-  readonly #highlight = new Highlight()
+  readonly #highlights = new Highlights()
   readonly #curve = new LeastCurve()
   readonly #samples = new SampleMarks()
   readonly #marks: Marks
@@ -86,7 +86,7 @@ export class Overlay {
       this.#edges,
       this.#haloBehind,
       this.#edgesBehind,
-      this.#highlight.root,
+      this.#highlights.root,
       this.#grid,
       this.#curve.root,
       this.#axisLine,
@@ -117,7 +117,7 @@ export class Overlay {
     this.root.classList.toggle('opaque', sliceOf(sceneSlice, picture.state).faceDisplay === 'opaque')
     set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
     const edges = this.#updateEdges(picture)
-    this.#highlight.update(sliceOf(marksSlice, picture.state).highlight, picture)
+    this.#highlights.update(picture)
     this.#curve.update(picture)
     this.#samples.update(picture, edges)
     const numbers = this.#updateHandles(picture)
@@ -162,8 +162,8 @@ export class Overlay {
   /** Returns the middles of the numbers. */
   #updateHandles({ handles, state, preview, report, camera, sight, taken }: OverlayPicture): Point[] {
     const middle = meanOf(handles)
-    const { highlight } = sliceOf(marksSlice, state)
-    const ringed = [report?.minimizer, highlight].map(part => (part?.kind === 'vertex' ? part.id : null))
+    const spoken = [report?.minimizer, ...spokenOf(state)]
+    const ringed = spoken.map(part => (part?.kind === 'vertex' ? part.id : null))
     const texts = numberTexts(handles, preview?.order ?? null)
     const shown: Point[] = []
     const scale = markScale(camera)

@@ -1,5 +1,6 @@
 /** The probe, its volume box, and as sides of that the columns of DF: the derivatives of position by xi, eta and zeta there. */
 import type { JacobianReport } from '../../core/report'
+import { say } from '../../words/say'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 import { toWorld } from '../space/world'
@@ -19,8 +20,7 @@ const LETTERS = [
 const LETTER_DISTANCE = 9
 const CHARACTER_WIDTH = 8
 const LINE = 16
-const ENLARGED = 'linear image, enlarged'
-const ENLARGED_WIDTH = 140
+const NOTE_CHARACTER_WIDTH = 6.5
 
 /** How the probe looks beyond its place. */
 export interface ProbeLook {
@@ -44,12 +44,8 @@ export class ProbeMark {
   }))
   readonly #dot = svg('circle', { class: 'point', r: 4 })
   readonly #volume = svg('text')
-  readonly #words = svg(
-    'g',
-    { 'text-anchor': 'middle' },
-    this.#volume,
-    svg('text', { class: 'note', y: LINE }, ENLARGED),
-  )
+  readonly #note = svg('text', { class: 'note', y: LINE }, say('linear image, enlarged'))
+  readonly #words = svg('g', { 'text-anchor': 'middle' }, this.#volume, this.#note)
   readonly #leader = svg('path', { class: 'leader' })
   #place: LabelPlace | null = null
 
@@ -96,7 +92,7 @@ export class ProbeMark {
     for (const mark of [this.#words, this.#leader]) show(mark, false)
     if (words === '') return
     const anchor = meanOf(corners)
-    const width = Math.max(CHARACTER_WIDTH * words.length, ENLARGED_WIDTH)
+    const width = Math.max(CHARACTER_WIDTH * words.length, NOTE_CHARACTER_WIDTH * (this.#note.textContent ?? '').length)
     const place = placeLabel({
       anchor,
       width,

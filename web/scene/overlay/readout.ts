@@ -4,6 +4,7 @@ import { formatJacdet, formatPoint, speakJacdet, speakNumber } from '../../model
 import { edgeName } from '../../model/hexahedron'
 import type { ReferenceCube } from '../../model/state'
 import type { Frame } from '../../views/view'
+import { say } from '../../words/say'
 import { set, setText, show, svg } from '../paint/svg'
 import { type PaneLayout, READOUT_LINE } from '../space/layout'
 import { samePoint } from '../space/vec3'
@@ -30,22 +31,19 @@ export class Readout {
     })
     this.#jacdet.classList.toggle('negative', probe.jacdet < 0)
     const jacdet = formatJacdet(probe.jacdet, probe.exponent, cube)
-    setText(
-      this.#jacdet,
-      isNarrow ? `J${formatPoint(probe.point)} = ${jacdet}` : `J = ${jacdet}${boxWords(probe, ': ')}`,
-    )
+    const box = boxWords(probe)
+    setText(this.#jacdet, isNarrow ? `J${formatPoint(probe.point)} = ${jacdet}` : `J = ${jacdet}${box && `: ${box}`}`)
     show(this.#reference, !isNarrow)
     setText(this.#reference, `(ξ, η, ζ) = ${formatPoint(probe.point)}`)
-    setText(
-      this.#position,
-      `${isNarrow ? `${boxWords(probe, '', ' ')}at` : '(x, y, z) ='} ${formatPoint(probe.position)}`,
-    )
+    const point = formatPoint(probe.position)
+    const place = box === '' ? say('at {point}', { point }) : say('{box} at {point}', { box, point })
+    setText(this.#position, isNarrow ? place : `(x, y, z) = ${point}`)
   }
 }
 
 /** What becomes of the little cube if it does not only change its shape. */
-function boxWords({ jacdet }: JacobianReport, before: string, after = ''): string {
-  return jacdet > 0 ? '' : `${before}${jacdet < 0 ? 'inside out' : 'flat'}${after}`
+function boxWords({ jacdet }: JacobianReport): string {
+  return jacdet > 0 ? '' : jacdet < 0 ? say('inside out') : say('flat')
 }
 
 /** The candidate that a key has marked, to be heard. */
@@ -80,10 +78,23 @@ export class SpokenProbe {
 
 /** "Minimum, edge 4-7: jacdet -11.28, inside out. xi 0, eta 0, zeta 0.4196. x -1, y 2.2, z 0.1." */
 function spokenProbe(probe: JacobianReport, at: Candidate, isMinimum: boolean, cube: ReferenceCube): string {
-  const part = at.kind === 'edge' ? `edge ${edgeName(at.id).replace('–', '-')}` : `${at.kind} ${at.id}`
-  const name = isMinimum ? `Minimum, ${part}` : `Candidate, ${part}`
+  const part =
+    at.kind === 'edge'
+      ? say('edge {name}', { name: edgeName(at.id).replace('–', '-') })
+      : at.kind === 'vertex'
+        ? say('vertex {name}', { name: at.id })
+        : say('face {name}', { name: at.id })
   const list = (names: readonly string[], values: readonly number[]) =>
     names.map((coordinate, i) => `${coordinate} ${speakNumber(values[i] as number)}`).join(', ')
   const jacdet = speakJacdet(probe.jacdet, probe.exponent, cube)
-  return `${name}: jacdet ${jacdet}${boxWords(probe, ', ')}. ${list(['xi', 'eta', 'zeta'], probe.point)}. ${list(['x', 'y', 'z'], probe.position)}.`
+  const box = boxWords(probe)
+  const values = {
+    part,
+    jacdet: box ? `${jacdet}, ${box}` : jacdet,
+    point: list(['xi', 'eta', 'zeta'], probe.point),
+    position: list(['x', 'y', 'z'], probe.position),
+  }
+  return isMinimum
+    ? say('Minimum, {part}: jacdet {jacdet}. {point}. {position}.', values)
+    : say('Candidate, {part}: jacdet {jacdet}. {point}. {position}.', values)
 }

@@ -67,7 +67,7 @@ export class FaceRenderer {
     for (const viewport of picture.viewports) this.#drawViewport(viewport, picture)
   }
 
-  #drawViewport(viewport: Viewport, { display, section, height }: Picture): void {
+  #drawViewport(viewport: Viewport, { display, faces, section, height }: Picture): void {
     const { left, top, camera } = viewport
     this.#renderer.setViewport(left, height - top - camera.height, camera.width, camera.height)
     this.#writeVertices(viewport.vertices)
@@ -78,7 +78,7 @@ export class FaceRenderer {
     }
     this.#uniforms.eye.value.copy(camera.three.position)
     this.#uniforms.toLight.value.set(...lightOf(camera))
-    this.#chooseFaces(viewport, display)
+    this.#chooseFaces(viewport, display, faces)
     this.#renderer.render(this.#scene, camera.three)
   }
 
@@ -136,27 +136,26 @@ export class FaceRenderer {
     this.#zeroSurface.update(display === 'inside' ? zeroSurface : null)
   }
 
-  #chooseFaces(viewport: Viewport, display: FaceDisplay): void {
+  #chooseFaces(viewport: Viewport, display: FaceDisplay, drawn: readonly number[]): void {
     const isTransparent = display in OPACITY
     this.#material.transparent = isTransparent
     this.#material.depthWrite = !isTransparent
     const quadsPerTile = quadsPerTileFor(greatestTwist(viewport))
-    const order = display === 'see-through' ? null : facesInOrder(viewport, display)
+    const order = display === 'see-through' ? null : facesInOrder(viewport, drawn)
     const tiling = order && `${quadsPerTile} ${order}`
     if (tiling !== null && tiling === this.#tiling) return
     this.#tiling = tiling
-    const tiles = order ? tilesOfFaces(order) : farthestTilesFirst(viewport)
+    const tiles = order ? tilesOfFaces(order) : farthestTilesFirst(viewport, drawn)
     const index = this.#geometry.index as BufferAttribute
     this.#geometry.setDrawRange(0, writeIndices(index.array as Uint16Array, tiles, quadsPerTile))
     index.needsUpdate = true
   }
 }
 
-/** The nearest first, which spares those that they hide; or one alone. */
-function facesInOrder({ vertices, camera }: Viewport, display: FaceDisplay): readonly number[] {
-  if (typeof display === 'number') return [display]
+/** The nearest first, which spares those that they hide. */
+function facesInOrder({ vertices, camera }: Viewport, drawn: readonly number[]): readonly number[] {
   const depths = faces.map((_, face) => camera.depth(facePoint(vertices, face, 0.5, 0.5)))
-  return [...depths.keys()].sort((a, b) => (depths[a] as number) - (depths[b] as number))
+  return drawn.toSorted((a, b) => (depths[a] as number) - (depths[b] as number))
 }
 
 /** The greatest twist of a face, in units of the screen where the element is nearest to the eye. */
@@ -182,9 +181,10 @@ function sideSeen({ vertices, camera }: Viewport, corners: Corners, { axis }: Se
   return normal.dot(up) * normal.dot(toEye) >= 0 ? 'above' : 'below'
 }
 
-function farthestTilesFirst({ vertices, camera }: Viewport): Uint16Array {
+function farthestTilesFirst({ vertices, camera }: Viewport, drawn: readonly number[]): Uint16Array {
   const depths = new Float64Array(TILE_COUNT)
   for (let tile = 0; tile < TILE_COUNT; tile++)
     depths[tile] = camera.depth(facePoint(vertices, faceOfTile(tile), ...tileMiddle(tile)))
-  return Uint16Array.from(depths.keys()).sort((a, b) => (depths[b] as number) - (depths[a] as number))
+  const tiles = [...depths.keys()].filter(tile => drawn.includes(faceOfTile(tile)))
+  return Uint16Array.from(tiles).sort((a, b) => (depths[b] as number) - (depths[a] as number))
 }

@@ -1,4 +1,5 @@
 /** An element of the page as a figure: its canvases, SVG and short texts, with their styles in attributes, as they are now. */
+import { placeIn } from '../../views/place-in'
 import type { Figure, PixelLayer, VectorLayer } from '../../views/view'
 
 /** The styles that a reader of the file needs to draw the shapes alike; the rest is inherited or never set. */
@@ -18,19 +19,28 @@ const TEXT_STYLES = ['font-family', 'font-size', 'font-weight', 'text-anchor', '
 
 /** The elements in `root` that are on the screen, in the order given; one that is neither canvas nor SVG is taken as a line of text. */
 export function figureOf(root: HTMLElement, elements: Iterable<Element>): Figure {
-  const outer = root.getBoundingClientRect()
+  const outer = sizeOf(root)
   const layers = [...elements].flatMap(element => {
-    const { left, top, width, height } = element.getBoundingClientRect()
-    const isShown = width > 0 && height > 0 && getComputedStyle(element).visibility !== 'hidden'
-    const box = { x: left - outer.left, y: top - outer.top, width, height }
-    return isShown ? [layerOf(element, box)] : []
+    const { width, height } = sizeOf(element)
+    // The middle of what is seen is that of the element, however it is turned.
+    const seen = element.getBoundingClientRect()
+    const middle = placeIn(root, { clientX: seen.x + seen.width / 2, clientY: seen.y + seen.height / 2 })
+    const isShown = middle && width > 0 && height > 0 && getComputedStyle(element).visibility !== 'hidden'
+    if (!isShown) return []
+    const box = { x: middle.x * outer.width - width / 2, y: middle.y * outer.height - height / 2, width, height }
+    return [layerOf(element, box)]
   })
   return {
-    width: outer.width,
-    height: outer.height,
+    ...outer,
     background: getComputedStyle(root.closest('.lens') ?? root).backgroundColor,
     layers,
   }
+}
+
+/** Without transforms; 0 of what is not displayed. */
+function sizeOf(element: Element): { readonly width: number; readonly height: number } {
+  const { width, height } = getComputedStyle(element)
+  return { width: Number.parseFloat(width) || 0, height: Number.parseFloat(height) || 0 }
 }
 
 type Box = Pick<PixelLayer, 'x' | 'y' | 'width' | 'height'>

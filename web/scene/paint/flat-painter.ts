@@ -68,21 +68,22 @@ export class FlatPainter implements FacePainter {
   }
 }
 
-function tilesOf({ vertices, camera, left, top }: Viewport, { report, display, scale, ramp }: Picture) {
+function tilesOf({ vertices, camera, left, top }: Viewport, { report, faces, scale, ramp }: Picture) {
   if (report === null || scale === null) return []
-  const isShown = (face: number) => typeof display !== 'number' || display === face
   const project = (point: Vec3) => {
     const { x, y, depth } = camera.project(point)
     return { x: x + left, y: y + top, depth }
   }
   const light = lightOf(camera)
   const { x, y, z } = camera.three.position
-  return flatTiles(report, vertices, SIDE, project, isShown).map(({ corners, value, middle, normal }) => {
-    const lit = lightOn(normal, way(middle, [x, y, z]), light)
-    return {
-      path: `${pathOf(corners)}Z`,
-      colour: cssColour(shaded(rampColour(ramp, rampPosition(scale, value)), lit)),
-      isNegative: value < 0,
-    }
-  })
+  return flatTiles(report, vertices, SIDE, project, face => faces.includes(face)).map(
+    ({ corners, value, middle, normal }) => {
+      const lit = lightOn(normal, way(middle, [x, y, z]), light)
+      return {
+        path: `${pathOf(corners)}Z`,
+        colour: cssColour(shaded(rampColour(ramp, rampPosition(scale, value)), lit)),
+        isNegative: value < 0,
+      }
+    },
+  )
 }

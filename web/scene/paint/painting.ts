@@ -2,8 +2,10 @@
 import { timesPowerOfTwo } from '../../core/power-of-two'
 import type { Report } from '../../core/report'
 import { type State, sliceOf } from '../../model/state'
-import { sceneSlice } from '../../views/scene-slices'
+import { stretchOf } from '../../views/place-in'
+import { drawnFaces, sceneSlice, scriptSlice } from '../../views/scene-slices'
 import type { Frame, ViewContext } from '../../views/view'
+import { say } from '../../words/say'
 import type { Layout } from '../space/layout'
 import {
   type ColourScale,
@@ -22,8 +24,14 @@ import { FlatPainter } from './flat-painter'
 import type { FacePainter, Viewport } from './picture'
 import { ThemeReader } from './theme'
 
-/** Device pixels of a CSS pixel: more are not worth their time. */
+/** Device pixels of a CSS pixel of the screen: more are not worth their time. */
 const MOST_ON_SCREEN = 2
+/** An element that is seen larger than this is not drawn finer: the picture's memory grows with the square. */
+const MOST_STRETCH = 4
+/** Stretches to an eighth are one, so that an animated one seldom takes a canvas of another size. */
+const STRETCH_STEP = 1 / 8
+/** Corners of a box are measured to 1/64 of a pixel, so that a stretch of 1 may seem a little more. */
+const STRETCH_ERROR = 1 / 64
 /** Fine enough for paper, and no screen's, so that a figure is surely painted anew. */
 const FINE = 3
 
@@ -52,7 +60,7 @@ export class Painting {
     this.#scene = scene
     this.#host = host
     const painter = createFacePainter({ lost: () => this.#onContext(true), restored: () => this.#onContext(false) })
-    if (painter === null) host.raise({ code: 'no-webgl', message: NO_WEBGL })
+    if (painter === null) host.raise({ code: 'no-webgl', message: say(NO_WEBGL) })
     else host.clear('no-webgl')
     this.#painter = painter ?? new FlatPainter()
     if (this.#painter.isLost) this.#onContext(true)
@@ -105,10 +113,11 @@ export class Painting {
       ramp: this.ramp as Ramp,
       theme: this.#theme as Theme,
       display,
+      faces: drawnFaces(display, sliceOf(scriptSlice, state).hiddenFaces),
       section,
       zeroSurface,
       viewports,
-      pixelRatio: layout.unit * (isFine ? FINE : Math.min(devicePixelRatio, MOST_ON_SCREEN)),
+      pixelRatio: layout.unit * (isFine ? FINE : Math.min(devicePixelRatio, MOST_ON_SCREEN) * this.#stretch()),
     }
     this.isLoading = !isFine && !this.#painter.isReady(picture)
     if (this.isLoading) {
@@ -119,6 +128,15 @@ export class Painting {
     if (isOther) this.picturesDrawn++
     this.#scene.dataset.frames = String(this.picturesDrawn)
     return isOther
+  }
+
+  /**
+   * At least as many pixels as the screen shows of an element that transforms or zoom make larger. No event tells of a transform,
+   * so it is measured for each picture; pointing at the element draws one.
+   */
+  #stretch(): number {
+    const steps = Math.ceil((stretchOf(this.#scene) - STRETCH_ERROR) / STRETCH_STEP)
+    return Math.max(1, Math.min(MOST_STRETCH, steps * STRETCH_STEP))
   }
 
   #copy(): HTMLCanvasElement | null {
@@ -133,7 +151,7 @@ export class Painting {
   #onContext(isLost: boolean): void {
     this.#isLost = isLost
     this.#scene.classList.toggle('unpainted', isLost)
-    if (isLost) this.#host.raise({ code: 'context-lost', message: CONTEXT_LOST })
+    if (isLost) this.#host.raise({ code: 'context-lost', message: say(CONTEXT_LOST) })
     else this.#host.clear('context-lost')
     this.#host.requestFrame()
   }

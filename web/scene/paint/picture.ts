@@ -22,6 +22,8 @@ export interface Picture {
   readonly ramp: Ramp
   readonly theme: Theme
   readonly display: FaceDisplay
+  /** Those that are drawn. */
+  readonly faces: readonly number[]
   /** Shown if `display` is 'inside', like the surface jacdet = 0. */
   readonly section: Section
   readonly zeroSurface: Surface | null
@@ -63,9 +65,9 @@ export class LastPicture {
 
 /** Every value that a picture depends on. The scale is the report's. */
 function valuesOf(picture: Picture): unknown[] {
-  const { report, ramp, theme, display, section, zeroSurface, viewports, width, height, pixelRatio } = picture
+  const { report, ramp, theme, display, faces, section, zeroSurface, viewports, width, height, pixelRatio } = picture
   const inside = display === 'inside' ? [section.axis, section.value, zeroSurface] : []
-  const values: unknown[] = [report, ramp, theme, display, ...inside, width, height, pixelRatio]
+  const values: unknown[] = [report, ramp, theme, display, String(faces), ...inside, width, height, pixelRatio]
   for (const { left, top, vertices, camera } of viewports) {
     const { projectionMatrix, matrixWorld } = camera.three
     values.push(left, top, camera.width, camera.height, ...vertices.flat())

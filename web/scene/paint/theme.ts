@@ -1,22 +1,29 @@
-/** The host's colours, read from the custom properties that style it, and news of when they may have changed. */
+/** The host's colours, as the custom properties that style it come out in its colour scheme, and news of their changes. */
 import type { Rgb, Theme } from './colour-map'
 
-const PROPERTIES: Readonly<Record<keyof Theme, { readonly name: string; readonly fallback: Rgb }>> = {
-  paper: { name: '--hl-paper', fallback: [0.988, 0.988, 0.984] },
-  ink: { name: '--hl-ink', fallback: [0.11, 0.118, 0.129] },
-  negative: { name: '--hl-negative', fallback: [0.698, 0.094, 0.169] },
-  positive: { name: '--hl-positive', fallback: [0.129, 0.4, 0.675] },
-  neutral: { name: '--hl-neutral', fallback: [0.933, 0.933, 0.922] },
-}
+const PROPERTIES: Readonly<Record<keyof Theme, { readonly style: keyof CSSStyleDeclaration; readonly fallback: Rgb }>> =
+  {
+    paper: { style: 'backgroundColor', fallback: [0.988, 0.988, 0.984] },
+    ink: { style: 'color', fallback: [0.11, 0.118, 0.129] },
+    negative: { style: 'borderTopColor', fallback: [0.698, 0.094, 0.169] },
+    positive: { style: 'borderLeftColor', fallback: [0.129, 0.4, 0.675] },
+    neutral: { style: 'outlineColor', fallback: [0.933, 0.933, 0.922] },
+  }
+
+/** A swatch wears every colour where nobody sees it. */
+const SWATCH =
+  'position:absolute;visibility:hidden;width:1px;height:1px;background:var(--hl-paper);color:var(--hl-ink);border-top-color:var(--hl-negative);border-left-color:var(--hl-positive);outline-color:var(--hl-neutral)'
 
 /**
- * Holds the theme of an element in a shadow root. Reading styles makes the browser settle them, too dear for every frame of
- * a drag, so it happens after a change of colour scheme, or of an attribute of the host or the document's root.
+ * Holds the theme of an element. Reading styles makes the browser settle them, too dear for every frame of a drag, so it
+ * happens after a change. Of that the swatch tells: its colours change by a transition, whatever the cause, and one that
+ * happens while it is not displayed shows by its size when it is again. For paper the host's attributes tell, at once.
  */
 export class ThemeReader {
   readonly #element: HTMLElement
+  readonly #swatch = document.createElement('i')
   readonly #onChange: () => void
-  readonly #darkness = matchMedia('(prefers-color-scheme: dark)')
+  readonly #sizes = new ResizeObserver(() => this.#expire())
   readonly #attributes = new MutationObserver(() => this.#expire())
   #theme: Theme | null = null
   #isExpired = true
@@ -24,7 +31,9 @@ export class ThemeReader {
   constructor(element: HTMLElement, onChange: () => void) {
     this.#element = element
     this.#onChange = onChange
-    this.#darkness.addEventListener('change', this.#expire)
+    this.#swatch.style.cssText = SWATCH
+    this.#swatch.addEventListener('transitionend', this.#expire)
+    this.#sizes.observe(this.#swatch)
   }
 
   /** The same object as before while no colour has changed. */
@@ -38,8 +47,9 @@ export class ThemeReader {
   }
 
   dispose(): void {
-    this.#darkness.removeEventListener('change', this.#expire)
+    this.#sizes.disconnect()
     this.#attributes.disconnect()
+    this.#swatch.remove()
   }
 
   readonly #expire = (): void => {
@@ -49,13 +59,15 @@ export class ThemeReader {
 
   #compute(): Theme {
     const root = this.#element.getRootNode()
-    this.#attributes.observe(document.documentElement, { attributes: true })
     if (root instanceof ShadowRoot) this.#attributes.observe(root.host, { attributes: true })
-    const style = getComputedStyle(this.#element)
-    const entries = Object.entries(PROPERTIES).map(([property, { name, fallback }]) => [
+    if (!this.#swatch.isConnected) this.#element.append(this.#swatch)
+    const style = getComputedStyle(this.#swatch)
+    this.#swatch.style.transition = 'none' // or the colours from before a change would still be read
+    const entries = Object.entries(PROPERTIES).map(([property, { style: name, fallback }]) => [
       property,
-      parseColour(style.getPropertyValue(name)) ?? fallback,
+      parseColour(String(style[name])) ?? fallback,
     ])
+    this.#swatch.style.transition = '1ms'
     return Object.fromEntries(entries) as unknown as Theme
   }
 }
@@ -67,16 +79,15 @@ function sameTheme(a: Theme, b: Theme | null): boolean {
 
 let pixel: CanvasRenderingContext2D | null | undefined
 
-/** Any CSS colour as a browser understands it; null if it is none. */
+/** A computed colour; null if it is that of no background at all. */
 function parseColour(text: string): Rgb | null {
-  const hex = /^\s*#([\da-f]{2})([\da-f]{2})([\da-f]{2})\s*$/i.exec(text)
-  if (hex) return hex.slice(1, 4).map(pair => Number.parseInt(pair, 16) / 255) as unknown as Rgb
-  if (!CSS.supports('color', text.trim())) return null
+  const rgb = /^rgb\((\d+), (\d+), (\d+)\)$/.exec(text)
+  if (rgb) return rgb.slice(1).map(value => Number(value) / 255) as unknown as Rgb
   pixel ??= Object.assign(document.createElement('canvas'), { width: 1, height: 1 }).getContext('2d', {
     willReadFrequently: true,
   })
-  if (!pixel) return null
-  pixel.fillStyle = text.trim()
+  if (!pixel || text === 'rgba(0, 0, 0, 0)') return null
+  pixel.fillStyle = text
   pixel.fillRect(0, 0, 1, 1)
   const [r, g, b] = pixel.getImageData(0, 0, 1, 1).data
   return [(r as number) / 255, (g as number) / 255, (b as number) / 255]

@@ -46,6 +46,12 @@ const BESIDE = 560
 const TOO_LOW = 440
 /** A narrower pane has a phone's layout. */
 const NARROW = 560
+/** In a narrower pane the legend has a row of its own. */
+const LEGEND_BESIDE = 58 * TEXT_SIZE
+/** In a narrower pane the buttons have two rows. */
+const BUTTONS_BESIDE = 330
+/** Heights of the controls in rows. */
+const CONTROLS = [44, 66, 98] as const
 /** In a lower pane everything but the element makes way for it. */
 const LOW = 340
 /** A lower pane keeps hardly anything free. */
@@ -103,7 +109,7 @@ function paneLayout(width: number, height: number, isTight = false): PaneLayout 
   const isLow = height < LOW
   const barLength = Math.round(Math.max(90, isNarrow ? Math.min(200, width - 210) : Math.min(220, height * 0.3)))
   const bar = isNarrow ? { width, height: 56 } : { width: 140, height: barLength + 64 }
-  const controls = isNarrow && !isLow ? 66 : 44
+  const controls = CONTROLS[(isLow || width >= LEGEND_BESIDE ? 0 : 1) + (width >= BUTTONS_BESIDE ? 0 : 1)] as number
   // Right of the triad; in a narrow pane below the colour bar.
   const readout = {
     x: isTight ? 14 : 92,
@@ -116,7 +122,7 @@ function paneLayout(width: number, height: number, isTight = false): PaneLayout 
     height,
     isNarrow,
     isLow,
-    insets: insetsOf(isNarrow, height),
+    insets: insetsOf(isNarrow, height, controls),
     barLength,
     taken: [
       { ...bar, x: width - bar.width, y: 0 },
@@ -128,15 +134,13 @@ function paneLayout(width: number, height: number, isTight = false): PaneLayout 
   }
 }
 
-function insetsOf(isNarrow: boolean, height: number): Insets {
-  if (height < LOWEST && isNarrow) return { top: 68, right: 36, bottom: 54, left: 36 }
+function insetsOf(isNarrow: boolean, height: number, controls: number): Insets {
+  if (height < LOWEST && isNarrow) return { top: 68, right: 36, bottom: controls + 10, left: 36 }
   if (height < LOW)
-    return isNarrow ? { top: 76, right: 36, bottom: 60, left: 36 } : { top: 44, right: 156, bottom: 60, left: 92 }
-  return isNarrow ? { top: 110, right: 36, bottom: 112, left: 36 } : { top: 64, right: 156, bottom: 72, left: 92 }
-}
-
-/** A pointer's distance from the top left of an element, in units. */
-export function positionIn(element: Element, unit: number, { clientX, clientY }: MouseEvent): Point {
-  const { left, top } = element.getBoundingClientRect()
-  return { x: (clientX - left) / unit, y: (clientY - top) / unit }
+    return isNarrow
+      ? { top: 76, right: 36, bottom: controls + 16, left: 36 }
+      : { top: 44, right: 156, bottom: 60, left: 92 }
+  return isNarrow
+    ? { top: 110, right: 36, bottom: controls + 46, left: 36 }
+    : { top: 64, right: 156, bottom: controls + 28, left: 92 }
 }

@@ -1,6 +1,6 @@
 /** Lines of sight from one eye: the points at which they meet bilinear patches, and so the points that faces hide. */
 import { type FaceTopology, faces, type Vec3 } from '../../model/hexahedron'
-import type { FaceDisplay } from '../../views/scene-slices'
+import { drawnFaces, type FaceDisplay } from '../../views/scene-slices'
 import type { SceneCamera } from './camera'
 import { type Corners, elementPoint, faceCorners, patchNormal } from './patches'
 import { at, cross, dot, map3, mix, way } from './vec3'
@@ -60,12 +60,12 @@ export class Sight {
   readonly #patches: readonly SeenPatch[]
 
   /** The vertices in world space. Nothing is hidden by faces that one can look through. */
-  constructor(vertices: readonly Vec3[], camera: SceneCamera, display: FaceDisplay) {
+  constructor(vertices: readonly Vec3[], camera: SceneCamera, display: FaceDisplay, hidden: readonly number[] = []) {
     const { x, y, z } = camera.three.position
     this.#vertices = vertices
     this.#camera = camera
     this.#eye = [x, y, z]
-    this.#patches = [...faces.keys()]
+    this.#patches = drawnFaces(display, hidden)
       .filter(face => display === 'opaque' || display === face)
       .map(face => seenPatch(this.#eye, faceCorners(vertices, face)))
   }

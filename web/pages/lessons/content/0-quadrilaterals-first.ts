@@ -1,5 +1,5 @@
 import type { Lesson } from './lessons'
-import { det, display, frac, math, of, row, sub, tall } from './mathml'
+import { det, display, frac, math, of, row, sub, tall, thin } from './mathml'
 
 const J = math('J')
 const slope = (by: string) => frac(row('∂', 'F'), row('∂', by))
@@ -101,7 +101,7 @@ export const lesson: Lesson = {
       title: 'The corners suffice',
       text: `<p>Sorted by powers the map is ${math('F', '=', 'p', '+', 'ξ', 'a', '+', 'η', 'b', '+', 'ξ', 'η', 'c')}. Its two columns are
         ${math('a', '+', 'η', 'c')} and ${math('b', '+', 'ξ', 'c')}, so</p>
-        ${display('J', '=', columns('a', 'b'), '+', 'ξ', columns('a', 'c'), '+', 'η', columns('c', 'b'))}
+        ${display('J', '=', columns('a', 'b'), '+', 'ξ', thin, columns('a', 'c'), '+', 'η', thin, columns('c', 'b'))}
         <p>The term with ${math('ξ', 'η')} has the factor ${math(columns('c', 'c'), '=', 0)}. What is left is linear: on the square the lines of equal
         colour are straight and parallel. So ${J} is least at a corner. Four numbers decide.</p>`,
       task: 'Drag corners as you like: the ring of the least jacdet is always at a corner.',

@@ -74,7 +74,7 @@ export const lesson: Lesson = {
       title: 'The centre as well',
       text: `<p>Many programs divide ${J} by the lengths of the three columns, so that size does not matter:</p>
         ${display(frac('J', row(length('ξ'), length('η'), length('ζ'))))}
-        <p>This <em>scaled Jacobian</em> is 1 where the columns are at right angles, and 0 where they lie in a plane. HexaLab and Verdict
+        <p>This <em>scaled Jacobian</em> is 1 where the columns are at right angles, and 0 where they lie in a plane. HexaLab and Verdict, which VTK has,
         look at the eight vertices and the centre, and take the least.</p>
         <p>Here that is 0.57. The manuals of ${link(CUBIT, 'Cubit')} and ${link(VERDICT, 'Verdict')} call 0.5 to 1 acceptable. But nine points
         are still points. The gallery has an invalid element with ${link('./gallery.html#scaled-0-86', '0.86')}.</p>`,
@@ -82,8 +82,8 @@ export const lesson: Lesson = {
       claims: [
         { says: 'At the vertices jacdet is at least 1/8', holds: 'corner_min = 1/8' },
         { says: 'At the centre it is 31/32', holds: 'centre = 31/32' },
-        { says: 'The scaled Jacobian is above 1/2, and yet', holds: 'scaled_jacobian > 1/2' },
-        { says: 'the element is invalid', holds: 'not valid' },
+        { says: 'The scaled Jacobian is above 1/2', holds: 'scaled_jacobian > 1/2' },
+        { says: 'Yet the element is invalid', holds: 'not valid' },
       ],
       element: accepted,
       views: 'scene verdict checks',

@@ -1,6 +1,6 @@
 import { foldout } from './foldout'
 import type { Lesson } from './lessons'
-import { det, display, frac, math, of, row, sub, sup, tall } from './mathml'
+import { det, display, frac, math, of, row, sub, sup, tall, thin } from './mathml'
 
 const J = math('J')
 const slopeOfJ = (by: string) => frac(row('∂', 'J'), row('∂', by))
@@ -42,7 +42,7 @@ export const lesson: Lesson = {
       title: 'Quadrilaterals are easy',
       text: `<p>In the plane the corners suffice, as lesson 0 shows. With ${math('F', '=', 'p', '+', 's', 'a', '+', 't', 'b', '+', 's', 't', 'c')} the two columns are
         ${math('a', '+', 't', 'c')} and ${math('b', '+', 's', 'c')}, and</p>
-        ${display('J', '=', columns('a', 'b'), '+', 's', columns('a', 'c'), '+', 't', columns('c', 'b'))}
+        ${display('J', '=', columns('a', 'b'), '+', 's', thin, columns('a', 'c'), '+', 't', thin, columns('c', 'b'))}
         <p>The term with ${math('s', 't')} has the factor ${math(columns('c', 'c'), '=', 0)}. What is left is linear, and so it is least at a
         corner.</p>`,
       task: 'A quadrilateral, drawn out to a block: the lines of equal colour on the reference cube are straight and parallel.',
@@ -157,7 +157,7 @@ export const lesson: Lesson = {
           ${display(columns('B', 'V', 'W'), '=', 'α', 'κ')}
           <p>Now the same for ${math('ξ')}:</p>
           ${display(slopeOfJ('ξ'), '=', columns('U', 'A', 'W'), '+', columns('U', 'V', 'B'))}
-          ${display('=', '−', 'α', columns('A', 'V', 'W'), '−', 'β', columns('B', 'V', 'W'))}
+          ${display('=', '−', 'α', thin, columns('A', 'V', 'W'), '−', 'β', thin, columns('B', 'V', 'W'))}
           ${display('=', '−', 2, 'α', 'β', 'κ')}`,
         )}
         <p>If one of the factors were zero, a slice through that point would be flat. The rim of the slice lies on the faces, where ${J} is

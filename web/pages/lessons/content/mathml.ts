@@ -58,9 +58,12 @@ export function frac(numerator: Term, denominator: Term): Markup {
   return element('mfrac', numerator, denominator)
 }
 
+/** A space as before and behind the name of a function. */
+export const thin: Markup = { markup: '<mspace width="0.17em"></mspace>' }
+
 /** The determinant of what follows. */
 export function det(...terms: readonly Term[]): Markup {
-  return row('det', { markup: '<mspace width="0.17em"></mspace>' }, ...terms)
+  return row('det', thin, ...terms)
 }
 
 /** A matrix in square brackets, row by row. */

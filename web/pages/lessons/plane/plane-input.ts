@@ -7,6 +7,8 @@ import type { Action, State } from '../../../model/state'
 import { pickRadius } from '../../../scene/input/picking'
 import { addDecimal, gridStep, keyStep, lengthOf, roundingStep, roundTo } from '../../../scene/space/decimal-step'
 import { extentOf } from '../../../scene/space/world'
+import { placeIn } from '../../../views/place-in'
+import { isForeign, isSmallStep } from '../../../views/point-steps'
 import { baseOf, CORNER_COUNT, preimages, type Vec2 } from './quadrilateral'
 import type { PlaneView } from './view'
 
@@ -55,9 +57,12 @@ export function listen(target: PlaneTarget): void {
   const held = new Set<string>()
   let grip: Grip | null = null
 
-  const placeOf = (event: PointerEvent, on: Element): Vec2 => {
-    const { left, top } = on.getBoundingClientRect()
-    return [event.clientX - left, event.clientY - top]
+  /** The pictures share the box around them, the square at its right. */
+  const placeOf = (event: PointerEvent, on: SVGElement): Vec2 => {
+    const panes = on.parentElement as HTMLElement
+    const { clientWidth: width, clientHeight: height } = panes
+    const { x, y } = placeIn(panes, event) ?? { x: 0, y: 0 }
+    return [x * width - (on === square ? width - square.clientWidth : 0), y * height]
   }
   const cornerAt = (place: Vec2, radius: number): number | null => {
     const { toScreen } = target.view('element')
@@ -177,8 +182,8 @@ export function listen(target: PlaneTarget): void {
     })
 
   element.addEventListener('keydown', event => {
-    const { key, shiftKey, altKey } = event
-    if (event.ctrlKey || event.metaKey) return
+    const { key, shiftKey } = event
+    if (isForeign(event)) return
     const arrow = ARROWS[key]
     if (key === 'Escape') {
       if (grip) end('cancel-gesture')
@@ -196,7 +201,10 @@ export function listen(target: PlaneTarget): void {
         if (held.size === 0) dispatch({ type: 'begin-gesture' })
         held.add(key)
         const step = keyStep(extentOf(state().gestureStart ?? state().vertices))
-        const length = lengthOf({ ...step, exponent: step.exponent + (shiftKey ? 1 : 0) - (altKey ? 1 : 0) })
+        const length = lengthOf({
+          ...step,
+          exponent: step.exponent + (shiftKey ? 1 : 0) - (isSmallStep(event) ? 1 : 0),
+        })
         const corner = target.selected()
         const [x, y] = vertexOf(state().vertices, corner)
         move(corner, [addDecimal(x, arrow[0] * length), addDecimal(y, arrow[1] * length)])

@@ -1,0 +1,17 @@
+/** @jsxImportSource preact */
+import type { HexLens } from 'hexlens/preact'
+import { createRef } from 'preact'
+
+const lens = createRef<HexLens>()
+export const Lens = () => (
+  <hex-lens
+    ref={lens}
+    class="wide"
+    vertices={[0, 1]}
+    group="pair"
+    onhex-camera={({ detail }) => lens.current?.moveCamera(detail, 1)}
+  />
+)
+
+// @ts-expect-error There is no such attribute.
+export const wrong = <hex-lens colour="red" />

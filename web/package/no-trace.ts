@@ -1,0 +1,6 @@
+/** lit-html has noted its version in a global list; a guest leaves nothing behind. */
+import 'lit-html'
+
+const { litHtmlVersions: noted } = globalThis as { litHtmlVersions?: string[] }
+noted?.pop()
+if (noted?.length === 0) Reflect.deleteProperty(globalThis, 'litHtmlVersions')
