@@ -2,7 +2,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { snippetsOf } from '../package/documentation'
-import { testGuest } from './guest'
+import { click, testGuest } from './guest'
 import { installed, npmVersion, putFiles, run } from './host'
 
 const config = `export default {
@@ -27,9 +27,5 @@ testGuest({
     run(folder, 'docusaurus', 'build')
   },
   address: 'docusaurus/build/',
-  schemes: page =>
-    page
-      .locator('button[class*=ColorModeToggle], [class*=colorModeToggle] button, button[class*=toggleButton]')
-      .filter({ visible: true })
-      .first(),
+  turn: click('[class*=colorModeToggle] button, button[class*=toggleButton]'),
 })

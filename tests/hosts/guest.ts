@@ -12,10 +12,10 @@ export interface Guest {
   /** Makes the site, once in a run. */
   readonly build: () => void | Promise<void>
   readonly address: string
-  /** The host's own switch from light to dark and back: a list, or a button to click for the next of its schemes. */
-  readonly schemes?: (page: Page) => Locator
-  /** Brings the element into view where the page does not show it. */
-  readonly show?: (page: Page) => Promise<void>
+  /** Uses the host's own switch between light and dark, if it has one; a switch that goes through several takes several calls. */
+  readonly turn?: (page: Page, scheme: 'light' | 'dark') => Promise<void>
+  /** What the host itself says in the console. */
+  readonly says?: RegExp
 }
 
 /** Widths of columns, as sites have them on phones and on screens. */
@@ -25,10 +25,10 @@ const COLUMNS = [320, 480, 640, 760, 900]
 const KEYS = ['m', 'f', 's', 'p', '7', 'ArrowRight', 'ArrowLeft', 'ArrowUp', 'ArrowDown', 'PageDown', 'PageUp']
 
 export function testGuest(guest: Guest): void {
-  const { name, version, build, address, schemes, show } = guest
+  const { name, version, build, address, turn, says } = guest
   test.describe(name, () => {
     nameHost(name, version)
-    test.use({ viewport: { width: 1280, height: 900 } })
+    test.use({ viewport: { width: 1280, height: 900 }, ...(says ? { expectedErrors: says } : {}) })
 
     test.beforeAll(async () => {
       test.setTimeout(900_000)
@@ -37,7 +37,6 @@ export function testGuest(guest: Guest): void {
 
     const open = async (lens: Lens) => {
       await lens.open(address)
-      await show?.(lens.page)
       await lens.scene.evaluate(scene => scene.scrollIntoView({ block: 'center' }))
       await lens.nextFrame()
     }
@@ -65,13 +64,13 @@ export function testGuest(guest: Guest): void {
       await expectKeysToStay(lens)
     })
 
-    if (schemes)
+    if (turn)
       test('its colours go with the switch of the host', async ({ lens, page }) => {
         for (const system of ['light', 'dark'] as const) {
           await page.emulateMedia({ colorScheme: system })
           await open(lens)
           for (const wanted of system === 'light' ? [true, false] : [false, true]) {
-            await switchTo(page, schemes(page), wanted)
+            await switchTo(page, turn, wanted)
             await expect.poll(() => isDark(lens.element.locator('.lens'))).toBe(wanted)
             if (wanted) await page.screenshot({ path: join(hosts, 'pictures', `${name}-dark.png`) })
           }
@@ -181,14 +180,16 @@ export async function expectKeysToStay(lens: Lens): Promise<void> {
   expect(heard[0]?.split(' ')[0]).toBe('Escape')
 }
 
-async function switchTo(page: Page, control: Locator, dark: boolean): Promise<void> {
-  const isList = await control.evaluate(element => element.matches('select'))
+async function switchTo(page: Page, turn: NonNullable<Guest['turn']>, dark: boolean): Promise<void> {
   await expect(async () => {
-    if (isList) await control.selectOption(dark ? 'dark' : 'light')
-    else if ((await isDark(page.locator('body'))) !== dark) await control.click()
+    if ((await isDark(page.locator('body'))) !== dark) await turn(page, dark ? 'dark' : 'light')
     await expect.poll(() => isDark(page.locator('body')), { timeout: 2_000 }).toBe(dark)
   }).toPass({ timeout: 60_000 })
 }
+
+/** A switch that is one button. */
+export const click = (selector: string) => (page: Page) =>
+  page.locator(selector).filter({ visible: true }).first().click()
 
 /** By the first background, from there outwards, that is not see-through. */
 export function isDark(place: Locator): Promise<boolean> {

@@ -2,7 +2,7 @@
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { snippetsOf } from '../package/documentation'
-import { testGuest } from './guest'
+import { click, testGuest } from './guest'
 import { pythonVersion, run, site } from './host'
 
 /** Neither theme is to ask another host, for a highlighter or for fonts. */
@@ -38,5 +38,5 @@ testGuest({
   version: () => pythonVersion('mkdocs-material'),
   build: () => build(site('material', 'docs'), MATERIAL),
   address: 'material/site/index.html',
-  schemes: page => page.locator('[data-md-component=palette] label').filter({ visible: true }).first(),
+  turn: click('[data-md-component=palette] label'),
 })

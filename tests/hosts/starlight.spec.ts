@@ -37,5 +37,7 @@ testGuest({
     run(folder, 'env', 'ASTRO_TELEMETRY_DISABLED=1', 'astro', 'build')
   },
   address: 'starlight/dist/page.html',
-  schemes: page => page.locator('starlight-theme-select select').filter({ visible: true }).first(),
+  turn: async (page, scheme) => {
+    await page.locator('starlight-theme-select select').filter({ visible: true }).first().selectOption(scheme)
+  },
 })
