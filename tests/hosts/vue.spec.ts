@@ -1,6 +1,6 @@
 /** Vue 3. */
-import { snippetsOf } from '../../package/documentation'
-import { testFramework } from '../framework'
+import { snippetsOf } from '../package/documentation'
+import { testFramework } from './framework'
 
 const page = `<script setup>
 import { ref } from 'vue'

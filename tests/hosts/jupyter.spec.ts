@@ -1,16 +1,31 @@
 /** The widget for notebooks, in JupyterLab. */
 import { copyFileSync, cpSync, readdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { Lens } from '../../e2e/lens'
-import { snippetsOf } from '../../package/documentation'
-import { documented } from '../../unit/embed-fixture'
-import { dist, expect, nameHost, onceInRun, python, pythonVersion, root, run, site, test } from '../host'
+import type { Page } from '@playwright/test'
+import { Lens } from '../e2e/lens'
+import { snippetsOf } from '../package/documentation'
+import { documented } from '../unit/embed-fixture'
+import { expectAxeFindsNothingInElement, expectComplete, expectDrag, expectRoom, isDark } from './guest'
+import { dist, expect, hosts, nameHost, onceInRun, python, pythonVersion, root, run, site, test } from './host'
 import { Lab, notebook, runCell } from './lab'
 
-const folder = join(root, 'build/hosts/jupyter')
+const folder = join(hosts, 'jupyter')
 let lab: Lab | undefined
 
 nameHost('JupyterLab', () => pythonVersion('jupyterlab'))
+test.use({ viewport: { width: 1280, height: 900 } })
+
+/** Opens a notebook with these cells and runs the first two, which show the element. */
+async function open(page: Page, name: string, cells: readonly string[] = []): Promise<Lens> {
+  writeFileSync(join(folder, name), JSON.stringify(notebook([...snippetsOf('Jupyter'), ...cells])))
+  await lab?.open(page, name)
+  await runCell(page, 1)
+  const lens = new Lens(page)
+  await expect(lens.verdict).toHaveText(/^INVALID/, { timeout: 60_000 })
+  await lens.scene.evaluate(scene => scene.scrollIntoView({ block: 'center' }))
+  await expectComplete(lens)
+  return lens
+}
 
 test.beforeAll(async ({ playwright }) => {
   test.setTimeout(300_000)
@@ -50,15 +65,10 @@ test.afterAll(async () => {
 
 test('what is moved moves the array, and what is assigned moves the picture', async ({ page }) => {
   const cells = [
-    ...snippetsOf('Jupyter'),
     'import json\nprint(json.dumps([lens.vertices.ravel().tolist(), lens.valid]))',
     'v = lens.vertices.copy()\nv[0] = [-0.0, 5e-324, 0.1]\nlens.vertices = v',
   ]
-  writeFileSync(join(folder, 'moves.ipynb'), JSON.stringify(notebook(cells)))
-  await lab?.open(page, 'moves.ipynb')
-  const lens = new Lens(page)
-  await runCell(page, 1)
-  await expect(lens.verdict).toHaveText(/^INVALID/, { timeout: 60_000 })
+  const lens = await open(page, 'moves.ipynb', cells)
   expect(await lens.vertices()).toEqual(documented.vertices)
   await lens.scene.focus()
   await page.keyboard.press('7')
@@ -84,4 +94,41 @@ test('what is moved moves the array, and what is assigned moves the picture', as
   await expect
     .poll(() => lens.vertices())
     .toEqual([0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0, 0, 0, 1, 2, 0, 1, 2, 1, 1, 0, 1, 1])
+})
+
+test('it has room, a vertex is dragged, and axe finds nothing in it', async ({ page }) => {
+  const lens = await open(page, 'looks.ipynb')
+  await page.screenshot({ path: join(hosts, 'pictures', 'JupyterLab.png') })
+  await expectDrag(lens)
+  await expectAxeFindsNothingInElement(page)
+  await expectRoom(lens)
+})
+
+test('keys that the element uses do nothing to the notebook', async ({ page }) => {
+  const lens = await open(page, 'keys.ipynb')
+  const cells = page.locator('.jp-Notebook .jp-Cell')
+  await lens.scene.focus()
+  // In the notebook they cut a cell, change its kind, search, save, and go from cell to cell.
+  for (const key of ['x', 'm', 'f', 's', 'ArrowDown', 'ArrowUp', 'ArrowRight', 'Escape']) {
+    await page.keyboard.press(key)
+    await lens.nextFrame()
+    await expect(lens.scene, key).toBeFocused()
+    await expect(cells, key).toHaveCount(2)
+  }
+  await expect(page.locator('.jp-MarkdownCell, .jp-DocumentSearch-overlay')).toHaveCount(0)
+  await expect(lens.element).toHaveCount(1)
+})
+
+test('its colours go with the theme of JupyterLab', async ({ page }) => {
+  const themes = `${lab?.address}/lab/api/settings/@jupyterlab/apputils-extension:themes`
+  for (const [name, dark] of [
+    ['JupyterLab Dark', true],
+    ['JupyterLab Light', false],
+  ] as const) {
+    const answer = await page.request.put(themes, { data: { raw: JSON.stringify({ theme: name }) } })
+    expect(answer.status(), await answer.text()).toBe(204)
+    const lens = await open(page, 'dark.ipynb')
+    await expect.poll(() => isDark(lens.element.locator('.lens'))).toBe(dark)
+    if (dark) await page.screenshot({ path: join(hosts, 'pictures', 'JupyterLab-dark.png') })
+  }
 })

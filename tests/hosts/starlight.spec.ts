@@ -1,9 +1,9 @@
 /** Starlight, of Astro: the last one that runs in Node 20. */
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { snippetsOf } from '../../package/documentation'
-import { testGuest } from '../guest'
-import { installed, npmVersion, putFiles, run } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { testGuest } from './guest'
+import { installed, npmVersion, putFiles, run } from './host'
 
 const FILES = {
   'astro.config.mjs': `import starlight from '@astrojs/starlight'
@@ -37,5 +37,7 @@ testGuest({
     run(folder, 'env', 'ASTRO_TELEMETRY_DISABLED=1', 'astro', 'build')
   },
   address: 'starlight/dist/page.html',
-  schemes: page => page.locator('starlight-theme-select select').filter({ visible: true }).first(),
+  turn: async (page, scheme) => {
+    await page.locator('starlight-theme-select select').filter({ visible: true }).first().selectOption(scheme)
+  },
 })

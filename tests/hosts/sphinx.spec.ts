@@ -1,16 +1,16 @@
 /** Sphinx with the themes that are used most, in reStructuredText and, in its own theme, in MyST. */
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import type { Page } from '@playwright/test'
-import { snippetsOf } from '../../package/documentation'
-import { expectDocumented, testGuest } from '../guest'
-import { expect, pythonVersion, root, run, site, test } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { click, expectDocumented, type Guest, testGuest } from './guest'
+import { expect, pythonVersion, root, run, site, test } from './host'
 
 interface Theme {
   readonly name: string
   /** The theme, as conf.py and PyPI call it; without one, Sphinx's own. */
   readonly theme?: readonly [string, string]
-  readonly schemes?: (page: Page) => ReturnType<Page['locator']>
+  readonly turn?: Guest['turn']
+  readonly says?: RegExp
 }
 
 const themes: readonly Theme[] = [
@@ -18,12 +18,16 @@ const themes: readonly Theme[] = [
   {
     name: 'Sphinx, furo',
     theme: ['furo', 'furo'],
-    schemes: page => page.locator('.content .theme-toggle, .theme-toggle').filter({ visible: true }).first(),
+    turn: click('.theme-toggle'),
   },
   {
     name: 'Sphinx, pydata',
     theme: ['pydata_sphinx_theme', 'pydata-sphinx-theme'],
-    schemes: page => page.locator('.theme-switch-button').filter({ visible: true }).first(),
+    turn: async (page, scheme) => {
+      await click('.theme-switch-button')(page)
+      await click(`.theme-change-button[data-mode=${scheme}]`)(page)
+    },
+    says: /^Got invalid theme mode/,
   },
   { name: 'Sphinx, Read the Docs', theme: ['sphinx_rtd_theme', 'sphinx-rtd-theme'] },
 ]
@@ -38,14 +42,15 @@ function build(folder: string, settings: string): void {
   run(folder, 'sphinx-build', '-q', '-W', '.', 'html')
 }
 
-for (const { name, theme, schemes } of themes) {
+for (const { name, theme, turn, says } of themes) {
   const folder = theme ? theme[0] : 'sphinx'
   testGuest({
     name,
     version: () => pythonVersion(theme ? theme[1] : 'sphinx'),
     build: () => build(site(folder, '_static'), theme ? settingsOf(folder, theme[0]) : ''),
     address: `${folder}/html/index.html`,
-    ...(schemes ? { schemes } : {}),
+    ...(turn ? { turn } : {}),
+    ...(says ? { says } : {}),
   })
 }
 

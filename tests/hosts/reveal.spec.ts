@@ -2,10 +2,10 @@
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Page } from '@playwright/test'
-import type { Lens } from '../../e2e/lens'
-import { snippetsOf } from '../../package/documentation'
-import { expectAxeFindsNothingInElement, expectDocumented, expectDrag } from '../guest'
-import { expect, hosts, installed, nameHost, npmVersion, onceInRun, putFiles, test } from '../host'
+import type { Lens } from '../e2e/lens'
+import { snippetsOf } from '../package/documentation'
+import { expectAxeFindsNothingInElement, expectDocumented, expectDrag } from './guest'
+import { expect, hosts, installed, nameHost, npmVersion, onceInRun, putFiles, test } from './host'
 
 const SCRIPT = `<script type="module">
 import Reveal from './node_modules/reveal.js/dist/reveal.mjs'

@@ -1,6 +1,6 @@
 /** React 19 in strict mode. */
-import { snippetsOf } from '../../package/documentation'
-import { testFramework } from '../framework'
+import { snippetsOf } from '../package/documentation'
+import { testFramework } from './framework'
 
 const page = `import { createElement, StrictMode, useState } from 'react'
 import { Lens } from './lens.jsx'

@@ -1,14 +1,14 @@
 /** The module behind bundlers. */
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { snippetsOf } from '../../package/documentation'
-import { expectDocumented } from '../guest'
-import { html, installed, npmVersion, onceInRun, putFiles, run, test } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { expectDocumented } from './guest'
+import { html, installed, npmVersion, onceInRun, putFiles, run, test } from './host'
 
 /** What each bundler is told to make `NAME/page.js` of `page.js`. */
 const bundlers = {
   esbuild: 'esbuild page.js --bundle --minify --format=esm --outfile=esbuild/page.js --log-level=error',
-  rollup: 'rollup page.js --silent --plugin node-resolve --format es --file rollup/page.js',
+  rollup: 'rollup page.js --silent --plugin node-resolve --format es --dir rollup',
   webpack: 'node webpack.js',
   vite: 'vite build --logLevel error',
 }

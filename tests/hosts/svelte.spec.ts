@@ -1,6 +1,6 @@
 /** Svelte 5. */
-import { snippetsOf } from '../../package/documentation'
-import { testFramework } from '../framework'
+import { snippetsOf } from '../package/documentation'
+import { testFramework } from './framework'
 
 const page = `<script>
   import Lens from './Lens.svelte'

@@ -3,9 +3,9 @@ import { cpSync, symlinkSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import mdx from '@mdx-js/rollup'
 import { build, type InlineConfig } from 'vite'
-import { snippetsOf } from '../../package/documentation'
-import { expectDocumented } from '../guest'
-import { elsewhere, expect, html, nameHost, root, site, test, versionOf } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { expectDocumented } from './guest'
+import { elsewhere, expect, html, nameHost, root, site, test, versionOf } from './host'
 
 nameHost('MDX', () => versionOf(join(root, 'node_modules/@mdx-js/rollup')))
 

@@ -4,7 +4,7 @@ import { createWriteStream } from 'node:fs'
 import { createServer } from 'node:net'
 import { join } from 'node:path'
 import type { APIRequestContext, Page } from '@playwright/test'
-import { expect, python } from '../host'
+import { expect, python } from './host'
 
 export class Lab {
   readonly address: string
@@ -58,7 +58,8 @@ export class Lab {
   async open(page: Page, notebook: string): Promise<void> {
     await expect(async () => {
       const kernel = await this.#startKernel(page.request, notebook)
-      await page.goto(`${this.address}/lab/tree/${notebook}`)
+      // Without what an earlier page had open.
+      await page.goto(`${this.address}/lab/tree/${notebook}?reset`)
       // The server learns of a kernel's state only while somebody listens: from here on JupyterLab does.
       await expect
         .poll(async () => (await (await page.request.get(kernel)).json()).execution_state, { timeout: 60_000 })

@@ -1,9 +1,9 @@
 /** MkDocs with its own theme and with Material. */
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { snippetsOf } from '../../package/documentation'
-import { testGuest } from '../guest'
-import { pythonVersion, run, site } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { click, testGuest } from './guest'
+import { pythonVersion, run, site } from './host'
 
 /** Neither theme is to ask another host, for a highlighter or for fonts. */
 const MKDOCS = 'theme: {name: mkdocs, highlightjs: false}'
@@ -38,5 +38,5 @@ testGuest({
   version: () => pythonVersion('mkdocs-material'),
   build: () => build(site('material', 'docs'), MATERIAL),
   address: 'material/site/index.html',
-  schemes: page => page.locator('[data-md-component=palette] label').filter({ visible: true }).first(),
+  turn: click('[data-md-component=palette] label'),
 })

@@ -1,9 +1,9 @@
 /** VitePress. */
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { snippetsOf } from '../../package/documentation'
-import { testGuest } from '../guest'
-import { installed, npmVersion, putFiles, run } from '../host'
+import { snippetsOf } from '../package/documentation'
+import { click, testGuest } from './guest'
+import { installed, npmVersion, putFiles, run } from './host'
 
 testGuest({
   name: 'VitePress',
@@ -22,5 +22,5 @@ testGuest({
     run(folder, 'vitepress', 'build', '.')
   },
   address: 'vitepress/dist/page.html',
-  schemes: page => page.locator('.VPSwitchAppearance').filter({ visible: true }).first(),
+  turn: click('.VPSwitchAppearance'),
 })
