@@ -3,7 +3,7 @@
 import { withoutControls } from '../mesh/text-cursor'
 import { Refusal } from '../model/result'
 import { analysis } from './analysis'
-import { certification } from './certification'
+import { certification } from '../outputs/certificates'
 import { check } from './check'
 import { type AnswerTo, answerElements } from './elements'
 import type { Engine } from './engine'

@@ -2,9 +2,12 @@
 import type { CheckId, ElementClass } from '../core/report'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
+import type { Histogram } from '../mesh/histogram'
 import type { Standing } from '../mesh/mesh-check'
 import type { Vec3, Vertices } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
+
+export type { Histogram } from '../mesh/histogram'
 
 /** All jobs but `open` want a mesh that is open. Each is short; what takes long goes on in steps. */
 export type SurveyJobs = {
@@ -115,17 +118,6 @@ export interface Selected {
   readonly listed: number
   /** Cells that have been looked at: all of them when it is done. */
   readonly done: number
-}
-
-/** Counts of relative minima, of all answered cells whose volume is not 0. */
-export interface Histogram {
-  /** Bin i is [edges[i], edges[i + 1]), the last with its end; 0 is an edge wherever there are numbers of both signs. */
-  readonly edges: readonly number[]
-  readonly counts: readonly number[]
-  /** Relative minima below which 1, 10, 50, 90 and 99 % of the cells are. */
-  readonly percentiles: readonly { readonly percent: number; readonly value: number }[]
-  /** Cells that are in no bin: of volume 0, or unanswered. */
-  readonly beside: number
 }
 
 export interface CellDetail {
