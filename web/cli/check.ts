@@ -8,10 +8,6 @@ import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { readMeshes } from '../mesh/read-mesh'
 import { Refusal } from '../model/result'
-import { type CheckArguments, readCheckArguments } from './check-arguments'
-import { type CellClassifier, startCellClassifier } from './classify-cells'
-import type { Engine } from './engine'
-import { openMeshFile } from './mesh-file'
 import { csvOutput } from '../outputs/csv'
 import { htmlOutput } from '../outputs/html'
 import { idsOutput } from '../outputs/ids'
@@ -20,6 +16,10 @@ import { junitOutput } from '../outputs/junit'
 import { type FileResult, type Output, withoutControls } from '../outputs/output'
 import { textOutput } from '../outputs/text'
 import { vtuOutput } from '../outputs/vtu'
+import { type CheckArguments, readCheckArguments } from './check-arguments'
+import { type CellClassifier, startCellClassifier } from './classify-cells'
+import type { Engine } from './engine'
+import { openMeshFile } from './mesh-file'
 import { ProgressLine } from './progress'
 import { FileSink } from './sink'
 import { Buffered, type Streams } from './streams'
@@ -162,7 +162,12 @@ function toFile(output: Output, path: string): OpenOutput {
 /** A file that is read, or written for another purpose. */
 function refuseOverwriting({ files, csv, junit, annotate, html }: CheckArguments): void {
   const taken = new Map(files.filter(file => file !== '-').map(file => [realPath(file), `${file}, which is read`]))
-  for (const [option, path] of Object.entries({ '--csv': csv, '--junit': junit, '--annotate': annotate, '--html': html })) {
+  for (const [option, path] of Object.entries({
+    '--csv': csv,
+    '--junit': junit,
+    '--annotate': annotate,
+    '--html': html,
+  })) {
     if (path === null) continue
     const other = taken.get(realPath(path))
     if (other !== undefined) throw new Refusal(`check: ${option} would overwrite ${other}.`)

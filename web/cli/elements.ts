@@ -2,9 +2,9 @@
 import { createReadStream } from 'node:fs'
 import type { Core } from '../core/report'
 import { Refusal } from '../model/result'
+import { jsonList, jsonText } from '../outputs/json-text'
 import type { Engine } from './engine'
 import { jsonEntries } from './json-entries'
-import { jsonList, jsonText } from '../outputs/json-text'
 import { type NamedHexahedron, readHexahedron } from './read-hexahedra'
 import { Buffered, type Streams } from './streams'
 

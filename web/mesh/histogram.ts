@@ -14,6 +14,9 @@ export interface Histogram {
 
 /** Bins between 0 and 1, the greatest relative minimum that there is; below 0 as wide, down to -1. */
 const BINS = 40
+export const BIN = 1 / BINS
+/** What is below is one bin, which a picture shows as wide as the others. */
+export const LEAST = -1
 const PERCENTS = [1, 10, 50, 90, 99]
 
 export function histogramOf({ answers: { relativeMinima }, worst, hexahedra }: MeshCheck): Histogram {

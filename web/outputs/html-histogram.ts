@@ -1,5 +1,5 @@
 /** The histogram of relative minima as SVG and in numbers, for the document that `--html` writes. */
-import type { Histogram } from '../mesh/histogram'
+import { BIN, type Histogram, LEAST } from '../mesh/histogram'
 import { grouped } from '../mesh/mesh-headline'
 import { formatNumber } from '../model/decimal'
 import { px } from '../scene/paint/svg'
@@ -7,8 +7,6 @@ import { px } from '../scene/paint/svg'
 const [WIDTH, HEIGHT] = [720, 190]
 /** Room for the counts at the left, for the values below, and for a bar's count above. */
 const [LEFT, BELOW, ABOVE, RIGHT] = [56, 24, 14, 12]
-/** What is below -1 is one bar, as wide as the others. */
-const LEAST = -1
 
 /** With a heading of this level; nothing where no cell has a relative minimum. */
 export function histogramMarkup(histogram: Histogram, level: number): string {
@@ -16,19 +14,23 @@ export function histogramMarkup(histogram: Histogram, level: number): string {
   if (counts.length === 0) return ''
   const total = counts.reduce((sum, count) => sum + count, 0)
   const words = `Relative minima of ${grouped(total)} ${total === 1 ? 'hexahedron' : 'hexahedra'}`
-  const others = beside === 0 ? '' : ` ${grouped(beside)} ${beside === 1 ? 'has' : 'have'} none: the volume is 0, or there is no answer.`
+  const others =
+    beside === 0
+      ? ''
+      : ` ${grouped(beside)} ${beside === 1 ? 'has' : 'have'} none: the volume is 0, or there is no answer.`
   const heads = percentiles.map(({ percent }) => `<th>${percent} %</th>`).join('')
   const values = percentiles.map(({ value }) => `<td>${formatNumber(value)}</td>`).join('')
+  const least = edges[0] as number
+  const below = least < LEAST - BIN ? ` The first bar is all below −1, down to ${formatNumber(least)}.` : ''
   return `<h${level} class="part">${words}</h${level}>
-<p class="beside">Counts are logarithmic, negative values hatched.${others}</p>
+<p class="beside">Counts are logarithmic, negative values red and hatched.${below}${others}</p>
 ${svgOf(edges, counts, words)}
-<table class="percentiles"><tr><th>At most so for</th>${heads}</tr><tr><th>relative minimum</th>${values}</tr></table>
+<table class="percentiles"><tr><th>Of the cells</th>${heads}</tr><tr><th>are at most</th>${values}</tr></table>
 `
 }
 
 function svgOf(edges: readonly number[], counts: readonly number[], words: string): string {
-  const binWidth = (edges.at(-1) as number) - (edges.at(-2) as number)
-  const from = Math.max(edges[0] as number, LEAST - binWidth)
+  const from = Math.max(edges[0] as number, LEAST - BIN)
   const to = edges.at(-1) as number
   const decades = Math.max(1, Math.ceil(Math.log10(Math.max(...counts) + 1)))
   const bottom = HEIGHT - BELOW
@@ -41,9 +43,7 @@ function svgOf(edges: readonly number[], counts: readonly number[], words: strin
     const [left, top] = [x(lower), y(count)]
     const box = `x="${px(left)}" y="${px(top)}" width="${px(Math.max(1, x(upper) - left - 1))}" height="${px(bottom - top)}"`
     const title = `<title>${grouped(count)} from ${formatNumber(lower)} to ${formatNumber(upper)}</title>`
-    return upper <= 0
-      ? `<g class="negative"><rect ${box}/>${title}<rect ${box}/></g>`
-      : `<g><rect ${box}/>${title}</g>`
+    return upper <= 0 ? `<g class="negative"><rect ${box}/>${title}<rect ${box}/></g>` : `<g><rect ${box}/>${title}</g>`
   })
   const levels = Array.from({ length: decades + 1 }, (_, decade) => 10 ** decade)
   const grid = levels.map(
@@ -55,7 +55,6 @@ function svgOf(edges: readonly number[], counts: readonly number[], words: strin
     value =>
       `<path class="axis" d="M${px(x(value))} ${bottom}v4"/><text x="${px(x(value))}" y="${bottom + 17}" text-anchor="middle">${formatNumber(value)}</text>`,
   )
-  const least = (edges[0] as number) < from ? `<text x="${LEFT}" y="${bottom + 17}">to ${formatNumber(edges[0] as number)}</text>` : ''
   const zero = from < 0 && to > 0 ? `<path class="zero" d="M${px(x(0))} ${ABOVE}V${bottom}"/>` : ''
-  return `<svg class="histogram" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${words}, from ${formatNumber(edges[0] as number)} to ${formatNumber(to)}">${grid.join('')}${bars.join('')}${zero}<path class="axis" d="M${LEFT} ${bottom}H${WIDTH - RIGHT}"/>${values.join('')}${least}</svg>`
+  return `<svg class="histogram" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${words}, from ${formatNumber(edges[0] as number)} to ${formatNumber(to)}">${grid.join('')}${bars.join('')}${zero}<path class="axis" d="M${LEFT} ${bottom}H${WIDTH - RIGHT}"/>${values.join('')}</svg>`
 }

@@ -108,8 +108,7 @@ function cellMarkup(check: MeshCheck, cell: number, level: number): string {
   const block = check.blockOf(cell)
   const name = `${check.mesh.ids === null ? 'Index' : 'Cell'} ${nameOf(check, cell)}${block === null ? '' : `, block ${block}`}`
   const answer = check.answerTo(cell)
-  const body =
-    'why' in answer ? `<p class="why">Unanswered. ${markup(answer.why)}</p>` : reportMarkup(answer.report)
+  const body = 'why' in answer ? `<p class="why">Unanswered. ${markup(answer.why)}</p>` : reportMarkup(answer.report)
   return `<section class="cell">\n<h${level}>${markup(name)}</h${level}>\n${body}\n</section>\n`
 }
 
@@ -126,13 +125,15 @@ function rowsOf(report: Report): [term: string, markup: string][] {
   const { valid, relativeMinimum, boundaryMinimum, exponent, minimizer, volume, volumeExponent, checks } = report
   const relative = relativeMinimum === null ? 'none, the volume is 0' : formatNumber(relativeMinimum)
   const accepting = checks.filter(({ passes }) => passes).map(({ id }) => checkNames[id])
-  const accepted = accepting.length === 0 ? 'none' : accepting.length === checks.length ? 'all checks' : accepting.join(', ')
+  const accepted =
+    accepting.length === 0 ? 'none' : accepting.length === checks.length ? 'all checks' : accepting.join(', ')
   const title = entityTitle(minimizer)
-  const place = `${title.charAt(0).toLowerCase()}${title.slice(1)}`
+  const point = minimizer.kind === 'vertex' ? '' : `, (ξ, η, ζ) = ${formatPoint(minimizer.point)}`
+  const place = `${title.charAt(0).toLowerCase()}${title.slice(1)}${point}`
   const sign = (text: string) => (valid ? text : `<b class="negative">${text}</b>`)
   return [
     ['Relative minimum', sign(relative)],
-    ['Minimum', `${sign(formatJacdet(boundaryMinimum, exponent, 'unit'))} at ${place}, (ξ, η, ζ) = ${formatPoint(minimizer.point)}`],
+    ['Minimum', `${sign(formatJacdet(boundaryMinimum, exponent, 'unit'))} at ${place}`],
     ['Volume', formatJacdet(volume, volumeExponent, 'unit')],
     ['Class', `${sign(report.class)}${report.shape === null ? '' : `, ${report.shape}`}`],
     ['Accepted by', accepted],

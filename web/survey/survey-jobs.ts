@@ -6,6 +6,7 @@ import type { Histogram } from '../mesh/histogram'
 import type { Standing } from '../mesh/mesh-check'
 import type { Vec3, Vertices } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
+import type { IdKind } from '../outputs/ids'
 
 export type { Histogram } from '../mesh/histogram'
 
@@ -31,7 +32,27 @@ export type SurveyJobs = {
   faces(shown: ShownCells): FaceList
   /** Exchanges the bottom with the top of what is mirrored, or takes the order that makes all valid. */
   mend(fix: FixId): Promise<Opening>
+  /** Begins to write the mesh in a form, in place of what was being written. */
+  write(form: FormId): Written
+  /** Goes on with it, for some milliseconds. */
+  writeOn(_: null): Written
 }
+
+/** What can be taken away of an open mesh, each the same as the command line writes it. */
+export type FormId = 'csv' | 'json' | 'html' | 'vtu' | 'invalid-vtu' | 'certificates' | IdKind
+
+/** The next bytes of a file. */
+export type Written =
+  | {
+      readonly bytes: Uint8Array<ArrayBuffer>
+      /** About how much of the file there is, from 0 to 1. */
+      readonly fraction: number
+      readonly isEnd: boolean
+      /** Sentences about the file, for people. */
+      readonly said: readonly string[]
+    }
+  /** One sentence: there is no such file. */
+  | { readonly refused: string }
 
 export type Opening =
   | { readonly opened: Overview }

@@ -4,7 +4,7 @@
  */
 import type { Report } from '../../core/report'
 import { edgeVertices, type Vec3 } from '../../model/hexahedron'
-import { faceCorners } from '../space/patches'
+import { faceCorners, facePoint } from '../space/patches'
 import { hitsOf, seenPatch } from '../space/sight'
 import { dot, map3, mix, way } from '../space/vec3'
 import { toWorld, verticesInWorld, worldOf } from '../space/world'
@@ -48,11 +48,11 @@ export function flatFigure(report: Report, name: string): string {
     const nearest = 1 - BEHIND / Math.sqrt(dot(direction, direction))
     return patches.some(patch => hitsOf(patch, direction).some(({ distance }) => distance < nearest))
   }
-  const tiles = flatTiles(report, points, TILES, place).map(tileMarkup(report))
+  const tiles = flatTiles(report, points, TILES, place).filter(tile => isTileSeen(tile, points, isHidden))
   const minimizer = toWorld(world, report.minimizer.position)
   return [
     `<svg class="hex" viewBox="0 0 ${SIDE} ${SIDE}" role="img" aria-label="${name}">`,
-    ...tiles,
+    ...tilesMarkup(report, tiles),
     ...edgesMarkup(points, place, isHidden),
     ringMarkup(place(minimizer), isHidden(minimizer)),
     ...points.map((point, vertex) => vertexMarkup(place(point), vertex, isHidden(point))),
@@ -72,15 +72,37 @@ function fitted(points: readonly FlatPoint[]): (point: FlatPoint) => FlatPoint {
   })
 }
 
-function tileMarkup({ boundaryMinimum, boundaryMaximum }: Report): (tile: FlatTile) => string {
+/** Neighbours in the order of depth that have the same class are one path. */
+function tilesMarkup({ boundaryMinimum, boundaryMaximum }: Report, tiles: readonly FlatTile[]): string[] {
   const scale = colourScaleOf(boundaryMinimum, boundaryMaximum)
-  return ({ corners, value, normal }) => {
-    const path = `${pathOf(corners)}Z`
+  const shapes = tiles.map(({ corners, value, normal }) => {
     const step = Math.round(Math.abs(rampPosition(scale, value)) * STEPS)
     const light = Math.round(lightOn(normal, TOWARDS, LIGHT_FROM) * (LIGHTS - 1))
-    const fill = `<path class="${tileClass(value < 0, step, light)}" d="${path}"/>`
-    return value < 0 ? `${fill}<path class="hex-hatched" d="${path}"/>` : fill
+    return { path: `${pathOf(corners)}Z`, name: tileClass(value < 0, step, light), isNegative: value < 0 }
+  })
+  const paths: string[] = []
+  let [fill, hatched] = ['', '']
+  for (const [i, { path, name, isNegative }] of shapes.entries()) {
+    fill += path
+    if (isNegative) hatched += path
+    const next = shapes[i + 1]
+    if (next?.name !== name) {
+      paths.push(`<path class="${name}" d="${fill}"/>`)
+      fill = ''
+    }
+    if (hatched !== '' && next?.isNegative !== true) {
+      paths.push(`<path class="hex-hatched" d="${hatched}"/>`)
+      hatched = ''
+    }
   }
+  return paths
+}
+
+/** False for a tile whose middle and corners are all hidden. */
+function isTileSeen({ face, s, t }: FlatTile, points: readonly Vec3[], isHidden: (point: Vec3) => boolean): boolean {
+  const half = 0.5 / TILES
+  const places = [[0, 0], ...[-half, half].flatMap(ds => [-half, half].map(dt => [ds, dt]))] as [number, number][]
+  return places.some(([ds, dt]) => !isHidden(facePoint(points, face, s + ds, t + dt)))
 }
 
 function tileClass(isNegative: boolean, step: number, light: number): string {
@@ -140,5 +162,11 @@ function fillOf(ramp: Ramp, isNegative: boolean, step: number, light: number): s
 }
 
 export function hex(colour: Rgb): string {
-  return `#${colour.map(part => Math.round(255 * part).toString(16).padStart(2, '0')).join('')}`
+  return `#${colour
+    .map(part =>
+      Math.round(255 * part)
+        .toString(16)
+        .padStart(2, '0'),
+    )
+    .join('')}`
 }
