@@ -18,14 +18,15 @@ export function histogramMarkup(histogram: Histogram, level: number): string {
     beside === 0
       ? ''
       : ` ${grouped(beside)} ${beside === 1 ? 'has' : 'have'} none: the volume is 0, or there is no answer.`
-  const heads = percentiles.map(({ percent }) => `<th>${percent} %</th>`).join('')
-  const values = percentiles.map(({ value }) => `<td>${formatNumber(value)}</td>`).join('')
+  const shares = percentiles.map(
+    ({ percent, value }, i) => `${formatNumber(value)} in ${percent} %${i === 0 ? ' of them' : ''}`,
+  )
   const least = edges[0] as number
   const below = least < LEAST - BIN ? ` The first bar is all below −1, down to ${formatNumber(least)}.` : ''
   return `<h${level} class="part">${words}</h${level}>
 <p class="beside">Counts are logarithmic, negative values red and hatched.${below}${others}</p>
 ${svgOf(edges, counts, words)}
-<table class="percentiles"><tr><th>Of the cells</th>${heads}</tr><tr><th>are at most</th>${values}</tr></table>
+<p class="beside">At most ${shares.join(', ')}.</p>
 `
 }
 

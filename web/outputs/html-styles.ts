@@ -50,7 +50,7 @@ h1,h2,h3,h4{margin:0;font-size:1rem;font-weight:650;line-height:1.3;text-wrap:pr
 .headline{font-size:1.5rem}
 h2.headline{font-size:1.25rem}
 .part{margin:2rem 0 .5rem}
-p,ul,dl,figure{margin:0}
+p,ul,dl{margin:0}
 .name,.beside,footer{color:var(--muted);overflow-wrap:anywhere}
 .file+.file,footer{margin-top:3rem;border-top:1px solid var(--line);padding-top:1.5rem}
 .notes{margin-top:.75rem;padding-left:1.1rem;overflow-wrap:anywhere}
@@ -65,20 +65,19 @@ p,ul,dl,figure{margin:0}
 table{border-collapse:collapse}
 th,td{padding:.1rem 1rem .1rem 0;text-align:right;font-weight:400}
 th{color:var(--muted)}
-.percentiles{margin-top:.5rem}
+.histogram+.beside{margin-top:.5rem}
 .cells{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,26rem),1fr));gap:0 2rem}
 .cell{display:grid;grid-template-columns:11rem minmax(0,1fr);gap:0 1rem;border-top:1px solid var(--line);padding:.75rem 0;break-inside:avoid}
 .cell h3,.cell h4,.cell .why,.cell details{grid-column:1/-1;overflow-wrap:anywhere}
 .hex{display:block;width:100%;height:auto}
 .hex-defs{position:absolute}
-.cell dl{align-self:center}
 .cell dt{color:var(--muted);font-size:.8125rem}
 .cell dd{margin:0 0 .25rem;overflow-wrap:anywhere}
 .negative{color:var(--negative)}
 b{font-weight:650}
 summary{cursor:pointer;color:var(--muted);font-size:.8125rem}
 details table{font-size:.8125rem}
-@media (max-width:30rem){.cell{grid-template-columns:8rem minmax(0,1fr)}body{padding:1rem}}
+@media (max-width:30rem){.cell{grid-template-columns:8rem minmax(0,1fr)}body{padding:1rem}.histogram text{font-size:18px}}
 @media print{
 html{background:none;font-size:9.5pt}
 body{max-width:none;padding:0}

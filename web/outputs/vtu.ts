@@ -1,7 +1,7 @@
 /**
  * `--annotate`: the hexahedra as an uncompressed VTU with appended raw data, and as cell arrays what is said of each: valid (255 where
  * a cell is unanswered), boundary_min, relative_min and volume (NaN where there is none). Of invalid ones alone also what they are
- * called: index, counted from 0 in the file's order, and cell_id where the file has numbers.
+ * called: index, counted from 0 in the file's order, and cell_id, the same where the file has no ids.
  */
 import type { MeshCheck } from '../mesh/mesh-check'
 import { invalidCells } from './invalid-cells'
@@ -104,11 +104,7 @@ _`
 }
 
 function dataArrays({ check, points, cells, chosen }: Part): DataArray[] {
-  const {
-    answers,
-    isAnswered,
-    mesh: { ids },
-  } = check
+  const { answers, isAnswered } = check
   const { minima, volumes, relativeMinima, valid } = answers
   if (!minima || !volumes) throw new Error('The minima and volumes were not asked for.')
   const count = cells.length / 8
@@ -147,8 +143,7 @@ function dataArrays({ check, points, cells, chosen }: Part): DataArray[] {
     doubles('boundary_min', cell => ifAnswered(cell, scaled(minima.values[cell], minima.exponents[cell]))),
     doubles('relative_min', cell => ifAnswered(cell, relativeMinima[cell] as number)),
     doubles('volume', cell => ifAnswered(cell, scaled(volumes.values[cell], volumes.exponents[cell]))),
-    ...(chosen === null ? [] : [doubles('index', cell => cell)]),
-    ...(chosen === null || !(ids instanceof Float64Array) ? [] : [doubles('cell_id', cell => ids[cell] as number)]),
+    ...(chosen === null ? [] : namesOf(check).map(([name, numberOf]) => doubles(name, numberOf))),
     {
       section: 'Points',
       name: 'Points',
@@ -167,6 +162,22 @@ function dataArrays({ check, points, cells, chosen }: Part): DataArray[] {
       numbers: (from, to) => new Uint8Array(to - from).fill(VTK_HEXAHEDRON),
     },
   ]
+}
+
+/** What cells are called, in numbers; ids that are words have no place in a VTU. */
+function namesOf({ mesh: { ids } }: MeshCheck): [name: string, numberOf: (cell: number) => number][] {
+  const index = (cell: number) => cell
+  if (ids === null)
+    return [
+      ['index', index],
+      ['cell_id', index],
+    ]
+  return ids instanceof Float64Array
+    ? [
+        ['index', index],
+        ['cell_id', cell => ids[cell] as number],
+      ]
+    : [['index', index]]
 }
 
 /** value * 2^exponent in a double: an infinity or 0 where there is no room for it. Two steps, as 2^exponent alone may have none. */
