@@ -10,12 +10,13 @@ import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import { mended } from './mend'
 import { Survey } from './survey'
-import type { FixId, Opening, SurveyJobs } from './survey-jobs'
+import type { FixId, Opening, SurveyJobs, Written } from './survey-jobs'
+import { Writing } from './writing'
 
-/** Lists that the page shows beside those that the counts need. */
-const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true }
+/** Lists that the page shows or writes beside those that the counts need. */
+const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true, exact: true }
 
-/** Milliseconds of a selection's step: other questions wait so long. */
+/** Milliseconds of a step of what takes long: other questions wait so long. */
 const STEP = 12
 
 export function serveSurvey(engine: ReadingEngine): void {
@@ -25,10 +26,15 @@ export function serveSurvey(engine: ReadingEngine): void {
     readonly classify: ClassifyCells
     readonly core: Core
   } | null = null
+  let writing: Writing | null = null
 
   function survey(): Survey {
     if (!open) throw new Error('No mesh is open.')
     return open.survey
+  }
+
+  function written(): Written {
+    return writing?.run(STEP) ?? { refused: 'The mesh is another one by now.' }
   }
 
   async function surveyed(name: string, mesh: Mesh, tell: (progress: ReadingProgress) => void): Promise<Opening> {
@@ -38,6 +44,7 @@ export function serveSurvey(engine: ReadingEngine): void {
     const options = { worst: Infinity, minRelative: null, skipsDegenerate: false, lists: LISTS }
     const check = await checkMesh(mesh, { classify, core }, options)
     open = { name, survey: new Survey(check, core), classify, core }
+    writing = null
     const overview = open.survey.overview(name)
     if (check.hexahedra > 0) return { opened: overview }
     throw new MeshRefusal([`Read as ${mesh.format}: no hexahedra of eight nodes.`, ...overview.sentences].join(' '))
@@ -67,6 +74,12 @@ export function serveSurvey(engine: ReadingEngine): void {
       const { check } = survey()
       return surveyed(open?.name ?? '', mended(check, fix), () => {})
     },
+    write(form) {
+      const { check } = survey()
+      writing = open && new Writing(form, { name: open.name, check, core: open.core })
+      return written()
+    },
+    writeOn: written,
   }))
 }
 

@@ -2,9 +2,13 @@
 import type { CheckId, ElementClass } from '../core/report'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
+import type { Histogram } from '../mesh/histogram'
 import type { Standing } from '../mesh/mesh-check'
 import type { Vec3, Vertices } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
+import type { IdKind } from '../outputs/ids'
+
+export type { Histogram } from '../mesh/histogram'
 
 /** All jobs but `open` want a mesh that is open. Each is short; what takes long goes on in steps. */
 export type SurveyJobs = {
@@ -28,7 +32,27 @@ export type SurveyJobs = {
   faces(shown: ShownCells): FaceList
   /** Exchanges the bottom with the top of what is mirrored, or takes the order that makes all valid. */
   mend(fix: FixId): Promise<Opening>
+  /** Begins to write the mesh in a form, in place of what was being written. */
+  write(form: FormId): Written
+  /** Goes on with it, for some milliseconds. */
+  writeOn(_: null): Written
 }
+
+/** What can be taken away of an open mesh, each the same as the command line writes it. */
+export type FormId = 'csv' | 'json' | 'html' | 'vtu' | 'invalid-vtu' | 'certificates' | IdKind
+
+/** The next bytes of a file. */
+export type Written =
+  | {
+      readonly bytes: Uint8Array<ArrayBuffer>
+      /** About how much of the file there is, from 0 to 1. */
+      readonly fraction: number
+      readonly isEnd: boolean
+      /** Sentences about the file, for people. */
+      readonly said: readonly string[]
+    }
+  /** One sentence: there is no such file. */
+  | { readonly refused: string }
 
 export type Opening =
   | { readonly opened: Overview }
@@ -115,17 +139,6 @@ export interface Selected {
   readonly listed: number
   /** Cells that have been looked at: all of them when it is done. */
   readonly done: number
-}
-
-/** Counts of relative minima, of all answered cells whose volume is not 0. */
-export interface Histogram {
-  /** Bin i is [edges[i], edges[i + 1]), the last with its end; 0 is an edge wherever there are numbers of both signs. */
-  readonly edges: readonly number[]
-  readonly counts: readonly number[]
-  /** Relative minima below which 1, 10, 50, 90 and 99 % of the cells are. */
-  readonly percentiles: readonly { readonly percent: number; readonly value: number }[]
-  /** Cells that are in no bin: of volume 0, or unanswered. */
-  readonly beside: number
 }
 
 export interface CellDetail {

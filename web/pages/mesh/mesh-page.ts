@@ -16,6 +16,7 @@ import { CellTable } from './cell-table'
 import { histogramTemplate, type Range } from './histogram-view'
 import { partFile } from './part'
 import { PictureControls } from './picture-controls'
+import { TakeAway } from './take-away'
 
 const part = (selector: string) => document.querySelector(selector) as HTMLElement
 const overviewRoot = part('.overview')
@@ -81,6 +82,7 @@ const picture = new PictureControls(part('.picture'), {
   choose: cell => void chooseInPicture(cell),
   name: async cell => (await survey?.detail(cell))?.row ?? null,
 })
+const takeAway = new TakeAway({ survey: () => (shown.progress ? null : survey), picture: () => picture.toPNG() })
 
 async function open(input: PastedInput, isExample = false): Promise<void> {
   const name = nameOf(input)
@@ -233,6 +235,7 @@ function overviewTemplate({ overview, progress, refused, isExample, name, messag
         ${overview?.fixes.map(fix => html`<button type="button" @click=${() => mend(fix)}>${fix.words}</button>`)}
         <button type="button" @click=${() => part('input[type=file]').click()}>Open a file</button>
         <button type="button" @click=${paste}>Paste</button>
+        ${takeAway.show(overview)}
         <input type="file" multiple hidden @change=${onFiles} />
       </p>
     </div>`

@@ -119,6 +119,11 @@ export class PictureControls {
     this.#picture.choose(vertices, neighbours)
   }
 
+  /** Null where there is no WebGL. */
+  toPNG(): Promise<Blob> | null {
+    return this.#picture.isDrawn ? this.#picture.toPNG() : null
+  }
+
   flyToChosen(): void {
     if (this.#vertices) this.#picture.flyTo(this.#vertices)
   }

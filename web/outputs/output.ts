@@ -1,7 +1,7 @@
 /** An output of `check` turns the results, file by file, into text or bytes. */
-import type { Wanted } from '../../core/batch/lists'
-import type { ExitStatus } from '../../mesh/check'
-import type { MeshCheck } from '../../mesh/mesh-check'
+import type { Wanted } from '../core/batch/lists'
+import type { ExitStatus } from '../mesh/check'
+import type { MeshCheck } from '../mesh/mesh-check'
 
 export type FileResult = { readonly file: string; readonly exit: ExitStatus } & (
   | { readonly check: MeshCheck }
@@ -16,6 +16,6 @@ export interface Output {
   end(exit: ExitStatus): Iterable<string>
 }
 
-export { counted } from '../../mesh/check-summary'
+export { counted } from '../mesh/check-summary'
 /** Names of files and from files, for people. */
-export { shown, withoutControls } from '../../mesh/text-cursor'
+export { shown, withoutControls } from '../mesh/text-cursor'

@@ -1,8 +1,11 @@
 /** `--ids`: the invalid hexahedra by their ids, as the input of a program or one on a line. */
-import type { MeshCheck } from '../../mesh/mesh-check'
-import { Refusal } from '../../model/result'
-import type { IdKind } from '../check-arguments'
+import type { MeshCheck } from '../mesh/mesh-check'
+import { Refusal } from '../model/result'
+import { invalidCells, nameOf } from './invalid-cells'
 import { type Output, shown, withoutControls } from './output'
+
+export const ID_KINDS = ['abaqus', 'nastran', 'plain'] as const
+export type IdKind = (typeof ID_KINDS)[number]
 
 /** Abaqus reads 16 entries of a line at most. */
 const ABAQUS_A_LINE = 16
@@ -56,8 +59,5 @@ const writers: Readonly<Record<IdKind, (ids: readonly string[], set: number) => 
 }
 
 function invalidIds(check: MeshCheck): string[] {
-  const ids: string[] = []
-  for (let cell = 0; cell < check.hexahedra; ++cell)
-    if (check.standingOf(cell) === 'invalid') ids.push(withoutControls(check.idOf(cell) ?? String(cell)))
-  return ids
+  return invalidCells(check).map(cell => withoutControls(nameOf(check, cell)))
 }

@@ -1,8 +1,8 @@
 /** The output for people: a verdict, its basis, and the worst cells. */
-import { isWhollyAnswered } from '../../mesh/check'
-import { countSentences, headline } from '../../mesh/check-summary'
-import type { MeshCheck } from '../../mesh/mesh-check'
-import { formatPoint, speakJacdet, speakNumber } from '../../model/decimal'
+import { isWhollyAnswered } from '../mesh/check'
+import { countSentences, headline } from '../mesh/check-summary'
+import type { MeshCheck } from '../mesh/mesh-check'
+import { formatPoint, speakJacdet, speakNumber } from '../model/decimal'
 import { type Output, shown, withoutControls } from './output'
 
 export interface TextOptions {

@@ -1,7 +1,7 @@
 /** `--csv`: one line for each hexahedron, in the file's order; RFC 4180. What there is not is empty. */
-import { CHECKS, CLASSES } from '../../core/unpack'
-import type { MeshCheck } from '../../mesh/mesh-check'
-import { jsonNumber } from '../json-number'
+import { CHECKS, CLASSES } from '../core/unpack'
+import type { MeshCheck } from '../mesh/mesh-check'
+import { jsonNumber } from './json-number'
 import { type Output, withoutControls } from './output'
 
 const COLUMNS = [

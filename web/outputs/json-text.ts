@@ -10,3 +10,9 @@ export function jsonText(value: object): string {
 function escaped(unit: number): string {
   return `\\u${unit.toString(16).padStart(4, '0')}`
 }
+
+/** The text before an entry of a list that is written entry by entry, and after the last of so many. */
+export const jsonList = {
+  before: (index: number) => (index === 0 ? '[\n' : ',\n'),
+  end: (count: number) => (count === 0 ? '[]\n' : '\n]\n'),
+}

@@ -1,7 +1,7 @@
 /** `--json`: docs/check.schema.json. Written cell by cell, for there may be millions. */
-import type { MeshCheck } from '../../mesh/mesh-check'
-import { jsonNumber } from '../json-number'
-import { jsonText } from '../json-text'
+import type { MeshCheck } from '../mesh/mesh-check'
+import { jsonNumber } from './json-number'
+import { jsonText } from './json-text'
 import type { Output } from './output'
 
 export function jsonOutput(): Output {

@@ -1,7 +1,8 @@
 /** `--junit`: a suite for each file, with a case for the reading, one for validity, one for the bound and one for what is unanswered. */
-import { isWhollyAnswered } from '../../mesh/check'
-import type { MeshCheck } from '../../mesh/mesh-check'
-import { speakJacdet, speakNumber } from '../../model/decimal'
+import { isWhollyAnswered } from '../mesh/check'
+import type { MeshCheck } from '../mesh/mesh-check'
+import { speakJacdet, speakNumber } from '../model/decimal'
+import { markup } from './markup'
 import { counted, type FileResult, type Output } from './output'
 
 interface Case {
@@ -39,8 +40,8 @@ function suite(result: FileResult, options: JunitOptions): string {
   const counts = `tests="${cases.length}" failures="${number('failure')}" errors="${number('error')}" skipped="${number('skipped')}"`
   const texts = cases.map(one => caseText(result.file, one))
   const notes = 'check' in result ? result.check.notes : []
-  const output = notes.length === 0 ? '' : `<system-out>${xml(notes.join('\n'))}</system-out>\n`
-  return `<testsuite name="${xml(result.file)}" ${counts}>\n${texts.join('')}${output}</testsuite>\n`
+  const output = notes.length === 0 ? '' : `<system-out>${markup(notes.join('\n'))}</system-out>\n`
+  return `<testsuite name="${markup(result.file)}" ${counts}>\n${texts.join('')}${output}</testsuite>\n`
 }
 
 function unreadable(error: string): Case {
@@ -107,16 +108,7 @@ function detail(check: MeshCheck, cell: number): string {
 }
 
 function caseText(file: string, { name, outcome, message = '', details = [] }: Case): string {
-  const head = `<testcase classname="${xml(file)}" name="${xml(name)}"`
+  const head = `<testcase classname="${markup(file)}" name="${markup(name)}"`
   if (outcome === 'passed') return `${head}/>\n`
-  return `${head}><${outcome} message="${xml(message)}">${xml(details.join('\n'))}</${outcome}></testcase>\n`
-}
-
-const ENTITIES: Readonly<Record<string, string>> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' }
-
-/** Text without characters that XML forbids or that turn the text around. */
-function xml(text: string): string {
-  return text
-    .replace(/[\p{Cf}\p{Cs}\u2028\u2029\ufffe\uffff]|(?!\n)\p{Cc}/gu, '')
-    .replace(/[&<>"]/g, character => ENTITIES[character] ?? '')
+  return `${head}><${outcome} message="${markup(message)}">${markup(details.join('\n'))}</${outcome}></testcase>\n`
 }
