@@ -19,7 +19,7 @@ export function histogramMarkup(histogram: Histogram, level: number): string {
       ? ''
       : ` ${grouped(beside)} ${beside === 1 ? 'has' : 'have'} none: the volume is 0, or there is no answer.`
   const shares = percentiles.map(
-    ({ percent, value }, i) => `${formatNumber(value)} in ${percent} %${i === 0 ? ' of them' : ''}`,
+    ({ percent, value }, i) => `${formatNumber(value)} in ${percent}\u00a0%${i === 0 ? ' of them' : ''}`,
   )
   const least = edges[0] as number
   const below = least < LEAST - BIN ? ` The first bar is all below −1, down to ${formatNumber(least)}.` : ''

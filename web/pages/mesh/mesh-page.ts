@@ -235,10 +235,11 @@ function overviewTemplate({ overview, progress, refused, isExample, name, messag
         ${overview?.fixes.map(fix => html`<button type="button" @click=${() => mend(fix)}>${fix.words}</button>`)}
         <button type="button" @click=${() => part('input[type=file]').click()}>Open a file</button>
         <button type="button" @click=${paste}>Paste</button>
-        ${takeAway.show(overview)}
+        ${takeAway.button}
         <input type="file" multiple hidden @change=${onFiles} />
       </p>
-    </div>`
+    </div>
+    ${takeAway.show(overview)}`
 }
 
 /** INVALID counts stand out. */

@@ -84,38 +84,41 @@ interface Shown {
 }
 
 export class TakeAway {
-  readonly #root = document.createElement('details')
+  /** Shows and hides the menu. */
+  readonly button = document.createElement('button')
+  readonly #root = document.createElement('section')
   readonly #host: TakeAwayHost
   #shown: Shown = { overview: null, writing: null, message: '' }
   #writer: OpenSurvey | null = null
 
   constructor(host: TakeAwayHost) {
     this.#host = host
+    this.button.type = 'button'
+    this.button.textContent = 'Take away'
+    this.button.setAttribute('aria-controls', 'take-away')
+    this.button.addEventListener('click', () => this.#open(Boolean(this.#root.hidden)))
     this.#root.className = 'take-away'
+    this.#root.id = 'take-away'
+    this.#root.setAttribute('aria-label', 'Take away')
     this.#root.addEventListener('keydown', event => {
-      if (event.key === 'Escape' && this.#root.open) this.#close()
-    })
-    document.addEventListener('pointerdown', event => {
-      if (!event.composedPath().includes(this.#root)) this.#root.open = false
+      if (event.key !== 'Escape') return
+      this.#open(false)
+      this.button.focus()
     })
   }
 
-  /** The menu for this mesh. */
+  /** The menu for this mesh, closed for another one. */
   show(overview: Overview | null): HTMLElement {
-    if (overview === this.#shown.overview) return this.#root
-    this.#root.hidden = overview === null
-    this.#root.open = false
+    if (this.button.hidden === (overview === null) && overview === this.#shown.overview) return this.#root
+    this.button.hidden = overview === null
+    this.#open(false)
     this.#set({ overview, writing: null, message: '' })
     return this.#root
   }
 
-  #close(): void {
-    this.#root.open = false
-    this.#focusSummary()
-  }
-
-  #focusSummary(): void {
-    this.#root.querySelector('summary')?.focus()
+  #open(isOpen: boolean): void {
+    this.#root.hidden = !isOpen
+    this.button.setAttribute('aria-expanded', String(isOpen))
   }
 
   async #take({ form, ending, mediaType }: FileWords): Promise<void> {
@@ -149,7 +152,7 @@ export class TakeAway {
   #cancel(): void {
     this.#writer?.cancelWriting()
     this.#set({ ...this.#shown, writing: null, message: 'Cancelled: nothing was saved.' })
-    this.#focusSummary()
+    this.button.focus()
   }
 
   #set(shown: Shown): void {
@@ -160,8 +163,7 @@ export class TakeAway {
   #template({ overview, writing, message }: Shown): TemplateResult | typeof nothing {
     if (!overview) return nothing
     const hasInvalid = overview.counts.invalid > 0
-    return html`<summary>Take away</summary>
-      <div class="files">
+    return html`<div class="now">
         <p role="status">${writing ? `Writing ${writing.file}.` : message}</p>
         ${
           writing === null
@@ -171,8 +173,12 @@ export class TakeAway {
                 <button type="button" @click=${() => this.#cancel()}>Cancel</button>
               </p>`
         }
+      </div>
+      <div>
         <h2>All cells</h2>
         ${this.#list(WHOLE, null)}
+      </div>
+      <div>
         <h2>Invalid cells alone</h2>
         ${hasInvalid ? nothing : html`<p id="take-away-why">${NONE_INVALID}</p>`}
         ${this.#list(INVALID, hasInvalid ? null : 'take-away-why')}
