@@ -11,6 +11,7 @@ import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import { mended } from './mend'
 import { Survey } from './survey'
 import type { FixId, Opening, SurveyJobs } from './survey-jobs'
+import { wholeOrderOf } from './whole-order'
 
 /** Lists that the page shows beside those that the counts need. */
 const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true }
@@ -38,7 +39,7 @@ export function serveSurvey(engine: ReadingEngine): void {
     const options = { worst: Infinity, minRelative: null, skipsDegenerate: false, lists: LISTS }
     const check = await checkMesh(mesh, { classify, core }, options)
     open = { name, survey: new Survey(check, core), classify, core }
-    const overview = open.survey.overview(name)
+    const overview = open.survey.overview(name, await wholeOrderOf(check, { classify, core }))
     if (check.hexahedra > 0) return { opened: overview }
     throw new MeshRefusal([`Read as ${mesh.format}: no hexahedra of eight nodes.`, ...overview.sentences].join(' '))
   }

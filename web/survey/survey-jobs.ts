@@ -58,11 +58,12 @@ export interface Bounds {
   readonly greatest: Vec3
 }
 
-export type FixId = 'mirrored'
+/** With an order: that of node-orders.ts in which all are valid. */
+export type FixId = 'mirrored' | `order-${string}`
 
 export interface Fix {
   readonly id: FixId
-  /** "Correct 97 mirrored cells": the words of its button. */
+  /** "Correct 97 mirrored cells", "Take the nodes in the order “Lexicographic”": the words of its button. */
   readonly words: string
 }
 

@@ -6,6 +6,7 @@ import type { MeshCheck } from '../mesh/mesh-check'
 import { type Neighbours, neighboursOf } from '../mesh/neighbours'
 import { verticesOf } from '../mesh/vertices-of'
 import type { Vec3 } from '../model/hexahedron'
+import type { NodeOrder } from '../model/node-orders'
 import { arranged } from './arrange'
 import { facesOf } from './faces'
 import { histogramOf } from './histogram'
@@ -54,9 +55,10 @@ export class Survey {
     this.#selection = new SelectionRun(check, core, ALL)
   }
 
-  overview(name: string): Overview {
+  /** `wholeOrder` is the order in which all cells are valid, if theirs is not. */
+  overview(name: string, wholeOrder: NodeOrder | null = null): Overview {
     const worst = [...this.check.worst.subarray(0, TEN)].map(cell => this.#rowOf(cell))
-    return overviewOf(name, this.check, { worst, bounds: this.#bounds })
+    return overviewOf(name, this.check, { worst, bounds: this.#bounds, wholeOrder })
   }
 
   rows(from: number, to: number): readonly Row[] {
