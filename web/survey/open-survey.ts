@@ -14,6 +14,10 @@ import type {
   Selected,
   Selection,
   ShownCells,
+  StepAnswer,
+  StepList,
+  StepOpening,
+  StepWanted,
   SurveyJobs,
 } from './survey-jobs'
 
@@ -91,5 +95,21 @@ export class OpenSurvey {
 
   mend(fix: FixId): Promise<Opening> {
     return this.#pool.run('mend', fix)
+  }
+
+  steps(): Promise<StepList | null> {
+    return this.#pool.run('steps', null)
+  }
+
+  readStep(step: number, onProgress: (progress: ReadingProgress) => void): Promise<StepAnswer> {
+    return this.#pool.run('readStep', step, { onProgress })
+  }
+
+  showStep(wanted: StepWanted, onProgress: (progress: ReadingProgress) => void): Promise<StepOpening> {
+    return this.#pool.run('showStep', wanted, { onProgress })
+  }
+
+  together(onProgress: (progress: ReadingProgress) => void): Promise<Opening> {
+    return this.#pool.run('together', null, { onProgress })
   }
 }

@@ -3,13 +3,7 @@
  * the filter of a search alone: what passes it is analysed by the core, whose numbers are the ones
  * that count.
  */
-import {
-  bernsteinIndex,
-  bernsteinStrides,
-  edgeBernstein,
-  faceBernstein,
-  vertexBernstein,
-} from '../../model/bernstein'
+import { bernsteinIndex, bernsteinStrides, edgeBernstein, faceBernstein, vertexBernstein } from '../../model/bernstein'
 import { faces, type Vec3, vertexReference } from '../../model/hexahedron'
 
 /**
