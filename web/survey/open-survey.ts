@@ -15,6 +15,10 @@ import type {
   Selected,
   Selection,
   ShownCells,
+  StepAnswer,
+  StepList,
+  StepOpening,
+  StepWanted,
   SurveyJobs,
 } from './survey-jobs'
 
@@ -114,6 +118,22 @@ export class OpenSurvey {
 
   cancelWriting(): void {
     this.#writing++
+  }
+
+  steps(): Promise<StepList | null> {
+    return this.#pool.run('steps', null)
+  }
+
+  readStep(step: number, onProgress: (progress: ReadingProgress) => void): Promise<StepAnswer> {
+    return this.#pool.run('readStep', step, { onProgress })
+  }
+
+  showStep(wanted: StepWanted, onProgress: (progress: ReadingProgress) => void): Promise<StepOpening> {
+    return this.#pool.run('showStep', wanted, { onProgress })
+  }
+
+  together(onProgress: (progress: ReadingProgress) => void): Promise<Opening> {
+    return this.#pool.run('together', null, { onProgress })
   }
 }
 

@@ -4,6 +4,7 @@ import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { grouped, headlineOf } from '../mesh/mesh-headline'
 import { shown } from '../mesh/shown'
+import type { NodeOrder } from '../model/node-orders'
 import type { Bounds, Fix, Overview, Row } from './survey-jobs'
 
 const OPTIONS = { skipsDegenerate: false }
@@ -11,7 +12,11 @@ const OPTIONS = { skipsDegenerate: false }
 export function overviewOf(
   name: string,
   check: MeshCheck,
-  { worst, bounds }: { readonly worst: readonly Row[]; readonly bounds: Bounds | null },
+  {
+    worst,
+    bounds,
+    wholeOrder,
+  }: { readonly worst: readonly Row[]; readonly bounds: Bounds | null; readonly wholeOrder: NodeOrder | null },
 ): Overview {
   const { mesh, hexahedra } = check
   return {
@@ -21,7 +26,7 @@ export function overviewOf(
     sentences: [...countSentences(check, OPTIONS), ...check.notes],
     hexahedra,
     counts: { valid: check.valid, invalid: check.invalid, unanswered: check.unanswered, degenerate: 0 },
-    fixes: fixesOf(check),
+    fixes: fixesOf(check, wholeOrder),
     blocks: mesh.blocks.map(block => ({ name: shown(block.name).slice(1, -1), cells: block.cells.length })),
     hasIds: mesh.ids !== null,
     bounds,
@@ -29,7 +34,8 @@ export function overviewOf(
   }
 }
 
-function fixesOf({ mirrored }: MeshCheck): Fix[] {
+function fixesOf({ mirrored }: MeshCheck, wholeOrder: NodeOrder | null): Fix[] {
+  if (wholeOrder) return [{ id: `order-${wholeOrder.id}`, words: `Take the nodes in the order “${wholeOrder.name}”` }]
   if (mirrored === 0) return []
   return [{ id: 'mirrored', words: `Correct ${grouped(mirrored)} mirrored ${mirrored === 1 ? 'cell' : 'cells'}` }]
 }

@@ -5,12 +5,17 @@ import { seldom, serve } from '../core/workers'
 import { cellClassifier } from '../input/classify-cells'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
-import { coreOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
+import { coreOf, filesOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
+import type { MeshCheck } from '../mesh/mesh-check'
+import type { TogetherOptions } from '../mesh/read-mesh'
+import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
 import { mended } from './mend'
+import { StepSeries } from './step-series'
 import { Survey } from './survey'
-import type { FixId, Opening, SurveyJobs, Written } from './survey-jobs'
+import type { FixId, Opening, Overview, StepAnswer, StepOpening, StepWanted, SurveyJobs, Written } from './survey-jobs'
+import { wholeOrderOf } from './whole-order'
 import { Writing } from './writing'
 
 /** Lists that the page shows or writes beside those that the counts need. */
@@ -19,43 +24,125 @@ const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true, exact: tr
 /** Milliseconds of a step of what takes long: other questions wait so long. */
 const STEP = 12
 
+interface Open {
+  readonly name: string
+  readonly survey: Survey
+  readonly classify: ClassifyCells
+  readonly core: Core
+}
+
+/** The steps that the open mesh is one of. */
+interface OpenSteps {
+  readonly series: StepSeries
+  readonly shown: number
+  readonly isOther: boolean
+}
+
+type Tell = (progress: ReadingProgress) => void
+
 export function serveSurvey(engine: ReadingEngine): void {
-  let open: {
-    readonly name: string
-    readonly survey: Survey
-    readonly classify: ClassifyCells
-    readonly core: Core
-  } | null = null
+  let open: Open | null = null
+  let steps: OpenSteps | null = null
+  let given: PastedInput = { files: [] }
   let writing: Writing | null = null
 
-  function survey(): Survey {
+  function opened(): Open {
     if (!open) throw new Error('No mesh is open.')
-    return open.survey
+    return open
   }
+
+  const survey = () => opened().survey
 
   function written(): Written {
     return writing?.run(STEP) ?? { refused: 'The mesh is another one by now.' }
   }
 
-  async function surveyed(name: string, mesh: Mesh, tell: (progress: ReadingProgress) => void): Promise<Opening> {
+  function openSteps(): OpenSteps {
+    if (!steps) throw new Error('The mesh that is open has no steps.')
+    return steps
+  }
+
+  /** What is open stays if the mesh is refused. */
+  async function surveyed(name: string, mesh: Mesh, tell: Tell, before: Survey | null = null): Promise<Overview> {
     const core = open?.core ?? (await coreOf(engine))
     const onProgress = (done: number, total: number) => tell({ step: 'deciding', fraction: done / total })
     const classify = open?.classify ?? cellClassifier(core, engine.batchModule, onProgress)
     const options = { worst: Infinity, minRelative: null, skipsDegenerate: false, lists: LISTS }
     const check = await checkMesh(mesh, { classify, core }, options)
-    open = { name, survey: new Survey(check, core), classify, core }
+    const own = new Survey(check, core, before)
+    const overview = own.overview(name, await wholeOrderOf(check, { classify, core }))
+    if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
+    open = { name, survey: own, classify, core }
     writing = null
-    const overview = open.survey.overview(name)
-    if (check.hexahedra > 0) return { opened: overview }
-    throw new MeshRefusal([`Read as ${mesh.format}: no hexahedra of eight nodes.`, ...overview.sentences].join(' '))
+    return overview
   }
 
-  async function opening(input: PastedInput, tell: (progress: ReadingProgress) => void): Promise<Opening> {
-    return surveyed(nameOf(input), await meshOf(input, engine, seldom(tell)), seldom(tell))
+  async function readingOptions(tell: Tell): Promise<TogetherOptions> {
+    const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
+    return { onProgress, throwIfCancelled: () => {}, core: await engine.readingCore() }
+  }
+
+  async function opening(input: PastedInput, tell: Tell): Promise<Opening> {
+    given = input
+    const found = 'files' in input ? stepFilesOf(filesOf(input), await readingOptions(tell)) : null
+    if (found) return { opened: await openedStep(found, tell) }
+    return { opened: await surveyed(nameOf(input), await meshOf(input, engine, tell), tell) }
+  }
+
+  /** The first step that can be opened. */
+  async function openedStep(found: StepFiles, tell: Tell): Promise<Overview> {
+    const series = new StepSeries(found)
+    const options = await readingOptions(tell)
+    let refusal: unknown = null
+    for (let step = 0; step < series.count; ++step)
+      try {
+        const { mesh, isOther } = step === 0 && found.first ? series.taken(found.first) : series.read(step, options)
+        const overview = await surveyed(series.nameOf(step), mesh, tell)
+        steps = { series, shown: step, isOther }
+        return overview
+      } catch (reason) {
+        if (!(reason instanceof MeshRefusal)) throw reason
+        refusal ??= reason
+      }
+    throw refusal
+  }
+
+  function shownAnswer(): StepAnswer {
+    const { series, shown, isOther } = openSteps()
+    return series.answerOf(shown, survey().check, isOther)
+  }
+
+  async function readStep(step: number, tell: Tell): Promise<StepAnswer> {
+    const { series, shown } = openSteps()
+    if (step === shown) return shownAnswer()
+    const { mesh, isOther } = series.read(step, await readingOptions(tell))
+    const check = await checkMesh(mesh, opened(), { worst: 1, minRelative: null, skipsDegenerate: false })
+    if (check.hexahedra === 0) throw noHexahedra(check, check.notes)
+    return series.answerOf(step, check, isOther)
+  }
+
+  async function showStep({ step, chosen }: StepWanted, tell: Tell): Promise<StepOpening> {
+    const { series } = openSteps()
+    const before = survey()
+    const { mesh, isOther } = series.read(step, await readingOptions(tell))
+    const overview = await surveyed(series.nameOf(step), mesh, tell, before)
+    steps = { series, shown: step, isOther }
+    return {
+      opened: overview,
+      answer: shownAnswer(),
+      chosen: chosen === null ? null : survey().sameCell(before, chosen),
+    }
+  }
+
+  async function together(tell: Tell): Promise<Opening> {
+    const parts = 'files' in given ? { files: given.files.filter(file => !isCollection(file)) } : given
+    const overview = await surveyed(nameOf(parts), await meshOf(parts, engine, tell), tell)
+    steps = null
+    return { opened: overview }
   }
 
   serve<null, SurveyJobs>('hexlens-survey', () => ({
-    open: (input, tell) => opening(input, tell).catch(refusalOf),
+    open: (input, tell) => opening(input, seldom(tell)).catch(refusalOf),
     rows: ({ from, to }) => survey().rows(from, to),
     arrange(order) {
       survey().arrange(order)
@@ -72,15 +159,27 @@ export function serveSurvey(engine: ReadingEngine): void {
     faces: shown => survey().faces(shown),
     async mend(fix: FixId) {
       const { check } = survey()
-      return surveyed(open?.name ?? '', mended(check, fix), () => {})
+      const mesh = mended(check, fix)
+      const overview = await surveyed(opened().name, mesh, () => {})
+      steps?.series.correct(check.mesh, mesh)
+      return { opened: overview }
     },
     write(form) {
-      const { check } = survey()
-      writing = open && new Writing(form, { name: open.name, check, core: open.core })
+      const { name, core } = opened()
+      writing = new Writing(form, { name, check: survey().check, core })
       return written()
     },
     writeOn: written,
+    steps: () => steps?.series.list(steps.shown, shownAnswer()) ?? null,
+    readStep: (step, tell) =>
+      readStep(step, seldom(tell)).catch(reason => openSteps().series.refusedStep(step, refusalOf(reason).refused)),
+    showStep: (wanted, tell) => showStep(wanted, seldom(tell)).catch(refusalOf),
+    together: (_, tell) => together(seldom(tell)).catch(refusalOf),
   }))
+}
+
+function noHexahedra({ mesh }: MeshCheck, sentences: readonly string[]): MeshRefusal {
+  return new MeshRefusal([`Read as ${mesh.format}: no hexahedra of eight nodes.`, ...sentences].join(' '))
 }
 
 function nameOf(input: PastedInput): string {
