@@ -2,10 +2,12 @@
 import { defineConfig } from '@playwright/test'
 import own from './playwright.config'
 
-export default defineConfig({
+export default defineConfig<{ pictureRatio: number }>({
   ...own,
   projects: [{ name: 'hosts', testDir: 'tests/hosts' }],
   reporter: [...(own.reporter as [string][]), ['./tests/hosts/table.ts']],
   // Hosts take a core each to be installed and built.
   workers: 2,
+  // Pictures as readers see them: they are kept in build/hosts/pictures, to be looked at.
+  use: { ...own.use, pictureRatio: 1 },
 })

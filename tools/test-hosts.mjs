@@ -9,7 +9,7 @@ import { setup } from './setup.mjs'
 await runMain(async () => {
   await setup({ purpose: 'hosts' })
   const results = join('test-results', 'hosts')
-  const names = process.argv.slice(2).map(name => `tests/hosts/${name}/`)
+  const names = process.argv.slice(2).map(name => `tests/hosts/${name}.spec.ts`)
   const { status, report } = await runPlaywright(results, ['--config', 'playwright.hosts.config.ts', ...names])
   const { expected = 0, unexpected = 0, flaky = 0, skipped = 0 } = report?.stats ?? {}
   // A host that could not be made ready has tests that were not run.

@@ -71,7 +71,7 @@ test('what Copy embed writes has most of its box for the picture, and grows by w
     const { height, picture, element, covered, scrolls } = await measured(page)
     expect(height).toBeGreaterThanOrEqual(documented.height)
     expect(picture).toBeGreaterThan(height / 2)
-    expect(element).toBeGreaterThan(width > 600 ? 250 : 160)
+    expect(element).toBeGreaterThan(width > 600 ? 250 : 150)
     expect({ covered, scrolls }).toEqual({ covered: 0, scrolls: 0 })
     if (width > 800) continue
     const checks = page.getByText('Who would notice?')

@@ -46,6 +46,9 @@ for (const { step, right, wrong, before } of choices)
     await expect(lens.scene).toBeVisible()
     if (before) await expect(lens.verdict).toHaveText(before)
     else await expect(lens.verdict).toHaveCount(0)
+    await expect
+      .poll(() => lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).complete))
+      .toBe(true)
     await expectAxeFindsNothing(page)
 
     await question.getByRole('button', { name: wrong }).click()

@@ -33,6 +33,8 @@ test('a reload, and Back after another preset, return to the same place', async 
   for (const name of ['Inside', 'Algorithm 1, step by step']) await lens.button(name).click()
   await page.getByRole('slider', { name: 'Section at ζ' }).fill('0.83')
   for (const _ of Array(9)) await lens.button('Forward').click()
+  // A row of the vertices that came under the mouse would be chosen.
+  await page.mouse.move(0, 0)
   await page.locator('hex-lens .side').evaluate(side => side.scrollTo({ top: 777 }))
   await lens.nextFrame()
   const [state, scroll, picture, address] = [await stateOf(lens), await scrolls(lens), await places(lens), page.url()]

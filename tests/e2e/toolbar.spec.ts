@@ -32,7 +32,7 @@ test.describe('Paste in the toolbar', () => {
 
 test('the panels are in the order in which they are wanted', async ({ lens, page }) => {
   await lens.open()
-  const names = await page.locator('hex-lens .fold > h2').allInnerTexts()
+  const names = await page.locator('hex-lens .folds .fold > h2').allInnerTexts()
   expect(names).toEqual([
     'Face maps',
     'Algorithm 1, step by step',

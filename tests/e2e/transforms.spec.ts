@@ -4,6 +4,8 @@ import { expect, handleOf, type Point, test } from './lens'
 
 type Element = HTMLElementTagNameMap['hex-lens']
 
+test.use({ pictureRatio: 1 })
+
 const hosts: Readonly<Record<string, string>> = {
   none: '',
   'half the size': 'transform: scale(0.5)',

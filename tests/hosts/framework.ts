@@ -2,7 +2,7 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { documented } from '../unit/embed-fixture'
-import { expectDrag, testGuest } from './guest'
+import { expectComplete, expectDrag, testGuest } from './guest'
 import { expect, html, installed, nameHost, npmVersion, run, test } from './host'
 
 export interface Framework {
@@ -56,8 +56,7 @@ export function testFramework(framework: Framework): void {
           await lens.button('In and out').click()
           await expect(lens.element).toHaveCount(0)
           await lens.button('In and out').click()
-          await expect(lens.verdict).toHaveText(/^INVALID/)
-          await expect(lens.scene).toBeVisible()
+          await expectComplete(lens)
         }
       }
       const measure = async () => {
@@ -70,10 +69,12 @@ export function testFramework(framework: Framework): void {
       await inAndOut(6)
       const early = await measure()
       await inAndOut(12)
-      const late = await measure()
-      // One element has some hundred nodes and listeners; the framework may keep the last one.
-      expect(late.listeners - early.listeners).toBeLessThanOrEqual(20)
-      expect(late.nodes - early.nodes).toBeLessThanOrEqual(200)
+      // One element has a hundred listeners and a thousand nodes; what is drawn late comes and goes.
+      await expect(async () => {
+        const late = await measure()
+        expect(late.listeners - early.listeners).toBeLessThanOrEqual(20)
+        expect(late.nodes - early.nodes).toBeLessThanOrEqual(200)
+      }).toPass({ timeout: 60_000 })
     })
   })
 }

@@ -12,10 +12,10 @@ export interface Guest {
   /** Makes the site, once in a run. */
   readonly build: () => void | Promise<void>
   readonly address: string
-  /** The host's own switch from light to dark and back, in as many clicks as it has schemes. */
-  readonly schemes?: (page: Page) => Locator
-  /** Brings the element into view where the page does not show it. */
-  readonly show?: (page: Page) => Promise<void>
+  /** Uses the host's own switch between light and dark, if it has one; a switch that goes through several takes several calls. */
+  readonly turn?: (page: Page, scheme: 'light' | 'dark') => Promise<void>
+  /** What the host itself says in the console. */
+  readonly says?: RegExp
 }
 
 /** Widths of columns, as sites have them on phones and on screens. */
@@ -25,10 +25,10 @@ const COLUMNS = [320, 480, 640, 760, 900]
 const KEYS = ['m', 'f', 's', 'p', '7', 'ArrowRight', 'ArrowLeft', 'ArrowUp', 'ArrowDown', 'PageDown', 'PageUp']
 
 export function testGuest(guest: Guest): void {
-  const { name, version, build, address, schemes, show } = guest
+  const { name, version, build, address, turn, says } = guest
   test.describe(name, () => {
     nameHost(name, version)
-    test.use({ viewport: { width: 1280, height: 900 } })
+    test.use({ viewport: { width: 1280, height: 900 }, ...(says ? { expectedErrors: says } : {}) })
 
     test.beforeAll(async () => {
       test.setTimeout(900_000)
@@ -37,7 +37,6 @@ export function testGuest(guest: Guest): void {
 
     const open = async (lens: Lens) => {
       await lens.open(address)
-      await show?.(lens.page)
       await lens.scene.evaluate(scene => scene.scrollIntoView({ block: 'center' }))
       await lens.nextFrame()
     }
@@ -45,14 +44,14 @@ export function testGuest(guest: Guest): void {
     test('starts, is right, and axe finds nothing in it', async ({ lens, page }) => {
       await open(lens)
       await expectDocumented(lens)
-      await expect(async () => expect(await isComplete(lens)).toBe(true)).toPass({ timeout: 60_000 })
+      await expectComplete(lens)
       await page.screenshot({ path: join(hosts, 'pictures', `${name}.png`) })
       await expectAxeFindsNothingInElement(page)
     })
 
     test('the picture has half of the box in columns of all widths', async ({ lens }) => {
       await open(lens)
-      for (const width of COLUMNS) expect(await roomIn(lens, width), `${width} pixels`).toMatchObject(ROOM)
+      await expectRoom(lens)
     })
 
     test('a vertex is dragged', async ({ lens }) => {
@@ -65,13 +64,13 @@ export function testGuest(guest: Guest): void {
       await expectKeysToStay(lens)
     })
 
-    if (schemes)
+    if (turn)
       test('its colours go with the switch of the host', async ({ lens, page }) => {
         for (const system of ['light', 'dark'] as const) {
           await page.emulateMedia({ colorScheme: system })
           await open(lens)
           for (const wanted of system === 'light' ? [true, false] : [false, true]) {
-            await switchTo(page, schemes(page), wanted)
+            await switchTo(page, turn, wanted)
             await expect.poll(() => isDark(lens.element.locator('.lens'))).toBe(wanted)
             if (wanted) await page.screenshot({ path: join(hosts, 'pictures', `${name}-dark.png`) })
           }
@@ -87,14 +86,18 @@ export async function expectDocumented(lens: Lens): Promise<void> {
   await expect(lens.page.getByRole('group', { name: documented.label })).toBeVisible()
 }
 
-function isComplete(lens: Lens): Promise<boolean> {
-  return lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).complete)
+/** Everything of it that is in sight is drawn. */
+export async function expectComplete(lens: Lens): Promise<void> {
+  await expect
+    .poll(() => lens.element.evaluate(element => (element as HTMLElementTagNameMap['hex-lens']).complete))
+    .toBe(true)
 }
 
 export async function expectAxeFindsNothingInElement(page: Page): Promise<void> {
   const { violations } = await new AxeBuilder({ page })
     .setLegacyMode()
-    .options({ rules: { 'target-size': { enabled: true } }, resultTypes: ['violations'] })
+    // The host's style sheets are not fetched a second time: not all of them may be.
+    .options({ rules: { 'target-size': { enabled: true } }, resultTypes: ['violations'], preload: false })
     .include('hex-lens')
     .analyze()
   expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join('; ')}`)).toEqual([])
@@ -102,15 +105,19 @@ export async function expectAxeFindsNothingInElement(page: Page): Promise<void> 
 
 const ROOM = { picture: true, covered: 0, scrolls: 0 }
 
+export async function expectRoom(lens: Lens): Promise<void> {
+  for (const width of COLUMNS) expect(await roomIn(lens, width), `${width} pixels`).toMatchObject(ROOM)
+}
+
 /** The element's room in a column: its picture has half of its box, no handle is under a button, and nothing scrolls. */
-export async function roomIn(lens: Lens, width: number): Promise<typeof ROOM & { readonly share: number }> {
+async function roomIn(lens: Lens, width: number): Promise<typeof ROOM & { readonly share: number }> {
   await lens.element.evaluate((element, width) => {
     const column = element.parentElement as HTMLElement
     column.style.cssText = `box-sizing: content-box; width: ${width}px; min-width: 0; max-width: none; padding: 0`
   }, width)
   await lens.element.evaluate(element => element.scrollIntoView({ block: 'start' }))
   await lens.nextFrame()
-  await expect.poll(() => isComplete(lens)).toBe(true)
+  await expectComplete(lens)
   return await lens.element.evaluate(element => {
     const root = element.shadowRoot as ShadowRoot
     const part = (name: string) => root.querySelector(`[part~=${name}]`) as HTMLElement
@@ -174,12 +181,16 @@ export async function expectKeysToStay(lens: Lens): Promise<void> {
   expect(heard[0]?.split(' ')[0]).toBe('Escape')
 }
 
-async function switchTo(page: Page, button: Locator, dark: boolean): Promise<void> {
+async function switchTo(page: Page, turn: NonNullable<Guest['turn']>, dark: boolean): Promise<void> {
   await expect(async () => {
-    if ((await isDark(page.locator('body'))) !== dark) await button.click()
+    if ((await isDark(page.locator('body'))) !== dark) await turn(page, dark ? 'dark' : 'light')
     await expect.poll(() => isDark(page.locator('body')), { timeout: 2_000 }).toBe(dark)
   }).toPass({ timeout: 60_000 })
 }
+
+/** A switch that is one button. */
+export const click = (selector: string) => (page: Page) =>
+  page.locator(selector).filter({ visible: true }).first().click()
 
 /** By the first background, from there outwards, that is not see-through. */
 export function isDark(place: Locator): Promise<boolean> {

@@ -13,6 +13,8 @@ export const hosts = join(root, 'build/hosts')
 export const python = join(hosts, 'python/bin')
 export const dist = join(elsewhere, 'node_modules/hexlens/dist')
 
+const REMOVED = { recursive: true, force: true }
+
 /** `baseURL` is the server of all hosts. */
 export const test = base.extend<object, { served: string }>({
   served: [
@@ -52,7 +54,7 @@ export function pythonVersion(name: string): string {
 /** A new folder for a site, with the script and the picture where the host wants them. */
 export function site(name: string, files: string): string {
   const folder = join(hosts, name)
-  rmSync(folder, { recursive: true, force: true })
+  rmSync(folder, REMOVED)
   putFiles(join(folder, files))
   return folder
 }
@@ -75,13 +77,15 @@ export function installed(name: string): string {
   const lock = readFileSync(join(source, 'package-lock.json'), 'utf8')
   mkdirSync(folder, { recursive: true })
   for (const file of readdirSync(folder))
-    if (!['node_modules', 'hexlens-stamp'].includes(file)) rmSync(join(folder, file), { recursive: true })
+    if (!['node_modules', 'hexlens-stamp'].includes(file)) rmSync(join(folder, file), REMOVED)
   for (const file of ['package.json', 'package-lock.json']) copyFileSync(join(source, file), join(folder, file))
   if (!existsSync(stamp) || readFileSync(stamp, 'utf8') !== lock) {
     rmSync(stamp, { force: true })
     npm(folder, 'ci')
     writeFileSync(stamp, lock)
   }
+  // Bundlers take packages for what they were as long as the version is the same.
+  for (const cache of ['.cache', '.vite', '.astro']) rmSync(join(folder, 'node_modules', cache), REMOVED)
   const packed = readdirSync(elsewhere).find(file => file.endsWith('.tgz')) as string
   npm(folder, 'install', '--no-save', '--offline', join(elsewhere, packed))
   return folder

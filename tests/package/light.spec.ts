@@ -40,7 +40,7 @@ test('the light file has the scene and the verdict, by pointer, keyboard and att
   await expect(lens.verdict).toHaveText(/^VALID/)
 
   await lens.element.evaluate(element => element.setAttribute('views', 'scene verdict checks'))
-  await expect(lens.page.getByRole('alert')).toContainText('“checks” is none of verdict, scene, all or none')
+  await expect(lens.page.getByRole('alert')).toContainText('“checks” is none of verdict, scene, all, none')
   await lens.element.evaluate(element => element.setAttribute('views', 'all'))
   await expect(lens.page.getByRole('alert')).not.toContainText('checks')
   await lens.element.evaluate(element => (element as Element).offer('0 0 0'))

@@ -329,6 +329,23 @@ describe('options', () => {
     expect(readFileSync(path, 'utf8')).toMatch(/failures="0" errors="0" skipped="1"/)
   })
 
+  it('--html', async () => {
+    const path = join(folder, 'out.html')
+    expect(await check([someInvalid, allValid, missing, '--html', path])).toMatchObject({ status: 2, errors: '' })
+    const html = readFileSync(path, 'utf8')
+    const headings = [...html.matchAll(/<h[12] class="headline">(.*?)<\/h/g)].map(([, text]) => text)
+    expect(headings).toEqual([
+      '3 meshes',
+      '4 of 5 hexahedra are invalid. The eight corners would accept 0 of them, VTK’s scaled Jacobian 2.',
+      'All 2 hexahedra are valid.',
+      'The file was not read.',
+    ])
+    expect([...html.matchAll(/<h4>Cell (\d+)/g)].map(([, id]) => id)).toEqual(['15', '12', '14', '13', '11', '1', '2'])
+    expect(html).toContain('<p>missing.msh cannot be read: it is not there.</p>')
+    await check([someInvalid, '--html', path, '--worst', '2'])
+    expect(readFileSync(path, 'utf8').match(/<h3>Cell/g)).toHaveLength(2)
+  })
+
   it('--annotate', async () => {
     const path = join(folder, 'out.vtu')
     const mesh = fileOf('annotated.msh', mshText([unitCube, invalidCorner, notFinite, moved(6, [2, 2, 2])]))
@@ -362,6 +379,8 @@ describe('options', () => {
     })
     const csv = join(folder, 'same')
     expect(await check([allValid, '--csv', csv, '--junit', csv])).toMatchObject({ status: 2 })
+    expect(await check([allValid, '--html', allValid])).toMatchObject({ errors: expect.stringMatching(/--html would/) })
+    expect(await check([allValid, '--html', csv, '--csv', csv])).toMatchObject({ status: 2 })
     expect(readdirSync(folder)).toEqual(before)
   })
 

@@ -130,7 +130,7 @@ describe('the glossary', () => {
 
   it('marks the first of a word alone, not in formulas, links or other words', () => {
     expect(withTerms('<p>jacdet, and jacdet</p>')).toBe(
-      '<p><button type="button" class="term" data-term="jacdet" aria-describedby="meaning-jacdet">jacdet</button>, and jacdet</p>',
+      '<p><span class="kept"><button type="button" class="term" data-term="jacdet" aria-describedby="meaning-jacdet">jacdet</button>,</span> and jacdet</p>',
     )
     expect(withTerms('<p>The <em>Jacobian\n  determinant</em></p>')).toMatch(
       /<em><button [^>]*>Jacobian\n {2}determinant</,

@@ -3,6 +3,9 @@ import type { Locator, Page } from '@playwright/test'
 import { appPages } from '../../tools/pages.mjs'
 import { expect, type Lens, test } from '../e2e/lens'
 
+// Every pixel of the faces counts.
+test.use({ pictureRatio: 1 })
+
 interface Look {
   readonly look: string
   readonly colorScheme: 'light' | 'dark'

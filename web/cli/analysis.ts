@@ -1,6 +1,6 @@
 /** The output of `analyze` for one element: its report in numbers, or why there is none. */
 import type { Check, Core } from '../core/report'
-import { jsonNumber } from './json-number'
+import { jsonNumber } from '../outputs/json-number'
 import type { NamedHexahedron } from './read-hexahedra'
 
 export function analysis(core: Core, { name, vertices }: NamedHexahedron): object {

@@ -1,8 +1,6 @@
 /** The arguments of `check`. */
 import { Refusal } from '../model/result'
-
-export const ID_KINDS = ['abaqus', 'nastran', 'plain'] as const
-export type IdKind = (typeof ID_KINDS)[number]
+import { ID_KINDS, type IdKind } from '../outputs/ids'
 
 export interface CheckArguments {
   readonly files: readonly string[]
@@ -18,6 +16,7 @@ export interface CheckArguments {
   readonly csv: string | null
   readonly junit: string | null
   readonly annotate: string | null
+  readonly html: string | null
   readonly ids: IdKind | null
 }
 
@@ -35,6 +34,7 @@ const options = new Map<string, Option>([
   ['--csv', { value: 'a file', read: csv => ({ csv }) }],
   ['--junit', { value: 'a file', read: junit => ({ junit }) }],
   ['--annotate', { value: 'a file', read: annotate => ({ annotate }) }],
+  ['--html', { value: 'a file', read: html => ({ html }) }],
   ['--worst', { value: 'a count or all', read: text => ({ worst: readWorst(text) }) }],
   ['--min-relative', { value: 'a number', read: text => ({ minRelative: readRelative(text) }) }],
   ['--degenerate', { value: 'skip', read: text => ({ skipsDegenerate: readDegenerate(text) }) }],
@@ -60,6 +60,7 @@ export function readCheckArguments(args: readonly string[]): CheckArguments {
     csv: null,
     junit: null,
     annotate: null,
+    html: null,
     ids: null,
   }
   const seen = new Set<string>()

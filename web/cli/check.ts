@@ -8,17 +8,18 @@ import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { readMeshes } from '../mesh/read-mesh'
 import { Refusal } from '../model/result'
+import { csvOutput } from '../outputs/csv'
+import { htmlOutput } from '../outputs/html'
+import { idsOutput } from '../outputs/ids'
+import { jsonOutput } from '../outputs/json'
+import { junitOutput } from '../outputs/junit'
+import { type FileResult, type Output, withoutControls } from '../outputs/output'
+import { textOutput } from '../outputs/text'
+import { vtuOutput } from '../outputs/vtu'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
 import type { Engine } from './engine'
 import { openMeshFile } from './mesh-file'
-import { csvOutput } from './outputs/csv'
-import { idsOutput } from './outputs/ids'
-import { jsonOutput } from './outputs/json'
-import { junitOutput } from './outputs/junit'
-import { type FileResult, type Output, withoutControls } from './outputs/output'
-import { textOutput } from './outputs/text'
-import { vtuOutput } from './outputs/vtu'
 import { ProgressLine } from './progress'
 import { FileSink } from './sink'
 import { Buffered, type Streams } from './streams'
@@ -127,7 +128,7 @@ interface OpenOutput {
 
 /** The last goes to standard output. */
 function outputsOf(wanted: CheckArguments, streams: Streams, say: (sentence: string) => void): OpenOutput[] {
-  const { csv, junit, annotate, ids, json, files, worst } = wanted
+  const { csv, junit, annotate, html, ids, json, files, worst } = wanted
   const printed = new Buffered(streams.output)
   const main = json
     ? jsonOutput()
@@ -138,6 +139,7 @@ function outputsOf(wanted: CheckArguments, streams: Streams, say: (sentence: str
     ...(csv === null ? [] : [toFile(csvOutput(), csv)]),
     ...(junit === null ? [] : [toFile(junitOutput(wanted), junit)]),
     ...(annotate === null ? [] : [toFile(vtuOutput(), annotate)]),
+    ...(html === null ? [] : [toFile(htmlOutput({ ...wanted, fileCount: files.length }), html)]),
     {
       output: main,
       write: chunk => printed.write(chunk as string),
@@ -158,9 +160,14 @@ function toFile(output: Output, path: string): OpenOutput {
 }
 
 /** A file that is read, or written for another purpose. */
-function refuseOverwriting({ files, csv, junit, annotate }: CheckArguments): void {
+function refuseOverwriting({ files, csv, junit, annotate, html }: CheckArguments): void {
   const taken = new Map(files.filter(file => file !== '-').map(file => [realPath(file), `${file}, which is read`]))
-  for (const [option, path] of Object.entries({ '--csv': csv, '--junit': junit, '--annotate': annotate })) {
+  for (const [option, path] of Object.entries({
+    '--csv': csv,
+    '--junit': junit,
+    '--annotate': annotate,
+    '--html': html,
+  })) {
     if (path === null) continue
     const other = taken.get(realPath(path))
     if (other !== undefined) throw new Refusal(`check: ${option} would overwrite ${other}.`)

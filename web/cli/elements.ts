@@ -2,9 +2,9 @@
 import { createReadStream } from 'node:fs'
 import type { Core } from '../core/report'
 import { Refusal } from '../model/result'
+import { jsonList, jsonText } from '../outputs/json-text'
 import type { Engine } from './engine'
 import { jsonEntries } from './json-entries'
-import { jsonText } from './json-text'
 import { type NamedHexahedron, readHexahedron } from './read-hexahedra'
 import { Buffered, type Streams } from './streams'
 
@@ -23,9 +23,9 @@ export async function answerElements(
   let count = 0
   for await (const entry of jsonEntries(file === '-' ? streams.input : chunksOf(file))) {
     const answer = jsonText(answerTo(core, readHexahedron(entry, count)))
-    await output.write(`${count++ === 0 ? '[\n' : ',\n'}${answer}`)
+    await output.write(`${jsonList.before(count++)}${answer}`)
   }
-  await output.write(count === 0 ? '[]\n' : '\n]\n')
+  await output.write(jsonList.end(count))
   await output.flush()
 }
 

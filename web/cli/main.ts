@@ -2,8 +2,8 @@
 
 import { withoutControls } from '../mesh/text-cursor'
 import { Refusal } from '../model/result'
+import { certification } from '../outputs/certificates'
 import { analysis } from './analysis'
-import { certification } from './certification'
 import { check } from './check'
 import { type AnswerTo, answerElements } from './elements'
 import type { Engine } from './engine'

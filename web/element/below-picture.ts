@@ -3,7 +3,6 @@
  * that the picture has most of the element's box. The box grows by what is opened. A page that says `--hl-stage-height` has a
  * layout of its own, with everything open.
  */
-import { html, render } from 'lit-html'
 import { say } from '../words/say'
 
 /** The width, in CSS pixels, from which panels stand beside the picture; the style sheet says the same. */
@@ -12,7 +11,7 @@ const BESIDE = 896
 export class BelowPicture {
   readonly #lens: HTMLElement
   readonly #stage: HTMLElement
-  readonly #root: HTMLElement
+  readonly #button = document.createElement('button')
   readonly #resizes = new ResizeObserver(entries => {
     this.#isNarrow = (entries.at(-1)?.contentRect.width ?? 0) < BESIDE
     this.#update()
@@ -26,7 +25,11 @@ export class BelowPicture {
   constructor(lens: HTMLElement, stage: HTMLElement, root: HTMLElement) {
     this.#lens = lens
     this.#stage = stage
-    this.#root = root
+    this.#button.type = 'button'
+    this.#button.addEventListener('click', () => this.#toggle())
+    const heading = document.createElement('h2')
+    heading.append(this.#button)
+    root.append(heading)
   }
 
   /** `isLine`: nothing but the verdict is shown. */
@@ -42,21 +45,26 @@ export class BelowPicture {
     this.#resizes.disconnect()
   }
 
+  /** In a frame, which has the element's language. */
+  draw(): void {
+    const words = say('Details')
+    if (this.#button.textContent !== words) this.#button.textContent = words
+  }
+
+  #toggle(): void {
+    this.#isOpen = !this.#isOpen
+    // The picture keeps its height under the reader's eyes.
+    const { style } = this.#lens
+    if (this.#isOpen) style.setProperty('--_kept-height', `${this.#stage.clientHeight}px`)
+    else style.removeProperty('--_kept-height')
+    this.#update()
+  }
+
   #update(): void {
     const isFoldable = this.#hasMore && this.#isNarrow
-    const { classList, style } = this.#lens
+    const { classList } = this.#lens
     classList.toggle('is-foldable', isFoldable)
     classList.toggle('has-line', this.#isLine || (isFoldable && !this.#isOpen))
-    const toggle = () => {
-      this.#isOpen = !this.#isOpen
-      // The picture keeps its height under the reader's eyes.
-      if (this.#isOpen) style.setProperty('--_kept-height', `${this.#stage.clientHeight}px`)
-      else style.removeProperty('--_kept-height')
-      this.#update()
-    }
-    render(
-      html`<h2><button type="button" aria-expanded=${this.#isOpen} @click=${toggle}>${say('Details')}</button></h2>`,
-      this.#root,
-    )
+    this.#button.setAttribute('aria-expanded', String(this.#isOpen))
   }
 }

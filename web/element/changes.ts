@@ -22,7 +22,7 @@ export interface ChangeListener {
   reflect(): void
 }
 
-/** Elements that were told of last, which a page may give back: four seconds of a drag. */
+/** Elements that were told of last in a gesture, which a page may give back: four seconds of a drag. */
 const MOST_TOLD = 240
 
 export class Changes {
@@ -34,7 +34,8 @@ export class Changes {
   #toldValid: boolean | null = null
   /** Whose the last change is. */
   source: ChangeSource = 'program'
-  #gesture: ChangeSource = 'panel'
+  /** Whose the gesture is that runs, or ran last. */
+  gesture: ChangeSource = 'panel'
   #isTelling = false
 
   constructor(listener: ChangeListener) {
@@ -43,7 +44,10 @@ export class Changes {
 
   /** Notes whose the change from one state to the next is: the reader's by that action, or that of `source`. */
   note(before: State, after: State, action: Action, source: ChangeSource | null): void {
-    if (action.type === 'begin-gesture') this.#gesture = action.by ?? 'panel'
+    if (action.type === 'begin-gesture') {
+      this.gesture = action.by ?? 'panel'
+      this.#told = this.#told.slice(0, 1)
+    }
     const isDone = before.gestureStart !== null && after.gestureStart === null
     if (before.vertices !== after.vertices || isDone) this.source = source ?? this.#readers(action, before)
   }
@@ -80,7 +84,7 @@ export class Changes {
 
   #readers(action: Action, { gestureStart }: State): ChangeSource {
     if (action.type === 'undo' || action.type === 'redo' || action.type === 'reset') return 'history'
-    if (gestureStart !== null) return this.#gesture
+    if (gestureStart !== null) return this.gesture
     return action.type === 'set-vertices' && action.preset !== null ? 'preset' : 'panel'
   }
 }

@@ -637,14 +637,16 @@ export class HexLens extends ReflectingElement {
     this.#frames.schedule()
   }
 
-  /** The page's own: in a gesture of the reader a part of it, and nothing if it only comes back. */
+  /** The page's own: while the reader drags a part of the drag, and nothing if it only comes back. */
   #setVertices(vertices: Vertices): void {
     const { phase, vertices: present, gestureStart } = this.#store.state
     const isGesture = gestureStart !== null
     const comesBack = sameBits(vertices, present) || (isGesture && this.#changes.isEcho(vertices))
     if (phase === 'begun' && comesBack) return
+    // What moves by itself, as a morph does, ends.
+    const isHeld = isGesture && this.#changes.gesture !== 'panel'
     this.#dispatch(
-      isGesture ? { type: 'move-all', vertices } : { type: 'set-vertices', vertices, preset: presetOf(vertices) },
+      isHeld ? { type: 'move-all', vertices } : { type: 'set-vertices', vertices, preset: presetOf(vertices) },
     )
   }
 

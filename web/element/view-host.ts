@@ -124,6 +124,7 @@ export class ViewHost {
 
   /** `isNews`: something is new since the last frame; `time` is the frame's. */
   draw(frame: Frame, isNews: boolean, time: number): void {
+    this.#below.draw()
     const isMade = this.#make(frame, time)
     for (const update of this.#queue.due(this.#views, isNews || isMade, frame.state.gestureStart !== null)) {
       try {

@@ -54,7 +54,7 @@ async function read(input: PastedInput, engine: ReadingEngine, tell: Tell): Prom
   throw new MeshRefusal([`Read as ${summary.format}: no hexahedra of eight nodes.`, ...summary.sentences].join(' '))
 }
 
-function filesOf(input: PastedInput): MeshFile[] {
+export function filesOf(input: PastedInput): MeshFile[] {
   if ('files' in input) return input.files.map(meshFileOf)
   return [fileOfBytes('The text', new TextEncoder().encode(input.text))]
 }

@@ -74,7 +74,8 @@ void main() {
   float line = 1.0 - smoothstep(0.2, 1.0, min(pixels.x, pixels.y));
   float room = 1.0 - smoothstep(0.08, 0.35, max(slope.x, slope.y) * pixelRatio);
   float shown = line * room * lineOpacity;
-  fragment = vec4(mix(shaded, ink, shown), mix(opacity, 1.0, shown * 0.6));
+  float alpha = mix(opacity, 1.0, shown * 0.6);
+  fragment = vec4(mix(shaded, ink, shown) * alpha, alpha);
 }
 `
 
@@ -108,6 +109,7 @@ export class FaceBatch {
     fragmentShader,
     uniforms: this.#uniforms,
     side: DoubleSide,
+    premultipliedAlpha: true,
   })
   #faces: FaceList | null = null
 

@@ -21,6 +21,7 @@ export type LayerName = 'surface' | 'invalid'
 
 /** Half of the longest side of the bounds in world space. */
 const HALF_EXTENT = 1
+const NO_BOUNDS: Bounds = { least: [0, 0, 0], greatest: [1, 1, 1] }
 
 export class MeshPicture {
   /** Null where there is no WebGL. */
@@ -73,19 +74,35 @@ export class MeshPicture {
   /** Another mesh, seen whole, or as a picture of it was. */
   open(bounds: Bounds | null, view: CameraView | null = null): void {
     this.#first = view
-    const { least, greatest } = bounds ?? { least: [0, 0, 0], greatest: [1, 1, 1] }
-    const half = [0, 1, 2].map(axis => (greatest[axis as 0] - least[axis as 0]) / 2) as unknown as Vec3
+    const { least, greatest } = bounds ?? NO_BOUNDS
     this.#origin = [0, 1, 2].map(axis => least[axis as 0] / 2 + greatest[axis as 0] / 2) as unknown as Vec3
+    const half = [0, 1, 2].map(axis => (greatest[axis as 0] - least[axis as 0]) / 2)
     this.#scale = HALF_EXTENT / (Math.max(...half) || 1)
-    const side = (sign: number, axis: 0 | 1 | 2) => sign * half[axis] * this.#scale
-    this.#corners = [-1, 1].flatMap(x =>
-      [-1, 1].flatMap(y => [-1, 1].map((z): Vec3 => [side(x, 0), side(y, 1), side(z, 2)])),
-    )
+    this.#bound(bounds)
     this.#chosen = null
     this.#neighbours = []
     this.#isNew = true
     for (const layer of Object.values(this.#layers)) layer.show(null, new Uint8Array(0))
     this.draw()
+  }
+
+  /** The same mesh at another time, at the same scale: what has moved is seen to have moved. */
+  step(bounds: Bounds | null): void {
+    this.#bound(bounds)
+    this.draw()
+  }
+
+  /** The middle of bounds, less the origin of the picture. */
+  middleOf(bounds: Bounds | null): Vec3 {
+    const { least, greatest } = bounds ?? NO_BOUNDS
+    return this.#origin.map((own, axis) => least[axis as 0] / 2 + greatest[axis as 0] / 2 - own) as unknown as Vec3
+  }
+
+  #bound(bounds: Bounds | null): void {
+    const { least, greatest } = bounds ?? NO_BOUNDS
+    const sides = (axis: 0 | 1 | 2) =>
+      [least, greatest].map(corner => (corner[axis] - this.#origin[axis]) * this.#scale)
+    this.#corners = sides(0).flatMap(x => sides(1).flatMap(y => sides(2).map((z): Vec3 => [x, y, z])))
   }
 
   show(layer: LayerName, faces: FaceList | null): void {

@@ -7,6 +7,7 @@ import type {
   CellDetail,
   FaceList,
   FixId,
+  FormId,
   Histogram,
   Opening,
   Place,
@@ -14,6 +15,10 @@ import type {
   Selected,
   Selection,
   ShownCells,
+  StepAnswer,
+  StepList,
+  StepOpening,
+  StepWanted,
   SurveyJobs,
 } from './survey-jobs'
 
@@ -21,6 +26,7 @@ import type {
 export class OpenSurvey {
   readonly #pool: Pool<null, SurveyJobs>
   #selection = 0
+  #writing = 0
 
   constructor(spawn: () => WorkerPort) {
     this.#pool = new Pool({ name: 'the worker of the mesh', size: 1, spawn, start: null })
@@ -38,6 +44,7 @@ export class OpenSurvey {
   /** Ends the worker with all that it holds; what it was asked rejects. */
   close(): void {
     this.#selection++
+    this.#writing++
     this.#pool.stop(new Error('The mesh was closed.'))
   }
 
@@ -92,4 +99,51 @@ export class OpenSurvey {
   mend(fix: FixId): Promise<Opening> {
     return this.#pool.run('mend', fix)
   }
+
+  /** The mesh as a file. Null if another one is begun, or this one is cancelled. */
+  async write(form: FormId, onProgress: (fraction: number) => void): Promise<WrittenFile | Refused | null> {
+    const own = ++this.#writing
+    const parts: Blob[] = []
+    let written = await this.#pool.run('write', form)
+    while (own === this.#writing) {
+      if ('refused' in written) return written
+      // The browser keeps a Blob's bytes where it likes, also on the disk.
+      parts.push(new Blob([written.bytes]))
+      if (written.isEnd) return { content: new Blob(parts), said: written.said }
+      onProgress(written.fraction)
+      written = await this.#pool.run('writeOn', null)
+    }
+    return null
+  }
+
+  cancelWriting(): void {
+    this.#writing++
+  }
+
+  steps(): Promise<StepList | null> {
+    return this.#pool.run('steps', null)
+  }
+
+  readStep(step: number, onProgress: (progress: ReadingProgress) => void): Promise<StepAnswer> {
+    return this.#pool.run('readStep', step, { onProgress })
+  }
+
+  showStep(wanted: StepWanted, onProgress: (progress: ReadingProgress) => void): Promise<StepOpening> {
+    return this.#pool.run('showStep', wanted, { onProgress })
+  }
+
+  together(onProgress: (progress: ReadingProgress) => void): Promise<Opening> {
+    return this.#pool.run('together', null, { onProgress })
+  }
+}
+
+export interface WrittenFile {
+  readonly content: Blob
+  /** Sentences about the file, for people. */
+  readonly said: readonly string[]
+}
+
+interface Refused {
+  /** One sentence. */
+  readonly refused: string
 }

@@ -5,80 +5,167 @@ import { seldom, serve } from '../core/workers'
 import { cellClassifier } from '../input/classify-cells'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
-import { coreOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
+import { coreOf, filesOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
+import type { TogetherOptions } from '../mesh/read-mesh'
+import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
+import { lookingJobs, nameOf, noHexahedra } from './looking-jobs'
+import { meeting } from './meeting'
 import { mended } from './mend'
-import type { Conditioned } from './selection'
+import { StepSeries } from './step-series'
 import { Survey } from './survey'
-import type { FixId, Opening, SurveyJobs } from './survey-jobs'
+import type { FixId, Opening, Overview, StepAnswer, StepOpening, StepWanted, SurveyJobs, Written } from './survey-jobs'
+import { wholeOrderOf } from './whole-order'
+import { Writing } from './writing'
 
-/** Lists that the page shows beside those that the counts need. */
-const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true }
+/** Lists that the page shows or writes beside those that the counts need. */
+const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true, exact: true }
 
-/** Milliseconds of a selection's step: other questions wait so long. */
+/** Milliseconds of a step of what takes long: other questions wait so long. */
 const STEP = 12
 
-export type SurveyEngine = ReadingEngine & Pick<Conditioned, 'meeting'>
-
-export function serveSurvey(engine: SurveyEngine): void {
-  serve<null, SurveyJobs>('hexlens-survey', () => surveyJobs(engine))
+interface Open {
+  readonly name: string
+  readonly survey: Survey
+  readonly classify: ClassifyCells
+  readonly core: Core
 }
 
-export function surveyJobs(engine: SurveyEngine): SurveyJobs {
-  let open: {
-    readonly name: string
-    readonly survey: Survey
-    readonly classify: ClassifyCells
-    readonly core: Core
-  } | null = null
+/** The steps that the open mesh is one of. */
+interface OpenSteps {
+  readonly series: StepSeries
+  readonly shown: number
+  readonly isOther: boolean
+}
 
-  function survey(): Survey {
+type Tell = (progress: ReadingProgress) => void
+
+export function serveSurvey(engine: ReadingEngine): void {
+  let open: Open | null = null
+  let steps: OpenSteps | null = null
+  let given: PastedInput = { files: [] }
+  let writing: Writing | null = null
+
+  function opened(): Open {
     if (!open) throw new Error('No mesh is open.')
-    return open.survey
+    return open
   }
 
-  async function surveyed(name: string, mesh: Mesh, tell: (progress: ReadingProgress) => void): Promise<Opening> {
+  const survey = () => opened().survey
+
+  function written(): Written {
+    return writing?.run(STEP) ?? { refused: 'The mesh is another one by now.' }
+  }
+
+  function openSteps(): OpenSteps {
+    if (!steps) throw new Error('The mesh that is open has no steps.')
+    return steps
+  }
+
+  /** What is open stays if the mesh is refused. */
+  async function surveyed(name: string, mesh: Mesh, tell: Tell, before: Survey | null = null): Promise<Overview> {
     const core = open?.core ?? (await coreOf(engine))
     const onProgress = (done: number, total: number) => tell({ step: 'deciding', fraction: done / total })
     const classify = open?.classify ?? cellClassifier(core, engine.batchModule, onProgress)
     const options = { worst: Infinity, minRelative: null, skipsDegenerate: false, lists: LISTS }
     const check = await checkMesh(mesh, { classify, core }, options)
-    open = { name, survey: new Survey(check, { core, meeting: engine.meeting }), classify, core }
-    const overview = open.survey.overview(name)
-    if (check.hexahedra > 0) return { opened: overview }
-    throw new MeshRefusal([`Read as ${mesh.format}: no hexahedra of eight nodes.`, ...overview.sentences].join(' '))
+    const own = new Survey(check, { core, meeting }, before)
+    const overview = own.overview(name, await wholeOrderOf(check, { classify, core }))
+    if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
+    open = { name, survey: own, classify, core }
+    writing = null
+    return overview
   }
 
-  async function opening(input: PastedInput, tell: (progress: ReadingProgress) => void): Promise<Opening> {
-    return surveyed(nameOf(input), await meshOf(input, engine, seldom(tell)), seldom(tell))
+  async function readingOptions(tell: Tell): Promise<TogetherOptions> {
+    const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
+    return { onProgress, throwIfCancelled: () => {}, core: await engine.readingCore() }
   }
 
-  return {
-    open: (input, tell) => opening(input, tell).catch(refusalOf),
-    rows: ({ from, to }) => survey().rows(from, to),
-    arrange(order) {
-      survey().arrange(order)
-      return null
-    },
+  async function opening(input: PastedInput, tell: Tell): Promise<Opening> {
+    given = input
+    const found = 'files' in input ? stepFilesOf(filesOf(input), await readingOptions(tell)) : null
+    if (found) return { opened: await openedStep(found, tell) }
+    return { opened: await surveyed(nameOf(input), await meshOf(input, engine, tell), tell) }
+  }
+
+  /** The first step that can be opened. */
+  async function openedStep(found: StepFiles, tell: Tell): Promise<Overview> {
+    const series = new StepSeries(found)
+    const options = await readingOptions(tell)
+    let refusal: unknown = null
+    for (let step = 0; step < series.count; ++step)
+      try {
+        const { mesh, isOther } = step === 0 && found.first ? series.taken(found.first) : series.read(step, options)
+        const overview = await surveyed(series.nameOf(step), mesh, tell)
+        steps = { series, shown: step, isOther }
+        return overview
+      } catch (reason) {
+        if (!(reason instanceof MeshRefusal)) throw reason
+        refusal ??= reason
+      }
+    throw refusal
+  }
+
+  function shownAnswer(): StepAnswer {
+    const { series, shown, isOther } = openSteps()
+    return series.answerOf(shown, survey().check, isOther)
+  }
+
+  async function readStep(step: number, tell: Tell): Promise<StepAnswer> {
+    const { series, shown } = openSteps()
+    if (step === shown) return shownAnswer()
+    const { mesh, isOther } = series.read(step, await readingOptions(tell))
+    const check = await checkMesh(mesh, opened(), { worst: 1, minRelative: null, skipsDegenerate: false })
+    if (check.hexahedra === 0) throw noHexahedra(check, check.notes)
+    return series.answerOf(step, check, isOther)
+  }
+
+  async function showStep({ step, chosen }: StepWanted, tell: Tell): Promise<StepOpening> {
+    const { series } = openSteps()
+    const before = survey()
+    const { mesh, isOther } = series.read(step, await readingOptions(tell))
+    const overview = await surveyed(series.nameOf(step), mesh, tell, before)
+    steps = { series, shown: step, isOther }
+    return {
+      opened: overview,
+      answer: shownAnswer(),
+      chosen: chosen === null ? null : survey().sameCell(before, chosen),
+    }
+  }
+
+  async function together(tell: Tell): Promise<Opening> {
+    const parts = 'files' in given ? { files: given.files.filter(file => !isCollection(file)) } : given
+    const overview = await surveyed(nameOf(parts), await meshOf(parts, engine, tell), tell)
+    steps = null
+    return { opened: overview }
+  }
+
+  serve<null, SurveyJobs>('hexlens-survey', () => ({
+    open: (input, tell) => opening(input, seldom(tell)).catch(refusalOf),
+    ...lookingJobs(survey),
     select: selection => survey().select(selection),
     selectOn: () => survey().selectOn(STEP),
     find: ({ id, after }) => survey().find(id, after),
-    nextInvalid: ({ rank, step }) => survey().nextInvalid(rank, step),
-    placeOf: cell => survey().placeOf(cell),
     histogram: () => survey().histogram(),
-    detail: cell => survey().detail(cell),
-    join: (_, tell) => ({ boundaryFaces: survey().join(seldom(tell)) }),
-    faces: shown => survey().faces(shown),
     async mend(fix: FixId) {
       const { check } = survey()
-      return surveyed(open?.name ?? '', mended(check, fix), () => {})
+      const mesh = mended(check, fix)
+      const overview = await surveyed(opened().name, mesh, () => {})
+      steps?.series.correct(check.mesh, mesh)
+      return { opened: overview }
     },
-  }
-}
-
-function nameOf(input: PastedInput): string {
-  if ('text' in input) return 'the text'
-  const [first] = input.files
-  return input.files.length === 1 && first ? first.name : `${input.files.length} files`
+    write(form) {
+      const { name, core } = opened()
+      writing = new Writing(form, { name, check: survey().check, core })
+      return written()
+    },
+    writeOn: written,
+    steps: () => steps?.series.list(steps.shown, shownAnswer()) ?? null,
+    readStep: (step, tell) =>
+      readStep(step, seldom(tell)).catch(reason => openSteps().series.refusedStep(step, refusalOf(reason).refused)),
+    showStep: (wanted, tell) => showStep(wanted, seldom(tell)).catch(refusalOf),
+    together: (_, tell) => together(seldom(tell)).catch(refusalOf),
+  }))
 }

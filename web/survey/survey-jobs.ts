@@ -2,9 +2,13 @@
 import type { CheckId, ElementClass } from '../core/report'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
+import type { Histogram } from '../mesh/histogram'
 import type { Standing } from '../mesh/mesh-check'
 import type { Vec3, Vertices } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
+import type { IdKind } from '../outputs/ids'
+
+export type { Histogram } from '../mesh/histogram'
 
 /** All jobs but `open` want a mesh that is open. Each is short; what takes long goes on in steps. */
 export type SurveyJobs = {
@@ -26,9 +30,37 @@ export type SurveyJobs = {
   /** Cells that share a face; the other jobs on faces want it first. */
   join(_: null, tell: (fraction: number) => void): { readonly boundaryFaces: number }
   faces(shown: ShownCells): FaceList
-  /** Exchanges the bottom with the top of what is mirrored, or takes the order that makes all valid. */
+  /** Exchanges the bottom with the top of what is mirrored, or takes the order that makes all valid; in all steps. */
   mend(fix: FixId): Promise<Opening>
+  /** Begins to write the mesh in a form, in place of what was being written. */
+  write(form: FormId): Written
+  /** Goes on with it, for some milliseconds. */
+  writeOn(_: null): Written
+  /** Null where the mesh has no steps. */
+  steps(_: null): StepList | null
+  /** Reads and decides a step; no more is kept of it than its answer. */
+  readStep(step: number, tell: (progress: ReadingProgress) => void): Promise<StepAnswer>
+  /** Opens a step in the place of the one that is shown, which stays if it is refused. Order and selection begin anew. */
+  showStep(wanted: StepWanted, tell: (progress: ReadingProgress) => void): Promise<StepOpening>
+  /** The files of the steps as parts of one mesh instead. */
+  together(_: null, tell: (progress: ReadingProgress) => void): Promise<Opening>
 }
+
+/** What can be taken away of an open mesh, each the same as the command line writes it. */
+export type FormId = 'csv' | 'json' | 'html' | 'vtu' | 'invalid-vtu' | 'certificates' | IdKind
+
+/** The next bytes of a file. */
+export type Written =
+  | {
+      readonly bytes: Uint8Array<ArrayBuffer>
+      /** About how much of the file there is, from 0 to 1. */
+      readonly fraction: number
+      readonly isEnd: boolean
+      /** Sentences about the file, for people. */
+      readonly said: readonly string[]
+    }
+  /** One sentence: there is no such file. */
+  | { readonly refused: string }
 
 export type Opening =
   | { readonly opened: Overview }
@@ -58,11 +90,12 @@ export interface Bounds {
   readonly greatest: Vec3
 }
 
-export type FixId = 'mirrored'
+/** With an order: that of node-orders.ts in which all are valid. */
+export type FixId = 'mirrored' | `order-${string}`
 
 export interface Fix {
   readonly id: FixId
-  /** "Correct 97 mirrored cells": the words of its button. */
+  /** "Correct 97 mirrored cells", "Take the nodes in the order “Lexicographic”": the words of its button. */
   readonly words: string
 }
 
@@ -117,17 +150,6 @@ export interface Selected {
   readonly done: number
 }
 
-/** Counts of relative minima, of all answered cells whose volume is not 0. */
-export interface Histogram {
-  /** Bin i is [edges[i], edges[i + 1]), the last with its end; 0 is an edge wherever there are numbers of both signs. */
-  readonly edges: readonly number[]
-  readonly counts: readonly number[]
-  /** Relative minima below which 1, 10, 50, 90 and 99 % of the cells are. */
-  readonly percentiles: readonly { readonly percent: number; readonly value: number }[]
-  /** Cells that are in no bin: of volume 0, or unanswered. */
-  readonly beside: number
-}
-
 export interface CellDetail {
   readonly row: Row
   /** Null where a coordinate is not finite. */
@@ -166,7 +188,7 @@ export interface ShownCells {
 
 /** Bilinear faces, seen from outside their cells. */
 export interface FaceList {
-  /** Four corners a face, in cyclic order, less `origin`, the middle of the bounds. */
+  /** Four corners a face, in cyclic order, less `origin`, the middle of the bounds; of the bounds of the first step that was opened. */
   readonly corners: Float32Array
   /** The relative minimum of the face's cell; NaN where there is none. */
   readonly relativeMinima: Float32Array
@@ -178,3 +200,44 @@ export interface FaceList {
   readonly shown: number
   readonly wanted: number
 }
+
+/** Steps are counted from 0. */
+export interface StepList {
+  /** "7 files are taken as 7 steps of one mesh, in the order of their numbers." */
+  readonly sentences: readonly string[]
+  /** The name of each step's file, and its time, where this is known before it is read; safe to show. */
+  readonly steps: readonly { readonly name: string; readonly time: string | null }[]
+  readonly shown: number
+  /** That of the shown step. */
+  readonly answer: StepAnswer
+}
+
+export interface StepAnswer {
+  readonly step: number
+  /** As the file has it; null if it has none. */
+  readonly time: string | null
+  /** Null where the step could not be read. */
+  readonly counts: { readonly hexahedra: number; readonly invalid: number; readonly unanswered: number } | null
+  /** The relative minimum of the worst cell; -Infinity where its volume is 0 and its minimum negative, null where none is answered. */
+  readonly least: number | null
+  readonly worst: { readonly cell: number; readonly id: string } | null
+  /** True if its cells are others than those of the step that was read first. */
+  readonly isOther: boolean
+  /** Why it could not be read; null if it was. */
+  readonly refused: string | null
+}
+
+export interface StepWanted {
+  readonly step: number
+  /** The chosen cell of the step that is shown. */
+  readonly chosen: number | null
+}
+
+export type StepOpening =
+  | {
+      readonly opened: Overview
+      readonly answer: StepAnswer
+      /** The cell of the same id; null if there is none. */
+      readonly chosen: number | null
+    }
+  | { readonly refused: string; readonly missing: readonly string[] }

@@ -1,13 +1,14 @@
 /** An open mesh with the answers of all its cells, in its worker: what the page shows of it is asked here. */
 import { CHECKS, CLASSES } from '../core/unpack'
 import { CheckedCells, columnsOf } from '../mesh/checked-cells'
+import { histogramOf } from '../mesh/histogram'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { type Neighbours, neighboursOf } from '../mesh/neighbours'
 import { verticesOf } from '../mesh/vertices-of'
 import type { Vec3 } from '../model/hexahedron'
+import type { NodeOrder } from '../model/node-orders'
 import { arranged } from './arrange'
 import { facesOf } from './faces'
-import { histogramOf } from './histogram'
 import { boundsOf, overviewOf } from './overview'
 import { type Conditioned, SelectionRun } from './selection'
 import type {
@@ -35,6 +36,7 @@ export class Survey {
   readonly #conditioned: Conditioned
   readonly #cells: CheckedCells
   readonly #bounds: Bounds | null
+  readonly #origin: Vec3
   /** All cells in the present order. */
   #order: Uint32Array
   #selection: SelectionRun
@@ -43,19 +45,25 @@ export class Survey {
   #neighbours: Neighbours | null = null
   #middles: Float32Array | null = null
 
-  /** Of a check with minima, volumes and the checks that accept. */
-  constructor(check: MeshCheck, conditioned: Conditioned) {
+  /**
+   * Of a check with minima, volumes and the checks that accept. Of a mesh that takes the place of its earlier step, which is
+   * `before`, the picture stays where it is.
+   */
+  constructor(check: MeshCheck, conditioned: Conditioned, before: Survey | null = null) {
     this.check = check
     this.#conditioned = conditioned
     this.#cells = new CheckedCells(columnsOf(check))
     this.#bounds = boundsOf(check.mesh)
+    this.#origin = before ? before.#origin : middleOf(this.#bounds)
+    if (before?.check.mesh.cells === check.mesh.cells) this.#neighbours = before.#neighbours
     this.#order = check.worst
     this.#selection = new SelectionRun(check, conditioned, ALL)
   }
 
-  overview(name: string): Overview {
+  /** `wholeOrder` is the order in which all cells are valid, if theirs is not. */
+  overview(name: string, wholeOrder: NodeOrder | null = null): Overview {
     const worst = [...this.check.worst.subarray(0, TEN)].map(cell => this.#rowOf(cell))
-    return overviewOf(name, this.check, { worst, bounds: this.#bounds })
+    return overviewOf(name, this.check, { worst, bounds: this.#bounds, wholeOrder })
   }
 
   rows(from: number, to: number): readonly Row[] {
@@ -87,6 +95,13 @@ export class Survey {
       if (cell === begun) break
     }
     return cell !== null && this.#selection.isListed(cell) ? this.placeOf(cell) : null
+  }
+
+  /** The cell that is called as another mesh's is: the one with its index, if that is called so, else the first. */
+  sameCell(other: Survey, cell: number): number | null {
+    const { id } = other.#cells.named(cell)
+    const isHere = cell < this.check.hexahedra && this.#cells.named(cell).id === id
+    return isHere ? cell : this.#cells.find(id)
   }
 
   nextInvalid(rank: number, step: 1 | -1): Place | null {
@@ -127,7 +142,7 @@ export class Survey {
 
   faces(shown: ShownCells): FaceList {
     this.join(() => {})
-    const origin = middleOf(this.#bounds)
+    const origin = this.#origin
     this.#middles ??= middlesOf(this.check, origin)
     return facesOf(
       {

@@ -2,7 +2,6 @@
 import { batchFiles } from '../core/batch/batch-files'
 import { coreFiles } from '../core/core-files'
 import { readingFiles } from '../core/reading-files'
-import { meeting } from './meeting'
 import { serveSurvey } from './serve-survey'
 
-serveSurvey({ core: coreFiles, batchModule: batchFiles, readingCore: readingFiles, meeting })
+serveSurvey({ core: coreFiles, batchModule: batchFiles, readingCore: readingFiles })

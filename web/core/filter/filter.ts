@@ -5,12 +5,13 @@
  * arithmetic is in doubles as they round: held back wrongly is at most an element for which two
  * sides agree to fifteen digits, and none is let through for good by such arithmetic.
  */
-import type { Core } from '../report'
+
 import { BERNSTEIN_COUNT, bernsteinMiddles, vertexBernstein } from '../../model/bernstein'
 import type { Condition } from '../../model/condition'
 import { NUMBERS, type NumberName, type QuantityName } from '../../model/condition/names'
 import type { ClaimNode, Comparison, NumberNode } from '../../model/condition/parse'
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vertices } from '../../model/hexahedron'
+import type { Core } from '../report'
 import { CENTRE, EDGES, FINE, setCorners, setFine, setOthers } from './coefficients'
 
 export interface Filter {

@@ -6,7 +6,7 @@ import type { Mesh } from '../mesh'
 import { headText } from '../snippet-text'
 import type { MeshFile, MeshFormat, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
-import { XmlScanner, type XmlTag } from '../xml-scanner'
+import { XmlScanner } from '../xml-scanner'
 import { type CellData, cellDataOf } from './vtk-cell-data'
 import { firstFall, VtkMesh } from './vtk-mesh'
 import { precisionOf } from './vtk-middles'
@@ -22,6 +22,7 @@ import {
   scanDocument,
   type VtkDocument,
 } from './vtu-document'
+import { piecesOf, stepsOf } from './vtu-sources'
 
 export const vtu: MeshFormat = {
   name: 'VTU',
@@ -63,17 +64,15 @@ function readDocument(document: VtkDocument, file: MeshFile, options: ReadOption
 
 function readSources(document: VtkDocument, file: MeshFile, options: ReadOptions, mesh: VtkMesh): void {
   const isCollection = document.type === COLLECTION
-  const stepOf = (tag: XmlTag) => tag.attributes.get('timestep') ?? '0'
-  const steps = [...new Set(document.sources.map(stepOf))]
+  const steps = isCollection ? stepsOf(document) : []
   const step = options.step === 'last' ? steps.length - 1 : options.step
-  if (isCollection && step >= steps.length && steps.length > 0)
+  if (step >= steps.length && steps.length > 0)
     refuse(file, `it has ${steps.length} time steps, and step ${step + 1} was asked for.`)
-  const sources = isCollection ? document.sources.filter(tag => stepOf(tag) === steps[step]) : document.sources
-  if (sources.length === 0) refuse(file, `it names no ${isCollection ? 'file' : 'piece'}.`)
-  if (isCollection) mesh.steps = steps
-  if (isCollection && steps.length > 1)
-    mesh.note(`Time step ${step + 1} of ${steps.length} was read: ${shown(steps[step] as string)}.`)
-  const names = sources.map(tag => tag.attributes.get(isCollection ? 'file' : 'Source') ?? '')
+  const names = isCollection ? (steps[step]?.files ?? []) : piecesOf(document)
+  if (names.length === 0) refuse(file, `it names no ${isCollection ? 'file' : 'piece'}.`)
+  if (isCollection) mesh.steps = steps.map(({ time }) => time)
+  if (steps.length > 1)
+    mesh.note(`Time step ${step + 1} of ${steps.length} was read: ${shown(steps[step]?.time ?? '')}.`)
   const found = names.map(name => options.find(name))
   const missing = names.filter((_, i) => found[i] === null)
   if (missing.length > 0) {

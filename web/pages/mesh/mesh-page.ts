@@ -10,12 +10,14 @@ import type { ReadingProgress } from '../../input/reading'
 import { parseCondition } from '../../model/condition'
 import { encodePermalink } from '../../model/permalink'
 import { OpenSurvey } from '../../survey/open-survey'
-import type { Arrangement, Fix, Histogram, Opening, Overview, Selected } from '../../survey/survey-jobs'
+import type { Arrangement, Fix, Histogram, Opening, Overview, Selected, StepOpening } from '../../survey/survey-jobs'
 import { startSurveyWorker } from '../../survey/survey-worker'
 import { CellTable } from '../../mesh-views/cell-table'
 import { histogramTemplate, type Range } from './histogram-view'
 import { partFile } from './part'
 import { PictureControls } from './picture-controls'
+import { StepsView } from './steps-view'
+import { TakeAway } from './take-away'
 
 const part = (selector: string) => document.querySelector(selector) as HTMLElement
 const overviewRoot = part('.overview')
@@ -81,6 +83,14 @@ const picture = new PictureControls(part('.picture'), {
   choose: cell => void chooseInPicture(cell),
   name: async cell => (await survey?.detail(cell))?.row ?? null,
 })
+const takeAway = new TakeAway({ survey: () => (shown.progress ? null : survey), picture: () => picture.toPNG() })
+
+const steps = new StepsView(part('.steps'), {
+  chosen: () => chosen?.cell ?? null,
+  show: showStep,
+  take: takeOrRefuse,
+  goTo: flyTo,
+})
 
 async function open(input: PastedInput, isExample = false): Promise<void> {
   const name = nameOf(input)
@@ -107,6 +117,7 @@ async function take(overview: Overview, isExample: boolean): Promise<void> {
   set({ ...NOTHING, name: overview.name, overview, isExample, selected: allOf(overview) })
   table.show(overview.hexahedra, { hasBlocks: overview.blocks.length > 0, order: FIRST_ORDER })
   picture.open(overview)
+  void steps.open(own)
   const [worst] = overview.worst
   if (worst) await choose(worst.cell, 0)
   const histogram = await own.histogram()
@@ -116,6 +127,38 @@ async function take(overview: Overview, isExample: boolean): Promise<void> {
   if (own !== survey) return
   await picture.show()
   if (chosen && own === survey) await showNeighbours(chosen.cell)
+  if (own === survey) await steps.readAll()
+}
+
+/** Order, selection and view stay; the chosen cell is the one of the same id. */
+async function showStep(
+  own: OpenSurvey,
+  { opened: overview, chosen: cell }: Extract<StepOpening, { opened: unknown }>,
+): Promise<void> {
+  if (own !== survey) return
+  const { order, condition, range } = shown
+  await own.arrange(order)
+  if (own !== survey) return
+  set({ ...shown, name: overview.name, overview, selected: allOf(overview) })
+  picture.step(overview)
+  if (cell === null) chooseNone()
+  else await choose(cell, null)
+  await select(condition, range)
+  const [histogram] = await Promise.all([own.histogram(), own.join(() => {})])
+  if (own !== survey) return
+  set({ ...shown, histogram })
+  await picture.show()
+  if (cell === null || own !== survey) return
+  const { rank } = await own.placeOf(cell)
+  if (own === survey && chosen?.cell === cell) await choose(cell, rank)
+}
+
+function chooseNone(): void {
+  chosen = null
+  table.choose(null, null)
+  render(html`The chosen cell is not in this step.`, oneRoot.querySelector('.which') as HTMLElement)
+  lens.hidden = true
+  picture.choose(null, [])
 }
 
 function allOf({ hexahedra }: Overview): Selected {
@@ -126,6 +169,7 @@ function cancel(): void {
   survey?.close()
   survey = null
   picture.open(null)
+  void steps.open(null)
   set({ ...NOTHING, message: 'Cancelled. Nothing is open.' })
   table.show(0, { hasBlocks: false, order: FIRST_ORDER })
 }
@@ -190,6 +234,11 @@ async function chooseInPicture(cell: number): Promise<void> {
   if (place) await choose(cell, place.rank)
 }
 
+async function flyTo(cell: number): Promise<void> {
+  await chooseInPicture(cell)
+  picture.flyToChosen()
+}
+
 async function goToNext(step: 1 | -1): Promise<void> {
   const place = await survey?.nextInvalid(chosen?.rank ?? (step > 0 ? -1 : 0), step)
   if (!place) return
@@ -208,7 +257,10 @@ async function goTo(id: string): Promise<void> {
 async function mend(fix: Fix): Promise<void> {
   const own = survey
   const opening: Opening | undefined = await own?.mend(fix.id)
-  if (!opening || own !== survey) return
+  if (opening && own === survey) await takeOrRefuse(opening)
+}
+
+async function takeOrRefuse(opening: Opening): Promise<void> {
   if ('opened' in opening) await take(opening.opened, shown.isExample)
   else set({ ...shown, refused: opening.refused })
 }
@@ -233,9 +285,11 @@ function overviewTemplate({ overview, progress, refused, isExample, name, messag
         ${overview?.fixes.map(fix => html`<button type="button" @click=${() => mend(fix)}>${fix.words}</button>`)}
         <button type="button" @click=${() => part('input[type=file]').click()}>Open a file</button>
         <button type="button" @click=${paste}>Paste</button>
+        ${takeAway.button}
         <input type="file" multiple hidden @change=${onFiles} />
       </p>
-    </div>`
+    </div>
+    ${takeAway.show(overview)}`
 }
 
 /** INVALID counts stand out. */

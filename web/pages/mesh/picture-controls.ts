@@ -83,6 +83,13 @@ export class PictureControls {
     this.#render()
   }
 
+  /** Another step of the mesh, seen as the one before was. */
+  step(overview: Overview): void {
+    this.#overview = overview
+    this.#picture.step(overview.bounds)
+    this.#render()
+  }
+
   /** Asks for the faces of the present settings, and draws them. */
   async show(): Promise<void> {
     const wanted = ++this.#wanted
@@ -119,6 +126,11 @@ export class PictureControls {
     this.#picture.choose(vertices, neighbours)
   }
 
+  /** Null where there is no WebGL. */
+  toPNG(): Promise<Blob> | null {
+    return this.#picture.isDrawn ? this.#picture.toPNG() : null
+  }
+
   flyToChosen(): void {
     if (this.#vertices) this.#picture.flyTo(this.#vertices)
   }
@@ -147,7 +159,9 @@ export class PictureControls {
       (sum, axis) => sum + (Math.abs(normal[axis as 0]) * (greatest[axis as 0] - least[axis as 0])) / 2,
       0,
     )
-    return { which: 'behind-plane', normal, offset: (2 * offset - 1) * reach }
+    const middle = this.#picture.middleOf(this.#overview?.bounds ?? null)
+    const across = [0, 1, 2].reduce((sum, axis) => sum + normal[axis as 0] * middle[axis as 0], 0)
+    return { which: 'behind-plane', normal, offset: across + (2 * offset - 1) * reach }
   }
 
   #cellAt(event: PointerEvent): number | null {

@@ -4,6 +4,7 @@
  */
 import type { CheckId } from '../../core/report'
 import { type Vec3, vertexReference } from '../../model/hexahedron'
+import { checkNames } from '../../views/check-names'
 import type { Samples } from '../../views/scene-slices'
 import type { PlainWord } from '../../words/say'
 
@@ -33,14 +34,14 @@ function at(points: readonly Vec3[]): Samples {
 
 export const checks: Readonly<Record<CheckId, CheckDescription>> = {
   corners: {
-    name: 'Eight corners',
+    name: checkNames.corners,
     usedBy: 'deal.II',
     looksAt: 'The least jacdet at the eight vertices.',
     unit: 'jacdet',
     marks: at(vertexReference),
   },
   'corners-and-centre': {
-    name: 'Corners and centre',
+    name: checkNames['corners-and-centre'],
     usedBy: 'Verdict in VTK, PyVista, ParaView',
     looksAt:
       'The scaled Jacobian: jacdet over the lengths of its three columns, the least at the vertices and the centre. It is from −1 to 1. Verdict gives 1e30 if an edge or an axis has no length.',
@@ -48,28 +49,28 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
     marks: at([...vertexReference, [1 / 2, 1 / 2, 1 / 2]]),
   },
   'gauss-2': {
-    name: '2×2×2 Gauss points',
+    name: checkNames['gauss-2'],
     usedBy: 'solvers',
     looksAt: 'The least jacdet at eight points inside, where a solver with full integration evaluates it.',
     unit: 'jacdet',
     marks: at(grid(gaussAbscissae(Math.sqrt(1 / 3)))),
   },
   'gauss-3': {
-    name: '3×3×3 Gauss points',
+    name: checkNames['gauss-3'],
     usedBy: null,
     looksAt: 'The least jacdet at the 27 points of the next finer integration rule.',
     unit: 'jacdet',
     marks: at(grid([...gaussAbscissae(Math.sqrt(3 / 5)), 1 / 2])),
   },
   edges: {
-    name: 'Twelve edges',
+    name: checkNames.edges,
     usedBy: null,
     looksAt: 'The least jacdet along the twelve edges. It comes from the quadratic on each edge, not from samples.',
     unit: 'jacdet',
     marks: { points: [], edges: true },
   },
   bernstein: {
-    name: 'One Bernstein bound',
+    name: checkNames.bernstein,
     usedBy: null,
     looksAt:
       'The least of the 27 Bernstein coefficients, which follow from 20 samples. It is a lower bound of jacdet, often a poor one: it rejects some valid elements.',
@@ -78,7 +79,7 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
     marks: at(grid(ENDS_AND_MIDDLE).filter(point => point.filter(x => x === 1 / 2).length < 2)),
   },
   subdivision: {
-    name: 'Subdivision to depth\u00a04',
+    name: checkNames.subdivision,
     usedBy: 'HXT',
     looksAt:
       'The number at which cutting into eight stops. An element still open at depth 4 is rejected, valid or not.',
@@ -87,7 +88,7 @@ export const checks: Readonly<Record<CheckId, CheckDescription>> = {
     marks: at(grid(ENDS_AND_MIDDLE)),
   },
   tangents: {
-    name: 'Four tangents',
+    name: checkNames.tangents,
     usedBy: 'Knabner, Korotov, Summ',
     looksAt:
       'A lower bound of jacdet, by four tangents in two variables. If it is positive, it certifies the element. Otherwise it says nothing.',

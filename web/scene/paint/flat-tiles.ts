@@ -17,6 +17,10 @@ export interface FlatTile {
   readonly corners: readonly [FlatPoint, FlatPoint, FlatPoint, FlatPoint]
   /** jacdet at its middle: for a colour only, never for a verdict. */
   readonly value: number
+  readonly face: number
+  /** Where its middle is on the face. */
+  readonly s: number
+  readonly t: number
   /** Its middle where the vertices are, and a normal there of any length. */
   readonly middle: Vec3
   readonly normal: Vec3
@@ -45,6 +49,9 @@ export function flatTiles(
           depth: own.reduce((sum, { depth }) => sum + depth, 0),
           corners: own,
           value: jacdetOn(bernstein, s, t),
+          face,
+          s,
+          t,
           middle: facePoint(vertices, face, s, t),
           normal: patchNormal(faceCorners(vertices, face), s, t),
         })

@@ -4,13 +4,14 @@ import { dot } from '../space/vec3'
 import type { FlatPoint } from './flat-tiles'
 
 const [AZIMUTH, ELEVATION] = [-58, 24].map(degrees => (degrees * Math.PI) / 180) as [number, number]
-const RIGHT: Vec3 = [-Math.sin(AZIMUTH), Math.cos(AZIMUTH), 0]
-const UP: Vec3 = [
+export const RIGHT: Vec3 = [-Math.sin(AZIMUTH), Math.cos(AZIMUTH), 0]
+export const UP: Vec3 = [
   -Math.sin(ELEVATION) * Math.cos(AZIMUTH),
   -Math.sin(ELEVATION) * Math.sin(AZIMUTH),
   Math.cos(ELEVATION),
 ]
-const TOWARDS: Vec3 = [
+/** From the middle to the eye, of length 1. */
+export const TOWARDS: Vec3 = [
   Math.cos(ELEVATION) * Math.cos(AZIMUTH),
   Math.cos(ELEVATION) * Math.sin(AZIMUTH),
   Math.sin(ELEVATION),

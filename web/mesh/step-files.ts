@@ -1,0 +1,183 @@
+/** Files that hold one mesh at several times, told from those that hold its parts. */
+import { orderOfNumbers } from './file-numbers'
+import { collectionSteps, pieceNames } from './formats/vtu-sources'
+import { joined } from './join-meshes'
+import { type Mesh, MeshRefusal } from './mesh'
+import { MissingFiles, readMeshes, type TogetherOptions } from './read-mesh'
+import { shown, shownFileName } from './shown'
+import { isNamed, type MeshFile, type ReadOptions } from './source'
+
+export interface StepFiles {
+  /** What was decided, for people: "7 files are taken as 7 steps of one mesh, in the order of their numbers." */
+  readonly sentences: readonly string[]
+  readonly steps: readonly StepFile[]
+  /** The first step, where it had to be read to decide. */
+  readonly first: Mesh | null
+}
+
+export interface StepFile {
+  /** The name of its file, safe to show. */
+  readonly name: string
+  /** As the file that lists the steps has it; null where it is in the step's own file, if anywhere. */
+  readonly time: string | null
+  /** Throws a MeshRefusal. */
+  read(options: TogetherOptions): Mesh
+}
+
+/**
+ * A .pvd says what the steps are. Without one, files are steps if their names differ only in a number and the first and the last
+ * have the same cells: the others are compared when they are read. Null where the files are parts of one mesh, or refused.
+ */
+export function stepFilesOf(files: readonly MeshFile[], options: TogetherOptions): StepFiles | null {
+  const collections = files.filter(isCollection)
+  const [collection, ...others] = collections
+  if (collection) return others.length > 0 ? null : ofCollection(collection, files, options)
+  return ofNumbers(files, options)
+}
+
+export function isCollection({ name }: { readonly name: string }): boolean {
+  return /\.pvd$/i.test(name)
+}
+
+function ofCollection(file: MeshFile, files: readonly MeshFile[], options: TogetherOptions): StepFiles | null {
+  const steps = collectionSteps(file, scanning(options))
+  if (steps === null || steps.length < 2) return null
+  const { missing, named } = lookedUp(
+    steps.map(step => step.files),
+    files,
+    options,
+  )
+  const isWhole = missing.map(names => names.length === 0)
+  if (!isWhole.includes(true)) return null
+  const name = shownFileName(file.name)
+  const left = files.filter(other => other !== file && !named.has(other))
+  return {
+    sentences: [
+      `${name} has ${steps.length} time steps of one mesh.`,
+      ...missingSentence(missing),
+      ...leftSentence(left, name),
+    ],
+    steps: steps.map(({ time }, step) => ({
+      name,
+      time: shown(time).slice(1, -1),
+      read: own => meshOf(file, files, { ...own, step }).mesh,
+    })),
+    first: null,
+  }
+}
+
+/** For each list of names: which are of no file here, those of a .pvtu's pieces among them; and all files that are named. */
+function lookedUp(
+  lists: readonly (readonly string[])[],
+  files: readonly MeshFile[],
+  options: TogetherOptions,
+): { readonly missing: readonly (readonly string[])[]; readonly named: ReadonlySet<MeshFile> } {
+  const named = new Set<MeshFile>()
+  const missingOf = (names: readonly string[], isPieces: boolean): readonly string[] =>
+    names.flatMap(name => {
+      const found = files.find(file => isNamed(file, name))
+      if (!found) return [name]
+      named.add(found)
+      return isPieces ? [] : missingOf(pieceNames(found, scanning(options)), true)
+    })
+  return { missing: lists.map(names => missingOf(names, false)), named }
+}
+
+function missingSentence(missing: readonly (readonly string[])[]): string[] {
+  const lacking = missing.filter(names => names.length > 0)
+  const [first] = lacking.flat()
+  if (first === undefined) return []
+  return [`${lacking.length} of them ${lacking.length === 1 ? 'lacks' : 'lack'} files, first ${shown(first)}.`]
+}
+
+function leftSentence(left: readonly MeshFile[], name: string): string[] {
+  const [first] = left
+  if (!first) return []
+  const names = `first ${shown(first.name)}`
+  return [
+    left.length === 1
+      ? `${shown(first.name)} is not named in ${name} and was left out.`
+      : `${left.length} files are not named in ${name} and were left out, ${names}.`,
+  ]
+}
+
+function ofNumbers(files: readonly MeshFile[], options: TogetherOptions): StepFiles | null {
+  const pieces = files.flatMap(file => pieceNames(file, scanning(options)))
+  const heads = files.filter(file => !pieces.some(piece => isNamed(file, piece)))
+  const order = orderOfNumbers(heads.map(({ name }) => name))
+  if (order === null) return null
+  const ordered = order.map(index => heads[index] as MeshFile)
+  const ends = [0, ordered.length - 1].map((step, i) => {
+    const onProgress = (part: number) => options.onProgress((i + part) / 2)
+    return meshOf(ordered[step] as MeshFile, files, { ...options, onProgress, step: 0 })
+  })
+  const [first, last] = ends as [StepMesh, StepMesh]
+  const areApart = ends.every(({ found }) => !ordered.some(file => found.has(file)))
+  if (!areApart || first.mesh.cells.length === 0 || !haveSameCells(first.mesh, last.mesh)) return null
+  const others = files.length === ordered.length ? '' : ` with ${files.length - ordered.length} pieces`
+  return {
+    sentences: [
+      `${ordered.length} files${others} are taken as ${ordered.length} steps of one mesh, in the order of their numbers.`,
+    ],
+    steps: ordered.map(file => ({
+      name: shownFileName(file.name),
+      time: null,
+      read: own => meshOf(file, files, { ...own, step: 0 }).mesh,
+    })),
+    first: first.mesh,
+  }
+}
+
+/** A mesh without the places of its points. */
+export type Topology = Pick<Mesh, 'cells' | 'notTrilinear' | 'other'> & { readonly points: { readonly length: number } }
+
+/** True if two meshes differ in nothing but in where their points are, and in names. */
+export function haveSameCells(a: Topology, b: Topology): boolean {
+  return (
+    a.points.length === b.points.length &&
+    areEqual(a.cells, b.cells) &&
+    areEqual(a.notTrilinear.corners, b.notTrilinear.corners) &&
+    a.other.size === b.other.size &&
+    [...a.other].every(([type, count]) => b.other.get(type) === count)
+  )
+}
+
+export function areEqual(a: Uint32Array, b: Uint32Array): boolean {
+  if (a === b) return true
+  if (a.length !== b.length) return false
+  for (let i = 0; i < a.length; ++i) if (a[i] !== b[i]) return false
+  return true
+}
+
+interface StepMesh {
+  readonly mesh: Mesh
+  /** Files that the file named. */
+  readonly found: ReadonlySet<MeshFile>
+}
+
+function meshOf(
+  file: MeshFile,
+  files: readonly MeshFile[],
+  options: TogetherOptions & { readonly step: number },
+): StepMesh {
+  const found = new Set<MeshFile>()
+  const missing: string[] = []
+  const find = (name: string): MeshFile | null => {
+    const other = files.find(candidate => candidate !== file && isNamed(candidate, name)) ?? null
+    if (other) found.add(other)
+    else missing.push(name)
+    return other
+  }
+  try {
+    const [first, ...others] = readMeshes(file, { ...options, find })
+    if (!first) throw new MeshRefusal(`${shownFileName(file.name)}: there is no mesh in it.`)
+    return { mesh: joined([first, ...others]), found }
+  } catch (error) {
+    if (missing.length > 0 && error instanceof MeshRefusal) throw new MissingFiles(error.message, missing)
+    throw error
+  }
+}
+
+function scanning(options: TogetherOptions): ReadOptions {
+  return { ...options, core: options.core ?? null, find: () => null, step: 0 }
+}

@@ -1,0 +1,205 @@
+/** What can be taken away of the open mesh: a menu of files, which the mesh's worker writes. */
+import { html, nothing, render, type TemplateResult } from 'lit-html'
+import type { OpenSurvey } from '../../survey/open-survey'
+import type { FormId, Overview } from '../../survey/survey-jobs'
+import { saveFile } from '../../views/save-file'
+import { fileStem, sizeWords } from './file-names'
+
+export interface TakeAwayHost {
+  /** Null while another mesh is read. */
+  survey(): OpenSurvey | null
+  /** Null where there is no picture. */
+  picture(): Promise<Blob> | null
+}
+
+interface FileWords {
+  readonly form: FormId | 'png'
+  readonly name: string
+  readonly what: string
+  /** Stands behind the mesh's name. */
+  readonly ending: string
+  readonly mediaType: string
+}
+
+const WHOLE: readonly FileWords[] = [
+  {
+    form: 'html',
+    name: 'Report',
+    what: 'one HTML file to keep: the sentence, the histogram, the worst ten drawn',
+    ending: '-report.html',
+    mediaType: 'text/html',
+  },
+  { form: 'csv', name: 'CSV', what: 'a line for each cell', ending: '.csv', mediaType: 'text/csv' },
+  {
+    form: 'json',
+    name: 'JSON',
+    what: 'counts, notes, the invalid cells, ten at least',
+    ending: '.json',
+    mediaType: 'application/json',
+  },
+  {
+    form: 'vtu',
+    name: 'VTU',
+    what: 'the mesh with valid, boundary_min, relative_min and volume, for ParaView',
+    ending: '-checked.vtu',
+    mediaType: 'model/vnd.vtu',
+  },
+  { form: 'png', name: 'PNG', what: 'the picture as it is', ending: '.png', mediaType: 'image/png' },
+]
+
+const INVALID: readonly FileWords[] = [
+  {
+    form: 'invalid-vtu',
+    name: 'VTU',
+    what: 'these cells alone, with their indices and ids',
+    ending: '-invalid.vtu',
+    mediaType: 'model/vnd.vtu',
+  },
+  {
+    form: 'certificates',
+    name: 'Certificates',
+    what: 'a point with jacdet ≤ 0 of each, to be checked by anybody',
+    ending: '-certificates.json',
+    mediaType: 'application/json',
+  },
+  {
+    form: 'abaqus',
+    name: 'ELSET',
+    what: 'ids for Abaqus and CalculiX',
+    ending: '-invalid.inp',
+    mediaType: 'text/plain',
+  },
+  { form: 'nastran', name: 'SET', what: 'ids for Nastran', ending: '-invalid.nas', mediaType: 'text/plain' },
+  { form: 'plain', name: 'List', what: 'ids, one on a line', ending: '-invalid.txt', mediaType: 'text/plain' },
+]
+
+const NONE_INVALID = 'No cell is invalid, so there are no such files.'
+const BUSY = 'Another mesh is being read: wait for it, or cancel.'
+const NO_PICTURE = 'There is no picture without WebGL.'
+
+interface Shown {
+  readonly overview: Overview | null
+  readonly writing: { readonly file: string; readonly fraction: number } | null
+  readonly message: string
+}
+
+export class TakeAway {
+  /** Shows and hides the menu. */
+  readonly button = document.createElement('button')
+  readonly #root = document.createElement('section')
+  readonly #host: TakeAwayHost
+  #shown: Shown = { overview: null, writing: null, message: '' }
+  #writer: OpenSurvey | null = null
+
+  constructor(host: TakeAwayHost) {
+    this.#host = host
+    this.button.type = 'button'
+    this.button.textContent = 'Take away'
+    this.button.setAttribute('aria-controls', 'take-away')
+    this.button.addEventListener('click', () => this.#open(Boolean(this.#root.hidden)))
+    this.#root.className = 'take-away'
+    this.#root.id = 'take-away'
+    this.#root.setAttribute('aria-label', 'Take away')
+    this.#root.addEventListener('keydown', event => {
+      if (event.key !== 'Escape') return
+      this.#open(false)
+      this.button.focus()
+    })
+  }
+
+  /** The menu for this mesh, closed for another one. */
+  show(overview: Overview | null): HTMLElement {
+    if (this.button.hidden === (overview === null) && overview === this.#shown.overview) return this.#root
+    this.button.hidden = overview === null
+    this.#open(false)
+    this.#set({ overview, writing: null, message: '' })
+    return this.#root
+  }
+
+  #open(isOpen: boolean): void {
+    this.#root.hidden = !isOpen
+    this.button.setAttribute('aria-expanded', String(isOpen))
+  }
+
+  async #take({ form, ending, mediaType }: FileWords): Promise<void> {
+    const { overview } = this.#shown
+    const survey = this.#host.survey()
+    if (!overview) return
+    if (!survey) return this.#set({ ...this.#shown, message: BUSY })
+    this.#writer = survey
+    const file = `${fileStem(overview.name)}${ending}`
+    const isStill = () => overview === this.#shown.overview
+    const tell = (message: string) => isStill() && this.#set({ ...this.#shown, writing: null, message })
+    const onProgress = (fraction: number) => isStill() && this.#set({ ...this.#shown, writing: { file, fraction } })
+    this.#set({ ...this.#shown, writing: { file, fraction: 0 }, message: '' })
+    try {
+      const written = form === 'png' ? await this.#picture() : await survey.write(form, onProgress)
+      if (written === null) return
+      if ('refused' in written) return void tell(written.refused)
+      saveFile(file, written.content, mediaType)
+      tell([`${file}, ${sizeWords(written.content.size)}.`, ...written.said].join(' '))
+    } catch (reason) {
+      tell(`${file} was not written: ${reason instanceof Error ? reason.message : reason}`)
+    }
+  }
+
+  async #picture(): Promise<{ readonly content: Blob; readonly said: readonly string[] }> {
+    const content = await this.#host.picture()
+    if (content === null) throw new Error(NO_PICTURE)
+    return { content, said: [] }
+  }
+
+  #cancel(): void {
+    this.#writer?.cancelWriting()
+    this.#set({ ...this.#shown, writing: null, message: 'Cancelled: nothing was saved.' })
+    this.button.focus()
+  }
+
+  #set(shown: Shown): void {
+    this.#shown = shown
+    render(this.#template(shown), this.#root)
+  }
+
+  #template({ overview, writing, message }: Shown): TemplateResult | typeof nothing {
+    if (!overview) return nothing
+    const hasInvalid = overview.counts.invalid > 0
+    return html`<div class="now">
+        <p role="status">${writing ? `Writing ${writing.file}.` : message}</p>
+        ${
+          writing === null
+            ? nothing
+            : html`<p class="writing">
+                <progress max="1" aria-label=${`Writing ${writing.file}`} .value=${writing.fraction}></progress>
+                <button type="button" @click=${() => this.#cancel()}>Cancel</button>
+              </p>`
+        }
+      </div>
+      <div>
+        <h2>All cells</h2>
+        ${this.#list(WHOLE, null)}
+      </div>
+      <div>
+        <h2>Invalid cells alone</h2>
+        ${hasInvalid ? nothing : html`<p id="take-away-why">${NONE_INVALID}</p>`}
+        ${this.#list(INVALID, hasInvalid ? null : 'take-away-why')}
+      </div>`
+  }
+
+  /** Disabled for the reason with this id. */
+  #list(files: readonly FileWords[], why: string | null): TemplateResult {
+    return html`<ul>
+      ${files.map(
+        file => html`<li>
+          <button
+            type="button"
+            ?disabled=${why !== null}
+            aria-describedby=${why ?? nothing}
+            @click=${() => this.#take(file)}
+          >
+            <b>${file.name}</b> <span>${file.what}</span>
+          </button>
+        </li>`,
+      )}
+    </ul>`
+  }
+}

@@ -1,0 +1,14 @@
+/** What other checks are called, by their ids in the report. */
+import type { CheckId } from '../core/report'
+import type { PlainWord } from '../words/say'
+
+export const checkNames: Readonly<Record<CheckId, PlainWord>> = {
+  corners: 'Eight corners',
+  'corners-and-centre': 'Corners and centre',
+  'gauss-2': '2×2×2 Gauss points',
+  'gauss-3': '3×3×3 Gauss points',
+  edges: 'Twelve edges',
+  bernstein: 'One Bernstein bound',
+  subdivision: 'Subdivision to depth\u00a04',
+  tangents: 'Four tangents',
+}
