@@ -272,6 +272,7 @@ const standIns = {
         program.destroy()
       }
       releaseShaderCache() {}
+      dispose() {}
     }`,
   'renderers/webgl/WebGLShadowMap.js': `
     export class WebGLShadowMap {
@@ -316,6 +317,7 @@ const standIns = {
       resetTextureUnits() {}
       getTextureUnits() { return null }
       setTextureUnits() {}
+      dispose() {}
     }`,
   'renderers/webgl/WebGLUniformsGroups.js': `
     export class WebGLUniformsGroups {

@@ -202,7 +202,7 @@ export class MeshPicture {
     this.#listening.abort()
     for (const layer of Object.values(this.#layers)) layer.dispose()
     this.#renderer?.dispose()
-    this.#renderer?.forceContextLoss()
+    this.#renderer?.getContext().getExtension('WEBGL_lose_context')?.loseContext()
     this.#canvas.remove()
     this.#overlay.remove()
   }
