@@ -279,6 +279,7 @@ const standIns = {
     }`,
   // All that is drawn has two sides, hides what is behind it, and blends premultiplied colours or none.
   'renderers/webgl/WebGLState.js': `
+    import { EqualDepth } from '../../constants.js'
     export class WebGLState {
       #gl
       #program = null
@@ -293,8 +294,10 @@ const standIns = {
         gl.depthFunc(gl.LEQUAL)
         gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA)
       }
-      setMaterial({ transparent, depthWrite }) {
+      setMaterial({ transparent, colorWrite, depthWrite, depthFunc }) {
         const gl = this.#gl
+        gl.colorMask(colorWrite, colorWrite, colorWrite, colorWrite)
+        gl.depthFunc(depthFunc === EqualDepth ? gl.EQUAL : gl.LEQUAL)
         if (transparent) gl.enable(gl.BLEND)
         else gl.disable(gl.BLEND)
         gl.depthMask(depthWrite)
