@@ -3,7 +3,9 @@
 // From the top to the bottom; folders in one line stand side by side. What is not in a layer of web/ is not looked at.
 const layers = [
   ['pages', 'package'],
+  ['mesh-element'],
   ['cli', 'element'],
+  ['mesh-views'],
   ['panels'],
   ['mesh-scene'],
   ['survey'],

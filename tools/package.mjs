@@ -69,6 +69,7 @@ const bundles = [
   { file: 'hexlens.es.js', entry: ours('hexlens.ts'), isWidget: true },
   { file: 'hexlens.iife.js', entry: ours('script.ts'), format: 'iife', isWidget: true },
   { file: 'hexlens.light.js', entry: ours('light.ts'), isWidget: true },
+  { file: 'hexlens.hex-mesh.js', entry: ours('hex-mesh.ts'), isWidget: true },
   { file: 'hexlens.three.js', entry: ours('hexlens.ts'), external: /^three(\/|$)/ },
   { file: 'hexlens.core.js', entry: ours('core.ts') },
   { file: 'hexlens.batch.js', entry: ours('batch.ts') },
@@ -213,6 +214,7 @@ export async function writeTypes(outDir) {
   const entries = [
     'hexlens',
     'light',
+    'hex-mesh',
     'react',
     'preact',
     'vue',

@@ -5,6 +5,7 @@ import { cellClassifier } from '../../web/input/classify-cells'
 import type { Mesh } from '../../web/mesh/mesh'
 import { isMet, parseCondition } from '../../web/model/condition'
 import { part } from '../../web/pages/mesh/part'
+import { meeting } from '../../web/survey/meeting'
 import { mended } from '../../web/survey/mend'
 import { Survey } from '../../web/survey/survey'
 import type { Column, Selection, ShownCells } from '../../web/survey/survey-jobs'
@@ -24,7 +25,7 @@ const LISTS = { minima: true, volumes: true, acceptedBy: true }
 const ALL: ShownCells = { cells: { which: 'all' }, isWhole: false, most: Infinity }
 
 async function surveyOf(mesh: Mesh): Promise<Survey> {
-  return new Survey(await checked(mesh, { worst: Infinity, lists: LISTS }), core)
+  return new Survey(await checked(mesh, { worst: Infinity, lists: LISTS }), { core, meeting })
 }
 
 /** The cells of the list as it is. */

@@ -33,7 +33,7 @@ export type AttributeName = keyof Attributes
 export type Theme = (typeof THEMES)[number]
 
 const FACES = ['0', '1', '2', '3', '4', '5'] as const
-const THEMES = ['auto', 'light', 'dark'] as const
+export const THEMES = ['auto', 'light', 'dark'] as const
 export const FIRST_VIEWS = ['scene', 'verdict']
 const DECIMAL = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i
 /** The reader can turn no farther, and a state can zoom no farther. */
@@ -194,14 +194,14 @@ function words<Word extends string>(name: AttributeName, text: string, known: re
   return given.map(word => oneOf(name, word, [...known, 'all' as Word, 'none' as Word]))
 }
 
-function oneOf<Word extends string>(name: AttributeName, text: string, known: readonly Word[]): Word {
+export function oneOf<Word extends string>(name: string, text: string, known: readonly Word[]): Word {
   const word = known.find(each => each === text.trim())
   if (word === undefined)
     throw refusal(name, say('“{text}” is none of {known}', { text: shortened(text), known: known.join(', ') }))
   return word
 }
 
-function refusal(name: AttributeName, why: string): HexLensError {
+function refusal(name: string, why: string): HexLensError {
   return new HexLensError('bad-attribute', say('The attribute {name} is not understood: {why}.', { name, why }))
 }
 

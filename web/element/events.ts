@@ -52,10 +52,10 @@ export interface HexLensEventMap {
 }
 
 /** An element that tells these events. */
-export interface TellingElement extends HTMLElement {
-  addEventListener<Name extends keyof HexLensEventMap>(
+export interface TellingElement<EventMap = HexLensEventMap> extends HTMLElement {
+  addEventListener<Name extends keyof EventMap & string>(
     type: Name,
-    listener: (this: this, event: HexLensEventMap[Name]) => unknown,
+    listener: (this: this, event: EventMap[Name]) => unknown,
     options?: boolean | AddEventListenerOptions,
   ): void
   addEventListener<Name extends keyof HTMLElementEventMap>(
@@ -68,9 +68,9 @@ export interface TellingElement extends HTMLElement {
     listener: EventListenerOrEventListenerObject,
     options?: boolean | AddEventListenerOptions,
   ): void
-  removeEventListener<Name extends keyof HexLensEventMap>(
+  removeEventListener<Name extends keyof EventMap & string>(
     type: Name,
-    listener: (this: this, event: HexLensEventMap[Name]) => unknown,
+    listener: (this: this, event: EventMap[Name]) => unknown,
     options?: boolean | EventListenerOptions,
   ): void
   removeEventListener<Name extends keyof HTMLElementEventMap>(

@@ -34,16 +34,30 @@ export function textOf(given: unknown): string | null {
   }
 }
 
-for (const name of ['views', 'controls', 'theme', 'poster', 'label', 'group', 'share', 'app'])
-  Object.defineProperty(ReflectingElement.prototype, name, {
-    configurable: true,
-    enumerable: true,
-    get(this: HTMLElement) {
-      return this.getAttribute(name)
-    },
-    set(this: HTMLElement, given: unknown) {
-      const text = textOf(given)
-      if (text === null) this.removeAttribute(name)
-      else this.setAttribute(name, text)
-    },
-  })
+/** Gives a class properties that are the attributes of the same names. */
+export function reflectAttributes(prototype: HTMLElement, names: readonly string[]): void {
+  for (const name of names)
+    Object.defineProperty(prototype, name, {
+      configurable: true,
+      enumerable: true,
+      get(this: HTMLElement) {
+        return this.getAttribute(name)
+      },
+      set(this: HTMLElement, given: unknown) {
+        const text = textOf(given)
+        if (text === null) this.removeAttribute(name)
+        else this.setAttribute(name, text)
+      },
+    })
+}
+
+reflectAttributes(ReflectingElement.prototype, [
+  'views',
+  'controls',
+  'theme',
+  'poster',
+  'label',
+  'group',
+  'share',
+  'app',
+])

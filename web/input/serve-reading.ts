@@ -39,9 +39,11 @@ export interface ReadingEngine {
 }
 
 export function serveReading(engine: ReadingEngine): void {
-  serve<null, ReadingJobs>('hexlens-reading', () => ({
-    read: (input, tell) => read(input, engine, tell).catch(refusalOf),
-  }))
+  serve<null, ReadingJobs>('hexlens-reading', () => readingJobs(engine))
+}
+
+export function readingJobs(engine: ReadingEngine): ReadingJobs {
+  return { read: (input, tell) => read(input, engine, tell).catch(refusalOf) }
 }
 
 async function read(input: PastedInput, engine: ReadingEngine, tell: Tell): Promise<ReadingOutcome> {

@@ -4,6 +4,7 @@
  */
 import { LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three'
 import { edgeVertices, type Vec3, type Vertices } from '../model/hexahedron'
+import type { CameraView } from '../model/state'
 import { OrbitInput } from '../scene/input/orbit-input'
 import { type Ramp, type Rgb, rampOf, type Theme } from '../scene/paint/colour-map'
 import { lightOf } from '../scene/paint/shading'
@@ -43,9 +44,13 @@ export class MeshPicture {
   #painted: { readonly theme: Theme; readonly ramp: Ramp } | null = null
   #frame = 0
   #isNew = true
+  #first: CameraView | null = null
+  readonly #takesWheel: (event: WheelEvent) => boolean
 
-  constructor(root: HTMLElement) {
+  /** A picture among others' content leaves the wheel to the page, but for events that `takesWheel` accepts. */
+  constructor(root: HTMLElement, takesWheel: (event: WheelEvent) => boolean = () => true) {
     this.#root = root
+    this.#takesWheel = takesWheel
     this.#canvas.className = 'mesh-canvas'
     this.#overlay.classList.add('mesh-overlay')
     this.#overlay.setAttribute('aria-hidden', 'true')
@@ -61,8 +66,14 @@ export class MeshPicture {
     return this.#renderer !== null
   }
 
-  /** Another mesh, seen whole. */
-  open(bounds: Bounds | null): void {
+  /** The camera, for `open`; null if nothing has moved it. */
+  get view(): CameraView | null {
+    return this.#isNew ? this.#first : this.#camera.cameraView(this.#corners, HALF_EXTENT)
+  }
+
+  /** Another mesh, seen whole, or as a picture of it was. */
+  open(bounds: Bounds | null, view: CameraView | null = null): void {
+    this.#first = view
     const { least, greatest } = bounds ?? NO_BOUNDS
     this.#origin = [0, 1, 2].map(axis => least[axis as 0] / 2 + greatest[axis as 0] / 2) as unknown as Vec3
     const half = [0, 1, 2].map(axis => (greatest[axis as 0] - least[axis as 0]) / 2)
@@ -216,7 +227,8 @@ export class MeshPicture {
     root.addEventListener('pointermove', event => orbit.move(event, this.#placeOf(event)), { signal })
     for (const type of ['pointerup', 'pointercancel'] as const)
       root.addEventListener(type, ({ pointerId }) => orbit.end(pointerId), { signal })
-    root.addEventListener('wheel', event => orbit.wheel(event, this.#placeOf(event)), { signal, passive: false })
+    const onWheel = (event: WheelEvent) => this.#takesWheel(event) && orbit.wheel(event, this.#placeOf(event))
+    root.addEventListener('wheel', onWheel, { signal, passive: false })
     root.addEventListener('contextmenu', event => event.preventDefault(), { signal })
   }
 
@@ -227,7 +239,7 @@ export class MeshPicture {
     camera.resize(width, height, { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN })
     if (this.#isNew && this.#corners.length > 0) {
       this.#isNew = false
-      this.#camera.look(this.#corners, HALF_EXTENT, null)
+      this.#camera.look(this.#corners, HALF_EXTENT, this.#first)
     }
     camera.enclose(this.#corners)
     const { theme } = this.#paint()

@@ -1,7 +1,15 @@
-/** The worker that reads, in one file. */
-import { serveReading } from '../input/serve-reading'
+/** The worker that reads, for `<hex-lens>`, and in which a mesh is open, for `<hex-mesh>`: one file, since most of it is the same. */
+import { serve } from '../core/workers'
+import { type ReadingEngine, type ReadingJobs, readingJobs } from '../input/serve-reading'
+import { surveyJobs } from '../survey/serve-survey'
+import type { SurveyJobs } from '../survey/survey-jobs'
 import { batchInside } from './batch-inside'
 import { coreInside } from './core-inside'
 import { readingInside } from './reading-inside'
 
-serveReading({ core: coreInside, batchModule: batchInside, readingCore: readingInside })
+const engine: ReadingEngine = { core: coreInside, batchModule: batchInside, readingCore: readingInside }
+
+serve<null, ReadingJobs & SurveyJobs>('hexlens-mesh', () => ({
+  ...readingJobs(engine),
+  ...surveyJobs({ ...engine, meeting: null }),
+}))

@@ -1,14 +1,16 @@
 /** Which cells are listed: decided in steps, from the worst on, so that others may ask in between. */
-import { filterOf, OPEN, TRUE } from '../core/filter/filter'
-import { quantitiesOf } from '../core/quantities'
 import type { Core } from '../core/report'
 import type { MeshCheck } from '../mesh/mesh-check'
-import { verticesOf } from '../mesh/vertices-of'
-import { isMet, parseCondition } from '../model/condition'
-import { exactly } from '../model/condition/enclosure'
-import type { NumberNode } from '../model/condition/parse'
-import { scaledInteger } from '../model/rational'
 import type { Selected, Selection } from './survey-jobs'
+
+/** Which cells meet a condition, in its text. Throws a RangeError if that is none: whoever offers it has parsed it. */
+export type Meeting = (check: MeshCheck, core: Core, condition: string) => (cell: number) => boolean
+
+export interface Conditioned {
+  readonly core: Core
+  /** Null in a build whose meshes are never asked for a condition. */
+  readonly meeting: Meeting | null
+}
 
 /** Cells between two looks at the clock. */
 const CELLS_AT_ONCE = 64
@@ -22,14 +24,15 @@ export class SelectionRun {
   #done = 0
   #listed = 0
 
-  /** Throws a RangeError for a condition that is none: whoever offers it has parsed it. */
-  constructor(check: MeshCheck, core: Core, { condition, range }: Selection) {
+  /** Throws as `meeting` does. */
+  constructor(check: MeshCheck, { core, meeting }: Conditioned, { condition, range }: Selection) {
     this.#check = check
     this.isAll = condition === null && range === null
     const [lower, upper] = range ?? [-Infinity, Infinity]
     const relative = check.answers.relativeMinima
     const isWithin = (cell: number) => range === null || isBetween(relative[cell] as number, lower, upper)
-    const holds = condition === null ? () => true : meeting(check, core, condition)
+    if (condition !== null && meeting === null) throw new RangeError('This build knows no conditions.')
+    const holds = condition === null || meeting === null ? () => true : meeting(check, core, condition)
     this.#isMeant = cell => isWithin(cell) && holds(cell)
     this.#mask = new Uint8Array(this.isAll ? 0 : check.hexahedra)
     if (this.isAll) {
@@ -61,32 +64,3 @@ export class SelectionRun {
 function isBetween(value: number, lower: number, upper: number): boolean {
   return value >= lower && value <= upper
 }
-
-/** Cells that are unanswered meet no condition. */
-function meeting(check: MeshCheck, core: Core, text: string): (cell: number) => boolean {
-  const parsed = parseCondition(text)
-  if (!parsed.ok) throw new RangeError(parsed.error.message)
-  const condition = parsed.value
-  const own = new Float64Array(24)
-  const filter = filterOf(condition, NO_MEASURE, NOWHERE, core)
-  return cell => {
-    if (!check.isAnswered(cell)) return false
-    const vertices = verticesOf(check.mesh, cell)
-    own.set(vertices)
-    const truth = isOrdinary(own) ? filter.judge(own, 0, check.answers.valid[cell] === 1) : OPEN
-    if (truth !== OPEN) return truth === TRUE
-    const report = core.analyze(vertices)
-    return report.ok && isMet(condition, quantitiesOf(report.value, vertices))
-  }
-}
-
-/** The filter's bounds are for products of three coordinates within the range of doubles. */
-function isOrdinary(vertices: Float64Array): boolean {
-  let greatest = 0
-  for (const coordinate of vertices) greatest = Math.max(greatest, Math.abs(coordinate))
-  return greatest > 2 ** -300 && greatest < 2 ** 300
-}
-
-const NO_MEASURE: NumberNode = { kind: 'constant', value: exactly(scaledInteger(0n, 0)) }
-/** The place from which `moved` would count: nobody asks for it here. */
-const NOWHERE: readonly number[] = new Array(24).fill(0)

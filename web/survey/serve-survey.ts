@@ -12,6 +12,7 @@ import type { MeshCheck } from '../mesh/mesh-check'
 import type { TogetherOptions } from '../mesh/read-mesh'
 import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
 import { mended } from './mend'
+import type { Conditioned } from './selection'
 import { StepSeries } from './step-series'
 import { Survey } from './survey'
 import type { FixId, Opening, Overview, StepAnswer, StepOpening, StepWanted, SurveyJobs, Written } from './survey-jobs'
@@ -23,6 +24,8 @@ const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true, exact: tr
 
 /** Milliseconds of a step of what takes long: other questions wait so long. */
 const STEP = 12
+
+export type SurveyEngine = ReadingEngine & Pick<Conditioned, 'meeting'>
 
 interface Open {
   readonly name: string
@@ -40,7 +43,11 @@ interface OpenSteps {
 
 type Tell = (progress: ReadingProgress) => void
 
-export function serveSurvey(engine: ReadingEngine): void {
+export function serveSurvey(engine: SurveyEngine): void {
+  serve<null, SurveyJobs>('hexlens-survey', () => surveyJobs(engine))
+}
+
+export function surveyJobs(engine: SurveyEngine): SurveyJobs {
   let open: Open | null = null
   let steps: OpenSteps | null = null
   let given: PastedInput = { files: [] }
@@ -69,7 +76,7 @@ export function serveSurvey(engine: ReadingEngine): void {
     const classify = open?.classify ?? cellClassifier(core, engine.batchModule, onProgress)
     const options = { worst: Infinity, minRelative: null, skipsDegenerate: false, lists: LISTS }
     const check = await checkMesh(mesh, { classify, core }, options)
-    const own = new Survey(check, core, before)
+    const own = new Survey(check, { core, meeting: engine.meeting }, before)
     const overview = own.overview(name, await wholeOrderOf(check, { classify, core }))
     if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
     open = { name, survey: own, classify, core }
@@ -141,7 +148,7 @@ export function serveSurvey(engine: ReadingEngine): void {
     return { opened: overview }
   }
 
-  serve<null, SurveyJobs>('hexlens-survey', () => ({
+  return {
     open: (input, tell) => opening(input, seldom(tell)).catch(refusalOf),
     rows: ({ from, to }) => survey().rows(from, to),
     arrange(order) {
@@ -175,7 +182,7 @@ export function serveSurvey(engine: ReadingEngine): void {
       readStep(step, seldom(tell)).catch(reason => openSteps().series.refusedStep(step, refusalOf(reason).refused)),
     showStep: (wanted, tell) => showStep(wanted, seldom(tell)).catch(refusalOf),
     together: (_, tell) => together(seldom(tell)).catch(refusalOf),
-  }))
+  }
 }
 
 function noHexahedra({ mesh }: MeshCheck, sentences: readonly string[]): MeshRefusal {

@@ -1,5 +1,4 @@
 /** An open mesh with the answers of all its cells, in its worker: what the page shows of it is asked here. */
-import type { Core } from '../core/report'
 import { CHECKS, CLASSES } from '../core/unpack'
 import { CheckedCells, columnsOf } from '../mesh/checked-cells'
 import { histogramOf } from '../mesh/histogram'
@@ -11,7 +10,7 @@ import type { NodeOrder } from '../model/node-orders'
 import { arranged } from './arrange'
 import { facesOf } from './faces'
 import { boundsOf, overviewOf } from './overview'
-import { SelectionRun } from './selection'
+import { type Conditioned, SelectionRun } from './selection'
 import type {
   Arrangement,
   Bounds,
@@ -34,7 +33,7 @@ const NOT_LISTED = 0xffffffff
 
 export class Survey {
   readonly check: MeshCheck
-  readonly #core: Core
+  readonly #conditioned: Conditioned
   readonly #cells: CheckedCells
   readonly #bounds: Bounds | null
   readonly #origin: Vec3
@@ -50,15 +49,15 @@ export class Survey {
    * Of a check with minima, volumes and the checks that accept. Of a mesh that takes the place of its earlier step, which is
    * `before`, the picture stays where it is.
    */
-  constructor(check: MeshCheck, core: Core, before: Survey | null = null) {
+  constructor(check: MeshCheck, conditioned: Conditioned, before: Survey | null = null) {
     this.check = check
-    this.#core = core
+    this.#conditioned = conditioned
     this.#cells = new CheckedCells(columnsOf(check))
     this.#bounds = boundsOf(check.mesh)
     this.#origin = before ? before.#origin : middleOf(this.#bounds)
     if (before?.check.mesh.cells === check.mesh.cells) this.#neighbours = before.#neighbours
     this.#order = check.worst
-    this.#selection = new SelectionRun(check, core, ALL)
+    this.#selection = new SelectionRun(check, conditioned, ALL)
   }
 
   /** `wholeOrder` is the order in which all cells are valid, if theirs is not. */
@@ -77,7 +76,7 @@ export class Survey {
   }
 
   select(selection: Selection): Selected {
-    this.#selection = new SelectionRun(this.check, this.#core, selection)
+    this.#selection = new SelectionRun(this.check, this.#conditioned, selection)
     return this.selectOn(0)
   }
 

@@ -2,6 +2,7 @@
 import { batchFiles } from '../core/batch/batch-files'
 import { coreFiles } from '../core/core-files'
 import { readingFiles } from '../core/reading-files'
+import { meeting } from './meeting'
 import { serveSurvey } from './serve-survey'
 
-serveSurvey({ core: coreFiles, batchModule: batchFiles, readingCore: readingFiles })
+serveSurvey({ core: coreFiles, batchModule: batchFiles, readingCore: readingFiles, meeting })

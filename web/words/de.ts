@@ -31,6 +31,7 @@ export const german: Dictionary = {
   'a wedge stored as a hexahedron': 'ein als Hexaeder gespeicherter Keil',
   'a witness: J ≤ {bound} there': 'einen Zeugen: J ≤ {bound} dort',
   'A, D, W, S': 'A, D, W, S',
+  'Accepted by': 'Angenommen von',
   accepts: 'nimmt an',
   agrees: 'stimmt überein',
   'Algorithm 1': 'Algorithmus 1',
@@ -89,16 +90,22 @@ export const german: Dictionary = {
   'cannot tell': 'weiß nicht',
   Cell: 'Zelle',
   'Cell {cell} cannot be shown: {why}.': 'Zelle {cell} kann nicht gezeigt werden: {why}.',
+  'Cell {cell}, {verdict}': 'Zelle {cell}, {verdict}',
+  'Cell {cell}, {verdict}, relative minimum {minimum}': 'Zelle {cell}, {verdict}, relatives Minimum {minimum}',
   'Cell {cell}, {verdict}, {answer}': 'Zelle {cell}, {verdict}, {answer}',
   'Cell {cell}, {verdict}, {answer}, block {block}': 'Zelle {cell}, {verdict}, {answer}, Block {block}',
   'Cell {cell}:': 'Zelle {cell}:',
+  Cells: 'Zellen',
+  'Cells in the picture': 'Zellen im Bild',
   'Cells, worst first': 'Zellen, schlechteste zuerst',
   'Certain by': 'Sicher durch',
   certifies: 'bestätigt',
   'Changed from “{preset}”.': 'Geändert aus „{preset}“.',
   Check: 'Prüfung',
+  'Checks that accept the cell': 'Prüfungen, die die Zelle annehmen',
   'choose a vertex': 'wählen eine Ecke',
   'Choose one to look at it.': 'Wählen Sie eine, um sie anzusehen.',
+  Class: 'Klasse',
   'Close the list': 'Liste schließen',
   collapsed: 'zusammengefallen',
   'Collapsed to a wedge': 'Zum Keil zusammengefallen',
@@ -168,6 +175,7 @@ export const german: Dictionary = {
   'Faces shown': 'Gezeigte Flächen',
   'Faces that their Bernstein bounds rule out are skipped.':
     'Flächen, die ihre Bernstein-Schranke ausschließt, werden übersprungen.',
+  'Fetching {name} …': '{name} wird geholt …',
   Find: 'Gesucht',
   First: 'Anfang',
   'First invalid': 'Zuerst ungültig',
@@ -218,6 +226,7 @@ export const german: Dictionary = {
   invalid: 'ungültig',
   'Invalid at every place tried from A to B: no change of the verdict was found.':
     'Ungültig an jedem versuchten Ort von A bis B: Keine Änderung des Urteils wurde gefunden.',
+  'Invalid cells': 'Ungültige Zellen',
   inverted: 'umgestülpt',
   'it is not on the page': 'es ist nicht auf der Seite',
   'its Bernstein bound {bound} is below M\u00a0=\u00a0{m}; {outcome}':
@@ -317,6 +326,8 @@ export const german: Dictionary = {
   'makes faces see-through, or shows one alone': 'macht Flächen durchsichtig oder zeigt nur eine',
   'Map of jacdet on the section {section}': 'Karte von jacdet auf dem Schnitt {section}',
   Maximum: 'Maximum',
+  'Mesh: arrow keys turn it, plus and minus zoom, F shows it whole, N and P go through the invalid cells':
+    'Netz: Pfeiltasten drehen es, Plus und Minus zoomen, F zeigt es ganz, N und P gehen durch die ungültigen Zellen',
   'min by': 'Min.',
   'min J inside': 'min J innen',
   Minimum: 'Minimum',
@@ -334,7 +345,11 @@ export const german: Dictionary = {
     'bewegt seine Ecke. Umschalt bewegt sie in die Tiefe, Alt auf einem Raster, X, Y oder Z nur entlang dieser Achse',
   'moves its vertex. X, Y, Z, Depth and Grid, there once a vertex is chosen, hold the next drags':
     'bewegt seine Ecke. X, Y, Z, Tiefe und Raster, die da sind, sobald eine Ecke gewählt ist, halten das nächste Ziehen',
+  'Neither a text nor files were given to be opened.': 'Zum Öffnen wurden weder ein Text noch Dateien angegeben.',
   'new M': 'neues M',
+  Next: 'Nächste',
+  'Next invalid cell (N)': 'Nächste ungültige Zelle (N)',
+  'No cell is invalid: nothing is drawn.': 'Keine Zelle ist ungültig: Nichts ist gezeichnet.',
   'no dimension': 'ohne Einheit',
   'No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is A + τ (B − A), with every coordinate in doubles.':
     'Kein Double liegt zwischen dem letzten gültigen und dem ersten ungültigen τ, und jedes Urteil ist exakt. Das Element bei τ ist A + τ (B − A), jede Koordinate in Doubles.',
@@ -343,6 +358,7 @@ export const german: Dictionary = {
   'NO VERDICT': 'KEIN URTEIL',
   'no vertex inside': 'kein Scheitel innen',
   'Node order': 'Knotenreihenfolge',
+  none: 'keine',
   'None of the {count} orders tried makes it valid.': 'Keine der {count} versuchten Reihenfolgen macht es gültig.',
   'none, as the volume is 0': 'keines, da das Volumen 0 ist',
   'not on the way': 'nicht auf dem Weg',
@@ -412,6 +428,8 @@ export const german: Dictionary = {
   Preview: 'Vorschau',
   'Preview {order}': 'Vorschau {order}',
   'Preview: {label}': 'Vorschau: {label}',
+  Previous: 'Vorige',
+  'Previous invalid cell (P)': 'Vorige ungültige Zelle (P)',
   Proof: 'Beweis',
   'Proof: one point with J < 0. At {point} jacdet is exactly {value}.':
     'Beweis: ein Punkt mit J < 0. Bei {point} ist jacdet genau {value}.',
@@ -454,6 +472,7 @@ export const german: Dictionary = {
   'Show jacdet on [−1,1]³, an eighth': 'jacdet auf [−1,1]³ zeigen, ein Achtel',
   'Show the minimum': 'Minimum zeigen',
   'Show the proof': 'Beweis zeigen',
+  'Show the whole mesh (F)': 'Das ganze Netz zeigen (F)',
   Shown: 'Gezeigt',
   'Shown in space': 'Im Raum gezeigt',
   'sign by': 'Zeichen',
@@ -466,6 +485,7 @@ export const german: Dictionary = {
   Steps: 'Schritte',
   stops: 'hält an',
   'Subdivision to depth\u00a04': 'Unterteilung bis Tiefe\u00a04',
+  Surface: 'Oberfläche',
   'SVG of the face maps': 'SVG der Flächenkarten',
   't = {t}: dropped, a = {a} ≤ 0: concave in s, or straight':
     't = {t}: verworfen, a = {a} ≤ 0: konkav in s oder gerade',
@@ -505,13 +525,16 @@ export const german: Dictionary = {
   'The exact minimum is at most this far from the computed one, which has more digits than are shown.':
     'Das genaue Minimum ist höchstens so weit vom berechneten entfernt, das mehr Ziffern hat, als gezeigt sind.',
   'The file has it on [0,1]³, eight times this.': 'Die Datei hat es auf [0,1]³, das Achtfache davon.',
+  'The first block that the cell is in': 'Der erste Block, in dem die Zelle ist',
   'The first coordinate runs fastest, then the second, then the third.':
     'Die erste Koordinate läuft am schnellsten, dann die zweite, dann die dritte.',
   'The graphics context was lost, so the faces are not coloured until the browser gives it back. Everything else goes on.':
     'Der Grafikkontext ging verloren, also sind die Flächen nicht gefärbt, bis der Browser ihn zurückgibt. Alles andere geht weiter.',
   'The hexahedron in space': 'Das Hexaeder im Raum',
   'The hexahedron in space, eight vertices to move': 'Das Hexaeder im Raum, acht Ecken zum Bewegen',
+  'The id in the file': 'Die Nummer in der Datei',
   'The integral of jacdet.': 'Das Integral von jacdet.',
+  'The least jacdet': 'Das kleinste jacdet',
   'The least jacdet along the twelve edges. It comes from the quadratic on each edge, not from samples.':
     'Das kleinste jacdet entlang der zwölf Kanten. Es kommt aus dem quadratischen Polynom jeder Kante, nicht aus Stichproben.',
   'The least jacdet at eight points inside, where a solver with full integration evaluates it.':
@@ -520,9 +543,11 @@ export const german: Dictionary = {
     'Das kleinste jacdet an den 27 Punkten der nächstfeineren Integrationsregel.',
   'The least jacdet at the eight vertices.': 'Das kleinste jacdet an den acht Ecken.',
   'The least jacdet found before this face': 'Das kleinste jacdet vor dieser Fläche',
+  'The least jacdet over the volume: at most 1': 'Das kleinste jacdet durch das Volumen: höchstens 1',
   'The least of the 27 Bernstein coefficients, which follow from 20 samples. It is a lower bound of jacdet, often a poor one: it rejects some valid elements.':
     'Der kleinste der 27 Bernstein-Koeffizienten, die aus 20 Werten folgen. Er ist eine untere Schranke von jacdet, oft eine schlechte: Sie lehnt manches gültige Element ab.',
   'The least of the face’s nine Bernstein coefficients': 'Der kleinste der neun Bernstein-Koeffizienten der Fläche',
+  'The mean of jacdet': 'Der Mittelwert von jacdet',
   'the minimum': 'das Minimum',
   'The minimum is exactly zero, and a valid element needs J > 0 everywhere.':
     'Das Minimum ist genau null, und ein gültiges Element braucht überall J > 0.',
@@ -588,6 +613,7 @@ export const german: Dictionary = {
     'Der Einheitswürfel, jede Koordinate zufällig verschoben (normalverteilt, Abweichung 0.3): Etwa die Hälfte davon ist gültig.',
   'The WebAssembly core did not start, so there is no verdict ({why}). The vertices and the link still work; reload the page to try again.':
     'Der WebAssembly-Kern ist nicht gestartet, also gibt es kein Urteil ({why}). Ecken und Link funktionieren weiter; zum erneuten Versuch die Seite neu laden.',
+  'The worst {shown} of {wanted} cells are drawn.': 'Gezeichnet sind die schlechtesten {shown} von {wanted} Zellen.',
   'The {count} orders tried': 'Die {count} versuchten Reihenfolgen',
   'There is no cell {cell}.': 'Es gibt keine Zelle {cell}.',
   'There is no report to follow.': 'Es gibt keinen Bericht, dem man folgen könnte.',
@@ -596,6 +622,8 @@ export const german: Dictionary = {
     'Diese Koeffizienten sind zum Lesen gerundet; der Kern behält P in Bernstein-Form.',
   'This browser gives no WebGL2, so the faces are coloured in coarse tiles. Everything else is as it should be, and the verdict holds.':
     'Dieser Browser bietet kein WebGL2, also sind die Flächen in groben Kacheln gefärbt. Alles andere ist, wie es sein soll, und das Urteil gilt.',
+  'This browser gives no WebGL2, so there is no picture. The list has every cell.':
+    'Dieser Browser bietet kein WebGL2, also gibt es kein Bild. Die Liste hat jede Zelle.',
   'This could not be drawn ({why}).': 'Dies konnte nicht gezeichnet werden ({why}).',
   'This panel could not be loaded ({why}). Reload the page to try again.':
     'Dieses Feld konnte nicht geladen werden ({why}). Zum erneuten Versuch die Seite neu laden.',
@@ -664,6 +692,7 @@ export const german: Dictionary = {
   valid: 'gültig',
   'Valid at every place tried from A to B: no change of the verdict was found.':
     'Gültig an jedem versuchten Ort von A bis B: Keine Änderung des Urteils wurde gefunden.',
+  'Valid, invalid, inverted or collapsed': 'Gültig, ungültig, umgestülpt oder zusammengefallen',
   'Valid, though subdivision gives up': 'Gültig, obwohl die Unterteilung aufgibt',
   'Valid; a recursive subdivision that gives up past depth 4 rejects it.':
     'Gültig; eine rekursive Unterteilung, die nach Tiefe 4 aufgibt, lehnt es ab.',
@@ -691,6 +720,7 @@ export const german: Dictionary = {
   'Who would notice?': 'Wer würde es merken?',
   'with c and a + b + c these are the Bernstein coefficients in s. All are positive.':
     'mit c und a + b + c sind dies die Bernstein-Koeffizienten in s. Alle sind positiv.',
+  'With neighbours': 'Mit Nachbarn',
   wrong: 'falsch',
   'Wrong node order': 'Falsche Knotenreihenfolge',
   'Zero on the faces, negative inside': 'Null auf den Flächen, negativ im Inneren',
@@ -710,6 +740,15 @@ export const german: Dictionary = {
   '{filler} boundary': '{filler} Rand',
   '{from} to {to}': '{from} bis {to}',
   '{names} and {last}': '{names} und {last}',
+  '{name} could not be fetched: it is not an address.': '{name} konnte nicht geholt werden: Das ist keine Adresse.',
+  '{name} could not be fetched: the connection or the memory ended before the file.':
+    '{name} konnte nicht geholt werden: Die Verbindung oder der Speicher endete vor der Datei.',
+  '{name} could not be fetched: the server answers {status}.':
+    '{name} konnte nicht geholt werden: Der Server antwortet {status}.',
+  '{name} could not be fetched: there is no such server, it does not let this page read the file (CORS), or a policy of the page forbids it.':
+    '{name} konnte nicht geholt werden: Es gibt den Server nicht, er lässt diese Seite die Datei nicht lesen (CORS), oder eine Richtlinie der Seite verbietet es.',
+  '{name} is larger than {most} MB, the most that is fetched with a page.':
+    '{name} ist größer als {most} MB, mehr wird mit einer Seite nicht geholt.',
   '{name}, change {number}': '{name}, Änderung {number}',
   '{number} of {count}': '{number} von {count}',
   '{order}: {verdict}': '{order}: {verdict}',

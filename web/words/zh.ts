@@ -31,6 +31,7 @@ export const chinese: Dictionary = {
   'a wedge stored as a hexahedron': '存为六面体的楔形',
   'a witness: J ≤ {bound} there': '一个见证点：该处 J ≤ {bound}',
   'A, D, W, S': 'A、D、W、S',
+  'Accepted by': '接受者',
   accepts: '接受',
   agrees: '一致',
   'Algorithm 1': '算法 1',
@@ -88,16 +89,22 @@ export const chinese: Dictionary = {
   'cannot tell': '无法判断',
   Cell: '单元',
   'Cell {cell} cannot be shown: {why}.': '无法显示单元 {cell}：{why}。',
+  'Cell {cell}, {verdict}': '单元 {cell}，{verdict}',
+  'Cell {cell}, {verdict}, relative minimum {minimum}': '单元 {cell}，{verdict}，相对最小值 {minimum}',
   'Cell {cell}, {verdict}, {answer}': '单元 {cell}，{verdict}，{answer}',
   'Cell {cell}, {verdict}, {answer}, block {block}': '单元 {cell}，{verdict}，{answer}，块 {block}',
   'Cell {cell}:': '单元 {cell}：',
+  Cells: '单元',
+  'Cells in the picture': '图中的单元',
   'Cells, worst first': '单元，最差的在前',
   'Certain by': '确定依据',
   certifies: '证明有效',
   'Changed from “{preset}”.': '由“{preset}”修改而来。',
   Check: '检查',
+  'Checks that accept the cell': '接受该单元的检查',
   'choose a vertex': '选择一个顶点',
   'Choose one to look at it.': '请选择一个查看。',
+  Class: '类别',
   'Close the list': '关闭列表',
   collapsed: '塌缩',
   'Collapsed to a wedge': '塌缩成楔形',
@@ -164,6 +171,7 @@ export const chinese: Dictionary = {
   'Face {name}, vertices {vertices}': '面 {name}，顶点 {vertices}',
   'Faces shown': '显示的面',
   'Faces that their Bernstein bounds rule out are skipped.': '跳过被 Bernstein 界排除的面。',
+  'Fetching {name} …': '正在获取 {name} …',
   Find: '求',
   First: '首步',
   'First invalid': '最先无效',
@@ -214,6 +222,7 @@ export const chinese: Dictionary = {
   invalid: '无效',
   'Invalid at every place tried from A to B: no change of the verdict was found.':
     '从 A 到 B 所试的每处都无效：没有发现判定的变化。',
+  'Invalid cells': '无效单元',
   inverted: '翻转',
   'it is not on the page': '它不在页面上',
   'its Bernstein bound {bound} is below M\u00a0=\u00a0{m}; {outcome}':
@@ -306,6 +315,8 @@ export const chinese: Dictionary = {
   'makes faces see-through, or shows one alone': '使面透明，或只显示一个面',
   'Map of jacdet on the section {section}': '截面 {section} 上的 jacdet 图',
   Maximum: '最大值',
+  'Mesh: arrow keys turn it, plus and minus zoom, F shows it whole, N and P go through the invalid cells':
+    '网格：方向键旋转，加减键缩放，F 显示全部，N 和 P 在无效单元间移动',
   'min by': '最小值',
   'min J inside': '内部 min J',
   Minimum: '最小值',
@@ -322,7 +333,11 @@ export const chinese: Dictionary = {
     '移动它的顶点。Shift 在深度方向移动，Alt 按网格移动，X、Y 或 Z 只沿该轴移动',
   'moves its vertex. X, Y, Z, Depth and Grid, there once a vertex is chosen, hold the next drags':
     '移动它的顶点。选中顶点后出现的 X、Y、Z、深度和网格会限制随后的拖动',
+  'Neither a text nor files were given to be opened.': '没有给出可打开的文本或文件。',
   'new M': '新的 M',
+  Next: '下一个',
+  'Next invalid cell (N)': '下一个无效单元（N）',
+  'No cell is invalid: nothing is drawn.': '没有无效单元：什么也不画。',
   'no dimension': '无量纲',
   'No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is A + τ (B − A), with every coordinate in doubles.':
     '最后有效的 τ 和最先无效的 τ 之间没有双精度数，每个判定都是精确的。τ 处的单元是 A + τ (B − A)，每个坐标以双精度计算。',
@@ -331,6 +346,7 @@ export const chinese: Dictionary = {
   'NO VERDICT': '没有判定',
   'no vertex inside': '内部没有极值点',
   'Node order': '节点次序',
+  none: '无',
   'None of the {count} orders tried makes it valid.': '所试的 {count} 种次序都不能使它有效。',
   'none, as the volume is 0': '没有，因为体积为 0',
   'not on the way': '不在路径上',
@@ -394,6 +410,8 @@ export const chinese: Dictionary = {
   Preview: '预览',
   'Preview {order}': '预览 {order}',
   'Preview: {label}': '预览：{label}',
+  Previous: '上一个',
+  'Previous invalid cell (P)': '上一个无效单元（P）',
   Proof: '证明',
   'Proof: one point with J < 0. At {point} jacdet is exactly {value}.':
     '证明：一个 J < 0 的点。在 {point} 处 jacdet 恰为 {value}。',
@@ -434,6 +452,7 @@ export const chinese: Dictionary = {
   'Show jacdet on [−1,1]³, an eighth': '显示 [−1,1]³ 上的 jacdet，八分之一',
   'Show the minimum': '显示最小值',
   'Show the proof': '显示证明',
+  'Show the whole mesh (F)': '显示整个网格（F）',
   Shown: '显示',
   'Shown in space': '在空间中显示',
   'sign by': '符号',
@@ -446,6 +465,7 @@ export const chinese: Dictionary = {
   Steps: '步骤',
   stops: '停止',
   'Subdivision to depth\u00a04': '细分到深度\u00a04',
+  Surface: '表面',
   'SVG of the face maps': '面图的 SVG',
   't = {t}: dropped, a = {a} ≤ 0: concave in s, or straight': 't = {t}：舍去，a = {a} ≤ 0：关于 s 为凹或为直线',
   't = {t}: dropped, s* = {s} on an edge': 't = {t}：舍去，s* = {s} 在边上',
@@ -482,13 +502,16 @@ export const chinese: Dictionary = {
   'The exact minimum is at most this far from the computed one, which has more digits than are shown.':
     '精确最小值与计算值之差至多如此；计算值的位数比显示的多。',
   'The file has it on [0,1]³, eight times this.': '文件中是 [0,1]³ 上的值，为此值的八倍。',
+  'The first block that the cell is in': '单元所在的第一个块',
   'The first coordinate runs fastest, then the second, then the third.':
     '第一个坐标变化最快，然后是第二个，最后是第三个。',
   'The graphics context was lost, so the faces are not coloured until the browser gives it back. Everything else goes on.':
     '图形上下文丢失，在浏览器恢复它之前面没有颜色。其他一切照常。',
   'The hexahedron in space': '空间中的六面体',
   'The hexahedron in space, eight vertices to move': '空间中的六面体，八个顶点可移动',
+  'The id in the file': '文件中的编号',
   'The integral of jacdet.': 'jacdet 的积分。',
+  'The least jacdet': '最小的 jacdet',
   'The least jacdet along the twelve edges. It comes from the quadratic on each edge, not from samples.':
     '沿十二条边的最小 jacdet。它来自每条边上的二次式，而不是取样。',
   'The least jacdet at eight points inside, where a solver with full integration evaluates it.':
@@ -497,9 +520,11 @@ export const chinese: Dictionary = {
     '下一级更细积分规则的 27 个点处的最小 jacdet。',
   'The least jacdet at the eight vertices.': '八个顶点处的最小 jacdet。',
   'The least jacdet found before this face': '此面之前的最小 jacdet',
+  'The least jacdet over the volume: at most 1': '最小 jacdet 除以体积：至多为 1',
   'The least of the 27 Bernstein coefficients, which follow from 20 samples. It is a lower bound of jacdet, often a poor one: it rejects some valid elements.':
     '27 个 Bernstein 系数中最小的，它们由 20 个取样得出。它是 jacdet 的下界，往往较差：它会拒绝一些有效单元。',
   'The least of the face’s nine Bernstein coefficients': '面的九个 Bernstein 系数中最小的',
+  'The mean of jacdet': 'jacdet 的平均值',
   'the minimum': '最小值',
   'The minimum is exactly zero, and a valid element needs J > 0 everywhere.':
     '最小值恰好为零，而有效单元要求处处 J > 0。',
@@ -556,6 +581,7 @@ export const chinese: Dictionary = {
     '单位立方体，每个坐标随机移动（正态分布，标准差 0.3）：其中约一半有效。',
   'The WebAssembly core did not start, so there is no verdict ({why}). The vertices and the link still work; reload the page to try again.':
     'WebAssembly 内核没有启动，因此没有判定（{why}）。顶点和链接仍然可用；请重新加载页面再试。',
+  'The worst {shown} of {wanted} cells are drawn.': '画出了 {wanted} 个单元中最差的 {shown} 个。',
   'The {count} orders tried': '所试的 {count} 种次序',
   'There is no cell {cell}.': '没有单元 {cell}。',
   'There is no report to follow.': '没有可以跟随的报告。',
@@ -564,6 +590,8 @@ export const chinese: Dictionary = {
     '这些系数为便于阅读已四舍五入；内核以 Bernstein 形式保存 P。',
   'This browser gives no WebGL2, so the faces are coloured in coarse tiles. Everything else is as it should be, and the verdict holds.':
     '此浏览器不提供 WebGL2，因此面以粗略的色块着色。其他一切正常，判定仍然成立。',
+  'This browser gives no WebGL2, so there is no picture. The list has every cell.':
+    '此浏览器不提供 WebGL2，因此没有图。列表包含每个单元。',
   'This could not be drawn ({why}).': '无法绘制（{why}）。',
   'This panel could not be loaded ({why}). Reload the page to try again.':
     '无法加载此面板（{why}）。请重新加载页面再试。',
@@ -625,6 +653,7 @@ export const chinese: Dictionary = {
   valid: '有效',
   'Valid at every place tried from A to B: no change of the verdict was found.':
     '从 A 到 B 所试的每处都有效：没有发现判定的变化。',
+  'Valid, invalid, inverted or collapsed': '有效、无效、翻转或塌缩',
   'Valid, though subdivision gives up': '有效，但细分法放弃',
   'Valid; a recursive subdivision that gives up past depth 4 rejects it.':
     '有效；超过深度 4 就放弃的递归细分会拒绝它。',
@@ -652,6 +681,7 @@ export const chinese: Dictionary = {
   'Who would notice?': '谁会发现？',
   'with c and a + b + c these are the Bernstein coefficients in s. All are positive.':
     '它与 c 和 a + b + c 是关于 s 的 Bernstein 系数。全都为正。',
+  'With neighbours': '连同相邻单元',
   wrong: '错误',
   'Wrong node order': '错误的节点次序',
   'Zero on the faces, negative inside': '面上为零，内部为负',
@@ -670,6 +700,14 @@ export const chinese: Dictionary = {
   '{filler} boundary': '边界{filler}',
   '{from} to {to}': '{from} 到 {to}',
   '{names} and {last}': '{names} 和 {last}',
+  '{name} could not be fetched: it is not an address.': '无法获取 {name}：这不是地址。',
+  '{name} could not be fetched: the connection or the memory ended before the file.':
+    '无法获取 {name}：文件尚未传完，连接或内存已尽。',
+  '{name} could not be fetched: the server answers {status}.': '无法获取 {name}：服务器答复 {status}。',
+  '{name} could not be fetched: there is no such server, it does not let this page read the file (CORS), or a policy of the page forbids it.':
+    '无法获取 {name}：没有这样的服务器，服务器不允许此页面读取该文件（CORS），或页面的策略禁止。',
+  '{name} is larger than {most} MB, the most that is fetched with a page.':
+    '{name} 大于 {most} MB，这是随页面获取的上限。',
   '{name}, change {number}': '{name}，变化 {number}',
   '{number} of {count}': '第 {number} 步，共 {count} 步',
   '{order}: {verdict}': '{order}：{verdict}',

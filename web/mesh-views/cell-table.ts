@@ -1,8 +1,9 @@
 /** The list of cells: a grid of which only the rows that are seen exist. Rows come from the worker; until then they are blank. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
-import { formatJacdet, formatNumber } from '../../model/decimal'
-import { checks } from '../../panels/checks/check-words'
-import type { Arrangement, Column, Row } from '../../survey/survey-jobs'
+import { formatJacdet, formatNumber } from '../model/decimal'
+import { checks } from '../panels/checks/check-words'
+import type { Arrangement, Column, Row } from '../survey/survey-jobs'
+import { type PlainWord, say } from '../words/say'
 
 /** Browsers lay out no box much higher than this, in pixels: longer lists scroll in larger steps. */
 const HIGHEST = 8_000_000
@@ -12,6 +13,8 @@ const ROW_HEIGHT = 28
 const BLOCK = 64
 
 export interface TableHost {
+  /** What is said from now on is in the host's language; without it English, or whatever was spoken last. */
+  speak?(): void
   rows(from: number, to: number): Promise<readonly Row[]>
   arrange(order: Arrangement): void
   choose(cell: number, rank: number): void
@@ -19,8 +22,8 @@ export interface TableHost {
 
 interface ColumnWords {
   readonly column: Column
-  readonly name: string
-  readonly title: string
+  readonly name: PlainWord
+  readonly title: PlainWord
 }
 
 const COLUMNS: readonly ColumnWords[] = [
@@ -72,6 +75,10 @@ export class CellTable {
     else this.#goTo(rank)
   }
 
+  dispose(): void {
+    this.#size.disconnect()
+  }
+
   get active(): number {
     return this.#active
   }
@@ -121,6 +128,7 @@ export class CellTable {
   }
 
   #render(): void {
+    this.#host.speak?.()
     const { view } = this.#extent
     const offset = this.#offset
     const first = Math.floor(offset)
@@ -134,7 +142,7 @@ export class CellTable {
         class=${`rows ${this.#hasBlocks ? 'with-blocks' : ''}`}
         role="grid"
         tabindex="0"
-        aria-label="Cells"
+        aria-label=${say('Cells')}
         aria-rowcount=${this.#count + 1}
         aria-activedescendant=${isActiveSeen ? `row-${this.#active}` : nothing}
         @scroll=${() => this.#render()}
@@ -155,8 +163,8 @@ export class CellTable {
     const sort = isSorted ? (this.#order.isDescending ? 'descending' : 'ascending') : 'none'
     const next = { column, isDescending: isSorted && !this.#order.isDescending }
     return html`<span role="columnheader" class=${column} aria-sort=${sort}
-      ><button type="button" tabindex="-1" title=${title} @click=${() => this.#host.arrange(next)}>
-        ${name}<span class="sort" aria-hidden="true">${isSorted ? (this.#order.isDescending ? ' ▾' : ' ▴') : ''}</span>
+      ><button type="button" tabindex="-1" title=${say(title)} @click=${() => this.#host.arrange(next)}>
+        ${say(name)}<span class="sort" aria-hidden="true">${isSorted ? (this.#order.isDescending ? ' ▾' : ' ▴') : ''}</span>
       </button></span
     >`
   }
@@ -180,15 +188,15 @@ export class CellTable {
     const { id, standing, relativeMinimum, minimum, volume, acceptedBy, block, why } = row
     const isInvalid = standing === 'invalid'
     if (why !== null)
-      return html`<span role="gridcell" class="id">${id}</span><span role="gridcell" class="why">unanswered: ${why}</span>`
+      return html`<span role="gridcell" class="id">${id}</span><span role="gridcell" class="why">${say('unanswered')}: <span lang="en">${why}</span></span>`
     return html`<span role="gridcell" class="id">${id}</span>
       <span role="gridcell" class=${`worst ${isInvalid ? 'negative' : ''}`}
-        >${Number.isNaN(relativeMinimum) ? 'volume 0' : formatNumber(relativeMinimum)}</span
+        >${Number.isNaN(relativeMinimum) ? say('volume 0') : formatNumber(relativeMinimum)}</span
       >
       <span role="gridcell" class=${`minimum ${isInvalid ? 'negative' : ''}`}>${formatJacdet(minimum.value, minimum.exponent, 'unit')}</span>
       <span role="gridcell" class="volume">${formatJacdet(volume.value, volume.exponent, 'unit')}</span>
-      <span role="gridcell" class=${`class ${isInvalid ? 'negative' : ''}`}>${row.class === 'invalid' ? 'INVALID' : (row.class ?? '')}</span>
-      <span role="gridcell" class="accepted-by" title=${acceptedBy.map(check => checks[check].name).join(', ')}
+      <span role="gridcell" class=${`class ${isInvalid ? 'negative' : ''}`}>${row.class === 'invalid' ? say('INVALID') : row.class === null ? '' : say(row.class)}</span>
+      <span role="gridcell" class="accepted-by" title=${acceptedBy.map(check => say(checks[check].name)).join(', ')}
         >${isInvalid ? acceptedWords(acceptedBy) : ''}</span
       >
       ${this.#hasBlocks ? html`<span role="gridcell" class="block">${block ?? '–'}</span>` : nothing}`
@@ -232,6 +240,6 @@ export class CellTable {
 }
 
 function acceptedWords(acceptedBy: Row['acceptedBy']): string {
-  if (acceptedBy.length === 0) return 'none'
-  return acceptedBy.map(check => checks[check].name).join(', ')
+  if (acceptedBy.length === 0) return say('none')
+  return acceptedBy.map(check => say(checks[check].name)).join(', ')
 }
