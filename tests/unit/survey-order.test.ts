@@ -16,7 +16,10 @@ const LISTS = { minima: true, volumes: true, acceptedBy: true }
 
 async function surveyOf(mesh: Mesh): Promise<{ readonly survey: Survey; readonly order: NodeOrder | null }> {
   const check = await checked(mesh, { worst: Infinity, lists: LISTS })
-  return { survey: new Survey(check, { core, meeting: null }), order: await wholeOrderOf(check, { classify: classifyCells, core }) }
+  return {
+    survey: new Survey(check, { core, meeting: null }),
+    order: await wholeOrderOf(check, { classify: classifyCells, core }),
+  }
 }
 
 /** The valid cells of the page's own part, as a program with another order writes them. */

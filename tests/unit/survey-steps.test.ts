@@ -37,6 +37,7 @@ async function worker(): Promise<Ask> {
     batchModule: async () => batch,
     readingCore: async () => null,
     meeting: null,
+    writing: null,
   })
   const { onmessage } = globalThis as unknown as { onmessage: (event: { data: unknown }) => void }
   const send = (kind: string, given: unknown) =>

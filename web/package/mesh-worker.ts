@@ -11,5 +11,5 @@ const engine: ReadingEngine = { core: coreInside, batchModule: batchInside, read
 
 serve<null, ReadingJobs & SurveyJobs>('hexlens-mesh', () => ({
   ...readingJobs(engine),
-  ...surveyJobs({ ...engine, meeting: null }),
+  ...surveyJobs({ ...engine, meeting: null, writing: null }),
 }))

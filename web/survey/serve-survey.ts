@@ -17,7 +17,7 @@ import { StepSeries } from './step-series'
 import { Survey } from './survey'
 import type { FixId, Opening, Overview, StepAnswer, StepOpening, StepWanted, SurveyJobs, Written } from './survey-jobs'
 import { wholeOrderOf } from './whole-order'
-import { Writing } from './writing'
+import type { Writing, WritingOf } from './writing'
 
 /** Lists that the page shows or writes beside those that the counts need. */
 const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true, exact: true }
@@ -25,7 +25,8 @@ const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true, exact: tr
 /** Milliseconds of a step of what takes long: other questions wait so long. */
 const STEP = 12
 
-export type SurveyEngine = ReadingEngine & Pick<Conditioned, 'meeting'>
+/** A build without conditions, or without files to take away, has null for them. */
+export type SurveyEngine = ReadingEngine & Pick<Conditioned, 'meeting'> & { readonly writing: WritingOf | null }
 
 interface Open {
   readonly name: string
@@ -173,7 +174,7 @@ export function surveyJobs(engine: SurveyEngine): SurveyJobs {
     },
     write(form) {
       const { name, core } = opened()
-      writing = new Writing(form, { name, check: survey().check, core })
+      writing = engine.writing?.(form, { name, check: survey().check, core }) ?? null
       return written()
     },
     writeOn: written,

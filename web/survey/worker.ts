@@ -4,5 +4,6 @@ import { coreFiles } from '../core/core-files'
 import { readingFiles } from '../core/reading-files'
 import { meeting } from './meeting'
 import { serveSurvey } from './serve-survey'
+import { writing } from './writing'
 
-serveSurvey({ core: coreFiles, batchModule: batchFiles, readingCore: readingFiles, meeting })
+serveSurvey({ core: coreFiles, batchModule: batchFiles, readingCore: readingFiles, meeting, writing })
