@@ -1,6 +1,6 @@
-// The reference of the element and of its documents, for tools and for people: custom-elements.json
-// and docs/element.md from the comments of its class and of its events, docs/*.schema.json from the
-// readers.
+// The reference of the elements and of their documents, for tools and for people: custom-elements.json
+// and docs/*element.md from the comments of their classes and of their events, docs/*.schema.json from
+// the readers.
 // --check: complains of the files that are not as they would be written.
 
 import { readFileSync, writeFileSync } from 'node:fs'
@@ -8,14 +8,42 @@ import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { isScript, root, runMain } from './run.mjs'
 
-/** The class that the element's extends, and its own. */
-const SOURCES = ['web/element/reflecting-element.ts', 'web/element/hex-lens.ts']
-const EVENTS = 'web/element/events.ts'
+/** What each element's reference is made of; the last of the sources has its class, the others what that extends. */
+const ELEMENTS = [
+  {
+    sources: ['web/element/reflecting-element.ts', 'web/element/hex-lens.ts'],
+    events: { source: 'web/element/events.ts', map: 'HexLensEventMap' },
+    module: 'dist/hexlens.es.js',
+    page: 'docs/element.md',
+    more: [
+      '## Its box',
+      'The element is a block as wide as its place, and 280 to 560 pixels where the place leaves that open: in a flex row, a float, a table cell. It is as high as `--hl-aspect-ratio` says, with a picture at least 22rem, and grows with what is shown. `min-height` makes it higher, and `aspect-ratio` is the page’s to set. With a `height` it scrolls what has no room.',
+      'Narrower than 896 pixels, all panels but the verdict are below the picture and closed: **Details** opens them, and the box grows. So that nothing moves when the script arrives, the page says how high the element begins in its own style sheet:',
+      '    hex-lens:not(:defined) { display: block; aspect-ratio: 4 / 3; min-height: 22rem }',
+      '## Transforms and zoom',
+      'Pointers keep to the picture under any `transform`, `perspective`, `zoom` or animation of the element or of what is around it. The picture is drawn as fine as it is seen, up to four times its size. No browser tells of a transform, so it is measured for each new picture; pointing at the element draws one.',
+    ],
+  },
+  {
+    sources: ['web/mesh-element/hex-mesh.ts'],
+    events: { source: 'web/mesh-element/events.ts', map: 'HexMeshEventMap' },
+    module: 'dist/hexlens.hex-mesh.js',
+    page: 'docs/mesh-element.md',
+    more: [
+      '## Its box',
+      'The element is a block as wide as its place. Without a `height` the picture is 18rem high and the list 13rem; with one they share what the sentence leaves, three parts to two, and scroll what has no room. So that nothing moves when the mesh arrives, the page gives it a height.',
+    ],
+  },
+]
 
 /** Names of the files that are not up to date; written unless only checked. */
 export async function elementReference({ check }) {
-  const element = await describedElement()
-  const texts = { 'custom-elements.json': manifest(element), 'docs/element.md': page(element), ...(await schemas()) }
+  const elements = await Promise.all(ELEMENTS.map(async made => ({ ...made, described: await describedElement(made) })))
+  const texts = {
+    'custom-elements.json': manifest(elements),
+    ...Object.fromEntries(elements.map(element => [element.page, page(element)])),
+    ...(await schemas()),
+  }
   const stale = Object.keys(texts).filter(name => textOf(name) !== texts[name])
   if (!check) for (const name of stale) writeFileSync(join(root, name), texts[name])
   return stale
@@ -52,9 +80,9 @@ async function schemas() {
 const json = value => `${JSON.stringify(value, null, 2)}\n`
 
 /** The class as a manifest declares it, with what is public. */
-async function describedElement() {
+async function describedElement({ sources, events: { source, map } }) {
   const { create, ts } = await import('@custom-elements-manifest/analyzer') // not before it is installed
-  const modules = SOURCES.map(path => ts.createSourceFile(path, textOf(path), ts.ScriptTarget.ESNext, true))
+  const modules = sources.map(path => ts.createSourceFile(path, textOf(path), ts.ScriptTarget.ESNext, true))
   const { declarations } = create({ modules }).modules.at(-1)
   const { description, members, events: _, ...element } = declarations.find(({ customElement }) => customElement)
   const attributes = new Map(element.attributes.map(({ name }) => [propertyOf(name), name]))
@@ -74,7 +102,7 @@ async function describedElement() {
           })),
         }),
       })),
-    events: eventsOf(ts.createSourceFile(EVENTS, textOf(EVENTS), ts.ScriptTarget.ESNext, true), ts),
+    events: eventsOf(ts.createSourceFile(source, textOf(source), ts.ScriptTarget.ESNext, true), map, ts),
   })
 }
 
@@ -84,8 +112,8 @@ function propertyOf(attribute) {
 }
 
 /** The members of the event map, each with its comment. */
-function eventsOf(file, ts) {
-  const map = file.statements.find(each => ts.isInterfaceDeclaration(each) && each.name.text === 'HexLensEventMap')
+function eventsOf(file, name, ts) {
+  const map = file.statements.find(each => ts.isInterfaceDeclaration(each) && each.name.text === name)
   return map.members.map(member => ({
     name: member.name.text,
     type: { text: member.type.getText(file) },
@@ -98,22 +126,24 @@ function withoutLineBreaks(element) {
 }
 
 /** A manifest of version 2.1.0: https://github.com/webcomponents/custom-elements-manifest. */
-function manifest(element) {
-  const path = 'dist/hexlens.es.js'
-  const declaration = { name: element.name, module: path }
-  const module = {
-    kind: 'javascript-module',
-    path,
-    declarations: [element],
-    exports: [
-      { kind: 'js', name: element.name, declaration },
-      { kind: 'custom-element-definition', name: element.tagName, declaration },
-    ],
-  }
-  return json({ schemaVersion: '2.1.0', modules: [module] })
+function manifest(elements) {
+  const modules = elements.map(({ module: path, described }) => {
+    const declaration = { name: described.name, module: path }
+    return {
+      kind: 'javascript-module',
+      path,
+      declarations: [described],
+      exports: [
+        { kind: 'js', name: described.name, declaration },
+        { kind: 'custom-element-definition', name: described.tagName, declaration },
+      ],
+    }
+  })
+  return json({ schemaVersion: '2.1.0', modules })
 }
 
-function page({ tagName, summary, attributes, members, events, slots, cssStates, cssParts, cssProperties }) {
+function page({ sources, events: { source }, more, described }) {
+  const { tagName, summary, attributes, members, events, slots, cssStates, cssParts, cssProperties } = described
   const code = text => `\`${text}\``
   const call = ({ name, parameters = [] }) =>
     code(`${name}(${parameters.map(({ name, optional }) => name + (optional ? '?' : '')).join(', ')})`)
@@ -121,7 +151,7 @@ function page({ tagName, summary, attributes, members, events, slots, cssStates,
     `# \`<${tagName}>\``,
     summary,
     'For authors who put the element into their pages: every name it understands. `docs/embedding.md` has the first steps.',
-    `Written by \`npm run reference\` from the comments in \`${SOURCES.at(-1)}\` and \`${EVENTS}\`.`,
+    `Written by \`npm run reference\` from the comments in \`${sources.at(-1)}\` and \`${source}\`.`,
     '## Attributes',
     table(
       ['attribute', 'takes', 'without it', ''],
@@ -151,7 +181,7 @@ function page({ tagName, summary, attributes, members, events, slots, cssStates,
       slots.map(s => [s.name === '' ? 'between the tags' : code(s.name), s.description]),
     ),
     '## States',
-    'For style sheets: `hex-lens:state(invalid)`.',
+    `For style sheets: \`${tagName}:state(invalid)\`.`,
     table(
       ['state', ''],
       cssStates.map(s => [code(s.name), s.description]),
@@ -166,12 +196,7 @@ function page({ tagName, summary, attributes, members, events, slots, cssStates,
       ['property', 'without it', ''],
       cssProperties.map(p => [code(p.name), p.default, p.description]),
     ),
-    '## Its box',
-    'The element is a block as wide as its place, and 280 to 560 pixels where the place leaves that open: in a flex row, a float, a table cell. It is as high as `--hl-aspect-ratio` says, with a picture at least 22rem, and grows with what is shown. `min-height` makes it higher, and `aspect-ratio` is the page’s to set. With a `height` it scrolls what has no room.',
-    'Narrower than 896 pixels, all panels but the verdict are below the picture and closed: **Details** opens them, and the box grows. So that nothing moves when the script arrives, the page says how high the element begins in its own style sheet:',
-    '    hex-lens:not(:defined) { display: block; aspect-ratio: 4 / 3; min-height: 22rem }',
-    '## Transforms and zoom',
-    'Pointers keep to the picture under any `transform`, `perspective`, `zoom` or animation of the element or of what is around it. The picture is drawn as fine as it is seen, up to four times its size. No browser tells of a transform, so it is measured for each new picture; pointing at the element draws one.',
+    ...more,
   ]
     .join('\n\n')
     .concat('\n')

@@ -277,7 +277,7 @@ const standIns = {
     export class WebGLShadowMap {
       render() {}
     }`,
-  // All that is drawn has two sides, hides what is behind it, and blends premultiplied colours or none.
+  // All that is drawn has two sides, is where the depth is less or equal, or equal, and blends premultiplied colours or none.
   'renderers/webgl/WebGLState.js': `
     import { EqualDepth } from '../../constants.js'
     export class WebGLState {
@@ -294,13 +294,13 @@ const standIns = {
         gl.depthFunc(gl.LEQUAL)
         gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA)
       }
-      setMaterial({ transparent, colorWrite, depthWrite, depthFunc }) {
+      setMaterial({ transparent, depthWrite, depthFunc, colorWrite }) {
         const gl = this.#gl
-        gl.colorMask(colorWrite, colorWrite, colorWrite, colorWrite)
-        gl.depthFunc(depthFunc === EqualDepth ? gl.EQUAL : gl.LEQUAL)
         if (transparent) gl.enable(gl.BLEND)
         else gl.disable(gl.BLEND)
+        gl.depthFunc(depthFunc === EqualDepth ? gl.EQUAL : gl.LEQUAL)
         gl.depthMask(depthWrite)
+        gl.colorMask(colorWrite, colorWrite, colorWrite, colorWrite)
       }
       setPolygonOffset() {}
       useProgram(program) {

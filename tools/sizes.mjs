@@ -1,4 +1,4 @@
-// Sizes against their budgets: the page until it is live, the one-file widget and the lighter file, batches, reading.
+// Sizes against their budgets: the page until it is live, the one-file widget and the lighter file, a mesh, batches, reading.
 
 import { readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
@@ -13,6 +13,7 @@ const BUDGETS = {
   firstLoad: 230_000,
   widget: 190_000,
   light: 130_000,
+  hexMesh: 60_000,
   batch: 100_000,
   mesh: 100_000,
   meshWorker: 230_000,
@@ -23,6 +24,7 @@ const SCRIPTS = {
   'hexlens.es.js': BUDGETS.widget,
   'hexlens.iife.js': BUDGETS.widget,
   'hexlens.light.js': BUDGETS.light,
+  'hexlens.hex-mesh.js': BUDGETS.hexMesh,
   'hexlens.batch.js': BUDGETS.batch,
   'hexlens.mesh.js': BUDGETS.mesh,
   'hexlens.mesh-worker.js': BUDGETS.meshWorker,

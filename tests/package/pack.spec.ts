@@ -10,6 +10,7 @@ test('the package is packed and installs elsewhere', () => {
       'dist/hexlens.es.js',
       'dist/hexlens.iife.js',
       'dist/hexlens.light.js',
+      'dist/hexlens.hex-mesh.js',
       'dist/hexlens.twin.js',
       'dist/hexlens.batch.js',
       'dist/hexlens.batch-worker.js',

@@ -36,8 +36,6 @@ async function worker(): Promise<Ask> {
     core: { wasm: async () => wasmBytes, twin: () => Promise.reject(new Error('none')) },
     batchModule: async () => batch,
     readingCore: async () => null,
-    meeting: null,
-    writing: null,
   })
   const { onmessage } = globalThis as unknown as { onmessage: (event: { data: unknown }) => void }
   const send = (kind: string, given: unknown) =>

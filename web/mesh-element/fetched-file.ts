@@ -3,13 +3,17 @@ import { say } from '../words/say'
 import { MeshProblem } from './problem'
 
 /** Nobody who opens a page has asked for more bytes than this. A file of any size can be opened by `open()`. */
-export const MOST_BYTES = 512 * 2 ** 20
+const MOST_BYTES = 512 * 2 ** 20
+
+export interface Fetching {
+  readonly signal: AbortSignal
+  readonly onProgress: (fraction: number) => void
+  /** Bytes. */
+  readonly most?: number
+}
 
 /** Rejects with MeshProblem; with the signal's reason if that aborts. The bytes stay with the browser: none is copied here. */
-export async function fetchedFile(
-  source: string,
-  { signal, onProgress }: { readonly signal: AbortSignal; readonly onProgress: (fraction: number) => void },
-): Promise<File> {
+export async function fetchedFile(source: string, { signal, onProgress, most = MOST_BYTES }: Fetching): Promise<File> {
   const address = addressOf(source)
   const name = nameOf(address)
   const response = await fetch(address, { signal }).catch(() => {
@@ -28,7 +32,7 @@ export async function fetchedFile(
         status: `${response.status} ${response.statusText}`.trim(),
       }),
     )
-  const blob = await bytesOf(response, name, onProgress).catch(reason => {
+  const blob = await bytesOf(response, name, most, onProgress).catch(reason => {
     signal.throwIfAborted()
     if (reason instanceof MeshProblem) throw reason
     throw new MeshProblem('not-fetched', () =>
@@ -58,19 +62,24 @@ function nameOf({ pathname, href }: URL): string {
   }
 }
 
-async function bytesOf(response: Response, name: string, onProgress: (fraction: number) => void): Promise<Blob> {
+async function bytesOf(
+  response: Response,
+  name: string,
+  most: number,
+  onProgress: (fraction: number) => void,
+): Promise<Blob> {
   // Of a compressed response it is the length on the way: the sum of what arrives may be greater.
   const length = Number(response.headers.get('content-length') ?? 0)
   const refuseAbove = (bytes: number) => {
-    if (bytes > MOST_BYTES)
+    if (bytes > most)
       throw new MeshProblem('too-large', () =>
         say('{name} is larger than {most} MB, the most that is fetched with a page.', {
           name,
-          most: MOST_BYTES / 2 ** 20,
+          most: most / 2 ** 20,
         }),
       )
   }
-  if (length > MOST_BYTES) await response.body?.cancel()
+  if (length > most) await response.body?.cancel()
   refuseAbove(length)
   if (!response.body) return response.blob()
   let sum = 0

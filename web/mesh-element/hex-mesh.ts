@@ -10,6 +10,7 @@ import { Readiness } from '../element/readiness'
 import { reflectAttributes } from '../element/reflecting-element'
 import type { ReadingWorker } from '../input/input-reader'
 import type { PastedInput } from '../input/pasted-input'
+import type { LookingJobs } from '../survey/looking-jobs'
 import { OpenSurvey } from '../survey/open-survey'
 import type { Arrangement, CellDetail, Overview, Place } from '../survey/survey-jobs'
 import type { Problem } from '../views/view'
@@ -31,6 +32,9 @@ interface Source {
   readonly given: PastedInput | { readonly src: string }
   readonly resolve: (summary: MeshSummary | null) => void
 }
+
+/** A worker from beside the script knows these jobs. */
+type LookedAt = Pick<OpenSurvey, keyof LookingJobs | 'close'>
 
 type MeshProblemCode = MeshProblem['code'] | 'no-webgl' | `bad-${string}`
 
@@ -101,7 +105,7 @@ export class HexMesh extends Base {
   readonly #readiness = new Readiness(this, () => this.#tell('hex-ready', null))
   readonly #problems = new Map<MeshProblemCode, string>()
   #shown = NOTHING
-  #survey: OpenSurvey | null = null
+  #survey: LookedAt | null = null
   /** What is to be opened once the element is seen, or anew when it comes back. */
   #source: Source | null = null
   #isDue = false
@@ -317,14 +321,14 @@ export class HexMesh extends Base {
     given: Source['given'],
     signal: AbortSignal,
     onProgress: (step: 'fetching' | 'reading' | 'deciding', fraction: number) => void,
-  ): Promise<{ readonly survey: OpenSurvey; readonly overview: Overview }> {
+  ): Promise<{ readonly survey: LookedAt; readonly overview: Overview }> {
     const fetching = { signal, onProgress: (fraction: number) => onProgress('fetching', fraction) }
     const input = 'src' in given ? { files: [await fetchedFile(given.src, fetching)] } : given
     const spawn = await HexMesh.worker().catch(reason => () => {
       throw reason
     })
     signal.throwIfAborted()
-    const survey = new OpenSurvey(spawn)
+    const survey: LookedAt = new OpenSurvey(spawn)
     const end = () => survey.close()
     signal.addEventListener('abort', end)
     const opening = await survey.open(input, ({ step, fraction }) => onProgress(step, fraction))
@@ -436,7 +440,7 @@ export class HexMesh extends Base {
   }
 
   /** Asks the worker; if it has ended, a sentence says so and the answer is `otherwise`. */
-  #asking<T>(ask: (survey: OpenSurvey) => Promise<T>, otherwise: T): Promise<T> {
+  #asking<T>(ask: (survey: LookedAt) => Promise<T>, otherwise: T): Promise<T> {
     const survey = this.#survey
     if (!survey) return Promise.resolve(otherwise)
     return ask(survey).catch(reason => {

@@ -1,15 +1,14 @@
 /** The worker that reads, for `<hex-lens>`, and in which a mesh is open, for `<hex-mesh>`: one file, since most of it is the same. */
 import { serve } from '../core/workers'
 import { type ReadingEngine, type ReadingJobs, readingJobs } from '../input/serve-reading'
-import { surveyJobs } from '../survey/serve-survey'
-import type { SurveyJobs } from '../survey/survey-jobs'
+import { jobsOfLooking, type LookingJobs } from '../survey/looking-jobs'
 import { batchInside } from './batch-inside'
 import { coreInside } from './core-inside'
 import { readingInside } from './reading-inside'
 
 const engine: ReadingEngine = { core: coreInside, batchModule: batchInside, readingCore: readingInside }
 
-serve<null, ReadingJobs & SurveyJobs>('hexlens-mesh', () => ({
+serve<null, ReadingJobs & LookingJobs>('hexlens-mesh', () => ({
   ...readingJobs(engine),
-  ...surveyJobs({ ...engine, meeting: null, writing: null }),
+  ...jobsOfLooking(engine),
 }))

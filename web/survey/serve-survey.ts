@@ -8,25 +8,22 @@ import type { ReadingProgress } from '../input/reading'
 import { coreOf, filesOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
-import type { MeshCheck } from '../mesh/mesh-check'
 import type { TogetherOptions } from '../mesh/read-mesh'
 import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
+import { lookingJobs, nameOf, noHexahedra } from './looking-jobs'
+import { meeting } from './meeting'
 import { mended } from './mend'
-import type { Conditioned } from './selection'
 import { StepSeries } from './step-series'
 import { Survey } from './survey'
 import type { FixId, Opening, Overview, StepAnswer, StepOpening, StepWanted, SurveyJobs, Written } from './survey-jobs'
 import { wholeOrderOf } from './whole-order'
-import type { Writing, WritingOf } from './writing'
+import { Writing } from './writing'
 
 /** Lists that the page shows or writes beside those that the counts need. */
 const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true, exact: true }
 
 /** Milliseconds of a step of what takes long: other questions wait so long. */
 const STEP = 12
-
-/** A build without conditions, or without files to take away, has null for them. */
-export type SurveyEngine = ReadingEngine & Pick<Conditioned, 'meeting'> & { readonly writing: WritingOf | null }
 
 interface Open {
   readonly name: string
@@ -44,11 +41,7 @@ interface OpenSteps {
 
 type Tell = (progress: ReadingProgress) => void
 
-export function serveSurvey(engine: SurveyEngine): void {
-  serve<null, SurveyJobs>('hexlens-survey', () => surveyJobs(engine))
-}
-
-export function surveyJobs(engine: SurveyEngine): SurveyJobs {
+export function serveSurvey(engine: ReadingEngine): void {
   let open: Open | null = null
   let steps: OpenSteps | null = null
   let given: PastedInput = { files: [] }
@@ -77,7 +70,7 @@ export function surveyJobs(engine: SurveyEngine): SurveyJobs {
     const classify = open?.classify ?? cellClassifier(core, engine.batchModule, onProgress)
     const options = { worst: Infinity, minRelative: null, skipsDegenerate: false, lists: LISTS }
     const check = await checkMesh(mesh, { classify, core }, options)
-    const own = new Survey(check, { core, meeting: engine.meeting }, before)
+    const own = new Survey(check, { core, meeting }, before)
     const overview = own.overview(name, await wholeOrderOf(check, { classify, core }))
     if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
     open = { name, survey: own, classify, core }
@@ -149,22 +142,13 @@ export function surveyJobs(engine: SurveyEngine): SurveyJobs {
     return { opened: overview }
   }
 
-  return {
+  serve<null, SurveyJobs>('hexlens-survey', () => ({
     open: (input, tell) => opening(input, seldom(tell)).catch(refusalOf),
-    rows: ({ from, to }) => survey().rows(from, to),
-    arrange(order) {
-      survey().arrange(order)
-      return null
-    },
+    ...lookingJobs(survey),
     select: selection => survey().select(selection),
     selectOn: () => survey().selectOn(STEP),
     find: ({ id, after }) => survey().find(id, after),
-    nextInvalid: ({ rank, step }) => survey().nextInvalid(rank, step),
-    placeOf: cell => survey().placeOf(cell),
     histogram: () => survey().histogram(),
-    detail: cell => survey().detail(cell),
-    join: (_, tell) => ({ boundaryFaces: survey().join(seldom(tell)) }),
-    faces: shown => survey().faces(shown),
     async mend(fix: FixId) {
       const { check } = survey()
       const mesh = mended(check, fix)
@@ -174,7 +158,7 @@ export function surveyJobs(engine: SurveyEngine): SurveyJobs {
     },
     write(form) {
       const { name, core } = opened()
-      writing = engine.writing?.(form, { name, check: survey().check, core }) ?? null
+      writing = new Writing(form, { name, check: survey().check, core })
       return written()
     },
     writeOn: written,
@@ -183,15 +167,5 @@ export function surveyJobs(engine: SurveyEngine): SurveyJobs {
       readStep(step, seldom(tell)).catch(reason => openSteps().series.refusedStep(step, refusalOf(reason).refused)),
     showStep: (wanted, tell) => showStep(wanted, seldom(tell)).catch(refusalOf),
     together: (_, tell) => together(seldom(tell)).catch(refusalOf),
-  }
-}
-
-function noHexahedra({ mesh }: MeshCheck, sentences: readonly string[]): MeshRefusal {
-  return new MeshRefusal([`Read as ${mesh.format}: no hexahedra of eight nodes.`, ...sentences].join(' '))
-}
-
-function nameOf(input: PastedInput): string {
-  if ('text' in input) return 'the text'
-  const [first] = input.files
-  return input.files.length === 1 && first ? first.name : `${input.files.length} files`
+  }))
 }

@@ -132,7 +132,3 @@ function joined(pieces: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   }
   return bytes
 }
-
-export type WritingOf = (form: FormId, source: Source) => Writing
-
-export const writing: WritingOf = (form, source) => new Writing(form, source)

@@ -1,4 +1,5 @@
 import type { CameraView, HexLens, HexLensEventMap, Report } from 'hexlens'
+import type { MeshSummary } from 'hexlens/hex-mesh'
 
 const lens = document.createElement('hex-lens')
 lens.addEventListener('hex-verdict', ({ detail, currentTarget }) =>
@@ -26,4 +27,13 @@ const arrived: Promise<boolean> = lens.playMorph(lens.vertices, 2, { signal: Abo
 const report: Report | null = document.querySelector('hex-lens')?.report ?? null
 const all: NodeListOf<HexLens> = document.querySelectorAll('hex-lens')
 
-export { all, arrived, report }
+const mesh = document.createElement('hex-mesh')
+mesh.addEventListener('hex-pick', function ({ detail }) {
+  if (detail.vertices) lens.vertices = detail.vertices
+  this.mode = 'invalid'
+})
+// @ts-expect-error There is no such thing in a mesh.
+mesh.addEventListener('hex-open', ({ detail }) => detail.vertices)
+const opened: Promise<MeshSummary | null> = mesh.open([new File([], 'part.vtu')])
+
+export { all, arrived, opened, report }

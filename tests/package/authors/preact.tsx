@@ -13,5 +13,7 @@ export const Lens = () => (
   />
 )
 
+export const Mesh = () => <hex-mesh class="wide" src="part.vtu" onhex-pick={({ detail }) => detail.cell.toFixed()} />
+
 // @ts-expect-error There is no such attribute.
 export const wrong = <hex-lens colour="red" />
