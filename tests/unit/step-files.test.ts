@@ -173,6 +173,15 @@ describe('a .pvd', () => {
     expect(found?.steps.map(step => step.read(OPTIONS).points[18])).toEqual([2, 4, 3, 1])
   })
 
+  test('that names files of the same name in several folders is refused: one would stand for all', () => {
+    const sets = ['0', '1'].map(time => ({ time, file: `t${time}/w.vtu` }))
+    expect(() => decided({ 'a.pvd': pvdText(sets), 'w.vtu': one })).toThrow(
+      'a.pvd: it names “t0/w.vtu” and “t1/w.vtu”, and files are known here without their folders',
+    )
+    const same = ['0', '1'].map(time => ({ time, file: time === '0' ? './w.vtu' : 'w.vtu' }))
+    expect(decided({ 'a.pvd': pvdText(same), 'w.vtu': one })?.steps.length).toBe(2)
+  })
+
   test('of steps without numbers keeps its own order', () => {
     const sets = ['late', 'early'].map(time => ({ time, file: `${time}.vtu` }))
     const found = decided({ 'a.pvd': pvdText(sets), 'late.vtu': one, 'early.vtu': one })

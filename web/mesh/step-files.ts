@@ -42,6 +42,11 @@ export function isCollection({ name }: { readonly name: string }): boolean {
 function ofCollection(file: MeshFile, files: readonly MeshFile[], options: TogetherOptions): StepFiles | null {
   const steps = collectionSteps(file, scanning(options))
   if (steps === null || steps.length < 2) return null
+  const name = shownFileName(file.name)
+  refuseNamesakes(
+    name,
+    steps.flatMap(step => step.files),
+  )
   const { missing, named } = lookedUp(
     steps.map(step => step.files),
     files,
@@ -49,7 +54,6 @@ function ofCollection(file: MeshFile, files: readonly MeshFile[], options: Toget
   )
   const isWhole = missing.map(names => names.length === 0)
   if (!isWhole.includes(true)) return null
-  const name = shownFileName(file.name)
   const left = files.filter(other => other !== file && !named.has(other))
   return {
     sentences: [
@@ -63,6 +67,21 @@ function ofCollection(file: MeshFile, files: readonly MeshFile[], options: Toget
       read: own => meshOf(file, files, { ...own, step }).mesh,
     })),
     first: null,
+  }
+}
+
+/** Files are found without their folders: one of two that have the same name there would stand for both. */
+function refuseNamesakes(name: string, files: readonly string[]): void {
+  const known = new Map<string, string>()
+  for (const file of files) {
+    const parts = file.split(/[\\/]/).filter(part => part !== '.')
+    const [path, own] = [parts.join('/'), (parts.at(-1) ?? '').toLowerCase()]
+    const other = known.get(own) ?? path
+    if (other !== path)
+      throw new MeshRefusal(
+        `${name}: it names ${shown(other)} and ${shown(path)}, and files are known here without their folders: give them different names.`,
+      )
+    known.set(own, path)
   }
 }
 

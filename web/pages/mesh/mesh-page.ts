@@ -5,6 +5,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import '../element'
 import '../skip'
+import { unfolded } from '../../input/dropped-folders'
 import { droppedIn, type PastedInput, pastedIn, takesDrop } from '../../input/pasted-input'
 import type { ReadingProgress } from '../../input/reading'
 import { CellTable } from '../../mesh-views/cell-table'
@@ -385,9 +386,12 @@ document.addEventListener('dragover', event => {
 })
 for (const type of ['dragleave', 'drop', 'dragend'])
   document.addEventListener(type, () => document.body.classList.remove('is-drop-target'))
-document.addEventListener('drop', event => {
+document.addEventListener('drop', async event => {
   const input = droppedIn(event)
-  if (input) void open(input)
+  if (!input) return
+  const whole = await Promise.resolve(unfolded(event, input)).catch(() => null)
+  if (whole) void open(whole)
+  else set({ ...shown, refused: 'The folder could not be read.' })
 })
 document.addEventListener('keydown', event => {
   const isTyping = event.target instanceof HTMLElement && event.target.matches('input, textarea, select, hex-lens')
