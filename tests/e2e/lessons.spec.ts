@@ -108,7 +108,7 @@ test('a step is linked to, played with, restored, left and come back to', async 
 
   await test.step('on top the pages are linked, and the column is one key away', async () => {
     const pages = page.getByRole('navigation', { name: 'Hexlens' })
-    await expect(pages.getByRole('link')).toHaveText(['Lens', 'Lessons', 'Challenges', 'Search', 'Gallery'])
+    await expect(pages.getByRole('link')).toHaveText(['Lens', 'Mesh', 'Lessons', 'Challenges', 'Search', 'Gallery'])
     await expect(pages.locator('[aria-current=page]')).toHaveText('Lessons')
     const skip = page.getByRole('link', { name: 'Skip to the lesson' })
     await skip.focus()

@@ -133,7 +133,8 @@ export class ViewHost {
         reportError(bug) // one view's bug must not take the others' numbers away
       }
     }
-    this.#before.hidden = !this.isUnmade
+    // Once it has gone it stays away: views that are made anew take no longer than a frame or two.
+    this.#before.hidden ||= !this.isUnmade
   }
 
   cameras(): Cameras | null {
