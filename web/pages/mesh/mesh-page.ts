@@ -39,7 +39,8 @@ const CONDITIONS: readonly { readonly name: string; readonly condition: string }
 /** Everything that the page shows; replaced, never changed. */
 interface Shown {
   readonly name: string
-  readonly progress: ReadingProgress | null
+  /** Of the input that is being read; what is open stays until it has been. */
+  readonly reading: { readonly name: string; readonly progress: ReadingProgress } | null
   readonly refused: string | null
   readonly overview: Overview | null
   readonly isExample: boolean
@@ -55,7 +56,7 @@ interface Shown {
 const FIRST_ORDER: Arrangement = { column: 'worst', isDescending: false }
 const NOTHING: Shown = {
   name: '',
-  progress: null,
+  reading: null,
   refused: null,
   overview: null,
   isExample: false,
@@ -70,6 +71,8 @@ const NOTHING: Shown = {
 
 let shown: Shown = NOTHING
 let survey: OpenSurvey | null = null
+/** Reads the input that will take its place. */
+let reader: OpenSurvey | null = null
 let chosen: { readonly cell: number; readonly rank: number | null } | null = null
 
 const listRoot = document.createElement('div')
@@ -84,7 +87,7 @@ const picture = new PictureControls(part('.picture'), {
   choose: cell => void chooseInPicture(cell),
   name: async cell => (await survey?.detail(cell))?.row ?? null,
 })
-const takeAway = new TakeAway({ survey: () => (shown.progress ? null : survey), picture: () => picture.toPNG() })
+const takeAway = new TakeAway({ survey: () => survey, picture: () => picture.toPNG() })
 
 const steps = new StepsView(part('.steps'), {
   chosen: () => chosen?.cell ?? null,
@@ -96,19 +99,24 @@ const steps = new StepsView(part('.steps'), {
 async function open(input: PastedInput, isExample = false): Promise<void> {
   const name = nameOf(input)
   const own = new OpenSurvey(startSurveyWorker)
-  const before = { survey, shown }
-  survey = own
-  set({ ...shown, name, progress: { step: 'reading', fraction: 0 }, refused: null })
-  const opening = await own.open(input, progress => own === survey && set({ ...shown, progress }))
-  if (own !== survey) return own.close()
+  reader?.close()
+  reader = own
+  const onProgress = (progress: ReadingProgress) => {
+    if (own === reader) set({ ...shown, reading: { name, progress } })
+  }
+  set({ ...shown, refused: null, message: '' })
+  onProgress({ step: 'reading', fraction: 0 })
+  const opening = await own.open(input, onProgress)
+  if (own !== reader) return own.close()
+  reader = null
+  set({ ...shown, reading: null })
   if ('refused' in opening) {
-    // The mesh that was open stays.
     own.close()
-    survey = before.survey
-    set({ ...before.shown, progress: null, refused: opening.refused })
+    set({ ...shown, refused: opening.refused })
     return
   }
-  before.survey?.close()
+  survey?.close()
+  survey = own
   await take(opening.opened, isExample)
 }
 
@@ -167,12 +175,10 @@ function allOf({ hexahedra }: Overview): Selected {
 }
 
 function cancel(): void {
-  survey?.close()
-  survey = null
-  picture.open(null)
-  void steps.open(null)
-  set({ ...NOTHING, message: 'Cancelled. Nothing is open.' })
-  table.show(0, { hasBlocks: false, order: FIRST_ORDER })
+  reader?.close()
+  reader = null
+  const left = shown.overview ? `${shown.name} is still open.` : 'Nothing is open.'
+  set({ ...shown, reading: null, message: `Cancelled. ${left}` })
 }
 
 async function arrange(order: Arrangement): Promise<void> {
@@ -272,9 +278,9 @@ function set(next: Shown): void {
   render(cellsTemplate(next), cellsRoot)
 }
 
-function overviewTemplate({ overview, progress, refused, isExample, name, message }: Shown): TemplateResult {
-  return html`<div class="said" role="status">${refused ?? (progress ? `Reading ${name}.` : (overview?.headline ?? message))}</div>
-    ${progress ? progressTemplate(progress, name) : nothing}
+function overviewTemplate({ overview, reading, refused, isExample, name, message }: Shown): TemplateResult {
+  return html`<div class="said" role="status">${refused ?? (reading ? `Reading ${reading.name}.` : (overview?.headline ?? message))}</div>
+    ${reading ? progressTemplate(reading.progress, reading.name) : nothing}
     ${refused === null ? nothing : html`<p class="refused">${refused}</p>`}
     ${overview ? html`<p class="headline">${headlineTemplate(overview.headline)}</p>` : html`<p>${message}</p>`}
     <div class="below">
