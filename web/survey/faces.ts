@@ -1,11 +1,9 @@
 /** Faces of cells that are to be seen, as lists for a painter. */
+import { FACES, LOOPS } from '../mesh/face-loops'
 import type { MeshCheck } from '../mesh/mesh-check'
-import { faceLoops, type Neighbours } from '../mesh/neighbours'
+import type { Neighbours } from '../mesh/neighbours'
 import type { Vec3 } from '../model/hexahedron'
 import type { FaceList, ShownCells } from './survey-jobs'
-
-const FACES = 6
-const LOOPS = Uint8Array.from(faceLoops.flat())
 
 export interface Faced {
   readonly check: MeshCheck

@@ -90,6 +90,12 @@ export class PictureControls {
     this.#render()
   }
 
+  /** The picture begins when the part is 1. */
+  tellOfJoining(part: number): void {
+    this.#left = part < 1 ? `Finding the surface: ${Math.floor(100 * part)} %` : ''
+    this.#render()
+  }
+
   /** Asks for the faces of the present settings, and draws them. */
   async show(): Promise<void> {
     const wanted = ++this.#wanted
