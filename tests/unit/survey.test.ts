@@ -8,7 +8,7 @@ import { part } from '../../web/pages/mesh/part'
 import { meeting } from '../../web/survey/meeting'
 import { mended } from '../../web/survey/mend'
 import { Survey } from '../../web/survey/survey'
-import type { Column, Selection, ShownCells } from '../../web/survey/survey-jobs'
+import type { Column, FaceList, Selection, ShownCells } from '../../web/survey/survey-jobs'
 import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 import {
   checked,
@@ -26,6 +26,12 @@ const ALL: ShownCells = { cells: { which: 'all' }, isWhole: false, most: Infinit
 
 async function surveyOf(mesh: Mesh): Promise<Survey> {
   return new Survey(await checked(mesh, { worst: Infinity, lists: LISTS }), { core, meeting })
+}
+
+/** One text for each face, sorted. */
+function cornersOf(list: FaceList | undefined): string[] {
+  const { cells, corners } = list ?? { cells: [], corners: new Float32Array(0) }
+  return Array.from(cells, (cell, face) => `${cell}: ${corners.subarray(12 * face, 12 * face + 12)}`).sort()
 }
 
 /** The cells of the list as it is. */
@@ -188,6 +194,22 @@ describe('faces', () => {
     expect(origin[1]).toBeCloseTo(0)
     expect(half.shown).toBe(7168 / 2)
     for (let face = 0; face < half.cells.length; ++face) expect(half.middles[3 * face + 1]).toBeLessThanOrEqual(0)
+  })
+
+  test('behind planes through any place are those that bound these cells, near it and far', async () => {
+    for (const survey of [await surveyOf(elbow), await surveyOf(few)])
+      for (let round = 0; round < 40; ++round) {
+        // Some planes go through middles themselves.
+        const { middles } = survey.faces(ALL)
+        const at = 3 * Math.floor((middles.length / 3) * next())
+        const normal = [0, 1, 2].map(() => Math.round(4 * next() - 2)) as [number, number, number]
+        const offset = normal.reduce((sum, part, axis) => sum + part * (middles[at + axis] as number), 0)
+        const cells = { which: 'behind-plane', normal, offset } as const
+        // With a number of cells to be left, each cell is looked at.
+        const [fast, slow] = [Infinity, 1e9].map(most => survey.faces({ cells, isWhole: false, most }))
+        expect([fast?.shown, fast?.wanted]).toEqual([slow?.shown, slow?.wanted])
+        expect(cornersOf(fast)).toEqual(cornersOf(slow))
+      }
   })
 
   test('of a cell that is not finite are those that are, without a number', async () => {

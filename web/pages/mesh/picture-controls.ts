@@ -90,9 +90,8 @@ export class PictureControls {
     this.#render()
   }
 
-  /** The picture begins when the part is 1. */
-  tellOfJoining(part: number): void {
-    this.#left = part < 1 ? `Finding the surface: ${Math.floor(100 * part)} %` : ''
+  say(notice: string): void {
+    this.#left = notice
     this.#render()
   }
 
