@@ -1,5 +1,6 @@
-import { expect, test } from 'vitest'
-import { faceLoops, neighboursOf } from '../../web/mesh/neighbours'
+import { describe, expect, test } from 'vitest'
+import { faceLoops } from '../../web/mesh/face-loops'
+import { Joining, type Neighbours, neighboursOf } from '../../web/mesh/neighbours'
 import { randomSource } from './random'
 
 /** A block of nx by ny by nz cells. */
@@ -94,3 +95,75 @@ test('of a face in three cells two are a pair', () => {
 test('no cells have no faces', () => {
   expect(neighboursOf(new Uint32Array(0), 0).boundary.length).toBe(0)
 })
+
+describe('a mesh in no order', () => {
+  const { cells, points } = oddBlock(40)
+  const mixed = shuffledBlock(cells, points)
+
+  test('has the pairs that go by the order of its faces, as one in order has', () => {
+    for (const order of [cells, mixed]) expectSame(neighboursOf(order, points), neighboursOneByOne(order))
+  })
+
+  test('goes on in steps, and tells how far it is', () => {
+    const joining = new Joining(mixed, points)
+    const parts = [joining.run(0)]
+    while (!joining.neighbours) parts.push(joining.run(0))
+    // Counted, placed, joined and looked through: in order there are two steps for a thousand cells.
+    expect(parts.length).toBeGreaterThan(3 * 64)
+    expect(parts).toEqual(parts.toSorted((a, b) => a - b))
+    expect([parts.at(-1), joining.run(0)]).toEqual([1, 1])
+    expectSame(joining.neighbours, neighboursOf(mixed, points))
+  })
+})
+
+/** A block in which some cells are there twice, and some have collapsed. */
+function oddBlock(n: number): { readonly cells: Uint32Array; readonly points: number } {
+  const { cells, points } = blockOf(n, n, n)
+  for (let cell = 50; cell < cells.length / 8; cell += 50) cells.copyWithin(8 * cell, 8 * cell - 8, 8 * cell)
+  for (let cell = 0; cell < cells.length / 8; cell += 70) cells.copyWithin(8 * cell + 1, 8 * cell, 8 * cell + 2)
+  return { cells, points }
+}
+
+function shuffledBlock(cells: Uint32Array, points: number): Uint32Array {
+  const next = randomSource(3)
+  const names = shuffled(points, next)
+  const places = shuffled(cells.length / 8, next)
+  return Uint32Array.from(cells, (_, i) => names[cells[8 * (places[i >> 3] as number) + (i & 7)] as number] as number)
+}
+
+function shuffled(count: number, next: () => number): number[] {
+  const list = Array.from({ length: count }, (_, i) => i)
+  for (let i = count - 1; i > 0; --i) {
+    const other = Math.floor((i + 1) * next())
+    ;[list[i], list[other]] = [list[other] as number, list[i] as number]
+  }
+  return list
+}
+
+/** Each face, in order, with the one of the same points that waits. */
+function neighboursOneByOne(cells: Uint32Array): Neighbours {
+  const across = new Int32Array((6 * cells.length) / 8).fill(-1)
+  const waiting = new Map<string, number>()
+  for (let face = 0; face < across.length; ++face) {
+    const [a, b, c, d] = (faceLoops[face % 6] ?? []).map(v => cells[8 * Math.floor(face / 6) + v]) as number[]
+    const diagonals = [
+      [a, c],
+      [b, d],
+    ].map(pair => pair.sort().join())
+    const name = diagonals.sort().join(';')
+    const other = waiting.get(name)
+    if (other === undefined) waiting.set(name, face)
+    else {
+      waiting.delete(name)
+      across[face] = other
+      across[other] = face
+    }
+  }
+  return { across, boundary: Uint32Array.from(waiting.values()).sort() }
+}
+
+function expectSame(one: Neighbours | null, other: Neighbours): void {
+  expect([one?.across.length, one?.boundary.length]).toEqual([other.across.length, other.boundary.length])
+  expect(one?.across.findIndex((face, i) => face !== other.across[i])).toBe(-1)
+  expect(one?.boundary.findIndex((face, i) => face !== other.boundary[i])).toBe(-1)
+}

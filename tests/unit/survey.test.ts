@@ -8,7 +8,7 @@ import { part } from '../../web/pages/mesh/part'
 import { meeting } from '../../web/survey/meeting'
 import { mended } from '../../web/survey/mend'
 import { Survey } from '../../web/survey/survey'
-import type { Column, Selection, ShownCells } from '../../web/survey/survey-jobs'
+import type { Column, FaceList, Selection, ShownCells } from '../../web/survey/survey-jobs'
 import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 import {
   checked,
@@ -26,6 +26,12 @@ const ALL: ShownCells = { cells: { which: 'all' }, isWhole: false, most: Infinit
 
 async function surveyOf(mesh: Mesh): Promise<Survey> {
   return new Survey(await checked(mesh, { worst: Infinity, lists: LISTS }), { core, meeting })
+}
+
+/** One text for each face, sorted. */
+function cornersOf(list: FaceList | undefined): string[] {
+  const { cells, corners } = list ?? { cells: [], corners: new Float32Array(0) }
+  return Array.from(cells, (cell, face) => `${cell}: ${corners.subarray(12 * face, 12 * face + 12)}`).sort()
 }
 
 /** The cells of the list as it is. */
@@ -164,9 +170,7 @@ test('the histogram counts each cell once, with zero as an edge, and its percent
 describe('faces', () => {
   test('of all cells are the boundary; of fewer, what bounds these', async () => {
     const survey = await surveyOf(elbow)
-    const boundary = survey.join(() => {})
-    expect(survey.faces(ALL).cells.length).toBe(boundary)
-    expect(boundary).toBe(2 * 256 + 32 * 28)
+    expect(survey.faces(ALL).cells.length).toBe(2 * 256 + 32 * 28)
     const one = survey.faces({ cells: { which: 'one', cell: 3000 }, isWhole: false, most: Infinity })
     expect([one.cells.length, one.shown, one.wanted]).toEqual([6, 1, 1])
     const invalid = survey.faces({ cells: { which: 'invalid', rings: 0 }, isWhole: true, most: Infinity })
@@ -192,6 +196,22 @@ describe('faces', () => {
     for (let face = 0; face < half.cells.length; ++face) expect(half.middles[3 * face + 1]).toBeLessThanOrEqual(0)
   })
 
+  test('behind planes through any place are those that bound these cells, near it and far', async () => {
+    for (const survey of [await surveyOf(elbow), await surveyOf(few)])
+      for (let round = 0; round < 40; ++round) {
+        // Some planes go through middles themselves.
+        const { middles } = survey.faces(ALL)
+        const at = 3 * Math.floor((middles.length / 3) * next())
+        const normal = [0, 1, 2].map(() => Math.round(4 * next() - 2)) as [number, number, number]
+        const offset = normal.reduce((sum, part, axis) => sum + part * (middles[at + axis] as number), 0)
+        const cells = { which: 'behind-plane', normal, offset } as const
+        // With a number of cells to be left, each cell is looked at.
+        const [fast, slow] = [Infinity, 1e9].map(most => survey.faces({ cells, isWhole: false, most }))
+        expect([fast?.shown, fast?.wanted]).toEqual([slow?.shown, slow?.wanted])
+        expect(cornersOf(fast)).toEqual(cornersOf(slow))
+      }
+  })
+
   test('of a cell that is not finite are those that are, without a number', async () => {
     const { cells, relativeMinima } = (await surveyOf(few)).faces(ALL)
     const own = [...relativeMinima].filter((_, face) => cells[face] === 1)
@@ -203,7 +223,7 @@ describe('faces', () => {
 test('a chosen cell comes with its neighbours, once faces are joined', async () => {
   const survey = await surveyOf(elbow)
   expect(survey.detail(3000).neighbours).toEqual([])
-  survey.join(() => {})
+  expect(survey.join(Infinity)).toBe(1)
   const { neighbours, vertices, row } = survey.detail(3000)
   expect([row.cell, vertices?.length, neighbours.length]).toEqual([3000, 24, 6])
   expect(neighbours.map(({ cell }) => cell)).toContain(3000 - 256)

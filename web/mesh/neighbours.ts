@@ -1,5 +1,7 @@
 /** Which cells share a face, and which faces are the boundary of a mesh. */
-import { faces } from '../model/hexahedron'
+import { FaceGroups } from './face-groups'
+import { FACES } from './face-loops'
+import { WaitingFaces } from './waiting-faces'
 
 /** Faces of cells are numbered `6 * cell + face`. */
 export interface Neighbours {
@@ -9,114 +11,125 @@ export interface Neighbours {
   readonly boundary: Uint32Array<ArrayBuffer>
 }
 
-export interface NeighbourOptions {
-  /** Called now and then with how many cells are done. */
-  readonly onProgress?: (done: number) => void
-}
-
-export const FACES = 6
 const NONE = -1
 
-/** Vertices of a face in cyclic order: 00, 10, 11, 01. */
-export const faceLoops: readonly (readonly [number, number, number, number])[] = faces.map(
-  ({ vertices: [a, b, c, d] }) => [a, b, d, c] as const,
-)
+/** Cells between two looks at the clock: a tenth of a millisecond, or up to one where memory is slow. */
+const CELLS_AT_ONCE = 1024
 
-/** Vertices of faces 0 to 5 in cyclic order, flat. */
-const LOOPS = Uint8Array.from(faceLoops.flat())
-
-const CELLS_A_STEP = 65_536
+/** The parts of the time that counting, placing and joining take, together. */
+const COUNTED = 0.1
+const PLACED = 0.2
+const JOINED = 0.95
 
 /**
  * Two faces are the same if they have the same points in the same cyclic order, either way round: with another order the four points
  * bound another bilinear face. Of a face that more than two cells have, pairs are made in the file's order. `cells` are eight indices
  * of points each, all below `pointCount`.
- *
- * A face waits in the list of its least point until its other side comes, so that lists are short and a mesh in order is gone through
- * in one pass. Of the remaining three points the opposite one has to be the same, and the two beside it as a pair.
  */
-export function neighboursOf(
-  cells: Uint32Array,
-  pointCount: number,
-  { onProgress }: NeighbourOptions = {},
-): Neighbours {
-  const count = cells.length / 8
-  // Of a face that waits: the one behind it in its list, as -2 - face; else as it is returned.
-  const across = new Int32Array(FACES * count)
-  const waiting = new Int32Array(pointCount).fill(NONE)
+export function neighboursOf(cells: Uint32Array, pointCount: number): Neighbours {
+  const joining = new Joining(cells, pointCount)
+  joining.run(Infinity)
+  return joining.neighbours as Neighbours
+}
 
-  let paired = 0
-  for (let cell = 0; cell < count; ++cell) {
-    for (let face = 0; face < FACES; ++face) {
-      const own = FACES * cell + face
-      const first = 8 * cell
-      let a = cells[first + (LOOPS[4 * face] as number)] as number
-      let b = cells[first + (LOOPS[4 * face + 1] as number)] as number
-      let c = cells[first + (LOOPS[4 * face + 2] as number)] as number
-      let d = cells[first + (LOOPS[4 * face + 3] as number)] as number
-      const least = Math.min(a, b, c, d)
-      // Turned until a or b is the least, and by half a turn if it is c or d.
-      if (c === least || d === least) {
-        const [e, f] = [a, b]
-        a = c
-        b = d
-        c = e
-        d = f
-      }
-      if (a !== least) {
-        const e = a
-        a = b
-        b = c
-        c = d
-        d = e
-      }
+/** The same in steps, so that others may ask in between. */
+export class Joining {
+  /** Null until all is done. */
+  neighbours: Neighbours | null = null
+  readonly #steps: Generator<number, Neighbours, undefined>
+  #part = 0
 
-      let before = NONE
-      let other = waiting[a] as number
-      while (other !== NONE && !isLoop(cells, other, a, b, c, d)) {
-        before = other
-        other = -2 - (across[other] as number)
+  constructor(cells: Uint32Array, pointCount: number) {
+    // Engines subtract signed numbers without a look at their size: there are less than 2^31 points.
+    this.#steps = joined(new Int32Array(cells.buffer, cells.byteOffset, cells.length), pointCount)
+  }
+
+  /** Goes on for some milliseconds. Returns about which part is done; 1 once all is. */
+  run(milliseconds: number): number {
+    const end = performance.now() + milliseconds
+    while (!this.neighbours) {
+      const { done, value } = this.#steps.next()
+      if (done) {
+        this.neighbours = value
+        break
       }
-      if (other === NONE) {
-        across[own] = -2 - (waiting[a] as number)
-        waiting[a] = own
-      } else {
-        const behind = across[other] as number
-        if (before === NONE) waiting[a] = -2 - behind
-        else across[before] = behind
-        across[own] = other
-        across[other] = own
-        paired += 2
-      }
+      // Whoever begins anew in groups has soon caught up.
+      this.#part = Math.max(this.#part, value)
+      if (performance.now() >= end) return this.#part
     }
-    if (cell % CELLS_A_STEP === CELLS_A_STEP - 1) onProgress?.(cell + 1)
+    return 1
   }
-  return { across, boundary: boundaryOf(across, FACES * count - paired) }
 }
 
-/** True if a face has these points in this cyclic order, either way round. */
-function isLoop(cells: Uint32Array, face: number, a: number, b: number, c: number, d: number): boolean {
-  const cell = (face / FACES) | 0
-  const loop = 4 * (face - FACES * cell)
-  const p = cells[8 * cell + (LOOPS[loop] as number)]
-  const q = cells[8 * cell + (LOOPS[loop + 1] as number)]
-  const r = cells[8 * cell + (LOOPS[loop + 2] as number)]
-  const s = cells[8 * cell + (LOOPS[loop + 3] as number)]
-  return (
-    (p === a && r === c && ((q === b && s === d) || (q === d && s === b))) ||
-    (q === a && s === c && ((p === b && r === d) || (p === d && r === b))) ||
-    (r === a && p === c && ((q === b && s === d) || (q === d && s === b))) ||
-    (s === a && q === c && ((p === b && r === d) || (p === d && r === b)))
-  )
-}
-
-function boundaryOf(across: Int32Array, count: number): Uint32Array<ArrayBuffer> {
-  const boundary = new Uint32Array(count)
+/**
+ * A face waits in the list of its least point until its other side comes. In a mesh in order only those of a front through it wait,
+ * and one pass is enough. Where more do than a cache holds, all faces are put into groups by their least points, and joined group after
+ * group. In a group they stay in the file's order, so that the pairs are the same.
+ */
+function* joined(cells: Int32Array, pointCount: number): Generator<number, Neighbours, undefined> {
+  const across = new Int32Array((FACES * cells.length) / 8)
+  const paired = (yield* joinInOrder(cells, pointCount, across)) ?? (yield* joinInGroups(cells, pointCount, across))
+  const boundary = new Uint32Array(across.length - paired)
   let found = 0
-  for (let face = 0; face < across.length; ++face) {
-    if ((across[face] as number) >= 0) continue
-    across[face] = NONE
-    boundary[found++] = face
+  for (const [from, to] of cuts(across.length / FACES)) {
+    found = putBoundary(across, from, to, boundary, found)
+    yield JOINED + (1 - JOINED) * (to / (across.length / FACES))
   }
-  return boundary
+  return { across, boundary }
+}
+
+/** Returns how many faces are paired; null, and nothing is joined, if more wait than in a mesh in order. */
+function* joinInOrder(
+  cells: Int32Array,
+  pointCount: number,
+  across: Int32Array,
+): Generator<number, number | null, undefined> {
+  const count = cells.length / 8
+  const waiting = new WaitingFaces(pointCount)
+  const most = Math.max(MOST_WAITING, count / 4)
+  for (const [from, to] of cuts(count)) {
+    across.fill(NONE, FACES * from, FACES * to)
+    waiting.join(cells, from, to, across)
+    if (waiting.most > most) return null
+    yield (JOINED * to) / count
+  }
+  return waiting.paired
+}
+
+/** Two megabytes of records. */
+const MOST_WAITING = 65_536
+
+function* joinInGroups(
+  cells: Int32Array,
+  pointCount: number,
+  across: Int32Array,
+): Generator<number, number, undefined> {
+  const count = cells.length / 8
+  const groups = new FaceGroups(cells, pointCount)
+  for (const [from, to] of cuts(count)) {
+    across.fill(NONE, FACES * from, FACES * to)
+    groups.countCells(from, to)
+    yield (COUNTED * to) / count
+  }
+  groups.makePlaces()
+  for (const [from, to] of cuts(count)) {
+    groups.placeCells(from, to)
+    yield COUNTED + ((PLACED - COUNTED) * to) / count
+  }
+  for (let group = 0; group < groups.count; ++group) {
+    groups.join(group, across)
+    yield PLACED + ((JOINED - PLACED) * (group + 1)) / groups.count
+  }
+  return groups.paired
+}
+
+function* cuts(count: number): Generator<readonly [number, number], void, undefined> {
+  for (let from = 0; from < count; from += CELLS_AT_ONCE) yield [from, Math.min(from + CELLS_AT_ONCE, count)]
+}
+
+/** Returns how many there are by now. */
+function putBoundary(across: Int32Array, from: number, to: number, boundary: Uint32Array, count: number): number {
+  let found = count
+  for (let face = FACES * from; face < FACES * to; ++face) if (across[face] === NONE) boundary[found++] = face
+  return found
 }

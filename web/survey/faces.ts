@@ -1,11 +1,10 @@
 /** Faces of cells that are to be seen, as lists for a painter. */
+import { FACES, LOOPS } from '../mesh/face-loops'
 import type { MeshCheck } from '../mesh/mesh-check'
-import { faceLoops, type Neighbours } from '../mesh/neighbours'
+import type { Neighbours } from '../mesh/neighbours'
 import type { Vec3 } from '../model/hexahedron'
+import { facesBehind } from './slice'
 import type { FaceList, ShownCells } from './survey-jobs'
-
-const FACES = 6
-const LOOPS = Uint8Array.from(faceLoops.flat())
 
 export interface Faced {
   readonly check: MeshCheck
@@ -18,7 +17,11 @@ export interface Faced {
 
 /** Faces that bound what is shown; all faces of its cells if these are drawn whole. One with a coordinate that is not finite is left out. */
 export function facesOf(faced: Faced, shown: ShownCells): FaceList {
-  const { check, neighbours } = faced
+  const { check, neighbours, middles } = faced
+  if (shown.cells.which === 'behind-plane' && !shown.isWhole && shown.most === Infinity) {
+    const { faces, count } = facesBehind(middles, neighbours, shown.cells)
+    return { ...faceList(faced, faces), shown: count, wanted: count }
+  }
   const mask = maskOf(faced, shown.cells)
   let wanted = 0
   for (const flag of mask) wanted += flag

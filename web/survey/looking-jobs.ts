@@ -15,6 +15,9 @@ type AskedOfOne = Pick<SurveyJobs, 'rows' | 'arrange' | 'nextInvalid' | 'placeOf
 
 export type LookingJobs = AskedOfOne & Pick<SurveyJobs, 'open'>
 
+/** Milliseconds of a step of what takes long: other questions wait so long. */
+export const STEP = 12
+
 /** Lists that the rows show. */
 const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true }
 
@@ -56,7 +59,7 @@ export function lookingJobs(survey: () => Survey): AskedOfOne {
     nextInvalid: ({ rank, step }) => survey().nextInvalid(rank, step),
     placeOf: cell => survey().placeOf(cell),
     detail: cell => survey().detail(cell),
-    join: (_, tell) => ({ boundaryFaces: survey().join(seldom(tell)) }),
+    join: () => survey().join(STEP),
     faces: shown => survey().faces(shown),
   }
 }

@@ -27,6 +27,7 @@ export class OpenSurvey {
   readonly #pool: Pool<null, SurveyJobs>
   #selection = 0
   #writing = 0
+  #closings = 0
 
   constructor(spawn: () => WorkerPort) {
     this.#pool = new Pool({ name: 'the worker of the mesh', size: 1, spawn, start: null })
@@ -45,6 +46,7 @@ export class OpenSurvey {
   close(): void {
     this.#selection++
     this.#writing++
+    this.#closings++
     this.#pool.stop(new Error('The mesh was closed.'))
   }
 
@@ -88,8 +90,13 @@ export class OpenSurvey {
     return this.#pool.run('detail', cell)
   }
 
-  join(onProgress: (fraction: number) => void): Promise<{ readonly boundaryFaces: number }> {
-    return this.#pool.run('join', null, { onProgress })
+  /** Tells of each step; in the end, 1, it is known which cells share a face. Closing ends it. */
+  async join(onStep: (part: number) => void): Promise<void> {
+    const own = this.#closings
+    for (let part = 0; part < 1 && own === this.#closings; ) {
+      part = await this.#pool.run('join', null)
+      onStep(part)
+    }
   }
 
   faces(shown: ShownCells): Promise<FaceList> {

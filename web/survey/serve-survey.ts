@@ -10,7 +10,7 @@ import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { TogetherOptions } from '../mesh/read-mesh'
 import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
-import { lookingJobs, nameOf, noHexahedra } from './looking-jobs'
+import { lookingJobs, nameOf, noHexahedra, STEP } from './looking-jobs'
 import { meeting } from './meeting'
 import { mended } from './mend'
 import { StepSeries } from './step-series'
@@ -21,9 +21,6 @@ import { Writing } from './writing'
 
 /** Lists that the page shows or writes beside those that the counts need. */
 const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true, exact: true }
-
-/** Milliseconds of a step of what takes long: other questions wait so long. */
-const STEP = 12
 
 interface Open {
   readonly name: string

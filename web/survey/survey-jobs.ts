@@ -27,8 +27,8 @@ export type SurveyJobs = {
   placeOf(cell: number): Place
   histogram(_: null): Histogram
   detail(cell: number): CellDetail
-  /** Cells that share a face; the other jobs on faces want it first. */
-  join(_: null, tell: (fraction: number) => void): { readonly boundaryFaces: number }
+  /** Goes on to find the cells that share a face, for some milliseconds. Which part is done; `faces` does what is left at once. */
+  join(_: null): number
   faces(shown: ShownCells): FaceList
   /** Exchanges the bottom with the top of what is mirrored, or takes the order that makes all valid; in all steps. */
   mend(fix: FixId): Promise<Opening>

@@ -3,7 +3,7 @@ import { CHECKS, CLASSES } from '../core/unpack'
 import { CheckedCells, columnsOf } from '../mesh/checked-cells'
 import { histogramOf } from '../mesh/histogram'
 import type { MeshCheck } from '../mesh/mesh-check'
-import { type Neighbours, neighboursOf } from '../mesh/neighbours'
+import { Joining, type Neighbours } from '../mesh/neighbours'
 import { verticesOf } from '../mesh/vertices-of'
 import type { Vec3 } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
@@ -42,6 +42,7 @@ export class Survey {
   #selection: SelectionRun
   /** The list and the rank of each cell in it, until order or selection change. */
   #listed: { readonly cells: Uint32Array; readonly ranks: Uint32Array } | null = null
+  #joining: Joining | null = null
   #neighbours: Neighbours | null = null
   #middles: Float32Array | null = null
 
@@ -133,15 +134,18 @@ export class Survey {
     }
   }
 
-  join(onProgress: (fraction: number) => void): number {
+  join(milliseconds: number): number {
+    if (this.#neighbours) return 1
     const { points, cells } = this.check.mesh
-    const total = this.check.hexahedra
-    this.#neighbours ??= neighboursOf(cells, points.length / 3, { onProgress: done => onProgress(done / total) })
-    return this.#neighbours.boundary.length
+    this.#joining ??= new Joining(cells, points.length / 3)
+    const part = this.#joining.run(milliseconds)
+    this.#neighbours = this.#joining.neighbours
+    if (this.#neighbours) this.#joining = null
+    return part
   }
 
   faces(shown: ShownCells): FaceList {
-    this.join(() => {})
+    this.join(Infinity)
     const origin = this.#origin
     this.#middles ??= middlesOf(this.check, origin)
     return facesOf(

@@ -132,7 +132,9 @@ async function take(overview: Overview, isExample: boolean): Promise<void> {
   const histogram = await own.histogram()
   if (own !== survey) return
   set({ ...shown, histogram })
-  await own.join(() => {})
+  await own.join(
+    part => own === survey && picture.say(part < 1 ? `Finding the surface: ${Math.floor(100 * part)} %` : ''),
+  )
   if (own !== survey) return
   await picture.show()
   if (chosen && own === survey) await showNeighbours(chosen.cell)

@@ -90,6 +90,11 @@ export class PictureControls {
     this.#render()
   }
 
+  say(notice: string): void {
+    this.#left = notice
+    this.#render()
+  }
+
   /** Asks for the faces of the present settings, and draws them. */
   async show(): Promise<void> {
     const wanted = ++this.#wanted
