@@ -1,13 +1,10 @@
-/** Bilinear faces of one layer of the picture: one instance each, one draw call. It knows three.js and the shader. */
+/** Bilinear faces of one layer of the picture, in one draw call. It knows three.js and the shader. */
 import {
   BufferAttribute,
+  BufferGeometry,
   DoubleSide,
   EqualDepth,
   GLSL3,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  InstancedInterleavedBuffer,
-  InterleavedBufferAttribute,
   LessEqualDepth,
   Mesh,
   RawShaderMaterial,
@@ -16,11 +13,7 @@ import {
 import type { Vec3 } from '../model/hexahedron'
 import { SHADE } from '../scene/paint/shading'
 import type { FaceList } from '../survey/survey-jobs'
-
-// (s, t) of the corners in cyclic order, and of the middle, about which four triangles lie: those of a
-// bent face meet there, so that it looks the same from both sides.
-const PATCH = Float32Array.of(0, 0, 1, 0, 1, 1, 0, 1, 0.5, 0.5)
-const TRIANGLES = Uint8Array.of(0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4)
+import { eachVertex, FACE_VERTICES, faceIndices, facePoints, vertexColours } from './face-vertices'
 
 const vertexShader = /* glsl */ `
 precision highp float;
@@ -28,21 +21,19 @@ uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform float scale;
 uniform float size;
-in vec2 patchPoint;
-in vec3 corner0;
-in vec3 corner1;
-in vec3 corner2;
-in vec3 corner3;
+in vec3 point;
 in vec3 middle;
 in vec3 faceColour;
 out vec2 st;
 out vec3 position;
 flat out vec3 colour;
 
+// (s, t) of a face's vertices.
+const vec2 PATCH[${FACE_VERTICES}] = vec2[](vec2(0), vec2(1, 0), vec2(1), vec2(0, 1), vec2(0.5));
+
 void main() {
-  st = patchPoint;
+  st = PATCH[gl_VertexID % ${FACE_VERTICES}];
   colour = faceColour;
-  vec3 point = mix(mix(corner0, corner1, st.x), mix(corner3, corner2, st.x), st.y);
   position = mix(middle, point, size) * scale;
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }
@@ -114,7 +105,7 @@ export class FaceBatch {
   #faces: FaceList | null = null
 
   constructor() {
-    this.mesh = new Mesh(new InstancedBufferGeometry(), this.#material)
+    this.mesh = new Mesh(new BufferGeometry(), this.#material)
     this.mesh.frustumCulled = false
     this.mesh.visible = false
   }
@@ -129,20 +120,15 @@ export class FaceBatch {
     this.mesh.geometry.dispose()
     this.mesh.visible = faces !== null && faces.cells.length > 0
     if (!faces) return
-    const geometry = new InstancedBufferGeometry()
-    geometry.setIndex(new BufferAttribute(TRIANGLES, 1))
-    geometry.setAttribute('patchPoint', new BufferAttribute(PATCH, 2))
-    const corners = new InstancedInterleavedBuffer(faces.corners, 12)
-    for (let corner = 0; corner < 4; ++corner)
-      geometry.setAttribute(`corner${corner}`, new InterleavedBufferAttribute(corners, 3, 3 * corner))
-    geometry.setAttribute('middle', new InstancedBufferAttribute(faces.middles, 3))
-    geometry.setAttribute('faceColour', new InstancedBufferAttribute(colours, 3, true))
-    geometry.instanceCount = faces.cells.length
+    const geometry = new BufferGeometry()
+    geometry.setIndex(new BufferAttribute(faceIndices(faces.cells.length), 1))
+    geometry.setAttribute('point', new BufferAttribute(facePoints(faces.corners), 3))
     this.mesh.geometry = geometry
+    this.recolour(colours)
   }
 
   recolour(colours: Uint8Array): void {
-    if (this.#faces) this.mesh.geometry.setAttribute('faceColour', new InstancedBufferAttribute(colours, 3, true))
+    if (this.#faces) this.mesh.geometry.setAttribute('faceColour', new BufferAttribute(vertexColours(colours), 4, true))
   }
 
   get isTranslucent(): boolean {
@@ -164,6 +150,9 @@ export class FaceBatch {
     const uniforms = this.#uniforms
     uniforms.scale.value = scale
     uniforms.size.value = size
+    // At full size a middle counts nothing.
+    if (size < 1 && this.#faces && !this.mesh.geometry.hasAttribute('middle'))
+      this.mesh.geometry.setAttribute('middle', new BufferAttribute(eachVertex(this.#faces.middles), 3))
     uniforms.eye.value.set(...eye)
     uniforms.toLight.value.set(...toLight)
     uniforms.ink.value.set(...ink)
