@@ -14,13 +14,15 @@ import {
   Vector3,
 } from 'three'
 import type { Vec3 } from '../model/hexahedron'
-import { SHADE } from '../scene/paint/shading'
 import type { FaceList } from '../survey/survey-jobs'
 
 // (s, t) of the corners in cyclic order, and of the middle, about which four triangles lie: those of a
 // bent face meet there, so that it looks the same from both sides.
 const PATCH = Float32Array.of(0, 0, 1, 0, 1, 1, 0, 1, 0.5, 0.5)
 const TRIANGLES = Uint8Array.of(0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4)
+
+/** Lightness that a face in the dark loses: more than within an element, as a cell has one colour here, and a mesh has a shape. */
+const SHADE = 0.16
 
 const vertexShader = /* glsl */ `
 precision highp float;
@@ -67,7 +69,8 @@ void main() {
   vec3 normal = cross(dFdx(position), dFdy(position));
   float lit = max(dot(normal * sign(dot(normal, eye - position)), toLight) / max(length(normal), 1e-30), 0.0);
   float lightness = pow(dot(colour * colour, LUMINANCE), 1.0 / 3.0);
-  vec3 shaded = colour * (1.0 - ${SHADE} * (1.0 - lit) / max(lightness, 0.1));
+  // As much of what is seen, however little of it is the surface.
+  vec3 shaded = colour * max(1.0 - ${SHADE} * (1.0 - lit) / max(lightness, 0.1) / opacity, 0.0);
   // Pixels from the nearest edge. Lines of cells of a few pixels would leave no colour: they fade.
   vec2 slope = max(fwidth(st), vec2(1e-6));
   vec2 pixels = min(st, 1.0 - st) / slope / pixelRatio;

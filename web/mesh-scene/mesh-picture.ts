@@ -6,18 +6,31 @@ import { LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three'
 import { edgeVertices, type Vec3, type Vertices } from '../model/hexahedron'
 import type { CameraView } from '../model/state'
 import { OrbitInput } from '../scene/input/orbit-input'
-import { type Ramp, type Rgb, rampOf, type Theme } from '../scene/paint/colour-map'
+import { type Ramp, rampOf, type Theme } from '../scene/paint/colour-map'
 import { lightOf } from '../scene/paint/shading'
 import { ThemeReader } from '../scene/paint/theme'
 import type { Point } from '../scene/space/layout'
+import type { Ray, SceneCamera } from '../scene/space/camera'
 import { OrbitCamera } from '../scene/space/orbit-camera'
+import { mix } from '../scene/space/vec3'
 import type { Bounds, FaceList, Neighbour } from '../survey/survey-jobs'
 import { placeIn } from '../views/place-in'
-import { faceColours } from './cell-colour'
+import { type Colouring, faceColours, plainColour } from './cell-colour'
 import { FaceBatch } from './face-batch'
 import { type FaceHit, firstHit } from './ray'
 
 export type LayerName = 'surface' | 'invalid'
+
+/** What was drawn, for those who draw over it. */
+export interface PictureSpace {
+  readonly camera: SceneCamera
+  /** World units a unit of the mesh; the origin of faces is that of the world. */
+  readonly scale: number
+  /** Of the bounds, in world space. */
+  readonly corners: readonly Vec3[]
+  readonly theme: Theme
+  readonly ramp: Ramp
+}
 
 /** Half of the longest side of the bounds in world space. */
 const HALF_EXTENT = 1
@@ -46,6 +59,9 @@ export class MeshPicture {
   #isNew = true
   #first: CameraView | null = null
   readonly #takesWheel: (event: WheelEvent) => boolean
+  #colouring: Colouring = 'all'
+  /** Called after each frame. */
+  onDraw: ((space: PictureSpace) => void) | null = null
 
   /** A picture among others' content leaves the wheel to the page, but for events that `takesWheel` accepts. */
   constructor(root: HTMLElement, takesWheel: (event: WheelEvent) => boolean = () => true) {
@@ -69,6 +85,20 @@ export class MeshPicture {
   /** The camera, for `open`; null if nothing has moved it. */
   get view(): CameraView | null {
     return this.#isNew ? this.#first : this.#camera.cameraView(this.#corners, HALF_EXTENT)
+  }
+
+  /** The default view for null. */
+  look(view: CameraView | null): void {
+    this.#first = view
+    this.#isNew = true
+    this.draw()
+  }
+
+  set colouring(colouring: Colouring) {
+    if (this.#colouring === colouring) return
+    this.#colouring = colouring
+    this.#recolour()
+    this.draw()
   }
 
   /** Another mesh, seen whole, or as a picture of it was. */
@@ -162,14 +192,19 @@ export class MeshPicture {
     return this.#camera.direction
   }
 
-  /** The cell at a pointer; null beside the mesh. */
-  cellAt(event: PointerEvent): number | null {
+  /** The line of sight of a pointer, in world space. */
+  rayOf(event: MouseEvent): Ray {
     const place = this.#placeOf(event)
-    const { origin, direction } = this.#camera.camera.ray(place.x, place.y)
+    return this.#camera.camera.ray(place.x, place.y)
+  }
+
+  /** The cell at a pointer; null beside the mesh. An invalid one is seen through a translucent surface, unless that is not wanted. */
+  cellAt(event: PointerEvent, { isThrough = true } = {}): number | null {
+    const { origin, direction } = this.rayOf(event)
     const from = origin.map(value => value / this.#scale) as unknown as Vec3
     const hits = Object.values(this.#layers).map(({ faces }) => faces && firstHit(faces, from, direction, this.#size))
     const [surface, invalid] = hits as [FaceHit | null, FaceHit | null]
-    if (this.#layers.surface.isTranslucent && invalid) return invalid.cell
+    if (isThrough && this.#layers.surface.isTranslucent && invalid) return invalid.cell
     if (!surface || !invalid) return (surface ?? invalid)?.cell ?? null
     return surface.distance < invalid.distance ? surface.cell : invalid.cell
   }
@@ -183,7 +218,7 @@ export class MeshPicture {
   }
 
   /** The picture as it is, with its background. */
-  async toPNG(): Promise<Blob> {
+  async toPNG(over: (context: OffscreenCanvasRenderingContext2D, space: PictureSpace) => void = () => {}): Promise<Blob> {
     this.#draw()
     const { width, height } = this.#canvas
     const copy = new OffscreenCanvas(width, height)
@@ -192,6 +227,8 @@ export class MeshPicture {
     context.fillStyle = `rgb(${r} ${g} ${b})`
     context.fillRect(0, 0, width, height)
     context.drawImage(this.#canvas, 0, 0)
+    context.scale(width / this.#root.clientWidth, height / this.#root.clientHeight)
+    over(context, this.#space)
     return copy.convertToBlob({ type: 'image/png' })
   }
 
@@ -236,7 +273,11 @@ export class MeshPicture {
     const { clientWidth: width, clientHeight: height } = this.#root
     if (width === 0 || height === 0) return
     const { camera } = this.#camera
+    // In another size the mesh is seen as it was: what fitted in fits in.
+    const isResized = !this.#isNew && (camera.width !== width || camera.height !== height)
+    const view = isResized ? this.view : null
     camera.resize(width, height, { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN })
+    if (isResized) this.#camera.look(this.#corners, HALF_EXTENT, view)
     if (this.#isNew && this.#corners.length > 0) {
       this.#isNew = false
       this.#camera.look(this.#corners, HALF_EXTENT, this.#first)
@@ -261,6 +302,11 @@ export class MeshPicture {
       for (const pass of PASSES) this.#drawPass(this.#renderer, pass)
     }
     this.#drawChosen(width, height)
+    this.onDraw?.(this.#space)
+  }
+
+  get #space(): PictureSpace {
+    return { camera: this.#camera.camera, scale: this.#scale, corners: this.#corners, ...this.#paint() }
   }
 
   /** Of a translucent surface only what is in front is blended with what is behind it: its depth comes first, alone. */
@@ -281,17 +327,17 @@ export class MeshPicture {
     if (this.#painted?.theme === theme) return this.#painted
     const painted = { theme, ramp: rampOf(theme) }
     this.#painted = painted
-    for (const layer of Object.values(this.#layers)) if (layer.faces) layer.recolour(this.#coloursOf(layer.faces))
+    this.#recolour()
     return painted
+  }
+
+  #recolour(): void {
+    for (const layer of Object.values(this.#layers)) if (layer.faces) layer.recolour(this.#coloursOf(layer.faces))
   }
 
   #coloursOf(faces: FaceList): Uint8Array {
     const { ramp, theme } = this.#paint()
-    return faceColours(
-      faces,
-      ramp,
-      theme.paper.map((part, i) => (part + (theme.ink[i] as number)) / 2) as unknown as Rgb,
-    )
+    return faceColours(faces, { ramp, none: mix(theme.paper, theme.ink, 0.5), plain: plainColour(theme, this.#colouring) })
   }
 
   #drawChosen(width: number, height: number): void {
