@@ -124,7 +124,9 @@ describe('layers', () => {
         ),
       )
     for (const [at, point] of cells.entries())
-      if (corners.has(key(points[3 * point] as number, points[3 * point + 1] as number, points[3 * point + 2] as number)))
+      if (
+        corners.has(key(points[3 * point] as number, points[3 * point + 1] as number, points[3 * point + 2] as number))
+      )
         onBoundary.add(at >> 3)
     const wanted = [...Array(cells.length / 8).keys()].filter(cell => !onBoundary.has(cell))
     expect(left(survey, { layers: 1 })).toEqual(wanted)

@@ -33,6 +33,12 @@ export interface FaceColours {
   readonly plain: Rgb | null
 }
 
+/** Three bytes a face, all the same. */
+export function oneColour({ cells }: FaceList, colour: Rgb): Uint8Array {
+  const bytes = colour.map(channel => Math.round(255 * channel))
+  return Uint8Array.from({ length: 3 * cells.length }, (_, i) => bytes[i % 3] as number)
+}
+
 /** Three bytes a face. */
 export function faceColours({ relativeMinima }: FaceList, { ramp, none, plain }: FaceColours): Uint8Array {
   const colours = new Uint8Array(3 * relativeMinima.length)

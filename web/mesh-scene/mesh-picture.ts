@@ -9,17 +9,18 @@ import { OrbitInput } from '../scene/input/orbit-input'
 import { type Ramp, rampOf, type Theme } from '../scene/paint/colour-map'
 import { lightOf } from '../scene/paint/shading'
 import { ThemeReader } from '../scene/paint/theme'
-import type { Point } from '../scene/space/layout'
 import type { Ray, SceneCamera } from '../scene/space/camera'
+import type { Point } from '../scene/space/layout'
 import { OrbitCamera } from '../scene/space/orbit-camera'
 import { mix } from '../scene/space/vec3'
 import type { Bounds, FaceList, Neighbour } from '../survey/survey-jobs'
 import { placeIn } from '../views/place-in'
-import { type Colouring, faceColours, plainColour } from './cell-colour'
+import { type Colouring, faceColours, oneColour, plainColour } from './cell-colour'
 import { FaceBatch } from './face-batch'
 import { type FaceHit, firstHit } from './ray'
 
-export type LayerName = 'surface' | 'invalid'
+/** The ghost is what the picture is cut from, as a shadow. */
+export type LayerName = 'surface' | 'invalid' | 'ghost'
 
 /** What was drawn, for those who draw over it. */
 export interface PictureSpace {
@@ -46,7 +47,11 @@ export class MeshPicture {
   readonly #listening = new AbortController()
   readonly #theme: ThemeReader
   readonly #scene = new Scene()
-  readonly #layers: Readonly<Record<LayerName, FaceBatch>> = { surface: new FaceBatch(), invalid: new FaceBatch() }
+  readonly #layers: Readonly<Record<LayerName, FaceBatch>> = {
+    surface: new FaceBatch(),
+    invalid: new FaceBatch(),
+    ghost: new FaceBatch(GHOST),
+  }
   readonly #observer: ResizeObserver
   #corners: readonly Vec3[] = []
   #origin: Vec3 = [0, 0, 0]
@@ -94,6 +99,11 @@ export class MeshPicture {
     this.draw()
   }
 
+  /** Null where nothing is cut away. */
+  set ghost(faces: FaceList | null) {
+    if (this.#layers.ghost.faces !== faces) this.show('ghost', faces)
+  }
+
   set colouring(colouring: Colouring) {
     if (this.#colouring === colouring) return
     this.#colouring = colouring
@@ -136,7 +146,7 @@ export class MeshPicture {
   }
 
   show(layer: LayerName, faces: FaceList | null): void {
-    this.#layers[layer].show(faces, faces ? this.#coloursOf(faces) : new Uint8Array(0))
+    this.#layers[layer].show(faces, faces ? this.#coloursOf(faces, layer) : new Uint8Array(0))
     this.draw()
   }
 
@@ -202,8 +212,10 @@ export class MeshPicture {
   cellAt(event: PointerEvent, { isThrough = true } = {}): number | null {
     const { origin, direction } = this.rayOf(event)
     const from = origin.map(value => value / this.#scale) as unknown as Vec3
-    const hits = Object.values(this.#layers).map(({ faces }) => faces && firstHit(faces, from, direction, this.#size))
-    const [surface, invalid] = hits as [FaceHit | null, FaceHit | null]
+    const [surface, invalid] = (['surface', 'invalid'] as const).map(name => {
+      const { faces } = this.#layers[name]
+      return faces && firstHit(faces, from, direction, this.#size)
+    }) as [FaceHit | null, FaceHit | null]
     if (isThrough && this.#layers.surface.isTranslucent && invalid) return invalid.cell
     if (!surface || !invalid) return (surface ?? invalid)?.cell ?? null
     return surface.distance < invalid.distance ? surface.cell : invalid.cell
@@ -218,7 +230,9 @@ export class MeshPicture {
   }
 
   /** The picture as it is, with its background. */
-  async toPNG(over: (context: OffscreenCanvasRenderingContext2D, space: PictureSpace) => void = () => {}): Promise<Blob> {
+  async toPNG(
+    over: (context: OffscreenCanvasRenderingContext2D, space: PictureSpace) => void = () => {},
+  ): Promise<Blob> {
     this.#draw()
     const { width, height } = this.#canvas
     const copy = new OffscreenCanvas(width, height)
@@ -275,9 +289,9 @@ export class MeshPicture {
     const { camera } = this.#camera
     // In another size the mesh is seen as it was: what fitted in fits in.
     const isResized = !this.#isNew && (camera.width !== width || camera.height !== height)
-    const view = isResized ? this.view : null
+    const before = isResized ? this.view : null
     camera.resize(width, height, { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN })
-    if (isResized) this.#camera.look(this.#corners, HALF_EXTENT, view)
+    if (isResized) this.#camera.look(this.#corners, HALF_EXTENT, before)
     if (this.#isNew && this.#corners.length > 0) {
       this.#isNew = false
       this.#camera.look(this.#corners, HALF_EXTENT, this.#first)
@@ -311,13 +325,13 @@ export class MeshPicture {
 
   /** Of a translucent surface only what is in front is blended with what is behind it: its depth comes first, alone. */
   #drawPass(renderer: WebGLRenderer, pass: (typeof PASSES)[number]): void {
-    const { surface, invalid } = this.#layers
+    const { surface } = this.#layers
     const isTranslucent = surface.isTranslucent
     if (pass === 'depth' && !isTranslucent) return
     if (pass === 'depth') renderer.clearDepth()
     surface.beIn(pass)
     this.#scene.clear()
-    this.#scene.add(pass === 'invalid' ? invalid.mesh : surface.mesh)
+    this.#scene.add(this.#layers[pass === 'depth' ? 'surface' : pass].mesh)
     renderer.render(this.#scene, this.#camera.camera.three)
   }
 
@@ -332,12 +346,15 @@ export class MeshPicture {
   }
 
   #recolour(): void {
-    for (const layer of Object.values(this.#layers)) if (layer.faces) layer.recolour(this.#coloursOf(layer.faces))
+    for (const [name, layer] of Object.entries(this.#layers))
+      if (layer.faces) layer.recolour(this.#coloursOf(layer.faces, name as LayerName))
   }
 
-  #coloursOf(faces: FaceList): Uint8Array {
+  #coloursOf(faces: FaceList, name: LayerName): Uint8Array {
     const { ramp, theme } = this.#paint()
-    return faceColours(faces, { ramp, none: mix(theme.paper, theme.ink, 0.5), plain: plainColour(theme, this.#colouring) })
+    const grey = mix(theme.paper, theme.ink, 0.5)
+    if (name === 'ghost') return oneColour(faces, grey)
+    return faceColours(faces, { ramp, none: grey, plain: plainColour(theme, this.#colouring) })
   }
 
   #drawChosen(width: number, height: number): void {
@@ -377,7 +394,8 @@ export class MeshPicture {
   }
 }
 
-const PASSES = ['invalid', 'depth', 'surface'] as const
+const PASSES = ['invalid', 'depth', 'surface', 'ghost'] as const
+const GHOST = { opacity: 0.1, lineOpacity: 0, writesDepth: false }
 /** CSS pixels about the mesh. */
 const MARGIN = 24
 /** A cell is shown with the space of so many of it along each axis. */

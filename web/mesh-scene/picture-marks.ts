@@ -1,6 +1,7 @@
 /** What a picture of a mesh says beside it: the axes, and which colour means what. Drawn over the page's picture and into its PNG. */
-import { cssColour, rampColour } from '../scene/paint/colour-map'
+
 import type { Vec3 } from '../model/hexahedron'
+import { cssColour, rampColour } from '../scene/paint/colour-map'
 import { type Colouring, cellPosition, plainColour } from './cell-colour'
 import type { PictureSpace } from './mesh-picture'
 

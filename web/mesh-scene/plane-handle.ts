@@ -66,7 +66,7 @@ export class PlaneHandle {
   draw(space: PictureSpace): void {
     this.#space = space
     const plane = this.#plane
-    this.root.toggleAttribute('hidden', plane === null)
+    this.root.style.display = plane ? '' : 'none'
     if (!plane) return
     const { camera, scale, corners } = space
     this.root.setAttribute('viewBox', `0 0 ${camera.width} ${camera.height}`)
@@ -131,7 +131,9 @@ export function outlineOf(corners: readonly Vec3[], normal: Vec3, offset: number
     const [from, to] = [heights[a], heights[b]]
     if (from === undefined || to === undefined || from < 0 === to < 0) continue
     const way = from / (from - to)
-    points.push(map3(axis => (corners[a] as Vec3)[axis] + way * ((corners[b] as Vec3)[axis] - (corners[a] as Vec3)[axis])))
+    points.push(
+      map3(axis => (corners[a] as Vec3)[axis] + way * ((corners[b] as Vec3)[axis] - (corners[a] as Vec3)[axis])),
+    )
   }
   if (points.length < 3) return []
   const middle = meanOf(points)

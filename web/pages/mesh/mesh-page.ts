@@ -88,7 +88,7 @@ const picture = new PictureControls(part('.picture'), {
   changed: () => travel.touch(),
   settingsText: () => travel.text,
   copySettings: () => void travel.copy(),
-  useSettings: text => travel.use(text),
+  takeSettings: text => travel.use(text),
 })
 const travel = new SettingsTravel({
   now: travelling,

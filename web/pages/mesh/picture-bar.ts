@@ -4,7 +4,15 @@ import type { Vec3 } from '../../model/hexahedron'
 import { readNumber } from '../../model/number-text'
 import { azimuthOf, directionAt, elevationOf } from '../../scene/space/camera'
 import type { CutFaces, Overview } from '../../survey/survey-jobs'
-import { type CellSet, flipped, MOST_RINGS, type PictureSettings, roundedNormal, type Slice, unitOf } from './picture-settings'
+import {
+  type CellSet,
+  flipped,
+  MOST_RINGS,
+  type PictureSettings,
+  roundedNormal,
+  type Slice,
+  unitOf,
+} from './picture-settings'
 
 /** What the bar has beside the settings. */
 export interface BarState {
@@ -31,7 +39,7 @@ export interface BarHost {
   undoDig(): void
   travelling(isOpen: boolean): void
   copySettings(): void
-  useSettings(text: string): void
+  takeSettings(text: string): void
   complain(complaint: BarState['complaint']): void
   /** From the mesh to the eye. */
   direction(): Vec3
@@ -52,7 +60,7 @@ export function barTemplate(state: BarState, host: BarHost): TemplateResult {
         ${toggle('Apart', isApart, 'Draw the cells smaller, with gaps', on => host.set({ isApart: on }))}
       </span>
       <span class="toggles">
-        <button type="button" ?disabled=${!state.hasChosen} @click=${host.flyToChosen}>Chosen cell</button>
+        <button type="button" title="Fly to the chosen cell" ?disabled=${!state.hasChosen} @click=${host.flyToChosen}>Chosen cell</button>
         <button type="button" title="The whole mesh (F)" @click=${host.fit}>Fit</button>
         ${toggle('Settings', isTravelOpen, 'Colours, and all settings as a text to copy', host.travelling)}
       </span>
@@ -71,7 +79,8 @@ function toggle(name: string, isOn: boolean, title: string, onChange: (isOn: boo
 }
 
 function setTemplate({ blocks, counts }: Overview, { set, rings }: PictureSettings, host: BarHost): TemplateResult {
-  const option = (value: CellSet, name: string) => html`<option value=${value} ?selected=${value === set}>${name}</option>`
+  const option = (value: CellSet, name: string) =>
+    html`<option value=${value} ?selected=${value === set}>${name}</option>`
   return html`<label
       ><span class="said">Cells in the picture</span
       ><select .value=${set} @change=${(event: Event) => host.set({ set: (event.target as HTMLSelectElement).value as CellSet })}>
@@ -103,14 +112,22 @@ function sliceTemplate(slice: Slice, state: BarState, host: BarHost): TemplateRe
   const turned = (normal: Vec3) => host.set({ slice: { ...slice, normal: roundedNormal(normal) } })
   const [azimuth, elevation] = [Math.hypot(unit[0], unit[1]) > 0 ? azimuthOf(unit) : 0, elevationOf(unit)]
   const angle = (name: string, value: number, limit: number, take: (radians: number) => void) =>
-    numberField({ name, value: Number(degrees(value).toFixed(1)), least: -limit, most: limit, unit: '°' }, state, host, given =>
-      take((given * Math.PI) / 180),
+    numberField(
+      { name, value: Number(degrees(value).toFixed(1)), least: -limit, most: limit, unit: '°' },
+      state,
+      host,
+      given => take((given * Math.PI) / 180),
     )
   return html`<div class="row" role="group" aria-label="Slice">
     <span class="toggles"
       ><span>Across</span>
       ${AXES.map(([name, axis]) =>
-        toggle(name, axis.every((value, i) => Math.abs(unit[i as 0]) === value), `Across the ${name} axis`, () => turned(axis)),
+        toggle(
+          name,
+          axis.every((value, i) => Math.abs(unit[i as 0]) === value),
+          `Across the ${name} axis`,
+          () => turned(axis),
+        ),
       )}
       <button type="button" title="Across the line of sight" @click=${() => turned(host.direction())}>As I look</button>
     </span>
@@ -181,7 +198,7 @@ function travelTemplate({ settings: { colours }, travelText }: BarState, host: B
   const onSubmit = (event: SubmitEvent) => {
     event.preventDefault()
     const text = new FormData(event.target as HTMLFormElement).get('settings')
-    if (typeof text === 'string') host.useSettings(text)
+    if (typeof text === 'string') host.takeSettings(text)
   }
   return html`<form class="row" aria-label="Settings" @submit=${onSubmit}>
     <label
@@ -251,8 +268,9 @@ function numberField(
       autocomplete="off"
       aria-invalid=${isRefused ? 'true' : nothing}
       .value=${String(value).replace('-', '−')}
-      @change=${onChange} /></label
-    >${unit ?? nothing}${isRefused ? html`<span class="complaint" role="status">${complaint.sentence}</span>` : nothing}`
+      @change=${onChange}
+    />${unit ?? nothing}</label
+    >${isRefused ? html`<span class="complaint" role="status">${complaint.sentence}</span>` : nothing}`
 }
 
 function countOf({ overview, faces, invalidLeftOut }: BarState): string {

@@ -31,7 +31,7 @@ export interface PictureHost {
   /** All settings as a text. */
   settingsText(): string
   copySettings(): void
-  useSettings(text: string): void
+  takeSettings(text: string): void
 }
 
 const SHRUNK = 0.8
@@ -61,6 +61,7 @@ export class PictureControls implements BarHost {
   #chosen: { readonly cell: number; readonly vertices: Vertices | null } | null = null
   #faces: CutFaces | null = null
   #invalid: { readonly key: string; readonly faces: CutFaces } | null = null
+  #ghost: CutFaces | null = null
   /** Counts meshes, and what is asked of them. */
   #mesh = 0
   #wanted = 0
@@ -106,6 +107,7 @@ export class PictureControls implements BarHost {
     this.#chosen = null
     this.#faces = null
     this.#invalid = null
+    this.#ghost = null
     this.#mesh++
     this.#wanted++
     this.#picture.open(overview?.bounds ?? null, camera)
@@ -117,6 +119,7 @@ export class PictureControls implements BarHost {
   step(overview: Overview): void {
     this.#overview = overview
     this.#invalid = null
+    this.#ghost = null
     this.#picture.step(overview.bounds)
     this.#put()
   }
@@ -168,6 +171,7 @@ export class PictureControls implements BarHost {
   readonly fit = (): void => this.#picture.fit()
 
   set(settings: Partial<PictureSettings>): void {
+    this.#notice = ''
     this.#settings = { ...this.#settings, ...settings }
     const { slice, relative, colours } = this.#settings
     this.#before = { slice: slice ?? this.#before.slice, relative: relative ?? this.#before.relative }
@@ -194,8 +198,8 @@ export class PictureControls implements BarHost {
 
   readonly copySettings = (): void => this.#host.copySettings()
 
-  useSettings(text: string): void {
-    this.#host.useSettings(text)
+  takeSettings(text: string): void {
+    this.#host.takeSettings(text)
   }
 
   complain(complaint: BarState['complaint']): void {
@@ -245,6 +249,11 @@ export class PictureControls implements BarHost {
       this.#invalid = null
       this.#picture.show('invalid', null)
     }
+    if (isCut(settings) && !this.#ghost) {
+      this.#ghost = await this.#host.cut(WHOLE_MESH)
+      if (mesh !== this.#mesh) return
+    }
+    this.#picture.ghost = isCut(settings) ? this.#ghost : null
     this.#faces = faces
     this.#picture.opacity = hasInvalid ? TRANSLUCENT : 1
     this.#picture.size = settings.isApart ? SHRUNK : 1
@@ -329,9 +338,7 @@ export class PictureControls implements BarHost {
       const cell = this.#cellAt(event)
       const row = cell === null ? null : await this.#host.name(cell).catch(() => null)
       if (pointed !== this.#pointed) return
-      this.#tip.textContent = row
-        ? `Cell ${row.id}${row.block === null ? '' : `, ${row.block}`}: ${row.standing}`
-        : ''
+      this.#tip.textContent = row ? `Cell ${row.id}${row.block === null ? '' : `, ${row.block}`}: ${row.standing}` : ''
     })
   }
 
@@ -378,8 +385,11 @@ export class PictureControls implements BarHost {
 
   #render(): void {
     const overview = this.#overview
-    if (!overview) return render(nothing, this.#bar) as unknown as void
-    const state: BarState = {
+    render(overview ? barTemplate(this.#stateOf(overview), this) : nothing, this.#bar)
+  }
+
+  #stateOf(overview: Overview): BarState {
+    return {
       overview,
       settings: this.#settings,
       isDigging: this.#isDigging,
@@ -392,8 +402,14 @@ export class PictureControls implements BarHost {
       complaint: this.#complaint,
       notice: this.#notice,
     }
-    render(barTemplate(state, this), this.#bar)
   }
+}
+
+const WHOLE_MESH = cutOf(FIRST_SETTINGS, null, null)
+
+/** Whether so much is away that the shape of the mesh is not seen any more. A slice leaves it, and what is dug. */
+function isCut({ set, relative, layers }: PictureSettings): boolean {
+  return set !== 'all' || relative !== null || layers > 0
 }
 
 const KEYS = [

@@ -90,7 +90,9 @@ function setOf(set: CellSet, rings: number, chosen: number | null): CutCells['se
   if (set === 'invalid') return { which: 'invalid', rings }
   if (set === 'listed') return { which: 'listed' }
   if (set === 'around' && chosen !== null) return { which: 'around', cell: chosen, rings }
-  return set === 'all' || set === 'around' ? { which: 'all' } : { which: 'block', block: Number(set.slice('block-'.length)) }
+  return set === 'all' || set === 'around'
+    ? { which: 'all' }
+    : { which: 'block', block: Number(set.slice('block-'.length)) }
 }
 
 export function flipped({ normal: [x, y, z], place }: Slice): Slice {

@@ -67,7 +67,10 @@ export type SettingsResult = Result<Travelling, CodedError<'malformed' | 'unknow
 /** Reads a text or an address that ends in it. The message is one sentence. */
 export function readSettings(text: string): SettingsResult {
   const fields = new Map<string, string>()
-  for (const field of text.trim().replace(/^[^#]*#/, '').split('&')) {
+  for (const field of text
+    .trim()
+    .replace(/^[^#]*#/, '')
+    .split('&')) {
     const [name = '', given, ...more] = field.split('=')
     const value = given === undefined ? null : percentDecoded(given)
     if (value === null || more.length > 0 || fields.has(name))
@@ -75,8 +78,11 @@ export function readSettings(text: string): SettingsResult {
     fields.set(name, value)
   }
   if (fields.get(NAME) !== VERSION)
-    return refused('unknown-version', 'These settings are of a kind that is not known here: they should begin with picture=1.')
-  const stranger = [...fields.keys()].find(name => !(name in READERS) && name !== NAME)
+    return refused(
+      'unknown-version',
+      'These settings are of a kind that is not known here: they should begin with picture=1.',
+    )
+  const stranger = [...fields.keys()].find(name => !Object.hasOwn(READERS, name) && name !== NAME)
   if (stranger !== undefined) return refused('malformed', `“${clipped(stranger)}” is no setting of the picture.`)
   try {
     const field = <Value>(name: keyof typeof READERS, read: (text: string) => Value | null, absent: Value): Value => {
@@ -88,7 +94,8 @@ export function readSettings(text: string): SettingsResult {
     }
     const { set, block } = field('cells', cellsOf, { set: 'all' as CellSet, block: null as string | null })
     const of = field('of', whole, -1)
-    if (of < 0) return refused('malformed', 'These settings do not say of how many hexahedra their mesh is: of= is missing.')
+    if (of < 0)
+      return refused('malformed', 'These settings do not say of how many hexahedra their mesh is: of= is missing.')
     const picture: PictureSettings = {
       set,
       rings: field('rings', given => wholeUpTo(MOST_RINGS, given), 0),
@@ -214,7 +221,9 @@ function cameraOf(text: string): CameraView | null {
   if (x === undefined || y === undefined || z === undefined || zoom === undefined) return null
   if (right === undefined || back === undefined || up === undefined) return null
   const length = Math.hypot(x, y, z)
-  return length > 0 && Number.isFinite(length) && zoom > 0 ? { direction: [x, y, z], zoom, pan: [right, back, up] } : null
+  return length > 0 && Number.isFinite(length) && zoom > 0
+    ? { direction: [x, y, z], zoom, pan: [right, back, up] }
+    : null
 }
 
 function rangeText([lower, upper]: readonly [number, number]): string {

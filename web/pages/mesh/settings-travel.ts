@@ -1,8 +1,8 @@
 /** The settings on their way: in the page's address, on the clipboard, and into a mesh that is opened later. */
 import type { Overview } from '../../survey/survey-jobs'
 import { copyText } from '../../views/copy-text'
-import { FIRST_LISTING, isSettingsText, readSettings, settingsIn, settingsText, type Travelling } from './settings-text'
 import { FIRST_SETTINGS } from './picture-settings'
+import { FIRST_LISTING, isSettingsText, readSettings, settingsIn, settingsText, type Travelling } from './settings-text'
 
 export interface TravelHost {
   /** As they are; null while no mesh is open. */
@@ -66,8 +66,8 @@ export class SettingsTravel {
   use(text: string): void {
     const overview = this.#host.overview()
     const read = readSettings(text)
-    if (!read.ok) return this.#host.say(read.error.message)
-    if (!overview) return
+    if (!read.ok) this.#host.say(read.error.message)
+    if (!read.ok || !overview) return
     this.#waiting = null
     const { fitting, unfit } = settingsIn(read.value, overview)
     this.#host.use(fitting)
