@@ -31,7 +31,12 @@ export interface FaceColours {
   /** Of cells without a relative minimum. */
   readonly none: Rgb
   readonly plain: Rgb | null
+  /** The paper that positive colours are mixed with, and their share; null where they are as they are. */
+  readonly soft: { readonly paper: Rgb; readonly share: number } | null
 }
+
+/** The share of a positive colour on an opaque surface: most cells are valid, and lines and shading have to be seen on them. */
+export const SOFT = 0.6
 
 /** Three bytes a face, all the same. */
 export function oneColour({ cells }: FaceList, colour: Rgb): Uint8Array {
@@ -40,12 +45,12 @@ export function oneColour({ cells }: FaceList, colour: Rgb): Uint8Array {
 }
 
 /** Three bytes a face. */
-export function faceColours({ relativeMinima }: FaceList, { ramp, none, plain }: FaceColours): Uint8Array {
+export function faceColours({ relativeMinima }: FaceList, { ramp, none, plain, soft }: FaceColours): Uint8Array {
   const colours = new Uint8Array(3 * relativeMinima.length)
   for (let face = 0; face < relativeMinima.length; ++face) {
     const position = cellPosition(relativeMinima[face] as number)
-    const own = plain !== null && position !== null && position > 0 ? plain : null
-    const colour = own ?? (position === null ? none : rampColour(ramp, position))
+    const own = position === null ? none : plain !== null && position > 0 ? plain : rampColour(ramp, position)
+    const colour = soft && position !== null && position > 0 ? mix(soft.paper, own, soft.share) : own
     for (let channel = 0; channel < 3; ++channel)
       colours[3 * face + channel] = Math.round(255 * (colour[channel] as number))
   }

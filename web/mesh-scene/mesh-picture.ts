@@ -15,7 +15,7 @@ import { OrbitCamera } from '../scene/space/orbit-camera'
 import { mix } from '../scene/space/vec3'
 import type { Bounds, FaceList, Neighbour } from '../survey/survey-jobs'
 import { placeIn } from '../views/place-in'
-import { type Colouring, faceColours, oneColour, plainColour } from './cell-colour'
+import { type Colouring, faceColours, oneColour, plainColour, SOFT } from './cell-colour'
 import { FaceBatch } from './face-batch'
 import { type FaceHit, firstHit } from './ray'
 
@@ -31,6 +31,8 @@ export interface PictureSpace {
   readonly corners: readonly Vec3[]
   readonly theme: Theme
   readonly ramp: Ramp
+  /** Of a positive colour on the surface; the rest is the paper's. */
+  readonly share: number
 }
 
 /** Half of the longest side of the bounds in world space. */
@@ -65,6 +67,7 @@ export class MeshPicture {
   #first: CameraView | null = null
   readonly #takesWheel: (event: WheelEvent) => boolean
   #colouring: Colouring = 'all'
+  #opacity = 1
   /** Called after each frame. */
   onDraw: ((space: PictureSpace) => void) | null = null
 
@@ -152,7 +155,10 @@ export class MeshPicture {
 
   /** 1 hides what is behind the surface. */
   set opacity(opacity: number) {
+    const hasChanged = opacity < 1 !== this.#opacity < 1
+    this.#opacity = opacity
     this.#layers.surface.opacity = opacity
+    if (hasChanged) this.#recolour()
     this.draw()
   }
 
@@ -319,8 +325,18 @@ export class MeshPicture {
     this.onDraw?.(this.#space)
   }
 
+  get #share(): number {
+    return this.#opacity < 1 ? this.#opacity : SOFT
+  }
+
   get #space(): PictureSpace {
-    return { camera: this.#camera.camera, scale: this.#scale, corners: this.#corners, ...this.#paint() }
+    return {
+      camera: this.#camera.camera,
+      scale: this.#scale,
+      corners: this.#corners,
+      share: this.#share,
+      ...this.#paint(),
+    }
   }
 
   /** Of a translucent surface only what is in front is blended with what is behind it: its depth comes first, alone. */
@@ -354,7 +370,13 @@ export class MeshPicture {
     const { ramp, theme } = this.#paint()
     const grey = mix(theme.paper, theme.ink, 0.5)
     if (name === 'ghost') return oneColour(faces, grey)
-    return faceColours(faces, { ramp, none: grey, plain: plainColour(theme, this.#colouring) })
+    const paper = this.#opacity < 1 ? null : theme.paper
+    return faceColours(faces, {
+      ramp,
+      none: grey,
+      soft: paper && { paper, share: SOFT },
+      plain: plainColour(theme, this.#colouring),
+    })
   }
 
   #drawChosen(width: number, height: number): void {

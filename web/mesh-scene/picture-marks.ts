@@ -2,6 +2,7 @@
 
 import type { Vec3 } from '../model/hexahedron'
 import { cssColour, rampColour } from '../scene/paint/colour-map'
+import { mix } from '../scene/space/vec3'
 import { type Colouring, cellPosition, plainColour } from './cell-colour'
 import type { PictureSpace } from './mesh-picture'
 
@@ -47,14 +48,15 @@ function drawAxes(context: Context, { camera, theme }: PictureSpace): void {
   }
 }
 
-function drawBar(context: Context, { camera, theme, ramp }: PictureSpace, colouring: Colouring): void {
+function drawBar(context: Context, { camera, theme, ramp, share }: PictureSpace, colouring: Colouring): void {
   const { width, height } = BAR
   const left = camera.width - MARGIN - width
   const top = MARGIN + 4
   const plain = plainColour(theme, colouring)
   for (let pixel = 0; pixel < width; ++pixel) {
     const value = (2 * (pixel + 0.5)) / width - 1
-    context.fillStyle = cssColour(value > 0 && plain ? plain : rampColour(ramp, cellPosition(value) as number))
+    const colour = value > 0 && plain ? plain : rampColour(ramp, cellPosition(value) as number)
+    context.fillStyle = cssColour(value > 0 ? mix(theme.paper, colour, share) : colour)
     context.fillRect(left + pixel, top, 1.5, height)
   }
   context.fillStyle = cssColour(theme.ink)
