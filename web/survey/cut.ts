@@ -76,32 +76,52 @@ function layersOf({ check, neighbours }: Faced): Layers {
   return layers
 }
 
-/** Each pass goes through the cells that are inside of all layers so far: together as many as the depths of all cells. */
+/** Each point is gone through once, when it is first reached, with the cells that have it. */
 function countLayers(cells: Uint32Array, pointCount: number, { boundary }: Neighbours): Layers {
   const of = new Uint16Array(cells.length / 8).fill(NO_LAYER)
-  // The layer that has all cells with the point which no layer before it has; 0 as long as none is known.
-  const layerAt = new Uint16Array(pointCount)
+  const { firsts, corners } = cornersByPoint(cells, pointCount)
+  const isReached = new Uint8Array(pointCount)
+  let reached: number[] = []
+  const reach = (point: number) => {
+    if (isReached[point] === 1) return
+    isReached[point] = 1
+    reached.push(point)
+  }
   for (const face of boundary) {
     const first = 8 * ((face / FACES) | 0)
-    for (const vertex of faces[face % FACES]?.vertices ?? []) layerAt[cells[first + vertex] as number] = 1
+    for (const vertex of faces[face % FACES]?.vertices ?? []) reach(cells[first + vertex] as number)
   }
-  let inside = Uint32Array.from(of.keys())
   let count = 0
-  while (inside.length > 0 && count + 2 < NO_LAYER) {
-    const layer = count + 1
-    const isReached = (cell: number) => {
-      for (let i = 8 * cell; i < 8 * cell + 8; ++i) if (layerAt[cells[i] as number] === layer) return true
-      return false
-    }
-    for (const cell of inside) if (isReached(cell)) of[cell] = layer
-    const next = inside.filter(cell => of[cell] === NO_LAYER)
-    if (next.length === inside.length) break
-    for (const cell of inside) {
-      if (of[cell] !== layer) continue
-      for (let i = 8 * cell; i < 8 * cell + 8; ++i) layerAt[cells[i] as number] ||= layer + 1
-    }
-    inside = next
-    count = layer
+  while (reached.length > 0 && count + 2 < NO_LAYER) {
+    const front = reached
+    reached = []
+    let hasCells = false
+    for (const point of front)
+      for (let i = firsts[point] as number; i < (firsts[point + 1] as number); ++i) {
+        const cell = (corners[i] as number) >> 3
+        if (of[cell] !== NO_LAYER) continue
+        of[cell] = count + 1
+        hasCells = true
+        for (let corner = 8 * cell; corner < 8 * cell + 8; ++corner) reach(cells[corner] as number)
+      }
+    if (hasCells) count++
   }
   return { of, count }
+}
+
+/** Indices into `cells`, those with the point p from `firsts[p]` on. */
+function cornersByPoint(cells: Uint32Array, pointCount: number) {
+  const firsts = new Uint32Array(pointCount + 1)
+  for (const point of cells) firsts[point + 1] = (firsts[point + 1] as number) + 1
+  for (let point = 0; point < pointCount; ++point)
+    firsts[point + 1] = (firsts[point + 1] as number) + (firsts[point] as number)
+  const next = firsts.slice(0, pointCount)
+  const corners = new Uint32Array(cells.length)
+  for (let corner = 0; corner < cells.length; ++corner) {
+    const point = cells[corner] as number
+    const at = next[point] as number
+    corners[at] = corner
+    next[point] = at + 1
+  }
+  return { firsts, corners }
 }
