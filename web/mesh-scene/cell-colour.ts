@@ -41,7 +41,9 @@ export const SOFT = 0.6
 /** Three bytes a face, all the same. */
 export function oneColour({ cells }: FaceList, colour: Rgb): Uint8Array {
   const bytes = colour.map(channel => Math.round(255 * channel))
-  return Uint8Array.from({ length: 3 * cells.length }, (_, i) => bytes[i % 3] as number)
+  const colours = new Uint8Array(3 * cells.length)
+  for (let at = 0; at < colours.length; at += 3) colours.set(bytes, at)
+  return colours
 }
 
 /** Three bytes a face. */

@@ -68,6 +68,8 @@ export class MeshPicture {
   readonly #takesWheel: (event: WheelEvent) => boolean
   #colouring: Colouring = 'all'
   #opacity = 1
+  /** CSS pixels that are kept free above the mesh. */
+  top = MARGIN
   /** Called after each frame. */
   onDraw: ((space: PictureSpace) => void) | null = null
 
@@ -296,7 +298,7 @@ export class MeshPicture {
     // In another size the mesh is seen as it was: what fitted in fits in.
     const isResized = !this.#isNew && (camera.width !== width || camera.height !== height)
     const before = isResized ? this.view : null
-    camera.resize(width, height, { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN })
+    camera.resize(width, height, { top: this.top, right: MARGIN, bottom: MARGIN, left: MARGIN })
     if (isResized) this.#camera.look(this.#corners, HALF_EXTENT, before)
     if (this.#isNew && this.#corners.length > 0) {
       this.#isNew = false

@@ -10,6 +10,8 @@ import type { PictureSpace } from './mesh-picture'
 const AXIS = 26
 const BAR = { width: 168, height: 10 }
 const MARGIN = 24
+/** So much is kept free for the colours. */
+export const MARKS_HEIGHT = 60
 const FONT = '12px system-ui, sans-serif'
 const AXES: readonly (readonly [name: string, axis: Vec3])[] = [
   ['x', [1, 0, 0]],

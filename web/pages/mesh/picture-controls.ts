@@ -2,7 +2,7 @@
 import { nothing, render } from 'lit-html'
 import { wordsOf } from '../../core/workers'
 import { MeshPicture, type PictureSpace } from '../../mesh-scene/mesh-picture'
-import { drawMarks } from '../../mesh-scene/picture-marks'
+import { drawMarks, MARKS_HEIGHT } from '../../mesh-scene/picture-marks'
 import { type Plane, PlaneHandle } from '../../mesh-scene/plane-handle'
 import type { Vec3, Vertices } from '../../model/hexahedron'
 import type { CameraView } from '../../model/state'
@@ -80,6 +80,7 @@ export class PictureControls implements BarHost {
     root.append(canvas, this.#tip, this.#bar)
     this.#picture = new MeshPicture(canvas)
     this.#plane = new PlaneHandle({ move: plane => this.#movePlane(plane), rayOf: event => this.#picture.rayOf(event) })
+    this.#picture.top = MARKS_HEIGHT
     this.#picture.onDraw = space => this.#drawOver(space)
     canvas.append(this.#marks, this.#plane.root)
     this.#listen(canvas)
