@@ -92,13 +92,184 @@ test('the first mesh: sentence, list, filter, picture, lens', async ({ lens, pag
     await expect(page.getByText('There is no cell 99999 in the list.')).toBeVisible()
   })
 
-  await test.step('modes of the picture', async () => {
-    const mode = page.getByLabel('Cells in the picture')
-    for (const name of ['Slice', 'Invalid cells', 'Listed cells', 'Surface']) {
-      await mode.selectOption({ label: name })
+  await test.step('sets of cells in the picture', async () => {
+    const set = page.getByLabel('Cells in the picture')
+    for (const name of ['Invalid cells', 'Around the chosen cell', 'Listed cells', 'All cells']) {
+      await set.selectOption({ label: name })
       await expect.poll(() => paintedShare(page)).toBeGreaterThan(0.0005)
     }
     await expectAxeFindsNothing(page)
+  })
+})
+
+test('the picture: slice, threshold, peel, dig, apart, around a cell, and settings that travel', async ({
+  lens,
+  page,
+}) => {
+  await openMesh(page)
+  const bar = page.locator('.picture .bar')
+  const count = bar.locator('.count')
+  const canvas = page.locator('.canvas')
+  const toggle = (name: string) => bar.getByRole('button', { name, exact: true })
+  const middle = async () => {
+    const box = await canvas.boundingBox()
+    if (!box) throw new Error('There is no picture.')
+    return { x: box.x + box.width * 0.36, y: box.y + box.height * 0.5 }
+  }
+  await expect(count).toHaveText('7,168 of 7,168 cells.')
+
+  await test.step('a slice across an axis, the other side, and as one looks', async () => {
+    await toggle('Slice').click()
+    await expect(count).toHaveText('4,070 of 7,168 cells.')
+    await bar.getByRole('button', { name: 'Flip' }).click()
+    await expect(count).toHaveText('3,098 of 7,168 cells.')
+    await expect(bar.getByLabel('Azimuth')).toHaveValue('180')
+    await bar.getByRole('button', { name: 'y', exact: true }).click()
+    await expect(count).toHaveText('3,584 of 7,168 cells.')
+    await bar.getByRole('button', { name: 'As I look' }).click()
+    await expect(bar.getByLabel('Azimuth')).toHaveValue('−58')
+    await expect(bar.getByLabel('Elevation')).toHaveValue('24')
+  })
+
+  await test.step('turned by fields, keys and its handle, slid by keys; what is no number is refused', async () => {
+    await bar.getByLabel('Elevation').fill('ninety')
+    await bar.getByLabel('Elevation').press('Enter')
+    await expect(bar.locator('.complaint')).toContainText('“ninety” is not one number')
+    await bar.getByLabel('Elevation').fill('0')
+    await bar.getByLabel('Elevation').press('Enter')
+    await expect(bar.locator('.complaint')).toHaveCount(0)
+    await bar.getByLabel('Azimuth').fill('90')
+    await bar.getByLabel('Azimuth').press('Enter')
+    await expect(count).toHaveText('3,584 of 7,168 cells.')
+    await canvas.press('Shift+ArrowUp')
+    await expect(bar.getByLabel('Elevation')).toHaveValue('5')
+    await canvas.press('PageDown')
+    await expect(count).not.toHaveText('3,584 of 7,168 cells.')
+    const before = await count.textContent()
+    const tip = await page.locator('.plane .turn .knob').boundingBox()
+    if (!tip) throw new Error('The plane has no handle.')
+    await page.mouse.move(tip.x + tip.width / 2, tip.y + tip.height / 2)
+    await page.mouse.down()
+    await page.mouse.move(tip.x + 25, tip.y - 40, { steps: 4 })
+    await page.mouse.up()
+    await expect(bar.getByLabel('Elevation')).not.toHaveValue('5')
+    await expect(count).not.toHaveText(before ?? '')
+    await toggle('Slice').click()
+    await expect(count).toHaveText('7,168 of 7,168 cells.')
+  })
+
+  await test.step('a threshold counts its cells', async () => {
+    await toggle('Threshold').click()
+    await expect(count).toHaveText('29 of 7,168 cells.')
+    const field = bar.getByLabel('Greatest relative minimum', { exact: true })
+    await field.fill('1/2')
+    await field.press('Enter')
+    await expect(field).toHaveValue('0.5')
+    await expect(count).toHaveText('48 of 7,168 cells.')
+    await bar.getByLabel(/^Relative minimum/).selectOption({ label: 'at least' })
+    await expect(count).toHaveText('7,120 of 7,168 cells.')
+    await bar.getByLabel('Least relative minimum, slider').press('Home')
+    await expect(bar.getByLabel('Least relative minimum', { exact: true })).toHaveValue('−1')
+    await toggle('Threshold').click()
+  })
+
+  await test.step('layers are peeled off', async () => {
+    await toggle('Peel').click()
+    await expect(bar.getByText('1 of 10 layers peeled off the boundary')).toBeVisible()
+    await expect(count).toHaveText('5,824 of 7,168 cells.')
+    await bar.getByLabel('Layers that are peeled off').press('End')
+    await expect(count).toHaveText('0 of 7,168 cells.')
+    await toggle('Peel').click()
+  })
+
+  await test.step('a click digs, what is behind is dug next, and Ctrl+Z takes it back', async () => {
+    await toggle('Dig').click()
+    const { x, y } = await middle()
+    await page.mouse.click(x, y)
+    await expect(count).toHaveText('7,167 of 7,168 cells.')
+    await page.mouse.click(x, y)
+    await expect(count).toHaveText('7,166 of 7,168 cells.')
+    await page.keyboard.press('Control+z')
+    await expect(count).toHaveText('7,167 of 7,168 cells.')
+    await canvas.press('Delete')
+    await expect(count).toHaveText('7,166 of 7,168 cells.')
+    await bar.getByRole('button', { name: 'Undo' }).click()
+    await bar.getByRole('button', { name: 'Undo' }).click()
+    await expect(count).toHaveText('7,168 of 7,168 cells.')
+    await expect(which(page)).toHaveText(/^Cell 2951/)
+    await toggle('Dig').click()
+  })
+
+  await test.step('cells are pointed at and chosen when they are drawn apart, too', async () => {
+    await toggle('Apart').click()
+    const { x, y } = await middle()
+    const tip = page.locator('.picture .tip')
+    await page.mouse.move(x, y)
+    await expect(tip).toHaveText(/^Cell \d+: (in)?valid$/)
+    const id = /\d+/.exec((await tip.textContent()) ?? '')?.[0]
+    await page.mouse.click(x, y)
+    await expect(which(page)).toHaveText(new RegExp(`^Cell ${id}\\.`))
+    await bar.getByRole('button', { name: 'Chosen cell' }).click()
+    await canvas.press('f')
+    await toggle('Apart').click()
+  })
+
+  await test.step('around the chosen cell, which is the next invalid one by N', async () => {
+    await page.getByLabel('Cells in the picture').selectOption({ label: 'Around the chosen cell' })
+    await expect(count).toHaveText('1 of 7,168 cells.')
+    await bar.getByLabel('Rings around').selectOption('1')
+    await expect(count).not.toHaveText('1 of 7,168 cells.')
+    await page.locator('.list .rows').press('n')
+    await expect(lens.verdict).toHaveText(/^INVALID/)
+  })
+
+  await test.step('the settings are in the address, and the same after a reload', async () => {
+    await toggle('Slice').click()
+    await toggle('Settings').click()
+    await bar.getByLabel(/^Colours/).selectOption({ label: 'of invalid cells' })
+    await page.getByLabel('Usual conditions').selectOption({ label: 'Invalid' })
+    await page.getByRole('columnheader', { name: 'Volume' }).getByRole('button').click()
+    await expect.poll(() => page.url()).toContain('sort=volume')
+    const [address, cell, cells] = [page.url(), await which(page).textContent(), await count.textContent()]
+    expect(address).toContain('cells=around&rings=1&slice=')
+    await expectAxeFindsNothing(page)
+    await page.reload()
+    await expect(count).toHaveText(cells ?? '')
+    await expect(which(page)).toHaveText(cell ?? '')
+    await expect(page.locator('.go .count')).toHaveText(/^\s*12 of 7,168 cells/)
+    await expect(page.getByRole('columnheader', { name: 'Volume' })).toHaveAttribute('aria-sort', 'ascending')
+    await expect.poll(() => page.url()).toBe(address)
+  })
+
+  await test.step('they go into another mesh, which says what does not fit', async () => {
+    await toggle('Settings').click()
+    const text = await bar.getByLabel('All settings').inputValue()
+    await openFiles(page, 'real/rockerarm.mesh')
+    await expect(headline(page)).toHaveText('All 10,600 hexahedra are valid.')
+    await expect(count).toHaveText('10,600 of 10,600 cells.')
+    expect(page.url()).not.toContain('slice')
+    const field = bar.getByLabel('All settings')
+    await field.fill('picture=1&of=1&peel=much')
+    await field.press('Enter')
+    await expect(bar.locator('.notice')).toHaveText('The setting peel=much should be a number of layers.')
+    await field.fill(text)
+    await bar.getByRole('button', { name: 'Use' }).click()
+    await expect(bar.locator('.notice')).toHaveText(
+      'Single cells are left out (the chosen one): the settings are of a mesh of 7,168 hexahedra.',
+    )
+    await expect(toggle('Slice')).toHaveAttribute('aria-pressed', 'true')
+    await expect(page.locator('.go .count')).toHaveText(/^\s*0 of 10,600 cells/)
+    await expect.poll(() => page.url()).toContain('picture=1&of=10600&cells=around')
+  })
+
+  await test.step('an address of a mesh that is not open waits for it', async () => {
+    await page.goto('about:blank')
+    await page.goto('mesh.html#picture=1&of=10600&relative=..0.4')
+    await expect(bar.locator('.notice')).toHaveText(
+      'The address has settings of a mesh of 10,600 hexahedra: open it, and they are used.',
+    )
+    await openFiles(page, 'real/rockerarm.mesh')
+    await expect(count).toHaveText('13 of 10,600 cells.')
   })
 })
 

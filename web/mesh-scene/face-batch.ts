@@ -11,9 +11,13 @@ import {
   Vector3,
 } from 'three'
 import type { Vec3 } from '../model/hexahedron'
-import { SHADE } from '../scene/paint/shading'
 import type { FaceList } from '../survey/survey-jobs'
 import { eachVertex, FACE_VERTICES, faceIndices, facePoints, vertexColours } from './face-vertices'
+
+/** Lightness that a face in the dark loses: more than within an element, as a cell has one colour here, and a mesh has a shape. */
+const SHADE = 0.26
+
+const LINE_OPACITY = 0.55
 
 const vertexShader = /* glsl */ `
 precision highp float;
@@ -56,9 +60,10 @@ const vec3 LUMINANCE = vec3(0.2126, 0.7152, 0.0722);
 
 void main() {
   vec3 normal = cross(dFdx(position), dFdy(position));
-  float lit = max(dot(normal * sign(dot(normal, eye - position)), toLight) / max(length(normal), 1e-30), 0.0);
+  float lit = 0.5 + 0.5 * dot(normal * sign(dot(normal, eye - position)), toLight) / max(length(normal), 1e-30);
   float lightness = pow(dot(colour * colour, LUMINANCE), 1.0 / 3.0);
-  vec3 shaded = colour * (1.0 - ${SHADE} * (1.0 - lit) / max(lightness, 0.1));
+  // What is translucent shows less of its shading, so it has more.
+  vec3 shaded = colour * max(1.0 - ${SHADE} * (1.0 - lit) / max(lightness, 0.1) / sqrt(opacity), 0.0);
   // Pixels from the nearest edge. Lines of cells of a few pixels would leave no colour: they fade.
   vec2 slope = max(fwidth(st), vec2(1e-6));
   vec2 pixels = min(st, 1.0 - st) / slope / pixelRatio;
@@ -91,7 +96,7 @@ export class FaceBatch {
     toLight: { value: new Vector3() },
     ink: { value: new Vector3() },
     opacity: { value: 1 },
-    lineOpacity: { value: 0.55 },
+    lineOpacity: { value: LINE_OPACITY },
     pixelRatio: { value: 1 },
   }
   readonly #material = new RawShaderMaterial({
@@ -104,7 +109,10 @@ export class FaceBatch {
   })
   #faces: FaceList | null = null
 
-  constructor() {
+  constructor({ opacity = 1, lineOpacity = LINE_OPACITY, writesDepth = true } = {}) {
+    this.opacity = opacity
+    this.#uniforms.lineOpacity.value = lineOpacity
+    this.#material.depthWrite = writesDepth
     this.mesh = new Mesh(new BufferGeometry(), this.#material)
     this.mesh.frustumCulled = false
     this.mesh.visible = false
@@ -141,7 +149,7 @@ export class FaceBatch {
   }
 
   /** The depth alone, or the colours where the depth is that. */
-  beIn(pass: 'invalid' | 'depth' | 'surface'): void {
+  beIn(pass: 'invalid' | 'depth' | 'surface' | 'ghost'): void {
     this.#material.colorWrite = pass !== 'depth'
     this.#material.depthFunc = pass === 'surface' && this.isTranslucent ? EqualDepth : LessEqualDepth
   }

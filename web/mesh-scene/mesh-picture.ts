@@ -6,18 +6,34 @@ import { LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three'
 import { edgeVertices, type Vec3, type Vertices } from '../model/hexahedron'
 import type { CameraView } from '../model/state'
 import { OrbitInput } from '../scene/input/orbit-input'
-import { type Ramp, type Rgb, rampOf, type Theme } from '../scene/paint/colour-map'
+import { type Ramp, rampOf, type Theme } from '../scene/paint/colour-map'
 import { lightOf } from '../scene/paint/shading'
 import { ThemeReader } from '../scene/paint/theme'
+import type { Ray, SceneCamera } from '../scene/space/camera'
 import type { Point } from '../scene/space/layout'
 import { OrbitCamera } from '../scene/space/orbit-camera'
+import { mix } from '../scene/space/vec3'
 import type { Bounds, FaceList, Neighbour } from '../survey/survey-jobs'
 import { placeIn } from '../views/place-in'
-import { faceColours } from './cell-colour'
+import { type Colouring, faceColours, oneColour, plainColour, SOFT } from './cell-colour'
 import { FaceBatch } from './face-batch'
 import { type FaceHit, firstHit } from './ray'
 
-export type LayerName = 'surface' | 'invalid'
+/** The ghost is what the picture is cut from, as a shadow. */
+export type LayerName = 'surface' | 'invalid' | 'ghost'
+
+/** What was drawn, for those who draw over it. */
+export interface PictureSpace {
+  readonly camera: SceneCamera
+  /** World units a unit of the mesh; the origin of faces is that of the world. */
+  readonly scale: number
+  /** Of the bounds, in world space. */
+  readonly corners: readonly Vec3[]
+  readonly theme: Theme
+  readonly ramp: Ramp
+  /** Of a positive colour on the surface; the rest is the paper's. */
+  readonly share: number
+}
 
 /** Half of the longest side of the bounds in world space. */
 const HALF_EXTENT = 1
@@ -33,7 +49,11 @@ export class MeshPicture {
   readonly #listening = new AbortController()
   readonly #theme: ThemeReader
   readonly #scene = new Scene()
-  readonly #layers: Readonly<Record<LayerName, FaceBatch>> = { surface: new FaceBatch(), invalid: new FaceBatch() }
+  readonly #layers: Readonly<Record<LayerName, FaceBatch>> = {
+    surface: new FaceBatch(),
+    invalid: new FaceBatch(),
+    ghost: new FaceBatch(GHOST),
+  }
   readonly #observer: ResizeObserver
   #corners: readonly Vec3[] = []
   #origin: Vec3 = [0, 0, 0]
@@ -46,6 +66,12 @@ export class MeshPicture {
   #isNew = true
   #first: CameraView | null = null
   readonly #takesWheel: (event: WheelEvent) => boolean
+  #colouring: Colouring = 'all'
+  #opacity = 1
+  /** CSS pixels that are kept free above the mesh. */
+  top = MARGIN
+  /** Called after each frame. */
+  onDraw: ((space: PictureSpace) => void) | null = null
 
   /** A picture among others' content leaves the wheel to the page, but for events that `takesWheel` accepts. */
   constructor(root: HTMLElement, takesWheel: (event: WheelEvent) => boolean = () => true) {
@@ -69,6 +95,25 @@ export class MeshPicture {
   /** The camera, for `open`; null if nothing has moved it. */
   get view(): CameraView | null {
     return this.#isNew ? this.#first : this.#camera.cameraView(this.#corners, HALF_EXTENT)
+  }
+
+  /** The default view for null. */
+  look(view: CameraView | null): void {
+    this.#first = view
+    this.#isNew = true
+    this.draw()
+  }
+
+  /** Null where nothing is cut away. */
+  set ghost(faces: FaceList | null) {
+    if (this.#layers.ghost.faces !== faces) this.show('ghost', faces)
+  }
+
+  set colouring(colouring: Colouring) {
+    if (this.#colouring === colouring) return
+    this.#colouring = colouring
+    this.#recolour()
+    this.draw()
   }
 
   /** Another mesh, seen whole, or as a picture of it was. */
@@ -106,13 +151,16 @@ export class MeshPicture {
   }
 
   show(layer: LayerName, faces: FaceList | null): void {
-    this.#layers[layer].show(faces, faces ? this.#coloursOf(faces) : new Uint8Array(0))
+    this.#layers[layer].show(faces, faces ? this.#coloursOf(faces, layer) : new Uint8Array(0))
     this.draw()
   }
 
   /** 1 hides what is behind the surface. */
   set opacity(opacity: number) {
+    const hasChanged = opacity < 1 !== this.#opacity < 1
+    this.#opacity = opacity
     this.#layers.surface.opacity = opacity
+    if (hasChanged) this.#recolour()
     this.draw()
   }
 
@@ -162,14 +210,21 @@ export class MeshPicture {
     return this.#camera.direction
   }
 
-  /** The cell at a pointer; null beside the mesh. */
-  cellAt(event: PointerEvent): number | null {
+  /** The line of sight of a pointer, in world space. */
+  rayOf(event: MouseEvent): Ray {
     const place = this.#placeOf(event)
-    const { origin, direction } = this.#camera.camera.ray(place.x, place.y)
+    return this.#camera.camera.ray(place.x, place.y)
+  }
+
+  /** The cell at a pointer; null beside the mesh. An invalid one is seen through a translucent surface, unless that is not wanted. */
+  cellAt(event: PointerEvent, { isThrough = true } = {}): number | null {
+    const { origin, direction } = this.rayOf(event)
     const from = origin.map(value => value / this.#scale) as unknown as Vec3
-    const hits = Object.values(this.#layers).map(({ faces }) => faces && firstHit(faces, from, direction, this.#size))
-    const [surface, invalid] = hits as [FaceHit | null, FaceHit | null]
-    if (this.#layers.surface.isTranslucent && invalid) return invalid.cell
+    const [surface, invalid] = (['surface', 'invalid'] as const).map(name => {
+      const { faces } = this.#layers[name]
+      return faces && firstHit(faces, from, direction, this.#size)
+    }) as [FaceHit | null, FaceHit | null]
+    if (isThrough && this.#layers.surface.isTranslucent && invalid) return invalid.cell
     if (!surface || !invalid) return (surface ?? invalid)?.cell ?? null
     return surface.distance < invalid.distance ? surface.cell : invalid.cell
   }
@@ -183,7 +238,9 @@ export class MeshPicture {
   }
 
   /** The picture as it is, with its background. */
-  async toPNG(): Promise<Blob> {
+  async toPNG(
+    over: (context: OffscreenCanvasRenderingContext2D, space: PictureSpace) => void = () => {},
+  ): Promise<Blob> {
     this.#draw()
     const { width, height } = this.#canvas
     const copy = new OffscreenCanvas(width, height)
@@ -192,6 +249,8 @@ export class MeshPicture {
     context.fillStyle = `rgb(${r} ${g} ${b})`
     context.fillRect(0, 0, width, height)
     context.drawImage(this.#canvas, 0, 0)
+    context.scale(width / this.#root.clientWidth, height / this.#root.clientHeight)
+    over(context, this.#space)
     return copy.convertToBlob({ type: 'image/png' })
   }
 
@@ -236,7 +295,11 @@ export class MeshPicture {
     const { clientWidth: width, clientHeight: height } = this.#root
     if (width === 0 || height === 0) return
     const { camera } = this.#camera
-    camera.resize(width, height, { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN })
+    // In another size the mesh is seen as it was: what fitted in fits in.
+    const isResized = !this.#isNew && (camera.width !== width || camera.height !== height)
+    const before = isResized ? this.view : null
+    camera.resize(width, height, { top: this.top, right: MARGIN, bottom: MARGIN, left: MARGIN })
+    if (isResized) this.#camera.look(this.#corners, HALF_EXTENT, before)
     if (this.#isNew && this.#corners.length > 0) {
       this.#isNew = false
       this.#camera.look(this.#corners, HALF_EXTENT, this.#first)
@@ -261,17 +324,32 @@ export class MeshPicture {
       for (const pass of PASSES) this.#drawPass(this.#renderer, pass)
     }
     this.#drawChosen(width, height)
+    this.onDraw?.(this.#space)
+  }
+
+  get #share(): number {
+    return this.#opacity < 1 ? this.#opacity : SOFT
+  }
+
+  get #space(): PictureSpace {
+    return {
+      camera: this.#camera.camera,
+      scale: this.#scale,
+      corners: this.#corners,
+      share: this.#share,
+      ...this.#paint(),
+    }
   }
 
   /** Of a translucent surface only what is in front is blended with what is behind it: its depth comes first, alone. */
   #drawPass(renderer: WebGLRenderer, pass: (typeof PASSES)[number]): void {
-    const { surface, invalid } = this.#layers
+    const { surface } = this.#layers
     const isTranslucent = surface.isTranslucent
     if (pass === 'depth' && !isTranslucent) return
     if (pass === 'depth') renderer.clearDepth()
     surface.beIn(pass)
     this.#scene.clear()
-    this.#scene.add(pass === 'invalid' ? invalid.mesh : surface.mesh)
+    this.#scene.add(this.#layers[pass === 'depth' ? 'surface' : pass].mesh)
     renderer.render(this.#scene, this.#camera.camera.three)
   }
 
@@ -281,17 +359,26 @@ export class MeshPicture {
     if (this.#painted?.theme === theme) return this.#painted
     const painted = { theme, ramp: rampOf(theme) }
     this.#painted = painted
-    for (const layer of Object.values(this.#layers)) if (layer.faces) layer.recolour(this.#coloursOf(layer.faces))
+    this.#recolour()
     return painted
   }
 
-  #coloursOf(faces: FaceList): Uint8Array {
+  #recolour(): void {
+    for (const [name, layer] of Object.entries(this.#layers))
+      if (layer.faces) layer.recolour(this.#coloursOf(layer.faces, name as LayerName))
+  }
+
+  #coloursOf(faces: FaceList, name: LayerName): Uint8Array {
     const { ramp, theme } = this.#paint()
-    return faceColours(
-      faces,
+    const grey = mix(theme.paper, theme.ink, 0.5)
+    if (name === 'ghost') return oneColour(faces, grey)
+    const paper = this.#opacity < 1 ? null : theme.paper
+    return faceColours(faces, {
       ramp,
-      theme.paper.map((part, i) => (part + (theme.ink[i] as number)) / 2) as unknown as Rgb,
-    )
+      none: grey,
+      soft: paper && { paper, share: SOFT },
+      plain: plainColour(theme, this.#colouring),
+    })
   }
 
   #drawChosen(width: number, height: number): void {
@@ -331,7 +418,8 @@ export class MeshPicture {
   }
 }
 
-const PASSES = ['invalid', 'depth', 'surface'] as const
+const PASSES = ['invalid', 'depth', 'surface', 'ghost'] as const
+const GHOST = { opacity: 0.1, lineOpacity: 0, writesDepth: false }
 /** CSS pixels about the mesh. */
 const MARGIN = 24
 /** A cell is shown with the space of so many of it along each axis. */

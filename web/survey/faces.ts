@@ -17,21 +17,29 @@ export interface Faced {
 
 /** Faces that bound what is shown; all faces of its cells if these are drawn whole. One with a coordinate that is not finite is left out. */
 export function facesOf(faced: Faced, shown: ShownCells): FaceList {
-  const { check, neighbours, middles } = faced
   if (shown.cells.which === 'behind-plane' && !shown.isWhole && shown.most === Infinity) {
-    const { faces, count } = facesBehind(middles, neighbours, shown.cells)
+    const { faces, count } = facesBehind(faced.middles, faced.neighbours, shown.cells)
     return { ...faceList(faced, faces), shown: count, wanted: count }
   }
-  const mask = maskOf(faced, shown.cells)
+  return facesOfMask(faced, maskOf(faced, shown.cells), shown)
+}
+
+/** Changes the mask where it has more cells than `most`. */
+export function facesOfMask(
+  faced: Faced,
+  mask: Uint8Array,
+  { isWhole, most }: Pick<ShownCells, 'isWhole' | 'most'>,
+): FaceList {
+  const { check, neighbours } = faced
   let wanted = 0
   for (const flag of mask) wanted += flag
-  const count = leaveTheWorst(mask, check.worst, wanted, shown.most)
-  const faces = shown.isWhole || shown.cells.which !== 'all' ? inner(mask, neighbours, shown.isWhole) : null
-  return { ...faceList(faced, faces ?? outer(mask, neighbours)), shown: count, wanted }
+  const shown = leaveTheWorst(mask, check.worst, wanted, most)
+  const faces = isWhole ? inner(mask, neighbours, true) : outer(mask, neighbours)
+  return { ...faceList(faced, faces), shown, wanted }
 }
 
 /** 1 for each cell that is meant. */
-function maskOf({ check, middles, isListed }: Faced, cells: ShownCells['cells']): Uint8Array {
+export function maskOf({ check, middles, isListed }: Faced, cells: ShownCells['cells']): Uint8Array {
   const count = check.hexahedra
   const mask = new Uint8Array(count)
   const relative = check.answers.relativeMinima
@@ -68,7 +76,7 @@ function maskOf({ check, middles, isListed }: Faced, cells: ShownCells['cells'])
 }
 
 /** Adds the cells that share a point with one of the mask. */
-function grow(mask: Uint8Array, { mesh: { points, cells } }: MeshCheck): void {
+export function grow(mask: Uint8Array, { mesh: { points, cells } }: MeshCheck): void {
   const isTouched = new Uint8Array(points.length / 3)
   for (let i = 0; i < cells.length; ++i) if (mask[i >> 3] === 1) isTouched[cells[i] as number] = 1
   for (let i = 0; i < cells.length; ++i) if (isTouched[cells[i] as number] === 1) mask[i >> 3] = 1

@@ -5,6 +5,8 @@ import type { ReadingProgress } from '../input/reading'
 import type {
   Arrangement,
   CellDetail,
+  CutCells,
+  CutFaces,
   FaceList,
   FixId,
   FormId,
@@ -101,6 +103,10 @@ export class OpenSurvey {
 
   faces(shown: ShownCells): Promise<FaceList> {
     return this.#pool.run('faces', shown)
+  }
+
+  cut(cells: CutCells): Promise<CutFaces> {
+    return this.#pool.run('cut', cells)
   }
 
   mend(fix: FixId): Promise<Opening> {

@@ -10,6 +10,7 @@ import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { TogetherOptions } from '../mesh/read-mesh'
 import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
+import { cutFaces } from './cut'
 import { lookingJobs, nameOf, noHexahedra, STEP } from './looking-jobs'
 import { meeting } from './meeting'
 import { mended } from './mend'
@@ -146,6 +147,7 @@ export function serveSurvey(engine: ReadingEngine): void {
     selectOn: () => survey().selectOn(STEP),
     find: ({ id, after }) => survey().find(id, after),
     histogram: () => survey().histogram(),
+    cut: cells => cutFaces(survey().faced, cells),
     async mend(fix: FixId) {
       const { check } = survey()
       const mesh = mended(check, fix)

@@ -30,6 +30,8 @@ export type SurveyJobs = {
   /** Goes on to find the cells that share a face, for some milliseconds. Which part is done; `faces` does what is left at once. */
   join(_: null): number
   faces(shown: ShownCells): FaceList
+  /** The same of cells that are less what has been cut away. */
+  cut(cells: CutCells): CutFaces
   /** Exchanges the bottom with the top of what is mirrored, or takes the order that makes all valid; in all steps. */
   mend(fix: FixId): Promise<Opening>
   /** Begins to write the mesh in a form, in place of what was being written. */
@@ -199,6 +201,35 @@ export interface FaceList {
   /** Cells that are shown, and those that should be. */
   readonly shown: number
   readonly wanted: number
+}
+
+/** Cells of a set, less what has been cut away of them. */
+export interface CutCells {
+  readonly set:
+    | ShownCells['cells']
+    /** A cell, and so many rings of cells around it that share a point. */
+    | { readonly which: 'around'; readonly cell: number; readonly rings: number }
+  /** Those behind it stay, as in ShownCells. */
+  readonly plane: { readonly normal: Vec3; readonly offset: number } | null
+  /** Relative minima from one number to another, both within; cells without one go. */
+  readonly relative: readonly [number, number] | null
+  /**
+   * So many layers go. Cells with a point on the boundary of the mesh are the first; each other layer has the cells that share a point
+   * with the one before.
+   */
+  readonly layers: number
+  /** Cells that go one by one. */
+  readonly away: readonly number[]
+  readonly onlyInvalid: boolean
+  /** Every face of each cell: for cells that are drawn apart. */
+  readonly isWhole: boolean
+  /** Of cells with more than six times so many faces to draw, so many are left: the worst. */
+  readonly most: number
+}
+
+export interface CutFaces extends FaceList {
+  /** Layers that the mesh has; null where none was to go. */
+  readonly layers: number | null
 }
 
 /** Steps are counted from 0. */

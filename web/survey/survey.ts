@@ -8,7 +8,7 @@ import { verticesOf } from '../mesh/vertices-of'
 import type { Vec3 } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
 import { arranged } from './arrange'
-import { facesOf } from './faces'
+import { type Faced, facesOf } from './faces'
 import { boundsOf, overviewOf } from './overview'
 import { type Conditioned, SelectionRun } from './selection'
 import type {
@@ -145,19 +145,21 @@ export class Survey {
   }
 
   faces(shown: ShownCells): FaceList {
+    return facesOf(this.faced, shown)
+  }
+
+  /** What faces are made of. Joins them first, if they are not yet. */
+  get faced(): Faced {
     this.join(Infinity)
     const origin = this.#origin
     this.#middles ??= middlesOf(this.check, origin)
-    return facesOf(
-      {
-        check: this.check,
-        origin,
-        neighbours: this.#neighbours as Neighbours,
-        middles: this.#middles,
-        isListed: cell => this.#selection.isListed(cell),
-      },
-      shown,
-    )
+    return {
+      check: this.check,
+      origin,
+      neighbours: this.#neighbours as Neighbours,
+      middles: this.#middles,
+      isListed: cell => this.#selection.isListed(cell),
+    }
   }
 
   #list(): { readonly cells: Uint32Array; readonly ranks: Uint32Array } {

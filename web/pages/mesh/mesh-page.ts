@@ -17,6 +17,8 @@ import { startSurveyWorker } from '../../survey/survey-worker'
 import { histogramTemplate, type Range } from './histogram-view'
 import { partFile } from './part'
 import { PictureControls } from './picture-controls'
+import { isSettingsText, type Travelling } from './settings-text'
+import { SettingsTravel } from './settings-travel'
 import { StepsView } from './steps-view'
 import { TakeAway } from './take-away'
 
@@ -83,9 +85,23 @@ const table = new CellTable(listRoot, {
   choose: (cell, rank) => void choose(cell, rank),
 })
 const picture = new PictureControls(part('.picture'), {
-  faces: cells => survey?.faces(cells) ?? Promise.reject(new Error('No mesh is open.')),
+  cut: cells => survey?.cut(cells) ?? Promise.reject(new Error('No mesh is open.')),
   choose: cell => void chooseInPicture(cell),
   name: async cell => (await survey?.detail(cell))?.row ?? null,
+  changed: () => travel.touch(),
+  settingsText: () => travel.text,
+  copySettings: () => void travel.copy(),
+  takeSettings: text => travel.use(text),
+})
+const travel = new SettingsTravel({
+  now: travelling,
+  overview: () => shown.overview,
+  use: fitting => {
+    picture.use(fitting.picture, fitting.camera)
+    void list(fitting)
+  },
+  say: notice => picture.say(notice),
+  written: () => picture.travelled(),
 })
 const takeAway = new TakeAway({ survey: () => survey, picture: () => picture.toPNG() })
 
@@ -125,20 +141,46 @@ async function take(overview: Overview, isExample: boolean): Promise<void> {
   const own = survey as OpenSurvey
   set({ ...NOTHING, name: overview.name, overview, isExample, selected: allOf(overview) })
   table.show(overview.hexahedra, { hasBlocks: overview.blocks.length > 0, order: FIRST_ORDER })
-  picture.open(overview)
+  const arriving = travel.arrivingIn(overview, isExample)
+  picture.open(overview, arriving?.picture, arriving?.camera)
+  picture.say(travel.takeNotice())
   void steps.open(own)
   const [worst] = overview.worst
   if (worst) await choose(worst.cell, 0)
+  if (arriving && own === survey) await list(arriving)
+  if (own !== survey) return
   const histogram = await own.histogram()
   if (own !== survey) return
   set({ ...shown, histogram })
-  await own.join(
-    part => own === survey && picture.say(part < 1 ? `Finding the surface: ${Math.floor(100 * part)} %` : ''),
-  )
+  await own.join(part => own === survey && picture.joining(part))
   if (own !== survey) return
   await picture.show()
   if (chosen && own === survey) await showNeighbours(chosen.cell)
   if (own === survey) await steps.readAll()
+}
+
+/** All that travels; null while no mesh is open. */
+function travelling(): Travelling | null {
+  const { overview, condition, complaint, range, order } = shown
+  if (!overview || !survey) return null
+  const block = overview.blocks[Number(picture.settings.set.slice('block-'.length))]?.name ?? null
+  return {
+    of: overview.hexahedra,
+    picture: picture.settings,
+    block,
+    camera: picture.camera,
+    chosen: chosen?.cell === overview.worst[0]?.cell ? null : (chosen?.cell ?? null),
+    listing: { condition: complaint === null ? condition : '', range, order },
+  }
+}
+
+/** The list and the chosen cell of settings that have come. */
+async function list({ listing: { condition, range, order }, chosen: cell }: Travelling): Promise<void> {
+  const own = survey
+  await arrange(order)
+  if (own === survey) await select(condition, range)
+  const worst = shown.overview?.worst[0]?.cell
+  if (own === survey && (cell ?? worst) !== undefined) await chooseInPicture((cell ?? worst) as number)
 }
 
 /** Order, selection and view stay; the chosen cell is the one of the same id. */
@@ -169,7 +211,7 @@ function chooseNone(): void {
   table.choose(null, null)
   render(html`The chosen cell is not in this step.`, oneRoot.querySelector('.which') as HTMLElement)
   lens.hidden = true
-  picture.choose(null, [])
+  picture.choose(null, null, [])
 }
 
 function allOf({ hexahedra }: Overview): Selected {
@@ -230,12 +272,12 @@ async function choose(cell: number, rank: number | null): Promise<void> {
   )
   lens.hidden = vertices === null
   if (vertices) lens.vertices = [...vertices]
-  picture.choose(vertices, detail.neighbours)
+  picture.choose(cell, vertices, detail.neighbours)
 }
 
 async function showNeighbours(cell: number): Promise<void> {
   const detail = await survey?.detail(cell)
-  if (detail && chosen?.cell === cell) picture.choose(detail.vertices, detail.neighbours)
+  if (detail && chosen?.cell === cell) picture.choose(cell, detail.vertices, detail.neighbours)
 }
 
 async function chooseInPicture(cell: number): Promise<void> {
@@ -266,7 +308,9 @@ async function goTo(id: string): Promise<void> {
 async function mend(fix: Fix): Promise<void> {
   const own = survey
   const opening: Opening | undefined = await own?.mend(fix.id)
-  if (opening && own === survey) await takeOrRefuse(opening)
+  if (!opening || own !== survey) return
+  if ('opened' in opening) travel.keep()
+  await takeOrRefuse(opening)
 }
 
 async function takeOrRefuse(opening: Opening): Promise<void> {
@@ -278,6 +322,7 @@ function set(next: Shown): void {
   shown = next
   render(overviewTemplate(next), overviewRoot)
   render(cellsTemplate(next), cellsRoot)
+  travel.touch()
 }
 
 function overviewTemplate({ overview, reading, refused, isExample, name, message }: Shown): TemplateResult {
@@ -370,6 +415,7 @@ async function paste(): Promise<void> {
   try {
     const text = await navigator.clipboard.readText()
     if (text.trim() === '') set({ ...shown, refused: 'The clipboard has no text.' })
+    else if (isSettingsText(text)) travel.use(text)
     else void open({ text })
   } catch {
     set({ ...shown, refused: 'This browser does not let the page read the clipboard: press Ctrl+V instead.' })
@@ -384,7 +430,8 @@ function nameOf(input: PastedInput): string {
 
 document.addEventListener('paste', event => {
   const input = pastedIn(event)
-  if (input) void open(input)
+  if (input && 'text' in input && isSettingsText(input.text)) travel.use(input.text)
+  else if (input) void open(input)
 })
 document.addEventListener('dragover', event => {
   if (!takesDrop(event) || !event.dataTransfer) return

@@ -1,45 +1,72 @@
-/** The picture and what chooses the cells in it: modes, the slice, rings, shrinking, blocks. */
-import { html, nothing, render, type TemplateResult } from 'lit-html'
-import { MeshPicture } from '../../mesh-scene/mesh-picture'
+/** The picture and what chooses the cells in it: a set of cells, the slice, the threshold, and what is peeled and dug away. */
+import { nothing, render } from 'lit-html'
+import { wordsOf } from '../../core/workers'
+import { MeshPicture, type PictureSpace } from '../../mesh-scene/mesh-picture'
+import { drawMarks, MARKS_HEIGHT } from '../../mesh-scene/picture-marks'
+import { type Plane, PlaneHandle } from '../../mesh-scene/plane-handle'
 import type { Vec3, Vertices } from '../../model/hexahedron'
-import type { FaceList, Neighbour, Overview, Row, ShownCells } from '../../survey/survey-jobs'
+import type { CameraView } from '../../model/state'
+import { azimuthOf, directionAt, elevationOf } from '../../scene/space/camera'
+import type { CutCells, CutFaces, Neighbour, Overview, Row } from '../../survey/survey-jobs'
+import { type BarHost, type BarState, barTemplate } from './picture-bar'
+import {
+  cutOf,
+  FIRST_SETTINGS,
+  invalidCutOf,
+  type PictureSettings,
+  planeOf,
+  roundedNormal,
+  type Slice,
+  sliceAt,
+  unitOf,
+} from './picture-settings'
 
 export interface PictureHost {
-  faces(cells: ShownCells): Promise<FaceList>
+  cut(cells: CutCells): Promise<CutFaces>
   choose(cell: number): void
   /** The cell as the list has it; null if no mesh is open. */
   name(cell: number): Promise<Row | null>
+  /** The settings or the camera may have changed. */
+  changed(): void
+  /** All settings as a text. */
+  settingsText(): string
+  copySettings(): void
+  takeSettings(text: string): void
 }
 
-type Mode = 'surface' | 'slice' | 'invalid' | 'listed' | `block-${number}`
-type Along = 'x' | 'y' | 'z' | 'view'
-
-interface Settings {
-  readonly mode: Mode
-  readonly along: Along
-  /** From 0 to 1 of the way through the mesh. */
-  readonly offset: number
-  readonly rings: number
-  readonly shrink: boolean
-}
-
-const FIRST: Settings = { mode: 'surface', along: 'x', offset: 0.5, rings: 0, shrink: false }
-
-/** More would be a second of drawing on a slow machine; what is left out is said. */
-const MOST_WHOLE = 20_000
 const SHRUNK = 0.8
 const TRANSLUCENT = 0.28
+/** CSS pixels: a pointer that has moved less has clicked. */
+const CLICK = 4
+/** A key's part of the way through the mesh, and its turn of the slice. */
+const SLIDE_STEP = 0.02
+const TURN_STEP = Math.PI / 36
+const FIRST_SLICE: Slice = { normal: [1, 0, 0], place: 0.5 }
+const LEAST_THRESHOLD = 0.2
 
-export class PictureControls {
+export class PictureControls implements BarHost {
   readonly #host: PictureHost
   readonly #picture: MeshPicture
+  readonly #plane: PlaneHandle
+  readonly #marks = document.createElement('canvas')
   readonly #bar = document.createElement('div')
   readonly #tip = document.createElement('p')
   #overview: Overview | null = null
-  #settings = FIRST
-  #vertices: Vertices | null = null
+  #settings = FIRST_SETTINGS
+  #before: BarState['before'] = { slice: FIRST_SLICE, relative: [-Infinity, LEAST_THRESHOLD] }
+  #isDigging = false
+  #isTravelOpen = false
+  #complaint: BarState['complaint'] = null
+  #notice = ''
+  #joining = ''
+  #chosen: { readonly cell: number; readonly vertices: Vertices | null } | null = null
+  #faces: CutFaces | null = null
+  #invalid: { readonly key: string; readonly faces: CutFaces } | null = null
+  #ghost: CutFaces | null = null
+  /** Counts meshes, and what is asked of them. */
+  #mesh = 0
   #wanted = 0
-  #left = ''
+  #asking: Promise<void> | null = null
   #pointed = 0
 
   constructor(root: HTMLElement, host: PictureHost) {
@@ -48,148 +75,301 @@ export class PictureControls {
     canvas.className = 'canvas'
     canvas.tabIndex = 0
     canvas.setAttribute('role', 'application')
-    canvas.setAttribute('aria-label', 'Mesh: arrow keys turn it, plus and minus zoom, F shows it whole')
+    canvas.setAttribute('aria-label', KEYS)
     this.#bar.className = 'bar'
     this.#tip.className = 'tip'
     root.append(canvas, this.#tip, this.#bar)
     this.#picture = new MeshPicture(canvas)
-    let down: { readonly x: number; readonly y: number } | null = null
-    canvas.addEventListener('pointerdown', ({ clientX: x, clientY: y }) => {
-      down = { x, y }
-    })
-    canvas.addEventListener('pointerup', event => {
-      const isClick = down !== null && Math.hypot(event.clientX - down.x, event.clientY - down.y) < 4
-      down = null
-      const cell = isClick ? this.#cellAt(event) : null
-      if (cell !== null) host.choose(cell)
-    })
-    canvas.addEventListener(
-      'pointermove',
-      event => event.pointerType === 'mouse' && event.buttons === 0 && this.#point(event),
-    )
-    canvas.addEventListener('pointerleave', () => this.#say(''))
-    canvas.addEventListener('keydown', event => this.#onKey(event))
+    this.#plane = new PlaneHandle({ move: plane => this.#movePlane(plane), rayOf: event => this.#picture.rayOf(event) })
+    this.#picture.top = MARKS_HEIGHT
+    this.#picture.onDraw = space => this.#drawOver(space)
+    canvas.append(this.#marks, this.#plane.root)
+    this.#listen(canvas)
     if (!this.#picture.isDrawn) root.classList.add('is-not-drawn')
   }
 
+  get settings(): PictureSettings {
+    return this.#settings
+  }
+
+  /** Null is the default view. */
+  get camera(): CameraView | null {
+    return this.#picture.view
+  }
+
   /** Another mesh, or none. */
-  open(overview: Overview | null): void {
+  open(overview: Overview | null, settings = FIRST_SETTINGS, camera: CameraView | null = null): void {
     this.#overview = overview
-    this.#settings = FIRST
-    this.#vertices = null
-    this.#left = ''
+    this.#settings = settings
+    const [, upper] = settings.relative ?? firstThreshold(overview)
+    this.#before = { slice: settings.slice ?? FIRST_SLICE, relative: settings.relative ?? [-Infinity, upper] }
+    this.#isDigging = false
+    this.#complaint = null
+    this.#notice = ''
+    this.#joining = ''
+    this.#chosen = null
+    this.#faces = null
+    this.#invalid = null
+    this.#ghost = null
+    this.#mesh++
     this.#wanted++
-    this.#picture.open(overview?.bounds ?? null)
-    this.#render()
+    this.#picture.open(overview?.bounds ?? null, camera)
+    this.#picture.colouring = settings.colours
+    this.#put()
   }
 
   /** Another step of the mesh, seen as the one before was. */
   step(overview: Overview): void {
     this.#overview = overview
+    this.#invalid = null
+    this.#ghost = null
     this.#picture.step(overview.bounds)
-    this.#render()
+    this.#put()
+  }
+
+  /** Other settings of the same mesh. */
+  use(settings: PictureSettings, camera: CameraView | null): void {
+    this.#picture.look(camera)
+    this.set(settings)
   }
 
   say(notice: string): void {
-    this.#left = notice
+    this.#notice = notice
     this.#render()
   }
 
-  /** Asks for the faces of the present settings, and draws them. */
-  async show(): Promise<void> {
-    const wanted = ++this.#wanted
-    const isOld = () => wanted !== this.#wanted
-    const { mode, rings, shrink } = this.#settings
-    const hasInvalid = (this.#overview?.counts.invalid ?? 0) > 0
-    const cells = this.#cellsOf()
-    const most = shrink || mode === 'invalid' || mode === 'listed' ? MOST_WHOLE : Infinity
-    const surface = await this.#host.faces({ cells, isWhole: shrink, most }).catch(() => null)
-    if (surface === null || isOld()) return
-    const showsInvalid =
-      hasInvalid && !shrink && (mode === 'surface' || mode === 'slice' || (mode === 'invalid' && rings > 0))
-    const invalid = showsInvalid
-      ? await this.#host
-          .faces({ cells: { which: 'invalid', rings: 0 }, isWhole: false, most: MOST_WHOLE })
-          .catch(() => null)
-      : null
-    if (isOld()) return
-    this.#picture.opacity = invalid ? TRANSLUCENT : 1
-    this.#picture.size = shrink ? SHRUNK : 1
-    this.#picture.show('invalid', invalid)
-    this.#picture.show('surface', surface)
-    this.#left = leftOut(surface) || (invalid ? leftOut(invalid) : '')
+  /** How much of the mesh's surface has been found, from 0 to 1. */
+  joining(part: number): void {
+    this.#joining = part < 1 ? `Finding the surface: ${Math.floor(100 * part)} %` : ''
     this.#render()
+  }
+
+  /** Draws the cells of the present settings. While they are asked for others may be wanted: these come next. */
+  show(): Promise<void> {
+    this.#wanted++
+    this.#asking ??= this.#ask().finally(() => {
+      this.#asking = null
+    })
+    return this.#asking
   }
 
   /** After another selection. */
   async refresh(): Promise<void> {
-    if (this.#settings.mode === 'listed') await this.show()
+    this.#invalid = null
+    if (this.#settings.set === 'listed' && this.#faces) await this.show()
   }
 
-  choose(vertices: Vertices | null, neighbours: readonly Neighbour[]): void {
-    this.#vertices = vertices
+  choose(cell: number | null, vertices: Vertices | null, neighbours: readonly Neighbour[]): void {
+    const isOther = this.#chosen?.cell !== cell
+    this.#chosen = cell === null ? null : { cell, vertices }
     this.#picture.choose(vertices, neighbours)
+    this.#render()
+    if (isOther && this.#settings.set === 'around' && this.#faces) void this.show()
   }
 
   /** Null where there is no WebGL. */
   toPNG(): Promise<Blob> | null {
-    return this.#picture.isDrawn ? this.#picture.toPNG() : null
+    const { colours } = this.#settings
+    return this.#picture.isDrawn ? this.#picture.toPNG((context, space) => drawMarks(context, space, colours)) : null
   }
 
-  flyToChosen(): void {
-    if (this.#vertices) this.#picture.flyTo(this.#vertices)
+  readonly flyToChosen = (): void => {
+    if (this.#chosen?.vertices) this.#picture.flyTo(this.#chosen.vertices)
   }
 
-  #set(settings: Partial<Settings>): void {
+  readonly fit = (): void => this.#picture.fit()
+
+  set(settings: Partial<PictureSettings>): void {
+    this.#notice = ''
     this.#settings = { ...this.#settings, ...settings }
-    this.#render()
+    const { slice, relative, colours } = this.#settings
+    this.#before = { slice: slice ?? this.#before.slice, relative: relative ?? this.#before.relative }
+    this.#picture.colouring = colours
+    this.#put()
     void this.show()
   }
 
-  #cellsOf(): ShownCells['cells'] {
-    const { mode, rings } = this.#settings
-    if (mode === 'surface') return { which: 'all' }
-    if (mode === 'invalid') return { which: 'invalid', rings }
-    if (mode === 'listed') return { which: 'listed' }
-    if (mode === 'slice') return this.#plane()
-    return { which: 'block', block: Number(mode.slice('block-'.length)) }
+  readonly digging = (isDigging: boolean): void => {
+    this.#isDigging = isDigging
+    this.#put()
   }
 
-  /** The plane at its part of the way between the two corners of the bounds that lie farthest along its normal. */
-  #plane(): ShownCells['cells'] {
-    const { along, offset } = this.#settings
-    const normal: Vec3 = along === 'view' ? this.#picture.direction : AXES[along]
-    const { least, greatest } = this.#overview?.bounds ?? { least: [0, 0, 0], greatest: [0, 0, 0] }
-    const reach = [0, 1, 2].reduce(
-      (sum, axis) => sum + (Math.abs(normal[axis as 0]) * (greatest[axis as 0] - least[axis as 0])) / 2,
-      0,
-    )
-    const middle = this.#picture.middleOf(this.#overview?.bounds ?? null)
-    const across = [0, 1, 2].reduce((sum, axis) => sum + normal[axis as 0] * middle[axis as 0], 0)
-    return { which: 'behind-plane', normal, offset: across + (2 * offset - 1) * reach }
+  readonly digChosen = (): void => {
+    if (this.#chosen) this.#dig(this.#chosen.cell)
+  }
+
+  readonly undoDig = (): void => this.set({ away: this.#settings.away.slice(0, -1) })
+
+  readonly travelling = (isOpen: boolean): void => {
+    this.#isTravelOpen = isOpen
+    this.#render()
+  }
+
+  readonly copySettings = (): void => this.#host.copySettings()
+
+  takeSettings(text: string): void {
+    this.#host.takeSettings(text)
+  }
+
+  complain(complaint: BarState['complaint']): void {
+    this.#complaint = complaint
+    this.#render()
+  }
+
+  direction(): Vec3 {
+    return this.#picture.direction
+  }
+
+  /** The address has the settings as they are. */
+  travelled(): void {
+    if (this.#isTravelOpen) this.#render()
+  }
+
+  async #ask(): Promise<void> {
+    for (let asked = 0; asked !== this.#wanted; ) {
+      asked = this.#wanted
+      const mesh = this.#mesh
+      try {
+        await this.#askFor(mesh)
+      } catch (reason) {
+        if (mesh === this.#mesh && this.#overview) this.say(`The picture could not be drawn: ${wordsOf(reason)}`)
+      }
+    }
+  }
+
+  async #askFor(mesh: number): Promise<void> {
+    const overview = this.#overview
+    if (!overview) return
+    const settings = this.#settings
+    const plane = this.#planeOf(settings.slice)
+    const chosen = this.#chosen?.cell ?? null
+    const faces = await this.#host.cut(cutOf(settings, plane, chosen))
+    if (mesh !== this.#mesh) return
+    const invalidCut = overview.counts.invalid > 0 ? invalidCutOf(settings, chosen) : null
+    const key = JSON.stringify(invalidCut)
+    if (invalidCut && this.#invalid?.key !== key) {
+      const invalid = await this.#host.cut(invalidCut)
+      if (mesh !== this.#mesh) return
+      this.#invalid = { key, faces: invalid }
+      this.#picture.show('invalid', invalid)
+    }
+    const hasInvalid = invalidCut !== null && (this.#invalid?.faces.cells.length ?? 0) > 0
+    if (!invalidCut) {
+      this.#invalid = null
+      this.#picture.show('invalid', null)
+    }
+    if (isCut(settings) && !this.#ghost) {
+      this.#ghost = await this.#host.cut(WHOLE_MESH)
+      if (mesh !== this.#mesh) return
+    }
+    this.#picture.ghost = isCut(settings) ? this.#ghost : null
+    this.#faces = faces
+    this.#picture.opacity = hasInvalid ? TRANSLUCENT : 1
+    this.#picture.size = settings.isApart ? SHRUNK : 1
+    this.#picture.show('surface', faces)
+    this.#render()
+  }
+
+  #planeOf(slice: Slice | null): Plane | null {
+    const bounds = this.#overview?.bounds ?? null
+    return slice && planeOf(slice, this.#picture.middleOf(bounds), bounds)
+  }
+
+  #movePlane({ normal, offset }: Plane): void {
+    const bounds = this.#overview?.bounds ?? null
+    const turned = roundedNormal(normal)
+    this.set({ slice: sliceAt({ normal: turned, offset }, this.#picture.middleOf(bounds), bounds) })
+  }
+
+  #dig(cell: number): void {
+    const { away } = this.#settings
+    if (!away.includes(cell)) this.set({ away: [...away, cell] })
+  }
+
+  #put(): void {
+    this.#plane.plane = this.#planeOf(this.#settings.slice)
+    this.#picture.draw()
+    this.#render()
+    this.#host.changed()
+  }
+
+  #drawOver(space: PictureSpace): void {
+    const { width, height } = space.camera
+    const ratio = Math.min(devicePixelRatio, 2)
+    this.#marks.width = Math.round(width * ratio)
+    this.#marks.height = Math.round(height * ratio)
+    const context = this.#marks.getContext('2d')
+    context?.scale(ratio, ratio)
+    if (context && this.#overview && this.#picture.isDrawn) drawMarks(context, space, this.#settings.colours)
+    this.#plane.draw(space)
+    this.#host.changed()
   }
 
   #cellAt(event: PointerEvent): number | null {
-    return this.#picture.cellAt(event)
+    return this.#picture.cellAt(event, { isThrough: !this.#isDigging })
+  }
+
+  #listen(canvas: HTMLElement): void {
+    let down: { readonly x: number; readonly y: number } | null = null
+    canvas.addEventListener('pointerdown', ({ clientX: x, clientY: y, button }) => {
+      down = button === 0 ? { x, y } : null
+    })
+    canvas.addEventListener('pointercancel', () => {
+      down = null
+    })
+    canvas.addEventListener('pointerup', event => {
+      const isClick = down !== null && Math.hypot(event.clientX - down.x, event.clientY - down.y) < CLICK
+      down = null
+      const cell = isClick ? this.#cellAt(event) : null
+      if (cell === null) return
+      if (this.#isDigging) this.#dig(cell)
+      else this.#host.choose(cell)
+    })
+    canvas.addEventListener(
+      'pointermove',
+      event => event.pointerType === 'mouse' && event.buttons === 0 && this.#point(event),
+    )
+    canvas.addEventListener('pointerleave', () => this.#leave())
+    canvas.addEventListener('keydown', event => this.#onKey(event))
+    document.addEventListener('keydown', event => {
+      const isTyping = event.target instanceof HTMLElement && event.target.matches('input, textarea, select, hex-lens')
+      const isUndo = (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey && event.key === 'z'
+      if (isTyping || !isUndo || this.#settings.away.length === 0) return
+      event.preventDefault()
+      this.undoDig()
+    })
   }
 
   #point(event: PointerEvent): void {
     cancelAnimationFrame(this.#pointed)
     this.#pointed = requestAnimationFrame(async () => {
+      const pointed = this.#pointed
       const cell = this.#cellAt(event)
-      if (cell === null) return this.#say('')
-      const row = await this.#host.name(cell)
-      if (row) this.#say(`Cell ${row.id}${row.block === null ? '' : `, ${row.block}`}: ${row.standing}`)
+      const row = cell === null ? null : await this.#host.name(cell).catch(() => null)
+      if (pointed !== this.#pointed) return
+      this.#tip.textContent = row ? `Cell ${row.id}${row.block === null ? '' : `, ${row.block}`}: ${row.standing}` : ''
     })
   }
 
-  #say(text: string): void {
-    this.#tip.textContent = text
+  #leave(): void {
+    cancelAnimationFrame(this.#pointed)
+    this.#pointed = 0
+    this.#tip.textContent = ''
   }
 
   #onKey(event: KeyboardEvent): void {
     if (event.altKey || event.ctrlKey || event.metaKey) return
-    const actions: Record<string, () => void> = {
+    const { slice } = this.#settings
+    const action = (event.shiftKey && slice ? this.#turns(slice) : this.#keys(slice))[event.key]
+    if (!action) return
+    event.preventDefault()
+    action()
+  }
+
+  #keys(slice: Slice | null): Readonly<Record<string, () => void>> {
+    const slide = (by: number) => () =>
+      slice && this.set({ slice: { ...slice, place: Math.max(0, Math.min(1, slice.place + by)) } })
+    return {
       ArrowLeft: () => this.#picture.turn(-1, 0),
       ArrowRight: () => this.#picture.turn(1, 0),
       ArrowUp: () => this.#picture.turn(0, 1),
@@ -197,69 +377,64 @@ export class PictureControls {
       '+': () => this.#picture.zoom(1.25),
       '-': () => this.#picture.zoom(0.8),
       f: () => this.#picture.fit(),
+      ...(slice ? { PageUp: slide(SLIDE_STEP), PageDown: slide(-SLIDE_STEP) } : {}),
+      ...(this.#isDigging ? { Delete: this.digChosen } : {}),
     }
-    const action = actions[event.key]
-    if (!action) return
-    event.preventDefault()
-    action()
+  }
+
+  #turns(slice: Slice): Readonly<Record<string, () => void>> {
+    const turn = (right: number, up: number) => () => {
+      const unit = unitOf(slice.normal)
+      const elevation = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, elevationOf(unit) + up * TURN_STEP))
+      const normal = roundedNormal(directionAt(azimuthOf(unit) + right * TURN_STEP, elevation))
+      this.set({ slice: { ...slice, normal } })
+    }
+    return { ArrowLeft: turn(-1, 0), ArrowRight: turn(1, 0), ArrowUp: turn(0, 1), ArrowDown: turn(0, -1) }
   }
 
   #render(): void {
-    render(this.#overview ? this.#template(this.#overview, this.#settings) : nothing, this.#bar)
+    const overview = this.#overview
+    render(overview ? barTemplate(this.#stateOf(overview), this) : nothing, this.#bar)
   }
 
-  #template({ blocks, counts }: Overview, { mode, along, offset, rings, shrink }: Settings): TemplateResult {
-    const option = (value: Mode, name: string) =>
-      html`<option value=${value} ?selected=${value === mode}>${name}</option>`
-    return html`<label
-        ><span class="said">Cells in the picture</span
-        ><select @change=${(event: Event) => this.#set({ mode: (event.target as HTMLSelectElement).value as Mode })}>
-          ${option('surface', 'Surface')} ${option('slice', 'Slice')}
-          ${counts.invalid > 0 ? option('invalid', 'Invalid cells') : nothing} ${option('listed', 'Listed cells')}
-          ${blocks.map((block, i) => option(`block-${i}`, `Block ${block.name}`))}
-        </select></label
-      >
-      ${
-        mode === 'slice'
-          ? html`<label
-                ><span class="said">Across</span
-                ><select @change=${(event: Event) => this.#set({ along: (event.target as HTMLSelectElement).value as Along })}>
-                  ${(['x', 'y', 'z', 'view'] as const).map(
-                    axis =>
-                      html`<option value=${axis} ?selected=${axis === along}>${axis === 'view' ? 'across the view' : `across ${axis}`}</option>`,
-                  )}
-                </select></label
-              ><label
-                ><span class="said">Place of the slice</span
-                ><input
-                  type="range"
-                  min="0"
-                  max="1"
-                  step="0.005"
-                  .value=${String(offset)}
-                  @input=${(event: Event) => this.#set({ offset: Number((event.target as HTMLInputElement).value) })}
-              /></label>`
-          : nothing
-      }
-      ${
-        mode === 'invalid'
-          ? html`<label
-              >Rings around
-              <select @change=${(event: Event) => this.#set({ rings: Number((event.target as HTMLSelectElement).value) })}>
-                ${[0, 1, 2, 3].map(count => html`<option ?selected=${count === rings}>${count}</option>`)}
-              </select></label
-            >`
-          : nothing
-      }
-      <label><input type="checkbox" .checked=${shrink} @change=${(event: Event) => this.#set({ shrink: (event.target as HTMLInputElement).checked })} /> Apart</label>
-      <button type="button" @click=${() => this.flyToChosen()}>Chosen cell</button>
-      <button type="button" @click=${() => this.#picture.fit()}>Fit</button>
-      <span class="left">${this.#left}</span>`
+  #stateOf(overview: Overview): BarState {
+    return {
+      overview,
+      settings: this.#settings,
+      isDigging: this.#isDigging,
+      isTravelOpen: this.#isTravelOpen,
+      travelText: this.#isTravelOpen ? this.#host.settingsText() : '',
+      before: this.#before,
+      faces: this.#faces,
+      invalidLeftOut: this.#invalid ? leftOut(this.#invalid.faces) : '',
+      hasChosen: this.#chosen?.vertices != null,
+      complaint: this.#complaint,
+      notice: this.#joining || this.#notice,
+    }
   }
 }
 
-const AXES: Readonly<Record<'x' | 'y' | 'z', Vec3>> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }
+const WHOLE_MESH = cutOf(FIRST_SETTINGS, null, null)
 
-function leftOut({ shown, wanted }: FaceList): string {
-  return shown === wanted ? '' : `The worst ${shown.toLocaleString('en')} of ${wanted.toLocaleString('en')} are drawn.`
+/** Whether so much is away that the shape of the mesh is not seen any more. A slice leaves it, and what is dug. */
+function isCut({ set, relative, layers }: PictureSettings): boolean {
+  return set !== 'all' || relative !== null || layers > 0
+}
+
+const KEYS = [
+  'Mesh: arrow keys turn it, plus and minus zoom, F shows it whole, N and P go through the invalid cells',
+  'with a slice, Page Up and Page Down slide it, Shift and arrow keys turn it',
+  'when digging, Delete takes the chosen cell away',
+].join('; ')
+
+/** At which the ten worst cells are seen, at least. */
+function firstThreshold(overview: Overview | null): readonly [number, number] {
+  const tenth = overview?.worst.at(-1)?.relativeMinimum ?? Number.NaN
+  return [-Infinity, tenth > LEAST_THRESHOLD ? Math.min(1, Math.ceil(10 * tenth) / 10) : LEAST_THRESHOLD]
+}
+
+function leftOut({ shown, wanted }: CutFaces): string {
+  return shown === wanted
+    ? ''
+    : `Of the invalid ones inside the worst ${shown.toLocaleString('en')} of ${wanted.toLocaleString('en')} are drawn.`
 }
