@@ -58,9 +58,9 @@ interface Visit {
 }
 
 export async function main(options: readonly string[]): Promise<void> {
-  const valueOf = (name: string) => options.find(option => option.startsWith(`--${name}=`))?.slice(name.length + 3)
-  const rounds = Number(valueOf('rounds') ?? ROUNDS)
-  const wanted = valueOf('rows')?.split(',') ?? ['']
+  const optionOf = (name: string) => options.find(option => option.startsWith(`--${name}=`))?.slice(name.length + 3)
+  const rounds = Number(optionOf('rounds') ?? ROUNDS)
+  const wanted = optionOf('rows')?.split(',') ?? ['']
   const rows = ROWS.filter(({ name }) => wanted.some(part => name.includes(part)))
   installPeers()
   const files = join(folder, 'mesh')
@@ -75,7 +75,7 @@ export async function main(options: readonly string[]): Promise<void> {
   console.log(`${machine}; Chromium ${browser.version()}; Node ${process.version}; ${versionsOf(['pyvista', 'vtk'])}\n`)
   try {
     await compare(rows, { rounds, files, address, peer, browser })
-    if (!valueOf('rows')) {
+    if (!optionOf('rows')) {
       await inARow(browser, address, join(files, 'raw.vtu'))
       for (const name of ['raw.vtu', 'shuffled.vtu']) join1M(join(files, name), rounds)
     }
