@@ -1,11 +1,11 @@
 /** The worker in which a mesh is open: it reads, decides, and answers what the page asks. It is ended with the mesh. */
-import type { Wanted } from '../core/batch/lists'
 import type { Core } from '../core/report'
 import { seldom, serve } from '../core/workers'
 import { cellClassifier } from '../input/classify-cells'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import { coreOf, filesOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
+import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { TogetherOptions } from '../mesh/read-mesh'
@@ -13,21 +13,34 @@ import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
 import { lookingJobs, nameOf, noHexahedra } from './looking-jobs'
 import { meeting } from './meeting'
 import { mended } from './mend'
+import { OpenedSurvey } from './opened-survey'
+import { openingCheck } from './opening-check'
 import { StepSeries } from './step-series'
 import { Survey } from './survey'
-import type { FixId, Opening, Overview, StepAnswer, StepOpening, StepWanted, SurveyJobs, Written } from './survey-jobs'
+import type {
+  FixId,
+  FormId,
+  Opening,
+  Overview,
+  Served,
+  StepAnswer,
+  StepOpening,
+  StepWanted,
+  SurveyJobs,
+  Written,
+} from './survey-jobs'
 import { wholeOrderOf } from './whole-order'
 import { Writing } from './writing'
 
-/** Lists that the page shows or writes beside those that the counts need. */
-const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true, exact: true }
+/** Files that say which checks accept a cell. */
+const LISTING: ReadonlySet<FormId> = new Set<FormId>(['csv', 'html'])
 
 /** Milliseconds of a step of what takes long: other questions wait so long. */
 const STEP = 12
 
 interface Open {
   readonly name: string
-  readonly survey: Survey
+  readonly survey: OpenedSurvey
   readonly classify: ClassifyCells
   readonly core: Core
 }
@@ -52,7 +65,7 @@ export function serveSurvey(engine: ReadingEngine): void {
     return open
   }
 
-  const survey = () => opened().survey
+  const whole = () => opened().survey.whole()
 
   function written(): Written {
     return writing?.run(STEP) ?? { refused: 'The mesh is another one by now.' }
@@ -68,12 +81,12 @@ export function serveSurvey(engine: ReadingEngine): void {
     const core = open?.core ?? (await coreOf(engine))
     const onProgress = (done: number, total: number) => tell({ step: 'deciding', fraction: done / total })
     const classify = open?.classify ?? cellClassifier(core, engine.batchModule, onProgress)
-    const options = { worst: Infinity, minRelative: null, skipsDegenerate: false, lists: LISTS }
-    const check = await checkMesh(mesh, { classify, core }, options)
+    const { check, finish } = await openingCheck(mesh, { classify, core })
     const own = new Survey(check, { core, meeting }, before)
-    const overview = own.overview(name, await wholeOrderOf(check, { classify, core }))
+    const wholeOrder = await wholeOrderOf(check, { classify, core })
+    const overview = own.overview(name, wholeOrder, await acceptedOfInvalid(check, classify))
     if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
-    open = { name, survey: own, classify, core }
+    open = { name, survey: new OpenedSurvey(own, finish, classify), classify, core }
     writing = null
     return overview
   }
@@ -108,9 +121,10 @@ export function serveSurvey(engine: ReadingEngine): void {
     throw refusal
   }
 
+  /** The worst cell is known from the beginning. */
   function shownAnswer(): StepAnswer {
     const { series, shown, isOther } = openSteps()
-    return series.answerOf(shown, survey().check, isOther)
+    return series.answerOf(shown, opened().survey.survey.check, isOther)
   }
 
   async function readStep(step: number, tell: Tell): Promise<StepAnswer> {
@@ -124,14 +138,14 @@ export function serveSurvey(engine: ReadingEngine): void {
 
   async function showStep({ step, chosen }: StepWanted, tell: Tell): Promise<StepOpening> {
     const { series } = openSteps()
-    const before = survey()
+    const before = await whole()
     const { mesh, isOther } = series.read(step, await readingOptions(tell))
     const overview = await surveyed(series.nameOf(step), mesh, tell, before)
     steps = { series, shown: step, isOther }
     return {
       opened: overview,
       answer: shownAnswer(),
-      chosen: chosen === null ? null : survey().sameCell(before, chosen),
+      chosen: chosen === null ? null : (await whole()).sameCell(before, chosen),
     }
   }
 
@@ -142,23 +156,24 @@ export function serveSurvey(engine: ReadingEngine): void {
     return { opened: overview }
   }
 
-  serve<null, SurveyJobs>('hexlens-survey', () => ({
+  serve<null, Served<SurveyJobs>>('hexlens-survey', () => ({
     open: (input, tell) => opening(input, seldom(tell)).catch(refusalOf),
-    ...lookingJobs(survey),
-    select: selection => survey().select(selection),
-    selectOn: () => survey().selectOn(STEP),
-    find: ({ id, after }) => survey().find(id, after),
-    histogram: () => survey().histogram(),
+    ...lookingJobs(() => opened().survey),
+    select: async selection => (await whole()).select(selection),
+    selectOn: async () => (await whole()).selectOn(STEP),
+    find: async ({ id, after }) => (await whole()).find(id, after),
+    histogram: async () => (await whole()).histogram(),
     async mend(fix: FixId) {
-      const { check } = survey()
+      const { check } = await whole()
       const mesh = mended(check, fix)
       const overview = await surveyed(opened().name, mesh, () => {})
       steps?.series.correct(check.mesh, mesh)
       return { opened: overview }
     },
-    write(form) {
+    async write(form) {
       const { name, core } = opened()
-      writing = new Writing(form, { name, check: survey().check, core })
+      const { check } = await (LISTING.has(form) ? opened().survey.accepting() : whole())
+      writing = new Writing(form, { name, check, core })
       return written()
     },
     writeOn: written,
