@@ -1,7 +1,6 @@
 /** The worker in which a mesh is open: it reads, decides, and answers what the page asks. It is ended with the mesh. */
 import type { Core } from '../core/report'
-import { seldom, serve } from '../core/workers'
-import { cellClassifier } from '../input/classify-cells'
+import { seldom, serve, type WorkerPort } from '../core/workers'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import { coreOf, filesOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
@@ -15,6 +14,7 @@ import { meeting } from './meeting'
 import { mended } from './mend'
 import { OpenedSurvey } from './opened-survey'
 import { openingCheck } from './opening-check'
+import { type SharedClassifier, sharedClassifier } from './shared-classifier'
 import { StepSeries } from './step-series'
 import { Survey } from './survey'
 import type {
@@ -38,6 +38,14 @@ const LISTING: ReadonlySet<FormId> = new Set<FormId>(['csv', 'html'])
 /** Milliseconds of a step of what takes long: other questions wait so long. */
 const STEP = 12
 
+/** Bytes of a file that has many cells. */
+const LARGE = 4 * 1024 * 1024
+
+interface Tools {
+  readonly core: Core
+  readonly classifier: SharedClassifier
+}
+
 interface Open {
   readonly name: string
   readonly survey: OpenedSurvey
@@ -54,7 +62,12 @@ interface OpenSteps {
 
 type Tell = (progress: ReadingProgress) => void
 
-export function serveSurvey(engine: ReadingEngine): void {
+/** With what starts a worker for batches. */
+export interface SurveyEngine extends ReadingEngine {
+  readonly helper: () => WorkerPort
+}
+
+export function serveSurvey(engine: SurveyEngine): void {
   let open: Open | null = null
   let steps: OpenSteps | null = null
   let given: PastedInput = { files: [] }
@@ -63,6 +76,17 @@ export function serveSurvey(engine: ReadingEngine): void {
   function opened(): Open {
     if (!open) throw new Error('No mesh is open.')
     return open
+  }
+
+  /** The core and the workers that decide, started once. */
+  let started: Promise<Tools> | null = null
+  let onDecided: (fraction: number) => void = () => {}
+  const tools = (): Promise<Tools> => {
+    started ??= coreOf(engine).then(core => {
+      const onProgress = (done: number, total: number) => onDecided(done / total)
+      return { core, classifier: sharedClassifier({ ...engine, core, onProgress }) }
+    })
+    return started
   }
 
   const whole = () => opened().survey.whole()
@@ -78,9 +102,9 @@ export function serveSurvey(engine: ReadingEngine): void {
 
   /** What is open stays if the mesh is refused. */
   async function surveyed(name: string, mesh: Mesh, tell: Tell, before: Survey | null = null): Promise<Overview> {
-    const core = open?.core ?? (await coreOf(engine))
-    const onProgress = (done: number, total: number) => tell({ step: 'deciding', fraction: done / total })
-    const classify = open?.classify ?? cellClassifier(core, engine.batchModule, onProgress)
+    const { core, classifier } = await tools()
+    const { classify } = classifier
+    onDecided = fraction => tell({ step: 'deciding', fraction })
     const { check, finish } = await openingCheck(mesh, { classify, core })
     const own = new Survey(check, { core, meeting }, before)
     const wholeOrder = await wholeOrderOf(check, { classify, core })
@@ -98,6 +122,8 @@ export function serveSurvey(engine: ReadingEngine): void {
 
   async function opening(input: PastedInput, tell: Tell): Promise<Opening> {
     given = input
+    if ('files' in input && input.files.some(({ size }) => size > LARGE))
+      void tools().then(({ classifier }) => classifier.prepare())
     const found = 'files' in input ? stepFilesOf(filesOf(input), await readingOptions(tell)) : null
     if (found) return { opened: await openedStep(found, tell) }
     return { opened: await surveyed(nameOf(input), await meshOf(input, engine, tell), tell) }
