@@ -5,18 +5,12 @@
  *     --quick   27,000 hexahedra, one round;  --check   no timings;  --rounds=N;  --formats=NAME,...   files whose names have one of these
  */
 import { spawnSync } from 'node:child_process'
-import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs'
+import { statSync } from 'node:fs'
 import { availableParallelism, cpus, loadavg } from 'node:os'
 import { join } from 'node:path'
-import { fileURLToPath } from 'node:url'
 import { build } from 'esbuild'
 import { main as hexlens } from '../../web/cli/from-sources'
-
-const root = fileURLToPath(new URL('../..', import.meta.url))
-const folder = join(root, 'build', 'bench')
-const python = join(folder, 'python', 'bin', 'python')
-const requirements = join(root, 'tests', 'bench', 'requirements.txt')
-const script = (name: string) => join(root, 'tests', 'bench', name)
+import { folder, installPeers, must, python, script, versionsOf } from './peers'
 
 const ROUNDS = 5
 /** A reading that takes longer is not measured again. */
@@ -62,23 +56,6 @@ export async function main(options: readonly string[]): Promise<void> {
         if (reading !== null) readings.set(key, [...own, reading])
       }
   printTable(names, files, readings)
-}
-
-function installPeers(): void {
-  const stamp = join(folder, 'python', 'hexlens-stamp')
-  const text = readFileSync(requirements, 'utf8')
-  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === text) return
-  process.stderr.write('bench: installing VTK, meshio and Gmsh into build/bench/python\n')
-  mkdirSync(folder, { recursive: true })
-  must('python3', ['-m', 'venv', join(folder, 'python')])
-  must(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', '-r', requirements])
-  writeFileSync(stamp, text)
-}
-
-function must(command: string, args: readonly string[]): string {
-  const { status, stdout, stderr } = spawnSync(command, args, { encoding: 'utf8' })
-  if (status !== 0) throw new Error(`${command} ${args.join(' ')}: ${stderr}`)
-  return stdout
 }
 
 /** Their names; those that are there are not written again. */
@@ -149,7 +126,7 @@ async function checkAll(files: string, names: readonly string[], hexahedra: numb
 function printTable(names: readonly string[], files: string, readings: ReadonlyMap<string, Reading[]>): void {
   const load = loadavg()[0]?.toFixed(1)
   console.log(
-    `${cpus()[0]?.model.trim()}, ${availableParallelism()} cores, load ${load}; Node ${process.version}; ${versions()}\n`,
+    `${cpus()[0]?.model.trim()}, ${availableParallelism()} cores, load ${load}; Node ${process.version}; ${versionsOf(['gmsh', 'meshio', 'vtk'])}\n`,
   )
   const columns = READERS.flatMap(reader => [reader, 'MB'])
   console.log(`| file | MB | ${columns.join(' | ')} | arrays |`)
@@ -165,14 +142,6 @@ function printTable(names: readonly string[], files: string, readings: ReadonlyM
     const size = Math.round(statSync(join(files, name)).size / 1e6)
     console.log(`| ${name} | ${size} | ${cells.join(' | ')} | ${Math.round(first?.arrays ?? 0)} |`)
   }
-}
-
-function versions(): string {
-  return readFileSync(requirements, 'utf8')
-    .split('\n')
-    .filter(line => /^(?:gmsh|meshio|vtk)/.test(line))
-    .map(line => line.replace(/[=~]=/, ' '))
-    .join(', ')
 }
 
 function median(list: readonly number[]): number {

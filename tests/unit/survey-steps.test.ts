@@ -36,6 +36,9 @@ async function worker(): Promise<Ask> {
     core: { wasm: async () => wasmBytes, twin: () => Promise.reject(new Error('none')) },
     batchModule: async () => batch,
     readingCore: async () => null,
+    helper: () => {
+      throw new Error('none')
+    },
   })
   const { onmessage } = globalThis as unknown as { onmessage: (event: { data: unknown }) => void }
   const send = (kind: string, given: unknown) =>

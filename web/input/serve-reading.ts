@@ -13,6 +13,7 @@ import type { MeshCheck } from '../mesh/mesh-check'
 import { MissingFiles, readTogether } from '../mesh/read-mesh'
 import { fileOfBytes, type MeshFile } from '../mesh/source'
 import { cellClassifier } from './classify-cells'
+import { type FileAtHand, fileAtHand } from './file-at-hand'
 import { meshFileOf } from './file-reading'
 import type { PastedInput } from './pasted-input'
 import type { ReadingProgress, ReadSummary } from './reading'
@@ -59,11 +60,19 @@ export function filesOf(input: PastedInput): MeshFile[] {
   return [fileOfBytes('The text', new TextEncoder().encode(input.text))]
 }
 
+/** One file is read beforehand; several may be more than there is memory for. */
+async function filesAtHand(input: PastedInput, onProgress: (fraction: number) => void): Promise<MeshFile[]> {
+  const [first, ...others] = 'files' in input ? input.files : []
+  return first && others.length === 0 ? [await fileAtHand(first, onProgress)] : filesOf(input)
+}
+
 /** One mesh of all that was given. Throws a MeshRefusal, or what the engine throws. */
 export async function meshOf(input: PastedInput, { readingCore }: ReadingEngine, tell: Tell): Promise<Mesh> {
   const core = await readingCore()
   const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
-  const [first, ...others] = readTogether(filesOf(input), { onProgress, throwIfCancelled: () => {}, core })
+  const files = await filesAtHand(input, onProgress)
+  const [first, ...others] = readTogether(files, { onProgress, throwIfCancelled: () => {}, core })
+  for (const file of files) if ('close' in file) (file as FileAtHand).close()
   if (!first) throw new MeshRefusal('There is no mesh in it.')
   return joined([first, ...others])
 }

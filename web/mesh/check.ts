@@ -12,7 +12,7 @@ import type { NodeOrder } from '../model/node-orders'
 import { checkNotes } from './check-notes'
 import { coincidentCells } from './coincident'
 import { firstBlocks, type Mesh } from './mesh'
-import { type CheckAnswers, type MeshCheck, NEEDED, type Standing } from './mesh-check'
+import { type CheckAnswers, type MeshCheck, NEEDED, STANDINGS, type Standing } from './mesh-check'
 import { openOrdersOf } from './open-orders'
 import { verticesOf } from './vertices-of'
 import { worstFirst } from './worst'
@@ -48,24 +48,23 @@ export async function checkMesh(
 
   const openOrders = mesh.isOrderStated ? new Map<number, NodeOrder>() : openOrdersOf(mesh, answers.valid, core)
 
-  const isAnswered = (cell: number) => STATUSES[answers.statuses[cell] as number] === undefined && !openOrders.has(cell)
-  const standingOf = (cell: number): Standing => {
-    if (skipsDegenerate && coincident[cell] === 1) return 'degenerate'
-    if (!isAnswered(cell)) return 'unanswered'
-    return answers.valid[cell] === 1 ? 'valid' : 'invalid'
-  }
+  const standings = standingsOf({ answers, openOrders, coincident: skipsDegenerate ? coincident : null })
+  const isAnswered = (cell: number) => IS_ANSWERED[answers.statuses[cell] as number] === 1 && !openOrders.has(cell)
+  const standingOf = (cell: number) => STANDINGS[standings[cell] as number] as Standing
   const isBelow = (cell: number) => minRelative !== null && isLess(answers, cell, minRelative)
 
   const counts = { valid: 0, invalid: 0, unanswered: 0, degenerate: 0 }
   let [degenerate, below, mirrored] = [0, 0, 0]
+  const counted = new Uint32Array(STANDINGS.length)
   for (let cell = 0; cell < hexahedra; ++cell) {
-    const standing = standingOf(cell)
-    counts[standing]++
-    if (coincident[cell] === 1) degenerate++
-    if (standing !== 'valid' && standing !== 'invalid') continue
-    if (isBelow(cell)) below++
-    if (CLASSES[answers.classes[cell] as number] === 'inverted') mirrored++
+    const standing = standings[cell] as number
+    counted[standing] = (counted[standing] as number) + 1
+    degenerate += coincident[cell] as number
+    if (standing > INVALID) continue
+    if (minRelative !== null && isBelow(cell)) below++
+    if (answers.classes[cell] === INVERTED) mirrored++
   }
+  for (const [i, standing] of STANDINGS.entries()) counts[standing] = counted[i] as number
   const severity = {
     relativeMinima: answers.relativeMinima,
     isCollapsed: (cell: number) => CLASSES[answers.classes[cell] as number] === 'collapsed',
@@ -75,6 +74,7 @@ export async function checkMesh(
     mesh,
     answers,
     hexahedra,
+    standings,
     valid: counts.valid,
     invalid: counts.invalid,
     unanswered: counts.unanswered,
@@ -97,6 +97,27 @@ export async function checkMesh(
     },
   }
   return { ...check, notes: [...mesh.notes, ...checkNotes(check)] }
+}
+
+const [VALID, INVALID, UNANSWERED, DEGENERATE] = [0, 1, 2, 3] as const
+const INVERTED = CLASSES.indexOf('inverted')
+const IS_ANSWERED = Uint8Array.from(STATUSES, status => Number(status === undefined))
+
+/** Cells that are `coincident` are degenerate and nothing else. */
+function standingsOf({
+  answers: { valid, statuses },
+  openOrders,
+  coincident,
+}: Pick<MeshCheck, 'answers' | 'openOrders'> & { readonly coincident: Uint8Array | null }): Uint8Array {
+  const standings = new Uint8Array(valid.length)
+  for (let cell = 0; cell < standings.length; ++cell) {
+    if (IS_ANSWERED[statuses[cell] as number] === 1) standings[cell] = valid[cell] === 1 ? VALID : INVALID
+    else standings[cell] = UNANSWERED
+  }
+  for (const cell of openOrders.keys()) standings[cell] = UNANSWERED
+  if (coincident)
+    for (let cell = 0; cell < standings.length; ++cell) if (coincident[cell] === 1) standings[cell] = DEGENERATE
+  return standings
 }
 
 /** A cell of volume 0 is below everything if its minimum is negative, else it stands among the zeros. */

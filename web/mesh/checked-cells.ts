@@ -4,11 +4,9 @@ import type { Vertices } from '../model/hexahedron'
 import { type NodeOrder, nodeOrders } from '../model/node-orders'
 import { readNumber } from '../model/number-text'
 import { firstBlocks, type Mesh } from './mesh'
-import type { MeshCheck, Standing } from './mesh-check'
+import { type MeshCheck, STANDINGS, type Standing } from './mesh-check'
 import { shown } from './shown'
 import { verticesOf } from './vertices-of'
-
-export const STANDINGS: readonly Standing[] = ['valid', 'invalid', 'unanswered', 'degenerate']
 
 /** Names one after the other in UTF-8; name i ends where `ends[i]` says. */
 export interface PackedNames {
@@ -52,7 +50,7 @@ export function columnsOf(check: MeshCheck): CheckedColumns {
     ids: mesh.ids === null || mesh.ids instanceof Float64Array ? mesh.ids : packedNames(mesh.ids),
     blockNames: mesh.blocks.map(({ name }) => shown(name).slice(1, -1)),
     blocks: firstBlocks(mesh),
-    standings: Uint8Array.from({ length: check.hexahedra }, (_, cell) => STANDINGS.indexOf(check.standingOf(cell))),
+    standings: check.standings,
     relativeMinima: answers.relativeMinima,
     worst,
     openOrders: new Map([...openOrders].map(([cell, { id }]) => [cell, id])),

@@ -11,12 +11,15 @@ export type CheckAnswers = Classification<typeof NEEDED & Wanted>
 
 /** The kinds of cells that are counted. */
 export type Standing = 'valid' | 'invalid' | 'unanswered' | 'degenerate'
+export const STANDINGS: readonly Standing[] = ['valid', 'invalid', 'unanswered', 'degenerate']
 
 export interface MeshCheck {
   readonly mesh: Mesh
   /** One entry a cell: also for those that count as something else, in the order of the text where none is stated. */
   readonly answers: CheckAnswers
   readonly hexahedra: number
+  /** One entry a cell: indices into STANDINGS. */
+  readonly standings: Uint8Array
   readonly valid: number
   readonly invalid: number
   readonly unanswered: number

@@ -1,17 +1,15 @@
 /** The sentence on top of a mesh's page. */
-import type { CheckId } from '../core/report'
-import { CHECKS } from '../core/unpack'
+import { type AcceptedInvalid, acceptedInvalid } from './accepted-invalid'
 import type { MeshCheck } from './mesh-check'
 
 /** "12 of 88,432 hexahedra are invalid. The eight corners would accept 7 of them, VTK’s scaled Jacobian 9." */
-export function headlineOf(check: MeshCheck): string {
+export function headlineOf(check: MeshCheck, accepted: AcceptedInvalid = acceptedInvalid(check)): string {
   const { hexahedra, invalid, unanswered } = check
   const open = unanswered === 0 ? '' : ` ${grouped(unanswered)} ${unanswered === 1 ? 'is' : 'are'} unanswered.`
   if (invalid === 0) return `${noneInvalid(check)}${open}`.trim()
   const [are, them] = invalid === 1 ? ['is', 'it'] : ['are', 'them']
   const of = hexahedra === 1 ? 'The hexahedron is' : `${grouped(invalid)} of ${grouped(hexahedra)} hexahedra ${are}`
-  const corners = acceptedInvalid(check, 'corners')
-  const vtk = acceptedInvalid(check, 'corners-and-centre')
+  const { corners, vtk } = accepted
   const others =
     corners + vtk === 0
       ? `The eight corners and VTK’s scaled Jacobian reject ${them}, too.`
@@ -23,16 +21,6 @@ function noneInvalid({ hexahedra, valid, unanswered }: MeshCheck): string {
   if (unanswered === hexahedra) return ''
   if (valid < hexahedra) return `None of ${grouped(hexahedra)} hexahedra is known to be invalid.`
   return hexahedra === 1 ? 'The hexahedron is valid.' : `All ${grouped(hexahedra)} hexahedra are valid.`
-}
-
-/** Invalid cells that a check accepts. */
-export function acceptedInvalid(check: MeshCheck, id: CheckId): number {
-  const bit = 1 << CHECKS.indexOf(id)
-  const { acceptedBy } = check.answers
-  let count = 0
-  for (let cell = 0; cell < check.hexahedra; ++cell)
-    if (((acceptedBy?.[cell] ?? 0) & bit) !== 0 && check.standingOf(cell) === 'invalid') count++
-  return count
 }
 
 /** 88,432. */

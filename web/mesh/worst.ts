@@ -11,7 +11,7 @@ export interface Severity {
 }
 
 /** The most cells that are kept in order in one pass; for more all are sorted. */
-const FEW = 64
+export const FEW = 64
 
 /**
  * The worst `most` of the cells that `isListed`, worst first: those of volume 0 with a negative minimum, then by rising relative
@@ -23,6 +23,7 @@ export function worstFirst(
   most: number,
   isListed: (cell: number) => boolean,
 ): Uint32Array {
+  if (most === 0) return new Uint32Array(0)
   const keys = keysOf(count, severity)
   const before = (a: number, b: number) => {
     const [first, second] = [keys[a] as number, keys[b] as number]

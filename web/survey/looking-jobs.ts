@@ -1,41 +1,38 @@
 /** Jobs that only look at the open mesh; the worker in the package's file knows these and no others. */
-import type { Wanted } from '../core/batch/lists'
 import { seldom } from '../core/workers'
 import { cellClassifier } from '../input/classify-cells'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import { coreOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
-import { checkMesh } from '../mesh/check'
+import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import { MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
+import { OpenedSurvey } from './opened-survey'
+import { openingCheck } from './opening-check'
 import { Survey } from './survey'
-import type { Opening, SurveyJobs } from './survey-jobs'
+import type { Opening, Served, SurveyJobs } from './survey-jobs'
 
 type AskedOfOne = Pick<SurveyJobs, 'rows' | 'arrange' | 'nextInvalid' | 'placeOf' | 'detail' | 'join' | 'faces'>
 
-export type LookingJobs = AskedOfOne & Pick<SurveyJobs, 'open'>
+export type LookingJobs = Served<AskedOfOne & Pick<SurveyJobs, 'open'>>
 
 /** Milliseconds of a step of what takes long: other questions wait so long. */
 export const STEP = 12
 
-/** Lists that the rows show. */
-const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true }
-
 /** All jobs of a worker in whose mesh nothing is selected, changed or written. */
 export function jobsOfLooking(engine: ReadingEngine): LookingJobs {
-  let open: Survey | null = null
+  let open: OpenedSurvey | null = null
 
   async function opening(input: PastedInput, tell: (progress: ReadingProgress) => void): Promise<Opening> {
     const mesh = await meshOf(input, engine, tell)
     const core = await coreOf(engine)
     const onProgress = (done: number, total: number) => tell({ step: 'deciding', fraction: done / total })
     const classify = cellClassifier(core, engine.batchModule, onProgress)
-    const options = { worst: Infinity, minRelative: null, skipsDegenerate: false, lists: LISTS }
-    const check = await checkMesh(mesh, { classify, core }, options)
+    const { check, finish } = await openingCheck(mesh, { classify, core })
     const survey = new Survey(check, { core, meeting: null })
-    const overview = survey.overview(nameOf(input))
+    const overview = survey.overview(nameOf(input), null, await acceptedOfInvalid(check, classify))
     if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
-    open = survey
+    open = new OpenedSurvey(survey, finish, classify)
     return { opened: overview }
   }
 
@@ -48,19 +45,21 @@ export function jobsOfLooking(engine: ReadingEngine): LookingJobs {
   }
 }
 
-/** `survey` throws while no mesh is open. */
-export function lookingJobs(survey: () => Survey): AskedOfOne {
+/** `opened` throws while no mesh is open. */
+export function lookingJobs(opened: () => OpenedSurvey): Served<AskedOfOne> {
+  const whole = () => opened().whole()
   return {
-    rows: ({ from, to }) => survey().rows(from, to),
-    arrange(order) {
-      survey().arrange(order)
+    rows: async ({ from, to }) => (await opened().withRows(to)).rows(from, to),
+    async arrange(order) {
+      const survey = await (order.column === 'accepted-by' ? opened().accepting() : whole())
+      survey.arrange(order)
       return null
     },
-    nextInvalid: ({ rank, step }) => survey().nextInvalid(rank, step),
-    placeOf: cell => survey().placeOf(cell),
-    detail: cell => survey().detail(cell),
-    join: () => survey().join(STEP),
-    faces: shown => survey().faces(shown),
+    nextInvalid: async ({ rank, step }) => (await whole()).nextInvalid(rank, step),
+    placeOf: async cell => (await whole()).placeOf(cell),
+    detail: async cell => (await opened().withCell(cell)).detail(cell),
+    join: async () => (await whole()).join(STEP),
+    faces: async shown => (await whole()).faces(shown),
   }
 }
 

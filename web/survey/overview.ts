@@ -1,4 +1,5 @@
 /** What is said of a mesh on top. */
+import type { AcceptedInvalid } from '../mesh/accepted-invalid'
 import { countSentences } from '../mesh/check-summary'
 import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -16,13 +17,19 @@ export function overviewOf(
     worst,
     bounds,
     wholeOrder,
-  }: { readonly worst: readonly Row[]; readonly bounds: Bounds | null; readonly wholeOrder: NodeOrder | null },
+    accepted,
+  }: {
+    readonly worst: readonly Row[]
+    readonly bounds: Bounds | null
+    readonly wholeOrder: NodeOrder | null
+    readonly accepted: AcceptedInvalid | undefined
+  },
 ): Overview {
   const { mesh, hexahedra } = check
   return {
     name,
     format: mesh.format,
-    headline: headlineOf(check),
+    headline: headlineOf(check, accepted),
     sentences: [...countSentences(check, OPTIONS), ...check.notes],
     hexahedra,
     counts: { valid: check.valid, invalid: check.invalid, unanswered: check.unanswered, degenerate: 0 },
@@ -42,15 +49,20 @@ function fixesOf({ mirrored }: MeshCheck, wholeOrder: NodeOrder | null): Fix[] {
 
 /** Of the points that cells have. */
 export function boundsOf({ points, cells }: Mesh): Bounds | null {
-  const least = [Infinity, Infinity, Infinity]
-  const greatest = [-Infinity, -Infinity, -Infinity]
-  for (const point of cells)
-    for (let axis = 0; axis < 3; ++axis) {
-      const value = points[3 * point + axis] as number
-      if (!Number.isFinite(value)) continue
-      if (value < (least[axis] as number)) least[axis] = value
-      if (value > (greatest[axis] as number)) greatest[axis] = value
+  const isUsed = new Uint8Array(points.length / 3)
+  for (let i = 0; i < cells.length; ++i) isUsed[cells[i] as number] = 1
+  const least: [number, number, number] = [Infinity, Infinity, Infinity]
+  const greatest: [number, number, number] = [-Infinity, -Infinity, -Infinity]
+  for (const axis of [0, 1, 2] as const) {
+    let [low, high] = [Infinity, -Infinity]
+    for (let point = 0, at: number = axis; point < isUsed.length; ++point, at += 3) {
+      const value = points[at] as number
+      if (isUsed[point] !== 1 || !(Math.abs(value) < Infinity)) continue
+      if (value < low) low = value
+      if (value > high) high = value
     }
-  if (least.some(value => value === Infinity)) return null
-  return { least: least as unknown as Bounds['least'], greatest: greatest as unknown as Bounds['greatest'] }
+    least[axis] = low
+    greatest[axis] = high
+  }
+  return least.includes(Infinity) ? null : { least, greatest }
 }

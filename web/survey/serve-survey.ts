@@ -1,11 +1,10 @@
 /** The worker in which a mesh is open: it reads, decides, and answers what the page asks. It is ended with the mesh. */
-import type { Wanted } from '../core/batch/lists'
 import type { Core } from '../core/report'
-import { seldom, serve } from '../core/workers'
-import { cellClassifier } from '../input/classify-cells'
+import { seldom, serve, type WorkerPort } from '../core/workers'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import { coreOf, filesOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
+import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { TogetherOptions } from '../mesh/read-mesh'
@@ -14,18 +13,40 @@ import { cutFaces } from './cut'
 import { lookingJobs, nameOf, noHexahedra, STEP } from './looking-jobs'
 import { meeting } from './meeting'
 import { mended } from './mend'
+import { OpenedSurvey } from './opened-survey'
+import { openingCheck } from './opening-check'
+import { type SharedClassifier, sharedClassifier } from './shared-classifier'
 import { StepSeries } from './step-series'
 import { Survey } from './survey'
-import type { FixId, Opening, Overview, StepAnswer, StepOpening, StepWanted, SurveyJobs, Written } from './survey-jobs'
+import type {
+  FixId,
+  FormId,
+  Opening,
+  Overview,
+  Served,
+  StepAnswer,
+  StepOpening,
+  StepWanted,
+  SurveyJobs,
+  Written,
+} from './survey-jobs'
 import { wholeOrderOf } from './whole-order'
 import { Writing } from './writing'
 
-/** Lists that the page shows or writes beside those that the counts need. */
-const LISTS: Wanted = { minima: true, volumes: true, acceptedBy: true, exact: true }
+/** Files that say which checks accept a cell. */
+const LISTING: ReadonlySet<FormId> = new Set<FormId>(['csv', 'html'])
+
+/** Bytes of a file that has many cells. */
+const LARGE = 4 * 1024 * 1024
+
+interface Tools {
+  readonly core: Core
+  readonly classifier: SharedClassifier
+}
 
 interface Open {
   readonly name: string
-  readonly survey: Survey
+  readonly survey: OpenedSurvey
   readonly classify: ClassifyCells
   readonly core: Core
 }
@@ -39,7 +60,12 @@ interface OpenSteps {
 
 type Tell = (progress: ReadingProgress) => void
 
-export function serveSurvey(engine: ReadingEngine): void {
+/** With what starts a worker for batches. */
+export interface SurveyEngine extends ReadingEngine {
+  readonly helper: () => WorkerPort
+}
+
+export function serveSurvey(engine: SurveyEngine): void {
   let open: Open | null = null
   let steps: OpenSteps | null = null
   let given: PastedInput = { files: [] }
@@ -50,7 +76,18 @@ export function serveSurvey(engine: ReadingEngine): void {
     return open
   }
 
-  const survey = () => opened().survey
+  /** The core and the workers that decide, started once. */
+  let started: Promise<Tools> | null = null
+  let onDecided: (fraction: number) => void = () => {}
+  const tools = (): Promise<Tools> => {
+    started ??= coreOf(engine).then(core => {
+      const onProgress = (done: number, total: number) => onDecided(done / total)
+      return { core, classifier: sharedClassifier({ ...engine, core, onProgress }) }
+    })
+    return started
+  }
+
+  const whole = () => opened().survey.whole()
 
   function written(): Written {
     return writing?.run(STEP) ?? { refused: 'The mesh is another one by now.' }
@@ -63,15 +100,15 @@ export function serveSurvey(engine: ReadingEngine): void {
 
   /** What is open stays if the mesh is refused. */
   async function surveyed(name: string, mesh: Mesh, tell: Tell, before: Survey | null = null): Promise<Overview> {
-    const core = open?.core ?? (await coreOf(engine))
-    const onProgress = (done: number, total: number) => tell({ step: 'deciding', fraction: done / total })
-    const classify = open?.classify ?? cellClassifier(core, engine.batchModule, onProgress)
-    const options = { worst: Infinity, minRelative: null, skipsDegenerate: false, lists: LISTS }
-    const check = await checkMesh(mesh, { classify, core }, options)
+    const { core, classifier } = await tools()
+    const { classify } = classifier
+    onDecided = fraction => tell({ step: 'deciding', fraction })
+    const { check, finish } = await openingCheck(mesh, { classify, core })
     const own = new Survey(check, { core, meeting }, before)
-    const overview = own.overview(name, await wholeOrderOf(check, { classify, core }))
+    const wholeOrder = await wholeOrderOf(check, { classify, core })
+    const overview = own.overview(name, wholeOrder, await acceptedOfInvalid(check, classify))
     if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
-    open = { name, survey: own, classify, core }
+    open = { name, survey: new OpenedSurvey(own, finish, classify), classify, core }
     writing = null
     return overview
   }
@@ -83,6 +120,8 @@ export function serveSurvey(engine: ReadingEngine): void {
 
   async function opening(input: PastedInput, tell: Tell): Promise<Opening> {
     given = input
+    if ('files' in input && input.files.some(({ size }) => size > LARGE))
+      void tools().then(({ classifier }) => classifier.prepare())
     const found = 'files' in input ? stepFilesOf(filesOf(input), await readingOptions(tell)) : null
     if (found) return { opened: await openedStep(found, tell) }
     return { opened: await surveyed(nameOf(input), await meshOf(input, engine, tell), tell) }
@@ -106,9 +145,10 @@ export function serveSurvey(engine: ReadingEngine): void {
     throw refusal
   }
 
+  /** The worst cell is known from the beginning. */
   function shownAnswer(): StepAnswer {
     const { series, shown, isOther } = openSteps()
-    return series.answerOf(shown, survey().check, isOther)
+    return series.answerOf(shown, opened().survey.survey.check, isOther)
   }
 
   async function readStep(step: number, tell: Tell): Promise<StepAnswer> {
@@ -122,14 +162,14 @@ export function serveSurvey(engine: ReadingEngine): void {
 
   async function showStep({ step, chosen }: StepWanted, tell: Tell): Promise<StepOpening> {
     const { series } = openSteps()
-    const before = survey()
+    const before = await whole()
     const { mesh, isOther } = series.read(step, await readingOptions(tell))
     const overview = await surveyed(series.nameOf(step), mesh, tell, before)
     steps = { series, shown: step, isOther }
     return {
       opened: overview,
       answer: shownAnswer(),
-      chosen: chosen === null ? null : survey().sameCell(before, chosen),
+      chosen: chosen === null ? null : (await whole()).sameCell(before, chosen),
     }
   }
 
@@ -140,24 +180,25 @@ export function serveSurvey(engine: ReadingEngine): void {
     return { opened: overview }
   }
 
-  serve<null, SurveyJobs>('hexlens-survey', () => ({
+  serve<null, Served<SurveyJobs>>('hexlens-survey', () => ({
     open: (input, tell) => opening(input, seldom(tell)).catch(refusalOf),
-    ...lookingJobs(survey),
-    select: selection => survey().select(selection),
-    selectOn: () => survey().selectOn(STEP),
-    find: ({ id, after }) => survey().find(id, after),
-    histogram: () => survey().histogram(),
-    cut: cells => cutFaces(survey().faced, cells),
+    ...lookingJobs(() => opened().survey),
+    select: async selection => (await whole()).select(selection),
+    selectOn: async () => (await whole()).selectOn(STEP),
+    find: async ({ id, after }) => (await whole()).find(id, after),
+    histogram: async () => (await whole()).histogram(),
+    cut: async cells => cutFaces((await whole()).faced, cells),
     async mend(fix: FixId) {
-      const { check } = survey()
+      const { check } = await whole()
       const mesh = mended(check, fix)
       const overview = await surveyed(opened().name, mesh, () => {})
       steps?.series.correct(check.mesh, mesh)
       return { opened: overview }
     },
-    write(form) {
+    async write(form) {
       const { name, core } = opened()
-      writing = new Writing(form, { name, check: survey().check, core })
+      const { check } = await (LISTING.has(form) ? opened().survey.accepting() : whole())
+      writing = new Writing(form, { name, check, core })
       return written()
     },
     writeOn: written,

@@ -48,6 +48,13 @@ export type SurveyJobs = {
   together(_: null, tell: (progress: ReadingProgress) => void): Promise<Opening>
 }
 
+/** The jobs as a worker serves them, some of which wait for others. */
+export type Served<Jobs> = {
+  [Kind in keyof Jobs]: Jobs[Kind] extends (...given: infer Given) => infer Answer
+    ? (...given: Given) => Answer | Promise<Awaited<Answer>>
+    : never
+}
+
 /** What can be taken away of an open mesh, each the same as the command line writes it. */
 export type FormId = 'csv' | 'json' | 'html' | 'vtu' | 'invalid-vtu' | 'certificates' | IdKind
 

@@ -1,5 +1,7 @@
 /** An open mesh with the answers of all its cells, in its worker: what the page shows of it is asked here. */
+import type { CheckId } from '../core/report'
 import { CHECKS, CLASSES } from '../core/unpack'
+import type { AcceptedInvalid } from '../mesh/accepted-invalid'
 import { CheckedCells, columnsOf } from '../mesh/checked-cells'
 import { histogramOf } from '../mesh/histogram'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -32,9 +34,9 @@ const TEN = 10
 const NOT_LISTED = 0xffffffff
 
 export class Survey {
-  readonly check: MeshCheck
+  #check: MeshCheck
   readonly #conditioned: Conditioned
-  readonly #cells: CheckedCells
+  #cells: CheckedCells
   readonly #bounds: Bounds | null
   readonly #origin: Vec3
   /** All cells in the present order. */
@@ -47,11 +49,11 @@ export class Survey {
   #middles: Float32Array | null = null
 
   /**
-   * Of a check with minima, volumes and the checks that accept. Of a mesh that takes the place of its earlier step, which is
-   * `before`, the picture stays where it is.
+   * Of a check with minima and volumes, whole or with no more than its worst cells in order: `complete` then brings the rest. Of a mesh that
+   * takes the place of its earlier step, which is `before`, the picture stays where it is.
    */
   constructor(check: MeshCheck, conditioned: Conditioned, before: Survey | null = null) {
-    this.check = check
+    this.#check = check
     this.#conditioned = conditioned
     this.#cells = new CheckedCells(columnsOf(check))
     this.#bounds = boundsOf(check.mesh)
@@ -61,10 +63,36 @@ export class Survey {
     this.#selection = new SelectionRun(check, conditioned, ALL)
   }
 
-  /** `wholeOrder` is the order in which all cells are valid, if theirs is not. */
-  overview(name: string, wholeOrder: NodeOrder | null = null): Overview {
+  get check(): MeshCheck {
+    return this.#check
+  }
+
+  /** The same check with all of its lists and all cells in order, before anything else than its worst cells is asked for. */
+  complete(check: MeshCheck): void {
+    this.#check = check
+    this.#cells = new CheckedCells(columnsOf(check))
+    this.#order = check.worst
+    this.#selection = new SelectionRun(check, this.#conditioned, ALL)
+    this.#listed = null
+  }
+
+  /** The same check with the checks that accept each cell. */
+  accept(acceptedBy: Uint16Array): void {
+    this.#check = { ...this.#check, answers: { ...this.#check.answers, acceptedBy } }
+  }
+
+  /** True if all rows up to this rank are known. */
+  hasRows(to: number): boolean {
+    return to <= this.check.worst.length
+  }
+
+  /**
+   * `wholeOrder` is the order in which all cells are valid, if theirs is not; `accepted` is how many of the invalid ones others accept, if the
+   * check does not have the list.
+   */
+  overview(name: string, wholeOrder: NodeOrder | null = null, accepted?: AcceptedInvalid): Overview {
     const worst = [...this.check.worst.subarray(0, TEN)].map(cell => this.#rowOf(cell))
-    return overviewOf(name, this.check, { worst, bounds: this.#bounds, wholeOrder })
+    return overviewOf(name, this.check, { worst, bounds: this.#bounds, wholeOrder, accepted })
   }
 
   rows(from: number, to: number): readonly Row[] {
@@ -166,13 +194,13 @@ export class Survey {
     if (this.#listed) return this.#listed
     const cells = this.#selection.isAll ? this.#order : this.#order.filter(cell => this.#selection.isListed(cell))
     const ranks = new Uint32Array(this.check.hexahedra).fill(NOT_LISTED)
-    for (const [rank, cell] of cells.entries()) ranks[cell] = rank
+    for (let rank = 0; rank < cells.length; ++rank) ranks[cells[rank] as number] = rank
     this.#listed = { cells, ranks }
     return this.#listed
   }
 
   #rowOf(cell: number): Row {
-    const { minima, volumes, acceptedBy, classes } = this.check.answers
+    const { minima, volumes, classes } = this.check.answers
     const { id, block, standing, relativeMinimum, why } = this.#cells.named(cell)
     const scaled = (list: { values: Float64Array; exponents: Int16Array } | null): Scaled => ({
       value: why === null ? (list?.values[cell] ?? Number.NaN) : Number.NaN,
@@ -187,9 +215,16 @@ export class Survey {
       relativeMinimum,
       minimum: scaled(minima),
       volume: scaled(volumes),
-      acceptedBy: CHECKS.filter((_, c) => ((acceptedBy?.[cell] ?? 0) >> c) & 1),
+      acceptedBy: this.#acceptedBy(cell),
       why,
     }
+  }
+
+  #acceptedBy(cell: number): readonly CheckId[] {
+    const { acceptedBy } = this.check.answers
+    if (acceptedBy) return CHECKS.filter((_, c) => ((acceptedBy[cell] as number) >> c) & 1)
+    const result = this.#conditioned.core.analyze(verticesOf(this.check.mesh, cell))
+    return result.ok ? result.value.checks.filter(({ passes }) => passes).map(({ id }) => id) : []
   }
 
   #neighboursOf(cell: number): Neighbour[] {

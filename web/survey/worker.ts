@@ -1,7 +1,14 @@
 /** The worker's script for the built page. */
 import { batchFiles } from '../core/batch/batch-files'
 import { coreFiles } from '../core/core-files'
+import { pagePort } from '../core/ports'
 import { readingFiles } from '../core/reading-files'
+import type { WorkerPort } from '../core/workers'
 import { serveSurvey } from './serve-survey'
 
-serveSurvey({ core: coreFiles, batchModule: batchFiles, readingCore: readingFiles })
+function helper(): WorkerPort {
+  const worker = new Worker(new URL('../core/batch/worker.ts', import.meta.url), { type: 'module' })
+  return pagePort(worker, 'its script was not loaded, or a policy of the page forbids it.')
+}
+
+serveSurvey({ core: coreFiles, batchModule: batchFiles, readingCore: readingFiles, helper })

@@ -16,10 +16,11 @@ import {
 } from './lists'
 
 /**
- * Some cells: with `cells`, eight indices each of the points, whose numbers begin at `firstPoint`; without, 24 coordinates each.
+ * Some cells: with `cells`, eight indices each of the points, whose numbers begin at `firstPoint`; without, 24 coordinates each. Without
+ * points, those that the core holds.
  */
 export interface Piece {
-  readonly points: Float64Array
+  readonly points: Float64Array | null
   readonly cells: Uint32Array | null
   readonly firstPoint: number
 }
@@ -47,6 +48,8 @@ export interface BatchOptions {
 export interface BatchCore {
   /** The cells are whole: a length that is not is the caller's mistake. */
   classify<W extends Wanted>(piece: Piece, wanted: W, options?: BatchOptions): PieceResult<W>
+  /** Holds a copy of points for pieces that come without any. */
+  hold(points: Float64Array): void
 }
 
 interface BatchExports {
@@ -66,7 +69,7 @@ const WASM_PAGE = 65536
 const CELLS_PER_CUT = 1024
 
 export function cellCount({ points, cells }: Piece): number {
-  return cells ? Math.floor(cells.length / VERTICES) : Math.floor(points.length / COORDINATE_COUNT)
+  return cells ? Math.floor(cells.length / VERTICES) : Math.floor((points?.length ?? 0) / COORDINATE_COUNT)
 }
 
 /** `a` counts the cells before `first`, `b` those from there on. */
@@ -97,10 +100,12 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
   wasm._initialize?.()
   const { memory } = wasm
   const start = memory.buffer.byteLength
+  /** Doubles that are held, and the room for them. */
+  let [heldCount, held] = [0, 0]
 
   /** Addresses of lists of these sizes in bytes, one after the other in memory that nothing else uses. */
   function reserve(sizes: readonly number[]): number[] {
-    let next = start
+    let next = start + 8 * held
     const addresses = sizes.map(size => {
       const address = next
       next += Math.ceil(size / 64) * 64
@@ -111,16 +116,26 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     return addresses
   }
 
+  function hold(points: Float64Array): void {
+    held = 0
+    reserve([points.byteLength])
+    new Float64Array(memory.buffer, start, points.length).set(points)
+    held = Math.ceil(points.length / 8) * 8
+    heldCount = points.length
+  }
+
   function classify(piece: Piece, wanted: Wanted, { into, onProgress }: BatchOptions = {}): PieceResult {
     const { points, cells } = piece
     const count = cellCount(piece)
-    const [atPoints, atCells, atLists] = reserve([
-      cells ? points.byteLength : 8 * COORDINATE_COUNT * Math.min(CELLS_PER_CUT, count),
+    const coordinateCount = points?.length ?? heldCount
+    const [atOwn, atCells, atLists] = reserve([
+      cells ? (points?.byteLength ?? 0) : 8 * COORDINATE_COUNT * Math.min(CELLS_PER_CUT, count),
       cells?.byteLength ?? 0,
       count * bytesPerCell(wanted),
     ]) as [number, number, number]
+    const atPoints = points ? atOwn : start
     if (cells) {
-      new Float64Array(memory.buffer, atPoints, points.length).set(points)
+      if (points) new Float64Array(memory.buffer, atPoints, points.length).set(points)
       copyIndices(cells, piece.firstPoint, new Uint32Array(memory.buffer, atCells, cells.length))
     }
     const lists = listsIn(memory.buffer, count, wanted, atLists)
@@ -139,13 +154,13 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     return { ...answersOf(answers), ...counts }
 
     function plain(first: number, end: number): Counts {
-      const part = points.subarray(COORDINATE_COUNT * first, COORDINATE_COUNT * end)
+      const part = (points as Float64Array).subarray(COORDINATE_COUNT * first, COORDINATE_COUNT * end)
       new Float64Array(memory.buffer, atPoints, part.length).set(part)
       return counted(wasm.classify(atPoints, part.length, 0, 0), end - first)
     }
 
     function indexed(first: number, end: number): Counts {
-      const status = wasm.classify(atPoints, points.length, atCells + 4 * VERTICES * first, VERTICES * (end - first))
+      const status = wasm.classify(atPoints, coordinateCount, atCells + 4 * VERTICES * first, VERTICES * (end - first))
       return counted(status, end - first)
     }
   }
@@ -157,7 +172,7 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
     return { validCount, invalidCount, unansweredCount, firstUnanswered: first < count ? first : null, exactCount }
   }
 
-  return { classify: classify as BatchCore['classify'] }
+  return { classify: classify as BatchCore['classify'], hold }
 }
 
 type Five = [number, number, number, number, number]

@@ -190,7 +190,7 @@ async function classifyWhole(
   const wanted = wantedOf(options)
   const count = cellCount(piece)
   const length = count * bytesPerCell(wanted)
-  const own = piece.points.buffer as ArrayBuffer
+  const own = (piece.points as Float64Array).buffer as ArrayBuffer
   const caller = {}
   const cancel = (reason: unknown) => pool.cancel(caller, reason)
   const { counts, block } = await unlessAborted(signal, cancel, () => {

@@ -123,12 +123,21 @@ export function emptyLists(count: number, wanted: Wanted): Lists {
   return listsIn(new ArrayBuffer(count * bytesPerCell(wanted)), count, wanted)
 }
 
+export function emptyAnswers<W extends Wanted>(count: number, wanted: W): Answers<W> {
+  return answersOf(emptyLists(count, wanted)) as Answers<W>
+}
+
 /** Puts lists into longer ones, as those of the cells from `first` on. */
 export function putLists(lists: Lists, into: Lists, first: number): void {
   for (const [i, { each }] of LISTS.entries()) {
     const list = lists[i]
     if (list) into[i]?.set(list, each * first)
   }
+}
+
+/** The entries of so many cells from the cell `first` on, in the same memory. */
+export function partOf(lists: Lists, first: number, count: number): Lists {
+  return LISTS.map(({ each }, i) => lists[i]?.subarray(each * first, each * (first + count)) ?? null)
 }
 
 /** Byte addresses of the entries from the cell `first` on; 0 for a list that is not there. */

@@ -18,11 +18,17 @@ export interface BatchAnswer extends Omit<BatchJob, 'wanted'> {
 export type BatchJobs = {
   /** Tells of cells of the piece that are done, where they take long. */
   classify(job: BatchJob, tell: (done: number) => void): BatchAnswer
+  /** Holds points for pieces that come without any. */
+  hold(points: Float64Array): null
 }
 
 serve<WebAssembly.Module, BatchJobs>('hexlens-batch', async module => {
   const core = await loadBatchCore(module)
   return {
+    hold(points) {
+      core.hold(points)
+      return null
+    },
     classify({ piece, block, wanted }, tell) {
       const { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount } = core.classify(piece, wanted, {
         into: count => listsIn(block, count, wanted),

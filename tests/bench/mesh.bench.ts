@@ -1,0 +1,296 @@
+/**
+ * Opening a mesh on the built page Mesh beside PyVista, in turns: from the choice of the file until the sentence and the worst ten are
+ * there, and until the picture is; the tab's memory; long tasks; and faces joined to neighbours, in Node.
+ *
+ *     --rounds=N;  --rows=NAME,...   rows whose names have one of these;  --built   the page as it was built last
+ */
+import { type ChildProcess, spawn } from 'node:child_process'
+import { readFileSync } from 'node:fs'
+import { availableParallelism, cpus, loadavg } from 'node:os'
+import { join } from 'node:path'
+import { createInterface } from 'node:readline'
+import type { Browser, Page } from '@playwright/test'
+import { neighboursOf } from '../../web/mesh/neighbours'
+import { readMeshes } from '../../web/mesh/read-mesh'
+import { fileOfBytes } from '../../web/mesh/source'
+import { folder, installPeers, must, python, root, script, versionsOf } from './peers'
+import { memoryOfTabs, served, startedChromium } from './tab'
+
+const ROUNDS = 7
+const APP = 'dist/bench-mesh'
+const VITE = ['node_modules/vite/bin/vite.js', 'build', '--config', 'vite.config.ts', '--logLevel', 'warn']
+const MEGABYTE = 2 ** 20
+const FILES_IN_A_ROW = 10
+/** Milliseconds. */
+const REST = 1500
+const SAMPLING = 15
+
+/** Ten rows of the list are seen. */
+const VIEWPORT = { width: 1440, height: 1200 }
+
+/** A question to both: the worst ten of a file, or its picture. */
+interface Row {
+  readonly name: string
+  readonly file: string
+  readonly hexahedra: number
+  readonly job: 'list' | 'picture'
+  /** As the tab says it; null for the machine's own. */
+  readonly cores: number | null
+}
+
+const MILLION = 1_000_000
+const ROWS: readonly Row[] = [
+  { name: 'worst ten, 1M raw', file: 'raw.vtu', hexahedra: MILLION, job: 'list', cores: null },
+  { name: 'the same, one worker', file: 'raw.vtu', hexahedra: MILLION, job: 'list', cores: 1 },
+  { name: 'noise 0.3', file: 'invalid.vtu', hexahedra: MILLION, job: 'list', cores: null },
+  { name: 'points and cells shuffled', file: 'shuffled.vtu', hexahedra: MILLION, job: 'list', cores: null },
+  { name: 'pyvista.save()', file: 'saved.vtu', hexahedra: MILLION, job: 'list', cores: null },
+  { name: 'first picture, 1M raw', file: 'raw.vtu', hexahedra: MILLION, job: 'picture', cores: null },
+  { name: '5M raw', file: 'five.vtu', hexahedra: 5 * MILLION, job: 'list', cores: null },
+]
+
+/** Milliseconds from the choice of the file, and bytes. */
+interface Visit {
+  readonly list: number
+  readonly picture: number
+  readonly longTasks: readonly number[]
+  readonly memory: number
+}
+
+export async function main(options: readonly string[]): Promise<void> {
+  const optionOf = (name: string) => options.find(option => option.startsWith(`--${name}=`))?.slice(name.length + 3)
+  const rounds = Number(optionOf('rounds') ?? ROUNDS)
+  const wanted = optionOf('rows')?.split(',') ?? ['']
+  const rows = ROWS.filter(({ name }) => wanted.some(part => name.includes(part)))
+  installPeers()
+  const files = join(folder, 'mesh')
+  process.stderr.write(`bench: writing what is missing in ${files}\n`)
+  must(python, [script('mesh_files.py'), files])
+  if (!options.includes('--built')) must(process.execPath, [...VITE, '--outDir', join(root, APP)])
+  const { server, address } = await served(join(root, APP))
+  const peer = await startedPeer()
+  const browser = await startedChromium()
+  const load = loadavg()[0]?.toFixed(1)
+  const machine = `${cpus()[0]?.model.trim()}, ${availableParallelism()} cores, load ${load}`
+  console.log(`${machine}; Chromium ${browser.version()}; Node ${process.version}; ${versionsOf(['pyvista', 'vtk'])}\n`)
+  try {
+    await compare(rows, { rounds, files, address, peer, browser })
+    if (!optionOf('rows')) {
+      await inARow(browser, address, join(files, 'raw.vtu'))
+      for (const name of ['raw.vtu', 'shuffled.vtu']) join1M(join(files, name), rounds)
+    }
+  } finally {
+    await browser.close()
+    peer.process.kill()
+    server.close()
+  }
+}
+
+interface Surroundings {
+  readonly rounds: number
+  readonly files: string
+  readonly address: string
+  readonly peer: Peer
+  readonly browser: Browser
+}
+
+async function compare(rows: readonly Row[], { rounds, files, address, peer, browser }: Surroundings): Promise<void> {
+  const visits = rows.map((): Visit[] => [])
+  const peers = rows.map((): number[] => [])
+  // The first round starts what is started once, and is not counted.
+  for (let round = 0; round <= rounds; ++round)
+    for (const [i, row] of rows.entries()) {
+      const path = join(files, row.file)
+      const here = async () => {
+        const visit = await opened(browser, address, path, row)
+        if (round > 0) visits[i]?.push(visit)
+      }
+      const there = async () => {
+        const milliseconds = await peer.ask(row.job, path)
+        if (round > 0) peers[i]?.push(milliseconds)
+      }
+      for (const turn of round % 2 ? [here, there] : [there, here]) await turn()
+      process.stderr.write('.')
+    }
+  process.stderr.write('\n')
+  console.log('| from the choice of the file | Hexlens, ms | PyVista, ms | ratio | tab, MB | longest task, ms |')
+  console.log('| --- | ---: | ---: | ---: | ---: | ---: |')
+  for (const [i, { name, job }] of rows.entries()) {
+    const own = visits[i] as Visit[]
+    const here = median(own.map(visit => visit[job]))
+    const there = median(peers[i] as number[])
+    const memory = Math.round(median(own.map(visit => visit.memory)) / MEGABYTE)
+    const longest = Math.round(Math.max(0, ...own.flatMap(({ longTasks }) => longTasks)))
+    console.log(
+      `| ${name} | ${here.toFixed(0)} | ${there.toFixed(0)} | ${(here / there).toFixed(2)} | ${memory} | ${longest} |`,
+    )
+  }
+}
+
+/** What the page's script tells. */
+interface Seen {
+  begun: number
+  list: number
+  picture: number
+  longTasks: { startTime: number; duration: number }[]
+}
+
+async function prepared(browser: Browser, address: string, cores: number | null): Promise<Page> {
+  const context = await browser.newContext({ viewport: VIEWPORT })
+  const page = await context.newPage()
+  await page.addInitScript(watch)
+  if (cores !== null) {
+    const session = await context.newCDPSession(page)
+    await session.send('Emulation.setHardwareConcurrencyOverride', { hardwareConcurrency: cores })
+  }
+  await page.goto(`${address}/mesh.html`)
+  await page.waitForFunction(() => (globalThis as unknown as { seen: Seen }).seen.picture > 0)
+  await page.waitForTimeout(REST)
+  return page
+}
+
+async function opened(browser: Browser, address: string, path: string, row: Row): Promise<Visit> {
+  const page = await prepared(browser, address, row.cores)
+  const own = await memoryOfTabs(browser)
+  const visit = await choose(page, path, row, own)
+  await page.context().close()
+  return visit
+}
+
+async function choose(page: Page, path: string, { hexahedra, job }: Row, own: () => number): Promise<Visit> {
+  let memory = own()
+  const sampling = setInterval(() => {
+    memory = Math.max(memory, own())
+  }, SAMPLING)
+  await page.evaluate(expect, { words: hexahedra.toLocaleString('en') })
+  await page.locator('input[type=file]').setInputFiles(path)
+  const isThere = (wanted: 'list' | 'picture') => (globalThis as unknown as { seen: Seen }).seen[wanted] > 0
+  await page.waitForFunction(isThere, job, { timeout: 120_000 })
+  clearInterval(sampling)
+  // Long tasks are told of when they are over.
+  await page.waitForTimeout(job === 'picture' ? REST : 0)
+  const { begun, list, picture, longTasks } = await page.evaluate(() => (globalThis as unknown as { seen: Seen }).seen)
+  const end = picture > 0 ? picture : list
+  const before = longTasks.filter(({ startTime }) => startTime >= begun && startTime < end)
+  return { list: list - begun, picture: picture - begun, longTasks: before.map(task => task.duration), memory }
+}
+
+/** Runs in the page before its own scripts. A picture is there when the first large drawing behind the list has been rendered. */
+function watch(): void {
+  const LARGE = 10_000
+  const seen: Seen = { begun: 0, list: 0, picture: 0, longTasks: [] }
+  Object.assign(globalThis, { seen })
+  document.addEventListener(
+    'change',
+    ({ target }) => {
+      if (target instanceof HTMLInputElement && target.type === 'file') seen.begun = performance.now()
+    },
+    { capture: true },
+  )
+  new PerformanceObserver(list => {
+    for (const { startTime, duration } of list.getEntries()) seen.longTasks.push({ startTime, duration })
+  }).observe({ entryTypes: ['longtask'] })
+  let isUnderWay = false
+  function drawn(gl: WebGL2RenderingContext, count: number): void {
+    if (count < LARGE || isUnderWay || seen.picture > 0 || (seen.begun > 0 && seen.list === 0)) return
+    isUnderWay = true
+    queueMicrotask(() => {
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
+      seen.picture = performance.now()
+      isUnderWay = false
+    })
+  }
+  const { drawArrays, drawElements, drawArraysInstanced, drawElementsInstanced } = WebGL2RenderingContext.prototype
+  Object.assign(WebGL2RenderingContext.prototype, {
+    drawArrays(this: WebGL2RenderingContext, ...given: Parameters<typeof drawArrays>) {
+      drawArrays.apply(this, given)
+      drawn(this, given[2])
+    },
+    drawElements(this: WebGL2RenderingContext, ...given: Parameters<typeof drawElements>) {
+      drawElements.apply(this, given)
+      drawn(this, given[1])
+    },
+    drawArraysInstanced(this: WebGL2RenderingContext, ...given: Parameters<typeof drawArraysInstanced>) {
+      drawArraysInstanced.apply(this, given)
+      drawn(this, given[2] * given[3])
+    },
+    drawElementsInstanced(this: WebGL2RenderingContext, ...given: Parameters<typeof drawElementsInstanced>) {
+      drawElementsInstanced.apply(this, given)
+      drawn(this, given[1] * given[4])
+    },
+  })
+}
+
+/** Runs in the page: waits for a sentence with the count of cells, and for ten rows with numbers. */
+function expect({ words }: { words: string }): void {
+  const { seen } = globalThis as unknown as { seen: Seen }
+  Object.assign(seen, { begun: 0, list: 0, picture: 0, longTasks: [] })
+  const look = () => {
+    if (seen.begun === 0 || !document.querySelector('.headline')?.textContent?.includes(words)) return
+    const rows = document.querySelectorAll('[role=row] [role=gridcell].minimum')
+    if (rows.length < 10) return
+    seen.list = performance.now()
+    observer.disconnect()
+  }
+  const observer = new MutationObserver(look)
+  observer.observe(document.body, { subtree: true, childList: true, characterData: true })
+}
+
+/** The tab's memory at rest after each of some files, one in the place of the other. */
+async function inARow(browser: Browser, address: string, path: string): Promise<void> {
+  const page = await prepared(browser, address, null)
+  const own = await memoryOfTabs(browser)
+  const row: Row = { name: '', file: '', hexahedra: MILLION, job: 'picture', cores: null }
+  const atRest: number[] = []
+  for (let file = 0; file < FILES_IN_A_ROW; ++file) {
+    await choose(page, path, row, own)
+    await page.waitForTimeout(REST)
+    atRest.push(own())
+  }
+  await page.context().close()
+  const megabytes = atRest.map(bytes => Math.round(bytes / MEGABYTE)).join(', ')
+  console.log(
+    `\nThe tab at rest after each of ${FILES_IN_A_ROW} files of a million, one in the place of the other: ${megabytes} MB.`,
+  )
+}
+
+function join1M(path: string, rounds: number): void {
+  const [mesh] = readMeshes(fileOfBytes(path, readFileSync(path)))
+  if (!mesh) throw new Error(`${path} has no mesh.`)
+  const times = Array.from({ length: rounds }, () => {
+    const begun = performance.now()
+    neighboursOf(mesh.cells, mesh.points.length / 3)
+    return performance.now() - begun
+  })
+  console.log(
+    `Boundary faces and neighbours of ${path.slice(path.lastIndexOf('/') + 1)}: ${median(times).toFixed(0)} ms.`,
+  )
+}
+
+interface Peer {
+  readonly process: ChildProcess
+  /** Milliseconds. */
+  ask(job: Row['job'], path: string): Promise<number>
+}
+
+async function startedPeer(): Promise<Peer> {
+  const process = spawn(python, [script('mesh_peer.py')], { stdio: ['pipe', 'pipe', 'ignore'] })
+  const lines = createInterface({ input: process.stdout })[Symbol.asyncIterator]()
+  const line = async () => {
+    const { value, done } = await lines.next()
+    if (done) throw new Error('PyVista has ended.')
+    return value
+  }
+  await line()
+  return {
+    process,
+    async ask(job, path) {
+      process.stdin.write(`${job} ${path}\n`)
+      return Number(await line())
+    },
+  }
+}
+
+function median(list: readonly number[]): number {
+  return list.toSorted((a, b) => a - b)[list.length >> 1] as number
+}

@@ -1,0 +1,90 @@
+/** Cells shared out among workers are answered as by one. */
+import { afterAll, expect, test } from 'vitest'
+import type { WorkerPort } from '../../web/core/workers'
+import { sharedClassifier } from '../../web/survey/shared-classifier'
+import { core, randomSource, unitCube } from './core-fixtures'
+import { batchCores, batchModules, endThreads, threadsOf } from './node-workers'
+
+const LISTS = { minima: true, statuses: true, classes: true, volumes: true }
+const SIDE = 42
+
+/** A shaken lattice of 42^3 cubes with a point that is not finite. */
+function lattice(isShuffled: boolean): { points: Float64Array; cells: Uint32Array } {
+  const next = randomSource(5)
+  const along = SIDE + 1
+  const count = along ** 3
+  const place = Uint32Array.from({ length: count }, (_, i) => i)
+  if (isShuffled)
+    for (let i = count - 1; i > 0; --i) {
+      const j = Math.floor(next() * (i + 1))
+      ;[place[i], place[j]] = [place[j] as number, place[i] as number]
+    }
+  const points = new Float64Array(3 * count)
+  const at = (i: number, j: number, k: number) => place[i + along * (j + along * k)] as number
+  for (let k = 0; k < along; ++k)
+    for (let j = 0; j < along; ++j)
+      for (let i = 0; i < along; ++i)
+        points.set(
+          [i, j, k].map(x => x + 0.9 * (next() - 0.5)),
+          3 * at(i, j, k),
+        )
+  points[3 * at(30, 30, 30)] = Number.NaN
+  const cells = new Uint32Array(8 * SIDE ** 3)
+  for (let k = 0, to = 0; k < SIDE; ++k)
+    for (let j = 0; j < SIDE; ++j)
+      for (let i = 0; i < SIDE; ++i)
+        for (let v = 0; v < 8; ++v)
+          cells[to++] = at(
+            i + (unitCube[3 * v] as number),
+            j + (unitCube[3 * v + 1] as number),
+            k + (unitCube[3 * v + 2] as number),
+          )
+  return { points, cells }
+}
+
+const spawn = await threadsOf('web/core/batch/worker.ts')
+afterAll(endThreads)
+
+/** By their bytes: millions of numbers. */
+function expectSame(own: object, expected: object): void {
+  expect(Object.keys(own).toSorted()).toEqual(Object.keys(expected).toSorted())
+  for (const [name, value] of Object.entries(own)) {
+    const other = (expected as Record<string, unknown>)[name]
+    if (ArrayBuffer.isView(value) && ArrayBuffer.isView(other)) expect(bytesOf(value).equals(bytesOf(other))).toBe(true)
+    else if (typeof value === 'object' && value !== null) expectSame(value, other as object)
+    else expect(value).toBe(other)
+  }
+}
+
+function bytesOf({ buffer, byteOffset, byteLength }: ArrayBufferView): Buffer {
+  return Buffer.from(buffer as ArrayBuffer, byteOffset, byteLength)
+}
+
+function none(): WorkerPort {
+  throw new Error('none')
+}
+
+test.each([
+  { name: 'in order', isShuffled: false, helper: spawn },
+  { name: 'shuffled', isShuffled: true, helper: spawn },
+  { name: 'without a helper', isShuffled: true, helper: none },
+])('$name', async ({ isShuffled, helper }) => {
+  const { points, cells } = lattice(isShuffled)
+  const expected = batchCores.vectors.classify({ points, cells, firstPoint: 0 }, LISTS)
+  let most = 0
+  const { classify, close } = sharedClassifier({
+    core,
+    batchModule: async () => batchModules.vectors,
+    helper,
+    onProgress: done => {
+      most = Math.max(most, done)
+    },
+  })
+  for (let again = 0; again < 2; ++again) {
+    const answers = await classify(points, cells, LISTS)
+    expectSame(answers, expected)
+    expect(answers.unansweredCount).toBe(8)
+  }
+  expect(most).toBe(SIDE ** 3)
+  await close()
+})

@@ -1,0 +1,111 @@
+/** How many of the invalid cells the checks accept of which the sentence on top tells. */
+import { CHECKS } from '../core/unpack'
+import type { ClassifyCells } from './check'
+import type { MeshCheck } from './mesh-check'
+
+export interface AcceptedInvalid {
+  readonly corners: number
+  readonly vtk: number
+}
+
+const CORNERS = 1 << CHECKS.indexOf('corners')
+const VTK = 1 << CHECKS.indexOf('corners-and-centre')
+
+/** From the list `acceptedBy`, if the check has it. */
+export function acceptedInvalid(check: MeshCheck): AcceptedInvalid {
+  const { acceptedBy } = check.answers
+  let [corners, vtk] = [0, 0]
+  if (acceptedBy)
+    for (let cell = 0; cell < check.hexahedra; ++cell) {
+      const mask = acceptedBy[cell] as number
+      if ((mask & (CORNERS | VTK)) === 0 || check.standingOf(cell) !== 'invalid') continue
+      if (mask & CORNERS) corners++
+      if (mask & VTK) vtk++
+    }
+  return { corners, vtk }
+}
+
+/** The same without that list: asked are only the cells that one of the two checks may accept. The check has minima. */
+export async function acceptedOfInvalid(check: MeshCheck, classify: ClassifyCells): Promise<AcceptedInvalid> {
+  const { mesh, answers } = check
+  const cornerMinima = (answers.minima as NonNullable<typeof answers.minima>).cornerMinima
+  const some: number[] = []
+  for (let cell = 0; cell < check.hexahedra; ++cell) {
+    if (answers.valid[cell] === 1 || check.standingOf(cell) !== 'invalid') continue
+    if ((cornerMinima[cell] as number) > 0 || hasShortVector(mesh.points, mesh.cells, cell)) some.push(cell)
+  }
+  if (some.length === 0) return { corners: 0, vtk: 0 }
+  const { acceptedBy } = await classify(mesh.points, cellsAt(mesh.cells, some), { acceptedBy: true })
+  let [corners, vtk] = [0, 0]
+  for (const mask of acceptedBy) {
+    if (mask & CORNERS) corners++
+    if (mask & VTK) vtk++
+  }
+  return { corners, vtk }
+}
+
+/** Eight indices for each of some cells. */
+export function cellsAt(cells: Uint32Array, some: ArrayLike<number>): Uint32Array {
+  const own = new Uint32Array(8 * some.length)
+  for (let i = 0; i < some.length; ++i)
+    own.set(cells.subarray(8 * (some[i] as number), 8 * (some[i] as number) + 8), 8 * i)
+  return own
+}
+
+/** Vertices of the edges, and those on either side of the middle along each axis. */
+const EDGES = Uint8Array.of(0, 1, 1, 2, 3, 2, 0, 3, 4, 5, 5, 6, 7, 6, 4, 7, 0, 4, 1, 5, 2, 6, 3, 7)
+const SIDES = [
+  [1, 2, 5, 6, 0, 3, 4, 7],
+  [2, 3, 6, 7, 0, 1, 4, 5],
+  [4, 5, 6, 7, 0, 1, 2, 3],
+].map(side => Uint8Array.from(side))
+
+/**
+ * VTK accepts a cell whose box has a diagonal below 2^-48, and one of which an edge, or the sum of the four edges along an axis, is shorter
+ * than 2^-24 of the diagonal, (S2), as it computes it: from points about their mean in units of the diagonal, each off by up to 4u of the
+ * greatest coordinate over the diagonal, a sum of eight by less than 2^-24 if that is below 2^24. So it may accept below these bounds.
+ */
+const SMALL = 2 ** -90
+const SHORT = 2 ** -40
+const FAR = 2 ** -48
+
+const own = new Float64Array(24)
+
+function hasShortVector(points: Float64Array, cells: Uint32Array, cell: number): boolean {
+  let [greatest, square] = [0, 0]
+  for (let v = 0; v < 8; ++v) {
+    const at = 3 * (cells[8 * cell + v] as number)
+    for (let axis = 0; axis < 3; ++axis) own[3 * v + axis] = points[at + axis] as number
+  }
+  for (let axis = 0; axis < 3; ++axis) {
+    let least = own[axis] as number
+    let most = least
+    for (let i = axis + 3; i < 24; i += 3) {
+      const value = own[i] as number
+      if (value < least) least = value
+      else if (value > most) most = value
+    }
+    square += (most - least) * (most - least)
+    greatest = Math.max(greatest, most, -least)
+  }
+  if (!(square > SMALL && square > FAR * greatest * greatest && square < Infinity)) return true
+  const short = SHORT * square
+  for (let e = 0; e < 24; e += 2) {
+    const [a, b] = [3 * (EDGES[e] as number), 3 * (EDGES[e + 1] as number)]
+    const x = (own[a] as number) - (own[b] as number)
+    const y = (own[a + 1] as number) - (own[b + 1] as number)
+    const z = (own[a + 2] as number) - (own[b + 2] as number)
+    if (x * x + y * y + z * z <= short) return true
+  }
+  for (const side of SIDES) {
+    let size = 0
+    for (let axis = 0; axis < 3; ++axis) {
+      let sum = 0
+      for (let i = 0; i < 4; ++i)
+        sum += (own[3 * (side[i] as number) + axis] as number) - (own[3 * (side[i + 4] as number) + axis] as number)
+      size += sum * sum
+    }
+    if (size <= short) return true
+  }
+  return false
+}

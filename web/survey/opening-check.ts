@@ -1,0 +1,188 @@
+/**
+ * The check of a mesh that is being opened: first what the sentence on top and the worst cells need, then the rest. Volumes take longer than
+ * verdicts and minima together, so that those of the worst cells alone come first.
+ */
+import { type Answers, emptyAnswers, type Wanted } from '../core/batch/lists'
+import type { Core } from '../core/report'
+import { CLASSES } from '../core/unpack'
+import { cellsAt } from '../mesh/accepted-invalid'
+import { type ClassifyCells, checkMesh } from '../mesh/check'
+import type { Mesh } from '../mesh/mesh'
+import type { MeshCheck } from '../mesh/mesh-check'
+import { verticesOf } from '../mesh/vertices-of'
+import { FEW, worstFirst } from '../mesh/worst'
+import { volumeBoundsOf } from './volume-bounds'
+
+/** Lists that the page shows or writes; which checks accept a cell is asked when it is shown. */
+const LISTS = { minima: true, volumes: true, exact: true } as const
+
+/** Meshes with fewer cells are checked at once. */
+const MANY = 50_000
+/** More candidates than that are no gain. */
+const MOST_CANDIDATES = 20_000
+
+export interface OpeningCheck {
+  /** All of it, or all but volumes, relative minima and the order: of these what the `FEW` worst cells have. */
+  readonly check: MeshCheck
+  /** The whole check, in the same lists; null if it is whole. */
+  readonly finish: (() => Promise<MeshCheck>) | null
+}
+
+interface Tools {
+  readonly classify: ClassifyCells
+  readonly core: Core
+}
+
+export async function openingCheck(mesh: Mesh, tools: Tools, many = MANY): Promise<OpeningCheck> {
+  const plain = { minRelative: null, skipsDegenerate: false }
+  const count = mesh.cells.length / 8
+  if (count >= many) {
+    const later = emptyAnswers(count, { volumes: true, relativeMinima: true })
+    const first = await checkMesh(
+      mesh,
+      { ...tools, classify: without(later, tools.classify) },
+      { ...plain, worst: 0, lists: LISTS },
+    )
+    const worst = await worstOf(first, tools)
+    if (worst) return { check: { ...first, worst }, finish: () => finished(first, tools) }
+    return { check: await finished(first, tools), finish: null }
+  }
+  return { check: await checkMesh(mesh, tools, { ...plain, worst: Infinity, lists: LISTS }), finish: null }
+}
+
+/** Classifies without the lists that come later, and puts these among the answers, all NaN and 0. */
+function without(later: Answers, classify: ClassifyCells): ClassifyCells {
+  const own = async (points: Float64Array, cells: Uint32Array, wanted: Wanted) => {
+    if (!wanted.relativeMinima) return classify(points, cells, wanted)
+    const answers = await classify(points, cells, { ...wanted, volumes: false, relativeMinima: false })
+    later.relativeMinima?.fill(Number.NaN)
+    return { ...answers, volumes: later.volumes, relativeMinima: later.relativeMinima }
+  }
+  return own as ClassifyCells
+}
+
+/** The `FEW` worst cells, with their volumes and relative minima; null where the bounds of volumes leave too many open. */
+async function worstOf(check: MeshCheck, { classify }: Tools): Promise<Uint32Array | null> {
+  const candidates = candidatesOf(check)
+  if (candidates === null) return null
+  const { points, cells } = check.mesh
+  const found = await classify(points, cellsAt(cells, candidates), { volumes: true, relativeMinima: true })
+  const { volumes, relativeMinima } = check.answers
+  for (const [i, cell] of candidates.entries()) {
+    relativeMinima[cell] = found.relativeMinima[i] as number
+    if (!volumes) continue
+    volumes.values[cell] = found.volumes.values[i] as number
+    volumes.exponents[cell] = found.volumes.exponents[i] as number
+  }
+  const order = worstFirst(candidates.length, severityOf(check, candidates), FEW, () => true)
+  return order.map(i => candidates[i] as number)
+}
+
+/** Cells among which the `FEW` worst are, ascending. */
+function candidatesOf({ mesh, answers, hexahedra, isAnswered }: MeshCheck): Uint32Array | null {
+  const minima = answers.minima as NonNullable<typeof answers.minima>
+  const collapsed = CLASSES.indexOf('collapsed')
+  const least = new LeastUppers()
+  const some: number[] = []
+  const lowers: number[] = []
+  const bounds = volumeBoundsOf(mesh)
+  for (let cell = 0; cell < hexahedra; ++cell) {
+    const minimum = minima.values[cell] as number
+    // Not below the worst so far, whatever its volume.
+    if (minimum >= 0 && least.bound < 0) continue
+    if (answers.statuses[cell] !== 0 || !isAnswered(cell)) continue
+    let [lower, upper] = [-Infinity, Infinity]
+    if (minimum === 0 || answers.classes[cell] === collapsed) lower = upper = 0
+    else if (minima.exponents[cell] === 0 && bounds.find(cell)) {
+      const { least: small, greatest: large } = bounds
+      lower = below(minimum / (minimum < 0 ? small : large))
+      upper = above(minimum / (minimum < 0 ? large : small))
+    }
+    if (!(lower <= least.bound)) continue
+    least.take(upper)
+    some.push(cell)
+    lowers.push(lower)
+    if (some.length > MOST_CANDIDATES) {
+      let kept = 0
+      for (let i = 0; i < some.length; ++i)
+        if ((lowers[i] as number) <= least.bound) {
+          some[kept] = some[i] as number
+          lowers[kept++] = lowers[i] as number
+        }
+      some.length = kept
+      lowers.length = kept
+      if (2 * kept > MOST_CANDIDATES) return null
+    }
+  }
+  if (least.bound === Infinity) return null
+  return Uint32Array.from(some.filter((_, i) => (lowers[i] as number) <= least.bound))
+}
+
+const LEAST_NORMAL = 2 ** -1022
+
+/** Beyond the roundings of the volume and of two quotients; a relative minimum is no smaller than the least normal double. */
+function below(quotient: number): number {
+  return quotient - 2 ** -51 * Math.abs(quotient) - 2 * LEAST_NORMAL
+}
+
+function above(quotient: number): number {
+  return -below(-quotient)
+}
+
+/** The `FEW` least of some numbers. */
+class LeastUppers {
+  readonly #list = new Float64Array(FEW).fill(Infinity)
+
+  /** The greatest of them. */
+  get bound(): number {
+    return this.#list[FEW - 1] as number
+  }
+
+  take(value: number): void {
+    const list = this.#list
+    let at = FEW - 1
+    if (!(value < (list[at] as number))) return
+    for (; at > 0 && (list[at - 1] as number) > value; --at) list[at] = list[at - 1] as number
+    list[at] = value
+  }
+}
+
+function severityOf(check: MeshCheck, cells: Uint32Array | null) {
+  const { relativeMinima, classes } = check.answers
+  const at = (i: number) => (cells === null ? i : (cells[i] as number))
+  return {
+    relativeMinima: cells === null ? relativeMinima : Float64Array.from(cells, cell => relativeMinima[cell] as number),
+    isCollapsed: (i: number) => CLASSES[classes[at(i)] as number] === 'collapsed',
+    isUnanswered: (i: number) => !check.isAnswered(at(i)),
+  }
+}
+
+async function finished(check: MeshCheck, { classify, core }: Tools): Promise<MeshCheck> {
+  const { mesh, answers, hexahedra } = check
+  const { volumes } = await classify(mesh.points, mesh.cells, { volumes: true })
+  answers.volumes?.values.set(volumes.values)
+  answers.volumes?.exponents.set(volumes.exponents)
+  putRelativeMinima(check, core)
+  return { ...check, worst: worstFirst(hexahedra, severityOf(check, null), Infinity, () => true) }
+}
+
+/** As the core has them: a quotient that is an ordinary double is the nearest one; others are the core's. */
+function putRelativeMinima({ mesh, answers, hexahedra }: MeshCheck, core: Core): void {
+  const { relativeMinima, statuses } = answers
+  const minima = answers.minima as NonNullable<typeof answers.minima>
+  const volumes = answers.volumes as NonNullable<typeof answers.volumes>
+  for (let cell = 0; cell < hexahedra; ++cell) {
+    if (statuses[cell] !== 0) continue
+    const minimum = minima.values[cell] as number
+    const volume = volumes.values[cell] as number
+    const relative = minimum / Math.abs(volume)
+    const size = Math.abs(relative)
+    const isOrdinary = minima.exponents[cell] === 0 && volumes.exponents[cell] === 0
+    if (isOrdinary && volume !== 0 && ((size >= LEAST_NORMAL && size < Infinity) || minimum === 0)) {
+      relativeMinima[cell] = minimum === 0 ? 0 : relative
+      continue
+    }
+    const result = core.analyze(verticesOf(mesh, cell))
+    relativeMinima[cell] = result.ok ? (result.value.relativeMinimum ?? Number.NaN) : Number.NaN
+  }
+}
