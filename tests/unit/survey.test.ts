@@ -1,12 +1,14 @@
 /** An open mesh as its worker answers for it, with the real core. */
 import { describe, expect, test } from 'vitest'
 import { quantitiesOf } from '../../web/core/quantities'
+import type { Reply, WorkerPort } from '../../web/core/workers'
 import { cellClassifier } from '../../web/input/classify-cells'
 import type { Mesh } from '../../web/mesh/mesh'
 import { isMet, parseCondition } from '../../web/model/condition'
 import { part } from '../../web/pages/mesh/part'
 import { meeting } from '../../web/survey/meeting'
 import { mended } from '../../web/survey/mend'
+import { OpenSurvey } from '../../web/survey/open-survey'
 import { Survey } from '../../web/survey/survey'
 import type { Column, FaceList, Selection, ShownCells } from '../../web/survey/survey-jobs'
 import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
@@ -227,6 +229,39 @@ test('a chosen cell comes with its neighbours, once faces are joined', async () 
   const { neighbours, vertices, row } = survey.detail(3000)
   expect([row.cell, vertices?.length, neighbours.length]).toEqual([3000, 24, 6])
   expect(neighbours.map(({ cell }) => cell)).toContain(3000 - 256)
+})
+
+test('faces are joined in steps, and other questions are answered in between', async () => {
+  const survey = await surveyOf(elbow)
+  expect(survey.join(0)).toBeLessThan(1)
+  expect(survey.rows(0, 3).length).toBe(3)
+  expect(survey.detail(3000).neighbours).toEqual([])
+  while (survey.join(0) < 1);
+  expect(survey.detail(3000).neighbours.length).toBe(6)
+})
+
+test('joining tells of each step until all is done, or the mesh is closed', async () => {
+  const asked: string[] = []
+  const port: WorkerPort = {
+    onreply: null,
+    onbroken: null,
+    postMessage({ kind }) {
+      asked.push(kind)
+      const joined = asked.filter(other => other === 'join').length
+      const reply: Reply = kind === 'start' ? { kind: 'started', lock: null } : { kind: 'answer', answer: joined / 4 }
+      queueMicrotask(() => port.onreply?.(reply))
+    },
+    terminate: () => asked.push('terminate'),
+  }
+  const parts: number[] = []
+  await new OpenSurvey(() => port).join(part => parts.push(part))
+  expect(parts).toEqual([0.25, 0.5, 0.75, 1])
+  expect(asked).toEqual(['start', 'join', 'join', 'join', 'join'])
+
+  asked.length = 0
+  const closed = new OpenSurvey(() => port)
+  await closed.join(part => part === 0.5 && closed.close())
+  expect(asked).toEqual(['start', 'join', 'join', 'terminate'])
 })
 
 test('what is mirrored is corrected, with a note, and nothing else', async () => {

@@ -72,8 +72,8 @@ function* joined(cells: Int32Array, pointCount: number): Generator<number, Neigh
   const boundary = new Uint32Array(across.length - paired)
   let found = 0
   for (const [from, to] of cuts(across.length / FACES)) {
+    yield JOINED + (1 - JOINED) * ((FACES * from) / across.length)
     found = putBoundary(across, from, to, boundary, found)
-    yield JOINED + (1 - JOINED) * (to / (across.length / FACES))
   }
   return { across, boundary }
 }
