@@ -70,6 +70,8 @@ const NOTHING: Shown = {
 
 let shown: Shown = NOTHING
 let survey: OpenSurvey | null = null
+/** A started worker for the mesh that is opened next. */
+let spare: OpenSurvey | null = null
 let chosen: { readonly cell: number; readonly rank: number | null } | null = null
 
 const listRoot = document.createElement('div')
@@ -95,7 +97,8 @@ const steps = new StepsView(part('.steps'), {
 
 async function open(input: PastedInput, isExample = false): Promise<void> {
   const name = nameOf(input)
-  const own = new OpenSurvey(startSurveyWorker)
+  const own = spare ?? new OpenSurvey(startSurveyWorker)
+  spare = null
   const before = { survey, shown }
   survey = own
   set({ ...shown, name, progress: { step: 'reading', fraction: 0 }, refused: null })
@@ -129,6 +132,13 @@ async function take(overview: Overview, isExample: boolean): Promise<void> {
   await picture.show()
   if (chosen && own === survey) await showNeighbours(chosen.cell)
   if (own === survey) await steps.readAll()
+  if (own === survey) spare ??= startedSpare()
+}
+
+function startedSpare(): OpenSurvey {
+  const next = new OpenSurvey(startSurveyWorker)
+  next.prepare()
+  return next
 }
 
 /** Order, selection and view stay; the chosen cell is the one of the same id. */
