@@ -35,6 +35,11 @@ export class OpenSurvey {
     this.#pool = new Pool({ name: 'the worker of the mesh', size: 1, spawn, start: null })
   }
 
+  /** Starts the worker before there is anything to open; whatever goes wrong is said when there is. */
+  prepare(): void {
+    this.#pool.run('prepare', null).catch(() => {})
+  }
+
   /** Whatever goes wrong is a sentence. */
   async open(input: PastedInput, onProgress: (progress: ReadingProgress) => void): Promise<Opening> {
     try {

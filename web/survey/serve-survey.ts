@@ -181,6 +181,11 @@ export function serveSurvey(engine: SurveyEngine): void {
   }
 
   serve<null, Served<SurveyJobs>>('hexlens-survey', () => ({
+    async prepare() {
+      const { classifier } = await tools()
+      classifier.prepare()
+      return null
+    },
     open: (input, tell) => opening(input, seldom(tell)).catch(refusalOf),
     ...lookingJobs(() => opened().survey),
     select: async selection => (await whole()).select(selection),

@@ -10,8 +10,10 @@ import type { IdKind } from '../outputs/ids'
 
 export type { Histogram } from '../mesh/histogram'
 
-/** All jobs but `open` want a mesh that is open. Each is short; what takes long goes on in steps. */
+/** All jobs but `prepare` and `open` want a mesh that is open. Each is short; what takes long goes on in steps. */
 export type SurveyJobs = {
+  /** Loads what opening needs, before there is anything to open. */
+  prepare(_: null): Promise<null>
   open(input: PastedInput, tell: (progress: ReadingProgress) => void): Promise<Opening>
   /** Rows from one rank to another in the present order. */
   rows(ranks: { readonly from: number; readonly to: number }): readonly Row[]

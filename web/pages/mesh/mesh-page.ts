@@ -75,6 +75,8 @@ let shown: Shown = NOTHING
 let survey: OpenSurvey | null = null
 /** Reads the input that will take its place. */
 let reader: OpenSurvey | null = null
+/** A started worker for the mesh that is opened next. */
+let spare: OpenSurvey | null = null
 let chosen: { readonly cell: number; readonly rank: number | null } | null = null
 
 const listRoot = document.createElement('div')
@@ -114,7 +116,8 @@ const steps = new StepsView(part('.steps'), {
 
 async function open(input: PastedInput, isExample = false): Promise<void> {
   const name = nameOf(input)
-  const own = new OpenSurvey(startSurveyWorker)
+  const own = spare ?? new OpenSurvey(startSurveyWorker)
+  spare = null
   reader?.close()
   reader = own
   const onProgress = (progress: ReadingProgress) => {
@@ -157,6 +160,13 @@ async function take(overview: Overview, isExample: boolean): Promise<void> {
   await picture.show()
   if (chosen && own === survey) await showNeighbours(chosen.cell)
   if (own === survey) await steps.readAll()
+  if (own === survey) spare ??= startedSpare()
+}
+
+function startedSpare(): OpenSurvey {
+  const next = new OpenSurvey(startSurveyWorker)
+  next.prepare()
+  return next
 }
 
 /** All that travels; null while no mesh is open. */
