@@ -6,7 +6,7 @@ import { saveFile } from '../../views/save-file'
 import { fileStem, sizeWords } from './file-names'
 
 export interface TakeAwayHost {
-  /** Null while another mesh is read. */
+  /** Null where no mesh is open. */
   survey(): OpenSurvey | null
   /** Null where there is no picture. */
   picture(): Promise<Blob> | null
@@ -74,7 +74,6 @@ const INVALID: readonly FileWords[] = [
 ]
 
 const NONE_INVALID = 'No cell is invalid, so there are no such files.'
-const BUSY = 'Another mesh is being read: wait for it, or cancel.'
 const NO_PICTURE = 'There is no picture without WebGL.'
 
 interface Shown {
@@ -124,8 +123,7 @@ export class TakeAway {
   async #take({ form, ending, mediaType }: FileWords): Promise<void> {
     const { overview } = this.#shown
     const survey = this.#host.survey()
-    if (!overview) return
-    if (!survey) return this.#set({ ...this.#shown, message: BUSY })
+    if (!overview || !survey) return
     this.#writer = survey
     const file = `${fileStem(overview.name)}${ending}`
     const isStill = () => overview === this.#shown.overview

@@ -1,0 +1,205 @@
+/** Files that the page Mesh reads and writes: each export is read back by others and by `check`; what is begun can be cancelled. */
+import { spawnSync } from 'node:child_process'
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { fileURLToPath, pathToFileURL } from 'node:url'
+import type { Page } from '@playwright/test'
+import { checked } from '../unit/certificate-checker'
+import { expect, expectAxeFindsNothing, test } from './lens'
+
+const here = (name: string) => fileURLToPath(new URL(name, import.meta.url))
+const python = here('../../build/python/bin/python')
+
+const CELLS = 7168
+const INVALID = [2547, 2951]
+
+const folder = mkdtempSync(join(tmpdir(), 'hexlens-mesh-files-'))
+test.afterAll(() => rmSync(folder, { recursive: true }))
+
+test.use({ viewport: { width: 1280, height: 800 } })
+
+const headline = (page: Page) => page.locator('.overview .headline')
+
+async function openMesh(page: Page): Promise<void> {
+  await page.goto('mesh.html')
+  await expect(headline(page)).toHaveText(/^12 of 7,168 hexahedra are invalid/)
+}
+
+function output(command: string, ...args: string[]): string {
+  const { error, stdout, stderr } = spawnSync(command, args, { encoding: 'utf8', maxBuffer: 2 ** 27 })
+  if (error || stdout === '') throw new Error(`${command} ${args.join(' ')}: ${error ?? stderr}`)
+  return stdout
+}
+
+const hexlens = (...args: string[]) => output(process.execPath, here('../../tools/hexlens.mjs'), ...args)
+
+interface Vtu {
+  readonly points: number
+  readonly cells: number
+  readonly types: readonly number[]
+  readonly arrays: Readonly<Record<string, readonly (number | null)[]>>
+}
+
+const vtkReads = (file: string): Vtu => JSON.parse(output(python, here('read_vtu.py'), file))
+
+test('what is taken away is read back: by VTK, by check, by the checker of certificates', async ({ page }) => {
+  await openMesh(page)
+  await expect(page.locator('.bar select').first()).toBeVisible()
+  await page.getByRole('button', { name: 'Take away' }).click()
+  const menu = page.getByRole('region', { name: 'Take away' })
+
+  async function taken(section: string, name: string): Promise<string> {
+    const button = menu
+      .locator('div', { has: page.getByRole('heading', { name: section }) })
+      .getByRole('button', { name: new RegExp(`^${name} `) })
+    const [download] = await Promise.all([page.waitForEvent('download'), button.click()])
+    const file = join(folder, download.suggestedFilename())
+    await download.saveAs(file)
+    await expect(menu.getByRole('status')).toContainText(download.suggestedFilename())
+    return file
+  }
+
+  const csv = await taken('All cells', 'CSV')
+  const [head = '', ...lines] = readFileSync(csv, 'utf8').trimEnd().split('\r\n')
+  const columns = head.split(',')
+  const column = (name: string) => lines.map(line => line.split(',')[columns.indexOf(name)] as string)
+  const invalid = column('valid').flatMap((valid, i) => (valid === 'false' ? [i] : []))
+
+  await test.step('CSV has all cells', () => {
+    expect(lines).toHaveLength(CELLS)
+    expect(invalid).toHaveLength(12)
+    expect(invalid).toEqual(expect.arrayContaining(INVALID))
+  })
+
+  await test.step('the mesh as VTU: VTK reads the same numbers, and check the same mesh', async () => {
+    const file = await taken('All cells', 'VTU')
+    const { cells, types, arrays } = vtkReads(file)
+    expect({ cells, types }).toEqual({ cells: CELLS, types: [12] })
+    expect(arrays.valid).toEqual(column('valid').map(valid => (valid === 'true' ? 1 : 0)))
+    for (const name of ['boundary_min', 'relative_min', 'volume'])
+      expect(arrays[name]).toEqual(column(name).map(Number))
+    const other = join(folder, 'again.csv')
+    hexlens('check', file, '--csv', other)
+    const again = readFileSync(other, 'utf8').trimEnd().split('\r\n')
+    const withoutName = (line: string) => line.slice(line.indexOf(','))
+    expect(again.slice(1).map(withoutName)).toEqual(lines.map(withoutName))
+  })
+
+  await test.step('the invalid cells as VTU', async () => {
+    const file = await taken('Invalid cells alone', 'VTU')
+    const { cells, arrays } = vtkReads(file)
+    expect(cells).toBe(12)
+    expect(arrays.index).toEqual(invalid)
+    expect(arrays.relative_min).toEqual(invalid.map(cell => Number(column('relative_min')[cell])))
+    expect(JSON.parse(hexlens('check', file, '--json'))).toMatchObject({ files: [{ hexahedra: 12, invalid: 12 }] })
+  })
+
+  await test.step('JSON is that of check', async () => {
+    const [own] = JSON.parse(readFileSync(await taken('All cells', 'JSON'), 'utf8')).files
+    const [other] = JSON.parse(hexlens('check', join(folder, 'elbow-checked.vtu'), '--json', '--worst', '12')).files
+    expect({ ...own, file: '', format: 'VTU' }).toEqual({ ...other, file: '' })
+  })
+
+  await test.step('certificates are proved by who shares nothing with us', async () => {
+    const file = await taken('Invalid cells alone', 'Certificates')
+    const { status, output: said, errors } = checked(readFileSync(file, 'utf8'))
+    expect({ status, errors }).toEqual({ status: 0, errors: '' })
+    expect(said).toContain('12')
+  })
+
+  await test.step('ids in three languages', async () => {
+    const ids = async (name: string) =>
+      (readFileSync(await taken('Invalid cells alone', name), 'utf8').match(/\b\d+\b/g) ?? []).map(Number)
+    expect(await ids('List')).toEqual(invalid)
+    for (const name of ['ELSET', 'SET']) expect(await ids(name)).toEqual(expect.arrayContaining(invalid))
+  })
+
+  await test.step('the picture', async () => {
+    const png = readFileSync(await taken('All cells', 'PNG'))
+    expect(png.subarray(1, 4).toString()).toBe('PNG')
+    expect(png.length).toBeGreaterThan(5000)
+  })
+
+  await test.step('the report needs nothing else', async () => {
+    const file = await taken('All cells', 'Report')
+    const report = await page.context().newPage()
+    const asked: string[] = []
+    report.on('request', request => asked.push(request.url()))
+    await report.goto(pathToFileURL(file).href)
+    await expect(report.locator('body')).toContainText('12 of 7,168 hexahedra are invalid.')
+    await expect(report.locator('.histogram, .cell > svg')).toHaveCount(11)
+    expect(asked).toEqual([pathToFileURL(file).href])
+    await expectAxeFindsNothing(report)
+    await report.close()
+  })
+})
+
+/** A cube of cubes as Abaqus writes it: text, so that reading takes a while. */
+function abaqus(n: number): string {
+  const lines = ['*NODE']
+  const m = n + 1
+  for (let i = 0; i < m ** 3; ++i)
+    lines.push(`${i + 1}, ${i % m}., ${Math.floor(i / m) % m}., ${Math.floor(i / m / m)}.`)
+  lines.push('*ELEMENT, TYPE=C3D8')
+  let id = 0
+  for (let z = 0; z < n; ++z)
+    for (let y = 0; y < n; ++y)
+      for (let x = 0; x < n; ++x) {
+        const low = 1 + x + m * (y + m * z)
+        const face = [low, low + 1, low + 1 + m, low + m]
+        lines.push([++id, ...face, ...face.map(node => node + m * m)].join(', '))
+      }
+  return lines.join('\n')
+}
+
+test('reading is cancelled in the middle; a second file ends the first one’s workers', async ({ page }) => {
+  const big = join(folder, 'big.inp')
+  writeFileSync(big, abaqus(60))
+  await openMesh(page)
+  const open = (file: string) => page.locator('.overview input[type=file]').setInputFiles(file)
+  const workers = page.workers().length
+
+  await test.step('cancel', async () => {
+    // Pressed as soon as it is there: reading is over soon.
+    await page.evaluate(() => {
+      const cancel = () => [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Cancel')
+      new MutationObserver((_, observer) => {
+        const button = cancel()
+        if (!button) return
+        observer.disconnect()
+        button.click()
+      }).observe(document.body, { childList: true, subtree: true })
+    })
+    await open(big)
+    await expect(page.getByText('Cancelled.').first()).toBeVisible()
+    await expect(page.locator('.progress')).toHaveCount(0)
+    await expect.poll(() => page.workers().length).toBe(workers)
+    await expect(headline(page)).toHaveText(/^12 of 7,168 hexahedra are invalid/)
+    await page.locator('.list .row:not(.head)').nth(1).click()
+    await expect(page.locator('.one .which')).toHaveText(/^Cell 2547/)
+    await expectAxeFindsNothing(page)
+  })
+
+  await test.step('two files, one after another', async () => {
+    await open(big)
+    await expect(headline(page)).toHaveText('All 216,000 hexahedra are valid.')
+    await open(here('../../../shared/meshes/made/vtk-raw-none.vtu'))
+    await expect(headline(page)).toHaveText(/^10 of 16 hexahedra are invalid/)
+    await expect.poll(() => page.workers().length).toBe(workers)
+  })
+})
+
+test.describe('without wasm', () => {
+  test.use({ expectedErrors: /Failed to load resource/ })
+
+  test('its twin reads, decides and lists all the same', async ({ page }) => {
+    await page.route('**/*.wasm*', route => route.abort())
+    await openMesh(page)
+    await expect(page.locator('.list .row:not(.head)').first()).toContainText('−2.2606')
+    await page.locator('#condition').fill('not valid and corner_min > 0')
+    await page.locator('#condition').press('Enter')
+    await expect(page.locator('.go .count')).toHaveText(/^\s*4 of 7,168 cells\s*$/)
+    await expect(page.locator('hex-lens .verdict .word')).toHaveText('INVALID')
+  })
+})
