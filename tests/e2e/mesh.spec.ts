@@ -1,6 +1,12 @@
 /** The page Mesh in a browser: a file becomes a sentence, a list, a picture, and any cell is in the lens. */
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import type { Page } from '@playwright/test'
+import { moved } from '../unit/mesh-fixtures'
+import { pvdText, vtuOf } from '../unit/vtu-text'
+import { drop } from './input'
 import { expect, expectAxeFindsNothing, type Lens, test } from './lens'
 
 const shared = (name: string) => fileURLToPath(new URL(`../../../shared/meshes/${name}`, import.meta.url))
@@ -8,6 +14,9 @@ const shared = (name: string) => fileURLToPath(new URL(`../../../shared/meshes/$
 const headline = (page: Page) => page.locator('.overview .headline')
 const rows = (page: Page) => page.locator('.list .row:not(.head)')
 const which = (page: Page) => page.locator('.one .which')
+
+// Picture, list and lens are beside each other.
+test.use({ viewport: { width: 1240, height: 560 } })
 
 async function openMesh(page: Page): Promise<void> {
   await page.goto('mesh.html')
@@ -77,12 +86,15 @@ test('the first mesh: sentence, list, filter, picture, lens', async ({ lens, pag
     await expect(own).toHaveValue('corner_min >')
     await own.fill('')
     await own.press('Enter')
-    await expect(page.locator('.go .count')).toHaveText(/7,168 of 7,168/)
+    await expect(page.locator('.go .count')).toHaveText(/^\s*All 7,168 cells\s*$/)
   })
 
   await test.step('it is sorted by a column, and a cell is found by its index', async () => {
-    await page.getByRole('columnheader', { name: 'Volume' }).getByRole('button').click()
-    await expect(page.getByRole('columnheader', { name: 'Volume' })).toHaveAttribute('aria-sort', 'ascending')
+    const heading = page.getByRole('columnheader', { name: 'Relative min.' })
+    await heading.getByRole('button').click()
+    await expect(heading).toHaveAttribute('aria-sort', 'descending')
+    await page.getByLabel('Sorted by').selectOption('By volume')
+    await expect(heading).toHaveAttribute('aria-sort', 'none')
     await page.getByLabel('Go to index').fill('6994')
     await page.getByRole('button', { name: 'Go', exact: true }).click()
     await expect(which(page)).toHaveText(/^Cell 6994/)
@@ -290,9 +302,139 @@ test('files: mirrored cells by one click, a second mesh, what cannot be read', a
     mimeType: 'text/plain',
     buffer: Buffer.from('Dear mesh, how are you?'),
   })
-  await expect(page.locator('.refused')).toContainText('letter.txt')
+  await expect(page.locator('.news')).toContainText('letter.txt')
   await expect(headline(page)).toHaveText(/^10 of 16 hexahedra are invalid/)
   expect(await chosenIn(lens)).toEqual(before)
+})
+
+test('from the lens a list goes along, whatever it was read from; nothing of it is left behind', async ({
+  lens,
+  page,
+}) => {
+  await lens.open()
+  await drop(lens.scene, { files: [{ name: 'a.vtu', bytes: readFileSync(shared('made/vtk-raw-none.vtu')) }] })
+  const way = page.getByRole('button', { name: 'Open all 16 cells on the page Mesh' })
+  await expect(way).toBeVisible()
+  await expectAxeFindsNothing(page)
+  await way.click()
+  await expect(headline(page)).toHaveText(/^10 of 16 hexahedra are invalid/)
+  await expect(page.locator('.notes')).toContainText('a.vtu, VTU.')
+  const handed = () =>
+    page.evaluate(
+      () =>
+        new Promise<number>((resolve, reject) => {
+          const opening = indexedDB.open('hexlens-handed', 1)
+          opening.onerror = reject
+          opening.onsuccess = () => {
+            const count = opening.result.transaction('lists').objectStore('lists').count()
+            count.onsuccess = () => resolve(count.result)
+          }
+        }),
+    )
+  expect(await handed()).toBe(0)
+
+  await test.step('where the browser keeps nothing, a sentence says where to drop it', async () => {
+    await page.goto('./')
+    await page.evaluate(() => {
+      IDBFactory.prototype.open = () => {
+        throw new DOMException('no', 'SecurityError')
+      }
+    })
+    await drop(lens.scene, { files: [{ name: 'b.vtu', bytes: readFileSync(shared('made/vtk-raw-zlib.vtu')) }] })
+    await way.click()
+    await expect(page.locator('.to-mesh')).toContainText('drop it on the page Mesh')
+  })
+})
+
+test('cancelled in the middle, what was open stays; keys alone lead from there to lens and files', async ({
+  lens,
+  page,
+}) => {
+  // The worker is slow to answer: whoever cancels is sooner.
+  await page.addInitScript(() => {
+    Object.assign(globalThis, { held: false })
+    const { postMessage } = Worker.prototype
+    Worker.prototype.postMessage = function (this: Worker, ...given: never[]) {
+      if (!(globalThis as unknown as { held: boolean }).held) Reflect.apply(postMessage, this, given)
+    }
+  })
+  await openMesh(page)
+  await expect(page.locator('.histogram svg')).toBeVisible()
+  const hold = (held: boolean) => page.evaluate(value => Object.assign(globalThis, { held: value }), held)
+  await hold(true)
+  await openFiles(page, 'real/rockerarm.mesh')
+  const cancel = page.getByRole('button', { name: 'Cancel' })
+  await expect(cancel).toBeVisible()
+  await expectAxeFindsNothing(page)
+  await cancel.press('Enter')
+  await expect(page.locator('.news')).toHaveText(
+    'Reading rockerarm.mesh was cancelled. What is below is still the example.',
+  )
+  await expect(page.getByRole('button', { name: 'Open files' })).toBeFocused()
+  await hold(false)
+
+  const list = page.getByRole('grid', { name: 'Cells' })
+  await list.focus()
+  await page.keyboard.press('ArrowDown')
+  await page.keyboard.press('Enter')
+  await expect(which(page)).toHaveText(/^Cell 2547/)
+  await expect(lens.verdict).toHaveText(/^INVALID/)
+  await expect(list).toBeFocused()
+
+  await test.step('headings sort by their own keys', async () => {
+    await page.keyboard.press('Tab')
+    await expect(page.getByRole('columnheader', { name: 'Cell' }).getByRole('button')).toBeFocused()
+    await page.keyboard.press('Enter')
+    await expect(page.getByRole('columnheader', { name: 'Cell' })).toHaveAttribute('aria-sort', 'ascending')
+    await expect(which(page)).toHaveText(/^Cell 2547/)
+  })
+
+  await test.step('rows and columns are counted, and cells say which they are', async () => {
+    await expect(list).toHaveAttribute('aria-rowcount', '7169')
+    await expect(list).toHaveAttribute('aria-colcount', '6')
+    await expect(rows(page).first().getByRole('gridcell').last()).toHaveAttribute('aria-colindex', '6')
+  })
+
+  await test.step('the menu of files, and a file', async () => {
+    const menu = page.getByRole('button', { name: 'Take away' })
+    await menu.press('Enter')
+    const download = page.waitForEvent('download')
+    await page.getByRole('button', { name: /^List / }).press('Enter')
+    expect((await download).suggestedFilename()).toMatch(/-invalid\.txt$/)
+    await expectAxeFindsNothing(page)
+    await page.keyboard.press('Escape')
+    await expect(menu).toBeFocused()
+  })
+})
+
+test('a folder of steps with equal names, and a .pvd of them', async ({ page }) => {
+  await openMesh(page)
+  const folder = mkdtempSync(join(tmpdir(), 'hexlens-steps-'))
+  for (const [step, z] of [1, 0.5, -1].entries()) {
+    mkdirSync(join(folder, `t${step}`))
+    writeFileSync(join(folder, `t${step}`, 'w.vtu'), vtuOf([moved(6, [1, 1, z])]))
+  }
+  const choose = async () => {
+    const chooser = page.waitForEvent('filechooser')
+    await page.getByRole('button', { name: 'Open a folder' }).click()
+    await (await chooser).setFiles(folder)
+  }
+  await choose()
+  await expect(page.getByText('3 files are taken as 3 steps of one mesh')).toBeVisible()
+  await expect(page.locator('.steps [role=status]')).toContainText('is the first with an invalid cell')
+  const slider = page.getByRole('slider', { name: 'Time step' })
+  await slider.focus()
+  await page.keyboard.press('End')
+  await expect(headline(page)).toHaveText(/^The hexahedron is invalid/)
+  await expect(slider).toBeFocused()
+  await expectAxeFindsNothing(page)
+
+  const sets = ['0', '1', '2'].map(time => ({ time: `0.${time}`, file: `t${time}/w.vtu` }))
+  writeFileSync(join(folder, 'case.pvd'), pvdText(sets))
+  await choose()
+  await expect(page.getByText('case.pvd has 3 time steps of one mesh.')).toBeVisible()
+  await expect(page.locator('.steps .now')).toContainText('t = 0.0')
+  rmSync(folder, { recursive: true })
 })
 
 test.describe('without WebGL', () => {

@@ -1,11 +1,17 @@
 /** Folders that are dropped, with entries as browsers have them: so many at a time. */
 import { expect, test } from 'vitest'
-import { unfolded } from '../../web/input/dropped-folders'
+import { ofFolder, unfolded } from '../../web/input/dropped-folders'
 
 const AT_ONCE = 2
 
-function fileEntry(name: string) {
-  return { name, isFile: true, isDirectory: false, file: (done: (file: unknown) => void) => done({ name }) }
+function fileEntry(name: string, folder = '') {
+  return {
+    name,
+    fullPath: `/${folder}${name}`,
+    isFile: true,
+    isDirectory: false,
+    file: (done: (file: unknown) => void) => done({ name }),
+  }
 }
 
 function folderEntry(name: string, entries: readonly object[], fails = false) {
@@ -29,10 +35,11 @@ function dropOf(entries: readonly object[]): DragEvent {
 const given = { files: [{ name: 'folder' }] as unknown as File[] }
 
 test('all files are found, in their order, whatever their depth', async () => {
-  const inner = folderEntry('later', [fileEntry('c.vtu'), fileEntry('.DS_Store')])
-  const folder = folderEntry('case', [fileEntry('a.vtu'), fileEntry('b.vtu'), inner, fileEntry('d.vtu')])
+  const inner = folderEntry('later', [fileEntry('a.vtu', 'case/later/'), fileEntry('.DS_Store')])
+  const folder = folderEntry('case', [fileEntry('a.vtu', 'case/'), fileEntry('b.vtu', 'case/'), inner])
   const input = await unfolded(dropOf([fileEntry('a.pvd'), folder]), given)
-  expect('files' in input && input.files.map(({ name }) => name)).toEqual(['a.pvd', 'a.vtu', 'b.vtu', 'c.vtu', 'd.vtu'])
+  expect('files' in input && input.files.map(({ name }) => name)).toEqual(['a.pvd', 'a.vtu', 'b.vtu', 'a.vtu'])
+  expect('files' in input && input.paths).toEqual(['a.pvd', 'case/a.vtu', 'case/b.vtu', 'case/later/a.vtu'])
 })
 
 test('a drop without folders stays as it is', () => {
@@ -42,4 +49,12 @@ test('a drop without folders stays as it is', () => {
 
 test('a folder that may not be read rejects', async () => {
   await expect(unfolded(dropOf([folderEntry('case', [], true)]), given)).rejects.toThrow('not allowed')
+})
+
+test('a folder that is opened has the paths of its files, and no hidden ones', () => {
+  const files = ['case/0.1/w.vtu', 'case/.git/w.vtu', 'case/.DS_Store'].map(path => ({
+    name: path.slice(path.lastIndexOf('/') + 1),
+    webkitRelativePath: path,
+  }))
+  expect(ofFolder(files as File[])).toEqual({ files: [files[0]], paths: ['case/0.1/w.vtu'] })
 })

@@ -124,6 +124,40 @@ describe('files without a list', () => {
   })
 })
 
+describe('files out of folders', () => {
+  const within = (texts: Readonly<Record<string, string>>): MeshFile[] =>
+    Object.entries(texts).map(([path, text]) => ({ ...textFile(path.slice(path.lastIndexOf('/') + 1), text), path }))
+  const read = (texts: Readonly<Record<string, string>>) => stepFilesOf(within(texts), OPTIONS)
+  const early = vtuOf([moved(6, [2, 1, 1])])
+  const x6 = (points: Float64Array | undefined) => points?.[18]
+
+  test('whose folders alone differ in a number are steps, named by their paths', () => {
+    const found = read({ 'run/0.5/w.vtu': one, 'run/0.25/w.vtu': early, 'run/1/w.vtu': one })
+    expect(found?.steps.map(({ name }) => name)).toEqual(['run/0.25/w.vtu', 'run/0.5/w.vtu', 'run/1/w.vtu'])
+    expect(found?.steps.map(step => x6(step.read(OPTIONS).points))).toEqual([2, 1, 1])
+  })
+
+  test('are found by a .pvd at their paths, and by each .pvtu beside it', () => {
+    const sets = ['0', '1'].map(time => ({ time, file: `t${time}/w.pvtu` }))
+    const found = read({
+      'run/t1/w_0.vtu': one,
+      'run/t0/w_0.vtu': early,
+      'run/t0/w.pvtu': pvtuText(['w_0.vtu']),
+      'run/t1/w.pvtu': pvtuText(['w_0.vtu']),
+      'run/a.pvd': pvdText(sets),
+    })
+    expect(found?.sentences).toEqual(['a.pvd has 2 time steps of one mesh.'])
+    expect(found?.steps.map(step => x6(step.read(OPTIONS).points))).toEqual([2, 1])
+  })
+
+  test('of two numbers are no steps; a name that two could have is missing', () => {
+    expect(read({ 'r1/w_0.vtu': one, 'r1/w_1.vtu': one, 'r2/w_0.vtu': one, 'r2/w_1.vtu': one })).toBe(null)
+    const sets = ['0', '1'].map(time => ({ time, file: `w_${time}.vtu` }))
+    const found = read({ 'a.pvd': pvdText(sets), 'x/w_0.vtu': one, 'y/w_0.vtu': early, 'x/w_1.vtu': one })
+    expect(found?.sentences[1]).toBe('1 of them lacks files, first “w_0.vtu”.')
+  })
+})
+
 describe('a .pvd', () => {
   test('says what the steps are, parts and all, whatever their cells', () => {
     const sets = [
@@ -176,7 +210,7 @@ describe('a .pvd', () => {
   test('that names files of the same name in several folders is refused: one would stand for all', () => {
     const sets = ['0', '1'].map(time => ({ time, file: `t${time}/w.vtu` }))
     expect(() => decided({ 'a.pvd': pvdText(sets), 'w.vtu': one })).toThrow(
-      'a.pvd: it names “t0/w.vtu” and “t1/w.vtu”, and files are known here without their folders',
+      'a.pvd: it names “t0/w.vtu” and “t1/w.vtu”, and “w.vtu” here could be either',
     )
     const same = ['0', '1'].map(time => ({ time, file: time === '0' ? './w.vtu' : 'w.vtu' }))
     expect(decided({ 'a.pvd': pvdText(same), 'w.vtu': one })?.steps.length).toBe(2)

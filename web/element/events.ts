@@ -41,8 +41,8 @@ export interface HexLensEventMap {
    * pointer leaves. At most once a frame.
    */
   'hex-probe': CustomEvent<ProbeDetail | null>
-  /** There is a list to choose from, and this is what it was read from; null when it is put away. */
-  'hex-list': CustomEvent<{ text: string } | { files: File[] } | null>
+  /** There is a list of so many cells to choose from, and this is what it was read from; null when it is put away. */
+  'hex-list': CustomEvent<{ text: string; cells: number } | { files: File[]; cells: number } | null>
   /**
    * Something does not work, and `message` says so in a sentence. The codes: an attribute, a
    * property or a call that is not understood (`bad-vertices`, `bad-highlight` and so on), which then

@@ -124,6 +124,7 @@ const EARLY = [
  * @slot hint - Words of the page’s own in the scene, where it has room for its legend. They stand in
  *   the legend’s place, and arrows around a handle show that it can be dragged, until the reader
  *   first moves a vertex.
+ * @slot list - Words of the page’s own above the cells of a list that was read.
  * @slot caption - Below the element, in the page’s own style.
  *
  * @cssState ready - Everything in sight has been drawn.
@@ -239,7 +240,7 @@ export class HexLens extends ReflectingElement {
     },
     refuse: message => (message === null ? this.clear('not-read') : this.raise({ code: 'not-read', message })),
     onNews: () => this.#frames.schedule(),
-    onList: input => this.#tell('hex-list', input),
+    onList: list => this.#tell('hex-list', list),
   })
   readonly #attributes = new AttributeInput(this, viewNames(HexLens.composition), {
     state: () => this.#store.state,

@@ -8,14 +8,32 @@ export function unfolded(event: DragEvent, input: PastedInput): PastedInput | Pr
     entry => entry !== null,
   )
   if (!('files' in input) || !entries.some(({ isDirectory }) => isDirectory)) return input
-  return Promise.all(entries.map(filesIn)).then(files => ({ files: files.flat() }))
+  return Promise.all(entries.map(filesIn)).then(found => withPaths(found.flat()))
 }
 
-async function filesIn(entry: FileSystemEntry): Promise<File[]> {
+/** The files of a folder that a reader chose to open. */
+export function ofFolder(files: readonly File[]): PastedInput {
+  const found = files.map(file => ({ file, path: file.webkitRelativePath || file.name }))
+  return withPaths(found.filter(({ path }) => !/(?:^|\/)\./.test(path)))
+}
+
+interface FoundFile {
+  readonly file: File
+  readonly path: string
+}
+
+function withPaths(found: readonly FoundFile[]): PastedInput {
+  return { files: found.map(({ file }) => file), paths: found.map(({ path }) => path) }
+}
+
+async function filesIn(entry: FileSystemEntry): Promise<FoundFile[]> {
   if (entry.name.startsWith('.')) return []
-  if (entry.isFile) return [await new Promise<File>((...both) => (entry as FileSystemFileEntry).file(...both))]
+  if (entry.isFile) {
+    const file = await new Promise<File>((...both) => (entry as FileSystemFileEntry).file(...both))
+    return [{ file, path: entry.fullPath.replace(/^\//, '') }]
+  }
   const reader = (entry as FileSystemDirectoryEntry).createReader()
-  const files: File[] = []
+  const files: FoundFile[] = []
   for (;;) {
     const some = await new Promise<FileSystemEntry[]>((...both) => reader.readEntries(...both))
     if (some.length === 0) return files

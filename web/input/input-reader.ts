@@ -1,13 +1,13 @@
 /** Reads what is pasted, dropped or opened: what it finds becomes the element, or a list of which one cell can be chosen. */
 import { runAlone, type WorkerPort, wordsOf } from '../core/workers'
 import { CheckedCells } from '../mesh/checked-cells'
-import { isNamed } from '../mesh/source'
 import type { Vertices } from '../model/hexahedron'
 import { reordered } from '../model/node-order'
 import type { NodeOrder } from '../model/node-orders'
 import { droppedIn, type PastedInput, pastedIn, takesDrop } from './pasted-input'
 import type { InputHost, Reading, ReadingProgress, ShownCell } from './reading'
 import type { ReadingJobs, ReadingOutcome } from './serve-reading'
+import { WaitingFiles } from './waiting-files'
 
 /** Resolves to what starts the worker that reads, which each build has somewhere else; rejects where there is none to be had. */
 export type ReadingWorker = () => Promise<() => WorkerPort>
@@ -21,8 +21,8 @@ export interface InputTaker {
   refuse(message: string | null): void
   /** `reading` has changed. */
   onNews(): void
-  /** There is a list to choose from, and what it was read from; null when it is put away. */
-  onList(input: PastedInput | null): void
+  /** There is a list of so many cells to choose from, and what it was read from; null when it is put away. */
+  onList(list: (PastedInput & { readonly cells: number }) | null): void
 }
 
 export class InputReader implements InputHost {
@@ -32,8 +32,7 @@ export class InputReader implements InputHost {
   #underWay: AbortController | null = null
   /** Undo and redo come back to the same lists of vertices. */
   #shown = new WeakMap<Vertices, ShownCell>()
-  /** Files that name others which were not given; they wait for these. */
-  #waiting: { readonly files: readonly File[]; readonly missing: readonly string[] } | null = null
+  readonly #waiting = new WaitingFiles()
 
   constructor(worker: ReadingWorker, taker: InputTaker) {
     this.#worker = worker
@@ -64,7 +63,7 @@ export class InputReader implements InputHost {
   }
 
   read(input: PastedInput, isQuiet = false): void {
-    void this.#read(this.#completed(input), isQuiet)
+    void this.#read(this.#waiting.completed(input), isQuiet)
   }
 
   close(): void {
@@ -127,30 +126,21 @@ export class InputReader implements InputHost {
       this.#refuse(`Read as ${summary.format}, but the element ${id} cannot be shown: ${why}.`, null, [])
       return
     }
-    this.#waiting = null
+    this.#waiting.refused(null, [])
     this.#shown = new WeakMap()
     this.reading = { state: 'read', isQuiet, summary, cells, cellOf: vertices => this.#shown.get(vertices) ?? null }
     if (cells.count === 1) this.show(0)
     else {
       this.#taker.onNews()
-      this.#taker.onList(input)
+      this.#taker.onList({ ...input, cells: cells.count })
     }
   }
 
   #refuse(message: string, input: PastedInput | null, missing: readonly string[]): void {
-    this.#waiting = input && 'files' in input && missing.length > 0 ? { files: input.files, missing } : null
+    this.#waiting.refused(input, missing)
     const sentence = `${message} The element is as it was.`
     this.#set({ state: 'refused', message: sentence })
     this.#taker.refuse(sentence)
-  }
-
-  /** The input with the files that wait for one of its own. */
-  #completed(input: PastedInput): PastedInput {
-    if (!('files' in input) || this.#waiting === null) return input
-    const { files, missing } = this.#waiting
-    if (!input.files.some(file => missing.some(name => isNamed(file, name)))) return input
-    const others = files.filter(file => !input.files.some(({ name }) => name === file.name))
-    return { files: [...others, ...input.files] }
   }
 
   #set(reading: Reading | null): void {

@@ -1,6 +1,12 @@
 /** Texts and files that a reader pastes, drops or opens. Text fields keep their own. */
 
-export type PastedInput = { readonly text: string } | { readonly files: readonly File[] }
+export type PastedInput = { readonly text: string } | GivenFiles
+
+export interface GivenFiles {
+  readonly files: readonly File[]
+  /** Of files out of folders: the path of each from there, its name included. */
+  readonly paths?: readonly string[]
+}
 
 /** Null where there is nothing to read. */
 function inputOf(transfer: DataTransfer | null): PastedInput | null {

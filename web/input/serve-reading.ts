@@ -56,7 +56,8 @@ async function read(input: PastedInput, engine: ReadingEngine, tell: Tell): Prom
 }
 
 export function filesOf(input: PastedInput): MeshFile[] {
-  if ('files' in input) return input.files.map(meshFileOf)
+  if ('files' in input)
+    return input.files.map((file, i) => ({ ...meshFileOf(file), path: input.paths?.[i] ?? file.name }))
   return [fileOfBytes('The text', new TextEncoder().encode(input.text))]
 }
 

@@ -1,6 +1,7 @@
 /** The tree in the shadow root of `<hex-mesh>`: sentence, picture, list. It shows what it is given and tells what the reader does. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import { CellTable, type TableHost } from '../mesh-views/cell-table'
+import listCss from '../mesh-views/cell-table.css?inline'
 import { formatNumber } from '../model/decimal'
 import { adoptStyles } from '../panels/style-sheets'
 import type { Arrangement, Overview, Row } from '../survey/survey-jobs'
@@ -48,7 +49,7 @@ export class MeshView {
 
   constructor(shadow: ShadowRoot, host: ViewHost) {
     this.#host = host
-    adoptStyles(shadow, [css, said])
+    adoptStyles(shadow, [listCss, css, said])
     this.lens.className = 'lens'
     this.lens.part.add('mesh')
     this.#list.className = 'list'

@@ -144,11 +144,12 @@ export class CellTable {
         tabindex="0"
         aria-label=${say('Cells')}
         aria-rowcount=${this.#count + 1}
+        aria-colcount=${columns.length}
         aria-activedescendant=${isActiveSeen ? `row-${this.#active}` : nothing}
         @scroll=${() => this.#render()}
         @keydown=${this.#onKey}
       >
-        <div class="row head" role="row" aria-rowindex="1">${columns.map(words => this.#heading(words))}</div>
+        <div class="row head" role="row" aria-rowindex="1">${columns.map((words, i) => this.#heading(words, i + 1))}</div>
         <div class="extent" role="presentation" .style=${`height: ${this.#height}px`}>
           <div role="presentation" .style=${`transform: translateY(${top}px)`}>${ranks.map(rank => this.#row(rank))}</div>
         </div>
@@ -158,12 +159,13 @@ export class CellTable {
     this.#box = this.#root.querySelector('.rows')
   }
 
-  #heading({ column, name, title }: ColumnWords): TemplateResult {
+  /** Narrow lists leave out columns, so each says which it is. */
+  #heading({ column, name, title }: ColumnWords, index: number): TemplateResult {
     const isSorted = column === this.#order.column
     const sort = isSorted ? (this.#order.isDescending ? 'descending' : 'ascending') : 'none'
     const next = { column, isDescending: isSorted && !this.#order.isDescending }
-    return html`<span role="columnheader" class=${column} aria-sort=${sort}
-      ><button type="button" tabindex="-1" title=${say(title)} @click=${() => this.#host.arrange(next)}>
+    return html`<span role="columnheader" class=${column} aria-colindex=${index} aria-sort=${sort}
+      ><button type="button" title=${say(title)} @click=${() => this.#host.arrange(next)}>
         ${say(name)}<span class="sort" aria-hidden="true">${isSorted ? (this.#order.isDescending ? ' ▾' : ' ▴') : ''}</span>
       </button></span
     >`
@@ -180,7 +182,7 @@ export class CellTable {
       aria-selected=${isChosen}
       @click=${() => row && this.#choose(rank, row)}
     >
-      ${row === null ? html`<span role="gridcell" class="id"></span>` : this.#cells(row)}
+      ${row === null ? html`<span role="gridcell" aria-colindex="1" class="id"></span>` : this.#cells(row)}
     </div>`
   }
 
@@ -188,22 +190,24 @@ export class CellTable {
     const { id, standing, relativeMinimum, minimum, volume, acceptedBy, block, why } = row
     const isInvalid = standing === 'invalid'
     if (why !== null)
-      return html`<span role="gridcell" class="id">${id}</span><span role="gridcell" class="why">${say('unanswered')}: <span lang="en">${why}</span></span>`
-    return html`<span role="gridcell" class="id">${id}</span>
-      <span role="gridcell" class=${`worst ${isInvalid ? 'negative' : ''}`}
+      return html`<span role="gridcell" aria-colindex="1" class="id">${id}</span><span role="gridcell" class="why" aria-colindex="2" aria-colspan=${this.#hasBlocks ? 6 : 5}>${say('unanswered')}: <span lang="en">${why}</span></span>`
+    return html`<span role="gridcell" aria-colindex="1" class="id">${id}</span>
+      <span role="gridcell" aria-colindex="2" class=${`worst ${isInvalid ? 'negative' : ''}`}
         >${Number.isNaN(relativeMinimum) ? say('volume 0') : formatNumber(relativeMinimum)}</span
       >
-      <span role="gridcell" class=${`minimum ${isInvalid ? 'negative' : ''}`}>${formatJacdet(minimum.value, minimum.exponent, 'unit')}</span>
-      <span role="gridcell" class="volume">${formatJacdet(volume.value, volume.exponent, 'unit')}</span>
-      <span role="gridcell" class=${`class ${isInvalid ? 'negative' : ''}`}>${row.class === 'invalid' ? say('INVALID') : row.class === null ? '' : say(row.class)}</span>
-      <span role="gridcell" class="accepted-by" title=${acceptedBy.map(check => say(checks[check].name)).join(', ')}
+      <span role="gridcell" aria-colindex="3" class=${`minimum ${isInvalid ? 'negative' : ''}`}>${formatJacdet(minimum.value, minimum.exponent, 'unit')}</span>
+      <span role="gridcell" aria-colindex="4" class="volume">${formatJacdet(volume.value, volume.exponent, 'unit')}</span>
+      <span role="gridcell" aria-colindex="5" class=${`class ${isInvalid ? 'negative' : ''}`}>${row.class === 'invalid' ? say('INVALID') : row.class === null ? '' : say(row.class)}</span>
+      <span role="gridcell" aria-colindex="6" class="accepted-by" title=${acceptedBy.map(check => say(checks[check].name)).join(', ')}
         >${isInvalid ? acceptedWords(acceptedBy) : ''}</span
       >
-      ${this.#hasBlocks ? html`<span role="gridcell" class="block">${block ?? '–'}</span>` : nothing}`
+      ${this.#hasBlocks ? html`<span role="gridcell" aria-colindex="7" class="block">${block ?? '–'}</span>` : nothing}`
   }
 
   readonly #onKey = (event: KeyboardEvent): void => {
-    if (event.altKey || event.ctrlKey || event.metaKey) return
+    // A heading's button is pressed by its own keys.
+    const isOnButton = event.target !== event.currentTarget
+    if (event.altKey || event.ctrlKey || event.metaKey || isOnButton) return
     const page = Math.max(1, Math.floor(this.#extent.view / this.#rowHeight) - 2)
     const moves: Record<string, number> = {
       ArrowDown: this.#active + 1,

@@ -6,7 +6,7 @@ import type { MeshCheck } from './mesh-check'
 export function headlineOf(check: MeshCheck, accepted: AcceptedInvalid = acceptedInvalid(check)): string {
   const { hexahedra, invalid, unanswered } = check
   const open = unanswered === 0 ? '' : ` ${grouped(unanswered)} ${unanswered === 1 ? 'is' : 'are'} unanswered.`
-  if (invalid === 0) return `${noneInvalid(check)}${open}`.trim()
+  if (invalid === 0) return unanswered === hexahedra ? noneAnswered(hexahedra) : `${noneInvalid(check)}${open}`
   const [are, them] = invalid === 1 ? ['is', 'it'] : ['are', 'them']
   const of = hexahedra === 1 ? 'The hexahedron is' : `${grouped(invalid)} of ${grouped(hexahedra)} hexahedra ${are}`
   const { corners, vtk } = accepted
@@ -17,8 +17,12 @@ export function headlineOf(check: MeshCheck, accepted: AcceptedInvalid = accepte
   return `${of} invalid. ${others}${open}`
 }
 
-function noneInvalid({ hexahedra, valid, unanswered }: MeshCheck): string {
-  if (unanswered === hexahedra) return ''
+function noneAnswered(hexahedra: number): string {
+  if (hexahedra === 0) return ''
+  return hexahedra === 1 ? 'The hexahedron is unanswered.' : `All ${grouped(hexahedra)} hexahedra are unanswered.`
+}
+
+function noneInvalid({ hexahedra, valid }: MeshCheck): string {
   if (valid < hexahedra) return `None of ${grouped(hexahedra)} hexahedra is known to be invalid.`
   return hexahedra === 1 ? 'The hexahedron is valid.' : `All ${grouped(hexahedra)} hexahedra are valid.`
 }

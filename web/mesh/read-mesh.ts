@@ -6,7 +6,7 @@ import { type Mesh, MeshRefusal } from './mesh'
 import { fencedBlocks, withoutQuotation } from './quotation'
 import { shownFileName } from './shown'
 import { utf16Of } from './snippet-text'
-import { isNamed, type MeshFile, type MeshFormat, type ReadOptions } from './source'
+import { fileNamed, type MeshFile, type MeshFormat, type ReadOptions } from './source'
 import { shown } from './text-cursor'
 
 const HEAD = 65_536
@@ -31,10 +31,15 @@ export function readTogether(files: readonly MeshFile[], options: TogetherOption
   for (const [i, file] of inOrderOfReading(files).entries()) {
     if (parts.has(file)) continue
     const missing: string[] = []
+    // What a file names is beside it: the last that was found is the one that is being read.
+    const chain: MeshFile[] = []
     const find = (name: string): MeshFile | null => {
-      const found = files.find(other => other !== file && isNamed(other, name)) ?? null
-      if (found) parts.add(found)
-      else missing.push(name)
+      const others = files.filter(other => other !== file)
+      const found = fileNamed(others, name, [...chain, file])
+      if (found) {
+        parts.add(found)
+        chain.unshift(found)
+      } else missing.push(name)
       return found
     }
     const onProgress = (part: number) => options.onProgress((i + part) / files.length)

@@ -5,6 +5,8 @@ import type { Mesh } from './mesh'
 
 export interface MeshFile {
   readonly name: string
+  /** From the folder that was given, its name included; without it the name is all that is known. */
+  readonly path?: string
   readonly size: number
   /** A copy of the bytes [from, to), which must lie in the file; it may be in `into`, if that is given, which is as long at least. */
   read(from: number, to: number, into?: Uint8Array): Uint8Array
@@ -53,4 +55,37 @@ export function fileOfBytes(name: string, bytes: Uint8Array): MeshFile {
 /** True if a file is the one that another names, with or without its folder. */
 export function isNamed({ name }: { readonly name: string }, wanted: string): boolean {
   return name.toLowerCase() === wanted.split(/[\\/]/).at(-1)?.toLowerCase()
+}
+
+/**
+ * The file that another names. Of several with its name, the one at that path from a file of `from`, the first of these first, or else
+ * the only one whose folders agree with the name; null if that leaves it open.
+ */
+export function fileNamed(files: readonly MeshFile[], wanted: string, from: readonly MeshFile[]): MeshFile | null {
+  const found = files.filter(file => isNamed(file, wanted))
+  const [first] = found
+  if (!first || found.every(file => pathOf(file) === pathOf(first))) return first ?? null
+  for (const { path = '' } of from) {
+    const exact = found.find(file => pathOf(file).toLowerCase() === pathFrom(path, wanted).toLowerCase())
+    if (exact) return exact
+  }
+  const fitting = found.filter(file => haveSameEnd(pathOf(file), wanted))
+  return fitting.length === 1 ? (fitting[0] as MeshFile) : null
+}
+
+export function pathOf({ name, path = name }: Pick<MeshFile, 'name' | 'path'>): string {
+  return path
+}
+
+function pathFrom(path: string, wanted: string): string {
+  const folders = path.split('/').slice(0, -1)
+  for (const part of wanted.split(/[\\/]/))
+    if (part === '..') folders.pop()
+    else if (part !== '.') folders.push(part)
+  return folders.join('/')
+}
+
+function haveSameEnd(path: string, wanted: string): boolean {
+  const [a, b] = [path, pathFrom('', wanted)].map(each => each.toLowerCase().split('/').reverse())
+  return a?.every((part, i) => i >= (b?.length ?? 0) || part === b?.[i]) ?? false
 }

@@ -5,7 +5,7 @@ import { joined } from './join-meshes'
 import { type Mesh, MeshRefusal } from './mesh'
 import { MissingFiles, readMeshes, type TogetherOptions } from './read-mesh'
 import { shown, shownFileName } from './shown'
-import { isNamed, type MeshFile, type ReadOptions } from './source'
+import { fileNamed, type MeshFile, pathOf, type ReadOptions } from './source'
 
 export interface StepFiles {
   /** What was decided, for people: "7 files are taken as 7 steps of one mesh, in the order of their numbers." */
@@ -44,14 +44,11 @@ function ofCollection(file: MeshFile, files: readonly MeshFile[], options: Toget
   if (steps === null || steps.length < 2) return null
   const name = shownFileName(file.name)
   refuseNamesakes(
-    name,
+    file,
     steps.flatMap(step => step.files),
-  )
-  const { missing, named } = lookedUp(
-    steps.map(step => step.files),
     files,
-    options,
   )
+  const { missing, named } = lookedUp(file, steps, files, options)
   const isWhole = missing.map(names => names.length === 0)
   if (!isWhole.includes(true)) return null
   const left = files.filter(other => other !== file && !named.has(other))
@@ -70,36 +67,41 @@ function ofCollection(file: MeshFile, files: readonly MeshFile[], options: Toget
   }
 }
 
-/** Files are found without their folders: one of two that have the same name there would stand for both. */
-function refuseNamesakes(name: string, files: readonly string[]): void {
-  const known = new Map<string, string>()
-  for (const file of files) {
-    const parts = file.split(/[\\/]/).filter(part => part !== '.')
-    const [path, own] = [parts.join('/'), (parts.at(-1) ?? '').toLowerCase()]
-    const other = known.get(own) ?? path
+/** Two names of a list may not be of one file here: it would stand for both. */
+function refuseNamesakes(list: MeshFile, names: readonly string[], files: readonly MeshFile[]): void {
+  const known = new Map<MeshFile, string>()
+  for (const name of names) {
+    const path = name
+      .split(/[\\/]/)
+      .filter(part => part !== '.')
+      .join('/')
+    const found = fileNamed(files, name, [list])
+    if (found === null) continue
+    const other = known.get(found) ?? path
     if (other !== path)
       throw new MeshRefusal(
-        `${name}: it names ${shown(other)} and ${shown(path)}, and files are known here without their folders: give them different names.`,
+        `${shownFileName(list.name)}: it names ${shown(other)} and ${shown(path)}, and ${shown(pathOf(found))} here could be either: drop the folder that holds both, or give them different names.`,
       )
-    known.set(own, path)
+    known.set(found, path)
   }
 }
 
-/** For each list of names: which are of no file here, those of a .pvtu's pieces among them; and all files that are named. */
+/** For each step: which names are of no file here, those of a .pvtu's pieces among them; and all files that are named. */
 function lookedUp(
-  lists: readonly (readonly string[])[],
+  list: MeshFile,
+  steps: readonly { readonly files: readonly string[] }[],
   files: readonly MeshFile[],
   options: TogetherOptions,
 ): { readonly missing: readonly (readonly string[])[]; readonly named: ReadonlySet<MeshFile> } {
   const named = new Set<MeshFile>()
-  const missingOf = (names: readonly string[], isPieces: boolean): readonly string[] =>
+  const missingOf = (from: MeshFile, names: readonly string[], isPieces: boolean): readonly string[] =>
     names.flatMap(name => {
-      const found = files.find(file => isNamed(file, name))
+      const found = fileNamed(files, name, [from])
       if (!found) return [name]
       named.add(found)
-      return isPieces ? [] : missingOf(pieceNames(found, scanning(options)), true)
+      return isPieces ? [] : missingOf(found, pieceNames(found, scanning(options)), true)
     })
-  return { missing: lists.map(names => missingOf(names, false)), named }
+  return { missing: steps.map(step => missingOf(list, step.files, false)), named }
 }
 
 function missingSentence(missing: readonly (readonly string[])[]): string[] {
@@ -121,9 +123,11 @@ function leftSentence(left: readonly MeshFile[], name: string): string[] {
 }
 
 function ofNumbers(files: readonly MeshFile[], options: TogetherOptions): StepFiles | null {
-  const pieces = files.flatMap(file => pieceNames(file, scanning(options)))
-  const heads = files.filter(file => !pieces.some(piece => isNamed(file, piece)))
-  const order = orderOfNumbers(heads.map(({ name }) => name))
+  const pieces = new Set(
+    files.flatMap(file => pieceNames(file, scanning(options)).map(piece => fileNamed(files, piece, [file]))),
+  )
+  const heads = files.filter(file => !pieces.has(file))
+  const order = orderOfNumbers(heads.map(pathOf))
   if (order === null) return null
   const ordered = order.map(index => heads[index] as MeshFile)
   const ends = [0, ordered.length - 1].map((step, i) => {
@@ -133,13 +137,14 @@ function ofNumbers(files: readonly MeshFile[], options: TogetherOptions): StepFi
   const [first, last] = ends as [StepMesh, StepMesh]
   const areApart = ends.every(({ found }) => !ordered.some(file => found.has(file)))
   if (!areApart || first.mesh.cells.length === 0 || !haveSameCells(first.mesh, last.mesh)) return null
+  const areNamesakes = new Set(ordered.map(({ name }) => name)).size < ordered.length
   const others = files.length === ordered.length ? '' : ` with ${files.length - ordered.length} pieces`
   return {
     sentences: [
       `${ordered.length} files${others} are taken as ${ordered.length} steps of one mesh, in the order of their numbers.`,
     ],
     steps: ordered.map(file => ({
-      name: shownFileName(file.name),
+      name: shownFileName(areNamesakes ? pathOf(file) : file.name),
       time: null,
       read: own => meshOf(file, files, { ...own, step: 0 }).mesh,
     })),
@@ -182,7 +187,9 @@ function meshOf(
   const found = new Set<MeshFile>()
   const missing: string[] = []
   const find = (name: string): MeshFile | null => {
-    const other = files.find(candidate => candidate !== file && isNamed(candidate, name)) ?? null
+    // What a file names is beside it: the last that was found is the one that is being read.
+    const others = files.filter(candidate => candidate !== file)
+    const other = fileNamed(others, name, [...[...found].reverse(), file])
     if (other) found.add(other)
     else missing.push(name)
     return other

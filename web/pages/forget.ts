@@ -1,5 +1,6 @@
 /** The way to forget all that this browser keeps for Hexlens. It asks once more, in its place. */
 import { html, type TemplateResult } from 'lit-html'
+import { forgetHanded } from './handed-input'
 import { forgetAll } from './keep'
 import { forgetLists } from './kept-list'
 
@@ -41,6 +42,7 @@ export class Forget {
     if (next === 'done') {
       forgetAll()
       forgetLists()
+      forgetHanded()
       this.#onForget()
     }
     this.#onChange()

@@ -3,15 +3,15 @@
  * it may be large; the tab knows its key. The lists of tabs that are closed go when others come.
  */
 import type { PastedInput } from '../input/pasted-input'
+import { InputStore } from './input-store'
 import { Keeper, TAB_ALONE } from './keep'
 import { say, unsay } from './note'
 
-const DATABASE = 'hexlens'
-const STORE = 'lists'
 const MOST_MEGABYTES = 16
 /** Of all tabs. */
 const MOST_LISTS = 4
 
+const store = new InputStore('hexlens', MOST_LISTS)
 const key = new Keeper<number>('list', 1, value => (typeof value === 'number' ? value : null), TAB_ALONE)
 
 /** Keeps each list that is read in the lens, and reads the one that was kept again. */
@@ -50,12 +50,8 @@ async function keepList(input: PastedInput | null): Promise<string> {
   if (bytes > MOST_MEGABYTES * 1e6)
     return `The list is gone when you leave this page: up to ${MOST_MEGABYTES} MB are kept.`
   try {
-    const added = await inStore('readwrite', async store => {
-      const keys = await done(store.getAllKeys())
-      for (const old of keys.slice(0, Math.max(0, keys.length + 1 - MOST_LISTS))) store.delete(old)
-      return done(store.add(input))
-    })
-    if (key.keep(added as number) === 'kept') return ''
+    const added = await store.add(input)
+    if (key.keep(added) === 'kept') return ''
   } catch {
     // No room, or refused.
   }
@@ -65,44 +61,9 @@ async function keepList(input: PastedInput | null): Promise<string> {
 /** Null if there is none. */
 async function keptList(): Promise<PastedInput | null> {
   const own = key.own()
-  if (own === null) return null
-  const input = await inStore('readonly', store => done(store.get(own))).catch(() => null)
-  return (input as PastedInput | null | undefined) ?? null
+  return own === null ? null : store.get(own)
 }
 
 export function forgetLists(): void {
-  try {
-    indexedDB.deleteDatabase(DATABASE)
-  } catch {
-    // Nothing is stored there.
-  }
-}
-
-/** A connection is closed at once: while it is open, the page could not be shown again as it was left. */
-async function inStore<T>(mode: IDBTransactionMode, run: (store: IDBObjectStore) => Promise<T>): Promise<T> {
-  const opening = indexedDB.open(DATABASE, 1)
-  opening.onupgradeneeded = () => opening.result.createObjectStore(STORE, { autoIncrement: true })
-  const database = await done(opening)
-  try {
-    const transaction = database.transaction(STORE, mode)
-    const result = await run(transaction.objectStore(STORE))
-    if (mode === 'readwrite') await committed(transaction)
-    return result
-  } finally {
-    database.close()
-  }
-}
-
-function done<T>(request: IDBRequest<T>): Promise<T> {
-  return new Promise((resolve, reject) => {
-    request.onsuccess = () => resolve(request.result)
-    request.onerror = () => reject(request.error)
-  })
-}
-
-function committed(transaction: IDBTransaction): Promise<void> {
-  return new Promise((resolve, reject) => {
-    transaction.oncomplete = () => resolve()
-    transaction.onabort = () => reject(transaction.error)
-  })
+  store.forget()
 }

@@ -26,11 +26,13 @@ export function overviewOf(
   },
 ): Overview {
   const { mesh, hexahedra } = check
+  // What the answers add may have a button, or tell what the counts leave out.
+  const [own, added] = [check.notes.slice(0, mesh.notes.length), check.notes.slice(mesh.notes.length)]
   return {
     name,
     format: mesh.format,
     headline: headlineOf(check, accepted),
-    sentences: [...countSentences(check, OPTIONS), ...check.notes],
+    sentences: [...added, ...countSentences(check, OPTIONS), ...own],
     hexahedra,
     counts: { valid: check.valid, invalid: check.invalid, unanswered: check.unanswered, degenerate: 0 },
     fixes: fixesOf(check, wholeOrder),

@@ -18,6 +18,7 @@ import { onSettled } from '../on-settled'
 import { put } from '../put'
 import { scrollOf, scrollTo } from '../scroll'
 import { showHintOnce } from './hint'
+import { leadToMesh } from './to-mesh'
 
 const lens = document.querySelector('hex-lens') as HTMLElementTagNameMap['hex-lens']
 const work = new LensWork(lens, [lens], arrive)
@@ -116,6 +117,7 @@ onSettled(lens, () => {
   settle()
 })
 
+leadToMesh(lens)
 keepLists(lens)
 
 // While nothing has the focus, undo, redo and paste can only mean the element.

@@ -50,7 +50,9 @@ export function histogramTemplate(
       ? nothing
       : svg`<rect class="range" x=${x(range[0])} y="0" width=${Math.max(2, x(range[1]) - x(range[0]))} height=${HEIGHT}></rect>`
   const zero = from < 0 && greatest > 0 ? svg`<path class="zero" d=${`M${x(0)} 0V${HEIGHT}`}></path>` : nothing
-  const text = percentiles.map(({ percent, value }) => `${percent} %: ${formatNumber(value)}`).join(' · ')
+  const text = percentiles
+    .map(({ percent, value }) => `${percent}\u00a0%:\u00a0${formatNumber(rounded(value))}`)
+    .join(' · ')
   return html`<figure class="histogram">
     <svg
       viewBox=${`0 0 ${WIDTH} ${HEIGHT}`}
@@ -63,8 +65,13 @@ export function histogramTemplate(
       ${bars}${zero}${chosen}
     </svg>
     <figcaption>
-      <span>${formatNumber(least)}</span><span>Relative minimum, counts logarithmic${range === null ? '' : ''}</span><span>${formatNumber(greatest)}</span>
+      <span>${formatNumber(least)}</span><span title="The heights are logarithms of the counts.">Relative minimum: least jacdet / volume</span><span>${formatNumber(greatest)}</span>
     </figcaption>
     <p class="percentiles">${text}</p>
   </figure>`
+}
+
+/** A percentile is read at a glance; bars, list and files have more digits. */
+function rounded(value: number): number {
+  return Number(value.toPrecision(3))
 }

@@ -4,17 +4,30 @@
  */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import '../element'
-import '../skip'
-import { unfolded } from '../../input/dropped-folders'
+import { wordsOf } from '../../core/workers'
+import { ofFolder, unfolded } from '../../input/dropped-folders'
 import { droppedIn, type PastedInput, pastedIn, takesDrop } from '../../input/pasted-input'
 import type { ReadingProgress } from '../../input/reading'
+import { WaitingFiles } from '../../input/waiting-files'
 import { CellTable } from '../../mesh-views/cell-table'
 import { parseCondition } from '../../model/condition'
 import { encodePermalink } from '../../model/permalink'
 import { OpenSurvey } from '../../survey/open-survey'
-import type { Arrangement, Fix, Histogram, Opening, Overview, Selected, StepOpening } from '../../survey/survey-jobs'
+import type { Arrangement, Column, Fix, Histogram, Overview, Selected, StepOpening } from '../../survey/survey-jobs'
 import { startSurveyWorker } from '../../survey/survey-worker'
+import { takeHanded } from '../handed-input'
 import { histogramTemplate, type Range } from './histogram-view'
+import {
+  ALL_FORMATS,
+  cancelledWords,
+  EXAMPLE,
+  FORMATS,
+  NOTHING_OPEN,
+  namesakeSentence,
+  nextSentence,
+  refusalWords,
+  STAYS,
+} from './page-words'
 import { partFile } from './part'
 import { PictureControls } from './picture-controls'
 import { isSettingsText, type Travelling } from './settings-text'
@@ -38,30 +51,48 @@ const CONDITIONS: readonly { readonly name: string; readonly condition: string }
   { name: 'Relative minimum below 0.2', condition: 'boundary_min / volume < 0.2' },
 ]
 
+/** Also by columns for which the list has no room. */
+const ORDERS: readonly { readonly column: Column; readonly name: string }[] = [
+  { column: 'worst', name: 'Worst first' },
+  { column: 'id', name: 'By cell' },
+  { column: 'minimum', name: 'By minimum' },
+  { column: 'volume', name: 'By volume' },
+  { column: 'class', name: 'By class' },
+  { column: 'accepted-by', name: 'By who accepts' },
+  { column: 'block', name: 'By block' },
+]
+
+/** What is being read, while the mesh before stays. */
+interface UnderWay extends ReadingProgress {
+  readonly name: string
+}
+
 /** Everything that the page shows; replaced, never changed. */
 interface Shown {
-  readonly name: string
-  /** Of the input that is being read; what is open stays until it has been. */
-  readonly reading: { readonly name: string; readonly progress: ReadingProgress } | null
-  readonly refused: string | null
+  readonly progress: UnderWay | null
+  /** What became of the last input, if it is not what is shown. */
+  readonly news: string
   readonly overview: Overview | null
   readonly isExample: boolean
+  /** About the files that were given. */
+  readonly beside: string
   readonly histogram: Histogram | null
   readonly order: Arrangement
   readonly condition: string
   readonly complaint: string | null
   readonly range: Range
   readonly selected: Selected | null
+  /** About the list. */
   readonly message: string
 }
 
 const FIRST_ORDER: Arrangement = { column: 'worst', isDescending: false }
 const NOTHING: Shown = {
-  name: '',
-  reading: null,
-  refused: null,
+  progress: null,
+  news: '',
   overview: null,
   isExample: false,
+  beside: '',
   histogram: null,
   order: FIRST_ORDER,
   condition: '',
@@ -73,23 +104,24 @@ const NOTHING: Shown = {
 
 let shown: Shown = NOTHING
 let survey: OpenSurvey | null = null
-/** Reads the input that will take its place. */
-let reader: OpenSurvey | null = null
+/** Another mesh, which is being read. */
+let opening: OpenSurvey | null = null
 /** A started worker for the mesh that is opened next. */
 let spare: OpenSurvey | null = null
 let chosen: { readonly cell: number; readonly rank: number | null } | null = null
+const waiting = new WaitingFiles()
 
 const listRoot = document.createElement('div')
 listRoot.className = 'list'
 const table = new CellTable(listRoot, {
-  rows: (from, to) => survey?.rows(from, to) ?? Promise.resolve([]),
+  rows: async (from, to) => (await asked(own => own.rows(from, to))) ?? [],
   arrange: order => void arrange(order),
   choose: (cell, rank) => void choose(cell, rank),
 })
 const picture = new PictureControls(part('.picture'), {
   cut: cells => survey?.cut(cells) ?? Promise.reject(new Error('No mesh is open.')),
   choose: cell => void chooseInPicture(cell),
-  name: async cell => (await survey?.detail(cell))?.row ?? null,
+  name: async cell => (await asked(own => own.detail(cell)))?.row ?? null,
   changed: () => travel.touch(),
   settingsText: () => travel.text,
   copySettings: () => void travel.copy(),
@@ -110,53 +142,76 @@ const takeAway = new TakeAway({ survey: () => survey, picture: () => picture.toP
 const steps = new StepsView(part('.steps'), {
   chosen: () => chosen?.cell ?? null,
   show: showStep,
-  take: takeOrRefuse,
+  take: async given => {
+    set({ ...shown, news: 'refused' in given ? given.refused : '' })
+    if ('opened' in given) await take(given.opened, { isExample: false, beside: '' })
+  },
   goTo: flyTo,
 })
 
-async function open(input: PastedInput, isExample = false): Promise<void> {
+/** The answer of the open mesh; null if another one is open by then, or if its worker has ended, which is said. */
+async function asked<T>(ask: (own: OpenSurvey) => Promise<T>): Promise<T | null> {
+  const own = survey
+  if (!own) return null
+  try {
+    const answer = await ask(own)
+    return own === survey ? answer : null
+  } catch (reason) {
+    if (own === survey) set({ ...shown, news: wordsOf(reason) })
+    return null
+  }
+}
+
+/** The mesh that was open stays until the other one is decided. */
+async function open(given: PastedInput, isExample = false): Promise<void> {
+  const input = waiting.completed(given)
   const name = nameOf(input)
+  opening?.close()
   const own = spare ?? new OpenSurvey(startSurveyWorker)
   spare = null
-  reader?.close()
-  reader = own
-  const onProgress = (progress: ReadingProgress) => {
-    if (own === reader) set({ ...shown, reading: { name, progress } })
-  }
-  set({ ...shown, refused: null, message: '' })
-  onProgress({ step: 'reading', fraction: 0 })
-  const opening = await own.open(input, onProgress)
-  if (own !== reader) return own.close()
-  reader = null
-  set({ ...shown, reading: null })
-  if ('refused' in opening) {
+  opening = own
+  set({ ...shown, progress: { name, step: 'reading', fraction: 0 }, news: '' })
+  const result = await own.open(input, progress => {
+    if (own === opening) set({ ...shown, progress: { name, ...progress } })
+  })
+  if (own !== opening) return own.close()
+  opening = null
+  waiting.refused(input, 'refused' in result ? result.missing : [])
+  if ('refused' in result) {
     own.close()
-    set({ ...shown, refused: opening.refused })
+    set({ ...shown, progress: null, news: refusalWords(name, result.refused, openName()) })
     return
   }
   survey?.close()
   survey = own
-  await take(opening.opened, isExample)
+  const hasSteps = (await asked(open => open.steps())) !== null
+  const beside = 'files' in input && !hasSteps ? namesakeSentence(input.paths) : ''
+  if (own === survey) await take(result.opened, { isExample, beside })
+}
+
+function openName(): string | null {
+  if (!survey) return null
+  return shown.isExample ? 'the example' : (shown.overview?.name ?? null)
 }
 
 /** What comes first is said first: the sentence and the list, then the picture. */
-async function take(overview: Overview, isExample: boolean): Promise<void> {
+async function take(overview: Overview, about: Pick<Shown, 'isExample' | 'beside'>): Promise<void> {
   const own = survey as OpenSurvey
-  set({ ...NOTHING, name: overview.name, overview, isExample, selected: allOf(overview) })
+  // Another mesh may be on its way by now.
+  const { news } = shown
+  set({ ...NOTHING, ...about, news, progress: opening ? shown.progress : null, overview, selected: allOf(overview) })
   table.show(overview.hexahedra, { hasBlocks: overview.blocks.length > 0, order: FIRST_ORDER })
-  const arriving = travel.arrivingIn(overview, isExample)
+  const arriving = travel.arrivingIn(overview, about.isExample)
   picture.open(overview, arriving?.picture, arriving?.camera)
   picture.say(travel.takeNotice())
   void steps.open(own)
   const [worst] = overview.worst
   if (worst) await choose(worst.cell, 0)
   if (arriving && own === survey) await list(arriving)
-  if (own !== survey) return
-  const histogram = await own.histogram()
-  if (own !== survey) return
+  const histogram = await asked(open => open.histogram())
+  if (histogram === null) return
   set({ ...shown, histogram })
-  await own.join(part => own === survey && picture.joining(part))
-  if (own !== survey) return
+  if ((await asked(open => open.join(part => own === survey && picture.joining(part)))) === null) return
   await picture.show()
   if (chosen && own === survey) await showNeighbours(chosen.cell)
   if (own === survey) await steps.readAll()
@@ -200,20 +255,20 @@ async function showStep(
 ): Promise<void> {
   if (own !== survey) return
   const { order, condition, range } = shown
-  await own.arrange(order)
+  await asked(open => open.arrange(order))
   if (own !== survey) return
-  set({ ...shown, name: overview.name, overview, selected: allOf(overview) })
+  set({ ...shown, overview, selected: allOf(overview) })
   picture.step(overview)
   if (cell === null) chooseNone()
   else await choose(cell, null)
   await select(condition, range)
-  const [histogram] = await Promise.all([own.histogram(), own.join(() => {})])
-  if (own !== survey) return
-  set({ ...shown, histogram })
+  const both = await asked(open => Promise.all([open.histogram(), open.join(() => {})]))
+  if (both === null) return
+  set({ ...shown, histogram: both[0] })
   await picture.show()
-  if (cell === null || own !== survey) return
-  const { rank } = await own.placeOf(cell)
-  if (own === survey && chosen?.cell === cell) await choose(cell, rank)
+  if (cell === null) return
+  const place = await asked(open => open.placeOf(cell))
+  if (place && chosen?.cell === cell) await choose(cell, place.rank)
 }
 
 function chooseNone(): void {
@@ -229,14 +284,14 @@ function allOf({ hexahedra }: Overview): Selected {
 }
 
 function cancel(): void {
-  reader?.close()
-  reader = null
-  const left = shown.overview ? `${shown.name} is still open.` : 'Nothing is open.'
-  set({ ...shown, reading: null, message: `Cancelled. ${left}` })
+  opening?.close()
+  opening = null
+  set({ ...shown, progress: null, news: cancelledWords(shown.progress?.name ?? '', openName()) })
+  part('.overview .open').focus()
 }
 
 async function arrange(order: Arrangement): Promise<void> {
-  await survey?.arrange(order)
+  if ((await asked(open => open.arrange(order).then(() => true))) === null) return
   set({ ...shown, order })
   showTable()
 }
@@ -248,16 +303,19 @@ function showTable(): void {
 
 async function select(condition: string, range: Range): Promise<void> {
   const { overview } = shown
-  if (!survey || !overview) return
+  if (!overview) return
   const complaint = complaintAbout(condition)
   set({ ...shown, condition, range, complaint })
   if (complaint !== null) return
   const selection = { condition: condition.trim() === '' ? null : condition, range }
-  await survey.select(selection, overview.hexahedra, selected => {
-    set({ ...shown, selected })
-    showTable()
-  })
-  await picture.refresh()
+  const selected = await asked(own =>
+    own.select(selection, overview.hexahedra, found => {
+      if (own !== survey) return
+      set({ ...shown, selected: found })
+      showTable()
+    }),
+  )
+  if (selected) await picture.refresh()
 }
 
 function complaintAbout(condition: string): string | null {
@@ -270,13 +328,14 @@ function complaintAbout(condition: string): string | null {
 async function choose(cell: number, rank: number | null): Promise<void> {
   chosen = { cell, rank }
   table.choose(cell, rank)
-  const own = survey
-  const detail = await own?.detail(cell)
-  if (!detail || own !== survey || chosen?.cell !== cell) return
+  const detail = await asked(open => open.detail(cell))
+  if (!detail || chosen?.cell !== cell) return
   const { row, vertices } = detail
   render(
     html`Cell ${row.id}${row.block === null ? '' : `, block ${row.block}`}${
-      vertices === null ? html`: ${row.why}` : html`. <a href=${`./#${encodePermalink(vertices)}`}>Open in the lens</a>`
+      vertices === null
+        ? html`: ${row.why}`
+        : html`. <a href=${`./#${encodePermalink(vertices)}`} title="To move its vertices, and for the proof">Open in the lens</a>`
     }`,
     oneRoot.querySelector('.which') as HTMLElement,
   )
@@ -286,12 +345,12 @@ async function choose(cell: number, rank: number | null): Promise<void> {
 }
 
 async function showNeighbours(cell: number): Promise<void> {
-  const detail = await survey?.detail(cell)
+  const detail = await asked(open => open.detail(cell))
   if (detail && chosen?.cell === cell) picture.choose(cell, detail.vertices, detail.neighbours)
 }
 
 async function chooseInPicture(cell: number): Promise<void> {
-  const place = await survey?.placeOf(cell)
+  const place = await asked(open => open.placeOf(cell))
   if (place) await choose(cell, place.rank)
 }
 
@@ -301,53 +360,60 @@ async function flyTo(cell: number): Promise<void> {
 }
 
 async function goToNext(step: 1 | -1): Promise<void> {
-  const place = await survey?.nextInvalid(chosen?.rank ?? (step > 0 ? -1 : 0), step)
+  const place = await asked(open => open.nextInvalid(chosen?.rank ?? (step > 0 ? -1 : 0), step))
   if (!place) return
   await choose(place.cell, place.rank)
   picture.flyToChosen()
 }
 
 async function goTo(id: string): Promise<void> {
-  const place = await survey?.find(id, chosen?.rank ?? -1)
+  const own = survey
+  const place = await asked(open => open.find(id, chosen?.rank ?? -1))
+  if (own !== survey) return
   set({ ...shown, message: place ? '' : `There is no cell ${id} in the list.` })
   if (!place) return
   await choose(place.cell, place.rank)
   picture.flyToChosen()
 }
 
+/** The button goes with what it corrects. */
 async function mend(fix: Fix): Promise<void> {
-  const own = survey
-  const opening: Opening | undefined = await own?.mend(fix.id)
-  if (!opening || own !== survey) return
-  if ('opened' in opening) travel.keep()
-  await takeOrRefuse(opening)
-}
-
-async function takeOrRefuse(opening: Opening): Promise<void> {
-  if ('opened' in opening) await take(opening.opened, shown.isExample)
-  else set({ ...shown, refused: opening.refused })
+  const result = await asked(open => open.mend(fix.id))
+  if (!result) return
+  set({ ...shown, news: 'refused' in result ? result.refused : '' })
+  if ('opened' in result) {
+    travel.keep()
+    const { isExample, beside } = shown
+    const taking = take(result.opened, { isExample, beside })
+    part('.overview .headline').focus()
+    await taking
+  }
 }
 
 function set(next: Shown): void {
   shown = next
   render(overviewTemplate(next), overviewRoot)
   render(cellsTemplate(next), cellsRoot)
+  render(throughTemplate(next), oneRoot.querySelector('.through') as HTMLElement)
+  oneRoot.hidden = next.overview === null
   travel.touch()
 }
 
-function overviewTemplate({ overview, reading, refused, isExample, name, message }: Shown): TemplateResult {
-  return html`<div class="said" role="status">${refused ?? (reading ? `Reading ${reading.name}.` : (overview?.headline ?? message))}</div>
-    ${reading ? progressTemplate(reading.progress, reading.name) : nothing}
-    ${refused === null ? nothing : html`<p class="refused">${refused}</p>`}
-    ${overview ? html`<p class="headline">${headlineTemplate(overview.headline)}</p>` : html`<p>${message}</p>`}
-    <div class="below">
-      <p class="notes">
-        ${isExample ? 'An elbow of a pipe in which some points are misplaced. Drop your own mesh here: it stays in this browser.' : html`<b>${name}</b>${overview ? `, ${overview.format}. It stays in this browser.` : ''}`}
-        ${overview?.sentences.map(sentence => html` ${sentence}`)}
-      </p>
+function overviewTemplate(now: Shown): TemplateResult {
+  const { overview, progress, news } = now
+  return html`${progress ? progressTemplate(progress) : nothing}
+    <div role="status" aria-atomic="false">
+      <p class="said">${progress && !news ? `Reading ${progress.name}.` : ''}</p>
+      ${news === '' ? nothing : html`<p class="news">${news}</p>`}
+      ${overview ? html`<p class="headline" tabindex="-1">${headlineTemplate(overview.headline)}</p>` : nothing}
+      ${!overview && !progress ? html`<p class="headline">${NOTHING_OPEN}</p>` : nothing}
+    </div>
+    <div class=${overview ? 'below has-mesh' : 'below'}>
+      <p class="notes">${notesTemplate(now)}</p>
       <p class="buttons">
-        ${overview?.fixes.map(fix => html`<button type="button" @click=${() => mend(fix)}>${fix.words}</button>`)}
-        <button type="button" @click=${() => part('input[type=file]').click()}>Open a file</button>
+        ${overview?.fixes.map(fix => html`<button type="button" class="fix" @click=${() => mend(fix)}>${fix.words}</button>`)}
+        <button type="button" class="open" title=${ALL_FORMATS} @click=${() => part('input[type=file]').click()}>Open files</button>
+        ${FOLDERS === null ? nothing : html`<button type="button" class="folder" title="For example one of time steps" @click=${() => FOLDERS.click()}>Open a folder</button>`}
         <button type="button" @click=${paste}>Paste</button>
         ${takeAway.button}
         <input type="file" multiple hidden @change=${onFiles} />
@@ -356,37 +422,75 @@ function overviewTemplate({ overview, reading, refused, isExample, name, message
     ${takeAway.show(overview)}`
 }
 
+function notesTemplate({ overview, isExample, beside }: Shown): TemplateResult {
+  const formats = html`<span class="formats" title=${ALL_FORMATS}>${FORMATS}</span>`
+  if (!overview) return html`${STAYS} ${formats}`
+  const sentences = [...overview.sentences, beside].filter(sentence => sentence !== '')
+  const own = sentences.map(sentence => html` ${sentence}`)
+  if (isExample) return html`${EXAMPLE} ${STAYS}${own} ${formats}`
+  return html`<b>${overview.name}</b>, ${overview.format}. ${STAYS}${own} ${nextSentence(overview)}`
+}
+
 /** INVALID counts stand out. */
 function headlineTemplate(headline: string): TemplateResult {
   const [first, ...others] = headline.split(/(?<=\.) /)
   return html`<strong>${first}</strong> ${others.join(' ')}`
 }
 
-function progressTemplate({ step, fraction }: ReadingProgress, name: string): TemplateResult {
+function progressTemplate({ name, step, fraction }: UnderWay): TemplateResult {
   return html`<p class="progress">
-    <label>${step === 'reading' ? `Reading ${name}` : 'Deciding its cells'} <progress max="1" .value=${fraction}></progress></label>
+    <label>${step === 'reading' ? `Reading ${name}` : `Deciding the cells of ${name}`} <progress max="1" .value=${fraction}></progress></label>
     <button type="button" @click=${cancel}>Cancel</button>
   </p>`
 }
 
-function cellsTemplate({ overview, histogram, condition, complaint, range, selected, message }: Shown): TemplateResult {
+function throughTemplate({ overview }: Shown): TemplateResult | typeof nothing {
+  if (!overview || overview.counts.invalid === 0) return nothing
+  return html`<button type="button" title="Previous invalid cell (P)" aria-label="Previous invalid cell" @click=${() => goToNext(-1)}>Previous</button>
+    <button type="button" title="Next invalid cell (N)" aria-label="Next invalid cell" @click=${() => goToNext(1)}>Next</button>`
+}
+
+function cellsTemplate({
+  overview,
+  histogram,
+  order,
+  condition,
+  complaint,
+  range,
+  selected,
+  message,
+}: Shown): TemplateResult {
   if (!overview) return html`${nothing}`
+  const all = overview.hexahedra.toLocaleString('en')
   const isDone = selected?.done === overview.hexahedra
+  const isWhole = isDone && selected.listed === overview.hexahedra
+  const count = isWhole
+    ? all === '1'
+      ? 'One cell'
+      : `All ${all} cells`
+    : `${(selected?.listed ?? 0).toLocaleString('en')} of ${all} cells`
   return html`<form class="filter" @submit=${(event: Event) => event.preventDefault()}>
-      <label class="said" for="condition">Cells that are listed meet this condition</label>
       <select aria-label="Usual conditions" @change=${(event: Event) => select((event.target as HTMLSelectElement).value, range)}>
         ${CONDITIONS.map(
           given =>
-            html`<option value=${given.condition} ?selected=${given.condition === condition}>${given.name}</option>`,
+            html`<option value=${given.condition} .selected=${given.condition === condition}>${given.name}</option>`,
         )}
-        <option hidden ?selected=${!CONDITIONS.some(given => given.condition === condition)}>Own condition</option>
+        <option hidden .selected=${!CONDITIONS.some(given => given.condition === condition)}>Own condition</option>
       </select>
+      <select aria-label="Sorted by" @change=${(event: Event) => arrange({ column: (event.target as HTMLSelectElement).value as Column, isDescending: false })}>
+        ${ORDERS.filter(({ column }) => column !== 'block' || overview.blocks.length > 0).map(
+          given =>
+            html`<option value=${given.column} .selected=${given.column === order.column}>${given.name}</option>`,
+        )}
+      </select>
+      <label class="said" for="condition">Cells that are listed meet this condition</label>
       <input
         id="condition"
         .value=${condition}
         placeholder="not valid and corner_min > 0"
         spellcheck="false"
         autocomplete="off"
+        autocapitalize="off"
         aria-invalid=${complaint === null ? nothing : 'true'}
         aria-describedby="condition-complaint"
         @change=${(event: Event) => select((event.target as HTMLInputElement).value, range)}
@@ -395,17 +499,21 @@ function cellsTemplate({ overview, histogram, condition, complaint, range, selec
     </form>
     ${histogram ? histogramTemplate(histogram, range, chosenRange => select(condition, chosenRange)) : nothing}
     <form class="go" @submit=${onGo}>
-      <p class="count" role="status">
-        ${selected ? `${selected.listed.toLocaleString('en')} of ${overview.hexahedra.toLocaleString('en')} cells` : ''}${isDone ? '' : `, ${Math.floor((100 * (selected?.done ?? 0)) / overview.hexahedra)} % looked at`}
-        ${range === null ? nothing : html`<button type="button" @click=${() => select(condition, null)}>Whole range</button>`}
+      <p class="count">
+        ${count}${isDone ? '' : `, ${Math.floor((100 * (selected?.done ?? 0)) / overview.hexahedra)} % looked at`}
+        ${range === null ? nothing : html`<button type="button" @click=${wholeRange}>Whole range</button>`}
       </p>
       <label>Go to ${overview.hasIds ? 'id' : 'index'} <input name="id" autocomplete="off" spellcheck="false" /></label>
       <button type="submit">Go</button>
-      <button type="button" title="Previous invalid cell (P)" @click=${() => goToNext(-1)}>Previous</button>
-      <button type="button" title="Next invalid cell (N)" @click=${() => goToNext(1)}>Next</button>
     </form>
+    <p class="said" role="status">${isDone && !isWhole ? `${count} are listed.` : ''}</p>
     <p class="message" role="status">${message}</p>
     ${listRoot}`
+}
+
+function wholeRange(): void {
+  void select(shown.condition, null)
+  table.focus()
 }
 
 function onGo(event: SubmitEvent): void {
@@ -421,14 +529,30 @@ function onFiles(event: Event): void {
   if (files.length > 0) void open({ files })
 }
 
+/** Null where the browser opens no folders. */
+const FOLDERS = folderInput()
+
+function folderInput(): HTMLInputElement | null {
+  const input = document.createElement('input')
+  if (!('webkitdirectory' in input)) return null
+  Object.assign(input, { type: 'file', webkitdirectory: true })
+  input.addEventListener('change', () => {
+    const given = ofFolder([...(input.files ?? [])])
+    input.value = ''
+    if ('files' in given && given.files.length > 0) void open(given)
+    else set({ ...shown, news: 'There are no files in this folder.' })
+  })
+  return input
+}
+
 async function paste(): Promise<void> {
   try {
     const text = await navigator.clipboard.readText()
-    if (text.trim() === '') set({ ...shown, refused: 'The clipboard has no text.' })
+    if (text.trim() === '') set({ ...shown, news: 'The clipboard has no text.' })
     else if (isSettingsText(text)) travel.use(text)
     else void open({ text })
   } catch {
-    set({ ...shown, refused: 'This browser does not let the page read the clipboard: press Ctrl+V instead.' })
+    set({ ...shown, news: 'This browser does not let the page read the clipboard: press Ctrl+V instead.' })
   }
 }
 
@@ -456,7 +580,7 @@ document.addEventListener('drop', async event => {
   if (!input) return
   const whole = await Promise.resolve(unfolded(event, input)).catch(() => null)
   if (whole) void open(whole)
-  else set({ ...shown, refused: 'The folder could not be read.' })
+  else set({ ...shown, news: 'The folder could not be read.' })
 })
 document.addEventListener('keydown', event => {
   const isTyping = event.target instanceof HTMLElement && event.target.matches('input, textarea, select, hex-lens')
@@ -467,4 +591,13 @@ document.addEventListener('keydown', event => {
   event.preventDefault()
 })
 
-void open({ files: [partFile()] }, true)
+void start()
+
+/** What the page of the lens has handed over, or the example. */
+async function start(): Promise<void> {
+  const handed = await takeHanded()
+  if (handed && 'input' in handed) return open(handed.input)
+  const opening = open({ files: [partFile()] }, true)
+  if (handed) set({ ...shown, news: handed.lost })
+  return opening
+}

@@ -31,6 +31,8 @@ export class StepsView {
   #showing: Promise<void> | null = null
   /** The step that is being read for the line, and how far. */
   #reading: { readonly step: number; readonly fraction: number } | null = null
+  /** How far the step is that is being opened. */
+  #opening = 0
   #refused = ''
 
   constructor(root: HTMLElement, host: StepsHost) {
@@ -65,9 +67,9 @@ export class StepsView {
       this.#reading = reading
       this.#render()
       const isOurs = () => list === this.#list && this.#reading?.step === step
-      const onProgress = ({ step: part, fraction }: ReadingProgress) => {
+      const onProgress = (progress: ReadingProgress) => {
         if (!isOurs()) return
-        this.#reading = { step, fraction: part === 'reading' ? fraction / 2 : (1 + fraction) / 2 }
+        this.#reading = { step, fraction: shareOf(progress) }
         this.#render()
       }
       const answer = await survey.readStep(step, onProgress).catch(refusal)
@@ -100,7 +102,13 @@ export class StepsView {
     const [survey, list] = [this.#survey, this.#list]
     while (survey && this.#wanted !== this.#shown) {
       const step = this.#wanted
-      const opening = await survey.showStep({ step, chosen: this.#host.chosen() }, () => {}).catch(refusal)
+      this.#opening = 0
+      const onProgress = (progress: ReadingProgress) => {
+        if (list !== this.#list) return
+        this.#opening = shareOf(progress)
+        this.#render()
+      }
+      const opening = await survey.showStep({ step, chosen: this.#host.chosen() }, onProgress).catch(refusal)
       if (list !== this.#list) return
       if ('refused' in opening) {
         this.#refused = opening.refused
@@ -159,7 +167,10 @@ export class StepsView {
             .value=${String(this.#wanted + 1)}
             aria-valuetext=${words}
             @input=${(event: Event) => this.#show(Number((event.target as HTMLInputElement).value) - 1)}
-          /><span class="now">${isWaiting ? 'Opening: ' : ''}${words}</span>
+          /><span class="now"
+            >${words}
+            ${isWaiting ? html`<progress max="1" aria-label=${`Opening step ${this.#wanted + 1}`} .value=${this.#opening}></progress>` : nothing}</span
+          >
         </p>
         <p>
           <span role="status">${isRead ? sentence : ''} ${this.#refused}</span> ${isRead ? '' : sentence}
@@ -226,6 +237,11 @@ export class StepsView {
       <figcaption><span>${end(0)}</span><span>Least relative minimum, ${range}${least < -1 ? ', logarithmic below −1' : ''}</span><span>${end(1)}</span></figcaption>
     </figure>`
   }
+}
+
+/** Of reading and deciding together, which take about as long. */
+function shareOf({ step, fraction }: ReadingProgress): number {
+  return step === 'reading' ? fraction / 2 : (1 + fraction) / 2
 }
 
 /** The worker has ended. */

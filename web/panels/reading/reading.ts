@@ -74,7 +74,7 @@ class ReadingView implements View {
         <span>${statusSentence(reading)}${isList && cell === null ? ` ${say('Choose one to look at it.')}` : ''}</span>
         ${isList ? html`<button type="button" @click=${() => this.#context.input.close()}>${say('Close the list')}</button>` : nothing}
       </p>
-      ${isList ? this.#list?.root : nothing} ${notes(reading, cell)}
+      ${isList ? html`<slot name="list"></slot>${this.#list?.root}` : nothing} ${notes(reading, cell)}
       ${cell && this.#order(reading, cell, isValid)}`
   }
 

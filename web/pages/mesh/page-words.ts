@@ -1,0 +1,59 @@
+/** What the page Mesh says beside the sentences of the mesh itself. */
+import { formatNames } from '../../mesh/format-names'
+import { formatNumber } from '../../model/decimal'
+import type { Overview } from '../../survey/survey-jobs'
+
+/** Names that stand for the others. */
+const NAMED = 8
+
+export const EXAMPLE = 'An example: an elbow of a pipe with some points misplaced. Drop your own mesh anywhere here.'
+export const NOTHING_OPEN = 'Nothing is open. Drop a mesh anywhere here, open its files or paste its text.'
+export const STAYS = 'It is read in this browser and sent nowhere.'
+export const ALL_FORMATS = `Formats: ${formatNames.join(', ')}.`
+export const FORMATS = `Formats: ${formatNames.slice(0, NAMED).join(', ')} and ${formatNames.length - NAMED} others.`
+
+/** A refusal of what was given under a name, and what is on the page now. */
+export function refusalWords(given: string, refused: string, open: string | null): string {
+  const what = refused.includes(given) || given === 'the text' ? refused : `${given}: ${lowerFirst(refused)}`
+  return open === null ? what : `${what} ${stillOpen(open)}`
+}
+
+export function cancelledWords(given: string, open: string | null): string {
+  return `Reading ${given} was cancelled.${open === null ? '' : ` ${stillOpen(open)}`}`
+}
+
+function stillOpen(name: string): string {
+  return `What is below is still ${name}.`
+}
+
+/** What to do now, or how near to invalid a mesh is. */
+export function nextSentence({ counts, fixes, worst }: Overview): string {
+  const [first] = worst
+  if (counts.invalid > 0) {
+    if (fixes.length > 0) return ''
+    return counts.invalid === 1
+      ? 'Its id, for the mesher, and a report are under “Take away”.'
+      : 'Their ids, for the mesher, and a report are under “Take away”.'
+  }
+  if (!first || first.why !== null || Number.isNaN(first.relativeMinimum)) return ''
+  const minimum = formatNumber(first.relativeMinimum)
+  return `The least relative minimum is ${minimum}, of cell ${first.id}: 0 would be invalid, 1 is a parallelepiped.`
+}
+
+/** Files of one name in several folders that are no steps: whoever wants one folder alone is told. */
+export function namesakeSentence(paths: readonly string[] | undefined): string {
+  if (!paths) return ''
+  const seen = new Map<string, string>()
+  for (const path of paths) {
+    const name = path.slice(path.lastIndexOf('/') + 1).toLowerCase()
+    const other = seen.get(name)
+    if (other !== undefined && other !== path)
+      return `Files of several folders are taken as parts of one mesh, ${other} and ${path} among them: for one folder’s, drop that alone.`
+    seen.set(name, path)
+  }
+  return ''
+}
+
+function lowerFirst(sentence: string): string {
+  return sentence.slice(0, 1).toLowerCase() + sentence.slice(1)
+}
