@@ -123,11 +123,13 @@ test('the picture: slice, threshold, peel, dig, apart, around a cell, and settin
   const count = bar.locator('.count')
   const canvas = page.locator('.canvas')
   const toggle = (name: string) => bar.getByRole('button', { name, exact: true })
-  const middle = async () => {
-    const box = await canvas.boundingBox()
-    if (!box) throw new Error('There is no picture.')
-    return { x: box.x + box.width * 0.42, y: box.y + box.height * 0.5 }
-  }
+  // At once: the next frame draws another path.
+  const onChosen = () =>
+    page.evaluate(() => {
+      const box = document.querySelector('.mesh-overlay .chosen')?.getBoundingClientRect()
+      if (!box) throw new Error('No cell is chosen.')
+      return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
+    })
   await expect(count).toHaveText('7,168 of 7,168 cells.')
 
   await test.step('a slice across an axis, the other side, and as one looks', async () => {
@@ -196,7 +198,7 @@ test('the picture: slice, threshold, peel, dig, apart, around a cell, and settin
 
   await test.step('a click digs, what is behind is dug next, and Ctrl+Z takes it back', async () => {
     await toggle('Dig').click()
-    const { x, y } = await middle()
+    const { x, y } = await onChosen()
     await page.mouse.click(x, y)
     await expect(count).toHaveText('7,167 of 7,168 cells.')
     await page.mouse.click(x, y)
@@ -214,7 +216,7 @@ test('the picture: slice, threshold, peel, dig, apart, around a cell, and settin
 
   await test.step('cells are pointed at and chosen when they are drawn apart, too', async () => {
     await toggle('Apart').click()
-    const { x, y } = await middle()
+    const { x, y } = await onChosen()
     const tip = page.locator('.picture .tip')
     await page.mouse.move(x, y)
     await expect(tip).toHaveText(/^Cell \d+: (in)?valid$/)
