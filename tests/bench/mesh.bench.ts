@@ -139,10 +139,13 @@ async function prepared(browser: Browser, address: string, cores: number | null)
   const context = await browser.newContext({ viewport: VIEWPORT })
   const page = await context.newPage()
   await page.addInitScript(watch)
-  if (cores !== null) {
-    const session = await context.newCDPSession(page)
-    await session.send('Emulation.setHardwareConcurrencyOverride', { hardwareConcurrency: cores })
-  }
+  // The browser's own override does not reach workers.
+  if (cores !== null)
+    await page.route('**/assets/worker-*.js', async route => {
+      const response = await route.fetch()
+      const before = `Object.defineProperty(navigator, 'hardwareConcurrency', { value: ${cores} });`
+      await route.fulfill({ response, body: before + (await response.text()) })
+    })
   await page.goto(`${address}/mesh.html`)
   await page.waitForFunction(() => (globalThis as unknown as { seen: Seen }).seen.picture > 0)
   await page.waitForTimeout(REST)

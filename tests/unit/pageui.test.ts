@@ -10,10 +10,8 @@ test('a refusal names what was given, once, and what is still there', () => {
   expect(refusalWords('a.vtu', 'a.vtu, byte 3: no.', 'b.vtu')).toBe('a.vtu, byte 3: no. What is below is still b.vtu.')
   expect(refusalWords('a.vtu', 'Read as VTU: no hexahedra.', null)).toBe('a.vtu: read as VTU: no hexahedra.')
   expect(refusalWords('the text', 'No mesh.', null)).toBe('No mesh.')
-  expect(cancelledWords('a.vtu', null)).toBe('Reading a.vtu was cancelled.')
-  expect(cancelledWords('a.vtu', 'the example')).toBe(
-    'Reading a.vtu was cancelled. What is below is still the example.',
-  )
+  expect(cancelledWords(null)).toBe('Cancelled.')
+  expect(cancelledWords('the example')).toBe('Cancelled. What is below is still the example.')
 })
 
 const overview = (invalid: number, fixes: number, worst: Partial<Row> | null) =>

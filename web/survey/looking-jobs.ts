@@ -5,10 +5,10 @@ import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import { coreOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
 import { acceptedOfInvalid } from '../mesh/accepted-invalid'
+import { checkMesh } from '../mesh/check'
 import { MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { OpenedSurvey } from './opened-survey'
-import { openingCheck } from './opening-check'
 import { Survey } from './survey'
 import type { Opening, Served, SurveyJobs } from './survey-jobs'
 
@@ -19,6 +19,14 @@ export type LookingJobs = Served<AskedOfOne & Pick<SurveyJobs, 'open'>>
 /** Milliseconds of a step of what takes long: other questions wait so long. */
 export const STEP = 12
 
+/** All at once: what opens a mesh in two steps is larger than the gain. */
+const OPTIONS = {
+  worst: Infinity,
+  minRelative: null,
+  skipsDegenerate: false,
+  lists: { minima: true, volumes: true },
+} as const
+
 /** All jobs of a worker in whose mesh nothing is selected, changed or written. */
 export function jobsOfLooking(engine: ReadingEngine): LookingJobs {
   let open: OpenedSurvey | null = null
@@ -28,11 +36,11 @@ export function jobsOfLooking(engine: ReadingEngine): LookingJobs {
     const core = await coreOf(engine)
     const onProgress = (done: number, total: number) => tell({ step: 'deciding', fraction: done / total })
     const classify = cellClassifier(core, engine.batchModule, onProgress)
-    const { check, finish } = await openingCheck(mesh, { classify, core })
+    const check = await checkMesh(mesh, { classify, core }, OPTIONS)
     const survey = new Survey(check, { core, meeting: null })
     const overview = survey.overview(nameOf(input), null, await acceptedOfInvalid(check, classify))
     if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
-    open = new OpenedSurvey(survey, finish, classify)
+    open = new OpenedSurvey(survey, null, classify)
     return { opened: overview }
   }
 

@@ -286,7 +286,7 @@ function allOf({ hexahedra }: Overview): Selected {
 function cancel(): void {
   opening?.close()
   opening = null
-  set({ ...shown, progress: null, news: cancelledWords(shown.progress?.name ?? '', openName()) })
+  set({ ...shown, progress: null, news: cancelledWords(openName()) })
   part('.overview .open').focus()
 }
 

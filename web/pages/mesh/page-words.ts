@@ -18,8 +18,8 @@ export function refusalWords(given: string, refused: string, open: string | null
   return open === null ? what : `${what} ${stillOpen(open)}`
 }
 
-export function cancelledWords(given: string, open: string | null): string {
-  return `Reading ${given} was cancelled.${open === null ? '' : ` ${stillOpen(open)}`}`
+export function cancelledWords(open: string | null): string {
+  return open === null ? 'Cancelled.' : `Cancelled. ${stillOpen(open)}`
 }
 
 function stillOpen(name: string): string {
