@@ -159,7 +159,7 @@ export class FaceBatch {
     uniforms.scale.value = scale
     uniforms.size.value = size
     // At full size a middle counts nothing.
-    if (size < 1 && this.#faces && !this.mesh.geometry.hasAttribute('middle'))
+    if (size < 1 && this.#faces && !this.mesh.geometry.attributes.middle)
       this.mesh.geometry.setAttribute('middle', new BufferAttribute(eachVertex(this.#faces.middles), 3))
     uniforms.eye.value.set(...eye)
     uniforms.toLight.value.set(...toLight)
