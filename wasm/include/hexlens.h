@@ -308,29 +308,29 @@ typedef struct hl_star {
    is the same for every place. Places are compared by volume where all cells are valid, else by scale; any valid one is better. */
 typedef enum hl_measure { HL_BY_SCALE = 0, HL_BY_VOLUME = 1 } hl_measure;
 
-/* A point of a cell that holds the best place's value down; its coordinates are multiples of 2^-26. Weights are of jacdet over the
-   scale, by which weights sum to 1. For HL_BOX_SIDE as its cell it is a side of the box in which places are sought, `point` the outward
-   normal of length 1. */
+/* A point of a cell that holds the value of every place down; its coordinates are multiples of 2^-26. The weights are those of jacdet
+   over the cell's scale, and sum to 1 over the points. For HL_BOX_SIDE as its cell it is a side of the box in which places are sought, and
+   `point` the outward normal of length 1. */
 enum { HL_MAX_HOLDS = 4 };
 #define HL_BOX_SIDE 0xffffffffu
 typedef struct hl_hold {
   uint32_t cell;
   double point[3];
   double weight;
+  double scale; /* of the cell, times 2^(3 unit_exponent); 1 for a side of the box */
 } hl_hold;
 
-/* `value` is exact but for its roundings: the analysis of the cells with the vertex at `position`, by `measure`. No place in the box has a
-   greater value by this measure than `bound`: the holds prove it, (R10) of docs/repair.md, but for rounding; by volume a bound of 1 needs
-   none. The place is the present one, or its cells are better there. By scale a bound of 0 or less says that no place makes all cells
-   valid. */
+/* No place in the box has a greater value by `measure` than `bound`: the holds prove it, (R10) of docs/repair.md, but for rounding; a
+   bound of 1 by volume needs none. By scale a bound of 0 or less says that no place makes all cells valid. */
 typedef struct hl_place {
-  double position[3];
+  double position[3]; /* the present one, or one where the cells are better */
   bool is_moved;
-  bool is_closed; /* bound - value is at most a millionth of the value, or 2^-40 */
+  bool is_closed; /* bound - value is at most a millionth of |value|, or 2^-40 if that is more */
   hl_measure measure;
-  double value, bound;
+  double value, bound; /* the value is from the cells' boundary minima with the vertex at the position */
   double relative_minimum, present_relative_minimum; /* the least of the cells'; NaN where a cell has none */
-  int round_count;                                   /* of looking for the least jacdets of all cells */
+  int unit_exponent; /* of the greatest offset of a coordinate from the present place, rounded up to a power of two */
+  int round_count;   /* of looking for the least jacdets of all cells */
   int hold_count;
   hl_hold holds[HL_MAX_HOLDS];
 } hl_place;
@@ -338,8 +338,8 @@ typedef struct hl_place {
 /* Bytes for so many cells around a vertex, 58 kB for eight. */
 size_t hl_best_place_room(size_t cell_count);
 
-/* The best place of the vertex in the box of half side 2^20 times the greatest offset of a coordinate from the present place; of several
-   the one nearest to that, up to the gap. `memory` is aligned for doubles and of hl_best_place_room bytes at least, and holds nothing
+/* The best place of the vertex in the box of half side 2^(20 + unit_exponent) around the present place; of several the one nearest to
+   that, up to the gap. `memory` is aligned for doubles and of hl_best_place_room bytes at least, and holds nothing
    afterwards. However the star is turned by right angles about the axes, scaled by a power of two or its cells ordered, the place has the
    same bits, if they tell the axes and the cells apart. Takes 0.1 ms for eight cells. docs/repair.md. */
 hl_status hl_best_place(const hl_star *star, void *memory, size_t room, hl_place *best);
@@ -353,7 +353,7 @@ enum {
       HL_FACES * HL_PACKED_FACE + 1 + HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE + 2 + HL_VERTICES + 3,
   HL_PACKED_MINIMUM = HL_PACKED_CANDIDATE + 2,
   HL_PACKED_JACOBIAN = 17,
-  HL_PACKED_PLACE = 12 + HL_MAX_HOLDS * 5
+  HL_PACKED_PLACE = 13 + HL_MAX_HOLDS * 6
 };
 size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]);
 size_t hl_pack_minimum(const hl_minimum *minimum, double packed[HL_PACKED_MINIMUM]);

@@ -307,13 +307,14 @@ static void put_holds(const search *s, const star_frame *frame, hl_place *best) 
     hl_hold *hold = &best->holds[i];
     if (is_cut(s, n)) {
       const cut *row = &s->cuts[n];
-      *hold = (hl_hold){.cell = s->cells[row->cell].number, .weight = s->proof_weights[i] * s->cells[row->cell].scale};
+      const star_cell *cell = &s->cells[row->cell];
+      *hold = (hl_hold){.cell = cell->number, .weight = s->proof_weights[i] * cell->scale, .scale = cell->scale};
       memcpy(hold->point, row->point, sizeof hold->point);
       sum += hold->weight;
     } else {
-      const size_t side = n - s->cut_count;
-      *hold = (hl_hold){.cell = HL_BOX_SIDE, .weight = s->proof_weights[i]};
-      hold->point[frame->axis[side % 3]] = (side < 3 ? -1 : 1) * frame->sign[side % 3];
+      const size_t side = (n - s->cut_count) % 3;
+      *hold = (hl_hold){.cell = HL_BOX_SIDE, .weight = s->proof_weights[i], .scale = 1};
+      hold->point[frame->axis[side]] = n - s->cut_count < 3 ? -frame->sign[side] : frame->sign[side];
     }
   }
   for (int i = 0; i < best->hold_count && sum > 0; ++i) best->holds[i].weight /= sum;
@@ -357,6 +358,7 @@ hl_status hl_best_place(const hl_star *star, void *memory, size_t room, hl_place
   best->is_closed = best->bound - best->value <= GAP * larger(fabs(best->value), LEAST_VALUE);
   best->relative_minimum = found.relative_minimum;
   best->present_relative_minimum = present.relative_minimum;
+  best->unit_exponent = frame.exponent;
   put_holds(&s, &frame, best);
   best->round_count = s.round_count;
   return HL_OK;

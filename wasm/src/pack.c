@@ -97,12 +97,14 @@ size_t hl_pack_place(const hl_place *place, double packed[HL_PACKED_PLACE]) {
   put(&c, place->bound);
   put(&c, place->relative_minimum == place->relative_minimum ? place->relative_minimum : NAN);
   put(&c, place->present_relative_minimum == place->present_relative_minimum ? place->present_relative_minimum : NAN);
+  put(&c, place->unit_exponent);
   put(&c, place->round_count);
   put(&c, place->hold_count);
   for (int i = 0; i < place->hold_count; ++i) {
     put(&c, place->holds[i].cell);
     put_all(&c, place->holds[i].point, 3);
     put(&c, place->holds[i].weight);
+    put(&c, place->holds[i].scale);
   }
   return (size_t)(c.next - packed);
 }
