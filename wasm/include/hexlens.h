@@ -318,6 +318,7 @@ typedef struct hl_hold {
   double point[3];
   double weight;
   double scale; /* of the cell, times 2^(3 unit_exponent); 1 for a side of the box */
+  bool is_by_sign; /* jacdet there is to be positive, whatever the volume */
 } hl_hold;
 
 /* No place in the box has a greater value by `measure` than `bound`: the holds prove it, (R10) of docs/repair.md, but for rounding; a
@@ -353,7 +354,7 @@ enum {
       HL_FACES * HL_PACKED_FACE + 1 + HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE + 2 + HL_VERTICES + 3,
   HL_PACKED_MINIMUM = HL_PACKED_CANDIDATE + 2,
   HL_PACKED_JACOBIAN = 17,
-  HL_PACKED_PLACE = 13 + HL_MAX_HOLDS * 6
+  HL_PACKED_PLACE = 13 + HL_MAX_HOLDS * 7
 };
 size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]);
 size_t hl_pack_minimum(const hl_minimum *minimum, double packed[HL_PACKED_MINIMUM]);

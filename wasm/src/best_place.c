@@ -30,11 +30,12 @@
 
 enum { BOX_SIDES = 6, CUTS_A_CELL = 40, MORE_CUTS = 64, MOST_ROUNDS = 64 };
 
-/* jacdet at a point of a cell, as a function of the place. */
+/* jacdet at a point of a cell, as a function of the place. By its sign it is to be positive, whatever the level. */
 typedef struct cut {
   affine jacdet;
   double point[3];
   size_t cell;
+  bool is_by_sign;
 } cut;
 
 typedef struct search {
@@ -55,13 +56,17 @@ static affine denominator(const search *s, const star_cell *cell) {
   return s->measure == HL_BY_VOLUME ? cell->volume : (affine){.constant = cell->scale};
 }
 
+static affine denominator_of(const search *s, const cut *row) {
+  return row->is_by_sign ? (affine){.constant = 0} : denominator(s, &s->cells[row->cell]);
+}
+
 /* Row of the cut, (R5): jacdet at a boundary point whose coordinates are rounded to the grid. */
-static void add_cut(search *s, size_t c, const double point[3]) {
+static void add_cut(search *s, size_t c, const double point[3], bool is_by_sign) {
   if (s->cut_count == s->cut_room) return;
   const star_cell *cell = &s->cells[c];
   cut *added = &s->cuts[s->cut_count++];
   double weights[3][3];
-  *added = (cut){.cell = c};
+  *added = (cut){.cell = c, .is_by_sign = is_by_sign};
   for (int axis = 0; axis < 3; ++axis) {
     const double x = (double)(int32_t)(point[axis] * POINT_GRID + 0.5) / POINT_GRID;
     added->point[axis] = x;
@@ -92,7 +97,7 @@ static void fill_half_spaces(search *s, double level) {
   h->count = 0;
   for (size_t i = 0; i < s->cut_count; ++i) {
     const cut *row = &s->cuts[i];
-    const affine below = denominator(s, &s->cells[row->cell]);
+    const affine below = denominator_of(s, row);
     double normal[3];
     for (int r = 0; r < 3; ++r) normal[r] = row->jacdet.gradient[r] - level * below.gradient[r];
     const double offset = level * below.constant - row->jacdet.constant, length = sqrt(dot(normal, normal));
@@ -125,7 +130,7 @@ static double take_proof(search *s, const nearest_point *none, double level) {
     weights[i] = none->weights[i] / s->lengths[n];
     fall += none->weights[i] * s->half_spaces.offset[n];
     if (!is_cut(s, n)) continue;
-    const affine below = denominator(s, &s->cells[s->cuts[n].cell]);
+    const affine below = denominator_of(s, &s->cuts[n]);
     sum += weights[i] * affine_at(&below, s->best);
   }
   s->proof = *none;
@@ -141,15 +146,31 @@ static void bernstein_at(const star_cell *cell, const double z[3], double bernst
   for (int i = 0; i < HL_BERNSTEIN; ++i) bernstein[i] = affine_at(&cell->bernstein[i], z);
 }
 
-/* The least jacdet of a cell; what is below the level becomes a cut. */
-static double least_jacdet(search *s, size_t c, const double bernstein[27], double level) {
-  const double limit = level - VALUE_ERROR * greatest_magnitude(bernstein, HL_BERNSTEIN);
+/* Points of a cell are cuts where jacdet is below the level, or by sign where it is negative. */
+typedef struct cutter {
+  search *s;
+  size_t cell;
+  double limit;
+  bool is_by_sign;
+} cutter;
+
+static void consider(const cutter *c, const hl_candidate *candidate) {
+  if (candidate->value < c->limit) add_cut(c->s, c->cell, candidate->point, c->is_by_sign);
+}
+
+/* The level, less what rounding can take from a value. */
+static double limit_of(const double bernstein[27], double level) {
+  return level - VALUE_ERROR * greatest_magnitude(bernstein, HL_BERNSTEIN);
+}
+
+/* The least jacdet of a cell. Its vertices are left to the caller. */
+static double least_jacdet(const cutter *c, const double bernstein[27]) {
   double least = bernstein[vertex_index(0)];
   hl_candidate candidate;
   for (int v = 1; v < HL_VERTICES; ++v) least = smaller(least, bernstein[vertex_index(v)]);
   for (int e = 0; e < HL_EDGES; ++e) {
-    if (!edge_candidate(bernstein, e, larger(least, limit), &candidate)) continue;
-    if (candidate.value < limit) add_cut(s, c, candidate.point);
+    if (!edge_candidate(bernstein, e, larger(least, c->limit), &candidate)) continue;
+    consider(c, &candidate);
     least = smaller(least, candidate.value);
   }
   for (int f = 0; f < HL_FACES; ++f) {
@@ -161,11 +182,23 @@ static double least_jacdet(search *s, size_t c, const double bernstein[27], doub
     for (int r = 0; r < solution.root_count; ++r) {
       if (!(solution.values[r] < least)) continue;
       candidate = face_candidate(f, &solution, r);
-      if (candidate.value < limit) add_cut(s, c, candidate.point);
+      consider(c, &candidate);
       least = candidate.value;
     }
   }
   return least;
+}
+
+/* A volume that is not positive takes the sense from a level by volume, but jacdet is negative somewhere. */
+static void cut_by_sign(search *s, size_t cell, const double z[3]) {
+  double bernstein[27];
+  bernstein_at(&s->cells[cell], z, bernstein);
+  const cutter c = {s, cell, limit_of(bernstein, 0), true};
+  for (int v = 0; v < HL_VERTICES; ++v) {
+    const hl_candidate vertex = vertex_candidate(bernstein, v);
+    consider(&c, &vertex);
+  }
+  least_jacdet(&c, bernstein);
 }
 
 /* The value of a place by the measure; by volume, minus infinity where a volume is not positive. A cell whose coefficients are above
@@ -176,19 +209,22 @@ static double look_at(search *s, const double z[3], double level) {
   for (size_t c = 0; c < s->cell_count; ++c) {
     const affine below = denominator(s, &s->cells[c]);
     const double size = affine_at(&below, z);
-    if (!(size > 0)) return -INFINITY;
-    for (int v = 0; v < HL_VERTICES; ++v)
+    if (!(size > 0)) {
+      cut_by_sign(s, c, z);
+      value = -INFINITY;
+    }
+    for (int v = 0; v < HL_VERTICES && value > -INFINITY; ++v)
       value = smaller(value, affine_at(&s->cells[c].bernstein[vertex_index(v)], z) / size);
   }
-  for (size_t c = 0; c < s->cell_count; ++c) {
+  for (size_t c = 0; c < s->cell_count && value > -INFINITY; ++c) {
     const affine below = denominator(s, &s->cells[c]);
     const double size = affine_at(&below, z);
     double bernstein[27];
     bernstein_at(&s->cells[c], z, bernstein);
     bernstein[CUBE_CENTRE] = bernstein[0];
     if (least_of(bernstein, HL_BERNSTEIN) >= larger(value, level) * size) continue;
-    bernstein[CUBE_CENTRE] = 0;
-    value = smaller(value, least_jacdet(s, c, bernstein, level * size) / size);
+    const cutter cut_below = {s, c, limit_of(bernstein, level * size), false};
+    value = smaller(value, least_jacdet(&cut_below, bernstein) / size);
   }
   return value;
 }
@@ -200,8 +236,9 @@ static bool is_open(const search *s) {
          !(s->measure == HL_BY_SCALE && s->lower > 0);
 }
 
-/* (R7) */
-static double next_level(const search *s, double estimate) {
+/* (R7): where the gap has not been halved since the last round, the estimate is at least the middle. */
+static double next_level(const search *s, double estimate, double last_gap) {
+  if (s->upper - s->lower > 0.5 * last_gap) estimate = larger(estimate, 0.5 * (s->lower + s->upper));
   const double least = s->lower + LAST_REACH * gap_of(s), level = s->lower + REACH * (estimate - s->lower);
   return smaller(larger(level, least), s->upper);
 }
@@ -217,9 +254,9 @@ static void prove(search *s, double level) {
 }
 
 static void narrow(search *s) {
-  double estimate = s->upper;
+  double estimate = s->upper, last_gap = INFINITY;
   while (is_open(s)) {
-    const double level = next_level(s, estimate);
+    const double level = next_level(s, estimate, last_gap);
     const nearest_point nearest = nearest_at(s, level);
     if (nearest.kind == NEAREST_OPEN) return;
     if (nearest.kind == NEAREST_NONE) {
@@ -227,6 +264,7 @@ static void narrow(search *s) {
       continue;
     }
     const size_t before = s->cut_count;
+    last_gap = s->upper - s->lower;
     const double value = look_at(s, nearest.z, level);
     if (value > s->lower) {
       s->lower = value;
@@ -252,7 +290,7 @@ static double upper_by_scale(const search *s) {
 static void find_best(search *s) {
   const double present[3] = {0, 0, 0};
   for (size_t c = 0; c < s->cell_count; ++c)
-    for (int v = 0; v < HL_VERTICES; ++v) add_cut(s, c, vertex_point[v]);
+    for (int v = 0; v < HL_VERTICES; ++v) add_cut(s, c, vertex_point[v], false);
   s->measure = HL_BY_SCALE;
   s->upper = upper_by_scale(s);
   s->lower = look_at(s, present, s->upper);
@@ -308,7 +346,7 @@ static void put_holds(const search *s, const star_frame *frame, hl_place *best) 
     if (is_cut(s, n)) {
       const cut *row = &s->cuts[n];
       const star_cell *cell = &s->cells[row->cell];
-      *hold = (hl_hold){.cell = cell->number, .weight = s->proof_weights[i] * cell->scale, .scale = cell->scale};
+      *hold = (hl_hold){.cell = cell->number, .weight = s->proof_weights[i] * cell->scale, .scale = cell->scale, .is_by_sign = row->is_by_sign};
       memcpy(hold->point, row->point, sizeof hold->point);
       sum += hold->weight;
     } else {

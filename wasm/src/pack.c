@@ -105,6 +105,7 @@ size_t hl_pack_place(const hl_place *place, double packed[HL_PACKED_PLACE]) {
     put_all(&c, place->holds[i].point, 3);
     put(&c, place->holds[i].weight);
     put(&c, place->holds[i].scale);
+    put(&c, place->holds[i].is_by_sign);
   }
   return (size_t)(c.next - packed);
 }

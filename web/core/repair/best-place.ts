@@ -23,6 +23,8 @@ export interface Hold {
   readonly weight: number
   /** Times 2^(3 unitExponent). */
   readonly scale: number
+  /** jacdet there is to be positive, whatever the volume. */
+  readonly isBySign: boolean
 }
 
 export interface BestPlace {

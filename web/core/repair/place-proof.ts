@@ -11,6 +11,7 @@ import type { BestPlace, Hold, Star } from './best-place'
 export interface ProvedHold {
   readonly cell: number | null
   readonly point: Vec3
+  readonly isBySign: boolean
   readonly weight: Rational
 }
 
@@ -76,8 +77,8 @@ function proofOf(
 ): PlaceProof {
   const total = weights.reduce((sum, weight) => sum + weight, 0n)
   const holds = chosen.map((hold, i) => {
-    const { cell, point } = place.holds[hold] as Hold
-    return { cell, point, weight: { numerator: weights[i] as bigint, denominator: total } }
+    const { cell, point, isBySign } = place.holds[hold] as Hold
+    return { cell, point, isBySign, weight: { numerator: weights[i] as bigint, denominator: total } }
   })
   if (place.measure === 'volume')
     return { isProved: true, bound: scaledDouble(place.bound, 0), isImpossible: false, holds }
@@ -98,16 +99,14 @@ function proofOf(
 }
 
 /** jacdet - level * volume, times a power of two that is the same for all; of a side of the box the distance from it. */
-function functionOf(star: ExactStar, { cell, point }: Hold, level: number, { unitExponent }: BestPlace): ExactAffine {
+function functionOf(star: ExactStar, { cell, point, isBySign }: Hold, level: number, { unitExponent }: BestPlace): ExactAffine {
   if (cell === null) return distanceFromSide(star, point, unitExponent)
   const at = point.map(x => BigInt(x * 2 ** POINT_BITS)) as unknown as Point
   const jacdet = jacdetAt(star, cell, at)
   if (level === 0) return jacdet
   const { integer, exponent } = dyadicOf(level)
-  return sumOfFunctions([
-    [24n << BigInt(-exponent), jacdet],
-    [-integer, twentyFourVolumes(star, cell)],
-  ])
+  const scaled = [24n << BigInt(-exponent), jacdet] as const
+  return sumOfFunctions(isBySign ? [scaled] : [scaled, [-integer, twentyFourVolumes(star, cell)]])
 }
 
 function distanceFromSide({ unit, present }: ExactStar, normal: Vec3, unitExponent: number): ExactAffine {

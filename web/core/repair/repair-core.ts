@@ -182,5 +182,7 @@ function unpackPlace(packed: Float64Array): BestPlace {
 function unpackHold(from: Unpacker): Hold {
   const cell = from.number()
   const point = from.numbers(3) as unknown as Vec3
-  return { cell: cell === HL_BOX_SIDE ? null : cell, point, weight: from.number(), scale: from.number() }
+  const weight = from.number()
+  const scale = from.number()
+  return { cell: cell === HL_BOX_SIDE ? null : cell, point, weight, scale, isBySign: from.flag() }
 }
