@@ -41,7 +41,7 @@ class Star:
 
     def __init__(self, library, blocks):
         self.library = library
-        self.blocks = np.ascontiguousarray(blocks.reshape(CELLS, 8, 3))
+        self.blocks = blocks.reshape(CELLS, 8, 3).copy()
         self.start = self.blocks[0, 6].copy()
         self.moving = np.all(self.blocks == self.start, axis=2)
         self.scales = np.array([self.scale(c) for c in range(CELLS)])

@@ -13,6 +13,7 @@ import {
   MIDDLE,
   noisyStars,
   type PointStar,
+  presentOf,
   proofHolds,
   repairCore,
   scalesOf,
@@ -62,7 +63,7 @@ function packed(best: BestPlace): number[] {
 it('has the bits of native code', () => {
   const folder = fileURLToPath(new URL('../../wasm', import.meta.url))
   const stars = families.flatMap(({ next }) => Array.from({ length: 100 }, next))
-  const blocks = stars.flatMap(star => cellsAt(star, star.points.slice(3 * MIDDLE, 3 * MIDDLE + 3) as number[]).flat())
+  const blocks = stars.flatMap(star => cellsAt(star, presentOf(star)).flat())
   execFileSync('make', ['-s', '-C', folder, 'parity'])
   const native = execFileSync(`${folder}/../build/native/parity`, ['places'], {
     input: new Uint8Array(new Float64Array(blocks).buffer),
@@ -78,7 +79,7 @@ it('crosses a mesh by its used points, and cells of 24 coordinates, with the sam
   const points = [...Array.from({ length: 300 }, () => 7), ...(star.points as number[])]
   const cells = Array.from(star.cells, i => i + 100)
   expect(bestOf({ points, cells, vertex: MIDDLE + 100 })).toEqual(best)
-  const hexahedra = cellsAt(star, star.points.slice(3 * MIDDLE, 3 * MIDDLE + 3) as number[]).flat()
+  const hexahedra = cellsAt(star, presentOf(star)).flat()
   const moving = Array.from({ length: 8 }, (_, c) =>
     Array.from({ length: 8 }, (_, v) => v).filter(v => star.cells[8 * c + v] === MIDDLE),
   )
@@ -94,7 +95,11 @@ it('moves jacdet and volume as affine functions, exactly', () => {
     const middle = (places[0] as number[]).map((x, r) => (x + (places[1]?.[r] as number)) / 2)
     const point = [0, 1, 2].map(() => Math.round(random() * 2 ** 26) / 2 ** 26) as unknown as [number, number, number]
     for (const f of [(v: number[]) => exactJacdet(v, point), exactVolume]) {
-      const [a, b, m] = [...places, middle].map(place => f(cellsAt(star, place)[0] as number[])) as [Value, Value, Value]
+      const [a, b, m] = [...places, middle].map(place => f(cellsAt(star, place)[0] as number[])) as [
+        Value,
+        Value,
+        Value,
+      ]
       const sum = a.numerator * b.denominator + b.numerator * a.denominator
       expect(sum * m.denominator).toBe(2n * m.numerator * a.denominator * b.denominator)
     }
@@ -206,8 +211,7 @@ it('lets any vertex of a single hexahedron move', () => {
     const best = bestOf(star)
     expect(best.isClosed).toBe(true)
     checkedProof(star, best)
-    if (best.measure === 'volume')
-      expect(best.value).toBeGreaterThanOrEqual(best.presentRelativeMinimum as number)
+    if (best.measure === 'volume') expect(best.value).toBeGreaterThanOrEqual(best.presentRelativeMinimum as number)
   }
 })
 
@@ -242,7 +246,9 @@ it('refuses in sentences', () => {
   expect(message({ ...star, points: points.with(0, Number.NaN) })).toBe(
     'not-finite: A coordinate of the cells is not a finite number.',
   )
-  expect(message({ ...star, points: points.slice(1) })).toBe('wrong-count: Points have three coordinates each; 80 are not.')
+  expect(message({ ...star, points: points.slice(1) })).toBe(
+    'wrong-count: Points have three coordinates each; 80 are not.',
+  )
   expect(message({ ...star, cells: [1, 2] })).toBe('wrong-count: Cells have eight indices each; 2 are not.')
   expect(message({ ...star, cells: [] })).toBe('no-cells: There are no cells around the vertex.')
   expect(message({ ...star, cells: (star.cells as number[]).with(9, 27) })).toBe(

@@ -1,11 +1,11 @@
 /** Vertices with their cells, and an independent check of proofs: by jacdet's definition at four places, in big integers. */
 import { readFileSync } from 'node:fs'
-import type { Vec3 } from '../../web/model/hexahedron'
-import { vertexReference } from '../../web/model/hexahedron'
-import { productOf, type Rational, scaledDouble, scaledInteger, sumOf } from '../../web/model/rational'
 import type { BestPlace, RepairCore, Star } from '../../web/core/repair/best-place'
 import type { PlaceProof } from '../../web/core/repair/place-proof'
 import { loadRepairCore } from '../../web/core/repair/repair-core'
+import type { Vec3 } from '../../web/model/hexahedron'
+import { vertexReference } from '../../web/model/hexahedron'
+import { productOf, type Rational, scaledDouble, scaledInteger, sumOf } from '../../web/model/rational'
 import { type Fraction, integerHexahedron, jacdetAt } from '../property/integer-jacdet'
 import { randomSource } from './random'
 
@@ -23,7 +23,9 @@ const gridCells = Array.from({ length: 8 }, (_, c) =>
 
 /** 2 x 2 x 2 cells around vertex 13; `place` gives a vertex of the grid its coordinates. */
 export function starOf(place: (grid: Vec3, vertex: number) => readonly number[]): PointStar {
-  const points = Array.from({ length: 27 }, (_, i) => place([i % 3, Math.floor(i / 3) % 3, Math.floor(i / 9)], i)).flat()
+  const points = Array.from({ length: 27 }, (_, i) =>
+    place([i % 3, Math.floor(i / 3) % 3, Math.floor(i / 9)], i),
+  ).flat()
   return { points, cells: gridCells, vertex: MIDDLE }
 }
 
@@ -32,6 +34,11 @@ export function noisyStars(seed: number, sigma: number, thrown: number): () => P
   const random = randomSource(seed)
   const normal = () => Math.sqrt(-2 * Math.log(1 - random())) * Math.cos(2 * Math.PI * random())
   return () => starOf((grid, i) => grid.map(x => x + (i === MIDDLE ? thrown : sigma) * normal()))
+}
+
+/** The coordinates of the vertex. */
+export function presentOf({ points, vertex }: PointStar): number[] {
+  return [0, 1, 2].map(r => points[3 * vertex + r] as number)
 }
 
 export function bestOf(star: Star): BestPlace {
@@ -83,7 +90,13 @@ const PLACES = [
 ]
 
 /** True if the weighted functions sum to the same number at four places that are in no plane, and it is not positive; no side of the box. */
-export function proofHolds(star: Star, measure: BestPlace['measure'], proof: PlaceProof, scales: readonly number[], unit: number): boolean {
+export function proofHolds(
+  star: Star,
+  measure: BestPlace['measure'],
+  proof: PlaceProof,
+  scales: readonly number[],
+  unit: number,
+): boolean {
   if (!proof.isProved || proof.holds.some(({ weight }) => weight.numerator <= 0n)) return false
   const minusBound = { numerator: -proof.bound.numerator, denominator: proof.bound.denominator }
   const sums = PLACES.map(place => {

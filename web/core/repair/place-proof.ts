@@ -3,7 +3,7 @@
  * distance from a side of the box are affine functions of the place; with weights that are not negative their gradients cancel, and the
  * constant that is left is zero or negative.
  */
-import { edgeVertices, type Vec3, VERTEX_COUNT, vertexReference } from '../../model/hexahedron'
+import { edgeVertices, VERTEX_COUNT, type Vec3, vertexReference } from '../../model/hexahedron'
 import { dyadicOf, productOf, type Rational, scaledDouble, scaledInteger, sumOf } from '../../model/rational'
 import type { BestPlace, Hold, Star } from './best-place'
 
@@ -60,7 +60,10 @@ export function provePlace(star: Star, place: BestPlace): PlaceProof {
   for (const chosen of subsets(functions.length)) {
     const weights = cancelling(chosen.map(i => (functions[i] as ExactAffine).gradient))
     if (!weights) continue
-    const constant = weights.reduce((sum, weight, i) => sum + weight * (functions[chosen[i] as number] as ExactAffine).constant, 0n)
+    const constant = weights.reduce(
+      (sum, weight, i) => sum + weight * (functions[chosen[i] as number] as ExactAffine).constant,
+      0n,
+    )
     if (place.measure === 'volume' && constant > 0n) continue
     return proofOf(place, exact, chosen, weights, constant)
   }
@@ -86,7 +89,10 @@ function proofOf(
     (sum, { cell, weight }, i) =>
       cell === null
         ? sum
-        : sumOf(sum, productOf(weight, scaledDouble((place.holds[chosen[i] as number] as Hold).scale, 3 * place.unitExponent))),
+        : sumOf(
+            sum,
+            productOf(weight, scaledDouble((place.holds[chosen[i] as number] as Hold).scale, 3 * place.unitExponent)),
+          ),
     { numerator: 0n, denominator: 1n },
   )
   if (scales.numerator === 0n) return { isProved: false }
@@ -99,7 +105,12 @@ function proofOf(
 }
 
 /** jacdet - level * volume, times a power of two that is the same for all; of a side of the box the distance from it. */
-function functionOf(star: ExactStar, { cell, point, isBySign }: Hold, level: number, { unitExponent }: BestPlace): ExactAffine {
+function functionOf(
+  star: ExactStar,
+  { cell, point, isBySign }: Hold,
+  level: number,
+  { unitExponent }: BestPlace,
+): ExactAffine {
   if (cell === null) return distanceFromSide(star, point, unitExponent)
   const at = point.map(x => BigInt(x * 2 ** POINT_BITS)) as unknown as Point
   const jacdet = jacdetAt(star, cell, at)
@@ -145,7 +156,10 @@ function jacdetAt({ cells }: ExactStar, cell: number, point: Point): ExactAffine
   const [u, v, w] = columns as [Column, Column, Column]
   const crosses = [cross(v.column, w.column), cross(w.column, u.column), cross(u.column, v.column)] as const
   const gradient = [0, 1, 2].map(
-    r => u.factor * (crosses[0][r] as bigint) + v.factor * (crosses[1][r] as bigint) + w.factor * (crosses[2][r] as bigint),
+    r =>
+      u.factor * (crosses[0][r] as bigint) +
+      v.factor * (crosses[1][r] as bigint) +
+      w.factor * (crosses[2][r] as bigint),
   ) as unknown as Point
   return { gradient, constant: dot(u.column, crosses[0]) }
 }

@@ -1,5 +1,5 @@
 /** Loads hexlens-repair.wasm, and is the only place that sees its memory. */
-import { COORDINATE_COUNT, type Vec3, VERTEX_COUNT } from '../../model/hexahedron'
+import { COORDINATE_COUNT, VERTEX_COUNT, type Vec3 } from '../../model/hexahedron'
 import { type CodedError, type Result, refused } from '../../model/result'
 import { Unpacker } from '../unpack'
 import type { BestPlace, Hold, Measure, RepairCore, Star, StarError } from './best-place'
@@ -85,9 +85,21 @@ export async function loadRepairCore(bytes: BufferSource): Promise<RepairCore> {
     const addresses = put([coordinates, indices, moving], room) as [number, number, number, number]
     const [atCoordinates, atIndices, atMoving, atRoom] = addresses
     const [coordinateCount, indexCount] = [coordinates.length, indices?.length ?? 0]
-    const status = wasm.best_place(atCoordinates, coordinateCount, atIndices, indexCount, atMoving, vertex, atRoom, room)
+    const status = wasm.best_place(
+      atCoordinates,
+      coordinateCount,
+      atIndices,
+      indexCount,
+      atMoving,
+      vertex,
+      atRoom,
+      room,
+    )
     if (status === HL_OK)
-      return { ok: true, value: unpackPlace(new Float64Array(memory.buffer, wasm.output_address(), wasm.output_length())) }
+      return {
+        ok: true,
+        value: unpackPlace(new Float64Array(memory.buffer, wasm.output_address(), wasm.output_length())),
+      }
     const error = REFUSALS[status]
     if (!error) throw new Error(`The core answered with an unknown status, ${status}.`)
     return { ok: false, error }
@@ -122,13 +134,17 @@ function listsOfPoints({
   cells,
   vertex,
 }: Extract<Star, { points: unknown }>): Result<Lists, CodedError<'wrong-count' | 'no-such-point'>> {
-  if (points.length % 3 !== 0) return refused('wrong-count', `Points have three coordinates each; ${points.length} are not.`)
+  if (points.length % 3 !== 0)
+    return refused('wrong-count', `Points have three coordinates each; ${points.length} are not.`)
   if (cells.length % VERTEX_COUNT !== 0)
     return refused('wrong-count', `Cells have eight indices each; ${cells.length} are not.`)
   const pointCount = points.length / 3
   for (let i = 0; i < cells.length; ++i)
     if (!isIndex(cells[i] as number, pointCount))
-      return refused('no-such-point', `Cell ${Math.floor(i / VERTEX_COUNT)} has the index ${cells[i]}, which is no point's.`)
+      return refused(
+        'no-such-point',
+        `Cell ${Math.floor(i / VERTEX_COUNT)} has the index ${cells[i]}, which is no point's.`,
+      )
   if (!isIndex(vertex, pointCount)) return refused('no-such-point', `The vertex ${vertex} is no point's index.`)
   return { ok: true, value: ofUsedPoints(points, cells, vertex) }
 }
