@@ -317,7 +317,7 @@ typedef struct hl_hold {
   uint32_t cell;
   double point[3];
   double weight;
-  double scale; /* of the cell, times 2^(3 unit_exponent); 1 for a side of the box */
+  double scale;    /* of the cell, times 2^(3 unit_exponent); 1 for a side of the box */
   bool is_by_sign; /* jacdet there is to be positive, whatever the volume */
 } hl_hold;
 

@@ -346,7 +346,10 @@ static void put_holds(const search *s, const star_frame *frame, hl_place *best) 
     if (is_cut(s, n)) {
       const cut *row = &s->cuts[n];
       const star_cell *cell = &s->cells[row->cell];
-      *hold = (hl_hold){.cell = cell->number, .weight = s->proof_weights[i] * cell->scale, .scale = cell->scale, .is_by_sign = row->is_by_sign};
+      *hold = (hl_hold){.cell = cell->number,
+                        .weight = s->proof_weights[i] * cell->scale,
+                        .scale = cell->scale,
+                        .is_by_sign = row->is_by_sign};
       memcpy(hold->point, row->point, sizeof hold->point);
       sum += hold->weight;
     } else {
