@@ -345,6 +345,41 @@ size_t hl_best_place_room(size_t cell_count);
    same bits, if they tell the axes and the cells apart. Takes 0.1 ms for eight cells. docs/repair.md. */
 hl_status hl_best_place(const hl_star *star, void *memory, size_t room, hl_place *best);
 
+/* Untangling: sweeps of best places over the vertices of a mesh, of each sweep the worst first, until all cells that a free vertex
+   reaches have the margin or no vertex gains. No move lowers the least relative minimum of the cells around its vertex. */
+typedef struct hl_untangling {
+  double margin;        /* wanted: relative minimum at least this; from 0, for all that are valid, to 1 */
+  const uint8_t *fixed; /* one a point, 1 for those that stay; null for the boundary's, by hl_boundary_points */
+  /* Called before each best place with how many there were; false ends the sweeps there. May be null. */
+  bool (*proceed)(void *context, size_t place_count);
+  void *context;
+} hl_untangling;
+
+typedef struct hl_untangled {
+  size_t invalid_before, invalid_after;             /* cells */
+  size_t below_before, below_after;                 /* cells below the margin, or invalid */
+  size_t moved_count, place_count, sweep_count;     /* points elsewhere than before; best places that were sought */
+  size_t too_many_count;                            /* free vertices of cells below the margin that have more than HL_MOST_CELLS cells */
+  double greatest_distance, mean_distance;          /* of the points that were moved */
+  double least_before, least_after;                 /* relative minima; NaN where a cell has none */
+  bool is_stopped;                                  /* by `proceed` */
+} hl_untangled;
+
+/* A star of more cells is left as it is. */
+enum { HL_MOST_CELLS = 128 };
+
+/* Bytes for a mesh. */
+size_t hl_untangle_room(size_t point_count, size_t cell_count);
+
+/* 1 for each point of a face that no other cell has, or more than one other; `boundary` has one entry a point. The cells have indices; `memory`
+   is aligned for uint32_t and of hl_untangle_room bytes. */
+hl_status hl_boundary_points(const hl_cells *cells, void *memory, size_t room, uint8_t *boundary);
+
+/* Moves the points of cells with indices; `points` gets all coordinates, those of moved points new. The same bits for the same input on
+   every machine. `memory` is aligned for doubles and of hl_untangle_room bytes. A coordinate that is not finite is HL_NOT_FINITE. */
+hl_status hl_untangle(const hl_cells *cells, const hl_untangling *wanted, void *memory, size_t room, double *points,
+                      hl_untangled *result);
+
 /* Results as plain doubles in the order of the structs above, numbers and flags alike, lists cut to their counts: what
    crosses the WebAssembly boundary and what parity tests compare. Each returns how many were written. */
 enum { HL_PACKED_CANDIDATE = 9, HL_PACKED_VOLUME_MINIMUM = 8, HL_PACKED_ROOT = 4 };
