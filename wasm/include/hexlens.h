@@ -356,13 +356,13 @@ typedef struct hl_untangling {
 } hl_untangling;
 
 typedef struct hl_untangled {
-  size_t invalid_before, invalid_after;             /* cells */
-  size_t below_before, below_after;                 /* cells below the margin, or invalid */
-  size_t moved_count, place_count, sweep_count;     /* points elsewhere than before; best places that were sought */
-  size_t too_many_count;                            /* free vertices of cells below the margin that have more than HL_MOST_CELLS cells */
-  double greatest_distance, mean_distance;          /* of the points that were moved */
-  double least_before, least_after;                 /* relative minima; NaN where a cell has none */
-  bool is_stopped;                                  /* by `proceed` */
+  size_t invalid_before, invalid_after;         /* cells */
+  size_t below_before, below_after;             /* cells below the margin, or invalid */
+  size_t moved_count, place_count, sweep_count; /* points elsewhere than before; best places that were sought */
+  size_t too_many_count; /* free vertices of cells below the margin that have more than HL_MOST_CELLS cells */
+  double greatest_distance, mean_distance; /* of the points that were moved */
+  double least_before, least_after;        /* relative minima; NaN where a cell has none */
+  bool is_stopped;                         /* by `proceed` */
 } hl_untangled;
 
 /* A star of more cells is left as it is. */

@@ -193,32 +193,67 @@ static size_t fill_queue(const mesh *m, const lists *l, double margin, hl_untang
   return count;
 }
 
-/* Moves a point to its best place. True if the least relative minimum of its cells has risen by what counts. */
-static bool improve(const mesh *m, const lists *l, uint32_t p, hl_untangled *result) {
+static size_t count_below(const double *values, size_t count, double margin) {
+  size_t below = 0;
+  for (size_t c = 0; c < count; ++c) below += is_below(values[c], margin);
+  return below;
+}
+
+/* The cells around a point with what they have become. */
+typedef struct neighbourhood {
   uint32_t indices[HL_VERTICES * HL_MOST_CELLS];
+  size_t count;
+  double before[HL_MOST_CELLS], after[HL_MOST_CELLS];
+} neighbourhood;
+
+/* Moves the point unless more cells would be below the margin or the least of them lower. True if it has moved. */
+static bool is_taken_to(const mesh *m, uint32_t p, const double place[3], double margin, neighbourhood *n) {
   uint8_t verdicts[HL_MOST_CELLS];
-  double values[HL_MOST_CELLS];
-  const uint32_t *around = l->around + l->first[p];
-  const size_t count = l->first[p + 1] - l->first[p];
-  for (size_t c = 0; c < count; ++c)
-    memcpy(indices + HL_VERTICES * c, m->indices + HL_VERTICES * around[c], HL_VERTICES * sizeof *indices);
-  const hl_star star = {{m->points, 3 * m->point_count, indices, HL_VERTICES * count}, NULL, p};
-  hl_place place;
-  ++result->place_count;
-  if (hl_best_place(&star, l->place_room, hl_best_place_room(HL_MOST_CELLS), &place) != HL_OK || !place.is_moved)
-    return false;
   double old[3];
-  const double before = least_around(l, p);
   memcpy(old, m->points + 3 * p, sizeof old);
-  memcpy(m->points + 3 * p, place.position, sizeof old);
-  find_values(m, indices, count, values, verdicts);
-  const double after = least_of(values, (int)count);
-  if (!(after >= before)) {
-    memcpy(m->points + 3 * p, old, sizeof old);
-    return false;
-  }
-  for (size_t c = 0; c < count; ++c) l->values[around[c]] = values[c];
+  memcpy(m->points + 3 * p, place, sizeof old);
+  find_values(m, n->indices, n->count, n->after, verdicts);
+  if (least_of(n->after, (int)n->count) >= least_of(n->before, (int)n->count) &&
+      count_below(n->after, n->count, margin) <= count_below(n->before, n->count, margin))
+    return true;
+  memcpy(m->points + 3 * p, old, sizeof old);
+  return false;
+}
+
+/* True if fewer cells are below the margin, or the least value has risen by what counts. */
+static bool is_gain(const neighbourhood *n, double margin) {
+  if (count_below(n->after, n->count, margin) < count_below(n->before, n->count, margin)) return true;
+  const double before = least_of(n->before, (int)n->count), after = least_of(n->after, (int)n->count);
   return before == -INFINITY ? after > before : after - before > LEAST_GAIN * fabs(before);
+}
+
+/* Moves a point to its best place. Where one point of a cell alone holds the value down, which no place lifts, the place that is best
+   for the other cells comes next. True if that is a gain. */
+static bool improve(const mesh *m, const lists *l, uint32_t p, double margin, hl_untangled *result) {
+  const uint32_t *around = l->around + l->first[p];
+  neighbourhood n = {.count = l->first[p + 1] - l->first[p]};
+  uint32_t left[HL_VERTICES * HL_MOST_CELLS];
+  for (size_t c = 0; c < n.count; ++c) {
+    memcpy(n.indices + HL_VERTICES * c, m->indices + HL_VERTICES * around[c], HL_VERTICES * sizeof *n.indices);
+    n.before[c] = l->values[around[c]];
+  }
+  memcpy(left, n.indices, sizeof left);
+  for (size_t count = n.count; count > 0; --count) {
+    const hl_star star = {{m->points, 3 * m->point_count, left, HL_VERTICES * count}, NULL, p};
+    hl_place place;
+    ++result->place_count;
+    if (hl_best_place(&star, l->place_room, hl_best_place_room(HL_MOST_CELLS), &place) != HL_OK) return false;
+    if (place.is_moved && is_taken_to(m, p, place.position, margin, &n)) {
+      for (size_t c = 0; c < n.count; ++c) l->values[around[c]] = n.after[c];
+      if (is_gain(&n, margin)) return true;
+      memcpy(n.before, n.after, sizeof n.before);
+    }
+    if (place.measure != HL_BY_SCALE || place.hold_count != 1 || place.holds[0].cell == HL_BOX_SIDE) return false;
+    const size_t held = place.holds[0].cell;
+    memmove(left + HL_VERTICES * held, left + HL_VERTICES * (held + 1),
+            HL_VERTICES * (count - held - 1) * sizeof *left);
+  }
+  return false;
 }
 
 static void sweep_all(const mesh *m, const lists *l, const hl_untangling *wanted, hl_untangled *result) {
@@ -231,18 +266,18 @@ static void sweep_all(const mesh *m, const lists *l, const hl_untangling *wanted
         result->is_stopped = true;
         return;
       }
-      if (improve(m, l, l->queue[i], result)) is_gained = true;
+      if (improve(m, l, l->queue[i], wanted->margin, result)) is_gained = true;
     }
     if (count == 0) return;
   }
 }
 
 static void count_cells(const mesh *m, const lists *l, double margin, size_t *invalid, size_t *below, double *least) {
-  *invalid = *below = 0;
+  *invalid = 0;
+  *below = count_below(l->values, m->cell_count, margin);
   *least = INFINITY;
   for (size_t c = 0; c < m->cell_count; ++c) {
     *invalid += !(l->values[c] > 0);
-    *below += is_below(l->values[c], margin);
     *least = smaller(*least, l->values[c]);
   }
   if (*least == -INFINITY || *least == INFINITY) *least = NAN;
