@@ -342,7 +342,7 @@ size_t hl_best_place_room(size_t cell_count);
 /* The best place of the vertex in the box of half side 2^(20 + unit_exponent) around the present place; of several the one nearest to
    that, up to the gap. `memory` is aligned for doubles and of hl_best_place_room bytes at least, and holds nothing
    afterwards. However the star is turned by right angles about the axes, scaled by a power of two or its cells ordered, the place has the
-   same bits, if they tell the axes and the cells apart. Takes 0.1 ms for eight cells. docs/repair.md. */
+   same bits, if they tell the axes and the cells apart. Takes 0.05 ms for eight cells. docs/repair.md. */
 hl_status hl_best_place(const hl_star *star, void *memory, size_t room, hl_place *best);
 
 /* Untangling: sweeps of best places over the vertices of a mesh, of each sweep the worst first, until all cells that a free vertex
@@ -350,7 +350,7 @@ hl_status hl_best_place(const hl_star *star, void *memory, size_t room, hl_place
 typedef struct hl_untangling {
   double margin;        /* wanted: relative minimum at least this; from 0, for all that are valid, to 1 */
   const uint8_t *fixed; /* one a point, 1 for those that stay; null for the boundary's, by hl_boundary_points */
-  /* Called before each best place with how many there were; false ends the sweeps there. May be null. */
+  /* Called before each star with how many best places were sought; false ends the sweeps there. May be null. */
   bool (*proceed)(void *context, size_t place_count);
   void *context;
 } hl_untangling;
@@ -371,8 +371,8 @@ enum { HL_MOST_CELLS = 128 };
 /* Bytes for a mesh. */
 size_t hl_untangle_room(size_t point_count, size_t cell_count);
 
-/* 1 for each point of a face that no other cell has, or more than one other; `boundary` has one entry a point. The cells have indices; `memory`
-   is aligned for uint32_t and of hl_untangle_room bytes. */
+/* 1 for each point of a face that no other cell has, or more than one other, else 0; `boundary` has one entry a point. The cells have
+   indices; `memory` is as for hl_untangle. */
 hl_status hl_boundary_points(const hl_cells *cells, void *memory, size_t room, uint8_t *boundary);
 
 /* Moves the points of cells with indices; `points` gets all coordinates, those of moved points new. The same bits for the same input on
