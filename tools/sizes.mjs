@@ -1,4 +1,4 @@
-// Sizes against their budgets: the page until it is live, the one-file widget and the lighter file, a mesh, batches, reading.
+// Sizes against their budgets: the page until it is live, the one-file widget and the lighter file, a mesh, batches, reading, repair.
 
 import { readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
@@ -10,6 +10,7 @@ import { root } from './run.mjs'
 /** Bytes after gzip. */
 const BUDGETS = {
   wasm: 24_000,
+  repairWasm: 28_000,
   firstLoad: 230_000,
   widget: 190_000,
   light: 130_000,
@@ -40,6 +41,11 @@ export async function checkSizes() {
   const sum = list => list.reduce((total, { size }) => total + size, 0)
   const checks = [
     { what: 'wasm', size: sum(files.filter(({ name }) => name.endsWith('.wasm'))), budget: BUDGETS.wasm },
+    {
+      what: 'hexlens-repair.wasm',
+      size: gzipSync(readFileSync(join(root, 'build/hexlens-repair.wasm')), { level: 9 }).length,
+      budget: BUDGETS.repairWasm,
+    },
     { what: 'first load', size: sum(files), budget: BUDGETS.firstLoad },
     ...Object.entries(SCRIPTS).map(([name, budget]) => ({ what: name, size: sizeOf(name), budget })),
   ]

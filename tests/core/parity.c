@@ -1,6 +1,7 @@
 /* Reads hexahedra as raw doubles, 24 each, from standard input. Without an argument it writes for each its status and its packed report,
    minimum, verdict and Jacobian as raw doubles; with `batch` the twelve lists of hl_classify for all of them, one after the
-   other as they lie in memory: what tests/unit/parity.test.ts compares with the wasm's memory. */
+   other as they lie in memory: what tests/unit/parity.test.ts compares with the wasm's memory. With `places` each eight of them are a star
+   whose moving vertex is the first one's vertex 6, and all that is written is the packed best places: tests/unit/best-place.test.ts. */
 #include "hexlens.h"
 
 #include <stdio.h>
@@ -55,8 +56,28 @@ static void as_a_batch(void) {
   free(points);
 }
 
+enum { STAR = 8 };
+
+static void best_places(void) {
+  static double blocks[STAR * HL_COORDINATES], packed[HL_PACKED_PLACE];
+  const size_t room = hl_best_place_room(STAR);
+  void *memory = malloc(room);
+  while (fread(blocks, sizeof blocks, 1, stdin) == 1) {
+    uint8_t moving[STAR] = {0};
+    for (int v = 0; v < STAR * HL_VERTICES; ++v)
+      if (memcmp(blocks + 3 * v, blocks + 3 * 6, 3 * sizeof *blocks) == 0)
+        moving[v / HL_VERTICES] = (uint8_t)(moving[v / HL_VERTICES] | 1u << v % HL_VERTICES);
+    const hl_star star = {{blocks, STAR * HL_COORDINATES, NULL, 0}, moving, 0};
+    hl_place place;
+    if (hl_best_place(&star, memory, room, &place) != HL_OK) exit(1);
+    write_doubles(packed, hl_pack_place(&place, packed));
+  }
+  free(memory);
+}
+
 int main(int count, char **words) {
   if (count > 1 && strcmp(words[1], "batch") == 0) as_a_batch();
+  else if (count > 1 && strcmp(words[1], "places") == 0) best_places();
   else one_by_one();
   return 0;
 }

@@ -80,7 +80,12 @@ typedef enum hl_status {
   HL_INCOMPLETE = 3,         /* a list of coordinates or of indices does not end with a whole cell (or point) */
   HL_NO_SUCH_POINT = 4,      /* an index is not that of a point */
   HL_NO_SUCH_RESOLUTION = 5, /* a number of tangents is not 1 to 8 */
-  HL_MISSING_LIST = 6        /* a batch without verdicts, or with values and without their exponents */
+  HL_MISSING_LIST =
+      6, /* a batch without verdicts, or with values and without their exponents; a star without cells, or with
+            neither indices nor bits */
+  HL_NOTHING_MOVES = 7,  /* a cell of a star has no vertex that moves */
+  HL_SEVERAL_PLACES = 8, /* the moving vertices of a star are not at one position */
+  HL_NO_ROOM = 9         /* the memory that was given is too small */
 } hl_status;
 
 /* Certain for every element of 24 finite doubles. Unanswered is, in a batch, a cell that is not one: its status says why. */
@@ -289,6 +294,92 @@ hl_status hl_classify(const hl_cells *cells, hl_batch *batch);
 /* hl_classify's instructions here: "avx512", "avx2", "sse2", "wasm" (its vectors) or "scalar". */
 const char *hl_vectors(void);
 
+/* A star: the cells around a vertex that moves, while all others stay. Cell c has the moving vertex at its vertices v with bit 1 << v of
+   moving[c]; where `moving` is null, at those whose index is `vertex`. At least one a cell, and all at one position: the present place.
+   In a cell with repeated nodes several move together. */
+typedef struct hl_star {
+  hl_cells cells;
+  const uint8_t *moving;
+  uint32_t vertex;
+} hl_star;
+
+/* The measure of a place, the least over the cells of the boundary minimum over a length^3. By volume, that is the cell's volume with
+   the vertex at this place: the relative minimum. By scale, it is the cube of the root mean square of the edges that do not move, which
+   is the same for every place. Places are compared by volume where all cells are valid, else by scale; any valid one is better. */
+typedef enum hl_measure { HL_BY_SCALE = 0, HL_BY_VOLUME = 1 } hl_measure;
+
+/* A point of a cell that holds the value of every place down; its coordinates are multiples of 2^-26. The weights are those of jacdet
+   over the cell's scale, and sum to 1 over the points. For HL_BOX_SIDE as its cell it is a side of the box in which places are sought, and
+   `point` the outward normal of length 1. */
+enum { HL_MAX_HOLDS = 4 };
+#define HL_BOX_SIDE 0xffffffffu
+typedef struct hl_hold {
+  uint32_t cell;
+  double point[3];
+  double weight;
+  double scale;    /* of the cell, times 2^(3 unit_exponent); 1 for a side of the box */
+  bool is_by_sign; /* jacdet there is to be positive, whatever the volume */
+} hl_hold;
+
+/* No place in the box has a greater value by `measure` than `bound`: the holds prove it, (R10) of docs/repair.md, but for rounding; a
+   bound of 1 by volume needs none. By scale a bound of 0 or less says that no place makes all cells valid. */
+typedef struct hl_place {
+  double position[3]; /* the present one, or one where the cells are better */
+  bool is_moved;
+  bool is_closed; /* bound - value is at most a millionth of |value|, or 2^-40 if that is more */
+  hl_measure measure;
+  double value, bound; /* the value is from the cells' boundary minima with the vertex at the position */
+  double relative_minimum, present_relative_minimum; /* the least of the cells'; NaN where a cell has none */
+  int unit_exponent; /* of the greatest offset of a coordinate from the present place, rounded up to a power of two */
+  int round_count;   /* of looking for the least jacdets of all cells */
+  int hold_count;
+  hl_hold holds[HL_MAX_HOLDS];
+} hl_place;
+
+/* Bytes for so many cells around a vertex, 58 kB for eight. */
+size_t hl_best_place_room(size_t cell_count);
+
+/* The best place of the vertex in the box of half side 2^(20 + unit_exponent) around the present place; of several the one nearest to
+   that, up to the gap. `memory` is aligned for doubles and of hl_best_place_room bytes at least, and holds nothing
+   afterwards. However the star is turned by right angles about the axes, scaled by a power of two or its cells ordered, the place has the
+   same bits, if they tell the axes and the cells apart. Takes 0.05 ms for eight cells. docs/repair.md. */
+hl_status hl_best_place(const hl_star *star, void *memory, size_t room, hl_place *best);
+
+/* Untangling: sweeps of best places over the vertices of a mesh, of each sweep the worst first, until all cells that a free vertex
+   reaches have the margin or no vertex gains. No move lowers the least relative minimum of the cells around its vertex. */
+typedef struct hl_untangling {
+  double margin;        /* wanted: relative minimum at least this; from 0, for all that are valid, to 1 */
+  const uint8_t *fixed; /* one a point, 1 for those that stay; null for the boundary's, by hl_boundary_points */
+  /* Called before each star with how many best places were sought; false ends the sweeps there. May be null. */
+  bool (*proceed)(void *context, size_t place_count);
+  void *context;
+} hl_untangling;
+
+typedef struct hl_untangled {
+  size_t invalid_before, invalid_after;         /* cells */
+  size_t below_before, below_after;             /* cells below the margin, or invalid */
+  size_t moved_count, place_count, sweep_count; /* points elsewhere than before; best places that were sought */
+  size_t too_many_count; /* free vertices of cells below the margin that have more than HL_MOST_CELLS cells */
+  double greatest_distance, mean_distance; /* of the points that were moved */
+  double least_before, least_after;        /* relative minima; NaN where a cell has none */
+  bool is_stopped;                         /* by `proceed` */
+} hl_untangled;
+
+/* A star of more cells is left as it is. */
+enum { HL_MOST_CELLS = 128 };
+
+/* Bytes for a mesh. */
+size_t hl_untangle_room(size_t point_count, size_t cell_count);
+
+/* 1 for each point of a face that no other cell has, or more than one other, else 0; `boundary` has one entry a point. The cells have
+   indices; `memory` is as for hl_untangle. */
+hl_status hl_boundary_points(const hl_cells *cells, void *memory, size_t room, uint8_t *boundary);
+
+/* Moves the points of cells with indices; `points` gets all coordinates, those of moved points new. The same bits for the same input on
+   every machine. `memory` is aligned for doubles and of hl_untangle_room bytes. A coordinate that is not finite is HL_NOT_FINITE. */
+hl_status hl_untangle(const hl_cells *cells, const hl_untangling *wanted, void *memory, size_t room, double *points,
+                      hl_untangled *result);
+
 /* Results as plain doubles in the order of the structs above, numbers and flags alike, lists cut to their counts: what
    crosses the WebAssembly boundary and what parity tests compare. Each returns how many were written. */
 enum { HL_PACKED_CANDIDATE = 9, HL_PACKED_VOLUME_MINIMUM = 8, HL_PACKED_ROOT = 4 };
@@ -297,11 +388,13 @@ enum {
   HL_PACKED_REPORT = 3 + 2 * HL_PACKED_CANDIDATE + 1 + HL_PACKED_VOLUME_MINIMUM + HL_CHECKS + 3 + HL_BERNSTEIN +
       HL_FACES * HL_PACKED_FACE + 1 + HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE + 2 + HL_VERTICES + 3,
   HL_PACKED_MINIMUM = HL_PACKED_CANDIDATE + 2,
-  HL_PACKED_JACOBIAN = 17
+  HL_PACKED_JACOBIAN = 17,
+  HL_PACKED_PLACE = 13 + HL_MAX_HOLDS * 7
 };
 size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]);
 size_t hl_pack_minimum(const hl_minimum *minimum, double packed[HL_PACKED_MINIMUM]);
 size_t hl_pack_jacobian(const hl_jacobian *jacobian, double packed[HL_PACKED_JACOBIAN]);
+size_t hl_pack_place(const hl_place *place, double packed[HL_PACKED_PLACE]);
 
 #if defined __GNUC__
 #pragma GCC visibility pop

@@ -2,6 +2,8 @@
 #include "hexlens.h"
 #include "topology.h"
 
+#include <math.h>
+
 typedef struct cursor {
   double *next;
 } cursor;
@@ -82,5 +84,28 @@ size_t hl_pack_jacobian(const hl_jacobian *jacobian, double packed[HL_PACKED_JAC
   for (int r = 0; r < 3; ++r) put(&c, jacobian->axis_exponent[r]);
   put(&c, jacobian->jacdet);
   put(&c, jacobian->exponent);
+  return (size_t)(c.next - packed);
+}
+
+size_t hl_pack_place(const hl_place *place, double packed[HL_PACKED_PLACE]) {
+  cursor c = {packed};
+  put_all(&c, place->position, 3);
+  put(&c, place->is_moved);
+  put(&c, place->is_closed);
+  put(&c, place->measure);
+  put(&c, place->value);
+  put(&c, place->bound);
+  put(&c, place->relative_minimum == place->relative_minimum ? place->relative_minimum : NAN);
+  put(&c, place->present_relative_minimum == place->present_relative_minimum ? place->present_relative_minimum : NAN);
+  put(&c, place->unit_exponent);
+  put(&c, place->round_count);
+  put(&c, place->hold_count);
+  for (int i = 0; i < place->hold_count; ++i) {
+    put(&c, place->holds[i].cell);
+    put_all(&c, place->holds[i].point, 3);
+    put(&c, place->holds[i].weight);
+    put(&c, place->holds[i].scale);
+    put(&c, place->holds[i].is_by_sign);
+  }
   return (size_t)(c.next - packed);
 }
