@@ -3,8 +3,10 @@
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import HexlensError
+from ._certificates import certify, verify
 from ._classify import Classification, classify
 from ._native import CHECKS, CLASSES, STATUSES, vectors
+from ._report import Candidate, Check, Face, FaceRoot, Report, VolumeMinimum, analyze
 from ._version import __version__
 
 if TYPE_CHECKING:
@@ -14,12 +16,21 @@ __all__ = [
     "CHECKS",
     "CLASSES",
     "STATUSES",
+    "Candidate",
+    "Check",
     "Classification",
+    "Face",
+    "FaceRoot",
     "HexLens",
     "HexlensError",
+    "Report",
+    "VolumeMinimum",
     "__version__",
+    "analyze",
+    "certify",
     "classify",
     "vectors",
+    "verify",
 ]
 
 
