@@ -39,7 +39,7 @@ def build_sdist(sdist_directory, config_settings=None):
     try:
         return _inner.build_sdist(sdist_directory, config_settings)
     finally:
-        for folder in {place.split("/")[0] for place, is_copied in zip(_BESIDE, copied) if is_copied}:
+        for folder in {place.split("/")[0] for place, is_copied in zip(_BESIDE, copied, strict=True) if is_copied}:
             shutil.rmtree(_HERE / folder)
 
 

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._arrays import HexlensError
 from ._certificates import certify, verify
+from ._check import Cell, MeshCheck, check
 from ._classify import Classification, classify
 from ._native import CHECKS, CLASSES, STATUSES, vectors
 from ._report import Candidate, Check, Face, FaceRoot, Report, VolumeMinimum, analyze
@@ -17,17 +18,20 @@ __all__ = [
     "CLASSES",
     "STATUSES",
     "Candidate",
+    "Cell",
     "Check",
     "Classification",
     "Face",
     "FaceRoot",
     "HexLens",
     "HexlensError",
+    "MeshCheck",
     "Report",
     "VolumeMinimum",
     "__version__",
     "analyze",
     "certify",
+    "check",
     "classify",
     "vectors",
     "verify",

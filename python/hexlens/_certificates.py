@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import HexlensError, vertices_of
-from ._report import not_finite
 from ._polynomials import (
     Dyadic,
     Polynomial,
@@ -32,6 +31,7 @@ from ._polynomials import (
     square_free,
     trimmed,
 )
+from ._report import not_finite
 
 __all__ = ["EDGES", "FACES", "REFERENCE", "certify", "verify"]
 
@@ -55,9 +55,7 @@ class _Jacdet:
         axes = [[Fraction(float(x)) for x in vertices[:, axis]] for axis in range(3)]
         self.units = [reduce(max, (x.denominator for x in xs)) for xs in axes]
         points = [tuple(int(xs[v] * unit) for xs, unit in zip(axes, self.units, strict=True)) for v in range(8)]
-        along = {
-            (REFERENCE[a], REFERENCE[b]): tuple(q - p for p, q in zip(points[a], points[b], strict=True)) for a, b in EDGES
-        }
+        along = {(REFERENCE[a], REFERENCE[b]): tuple(q - p for p, q in zip(points[a], points[b], strict=True)) for a, b in EDGES}
 
         def edge(axis: int, first: int, second: int) -> _Integers:
             low = [first, second]
@@ -381,8 +379,7 @@ def certify(vertices: ArrayLike, name: str = "") -> dict[str, Any]:
             point = _witness(jacdet, least)
             return {**entry, "point": [str(x) for x in point], "jacdet": str(jacdet.jacdet(point))}
         faces = [
-            [{"t": [str(start), str(end)], "by": by} for start, end, by in _certified_intervals(jacdet.face(face))]
-            for face in range(6)
+            [{"t": [str(start), str(end)], "by": by} for start, end, by in _certified_intervals(jacdet.face(face))] for face in range(6)
         ]
         return {**entry, "theorem": THEOREM, "faces": faces}
 
@@ -403,9 +400,7 @@ def verify(certificate: Mapping[str, Any] | Iterable[Mapping[str, Any]], vertice
             try:
                 _checker.check(_with_doubles(entry))
                 if vertices is not None:
-                    _checker.require(
-                        vertices_of(vertices).tolist() == _with_doubles(entry)["vertices"], "it is about other vertices"
-                    )
+                    _checker.require(vertices_of(vertices).tolist() == _with_doubles(entry)["vertices"], "it is about other vertices")
             except ValueError as why:
                 place = "" if len(entries) == 1 else f" {i}"
                 raise HexlensError(f"The certificate{place} ({entry.get('name', '')}) is refused: {why}.") from None

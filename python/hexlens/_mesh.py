@@ -45,14 +45,14 @@ _KINDS: Final[dict[int, tuple[str, int]]] = {
     25: ("-", 20), 26: ("wedge", 15), 27: ("pyramid", 13), 28: ("quadrilateral", 9), 29: ("-", 27),
     30: ("quadrilateral", 6), 31: ("wedge", 12), 32: ("wedge", 18), 33: ("-", 24), 34: ("triangle", 7), 35: ("line", 4),
     36: ("polygon", 0), 37: ("pyramid", 19), 41: ("other", 0), POLYHEDRON: ("polyhedron", 0), 51: ("line", 0),
-    **{kind: ("other", 0) for kind in range(52, 57)},
-    **{kind: ("line", 0) for kind in (60, 68, 75)},
-    **{kind: ("triangle", 0) for kind in (61, 69, 76)},
-    **{kind: ("quadrilateral", 0) for kind in (62, 70, 77)},
+    **dict.fromkeys(range(52, 57), ("other", 0)),
+    **dict.fromkeys((60, 68, 75), ("line", 0)),
+    **dict.fromkeys((61, 69, 76), ("triangle", 0)),
+    **dict.fromkeys((62, 70, 77), ("quadrilateral", 0)),
     63: ("polygon", 0),
-    **{kind: ("tetrahedron", 0) for kind in (64, 71, 78)},
-    **{kind: ("wedge", 0) for kind in (65, 73, 80)},
-    **{kind: ("pyramid", 0) for kind in (66, 74, 81)},
+    **dict.fromkeys((64, 71, 78), ("tetrahedron", 0)),
+    **dict.fromkeys((65, 73, 80), ("wedge", 0)),
+    **dict.fromkeys((66, 74, 81), ("pyramid", 0)),
     67: ("-", 0), LAGRANGE: ("-", 0), 79: ("-", 0),
 }  # fmt: skip
 VOXEL_ORDER: Final = [0, 1, 3, 2, 4, 5, 7, 6]
@@ -205,12 +205,12 @@ class MeshMaker:
         self._other_order += int(np.count_nonzero(not_boxes & are_boxes(VOXEL_ORDER)))
         if not_boxes.any():
             first = self._cell_count + int(indices[not_boxes][0])
-            some = f"{np.count_nonzero(not_boxes)} of the voxels (type 11) are no boxes along the axes, first the hexahedron of index {first}"
+            some = (
+                f"{np.count_nonzero(not_boxes)} of the voxels (type 11) are no boxes along the axes, first the hexahedron of index {first}"
+            )
             self.notes.append(f"{some}: they are answered as hexahedra with these corners.")
 
-    def _add_data(
-        self, data: CellArrays, source_count: int, places: NDArray[np.int64] | None, before: int, count: int
-    ) -> None:
+    def _add_data(self, data: CellArrays, source_count: int, places: NDArray[np.int64] | None, before: int, count: int) -> None:
         arrays = {name: np.asarray(array) for name, array in data.arrays.items()}
         arrays = {name: array for name, array in arrays.items() if array.shape == (source_count,) and array.dtype.kind in "iuf"}
         ids, block = cell_names(arrays, data.global_ids)

@@ -46,7 +46,7 @@ CHECKS: Final = (
 class Cells(ctypes.Structure):
     """hl_cells."""
 
-    _fields_ = [  # noqa: RUF012 - as ctypes wants it
+    _fields_ = [
         ("coordinates", c_void_p),
         ("coordinate_count", c_size_t),
         ("indices", c_void_p),
@@ -57,7 +57,7 @@ class Cells(ctypes.Structure):
 class Batch(ctypes.Structure):
     """hl_batch."""
 
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         ("verdicts", c_void_p),
         ("statuses", c_void_p),
         ("is_exact", c_void_p),
@@ -81,7 +81,7 @@ class Batch(ctypes.Structure):
 class Candidate(ctypes.Structure):
     """hl_candidate."""
 
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         ("kind", c_int),
         ("id", c_int),
         ("point", c_double * 3),
@@ -93,7 +93,7 @@ class Candidate(ctypes.Structure):
 class FaceRoot(ctypes.Structure):
     """hl_face_root."""
 
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         ("t", c_double),
         ("a", c_double),
         ("s", c_double),
@@ -104,7 +104,7 @@ class FaceRoot(ctypes.Structure):
 class FaceReport(ctypes.Structure):
     """hl_face_report."""
 
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         ("bernstein", c_double * 9),
         ("lower_bound", c_double),
         ("running_minimum", c_double),
@@ -121,7 +121,7 @@ class FaceReport(ctypes.Structure):
 class VolumeMinimum(ctypes.Structure):
     """hl_volume_minimum."""
 
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         ("lower", c_double),
         ("upper", c_double),
         ("point", c_double * 3),
@@ -132,7 +132,7 @@ class VolumeMinimum(ctypes.Structure):
 class RawReport(ctypes.Structure):
     """hl_report."""
 
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         ("verdict", c_int),
         ("is_exact", c_bool),
         ("exponent", c_int),
@@ -160,7 +160,7 @@ class RawReport(ctypes.Structure):
 class Minimum(ctypes.Structure):
     """hl_minimum."""
 
-    _fields_ = [("minimizer", Candidate), ("exponent", c_int), ("is_exact", c_bool)]  # noqa: RUF012
+    _fields_ = [("minimizer", Candidate), ("exponent", c_int), ("is_exact", c_bool)]
 
 
 def _file_name() -> str:

@@ -109,9 +109,7 @@ def _pseudo_remainder(p: Polynomial, q: Polynomial) -> Polynomial:
         if len(rest) == len(q) + steps - 1:
             factor = -rest[-1] if lead < 0 else rest[-1]
             # The leading coefficients cancel.
-            rest = trimmed(
-                [a * size - (q[i - steps + 1] if i >= steps - 1 else 0) * factor for i, a in enumerate(rest[:-1])]
-            )
+            rest = trimmed([a * size - (q[i - steps + 1] if i >= steps - 1 else 0) * factor for i, a in enumerate(rest[:-1])])
         else:
             rest = tuple(a * size for a in rest)
     return rest
@@ -278,9 +276,7 @@ def sign_at_root(q: Polynomial, p: Polynomial, root: Root) -> int:
     if _count_roots(square_free(common), root.low, root.high) > 0:
         return 0
     simple = square_free(q)
-    while root.low != root.high and (
-        _count_roots(simple, root.low, root.high) > 0 or sign_at(q, root.low) == 0
-    ):
+    while root.low != root.high and (_count_roots(simple, root.low, root.high) > 0 or sign_at(q, root.low) == 0):
         root = refined_to(p, root, 2 * max(root.low.shift, root.high.shift) + 2)
     return sign_at(q, root.high)
 

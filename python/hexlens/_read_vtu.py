@@ -54,9 +54,7 @@ def read_vtu(path: str, name: str) -> Mesh:
     elif document.type == _GRID:
         _add_pieces(maker, document, None)
     else:
-        document.refuse(
-            f"its type is {document.type!r}; {_GRID} and {_PARALLEL} are read here. `npx hexlens check FILE` reads time steps."
-        )
+        document.refuse(f"its type is {document.type!r}; {_GRID} and {_PARALLEL} are read here. `npx hexlens check FILE` reads time steps.")
     if not document.is_complete:
         maker.is_cut_off = True
     return maker.mesh()
