@@ -107,7 +107,7 @@ class Cell:
         }
 
 
-_UNANSWERED: Final = {
+_UNANSWERED: Final[dict[str, Any]] = {
     "valid": None,
     "class": None,
     "coincident": [],

@@ -82,7 +82,7 @@ class Classification:
     def valid(self) -> NDArray[np.bool_]:
         """Whether jacdet > 0 in the whole cell: certain. False, too, where a cell is unanswered."""
         verdicts: NDArray[np.uint8] = self._lists["verdicts"]
-        return verdicts == 1
+        return np.equal(verdicts, 1)
 
     @property
     def status(self) -> NDArray[np.uint8]:
@@ -149,12 +149,13 @@ class Classification:
         """A table with a row for each cell, and a column for each answer; `accepted_by` is a column for each check."""
         import pandas
 
+        categorical: Any = pandas.Categorical
         accepted = self.accepted_by
-        return pandas.DataFrame(
+        table: pandas.DataFrame = pandas.DataFrame(
             {
                 "valid": self.valid,
                 "status": self.status,
-                "class": pandas.Categorical.from_codes(self.class_.astype(np.int8), list(CLASSES)),
+                "class": categorical.from_codes(self.class_.astype(np.int8), list(CLASSES)),
                 "boundary_min": self.boundary_min,
                 "relative_min": self.relative_min,
                 "volume": self.volume,
@@ -163,12 +164,13 @@ class Classification:
                 **{f"accepted by {name}": (accepted >> c) & 1 == 1 for c, name in enumerate(CHECKS)},
             }
         )
+        return table
 
     def vertices(self, cell: int) -> NDArray[np.float64]:
         """The 8 x 3 coordinates of a cell."""
-        if self._cells is None:
-            return self._points[cell]
-        return self._points[np.asarray(self._cells[cell], dtype=np.int64)]
+        index = cell if self._cells is None else np.asarray(self._cells[cell], dtype=np.int64)
+        chosen: NDArray[np.float64] = self._points[index]
+        return chosen
 
     def _list(self, name: str) -> NDArray[Any]:
         if name not in self._lists:
@@ -261,7 +263,8 @@ def _scaled(numbers: NDArray[np.float64], exponents: NDArray[np.int16]) -> NDArr
     if not exponents.any():
         return numbers
     with np.errstate(over="ignore", under="ignore"):
-        return np.ldexp(numbers, exponents)
+        doubles: NDArray[np.float64] = np.ldexp(numbers, exponents)
+        return doubles
 
 
 def _thread_count(threads: int | None) -> int:

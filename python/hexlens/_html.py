@@ -1,6 +1,7 @@
 """A check as HTML: for notebooks, and as one document to keep. The sentence, the notes, the histogram of relative minima, and the
 worst ten in numbers."""
 
+import math
 from collections.abc import Iterator
 from typing import Final
 
@@ -32,6 +33,7 @@ _STYLES: Final = """
 .hexlens .rows{overflow-x:auto}
 .hexlens table{border-collapse:collapse;font-size:inherit}
 .hexlens th,.hexlens td{padding:.2em 1.2em .2em 0;text-align:left;vertical-align:top;white-space:nowrap}
+.hexlens td:last-child{white-space:normal;min-width:14em}
 .hexlens thead th{font-weight:400;opacity:.75}
 .hexlens tbody tr{border-top:1px solid #8884}
 .hexlens .sign{color:var(--negative);font-weight:650}
@@ -163,7 +165,7 @@ def _histogram(check: MeshCheck, level: int) -> str:
     others = f" {_grouped(beside)} {'has' if beside == 1 else 'have'} none: the volume is 0, or there is no answer." if beside else ""
     if first == 0:
         others = f" The first bar is all below -1, down to {speak_number(float(known[0]))}.{others}"
-    shares = []
+    shares: list[str] = []
     for percent in (1, 10, 50, 90, 99):
         value = float(known[max(0, -(-percent * len(known) // 100) - 1)])
         shares.append(f"{speak_number(value)} in {percent} %{'' if shares else ' of them'}")
@@ -183,9 +185,9 @@ def _histogram_svg(edges: NDArray[np.float64], counts: NDArray[np.int64], words:
     def x(value: float) -> float:
         return _LEFT + (value - start) / (end - start) * (_WIDTH - _LEFT - _RIGHT)
 
-    def y(count: float) -> float:
+    def y(count: int) -> float:
         # One cell has to be seen: a count of 0 is half a decade below it.
-        return bottom - (np.log10(count) + 0.5) / (decades + 0.5) * (bottom - _ABOVE)
+        return bottom - (math.log10(count) + 0.5) / (decades + 0.5) * (bottom - _ABOVE)
 
     parts = []
     for count in (10**decade for decade in range(decades + 1)):

@@ -198,17 +198,16 @@ class MeshMaker:
                     np.abs(corners[:, v] - np.where([(bit >> axis) & 1 for axis in range(3)], high, low)) > within
                     for v, bit in enumerate(bits)
                 ]
-            return ~np.any(off, axis=(0, 2))
+            are: NDArray[np.bool_] = ~np.any(off, axis=(0, 2))
+            return are
 
         not_boxes = ~are_boxes(range(8))
         self._voxels += int(np.count_nonzero(not_boxes))
         self._other_order += int(np.count_nonzero(not_boxes & are_boxes(VOXEL_ORDER)))
         if not_boxes.any():
             first = self._cell_count + int(indices[not_boxes][0])
-            some = (
-                f"{np.count_nonzero(not_boxes)} of the voxels (type 11) are no boxes along the axes, first the hexahedron of index {first}"
-            )
-            self.notes.append(f"{some}: they are answered as hexahedra with these corners.")
+            some = f"{np.count_nonzero(not_boxes)} of the voxels (type 11) are no boxes along the axes"
+            self.notes.append(f"{some}, first the hexahedron of index {first}: they are answered as hexahedra with these corners.")
 
     def _add_data(self, data: CellArrays, source_count: int, places: NDArray[np.int64] | None, before: int, count: int) -> None:
         arrays = {name: np.asarray(array) for name, array in data.arrays.items()}

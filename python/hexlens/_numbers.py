@@ -82,7 +82,7 @@ def _fraction(value: float) -> str | None:
 
 def _exact(mantissa: float, exponent: int) -> Fraction:
     exact = Fraction(mantissa)
-    return exact * 2**exponent if exponent >= 0 else exact / 2**-exponent
+    return exact * (1 << exponent) if exponent >= 0 else exact / (1 << -exponent)
 
 
 def _shown(mantissa: float, exponent: int) -> str:

@@ -204,18 +204,18 @@ class IdsOutput:
             for i in range(0, len(ids), _ABAQUS_A_LINE):
                 yield f"{', '.join(ids[i : i + _ABAQUS_A_LINE])}\n"
         elif self._kind == "plain":
-            for i in ids:
-                yield f"{i}\n"
+            for own in ids:
+                yield f"{own}\n"
         else:
             yield from self._nastran(ids)
 
     def _nastran(self, ids: list[str]) -> Iterator[str]:
         line = f"SET {self._sets} = "
-        for i in [*(f"{i}," for i in ids[:-1]), ids[-1]]:
-            if len(line) + len(i) > _NASTRAN_COLUMNS:
+        for entry in [*(f"{own}," for own in ids[:-1]), ids[-1]]:
+            if len(line) + len(entry) > _NASTRAN_COLUMNS:
                 yield f"{line}\n"
                 line = "  "
-            line += i
+            line += entry
         yield f"{line}\n"
 
     def end(self, exit_: int) -> Iterator[str]:

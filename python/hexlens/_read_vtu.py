@@ -260,14 +260,14 @@ class _Document:
         packed = self._headers(source, name, 3 * self._header.itemsize, blocks)
         at = (3 + blocks) * self._header.itemsize
         values = np.empty(count, own)
-        room = memoryview(values).cast("B")
+        room: Any = values.view(np.uint8)
         filled = 0
         for i, length in enumerate(packed):
             if len(source) < at + length:
                 self.refuse(f"“{name}” needs {length} more bytes, and the file has {len(source) - at}: it is cut off.")
             expected = size if i < whole else last
             block = self._unpacked(bytes(source[at : at + length]), name, expected)
-            room[filled : filled + expected] = block
+            room[filled : filled + expected] = np.frombuffer(block, np.uint8)
             filled += expected
             at += length
         return values

@@ -198,7 +198,7 @@ def _report(array: NDArray[np.float64], raw: _native.RawReport) -> Report:
         faces=tuple(_face(i, face) for i, face in enumerate(raw.faces)),
         candidates=tuple(_candidate(candidate) for candidate in raw.candidates[: raw.candidate_count]),
         class_=CLASSES[raw.element_class],  # type: ignore[arg-type]
-        shape=SHAPES[raw.shape],  # type: ignore[arg-type]
+        shape=SHAPES[raw.shape],
         coincident=tuple(group for group in groups if len(group) > 1),
         volume_mantissa=raw.volume,
         volume_exponent=raw.volume_exponent,

@@ -129,7 +129,7 @@ def _format_of(path: str, name: str, head: bytes) -> str:
 def _read_legacy(path: str, name: str) -> Mesh:
     """By VTK, which PyVista brings; its silence about lists of different lengths and ends that are missing is not shared."""
     try:
-        from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+        from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
         from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
     except ImportError:
         raise HexlensError(
@@ -144,11 +144,14 @@ def _read_legacy(path: str, name: str) -> Mesh:
     reader.ReadAllFieldsOn()
     # VTK only prints that something is wrong.
     before, said = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
+    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
     vtkOutputWindow.SetInstance(said)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
     try:
         reader.Update()
     finally:
         vtkOutputWindow.SetInstance(before)
+        vtkLogger.SetStderrVerbosity(verbosity)
     if said.GetOutput() or reader.GetErrorCode() != 0:
         raise HexlensError(f"{name}: it is damaged or cut off, VTK cannot read it. This says where: npx hexlens check {path}")
     mesh = _from_vtk(reader.GetOutput(), "VTK", lambda what: HexlensError(f"{name}: {what}"))
