@@ -1,16 +1,17 @@
 """Exact verdicts on trilinear hexahedra: whether jacdet > 0 in the whole cell, and where it is least."""
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import HexlensError
-from ._certificates import certify, verify
-from ._check import Cell, MeshCheck, check
 from ._classify import Classification, classify
 from ._native import CHECKS, CLASSES, STATUSES, vectors
-from ._report import Candidate, Check, Face, FaceRoot, Report, VolumeMinimum, analyze
 from ._version import __version__
 
 if TYPE_CHECKING:
+    from ._certificates import certify, verify
+    from ._check import Cell, MeshCheck, check
+    from ._report import Candidate, Check, Face, FaceRoot, Report, VolumeMinimum, analyze
     from .widget import HexLens
 
 __all__ = [
@@ -37,10 +38,22 @@ __all__ = [
     "verify",
 ]
 
+# What classify does not need is loaded when it is first named.
+_LATER = {
+    **dict.fromkeys(("certify", "verify"), "_certificates"),
+    **dict.fromkeys(("Cell", "MeshCheck", "check"), "_check"),
+    **dict.fromkeys(("Candidate", "Check", "Face", "FaceRoot", "Report", "VolumeMinimum", "analyze"), "_report"),
+    "HexLens": "widget",
+}
+
 
 def __getattr__(name: str) -> Any:
-    if name == "HexLens":
-        from .widget import HexLens
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f".{_LATER[name]}", __name__), name)
+    globals()[name] = value
+    return value
 
-        return HexLens
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+def __dir__() -> list[str]:
+    return __all__

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["HexlensError", "cells_of", "elements_of", "narrowed", "points_of", "vertices_of"]
+__all__ = ["HexlensError", "cells_of", "elements_of", "is_32_bit", "narrowed", "points_of", "vertices_of"]
 
 #: Indices of 32 bits may have a sign.
 MOST_POINTS = 2**31 - 1
@@ -93,9 +93,14 @@ def cells_of(value: ArrayLike) -> NDArray[Any]:
     return array
 
 
+def is_32_bit(cells: NDArray[Any]) -> bool:
+    """True if the C library can read them where they are."""
+    return bool(cells.dtype.itemsize == 4 and cells.dtype.isnative and cells.flags.c_contiguous and cells.flags.aligned)
+
+
 def narrowed(cells: NDArray[Any], point_count: int, room: NDArray[np.uint32]) -> NDArray[np.uint32]:
     """The cells in 32 bits: as they are if that is what they have, else in `room`. An index out of range stays out of range."""
-    if cells.dtype.itemsize == 4 and cells.dtype.isnative and cells.flags.c_contiguous and cells.flags.aligned:
+    if is_32_bit(cells):
         # A negative one becomes 2^31 or more, which no point is.
         return cells.view(np.uint32)
     own = room[: cells.shape[0]]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import HexlensError, cells_of, elements_of, narrowed, points_of
+from ._arrays import HexlensError, cells_of, elements_of, is_32_bit, narrowed, points_of
 from ._native import CHECKS, CLASSES, Batch, Cells, library
 
 if TYPE_CHECKING:
@@ -17,9 +17,12 @@ if TYPE_CHECKING:
 
 __all__ = ["Classification", "classify", "worst_first"]
 
-#: Cells that are handed over at once: long enough that handing over is nothing beside deciding, 0.8 ms; their indices in 32 bits
-#: are a megabyte, which a core's cache holds.
-PIECE = 32_768
+#: The most cells that are handed over at once: 3 ms, beside which handing over is nothing.
+PIECE = 131_072
+#: The fewest, where there are many threads to share the work.
+LEAST_PIECE = 8_192
+#: Cells whose indices are narrowed at once: a megabyte, which a core's cache holds.
+WIDE_PIECE = 32_768
 #: hexlens.h: 3 MB of stack are enough for everything.
 STACK = 8 * 2**20
 
@@ -190,8 +193,10 @@ class Classification:
         addresses = [(name, array.ctypes.data, array.itemsize * _TYPES[name][1]) for name, array in lists.items()]
         coordinates = points.ctypes.data
 
+        is_narrow = cells is None or is_32_bit(cells)
+
         def new_worker() -> Callable[[int, int], None]:
-            room = np.empty((min(PIECE, count) if cells is not None else 0, 8), np.uint32)
+            room = np.empty((0 if is_narrow else min(WIDE_PIECE, count), 8), np.uint32)
 
             def decide(begin: int, end: int) -> None:
                 if cells is None:
@@ -206,7 +211,7 @@ class Classification:
 
             return decide
 
-        _in_pieces(count, _thread_count(self._threads), new_worker)
+        _in_pieces(count, _thread_count(self._threads), PIECE if is_narrow else WIDE_PIECE, new_worker)
         return lists
 
 
@@ -275,13 +280,14 @@ def _thread_count(threads: int | None) -> int:
     return threads
 
 
-def _in_pieces(count: int, threads: int, new_worker: Callable[[], Callable[[int, int], None]]) -> None:
-    """Hands out pieces of 0 to `count` until all are done; the first error ends it."""
-    begins = range(0, count, PIECE)
+def _in_pieces(count: int, threads: int, most: int, new_worker: Callable[[], Callable[[int, int], None]]) -> None:
+    """Hands out pieces of 0 to `count`, of `most` or fewer cells, until all are done; the first error ends it."""
+    piece = max(LEAST_PIECE, min(most, -(-count // (4 * threads))))
+    begins = range(0, count, piece)
     if min(threads, len(begins)) <= 1:
         work = new_worker()
         for begin in begins:
-            work(begin, min(begin + PIECE, count))
+            work(begin, min(begin + piece, count))
         return
     left = iter(begins)
     lock = _threading.Lock()
@@ -295,7 +301,7 @@ def _in_pieces(count: int, threads: int, new_worker: Callable[[], Callable[[int,
                     begin = None if errors else next(left, None)
                 if begin is None:
                     return
-                work(begin, min(begin + PIECE, count))
+                work(begin, min(begin + piece, count))
         except BaseException as error:
             errors.append(error)
 

@@ -3,6 +3,7 @@ needed."""
 
 import os
 import re
+import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -28,10 +29,11 @@ def mesh_of(source: Any, format_: str | None = None) -> Mesh:
         raise HexlensError("A format belongs to a file.")
     if isinstance(source, tuple) and len(source) == 2:
         return Mesh("arrays", points_of(source[0]), cells_of(source[1]))
-    if hasattr(source, "cells_dict") and hasattr(source, "cells"):
-        return _from_meshio(source)
+    # A PyVista grid has a cells_dict, too.
     if hasattr(source, "celltypes") and hasattr(source, "cell_connectivity"):
         return _from_vtk(source, "PyVista")
+    if _is_meshio(source):
+        return _from_meshio(source)
     if hasattr(source, "GetCellTypes") and hasattr(source, "GetPoints"):
         return _from_vtk(_import("pyvista").wrap(source), "VTK")
     if hasattr(source, "cast_to_unstructured_grid"):
@@ -42,6 +44,10 @@ def mesh_of(source: Any, format_: str | None = None) -> Mesh:
     raise HexlensError(
         f"A {type(source).__name__} is none of: (points, cells), the path of a file, a meshio.Mesh, a pyvista.UnstructuredGrid, gmsh.model."
     )
+
+
+def _is_meshio(source: Any) -> bool:
+    return hasattr(source, "cell_sets") and hasattr(source, "cells") and hasattr(source, "point_data")
 
 
 def _import(name: str) -> Any:
@@ -354,6 +360,7 @@ def _from_gmsh(model: Any) -> Mesh:
                 count += len(elements)
             else:
                 corners.append(indices(np.asarray(nodes)).reshape(-1, size)[:, :8])
+    _check_gmsh_s_count(count + sum(map(len, corners)))
     return Mesh(
         "Gmsh",
         np.asarray(coordinates, np.float64).reshape(-1, 3),
@@ -365,9 +372,22 @@ def _from_gmsh(model: Any) -> Mesh:
     )
 
 
+def _check_gmsh_s_count(listed: int) -> None:
+    """Gmsh does not list cells of 20 nodes that stand beside linear ones, but it counts them."""
+    gmsh = sys.modules.get("gmsh")
+    if gmsh is None:
+        return
+    counted = int(gmsh.option.getNumber("Mesh.NbHexahedra"))
+    if counted != listed:
+        raise HexlensError(
+            f"Gmsh counts {counted} hexahedra in its model and lists {listed}, so not all can be checked: "
+            "write it by gmsh.write('model.msh'). This reads it whole: npx hexlens check model.msh"
+        )
+
+
 def put_cell_arrays(result: "MeshCheck", mesh: Any) -> Any:
     """Into `cell_data` of a meshio.Mesh or a PyVista grid."""
-    sizes = [len(block.data) for block in mesh.cells] if hasattr(mesh, "cells_dict") else None
+    sizes = [len(block.data) for block in mesh.cells] if _is_meshio(mesh) else None
     count = sum(sizes) if sizes is not None else getattr(mesh, "n_cells", None)
     if count is None or not hasattr(mesh, "cell_data"):
         raise HexlensError(
