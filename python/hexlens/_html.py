@@ -84,7 +84,7 @@ class HtmlOutput:
         return (
             '<!DOCTYPE html>\n<html lang="en" xmlns="http://www.w3.org/1999/xhtml">\n<head>\n<meta charset="utf-8"/>\n'
             '<meta name="viewport" content="width=device-width"/>\n'
-            f"<title>{markup(title)}: checked by Hexlens</title>\n<style>{_PAGE}{_STYLES}</style>\n</head>\n<body>\n{_HATCH}\n<main>\n"
+            f"<title>{markup(title)}: checked by Hexlens</title>\n<style>{_STYLES}{_PAGE}</style>\n</head>\n<body>\n{_HATCH}\n<main>\n"
         )
 
     def end(self, exit_: int) -> Iterator[str]:

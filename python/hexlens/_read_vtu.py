@@ -201,20 +201,15 @@ class _Document:
         if len(words) != count:
             more = "more than" if len(words) > count else "not"
             self.refuse(f"“{name}” has {len(words)} numbers, {more} the {count} that are declared.")
-        native = own.newbyteorder("=")
-        if own.kind == "f":
-            pattern = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|[-+]?(?:nan|inf|infinity)", re.IGNORECASE)
-        else:
-            pattern = re.compile(r"[-+]?\d{1,20}")
-        wrong = next((word for word in words if not pattern.fullmatch(word)), None)
-        if wrong is not None:
-            self.refuse(f"“{wrong[:40]}” in “{name}” stands where a number of type {element.get('type')} was expected.")
-        if own.kind == "f":
-            return np.array([float(word) for word in words], dtype=np.float64)
-        try:
-            return np.array([int(word) for word in words], dtype=native)
-        except OverflowError:
-            self.refuse(f"“{name}” has a number that is none of type {element.get('type')}.")
+        is_real = own.kind == "f"
+        # Whatever else Python would take for a number, such as 1_000, has a character that is none of these.
+        strange = re.search(r"\S*[^-+.\deEnaifty\s]\S*" if is_real else r"\S*[^-+\d\s]\S*", element.text or "", re.ASCII | re.IGNORECASE)
+        if strange is None:
+            try:
+                return np.array(list(map(float if is_real else int, words)), np.float64 if is_real else own.newbyteorder("="))
+            except (ValueError, OverflowError) as error:
+                self.refuse(f"“{name}” has a number that is none of type {element.get('type')}: {error}.")
+        self.refuse(f"“{strange[0][:40]}” in “{name}” stands where a number of type {element.get('type')} was expected.")
 
     def _base64(self, text: bytes, name: str) -> bytes:
         """Base64 of several runs, each with its own padding."""

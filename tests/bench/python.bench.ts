@@ -52,7 +52,7 @@ function table({ cells, many, vectors, cores, one, threads, command, imports, ca
       `${seconds.toFixed(2)} s`,
       `${beside(name, command, 'PyVista')} of PyVista`,
     ]),
-    ...Object.entries(imports).map(([name, seconds]) => [`import ${name}`, `${(1000 * seconds).toFixed(0)} ms`, '']),
+    ...Object.entries(imports).map(([name, seconds]) => [`import ${name}`, `${(1000 * seconds).toFixed(1)} ms`, '']),
     ...Object.entries(calls).map(([name, seconds]) => [`a call of ${name}`, `${(1000 * seconds).toFixed(2)} us`, '']),
   ]
   const head = `${cpus()[0]?.model}, ${cores} cores, ${vectors}; ${cells} cells that share points, sigma 0.1\n\n`
