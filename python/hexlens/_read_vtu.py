@@ -203,13 +203,14 @@ class _Document:
             self.refuse(f"“{name}” has {len(words)} numbers, {more} the {count} that are declared.")
         is_real = own.kind == "f"
         # Whatever else Python would take for a number, such as 1_000, has a character that is none of these.
-        strange = re.search(r"\S*[^-+.\deEnaifty\s]\S*" if is_real else r"\S*[^-+\d\s]\S*", element.text or "", re.ASCII | re.IGNORECASE)
-        if strange is None:
-            try:
-                return np.array(list(map(float if is_real else int, words)), np.float64 if is_real else own.newbyteorder("="))
-            except (ValueError, OverflowError) as error:
-                self.refuse(f"“{name}” has a number that is none of type {element.get('type')}: {error}.")
-        self.refuse(f"“{strange[0][:40]}” in “{name}” stands where a number of type {element.get('type')} was expected.")
+        strange = re.compile(r"[^-+.\deEnaifty\s]" if is_real else r"[^-+\d\s]", re.ASCII | re.IGNORECASE)
+        if strange.search(element.text or "") is not None:
+            word = next(word for word in words if strange.search(word))
+            self.refuse(f"“{word[:40]}” in “{name}” stands where a number of type {element.get('type')} was expected.")
+        try:
+            return np.array(list(map(float if is_real else int, words)), np.float64 if is_real else own.newbyteorder("="))
+        except (ValueError, OverflowError) as error:
+            raise self.refusal(f"“{name}” has a number that is none of type {element.get('type')}: {error}.") from None
 
     def _base64(self, text: bytes, name: str) -> bytes:
         """Base64 of several runs, each with its own padding."""
