@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._arrays import HexlensError
-from ._mesh import CellArrays, Grid, Mesh, MeshMaker, cell_data_rank
+from ._mesh import VOXEL, CellArrays, Grid, Mesh, MeshMaker, cell_data_rank
 
 __all__ = ["read_vtu"]
 
@@ -330,7 +330,8 @@ def _grid(document: _Document, element: ElementTree.Element) -> Grid:
         ends,
         connectivity,
         _cell_arrays(document, element, cells),
-        _tolerance(coordinates, is_text, places[0] if places else None),
+        # Voxels alone are looked at so closely.
+        _tolerance(is_text, places[0] if places else None) if (types == VOXEL).any() else 0.0,
     )
 
 
@@ -348,7 +349,7 @@ def _cell_arrays(document: _Document, element: ElementTree.Element, cells: int) 
     return CellArrays(arrays, global_ids)
 
 
-def _tolerance(coordinates: NDArray[Any], is_text: bool, element: ElementTree.Element | None) -> float:
+def _tolerance(is_text: bool, element: ElementTree.Element | None) -> float:
     """The effect of rounding on a middle of coordinates of size 1: a sum of eight and a division, after each was rounded when it was
     stored, as a Float32 or with so many digits. Fewer than six digits were typed, not rounded."""
     digits = 0
