@@ -105,10 +105,11 @@ export async function stagePackage(folder) {
   await buildPackage(join(folder, 'dist'))
 }
 
-/** The scripts alone. */
-export async function buildScripts(outDir) {
+/** The scripts alone: all, or those of these names. */
+export async function buildScripts(outDir, names = bundles.map(({ file }) => file)) {
   mkdirSync(outDir, { recursive: true })
-  for (const bundle of bundles) writeFileSync(join(outDir, bundle.file), await scriptOf(bundle))
+  for (const bundle of bundles.filter(({ file }) => names.includes(file)))
+    writeFileSync(join(outDir, bundle.file), await scriptOf(bundle))
 }
 
 /** Licences of all that the scripts hold: each wants its notice kept. */

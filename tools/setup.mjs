@@ -17,18 +17,24 @@ const EMSDK_VERSION = '4.0.10'
 const EMSDK_SOURCE = 'https://github.com/emscripten-core/emsdk.git'
 const EMSDK_FOLDER = join(root, '.emsdk')
 
-/** Purposes of a setup: build and serve; formatter, linter, C warnings; benchmarks; all tests; those in foreign hosts. */
-const PURPOSES = ['start', 'check', 'bench', 'unit', 'test', 'hosts']
+/** Purposes of a setup: build and serve; formatter, linter, C warnings; benchmarks; all tests; those in foreign hosts; the Python package. */
+const PURPOSES = ['start', 'check', 'bench', 'unit', 'test', 'hosts', 'python']
 
 /** Python packages by what needs them: where they are installed, and the file that names them. */
 const testsPython = { folder: 'build/python', requirements: 'tests/property/requirements.txt' }
+const packagePython = { folder: 'build/package-python', requirements: 'python/tests/requirements.txt' }
 const hostsPython = { folder: 'build/hosts/python', requirements: 'tests/hosts/requirements.txt' }
 
 const steps = [
   { what: 'Node', isDone: nodeIsNewEnough, run: refuseNode },
   { what: 'the npm packages', isDone: packagesAreCurrent, run: installPackages },
   { what: 'make', isDone: () => onPath('make'), run: installMake },
-  { what: 'a C compiler', isDone: () => onPath('cc'), run: installCompiler, for: ['check', 'bench', 'unit', 'test'] },
+  {
+    what: 'a C compiler',
+    isDone: () => onPath('cc'),
+    run: installCompiler,
+    for: ['check', 'bench', 'unit', 'test', 'hosts', 'python'],
+  },
   ...[
     { what: 'a C++ compiler', command: 'c++', debian: 'g++' },
     { what: 'CMake', command: 'cmake', debian: 'cmake' },
@@ -37,7 +43,7 @@ const steps = [
     what,
     isDone: () => onPath(command),
     run: say => installDebianPackages(say, what, [debian]),
-    for: ['check', 'unit', 'test'],
+    for: command === 'cmake' ? ['check', 'unit', 'test', 'hosts', 'python'] : ['check', 'unit', 'test'],
   })),
   {
     what: 'the wasm and its twin',
@@ -51,10 +57,11 @@ const steps = [
     for: ['bench'],
   },
   { what: 'a clang with libFuzzer', isDone: clangLinksFuzzer, run: installFuzzer, for: ['unit', 'test'] },
-  { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'unit', 'test', 'hosts'] },
+  { what: 'python3', isDone: pythonStarts, run: installPython, for: ['check', 'unit', 'test', 'hosts', 'python'] },
   ...[
     { python: testsPython, for: ['unit', 'test'] },
     { python: hostsPython, for: ['hosts'] },
+    { python: packagePython, for: ['python'] },
   ].map(({ python, for: purposes }) => ({
     what: `the Python packages of ${python.requirements}`,
     isDone: () => pythonPackagesAreCurrent(python),

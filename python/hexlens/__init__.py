@@ -1,74 +1,59 @@
-"""A Jupyter widget around <hex-lens>: moving a vertex updates the array, and the other way round."""
+"""Exact verdicts on trilinear hexahedra: whether jacdet > 0 in the whole cell, and where it is least."""
 
-from pathlib import Path
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-import anywidget
-import numpy as np
-import traitlets
+from ._arrays import HexlensError
+from ._classify import Classification, classify
+from ._native import CHECKS, CLASSES, STATUSES, vectors
+from ._version import __version__
 
-__all__ = ["HexLens"]
+if TYPE_CHECKING:
+    from ._certificates import certify, verify
+    from ._check import Cell, MeshCheck, check
+    from ._report import Candidate, Check, Face, FaceRoot, Report, VolumeMinimum, analyze
+    from .widget import HexLens
 
-CUBE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]
+__all__ = [
+    "CHECKS",
+    "CLASSES",
+    "STATUSES",
+    "Candidate",
+    "Cell",
+    "Check",
+    "Classification",
+    "Face",
+    "FaceRoot",
+    "HexLens",
+    "HexlensError",
+    "MeshCheck",
+    "Report",
+    "VolumeMinimum",
+    "__version__",
+    "analyze",
+    "certify",
+    "check",
+    "classify",
+    "vectors",
+    "verify",
+]
+
+# What classify does not need is loaded when it is first named.
+_LATER = {
+    **dict.fromkeys(("certify", "verify"), "_certificates"),
+    **dict.fromkeys(("Cell", "MeshCheck", "check"), "_check"),
+    **dict.fromkeys(("Candidate", "Check", "Face", "FaceRoot", "Report", "VolumeMinimum", "analyze"), "_report"),
+    "HexLens": "widget",
+}
 
 
-_MESH_WORKER = Path(__file__).parent / "hexlens.mesh-worker.js"
+def __getattr__(name: str) -> Any:
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f".{_LATER[name]}", __name__), name)
+    globals()[name] = value
+    return value
 
 
-class Vertices(traitlets.TraitType):
-    """Eight points as an array of 8 x 3 doubles, which cannot be written into: assign another one instead."""
-
-    info_text = "eight points of three finite numbers"
-
-    def validate(self, obj, value):
-        try:
-            array = np.array(value, dtype=np.float64)
-        except (TypeError, ValueError):
-            self.error(obj, value)
-        if array.size != 24:
-            raise traitlets.TraitError(f"A hexahedron has 24 coordinates; {array.size} were given.")
-        array = array.reshape(8, 3)
-        if not np.isfinite(array).all():
-            raise traitlets.TraitError("A coordinate is not a finite number.")
-        array.flags.writeable = False
-        return array
-
-
-def _to_bytes(array, _widget):
-    return array.astype("<f8").tobytes()
-
-
-def _from_bytes(received, _widget):
-    return np.frombuffer(received, dtype="<f8").reshape(8, 3)
-
-
-class HexLens(anywidget.AnyWidget):
-    """One hexahedron, its vertices in VTK_HEXAHEDRON order.
-
-    vertices           array of 8 x 3 doubles; assign to it, observe it
-    valid              True, False, or None before the front end has answered
-    boundary_minimum   least jacdet on the boundary, of the map from [0,1]^3; None where it is not a double
-    views, controls, camera, theme, label, app, readonly: the attributes of <hex-lens>; height in CSS pixels
-    """
-
-    _esm = Path(__file__).parent / "hexlens.anywidget.js"
-
-    vertices = Vertices(default_value=CUBE).tag(sync=True, to_json=_to_bytes, from_json=_from_bytes)
-    valid = traitlets.Bool(None, allow_none=True).tag(sync=True)
-    boundary_minimum = traitlets.Float(None, allow_none=True).tag(sync=True)
-    views = traitlets.Unicode("scene verdict").tag(sync=True)
-    controls = traitlets.Unicode("").tag(sync=True)
-    camera = traitlets.Unicode("").tag(sync=True)
-    theme = traitlets.Unicode("").tag(sync=True)
-    label = traitlets.Unicode("").tag(sync=True)
-    app = traitlets.Unicode("").tag(sync=True)
-    readonly = traitlets.Bool(False).tag(sync=True)
-    height = traitlets.Int(480).tag(sync=True)
-
-    def __init__(self, vertices=None, **keywords):
-        super().__init__(**({} if vertices is None else {"vertices": vertices}), **keywords)
-        self.on_msg(self._answer)
-
-    def _answer(self, _widget, content, _buffers):
-        """Sends the script that reads what is pasted, once it is asked for: a notebook need not keep it."""
-        if content == "mesh-worker":
-            self.send("mesh-worker", [_MESH_WORKER.read_bytes()])
+def __dir__() -> list[str]:
+    return __all__

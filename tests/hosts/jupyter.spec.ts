@@ -1,5 +1,5 @@
 /** The widget for notebooks, in JupyterLab. */
-import { copyFileSync, cpSync, readdirSync, writeFileSync } from 'node:fs'
+import { copyFileSync, readdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Page } from '@playwright/test'
 import { Lens } from '../e2e/lens'
@@ -30,8 +30,8 @@ async function open(page: Page, name: string, cells: readonly string[] = []): Pr
 test.beforeAll(async ({ playwright }) => {
   test.setTimeout(300_000)
   await onceInRun('jupyter', () => {
-    const source = join(site('jupyter', '.'), 'python')
-    cpSync(join(root, 'python'), source, { recursive: true })
+    const source = join(root, 'python')
+    const wheels = site('jupyter', '.')
     for (const name of ['hexlens.anywidget.js', 'hexlens.mesh-worker.js'])
       copyFileSync(join(dist, name), join(source, 'hexlens', name))
     run(
@@ -42,12 +42,14 @@ test.beforeAll(async ({ playwright }) => {
       '--wheel',
       '--offline',
       '--no-build-isolation',
+      '--out-dir',
+      wheels,
       '--python',
       join(python, 'python'),
     )
-    const [wheel] = readdirSync(join(source, 'dist')).filter(name => name.endsWith('.whl')) as [string]
+    const [wheel] = readdirSync(wheels).filter(name => name.endsWith('.whl')) as [string]
     const words = ['--quiet', '--offline', '--no-deps', '--reinstall', '--python', join(python, 'python')]
-    run(source, 'uv', 'pip', 'install', ...words, join(source, 'dist', wheel))
+    run(source, 'uv', 'pip', 'install', ...words, join(wheels, wheel))
   })
   const request = await playwright.request.newContext()
   lab = await Lab.start(folder, request)

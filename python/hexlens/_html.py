@@ -1,0 +1,247 @@
+"""A check as HTML: for notebooks, and as one document to keep. The sentence, the notes, the histogram of relative minima, and the
+worst ten in numbers."""
+
+import math
+from collections.abc import Iterator
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._check import INVALID, Cell, MeshCheck
+from ._native import CHECKS
+from ._numbers import speak_jacdet, speak_number, spoken_point
+from ._outputs import FileResult, markup, without_controls
+
+__all__ = ["HtmlOutput", "mesh_markup"]
+
+#: Colours are the text's own where they can be: notebooks are light or dark. Signs have a colour and a pattern.
+_STYLES: Final = """
+.hexlens{--negative:#c4314b;--positive:#3b7fc4;max-width:60rem;font-variant-numeric:tabular-nums}
+.hexlens .headline{margin:0;font-size:1.2em;line-height:1.3;font-weight:650}
+.hexlens .part{margin:1.25em 0 .4em;font-size:1em;font-weight:650}
+.hexlens p,.hexlens ul{margin:.2em 0}
+.hexlens .name,.hexlens .beside{opacity:.75;overflow-wrap:anywhere}
+.hexlens svg{display:block;width:100%;max-width:48rem;height:auto;overflow:visible}
+.hexlens svg text{fill:currentColor;font-size:11px}
+.hexlens .bar{fill:var(--positive)}
+.hexlens .negative .bar{fill:var(--negative)}
+.hexlens .stripes{fill:url(#hexlens-hatch)}
+.hexlens .axis{fill:none;stroke:currentColor;stroke-opacity:.6}
+.hexlens .grid{fill:none;stroke:currentColor;stroke-opacity:.15}
+.hexlens .zero{fill:none;stroke:currentColor;stroke-width:1.5}
+.hexlens .rows{overflow-x:auto}
+.hexlens table{border-collapse:collapse;font-size:inherit}
+.hexlens th,.hexlens td{padding:.2em 1.2em .2em 0;text-align:left;vertical-align:top;white-space:nowrap}
+.hexlens td:last-child{white-space:normal;min-width:14em}
+.hexlens thead th{font-weight:400;opacity:.75}
+.hexlens tbody tr{border-top:1px solid #8884}
+.hexlens .sign{color:var(--negative);font-weight:650}
+@media (prefers-color-scheme:dark){.hexlens{--negative:#f4787a;--positive:#6cb2ff}}
+"""
+_PAGE: Final = """
+:root{color-scheme:light dark}
+body{max-width:60rem;margin:0 auto;padding:2.5rem 1.5rem;font:15px/1.45 system-ui,-apple-system,"Segoe UI",Roboto,Arial,sans-serif}
+.hexlens+.hexlens,footer{margin-top:3rem;border-top:1px solid #8886;padding-top:1.5rem}
+footer{max-width:60rem;opacity:.75}
+@media (max-width:30rem){body{padding:1rem}.hexlens svg text{font-size:18px}}
+"""
+_HATCH: Final = (
+    '<svg width="0" height="0" aria-hidden="true" style="position:absolute"><defs>'
+    '<pattern id="hexlens-hatch" patternUnits="userSpaceOnUse" width="6" height="6" patternTransform="rotate(-45)">'
+    '<path d="M0 0V6" stroke="#fff" stroke-opacity=".55" stroke-width="3"/></pattern></defs></svg>'
+)
+_FOOT: Final = (
+    "<footer>Written by Hexlens. Every verdict is exact, by the boundary of the hexahedron. jacdet is that of the map from "
+    "[0,1]³; a relative minimum is its minimum over |volume|, at most 1.</footer>\n"
+)
+_LISTED: Final = 10
+
+
+class HtmlOutput:
+    """`--html`: one document that needs nothing else. It is XML, too."""
+
+    def __init__(self, file_count: int) -> None:
+        self._file_count = file_count
+        self._is_begun = False
+
+    def file(self, result: FileResult) -> Iterator[str]:
+        level = 1 if self._file_count == 1 else 2
+        if not self._is_begun:
+            yield self._head(result.file if self._file_count == 1 else f"{self._file_count} meshes")
+            if self._file_count > 1:
+                yield f"<h1>{self._file_count} meshes</h1>\n"
+        self._is_begun = True
+        if result.check is None:
+            yield (
+                f'<section class="hexlens"><p class="name">{markup(result.file)}</p>\n'
+                f'<h{level} class="headline">The file was not read.</h{level}>\n<p>{markup(result.error)}</p></section>\n'
+            )
+        else:
+            yield mesh_markup(result.check, level, stands_alone=True)
+
+    def _head(self, title: str) -> str:
+        return (
+            '<!DOCTYPE html>\n<html lang="en" xmlns="http://www.w3.org/1999/xhtml">\n<head>\n<meta charset="utf-8"/>\n'
+            '<meta name="viewport" content="width=device-width"/>\n'
+            f"<title>{markup(title)}: checked by Hexlens</title>\n<style>{_STYLES}{_PAGE}</style>\n</head>\n<body>\n{_HATCH}\n<main>\n"
+        )
+
+    def end(self, exit_: int) -> Iterator[str]:
+        yield f"</main>\n{_FOOT}</body>\n</html>\n"
+
+
+def mesh_markup(check: MeshCheck, level: int, *, stands_alone: bool) -> str:
+    """A section; with its own styles unless it stands in a document that has them."""
+    styles = "" if stands_alone else f"<style>{_STYLES}</style>{_HATCH}"
+    name = f"{without_controls(check.file)} ({check.format})" if check.file != check.format else check.format
+    sentences = [*check.count_sentences(), *check.notes]
+    if check.min_relative is not None:
+        sentences.insert(0, f"{_grouped(check.below)} with a relative minimum below {speak_number(check.min_relative)}.")
+    if check.hexahedra > 0 and check.invalid == 0 and not check.is_wholly_answered:
+        sentences.append("Not all could be answered.")
+    notes = "".join(f"<li>{markup(sentence)}</li>\n" for sentence in sentences)
+    return (
+        f'{styles}<section class="hexlens">\n<p class="name">{markup(name)}</p>\n'
+        f'<h{level} class="headline">{markup(headline_of(check))}</h{level}>\n'
+        f"{f'<ul>{notes}</ul>' if notes else ''}"
+        f"{_histogram(check, level + 1)}{_worst(check, level + 1)}</section>\n"
+    )
+
+
+def headline_of(check: MeshCheck) -> str:
+    """ "12 of 88,432 hexahedra are invalid. The eight corners would accept 7 of them, VTK’s scaled Jacobian 9." """
+    hexahedra, invalid, unanswered = check.hexahedra, check.invalid, check.unanswered
+    if hexahedra == 0:
+        return "There are no hexahedra of eight nodes."
+    rest = f" {_grouped(unanswered)} {'is' if unanswered == 1 else 'are'} unanswered." if unanswered else ""
+    if invalid == 0:
+        if unanswered == hexahedra:
+            return rest.strip()
+        if check.valid < hexahedra:
+            return f"None of {_grouped(hexahedra)} hexahedra is known to be invalid.{rest}"
+        return "The hexahedron is valid." if hexahedra == 1 else f"All {_grouped(hexahedra)} hexahedra are valid."
+    are, them = ("is", "it") if invalid == 1 else ("are", "them")
+    which = "The hexahedron is" if hexahedra == 1 else f"{_grouped(invalid)} of {_grouped(hexahedra)} hexahedra {are}"
+    accepted = _accepted_invalid(check)
+    corners, vtk = (int(np.count_nonzero((accepted >> CHECKS.index(name)) & 1)) for name in ("corners", "corners-and-centre"))
+    if corners + vtk == 0:
+        others = f"The eight corners and VTK’s scaled Jacobian reject {them}, too."
+    else:
+        others = f"The eight corners would accept {_grouped(corners)} of them, VTK’s scaled Jacobian {_grouped(vtk)}."
+    return f"{which} invalid. {others}{rest}"
+
+
+def _accepted_invalid(check: MeshCheck) -> NDArray[np.uint16]:
+    """Which checks accept the invalid cells: asked for these alone, as it takes longest."""
+    from ._classify import Classification
+
+    cells = check.mesh.cells[check.standing == INVALID]
+    return Classification(check.mesh.points, cells, None, (("accepted_by",),)).accepted_by
+
+
+def _grouped(count: int) -> str:
+    return f"{count:,}"
+
+
+#: Bins between 0 and 1, the greatest relative minimum that there is; below 0 as wide, down to -1, and one for all below.
+_BINS: Final = 40
+_WIDTH, _HEIGHT = 720, 190
+_LEFT, _BELOW, _ABOVE, _RIGHT = 56, 24, 14, 12
+
+
+def _histogram(check: MeshCheck, level: int) -> str:
+    relative = check.answers.relative_min
+    known = np.sort(relative[~np.isnan(relative)])
+    if not len(known):
+        return ""
+    places = np.clip(1 + _BINS + np.floor(np.clip(known, -2, 2) * _BINS), 0, 2 * _BINS).astype(int)
+    counts = np.bincount(places, minlength=2 * _BINS + 1)
+    first = int(places[0])
+    counts = counts[first:]
+    edges = (first + np.arange(len(counts) + 1) - 1 - _BINS) / _BINS
+    words = f"Relative minima of {_grouped(len(known))} {'hexahedron' if len(known) == 1 else 'hexahedra'}"
+    beside = check.hexahedra - len(known)
+    others = f" {_grouped(beside)} {'has' if beside == 1 else 'have'} none: the volume is 0, or there is no answer." if beside else ""
+    if first == 0:
+        others = f" The first bar is all below -1, down to {speak_number(float(known[0]))}.{others}"
+    shares: list[str] = []
+    for percent in (1, 10, 50, 90, 99):
+        value = float(known[max(0, -(-percent * len(known) // 100) - 1)])
+        shares.append(f"{speak_number(value)} in {percent} %{'' if shares else ' of them'}")
+    return (
+        f'<h{level} class="part">{words}</h{level}>\n'
+        f'<p class="beside">Counts are logarithmic, negative values red and hatched.{others}</p>\n'
+        f"{_histogram_svg(edges, counts, words)}\n"
+        f'<p class="beside">At most {", ".join(shares)}.</p>\n'
+    )
+
+
+def _histogram_svg(edges: NDArray[np.float64], counts: NDArray[np.int64], words: str) -> str:
+    start, end = float(edges[0]), float(edges[-1])
+    bottom = _HEIGHT - _BELOW
+    decades = max(1, int(np.ceil(np.log10(counts.max() + 1))))
+
+    def x(value: float) -> float:
+        return _LEFT + (value - start) / (end - start) * (_WIDTH - _LEFT - _RIGHT)
+
+    def y(count: int) -> float:
+        # One cell has to be seen: a count of 0 is half a decade below it.
+        return bottom - (math.log10(count) + 0.5) / (decades + 0.5) * (bottom - _ABOVE)
+
+    parts = []
+    for count in (10**decade for decade in range(decades + 1)):
+        parts.append(f'<path class="grid" d="M{_LEFT} {y(count):.1f}H{_WIDTH - _RIGHT}"/>')
+        parts.append(f'<text x="{_LEFT - 8}" y="{y(count) + 4:.1f}" text-anchor="end">{_grouped(count)}</text>')
+    for i, count in enumerate(counts.tolist()):
+        if count == 0:
+            continue
+        low, high = float(edges[i]), float(edges[i + 1])
+        left, top = x(low), y(count)
+        box = f'x="{left:.1f}" y="{top:.1f}" width="{max(1.0, x(high) - left - 1):.1f}" height="{bottom - top:.1f}"'
+        title = f"<title>{_grouped(count)} from {speak_number(low)} to {speak_number(high)}</title>"
+        bar = f'<rect class="bar" {box}/>'
+        if high <= 0:
+            parts.append(f'<g class="negative">{title}{bar}<rect class="stripes" {box}/></g>')
+        else:
+            parts.append(f"<g>{title}{bar}</g>")
+    if start < 0 < end:
+        parts.append(f'<path class="zero" d="M{x(0):.1f} {_ABOVE}V{bottom}"/>')
+    parts.append(f'<path class="axis" d="M{_LEFT} {bottom}H{_WIDTH - _RIGHT}"/>')
+    for tick in np.arange(-1, 1.25, 0.25).tolist():
+        if start <= tick <= end:
+            parts.append(f'<path class="axis" d="M{x(tick):.1f} {bottom}v4"/>')
+            parts.append(f'<text x="{x(tick):.1f}" y="{bottom + 17}" text-anchor="middle">{speak_number(tick)}</text>')
+    label = f"{words}, from {speak_number(start)} to {speak_number(end)}"
+    return f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" role="img" aria-label="{label}">{"".join(parts)}</svg>'
+
+
+def _worst(check: MeshCheck, level: int) -> str:
+    cells = [check[int(index)] for index in check.worst_indices[:_LISTED]]
+    if not cells:
+        return ""
+    title = "The worst cell" if len(cells) == 1 else f"The worst {len(cells)} cells, worst first"
+    name = "index" if check.mesh.ids is None else "id"
+    columns = [name, *(["block"] if check.mesh.blocks else []), "relative minimum", "minimum", "at", "accepted by"]
+    head = "".join(f'<th scope="col">{column}</th>' for column in columns)
+    rows = "".join(f"<tr>{_row(check, cell)}</tr>\n" for cell in cells)
+    return (
+        f'<h{level} class="part">{title}</h{level}>\n<div class="rows" tabindex="0" role="region" aria-label="{title}">'
+        f"<table><thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
+    )
+
+
+def _row(check: MeshCheck, cell: Cell) -> str:
+    name = f'<th scope="row">{markup(cell.id if cell.id is not None else str(cell.index))}</th>'
+    block = f"<td>{markup(cell.block or '')}</td>" if check.mesh.blocks else ""
+    report = cell.report
+    if report is None:
+        return f'{name}{block}<td colspan="4">{markup(cell.error or "")}</td>'
+    sign = "" if report.valid else ' class="sign"'
+    relative = "none, the volume is 0" if report.relative_min is None else speak_number(report.relative_min)
+    at = report.minimizer
+    place = f"{at.kind} {at.id}{'' if at.kind == 'vertex' else f' {spoken_point(at.point)}'}"
+    accepting = report.accepted_by
+    accepted = "none" if not accepting else "all" if len(accepting) == len(CHECKS) else ", ".join(accepting)
+    minimum = speak_jacdet(at.value, report.exponent)
+    return f"{name}{block}<td{sign}>{relative}</td><td{sign}>{minimum}</td><td>{place}</td><td>{accepted}</td>"

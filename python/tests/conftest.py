@@ -1,0 +1,57 @@
+"""Where things lie, and the Node command, whose answers these are compared with."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+#: Meshes and hard cases lie beside the repository; the vectors of the repository are a part of them.
+SHARED = Path(os.environ.get("HEXLENS_SHARED", ROOT / "../shared")).resolve()
+if not SHARED.exists():
+    SHARED = Path(os.environ.get("HEXLENS_SHARED", ROOT / "../../shared")).resolve()
+MESHES = SHARED / "meshes"
+VECTORS = ROOT / "tests/vectors"
+
+
+def node(*arguments: str, cwd: Path = ROOT, text: str | None = None) -> subprocess.CompletedProcess[str]:
+    """The command line of this repository."""
+    command = shutil.which("node")
+    assert command, "node is not on PATH"
+    return subprocess.run(
+        [command, str(ROOT / "tools/hexlens.mjs"), *arguments], cwd=cwd, input=text, capture_output=True, encoding="utf-8", check=False
+    )
+
+
+def python(*arguments: str, cwd: Path = ROOT, text: str | None = None) -> subprocess.CompletedProcess[str]:
+    """`python -m hexlens`."""
+    command = [sys.executable, "-m", "hexlens", *arguments]
+    return subprocess.run(command, cwd=cwd, input=text, capture_output=True, encoding="utf-8", check=False)
+
+
+def hard_cases() -> list[dict[str, Any]]:
+    """Elements near the border, with names."""
+    cases = [json.loads((VECTORS / name).read_text()) for name in ("public_cases.json", "depth_guard_false_negatives.json")]
+    return [{"name": case["name"], "vertices": case["vertices"]} for group in cases for case in group]
+
+
+def lattice(n: int, move: float = 0.0, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
+    """n^3 cells that share points, moved by as much as `move` of a side."""
+    axes = np.meshgrid(*[np.arange(n + 1.0)] * 3, indexing="ij")
+    points = np.stack(axes, axis=-1)
+    points += np.random.default_rng(seed).uniform(-move, move, points.shape)
+    i, j, k = np.meshgrid(*[np.arange(n)] * 3, indexing="ij")
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    cells = np.stack([((i + a) * (n + 1) + j + b) * (n + 1) + k + c for a, b, c in corners], axis=-1)
+    return np.ascontiguousarray(points.reshape(-1, 3)), cells.reshape(-1, 8).astype(np.int32)
+
+
+@pytest.fixture
+def cube() -> np.ndarray:
+    return np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
