@@ -3,6 +3,7 @@ import { realpathSync } from 'node:fs'
 import type { ReadingCore } from '../core/reading-interface'
 import type { Core } from '../core/report'
 import { checkMesh, type ExitStatus, exitOf, gravestExit } from '../mesh/check'
+import { Hdf5Loading, LOADING } from '../mesh/hdf5-reader'
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -38,6 +39,7 @@ export async function check(args: readonly string[], engine: Engine, streams: St
   }
   const outputs = outputsOf(wanted, streams, say)
   const exits: ExitStatus[] = []
+  const hdf5 = new Hdf5Loading(engine.hdf5)
   let current = ''
   const [core, readingCore] = await Promise.all([engine.core(), engine.readingCore()])
   const cells = await startCellClassifier(engine, ({ done, total }) =>
@@ -47,7 +49,7 @@ export async function check(args: readonly string[], engine: Engine, streams: St
     for (const file of wanted.files) {
       current = withoutControls(file)
       const lists = Object.assign({}, ...outputs.map(({ output }) => output.lists))
-      const result = await resultOf(file, { wanted, lists, core, readingCore, cells, streams, progress })
+      const result = await resultOf(file, { wanted, lists, core, readingCore, hdf5, cells, streams, progress })
       exits.push(result.exit)
       progress.clear()
       if ('error' in result && wanted.ids !== null) say(result.error)
@@ -71,6 +73,7 @@ interface Work {
   readonly lists: Output['lists']
   readonly core: Core
   readonly readingCore: ReadingCore | null
+  readonly hdf5: Hdf5Loading
   readonly cells: CellClassifier
   readonly streams: Streams
   readonly progress: ProgressLine
@@ -93,14 +96,17 @@ function isAboutMemory({ message }: RangeError): boolean {
   return /allocation failed|array length|memory/i.test(message)
 }
 
-async function meshOf(path: string, { wanted, readingCore, streams, progress }: Work): Promise<Mesh> {
+async function meshOf(path: string, { wanted, readingCore, hdf5, streams, progress }: Work): Promise<Mesh> {
   const { file, find, close } = await openMeshFile(path, streams.input)
   try {
     const name = withoutControls(path)
     const onProgress = (fraction: number) => progress.show(`${name}: reading`, fraction)
     const { step, format } = wanted
     const options = { find, onProgress, step, core: readingCore, ...(format === null ? {} : { format }) }
-    const meshes = readMeshes(file, options)
+    const meshes = await hdf5.reading(
+      reader => readMeshes(file, { ...options, hdf5: reader }),
+      () => progress.show(LOADING, 0),
+    )
     const [first, ...others] = meshes
     if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
     return joined([first, ...others])

@@ -3,6 +3,7 @@ import { abaqus } from './formats/abaqus'
 import { ansysCdb } from './formats/ansys-cdb'
 import { blockMeshDict } from './formats/block-mesh-dict'
 import { gmsh } from './formats/gmsh'
+import { hdf5 } from './formats/hdf5'
 import { kratos } from './formats/kratos'
 import { libMesh } from './formats/libmesh'
 import { link } from './formats/link'
@@ -41,6 +42,7 @@ export const formats: readonly MeshFormat[] = [
   tecplot,
   blockMeshDict,
   ncdump,
+  hdf5,
   obj,
   picture,
   link,

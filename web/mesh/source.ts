@@ -1,6 +1,7 @@
 /** Files as readers see them: bytes that are read when they are asked for, in a worker or in Node. */
 
 import type { ReadingCore } from '../core/reading-interface'
+import type { Hdf5Reader } from './hdf5-reader'
 import type { Mesh } from './mesh'
 
 export interface MeshFile {
@@ -23,6 +24,8 @@ export interface ReadOptions {
   readonly throwIfCancelled: () => void
   /** The wasm for the slow work; null if it may not run. */
   readonly core: ReadingCore | null
+  /** The reader of HDF5 files; null where none came so far. */
+  readonly hdf5: Hdf5Reader | null
 }
 
 /** One of the formats: a file of its own in formats/. */

@@ -1,39 +1,5 @@
 /** Files of meshes that are recognized and not read. A format leaves this table when it gets a file of its own. */
-import { ends, has, type Known, meshio, SAVE_MESH, starts } from './refused-marks'
-
-/** Programs of HDF5 files, by the names in these. */
-export const hdf5: readonly Known[] = [
-  { is: has(/VTKHDF/), what: 'a VTKHDF file', instead: 'ParaView saves it as .vtu' },
-  {
-    is: has(/CGNSLibraryVersion|CGNSBase_t/),
-    what: 'a CGNS file (HDF5)',
-    instead: 'Gmsh or ParaView convert it: gmsh a.cgns -save -o a.msh',
-  },
-  { is: has(/tstt/), what: 'a MOAB file (HDF5, .h5m)', instead: `MOAB or meshio convert it: mbconvert a.h5m a.vtk` },
-  {
-    is: has(/INFOS_GENERALES|ENS_MAA|MAILLES|\bNOE\b/),
-    what: 'a MED file (HDF5)',
-    instead: `${meshio('med')}, or gmsh a.med -save -o a.msh`,
-  },
-  { is: has(/coordx|connect1|eb_prop1|num_nod_per_el/), what: 'an Exodus II file (netCDF-4)', instead: meshio('e') },
-  { is: ends('.med', '.rmed', '.mmed'), what: 'a MED file (HDF5)', instead: meshio('med') },
-  { is: ends('.cgns'), what: 'a CGNS file (HDF5)', instead: 'Gmsh or ParaView convert it: gmsh a.cgns -save -o a.msh' },
-  { is: ends('.vtkhdf', '.vtkh'), what: 'a VTKHDF file', instead: 'ParaView saves it as .vtu' },
-  { is: ends('.h5m'), what: 'a MOAB file (HDF5, .h5m)', instead: 'MOAB converts it: mbconvert a.h5m a.vtk' },
-  { is: ends('.e', '.exo', '.ex2', '.g', '.gen'), what: 'an Exodus II file (netCDF-4)', instead: meshio('e') },
-  { is: ends('.hmf'), what: 'an HMF file (HDF5)', instead: meshio('hmf') },
-  {
-    is: ends('.cas.h5', '.msh.h5'),
-    what: 'an Ansys Fluent file (HDF5)',
-    instead: 'Fluent exports it as CGNS or Nastran',
-  },
-  {
-    is: has(/Geometry|Topology|XDMF/i),
-    what: 'the HDF5 file of an XDMF mesh',
-    instead: 'meshio converts the .xdmf beside it: meshio convert a.xdmf a.vtu',
-  },
-  { is: () => true, what: 'an HDF5 file', instead: SAVE_MESH },
-]
+import { ends, has, type Known, meshio, starts } from './refused-marks'
 
 export const refusedMeshes: readonly Known[] = [
   // netCDF and other meshes in binary.
