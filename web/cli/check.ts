@@ -3,7 +3,7 @@ import { realpathSync } from 'node:fs'
 import type { ReadingCore } from '../core/reading-interface'
 import type { Core } from '../core/report'
 import { checkMesh, type ExitStatus, exitOf, gravestExit } from '../mesh/check'
-import { Hdf5Loading, LOADING } from '../mesh/hdf5-reader'
+import { type Hdf5Loading, LOADING } from '../mesh/hdf5-reader'
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -39,7 +39,6 @@ export async function check(args: readonly string[], engine: Engine, streams: St
   }
   const outputs = outputsOf(wanted, streams, say)
   const exits: ExitStatus[] = []
-  const hdf5 = new Hdf5Loading(engine.hdf5)
   let current = ''
   const [core, readingCore] = await Promise.all([engine.core(), engine.readingCore()])
   const cells = await startCellClassifier(engine, ({ done, total }) =>
@@ -49,7 +48,16 @@ export async function check(args: readonly string[], engine: Engine, streams: St
     for (const file of wanted.files) {
       current = withoutControls(file)
       const lists = Object.assign({}, ...outputs.map(({ output }) => output.lists))
-      const result = await resultOf(file, { wanted, lists, core, readingCore, hdf5, cells, streams, progress })
+      const result = await resultOf(file, {
+        wanted,
+        lists,
+        core,
+        readingCore,
+        hdf5: engine.hdf5,
+        cells,
+        streams,
+        progress,
+      })
       exits.push(result.exit)
       progress.clear()
       if ('error' in result && wanted.ids !== null) say(result.error)

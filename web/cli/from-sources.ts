@@ -7,6 +7,7 @@ import { compiledOf } from '../core/batch/start'
 import { loadCore } from '../core/core'
 import { readingCoreOf } from '../core/reading-core'
 import type { startHdf5 } from '../mesh/hdf5/start'
+import { Hdf5Loading } from '../mesh/hdf5-reader'
 import type { Engine } from './engine'
 import { main as run } from './main'
 import type { Streams } from './streams'
@@ -14,10 +15,10 @@ import type { Streams } from './streams'
 const engine: Engine = {
   core: async () => loadCore(await built('hexlens.wasm')),
   readingCore: () => readingCoreOf(() => built('hexlens-reading.wasm')),
-  async hdf5() {
+  hdf5: new Hdf5Loading(async () => {
     const script = await bundled('../mesh/hdf5/start.ts')
     return (runInThisContext(`${script};hexlens`) as { startHdf5: typeof startHdf5 }).startHdf5()
-  },
+  }),
   batchModule: () =>
     compiledOf({ vectors: () => built('hexlens-batch.wasm'), scalar: () => built('hexlens-scalar.wasm') }),
   workerScript: () => bundled('../core/batch/worker.ts'),

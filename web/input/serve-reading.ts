@@ -7,6 +7,7 @@ import { checkMesh } from '../mesh/check'
 import { notesBesideOrder } from '../mesh/check-notes'
 import { countSentences, headline } from '../mesh/check-summary'
 import { type CheckedColumns, columnsOf } from '../mesh/checked-cells'
+import type { Hdf5Loading } from '../mesh/hdf5-reader'
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -28,6 +29,14 @@ export interface Refused {
 
 type Tell = (progress: ReadingProgress) => void
 
+export const LOADING_BEGINS: ReadingProgress = { step: 'loading', fraction: 0 }
+
+/** Tells now and then, but at once that something is loaded. */
+export function toldSeldom(tell: Tell): Tell {
+  const others = seldom(tell)
+  return progress => (progress.step === 'loading' ? tell(progress) : others(progress))
+}
+
 export type ReadingJobs = { read(input: PastedInput, tell: Tell): Promise<ReadingOutcome> }
 
 /** The wasm that reads and decides. */
@@ -36,6 +45,7 @@ export interface ReadingEngine {
   /** Null where there is none; readers then do without. */
   readonly readingCore: () => Promise<ReadingCore | null>
   readonly batchModule: () => Promise<WebAssembly.Module>
+  readonly hdf5: Hdf5Loading
 }
 
 export function serveReading(engine: ReadingEngine): void {
@@ -47,7 +57,7 @@ export function readingJobs(engine: ReadingEngine): ReadingJobs {
 }
 
 async function read(input: PastedInput, engine: ReadingEngine, tell: Tell): Promise<ReadingOutcome> {
-  const mesh = await meshOf(input, engine, seldom(tell))
+  const mesh = await meshOf(input, engine, toldSeldom(tell))
   const check = await checkOf(mesh, engine, seldom(tell))
   const summary = summaryOf(check)
   if (check.hexahedra > 0) return { summary, columns: columnsOf(check) }
@@ -60,10 +70,14 @@ export function filesOf(input: PastedInput): MeshFile[] {
 }
 
 /** One mesh of all that was given. Throws a MeshRefusal, or what the engine throws. */
-export async function meshOf(input: PastedInput, { readingCore }: ReadingEngine, tell: Tell): Promise<Mesh> {
+export async function meshOf(input: PastedInput, { readingCore, hdf5 }: ReadingEngine, tell: Tell): Promise<Mesh> {
   const core = await readingCore()
   const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
-  const [first, ...others] = readTogether(filesOf(input), { onProgress, throwIfCancelled: () => {}, core })
+  const files = filesOf(input)
+  const [first, ...others] = await hdf5.reading(
+    reader => readTogether(files, { onProgress, throwIfCancelled: () => {}, core, hdf5: reader }),
+    () => tell(LOADING_BEGINS),
+  )
   if (!first) throw new MeshRefusal('There is no mesh in it.')
   return joined([first, ...others])
 }

@@ -38,10 +38,8 @@ export function answered<T extends object>(answer: T | string): T {
   return answer
 }
 
-/** Bytes of the reader that travel. */
-const SIZE = '1 MB'
-/** In words, while it is loaded. */
-export const LOADING = `Loading the HDF5 reader, ${SIZE}`
+/** In words, while it is loaded, with the bytes that travel. */
+export const LOADING = 'Loading the HDF5 reader, 1 MB'
 
 export class Hdf5Loading {
   readonly #load: () => Promise<Hdf5Reader>

@@ -372,6 +372,7 @@ export const english = [
   'Read as {format}, cell {cell}.',
   'Read as {format}.',
   'Read it',
+  'Loading the HDF5 reader, 1 MB …',
   'Reading {name} …',
   'reason',
   'Red: the surface J = 0, around the negative part. The section cuts through both.',

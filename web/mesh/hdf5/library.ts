@@ -12,6 +12,7 @@ export class Complaint extends Error {}
 
 /** The reasons that the library has written, the deepest last. */
 const REASON = /^\s*#\d+: .*? in \S+\(\): (.+)$/
+const CUT_OFF = /^truncated file: eof = (\d+), .*stored_eof = (\d+)/
 const MOST_LINES = 500
 
 export class Hdf5Library {
@@ -87,7 +88,8 @@ export class Hdf5Library {
   }
 
   #reason(): string | null {
-    const reasons = this.#lines.flatMap(line => REASON.exec(line)?.[1] ?? [])
-    return reasons.at(-1) ?? null
+    const reason = this.#lines.flatMap(line => REASON.exec(line)?.[1] ?? []).at(-1) ?? null
+    const [, is, was] = CUT_OFF.exec(reason ?? '') ?? []
+    return is === undefined ? reason : `it is cut off: of ${was} bytes it has ${is}`
   }
 }

@@ -8,6 +8,7 @@ import '../skip'
 import { unfolded } from '../../input/dropped-folders'
 import { droppedIn, type PastedInput, pastedIn, takesDrop } from '../../input/pasted-input'
 import type { ReadingProgress } from '../../input/reading'
+import { LOADING } from '../../mesh/hdf5-reader'
 import { CellTable } from '../../mesh-views/cell-table'
 import { parseCondition } from '../../model/condition'
 import { encodePermalink } from '../../model/permalink'
@@ -305,9 +306,15 @@ function headlineTemplate(headline: string): TemplateResult {
   return html`<strong>${first}</strong> ${others.join(' ')}`
 }
 
+const doing: Readonly<Record<ReadingProgress['step'], (name: string) => string>> = {
+  loading: () => LOADING,
+  reading: name => `Reading ${name}`,
+  deciding: () => 'Deciding its cells',
+}
+
 function progressTemplate({ step, fraction }: ReadingProgress, name: string): TemplateResult {
   return html`<p class="progress">
-    <label>${step === 'reading' ? `Reading ${name}` : 'Deciding its cells'} <progress max="1" .value=${fraction}></progress></label>
+    <label>${doing[step](name)} <progress max="1" .value=${fraction}></progress></label>
     <button type="button" @click=${cancel}>Cancel</button>
   </p>`
 }

@@ -67,7 +67,7 @@ export class StepsView {
       const isOurs = () => list === this.#list && this.#reading?.step === step
       const onProgress = ({ step: part, fraction }: ReadingProgress) => {
         if (!isOurs()) return
-        this.#reading = { step, fraction: part === 'reading' ? fraction / 2 : (1 + fraction) / 2 }
+        this.#reading = { step, fraction: part === 'deciding' ? (1 + fraction) / 2 : fraction / 2 }
         this.#render()
       }
       const answer = await survey.readStep(step, onProgress).catch(refusal)
