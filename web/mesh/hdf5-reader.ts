@@ -1,23 +1,7 @@
 /** The reader of HDF5 files as others see it. It is large, and loaded when such a file comes: reading begins without it, and again with it. */
 import { Refusal } from '../model/result'
-import { type Mesh, MeshRefusal } from './mesh'
-import type { MeshFile, ReadOptions } from './source'
-
-/** Sentences in place of errors: the reader may be a script of its own, with classes of its own. */
-export interface Hdf5Reader {
-  /** False once it has crashed on a damaged file: another has to be loaded then. */
-  readonly isWhole: boolean
-  /** The meshes, or why there are none. */
-  read(file: MeshFile, options: ReadOptions): readonly Mesh[] | string
-  /** The numbers of a dataset, such as XDMF names, or why there are none. */
-  numbers(file: MeshFile, path: string): Hdf5Numbers | string
-}
-
-export interface Hdf5Numbers {
-  readonly shape: readonly number[]
-  readonly isFloat32: boolean
-  readonly values: Float64Array
-}
+import { MeshRefusal } from './mesh'
+import type { Hdf5Reader, MeshFile, ReadOptions } from './source'
 
 /** The reader that a file needs was not given. */
 export class Hdf5Needed extends Refusal {

@@ -1,7 +1,6 @@
 /** Files as readers see them: bytes that are read when they are asked for, in a worker or in Node. */
 
 import type { ReadingCore } from '../core/reading-interface'
-import type { Hdf5Reader } from './hdf5-reader'
 import type { Mesh } from './mesh'
 
 export interface MeshFile {
@@ -26,6 +25,22 @@ export interface ReadOptions {
   readonly core: ReadingCore | null
   /** The reader of HDF5 files; null where none came so far. */
   readonly hdf5: Hdf5Reader | null
+}
+
+/** Sentences in place of errors: the reader may be a script of its own, with classes of its own. */
+export interface Hdf5Reader {
+  /** False once it has crashed on a damaged file: another has to be loaded then. */
+  readonly isWhole: boolean
+  /** The meshes, or why there are none. */
+  read(file: MeshFile, options: ReadOptions): readonly Mesh[] | string
+  /** The numbers of a dataset, such as XDMF names, or why there are none. */
+  numbers(file: MeshFile, path: string): Hdf5Numbers | string
+}
+
+export interface Hdf5Numbers {
+  readonly shape: readonly number[]
+  readonly isFloat32: boolean
+  readonly values: Float64Array
 }
 
 /** One of the formats: a file of its own in formats/. */

@@ -1,6 +1,6 @@
 /** The reader of HDF5 files beside the script of the worker. */
 import { scriptAddress } from '../core/script-address'
-import type { Hdf5Reader } from '../mesh/hdf5-reader'
+import type { Hdf5Reader } from '../mesh/source'
 import { startedHdf5 } from './hdf5-place'
 
 /** Workers alone have it, and the types of a page do not. */

@@ -1,5 +1,5 @@
 /** The reader of HDF5 files beside a module of the package. */
-import type { Hdf5Reader } from '../mesh/hdf5-reader'
+import type { Hdf5Reader } from '../mesh/source'
 import { startedHdf5 } from './hdf5-place'
 
 /** Loads the reader, 1 MB. Rejects if the file is not there. */

@@ -1,5 +1,5 @@
 /** Where hexlens.hdf5.js leaves what starts the reader. */
-import type { Hdf5Reader } from '../mesh/hdf5-reader'
+import type { Hdf5Reader } from '../mesh/source'
 
 export const HDF5_PLACE = Symbol.for('hexlens.hdf5')
 

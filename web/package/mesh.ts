@@ -9,9 +9,16 @@
  *
  *     const meshes = readMeshes(file, { hdf5: await loadHdf5() })
  */
-export { Hdf5Needed, type Hdf5Numbers, type Hdf5Reader } from '../mesh/hdf5-reader'
+export { Hdf5Needed } from '../mesh/hdf5-reader'
 export { type Block, type Mesh, MeshRefusal, type NotTrilinear } from '../mesh/mesh'
 export { MissingFiles, readMeshes, readTogether } from '../mesh/read-mesh'
-export { type FindFile, fileOfBytes, type MeshFile, type ReadOptions } from '../mesh/source'
+export {
+  type FindFile,
+  fileOfBytes,
+  type Hdf5Numbers,
+  type Hdf5Reader,
+  type MeshFile,
+  type ReadOptions,
+} from '../mesh/source'
 export { verticesOf } from '../mesh/vertices-of'
 export { loadHdf5 } from './hdf5-module'

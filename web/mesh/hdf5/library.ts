@@ -3,7 +3,6 @@
  * in it becomes a reason in words. Loaded when an HDF5 file comes.
  */
 import type { H5Module, Stream } from '../../../node_modules/h5wasm/dist/esm/hdf5_util.js'
-import startModule from '../../../node_modules/h5wasm/dist/esm/hdf5_util.js'
 import type { MeshFile } from '../source'
 import { FilePages } from './file-pages'
 
@@ -34,6 +33,8 @@ export class Hdf5Library {
     const note = (line: string) => {
       if (lines.length < MOST_LINES) lines.push(line)
     }
+    // A chunk without imports of its own: workers of a page share it.
+    const { default: startModule } = await import('../../../node_modules/h5wasm/dist/esm/hdf5_util.js')
     return new Hdf5Library(await startModule({ noInitialRun: true, print: note, printErr: note }), lines)
   }
 
