@@ -12,6 +12,8 @@ export interface CorpusFile {
 
 const shared = fileURLToPath(new URL('../../../shared/', import.meta.url))
 
+const hdf5 = fileURLToPath(new URL('../unit/hdf5/', import.meta.url))
+
 function filesBelow(folder: string): string[] {
   return readdirSync(folder, { withFileTypes: true }).flatMap(entry => {
     const path = join(folder, entry.name)
@@ -139,5 +141,8 @@ export const corpus: readonly CorpusFile[] = [
       name: basename(path),
       bytes: new Uint8Array(readFileSync(path)),
     })),
+  ...filesBelow(hdf5)
+    .filter(path => !path.endsWith('.py'))
+    .map(path => ({ path: `hdf5/${basename(path)}`, name: basename(path), bytes: new Uint8Array(readFileSync(path)) })),
   ...Object.entries(TEXTS).map(([name, text]) => ({ path: name, name, bytes: new TextEncoder().encode(text) })),
 ].sort((a, b) => (a.path < b.path ? -1 : 1))

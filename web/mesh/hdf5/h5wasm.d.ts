@@ -6,7 +6,6 @@ declare module '*/h5wasm/dist/esm/hdf5_util.js' {
     /** Bytes of one. */
     readonly size: number
     readonly signed: boolean
-    readonly littleEndian: boolean
     /** True for strings of any length, which are then pointers. */
     readonly vlen: boolean
     /** Null for a dataset of nothing. */

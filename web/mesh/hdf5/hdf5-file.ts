@@ -1,6 +1,5 @@
 /** An open HDF5 file as readers of meshes see it: groups, attributes, numbers. Whatever is wrong in it is refused with its place. */
 import type { H5Module, Metadata } from '../../../node_modules/h5wasm/dist/esm/hdf5_util.js'
-import { MACHINE_IS_LITTLE_ENDIAN } from '../endian'
 import { type NumberList, type NumberType, putNumbers, sizeOf } from '../formats/vtk-numbers'
 import { MeshRefusal } from '../mesh'
 import { shown } from '../shown'
@@ -126,7 +125,7 @@ export class Hdf5File {
       if (metadata.type === STRING) return this.texts(pointer, metadata)[0] ?? ''
       if (type === null) return null
       const list = new Float64Array(metadata.total_size)
-      putNumbers(type, this.heap(pointer, bytes).slice(), isSwapped(metadata), list, 0)
+      putNumbers(type, this.heap(pointer, bytes), false, list, 0)
       return Array.from(list)
     })
   }
@@ -241,9 +240,8 @@ export class Hdf5Dataset {
         pointer + begin,
         Math.min((to - start) * this.#rowBytes - begin, size * (list.length - done)),
       )
-      const swaps = isSwapped(this.#metadata)
-      // Bytes are turned around where they are.
-      const bad = putNumbers(type, swaps ? bytes.slice() : bytes, swaps, list, done)
+      // The library has put them in the order of its own memory.
+      const bad = putNumbers(type, bytes, false, list, done)
       if (bad !== null)
         this.#file.refuse(
           `number ${from + done + bad.at} of ${shown(this.path)} is ${bad.value}; a whole number from 0 on was expected.`,
@@ -301,10 +299,6 @@ export class Hdf5Dataset {
 
 export function within(group: string, name: string): string {
   return group === '/' ? `/${name}` : `${group}/${name}`
-}
-
-function isSwapped({ littleEndian }: Metadata): boolean {
-  return littleEndian !== MACHINE_IS_LITTLE_ENDIAN
 }
 
 const INTEGERS = new Map<string, NumberType>([

@@ -6,6 +6,7 @@ import { isMed, readMed } from '../formats/med'
 import { isMoab, readMoab } from '../formats/moab'
 import { isVtkHdf, readVtkHdf } from '../formats/vtkhdf'
 import { type Mesh, MeshRefusal } from '../mesh'
+import { shown } from '../shown'
 import type { Hdf5Reader, MeshFile, ReadOptions } from '../source'
 import { Hdf5File } from './hdf5-file'
 import { Hdf5Library } from './library'
@@ -54,7 +55,7 @@ export async function startHdf5(): Promise<Hdf5Reader> {
         const name = parts.pop() ?? ''
         let group = '/'
         for (const part of parts) {
-          if (!hdf5.hasGroup(group, part)) hdf5.refuse(`it has no dataset “${path}”.`)
+          if (!hdf5.hasGroup(group, part)) hdf5.refuse(`it has no dataset ${shown(path)}.`)
           group = group === '/' ? `/${part}` : `${group}/${part}`
         }
         const dataset = hdf5.dataset(group, name)
