@@ -4,7 +4,7 @@
  */
 import type { H5Module, Stream } from '../../../node_modules/h5wasm/dist/esm/hdf5_util.js'
 import type { MeshFile } from '../source'
-import { FilePages } from './file-pages'
+import { EndlessPart, FilePages } from './file-pages'
 
 /** The library cannot do what it was asked: the reason is a clause. */
 export class Complaint extends Error {}
@@ -52,6 +52,7 @@ export class Hdf5Library {
       if (thrown === null && error instanceof Error && error.name === 'Error')
         throw new Complaint(this.#reason() ?? 'the library gives no reason')
       this.isWhole = false
+      if (thrown?.error instanceof EndlessPart) throw new Complaint(thrown.error.message)
       if (thrown !== null) throw thrown.error
       throw new Complaint(this.#reason() ?? 'the library fails on it')
     }
