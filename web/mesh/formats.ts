@@ -2,6 +2,7 @@
 import { abaqus } from './formats/abaqus'
 import { ansysCdb } from './formats/ansys-cdb'
 import { blockMeshDict } from './formats/block-mesh-dict'
+import { exodus } from './formats/exodus'
 import { gmsh } from './formats/gmsh'
 import { kratos } from './formats/kratos'
 import { libMesh } from './formats/libmesh'
@@ -33,6 +34,7 @@ export const formats: readonly MeshFormat[] = [
   nastran,
   ansysCdb,
   lsDyna,
+  exodus,
   libMesh,
   ucd,
   unv,

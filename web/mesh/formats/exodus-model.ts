@@ -4,12 +4,14 @@
  */
 import type { Mesh } from '../mesh'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
+import { float32Note, largestOf } from '../precision'
 import type { MeshFile, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 
 export interface Variable {
   /** Lengths of its dimensions, the slowest first; none for a single number. */
   readonly shape: readonly number[]
+  readonly isFloat32: boolean
   /** The text of an attribute; null if it has none of that name, or one of numbers. */
   text(attribute: string): string | null
   /** Fills `into` with its numbers, of any type, from number `from` of all on: `from + into.length` is at most their count. */
@@ -27,6 +29,8 @@ export interface Variables {
 
 /** Numbers that are read at once. */
 const AT_ONCE = 65_536
+/** Nodes of one element. */
+const MOST_NODES = 1024
 
 const OTHER: readonly (readonly [RegExp, OtherCell])[] = [
   [/^TET/, 'tetrahedron'],
@@ -78,11 +82,14 @@ class ExodusReader {
   readonly #variables: Variables
   readonly #options: ReadOptions
   readonly #onSome: () => void
+  /** Bytes of the file. */
+  readonly #size: number
 
   constructor(file: MeshFile, variables: Variables, options: ReadOptions, positionOf: () => number) {
     this.#builder = new MeshBuilder('Exodus II', file.name)
     this.#variables = variables
     this.#options = options
+    this.#size = file.size
     this.#onSome = () => {
       options.throwIfCancelled()
       options.onProgress(Math.min(1, positionOf() / file.size))
@@ -115,7 +122,7 @@ class ExodusReader {
   }
 
   #points(): void {
-    const builder = this.#builder
+    const builder: MeshBuilder = this.#builder
     const whole = this.#variables.variable('coord')
     const [dimensions = 0, count = 0] = whole?.shape ?? []
     const axes = ['x', 'y', 'z'].map((axis, a) => {
@@ -124,17 +131,23 @@ class ExodusReader {
       return whole !== null && a < dimensions ? { variable: whole, first: a * count, length: count } : null
     })
     const [x = null, y = null, z = null] = axes
-    if (x === null || y === null) return builder.refuse('coordx, coordy and coordz were expected, or coord.')
+    if (x === null || y === null) builder.refuse('coordx, coordy and coordz were expected, or coord.')
     if (x.length !== y.length || x.length !== (z ?? x).length)
       builder.refuse(`coordx, coordy and coordz have ${x.length}, ${y.length} and ${(z ?? x).length} numbers.`)
-    builder.reserve(x.length, 0)
+    // No more than the file can have, whatever it says.
+    builder.reserve(Math.min(x.length, this.#size / 12), 0)
+    const { isFloat32 } = x.variable
+    let largest = 0
     const [xs, ys, zs] = [0, 1, 2].map(() => new Float64Array(Math.min(AT_ONCE, x.length))) as Triple
     this.#inChunks(x.length, 1, (from, some) => {
       x.variable.numbers(x.first + from, xs.subarray(0, some))
       y.variable.numbers(y.first + from, ys.subarray(0, some))
       z?.variable.numbers(z.first + from, zs.subarray(0, some))
       for (let i = 0; i < some; ++i) builder.point(xs[i] as number, ys[i] as number, zs[i] as number)
+      if (isFloat32) largest = Math.max(largest, largestOf(xs), largestOf(ys), largestOf(zs))
     })
+    const note = float32Note(largest)
+    if (note !== null) builder.note(note)
   }
 
   #blocks(): ElementBlock[] {
@@ -178,7 +191,9 @@ class ExodusReader {
       return
     }
     if (width < 8) builder.refuse(`the elements of ${connect.name} are of type ${shown(type)} and have ${width} nodes.`)
-    if (width === 8) builder.reserve(0, count)
+    if (width > MOST_NODES)
+      builder.refuse(`the elements of ${connect.name} have ${width} nodes, more than elements have.`)
+    if (width === 8) builder.reserve(0, Math.min(count, this.#size / 8))
     const points = builder.pointCount
     const nodes = new Float64Array(Math.min(count, Math.max(1, Math.floor(AT_ONCE / width))) * width)
     const own = new Float64Array(nodes.length / width)
@@ -232,6 +247,6 @@ class ExodusReader {
 type Triple = [Float64Array, Float64Array, Float64Array]
 
 /** The count of all its numbers. */
-export function lengthOf({ shape }: Variable): number {
+export function lengthOf({ shape }: Pick<Variable, 'shape'>): number {
   return shape.reduce((product, length) => product * length, 1)
 }

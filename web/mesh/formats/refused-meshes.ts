@@ -36,8 +36,7 @@ export const hdf5: readonly Known[] = [
 ]
 
 export const refusedMeshes: readonly Known[] = [
-  // netCDF and other meshes in binary.
-  { is: starts('CDF\x01', 'CDF\x02', 'CDF\x05'), what: 'an Exodus II file (netCDF)', instead: meshio('e') },
+  // Meshes in binary.
   {
     is: starts('ADF Database'),
     what: 'a CGNS file (ADF)',
