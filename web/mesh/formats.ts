@@ -13,6 +13,7 @@ import { mfem } from './formats/mfem'
 import { nastran } from './formats/nastran'
 import { ncdump } from './formats/ncdump'
 import { obj } from './formats/obj'
+import { openFoam } from './formats/openfoam'
 import { ovm } from './formats/ovm'
 import { picture } from './formats/picture'
 import { refused } from './formats/refused'
@@ -42,6 +43,7 @@ export const formats: readonly MeshFormat[] = [
   kratos,
   tecplot,
   blockMeshDict,
+  openFoam,
   ncdump,
   obj,
   picture,

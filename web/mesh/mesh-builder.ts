@@ -109,6 +109,22 @@ export class MeshBuilder {
     this.#tokens.reserve(3 * (this.pointCount + count), 3 * (this.pointCount + ahead))
   }
 
+  /** Points of rows that end with their coordinates; `hasIds` if the rows begin with ids. */
+  pointRows(rows: FileRows, hasIds = false): void {
+    const { pattern, count, numbers } = rows
+    let largest = 0
+    this.expectRows(rows, 'nodes')
+    for (let row = 0; row < count; ++row) {
+      const at = pattern.numberCount * (row + 1) - 3
+      const [x, y, z] = [numbers[at] as number, numbers[at + 1] as number, numbers[at + 2] as number]
+      if (hasIds) this.pointWithId(numbers[pattern.numberCount * row] as number, x, y, z)
+      else this.point(x, y, z)
+      largest = Math.max(largest, Math.abs(x), Math.abs(y), Math.abs(z))
+      this.coordinateTokens(rows, row)
+    }
+    this.digits.seeRounded(rows.mostRounded, largest)
+  }
+
   /** The next point in a row; returns its index. */
   point(x: number, y: number, z: number): number {
     this.#points.push(x)

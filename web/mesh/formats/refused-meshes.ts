@@ -92,16 +92,6 @@ export const refusedMeshes: readonly Known[] = [
     what: 'a CalculiX result file (.frd)',
     instead: 'ccx2paraview converts it: ccx2paraview a.frd vtu',
   },
-  {
-    is: has(/\bclass\s{1,20}(?:faceList|faceCompactList|labelList|polyBoundaryMesh|cellList)\s{0,9};/),
-    what: 'a file of an OpenFOAM mesh (polyMesh)',
-    instead: 'foamToVTK converts the case',
-  },
-  {
-    is: head => isLargeFoam(head),
-    what: 'the points of an OpenFOAM mesh (polyMesh), whose cells are in the files beside it',
-    instead: 'foamToVTK converts the case',
-  },
   // Meshes of programs, in text.
   {
     is: has(
@@ -196,14 +186,3 @@ export const refusedMeshes: readonly Known[] = [
     instead: 'it exports the mesh as Abaqus .inp or NASTRAN .bdf',
   },
 ]
-
-/** The points of a mesh, of which there are more than of one element. */
-function isLargeFoam(head: string): boolean {
-  if (
-    !/\bclass\s{1,20}vectorField\s{0,9};/.test(head.slice(0, 5000)) ||
-    !/\bobject\s{1,20}points\s{0,9};/.test(head.slice(0, 5000))
-  )
-    return false
-  const count = /\}\s{0,100}(?:\/\/[^\n]{0,200}\s{0,100})?(\d{1,12})\s{0,20}\(/.exec(head.slice(0, 5000))?.[1]
-  return count !== '8'
-}
