@@ -6,7 +6,10 @@ import { rotations } from '../model/node-order'
 
 /** Points of the six faces, four each. */
 const POINTS = 24
-const ROTATIONS = new Set(rotations.map(rotation => rotation.join('')))
+/** The one of the faces 1 to 5 that is the lid, by the four that are sides, a bit each. */
+const LIDS = new Map([1, 2, 3, 4, 5].map(lid => [0b111110 ^ (1 << lid), lid]))
+/** The ranks of eight points as one number. */
+const ROTATIONS = new Set(rotations.map(rotation => rotation.reduce((key, rank) => 8 * key + rank, 0)))
 
 /** Eight points in VTK_HEXAHEDRON order, the first face as bottom with its point `first`; null if the faces are not those of a hexahedron. */
 export function hexahedronOfFaces(faces: readonly (readonly number[])[], first = faces[0]?.[0]): number[] | null {
@@ -34,9 +37,8 @@ export function hexahedronOfSixFaces(faces: ArrayLike<number>, first: number): n
     else if (i < 3) eight.push(aboveNext)
     if (eight[4 + i] !== above || eight[4 + ((i + 1) % 4)] !== aboveNext) return null
   }
-  // Of the faces 1 to 5 four are sides, the one that is left is the lid.
-  const lid = [1, 2, 3, 4, 5].filter(face => (sides & (1 << face)) === 0)
-  if (lid.length !== 1 || !isAround(faces, 4 * (lid[0] as number), eight)) return null
+  const lid = LIDS.get(sides)
+  if (lid === undefined || !isAround(faces, 4 * lid, eight)) return null
   for (let i = 0; i < 8; ++i) for (let j = 0; j < i; ++j) if (eight[i] === eight[j]) return null
   return numbered(eight)
 }
@@ -58,8 +60,11 @@ function isAround(faces: ArrayLike<number>, from: number, eight: readonly number
 
 /** The eight in ascending order, if that is one of the 24 orders that the faces allow. */
 function numbered(eight: number[]): number[] {
-  const ascending = eight.toSorted((a, b) => a - b)
-  let ranks = ''
-  for (const point of eight) ranks += ascending.indexOf(point)
-  return ROTATIONS.has(ranks) ? ascending : eight
+  let ranks = 0
+  for (let i = 0; i < 8; ++i) {
+    let rank = 0
+    for (let j = 0; j < 8; ++j) if ((eight[j] as number) < (eight[i] as number)) rank++
+    ranks = 8 * ranks + rank
+  }
+  return ROTATIONS.has(ranks) ? eight.sort((a, b) => a - b) : eight
 }

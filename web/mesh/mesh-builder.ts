@@ -179,6 +179,19 @@ export class MeshBuilder {
     return this.cellCount - 1
   }
 
+  /** Cells of eight nodes each, points counted from `base` on, that are there; `ids` has an id for each. Returns the index of the first. */
+  hexahedra(nodes: ArrayLike<number>, base: number, ids: ArrayLike<number>): number {
+    const first = this.cellCount
+    const { length } = nodes
+    const from = this.#cells.length
+    this.#cells.reserve(from + length)
+    const { values } = this.#cells
+    for (let i = 0; i < length; ++i) values[from + i] = (nodes[i] as number) - base
+    this.#cells.length = from + length
+    for (let i = 0; i < length / 8; ++i) this.#addId(ids[i] as number)
+    return first
+  }
+
   #addId(id: number | string): void {
     if (this.#names === null && typeof id === 'string') this.#names = Array.from(this.#ids.whole(), String)
     if (this.#names === null) this.#ids.push(id as number)

@@ -235,6 +235,9 @@ function isMark(byte: number): boolean {
   return byte === OPEN || byte === CLOSE || byte === OPEN_BRACE || byte === CLOSE_BRACE || byte === SEMICOLON
 }
 
+/** Each byte, but a blank for a bracket: a table, since there are many brackets and no telling where. */
+const WITHOUT_BRACKETS = Uint8Array.from({ length: 256 }, (_, byte) => (byte === OPEN || byte === CLOSE ? SPACE : byte))
+
 /** The file with blanks in place of brackets. */
 export function withoutBrackets(file: MeshFile): MeshFile {
   return {
@@ -242,10 +245,7 @@ export function withoutBrackets(file: MeshFile): MeshFile {
     size: file.size,
     read(from, to, into) {
       const bytes = file.read(from, to, into)
-      for (let i = 0; i < bytes.length; ++i) {
-        const byte = bytes[i]
-        if (byte === OPEN || byte === CLOSE) bytes[i] = SPACE
-      }
+      for (let i = 0; i < bytes.length; ++i) bytes[i] = WITHOUT_BRACKETS[bytes[i] as number] as number
       return bytes
     },
   }

@@ -133,6 +133,7 @@ class PolyMesh {
     const search = new RowSearch(this.#options.core)
     while (builder.pointCount < count) {
       const left = count - builder.pointCount
+      cursor.skipBlanks()
       const rows = left < 4 ? null : cursor.rows(search, POINT_ROW)
       if (rows === null) {
         builder.point(...builder.readPoint(cursor))
@@ -182,10 +183,9 @@ class PolyMesh {
         if (size > MOST_POINTS) foam.refuse(`face ${face} has ${size} points, more than faces have.`, run.position)
         if (at + size >= filled) break
         points.reserve(points.length + size)
-        points.values.set(some.subarray(at + 1, at + 1 + size), points.length)
-        points.length += size
+        for (let i = 0; i < size; ++i) points.values[points.length++] = some[++at] as number
         ends[face] = points.length
-        at += size + 1
+        at++
       }
       if (filled === held && at === 0) {
         const word = run.nextWord()
