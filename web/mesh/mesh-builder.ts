@@ -109,20 +109,30 @@ export class MeshBuilder {
     this.#tokens.reserve(3 * (this.pointCount + count), 3 * (this.pointCount + ahead))
   }
 
-  /** Points of rows that end with their coordinates; `hasIds` if the rows begin with ids. */
-  pointRows(rows: FileRows, hasIds = false): void {
+  /** Points of rows that begin with an id, if `hasIds`, and have the coordinates from number `at` on, usually their last three. */
+  pointRows(rows: FileRows, hasIds = false, at = rows.pattern.numberCount - 3): void {
     const { pattern, count, numbers } = rows
     let largest = 0
     this.expectRows(rows, 'nodes')
     for (let row = 0; row < count; ++row) {
-      const at = pattern.numberCount * (row + 1) - 3
-      const [x, y, z] = [numbers[at] as number, numbers[at + 1] as number, numbers[at + 2] as number]
-      if (hasIds) this.pointWithId(numbers[pattern.numberCount * row] as number, x, y, z)
+      const from = pattern.numberCount * row
+      const [x, y, z] = [
+        numbers[from + at] as number,
+        numbers[from + at + 1] as number,
+        numbers[from + at + 2] as number,
+      ]
+      if (hasIds) this.pointWithId(numbers[from] as number, x, y, z)
       else this.point(x, y, z)
       largest = Math.max(largest, Math.abs(x), Math.abs(y), Math.abs(z))
       this.coordinateTokens(rows, row)
     }
     this.digits.seeRounded(rows.mostRounded, largest)
+  }
+
+  /** Calls all points by their places, counted from `first` on. */
+  numberPoints(first: number): void {
+    this.#pointOfId.expect(this.pointCount)
+    for (let point = 0; point < this.pointCount; ++point) this.#pointOfId.set(first + point, point)
   }
 
   /** The next point in a row; returns its index. */

@@ -6,6 +6,7 @@ import { MeshRefusal } from '../mesh'
 import { lineAt, NumberRun } from '../number-run'
 import type { MeshFile, ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
+import { blanked } from './row-text'
 import { type NumberType, putNumbers, sizeOf } from './vtk-numbers'
 
 const [LF, HASH_QUOTE, OPEN, CLOSE, STAR, SLASH, SEMICOLON] = [10, 34, 40, 41, 42, 47, 59] as const
@@ -235,18 +236,7 @@ function isMark(byte: number): boolean {
   return byte === OPEN || byte === CLOSE || byte === OPEN_BRACE || byte === CLOSE_BRACE || byte === SEMICOLON
 }
 
-/** Each byte, but a blank for a bracket: a table, since there are many brackets and no telling where. */
-const WITHOUT_BRACKETS = Uint8Array.from({ length: 256 }, (_, byte) => (byte === OPEN || byte === CLOSE ? SPACE : byte))
-
 /** The file with blanks in place of brackets. */
 export function withoutBrackets(file: MeshFile): MeshFile {
-  return {
-    name: file.name,
-    size: file.size,
-    read(from, to, into) {
-      const bytes = file.read(from, to, into)
-      for (let i = 0; i < bytes.length; ++i) bytes[i] = WITHOUT_BRACKETS[bytes[i] as number] as number
-      return bytes
-    },
-  }
+  return blanked(file, '()')
 }
