@@ -31,6 +31,7 @@ import { ugrid } from './formats/ugrid'
 import { unv } from './formats/unv'
 import { vtkLegacy } from './formats/vtk-legacy'
 import { vtu } from './formats/vtu'
+import { xdmf } from './formats/xdmf'
 import type { MeshFormat } from './source'
 
 export const formats: readonly MeshFormat[] = [
@@ -52,6 +53,7 @@ export const formats: readonly MeshFormat[] = [
   permas,
   radioss,
   ugrid,
+  xdmf,
   libMesh,
   ucd,
   unv,

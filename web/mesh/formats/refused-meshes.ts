@@ -45,7 +45,6 @@ export const refusedMeshes: readonly Known[] = [
   { is: starts('#!TDV'), what: 'a Tecplot file in binary', instead: 'Tecplot saves it as ASCII' },
   { is: has(/^[\s\S]{0,200}TetGen/i), what: 'a TetGen file', instead: 'it has no hexahedra, only tetrahedra' },
   // Meshes in XML and text.
-  { is: has(/<Xdmf\b/i), what: 'an XDMF file', instead: meshio('xdmf') },
   { is: has(/<dolfin\b/i), what: 'a DOLFIN mesh (XML)', instead: meshio('xml') },
   {
     is: has(/^\s{0,20}\((?:0|1)\s{0,9}"|^\s{0,20}\(2\s{1,9}3\)|^\s{0,20}\(10\s{1,9}\(0\s/),
