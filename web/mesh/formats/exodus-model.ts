@@ -197,7 +197,6 @@ class ExodusReader {
     const points = builder.pointCount
     const nodes = new Float64Array(Math.min(count, Math.max(1, Math.floor(AT_ONCE / width))) * width)
     const own = new Float64Array(nodes.length / width)
-    const corners = [0, 0, 0, 0, 0, 0, 0, 0]
     this.#inChunks(count * width, width, (from, some) => {
       connect.variable.numbers(from, nodes.subarray(0, some))
       const before = first + from / width
@@ -211,15 +210,13 @@ class ExodusReader {
             `element ${own[Math.floor(i / width)]} in ${connect.name} names node ${node}; the nodes are 1 to ${points}.`,
           )
       }
-      for (let i = 0; i < elements; ++i) {
-        const at = width * i
-        for (let v = 0; v < 8; ++v) corners[v] = (nodes[at + v] as number) - 1
-        if (width === 8) builder.inBlock(name, builder.hexahedron(corners, own[i] as number))
-        else
-          builder.quadraticCell(
-            corners,
-            Array.from(nodes.subarray(at + 8, at + width), node => node - 1),
-          )
+      if (width === 8) {
+        builder.restInBlock(name, builder.hexahedra(nodes.subarray(0, some), 1, own))
+        return
+      }
+      for (let at = 0; at < some; at += width) {
+        const all = Array.from(nodes.subarray(at, at + width), node => node - 1)
+        builder.quadraticCell(all.slice(0, 8), all.slice(8))
       }
     })
   }
