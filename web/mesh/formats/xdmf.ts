@@ -2,6 +2,7 @@
  * XDMF, versions 2 and 3: XML with grids of a topology and a geometry, whose numbers are items in the text, in the bytes of a file beside, or in
  * HDF5. Collections in time are steps, of which one is read; in space, and trees, they are parts of one mesh.
  */
+import { answered, hdf5For } from '../hdf5-reader'
 import { type Mesh, MeshRefusal, MOST_IMPLIED_CELLS } from '../mesh'
 import { headText } from '../snippet-text'
 import { type MeshFile, type MeshFormat, progressOf, type ReadOptions } from '../source'
@@ -78,7 +79,8 @@ const LONGEST_WORD = 4096
 export const xdmf: MeshFormat = {
   name: 'XDMF',
   recognizes: head => (/<Xdmf\b/.test(headText(head)) ? 'yes' : 'no'),
-  read: (file, options) => readXdmf(file, options, null),
+  read: (file, options) =>
+    readXdmf(file, options, (beside, path) => answered(hdf5For(beside, options).numbers(beside, path)).values),
 }
 
 /** Reads the mesh; without a source for them, numbers in HDF5 are refused. */
