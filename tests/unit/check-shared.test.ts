@@ -12,11 +12,7 @@ const shared = fileURLToPath(new URL('../../../shared/', import.meta.url))
 const manifest = (name: string) => JSON.parse(readFileSync(`${shared}${name}`, 'utf8'))
 
 /** The formats of a later list: these are refused, by name. */
-const LATER_FORMATS = new Set(
-  'med xdmf ugrid ansys-fluent permas flac3d h5m hmf vtkhdf exodus cgns diffpack radioss matlab openfoam febio'.split(
-    ' ',
-  ),
-).add('h5m MOAB')
+const LATER_FORMATS = new Set('ugrid ansys-fluent permas flac3d diffpack radioss matlab openfoam febio'.split(' '))
 const NOT_KNOWN = /in no format that is known here/
 
 interface Cell {
@@ -85,6 +81,9 @@ interface Bracket {
   readonly min_upper: number
 }
 
+/** meshio leaves all but triangles, tetrahedra and lines out of this one: nothing is in it to be answered. */
+const ONLY_TETRAHEDRA = 'meshio.h5m'
+
 /** Gmsh leaves the pyramid out of these. */
 const NO_PYRAMID = new Set(['gmsh.unv', 'gmsh.key'])
 
@@ -98,6 +97,7 @@ it('made', async () => {
     const { status, file } = await check(`${shared}meshes/made/${path}`)
     if (file.error !== undefined)
       return LATER_FORMATS.has(format) && status === 2 && !NOT_KNOWN.test(file.error) ? null : file.error
+    if (name === ONLY_TETRAHEDRA) return differing([status, file.other], [3, { tetrahedron: counts.tetra }])
     const { hexahedron = 0, voxel = 0, tetra = 0, quad = 0, wedge = 0, pyramid = 0, polyhedron = 0 } = counts
     const expected = {
       hexahedra: hexahedron + voxel,
