@@ -102,6 +102,9 @@ test('the numbers of a dataset by its path, as XDMF names it', () => {
   const numbers = hdf5.numbers(own('bare.h5'), '/numbers')
   expect(numbers).toMatchObject({ shape: [8, 3], isFloat32: false })
   expect(numbers).toHaveProperty('values.23', 23)
+  expect(hdf5.numbers(own('bare.h5'), '/packed')).toBe(
+    'bare.h5: “/packed” is packed by the filter “lzf”, which is not read.',
+  )
   expect(hdf5.numbers(own('bare.h5'), '/a/numbers')).toBe('bare.h5: it has no dataset “/a/numbers”.')
 })
 

@@ -167,3 +167,4 @@ gmsh.finalize()
 
 with file("bare.h5") as h:
     h["numbers"] = np.arange(24.0).reshape(8, 3)
+    h.create_dataset("packed", data=np.arange(24.0), compression="lzf")

@@ -2,7 +2,7 @@
 import type { H5Module, Metadata } from '../../../node_modules/h5wasm/dist/esm/hdf5_util.js'
 import { type NumberList, type NumberType, putNumbers, sizeOf } from '../formats/vtk-numbers'
 import { MeshRefusal } from '../mesh'
-import { shown } from '../shown'
+import { shown, withoutControls } from '../shown'
 import type { MeshFile } from '../source'
 import { Complaint, type Hdf5Library } from './library'
 
@@ -12,6 +12,10 @@ const [INTEGER, FLOAT, STRING, ENUM, ARRAY] = [0, 1, 3, 8, 10] as const
 const MOST_GROWTH = 1032
 /** Bytes that are read at once, unless a row or a chunk has more. */
 const AT_ONCE = 4 * 1024 * 1024
+/** Characters of a reason that are said. */
+const MOST_REASON = 200
+/** Filters beyond these are other libraries': H5Z_FILTER_DEFLATE to H5Z_FILTER_SCALEOFFSET. */
+const LAST_FILTER = 6
 /** Texts of a file are short. */
 const MOST_TEXT = 16 * 1024 * 1024
 
@@ -62,7 +66,7 @@ export class Hdf5File {
     } catch (error) {
       if (!(error instanceof Complaint)) throw error
       const what = path === null ? 'it' : shown(path)
-      return this.refuse(`${what} cannot be read as HDF5: ${shown(error.message).slice(1, -1)}.`)
+      return this.refuse(`${what} cannot be read as HDF5: ${withoutControls(error.message).slice(0, MOST_REASON)}.`)
     }
   }
 
@@ -188,6 +192,8 @@ export class Hdf5Dataset {
   readonly #file: Hdf5File
   readonly #metadata: Metadata
   readonly #rowBytes: number
+  /** The name of a filter that the library does not have; null if there is none. */
+  readonly #strange: string | null
   /** Rows that are read at once: whole chunks, so that none is unpacked twice. */
   readonly #rowsAtOnce: number
   /** Rows in the library's memory. */
@@ -206,6 +212,7 @@ export class Hdf5Dataset {
     if (metadata.virtual_sources !== undefined)
       file.refuse(`the numbers of ${shown(path)} are in other files (a virtual dataset).`)
     const filters = file.call(path, (m, id) => m.get_dataset_filters(id, path))
+    this.#strange = filters.find(({ id }) => id > LAST_FILTER)?.name ?? null
     const most = filters.length > 0 ? MOST_GROWTH * fileSize : fileSize
     const chunk = (metadata.chunks ?? []).reduce((product, length) => product * length, metadata.size)
     if (!(bytes <= most) || (bytes > 0 && metadata.chunks !== null && !(chunk <= most)))
@@ -285,6 +292,8 @@ export class Hdf5Dataset {
   }
 
   #readInto(rows: { readonly from: number; readonly to: number } | null, pointer: number): void {
+    if (this.#strange !== null)
+      this.#file.refuse(`${shown(this.path)} is packed by the filter ${shown(this.#strange)}, which is not read.`)
     const shape = this.#metadata.shape ?? []
     const isWhole = rows === null || shape.length === 0
     const count = isWhole ? null : [rows.to - rows.from, ...shape.slice(1)].map(BigInt)
