@@ -15,7 +15,9 @@ export async function hdf5InWorker(): Promise<Hdf5Reader> {
   try {
     importScripts(scriptAddress(new URL(NAME, here)))
   } catch {
-    throw new Error(`${NAME} is not beside the script of the worker, or a policy of the page forbids it`)
+    throw new Error(
+      `${NAME} is not beside the worker’s script, or the page may not load it, as one from file:// may not`,
+    )
   }
   return startedHdf5()
 }
