@@ -59,6 +59,12 @@ test('MED: its own order of nodes, groups as blocks, ids', () => {
   expect(mesh.notes).toEqual([])
 })
 
+test('a format that is named is the one in the file, or refused', () => {
+  const options = { hdf5, format: 'cgns' }
+  expect(readMeshes(own('zones.cgns'), options)[0]?.format).toBe('CGNS')
+  expect(() => readMeshes(own('groups.med'), options)).toThrow('groups.med: this is MED, not CGNS.')
+})
+
 test('MOAB: nodes by their numbers', () => {
   const mesh = read(own('elements.h5m'))
   expect(minima(mesh)).toEqual([1, 2])

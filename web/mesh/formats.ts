@@ -8,7 +8,7 @@ import { exodus } from './formats/exodus'
 import { febio } from './formats/febio'
 import { flac3d } from './formats/flac3d'
 import { gmsh } from './formats/gmsh'
-import { hdf5 } from './formats/hdf5'
+import { hdf5, inHdf5 } from './formats/hdf5'
 import { kratos } from './formats/kratos'
 import { libMesh } from './formats/libmesh'
 import { link } from './formats/link'
@@ -64,8 +64,9 @@ export const formats: readonly MeshFormat[] = [
   blockMeshDict,
   openFoam,
   ncdump,
-  hdf5,
   obj,
+  hdf5,
+  ...inHdf5,
   picture,
   link,
   refused,

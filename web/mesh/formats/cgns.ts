@@ -9,7 +9,7 @@ import { float32Note, largestOf } from '../precision'
 import { shown } from '../shown'
 import type { MeshFile, ReadOptions } from '../source'
 import { CGNS_MIXED, CGNS_NFACE, CGNS_NGON, cgnsType } from './cgns-types'
-import { addRows } from './node-rows'
+import { addRows, countedFrom } from './node-rows'
 
 const DATA = ' data'
 
@@ -208,7 +208,7 @@ class CgnsReader {
     if (type === null) hdf5.refuse(`${shown(path)} has elements of type ${number}, which CGNS does not have.`)
     if (nodes.length !== count * type.nodes)
       hdf5.refuse(`${shown(path)} has ${nodes.length} nodes for ${count} elements of ${type.nodes}.`)
-    const ids = type.kind === 'hexahedron' ? Float64Array.from({ length: count }, (_, i) => first + i) : null
+    const ids = type.kind === 'hexahedron' ? countedFrom(first, count) : null
     addRows(builder, { type, nodes, firstNode: 1, firstPoint, points, ids, place: path })
   }
 

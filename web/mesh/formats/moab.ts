@@ -5,7 +5,7 @@ import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { float32Note, largestOf } from '../precision'
 import { shown } from '../shown'
 import type { MeshFile, ReadOptions } from '../source'
-import { addRows, type RowType } from './node-rows'
+import { addRows, countedFrom, type RowType } from './node-rows'
 
 const ROOT = '/tstt'
 
@@ -89,5 +89,5 @@ function idsOf(hdf5: Hdf5File, path: string, count: number): Float64Array | null
     if (own !== null && own.count === count) return own.all(Float64Array)
   }
   const first = hdf5.numberAttribute(within(path, 'connectivity'), 'start_id')
-  return first === null ? null : Float64Array.from({ length: count }, (_, i) => first + i)
+  return first === null ? null : countedFrom(first, count)
 }

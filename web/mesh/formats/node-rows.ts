@@ -64,3 +64,10 @@ export function addRows(builder: MeshBuilder, rows: NodeRows): number {
   }
   return before
 }
+
+/** Ids that count up. */
+export function countedFrom(first: number, count: number): Float64Array {
+  const ids = new Float64Array(count)
+  for (let i = 0; i < count; ++i) ids[i] = first + i
+  return ids
+}

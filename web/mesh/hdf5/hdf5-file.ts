@@ -26,21 +26,24 @@ export class Hdf5File {
   readonly #library: Hdf5Library
   readonly #size: number
   readonly #path: string
-  readonly #id: bigint
+  /** Negative while it is not open. */
+  #id = -1n
   readonly #names = new Map<string, readonly string[]>()
   readonly #datasets = new Map<string, Hdf5Dataset>()
 
-  /** Throws a MeshRefusal. */
   constructor(library: Hdf5Library, file: MeshFile) {
     this.#library = library
     this.name = file.name
     this.#size = file.size
     this.#path = library.mount(file)
-    const id = this.call(null, m =>
+  }
+
+  /** Throws a MeshRefusal. */
+  open(): void {
+    this.#id = this.call(null, m =>
       m.open(this.#path, m.H5F_ACC_RDONLY, false, m.H5F_LIBVER_EARLIEST, m.H5F_LIBVER_LATEST),
     )
-    if (id < 0n) this.refuse('the HDF5 library cannot open it.')
-    this.#id = id
+    if (this.#id < 0n) this.refuse('the HDF5 library cannot open it.')
   }
 
   refuse(what: string): never {
@@ -51,7 +54,7 @@ export class Hdf5File {
     for (const dataset of this.#datasets.values()) dataset.free()
     if (!this.#library.isWhole) return
     try {
-      this.#library.call(m => m.close_file(this.#id))
+      if (this.#id >= 0n) this.#library.call(m => m.close_file(this.#id))
     } catch (error) {
       // Nothing was written: what is wrong with it has been said by then.
       if (!(error instanceof Complaint)) throw error

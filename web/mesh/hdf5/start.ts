@@ -65,14 +65,14 @@ export async function startHdf5(): Promise<Hdf5Reader> {
 }
 
 function inFile<T>(library: Hdf5Library, file: MeshFile, work: (hdf5: Hdf5File) => T): T | string {
-  let hdf5: Hdf5File | null = null
+  const hdf5 = new Hdf5File(library, file)
   try {
-    hdf5 = new Hdf5File(library, file)
+    hdf5.open()
     return work(hdf5)
   } catch (error) {
     if (error instanceof MeshRefusal) return error.message
     throw error
   } finally {
-    hdf5?.close()
+    hdf5.close()
   }
 }
