@@ -100,6 +100,7 @@ class PolyMesh {
 
   #points(foam: FoamFile): void {
     const builder = this.#builder
+    builder.areCoordinatesElsewhere = foam.file !== this.#given
     const count = foam.count('points', 3 * foam.bytesOf('scalar'))
     foam.expect(OPEN, 'a bracket before the points')
     builder.reserve(count, 0)
