@@ -84,7 +84,9 @@ class FluentReader {
   }
 
   #refuse(what: string, position = this.#cursor.position): never {
-    throw new MeshRefusal(`${this.#file.name}, line ${lineAt(this.#file, position)}: ${what}`)
+    throw new MeshRefusal(
+      `${this.#file.name}, line ${lineAt(this.#file, Math.min(position, this.#file.size))}: ${what}`,
+    )
   }
 
   read(): Mesh {
@@ -203,13 +205,15 @@ class FluentReader {
     if (!hasBody || zone === 0) return
     const count = last - first + 1
     // meshio counts cells from 0.
-    if (!(first >= (section === 12 ? 0 : 1)) || count < 0) this.#refuse(`the indices ${first} to ${last} of a section are none.`)
+    if (!(first >= (section === 12 ? 0 : 1)) || count < 0)
+      this.#refuse(`the indices ${first} to ${last} of a section are none.`)
     this.#cursor.skip()
     if (section === 10) this.#nodes(heading, first, count)
     else if (section === 13) this.#faces(heading, count)
     else this.#listedCells(heading, count)
     if (heading.bytes > 0) return
-    if (this.#next() !== CLOSE) this.#refuse(`${shown(this.#cursor.word())} stands where a section of ${count} entries ends.`)
+    if (this.#next() !== CLOSE)
+      this.#refuse(`${shown(this.#cursor.word())} stands where a section of ${count} entries ends.`)
     this.#cursor.skip()
   }
 

@@ -313,6 +313,7 @@ class BinaryNumbers implements Numbers {
 
   places(): CoordinatePlaces | null {
     const { floatBytes, isLittleEndian } = this.#kind
+    if (this.#from < 0) return null
     return { kind: 'block', from: this.#from, type: floatBytes === 8 ? 'float64' : 'float32', isLittleEndian }
   }
 
