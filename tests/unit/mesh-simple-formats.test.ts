@@ -85,7 +85,7 @@ describe('what is refused by name', () => {
   test('OpenFOAM’s files alone', () => {
     for (const name of ['points', 'faces', 'owner', 'neighbour', 'boundary'])
       expect(refusal(readFileSync(new URL(`foam/constant/polyMesh/${name}`, made)), name), name).toMatch(
-        /it needs .*“(?:points|neighbour)” of the same folder beside it: give all files of polyMesh together\.$/,
+        /it needs .*“(?:owner|neighbour)” of the same folder beside it: give all files of polyMesh together\.$/,
       )
   })
 
