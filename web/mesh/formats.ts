@@ -7,6 +7,7 @@ import { elmer } from './formats/elmer'
 import { exodus } from './formats/exodus'
 import { febio } from './formats/febio'
 import { flac3d } from './formats/flac3d'
+import { fluent } from './formats/fluent'
 import { gmsh } from './formats/gmsh'
 import { hdf5, inHdf5 } from './formats/hdf5'
 import { kratos } from './formats/kratos'
@@ -55,6 +56,7 @@ export const formats: readonly MeshFormat[] = [
   radioss,
   ugrid,
   xdmf,
+  fluent,
   libMesh,
   ucd,
   unv,

@@ -43,6 +43,8 @@ export class MeshBuilder {
   isOrderStated = true
   isCutOff = false
   coordinatePlaces: CoordinatePlaces | null = null
+  /** True if the coordinates stand in another file than the one that is read. */
+  areCoordinatesElsewhere = false
   steps: readonly string[] = []
 
   constructor(format: string, fileName: string) {
@@ -283,7 +285,9 @@ export class MeshBuilder {
       notes: this.#notes,
       isOrderStated: this.isOrderStated,
       isCutOff: this.isCutOff,
-      coordinatePlaces: this.coordinatePlaces ?? this.#tokens.places(points.length),
+      coordinatePlaces: this.areCoordinatesElsewhere
+        ? null
+        : (this.coordinatePlaces ?? this.#tokens.places(points.length)),
       steps: this.steps,
     }
   }

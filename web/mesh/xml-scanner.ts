@@ -58,9 +58,9 @@ export class XmlScanner {
       if (begin.startsWith('<!--')) this.#passUntil('-->', from + 4, from)
       else if (begin.startsWith('<?')) this.#passUntil('?>', from + 2, from)
       else if (begin === '<![CDATA[') this.#passUntil(']]>', from + 9, from)
+      else if (!begin.startsWith('<!')) return this.#tag(from)
       else if (PLAIN_DOCTYPE.test(this.#text(from, LONGEST_DOCTYPE))) this.#passUntil('>', from + 2, from)
-      else if (begin.startsWith('<!')) this.refuse(from, 'a document type or an entity is not read: a mesh needs none.')
-      else return this.#tag(from)
+      else this.refuse(from, 'a document type or an entity is not read: a mesh needs none.')
     }
   }
 

@@ -52,6 +52,7 @@ class ElmerReader {
         `${this.#file.name}: this is a file of an Elmer mesh; it needs “${nodes === null ? 'mesh.nodes' : 'mesh.elements'}” beside it: give all files of the folder together.`,
       )
     const text = new RowText('Elmer', nodes, this.#options)
+    text.builder.areCoordinatesElsewhere = nodes !== this.#file
     text.lines(
       () => false,
       () => readNode(text),

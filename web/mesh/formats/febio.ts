@@ -115,9 +115,20 @@ class FebioReader {
     this.#passTo(tag.name)
   }
 
+  /** Passes what is inside of a section, which is read later, straight to its end. */
   #passTo(name: string): void {
-    for (let tag = this.#scanner.next(); tag !== null; tag = this.#scanner.next())
-      if (tag.kind === 'close' && tag.name === name) return
+    const end = new TextEncoder().encode(`</${name}`)
+    const mark = end[2] as number
+    for (let from = this.#scanner.position; from < this.#file.size; from += AT_ONCE) {
+      const start = Math.max(0, from - 2)
+      const bytes = this.#file.read(start, Math.min(this.#file.size, from + AT_ONCE + end.length))
+      for (let at = bytes.indexOf(mark, 2); at >= 0; at = bytes.indexOf(mark, at + 1)) {
+        if (!end.every((byte, i) => bytes[at - 2 + i] === byte)) continue
+        this.#scanner.position = start + at - 2
+        this.#scanner.next()
+        return
+      }
+    }
     this.#text.builder.refuse(`<${name}> ends nowhere: the file is cut off.`)
   }
 

@@ -3,11 +3,11 @@
  * anticlockwise seen from its neighbour, or from outside where it has none. Cells with the faces of a hexahedron are read as trilinear.
  */
 import { RowPattern } from '../../core/reading-interface'
+import { cellsOfFaces, type Faces } from '../cells-of-faces'
 import { RowSearch } from '../file-rows'
 import { gunzipped } from '../gzip'
-import { hexahedronOfSixFaces } from '../hexahedron-of-faces'
 import { type Mesh, MeshRefusal } from '../mesh'
-import { MeshBuilder, type OtherCell } from '../mesh-builder'
+import { MeshBuilder } from '../mesh-builder'
 import { float32Note, largestOf } from '../precision'
 import { headText } from '../snippet-text'
 import { isNamed, type MeshFile, type MeshFormat, type ReadOptions } from '../source'
@@ -26,13 +26,6 @@ const AT_ONCE = 65_536
 /** Points of one face. */
 const MOST_POINTS = 16_384
 
-/** Cells by the number of their faces of three and of four points. */
-const OTHER: ReadonlyMap<string, OtherCell> = new Map([
-  ['4 0', 'tetrahedron'],
-  ['4 1', 'pyramid'],
-  ['2 3', 'wedge'],
-])
-
 export const openFoam: MeshFormat = {
   name: 'OpenFOAM',
   recognizes: head => {
@@ -48,12 +41,6 @@ export const openFoam: MeshFormat = {
 function isLargePoints(head: string): boolean {
   if (!/\bclass\s{1,20}vectorField\s{0,9};/.test(head) || !/\bobject\s{1,20}points\s{0,9};/.test(head)) return false
   return /\}\s{0,100}(?:\/\/[^\n]{0,200}\s{0,100})?(\d{1,12})\s{0,20}\(/.exec(head)?.[1] !== '8'
-}
-
-interface Faces {
-  /** The points of face f: `points` from `ends[f - 1]` to `ends[f]`. */
-  readonly points: Uint32Array
-  readonly ends: Uint32Array
 }
 
 class PolyMesh {
@@ -113,6 +100,7 @@ class PolyMesh {
 
   #points(foam: FoamFile): void {
     const builder = this.#builder
+    builder.areCoordinatesElsewhere = foam.file !== this.#given
     const count = foam.count('points', 3 * foam.bytesOf('scalar'))
     foam.expect(OPEN, 'a bracket before the points')
     builder.reserve(count, 0)
@@ -214,34 +202,8 @@ class PolyMesh {
     for (let i = 0; i < points.length; ++i)
       if ((points[i] as number) >= builder.pointCount)
         builder.refuse(`a face names point ${points[i]}; the points are 0 to ${builder.pointCount - 1}.`)
-    // Counted first, then all faces of a cell one after the other.
-    let cellCount = 0
-    for (const list of [owner, neighbour])
-      for (let f = 0; f < list.length; ++f) cellCount = Math.max(cellCount, (list[f] as number) + 1)
-    if (cellCount > 2 * faceCount)
-      builder.refuse(`a face is of cell ${cellCount - 1}; ${faceCount} faces are of fewer cells.`)
-    const starts = new Uint32Array(cellCount + 1)
-    for (const list of [owner, neighbour])
-      for (let f = 0; f < list.length; ++f) increment(starts, (list[f] as number) + 1)
-    for (let cell = 0; cell < cellCount; ++cell)
-      starts[cell + 1] = (starts[cell + 1] as number) + (starts[cell] as number)
-    const next = starts.slice(0, cellCount)
-    const all = new Uint32Array(owner.length + neighbour.length)
-    for (let f = 0; f < faceCount; ++f) {
-      all[increment(next, owner[f] as number)] = 2 * f
-      if (f < neighbour.length) all[increment(next, neighbour[f] as number)] = 2 * f + 1
-    }
-    const places = new Uint32Array(cellCount)
-    const six = new Uint32Array(24)
-    let hexahedra = 0
-    for (let cell = 0; cell < cellCount; ++cell) {
-      const [from, to] = [starts[cell] as number, starts[cell + 1] as number]
-      const eight = hexahedronAt({ points, ends }, all, from, to, six)
-      if (eight === null) builder.otherCell(otherAt(ends, all, from, to))
-      else places[cell] = builder.hexahedron(eight, cell) + 1
-      if (eight !== null) hexahedra++
-    }
-    if (hexahedra > 0)
+    const places = cellsOfFaces(builder, { points, ends }, owner, neighbour, 0)
+    if (builder.cellCount > 0)
       builder.note(
         'Cells of OpenFOAM are polyhedra; those with the faces of a hexahedron are checked as trilinear ones.',
       )
@@ -278,13 +240,6 @@ class PolyMesh {
   }
 }
 
-/** Counts one more; returns the count before. */
-function increment(counts: Uint32Array, at: number): number {
-  const before = counts[at] as number
-  counts[at] = before + 1
-  return before
-}
-
 /** Faces as older versions write them: each a list of its own. */
 function binaryFaces(foam: FoamFile, count: number): Faces {
   const points = new TypedList(Uint32Array)
@@ -294,29 +249,4 @@ function binaryFaces(foam: FoamFile, count: number): Faces {
     ends[face] = points.length
   }
   return { points: points.whole(), ends }
-}
-
-/** The eight points of a cell whose faces are in `all`; `six` is room for the points of six faces. */
-function hexahedronAt({ points, ends }: Faces, all: Uint32Array, from: number, to: number, six: Uint32Array) {
-  if (to - from !== 6) return null
-  for (let i = 0; i < 6; ++i) {
-    const half = all[from + i] as number
-    const face = half >> 1
-    const first = face === 0 ? 0 : (ends[face - 1] as number)
-    if ((ends[face] as number) - first !== 4) return null
-    const isBackwards = half % 2 === 1
-    for (let v = 0; v < 4; ++v) six[4 * i + v] = points[first + (isBackwards ? (4 - v) % 4 : v)] as number
-  }
-  return hexahedronOfSixFaces(six, six[0] as number)
-}
-
-function otherAt(ends: Uint32Array, all: Uint32Array, from: number, to: number): OtherCell {
-  const counts = [0, 0]
-  for (let i = from; i < to; ++i) {
-    const face = (all[i] as number) >> 1
-    const size = (ends[face] as number) - (face === 0 ? 0 : (ends[face - 1] as number))
-    if (size !== 3 && size !== 4) return 'polyhedron'
-    counts[size - 3] = (counts[size - 3] as number) + 1
-  }
-  return OTHER.get(counts.join(' ')) ?? 'polyhedron'
 }

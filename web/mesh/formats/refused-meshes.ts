@@ -12,11 +12,6 @@ export const refusedMeshes: readonly Known[] = [
   { is: has(/^[\s\S]{0,200}TetGen/i), what: 'a TetGen file', instead: 'it has no hexahedra, only tetrahedra' },
   // Meshes in XML and text.
   { is: has(/<dolfin\b/i), what: 'a DOLFIN mesh (XML)', instead: meshio('xml') },
-  {
-    is: has(/^\s{0,20}\((?:0|1)\s{0,9}"|^\s{0,20}\(2\s{1,9}3\)|^\s{0,20}\(10\s{1,9}\(0\s/),
-    what: 'an Ansys Fluent mesh',
-    instead: 'Fluent exports it as CGNS or Nastran, and meshio converts some: meshio convert -i ansys a.msh a.vtu',
-  },
   { is: has(/Finite element mesh \(GridFE\)/), what: 'a Diffpack grid', instead: 'Gmsh or Diffpack write it as VTK' },
   { is: has(/^[ \t]{0,20}mesh3d[ \t]*\r?$/m), what: 'a Netgen mesh', instead: meshio('vol') },
   { is: has(/^[ \t]*type:\s{1,9}ensight/im), what: 'an EnSight case', instead: 'ParaView saves it as .vtu' },

@@ -212,7 +212,7 @@ class TextNumbers implements Numbers {
   count(what: string): number {
     this.#all(this.#one, 'counts')
     const [value = 0] = this.#one
-    if (!Number.isSafeInteger(value) || value < 0) this.refuse(`${what} is ${value}.`)
+    if (!Number.isSafeInteger(value) || value < 0) this.refuse(`${what} is no whole number from 0 on.`)
     return value
   }
 
@@ -225,7 +225,7 @@ class TextNumbers implements Numbers {
 
   indices(into: Float64Array, what: string): void {
     this.#all(into, what)
-    for (const value of into) if (!Number.isSafeInteger(value)) this.refuse(`${value} stands among the ${what}.`)
+    if (!into.every(Number.isSafeInteger)) this.refuse(`a number that is not whole stands among the ${what}.`)
   }
 
   begin(): void {}
@@ -313,6 +313,7 @@ class BinaryNumbers implements Numbers {
 
   places(): CoordinatePlaces | null {
     const { floatBytes, isLittleEndian } = this.#kind
+    if (this.#from < 0) return null
     return { kind: 'block', from: this.#from, type: floatBytes === 8 ? 'float64' : 'float32', isLittleEndian }
   }
 

@@ -39,7 +39,10 @@ export function treeOf(file: MeshFile, root: string, onTag: (position: number) =
     }
     const closed = open.pop() as OpenNode
     if (closed.name !== tag.name)
-      scanner.refuse(tag.from, `</${shown(tag.name).slice(1, -1)}> stands where </${closed.name}> was expected.`)
+      scanner.refuse(
+        tag.from,
+        `</${shown(tag.name).slice(1, -1)}> stands where </${shown(closed.name).slice(1, -1)}> was expected.`,
+      )
     if (open.length === 0) return closed
   }
   return scanner.refuse(file.size, `<${root}> ends nowhere: the file is cut off.`)

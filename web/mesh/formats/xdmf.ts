@@ -402,7 +402,11 @@ class XdmfReader {
       USHORT: 'UInt16',
     }
     const type = Object.hasOwn(named, name) ? (named[name] as string) : ''
-    return isNumberType(type) ? type : this.#refuse(`${shown(name)} of ${bits / 8} bytes is no type of an item.`)
+    return isNumberType(type)
+      ? type
+      : this.#refuse(
+          `${shown(name)} with a precision of ${shown(attributes.get('Precision') ?? '4')} is no type of an item.`,
+        )
   }
 
   /** The file beside that an item names, whole or before a colon. */
