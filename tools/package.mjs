@@ -12,6 +12,7 @@ import { withoutUnread } from './unread-members.mjs'
 const source = path => join(root, 'web', path)
 
 const BANNER = '/*! Hexlens, MIT; with three.js, MIT, and lit-html, BSD-3-Clause: licences.txt */'
+const HDF5_BANNER = '/*! Hexlens, MIT; with h5wasm, NIST, and HDF5, BSD-3-Clause: licences.txt */'
 
 const WASM = /^virtual:(.*\.wasm)\.deflated$/
 const BATCH_WORKER = 'virtual:hexlens.batch-worker'
@@ -21,6 +22,7 @@ const insideOneFile = {
   enforce: 'pre',
   resolveId(id, importer) {
     if (importer && /\/hexlens[-.]twin\.js$/.test(id)) return { id: './hexlens.twin.js', external: true }
+    if (/^(virtual:hexlens\.hdf5|\.\/hexlens\.hdf5\.js)$/.test(id)) return { id: './hexlens.hdf5.js', external: true }
     if (WASM.test(id) || id === BATCH_WORKER) return id
     return null
   },
@@ -76,6 +78,7 @@ const bundles = [
   batchWorker,
   { file: 'hexlens.mesh.js', entry: ours('mesh.ts') },
   meshWorker,
+  { file: 'hexlens.hdf5.js', format: 'iife', entry: ours('hdf5.ts'), banner: HDF5_BANNER },
   { file: 'hexlens.anywidget.js', entry: ours('anywidget.ts'), isWidget: true },
   ...['de', 'zh'].map(tag => ({ file: `hexlens.lang.${tag}.js`, format: 'iife', entry: ours(`lang/${tag}.ts`) })),
   { file: 'hexlens.cli.js', entry: ours('cli.ts'), external: /^node:/ },
@@ -118,6 +121,7 @@ function licences() {
     ['Hexlens', 'LICENSE'],
     ['three.js', 'node_modules/three/LICENSE'],
     ['lit-html', 'node_modules/lit-html/LICENSE'],
+    ['h5wasm, with HDF5, for files in HDF5', 'node_modules/h5wasm/LICENSE.txt'],
     ['uqr, for QR codes on paper', 'node_modules/uqr/LICENSE'],
     ['STIX Two Math, for the formulas of the lessons', 'web/pages/lessons/math-font/OFL.txt'],
   ]
@@ -130,7 +134,14 @@ function licences() {
  * file: they are made first, and the file of them. gzip looks back 32 kB, so that wasm and
  * libraries do not come between modules of ours.
  */
-async function scriptOf({ entry, isWidget = false, format = 'es', external = [], around: [before, after] = ['', ''] }) {
+async function scriptOf({
+  entry,
+  isWidget = false,
+  format = 'es',
+  external = [],
+  around: [before, after] = ['', ''],
+  banner = BANNER,
+}) {
   const groups = [
     { name: 'wasm', test: /-inside\.ts$/ },
     { name: 'three', test: /node_modules\/three\// },
@@ -140,7 +151,7 @@ async function scriptOf({ entry, isWidget = false, format = 'es', external = [],
   const split = { codeSplitting: { groups }, minify: false }
   const plugins = [insideOneFile, leanThree, leanReaders, leanText]
   const chunks = await withLeanThree(await chunksOf({ entry, formats: ['es'] }, plugins, external, split))
-  const whole = { codeSplitting: false, minify: true, postBanner: `${BANNER}\n${before}`, postFooter: after }
+  const whole = { codeSplitting: false, minify: true, postBanner: `${banner}\n${before}`, postFooter: after }
   const given = { entry: chunks[0].fileName, formats: [format], name: 'hexlens' }
   const [{ code }] = await chunksOf(given, [modulesOf(chunks), insideOneFile], external, whole)
   return isWidget ? smallest(code, format) : code

@@ -18,6 +18,7 @@ const BUDGETS = {
   batch: 100_000,
   mesh: 100_000,
   meshWorker: 230_000,
+  hdf5: 1_100_000,
 }
 
 /** Scripts and their budgets. */
@@ -29,6 +30,7 @@ const SCRIPTS = {
   'hexlens.batch.js': BUDGETS.batch,
   'hexlens.mesh.js': BUDGETS.mesh,
   'hexlens.mesh-worker.js': BUDGETS.meshWorker,
+  'hexlens.hdf5.js': BUDGETS.hdf5,
 }
 
 /** Builds page and scripts and resolves to { table, exceeded }: lines to print, and whether a budget is exceeded. */

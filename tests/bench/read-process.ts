@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs'
 import { performance } from 'node:perf_hooks'
 import { openMeshFile } from '../../web/cli/mesh-file'
 import { loadReadingCore } from '../../web/core/reading-core'
+import { hdf5Files } from '../../web/mesh/hdf5-files'
 import { readMeshes } from '../../web/mesh/read-mesh'
 
 /** Kilobytes, as Linux reports them. */
@@ -12,10 +13,11 @@ function memory(name: 'VmHWM' | 'VmRSS'): number {
 
 const path = process.argv[2] as string
 const core = await loadReadingCore(readFileSync(new URL('../hexlens-reading.wasm', import.meta.url)))
+const hdf5 = /\.(?:exo|cgns|med|vtkhdf)$/.test(path) ? await hdf5Files() : null
 const before = memory('VmRSS')
 const { file, find, close } = await openMeshFile(path, process.stdin)
 const begun = performance.now()
-const [mesh] = readMeshes(file, { find, core })
+const [mesh] = readMeshes(file, { find, core, hdf5 })
 const milliseconds = performance.now() - begun
 close()
 if (!mesh) throw new Error(`${path} has no mesh.`)

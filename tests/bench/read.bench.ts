@@ -81,9 +81,9 @@ function canRead(reader: Reader, name: string): boolean {
   if (reader === 'Hexlens') return true
   if (name.endsWith('.gz')) return false
   const type = name.slice(name.lastIndexOf('.') + 1)
-  if (reader === 'VTK') return ['vtu', 'pvtu', 'vtk'].includes(type)
-  if (reader === 'Gmsh') return ['msh', 'mesh', 'bdf', 'vtk'].includes(type) && name !== 'mfem.mesh'
-  return ['vtu', 'vtk', 'msh', 'mesh', 'meshb', 'inp', 'bdf'].includes(type) && name !== 'mfem.mesh'
+  if (reader === 'VTK') return ['vtu', 'pvtu', 'vtk', 'vtkhdf'].includes(type)
+  if (reader === 'Gmsh') return ['msh', 'mesh', 'bdf', 'vtk', 'cgns', 'med'].includes(type) && name !== 'mfem.mesh'
+  return ['vtu', 'vtk', 'msh', 'mesh', 'meshb', 'inp', 'bdf', 'exo', 'med'].includes(type) && name !== 'mfem.mesh'
 }
 
 /** Null where the reader does not read the file, or reads something else. */

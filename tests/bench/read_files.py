@@ -10,6 +10,8 @@ import struct
 import sys
 from pathlib import Path
 
+import h5py
+import netCDF4
 import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
@@ -326,6 +328,69 @@ def ls_dyna(path, mesh):
         out.write(b"*END\n")
 
 
+# HDF5
+
+
+def exodus(path, mesh):
+    with netCDF4.Dataset(path, "w", format="NETCDF4") as out:
+        sizes = {"num_dim": 3, "num_nodes": len(mesh.points), "num_elem": len(mesh.cells), "num_el_blk": 1}
+        for name, size in {**sizes, "num_el_in_blk1": len(mesh.cells), "num_nod_per_el1": 8}.items():
+            out.createDimension(name, size)
+        for axis, values in zip("xyz", mesh.points.T):
+            out.createVariable(f"coord{axis}", "f8", ("num_nodes",))[:] = values
+        out.createVariable("elem_num_map", "i4", ("num_elem",))[:] = mesh.cell_ids
+        connect = out.createVariable("connect1", "i4", ("num_el_in_blk1", "num_nod_per_el1"))
+        connect.elem_type = "HEX8"
+        connect[:] = mesh.cells + 1
+
+
+def cgns_node(parent, name, label, values=None, kind="MT"):
+    node = parent.create_group(name)
+    for key, words, size in (("name", name, 33), ("label", label, 33), ("type", kind, 3)):
+        node.attrs.create(key, words.encode(), dtype=f"S{size}")
+    node.attrs["flags"] = np.array([1], np.int32)
+    if values is not None:
+        node[" data"] = values
+    return node
+
+
+def text(words):
+    return np.frombuffer(words.encode(), np.int8)
+
+
+def cgns(path, mesh):
+    with h5py.File(path, "w") as out:
+        for key, words, size in (("name", "HDF5 MotherNode", 33), ("label", "Root Node of HDF5 File", 33), ("type", "MT", 3)):
+            out.attrs.create(key, words.encode(), dtype=f"S{size}")
+        out[" format"] = text("IEEE_LITTLE_32\0")
+        out[" hdf5version"] = text("HDF5 Version 1.10.0".ljust(33, "\0"))
+        cgns_node(out, "CGNSLibraryVersion", "CGNSLibraryVersion_t", np.array([3.3], np.float32), "R4")
+        base = cgns_node(out, "Base", "CGNSBase_t", np.array([3, 3], np.int32), "I4")
+        sizes = np.array([[len(mesh.points)], [len(mesh.cells)], [0]], np.int32)
+        zone = cgns_node(base, "Zone", "Zone_t", sizes, "I4")
+        cgns_node(zone, "ZoneType", "ZoneType_t", text("Unstructured"), "C1")
+        grid = cgns_node(zone, "GridCoordinates", "GridCoordinates_t")
+        for axis, values in zip("XYZ", mesh.points.T):
+            cgns_node(grid, f"Coordinate{axis}", "DataArray_t", values, "R8")
+        section = cgns_node(zone, "Hexahedra", "Elements_t", np.array([17, 0], np.int32), "I4")
+        cgns_node(section, "ElementRange", "IndexRange_t", np.array([1, len(mesh.cells)], np.int32), "I4")
+        nodes = (mesh.cells + 1).astype(np.int32).ravel()
+        cgns_node(section, "ElementConnectivity", "DataArray_t", nodes, "I4")
+
+
+def vtkhdf(path, mesh):
+    writer = vtk.vtkHDFWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(vtk_grid(mesh))
+    writer.Write()
+
+
+def med(path, mesh):
+    import meshio
+
+    meshio.Mesh(mesh.points, [("hexahedron", mesh.cells)]).write(path, file_format="med")
+
+
 def gzipped(other):
     def write(path, _):
         with open(path.with_name(other), "rb") as plain, gzip.open(path, "wb", compresslevel=6) as out:
@@ -365,6 +430,10 @@ FILES = {
     "free.bdf": nastran(*FREE),
     "ansys.cdb": cdb,
     "ls-dyna.k": ls_dyna,
+    "netcdf4.exo": exodus,
+    "hdf5.cgns": cgns,
+    "hdf5.vtkhdf": vtkhdf,
+    "meshio.med": med,
     "abaqus.inp.gz": gzipped("abaqus.inp"),
     "binary-5.1.vtk.gz": gzipped("binary-5.1.vtk"),
 }

@@ -18,14 +18,18 @@ def memory(name):
 def vtk_reader(path):
     import vtk
 
-    readers = {"vtu": vtk.vtkXMLUnstructuredGridReader, "pvtu": vtk.vtkXMLPUnstructuredGridReader}
+    readers = {
+        "vtu": vtk.vtkXMLUnstructuredGridReader,
+        "pvtu": vtk.vtkXMLPUnstructuredGridReader,
+        "vtkhdf": vtk.vtkHDFReader,
+    }
     make = readers.get(path.rsplit(".", 1)[1], vtk.vtkDataSetReader)
 
     def read():
         reader = make()
         reader.SetFileName(path)
         reader.Update()
-        return reader.GetOutput().GetNumberOfCells()
+        return reader.GetOutputDataObject(0).GetNumberOfCells()
 
     return read
 

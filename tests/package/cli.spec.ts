@@ -50,6 +50,13 @@ test('hexlens check answers for meshes of few and of many cells, with its exit s
   expect(files[1].error).toMatch(/none\.msh cannot be read/)
 })
 
+test('hexlens check reads HDF5 by the file beside it', async () => {
+  const files = ['zones.cgns', 'groups.med', 'parts.vtkhdf'].map(name => join(root, 'tests/unit/hdf5', name))
+  const { stdout, stderr } = await hexlens('check', '--json', ...files)
+  expect(stderr).toBe('')
+  expect(JSON.parse(stdout).files.map(({ valid }: { valid: number }) => valid)).toEqual([6, 8, 3])
+})
+
 test('hexlens analyze answers for a list', async () => {
   const { code, stdout } = await hexlens('analyze', join(root, 'tests/vectors/public_cases.json'))
   expect(code).toBe(0)

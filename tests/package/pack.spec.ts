@@ -16,6 +16,7 @@ test('the package is packed and installs elsewhere', () => {
       'dist/hexlens.batch-worker.js',
       'dist/hexlens.mesh.js',
       'dist/hexlens.mesh-worker.js',
+      'dist/hexlens.hdf5.js',
       'dist/hexlens.lang.de.js',
       'dist/hexlens.lang.zh.js',
       'dist/app/index.html',

@@ -178,6 +178,28 @@ test('what is pasted is read by the worker beside the script, from the same plac
   }
 })
 
+test('HDF5 is read with the file for it, from the same place and from another', async ({ page, served }) => {
+  const lens = new Lens(page)
+  const from = served.replace('127.0.0.1', 'localhost')
+  write('here.html', element(`<script type="module" src="${dist}/hexlens.es.js"></script>`))
+  write('there.html', element(`<script defer src="${from}/${dist}/hexlens.iife.js"></script>`))
+  const bytes = readFileSync(join(root, 'tests/unit/hdf5/zones.cgns')).toString('base64')
+  const drop = () =>
+    lens.element.evaluate((own, base64) => {
+      const file = new File([Uint8Array.from(atob(base64), character => character.charCodeAt(0))], 'zones.cgns')
+      ;(own as HTMLElementTagNameMap['hex-lens']).offer([file])
+    }, bytes)
+  for (const name of ['here.html', 'there.html']) {
+    await lens.open(`${served}/${name}`)
+    await drop()
+    await expect(readRegion(lens), name).toContainText('6 hexahedra, all VALID. Read as CGNS.')
+  }
+  write('file.html', element(`<script defer src="${dist}/hexlens.iife.js"></script>`))
+  await lens.open(pathToFileURL(join(elsewhere, 'file.html')).href)
+  await drop()
+  await expect(lens.page.getByRole('alert')).toContainText('The reader of HDF5 files was not loaded')
+})
+
 test.describe('where the worker is not beside the script', () => {
   test.use({ expectedErrors: /Failed to load resource/ })
 

@@ -12,6 +12,8 @@ export interface CorpusFile {
 
 const shared = fileURLToPath(new URL('../../../shared/', import.meta.url))
 
+const hdf5 = fileURLToPath(new URL('../unit/hdf5/', import.meta.url))
+
 function filesBelow(folder: string): string[] {
   return readdirSync(folder, { withFileTypes: true }).flatMap(entry => {
     const path = join(folder, entry.name)
@@ -128,6 +130,89 @@ $Elements
 2 3 2 1 1 1 2 3 4
 $EndElements
 `,
+  'a.su2': `% one
+NDIME= 3
+NELEM= 2
+12 0 1 2 3 4 5 6 7 0
+12 0 1 2 3 4 5 6 7 1
+NPOIN= 8 8 0
+${CUBE.map((point, i) => `${point} ${i}`).join('\n')}
+NMARK= 1
+MARKER_TAG= wall
+MARKER_ELEMS= 1
+9 0 1 2 3
+`,
+  'a.mail': ` TITRE
+one
+ FINSF
+ %
+ COOR_3D NOM=INDEFINI NBOBJ=8 NBLIGE=1
+${CUBE.map((point, i) => ` N${i + 1} ${point}`).join('\n')}
+ FINSF
+ HEXA8
+ M1 N1 N2 N3 N4
+    N5 N6 N7 N8
+ FINSF
+ GROUP_MA
+ LEFT M1
+ FINSF
+ FIN
+`,
+  'mesh.nodes': CUBE.map((point, i) => `${i + 1} -1 ${point}\n`).join(''),
+  'mesh.elements': '1 1 808 1 2 3 4 5 6 7 8\n2 1 504 1 2 3 5\n',
+  'faces.msh': `(0 "one (1) \\" cube")
+(2 3)
+(10 (0 1 8 0 3))
+(12 (0 1 1 0))
+(10 (1 1 8 1 3)(
+${CUBE.join('\n')}
+))
+(12 (2 1 1 1 4))
+(13 (3 1 4 3 4)(
+1 2 3 4 1 0
+5 8 7 6 1 0
+1 5 6 2 1 0
+2 6 7 3 1 0
+))
+(13 (4 5 6 3 0)(
+4 3 7 8 4 1 0
+4 1 4 8 5 1 0
+))
+(45 (2 fluid air)())
+`,
+  'steps.xdmf': `<?xml version="1.0"?>
+<!DOCTYPE Xdmf SYSTEM "Xdmf.dtd" []>
+<Xdmf Version="3.0"><Domain>
+<Grid Name="mesh"><Topology TopologyType="Mixed" NumberOfElements="2"><DataItem Dimensions="15" NumberType="Int">
+9 0 1 2 3 4 5 6 7 16 1 3 0 1 2</DataItem></Topology>
+<Geometry GeometryType="XYZ"><DataItem Dimensions="8 3" Precision="8">${CUBE.join(' ')}</DataItem></Geometry></Grid>
+<Grid Name="u" GridType="Collection" CollectionType="Temporal">
+<Grid><xi:include xpointer="xpointer(//Grid[@Name=&quot;mesh&quot;]/*[self::Topology or self::Geometry])"/><Time Value="0.5"/></Grid>
+<Grid><xi:include xpointer="xpointer(/Xdmf/Domain/Grid[1]/*[self::Topology or self::Geometry])"/><Time Value="2"/></Grid>
+</Grid>
+<Grid><Topology TopologyType="3DCoRectMesh" Dimensions="2 3 4"/><Geometry GeometryType="ORIGIN_DXDYDZ">
+<DataItem Dimensions="3">0 0 0</DataItem><DataItem Dimensions="3">1 1 2</DataItem></Geometry></Grid>
+</Domain></Xdmf>
+`,
+  cellZones: `FoamFile { version 2.0; format ascii; class regIOobject; object cellZones; }
+1
+(
+rotor
+{
+    type cellZone;
+    cellLabels List<label> 2(0 2);
+}
+)
+`,
+}
+
+/** UGRID in bytes: a cube. */
+function cubeOfBytes(): Uint8Array {
+  const bytes = new DataView(new ArrayBuffer(7 * 4 + 24 * 8 + 8 * 4))
+  for (const [i, count] of [8, 0, 0, 0, 0, 0, 1].entries()) bytes.setInt32(4 * i, count)
+  for (const [i, value] of CUBE.join(' ').split(' ').entries()) bytes.setFloat64(28 + 8 * i, Number(value))
+  for (let v = 0; v < 8; ++v) bytes.setInt32(220 + 4 * v, v + 1)
+  return new Uint8Array(bytes.buffer)
 }
 
 export const corpus: readonly CorpusFile[] = [
@@ -139,5 +224,9 @@ export const corpus: readonly CorpusFile[] = [
       name: basename(path),
       bytes: new Uint8Array(readFileSync(path)),
     })),
+  ...filesBelow(hdf5)
+    .filter(path => !path.endsWith('.py'))
+    .map(path => ({ path: `hdf5/${basename(path)}`, name: basename(path), bytes: new Uint8Array(readFileSync(path)) })),
   ...Object.entries(TEXTS).map(([name, text]) => ({ path: name, name, bytes: new TextEncoder().encode(text) })),
+  { path: 'a.b8.ugrid', name: 'a.b8.ugrid', bytes: cubeOfBytes() },
 ].sort((a, b) => (a.path < b.path ? -1 : 1))

@@ -16,7 +16,7 @@ export interface Mutation {
 const LARGE = 48_000
 const MOST_STEPS = 4
 /** Formats that are refused by their names: one of so many files of theirs is taken. */
-const REFUSED = /\.(?:e|g|exo|med|cgns|h5|h5m|hmf|vtkhdf|xdmf|f3grid|ugrid|feb|rad|diff|dato)$|ansys\.msh|gmsh\.m$|foam/
+const REFUSED = /\.(?:h5|diff)$|gmsh\.m$/
 const OF_REFUSED = 6
 /** One mutation of so many repeats a fragment to this many bytes. */
 const REPEATS = 100

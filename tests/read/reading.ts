@@ -2,9 +2,10 @@
 
 import { readFileSync } from 'node:fs'
 import { gunzipSync } from 'node:zlib'
+import { hdf5Files } from '../../web/mesh/hdf5-files'
 import { MeshRefusal } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
-import type { MeshFile } from '../../web/mesh/source'
+import type { Hdf5Reader, MeshFile } from '../../web/mesh/source'
 import { allocations } from './allocations'
 import { corpus } from './corpus'
 import { type Mutation, mutationOf } from './mutations'
@@ -27,6 +28,13 @@ const MOST_TIMES_READ = 16
 /** A slow reading is tried again: memory may have been cleaned up in that time. */
 const TRIES = 3
 const MEGABYTE = 1024 * 1024
+
+let hdf5: Hdf5Reader | null = null
+
+/** Loads the reader of HDF5 files, another one if a file has crashed it. */
+export async function loadHdf5(): Promise<void> {
+  if (!hdf5?.isWhole) hdf5 = await hdf5Files()
+}
 
 export function reading(seed: number, number: number): Reading {
   const mutation = mutationOf(seed, number)
@@ -73,7 +81,7 @@ export function ended(name: string, bytes: Uint8Array): Ended {
   let made = 0
   let milliseconds = 0
   try {
-    const meshes = readMeshes(file, { find })
+    const meshes = readMeshes(file, { find, hdf5 })
     milliseconds = millisecondsOfThread() - start
     if (meshes.length === 0) fault = 'no mesh and no sentence'
     for (const mesh of meshes) {

@@ -12,11 +12,7 @@ const shared = fileURLToPath(new URL('../../../shared/', import.meta.url))
 const manifest = (name: string) => JSON.parse(readFileSync(`${shared}${name}`, 'utf8'))
 
 /** The formats of a later list: these are refused, by name. */
-const LATER_FORMATS = new Set(
-  'med xdmf ugrid ansys-fluent permas flac3d h5m hmf vtkhdf exodus cgns diffpack radioss matlab openfoam febio'.split(
-    ' ',
-  ),
-).add('h5m MOAB')
+const LATER_FORMATS = new Set(['diffpack', 'matlab'])
 const NOT_KNOWN = /in no format that is known here/
 
 interface Cell {
@@ -85,8 +81,17 @@ interface Bracket {
   readonly min_upper: number
 }
 
+/** meshio leaves all but triangles, tetrahedra and lines out of this one: nothing is in it to be answered. */
+const ONLY_TETRAHEDRA = 'meshio.h5m'
+
 /** Gmsh leaves the pyramid out of these. */
-const NO_PYRAMID = new Set(['gmsh.unv', 'gmsh.key'])
+const NO_PYRAMID = new Set(['gmsh.unv', 'gmsh.key', 'gmsh.rad'])
+
+/** meshio turns the mirrored one round when it writes this file. */
+const UPRIGHT: Readonly<Record<string, number>> = { 'meshio.f3grid': 2 }
+
+/** Gmsh prints six digits here, which changes the thin element's minimum. */
+const SIX_DIGITS = new Set(['gmsh.rad'])
 
 /** Some writers print twelve digits and call that exact. */
 const ROUNDING = 1e-8
@@ -98,6 +103,7 @@ it('made', async () => {
     const { status, file } = await check(`${shared}meshes/made/${path}`)
     if (file.error !== undefined)
       return LATER_FORMATS.has(format) && status === 2 && !NOT_KNOWN.test(file.error) ? null : file.error
+    if (name === ONLY_TETRAHEDRA) return differing([status, file.other], [3, { tetrahedron: counts.tetra }])
     const { hexahedron = 0, voxel = 0, tetra = 0, quad = 0, wedge = 0, pyramid = 0, polyhedron = 0 } = counts
     const expected = {
       hexahedra: hexahedron + voxel,
@@ -117,7 +123,8 @@ it('made', async () => {
     const cells = file.worst.toSorted((a, b) => a.index - b.index).filter((_, i) => i < hexahedron)
     const wrong = cells.filter(({ valid, boundary_min }, i) => {
       const { valid: isValid, min_lower, min_upper } = linear[i % linear.length] as Bracket
-      const isExact = coordinates_exact !== false
+      if (UPRIGHT[name] === i) return valid !== true
+      const isExact = coordinates_exact !== false && !SIX_DIGITS.has(name)
       return (
         valid !== isValid ||
         (isExact && !(boundary_min >= min_lower - ROUNDING && boundary_min <= min_upper + ROUNDING))
@@ -137,6 +144,7 @@ const REAL: Readonly<Record<string, readonly [number, number, number, number]>> 
   // Its README speaks of 20 nodes; the file has SOLID185, eight nodes each, four of them degenerate.
   'sector.cdb': [105, 101, 0, 0],
   'rot063akd2s_107.bdf': [2400, 2400, 0, 0],
+  '8-block.g': [64, 64, 0, 0],
   'fichera-mixed-p2.vtk': [0, 0, 3, 3],
 }
 
@@ -157,8 +165,7 @@ it('malformed', async () => {
   await expectNone(files, async ({ file: name, expect: wanted }) => {
     const { status, file } = await check(`${shared}meshes/malformed/${name}`)
     const isRefused = status === 2 && file.error !== undefined && !/\n/.test(file.error)
-    const isLater = /\.(med|e)$/.test(name)
-    const isNamed = isRefused && (isLater || name === 'not-a-mesh.vtu' || !NOT_KNOWN.test(file.error ?? ''))
+    const isNamed = isRefused && (name === 'not-a-mesh.vtu' || !NOT_KNOWN.test(file.error ?? ''))
     const isNoted = !isRefused && (file.notes ?? []).length > 0
     const answer = `${status} ${file.error ?? file.notes.join(' ')}`
     const right: Readonly<Record<string, boolean>> = {

@@ -70,6 +70,6 @@ describe('the list', () => {
 })
 
 test('the formats that are named to people are those that are read', () => {
-  const inputs = ['link', 'picture', 'not read yet', 'text']
+  const inputs = ['link', 'picture', 'not read yet', 'text', 'HDF5']
   expect(formatNames).toEqual(formats.map(({ name }) => name).filter(name => !inputs.includes(name)))
 })

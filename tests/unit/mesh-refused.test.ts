@@ -46,7 +46,6 @@ test.each<[string, string, string]>([
   ['a.mat', 'MATLAB 5.0 MAT-file, Platform: GLNXA64', 'MATLAB'],
   ['a.svg', '<svg xmlns="http://www.w3.org/2000/svg"></svg>', 'image'],
   ['a.png', '\x89PNG\r\n\x1a\n', 'image'],
-  ['a.h5', '\x89HDF\r\n\x1a\n\0\0', 'HDF5'],
   ['a.odb', 'ABAQODB\0\0', 'Abaqus result'],
   ['d3plot', '\0\0\0\0', 'd3plot'],
 ])('%s: %#', (name, text, what) => {

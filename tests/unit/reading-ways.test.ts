@@ -5,18 +5,20 @@ import { isDeepStrictEqual } from 'node:util'
 import { describe, expect, test } from 'vitest'
 import { loadReadingCore } from '../../web/core/reading-core'
 import type { ReadingCore } from '../../web/core/reading-interface'
+import { hdf5Files } from '../../web/mesh/hdf5-files'
 import { type Mesh, MeshRefusal } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
 import { fileOfBytes, type MeshFile } from '../../web/mesh/source'
 
 const core = await loadReadingCore(readFileSync(new URL('../../build/hexlens-reading.wasm', import.meta.url)))
+const hdf5 = await hdf5Files()
 const shared = fileURLToPath(new URL('../../../shared/', import.meta.url))
 
 type Outcome = { readonly meshes: readonly object[] } | { readonly message: string }
 
 function outcome(file: MeshFile, way: ReadingCore | null): Outcome {
   try {
-    return { meshes: readMeshes(file, { core: way }).map(plain) }
+    return { meshes: readMeshes(file, { core: way, hdf5 }).map(plain) }
   } catch (error) {
     if (!(error instanceof MeshRefusal)) throw error
     return { message: error.message }

@@ -2,6 +2,8 @@
 import { readFileSync } from 'node:fs'
 import { afterAll, describe, expect, test, vi } from 'vitest'
 import type { PastedInput } from '../../web/input/pasted-input'
+import { hdf5Files } from '../../web/mesh/hdf5-files'
+import { Hdf5Loading } from '../../web/mesh/hdf5-reader'
 import { serveSurvey } from '../../web/survey/serve-survey'
 import type { Opening, StepOpening, SurveyJobs } from '../../web/survey/survey-jobs'
 import { unitCube, wasmBytes } from './core-fixtures'
@@ -39,6 +41,7 @@ async function worker(): Promise<Ask> {
     helper: () => {
       throw new Error('none')
     },
+    hdf5: new Hdf5Loading(hdf5Files),
   })
   const { onmessage } = globalThis as unknown as { onmessage: (event: { data: unknown }) => void }
   const send = (kind: string, given: unknown) =>

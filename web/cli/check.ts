@@ -3,6 +3,7 @@ import { realpathSync } from 'node:fs'
 import type { ReadingCore } from '../core/reading-interface'
 import type { Core } from '../core/report'
 import { checkMesh, type ExitStatus, exitOf, gravestExit } from '../mesh/check'
+import { type Hdf5Loading, LOADING } from '../mesh/hdf5-reader'
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -47,7 +48,16 @@ export async function check(args: readonly string[], engine: Engine, streams: St
     for (const file of wanted.files) {
       current = withoutControls(file)
       const lists = Object.assign({}, ...outputs.map(({ output }) => output.lists))
-      const result = await resultOf(file, { wanted, lists, core, readingCore, cells, streams, progress })
+      const result = await resultOf(file, {
+        wanted,
+        lists,
+        core,
+        readingCore,
+        hdf5: engine.hdf5,
+        cells,
+        streams,
+        progress,
+      })
       exits.push(result.exit)
       progress.clear()
       if ('error' in result && wanted.ids !== null) say(result.error)
@@ -71,6 +81,7 @@ interface Work {
   readonly lists: Output['lists']
   readonly core: Core
   readonly readingCore: ReadingCore | null
+  readonly hdf5: Hdf5Loading
   readonly cells: CellClassifier
   readonly streams: Streams
   readonly progress: ProgressLine
@@ -93,14 +104,17 @@ function isAboutMemory({ message }: RangeError): boolean {
   return /allocation failed|array length|memory/i.test(message)
 }
 
-async function meshOf(path: string, { wanted, readingCore, streams, progress }: Work): Promise<Mesh> {
+async function meshOf(path: string, { wanted, readingCore, hdf5, streams, progress }: Work): Promise<Mesh> {
   const { file, find, close } = await openMeshFile(path, streams.input)
   try {
     const name = withoutControls(path)
     const onProgress = (fraction: number) => progress.show(`${name}: reading`, fraction)
     const { step, format } = wanted
     const options = { find, onProgress, step, core: readingCore, ...(format === null ? {} : { format }) }
-    const meshes = readMeshes(file, options)
+    const meshes = await hdf5.reading(
+      reader => readMeshes(file, { ...options, hdf5: reader }),
+      () => progress.show(LOADING, 0),
+    )
     const [first, ...others] = meshes
     if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
     return joined([first, ...others])

@@ -1,11 +1,13 @@
 /** The command line's wasm: from the sources, or from inside the package's one file. */
 import type { ReadingCore } from '../core/reading-interface'
 import type { Core } from '../core/report'
+import type { Hdf5Loading } from '../mesh/hdf5-reader'
 
 export interface Engine {
   readonly core: () => Promise<Core>
   /** Null where there is none; readers then do without. */
   readonly readingCore: () => Promise<ReadingCore | null>
+  readonly hdf5: Hdf5Loading
   readonly batchModule: () => Promise<WebAssembly.Module>
   /** A script that Node can evaluate in a thread. */
   readonly workerScript: () => Promise<string>

@@ -1,6 +1,6 @@
 /** Files of Node as the readers of web/mesh see them: read by slices, on demand. */
-import { closeSync, fstatSync, openSync, readFileSync, readSync } from 'node:fs'
-import { basename, dirname, resolve } from 'node:path'
+import { closeSync, existsSync, fstatSync, openSync, readFileSync, readSync, statSync } from 'node:fs'
+import { basename, dirname, join, resolve } from 'node:path'
 import { type FindFile, fileOfBytes, type MeshFile } from '../mesh/source'
 import { shown } from '../mesh/text-cursor'
 import { Refusal } from '../model/result'
@@ -20,15 +20,28 @@ export async function openMeshFile(path: string, input: Streams['input']): Promi
     const file = fileOfBytes('standard input', await bytesOf(input))
     return { file, find: filesBeside('.', []), close: () => {} }
   }
-  const opened = openPath(path)
+  const own = fileInFolder(path)
+  const opened = openPath(own)
   const found: OpenPath[] = []
   return {
     file: opened.file,
-    find: filesBeside(dirname(path), found),
+    find: filesBeside(dirname(own), found),
     close() {
       for (const { close } of [opened, ...found]) close()
     },
   }
+}
+
+/** Files of meshes that are folders: OpenFOAM's case or polyMesh, Elmer's. */
+const IN_FOLDERS = ['constant/polyMesh/faces', 'polyMesh/faces', 'faces', 'mesh.header'].flatMap(name => [
+  name,
+  `${name}.gz`,
+])
+
+/** The file that stands for a folder; the path itself where it is none. */
+function fileInFolder(path: string): string {
+  if (!statSync(path, { throwIfNoEntry: false })?.isDirectory()) return path
+  return IN_FOLDERS.map(name => join(path, name)).find(existsSync) ?? path
 }
 
 interface OpenPath {

@@ -6,7 +6,8 @@ import type { NodeOrder } from '../model/node-orders'
 import type { PastedInput } from './pasted-input'
 
 export interface ReadingProgress {
-  readonly step: 'reading' | 'deciding'
+  /** What is loaded is the reader of HDF5 files. */
+  readonly step: 'loading' | 'reading' | 'deciding'
   readonly fraction: number
 }
 

@@ -7,6 +7,7 @@ import { checkMesh } from '../mesh/check'
 import { notesBesideOrder } from '../mesh/check-notes'
 import { countSentences, headline } from '../mesh/check-summary'
 import { type CheckedColumns, columnsOf } from '../mesh/checked-cells'
+import type { Hdf5Loading } from '../mesh/hdf5-reader'
 import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -29,6 +30,14 @@ export interface Refused {
 
 type Tell = (progress: ReadingProgress) => void
 
+export const LOADING_BEGINS: ReadingProgress = { step: 'loading', fraction: 0 }
+
+/** Tells now and then, but at once that something is loaded. */
+export function toldSeldom(tell: Tell): Tell {
+  const others = seldom(tell)
+  return progress => (progress.step === 'loading' ? tell(progress) : others(progress))
+}
+
 export type ReadingJobs = { read(input: PastedInput, tell: Tell): Promise<ReadingOutcome> }
 
 /** The wasm that reads and decides. */
@@ -37,6 +46,7 @@ export interface ReadingEngine {
   /** Null where there is none; readers then do without. */
   readonly readingCore: () => Promise<ReadingCore | null>
   readonly batchModule: () => Promise<WebAssembly.Module>
+  readonly hdf5: Hdf5Loading
 }
 
 export function serveReading(engine: ReadingEngine): void {
@@ -48,7 +58,7 @@ export function readingJobs(engine: ReadingEngine): ReadingJobs {
 }
 
 async function read(input: PastedInput, engine: ReadingEngine, tell: Tell): Promise<ReadingOutcome> {
-  const mesh = await meshOf(input, engine, seldom(tell))
+  const mesh = await meshOf(input, engine, toldSeldom(tell))
   const check = await checkOf(mesh, engine, seldom(tell))
   const summary = summaryOf(check)
   if (check.hexahedra > 0) return { summary, columns: columnsOf(check) }
@@ -68,11 +78,14 @@ async function filesAtHand(input: PastedInput, onProgress: (fraction: number) =>
 }
 
 /** One mesh of all that was given. Throws a MeshRefusal, or what the engine throws. */
-export async function meshOf(input: PastedInput, { readingCore }: ReadingEngine, tell: Tell): Promise<Mesh> {
+export async function meshOf(input: PastedInput, { readingCore, hdf5 }: ReadingEngine, tell: Tell): Promise<Mesh> {
   const core = await readingCore()
   const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
   const files = await filesAtHand(input, onProgress)
-  const [first, ...others] = readTogether(files, { onProgress, throwIfCancelled: () => {}, core })
+  const [first, ...others] = await hdf5.reading(
+    reader => readTogether(files, { onProgress, throwIfCancelled: () => {}, core, hdf5: reader }),
+    () => tell(LOADING_BEGINS),
+  )
   for (const file of files) if ('close' in file) (file as FileAtHand).close()
   if (!first) throw new MeshRefusal('There is no mesh in it.')
   return joined([first, ...others])

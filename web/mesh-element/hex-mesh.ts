@@ -320,7 +320,7 @@ export class HexMesh extends Base {
   async #opened(
     given: Source['given'],
     signal: AbortSignal,
-    onProgress: (step: 'fetching' | 'reading' | 'deciding', fraction: number) => void,
+    onProgress: (step: NonNullable<ShownMesh['progress']>['step'], fraction: number) => void,
   ): Promise<{ readonly survey: LookedAt; readonly overview: Overview }> {
     const fetching = { signal, onProgress: (fraction: number) => onProgress('fetching', fraction) }
     const input = 'src' in given ? { files: [await fetchedFile(given.src, fetching)] } : given

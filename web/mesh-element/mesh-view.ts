@@ -1,5 +1,6 @@
 /** The tree in the shadow root of `<hex-mesh>`: sentence, picture, list. It shows what it is given and tells what the reader does. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
+import type { ReadingProgress } from '../input/reading'
 import { CellTable, type TableHost } from '../mesh-views/cell-table'
 import listCss from '../mesh-views/cell-table.css?inline'
 import { formatNumber } from '../model/decimal'
@@ -22,7 +23,7 @@ export interface ViewHost extends StageHost, Pick<TableHost, 'rows' | 'arrange'>
 export interface ShownMesh {
   readonly overview: Overview | null
   readonly progress: {
-    readonly step: 'fetching' | 'reading' | 'deciding'
+    readonly step: 'fetching' | ReadingProgress['step']
     readonly name: string
     readonly fraction: number
   } | null
@@ -146,6 +147,7 @@ function overviewTemplate({ name, format, headline, sentences }: Overview): Temp
 function progressTemplate({ step, name, fraction }: NonNullable<ShownMesh['progress']>): TemplateResult {
   const words = {
     fetching: () => say('Fetching {name} …', { name }),
+    loading: () => say('Loading the HDF5 reader, 1 MB …'),
     reading: () => say('Reading {name} …', { name }),
     deciding: () => say('Deciding the cells of {name} …', { name }),
   }

@@ -18,4 +18,9 @@ export const formatNames = [
   'blockMeshDict',
   'ncdump',
   'OBJ',
+  'CGNS',
+  'MED',
+  'VTKHDF',
+  'MOAB',
+  'HMF',
 ] as const

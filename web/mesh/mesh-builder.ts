@@ -43,6 +43,8 @@ export class MeshBuilder {
   isOrderStated = true
   isCutOff = false
   coordinatePlaces: CoordinatePlaces | null = null
+  /** True if the coordinates stand in another file than the one that is read. */
+  areCoordinatesElsewhere = false
   steps: readonly string[] = []
 
   constructor(format: string, fileName: string) {
@@ -109,6 +111,32 @@ export class MeshBuilder {
     this.#tokens.reserve(3 * (this.pointCount + count), 3 * (this.pointCount + ahead))
   }
 
+  /** Points of rows that begin with an id, if `hasIds`, and have the coordinates from number `at` on, usually their last three. */
+  pointRows(rows: FileRows, hasIds = false, at = rows.pattern.numberCount - 3): void {
+    const { pattern, count, numbers } = rows
+    let largest = 0
+    this.expectRows(rows, 'nodes')
+    for (let row = 0; row < count; ++row) {
+      const from = pattern.numberCount * row
+      const [x, y, z] = [
+        numbers[from + at] as number,
+        numbers[from + at + 1] as number,
+        numbers[from + at + 2] as number,
+      ]
+      if (hasIds) this.pointWithId(numbers[from] as number, x, y, z)
+      else this.point(x, y, z)
+      largest = Math.max(largest, Math.abs(x), Math.abs(y), Math.abs(z))
+      this.coordinateTokens(rows, row)
+    }
+    this.digits.seeRounded(rows.mostRounded, largest)
+  }
+
+  /** Calls all points by their places, counted from `first` on. */
+  numberPoints(first: number): void {
+    this.#pointOfId.expect(this.pointCount)
+    for (let point = 0; point < this.pointCount; ++point) this.#pointOfId.set(first + point, point)
+  }
+
   /** The next point in a row; returns its index. */
   point(x: number, y: number, z: number): number {
     this.#points.push(x)
@@ -161,6 +189,19 @@ export class MeshBuilder {
     for (const index of indices) this.#cells.push(index)
     if (id !== null) this.#addId(id)
     return this.cellCount - 1
+  }
+
+  /** Cells of eight nodes each, points counted from `base` on, that are there; `ids` has an id for each. Returns the index of the first. */
+  hexahedra(nodes: ArrayLike<number>, base: number, ids: ArrayLike<number>): number {
+    const first = this.cellCount
+    const { length } = nodes
+    const from = this.#cells.length
+    this.#cells.reserve(from + length)
+    const { values } = this.#cells
+    for (let i = 0; i < length; ++i) values[from + i] = (nodes[i] as number) - base
+    this.#cells.length = from + length
+    for (let i = 0; i < length / 8; ++i) this.#addId(ids[i] as number)
+    return first
   }
 
   #addId(id: number | string): void {
@@ -244,7 +285,9 @@ export class MeshBuilder {
       notes: this.#notes,
       isOrderStated: this.isOrderStated,
       isCutOff: this.isCutOff,
-      coordinatePlaces: this.coordinatePlaces ?? this.#tokens.places(points.length),
+      coordinatePlaces: this.areCoordinatesElsewhere
+        ? null
+        : (this.coordinatePlaces ?? this.#tokens.places(points.length)),
       steps: this.steps,
     }
   }

@@ -22,7 +22,8 @@ export class MissingFiles extends MeshRefusal {
   }
 }
 
-export type TogetherOptions = Omit<ReadOptions, 'find' | 'step' | 'core'> & Partial<Pick<ReadOptions, 'core'>>
+export type TogetherOptions = Omit<ReadOptions, 'find' | 'step' | 'core' | 'hdf5'> &
+  Partial<Pick<ReadOptions, 'core' | 'hdf5'>>
 
 /** All meshes of the files. Throws a MeshRefusal for the first file that is refused and that no other names. */
 export function readTogether(files: readonly MeshFile[], options: TogetherOptions): readonly Mesh[] {
@@ -74,6 +75,7 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
     onProgress: options.onProgress ?? (() => {}),
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),
     core: options.core ?? null,
+    hdf5: options.hdf5 ?? null,
   }
   const here = named(file)
   if (here.size === 0) throw new MeshRefusal(`${here.name}: the file is empty.`)

@@ -25,6 +25,24 @@ export interface ReadOptions {
   readonly throwIfCancelled: () => void
   /** The wasm for the slow work; null if it may not run. */
   readonly core: ReadingCore | null
+  /** The reader of HDF5 files; null where none came so far. */
+  readonly hdf5: Hdf5Reader | null
+}
+
+/** Sentences in place of errors: the reader may be a script of its own, with classes of its own. */
+export interface Hdf5Reader {
+  /** False once it has crashed on a damaged file: another has to be loaded then. */
+  readonly isWhole: boolean
+  /** The meshes, or why there are none. */
+  read(file: MeshFile, options: ReadOptions): readonly Mesh[] | string
+  /** The numbers of a dataset, such as XDMF names, or why there are none. */
+  numbers(file: MeshFile, path: string): Hdf5Numbers | string
+}
+
+export interface Hdf5Numbers {
+  readonly shape: readonly number[]
+  readonly isFloat32: boolean
+  readonly values: Float64Array
 }
 
 /** One of the formats: a file of its own in formats/. */

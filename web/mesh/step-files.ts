@@ -205,5 +205,5 @@ function meshOf(
 }
 
 function scanning(options: TogetherOptions): ReadOptions {
-  return { ...options, core: options.core ?? null, find: () => null, step: 0 }
+  return { ...options, core: options.core ?? null, hdf5: options.hdf5 ?? null, find: () => null, step: 0 }
 }

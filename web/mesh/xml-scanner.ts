@@ -1,6 +1,6 @@
 /**
  * The tags of an XML file, one after the other, straight from its bytes: linear in time, constant in memory. No tree is built and no entity
- * resolved but the five that XML itself has; a document type, where others could be defined, is refused.
+ * resolved but the five that XML itself has; a document type, where others are defined, is refused.
  */
 import { MeshRefusal } from './mesh'
 import type { MeshFile } from './source'
@@ -12,6 +12,10 @@ const CHUNK = 1024 * 1024
 const LONGEST_TAG = 64 * 1024
 
 const [QUOTE, APOSTROPHE, LESS, GREATER] = [34, 39, 60, 62] as const
+
+/** A document type that defines nothing, as XDMF files have it. */
+const PLAIN_DOCTYPE = /^<!DOCTYPE[^<>[\]]*(?:\[\s*\]\s*)?>/
+const LONGEST_DOCTYPE = 400
 
 export interface XmlTag {
   readonly kind: 'open' | 'close'
@@ -54,8 +58,9 @@ export class XmlScanner {
       if (begin.startsWith('<!--')) this.#passUntil('-->', from + 4, from)
       else if (begin.startsWith('<?')) this.#passUntil('?>', from + 2, from)
       else if (begin === '<![CDATA[') this.#passUntil(']]>', from + 9, from)
-      else if (begin.startsWith('<!')) this.refuse(from, 'a document type or an entity is not read: a mesh needs none.')
-      else return this.#tag(from)
+      else if (!begin.startsWith('<!')) return this.#tag(from)
+      else if (PLAIN_DOCTYPE.test(this.#text(from, LONGEST_DOCTYPE))) this.#passUntil('>', from + 2, from)
+      else this.refuse(from, 'a document type or an entity is not read: a mesh needs none.')
     }
   }
 

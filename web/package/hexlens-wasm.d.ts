@@ -9,3 +9,6 @@ declare module 'virtual:hexlens.batch-worker' {
   const source: string
   export default source
 }
+
+/** hexlens.hdf5.js, beside the scripts of the package, which leaves the reader where hdf5-place.ts says. */
+declare module 'virtual:hexlens.hdf5'

@@ -44,5 +44,7 @@ async function copied(address: string): Promise<string> {
     script.src = scriptAddress(address)
     document.head.append(script)
   }).finally(() => script.remove())
-  return URL.createObjectURL(new Blob([`(${script.work})()`], { type: 'text/javascript' }))
+  return URL.createObjectURL(
+    new Blob([`hexlensScript=${JSON.stringify(address)};(${script.work})()`], { type: 'text/javascript' }),
+  )
 }

@@ -1,9 +1,8 @@
 /** Jobs that only look at the open mesh; the worker in the package's file knows these and no others. */
-import { seldom } from '../core/workers'
 import { cellClassifier } from '../input/classify-cells'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
-import { coreOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
+import { coreOf, meshOf, type ReadingEngine, refusalOf, toldSeldom } from '../input/serve-reading'
 import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import { checkMesh } from '../mesh/check'
 import { MeshRefusal } from '../mesh/mesh'
@@ -45,7 +44,7 @@ export function jobsOfLooking(engine: ReadingEngine): LookingJobs {
   }
 
   return {
-    open: (input, tell) => opening(input, seldom(tell)).catch(refusalOf),
+    open: (input, tell) => opening(input, toldSeldom(tell)).catch(refusalOf),
     ...lookingJobs(() => {
       if (!open) throw new Error('No mesh is open.')
       return open

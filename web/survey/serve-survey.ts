@@ -1,9 +1,17 @@
 /** The worker in which a mesh is open: it reads, decides, and answers what the page asks. It is ended with the mesh. */
 import type { Core } from '../core/report'
-import { seldom, serve, type WorkerPort } from '../core/workers'
+import { serve, type WorkerPort } from '../core/workers'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
-import { coreOf, filesOf, meshOf, type ReadingEngine, refusalOf } from '../input/serve-reading'
+import {
+  coreOf,
+  filesOf,
+  LOADING_BEGINS,
+  meshOf,
+  type ReadingEngine,
+  refusalOf,
+  toldSeldom,
+} from '../input/serve-reading'
 import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
@@ -16,7 +24,7 @@ import { mended } from './mend'
 import { OpenedSurvey } from './opened-survey'
 import { openingCheck } from './opening-check'
 import { type SharedClassifier, sharedClassifier } from './shared-classifier'
-import { StepSeries } from './step-series'
+import { type StepMesh, StepSeries } from './step-series'
 import { Survey } from './survey'
 import type {
   FixId,
@@ -113,28 +121,37 @@ export function serveSurvey(engine: SurveyEngine): void {
     return overview
   }
 
-  async function readingOptions(tell: Tell): Promise<TogetherOptions> {
+  /** Reads, a second time with the reader of HDF5 files where that is needed. */
+  async function reading<T>(tell: Tell, work: (options: TogetherOptions) => T | Promise<T>): Promise<T> {
     const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
-    return { onProgress, throwIfCancelled: () => {}, core: await engine.readingCore() }
+    const options = { onProgress, throwIfCancelled: () => {}, core: await engine.readingCore() }
+    return engine.hdf5.reading(
+      hdf5 => work({ ...options, hdf5 }),
+      () => tell(LOADING_BEGINS),
+    )
   }
 
   async function opening(input: PastedInput, tell: Tell): Promise<Opening> {
     given = input
     if ('files' in input && input.files.some(({ size }) => size > LARGE))
       void tools().then(({ classifier }) => classifier.prepare())
-    const found = 'files' in input ? stepFilesOf(filesOf(input), await readingOptions(tell)) : null
+    const found = 'files' in input ? await reading(tell, options => stepFilesOf(filesOf(input), options)) : null
     if (found) return { opened: await openedStep(found, tell) }
     return { opened: await surveyed(nameOf(input), await meshOf(input, engine, tell), tell) }
+  }
+
+  function readOf(series: StepSeries, step: number, tell: Tell): Promise<StepMesh> {
+    return reading(tell, options => series.read(step, options))
   }
 
   /** The first step that can be opened. */
   async function openedStep(found: StepFiles, tell: Tell): Promise<Overview> {
     const series = new StepSeries(found)
-    const options = await readingOptions(tell)
     let refusal: unknown = null
     for (let step = 0; step < series.count; ++step)
       try {
-        const { mesh, isOther } = step === 0 && found.first ? series.taken(found.first) : series.read(step, options)
+        const { mesh, isOther } =
+          step === 0 && found.first ? series.taken(found.first) : await readOf(series, step, tell)
         const overview = await surveyed(series.nameOf(step), mesh, tell)
         steps = { series, shown: step, isOther }
         return overview
@@ -154,7 +171,7 @@ export function serveSurvey(engine: SurveyEngine): void {
   async function readStep(step: number, tell: Tell): Promise<StepAnswer> {
     const { series, shown } = openSteps()
     if (step === shown) return shownAnswer()
-    const { mesh, isOther } = series.read(step, await readingOptions(tell))
+    const { mesh, isOther } = await readOf(series, step, tell)
     const check = await checkMesh(mesh, opened(), { worst: 1, minRelative: null, skipsDegenerate: false })
     if (check.hexahedra === 0) throw noHexahedra(check, check.notes)
     return series.answerOf(step, check, isOther)
@@ -163,7 +180,7 @@ export function serveSurvey(engine: SurveyEngine): void {
   async function showStep({ step, chosen }: StepWanted, tell: Tell): Promise<StepOpening> {
     const { series } = openSteps()
     const before = await whole()
-    const { mesh, isOther } = series.read(step, await readingOptions(tell))
+    const { mesh, isOther } = await readOf(series, step, tell)
     const overview = await surveyed(series.nameOf(step), mesh, tell, before)
     steps = { series, shown: step, isOther }
     return {
@@ -186,7 +203,7 @@ export function serveSurvey(engine: SurveyEngine): void {
       classifier.prepare()
       return null
     },
-    open: (input, tell) => opening(input, seldom(tell)).catch(refusalOf),
+    open: (input, tell) => opening(input, toldSeldom(tell)).catch(refusalOf),
     ...lookingJobs(() => opened().survey),
     select: async selection => (await whole()).select(selection),
     selectOn: async () => (await whole()).selectOn(STEP),
@@ -209,8 +226,8 @@ export function serveSurvey(engine: SurveyEngine): void {
     writeOn: written,
     steps: () => steps?.series.list(steps.shown, shownAnswer()) ?? null,
     readStep: (step, tell) =>
-      readStep(step, seldom(tell)).catch(reason => openSteps().series.refusedStep(step, refusalOf(reason).refused)),
-    showStep: (wanted, tell) => showStep(wanted, seldom(tell)).catch(refusalOf),
-    together: (_, tell) => together(seldom(tell)).catch(refusalOf),
+      readStep(step, toldSeldom(tell)).catch(reason => openSteps().series.refusedStep(step, refusalOf(reason).refused)),
+    showStep: (wanted, tell) => showStep(wanted, toldSeldom(tell)).catch(refusalOf),
+    together: (_, tell) => together(toldSeldom(tell)).catch(refusalOf),
   }))
 }

@@ -4,6 +4,8 @@ import { coreFiles } from '../core/core-files'
 import { pagePort } from '../core/ports'
 import { readingFiles } from '../core/reading-files'
 import type { WorkerPort } from '../core/workers'
+import { hdf5Files } from '../mesh/hdf5-files'
+import { Hdf5Loading } from '../mesh/hdf5-reader'
 import { serveSurvey } from './serve-survey'
 
 function helper(): WorkerPort {
@@ -11,4 +13,10 @@ function helper(): WorkerPort {
   return pagePort(worker, 'its script was not loaded, or a policy of the page forbids it.')
 }
 
-serveSurvey({ core: coreFiles, batchModule: batchFiles, readingCore: readingFiles, helper })
+serveSurvey({
+  core: coreFiles,
+  batchModule: batchFiles,
+  readingCore: readingFiles,
+  hdf5: new Hdf5Loading(hdf5Files),
+  helper,
+})

@@ -446,6 +446,7 @@ export const german: Dictionary = {
   'Read as {format}, cell {cell}.': 'Gelesen als {format}, Zelle {cell}.',
   'Read as {format}.': 'Gelesen als {format}.',
   'Read it': 'Lesen',
+  'Loading the HDF5 reader, 1 MB …': 'Der Leser für HDF5 wird geladen, 1 MB …',
   'Reading {name} …': '{name} wird gelesen …',
   reason: 'Grund',
   'Red: the surface J = 0, around the negative part. The section cuts through both.':

@@ -267,6 +267,7 @@ export const english = [
   'Link',
   'Link copied',
   'Link views',
+  'Loading the HDF5 reader, 1 MB …',
   'Looks fine, is not',
   'M',
   'M over the steps, from {first} down to {last}',

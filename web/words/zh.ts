@@ -427,6 +427,7 @@ export const chinese: Dictionary = {
   'Read as {format}, cell {cell}.': '按 {format} 读取，单元 {cell}。',
   'Read as {format}.': '按 {format} 读取。',
   'Read it': '读取',
+  'Loading the HDF5 reader, 1 MB …': '正在加载 HDF5 读取器（1 MB）…',
   'Reading {name} …': '正在读取 {name} …',
   reason: '理由',
   'Red: the surface J = 0, around the negative part. The section cuts through both.':

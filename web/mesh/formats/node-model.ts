@@ -308,7 +308,7 @@ export class NodeModel {
 }
 
 /** True if two of the first eight nodes are the same: as a hexahedron, the element has J <= 0 somewhere. */
-export function isRepeating(nodes: Float64Array): boolean {
+export function isRepeating(nodes: ArrayLike<number>): boolean {
   for (let i = 0; i < 8; ++i) for (let j = 0; j < i; ++j) if (nodes[i] === nodes[j]) return true
   return false
 }

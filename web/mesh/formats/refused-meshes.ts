@@ -1,43 +1,8 @@
 /** Files of meshes that are recognized and not read. A format leaves this table when it gets a file of its own. */
-import { ends, has, type Known, meshio, SAVE_MESH, starts } from './refused-marks'
-
-/** Programs of HDF5 files, by the names in these. */
-export const hdf5: readonly Known[] = [
-  { is: has(/VTKHDF/), what: 'a VTKHDF file', instead: 'ParaView saves it as .vtu' },
-  {
-    is: has(/CGNSLibraryVersion|CGNSBase_t/),
-    what: 'a CGNS file (HDF5)',
-    instead: 'Gmsh or ParaView convert it: gmsh a.cgns -save -o a.msh',
-  },
-  { is: has(/tstt/), what: 'a MOAB file (HDF5, .h5m)', instead: `MOAB or meshio convert it: mbconvert a.h5m a.vtk` },
-  {
-    is: has(/INFOS_GENERALES|ENS_MAA|MAILLES|\bNOE\b/),
-    what: 'a MED file (HDF5)',
-    instead: `${meshio('med')}, or gmsh a.med -save -o a.msh`,
-  },
-  { is: has(/coordx|connect1|eb_prop1|num_nod_per_el/), what: 'an Exodus II file (netCDF-4)', instead: meshio('e') },
-  { is: ends('.med', '.rmed', '.mmed'), what: 'a MED file (HDF5)', instead: meshio('med') },
-  { is: ends('.cgns'), what: 'a CGNS file (HDF5)', instead: 'Gmsh or ParaView convert it: gmsh a.cgns -save -o a.msh' },
-  { is: ends('.vtkhdf', '.vtkh'), what: 'a VTKHDF file', instead: 'ParaView saves it as .vtu' },
-  { is: ends('.h5m'), what: 'a MOAB file (HDF5, .h5m)', instead: 'MOAB converts it: mbconvert a.h5m a.vtk' },
-  { is: ends('.e', '.exo', '.ex2', '.g', '.gen'), what: 'an Exodus II file (netCDF-4)', instead: meshio('e') },
-  { is: ends('.hmf'), what: 'an HMF file (HDF5)', instead: meshio('hmf') },
-  {
-    is: ends('.cas.h5', '.msh.h5'),
-    what: 'an Ansys Fluent file (HDF5)',
-    instead: 'Fluent exports it as CGNS or Nastran',
-  },
-  {
-    is: has(/Geometry|Topology|XDMF/i),
-    what: 'the HDF5 file of an XDMF mesh',
-    instead: 'meshio converts the .xdmf beside it: meshio convert a.xdmf a.vtu',
-  },
-  { is: () => true, what: 'an HDF5 file', instead: SAVE_MESH },
-]
+import { ends, has, type Known, meshio, starts } from './refused-marks'
 
 export const refusedMeshes: readonly Known[] = [
-  // netCDF and other meshes in binary.
-  { is: starts('CDF\x01', 'CDF\x02', 'CDF\x05'), what: 'an Exodus II file (netCDF)', instead: meshio('e') },
+  // Meshes in binary.
   {
     is: starts('ADF Database'),
     what: 'a CGNS file (ADF)',
@@ -46,62 +11,14 @@ export const refusedMeshes: readonly Known[] = [
   { is: starts('#!TDV'), what: 'a Tecplot file in binary', instead: 'Tecplot saves it as ASCII' },
   { is: has(/^[\s\S]{0,200}TetGen/i), what: 'a TetGen file', instead: 'it has no hexahedra, only tetrahedra' },
   // Meshes in XML and text.
-  { is: has(/<Xdmf\b/i), what: 'an XDMF file', instead: meshio('xdmf') },
-  { is: has(/<febio_spec\b/i), what: 'a FEBio file', instead: 'FEBio Studio exports it as VTK or Abaqus' },
   { is: has(/<dolfin\b/i), what: 'a DOLFIN mesh (XML)', instead: meshio('xml') },
-  { is: has(/^[ \t]*NDIME\s{0,9}=\s{0,9}\d/m), what: 'an SU2 mesh', instead: meshio('su2') },
-  {
-    is: has(/^[ \t]*(?:COOR_[23]D|HEXA(?:8|20|27))\b/m),
-    what: 'a Code_Aster .mail file',
-    instead: 'Salome or Code_Aster write it as MED, and Gmsh turns that into .msh',
-  },
-  {
-    is: has(/^[ \t]*(?:#RADIOSS STARTER|\/BEGIN\b)/m),
-    what: 'a Radioss starter file',
-    instead: 'OpenRadioss tools or Gmsh convert it: vortex_radioss, or export as LS-DYNA .k',
-  },
-  { is: has(/^(?:!PERMAS|[ \t]*\$ENTER COMPONENT)/m), what: 'a PERMAS file', instead: meshio('dato') },
-  {
-    is: head =>
-      /^\s{0,20}\*\s{0,9}FLAC3D/i.test(head) ||
-      (/^G[ \t]+\d+[ \t]+\S+[ \t]+\S+[ \t]+\S+/m.test(head) && !/^\$/m.test(head)),
-    what: 'a FLAC3D grid',
-    instead: meshio('f3grid'),
-  },
-  {
-    is: has(/^\s{0,20}\((?:0|1)\s{0,9}"|^\s{0,20}\(2\s{1,9}3\)|^\s{0,20}\(10\s{1,9}\(0\s/),
-    what: 'an Ansys Fluent mesh',
-    instead: 'Fluent exports it as CGNS or Nastran, and meshio converts some: meshio convert -i ansys a.msh a.vtu',
-  },
   { is: has(/Finite element mesh \(GridFE\)/), what: 'a Diffpack grid', instead: 'Gmsh or Diffpack write it as VTK' },
-  {
-    is: (head, name) =>
-      /^(?:mesh|part)\.(?:nodes|elements|header|boundary)(?:\.\d+)?$/.test(name.split('/').at(-1) ?? '') &&
-      /^\s*\d/.test(head),
-    what: 'a file of an Elmer mesh',
-    instead: 'ElmerGrid converts the folder: ElmerGrid 2 5 mesh',
-  },
   { is: has(/^[ \t]{0,20}mesh3d[ \t]*\r?$/m), what: 'a Netgen mesh', instead: meshio('vol') },
-  {
-    is: (head, name) => /\.(?:b8|lb8|b4|lb4|r8|lr8|r4|lr4)?\.?ugrid$/.test(name) && head.length > 0,
-    what: 'a UGRID mesh',
-    instead: meshio('ugrid'),
-  },
   { is: has(/^[ \t]*type:\s{1,9}ensight/im), what: 'an EnSight case', instead: 'ParaView saves it as .vtu' },
   {
     is: has(/^ {0,4}1C(?:\S|\s)/),
     what: 'a CalculiX result file (.frd)',
     instead: 'ccx2paraview converts it: ccx2paraview a.frd vtu',
-  },
-  {
-    is: has(/\bclass\s{1,20}(?:faceList|faceCompactList|labelList|polyBoundaryMesh|cellList)\s{0,9};/),
-    what: 'a file of an OpenFOAM mesh (polyMesh)',
-    instead: 'foamToVTK converts the case',
-  },
-  {
-    is: head => isLargeFoam(head),
-    what: 'the points of an OpenFOAM mesh (polyMesh), whose cells are in the files beside it',
-    instead: 'foamToVTK converts the case',
   },
   // Meshes of programs, in text.
   {
@@ -197,14 +114,3 @@ export const refusedMeshes: readonly Known[] = [
     instead: 'it exports the mesh as Abaqus .inp or NASTRAN .bdf',
   },
 ]
-
-/** The points of a mesh, of which there are more than of one element. */
-function isLargeFoam(head: string): boolean {
-  if (
-    !/\bclass\s{1,20}vectorField\s{0,9};/.test(head.slice(0, 5000)) ||
-    !/\bobject\s{1,20}points\s{0,9};/.test(head.slice(0, 5000))
-  )
-    return false
-  const count = /\}\s{0,100}(?:\/\/[^\n]{0,200}\s{0,100})?(\d{1,12})\s{0,20}\(/.exec(head.slice(0, 5000))?.[1]
-  return count !== '8'
-}

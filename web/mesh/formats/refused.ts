@@ -1,14 +1,13 @@
 /** Files that are recognized and not read, each with a sentence on what it is and what converts it. */
 import { MeshRefusal } from '../mesh'
 import { headText } from '../snippet-text'
-import type { MeshFile, MeshFormat } from '../source'
+import type { MeshFormat } from '../source'
 import { shown } from '../text-cursor'
-import { HDF5, type Known } from './refused-marks'
-import { hdf5, refusedMeshes } from './refused-meshes'
+import type { Known } from './refused-marks'
+import { refusedMeshes } from './refused-meshes'
 import { refusedOthers } from './refused-others'
 
-/** Bytes of an HDF5 file in which the names of its groups are looked for. */
-const HDF5_HEAD = 1024 * 1024
+const HEAD = 65_536
 
 const known: readonly Known[] = [...refusedMeshes, ...refusedOthers]
 
@@ -20,9 +19,8 @@ export const refused: MeshFormat = {
   recognizes: (head, name) => (knownOf(headText(head), name) === null ? 'no' : 'yes'),
   read(file) {
     const name = file.name.toLowerCase()
-    const head = headOf(file, 65_536)
-    const found = head.startsWith(HDF5) ? hdf5Of(file, name) : knownOf(head, name)
-    const { what, instead } = found as Known
+    const head = headText(file.read(0, Math.min(HEAD, file.size)))
+    const { what, instead } = knownOf(head, name) as Known
     const [, claimed] = NAMES_OF_VTK.exec(name) ?? []
     const isNot = claimed === undefined ? '' : `no ${claimed.toUpperCase()} but `
     throw new MeshRefusal(
@@ -31,16 +29,6 @@ export const refused: MeshFormat = {
   },
 }
 
-function headOf(file: MeshFile, most: number): string {
-  return headText(file.read(0, Math.min(most, file.size)))
-}
-
 function knownOf(head: string, name: string): Known | null {
-  if (head.startsWith(HDF5)) return hdf5.at(-1) as Known
   return known.find(({ is }) => is(head, name)) ?? null
-}
-
-function hdf5Of(file: MeshFile, name: string): Known {
-  const head = headOf(file, HDF5_HEAD)
-  return hdf5.find(({ is }) => is(head, name)) as Known
 }

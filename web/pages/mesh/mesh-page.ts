@@ -9,6 +9,7 @@ import { ofFolder, unfolded } from '../../input/dropped-folders'
 import { droppedIn, type PastedInput, pastedIn, takesDrop } from '../../input/pasted-input'
 import type { ReadingProgress } from '../../input/reading'
 import { WaitingFiles } from '../../input/waiting-files'
+import { LOADING } from '../../mesh/hdf5-reader'
 import { CellTable } from '../../mesh-views/cell-table'
 import { parseCondition } from '../../model/condition'
 import { encodePermalink } from '../../model/permalink'
@@ -437,9 +438,15 @@ function headlineTemplate(headline: string): TemplateResult {
   return html`<strong>${first}</strong> ${others.join(' ')}`
 }
 
+const doing: Readonly<Record<ReadingProgress['step'], (name: string) => string>> = {
+  loading: () => LOADING,
+  reading: name => `Reading ${name}`,
+  deciding: name => `Deciding the cells of ${name}`,
+}
+
 function progressTemplate({ name, step, fraction }: UnderWay): TemplateResult {
   return html`<p class="progress">
-    <label>${step === 'reading' ? `Reading ${name}` : `Deciding the cells of ${name}`} <progress max="1" .value=${fraction}></progress></label>
+    <label>${doing[step](name)} <progress max="1" .value=${fraction}></progress></label>
     <button type="button" @click=${cancel}>Cancel</button>
   </p>`
 }

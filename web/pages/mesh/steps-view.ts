@@ -241,7 +241,7 @@ export class StepsView {
 
 /** Of reading and deciding together, which take about as long. */
 function shareOf({ step, fraction }: ReadingProgress): number {
-  return step === 'reading' ? fraction / 2 : (1 + fraction) / 2
+  return step === 'deciding' ? (1 + fraction) / 2 : fraction / 2
 }
 
 /** The worker has ended. */

@@ -9,6 +9,7 @@ export function statusSentence(reading: Reading): string {
   if (reading.state === 'refused') return reading.message
   if (reading.state === 'under-way') {
     const name = reading.name === 'the text' ? say('the text') : shown(reading.name)
+    if (reading.step === 'loading') return say('Loading the HDF5 reader, 1 MB …')
     const step =
       reading.step === 'reading' ? say('Reading {name} …', { name }) : say('Deciding the cells of {name} …', { name })
     return reading.fraction > 0 ? `${step} ${Math.floor(100 * Math.min(reading.fraction, 1))} %` : step
