@@ -16,8 +16,8 @@ const BUDGETS = {
   light: 130_000,
   hexMesh: 60_000,
   batch: 100_000,
-  mesh: 100_000,
-  meshWorker: 230_000,
+  mesh: 120_000,
+  meshWorker: 260_000,
   hdf5: 1_100_000,
 }
 

@@ -191,6 +191,25 @@ describe('XDMF', () => {
   })
 })
 
+test('Kratos: the parts of the model are blocks, coordinates have places', () => {
+  const nodes = Array.from(
+    { length: 8 },
+    (_, v) =>
+      ` ${v + 1} ${CUBE.split(' ')
+        .slice(3 * v, 3 * v + 3)
+        .join('  ')} // a node\n`,
+  )
+  const file = `Begin Nodes\n${nodes.join('')}End Nodes\nBegin Elements Element3D8N\n 17 0 1 2 3 4 5 6 7 8\nEnd Elements\nBegin SubModelPart solid\n Begin SubModelPartNodes\n  1\n End SubModelPartNodes\n Begin SubModelPart inner\n  Begin SubModelPartElements\n  17\n  End SubModelPartElements\n End SubModelPart\nEnd SubModelPart\n`
+  const [mesh] = readAll({ 'a.mdpa': file }) as [Mesh]
+  expect(mesh.blocks.map(one => [one.name, ...one.cells])).toEqual([
+    ['Element3D8N', 0],
+    ['inner', 0],
+  ])
+  const places = mesh.coordinatePlaces
+  const from = places?.kind === 'tokens' ? [...places.from] : []
+  expect(from.map(at => Number(file[at]))).toEqual(CUBE.split(' ').map(Number))
+})
+
 const text = (name: string) => TEXTS[name] as string
 
 test.each<[string, Readonly<Record<string, Content>>, RegExp]>([
@@ -218,6 +237,11 @@ test.each<[string, Readonly<Record<string, Content>>, RegExp]>([
     'Radioss, no number',
     { 'a.rad': text('a.rad').replace(/^(\/NODE\n {7}...) {2}/m, '$1 x') },
     /^a\.rad, line \d+: “x.*” is not a coordinate\.$/,
+  ],
+  [
+    'Radioss, another file',
+    { 'a.rad': text('a.rad').replace('/NODE', '#include nodes.rad\n/NODE') },
+    /^a\.rad, line \d+: it includes “nodes\.rad”/,
   ],
   [
     'Code_Aster, a node that is not there',

@@ -1,4 +1,5 @@
 /** Kratos (.mdpa): blocks from "Begin" to "End". Nodes have an id and three coordinates; elements an id, a property and their nodes. */
+import { IdIndex } from '../id-index'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { headText } from '../snippet-text'
 import { type MeshFormat, progressOf } from '../source'
@@ -29,21 +30,42 @@ export const kratos: MeshFormat = {
     let block = ''
     let name = ''
     let depth = 0
+    /** Parts of the model that are open, one inside of another; elements are listed in the last. */
+    const parts: string[] = []
+    const elementsOfParts: { readonly part: string; readonly id: number }[] = []
+    let isPartElements = false
+    let from = cursor.position
     for (let line = cursor.nextLine(); line !== null; line = cursor.nextLine()) {
-      onLine(cursor.position)
+      const lineFrom = from
+      from = cursor.position
+      onLine(from)
       const words = line.split('//')[0]?.trim().split(/\s+/) ?? []
       const [first = ''] = words
       if (first === '') continue
       if (first === 'Begin') {
-        if (depth++ === 0) [, block = '', name = ''] = words
+        const [, kind = '', own = ''] = words
+        if (depth++ === 0) [block, name] = [kind, own]
+        if (kind === 'SubModelPart') parts.push(own)
+        isPartElements = kind === 'SubModelPartElements' || kind === 'SubModelPartGeometries'
       } else if (first === 'End') {
         if (--depth < 0) cursor.refuse('“End” stands here without “Begin”.')
         if (depth === 0) block = ''
+        if (words[1] === 'SubModelPart') parts.pop()
+        isPartElements = false
+      } else if (isPartElements && parts.length > 0) {
+        for (const word of words)
+          if (ID.test(word)) elementsOfParts.push({ part: parts.at(-1) as string, id: Number(word) })
       } else if (depth === 1 && block === 'Nodes') {
         const [id, x, y, z] = words.map(Number)
         if (words.length < 4 || !ID.test(first)) cursor.refuse('a node has an id and three coordinates.')
         if ([x, y, z].some(value => Number.isNaN(value))) cursor.refuse(`the coordinates of node ${id} are no numbers.`)
-        for (const word of words.slice(1, 4)) builder.digits.see(Number(word), significantDigits(word))
+        let at = line.indexOf(first) + first.length
+        for (const word of words.slice(1, 4)) {
+          at = line.indexOf(word, at)
+          builder.coordinateToken(lineFrom + at, word.length)
+          builder.digits.see(Number(word), significantDigits(word))
+          at += word.length
+        }
         builder.pointWithId(id as number, x as number, y as number, z as number)
       } else if (depth === 1 && (block === 'Elements' || block === 'Geometries')) {
         if (!words.every(word => ID.test(word)))
@@ -55,7 +77,16 @@ export const kratos: MeshFormat = {
       }
     }
     if (depth > 0) cursor.refuse(`the file ends in the block ${shown(block)}, where “End” was expected.`)
-    for (const { id, nodes, name: type } of elements) addElement(builder, id, nodes, type)
+    const cellOfId = new IdIndex()
+    for (const { id, nodes, name: type } of elements) {
+      const before = builder.cellCount
+      addElement(builder, id, nodes, type)
+      if (builder.cellCount > before && cellOfId.get(id) < 0) cellOfId.set(id, before)
+    }
+    for (const { part, id } of elementsOfParts) {
+      const cell = cellOfId.get(id)
+      if (cell >= 0) builder.inBlock(part, cell)
+    }
     return [builder.mesh()]
   },
 }

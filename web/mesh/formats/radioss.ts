@@ -22,7 +22,7 @@ const OTHER: readonly (readonly [RegExp, OtherCell])[] = [
 ]
 /** Corners and middles of a brick of 20 nodes: two lines of ten. */
 const NODES_OF_BRIC20 = 20
-const isKeyword = (line: string) => line.startsWith('/')
+const isKeyword = (line: string) => /^(?:\/|#include\b)/.test(line)
 
 export const radioss: MeshFormat = {
   name: 'Radioss',
@@ -38,7 +38,7 @@ class RadiossReader {
   #degenerate = 0
 
   constructor(file: MeshFile, options: ReadOptions) {
-    this.#text = new RowText('Radioss', file, options, /^[#$]/)
+    this.#text = new RowText('Radioss', file, options, /^(?:#(?!include\b)|\$)/)
   }
 
   read() {
@@ -46,6 +46,8 @@ class RadiossReader {
     const { builder, cursor } = text
     for (let line = text.line(); line !== null; line = text.line()) {
       if (!isKeyword(line)) text.refuse(`${shown(line.trim().slice(0, 40))} stands where a keyword was expected.`)
+      const included = /^#include\s+(\S+)/.exec(line)?.[1]
+      if (included !== undefined) text.refuse(`it includes ${shown(included)}, which is not read: put it in its place.`)
       const [, name = '', part = ''] = line.trim().toUpperCase().split('/')
       if (name === 'END') break
       cursor.skipLine()
