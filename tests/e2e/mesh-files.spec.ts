@@ -161,13 +161,29 @@ test('another file ends the workers of the one before', async ({ page }) => {
   const openSmall = async () => {
     await open(here('../../../shared/meshes/made/vtk-raw-none.vtu'))
     await expect(headline(page)).toHaveText(/^10 of 16 hexahedra are invalid/)
-    // One for the mesh, one that waits for the next.
-    await expect.poll(() => page.workers().length).toBe(2)
+  }
+  /** Those of the mesh, and those that wait for the next one. */
+  const settled = async () => {
+    let count = -1
+    await expect
+      .poll(
+        async () => {
+          const before = count
+          count = page.workers().length
+          return before === count
+        },
+        { intervals: [500] },
+      )
+      .toBe(true)
+    return count
   }
   await openSmall()
+  const workers = await settled()
   await open(big)
   await expect(headline(page)).toHaveText('All 216,000 hexahedra are valid.')
   await openSmall()
+  await expect.poll(() => page.workers().length).toBe(workers)
+  expect(await settled()).toBe(workers)
 })
 
 test.describe('without wasm', () => {
