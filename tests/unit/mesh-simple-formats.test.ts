@@ -61,7 +61,7 @@ describe('the mesh that was written in many formats', () => {
   })
 })
 
-const REFUSED = /^(?:netcdf4\.exo|gmsh\.cgns|gmsh\.diff|meshio-HDF\.h5|meshio\.(?:h5m|hmf|med)|vtk\.vtkhdf)$/
+const REFUSED = /^gmsh\.diff$/
 
 describe('what is refused by name', () => {
   test.each(readdirSync(made).filter(name => REFUSED.test(name)))('%s', name => {
@@ -71,15 +71,7 @@ describe('what is refused by name', () => {
   })
 
   test('by their content, whatever they are called', () => {
-    for (const [name, what] of [
-      ['netcdf4.exo', /Exodus II/],
-      ['gmsh.cgns', /CGNS/],
-      ['meshio.med', /MED/],
-      ['meshio.h5m', /MOAB/],
-      ['vtk.vtkhdf', /VTKHDF/],
-      ['gmsh.diff', /Diffpack/],
-    ] as const)
-      expect(refusal(readFileSync(new URL(name, made)), 'a'), name).toMatch(what)
+    expect(refusal(readFileSync(new URL('gmsh.diff', made)), 'a')).toMatch(/Diffpack/)
   })
 
   test('OpenFOAM’s files alone', () => {

@@ -25,7 +25,7 @@ export const flac3d: MeshFormat = {
   recognizes: head => {
     const text = headText(head)
     if (/^\$/m.test(text)) return 'no'
-    return /^\s{0,20}\*\s{0,9}FLAC3D/i.test(text) || /^G[ \t]+\d+(?:[ \t,]+[-+.\deE]+){3}[ \t]*\r?$/m.test(text)
+    return /^[ \t]{0,20}\*\s{0,9}FLAC3D/im.test(text) || /^G[ \t]+\d+(?:[ \t,]+[-+.\deE]+){3}[ \t]*\r?$/m.test(text)
       ? 'yes'
       : 'no'
   },

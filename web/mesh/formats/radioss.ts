@@ -5,11 +5,14 @@
 import { RowPattern } from '../../core/reading-interface'
 import type { OtherCell } from '../mesh-builder'
 import { headText } from '../snippet-text'
-import type { MeshFile, MeshFormat, ReadOptions } from '../source'
+import { fileOfBytes, type MeshFile, type MeshFormat, type ReadOptions } from '../source'
 import { numberOf, shown, significantDigits, withoutControls } from '../text-cursor'
 import { isRepeating } from './node-model'
 import { RowText } from './row-text'
 
+const FIRST = /^([ \t]*)(?:#RADIOSS STARTER|\/BEGIN\b)/m
+const HEAD = 65_536
+const [LF, SPACE] = [10, 32] as const
 const NODE_ROW = new RowPattern(['whole10', 'real20', 'real20', 'real20', 'end'])
 const BRICK_ROW = new RowPattern([...Array.from({ length: 9 }, () => 'whole10'), 'end'])
 const [ID_WIDTH, COORDINATE_WIDTH] = [10, 20] as const
@@ -26,10 +29,27 @@ const isKeyword = (line: string) => /^(?:\/|#include\b)/.test(line)
 
 export const radioss: MeshFormat = {
   name: 'Radioss',
-  recognizes: head => (/^[ \t]*(?:#RADIOSS STARTER|\/BEGIN\b)/m.test(headText(head)) ? 'yes' : 'no'),
+  recognizes: head => (FIRST.test(headText(head)) ? 'yes' : 'no'),
   read(file, options) {
-    return [new RadiossReader(file, options).read()]
+    const [, { length: indent } = ''] = FIRST.exec(headText(file.read(0, Math.min(HEAD, file.size)))) ?? []
+    if (indent === 0) return [new RadiossReader(file, options).read()]
+    return [{ ...new RadiossReader(withoutIndent(file, indent), options).read(), coordinatePlaces: null }]
   },
+}
+
+/** The columns begin behind what all lines are indented by, as they are in a quotation. */
+function withoutIndent(file: MeshFile, indent: number): MeshFile {
+  const bytes = file.read(0, file.size)
+  let length = 0
+  for (let from = 0; from < bytes.length; ) {
+    const to = 1 + bytes.indexOf(LF, from) || bytes.length
+    let begin = from
+    while (begin < from + indent && bytes[begin] === SPACE) begin++
+    bytes.copyWithin(length, begin, to)
+    length += to - begin
+    from = to
+  }
+  return fileOfBytes(file.name, bytes.subarray(0, length))
 }
 
 class RadiossReader {
