@@ -6,6 +6,8 @@ import { expect, expectAxeFindsNothing, test } from './lens'
 const made = (name: string) => fileURLToPath(new URL(`../../../shared/meshes/made/${name}`, import.meta.url))
 const READER = /hdf5_util/
 
+test.use({ viewport: { width: 1240, height: 560 } })
+
 test('the reader of HDF5 files is loaded with the first of them', async ({ page }) => {
   const loaded: string[] = []
   page.on('request', request => {
@@ -35,5 +37,5 @@ test('the reader of HDF5 files is loaded with the first of them', async ({ page 
   expect(loaded).toHaveLength(1)
   const whole = readFileSync(made('meshio.med'))
   await files.setInputFiles({ name: 'cut.med', mimeType: '', buffer: whole.subarray(0, whole.length / 2) })
-  await expect(page.locator('.refused')).toContainText('it is cut off: of 27536 bytes it has 13768')
+  await expect(page.locator('.news')).toContainText('it is cut off: of 27536 bytes it has 13768')
 })

@@ -45,7 +45,7 @@ const cases: readonly Case[] = [
     ...files(given('meshes/made/vtk-raw-none-f32.vtu')),
     says: /Not checked: .*1 wedge.*Float32.*is mirrored/,
   },
-  { what: 'a format that is refused', ...files(given('meshes/made/netcdf4.exo')), says: /Exodus/, refused: true },
+  { what: 'a format that is refused', ...files(given('meshes/made/gmsh.diff')), says: /Diffpack/, refused: true },
   {
     what: 'a file that is cut off',
     ...files(given('meshes/malformed/truncated-half-vtu-zlib.vtu')),
