@@ -54,6 +54,8 @@ const MORE: Record<string, readonly Look[]> = {
 
 for (const { file } of appPages)
   test(`the page ${file}`, async ({ lens, page }) => {
+    // So wide that its lens is in sight.
+    if (file === 'mesh') await page.setViewportSize({ width: 1240, height: DESKTOP.height })
     await lens.open(ADDRESSES[file] ?? `./${file}.html`)
     await inLooks(lens, [DESKTOP, PHONE, ...(MORE[file] ?? [])], async look => {
       await everyPictureIsThere(page)
