@@ -352,12 +352,13 @@ test('cancelled in the middle, what was open stays; keys alone lead from there t
   lens,
   page,
 }) => {
-  // The worker is slow to answer: whoever cancels is sooner.
+  // The worker of the next mesh is slow to answer: whoever cancels is sooner.
   await page.addInitScript(() => {
     Object.assign(globalThis, { held: false })
     const { postMessage } = Worker.prototype
-    Worker.prototype.postMessage = function (this: Worker, ...given: never[]) {
-      if (!(globalThis as unknown as { held: boolean }).held) Reflect.apply(postMessage, this, given)
+    Worker.prototype.postMessage = function (this: Worker, ...given: unknown[]) {
+      const { held } = globalThis as unknown as { held: boolean }
+      if (!held || (given[0] as { kind: string }).kind !== 'open') Reflect.apply(postMessage, this, given)
     }
   })
   await openMesh(page)
