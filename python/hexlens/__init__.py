@@ -38,7 +38,7 @@ __all__ = [
     "verify",
 ]
 
-# What classify does not need is loaded when it is first named.
+# Modules that classify does without: each is loaded when one of its names is first asked for.
 _LATER = {
     **dict.fromkeys(("certify", "verify"), "_certificates"),
     **dict.fromkeys(("Cell", "MeshCheck", "check"), "_check"),

@@ -227,7 +227,7 @@ class _Document:
                 parts.append(base64.b64decode(text[at:stop], validate=True))
                 at = stop
         except binascii.Error:
-            # What stands behind the array that is read may be cut in the middle.
+            # Digits behind those of the array may end in the middle of a group of four.
             parts.append(base64.b64decode(text[at : at + (len(text) - at) // 4 * 4]))
         return b"".join(parts)
 

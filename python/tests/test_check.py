@@ -41,7 +41,7 @@ def test_json_is_that_of_the_node_command() -> None:
     read = 0
     for a, b in zip(own["files"], expected["files"], strict=True):
         if "error" in a:
-            # What is refused by name, or damaged.
+            # Files of formats that are refused by name, and damaged ones.
             assert REFUSED_BY_NAME in a["error"] or "error" in b, a
             continue
         assert "error" not in b, b

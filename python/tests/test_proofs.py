@@ -104,6 +104,6 @@ def flattened(raw: _native.RawReport) -> list[float]:
     numbers += [raw.candidate_count]
     for c in raw.candidates[: raw.candidate_count]:
         numbers += candidate(c)
-    # What there is not is packed as 0.
+    # Numbers that a report lacks are packed as 0.
     relative = 0.0 if np.isnan(raw.relative_minimum) else raw.relative_minimum
     return [float(x) for x in (*numbers, raw.element_class, raw.shape, *raw.coincident, raw.volume, raw.volume_exponent, relative)]

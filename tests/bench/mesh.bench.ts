@@ -127,7 +127,7 @@ async function compare(rows: readonly Row[], { rounds, files, address, peer, bro
   }
 }
 
-/** What the page's script tells. */
+/** The times that the page's script has noted. */
 interface Seen {
   begun: number
   list: number

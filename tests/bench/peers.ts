@@ -26,7 +26,7 @@ export function installPeers(): void {
   writeFileSync(stamp, text)
 }
 
-/** What the command writes; throws what it complains of. */
+/** The command's standard output; throws an Error with what it complains of if it fails. */
 export function must(command: string, args: readonly string[]): string {
   const { status, stdout, stderr } = spawnSync(command, args, { encoding: 'utf8', cwd: root })
   if (status !== 0) throw new Error(`${command} ${args.join(' ')}: ${stderr}`)

@@ -18,7 +18,7 @@ const python = join(folder, 'bin', 'python')
 
 const SIGMAS = Array.from({ length: 20 }, (_, i) => (i + 1) / 10)
 const PER_SIGMA = 10
-/** Of the largest Bernstein coefficient: the solver ends at 1e-8 of its own scale. */
+/** Shares of the largest Bernstein coefficient up to this count as none: the solver ends at 1e-8 of its own scale. */
 const AGREES = 1e-6
 const TRIALS = 9
 
@@ -132,7 +132,7 @@ function compared(name: string, elements: readonly Vertices[], { degree, bounds,
     const report = analysis.value
     const unit = 2 ** report.exponent
     const scale = unit * Math.max(...report.bernstein.map(Math.abs))
-    // Of a flat element jacdet is 0 everywhere.
+    // A scale of 0 is that of a flat element: its jacdet is 0 everywhere.
     const share = (value: number) => (scale === 0 ? 0 : value / scale)
     const bound = bounds[n] as number
     const gap = share(unit * report.boundaryMinimum - bound)
