@@ -1,9 +1,14 @@
-/** A file whose bytes have been read before its reader asks for them: several slices at a time, which is faster than one after the other. */
-import type { MeshFile } from '../mesh/source'
+/**
+ * A file whose bytes have been read before its reader asks for them: several slices at a time, which is faster than one after the other. A
+ * list of numbers is a slice of its own, so that it is not copied; integers of 64 bits become their low halves slice by slice, while the
+ * next ones are read.
+ */
+import { listsIn } from '../mesh/read-mesh'
+import type { FileList, MeshFile } from '../mesh/source'
 import { meshFileOf } from './file-reading'
 
 /** Bytes of a slice, and slices under way. */
-const SLICE = 32 * 1024 * 1024
+const SLICE = 16 * 1024 * 1024
 const AT_ONCE = 3
 /** Shorter files are read at once anyway; longer ones stay where they are and are read in parts. */
 const SHORT = 1024 * 1024
@@ -14,15 +19,33 @@ export interface FileAtHand extends MeshFile {
   close(): void
 }
 
+interface Slice {
+  readonly from: number
+  readonly to: number
+  /** Null before it is read, and once its bytes are somebody's, or were of no more use. */
+  bytes: Uint8Array<ArrayBuffer> | null
+  readonly halves: Halves | null
+}
+
+/** The low halves of a list of integers of 64 bits. */
+interface Halves {
+  readonly from: number
+  readonly list: Uint32Array
+  /** 0 as long as no high half is anything else. */
+  high: number
+}
+
 export async function fileAtHand(file: File, onProgress: (fraction: number) => void): Promise<FileAtHand> {
   const own = meshFileOf(file)
   if (file.size < SHORT || file.size > LONG) return { ...own, close: () => {} }
-  const slices: Uint8Array<ArrayBuffer>[] = new Array(Math.ceil(file.size / SLICE))
+  const slices = slicesOf(listsIn(own), file.size)
   let [next, done] = [0, 0]
   async function readSlices(): Promise<void> {
     while (next < slices.length) {
-      const at = next++
-      slices[at] = new Uint8Array(await file.slice(at * SLICE, (at + 1) * SLICE).arrayBuffer())
+      const slice = slices[next++] as Slice
+      const bytes = new Uint8Array(await file.slice(slice.from, slice.to).arrayBuffer())
+      if (slice.halves) putHalves(bytes, slice.from, slice.halves)
+      else slice.bytes = bytes
       onProgress(++done / slices.length)
     }
   }
@@ -31,18 +54,65 @@ export async function fileAtHand(file: File, onProgress: (fraction: number) => v
     name: own.name,
     size: own.size,
     read(from, to, into) {
-      if (slices.length === 0) return own.read(from, to, into)
-      const first = Math.floor(from / SLICE)
-      // A copy of one slice's bytes is made at once, of several in parts.
-      if (!into && to <= (first + 1) * SLICE)
-        return (slices[first] as Uint8Array).slice(from - first * SLICE, to - first * SLICE)
-      const bytes = into ? into.subarray(0, to - from) : new Uint8Array(to - from)
-      for (let at = first; at * SLICE < to; ++at) {
-        const [begin, end] = [Math.max(from, at * SLICE), Math.min(to, (at + 1) * SLICE)]
-        bytes.set((slices[at] as Uint8Array).subarray(begin - at * SLICE, end - at * SLICE), begin - from)
-      }
-      return bytes
+      const whole = into ? undefined : slices.find(slice => slice.from === from && slice.to === to)
+      const { bytes = null } = whole ?? {}
+      if (whole) whole.bytes = null
+      return bytes ?? copyOf(slices, own, { from, to, into })
+    },
+    lowHalves(from, count) {
+      const { halves } = slices.find(slice => slice.halves?.from === from) ?? {}
+      return halves && halves.high === 0 && halves.list.length === count ? halves.list : null
     },
     close: () => slices.splice(0),
   }
+}
+
+/** All of a file: its lists, and what lies between them. */
+function slicesOf(lists: readonly FileList[], size: number): Slice[] {
+  const slices: Slice[] = []
+  let at = 0
+  const cutTo = (end: number, longest: number, halves: Halves | null) => {
+    for (; at < end; at = Math.min(at + longest, end))
+      slices.push({ from: at, to: Math.min(at + longest, end), bytes: null, halves })
+  }
+  for (const { from, to, isLong } of lists.toSorted((a, b) => a.from - b.from)) {
+    // Lists that overlap are a damaged file's.
+    if (from < at) continue
+    cutTo(from, SLICE, null)
+    if (isLong) cutTo(to, SLICE, { from, list: new Uint32Array((to - from) / 8), high: 0 })
+    else cutTo(to, Infinity, null)
+  }
+  cutTo(size, SLICE, null)
+  return slices
+}
+
+function putHalves(bytes: Uint8Array<ArrayBuffer>, at: number, halves: Halves): void {
+  const words = new Int32Array(bytes.buffer)
+  const list = new Int32Array(halves.list.buffer)
+  let high = 0
+  for (let i = 0, to = (at - halves.from) / 8; i < words.length; i += 2, ++to) {
+    high |= words[i + 1] as number
+    list[to] = words[i] as number
+  }
+  halves.high |= high
+}
+
+interface Wanted {
+  readonly from: number
+  readonly to: number
+  readonly into: Uint8Array | undefined
+}
+
+/** What is not at hand is read once more. */
+function copyOf(slices: readonly Slice[], own: MeshFile, { from, to, into }: Wanted): Uint8Array {
+  const bytes = into ? into.subarray(0, to - from) : new Uint8Array(to - from)
+  let at = from
+  for (const slice of slices) {
+    if (slice.to <= at || slice.from >= to) continue
+    const end = Math.min(slice.to, to)
+    const part = slice.bytes?.subarray(at - slice.from, end - slice.from) ?? own.read(at, end)
+    bytes.set(part, at - from)
+    at = end
+  }
+  return at < to ? own.read(from, to) : bytes
 }

@@ -10,7 +10,6 @@ import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
 import type { NodeOrder } from '../model/node-orders'
 import { checkNotes } from './check-notes'
-import { coincidentCells } from './coincident'
 import { firstBlocks, type Mesh } from './mesh'
 import { type CheckAnswers, type MeshCheck, NEEDED, STANDINGS, type Standing } from './mesh-check'
 import { openOrdersOf } from './open-orders'
@@ -44,7 +43,7 @@ export async function checkMesh(
   const hexahedra = cells.length / 8
   const answers: CheckAnswers = await classify(points, cells, { ...lists, ...NEEDED })
   const byCorners = await classify(points, notTrilinear.corners, {})
-  const coincident = coincidentCells(points, cells, answers.valid)
+  const { coincident } = answers
 
   const openOrders = mesh.isOrderStated ? new Map<number, NodeOrder>() : openOrdersOf(mesh, answers.valid, core)
 

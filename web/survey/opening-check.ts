@@ -13,8 +13,8 @@ import { verticesOf } from '../mesh/vertices-of'
 import { FEW, worstFirst } from '../mesh/worst'
 import { volumeBoundsOf } from './volume-bounds'
 
-/** Lists that the page shows or writes; which checks accept a cell is asked when it is shown. */
-const LISTS = { minima: true, volumes: true, exact: true } as const
+/** Lists that the page shows; which checks accept a cell, and minimizers, are asked for when they are. */
+const LISTS = { minima: true, minimizers: false, volumes: true, exact: true } as const
 
 /** Meshes with fewer cells are checked at once. */
 const MANY = 50_000
@@ -79,14 +79,18 @@ async function worstOf(check: MeshCheck, { classify }: Tools): Promise<Uint32Arr
 }
 
 /** Cells among which the `FEW` worst are, ascending. */
-function candidatesOf({ mesh, answers, hexahedra, isAnswered }: MeshCheck): Uint32Array | null {
+function candidatesOf(check: MeshCheck): Uint32Array | null {
+  const { mesh, answers, hexahedra, isAnswered } = check
   const minima = answers.minima as NonNullable<typeof answers.minima>
   const collapsed = CLASSES.indexOf('collapsed')
+  // Where so many are invalid, no valid one is among the worst.
+  const isOfInvalid = check.invalid >= FEW
   const least = new LeastUppers()
   const some: number[] = []
   const lowers: number[] = []
   const bounds = volumeBoundsOf(mesh)
   for (let cell = 0; cell < hexahedra; ++cell) {
+    if (isOfInvalid && answers.valid[cell] === 1) continue
     const minimum = minima.values[cell] as number
     // Not below the worst so far, whatever its volume.
     if (minimum >= 0 && least.bound < 0) continue

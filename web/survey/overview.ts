@@ -53,18 +53,17 @@ function fixesOf({ mirrored }: MeshCheck, wholeOrder: NodeOrder | null): Fix[] {
 export function boundsOf({ points, cells }: Mesh): Bounds | null {
   const isUsed = new Uint8Array(points.length / 3)
   for (let i = 0; i < cells.length; ++i) isUsed[cells[i] as number] = 1
-  const least: [number, number, number] = [Infinity, Infinity, Infinity]
-  const greatest: [number, number, number] = [-Infinity, -Infinity, -Infinity]
-  for (const axis of [0, 1, 2] as const) {
-    let [low, high] = [Infinity, -Infinity]
-    for (let point = 0, at: number = axis; point < isUsed.length; ++point, at += 3) {
-      const value = points[at] as number
-      if (isUsed[point] !== 1 || !(Math.abs(value) < Infinity)) continue
-      if (value < low) low = value
-      if (value > high) high = value
-    }
-    least[axis] = low
-    greatest[axis] = high
+  let [x0, y0, z0, x1, y1, z1] = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity]
+  for (let point = 0, at = 0; point < isUsed.length; ++point, at += 3) {
+    if (isUsed[point] !== 1) continue
+    const [x, y, z] = [points[at] as number, points[at + 1] as number, points[at + 2] as number]
+    if (x < x0 && x > -Infinity) x0 = x
+    if (x > x1 && x < Infinity) x1 = x
+    if (y < y0 && y > -Infinity) y0 = y
+    if (y > y1 && y < Infinity) y1 = y
+    if (z < z0 && z > -Infinity) z0 = z
+    if (z > z1 && z < Infinity) z1 = z
   }
-  return least.includes(Infinity) ? null : { least, greatest }
+  const bounds: Bounds = { least: [x0, y0, z0], greatest: [x1, y1, z1] }
+  return bounds.least.includes(Infinity) || bounds.greatest.includes(-Infinity) ? null : bounds
 }

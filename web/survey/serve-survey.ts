@@ -23,7 +23,9 @@ import { meeting } from './meeting'
 import { mended } from './mend'
 import { OpenedSurvey } from './opened-survey'
 import { openingCheck } from './opening-check'
+import { practiceMesh } from './practice'
 import { type SharedClassifier, sharedClassifier } from './shared-classifier'
+import { boundsOf } from './overview'
 import { type StepMesh, StepSeries } from './step-series'
 import { Survey } from './survey'
 import type {
@@ -38,6 +40,7 @@ import type {
   SurveyJobs,
   Written,
 } from './survey-jobs'
+import { turn } from './turn'
 import { wholeOrderOf } from './whole-order'
 import { Writing } from './writing'
 
@@ -111,8 +114,10 @@ export function serveSurvey(engine: SurveyEngine): void {
     const { core, classifier } = await tools()
     const { classify } = classifier
     onDecided = fraction => tell({ step: 'deciding', fraction })
+    // Helpers decide in the meantime.
+    const boundsMeanwhile = turn().then(() => boundsOf(mesh))
     const { check, finish } = await openingCheck(mesh, { classify, core })
-    const own = new Survey(check, { core, meeting }, before)
+    const own = new Survey(check, { core, meeting }, before, await boundsMeanwhile)
     const wholeOrder = await wholeOrderOf(check, { classify, core })
     const overview = own.overview(name, wholeOrder, await acceptedOfInvalid(check, classify))
     if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
@@ -199,8 +204,10 @@ export function serveSurvey(engine: SurveyEngine): void {
 
   serve<null, Served<SurveyJobs>>('hexlens-survey', () => ({
     async prepare() {
-      const { classifier } = await tools()
+      const [{ core, classifier }] = await Promise.all([tools(), engine.readingCore()])
       classifier.prepare()
+      const { check } = await openingCheck(practiceMesh(), { classify: classifier.classify, core })
+      await acceptedOfInvalid(check, classifier.classify)
       return null
     },
     open: (input, tell) => opening(input, toldSeldom(tell)).catch(refusalOf),

@@ -17,8 +17,12 @@ import type { Core } from '../core/report'
 import { Pool, type WorkerPort } from '../core/workers'
 import { cellClassifier } from '../input/classify-cells'
 import type { ClassifyCells } from '../mesh/check'
+import { turn } from './turn'
 
 const CELLS_PER_CUT = 16384
+/** Helpers take longer cuts while much is left, which are fewer messages: at most so many, and this share of what is left. */
+const CELLS_PER_MESSAGE = 8 * CELLS_PER_CUT
+const SHARE = 1 / 8
 /** Fewer cells are no work for several. */
 const MANY = 4 * CELLS_PER_CUT
 /** More wait for the one that hands out the cuts. */
@@ -58,6 +62,11 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
     return compiled
   }
   const alone = cellClassifier(core, once, onProgress)
+  /** A few cells of many points, with their own alone. */
+  const few: typeof alone = (points, cells, wanted) => {
+    const own = 3 * cells.length < points.length ? pointsOf(points, cells) : null
+    return own ? alone(own, cells.map((_, i) => i), wanted) : alone(points, cells, wanted)
+  }
   let crew: Promise<Crew | null> | null = null
   const crewOnce = () => {
     crew ??= once().then(
@@ -68,7 +77,7 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
   }
   const classify = async (points: Float64Array, cells: Uint32Array, wanted: Wanted) => {
     const whole = cells.length >= 8 * MANY ? await crewOnce() : null
-    return whole ? inCuts(whole, { points, cells, wanted, onProgress }) : alone(points, cells, wanted)
+    return whole ? inCuts(whole, { points, cells, wanted, onProgress }) : few(points, cells, wanted)
   }
   return {
     classify: classify as ClassifyCells,
@@ -77,6 +86,17 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
       for (const own of (await crew)?.helpers ?? []) own.stop(new Error('The helpers were ended.'))
     },
   }
+}
+
+/** Null if one of them is not there. */
+function pointsOf(points: Float64Array, cells: Uint32Array): Float64Array | null {
+  const own = new Float64Array(3 * cells.length)
+  for (let i = 0; i < cells.length; ++i) {
+    const from = 3 * (cells[i] as number)
+    if (from >= points.length) return null
+    own.set(points.subarray(from, from + 3), 3 * i)
+  }
+  return own
 }
 
 async function crewOf(module: WebAssembly.Module, spawn: () => WorkerPort): Promise<Crew> {
@@ -111,12 +131,17 @@ async function inCuts({ own, helpers, held }: Crew, { points, cells, wanted: ask
   /** Cuts of helpers that have failed. */
   const left: Cut[] = []
 
-  function take(): Cut | null {
+  function take(most = CELLS_PER_CUT): Cut | null {
     const again = left.pop()
     if (again || next >= total) return again ?? null
     const first = next
-    next = Math.min(first + CELLS_PER_CUT, total)
+    next = Math.min(first + most, total)
     return { first, count: next - first }
+  }
+
+  function takeLong(): Cut | null {
+    const share = CELLS_PER_CUT * Math.floor((SHARE * (total - next)) / CELLS_PER_CUT)
+    return take(Math.min(CELLS_PER_MESSAGE, Math.max(CELLS_PER_CUT, share)))
   }
 
   function count(cut: Cut, own: typeof counts): void {
@@ -139,15 +164,14 @@ async function inCuts({ own, helpers, held }: Crew, { points, cells, wanted: ask
   }
 
   async function decideThere(helper: Helper): Promise<void> {
-    for (let cut = take(); cut; cut = take())
+    for (let cut = takeLong(); cut; cut = takeLong())
       try {
-        const { points: some, cells: indices, firstPoint } = pieceOf(points, cells, cut)
-        if (some === null && held.get(helper) !== points) {
+        const own = pieceOf(points, cells, cut)
+        if (own.points === null && held.get(helper) !== points) {
           held.set(helper, points)
           void helper.run('hold', points.slice()).catch(() => {})
         }
-        const piece = { points: some?.slice() ?? null, cells: (indices as Uint32Array).slice(), firstPoint }
-        const block = memory.take(cut.count * bytesPerCell(wanted))
+        const { piece, block } = inBlock(own, memory, cut.count * bytesPerCell(wanted))
         const back = await helper.run('classify', { piece, block, wanted })
         putLists(listsIn(back.block, cut.count, wanted), lists, cut.first)
         memory.give(back.block)
@@ -168,24 +192,30 @@ async function inCuts({ own, helpers, held }: Crew, { points, cells, wanted: ask
 }
 
 /** A cut with the points between its least and its greatest index; without, where those are far apart. */
-function pieceOf(points: Float64Array, cells: Uint32Array, { first, count }: Cut): Piece {
+function pieceOf(points: Float64Array, cells: Uint32Array, { first, count }: Cut): OwnPiece {
   const own = cells.subarray(8 * first, 8 * (first + count))
-  let [least, greatest] = [0xffffffff, 0]
-  for (let i = 0; i < own.length; ++i) {
-    const index = own[i] as number
+  // Integers with a sign are faster, and no list has 2^31 points.
+  const indices = new Int32Array(own.buffer, own.byteOffset, own.length)
+  let [least, greatest] = [0x7fffffff, 0]
+  for (let i = 0; i < indices.length; ++i) {
+    const index = indices[i] as number
     if (index < least) least = index
     if (index > greatest) greatest = index
   }
-  if (greatest - least >= 8 * count) return { points: null, cells: own, firstPoint: 0 }
+  if (least < 0 || greatest - least >= 8 * count) return { points: null, cells: own, firstPoint: 0 }
   return { points: points.subarray(3 * least, 3 * (greatest + 1)), cells: own, firstPoint: least }
 }
 
-const channel = new MessageChannel()
+interface OwnPiece extends Piece {
+  readonly cells: Uint32Array
+}
 
-/** Lets messages come in. */
-function turn(): Promise<void> {
-  return new Promise(resolve => {
-    channel.port2.onmessage = () => resolve()
-    channel.port1.postMessage(null)
-  })
+/** A copy in one block of memory, with room for the answers to it. */
+function inBlock({ points, cells, firstPoint }: OwnPiece, memory: Recycled, answers: number) {
+  const count = points?.length ?? 0
+  const block = memory.take(Math.max(8 * count + 4 * cells.length, answers))
+  const indices = new Uint32Array(block, 8 * count, cells.length)
+  indices.set(cells)
+  if (points) new Float64Array(block, 0, count).set(points)
+  return { piece: { points: points && new Float64Array(block, 0, count), cells: indices, firstPoint }, block }
 }

@@ -118,6 +118,8 @@ export class VtkMesh {
     let from = 0
     let missing = grid.declaredCells - types.length
     this.#missingPoints += declaredPoints - pointCount
+    if (places === null && missing === 0 && areHexahedra(grid) && largestIn(connectivity) < pointCount)
+      return connectivity
     for (let cell = 0; cell < types.length; ++cell) {
       const end = ends[cell] as number
       const type = types[cell] as number
@@ -246,6 +248,20 @@ export class VtkMesh {
       steps: this.steps,
     }
   }
+}
+
+/** True if there are hexahedra and nothing else. */
+function areHexahedra({ connectivity, ends, types }: VtkGrid): boolean {
+  if (connectivity.length !== 8 * types.length || types.length === 0) return false
+  for (let cell = 0, end = 8; cell < types.length; ++cell, end += 8)
+    if (types[cell] !== VTK_HEXAHEDRON || ends[cell] !== end) return false
+  return true
+}
+
+function largestIn(list: Uint32Array): number {
+  let largest = 0
+  for (let i = 0; i < list.length; ++i) if ((list[i] as number) > largest) largest = list[i] as number
+  return largest
 }
 
 function largestOfEight(list: Uint32Array, from: number): number {

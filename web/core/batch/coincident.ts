@@ -6,22 +6,29 @@ const PAIRS = Array.from({ length: 64 }, (_, i) => [i >> 3, i & 7] as const)
   .filter(([a, b]) => a < b)
   .flat()
 
+interface Cells {
+  readonly points: Float64Array
+  /** Eight indices a cell; without, each has its own eight points. */
+  readonly cells: Uint32Array | null
+  readonly valid: Uint8Array
+}
+
 /**
- * 1 for each cell with coincident vertices, else 0. `valid` is the verdict of each cell and saves most of the work: where the
+ * Puts 1 for each cell with coincident vertices, else 0. `valid` is the verdict of each cell and saves most of the work: where the
  * ends of an edge or of a face's diagonal coincide, two columns of the jacobian at a vertex are dependent and jacdet is 0
  * there, so in a valid cell only the four diagonals through the middle are left to compare.
  */
-export function coincidentCells(points: Float64Array, cells: Uint32Array, valid: Uint8Array): Uint8Array {
-  const found = new Uint8Array(cells.length / 8)
+export function putCoincident({ points, cells, valid }: Cells, found: Uint8Array): void {
   for (let cell = 0; cell < found.length; ++cell) {
     const pairs = valid[cell] === 1 ? DIAGONALS : PAIRS
+    found[cell] = 0
     for (let i = 0; i < pairs.length; i += 2) {
-      const a = 3 * (cells[8 * cell + (pairs[i] as number)] as number)
-      const b = 3 * (cells[8 * cell + (pairs[i + 1] as number)] as number)
+      const [v, w] = [8 * cell + (pairs[i] as number), 8 * cell + (pairs[i + 1] as number)]
+      const a = 3 * (cells ? (cells[v] as number) : v)
+      const b = 3 * (cells ? (cells[w] as number) : w)
       if (points[a] !== points[b] || points[a + 1] !== points[b + 1] || points[a + 2] !== points[b + 2]) continue
       found[cell] = 1
       break
     }
   }
-  return found
 }
