@@ -13,6 +13,8 @@ const AT_ONCE = 3
 /** Shorter files are read at once anyway; longer ones stay where they are and are read in parts. */
 const SHORT = 1024 * 1024
 const LONG = 1024 * 1024 * 1024
+/** Eight indices of 64 bits. */
+const BYTES_OF_A_CELL = 64
 
 export interface FileAtHand extends MeshFile {
   /** Gives the memory back; from then on the file is read where it is. */
@@ -25,6 +27,7 @@ interface Slice {
   /** Null before it is read, and once its bytes are somebody's, or were of no more use. */
   bytes: Uint8Array<ArrayBuffer> | null
   readonly halves: Halves | null
+  isRead: boolean
 }
 
 /** The low halves of a list of integers of 64 bits. */
@@ -35,17 +38,43 @@ interface Halves {
   high: number
 }
 
-export async function fileAtHand(file: File, onProgress: (fraction: number) => void): Promise<FileAtHand> {
+/** Called while the file is read with the points and the first so many of the cells that its reader may find there. */
+export type OnCells = (points: Float64Array, cells: Uint32Array, count: number) => void
+
+export async function fileAtHand(
+  file: File,
+  onProgress: (fraction: number) => void,
+  onCells: OnCells = () => {},
+): Promise<FileAtHand> {
   const own = meshFileOf(file)
   if (file.size < SHORT || file.size > LONG) return { ...own, close: () => {} }
-  const slices = slicesOf(listsIn(own), file.size)
+  const lists = listsIn(own)
+  const slices = slicesOf(lists, file.size)
+  const [of, cells] = (['points', 'hexahedra'] as const).map(holds => lists.filter(list => list.holds === holds))
+  /** Where there are points and hexahedra of one kind each. */
+  const told = of?.length === 1 && cells?.length === 1 ? { points: of[0]?.from, cells: cells[0]?.from } : null
+  let points: Float64Array | null = null
+  let toldCells = 0
   let [next, done] = [0, 0]
+
+  function tellOfCells(): void {
+    const ofCells = slices.filter(slice => slice.halves?.from === told?.cells)
+    const missing = ofCells.find(slice => !slice.isRead)
+    const [{ halves, from }, end] = [ofCells[0] as Slice, missing?.from ?? ofCells.at(-1)?.to ?? 0]
+    const known = Math.floor((end - from) / BYTES_OF_A_CELL)
+    if (!points || !halves || halves.high !== 0 || known === toldCells) return
+    toldCells = known
+    onCells(points, halves.list, known)
+  }
   async function readSlices(): Promise<void> {
     while (next < slices.length) {
       const slice = slices[next++] as Slice
       const bytes = new Uint8Array(await file.slice(slice.from, slice.to).arrayBuffer())
+      slice.isRead = true
       if (slice.halves) putHalves(bytes, slice.from, slice.halves)
       else slice.bytes = bytes
+      if (told && slice.from === told.points) points = new Float64Array(bytes.buffer)
+      if (told) tellOfCells()
       onProgress(++done / slices.length)
     }
   }
@@ -73,7 +102,7 @@ function slicesOf(lists: readonly FileList[], size: number): Slice[] {
   let at = 0
   const cutTo = (end: number, longest: number, halves: Halves | null) => {
     for (; at < end; at = Math.min(at + longest, end))
-      slices.push({ from: at, to: Math.min(at + longest, end), bytes: null, halves })
+      slices.push({ from: at, to: Math.min(at + longest, end), bytes: null, halves, isRead: false })
   }
   for (const { from, to, isLong } of lists.toSorted((a, b) => a.from - b.from)) {
     // Lists that overlap are a damaged file's.

@@ -19,6 +19,8 @@ export interface FileList {
   readonly from: number
   readonly to: number
   readonly isLong: boolean
+  /** What the list most likely is: the points of the mesh, or the vertices of its cells, all of them hexahedra. */
+  readonly holds: 'points' | 'hexahedra' | null
 }
 
 /** Finds a file that was dropped or lies beside, by its name in the file; null if none does. */

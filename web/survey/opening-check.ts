@@ -8,13 +8,16 @@ import { CLASSES } from '../core/unpack'
 import { cellsAt } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import type { Mesh } from '../mesh/mesh'
-import type { MeshCheck } from '../mesh/mesh-check'
+import { type MeshCheck, NEEDED } from '../mesh/mesh-check'
 import { verticesOf } from '../mesh/vertices-of'
 import { FEW, worstFirst } from '../mesh/worst'
 import { volumeBoundsOf } from './volume-bounds'
 
 /** Lists that the page shows; which checks accept a cell, and minimizers, are asked for when they are. */
 const LISTS = { minima: true, minimizers: false, volumes: true, exact: true } as const
+
+/** What is asked of all cells of a mesh that is opened in two steps, at first. */
+export const FIRST_LISTS = { ...LISTS, ...NEEDED, volumes: false, relativeMinima: false } as const
 
 /** Meshes with fewer cells are checked at once. */
 const MANY = 50_000
@@ -54,7 +57,7 @@ export async function openingCheck(mesh: Mesh, tools: Tools, many = MANY): Promi
 function without(later: Answers, classify: ClassifyCells): ClassifyCells {
   const own = async (points: Float64Array, cells: Uint32Array, wanted: Wanted) => {
     if (!wanted.relativeMinima) return classify(points, cells, wanted)
-    const answers = await classify(points, cells, { ...wanted, volumes: false, relativeMinima: false })
+    const answers = await classify(points, cells, FIRST_LISTS)
     later.relativeMinima?.fill(Number.NaN)
     return { ...answers, volumes: later.volumes, relativeMinima: later.relativeMinima }
   }

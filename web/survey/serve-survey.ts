@@ -22,7 +22,7 @@ import { lookingJobs, nameOf, noHexahedra, STEP } from './looking-jobs'
 import { meeting } from './meeting'
 import { mended } from './mend'
 import { OpenedSurvey } from './opened-survey'
-import { openingCheck } from './opening-check'
+import { FIRST_LISTS, openingCheck } from './opening-check'
 import { practiceMesh } from './practice'
 import { type SharedClassifier, sharedClassifier } from './shared-classifier'
 import { boundsOf } from './overview'
@@ -142,7 +142,11 @@ export function serveSurvey(engine: SurveyEngine): void {
       void tools().then(({ classifier }) => classifier.prepare())
     const found = 'files' in input ? await reading(tell, options => stepFilesOf(filesOf(input), options)) : null
     if (found) return { opened: await openedStep(found, tell) }
-    return { opened: await surveyed(nameOf(input), await meshOf(input, engine, tell), tell) }
+    const { classifier } = await tools()
+    const mesh = await meshOf(input, engine, tell, (points, cells, count) =>
+      classifier.know(points, cells, count, FIRST_LISTS),
+    )
+    return { opened: await surveyed(nameOf(input), mesh, tell) }
   }
 
   function readOf(series: StepSeries, step: number, tell: Tell): Promise<StepMesh> {

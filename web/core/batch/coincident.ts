@@ -1,7 +1,5 @@
 /** Cells in which vertices lie at the same position, whatever their ids. */
 
-/** Vertices 0 and 6, 1 and 7, 2 and 4, 3 and 5. */
-const DIAGONALS = [0, 6, 1, 7, 2, 4, 3, 5]
 const PAIRS = Array.from({ length: 64 }, (_, i) => [i >> 3, i & 7] as const)
   .filter(([a, b]) => a < b)
   .flat()
@@ -19,16 +17,21 @@ interface Cells {
  * there, so in a valid cell only the four diagonals through the middle are left to compare.
  */
 export function putCoincident({ points, cells, valid }: Cells, found: Uint8Array): void {
+  const at = (cell: number, vertex: number) => 3 * (cells ? (cells[8 * cell + vertex] as number) : 8 * cell + vertex)
+  const areOne = (a: number, b: number) =>
+    points[a] === points[b] && points[a + 1] === points[b + 1] && points[a + 2] === points[b + 2]
   for (let cell = 0; cell < found.length; ++cell) {
-    const pairs = valid[cell] === 1 ? DIAGONALS : PAIRS
-    found[cell] = 0
-    for (let i = 0; i < pairs.length; i += 2) {
-      const [v, w] = [8 * cell + (pairs[i] as number), 8 * cell + (pairs[i + 1] as number)]
-      const a = 3 * (cells ? (cells[v] as number) : v)
-      const b = 3 * (cells ? (cells[w] as number) : w)
-      if (points[a] !== points[b] || points[a + 1] !== points[b + 1] || points[a + 2] !== points[b + 2]) continue
-      found[cell] = 1
-      break
+    if (valid[cell] === 1) {
+      const isOne =
+        areOne(at(cell, 0), at(cell, 6)) ||
+        areOne(at(cell, 1), at(cell, 7)) ||
+        areOne(at(cell, 2), at(cell, 4)) ||
+        areOne(at(cell, 3), at(cell, 5))
+      found[cell] = Number(isOne)
+      continue
     }
+    found[cell] = 0
+    for (let i = 0; i < PAIRS.length && found[cell] === 0; i += 2)
+      found[cell] = Number(areOne(at(cell, PAIRS[i] as number), at(cell, PAIRS[i + 1] as number)))
   }
 }

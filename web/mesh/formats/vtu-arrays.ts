@@ -71,8 +71,8 @@ export function readArray<T extends NumberList>(
   return { list: new BinaryArray(storage, array, count, List).read(), digits: 0 }
 }
 
-/** Where a list lies whose bytes are as they are in memory, or integers of 64 bits; nothing of another one. */
-export function listOf(storage: Storage, array: DataArray): FileList[] {
+/** Where a list of a piece of so many cells lies whose bytes are as they are in memory, or integers of 64 bits; nothing of another one. */
+export function listOf(storage: Storage, array: DataArray, cells: number): FileList[] {
   const { file, appended, decompress, headerType, isLittleEndian } = storage
   const isLong = array.type === 'Int64' || array.type === 'UInt64'
   const isFitting = isLong || array.type === 'Float64'
@@ -84,7 +84,10 @@ export function listOf(storage: Storage, array: DataArray): FileList[] {
   const header = file.read(at, from)
   const view = new DataView(header.buffer, header.byteOffset)
   const bytes = headerType === 'UInt32' ? view.getUint32(0, true) : Number(view.getBigUint64(0, true))
-  return from + bytes <= file.size && bytes % 8 === 0 ? [{ from, to: from + bytes, isLong }] : []
+  if (from + bytes > file.size || bytes % 8 !== 0) return []
+  const isOfHexahedra = array.name === 'connectivity' && isLong && bytes === 64 * cells
+  const holds = array.name === 'Points' && !isLong ? 'points' : isOfHexahedra ? 'hexahedra' : null
+  return [{ from, to: from + bytes, isLong, holds }]
 }
 
 /** Refuses with the line of a byte. */

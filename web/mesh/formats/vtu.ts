@@ -52,7 +52,9 @@ export const vtu: MeshFormat = {
   listsIn(file) {
     const document = scanDocument(new XmlScanner(file), file, { ...NOTHING_BESIDE, core: null })
     if (document === null) return []
-    return document.pieces.flatMap(({ arrays }) => [...arrays.values()].flatMap(array => listOf(document.storage, array)))
+    return document.pieces.flatMap(({ arrays, cells }) =>
+      [...arrays.values()].flatMap(array => listOf(document.storage, array, cells)),
+    )
   },
 }
 
