@@ -23,7 +23,7 @@ import { meeting } from './meeting'
 import { mended } from './mend'
 import { OpenedSurvey } from './opened-survey'
 import { FIRST_LISTS, openingCheck } from './opening-check'
-import { practiceMesh } from './practice'
+import { practiceFile } from './practice'
 import { type SharedClassifier, sharedClassifier } from './shared-classifier'
 import { boundsOf } from './overview'
 import { type StepMesh, StepSeries } from './step-series'
@@ -46,6 +46,9 @@ import { Writing } from './writing'
 
 /** Files that say which checks accept a cell. */
 const LISTING: ReadonlySet<FormId> = new Set<FormId>(['csv', 'html'])
+
+/** Until the engine has made its fastest code. */
+const TIMES = 3
 
 /** Bytes of a file that has many cells. */
 const LARGE = 4 * 1024 * 1024
@@ -74,6 +77,18 @@ type Tell = (progress: ReadingProgress) => void
 /** With what starts a worker for batches. */
 export interface SurveyEngine extends ReadingEngine {
   readonly helper: () => WorkerPort
+}
+
+async function decided(name: string, mesh: Mesh, { core, classifier }: Tools, before: Survey | null) {
+  const { classify } = classifier
+  // Helpers decide in the meantime.
+  const boundsMeanwhile = turn().then(() => boundsOf(mesh))
+  const { check, finish } = await openingCheck(mesh, { classify, core })
+  const survey = new Survey(check, { core, meeting }, before, await boundsMeanwhile)
+  const wholeOrder = await wholeOrderOf(check, { classify, core })
+  const overview = survey.overview(name, wholeOrder, await acceptedOfInvalid(check, classify))
+  if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
+  return { survey, finish, overview }
 }
 
 export function serveSurvey(engine: SurveyEngine): void {
@@ -114,14 +129,8 @@ export function serveSurvey(engine: SurveyEngine): void {
     const { core, classifier } = await tools()
     const { classify } = classifier
     onDecided = fraction => tell({ step: 'deciding', fraction })
-    // Helpers decide in the meantime.
-    const boundsMeanwhile = turn().then(() => boundsOf(mesh))
-    const { check, finish } = await openingCheck(mesh, { classify, core })
-    const own = new Survey(check, { core, meeting }, before, await boundsMeanwhile)
-    const wholeOrder = await wholeOrderOf(check, { classify, core })
-    const overview = own.overview(name, wholeOrder, await acceptedOfInvalid(check, classify))
-    if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
-    open = { name, survey: new OpenedSurvey(own, finish, classify), classify, core }
+    const { survey, finish, overview } = await decided(name, mesh, await tools(), before)
+    open = { name, survey: new OpenedSurvey(survey, finish, classify), classify, core }
     writing = null
     return overview
   }
@@ -142,11 +151,13 @@ export function serveSurvey(engine: SurveyEngine): void {
       void tools().then(({ classifier }) => classifier.prepare())
     const found = 'files' in input ? await reading(tell, options => stepFilesOf(filesOf(input), options)) : null
     if (found) return { opened: await openedStep(found, tell) }
+    return { opened: await surveyed(nameOf(input), await read(input, tell), tell) }
+  }
+
+  /** Its cells are decided while it is read. */
+  async function read(input: PastedInput, tell: Tell): Promise<Mesh> {
     const { classifier } = await tools()
-    const mesh = await meshOf(input, engine, tell, (points, cells, count) =>
-      classifier.know(points, cells, count, FIRST_LISTS),
-    )
-    return { opened: await surveyed(nameOf(input), mesh, tell) }
+    return meshOf(input, engine, tell, (points, cells, count) => classifier.know(points, cells, count, FIRST_LISTS))
   }
 
   function readOf(series: StepSeries, step: number, tell: Tell): Promise<StepMesh> {
@@ -208,10 +219,11 @@ export function serveSurvey(engine: SurveyEngine): void {
 
   serve<null, Served<SurveyJobs>>('hexlens-survey', () => ({
     async prepare() {
-      const [{ core, classifier }] = await Promise.all([tools(), engine.readingCore()])
-      classifier.prepare()
-      const { check } = await openingCheck(practiceMesh(), { classify: classifier.classify, core })
-      await acceptedOfInvalid(check, classifier.classify)
+      const [own] = await Promise.all([tools(), engine.readingCore()])
+      own.classifier.prepare()
+      const name = 'practice.vtu'
+      for (let time = 0; time < TIMES; ++time)
+        await decided(name, await read({ files: [practiceFile()] }, () => {}), own, null)
       return null
     },
     open: (input, tell) => opening(input, toldSeldom(tell)).catch(refusalOf),
