@@ -3,6 +3,7 @@
  * list of numbers is a slice of its own, so that it is not copied; integers of 64 bits become their low halves slice by slice, while the
  * next ones are read.
  */
+import { inParts } from '../mesh/in-parts'
 import { listsIn } from '../mesh/read-mesh'
 import type { FileList, MeshFile } from '../mesh/source'
 import { meshFileOf } from './file-reading'
@@ -118,12 +119,19 @@ function slicesOf(lists: readonly FileList[], size: number): Slice[] {
 function putHalves(bytes: Uint8Array<ArrayBuffer>, at: number, halves: Halves): void {
   const words = new Int32Array(bytes.buffer)
   const list = new Int32Array(halves.list.buffer)
+  const first = (at - halves.from) / 8
+  inParts(words.length / 2, (from, to) => {
+    halves.high |= putLow(words, list, first, from, to)
+  })
+}
+
+function putLow(words: Int32Array, list: Int32Array, first: number, from: number, to: number): number {
   let high = 0
-  for (let i = 0, to = (at - halves.from) / 8; i < words.length; i += 2, ++to) {
-    high |= words[i + 1] as number
-    list[to] = words[i] as number
+  for (let i = from; i < to; ++i) {
+    high |= words[2 * i + 1] as number
+    list[first + i] = words[2 * i] as number
   }
-  halves.high |= high
+  return high
 }
 
 interface Wanted {

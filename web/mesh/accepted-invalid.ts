@@ -1,6 +1,7 @@
 /** How many of the invalid cells the checks accept of which the sentence on top tells. */
 import { CHECKS } from '../core/unpack'
 import type { ClassifyCells } from './check'
+import { inParts } from './in-parts'
 import type { MeshCheck } from './mesh-check'
 
 export interface AcceptedInvalid {
@@ -30,10 +31,12 @@ export async function acceptedOfInvalid(check: MeshCheck, classify: ClassifyCell
   const { mesh, answers } = check
   const cornerMinima = (answers.minima as NonNullable<typeof answers.minima>).cornerMinima
   const some: number[] = []
-  for (let cell = 0; cell < check.hexahedra; ++cell) {
-    if (answers.valid[cell] === 1 || check.standingOf(cell) !== 'invalid') continue
-    if ((cornerMinima[cell] as number) > 0 || hasShortVector(mesh.points, mesh.cells, cell)) some.push(cell)
-  }
+  inParts(check.hexahedra, (from, to) => {
+    for (let cell = from; cell < to; ++cell) {
+      if (answers.valid[cell] === 1 || check.standingOf(cell) !== 'invalid') continue
+      if ((cornerMinima[cell] as number) > 0 || hasShortVector(mesh.points, mesh.cells, cell)) some.push(cell)
+    }
+  })
   if (some.length === 0) return { corners: 0, vtk: 0 }
   const { acceptedBy } = await classify(mesh.points, cellsAt(mesh.cells, some), { acceptedBy: true })
   let [corners, vtk] = [0, 0]

@@ -7,6 +7,7 @@ import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
 import { cellsAt } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
+import { inParts } from '../mesh/in-parts'
 import type { Mesh } from '../mesh/mesh'
 import { type MeshCheck, NEEDED } from '../mesh/mesh-check'
 import { verticesOf } from '../mesh/vertices-of'
@@ -92,12 +93,13 @@ function candidatesOf(check: MeshCheck): Uint32Array | null {
   const some: number[] = []
   const lowers: number[] = []
   const bounds = volumeBoundsOf(mesh)
-  for (let cell = 0; cell < hexahedra; ++cell) {
-    if (isOfInvalid && answers.valid[cell] === 1) continue
+  let isTooMany = false
+  const look = (cell: number) => {
+    if (isOfInvalid && answers.valid[cell] === 1) return
     const minimum = minima.values[cell] as number
     // Not below the worst so far, whatever its volume.
-    if (minimum >= 0 && least.bound < 0) continue
-    if (answers.statuses[cell] !== 0 || !isAnswered(cell)) continue
+    if (minimum >= 0 && least.bound < 0) return
+    if (answers.statuses[cell] !== 0 || !isAnswered(cell)) return
     let [lower, upper] = [-Infinity, Infinity]
     if (minimum === 0 || answers.classes[cell] === collapsed) lower = upper = 0
     else if (minima.exponents[cell] === 0 && bounds.find(cell)) {
@@ -105,7 +107,7 @@ function candidatesOf(check: MeshCheck): Uint32Array | null {
       lower = below(minimum / (minimum < 0 ? small : large))
       upper = above(minimum / (minimum < 0 ? large : small))
     }
-    if (!(lower <= least.bound)) continue
+    if (!(lower <= least.bound)) return
     least.take(upper)
     some.push(cell)
     lowers.push(lower)
@@ -118,9 +120,13 @@ function candidatesOf(check: MeshCheck): Uint32Array | null {
         }
       some.length = kept
       lowers.length = kept
-      if (2 * kept > MOST_CANDIDATES) return null
+      isTooMany ||= 2 * kept > MOST_CANDIDATES
     }
   }
+  inParts(hexahedra, (from, to) => {
+    for (let cell = from; cell < to && !isTooMany; ++cell) look(cell)
+  })
+  if (isTooMany) return null
   if (least.bound === Infinity) return null
   return Uint32Array.from(some.filter((_, i) => (lowers[i] as number) <= least.bound))
 }

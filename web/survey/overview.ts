@@ -1,6 +1,7 @@
 /** What is said of a mesh on top. */
 import type { AcceptedInvalid } from '../mesh/accepted-invalid'
 import { countSentences } from '../mesh/check-summary'
+import { inParts } from '../mesh/in-parts'
 import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { grouped, headlineOf } from '../mesh/mesh-headline'
@@ -52,11 +53,31 @@ function fixesOf({ mirrored }: MeshCheck, wholeOrder: NodeOrder | null): Fix[] {
 /** Of the points that cells have. */
 export function boundsOf({ points, cells }: Mesh): Bounds | null {
   const isUsed = new Uint8Array(points.length / 3)
-  for (let i = 0; i < cells.length; ++i) isUsed[cells[i] as number] = 1
-  let [x0, y0, z0, x1, y1, z1] = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity]
-  for (let point = 0, at = 0; point < isUsed.length; ++point, at += 3) {
+  inParts(cells.length, (from, to) => {
+    for (let i = from; i < to; ++i) isUsed[cells[i] as number] = 1
+  })
+  const box = Float64Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity)
+  inParts(isUsed.length, (from, to) => widen(box, { points, isUsed, from, to }))
+  const [x0, y0, z0, x1, y1, z1] = box as unknown as [number, number, number, number, number, number]
+  const bounds: Bounds = { least: [x0, y0, z0], greatest: [x1, y1, z1] }
+  return bounds.least.includes(Infinity) || bounds.greatest.includes(-Infinity) ? null : bounds
+}
+
+interface Used {
+  readonly points: Float64Array
+  readonly isUsed: Uint8Array
+  readonly from: number
+  readonly to: number
+}
+
+/** Infinities and NaNs are nowhere. */
+function widen(box: Float64Array, { points, isUsed, from, to }: Used): void {
+  let [x0, y0, z0, x1, y1, z1] = box as unknown as [number, number, number, number, number, number]
+  for (let point = from; point < to; ++point) {
     if (isUsed[point] !== 1) continue
-    const [x, y, z] = [points[at] as number, points[at + 1] as number, points[at + 2] as number]
+    const x = points[3 * point] as number
+    const y = points[3 * point + 1] as number
+    const z = points[3 * point + 2] as number
     if (x < x0 && x > -Infinity) x0 = x
     if (x > x1 && x < Infinity) x1 = x
     if (y < y0 && y > -Infinity) y0 = y
@@ -64,6 +85,5 @@ export function boundsOf({ points, cells }: Mesh): Bounds | null {
     if (z < z0 && z > -Infinity) z0 = z
     if (z > z1 && z < Infinity) z1 = z
   }
-  const bounds: Bounds = { least: [x0, y0, z0], greatest: [x1, y1, z1] }
-  return bounds.least.includes(Infinity) || bounds.greatest.includes(-Infinity) ? null : bounds
+  box.set([x0, y0, z0, x1, y1, z1])
 }
