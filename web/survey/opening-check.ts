@@ -67,7 +67,8 @@ function without(later: Answers, classify: ClassifyCells): ClassifyCells {
 
 /** The `FEW` worst cells, with their volumes and relative minima; null where the bounds of volumes leave too many open. */
 async function worstOf(check: MeshCheck, { classify }: Tools): Promise<Uint32Array | null> {
-  const candidates = candidatesOf(check)
+  const isOfInvalid = check.invalid >= FEW && check.invalid <= MOST_CANDIDATES
+  const candidates = isOfInvalid ? invalidOf(check) : candidatesOf(check)
   if (candidates === null) return null
   const { points, cells } = check.mesh
   const found = await classify(points, cellsAt(cells, candidates), { volumes: true, relativeMinima: true })
@@ -80,6 +81,15 @@ async function worstOf(check: MeshCheck, { classify }: Tools): Promise<Uint32Arr
   }
   const order = worstFirst(candidates.length, severityOf(check, candidates), FEW, () => true)
   return order.map(i => candidates[i] as number)
+}
+
+/** All invalid cells: no valid one is worse. */
+function invalidOf({ answers: { valid }, hexahedra, standingOf }: MeshCheck): Uint32Array {
+  const some: number[] = []
+  inParts(hexahedra, (from, to) => {
+    for (let cell = from; cell < to; ++cell) if (valid[cell] !== 1 && standingOf(cell) === 'invalid') some.push(cell)
+  })
+  return Uint32Array.from(some)
 }
 
 /** Cells among which the `FEW` worst are, ascending. */
