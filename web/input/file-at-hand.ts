@@ -3,14 +3,16 @@
  * list of numbers is a slice of its own, so that it is not copied; integers of 64 bits become their low halves slice by slice, while the
  * next ones are read.
  */
-import { inParts } from '../mesh/in-parts'
+import { type LowHalves, lowHalves } from '../core/batch/low-halves'
 import { listsIn } from '../mesh/read-mesh'
 import type { FileList, MeshFile } from '../mesh/source'
 import { meshFileOf } from './file-reading'
 
 /** Bytes of a slice, and slices under way. */
-const SLICE = 16 * 1024 * 1024
+const SLICE = 8 * 1024 * 1024
 const AT_ONCE = 3
+/** Slices that a helper has under way. */
+const AHEAD = 2
 /** Shorter files are read at once anyway; longer ones stay where they are and are read in parts. */
 const SHORT = 1024 * 1024
 const LONG = 1024 * 1024 * 1024
@@ -34,7 +36,7 @@ interface Slice {
 /** The low halves of a list of integers of 64 bits. */
 interface Halves {
   readonly from: number
-  readonly list: Uint32Array
+  readonly list: Uint32Array<ArrayBuffer>
   /** 0 as long as no high half is anything else. */
   high: number
 }
@@ -42,10 +44,16 @@ interface Halves {
 /** Called while the file is read with the points and the first so many of the cells that its reader may find there. */
 export type OnCells = (points: Float64Array, cells: Uint32Array, count: number) => void
 
+export interface Beforehand {
+  readonly onCells: OnCells
+  /** Others who read integers of 64 bits; a promise that rejects is of one who does no more. */
+  readonly halvers: readonly ((bytes: Blob) => Promise<LowHalves>)[]
+}
+
 export async function fileAtHand(
   file: File,
   onProgress: (fraction: number) => void,
-  onCells: OnCells = () => {},
+  { onCells, halvers }: Beforehand = { onCells() {}, halvers: [] },
 ): Promise<FileAtHand> {
   const own = meshFileOf(file)
   if (file.size < SHORT || file.size > LONG) return { ...own, close: () => {} }
@@ -56,7 +64,7 @@ export async function fileAtHand(
   const told = of?.length === 1 && cells?.length === 1 ? { points: of[0]?.from, cells: cells[0]?.from } : null
   let points: Float64Array | null = null
   let toldCells = 0
-  let [next, done] = [0, 0]
+  let done = 0
 
   function tellOfCells(): void {
     const ofCells = slices.filter(slice => slice.halves?.from === told?.cells)
@@ -67,19 +75,48 @@ export async function fileAtHand(
     toldCells = known
     onCells(points, halves.list, known)
   }
-  async function readSlices(): Promise<void> {
-    while (next < slices.length) {
-      const slice = slices[next++] as Slice
-      const bytes = new Uint8Array(await file.slice(slice.from, slice.to).arrayBuffer())
-      slice.isRead = true
-      if (slice.halves) putHalves(bytes, slice.from, slice.halves)
-      else slice.bytes = bytes
-      if (told && slice.from === told.points) points = new Float64Array(bytes.buffer)
-      if (told) tellOfCells()
-      onProgress(++done / slices.length)
+  const waiting = [...slices]
+
+  function took(slice: Slice): void {
+    slice.isRead = true
+    onProgress(++done / slices.length)
+    if (told) tellOfCells()
+  }
+
+  async function read(slice: Slice): Promise<void> {
+    const bytes = await file.slice(slice.from, slice.to).arrayBuffer()
+    const { halves } = slice
+    if (halves) halves.high |= lowHalves(bytes, partOf(slice, halves)).high
+    else slice.bytes = new Uint8Array(bytes)
+    if (told && slice.from === told.points) points = new Float64Array(bytes)
+    took(slice)
+  }
+
+  async function readAll(): Promise<void> {
+    for (let slice = waiting.shift(); slice; slice = waiting.shift()) await read(slice)
+  }
+
+  async function readElsewhere(halve: (bytes: Blob) => Promise<LowHalves>): Promise<void> {
+    for (;;) {
+      const at = waiting.findIndex(slice => slice.halves)
+      const [slice] = at < 0 ? [] : waiting.splice(at, 1)
+      if (!slice) return
+      const halves = slice.halves as Halves
+      try {
+        const { list, high } = await halve(file.slice(slice.from, slice.to))
+        partOf(slice, halves).set(list)
+        halves.high |= high
+        took(slice)
+      } catch {
+        return read(slice)
+      }
     }
   }
-  await Promise.all(Array.from({ length: AT_ONCE }, readSlices))
+
+  await Promise.all([
+    ...Array.from({ length: AT_ONCE }, readAll),
+    ...halvers.flatMap(halve => Array.from({ length: AHEAD }, () => readElsewhere(halve))),
+  ])
   return {
     name: own.name,
     size: own.size,
@@ -116,22 +153,9 @@ function slicesOf(lists: readonly FileList[], size: number): Slice[] {
   return slices
 }
 
-function putHalves(bytes: Uint8Array<ArrayBuffer>, at: number, halves: Halves): void {
-  const words = new Int32Array(bytes.buffer)
-  const list = new Int32Array(halves.list.buffer)
-  const first = (at - halves.from) / 8
-  inParts(words.length / 2, (from, to) => {
-    halves.high |= putLow(words, list, first, from, to)
-  })
-}
-
-function putLow(words: Int32Array, list: Int32Array, first: number, from: number, to: number): number {
-  let high = 0
-  for (let i = from; i < to; ++i) {
-    high |= words[2 * i + 1] as number
-    list[first + i] = words[2 * i] as number
-  }
-  return high
+/** The numbers of a slice. */
+function partOf({ from, to }: Slice, { from: first, list }: Halves): Uint32Array<ArrayBuffer> {
+  return list.subarray((from - first) / 8, (to - first) / 8)
 }
 
 interface Wanted {

@@ -157,7 +157,10 @@ export function serveSurvey(engine: SurveyEngine): void {
   /** Its cells are decided while it is read. */
   async function read(input: PastedInput, tell: Tell): Promise<Mesh> {
     const { classifier } = await tools()
-    return meshOf(input, engine, tell, (points, cells, count) => classifier.know(points, cells, count, FIRST_LISTS))
+    return meshOf(input, engine, tell, {
+      onCells: (points, cells, count) => classifier.know(points, cells, count, FIRST_LISTS),
+      halvers: classifier.halvers(),
+    })
   }
 
   function readOf(series: StepSeries, step: number, tell: Tell): Promise<StepMesh> {

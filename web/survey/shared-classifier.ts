@@ -1,6 +1,7 @@
 /** Verdicts of many cells on several workers, the one that has the mesh among them: cut by cut, each with the points that it needs. */
 import { loadBatchCore } from '../core/batch/batch-core'
 import { type Wanted, wantedOf } from '../core/batch/lists'
+import type { LowHalves } from '../core/batch/low-halves'
 import { defaultWorkers } from '../core/batch/start'
 import type { Core } from '../core/report'
 import { Pool, type WorkerPort } from '../core/workers'
@@ -28,6 +29,8 @@ export interface SharedClassifier {
    * of the same points and cells finds the answers.
    */
   know(points: Float64Array, cells: Uint32Array, count: number, wanted: Wanted): void
+  /** The helpers that have started, as readers of integers of 64 bits. */
+  halvers(): readonly ((bytes: Blob) => Promise<LowHalves>)[]
   /** Ends them. */
   close(): Promise<void>
 }
@@ -79,6 +82,7 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
       if (begun?.cells !== cells) begun = new Deciding(ready, points, cells, wantedOf(wanted))
       begun.know(count)
     },
+    halvers: () => [...(ready?.helpers ?? [])].map(helper => bytes => helper.run('halve', bytes)),
     async close() {
       for (const own of (await crew)?.helpers ?? []) own.stop(new Error('The helpers were ended.'))
     },
