@@ -3,7 +3,7 @@
  * list of numbers is a slice of its own, so that it is not copied; integers of 64 bits become their low halves slice by slice, while the
  * next ones are read.
  */
-import { type LowHalves, lowHalves } from '../core/batch/low-halves'
+import { type LowHalves, lowHalves, PART } from '../core/batch/low-halves'
 import { listsIn } from '../mesh/read-mesh'
 import type { FileList, MeshFile } from '../mesh/source'
 import { meshFileOf } from './file-reading'
@@ -37,12 +37,19 @@ interface Slice {
 interface Halves {
   readonly from: number
   readonly list: Uint32Array<ArrayBuffer>
+  readonly ranges: Int32Array<ArrayBuffer>
   /** 0 as long as no high half is anything else. */
   high: number
 }
 
 /** Called while the file is read with the points and the first so many of the cells that its reader may find there. */
-export type OnCells = (points: Float64Array, cells: Uint32Array, count: number) => void
+export type OnCells = (points: Float64Array, cells: CellsInParts, count: number) => void
+
+export interface CellsInParts {
+  readonly list: Uint32Array
+  /** The least and the greatest index of each `PART` of them. */
+  readonly ranges: Int32Array
+}
 
 export interface Beforehand {
   readonly onCells: OnCells
@@ -73,7 +80,7 @@ export async function fileAtHand(
     const known = Math.floor((end - from) / BYTES_OF_A_CELL)
     if (!points || !halves || halves.high !== 0 || known === toldCells) return
     toldCells = known
-    onCells(points, halves.list, known)
+    onCells(points, halves, known)
   }
   const waiting = [...slices]
 
@@ -86,7 +93,7 @@ export async function fileAtHand(
   async function read(slice: Slice): Promise<void> {
     const bytes = await file.slice(slice.from, slice.to).arrayBuffer()
     const { halves } = slice
-    if (halves) halves.high |= lowHalves(bytes, partOf(slice, halves)).high
+    if (halves) put(lowHalves(bytes, partOf(slice, halves)), slice, halves)
     else slice.bytes = new Uint8Array(bytes)
     if (told && slice.from === told.points) points = new Float64Array(bytes)
     took(slice)
@@ -103,9 +110,9 @@ export async function fileAtHand(
       if (!slice) return
       const halves = slice.halves as Halves
       try {
-        const { list, high } = await halve(file.slice(slice.from, slice.to))
-        partOf(slice, halves).set(list)
-        halves.high |= high
+        const found = await halve(file.slice(slice.from, slice.to))
+        partOf(slice, halves).set(found.list)
+        put(found, slice, halves)
         took(slice)
       } catch {
         return read(slice)
@@ -146,11 +153,19 @@ function slicesOf(lists: readonly FileList[], size: number): Slice[] {
     // Lists that overlap are a damaged file's.
     if (from < at) continue
     cutTo(from, SLICE, null)
-    if (isLong) cutTo(to, SLICE, { from, list: new Uint32Array((to - from) / 8), high: 0 })
+    const count = (to - from) / 8
+    const ranges = new Int32Array(2 * Math.ceil(count / PART))
+    if (isLong) cutTo(to, SLICE, { from, list: new Uint32Array(count), ranges, high: 0 })
     else cutTo(to, Infinity, null)
   }
   cutTo(size, SLICE, null)
   return slices
+}
+
+/** Slices are whole parts, but for the last. */
+function put({ high, ranges }: LowHalves, { from }: Slice, halves: Halves): void {
+  halves.high |= high
+  halves.ranges.set(ranges, (2 * (from - halves.from)) / (8 * PART))
 }
 
 /** The numbers of a slice. */

@@ -152,8 +152,12 @@ function formatNamed(wanted: string): MeshFormat {
 }
 
 function formatOf(head: Uint8Array, fileName: string): MeshFormat {
-  const answers = formats.map(format => format.recognizes(head, fileName.toLowerCase()))
-  const at = answers.includes('yes') ? answers.indexOf('yes') : answers.indexOf('maybe')
-  if (at < 0) throw new MeshRefusal(`${shown(fileName).slice(1, -1)}: this is in no format that is known here.`)
-  return formats[at] as MeshFormat
+  let possible: MeshFormat | null = null
+  for (const format of formats) {
+    const answer = format.recognizes(head, fileName.toLowerCase())
+    if (answer === 'yes') return format
+    if (answer === 'maybe') possible ??= format
+  }
+  if (possible) return possible
+  throw new MeshRefusal(`${shown(fileName).slice(1, -1)}: this is in no format that is known here.`)
 }

@@ -1,6 +1,7 @@
 /** Cells that are decided cut by cut by whoever is free: all at once, or as they become known while their file is read. */
 import { type BatchCore, type Counts, NOTHING_COUNTED, type Piece, sumOfCounts } from '../core/batch/batch-core'
 import { type Answers, answersOf, bytesPerCell, emptyLists, type Lists, listsIn, partOf, putLists, type Wanted } from '../core/batch/lists'
+import { PART } from '../core/batch/low-halves'
 import { Recycled } from '../core/batch/pieces'
 import type { BatchJobs } from '../core/batch/worker'
 import type { Pool } from '../core/workers'
@@ -29,6 +30,13 @@ interface Cut {
   readonly count: number
 }
 
+export interface Known {
+  readonly points: Float64Array
+  readonly cells: Uint32Array
+  /** The least and the greatest index of each `PART` of the cells' indices, where they are known with them. */
+  readonly ranges: Int32Array | null
+}
+
 export class Deciding {
   readonly points: Float64Array
   /** All of them; those from `known` on are not there yet. */
@@ -37,20 +45,26 @@ export class Deciding {
   onProgress: (done: number, total: number) => void = () => {}
   readonly answers: Promise<Answers & Counts>
   readonly #crew: Crew
+  readonly #ranges: Int32Array | null
   readonly #total: number
   readonly #lists: Lists
   readonly #memory = new Recycled()
   /** Cuts of helpers that have failed. */
   readonly #left: Cut[] = []
   #known = 0
+  #knowAll: () => void = () => {}
+  readonly #all = new Promise<void>(resolve => {
+    this.#knowAll = resolve
+  })
   #wake: () => void = () => {}
   #more: Promise<void> | null = null
   #next = 0
   #done = 0
   #counts: Counts = NOTHING_COUNTED
 
-  constructor(crew: Crew, points: Float64Array, cells: Uint32Array, wanted: Wanted) {
+  constructor(crew: Crew, { points, cells, ranges }: Known, wanted: Wanted) {
     this.#crew = crew
+    this.#ranges = ranges
     this.points = points
     this.cells = cells
     this.wanted = wanted
@@ -63,6 +77,7 @@ export class Deciding {
   /** So many cells are there. */
   know(count: number): void {
     this.#known = count
+    if (count === this.#total) this.#knowAll()
     this.#wake()
     this.#more = null
   }
@@ -71,6 +86,8 @@ export class Deciding {
     const others = [...this.#crew.helpers].flatMap(helper =>
       Array.from({ length: CUTS_AHEAD }, () => this.#decideThere(helper)),
     )
+    // Whoever hands out the cuts may have the file to read.
+    if (others.length > 0) await this.#all
     await this.#decideHere()
     await Promise.all(others)
     await this.#decideHere()
@@ -95,6 +112,17 @@ export class Deciding {
     }
   }
 
+  /** A cut with the points between its least and its greatest index; without, where those are far apart. */
+  #pieceOf({ first, count }: Cut): OwnPiece {
+    const cells = this.cells.subarray(8 * first, 8 * (first + count))
+    const [from, to] = [8 * first, 8 * (first + count)].map(at => at / PART) as [number, number]
+    const isInParts = this.#ranges && Number.isInteger(from) && (Number.isInteger(to) || 8 * (first + count) === this.cells.length)
+    const parts = isInParts ? this.#ranges?.subarray(2 * from, 2 * Math.ceil(to)) : null
+    const [least, greatest] = parts ? [Math.min(...parts), Math.max(...parts)] : rangeOf(cells)
+    if (least < 0 || greatest - least >= 8 * count) return { points: null, cells, firstPoint: 0 }
+    return { points: this.points.subarray(3 * least, 3 * (greatest + 1)), cells, firstPoint: least }
+  }
+
   #count(cut: Cut, own: Counts): void {
     this.#counts = sumOfCounts(this.#counts, own, cut.first)
     this.#done += cut.count
@@ -105,7 +133,7 @@ export class Deciding {
     const { own, held } = this.#crew
     const takeShort = () => this.#take(() => CELLS_PER_CUT)
     for (let cut = await takeShort(); cut; cut = await takeShort()) {
-      const piece = pieceOf(this.points, this.cells, cut)
+      const piece = this.#pieceOf(cut)
       if (piece.points === null && held.get(own) !== this.points) {
         own.hold(this.points)
         held.set(own, this.points)
@@ -126,7 +154,7 @@ export class Deciding {
       })
     for (let cut = await takeLong(); cut; cut = await takeLong())
       try {
-        const own = pieceOf(this.points, this.cells, cut)
+        const own = this.#pieceOf(cut)
         if (own.points === null && held.get(helper) !== this.points) {
           held.set(helper, this.points)
           void helper.run('hold', this.points.slice()).catch(() => {})
@@ -145,19 +173,18 @@ export class Deciding {
   }
 }
 
-/** A cut with the points between its least and its greatest index; without, where those are far apart. */
-function pieceOf(points: Float64Array, cells: Uint32Array, { first, count }: Cut): OwnPiece {
-  const own = cells.subarray(8 * first, 8 * (first + count))
+/** The least and the greatest index in some cells. */
+function rangeOf(cells: Uint32Array): readonly [number, number] {
   // Integers with a sign are faster, and no list has 2^31 points.
-  const indices = new Int32Array(own.buffer, own.byteOffset, own.length)
-  let [least, greatest] = [0x7fffffff, 0]
-  for (let i = 0; i < indices.length; ++i) {
+  const indices = new Int32Array(cells.buffer, cells.byteOffset, cells.length)
+  let least = indices[0] as number
+  let greatest = least
+  for (let i = 1; i < indices.length; ++i) {
     const index = indices[i] as number
     if (index < least) least = index
     if (index > greatest) greatest = index
   }
-  if (least < 0 || greatest - least >= 8 * count) return { points: null, cells: own, firstPoint: 0 }
-  return { points: points.subarray(3 * least, 3 * (greatest + 1)), cells: own, firstPoint: least }
+  return [least, greatest]
 }
 
 interface OwnPiece extends Piece {

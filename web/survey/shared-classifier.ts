@@ -6,6 +6,7 @@ import { defaultWorkers } from '../core/batch/start'
 import type { Core } from '../core/report'
 import { Pool, type WorkerPort } from '../core/workers'
 import { cellClassifier } from '../input/classify-cells'
+import type { CellsInParts } from '../input/file-at-hand'
 import type { ClassifyCells } from '../mesh/check'
 import { type Crew, Deciding, type Helper, MANY } from './deciding'
 
@@ -28,7 +29,7 @@ export interface SharedClassifier {
    * The first so many of the cells are known, and of all the points: they are decided before anybody asks. Who then asks for the same lists
    * of the same points and cells finds the answers.
    */
-  know(points: Float64Array, cells: Uint32Array, count: number, wanted: Wanted): void
+  know(points: Float64Array, cells: CellsInParts, count: number, wanted: Wanted): void
   /** The helpers that have started, as readers of integers of 64 bits. */
   halvers(): readonly ((bytes: Blob) => Promise<LowHalves>)[]
   /** Ends them. */
@@ -68,7 +69,7 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
     if (!whole) return few(points, cells, wanted)
     const all = wantedOf(wanted)
     const isBegun = begun && areSame(begun.points, points) && areSame(begun.cells, cells) && areAlike(begun.wanted, all)
-    const deciding = begun && isBegun ? begun : new Deciding(whole, points, cells, all)
+    const deciding = begun && isBegun ? begun : new Deciding(whole, { points, cells, ranges: null }, all)
     begun = null
     deciding.onProgress = onProgress
     deciding.know(cells.length / 8)
@@ -78,8 +79,8 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
     classify: classify as ClassifyCells,
     prepare: () => void crewOnce(),
     know(points, cells, count, wanted) {
-      if (!ready || cells.length < 8 * MANY) return
-      if (begun?.cells !== cells) begun = new Deciding(ready, points, cells, wantedOf(wanted))
+      if (!ready || cells.list.length < 8 * MANY) return
+      if (begun?.cells !== cells.list) begun = new Deciding(ready, { points, cells: cells.list, ranges: cells.ranges }, wantedOf(wanted))
       begun.know(count)
     },
     halvers: () => [...(ready?.helpers ?? [])].map(helper => bytes => helper.run('halve', bytes)),
