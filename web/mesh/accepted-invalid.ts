@@ -50,8 +50,10 @@ export async function acceptedOfInvalid(check: MeshCheck, classify: ClassifyCell
 /** Eight indices for each of some cells. */
 export function cellsAt(cells: Uint32Array, some: ArrayLike<number>): Uint32Array {
   const own = new Uint32Array(8 * some.length)
-  for (let i = 0; i < some.length; ++i)
-    own.set(cells.subarray(8 * (some[i] as number), 8 * (some[i] as number) + 8), 8 * i)
+  for (let i = 0; i < some.length; ++i) {
+    const from = 8 * (some[i] as number)
+    for (let v = 0; v < 8; ++v) own[8 * i + v] = cells[from + v] as number
+  }
   return own
 }
 

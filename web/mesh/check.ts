@@ -57,15 +57,18 @@ export async function checkMesh(
   let [degenerate, below, mirrored] = [0, 0, 0]
   const counted = new Uint32Array(STANDINGS.length)
   inParts(hexahedra, (from, to) => {
+    let [coincidents, inverted] = [0, 0]
     for (let cell = from; cell < to; ++cell) {
       const standing = standings[cell] as number
       counted[standing] = (counted[standing] as number) + 1
-      degenerate += coincident[cell] as number
-      if (standing > INVALID) continue
-      if (minRelative !== null && isBelow(cell)) below++
-      if (answers.classes[cell] === INVERTED) mirrored++
+      coincidents += coincident[cell] as number
+      if (standing <= INVALID && answers.classes[cell] === INVERTED) inverted++
     }
+    degenerate += coincidents
+    mirrored += inverted
   })
+  if (minRelative !== null)
+    for (let cell = 0; cell < hexahedra; ++cell) if ((standings[cell] as number) <= INVALID && isBelow(cell)) below++
   for (const [i, standing] of STANDINGS.entries()) counts[standing] = counted[i] as number
   const severity = {
     relativeMinima: answers.relativeMinima,

@@ -46,7 +46,7 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
   /** A few cells of many points, with their own alone. */
   const few: typeof alone = (points, cells, wanted) => {
     const own = 3 * cells.length < points.length ? pointsOf(points, cells) : null
-    return own ? alone(own, cells.map((_, i) => i), wanted) : alone(points, cells, wanted)
+    return own ? alone(own, indices(cells.length), wanted) : alone(points, cells, wanted)
   }
   /** Null before it has started, and where it cannot. */
   let ready: Crew | null = null
@@ -99,13 +99,21 @@ function areAlike(a: Wanted, b: Wanted): boolean {
   return JSON.stringify(a) === JSON.stringify(b)
 }
 
+function indices(count: number): Uint32Array {
+  const own = new Uint32Array(count)
+  for (let i = 0; i < count; ++i) own[i] = i
+  return own
+}
+
 /** Null if one of them is not there. */
 function pointsOf(points: Float64Array, cells: Uint32Array): Float64Array | null {
   const own = new Float64Array(3 * cells.length)
   for (let i = 0; i < cells.length; ++i) {
     const from = 3 * (cells[i] as number)
     if (from >= points.length) return null
-    own.set(points.subarray(from, from + 3), 3 * i)
+    own[3 * i] = points[from] as number
+    own[3 * i + 1] = points[from + 1] as number
+    own[3 * i + 2] = points[from + 2] as number
   }
   return own
 }
