@@ -98,13 +98,15 @@ function hasShortVector(points: Float64Array, cells: Uint32Array, cell: number):
   for (let e = 0; e < 24; e += 2) {
     const [a, b] = [3 * (EDGES[e] as number), 3 * (EDGES[e + 1] as number)]
     const x = (own[a] as number) - (own[b] as number)
+    if (x * x > short) continue
     const y = (own[a + 1] as number) - (own[b + 1] as number)
     const z = (own[a + 2] as number) - (own[b + 2] as number)
     if (x * x + y * y + z * z <= short) return true
   }
-  for (const side of SIDES) {
+  for (let s = 0; s < SIDES.length; ++s) {
+    const side = SIDES[s] as Uint8Array
     let size = 0
-    for (let axis = 0; axis < 3; ++axis) {
+    for (let axis = 0; axis < 3 && size <= short; ++axis) {
       let sum = 0
       for (let i = 0; i < 4; ++i)
         sum += (own[3 * (side[i] as number) + axis] as number) - (own[3 * (side[i + 4] as number) + axis] as number)
