@@ -1,7 +1,7 @@
 /** The words about a mesh, from its answers alone. */
 import { describe, expect, it } from 'vitest'
-import { exitOf, gravestExit } from '../../web/mesh/check'
 import { putCoincident } from '../../web/core/batch/coincident'
+import { exitOf, gravestExit } from '../../web/mesh/check'
 import { joined } from '../../web/mesh/join-meshes'
 import { core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 import {

@@ -1,6 +1,16 @@
 /** Cells that are decided cut by cut by whoever is free: all at once, or as they become known while their file is read. */
 import { type BatchCore, type Counts, NOTHING_COUNTED, type Piece, sumOfCounts } from '../core/batch/batch-core'
-import { type Answers, answersOf, bytesPerCell, emptyLists, type Lists, listsIn, partOf, putLists, type Wanted } from '../core/batch/lists'
+import {
+  type Answers,
+  answersOf,
+  bytesPerCell,
+  emptyLists,
+  type Lists,
+  listsIn,
+  partOf,
+  putLists,
+  type Wanted,
+} from '../core/batch/lists'
 import { PART } from '../core/batch/low-halves'
 import { Recycled } from '../core/batch/pieces'
 import type { BatchJobs } from '../core/batch/worker'
@@ -116,7 +126,8 @@ export class Deciding {
   #pieceOf({ first, count }: Cut): OwnPiece {
     const cells = this.cells.subarray(8 * first, 8 * (first + count))
     const [from, to] = [8 * first, 8 * (first + count)].map(at => at / PART) as [number, number]
-    const isInParts = this.#ranges && Number.isInteger(from) && (Number.isInteger(to) || 8 * (first + count) === this.cells.length)
+    const isInParts =
+      this.#ranges && Number.isInteger(from) && (Number.isInteger(to) || 8 * (first + count) === this.cells.length)
     const parts = isInParts ? this.#ranges?.subarray(2 * from, 2 * Math.ceil(to)) : null
     const [least, greatest] = parts ? [Math.min(...parts), Math.max(...parts)] : rangeOf(cells)
     if (least < 0 || greatest - least >= 8 * count) return { points: null, cells, firstPoint: 0 }

@@ -80,7 +80,8 @@ export function sharedClassifier({ core, batchModule, helper, onProgress }: Clas
     prepare: () => void crewOnce(),
     know(points, cells, count, wanted) {
       if (!ready || cells.list.length < 8 * MANY) return
-      if (begun?.cells !== cells.list) begun = new Deciding(ready, { points, cells: cells.list, ranges: cells.ranges }, wantedOf(wanted))
+      if (begun?.cells !== cells.list)
+        begun = new Deciding(ready, { points, cells: cells.list, ranges: cells.ranges }, wantedOf(wanted))
       begun.know(count)
     },
     halvers: () => [...(ready?.helpers ?? [])].map(helper => bytes => helper.run('halve', bytes)),

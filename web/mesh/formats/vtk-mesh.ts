@@ -281,8 +281,7 @@ function largestOfEight(list: Uint32Array, from: number): number {
 export function firstFall(list: Uint32Array): number {
   let fall = -1
   inParts(list.length, (from, to) => {
-    for (let i = Math.max(1, from); i < to && fall < 0; ++i)
-      if ((list[i] as number) < (list[i - 1] as number)) fall = i
+    for (let i = Math.max(1, from); i < to && fall < 0; ++i) if ((list[i] as number) < (list[i - 1] as number)) fall = i
   })
   return fall
 }
