@@ -19,7 +19,6 @@ export const vtk: MeshForm = {
 const double: PutNumber = (view, at, value) => view.setFloat64(at, value)
 const long: PutNumber = (view, at, value) => view.setBigInt64(at, BigInt(value))
 const int: PutNumber = (view, at, value) => view.setInt32(at, value)
-const byte: PutNumber = (view, at, value) => view.setUint8(at, value)
 
 function* chunks(part: MeshPart): Generator<string | Uint8Array> {
   const { points, cells } = part
@@ -37,10 +36,10 @@ function* chunks(part: MeshPart): Generator<string | Uint8Array> {
   yield `\nCELL_TYPES ${count}\n`
   yield* numbers(count, 4, int, () => VTK_HEXAHEDRON)
   yield `\nCELL_DATA ${count}\nFIELD FieldData ${arrays.length}\n`
-  for (const { name, type, numberOf } of arrays) {
-    const isByte = type === 'UInt8'
-    yield `${name} 1 ${count} ${isByte ? 'unsigned_char' : 'double'}\n`
-    yield* isByte ? numbers(count, 1, byte, numberOf) : numbers(count, 8, double, numberOf)
+  for (const { name, numberOf } of arrays) {
+    // Of bytes that have no sign meshio does not know the name.
+    yield `${name} 1 ${count} double\n`
+    yield* numbers(count, 8, double, numberOf)
     yield '\n'
   }
 }
