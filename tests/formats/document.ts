@@ -1,11 +1,12 @@
 /** docs/formats.md, printed from what the tests hold to be true. */
 import { readFileSync } from 'node:fs'
+import { refusedMeshes } from '../../web/mesh/formats/refused-meshes'
 import { MESH_FORMS } from '../../web/outputs/meshes/list'
 import type { Fact } from './fact'
 import { FACTS } from './facts'
 import { FILE_FACTS } from './file-facts'
-import { type Answer, answerOf, madeFiles, standingsOf } from './made-mesh'
-import { type MadeRecord, PEERS, type PeerRecord, type WrittenRecord } from './peers'
+import { answerOf, madeFiles } from './made-mesh'
+import { type MadeRecord, PEERS, type PeerRecord, recordOf, type WrittenRecord } from './peers'
 
 export const peers: PeerRecord = JSON.parse(readFileSync(new URL('peers.json', import.meta.url), 'utf8'))
 
@@ -28,6 +29,10 @@ export function formatsDocument(): string {
     '## In HDF5',
     wrapped(
       'CGNS, MED, VTKHDF, MOAB, HMF, Exodus II in netCDF-4 and the numbers of XDMF are read with h5wasm 0.10, which is HDF5 2.0 in wasm: 1 MB, loaded with the first such file. Of a large file only the parts that are wanted are read, 4 MB or a chunk at a time. Numbers may be packed by gzip, with shuffle or checksums, and in either order of bytes. SZIP is read; other filters, such as LZF and Blosc, are refused by name. A dataset that claims more bytes than the file can hold is refused before anything is read of it.',
+    ),
+    '## Refused by name',
+    wrapped(
+      `Of other files a sentence says what they are and which program converts them: ${refusedMeshes.map(({ what }) => what).join('; ')}.`,
     ),
     '## The same mesh, read by others',
     wrapped(
@@ -71,11 +76,6 @@ function clauses(facts: readonly Fact[]): string {
   return facts.length === 0 ? '-' : facts.map(({ says }) => says).join('; ')
 }
 
-function recordOf(answer: Answer): MadeRecord {
-  if (answer === null || 'refused' in answer) return answer
-  return { counts: answer.counts, standings: standingsOf(answer.hexahedra) }
-}
-
 /** Types of hexahedra; the first two are trilinear. */
 const TRILINEAR = ['hexahedron', 'voxel']
 const CURVED = /^hexahedron of|^Lagrange/
@@ -98,7 +98,9 @@ function found(counts: Readonly<Record<string, number>>, record: MadeRecord): st
   const kinds = [...new Set([...written.keys(), ...own.keys()])]
   const differences = kinds.flatMap(kind => {
     const [count = 0, wanted = 0] = [own.get(kind), written.get(kind)]
-    return count === wanted ? [] : [count === 0 ? `no ${kind}` : `${count} of ${wanted} ${plural(kind, wanted)}`]
+    return count === wanted
+      ? []
+      : [count === 0 ? `no ${plural(kind, wanted)}` : `${count} of ${wanted} ${plural(kind, wanted)}`]
   })
   const { exact: _, ...standings } = record.standings
   const words = [

@@ -1,6 +1,6 @@
 /** Facts of the formats of mesh generators and of flow solvers. */
 import { exodusOf, FOAM, FOAM_BINARY, TEXTS, ugridOfBytes } from '../unit/other-formats'
-import { type FormatFacts, fact, type Gives, MADE, made, ONE, ROWS, rows, SHAKEN } from './fact'
+import { changedHdf5, type FormatFacts, fact, type Gives, MADE, made, ONE, ROWS, rows, SHAKEN } from './fact'
 
 const text = (name: string) => TEXTS[name] as string
 const shaken = (name: string, change: (text: string) => string = own => own) => ({ [name]: change(text(name)) })
@@ -248,7 +248,14 @@ export const mesherFacts: readonly FormatFacts[] = [
       }),
       fact('ids of elements', made('gmsh.cgns'), { ...MADE, ids: [7, 8, 9] }),
     ],
-    notRead: [],
+    notRead: [
+      fact(
+        'coordinates that are not Cartesian are refused',
+        changedHdf5('zones.cgns', 'CoordinateX', 'CoordinateR'),
+        /has no CoordinateX; Cartesian coordinates are read/,
+      ),
+      fact('ADF files are refused', { 'a.cgns': '@(#)ADF Database Version B01012>' }, /CGNS file \(ADF\)/),
+    ],
   },
   {
     format: 'MED',
@@ -274,6 +281,8 @@ export const mesherFacts: readonly FormatFacts[] = [
   {
     format: 'HMF',
     read: [fact('what meshio writes', made('meshio.hmf'), MADE)],
-    notRead: [],
+    notRead: [
+      fact('an HDF5 file without a mesh of a known kind is refused', 'hdf5/bare.h5', /no mesh of a known kind/),
+    ],
   },
 ]

@@ -198,6 +198,11 @@ export const solverFacts: readonly FormatFacts[] = [
     ],
     notRead: [
       fact(
+        'a mesh that is in another file is refused',
+        shaken('a.feb', own => own.replace('<Geometry>', '<Geometry from="mesh.feb"/><Geometry>')),
+        /its mesh is in “mesh\.feb”/,
+      ),
+      fact(
         'older versions are refused',
         shaken('a.feb', own => own.replace('2.5', '1.2')),
         /versions 2 to 4 are read/,
@@ -238,9 +243,9 @@ export const solverFacts: readonly FormatFacts[] = [
     ],
     notRead: [
       fact(
-        'other words than G, Z, F and groups are refused',
-        shaken('a.f3grid', own => own.replace(/^Z /m, 'Q ')),
-        /stands where G, Z or a group was expected/,
+        'bytes are refused',
+        { 'a.f3grid': Uint8Array.of(0xaf, 0x84, 0x4d, 0x13, 3, 0, 0, 0) },
+        /in no format that is known here/,
       ),
     ],
   },

@@ -1,6 +1,6 @@
 /** Facts of VTK's formats and of others that are made for pictures. */
 import { vtuOf } from '../unit/vtu-text'
-import { CUBE, type FormatFacts, fact, MADE, MADE_WITH_VOXEL, made, ONE, ROWS, rows } from './fact'
+import { CUBE, changedHdf5, type FormatFacts, fact, MADE, MADE_WITH_VOXEL, made, ONE, ROWS, rows } from './fact'
 
 const cube = vtuOf([CUBE])
 const voxel = vtuOf([[0, 1, 3, 2, 4, 5, 7, 6].flatMap(v => ROWS[v] as number[])])
@@ -17,6 +17,7 @@ const legacy = (sections: string, version = '3.0') => ({
 })
 const points = `POINTS 8 double\n${CUBE.join(' ')}\n`
 const unstructured = `DATASET UNSTRUCTURED_GRID\n${points}CELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n12\n`
+const offsets = `DATASET UNSTRUCTURED_GRID\n${points}CELLS 2 8\nOFFSETS vtktypeint64\n0 8\nCONNECTIVITY vtktypeint64\n0 1 2 3 4 5 6 7\nCELL_TYPES 1\n12\n`
 const polyhedron = '6 4 0 3 2 1 4 4 5 6 7 4 0 1 5 4 4 1 2 6 5 4 2 3 7 6 4 3 0 4 7'
 const streamed = `DATASET UNSTRUCTURED_GRID\n${points}CELLS 1 32\n31 ${polyhedron}\nCELL_TYPES 1\n42\n`
 
@@ -44,6 +45,9 @@ const withFunction = grid.replace(
 const tecplot = (zone: string) => ({
   'a.dat': `VARIABLES = "X" "Y" "Z"\nZONE ${zone}\n${rows(row => row.join(' '))}\n1 2 3 4 5 6 7 8\n`,
 })
+const tecplotBlocks = {
+  'a.dat': `VARIABLES = "X" "Y" "Z"\nZONE NODES=8 ELEMENTS=1 ZONETYPE=FEBRICK DATAPACKING=BLOCK\n${[0, 1, 2].map(axis => ROWS.map(row => row[axis]).join(' ')).join('\n')}\n1 2 3 4 5 6 7 8\n`,
+}
 const ucd = (nodes: string) => ({
   'a.inp': `8 2 0 0 0\n${rows((row, id) => `${id} ${row.join(' ')}`)}\n7 1 hex ${nodes}\n8 1 tet 1 2 3 5\n`,
 })
@@ -100,19 +104,22 @@ export const vtkFacts: readonly FormatFacts[] = [
     format: 'VTK',
     read: [
       fact(
-        'legacy files of version 1 to 5.1, in text and in bytes',
-        [
-          ...made('vtk-legacy42-ascii.vtk', 'vtk-legacy51-ascii.vtk', 'vtk-legacy51-bin.vtk'),
-          ...['1.0', '2.0', '3.0'].map(version => legacy(unstructured, version)),
-        ],
-        {},
+        'legacy files of version 1 to 5.1 in text',
+        [...['1.0', '2.0', '3.0', '4.2'].map(version => legacy(unstructured, version)), legacy(offsets, '5.1')],
+        ONE,
+      ),
+      fact('the same in bytes', made('vtk-legacy51-bin.vtk'), MADE_WITH_VOXEL),
+      fact(
+        'what meshio and Gmsh write',
+        made('meshio-vtk42-bin.vtk', 'meshio-vtk51-ascii.vtk', 'gmsh-ascii.vtk'),
+        MADE,
       ),
       fact('grids of points', legacy('DATASET STRUCTURED_POINTS\nDIMENSIONS 3 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\n'), {
         hexahedra: 2,
         vertices: CUBE,
       }),
       fact('structured and rectilinear grids', ['pastes/31-vtk-structured.vtk', 'pastes/68-vtk-rectilinear.vtk'], {
-        other: {},
+        hexahedra: 1,
       }),
     ],
     notRead: [
@@ -127,7 +134,8 @@ export const vtkFacts: readonly FormatFacts[] = [
   {
     format: 'VTKHDF',
     read: [
-      fact('`UnstructuredGrid`, with parts', ['hdf5/parts.vtkhdf', ...made('vtk.vtkhdf')], {}),
+      fact('`UnstructuredGrid`', made('vtk.vtkhdf'), MADE_WITH_VOXEL),
+      fact('parts', 'hdf5/parts.vtkhdf', { hexahedra: 3 }),
       fact('arrays of ids and of materials', 'hdf5/parts.vtkhdf', { blocks: ['MaterialIds 0', 'MaterialIds 1'] }),
       fact('time steps', 'hdf5/steps.vtkhdf', { hexahedra: 1, steps: ['0', '0.5', '1'] }, 'last'),
       fact('collections, whose grids are blocks', 'hdf5/collection.vtkhdf', {
@@ -136,18 +144,18 @@ export const vtkFacts: readonly FormatFacts[] = [
       }),
     ],
     notRead: [
-      fact('an HDF5 file without a mesh of a known kind is refused', 'hdf5/bare.h5', /no mesh of a known kind/),
+      fact(
+        'other types of grids are refused',
+        changedHdf5('parts.vtkhdf', 'UnstructuredGrid', 'OverlappingAMR\0\0'),
+        /it holds data of type “OverlappingAMR”/,
+      ),
     ],
   },
   {
     format: 'XDMF',
     read: [
-      fact(
-        'numbers in the text, in HDF5 or in the bytes of a file beside',
-        [...made('meshio-XML.xdmf', 'meshio-HDF.xdmf')],
-        MADE,
-      ),
-      fact('bytes of a file beside', bytesBeside, ONE),
+      fact('numbers in the text or in HDF5', [...made('meshio-XML.xdmf', 'meshio-HDF.xdmf')], MADE),
+      fact('in the bytes of a file beside', bytesBeside, ONE),
       fact('mixed cells', made('meshio-XML.xdmf'), {
         other: { quadrilateral: 2, tetrahedron: 2, wedge: 1, pyramid: 1 },
       }),
@@ -157,7 +165,7 @@ export const vtkFacts: readonly FormatFacts[] = [
     notRead: [
       fact('items that compute or select numbers are refused', xdmf(withFunction), /Function/),
       fact(
-        'so is a document type that defines something',
+        'so is a document type with definitions',
         {
           'a.xdmf': (xdmf(grid)['a.xdmf'] as string).replace('[]', '[<!ENTITY a "b">]'),
         },
@@ -170,15 +178,10 @@ export const vtkFacts: readonly FormatFacts[] = [
     read: [
       fact(
         'text with zones `FEBRICK`, points or blocks',
-        [
-          ...made('meshio-tec.dat'),
-          tecplot('N=8, E=1, F=FEPOINT, ET=BRICK'),
-          {
-            'a.dat': `VARIABLES = "X" "Y" "Z"\nZONE NODES=8 ELEMENTS=1 ZONETYPE=FEBRICK DATAPACKING=BLOCK\n${[0, 1, 2].map(axis => ROWS.map(row => row[axis]).join(' ')).join('\n')}\n1 2 3 4 5 6 7 8\n`,
-          },
-        ],
-        {},
+        [tecplot('N=8, E=1, F=FEPOINT, ET=BRICK'), tecplotBlocks],
+        ONE,
       ),
+      fact('what meshio writes', made('meshio-tec.dat'), MADE),
     ],
     notRead: [
       fact('ordered zones are refused', tecplot('I=2 J=2 K=2'), /ORDERED/),
@@ -198,7 +201,13 @@ export const vtkFacts: readonly FormatFacts[] = [
         other: { tetrahedron: 1 },
       }),
     ],
-    notRead: [fact('bytes are refused', { 'a.inp': Uint8Array.of(7, 0, 0, 0, 8, 0, 0, 0, 1) }, /./)],
+    notRead: [
+      fact(
+        'bytes are refused',
+        { 'a.inp': Uint8Array.of(7, 0, 0, 0, 8, 0, 0, 0, 1) },
+        /in no format that is known here/,
+      ),
+    ],
   },
   {
     format: 'OBJ',

@@ -2,9 +2,13 @@
 import { describe, expect, test } from 'vitest'
 import { formatNames } from '../../web/mesh/format-names'
 import { MeshRefusal } from '../../web/mesh/mesh'
+import { MESH_FORMS } from '../../web/outputs/meshes/list'
+import { peers } from './document'
 import type { Given } from './fact'
 import { FACTS } from './facts'
-import { cornersOf } from './made-mesh'
+import { contradictions, FILE_FACTS } from './file-facts'
+import { answerOf, cornersOf, madeFiles } from './made-mesh'
+import { PEERS } from './peers'
 import { readGiven } from './read-fact'
 
 function refusal(given: Given): string {
@@ -18,6 +22,21 @@ function refusal(given: Given): string {
 
 test('every format has facts', () => {
   expect(FACTS.map(({ format }) => format)).toEqual(formatNames)
+})
+
+test.each(FILE_FACTS)('$path: $says', fact => {
+  const record = peers.made[fact.path]
+  if (!record) throw new Error('The peers were not asked.')
+  expect(contradictions(fact, answerOf(fact.path), record)).toEqual([])
+})
+
+test('the peers were asked for every file, and read back what is written', () => {
+  expect(Object.keys(peers.made).sort()).toEqual(madeFiles.map(({ path }) => path).sort())
+  expect(Object.keys(peers.written)).toEqual(MESH_FORMS.map(({ id }) => `written.${id}`))
+  const records = Object.values(peers.written).flatMap(record => PEERS.map(peer => record[peer]))
+  const readers = records.filter(record => record !== null && !('refused' in record))
+  expect(readers.length).toBeGreaterThanOrEqual(MESH_FORMS.length)
+  for (const record of readers) expect(record).toMatchObject({ areHexahedraSame: true })
 })
 
 describe.each(FACTS)('$format', ({ format, read, notRead }) => {

@@ -57,7 +57,7 @@ export async function main(): Promise<void> {
       Object.fromEntries(PEERS.map((peer, i) => [peer, record(answers[i]?.files[join(folder, path)] ?? null)]))
     const record = {
       versions: Object.fromEntries(PEERS.map((peer, i) => [peer, answers[i]?.version])),
-      made: Object.fromEntries(madeFiles.map(({ path }) => [path, of(path, madeRecord)])),
+      made: Object.fromEntries(madeFiles.map(({ path }) => [path, of(path, recordOf)])),
       written: Object.fromEntries([...wanted].map(([path, own]) => [path, of(path, back => writtenRecord(back, own))])),
     }
     writeFileSync(recordFile, `${JSON.stringify(record, null, 1)}\n`)
@@ -80,7 +80,8 @@ function asked(peer: Peer, folder: string, paths: readonly string[]): PeerAnswer
   return JSON.parse(stdout)
 }
 
-function madeRecord(answer: Answer): MadeRecord {
+/** What is kept of an answer to a file of the mesh that was made. */
+export function recordOf(answer: Answer): MadeRecord {
   if (answer === null || 'refused' in answer) return answer
   return { counts: answer.counts, standings: standingsOf(answer.hexahedra) }
 }
