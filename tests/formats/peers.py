@@ -19,15 +19,15 @@ MOST_SECONDS = 60
 VTK_TYPES = {
     1: "vertex", 3: "line", 5: "triangle", 9: "quadrilateral", 10: "tetrahedron", 11: "voxel", 12: "hexahedron", 13: "wedge",
     14: "pyramid", 25: "hexahedron of 20 nodes", 29: "hexahedron of 27 nodes", 42: "polyhedron", 72: "Lagrange hexahedron",
-}  # fmt: skip
+}
 MESHIO_TYPES = {
     "quad": "quadrilateral", "tetra": "tetrahedron", "hexahedron20": "hexahedron of 20 nodes", "hexahedron27": "hexahedron of 27 nodes",
     "VTK_LAGRANGE_HEXAHEDRON": "Lagrange hexahedron",
-}  # fmt: skip
+}
 GMSH_TYPES = {
     1: "line", 2: "triangle", 3: "quadrilateral", 4: "tetrahedron", 5: "hexahedron", 6: "wedge", 7: "pyramid", 12: "hexahedron of 27 nodes",
     15: "vertex", 17: "hexahedron of 20 nodes",
-}  # fmt: skip
+}
 #: The corners of a voxel in the order of a hexahedron.
 VOXEL = [0, 1, 3, 2, 4, 5, 7, 6]
 
@@ -60,7 +60,7 @@ class Vtk:
             "vtu": "vtkXMLUnstructuredGridReader", "pvtu": "vtkXMLPUnstructuredGridReader", "vtk": "vtkDataSetReader",
             "vtkhdf": "vtkHDFReader", "e": "vtkExodusIIReader", "exo": "vtkExodusIIReader", "cgns": "vtkCGNSReader",
             "xdmf": "vtkXdmfReader", "ansys.msh": "vtkFLUENTReader", "tec.dat": "vtkTecplotReader",
-        }  # fmt: skip
+        }
         name = next((maker for ending, maker in makers.items() if path.endswith(("." + ending, "-" + ending))), None)
         if name is None or not hasattr(vtk, name):
             raise NoReader
@@ -157,7 +157,7 @@ class Gmsh:
         for tag in range(1, int(gmsh.model.mesh.getMaxElementTag()) + 1):
             try:
                 kind, nodes, _, _ = gmsh.model.mesh.getElement(tag)
-            except Exception:  # noqa: BLE001, S112
+            except Exception:
                 continue
             types.append(GMSH_TYPES.get(int(kind), f"type {kind}"))
             order.append(tag)
@@ -183,7 +183,7 @@ def answer(peer, path):
             types, corners, arrays = peer.read(path)
     except NoReader:
         return None
-    except (Exception, SystemExit) as error:  # noqa: BLE001
+    except (Exception, SystemExit) as error:
         return {"refused": type(error).__name__}
     return {
         "counts": counted(types),
