@@ -1,4 +1,5 @@
 /** Facts of the formats of mesh generators and of flow solvers. */
+import { gzipSync } from 'node:zlib'
 import { exodusOf, FOAM, FOAM_BINARY, TEXTS, ugridOfBytes } from '../unit/other-formats'
 import { changedHdf5, type FormatFacts, fact, type Gives, MADE, made, ONE, ROWS, rows, SHAKEN } from './fact'
 
@@ -112,6 +113,11 @@ export const mesherFacts: readonly FormatFacts[] = [
     ],
     notRead: [
       fact(
+        'displacements are not added: the mesh is the same at all time steps, with a note',
+        'meshes/real/8-block.g',
+        { hexahedra: 64, note: /the same at all 11 time steps/ },
+      ),
+      fact(
         'other netCDF files are refused',
         { 'a.nc': new Uint8Array([67, 68, 70, 1, ...new Uint8Array(28)]) },
         /it is no Exodus file/,
@@ -207,6 +213,11 @@ export const mesherFacts: readonly FormatFacts[] = [
       fact('its files together, its folder, or the folder of the case', made('foam/constant/polyMesh/faces'), {
         hexahedra: 4,
       }),
+      fact(
+        'any of its files gzipped',
+        Object.fromEntries(Object.entries(FOAM).map(([name, own]) => [`${name}.gz`, new Uint8Array(gzipSync(own))])),
+        { ...SHAKEN, blocks: ['rotor'] },
+      ),
     ],
     notRead: [
       fact(
@@ -249,6 +260,7 @@ export const mesherFacts: readonly FormatFacts[] = [
       fact('ids of elements', made('gmsh.cgns'), { ...MADE, ids: [7, 8, 9] }),
     ],
     notRead: [
+      fact('links are refused', changedHdf5('zones.cgns', 'MT\0', 'LK\0'), /is a link to another node/),
       fact(
         'coordinates that are not Cartesian are refused',
         changedHdf5('zones.cgns', 'CoordinateX', 'CoordinateR'),
@@ -271,7 +283,14 @@ export const mesherFacts: readonly FormatFacts[] = [
         note: /meshio wrote this file/,
       }),
     ],
-    notRead: [],
+    notRead: [
+      fact('structured meshes are refused', 'hdf5/structured.med', /is a structured one/),
+      fact(
+        'coordinates that are not Cartesian are refused',
+        'hdf5/cylindrical.med',
+        /cylindrical or spherical coordinates/,
+      ),
+    ],
   },
   {
     format: 'MOAB',

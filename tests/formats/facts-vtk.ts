@@ -37,6 +37,7 @@ const bytesBeside = {
 const lattice =
   '<Grid><Topology TopologyType="3DCoRectMesh" Dimensions="2 3 4"/><Geometry GeometryType="ORIGIN_DXDYDZ"><DataItem Dimensions="3">0 0 0</DataItem><DataItem Dimensions="3">3 2 1</DataItem></Geometry></Grid>'
 const times = `<Grid GridType="Collection" CollectionType="Temporal">${['0.5', '2'].map(time => grid.replace('<Topology', `<Time Value="${time}"/><Topology`)).join('')}</Grid>`
+const including = `<Grid GridType="Collection" CollectionType="Temporal">${['0.5', '2'].map(time => `<Grid><xi:include xpointer="xpointer(//Grid[@Name=&quot;mesh&quot;]/*[self::Topology or self::Geometry])"/><Time Value="${time}"/></Grid>`).join('')}</Grid>`
 const withFunction = grid.replace(
   '<DataItem Dimensions="8 3">',
   '<DataItem ItemType="Function" Function="$0" Dimensions="8 3">',
@@ -161,6 +162,12 @@ export const vtkFacts: readonly FormatFacts[] = [
       }),
       fact('lattices', xdmf(lattice), { hexahedra: 6 }),
       fact('collections in time', xdmf(times), { ...ONE, steps: ['0.5', '2'] }, 'last'),
+      fact(
+        'steps that include the mesh which stands beside them',
+        xdmf(grid + including),
+        { ...ONE, steps: ['0.5', '2'] },
+        'last',
+      ),
     ],
     notRead: [
       fact('items that compute or select numbers are refused', xdmf(withFunction), /Function/),
