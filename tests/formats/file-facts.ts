@@ -13,7 +13,7 @@ export interface FileFact extends Found {
   /** A sentence. */
   readonly says: string
   /** What peers have found. */
-  readonly peers?: Partial<Readonly<Record<Peer, Found>>>
+  readonly peers?: Partial<Readonly<Record<Peer, Found | 'refused'>>>
 }
 
 export const FILE_FACTS: readonly FileFact[] = [
@@ -62,6 +62,12 @@ export const FILE_FACTS: readonly FileFact[] = [
     peers: { VTK: { counts: { voxel: 1 } }, meshio: { counts: { voxel: 0, hexahedron: 15 } } },
   },
   {
+    path: 'vtk-legacy51-bin.vtk',
+    says: 'Gmsh refuses VTK’s legacy files of version 5.1 in bytes, those of VTK itself as those that Hexlens writes.',
+    counts: { hexahedron: 16 },
+    peers: { VTK: { standings: { exact: 16 } }, Gmsh: 'refused' },
+  },
+  {
     path: 'hand.cdb',
     says: 'Ansys has the wedge, the pyramid and the tetrahedra as hexahedra with repeated nodes: the last four.',
     counts: { hexahedron: 19 },
@@ -86,7 +92,9 @@ export function contradictions(fact: FileFact, answer: Answer, peers: Readonly<R
     ...differences('Hexlens', fact, recordOf(answer)),
     ...PEERS.flatMap(peer => {
       const wanted = fact.peers?.[peer]
-      return wanted ? differences(peer, wanted, peers[peer]) : []
+      const found = peers[peer]
+      if (wanted === 'refused') return found !== null && 'refused' in found ? [] : [`${peer} does not refuse it.`]
+      return wanted ? differences(peer, wanted, found) : []
     }),
   ]
 }
