@@ -4,6 +4,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { unformattedC } from './c-format.mjs'
 import { elementReference } from './element-reference.mjs'
+import { formatsPage } from './formats.mjs'
 import { biome, Failure, root, run, runMain, tsc } from './run.mjs'
 import { setup } from './setup.mjs'
 import { checkSizes } from './sizes.mjs'
@@ -27,6 +28,7 @@ const checks = [
   { name: 'imports (dependency-cruiser)', complaints: () => output(importsCheck) },
   { name: 'C warnings', complaints: () => output(['make', '-C', 'wasm', '--no-print-directory', 'warnings']) },
   { name: 'element reference', complaints: staleReference },
+  { name: 'page of formats', complaints: staleFormats },
   { name: 'lock files', complaints: addressesInLocks },
   { name: 'tests', complaints: nothingLeftOut },
   { name: 'sizes', complaints: sizes },
@@ -64,6 +66,10 @@ async function formatOfC() {
 async function staleReference() {
   const names = await elementReference({ check: true })
   return names.length === 0 ? [] : [...names, 'These are not as the sources say: npm run reference']
+}
+
+async function staleFormats() {
+  return (await formatsPage({ check: true })) ? [] : ['docs/formats.md is not as tests/formats has it: npm run formats']
 }
 
 /** The address of a package is the installing machine's affair. */

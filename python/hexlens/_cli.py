@@ -14,6 +14,7 @@ from typing import IO, Any, Final
 
 from ._arrays import HexlensError
 from ._check import check_mesh
+from ._mesh_outputs import MESH_ENDINGS, is_mesh_ending, mesh_output
 from ._outputs import (
     ID_KINDS,
     CsvOutput,
@@ -23,7 +24,6 @@ from ._outputs import (
     JunitOutput,
     Output,
     TextOutput,
-    VtuOutput,
     without_controls,
 )
 from ._sources import read_file
@@ -50,8 +50,9 @@ other formats use npx hexlens check FILE, which has the same options.
   --junit FILE         writes a JUnit report, a suite for each file
   --html FILE          writes one document to keep, which needs nothing else: the sentence, the notes, the histogram, and the
                        first ten of the worst in numbers
-  --annotate FILE.vtu  writes the hexahedra with the cell arrays valid, boundary_min, relative_min, volume; valid is
-                       255 where a cell is unanswered. For one input
+  --annotate FILE.vtu|.vtk|.msh|.inp
+                       writes the hexahedra with the cell arrays valid, boundary_min, relative_min, volume; valid is
+                       255 where a cell is unanswered. VTK 5.1, Gmsh 4.1; Abaqus has sets in place of arrays. For one input
 
 Exit status: of each file
   0  all hexahedra are valid
@@ -113,6 +114,12 @@ def _degenerate(text: str) -> bool:
     raise _WrongCallError(f"--degenerate wants skip, not {text}")
 
 
+def _annotate(text: str) -> str:
+    if is_mesh_ending(text):
+        return text
+    raise _WrongCallError(f"--annotate wants a file that ends in one of {MESH_ENDINGS}, not {text}")
+
+
 def _ids(text: str) -> str:
     if text in ID_KINDS:
         return text
@@ -135,7 +142,7 @@ _OPTIONS: Final[dict[str, tuple[str, str | None, Callable[[str], Any]]]] = {
     "--step": ("step", "a number from 1 on or last", _step),
     "--csv": ("csv", "a file", str),
     "--junit": ("junit", "a file", str),
-    "--annotate": ("annotate", "a file", str),
+    "--annotate": ("annotate", "a file", _annotate),
     "--html": ("html", "a file", str),
     "--worst": ("worst", "a count or all", _worst),
     "--min-relative": ("min_relative", "a number", _relative),
@@ -299,7 +306,7 @@ def _outputs(wanted: Arguments, said: list[str]) -> list[tuple[Output, Any]]:
     if wanted.junit is not None:
         outputs.append((JunitOutput(wanted.allows_unchecked), _FileSink(wanted.junit)))
     if wanted.annotate is not None:
-        outputs.append((VtuOutput(), _FileSink(wanted.annotate)))
+        outputs.append((mesh_output(wanted.annotate, said), _FileSink(wanted.annotate)))
     if wanted.html is not None:
         from ._html import HtmlOutput
 

@@ -53,7 +53,7 @@ def js_number(value: float) -> str:
     mantissa, _, power = repr(value).partition("e")
     if power:
         exponent = int(power)
-        if -7 <= exponent < 0:
+        if -6 <= exponent < 0:
             sign, digits = ("-", mantissa[1:]) if mantissa.startswith("-") else ("", mantissa)
             return f"{sign}0.{'0' * (-exponent - 1)}{digits.replace('.', '')}"
         return f"{mantissa.removesuffix('.0')}e{'-' if exponent < 0 else '+'}{abs(exponent)}"

@@ -13,6 +13,7 @@ import pytest
 from conftest import MESHES, lattice, node, python
 
 import hexlens
+from hexlens._numbers import js_number
 
 FILES = sorted(
     str(path.relative_to(MESHES)) for path in MESHES.rglob("*") if path.is_file() and path.suffix not in (".json", ".md")
@@ -89,14 +90,24 @@ def test_files_that_are_written_are_the_same_bytes(tmp_path: Path) -> None:
     for runner, name in ((python, "own"), (node, "node")):
         csv_file, junit_file = str(tmp_path / f"{name}.csv"), str(tmp_path / f"{name}.xml")
         runner("check", "--csv", csv_file, "--junit", junit_file, "--min-relative", "0.1", *READ, cwd=MESHES)
-        runner("check", "--annotate", str(tmp_path / f"{name}.vtu"), READ[0], cwd=MESHES)
-    for ending in ("csv", "xml", "vtu"):
+        for ending in ("vtu", "vtk", "msh", "inp"):
+            runner("check", "--annotate", str(tmp_path / f"{name}.{ending}"), READ[0], cwd=MESHES)
+    for ending in ("csv", "xml", "vtu", "vtk", "msh", "inp"):
         # Notes are sentences of readers.
         own, expected = (
             re.sub(rb"<system-out>.*?</system-out>\n", b"", (tmp_path / f"{name}.{ending}").read_bytes(), flags=re.DOTALL)
             for name in ("own", "node")
         )
         assert own == expected
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(1e-6, "0.000001"), (1.25e-6, "0.00000125"), (9.5e-7, "9.5e-7"), (1e-7, "1e-7"), (1e20, "100000000000000000000"), (1e21, "1e+21")],
+)
+def test_numbers_are_written_as_javascript_writes_them(value: float, text: str) -> None:
+    assert js_number(value) == text
+    assert js_number(-value) == f"-{text}"
 
 
 @needs_meshes
@@ -127,6 +138,7 @@ def test_text_is_the_same_but_for_notes() -> None:
         ["--step", "0", VTU],
         ["--json", "--ids", "plain", VTU],
         ["--annotate", "a.vtu", VTU, VTU],
+        ["--annotate", "a.cgns", VTU],
         ["-", "-"],
         ["--csv", VTU, VTU],
         ["--csv", "/tmp/no such folder/a.csv", VTU],

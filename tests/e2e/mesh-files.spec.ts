@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
 import type { Page } from '@playwright/test'
+import { MESH_FORMS } from '../../web/outputs/meshes/list'
 import { checked } from '../unit/certificate-checker'
 import { expect, expectAxeFindsNothing, test } from './lens'
 
@@ -45,7 +46,7 @@ interface Vtu {
   readonly arrays: Readonly<Record<string, readonly (number | null)[]>>
 }
 
-const vtkReads = (file: string): Vtu => JSON.parse(output(python, here('read_vtu.py'), file))
+const vtkReads = (file: string): Vtu => JSON.parse(output(python, here('read_vtk.py'), file))
 
 test('what is taken away is read back: by VTK, by check, by the checker of certificates', async ({ page }) => {
   await openMesh(page)
@@ -76,27 +77,39 @@ test('what is taken away is read back: by VTK, by check, by the checker of certi
     expect(invalid).toEqual(expect.arrayContaining(INVALID))
   })
 
-  await test.step('the mesh as VTU: VTK reads the same numbers, and check the same mesh', async () => {
-    const file = await taken('All cells', 'VTU')
-    const { cells, types, arrays } = vtkReads(file)
-    expect({ cells, types }).toEqual({ cells: CELLS, types: [12] })
-    expect(arrays.valid).toEqual(column('valid').map(valid => (valid === 'true' ? 1 : 0)))
-    for (const name of ['boundary_min', 'relative_min', 'volume'])
-      expect(arrays[name]).toEqual(column(name).map(Number))
+  await test.step('the mesh in all formats: VTK reads the same numbers, and check the same mesh', async () => {
+    const files: string[] = []
+    for (const { id, name: format } of MESH_FORMS) {
+      const file = await taken('All cells', format)
+      files.push(file)
+      if (!/^vt/.test(id)) continue
+      const { cells, types, arrays } = vtkReads(file)
+      expect({ cells, types }).toEqual({ cells: CELLS, types: [12] })
+      expect(arrays.valid).toEqual(column('valid').map(valid => (valid === 'true' ? 1 : 0)))
+      for (const name of ['boundary_min', 'relative_min', 'volume'])
+        expect(arrays[name]).toEqual(column(name).map(Number))
+    }
     const other = join(folder, 'again.csv')
-    hexlens('check', file, '--csv', other)
-    const again = readFileSync(other, 'utf8').trimEnd().split('\r\n')
-    const withoutName = (line: string) => line.slice(line.indexOf(','))
-    expect(again.slice(1).map(withoutName)).toEqual(lines.map(withoutName))
+    hexlens('check', ...files, '--csv', other)
+    const again = readFileSync(other, 'utf8').trimEnd().split('\r\n').slice(1)
+    // Formats with ids count from 1, and have blocks.
+    const numbers = (line: string) =>
+      line.split(',').filter((_, i) => !['file', 'id', 'block'].includes(columns[i] as string))
+    for (const i of files.keys())
+      expect(again.slice(CELLS * i, CELLS * (i + 1)).map(numbers)).toEqual(lines.map(numbers))
+    expect(again).toHaveLength(CELLS * files.length)
   })
 
-  await test.step('the invalid cells as VTU', async () => {
-    const file = await taken('Invalid cells alone', 'VTU')
-    const { cells, arrays } = vtkReads(file)
+  await test.step('the invalid cells in all formats', async () => {
+    const files: string[] = []
+    for (const { name: format } of MESH_FORMS) files.push(await taken('Invalid cells alone', format))
+    const { cells, arrays } = vtkReads(files[0] as string)
     expect(cells).toBe(12)
     expect(arrays.index).toEqual(invalid)
     expect(arrays.relative_min).toEqual(invalid.map(cell => Number(column('relative_min')[cell])))
-    expect(JSON.parse(hexlens('check', file, '--json'))).toMatchObject({ files: [{ hexahedra: 12, invalid: 12 }] })
+    expect(JSON.parse(hexlens('check', ...files, '--json'))).toMatchObject({
+      files: files.map(() => ({ hexahedra: 12, invalid: 12 })),
+    })
   })
 
   await test.step('JSON is that of check', async () => {

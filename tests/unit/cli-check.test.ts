@@ -346,8 +346,8 @@ describe('options', () => {
     expect(readFileSync(path, 'utf8').match(/<h3>Cell/g)).toHaveLength(2)
   })
 
-  it('--annotate', async () => {
-    const path = join(folder, 'out.vtu')
+  it.each(['out', 'out.vtu', '.hidden', 'of.a.Vtu'])('--annotate %s', async name => {
+    const path = join(folder, name)
     const mesh = fileOf('annotated.msh', mshText([unitCube, invalidCorner, notFinite, moved(6, [2, 2, 2])]))
     expect((await check([mesh, '--annotate', path])).status).toBe(1)
     const { head, array } = readAppended(readFileSync(path))
@@ -398,6 +398,7 @@ describe('options', () => {
       ['--json', '--json', allValid],
       ['--json', '--ids', 'plain', allValid],
       ['--annotate', join(folder, 'x.vtu'), allValid, someInvalid],
+      ['--annotate', join(folder, 'x.cgns'), allValid],
       ['-', '-'],
     ])
       expect(await check(args)).toEqual({

@@ -65,6 +65,27 @@ test('a format that is named is the one in the file, or refused', () => {
   expect(() => readMeshes(own('groups.med'), options)).toThrow('groups.med: this is MED, not CGNS.')
 })
 
+test.each([
+  ['classic.e', 'exodus ii', 'Exodus II'],
+  ['netcdf4.exo', 'Exodus II', 'Exodus II'],
+  ['netcdf4.exo', 'HDF5', 'Exodus II'],
+  ['vtk.vtkhdf', 'VTKHDF', 'VTKHDF'],
+  ['meshio.h5m', 'MOAB', 'MOAB'],
+  ['meshio.hmf', 'HMF', 'HMF'],
+  ['meshio.med', 'MED', 'MED'],
+])('%s is read as what it is named: %s', (name, named, format) => {
+  const file = sharedFile(`meshes/made/${name}`)
+  expect(readMeshes(file, { hdf5, format: named })[0]?.format).toBe(format)
+})
+
+test.each([
+  ['gmsh.cgns', 'Exodus II', 'gmsh.cgns: this is CGNS, not Exodus II.'],
+  ['netcdf4.exo', 'Fluent', 'netcdf4.exo: this is Exodus II, not Fluent.'],
+  ['gmsh.m', 'Exodus II', 'gmsh.m: this is no netCDF file, and Exodus II is in such files.'],
+])('%s is not %s', (name, named, sentence) => {
+  expect(() => readMeshes(sharedFile(`meshes/made/${name}`), { hdf5, format: named })).toThrow(sentence)
+})
+
 test('MOAB: nodes by their numbers', () => {
   const mesh = read(own('elements.h5m'))
   expect(minima(mesh)).toEqual([1, 2])

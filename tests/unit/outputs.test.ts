@@ -79,7 +79,6 @@ describe('the page writes what the command line writes', () => {
   test.each([
     ['csv', '--csv'],
     ['html', '--html'],
-    ['vtu', '--annotate'],
   ] as const)('%s', async (form, option) => {
     const { content, steps } = written(form, await opened(meshIn(path)))
     expect(content.equals(await fileOf(option))).toBe(true)
@@ -128,51 +127,6 @@ it('what has no ids is said, and what Nastran has no id for is refused in one se
   const named = await opened({ ...meshOf([mirroredCube]), ids: ['ring.1'] })
   expect(new Writing('nastran', { name: 'part.inp', check: named, core }).run(Infinity)).toEqual({
     refused: 'part.inp: Nastran has no id such as “ring.1”.',
-  })
-})
-
-describe('a VTU', () => {
-  it('is read back by check with the same verdicts, bit for bit', async () => {
-    const check = await opened(meshIn(path))
-    const file = join(folder, 'whole.vtu')
-    writeFileSync(file, written('vtu', check).content)
-    const again = await opened(meshIn(file))
-    expect([...again.mesh.points]).toEqual([...check.mesh.points])
-    expect([...again.mesh.cells]).toEqual([...check.mesh.cells])
-    expect([again.valid, again.invalid, again.unanswered]).toEqual([check.valid, check.invalid, check.unanswered])
-  })
-
-  it('of the invalid cells has these alone, their points and their names', async () => {
-    const cells = Uint32Array.of(0, 1, 2, 3, 4, 5, 6, 7, 4, 5, 6, 7, 0, 1, 2, 3)
-    const shared: Mesh = { ...meshOf([unitCube]), cells, ids: null }
-    for (const [mesh, ids] of [
-      [meshIn(path), (cell: number) => 101 + cell],
-      [shared, (cell: number) => cell],
-    ] as const) {
-      const check = await opened(mesh)
-      const invalid = Array.from({ length: check.hexahedra }, (_, cell) => cell).filter(
-        cell => check.standingOf(cell) === 'invalid',
-      )
-      const file = join(folder, 'invalid.vtu')
-      const { content } = written('invalid-vtu', check)
-      writeFileSync(file, content)
-      const again = await opened(meshIn(file))
-      expect(again.invalid).toBe(invalid.length)
-      expect(again.hexahedra).toBe(invalid.length)
-      expect([...(again.mesh.ids ?? [])]).toEqual(invalid.map(ids))
-      expect(invalid.map((_, i) => verticesOf(again.mesh, i))).toEqual(invalid.map(cell => verticesOf(mesh, cell)))
-      const used = new Set(invalid.flatMap(cell => [...mesh.cells.subarray(8 * cell, 8 * cell + 8)]))
-      expect(again.mesh.points.length / 3).toBe(used.size)
-      expect(content.toString('latin1')).toContain('Name="index"')
-    }
-  })
-
-  it('leaves the mesh its memory', async () => {
-    const check = await opened(meshIn(path))
-    const step = new Writing('vtu', { name: 'a', check, core }).run(Infinity)
-    if ('refused' in step) throw new Error(step.refused)
-    structuredClone(step.bytes, { transfer: [step.bytes.buffer] })
-    expect([check.mesh.points.length, check.mesh.cells.length]).toEqual([24 * elements.length, 8 * elements.length])
   })
 })
 

@@ -1,6 +1,8 @@
 /** The arguments of `check`. */
 import { Refusal } from '../model/result'
 import { ID_KINDS, type IdKind } from '../outputs/ids'
+import type { MeshForm } from '../outputs/meshes/mesh-form'
+import { MESH_ENDINGS, meshFormOf } from '../outputs/meshes/mesh-output'
 
 export interface CheckArguments {
   readonly files: readonly string[]
@@ -15,7 +17,7 @@ export interface CheckArguments {
   readonly allowsUnchecked: boolean
   readonly csv: string | null
   readonly junit: string | null
-  readonly annotate: string | null
+  readonly annotate: { readonly path: string; readonly form: MeshForm } | null
   readonly html: string | null
   readonly ids: IdKind | null
 }
@@ -33,7 +35,7 @@ const options = new Map<string, Option>([
   ['--step', { value: 'a number from 1 on or last', read: text => ({ step: readStep(text) }) }],
   ['--csv', { value: 'a file', read: csv => ({ csv }) }],
   ['--junit', { value: 'a file', read: junit => ({ junit }) }],
-  ['--annotate', { value: 'a file', read: annotate => ({ annotate }) }],
+  ['--annotate', { value: 'a file', read: path => ({ annotate: readAnnotate(path) }) }],
   ['--html', { value: 'a file', read: html => ({ html }) }],
   ['--worst', { value: 'a count or all', read: text => ({ worst: readWorst(text) }) }],
   ['--min-relative', { value: 'a number', read: text => ({ minRelative: readRelative(text) }) }],
@@ -125,6 +127,12 @@ function readRelative(text: string): number {
 function readDegenerate(text: string): boolean {
   if (text === 'skip') return true
   throw wrong(`--degenerate wants skip, not ${text}`)
+}
+
+function readAnnotate(path: string): CheckArguments['annotate'] {
+  const form = meshFormOf(path)
+  if (form) return { path, form }
+  throw wrong(`--annotate wants a file that ends in one of ${MESH_ENDINGS}, not ${path}`)
 }
 
 function readIdKind(text: string): IdKind {

@@ -14,9 +14,9 @@ import { htmlOutput } from '../outputs/html'
 import { idsOutput } from '../outputs/ids'
 import { jsonOutput } from '../outputs/json'
 import { junitOutput } from '../outputs/junit'
+import { meshOutput } from '../outputs/meshes/mesh-output'
 import { type FileResult, type Output, withoutControls } from '../outputs/output'
 import { textOutput } from '../outputs/text'
-import { vtuOutput } from '../outputs/vtu'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
 import type { Engine } from './engine'
@@ -152,7 +152,7 @@ function outputsOf(wanted: CheckArguments, streams: Streams, say: (sentence: str
   return [
     ...(csv === null ? [] : [toFile(csvOutput(), csv)]),
     ...(junit === null ? [] : [toFile(junitOutput(wanted), junit)]),
-    ...(annotate === null ? [] : [toFile(vtuOutput(), annotate)]),
+    ...(annotate === null ? [] : [toFile(meshOutput(annotate.form, say), annotate.path)]),
     ...(html === null ? [] : [toFile(htmlOutput({ ...wanted, fileCount: files.length }), html)]),
     {
       output: main,
@@ -179,7 +179,7 @@ function refuseOverwriting({ files, csv, junit, annotate, html }: CheckArguments
   for (const [option, path] of Object.entries({
     '--csv': csv,
     '--junit': junit,
-    '--annotate': annotate,
+    '--annotate': annotate?.path ?? null,
     '--html': html,
   })) {
     if (path === null) continue

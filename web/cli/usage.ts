@@ -42,8 +42,9 @@ worst: those with the least minimum of jacdet over |volume|. "-" is standard inp
   --junit FILE         writes a JUnit report, a suite for each file
   --html FILE          writes one document to keep, which needs nothing else: the sentence, the notes, the histogram, and the
                        first ten of the worst, drawn and in numbers
-  --annotate FILE.vtu  writes the hexahedra with the cell arrays valid, boundary_min, relative_min, volume; valid is
-                       255 where a cell is unanswered. For one input
+  --annotate FILE.vtu|.vtk|.msh|.inp
+                       writes the hexahedra with the cell arrays valid, boundary_min, relative_min, volume; valid is
+                       255 where a cell is unanswered. VTK 5.1, Gmsh 4.1; Abaqus has sets in place of arrays. For one input
 
 Exit status: of each file
   0  all hexahedra are valid

@@ -1,5 +1,7 @@
 /** Bytes in, meshes out: the one entry for all that is pasted, dropped, opened or named on the command line, together or one by one. */
+import { foamCaseOf } from './foam-case'
 import { formats } from './formats'
+import { namedFor } from './formats/hdf5'
 import { refused } from './formats/refused'
 import { gunzipped, gunzippedHead, isGzip } from './gzip'
 import { type Mesh, MeshRefusal } from './mesh'
@@ -27,6 +29,14 @@ export type TogetherOptions = Omit<ReadOptions, 'find' | 'step' | 'core' | 'hdf5
 
 /** All meshes of the files. Throws a MeshRefusal for the first file that is refused and that no other names. */
 export function readTogether(files: readonly MeshFile[], options: TogetherOptions): readonly Mesh[] {
+  const foamCase = foamCaseOf(files)
+  if (foamCase === null) return readEach(files, options)
+  const { note } = foamCase
+  const meshes = readEach(foamCase.files, options)
+  return note === null ? meshes : meshes.map((mesh, i) => (i === 0 ? { ...mesh, notes: [...mesh.notes, note] } : mesh))
+}
+
+function readEach(files: readonly MeshFile[], options: TogetherOptions): readonly Mesh[] {
   const parts = new Set<MeshFile>()
   const results = new Map<MeshFile, readonly Mesh[] | MeshRefusal>()
   for (const [i, file] of inOrderOfReading(files).entries()) {
@@ -90,7 +100,8 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
     const several = wanted === null ? meshesInFences(whole, all) : []
     if (several.length > 0) return several
     const plain = withoutQuotation(whole)
-    const format = wanted ?? formatOf(headOf(plain), name)
+    const plainHead = headOf(plain)
+    const format = wanted === null ? formatOf(plainHead, name) : namedFor(plainHead, wanted)
     const meshes = format.read(plain, all)
     if (plain === here) return meshes
     const areBytesKept = !isPacked && utf16Of(head) === null

@@ -1,5 +1,6 @@
 /** Files that hold one mesh at several times, told from those that hold its parts. */
 import { orderOfNumbers } from './file-numbers'
+import { foamCaseOf } from './foam-case'
 import { collectionSteps, pieceNames } from './formats/vtu-sources'
 import { joined } from './join-meshes'
 import { type Mesh, MeshRefusal } from './mesh'
@@ -29,6 +30,7 @@ export interface StepFile {
  * have the same cells: the others are compared when they are read. Null where the files are parts of one mesh, or refused.
  */
 export function stepFilesOf(files: readonly MeshFile[], options: TogetherOptions): StepFiles | null {
+  if (foamCaseOf(files) !== null) return null
   const collections = files.filter(isCollection)
   const [collection, ...others] = collections
   if (collection) return others.length > 0 ? null : ofCollection(collection, files, options)

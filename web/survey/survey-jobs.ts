@@ -58,7 +58,10 @@ export type Served<Jobs> = {
 }
 
 /** What can be taken away of an open mesh, each the same as the command line writes it. */
-export type FormId = 'csv' | 'json' | 'html' | 'vtu' | 'invalid-vtu' | 'certificates' | IdKind
+export type FormId = 'csv' | 'json' | 'html' | 'certificates' | IdKind | MeshFormId
+
+/** The whole mesh, or its invalid cells alone, as a file with such an ending: those of outputs/meshes/list.ts. */
+export type MeshFormId = `mesh.${string}` | `invalid.${string}`
 
 /** The next bytes of a file. */
 export type Written =

@@ -9,9 +9,10 @@ import { csvOutput } from '../outputs/csv'
 import { htmlOutput } from '../outputs/html'
 import { idsOutput } from '../outputs/ids'
 import { jsonOutput } from '../outputs/json'
+import { MESH_FORMS } from '../outputs/meshes/list'
+import { invalidPart, wholeMesh } from '../outputs/meshes/mesh-part'
 import type { Output } from '../outputs/output'
-import { invalidVtu, vtuOutput, vtuPieces } from '../outputs/vtu'
-import type { FormId, Written } from './survey-jobs'
+import type { FormId, MeshFormId, Written } from './survey-jobs'
 
 /** Bytes of a step, more or less. */
 const CHUNK = 4 * 1024 * 1024
@@ -43,7 +44,7 @@ const ids = (kind: 'abaqus' | 'nastran' | 'plain'): Form => ({
   count: invalidCount,
 })
 
-const forms: Readonly<Record<FormId, Form>> = {
+const forms: Readonly<Record<Exclude<FormId, MeshFormId>, Form>> = {
   csv: { chunks: source => whole(csvOutput(), source), count: ({ hexahedra }) => hexahedra },
   // All invalid cells, and ten at least.
   json: {
@@ -51,12 +52,35 @@ const forms: Readonly<Record<FormId, Form>> = {
     count: listedInJson,
   },
   html: { chunks: source => whole(htmlOutput(PLAIN), source), count: () => WORST },
-  vtu: { chunks: source => whole(vtuOutput(), source), count: vtuPieces },
-  'invalid-vtu': { chunks: ({ check }) => invalidVtu(check), count: () => 1 },
   certificates: { chunks: ({ check, core }) => invalidCertificates(check, core), count: invalidCount },
   abaqus: ids('abaqus'),
   nastran: ids('nastran'),
   plain: ids('plain'),
+}
+
+const meshForms = new Map(
+  MESH_FORMS.flatMap(({ id, chunks, count }): [MeshFormId, Form][] => [
+    [
+      `mesh.${id}`,
+      {
+        chunks: ({ check }, say) => chunks(wholeMesh(check), say),
+        count: ({ mesh, hexahedra }) => count({ points: mesh.points.length / 3, cells: hexahedra }),
+      },
+    ],
+    [
+      `invalid.${id}`,
+      {
+        chunks: ({ check }, say) => chunks(invalidPart(check), say),
+        count: ({ invalid }) => count({ points: 0, cells: invalid }),
+      },
+    ],
+  ]),
+)
+
+function formOf(id: FormId): Form {
+  const form = id in forms ? forms[id as keyof typeof forms] : meshForms.get(id as MeshFormId)
+  if (!form) throw new Error(`There is no form ${id}.`)
+  return form
 }
 
 function listedInJson({ invalid }: MeshCheck): number {
@@ -81,7 +105,7 @@ export class Writing {
   #done = 0
 
   constructor(form: FormId, source: Source) {
-    const { chunks, count } = forms[form]
+    const { chunks, count } = formOf(form)
     this.#chunks = chunks(source, sentence => this.#said.push(sentence))[Symbol.iterator]()
     this.#count = Math.max(1, count(source.check))
   }

@@ -168,3 +168,7 @@ gmsh.finalize()
 with file("bare.h5") as h:
     h["numbers"] = np.arange(24.0).reshape(8, 3)
     h.create_dataset("packed", data=np.arange(24.0), compression="lzf")
+
+for name, attribute in (("structured.med", "TYP"), ("cylindrical.med", "REP")):
+    with file(name) as h:
+        h.create_group("ENS_MAA/mesh").attrs.create(attribute, 1, dtype=np.int32)

@@ -18,8 +18,11 @@ import { FoamFile, withoutBrackets } from './foam-file'
 const [OPEN, SEMICOLON, OPEN_BRACE] = [40, 59, 123] as const
 const MESH_CLASS =
   /\bclass\s{1,20}(?:faceList|faceCompactList|labelList|polyBoundaryMesh|cellList|regIOobject|faceZoneMesh|cellZoneMesh|pointZoneMesh|ZoneMesh<\w{1,20}>)\s{0,9};/
+/** Files without which there is no mesh. */
+const NEEDED = ['points', 'faces', 'owner', 'neighbour']
 /** Files of a mesh that say nothing of its cells. */
 const BESIDE = ['boundary', 'faceZones', 'pointZones', 'cellLevel', 'pointLevel', 'level0Edge', 'surfaceIndex']
+export const MESH_FILES: readonly string[] = [...NEEDED, 'cellZones', ...BESIDE]
 const POINT_ROW = new RowPattern(['real', 'real', 'real', 'end'])
 /** Numbers of faces that are read at once. */
 const AT_ONCE = 65_536
@@ -57,7 +60,7 @@ class PolyMesh {
 
   read(): Mesh {
     // All files are asked for before one is read: what is not there is missing at once.
-    const files = new Map(['points', 'faces', 'owner', 'neighbour'].map(name => [name, this.#found(name)]))
+    const files = new Map(NEEDED.map(name => [name, this.#found(name)]))
     const zones = this.#found('cellZones')
     for (const name of BESIDE) this.#found(name)
     const missing = [...files].filter(([, file]) => file === null).map(([name]) => `“${name}”`)

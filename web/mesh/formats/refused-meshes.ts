@@ -4,7 +4,8 @@ import { ends, has, type Known, meshio, starts } from './refused-marks'
 export const refusedMeshes: readonly Known[] = [
   // Meshes in binary.
   {
-    is: starts('ADF Database'),
+    // "@(#)", with a bit more in some files.
+    is: has(/^[\s\S]{4}ADF Database Version/),
     what: 'a CGNS file (ADF)',
     instead: 'the CGNS tools make it HDF5, then Gmsh reads it: adf2hdf a.cgns',
   },

@@ -1,5 +1,6 @@
 /** What can be taken away of the open mesh: a menu of files, which the mesh's worker writes. */
 import { html, nothing, render, type TemplateResult } from 'lit-html'
+import { MESH_FORMS } from '../../outputs/meshes/list'
 import type { OpenSurvey } from '../../survey/open-survey'
 import type { FormId, Overview } from '../../survey/survey-jobs'
 import { saveFile } from '../../views/save-file'
@@ -37,24 +38,28 @@ const WHOLE: readonly FileWords[] = [
     ending: '.json',
     mediaType: 'application/json',
   },
-  {
-    form: 'vtu',
-    name: 'VTU',
-    what: 'the mesh with valid, boundary_min, relative_min and volume, for ParaView',
-    ending: '-checked.vtu',
-    mediaType: 'model/vnd.vtu',
-  },
+  ...MESH_FORMS.map(
+    ({ id, name, what, mediaType }): FileWords => ({
+      form: `mesh.${id}`,
+      name,
+      what,
+      ending: `-checked.${id}`,
+      mediaType,
+    }),
+  ),
   { form: 'png', name: 'PNG', what: 'the picture as it is', ending: '.png', mediaType: 'image/png' },
 ]
 
 const INVALID: readonly FileWords[] = [
-  {
-    form: 'invalid-vtu',
-    name: 'VTU',
-    what: 'these cells alone, with their indices and ids',
-    ending: '-invalid.vtu',
-    mediaType: 'model/vnd.vtu',
-  },
+  ...MESH_FORMS.map(
+    ({ id, name, whatOfPart, mediaType }): FileWords => ({
+      form: `invalid.${id}`,
+      name,
+      what: whatOfPart,
+      ending: `-invalid.${id}`,
+      mediaType,
+    }),
+  ),
   {
     form: 'certificates',
     name: 'Certificates',
@@ -66,11 +71,11 @@ const INVALID: readonly FileWords[] = [
     form: 'abaqus',
     name: 'ELSET',
     what: 'ids for Abaqus and CalculiX',
-    ending: '-invalid.inp',
+    ending: '-invalid-ids.inp',
     mediaType: 'text/plain',
   },
-  { form: 'nastran', name: 'SET', what: 'ids for Nastran', ending: '-invalid.nas', mediaType: 'text/plain' },
-  { form: 'plain', name: 'List', what: 'ids, one on a line', ending: '-invalid.txt', mediaType: 'text/plain' },
+  { form: 'nastran', name: 'SET', what: 'ids for Nastran', ending: '-invalid-ids.nas', mediaType: 'text/plain' },
+  { form: 'plain', name: 'List', what: 'ids, one on a line', ending: '-invalid-ids.txt', mediaType: 'text/plain' },
 ]
 
 const NONE_INVALID = 'No cell is invalid, so there are no such files.'

@@ -1,13 +1,16 @@
-"""Reads a VTU with VTK's own reader and writes what it holds as JSON: for tests of the files that the page writes."""
+"""Reads a VTU or a legacy file with VTK's own reader and writes what it holds as JSON: for tests of the files that the page writes."""
 
 import json
 import sys
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
-reader = vtkXMLUnstructuredGridReader()
+reader = vtkUnstructuredGridReader() if sys.argv[1].endswith(".vtk") else vtkXMLUnstructuredGridReader()
 reader.SetFileName(sys.argv[1])
+if isinstance(reader, vtkUnstructuredGridReader):
+    reader.ReadAllFieldsOn()
 reader.Update()
 grid = reader.GetOutput()
 data = grid.GetCellData()

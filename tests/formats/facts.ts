@@ -1,0 +1,10 @@
+/** All facts, in the order of web/mesh/format-names.ts. */
+import { formatNames } from '../../web/mesh/format-names'
+import type { FormatFacts } from './fact'
+import { mesherFacts } from './facts-meshers'
+import { solverFacts } from './facts-solvers'
+import { vtkFacts } from './facts-vtk'
+
+const all: readonly FormatFacts[] = [...vtkFacts, ...mesherFacts, ...solverFacts]
+
+export const FACTS: readonly FormatFacts[] = formatNames.flatMap(name => all.filter(({ format }) => format === name))
