@@ -202,7 +202,8 @@ function exactStar(star: Star): ExactStar {
   return { unit, cells: exact, present: (integers[0] as bigint[]).slice(3 * v, 3 * v + 3) }
 }
 
-function cellsOf(star: Star): { readonly vertices: readonly number[]; readonly moving: readonly boolean[] }[] {
+/** The cells of a star, 24 coordinates each, and which of their vertices move. */
+export function cellsOf(star: Star): { readonly vertices: readonly number[]; readonly moving: readonly boolean[] }[] {
   const numbers = (list: ArrayLike<number>, from: number, count: number) =>
     Array.from({ length: count }, (_, i) => list[from + i] as number)
   if ('points' in star)
