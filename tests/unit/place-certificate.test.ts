@@ -18,19 +18,22 @@ function fileOf(name: string, star: Star): Loose {
 
 const random = randomSource(21)
 const valid = noisyStars(22, 0.1, 0.5)()
-const singles = Array.from({ length: 6 }, (_, n): Star => ({
-  hexahedra: randomHexahedron(random, n < 3 ? 0.2 : 0.6),
-  moving: [[n % 8]],
-}))
+const singles = Array.from(
+  { length: 6 },
+  (_, n): Star => ({
+    hexahedra: randomHexahedron(random, n < 3 ? 0.2 : 0.6),
+    moving: [[n % 8]],
+  }),
+)
 const wedge: Star = { hexahedra: unitCube.with(9, 0).with(10, 0).with(21, 0).with(22, 0), moving: [[0, 3]] }
 
 it('holds for single elements, stars, repeated nodes and presets', () => {
   const hard = noisyStars(23, 0.25, 0.5)
   const stars = [...singles, ...Array.from({ length: 3 }, hard), valid, wedge, starOf(x => x)]
   const files = stars.map((star, i) => fileOf(String(i), star))
-  const ofPresets = presets.slice(0, 6).map((preset, i) =>
-    fileOf(preset.id, { hexahedra: presetVertices(preset), moving: [[i % 8]] }),
-  )
+  const ofPresets = presets
+    .slice(0, 6)
+    .map((preset, i) => fileOf(preset.id, { hexahedra: presetVertices(preset), moving: [[i % 8]] }))
   const all = [...files, ...ofPresets]
   expect(checked(JSON.stringify(all))).toMatchObject({ status: 0, output: `${all.length} certificates hold\n` })
   expect(new Set(files.map(({ holds }) => holds.length))).toEqual(new Set([0, 1, 4]))

@@ -1,10 +1,10 @@
 /** Proofs as text: long numbers cut, neighbouring intervals taken together. */
 import { describe, expect, it } from 'vitest'
 import { type CertifiedInterval, certificateOf, certify } from '../../web/core/exact/certificate'
+import { fractionText } from '../../web/model/rational'
 import { sliceChange, sliceOf } from '../../web/model/state'
 import { createStore } from '../../web/model/store'
 import { proofSlice } from '../../web/panels/proof/proof-question'
-import { fractionText } from '../../web/model/rational'
 import { rationalText, roundedText } from '../../web/panels/proof/rational-text'
 import { runsOf } from '../../web/panels/proof/runs'
 import { cases, core, depthGuardCases, entry, unitCube } from './core-fixtures'

@@ -3,6 +3,7 @@ import type { JacobianReport } from '../core/report'
 import { formatJacdet } from '../model/decimal'
 import type { Vec3 } from '../model/hexahedron'
 import { type CameraView, type State, sliceOf } from '../model/state'
+import { placeMarksOf } from '../views/place-marks'
 import { previewSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 import { say } from '../words/say'
@@ -121,11 +122,13 @@ export class ElementPane extends Pane {
     return this.viewport(verticesInWorld(this.world, state.vertices), state)
   }
 
-  update({ state, report }: Frame, { taken }: PaneLayout): void {
+  update(frame: Frame, { taken }: PaneLayout): void {
+    const { state, report } = frame
     this.#drawnDrag = this.#drag
     const { world, camera, sight, seen: handles } = this
     const { preview } = sliceOf(previewSlice, state)
-    this.overlay.update({ state, preview, report, world, camera, sight, handles, drag: this.#drag, taken })
+    const place = placeMarksOf(frame)
+    this.overlay.update({ state, preview, place, report, world, camera, sight, handles, drag: this.#drag, taken })
   }
 
   /** `colour` is that of jacdet at the probe. */

@@ -16,6 +16,7 @@ import { meanOf, numberDirection, overlap } from './label-place'
 import { LeastCurve } from './least-curve'
 import { Marks } from './marks'
 import { markScale, type OverlayPicture } from './overlay-picture'
+import { BestPlaceMarks } from './place-marks'
 import { type ProbeLook, ProbeMark } from './probe-mark'
 import { SampleMarks } from './sample-marks'
 import { type AxisLetters, Triad } from './triad'
@@ -70,6 +71,7 @@ export class Overlay {
   readonly #highlights = new Highlights()
   readonly #curve = new LeastCurve()
   readonly #samples = new SampleMarks()
+  readonly #bestPlace = new BestPlaceMarks()
   readonly #marks: Marks
   readonly #triad: Triad
   readonly #probe = new ProbeMark()
@@ -95,6 +97,7 @@ export class Overlay {
       this.#ghostHandle,
       this.#probe.box.root,
       this.#marks.candidates,
+      this.#bestPlace.root,
       ...this.#handles.map(handle => handle.group),
       this.#marks.minimizer,
       this.#samples.root,
@@ -122,6 +125,7 @@ export class Overlay {
     this.#samples.update(picture, edges)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
+    this.#bestPlace.update(picture, numbers)
     this.#updateAxisLine(picture)
     const coordinates = this.#updateCoordinates(picture)
     const taken = coordinates ? [...picture.taken, coordinates] : picture.taken
