@@ -15,6 +15,7 @@ import { DEFAULT_DIRECTION } from './space/camera'
 import { type Change, Fitting } from './space/fitting'
 import type { Layout, PaneLayout } from './space/layout'
 import { directionBetween, directionTo } from './space/showing'
+import { samePoint } from './space/vec3'
 import { verticesInWorld, type World, worldOf } from './space/world'
 
 /** Long enough to follow, short enough not to wait for. */
@@ -26,6 +27,8 @@ export class ElementPane extends Pane {
   readonly #readout = new Readout()
   #isReadonly: boolean | null = null
   #drag: HandleDrag | null = null
+  /** The best place that was last brought into sight. */
+  #place: Vec3 | null = null
   #drawnDrag: HandleDrag | null = null
   /** True if the gesture last drawn is of the pointer here, under which the picture must not move. */
   #wasDragging = false
@@ -72,7 +75,8 @@ export class ElementPane extends Pane {
   }
 
   /** Looks elsewhere if the frame asks for it. `changesMedium` says whether it is the first on paper or again on the screen. */
-  aim({ state, report, isForPaper }: Frame, changesMedium: boolean, change: Omit<Change, 'isDragged'>): void {
+  aim(frame: Frame, changesMedium: boolean, change: Omit<Change, 'isDragged'>): void {
+    const { state, report, isForPaper } = frame
     if (isForPaper) this.fitting.putOnPaper(state.vertices)
     else if (changesMedium) this.fitting.leavePaper()
     else if (this.fitting.choose(state, { ...change, isDragged: this.#wasDragging })) {
@@ -82,7 +86,14 @@ export class ElementPane extends Pane {
         if (direction) this.fitting.fit(state.vertices, direction)
       }
     } else this.#goOnTurning(state)
+    if (!isForPaper && state.gestureStart === null) this.#reachPlace(state, placeMarksOf(frame)?.position ?? null)
     this.#wasDragging = this.inputs.isDragging
+  }
+
+  /** A best place that was not there before is brought into sight. */
+  #reachPlace({ vertices }: State, place: Vec3 | null): void {
+    if (place && !(this.#place && samePoint(place, this.#place))) this.fitting.reach(vertices, place)
+    this.#place = place
   }
 
   /** Turns to where a point of the boundary is seen; returns false if faces hide it from everywhere. */

@@ -22,7 +22,7 @@ export function placeMarksOf({ answers }: Pick<Frame, 'answers'>): PlaceMarks | 
   return (answers[BEST_PLACE] as { readonly marks: PlaceMarks } | null | undefined)?.marks ?? null
 }
 
-/** "a 0.42", with a weight of two digits. */
-export function holdText({ letter, weight }: HoldMark): string {
+/** "A 0.42", with a weight of two digits. */
+export function holdText({ letter, weight }: Omit<HoldMark, 'point'>): string {
   return weight === null ? letter : `${letter} ${weight < 0.005 ? '< 0.01' : weight.toFixed(2)}`
 }

@@ -108,4 +108,4 @@ function answerOf(
   return { vertices, vertex, places, star, place, proof, holds, marks }
 }
 
-const LETTERS = ['a', 'b', 'c', 'd']
+const LETTERS = ['A', 'B', 'C', 'D']

@@ -163,7 +163,7 @@ function whyWords({ place, proof, vertex: name }: VertexPlace): unknown {
   if (measure === 'volume') {
     const bound = nearestDouble(proof.bound)
     return sayParts(
-      'No place is better, proved exactly: with these weights J − r · volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.',
+      'No place is better, proved exactly: with these weights J − r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.',
       { bound: copyable(formatNumber(bound), String(bound)) },
     )
   }
@@ -212,7 +212,11 @@ function jacdetOf({ jacdet, exponent }: JacobianReport, cube: ReferenceCube): Te
 }
 
 function weightText(weight: number | null): TemplateResult | '' {
-  return weight === null ? '' : copyable(formatNumber(weight), String(weight))
+  return weight === null ? '' : copyable(shortWeight(weight), String(weight))
+}
+
+function shortWeight(weight: number): string {
+  return weight < 0.0005 ? '<0.001' : weight.toFixed(3)
 }
 
 function explanation({ unitExponent }: BestPlace): TemplateResult {

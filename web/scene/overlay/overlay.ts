@@ -125,10 +125,10 @@ export class Overlay {
     this.#samples.update(picture, edges)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
-    this.#bestPlace.update(picture, numbers)
+    const labels = this.#bestPlace.update(picture, numbers)
     this.#updateAxisLine(picture)
     const coordinates = this.#updateCoordinates(picture)
-    const taken = coordinates ? [...picture.taken, coordinates] : picture.taken
+    const taken = [...picture.taken, ...labels, ...(coordinates ? [coordinates] : [])]
     this.#marks.update({ ...picture, taken, numbers })
     this.#triad.update(camera)
   }

@@ -9,7 +9,7 @@ import type { ScreenPoint } from '../space/camera'
 import type { Box, Point } from '../space/layout'
 import { samePoint } from '../space/vec3'
 import { toWorld } from '../space/world'
-import { meanOf, numberDirection } from './label-place'
+import { meanOf, overlap } from './label-place'
 import { markScale, type OverlayPicture } from './overlay-picture'
 
 /** Radii of the handle at the place, of a point without a weight, and what a weight of 1 adds to the area's root. */
@@ -18,8 +18,14 @@ const LEAST = 3.5
 const MORE = 4.5
 /** A point at a vertex is a ring about the handle. */
 const RING = 11
+/** Points this close are one to the eye. */
+const SAME_POINT = 6
 const LETTER_WIDTH = 7
-const TEXT_GAP = 7
+const TEXT_HEIGHT = 15
+const TEXT_GAP = 4
+/** Half the side of a square about a handle, its number or a mark that words keep off. */
+const DISC = 7
+const TURNS = [0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1]
 /** The line ends before the handles that it joins. */
 const GAP = 10
 
@@ -32,8 +38,8 @@ interface Hold {
 
 export class BestPlaceMarks {
   readonly root = svg('g', { class: 'place-marks' })
-  readonly #halo = svg('path', { class: 'ghost-halo' })
-  readonly #edges = svg('path', { class: 'ghost' })
+  readonly #halo = svg('path', { class: 'around halo' })
+  readonly #edges = svg('path', { class: 'around' })
   readonly #wayHalo = svg('path', { class: 'way halo' })
   readonly #way = svg('path', { class: 'way' })
   readonly #handle = svg(
@@ -49,16 +55,30 @@ export class BestPlaceMarks {
     this.root.append(this.#halo, this.#edges, this.#wayHalo, this.#way, this.#handle)
   }
 
-  update(picture: OverlayPicture, numbers: readonly Point[]): void {
+  /** Returns the boxes of its words. */
+  update(picture: OverlayPicture, numbers: readonly Point[]): Box[] {
     const { place } = picture
     show(this.root, place !== null)
-    if (place === null) return
+    if (place === null) return []
     this.#updatePlace(picture, place)
     while (this.#holds.length < place.holds.length) this.#holds.push(this.#createHold())
-    const shown: Point[] = []
-    this.#holds.forEach((hold, i) => {
-      this.#updateHold(hold, place.holds[i] ?? null, picture, [...numbers, ...shown], shown)
+    const { camera, sight } = picture
+    const points = place.holds.map(({ point }) => camera.project(sight.positionOf(point)))
+    const first = points.map(({ x, y }) => points.findIndex(other => Math.hypot(other.x - x, other.y - y) < SAME_POINT))
+    const { report, world, handles } = picture
+    const least = report ? [camera.project(toWorld(world, report.minimizer.position))] : []
+    const discs = [...handles, ...numbers, ...points, ...least].map(discAt)
+    const words: Box[] = []
+    this.#holds.forEach((parts, i) => {
+      const at = points[i]
+      show(parts.group, at !== undefined && at.depth > 0)
+      if (!at) return
+      const here = place.holds.filter((_, other) => first[other] === i)
+      const box = this.#updateHold(parts, at, here.length > 0 ? here : [place.holds[i] as HoldMark], picture)
+      show(parts.text, here.length > 0)
+      if (here.length > 0) words.push(placeText(parts.text, at, box, { picture, words, discs }))
     })
+    return words
   }
 
   #updatePlace({ world, camera, handles, state }: OverlayPicture, { vertex, position }: PlaceMarks): void {
@@ -80,35 +100,25 @@ export class BestPlaceMarks {
     moveTo(this.#handle, at)
   }
 
+  /** All holds that are seen at one point. Returns half the width of their words, and their distance from the point. */
   #updateHold(
     { group, rim, dot, text }: Hold,
-    hold: HoldMark | null,
-    { camera, sight, handles, taken }: OverlayPicture,
-    numbers: readonly Point[],
-    shown: Point[],
-  ): void {
-    const at = hold && camera.project(sight.positionOf(hold.point))
-    show(group, at !== null && at.depth > 0)
-    if (!hold || !at) return
+    at: ScreenPoint,
+    holds: readonly HoldMark[],
+    { camera, sight }: OverlayPicture,
+  ): TextSize {
+    const [{ point }] = holds as [HoldMark]
+    const weight = weightOf(holds)
     moveTo(group, at)
-    group.classList.toggle('behind', sight.hides(hold.point))
-    const isVertex = isAtVertex(hold.point)
+    group.classList.toggle('behind', sight.hides(point))
+    const isVertex = isAtVertex(point)
     group.classList.toggle('ring', isVertex)
-    const radius = markScale(camera) * (isVertex ? RING : LEAST + MORE * Math.sqrt(hold.weight ?? 0))
+    const radius = markScale(camera) * (isVertex ? RING : LEAST + MORE * Math.sqrt(weight ?? 0))
     set(rim, { r: px(radius + (isVertex ? 0 : 1.5)) })
     set(dot, { r: px(radius) })
-    setText(text, holdText(hold))
-    const middle = meanOf(handles)
-    const [dx, dy] = [at.x - middle.x, at.y - middle.y]
-    const length = Math.hypot(dx, dy)
-    const outwards = length > 1 ? { x: dx / length, y: dy / length } : { x: 0, y: -1 }
-    const half = (LETTER_WIDTH / 2) * holdText(hold).length
-    const distance = radius + TEXT_GAP + half
-    const way = numberDirection(at, outwards, distance, [...handles, ...numbers], taken as readonly Box[])
-    const x = way.x * distance
-    const y = way.y * (radius + TEXT_GAP + 5)
-    set(text, { x: px(x), y: px(y) })
-    for (const share of [-0.7, 0, 0.7]) shown.push({ x: at.x + x + share * half, y: at.y + y })
+    const words = holdText({ letter: holds.map(({ letter }) => letter).join(', '), weight })
+    setText(text, words)
+    return { half: (LETTER_WIDTH / 2) * words.length, gap: radius + TEXT_GAP }
   }
 
   #createHold(): Hold {
@@ -119,6 +129,43 @@ export class BestPlaceMarks {
     this.root.append(group)
     return { group, rim, dot, text }
   }
+}
+
+function weightOf(holds: readonly HoldMark[]): number | null {
+  return holds.reduce<number | null>((sum, { weight }) => (sum === null || weight === null ? null : sum + weight), 0)
+}
+
+interface TextSize {
+  readonly half: number
+  readonly gap: number
+}
+
+/** Outwards from the element, or turned from there to where it covers least. Returns its box. */
+function placeText(
+  text: SVGTextElement,
+  at: Point,
+  { half, gap }: TextSize,
+  { picture, words, discs }: { picture: OverlayPicture; words: readonly Box[]; discs: readonly Box[] },
+): Box {
+  const { handles, taken, camera } = picture
+  const middle = meanOf(handles)
+  const outwards = Math.atan2(at.y - middle.y, at.x - middle.x)
+  const boxes = TURNS.map(turn => {
+    const [x, y] = [Math.cos(outwards + turn), Math.sin(outwards + turn)]
+    const [cx, cy] = [at.x + x * (gap + half), at.y + y * (gap + TEXT_HEIGHT / 2 - 4)]
+    return { x: cx - half, y: cy - TEXT_HEIGHT / 2, width: 2 * half, height: TEXT_HEIGHT }
+  })
+  const covered = (box: Box) =>
+    [...discs, ...taken, ...words].filter(other => overlap(box, other)).length +
+    (box.x < 4 || box.x + box.width > camera.width - 4 || box.y < 4 || box.y + box.height > camera.height - 4 ? 2 : 0)
+  const costs = boxes.map(covered)
+  const box = boxes[costs.indexOf(Math.min(...costs))] as Box
+  set(text, { x: px(box.x + half - at.x), y: px(box.y + TEXT_HEIGHT / 2 - at.y) })
+  return box
+}
+
+function discAt({ x, y }: Point): Box {
+  return { x: x - DISC, y: y - DISC, width: 2 * DISC, height: 2 * DISC }
 }
 
 function isAtVertex(point: Vec3): boolean {
