@@ -29,10 +29,11 @@ export function asStored({ points, coordinatePlaces }: Mesh, moved: Float64Array
 }
 
 /**
- * The bytes of `file`, from which `mesh` was read, with all coordinates of `moved` that are not those of the mesh. Throws a Refusal where
+ * The bytes of the file from which `mesh` was read, with all coordinates of `moved` that are not those of the mesh. Throws a Refusal where
  * `whyNotInPlace` has a reason, a number does not fit in, or the file is another one by now.
  */
-export function* movedFile(file: MeshFile, mesh: Mesh, moved: Float64Array): Generator<Uint8Array<ArrayBuffer>> {
+export function* movedFile(whole: MeshFile, mesh: Mesh, moved: Float64Array): Generator<Uint8Array<ArrayBuffer>> {
+  const file = inChunks(whole)
   const { points, format, coordinatePlaces: places } = mesh
   const why = whyNotInPlace(mesh)
   if (why !== null || places === null) throw new Refusal(why ?? '')
@@ -44,6 +45,19 @@ export function* movedFile(file: MeshFile, mesh: Mesh, moved: Float64Array): Gen
     done = from + length
   }
   yield* copied(file, done, file.size)
+}
+
+/** The same file, read in chunks: a call for each number would take long. */
+function inChunks(file: MeshFile): MeshFile {
+  let [start, chunk] = [0, new Uint8Array(0)]
+  const read = (from: number, to: number) => {
+    if (from < start || to > start + chunk.length) {
+      start = from
+      chunk = new Uint8Array(file.read(from, Math.min(file.size, Math.max(to, from + CHUNK))))
+    }
+    return chunk.slice(from - start, to - start)
+  }
+  return { name: file.name, size: file.size, read }
 }
 
 interface Span {
