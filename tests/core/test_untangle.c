@@ -37,7 +37,7 @@ static hl_cells noisy_grid(double sigma) {
 }
 
 static hl_untangled untangled(const hl_cells *cells, const hl_untangling *wanted) {
-  const size_t room = hl_untangle_room(POINTS, CELLS);
+  const size_t room = hl_untangle_room(POINTS, CELLS, 1);
   void *memory = malloc(room);
   hl_untangled result;
   CHECK(hl_untangle(cells, wanted, memory, room, moved, &result) == HL_OK, "status");
@@ -56,7 +56,7 @@ static size_t invalid_count(const double *points) {
 static void finds_the_boundary(void) {
   static uint8_t boundary[POINTS];
   const hl_cells cells = noisy_grid(0);
-  const size_t room = hl_untangle_room(POINTS, CELLS);
+  const size_t room = hl_untangle_room(POINTS, CELLS, 1);
   void *memory = malloc(room);
   CHECK(hl_boundary_points(&cells, memory, room, boundary) == HL_OK, "status");
   for (int p = 0; p < POINTS; ++p) CHECK(boundary[p] == !is_inside(p), "%d", p);
@@ -106,16 +106,16 @@ static void is_the_same_again(void) {
   CHECK(memcmp(first, moved, sizeof first) == 0, "other bits");
 }
 
-static bool goes_on(void *context, size_t place_count) {
-  *(size_t *)context = place_count;
-  return place_count < 3;
+static bool goes_on(void *context, const hl_untangled *so_far) {
+  *(size_t *)context = so_far->place_count;
+  return so_far->place_count < 3;
 }
 
 static void leaves_what_is_fixed_and_stops(void) {
-  static uint8_t fixed[POINTS];
-  memset(fixed, 1, sizeof fixed);
+  static uint8_t moves[POINTS];
+  memset(moves, HL_STAYS, sizeof moves);
   const hl_cells cells = noisy_grid(0.2);
-  hl_untangling wanted = {.margin = 0.1, .fixed = fixed};
+  hl_untangling wanted = {.margin = 0.1, .moves = moves};
   hl_untangled result = untangled(&cells, &wanted);
   CHECK(result.moved_count == 0 && memcmp(given, moved, sizeof given) == 0, "fixed points moved");
   size_t seen = 0;

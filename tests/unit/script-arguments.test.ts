@@ -1,10 +1,10 @@
 /** What a page's script may say, and what it may not. */
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, test } from 'vitest'
 import { readAttribute } from '../../web/element/attributes'
 import { HexLensError } from '../../web/element/hex-lens-error'
 import { Looking } from '../../web/element/looking'
 import { cameraBetween } from '../../web/element/motion'
-import { readCameraView, readHighlights, readSeconds } from '../../web/element/script-arguments'
+import { readCameraView, readHighlights, readSeconds, readSurroundings } from '../../web/element/script-arguments'
 import { hitFaces } from '../../web/scene/input/face-hit'
 import { drawnFaces } from '../../web/views/scene-slices'
 
@@ -17,6 +17,21 @@ const refusal = (read: () => unknown) => {
     return `${reason.code}: ${reason.message}`
   }
 }
+
+test('hexahedra around the element, and vertices that stay', () => {
+  const vertices = Array.from({ length: 24 }, (_, i) => i)
+  expect(readSurroundings({ hexahedra: [{ vertices }, { vertices, isInvalid: true }], fixed: 3 })).toEqual({
+    hexahedra: [
+      { vertices, isInvalid: false },
+      { vertices, isInvalid: true },
+    ],
+    fixed: [3],
+  })
+  for (const none of [undefined, null, {}]) expect(readSurroundings(none)).toEqual({ hexahedra: [], fixed: [] })
+  expect(refusal(() => readSurroundings({ hexahedra: [{ vertices: [1] }] }))).toBe(
+    'bad-argument: surround.hexahedra[0].vertices has to be a list of 24.',
+  )
+})
 
 describe('highlight', () => {
   it('takes numbers and lists of them', () => {

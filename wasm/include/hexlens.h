@@ -345,38 +345,50 @@ size_t hl_best_place_room(size_t cell_count);
    same bits, if they tell the axes and the cells apart. Takes 0.05 ms for eight cells. docs/repair.md. */
 hl_status hl_best_place(const hl_star *star, void *memory, size_t room, hl_place *best);
 
-/* Untangling: sweeps of best places over the vertices of a mesh, of each sweep the worst first, until all cells that a free vertex
-   reaches have the margin or no vertex gains. No move lowers the least relative minimum of the cells around its vertex. */
-typedef struct hl_untangling {
-  double margin;        /* wanted: relative minimum at least this; from 0, for all that are valid, to 1 */
-  const uint8_t *fixed; /* one a point, 1 for those that stay; null for the boundary's, by hl_boundary_points */
-  /* Called before each star with how many best places were sought; false ends the sweeps there. May be null. */
-  bool (*proceed)(void *context, size_t place_count);
-  void *context;
-} hl_untangling;
+/* Which points of a mesh may move: HL_STAYS never; HL_UNLESS_BOUNDARY unless it is on the boundary, by hl_boundary_points; HL_FREED
+   always. */
+typedef enum hl_moves { HL_STAYS = 0, HL_UNLESS_BOUNDARY = 1, HL_FREED = 2 } hl_moves;
 
 typedef struct hl_untangled {
   size_t invalid_before, invalid_after;         /* cells */
   size_t below_before, below_after;             /* cells below the margin, or invalid */
   size_t moved_count, place_count, sweep_count; /* points elsewhere than before; best places that were sought */
-  size_t too_many_count; /* free vertices of cells below the margin that have more than HL_MOST_CELLS cells */
+  size_t too_many_count; /* points of cells below the margin that may move, but have more than HL_MOST_CELLS cells */
   double greatest_distance, mean_distance; /* of the points that were moved */
   double least_before, least_after;        /* relative minima; NaN where a cell has none */
   bool is_stopped;                         /* by `proceed` */
 } hl_untangled;
 
+/* Untangling: sweeps of best places over the points of a mesh, of each sweep the worst first, until all cells that a point which may move
+   reaches have the margin or no point gains. No move lowers the least relative minimum of the cells around its point. */
+typedef struct hl_untangling {
+  double margin;        /* wanted: relative minimum at least this; from 0, for all that are valid, to 1 */
+  const uint8_t *moves; /* hl_moves, one a point; null for HL_UNLESS_BOUNDARY everywhere */
+  uint8_t *
+      held; /* one a point: gets 1 for those that may move and still have a cell below the margin, else 0. May be null. */
+  size_t thread_count; /* 0 is 1 */
+  /* Runs work(piece, 0) to work(piece, count - 1), each once, at once or one after another, and returns when all have ended. Null: one
+     after another, here. */
+  void (*run)(void *context, void (*work)(void *piece, size_t thread), void *piece, size_t count);
+  /* Called before each piece of 128 stars at most with what was done so far, without distances and the least value; false ends the sweeps
+     there. May be null. */
+  bool (*proceed)(void *context, const hl_untangled *so_far);
+  void *context;
+} hl_untangling;
+
 /* A star of more cells is left as it is. */
 enum { HL_MOST_CELLS = 128 };
 
-/* Bytes for a mesh. */
-size_t hl_untangle_room(size_t point_count, size_t cell_count);
+/* Bytes for a mesh: 76 a point or cell, 0.9 MB a thread. */
+size_t hl_untangle_room(size_t point_count, size_t cell_count, size_t thread_count);
 
 /* 1 for each point of a face that no other cell has, or more than one other, else 0; `boundary` has one entry a point. The cells have
-   indices; `memory` is as for hl_untangle. */
+   indices; `memory` is as for hl_untangle with one thread. */
 hl_status hl_boundary_points(const hl_cells *cells, void *memory, size_t room, uint8_t *boundary);
 
 /* Moves the points of cells with indices; `points` gets all coordinates, those of moved points new. The same bits for the same input on
-   every machine. `memory` is aligned for doubles and of hl_untangle_room bytes. A coordinate that is not finite is HL_NOT_FINITE. */
+   every machine and with any number of threads. `memory` is aligned for doubles and of hl_untangle_room bytes. A coordinate that is not
+   finite is HL_NOT_FINITE. */
 hl_status hl_untangle(const hl_cells *cells, const hl_untangling *wanted, void *memory, size_t room, double *points,
                       hl_untangled *result);
 
@@ -389,12 +401,14 @@ enum {
       HL_FACES * HL_PACKED_FACE + 1 + HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE + 2 + HL_VERTICES + 3,
   HL_PACKED_MINIMUM = HL_PACKED_CANDIDATE + 2,
   HL_PACKED_JACOBIAN = 17,
-  HL_PACKED_PLACE = 13 + HL_MAX_HOLDS * 7
+  HL_PACKED_PLACE = 13 + HL_MAX_HOLDS * 7,
+  HL_PACKED_UNTANGLED = 13
 };
 size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]);
 size_t hl_pack_minimum(const hl_minimum *minimum, double packed[HL_PACKED_MINIMUM]);
 size_t hl_pack_jacobian(const hl_jacobian *jacobian, double packed[HL_PACKED_JACOBIAN]);
 size_t hl_pack_place(const hl_place *place, double packed[HL_PACKED_PLACE]);
+size_t hl_pack_untangled(const hl_untangled *result, double packed[HL_PACKED_UNTANGLED]);
 
 #if defined __GNUC__
 #pragma GCC visibility pop

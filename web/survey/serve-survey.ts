@@ -13,7 +13,7 @@ import {
   toldSeldom,
 } from '../input/serve-reading'
 import { acceptedOfInvalid } from '../mesh/accepted-invalid'
-import { type ClassifyCells, checkMesh } from '../mesh/check'
+import { checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { TogetherOptions } from '../mesh/read-mesh'
 import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
@@ -21,6 +21,8 @@ import { cutFaces } from './cut'
 import { lookingJobs, nameOf, noHexahedra, STEP } from './looking-jobs'
 import { meeting } from './meeting'
 import { mended } from './mend'
+import { Movement } from './movement'
+import { inOwnFormat, type Moving, movingJobs, roundedNote } from './moving-jobs'
 import { OpenedSurvey } from './opened-survey'
 import { openingCheck } from './opening-check'
 import { type SharedClassifier, sharedClassifier } from './shared-classifier'
@@ -52,12 +54,7 @@ interface Tools {
   readonly classifier: SharedClassifier
 }
 
-interface Open {
-  readonly name: string
-  readonly survey: OpenedSurvey
-  readonly classify: ClassifyCells
-  readonly core: Core
-}
+type Open = Omit<Moving, 'files'>
 
 /** The steps that the open mesh is one of. */
 interface OpenSteps {
@@ -83,6 +80,8 @@ export function serveSurvey(engine: SurveyEngine): void {
     if (!open) throw new Error('No mesh is open.')
     return open
   }
+
+  const moving = (): Moving => ({ ...opened(), files: steps ? [] : filesOf(given) })
 
   /** The core and the workers that decide, started once. */
   let started: Promise<Tools> | null = null
@@ -116,7 +115,7 @@ export function serveSurvey(engine: SurveyEngine): void {
     const wholeOrder = await wholeOrderOf(check, { classify, core })
     const overview = own.overview(name, wholeOrder, await acceptedOfInvalid(check, classify))
     if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
-    open = { name, survey: new OpenedSurvey(own, finish, classify), classify, core }
+    open = { name, survey: new OpenedSurvey(own, finish, classify), movement: new Movement(mesh), classify, core }
     writing = null
     return overview
   }
@@ -213,17 +212,24 @@ export function serveSurvey(engine: SurveyEngine): void {
     async mend(fix: FixId) {
       const { check } = await whole()
       const mesh = mended(check, fix)
+      const { movement } = opened()
       const overview = await surveyed(opened().name, mesh, () => {})
+      open = { ...opened(), movement: new Movement(mesh, movement) }
       steps?.series.correct(check.mesh, mesh)
       return { opened: overview }
     },
     async write(form) {
       const { name, core } = opened()
       const { check } = await (LISTING.has(form) ? opened().survey.accepting() : whole())
-      writing = new Writing(form, { name, check, core })
+      const own = form === 'own' ? { chunks: inOwnFormat(moving()), said: await roundedNote(moving()) } : null
+      writing = new Writing(form, { name, check, core, own })
       return written()
     },
     writeOn: written,
+    ...movingJobs(moving, survey => {
+      open = { ...opened(), survey }
+      writing = null
+    }),
     steps: () => steps?.series.list(steps.shown, shownAnswer()) ?? null,
     readStep: (step, tell) =>
       readStep(step, toldSeldom(tell)).catch(reason => openSteps().series.refusedStep(step, refusalOf(reason).refused)),

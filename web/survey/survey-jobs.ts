@@ -7,6 +7,8 @@ import type { Standing } from '../mesh/mesh-check'
 import type { Vec3, Vertices } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
 import type { IdKind } from '../outputs/ids'
+import type { Around } from './around'
+import type { Moves } from './movement'
 
 export type { Histogram } from '../mesh/histogram'
 
@@ -40,6 +42,16 @@ export type SurveyJobs = {
   write(form: FormId): Written
   /** Goes on with it, for some milliseconds. */
   writeOn(_: null): Written
+  /** Null as long as it is not known which cells share a face. */
+  around(cell: number): Around | null
+  /** Moves points: one step to undo. Order and selection begin anew, as after the next three. */
+  move(moves: Moves): Promise<MovedMesh>
+  undo(_: null): Promise<MovedMesh>
+  redo(_: null): Promise<MovedMesh>
+  /** These points where they were read, or all. */
+  restore(points: readonly number[] | null): Promise<MovedMesh>
+  /** What an untangling is given: all cells, or those with a point of a cell and of so many rings around it. */
+  tangled(part: { readonly cell: number; readonly rings: number } | null): TangledPart
   /** Null where the mesh has no steps. */
   steps(_: null): StepList | null
   /** Reads and decides a step; no more is kept of it than its answer. */
@@ -58,7 +70,32 @@ export type Served<Jobs> = {
 }
 
 /** What can be taken away of an open mesh, each the same as the command line writes it. */
-export type FormId = 'csv' | 'json' | 'html' | 'vtu' | 'invalid-vtu' | 'certificates' | IdKind
+export type FormId = 'csv' | 'json' | 'html' | 'vtu' | 'own' | 'invalid-vtu' | 'certificates' | IdKind
+
+/** A mesh of which points have moved, or have come back. */
+export interface MovedMesh {
+  readonly opened: Overview
+  readonly movement: MovementCounts
+}
+
+export interface MovementCounts {
+  /** Points that are not where they were read. */
+  readonly movedCount: number
+  readonly canUndo: boolean
+  readonly canRedo: boolean
+  /** Why the file that was read cannot be written with the points as they are; null where it can. */
+  readonly whyNotInPlace: string | null
+}
+
+/** Cells with their points, and what an untangling may do. */
+export interface TangledPart {
+  readonly points: Float64Array
+  readonly cells: Uint32Array
+  /** One of MOVES a point. */
+  readonly moves: Uint8Array
+  /** Of each point its index in the mesh; null where it is the same. */
+  readonly indices: Uint32Array | null
+}
 
 /** The next bytes of a file. */
 export type Written =

@@ -1,6 +1,7 @@
 /** What the core says of the best place of a vertex. The contracts are those of hl_best_place in wasm/include/hexlens.h. */
 import type { Vec3 } from '../../model/hexahedron'
 import type { CodedError, Result } from '../../model/result'
+import type { PointMesh, UntangleError, UntangleOptions, Untangling } from './untangling'
 
 /**
  * The cells around a vertex that moves, while all others stay: cells of 24 coordinates each, and for each the local vertices that are the
@@ -55,4 +56,6 @@ export type StarError = CodedError<
 export interface RepairCore {
   /** Never throws for any numbers given. */
   bestPlace(star: Star): Result<BestPlace, StarError>
+  /** Begins sweeps of best places over a mesh, which are done by steps: untangle.ts does them. */
+  untangling(mesh: PointMesh, options: UntangleOptions): Promise<Result<Untangling, UntangleError>>
 }

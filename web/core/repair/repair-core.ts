@@ -1,8 +1,9 @@
-/** Loads hexlens-repair.wasm, and is the only place that sees its memory. */
+/** Loads hexlens-repair.wasm; with untangling-core.ts the only place that sees its memory. */
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vec3 } from '../../model/hexahedron'
 import { type CodedError, type Result, refused } from '../../model/result'
 import { Unpacker } from '../unpack'
 import type { BestPlace, Hold, Measure, RepairCore, Star, StarError } from './best-place'
+import { beginUntangling } from './untangling-core'
 
 interface RepairExports {
   readonly memory: WebAssembly.Memory
@@ -53,7 +54,7 @@ interface Lists {
 
 /** Rejects with the engine's own error where WebAssembly is missing, forbidden, or the bytes are others. */
 export async function loadRepairCore(bytes: BufferSource): Promise<RepairCore> {
-  const { instance } = await WebAssembly.instantiate(bytes, {})
+  const { instance, module } = await WebAssembly.instantiate(bytes, {})
   const wasm = instance.exports as unknown as RepairExports
   wasm._initialize?.()
   const { memory } = wasm
@@ -105,7 +106,7 @@ export async function loadRepairCore(bytes: BufferSource): Promise<RepairCore> {
     return { ok: false, error }
   }
 
-  return { bestPlace }
+  return { bestPlace, untangling: (mesh, options) => beginUntangling(module, mesh, options) }
 }
 
 function listsOf(star: Star): Result<Lists, CodedError<'wrong-count' | 'no-such-point' | 'nothing-moves'>> {
