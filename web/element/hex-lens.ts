@@ -18,6 +18,7 @@ import { createStore } from '../model/store'
 import { elementAt } from '../model/way'
 import { knownPanels, type Panel } from '../panels/panel'
 import { DEFAULT_VIEW } from '../scene/space/orbit-camera'
+import { placeSlice } from '../views/place-marks'
 import { type SceneState, scriptSlice, surroundingsSlice } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
 import { say } from '../words/say'
@@ -48,8 +49,10 @@ import { ReflectingElement, textOf } from './reflecting-element'
 import {
   type CameraGoal,
   type HighlightedParts,
+  type PlaceParts,
   readCameraView,
   readHighlights,
+  readPlace,
   readSeconds,
   readSurroundings,
   type SurroundingParts,
@@ -553,6 +556,17 @@ export class HexLens extends ReflectingElement {
    */
   surround(parts: SurroundingParts | null = null): void {
     taking(this, 'surround', () => this.#dispatch(sliceChange(surroundingsSlice, readSurroundings(parts))))
+  }
+
+  /**
+   * Marks a place of a vertex, such as a better one: a dashed handle there, with a line to it, and
+   * points with their labels, the larger the more they weigh. `null` takes them away, and so does a
+   * change of the vertices. No part of the history. What is not understood is told by `hex-error`.
+   *
+   * @param {{ vertex: number, position?: [number, number, number] | null, points?: { position: [number, number, number], point?: [number, number, number] | null, label: string, weight?: number | null }[] } | null} parts
+   */
+  markPlace(parts: PlaceParts | null): void {
+    taking(this, 'place', () => this.#dispatch(sliceChange(placeSlice, { place: readPlace(parts) })))
   }
 
   /** The core’s report on any 24 numbers, or on the element’s own. Rejects with HexLensError. */

@@ -4,7 +4,7 @@ import type { PlaceProof, provePlace } from '../../core/repair/place-proof'
 import type { Core, JacobianReport } from '../../core/report'
 import { VERTEX_COUNT, type Vertices, withVertex } from '../../model/hexahedron'
 import type { State } from '../../model/state'
-import { BEST_PLACE, type PlaceMarks } from '../../views/place-marks'
+import { BEST_PLACE, LETTERS, type PlaceMarks } from '../../views/place-marks'
 import type { Question } from '../panel'
 
 export interface VertexPlace {
@@ -103,9 +103,11 @@ function answerOf(
   const marks = {
     vertex,
     position: place.isMoved ? place.position : null,
-    holds: holds.flatMap(({ now, letter, weight }) => (now ? [{ point: now.point, letter, weight }] : [])),
+    points: holds.flatMap(({ now, letter, weight }) => {
+      if (!now) return []
+      const { point, position } = now
+      return [{ point, position, label: letter, weight }]
+    }),
   }
   return { vertices, vertex, places, star, place, proof, holds, marks }
 }
-
-const LETTERS = ['A', 'B', 'C', 'D']

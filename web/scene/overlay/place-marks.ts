@@ -3,7 +3,7 @@
  * the larger the more they weigh, with letter and weight.
  */
 import { edgeVertices, type Vec3, vertexReference } from '../../model/hexahedron'
-import { type HoldMark, holdText, type PlaceMarks } from '../../views/place-marks'
+import { type PlaceMarks, type PlacePoint, shortWeight } from '../../views/place-marks'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 import type { Box, Point } from '../space/layout'
@@ -38,16 +38,16 @@ interface Hold {
 
 export class BestPlaceMarks {
   readonly root = svg('g', { class: 'place-marks' })
-  readonly #halo = svg('path', { class: 'around halo' })
+  readonly #halo = svg('path', { class: 'around-halo' })
   readonly #edges = svg('path', { class: 'around' })
-  readonly #wayHalo = svg('path', { class: 'way halo' })
+  readonly #wayHalo = svg('path', { class: 'way-halo' })
   readonly #way = svg('path', { class: 'way' })
   readonly #handle = svg(
     'g',
     { class: 'place' },
-    svg('circle', { class: 'rim', r: PLACE + 2 }),
-    svg('circle', { class: 'dot', r: PLACE }),
-    svg('circle', { class: 'middle', r: 2 }),
+    svg('circle', { class: 'place-rim', r: PLACE + 2 }),
+    svg('circle', { class: 'place-dot', r: PLACE }),
+    svg('circle', { class: 'place-middle', r: 2 }),
   )
   readonly #holds: Hold[] = []
 
@@ -61,11 +61,10 @@ export class BestPlaceMarks {
     show(this.root, place !== null)
     if (place === null) return []
     this.#updatePlace(picture, place)
-    while (this.#holds.length < place.holds.length) this.#holds.push(this.#createHold())
-    const { camera, sight } = picture
-    const points = place.holds.map(({ point }) => camera.project(sight.positionOf(point)))
+    while (this.#holds.length < place.points.length) this.#holds.push(this.#createHold())
+    const { report, world, handles, camera } = picture
+    const points = place.points.map(({ position }) => camera.project(toWorld(world, position)))
     const first = points.map(({ x, y }) => points.findIndex(other => Math.hypot(other.x - x, other.y - y) < SAME_POINT))
-    const { report, world, handles } = picture
     const least = report ? [camera.project(toWorld(world, report.minimizer.position))] : []
     const discs = [...handles, ...numbers, ...points, ...least].map(discAt)
     const words: Box[] = []
@@ -73,8 +72,8 @@ export class BestPlaceMarks {
       const at = points[i]
       show(parts.group, at !== undefined && at.depth > 0)
       if (!at) return
-      const here = place.holds.filter((_, other) => first[other] === i)
-      const box = this.#updateHold(parts, at, here.length > 0 ? here : [place.holds[i] as HoldMark], picture)
+      const here = place.points.filter((_, other) => first[other] === i)
+      const box = this.#updateHold(parts, at, here.length > 0 ? here : [place.points[i] as PlacePoint], picture)
       show(parts.text, here.length > 0)
       if (here.length > 0) words.push(placeText(parts.text, at, box, { picture, words, discs }))
     })
@@ -104,34 +103,35 @@ export class BestPlaceMarks {
   #updateHold(
     { group, rim, dot, text }: Hold,
     at: ScreenPoint,
-    holds: readonly HoldMark[],
+    holds: readonly PlacePoint[],
     { camera, sight }: OverlayPicture,
   ): TextSize {
-    const [{ point }] = holds as [HoldMark]
+    const [{ point }] = holds as [PlacePoint]
     const weight = weightOf(holds)
     moveTo(group, at)
-    group.classList.toggle('behind', sight.hides(point))
-    const isVertex = isAtVertex(point)
+    group.classList.toggle('behind', point !== null && sight.hides(point))
+    const isVertex = point !== null && isAtVertex(point)
     group.classList.toggle('ring', isVertex)
     const radius = markScale(camera) * (isVertex ? RING : LEAST + MORE * Math.sqrt(weight ?? 0))
     set(rim, { r: px(radius + (isVertex ? 0 : 1.5)) })
     set(dot, { r: px(radius) })
-    const words = holdText({ letter: holds.map(({ letter }) => letter).join(', '), weight })
+    const labels = holds.map(({ label }) => label).join(', ')
+    const words = weight === null ? labels : `${labels} ${shortWeight(weight)}`
     setText(text, words)
     return { half: (LETTER_WIDTH / 2) * words.length, gap: radius + TEXT_GAP }
   }
 
   #createHold(): Hold {
-    const rim = svg('circle', { class: 'rim' })
-    const dot = svg('circle', { class: 'dot' })
-    const text = svg('text', { 'text-anchor': 'middle' })
+    const rim = svg('circle', { class: 'hold-rim' })
+    const dot = svg('circle', { class: 'hold-dot' })
+    const text = svg('text', { class: 'hold-text', 'text-anchor': 'middle' })
     const group = svg('g', { class: 'hold' }, rim, dot, text)
     this.root.append(group)
     return { group, rim, dot, text }
   }
 }
 
-function weightOf(holds: readonly HoldMark[]): number | null {
+function weightOf(holds: readonly PlacePoint[]): number | null {
   return holds.reduce<number | null>((sum, { weight }) => (sum === null || weight === null ? null : sum + weight), 0)
 }
 

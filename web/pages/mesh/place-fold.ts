@@ -1,0 +1,90 @@
+/** The fold with the best place of a vertex of the chosen cell. What answers it comes when it is opened. */
+import { wordsOf } from '../../core/workers'
+import type { Vec3 } from '../../model/hexahedron'
+import type { Around } from '../../survey/around'
+import type { PlaceMarks } from '../../views/place-marks'
+import type { PlaceView } from './place-view'
+
+export interface PlaceHost {
+  /** Moves a point of the mesh: one step to undo. Resolves when its cells are answered. */
+  move(point: number, to: Vec3): Promise<void>
+  /** Why a vertex of the chosen cell stays where it is, as a sentence; null if it may move. */
+  whyFixed(vertex: number): string | null
+  /** What the lens shows of it. */
+  mark(place: PlaceMarks | null): void
+}
+
+/** The chosen cell with the cells around it; `around` is null until it is known which cells share a face. */
+export interface PlaceOf {
+  readonly id: string
+  readonly cell: number
+  readonly around: Around | null
+}
+
+export class PlaceFold {
+  readonly #details = document.createElement('details')
+  readonly #content = document.createElement('div')
+  readonly #root: HTMLElement
+  readonly #host: PlaceHost
+  #view: PlaceView | null = null
+  #isLoading = false
+  #of: PlaceOf | null = null
+
+  constructor(root: HTMLElement, host: PlaceHost) {
+    this.#root = root
+    this.#host = host
+    const summary = document.createElement('summary')
+    summary.textContent = 'Best place of a vertex'
+    this.#content.className = 'content'
+    this.#details.append(summary, this.#content)
+    this.#details.addEventListener('toggle', () => this.#toggled())
+    root.append(this.#details)
+  }
+
+  /** True if it wants to know the cells around the chosen one. */
+  get isOpen(): boolean {
+    return this.#details.open
+  }
+
+  /** Another cell, or the same after its mesh has moved; null if none is chosen. */
+  show(of: PlaceOf | null): void {
+    this.#of = of
+    this.#root.hidden = of === null
+    this.#view?.show(this.isOpen ? of : null)
+  }
+
+  /** A vertex of the chosen cell. */
+  choose(vertex: number): void {
+    if (this.isOpen) this.#view?.choose(vertex)
+  }
+
+  #toggled(): void {
+    if (this.#view) this.#view.show(this.isOpen ? this.#of : null)
+    else if (this.isOpen && !this.#isLoading) void this.#load()
+  }
+
+  async #load(): Promise<void> {
+    this.#isLoading = true
+    this.#say('Loading…')
+    try {
+      const [{ PlaceView }, { repairFiles }] = await Promise.all([
+        import('./place-view'),
+        import('../../core/repair/repair-files'),
+      ])
+      const core = await repairFiles()
+      this.#content.replaceChildren()
+      this.#view = new PlaceView(this.#content, this.#host, core)
+      this.#view.show(this.isOpen ? this.#of : null)
+    } catch (reason) {
+      this.#say(`Best places could not be loaded (${wordsOf(reason)}). Close and open this to try again.`)
+    }
+    this.#isLoading = false
+  }
+
+  #say(words: string): void {
+    const line = document.createElement('p')
+    line.setAttribute('role', 'status')
+    line.textContent = words
+    this.#content.replaceChildren(line)
+  }
+}
