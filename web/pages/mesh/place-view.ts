@@ -2,7 +2,6 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { RepairCore } from '../../core/repair/best-place'
 import { formatNumber, formatPoint } from '../../model/decimal'
-import type { Vec3 } from '../../model/hexahedron'
 import { nearestDouble } from '../../model/rational'
 import { copyText } from '../../views/copy-text'
 import { LETTERS, type PlaceMarks, shortWeight } from '../../views/place-marks'
@@ -259,16 +258,16 @@ function marksOf({ place, holds }: HeldStar, vertex: number, { cell }: PlaceOf):
 
 /** The free vertex that brings the greatest least relative minimum; the first where none may move or none has a valid place. */
 function mostGaining(places: readonly (StarPlace | null)[], isFree: (vertex: number) => boolean): number {
-  const values = places.map((own, v) => (isFree(v) ? (valueOf(own) ?? -1) : -2))
+  const values = places.map((own, v) => (isFree(v) ? (bestValueOf(own) ?? -1) : -2))
   return values.indexOf(Math.max(...values))
 }
 
-function valueOf(own: StarPlace | null): number | null {
+function bestValueOf(own: StarPlace | null): number | null {
   return own?.place.measure === 'volume' ? own.place.relativeMinimum : null
 }
 
 function reachOf(own: StarPlace | null): string | null {
-  const value = valueOf(own)
+  const value = bestValueOf(own)
   return value === null ? null : shortWeight(value)
 }
 
