@@ -1,7 +1,8 @@
 /** The cells around one: what moves with its vertices. */
-import { faces } from '../model/hexahedron'
-import { verticesOf } from '../mesh/vertices-of'
+
 import type { Neighbours } from '../mesh/neighbours'
+import { verticesOf } from '../mesh/vertices-of'
+import { faces } from '../model/hexahedron'
 import type { Movement } from './movement'
 import { cellsWith } from './recheck'
 import type { Survey } from './survey'
@@ -33,11 +34,14 @@ export function aroundOf(survey: Survey, movement: Movement, cell: number): Arou
   const { mesh } = survey.check
   const points = VERTICES.map(v => mesh.cells[8 * cell + v] as number)
   const boundary = boundaryPoints(survey.faced.neighbours, mesh.cells, mesh.points.length / 3)
-  const cells = Array.from(cellsWith(mesh, points), (own): CellAround => ({
-    row: survey.detail(own).row,
-    vertices: verticesOf(mesh, own),
-    shared: VERTICES.map(v => points.indexOf(mesh.cells[8 * own + v] as number)),
-  }))
+  const cells = Array.from(
+    cellsWith(mesh, points),
+    (own): CellAround => ({
+      row: survey.detail(own).row,
+      vertices: verticesOf(mesh, own),
+      shared: VERTICES.map(v => points.indexOf(mesh.cells[8 * own + v] as number)),
+    }),
+  )
   return {
     points,
     onBoundary: VERTICES.filter(v => boundary[points[v] as number] === 1),

@@ -1,4 +1,5 @@
 /** Jobs of a mesh that moves. */
+import { MOVES } from '../core/repair/untangling'
 import type { Core } from '../core/report'
 import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import type { ClassifyCells } from '../mesh/check'
@@ -79,7 +80,8 @@ export async function roundedNote({ movement, classify }: Moving): Promise<strin
   for (const [i, cell] of some.entries()) cells.set(now.cells.subarray(8 * cell, 8 * cell + 8), 8 * i)
   const [before, after] = [await classify(now.points, cells, {}), await classify(points, cells, {})]
   const others = after.invalidCount - before.invalidCount
-  const verdicts = others > 0 ? `${others} more of their cells are invalid in it` : 'none of their cells is invalid by that'
+  const verdicts =
+    others > 0 ? `${others} more of their cells are invalid in it` : 'none of their cells is invalid by that'
   return [`The file has single precision, to which the moved vertices are rounded: ${verdicts}.`]
 }
 
@@ -87,8 +89,10 @@ export async function roundedNote({ movement, classify }: Moving): Promise<strin
 function tangledPart(check: MeshCheck, part: { readonly cell: number; readonly rings: number } | null): TangledPart {
   const { points, cells } = check.mesh
   const pointCount = points.length / 3
-  if (part === null)
-    return { points: points.slice(), cells: cells.slice(), moves: new Uint8Array(pointCount).fill(MAY_MOVE), indices: null }
+  if (part === null) {
+    const moves = new Uint8Array(pointCount).fill(MOVES.unlessBoundary)
+    return { points: points.slice(), cells: cells.slice(), moves, indices: null, cellIndices: null }
+  }
   const mask = new Uint8Array(cells.length / 8)
   mask[part.cell] = 1
   for (let ring = 0; ring < part.rings; ++ring) grow(mask, check)
@@ -97,8 +101,10 @@ function tangledPart(check: MeshCheck, part: { readonly cell: number; readonly r
   grow(mask, check)
   const places = new Map<number, number>()
   const own: number[] = []
+  const cellIndices: number[] = []
   for (let i = 0; i < cells.length; ++i) {
     if (mask[i >> 3] !== 1) continue
+    if (i % 8 === 0) cellIndices.push(i / 8)
     const point = cells[i] as number
     const place = places.get(point) ?? places.size
     places.set(point, place)
@@ -107,9 +113,12 @@ function tangledPart(check: MeshCheck, part: { readonly cell: number; readonly r
   const indices = Uint32Array.from(places.keys())
   const coordinates = new Float64Array(3 * indices.length)
   for (const [i, point] of indices.entries()) coordinates.set(points.subarray(3 * point, 3 * point + 3), 3 * i)
-  const moves = Uint8Array.from(indices, point => (isOfPart[point] === 1 ? MAY_MOVE : STAYS))
-  return { points: coordinates, cells: Uint32Array.from(own), moves, indices }
+  const moves = Uint8Array.from(indices, point => (isOfPart[point] === 1 ? MOVES.unlessBoundary : MOVES.stays))
+  return {
+    points: coordinates,
+    cells: Uint32Array.from(own),
+    moves,
+    indices,
+    cellIndices: Uint32Array.from(cellIndices),
+  }
 }
-
-/** MOVES of the core's untangling: all but the boundary. */
-const [STAYS, MAY_MOVE] = [0, 1] as const

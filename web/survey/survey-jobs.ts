@@ -93,8 +93,9 @@ export interface TangledPart {
   readonly cells: Uint32Array
   /** One of MOVES a point. */
   readonly moves: Uint8Array
-  /** Of each point its index in the mesh; null where it is the same. */
+  /** Of each point and of each cell its index in the mesh; null where they are the same. */
   readonly indices: Uint32Array | null
+  readonly cellIndices: Uint32Array | null
 }
 
 /** The next bytes of a file. */

@@ -1,0 +1,95 @@
+/** A part of a mesh, untangled: what has moved, in the mesh's own numbers, and the lines that show it. */
+import type { RepairCore } from '../core/repair/best-place'
+import { untangle } from '../core/repair/untangle'
+import type { Untangled, UntangledCounts } from '../core/repair/untangling'
+import { edgeVertices } from '../model/hexahedron'
+import type { Moves } from './movement'
+import type { TangledPart } from './survey-jobs'
+
+export interface UntangleWanted {
+  readonly part: TangledPart
+  /** The least relative minimum that is wanted. */
+  readonly margin: number
+}
+
+export interface PartUntangled {
+  readonly counts: UntangledCounts
+  readonly moves: Moves
+  /** A cell for each vertex that may move and still has a cell below the margin. */
+  readonly heldCells: Uint32Array
+  readonly ghost: GhostLines
+}
+
+/** Edges with a vertex that has moved, as they are then. */
+export interface GhostLines {
+  /** Two points each: six numbers. */
+  readonly ends: Float64Array
+  /** How many there are; those of the vertices that have moved farthest are among the ends. */
+  readonly wanted: number
+}
+
+export type UntangleJobs = {
+  /** Tells of cells below the margin and of places that were sought. One sentence if it is refused. */
+  untangle(
+    wanted: UntangleWanted,
+    tell: (soFar: UntangledCounts) => void,
+  ): Promise<PartUntangled | { readonly refused: string }>
+}
+
+/** More lines than that are no picture. */
+const MOST_LINES = 6000
+
+export async function untangledPart(
+  core: RepairCore,
+  { part, margin }: UntangleWanted,
+  tell: (soFar: UntangledCounts) => void,
+): Promise<PartUntangled | { readonly refused: string }> {
+  const { points, cells, moves } = part
+  const result = await untangle(core, { points, cells }, { margin, moves }, tell)
+  if (!result.ok) return { refused: result.error.message }
+  const { points: after, heldPoints, ...counts } = result.value
+  const own = movedPoints(points, after)
+  const to = new Float64Array(3 * own.length)
+  for (const [i, point] of own.entries()) to.set(after.subarray(3 * point, 3 * point + 3), 3 * i)
+  return {
+    counts,
+    moves: { points: own.map(point => part.indices?.[point] ?? point), to },
+    heldCells: firstCells(heldPoints, part),
+    ghost: ghostOf(part, after, own),
+  }
+}
+
+function movedPoints(before: Float64Array, after: Float64Array): Uint32Array {
+  const found: number[] = []
+  for (let point = 0; point < before.length / 3; ++point)
+    if ([0, 1, 2].some(axis => !Object.is(before[3 * point + axis], after[3 * point + axis]))) found.push(point)
+  return Uint32Array.from(found)
+}
+
+function firstCells(held: Untangled['heldPoints'], { cells, cellIndices }: TangledPart): Uint32Array {
+  const isWanted = new Set(held)
+  const found = new Set<number>()
+  for (let i = 0; i < cells.length && isWanted.size > 0; ++i)
+    if (isWanted.delete(cells[i] as number)) found.add(cellIndices?.[i >> 3] ?? i >> 3)
+  return Uint32Array.from(found)
+}
+
+function ghostOf({ points, cells }: TangledPart, after: Float64Array, moved: Uint32Array): GhostLines {
+  const distance = (point: number) =>
+    Math.hypot(...[0, 1, 2].map(axis => (after[3 * point + axis] as number) - (points[3 * point + axis] as number)))
+  const ranks = new Map([...moved].sort((a, b) => distance(b) - distance(a)).map((point, rank) => [point, rank]))
+  const edges = new Map<string, readonly [number, number, number]>()
+  for (let cell = 0; cell < cells.length; cell += 8)
+    for (const [v, w] of edgeVertices) {
+      const [a, b] = [cells[cell + v] as number, cells[cell + w] as number]
+      const rank = Math.min(ranks.get(a) ?? Infinity, ranks.get(b) ?? Infinity)
+      if (rank < Infinity) edges.set(a < b ? `${a} ${b}` : `${b} ${a}`, [rank, a, b])
+    }
+  const drawn = [...edges.values()].sort(([first], [second]) => first - second).slice(0, MOST_LINES)
+  const ends = new Float64Array(6 * drawn.length)
+  for (const [i, [, a, b]] of drawn.entries()) {
+    ends.set(after.subarray(3 * a, 3 * a + 3), 6 * i)
+    ends.set(after.subarray(3 * b, 3 * b + 3), 6 * i + 3)
+  }
+  return { ends, wanted: edges.size }
+}
