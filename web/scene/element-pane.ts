@@ -3,7 +3,7 @@ import type { JacobianReport } from '../core/report'
 import { formatJacdet } from '../model/decimal'
 import type { Vec3 } from '../model/hexahedron'
 import { type CameraView, type State, sliceOf } from '../model/state'
-import { placeMarksOf } from '../views/place-marks'
+import { type PlaceMarks, placeMarksOf } from '../views/place-marks'
 import { previewSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 import { say } from '../words/say'
@@ -27,8 +27,8 @@ export class ElementPane extends Pane {
   readonly #readout = new Readout()
   #isReadonly: boolean | null = null
   #drag: HandleDrag | null = null
-  /** The best place that was last brought into sight. */
-  #place: Vec3 | null = null
+  /** The places that were last brought into sight. */
+  #places: readonly Vec3[] = []
   #drawnDrag: HandleDrag | null = null
   /** True if the gesture last drawn is of the pointer here, under which the picture must not move. */
   #wasDragging = false
@@ -86,14 +86,16 @@ export class ElementPane extends Pane {
         if (direction) this.fitting.fit(state.vertices, direction)
       }
     } else this.#goOnTurning(state)
-    if (!isForPaper && state.gestureStart === null) this.#reachPlace(state, placeMarksOf(frame)?.position ?? null)
+    if (!isForPaper && state.gestureStart === null) this.#reachPlaces(state, placesOf(placeMarksOf(frame)))
     this.#wasDragging = this.inputs.isDragging
   }
 
-  /** A best place that was not there before is brought into sight. */
-  #reachPlace({ vertices }: State, place: Vec3 | null): void {
-    if (place && !(this.#place && samePoint(place, this.#place))) this.fitting.reach(vertices, place)
-    this.#place = place
+  /** Places outside the element that were not there before are brought into sight. */
+  #reachPlaces({ vertices }: State, places: readonly Vec3[]): void {
+    const isKnown =
+      places.length === this.#places.length && places.every((p, i) => samePoint(p, this.#places[i] as Vec3))
+    if (!isKnown) this.fitting.reach(vertices, places)
+    this.#places = places
   }
 
   /** Turns to where a point of the boundary is seen; returns false if faces hide it from everywhere. */
@@ -166,4 +168,10 @@ export class ElementPane extends Pane {
     this.fitting.fit(this.host.state().vertices, toDefault ? DEFAULT_DIRECTION : undefined)
     this.host.requestFrame()
   }
+}
+
+/** A better place of a vertex, and points of other cells. */
+function placesOf(marks: PlaceMarks | null): readonly Vec3[] {
+  const own = marks?.position ? [marks.position] : []
+  return [...own, ...(marks?.points ?? []).flatMap(({ point, position }) => (point ? [] : [position]))]
 }

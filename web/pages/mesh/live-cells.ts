@@ -39,7 +39,8 @@ export class LiveCells {
       .map(({ row, vertices, shared }) => ({
         vertices,
         isInvalid: row.standing === 'invalid',
-        isDrawn: row.cell !== chosen && (row.standing === 'invalid' || shared.filter(v => v >= 0).length >= FACE_VERTICES),
+        isDrawn:
+          row.cell !== chosen && (row.standing === 'invalid' || shared.filter(v => v >= 0).length >= FACE_VERTICES),
       }))
       .filter(({ isDrawn, vertices }) => isDrawn && vertices.every(Number.isFinite))
   }

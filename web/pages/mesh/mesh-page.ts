@@ -34,14 +34,15 @@ import {
   ALL_FORMATS,
   cancelledWords,
   FORMATS,
-  NOTHING_OPEN,
   NOT_IN_STEPS,
+  NOTHING_OPEN,
   namesakeSentence,
   nextSentence,
   refusalWords,
   STAYS,
 } from './page-words'
 import { PictureControls } from './picture-controls'
+import { PlaceFold } from './place-fold'
 import { isSettingsText, type Travelling } from './settings-text'
 import { SettingsTravel } from './settings-travel'
 import { StepsView } from './steps-view'
@@ -158,6 +159,12 @@ const moving = new MovingLens(lens, oneRoot.querySelector('.moving') as HTMLElem
   move: moves => void takeMoved(own => own.move(moves)),
   step: which => void takeMoved(own => own[which]()),
   restore: points => void takeMoved(own => own.restore(points)),
+  freed: () => place.refresh(),
+})
+const place = new PlaceFold(oneRoot.querySelector('.place') as HTMLElement, {
+  move: (point, to) => takeMoved(own => own.move({ points: Uint32Array.of(point), to: Float64Array.from(to) })),
+  whyFixed: vertex => moving.whyFixed(vertex),
+  mark: marks => lens.markPlace(marks),
 })
 const untangling = new UntanglePanel({
   survey: () => survey,
@@ -225,7 +232,10 @@ function openName(): string | null {
 }
 
 /** What comes first is said first: the sentence and the list, then the picture. */
-async function take(overview: Overview, about: Pick<Shown, 'example' | 'beside'> & Partial<Pick<Shown, 'movement'>>): Promise<void> {
+async function take(
+  overview: Overview,
+  about: Pick<Shown, 'example' | 'beside'> & Partial<Pick<Shown, 'movement'>>,
+): Promise<void> {
   const own = survey as OpenSurvey
   // Another mesh may be on its way by now.
   const { news } = shown
@@ -327,6 +337,7 @@ async function takeMoved(step: (own: OpenSurvey) => Promise<MovedMesh>): Promise
 function chooseNone(): void {
   chosen = null
   moving.showNone()
+  place.show(null)
   table.choose(null, null)
   render(html`The chosen cell is not in this step.`, oneRoot.querySelector('.which') as HTMLElement)
   lens.hidden = true
@@ -396,6 +407,7 @@ async function choose(cell: number, rank: number | null): Promise<void> {
   lens.hidden = vertices === null
   if (vertices) moving.show(cell, vertices, around, { hasSteps: steps.hasSteps })
   else moving.showNone()
+  place.show(vertices && { id: row.id, cell, around })
   picture.choose(cell, vertices, neighbours)
 }
 

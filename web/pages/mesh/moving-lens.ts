@@ -22,6 +22,8 @@ export interface MovingHost {
   step(which: 'undo' | 'redo'): void
   /** Points where they were read, or all. */
   restore(points: readonly number[] | null): void
+  /** The boundary may move, or no longer. */
+  freed(): void
 }
 
 interface Chosen {
@@ -156,13 +158,19 @@ export class MovingLens {
     this.#host.move({ points: Uint32Array.from(points), to })
   }
 
-  /** True, and says why, for a vertex that may not move. */
-  #stays(vertex: number): boolean {
+  /** A sentence about a vertex that may not move; null for one that may. */
+  whyFixed(vertex: number): string | null {
     const { around, whyNot } = this.#chosen ?? { around: null, whyNot: UNKNOWN }
     const isFixed = !this.#isBoundaryFree && around?.onBoundary.includes(vertex)
-    if (whyNot === '' && !isFixed) return false
-    this.say(isFixed ? `Vertex ${vertex} stays: it is on the boundary of the hexahedra.` : whyNot)
-    return true
+    if (isFixed) return `Vertex ${vertex} stays: it is on the boundary of the hexahedra.`
+    return whyNot === '' ? null : whyNot
+  }
+
+  /** True, and says why, for a vertex that may not move. */
+  #stays(vertex: number): boolean {
+    const why = this.whyFixed(vertex)
+    if (why !== null) this.say(why)
+    return why !== null
   }
 
   #samePoints(vertex: number): number[] {
@@ -182,6 +190,7 @@ export class MovingLens {
     this.#said = isFree ? 'The boundary may be moved now: the shape of the mesh is what you make of it.' : ''
     this.#surround()
     this.#render()
+    this.#host.freed()
   }
 
   /** The vertex that keys move. */
@@ -200,7 +209,8 @@ export class MovingLens {
 
   #template(): TemplateResult {
     const { movedCount, canUndo, canRedo } = this.#movement
-    const count = movedCount === 0 ? '' : `${movedCount.toLocaleString('en')} ${movedCount === 1 ? 'vertex' : 'vertices'} moved.`
+    const count =
+      movedCount === 0 ? '' : `${movedCount.toLocaleString('en')} ${movedCount === 1 ? 'vertex' : 'vertices'} moved.`
     return html`<p class="steps-of-moves">
         <button type="button" title="Undo (Ctrl+Z)" ?disabled=${!canUndo} @click=${() => this.#host.step('undo')}>Undo</button>
         <button type="button" title="Redo (Ctrl+Shift+Z)" ?disabled=${!canRedo} @click=${() => this.#host.step('redo')}>Redo</button>

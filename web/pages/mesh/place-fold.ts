@@ -41,26 +41,21 @@ export class PlaceFold {
     root.append(this.#details)
   }
 
-  /** True if it wants to know the cells around the chosen one. */
-  get isOpen(): boolean {
-    return this.#details.open
-  }
-
   /** Another cell, or the same after its mesh has moved; null if none is chosen. */
   show(of: PlaceOf | null): void {
     this.#of = of
     this.#root.hidden = of === null
-    this.#view?.show(this.isOpen ? of : null)
+    this.refresh()
   }
 
-  /** A vertex of the chosen cell. */
-  choose(vertex: number): void {
-    if (this.isOpen) this.#view?.choose(vertex)
+  /** After vertices have become fixed or free. */
+  refresh(): void {
+    this.#view?.show(this.#details.open ? this.#of : null)
   }
 
   #toggled(): void {
-    if (this.#view) this.#view.show(this.isOpen ? this.#of : null)
-    else if (this.isOpen && !this.#isLoading) void this.#load()
+    if (this.#view) this.refresh()
+    else if (this.#details.open && !this.#isLoading) void this.#load()
   }
 
   async #load(): Promise<void> {
@@ -74,7 +69,7 @@ export class PlaceFold {
       const core = await repairFiles()
       this.#content.replaceChildren()
       this.#view = new PlaceView(this.#content, this.#host, core)
-      this.#view.show(this.isOpen ? this.#of : null)
+      this.refresh()
     } catch (reason) {
       this.#say(`Best places could not be loaded (${wordsOf(reason)}). Close and open this to try again.`)
     }

@@ -77,7 +77,7 @@ export class PlaceView {
 
   #chooser(): TemplateResult {
     return html`<p class="soft" id="place-reach">
-        The greatest least relative minimum of all cells around it that each vertex of the cell can bring, moved alone:
+        The best that each vertex of the cell can do, moved alone: the least relative minimum of all cells around it.
       </p>
       <div class="reach" role="group" aria-labelledby="place-reach">
         ${this.#places.map((own, v) => {

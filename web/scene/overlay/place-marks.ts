@@ -2,12 +2,11 @@
  * The best place of a vertex: its handle there with the edges to its neighbours, a line to it, and the points that forbid a better one,
  * the larger the more they weigh, with letter and weight.
  */
-import { edgeVertices, type Vec3, vertexReference } from '../../model/hexahedron'
+import { edgeVertices } from '../../model/hexahedron'
 import { type PlaceMarks, type PlacePoint, shortWeight } from '../../views/place-marks'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 import type { Box, Point } from '../space/layout'
-import { samePoint } from '../space/vec3'
 import { toWorld } from '../space/world'
 import { meanOf, overlap } from './label-place'
 import { markScale, type OverlayPicture } from './overlay-picture'
@@ -55,7 +54,7 @@ export class BestPlaceMarks {
     this.root.append(this.#halo, this.#edges, this.#wayHalo, this.#way, this.#handle)
   }
 
-  /** Returns the boxes of its words. */
+  /** Returns the boxes of its words and of the handle. */
   update(picture: OverlayPicture, numbers: readonly Point[]): Box[] {
     const { place } = picture
     show(this.root, place !== null)
@@ -64,9 +63,10 @@ export class BestPlaceMarks {
     while (this.#holds.length < place.points.length) this.#holds.push(this.#createHold())
     const { report, world, handles, camera } = picture
     const points = place.points.map(({ position }) => camera.project(toWorld(world, position)))
-    const first = points.map(({ x, y }) => points.findIndex(other => Math.hypot(other.x - x, other.y - y) < SAME_POINT))
+    const first = points.map(point => points.findIndex(other => areOne(other, point)))
     const least = report ? [camera.project(toWorld(world, report.minimizer.position))] : []
-    const discs = [...handles, ...numbers, ...points, ...least].map(discAt)
+    const at = place.position ? [camera.project(toWorld(world, place.position))] : []
+    const discs = [...handles, ...numbers, ...points, ...least, ...at].map(discAt)
     const words: Box[] = []
     this.#holds.forEach((parts, i) => {
       const at = points[i]
@@ -77,7 +77,7 @@ export class BestPlaceMarks {
       show(parts.text, here.length > 0)
       if (here.length > 0) words.push(placeText(parts.text, at, box, { picture, words, discs }))
     })
-    return words
+    return [...words, ...at.map(discAt)]
   }
 
   #updatePlace({ world, camera, handles, state }: OverlayPicture, { vertex, position }: PlaceMarks): void {
@@ -104,13 +104,13 @@ export class BestPlaceMarks {
     { group, rim, dot, text }: Hold,
     at: ScreenPoint,
     holds: readonly PlacePoint[],
-    { camera, sight }: OverlayPicture,
+    { camera, sight, handles }: OverlayPicture,
   ): TextSize {
     const [{ point }] = holds as [PlacePoint]
     const weight = weightOf(holds)
     moveTo(group, at)
     group.classList.toggle('behind', point !== null && sight.hides(point))
-    const isVertex = point !== null && isAtVertex(point)
+    const isVertex = handles.some(handle => areOne(handle, at))
     group.classList.toggle('ring', isVertex)
     const radius = markScale(camera) * (isVertex ? RING : LEAST + MORE * Math.sqrt(weight ?? 0))
     set(rim, { r: px(radius + (isVertex ? 0 : 1.5)) })
@@ -164,12 +164,12 @@ function placeText(
   return box
 }
 
-function discAt({ x, y }: Point): Box {
-  return { x: x - DISC, y: y - DISC, width: 2 * DISC, height: 2 * DISC }
+function areOne(a: Point, b: Point): boolean {
+  return Math.hypot(a.x - b.x, a.y - b.y) < SAME_POINT
 }
 
-function isAtVertex(point: Vec3): boolean {
-  return vertexReference.some(corner => samePoint(corner, point))
+function discAt({ x, y }: Point): Box {
+  return { x: x - DISC, y: y - DISC, width: 2 * DISC, height: 2 * DISC }
 }
 
 /** A line from one handle to another with a head at its end; nothing where they touch. */

@@ -71,12 +71,12 @@ export class Fitting {
     this.#orbit.fit(verticesInWorld(this.world, vertices), from)
   }
 
-  /** Brings a place beside the element into sight, along the same line; one so far off that the element would be lost stays out. */
-  reach(vertices: Vertices, place: Vec3): void {
-    const point = toWorld(this.world, place)
-    if (this.#isOnScreen(point, 0)) return
+  /** Brings places beside the element into sight, along the same line; if they are so far off that the element would be lost they stay out. */
+  reach(vertices: Vertices, places: readonly Vec3[]): void {
+    const points = places.map(place => toWorld(this.world, place))
+    if (points.every(point => this.#isOnScreen(point, 0))) return
     const { pose } = this.#orbit
-    this.#orbit.fit([...verticesInWorld(this.world, vertices), point])
+    this.#orbit.fit([...verticesInWorld(this.world, vertices), ...points])
     if (!this.#isInSight({ vertices }, LEAST_SHARE.jump)) this.#orbit.pose = pose
   }
 
