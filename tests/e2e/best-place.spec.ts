@@ -76,7 +76,7 @@ test('the best place of a vertex is found, shown, proved, taken and taken back',
   await test.step('four points can forbid it together', async () => {
     await lens.preset.selectOption('face-negative')
     await expect(panel).toContainText('No place of vertex 7 makes this element valid: these 4 points forbid it.')
-    await expect(panel).toContainText('the least bad place')
+    await expect(panel).toContainText('where min J is greatest, though not positive')
   })
 
   await test.step('axe finds nothing, and it fits', async () => {

@@ -672,8 +672,8 @@ export const german: Dictionary = {
     'liest jacdet dort ab: der Messpunkt. Der Kasten ist das Bild eines kleinen Würfels, vergrößert',
   'to remove the probe and let go of the vertex': 'entfernt den Messpunkt und lässt die Ecke los',
   'to {point}, {distance} away': 'nach {point}, {distance} entfernt',
-  'to {point}, {distance} away: the least bad place':
-    'nach {point}, {distance} entfernt: der am wenigsten schlechte Ort',
+  'to {point}, {distance} away, where min J is greatest, though not positive':
+    'nach {point}, {distance} entfernt, wo min J am größten ist, wenn auch nicht positiv',
   'Top first': 'Deckel zuerst',
   'Top first, bottom turned by one': 'Deckel zuerst, Boden um eins gedreht',
   'Top first, bottom turned by one, the other way round': 'Deckel zuerst, Boden um eins gedreht, andersherum',

@@ -536,7 +536,7 @@ export const english = [
   'to read jacdet there: the probe. The box is the image of a little cube, enlarged',
   'to remove the probe and let go of the vertex',
   'to {point}, {distance} away',
-  'to {point}, {distance} away: the least bad place',
+  'to {point}, {distance} away, where min J is greatest, though not positive',
   'Top first',
   'Top first, bottom turned by one',
   'Top first, bottom turned by one, the other way round',

@@ -638,7 +638,8 @@ export const chinese: Dictionary = {
     '在该处读取 jacdet：探针。方盒是一个小立方体的像，已放大',
   'to remove the probe and let go of the vertex': '移除探针并放开顶点',
   'to {point}, {distance} away': '到 {point}，距离 {distance}',
-  'to {point}, {distance} away: the least bad place': '到 {point}，距离 {distance}：最不坏的位置',
+  'to {point}, {distance} away, where min J is greatest, though not positive':
+    '到 {point}，距离 {distance}，那里 min J 最大，但不为正',
   'Top first': '顶面在前',
   'Top first, bottom turned by one': '顶面在前，底面转一位',
   'Top first, bottom turned by one, the other way round': '顶面在前，底面转一位，反向',

@@ -105,7 +105,7 @@ export class PlaceView {
           ? html`<p class="go">
               <button type="button" ?disabled=${fixed !== null} @click=${() => this.#move(held, vertex)}>Move there</button>
               <span class="soft">
-                to ${formatPoint(place.position)}, ${formatNumber(distanceOf(held))} away${place.measure === 'scale' ? ': the least bad place' : ''}.
+                to ${formatPoint(place.position)}, ${formatNumber(distanceOf(held))} away${place.measure === 'scale' ? LEAST_BAD : ''}.
                 ${fixed ?? ''}
               </span>
             </p>`
@@ -180,8 +180,10 @@ function forbiddenWords(held: HeldStar, vertex: number): string {
   const forbid = holds.length === 1 ? 'forbids' : 'forbid'
   return ids.length === 1
     ? `No place of vertex ${vertex} repairs cell ${ids[0]}: ${points} ${forbid} it.`
-    : `No place of vertex ${vertex} repairs cells ${listed(ids)} together: ${points} ${forbid} it.`
+    : `No place of vertex ${vertex} makes cells ${listed(ids)} valid together: ${points} ${forbid} it.`
 }
+
+const LEAST_BAD = ', where the least J over the size of its cell is greatest, though not positive'
 
 const POINTS = ['this point', 'these two points', 'these three points', 'these four points']
 

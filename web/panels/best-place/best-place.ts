@@ -84,7 +84,7 @@ class BestPlaceView implements View {
       <span class="says">${
         measure === 'volume'
           ? sayParts('to {point}, {distance} away', at)
-          : sayParts('to {point}, {distance} away: the least bad place', at)
+          : sayParts('to {point}, {distance} away, where min J is greatest, though not positive', at)
       }</span>
     </p>`
   }

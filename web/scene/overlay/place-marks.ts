@@ -65,8 +65,8 @@ export class BestPlaceMarks {
     const points = place.points.map(({ position }) => camera.project(toWorld(world, position)))
     const first = points.map(point => points.findIndex(other => areOne(other, point)))
     const least = report ? [camera.project(toWorld(world, report.minimizer.position))] : []
-    const at = place.position ? [camera.project(toWorld(world, place.position))] : []
-    const discs = [...handles, ...numbers, ...points, ...least, ...at].map(discAt)
+    const better = place.position ? [camera.project(toWorld(world, place.position))] : []
+    const discs = [...handles, ...numbers, ...points, ...least, ...better].map(discAt)
     const words: Box[] = []
     this.#holds.forEach((parts, i) => {
       const at = points[i]
@@ -77,7 +77,7 @@ export class BestPlaceMarks {
       show(parts.text, here.length > 0)
       if (here.length > 0) words.push(placeText(parts.text, at, box, { picture, words, discs }))
     })
-    return [...words, ...at.map(discAt)]
+    return [...words, ...better.map(discAt)]
   }
 
   #updatePlace({ world, camera, handles, state }: OverlayPicture, { vertex, position }: PlaceMarks): void {
