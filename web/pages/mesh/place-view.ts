@@ -52,7 +52,7 @@ export class PlaceView {
     this.#answer()
   }
 
-  /** Without a choice the vertex that brings most is the chosen one. */
+  /** Without a choice the vertex that gains most is the chosen one. */
   #answer(): void {
     if (this.#places.length > 0) this.#vertex ??= mostGaining(this.#places, v => this.#host.whyFixed(v) === null)
     const own = this.#vertex === null ? null : (this.#places[this.#vertex] ?? null)
@@ -258,10 +258,13 @@ function marksOf({ place, holds }: HeldStar, vertex: number, { cell }: PlaceOf):
   return { vertex, position: place.isMoved ? place.position : null, points }
 }
 
-/** The free vertex that brings the greatest least relative minimum; the first where none may move or none has a valid place. */
+/** The free vertex with the greatest gain; the first where none may move or none has a valid place. */
 function mostGaining(places: readonly (StarPlace | null)[], isFree: (vertex: number) => boolean): number {
-  const values = places.map((own, v) => (isFree(v) ? (bestValueOf(own) ?? -1) : -2))
-  return values.indexOf(Math.max(...values))
+  const gains = places.map((own, v) => {
+    const after = isFree(v) ? bestValueOf(own) : null
+    return after === null ? -1 : after - (own?.place.presentRelativeMinimum ?? 0)
+  })
+  return gains.indexOf(Math.max(...gains))
 }
 
 function bestValueOf(own: StarPlace | null): number | null {
