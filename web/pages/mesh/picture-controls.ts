@@ -1,8 +1,8 @@
 /** The picture and what chooses the cells in it: a set of cells, the slice, the threshold, and what is peeled and dug away. */
 import { nothing, render } from 'lit-html'
 import { wordsOf } from '../../core/workers'
-import { MeshPicture, type PictureSpace } from '../../mesh-scene/mesh-picture'
 import { drawGhostLines } from '../../mesh-scene/ghost-lines'
+import { MeshPicture, type PictureSpace } from '../../mesh-scene/mesh-picture'
 import { drawMarks, MARKS_HEIGHT } from '../../mesh-scene/picture-marks'
 import { type Plane, PlaneHandle } from '../../mesh-scene/plane-handle'
 import type { Vec3, Vertices } from '../../model/hexahedron'

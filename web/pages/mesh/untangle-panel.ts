@@ -4,10 +4,9 @@ import type { UntangledCounts } from '../../core/repair/untangling'
 import { wordsOf } from '../../core/workers'
 import { formatNumber } from '../../model/decimal'
 import { readNumber } from '../../model/number-text'
-import type { Moves } from '../../survey/movement'
 import type { OpenSurvey } from '../../survey/open-survey'
 import { startUntangling } from '../../survey/start-untangling'
-import type { Overview } from '../../survey/survey-jobs'
+import type { Moves, Overview } from '../../survey/survey-jobs'
 import type { GhostLines, PartUntangled } from '../../survey/untangled-part'
 
 export interface UntangleHost {
@@ -128,7 +127,10 @@ export class UntanglePanel {
 
   #took(result: PartUntangled | { readonly refused: string }, margin: string): void {
     this.#running = null
-    if ('refused' in result) return this.#set({ ...this.#shown, soFar: null, message: result.refused })
+    if ('refused' in result) {
+      this.#set({ ...this.#shown, soFar: null, message: result.refused })
+      return
+    }
     const hasMoved = result.moves.points.length > 0
     this.#set({
       ...this.#shown,
@@ -220,7 +222,10 @@ export class UntanglePanel {
 
   #progress(soFar: UntangledCounts | 'begun'): TemplateResult {
     const [before, after] = soFar === 'begun' ? [1, 1] : [soFar.belowBefore, soFar.belowAfter]
-    const words = soFar === 'begun' ? '' : `${after.toLocaleString('en')} of ${before.toLocaleString('en')} cells are left, sweep ${soFar.sweepCount}`
+    const words =
+      soFar === 'begun'
+        ? ''
+        : `${after.toLocaleString('en')} of ${before.toLocaleString('en')} cells are left, sweep ${soFar.sweepCount}`
     return html`<p class="then">
       <progress aria-label="Untangling" max=${Math.max(1, before)} .value=${before - after}></progress> <span>${words}</span>
       <button type="button" @click=${() => this.#cancel()}>Cancel</button>
@@ -249,12 +254,26 @@ function ringWords(count: number): string {
 
 function linesWords({ ends, wanted }: GhostLines): string {
   const drawn = ends.length / 6
-  return drawn === wanted ? '' : `: the ${drawn.toLocaleString('en')} that move farthest, of ${wanted.toLocaleString('en')}`
+  return drawn === wanted
+    ? ''
+    : `: the ${drawn.toLocaleString('en')} that move farthest, of ${wanted.toLocaleString('en')}`
 }
 
 /** What was repaired, what moves and how far, what is left and why. */
-export function resultSentences({ counts, heldCells }: Pick<PartUntangled, 'counts' | 'heldCells'>, margin: string): string[] {
-  const { invalidBefore, invalidAfter, belowBefore, belowAfter, movedCount, greatestDistance, meanDistance, tooManyCount } = counts
+export function resultSentences(
+  { counts, heldCells }: Pick<PartUntangled, 'counts' | 'heldCells'>,
+  margin: string,
+): string[] {
+  const {
+    invalidBefore,
+    invalidAfter,
+    belowBefore,
+    belowAfter,
+    movedCount,
+    greatestDistance,
+    meanDistance,
+    tooManyCount,
+  } = counts
   const many = (count: number, one: string, more: string) => `${count.toLocaleString('en')} ${count === 1 ? one : more}`
   if (belowBefore === 0) return [`All relative minima are ${margin} at least: there is nothing to do.`]
   if (movedCount === 0) return ['No vertex has a better place.', ...whyLeft()]
@@ -272,7 +291,8 @@ export function resultSentences({ counts, heldCells }: Pick<PartUntangled, 'coun
       heldCells.length === 0
         ? 'all of their vertices stay'
         : 'each vertex that may move has no better place while the others stay'
-    const more = tooManyCount === 0 ? '' : ` ${many(tooManyCount, 'vertex has', 'vertices have')} more cells than are looked at.`
+    const more =
+      tooManyCount === 0 ? '' : ` ${many(tooManyCount, 'vertex has', 'vertices have')} more cells than are looked at.`
     return [`${left}: ${why}.${more}`]
   }
 }
