@@ -10,7 +10,9 @@ export function drawGhostLines(
   ends: Float64Array,
 ): void {
   const at = (i: number) =>
-    camera.project([0, 1, 2].map(axis => ((ends[i + axis] as number) - (origin[axis] as number)) * scale) as unknown as Vec3)
+    camera.project(
+      [0, 1, 2].map(axis => ((ends[i + axis] as number) - (origin[axis] as number)) * scale) as unknown as Vec3,
+    )
   context.beginPath()
   for (let i = 0; i < ends.length; i += 6) {
     const [from, to] = [at(i), at(i + 3)]

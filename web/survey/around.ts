@@ -6,25 +6,7 @@ import { faces } from '../model/hexahedron'
 import type { Movement } from './movement'
 import { cellsWith } from './recheck'
 import type { Survey } from './survey'
-import type { Row } from './survey-jobs'
-
-/** A cell with a vertex of the chosen one, which is among them. */
-export interface CellAround {
-  readonly row: Row
-  /** 24 coordinates. */
-  readonly vertices: readonly number[]
-  /** Of each of its vertices the chosen cell's, 0 to 7, that is the same point; -1 for others. */
-  readonly shared: readonly number[]
-}
-
-export interface Around {
-  /** The indices of the chosen cell's points. */
-  readonly points: readonly number[]
-  /** Vertices of the chosen cell on the boundary of the hexahedra, and those that have moved. */
-  readonly onBoundary: readonly number[]
-  readonly moved: readonly number[]
-  readonly cells: readonly CellAround[]
-}
+import type { Around, CellAround } from './survey-jobs'
 
 const VERTICES = [0, 1, 2, 3, 4, 5, 6, 7] as const
 

@@ -1,12 +1,7 @@
 /** The points of an open mesh as they were read and as they have been moved, with the steps between. */
 import { counted } from '../mesh/check-summary'
 import type { Mesh } from '../mesh/mesh'
-
-/** Points that move at once: their indices, and three coordinates each. */
-export interface Moves {
-  readonly points: Uint32Array
-  readonly to: Float64Array
-}
+import type { Moves } from './survey-jobs'
 
 interface Step extends Moves {
   readonly from: Float64Array

@@ -5,6 +5,7 @@ import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import type { ClassifyCells } from '../mesh/check'
 import type { MeshCheck } from '../mesh/mesh-check'
 import type { MeshFile } from '../mesh/source'
+import { Refusal } from '../model/result'
 import { asStored, movedFile, whyNotInPlace } from '../outputs/moved-file'
 import { aroundOf } from './around'
 import { grow } from './faces'
@@ -14,6 +15,7 @@ import { OpenedSurvey } from './opened-survey'
 import { cellsWith, recheck } from './recheck'
 import { Survey } from './survey'
 import type { MovedMesh, MovementCounts, Served, SurveyJobs, TangledPart } from './survey-jobs'
+import { wholeOrderOf } from './whole-order'
 
 type MovingJobs = Served<Pick<SurveyJobs, 'around' | 'move' | 'undo' | 'redo' | 'restore' | 'tangled'>>
 
@@ -37,8 +39,9 @@ export function movingJobs(opened: () => Moving, put: (survey: OpenedSurvey) => 
     const check = await recheck(before.check, movement.now, points, { classify, core })
     const own = new Survey(check, { core, meeting }, before)
     put(new OpenedSurvey(own, null, classify))
+    const wholeOrder = await wholeOrderOf(check, { classify, core })
     const accepted = await acceptedOfInvalid(check, classify)
-    return { opened: own.overview(name, null, accepted), movement: countsOf(opened()) }
+    return { opened: own.overview(name, wholeOrder, accepted), movement: countsOf(opened()) }
   }
 
   return {
@@ -62,8 +65,10 @@ function whyNotHere({ movement, files }: Moving): string | null {
   return whyNotInPlace(movement.first)
 }
 
-/** The file that was read, with the points as they are. */
+/** The file that was read, with the points as they are. Throws a Refusal where there is none. */
 export function* inOwnFormat(moving: Moving): Generator<Uint8Array> {
+  const why = whyNotHere(moving)
+  if (why !== null) throw new Refusal(why)
   const [file] = moving.files
   if (file) yield* movedFile(file, moving.movement.first, moving.movement.now.points)
 }

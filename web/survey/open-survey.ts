@@ -2,9 +2,8 @@
 import { Pool, type WorkerPort, wordsOf } from '../core/workers'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
-import type { Around } from './around'
-import type { Moves } from './movement'
 import type {
+  Around,
   Arrangement,
   CellDetail,
   CutCells,
@@ -14,6 +13,7 @@ import type {
   FormId,
   Histogram,
   MovedMesh,
+  Moves,
   Opening,
   Place,
   Row,

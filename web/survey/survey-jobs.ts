@@ -7,8 +7,6 @@ import type { Standing } from '../mesh/mesh-check'
 import type { Vec3, Vertices } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
 import type { IdKind } from '../outputs/ids'
-import type { Around } from './around'
-import type { Moves } from './movement'
 
 export type { Histogram } from '../mesh/histogram'
 
@@ -71,6 +69,30 @@ export type Served<Jobs> = {
 
 /** What can be taken away of an open mesh, each the same as the command line writes it. */
 export type FormId = 'csv' | 'json' | 'html' | 'vtu' | 'own' | 'invalid-vtu' | 'certificates' | IdKind
+
+/** Points that move at once: their indices, and three coordinates each. */
+export interface Moves {
+  readonly points: Uint32Array
+  readonly to: Float64Array
+}
+
+/** A cell with a vertex of the chosen one, which is among them. */
+export interface CellAround {
+  readonly row: Row
+  /** 24 coordinates. */
+  readonly vertices: readonly number[]
+  /** Of each of its vertices the chosen cell's, 0 to 7, that is the same point; -1 for others. */
+  readonly shared: readonly number[]
+}
+
+export interface Around {
+  /** The indices of the chosen cell's points. */
+  readonly points: readonly number[]
+  /** Vertices of the chosen cell on the boundary of the hexahedra, and those that have moved. */
+  readonly onBoundary: readonly number[]
+  readonly moved: readonly number[]
+  readonly cells: readonly CellAround[]
+}
 
 /** A mesh of which points have moved, or have come back. */
 export interface MovedMesh {

@@ -3,8 +3,7 @@ import type { RepairCore } from '../core/repair/best-place'
 import { untangle } from '../core/repair/untangle'
 import type { Untangled, UntangledCounts } from '../core/repair/untangling'
 import { edgeVertices } from '../model/hexahedron'
-import type { Moves } from './movement'
-import type { TangledPart } from './survey-jobs'
+import type { Moves, TangledPart } from './survey-jobs'
 
 export interface UntangleWanted {
   readonly part: TangledPart

@@ -1,8 +1,7 @@
 /** The cells around the chosen one as a vertex moves: what the list says of them, decided on the page, a fraction of a millisecond for eight. */
 import type { Core, Report } from '../../core/report'
 import type { Vec3 } from '../../model/hexahedron'
-import type { Around, CellAround } from '../../survey/around'
-import type { Row } from '../../survey/survey-jobs'
+import type { Around, CellAround, Row } from '../../survey/survey-jobs'
 
 interface LiveCell extends Omit<CellAround, 'vertices' | 'row'> {
   row: Row

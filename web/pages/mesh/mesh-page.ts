@@ -5,8 +5,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import '../element'
 import { wordsOf } from '../../core/workers'
-import { ofFolder, unfolded } from '../../input/dropped-folders'
-import { droppedIn, type PastedInput, pastedIn, takesDrop } from '../../input/pasted-input'
+import type { PastedInput } from '../../input/pasted-input'
 import type { ReadingProgress } from '../../input/reading'
 import { WaitingFiles } from '../../input/waiting-files'
 import { LOADING } from '../../mesh/hdf5-reader'
@@ -29,6 +28,7 @@ import { startSurveyWorker } from '../../survey/survey-worker'
 import { takeHanded } from '../handed-input'
 import { EXAMPLES, type Example } from './examples'
 import { histogramTemplate, type Range } from './histogram-view'
+import { InputDoor } from './input-door'
 import { MovingLens, NOTHING_MOVED } from './moving-lens'
 import {
   ALL_FORMATS,
@@ -43,7 +43,7 @@ import {
 } from './page-words'
 import { PictureControls } from './picture-controls'
 import { PlaceFold } from './place-fold'
-import { isSettingsText, type Travelling } from './settings-text'
+import type { Travelling } from './settings-text'
 import { SettingsTravel } from './settings-travel'
 import { StepsView } from './steps-view'
 import { TakeAway } from './take-away'
@@ -174,6 +174,12 @@ const untangling = new UntanglePanel({
   },
   take: moves => void takeMoved(own => own.move(moves)),
   goTo: cell => void flyTo(cell),
+})
+
+const door = new InputDoor({
+  open: input => void open(input),
+  use: settings => travel.use(settings),
+  say: news => set({ ...shown, news }),
 })
 
 const steps = new StepsView(part('.steps'), {
@@ -474,12 +480,9 @@ function overviewTemplate(now: Shown): TemplateResult {
       <p class="notes">${notesTemplate(now)}</p>
       <p class="buttons">
         ${overview?.fixes.map(fix => html`<button type="button" class="fix" @click=${() => mend(fix)}>${fix.words}</button>`)}
-        <button type="button" class="open" title=${ALL_FORMATS} @click=${() => part('input[type=file]').click()}>Open files</button>
-        ${FOLDERS === null ? nothing : html`<button type="button" class="folder" title="For example one of time steps" @click=${() => FOLDERS.click()}>Open a folder</button>`}
-        <button type="button" @click=${paste}>Paste</button>
+        ${door.buttons}
         ${takeAway.button} ${untangling.button}
         ${examplesTemplate(now)}
-        <input type="file" multiple hidden @change=${onFiles} />
       </p>
     </div>
     ${takeAway.show(overview, now.movement)} ${untangling.root}`
@@ -603,66 +606,12 @@ function onGo(event: SubmitEvent): void {
   if (typeof id === 'string' && id.trim() !== '') void goTo(id.trim())
 }
 
-function onFiles(event: Event): void {
-  const input = event.target as HTMLInputElement
-  const files = [...(input.files ?? [])]
-  input.value = ''
-  if (files.length > 0) void open({ files })
-}
-
-/** Null where the browser opens no folders. */
-const FOLDERS = folderInput()
-
-function folderInput(): HTMLInputElement | null {
-  const input = document.createElement('input')
-  if (!('webkitdirectory' in input)) return null
-  Object.assign(input, { type: 'file', webkitdirectory: true })
-  input.addEventListener('change', () => {
-    const given = ofFolder([...(input.files ?? [])])
-    input.value = ''
-    if ('files' in given && given.files.length > 0) void open(given)
-    else set({ ...shown, news: 'There are no files in this folder.' })
-  })
-  return input
-}
-
-async function paste(): Promise<void> {
-  try {
-    const text = await navigator.clipboard.readText()
-    if (text.trim() === '') set({ ...shown, news: 'The clipboard has no text.' })
-    else if (isSettingsText(text)) travel.use(text)
-    else void open({ text })
-  } catch {
-    set({ ...shown, news: 'This browser does not let the page read the clipboard: press Ctrl+V instead.' })
-  }
-}
-
 function nameOf(input: PastedInput): string {
   if ('text' in input) return 'the text'
   const [first] = input.files
   return input.files.length === 1 && first ? first.name : `${input.files.length} files`
 }
 
-document.addEventListener('paste', event => {
-  const input = pastedIn(event)
-  if (input && 'text' in input && isSettingsText(input.text)) travel.use(input.text)
-  else if (input) void open(input)
-})
-document.addEventListener('dragover', event => {
-  if (!takesDrop(event) || !event.dataTransfer) return
-  event.preventDefault()
-  event.dataTransfer.dropEffect = 'copy'
-  document.body.classList.add('is-drop-target')
-})
-for (const type of ['dragleave', 'drop', 'dragend'])
-  document.addEventListener(type, () => document.body.classList.remove('is-drop-target'))
-document.addEventListener('drop', async event => {
-  const input = droppedIn(event)
-  if (!input) return
-  const whole = await Promise.resolve(unfolded(event, input)).catch(() => null)
-  if (whole) void open(whole)
-  else set({ ...shown, news: 'The folder could not be read.' })
-})
 document.addEventListener('keydown', event => {
   const isTyping = event.target instanceof HTMLElement && event.target.matches('input, textarea, select, hex-lens')
   if (isTyping || event.altKey || event.ctrlKey || event.metaKey) return

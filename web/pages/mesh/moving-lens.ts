@@ -9,9 +9,7 @@ import type { Core } from '../../core/report'
 import { historyStep } from '../../element/shortcuts'
 import { written } from '../../model/document-readers'
 import { type Vec3, type Vertices, vertexOf } from '../../model/hexahedron'
-import type { Around } from '../../survey/around'
-import type { Moves } from '../../survey/movement'
-import type { MovementCounts, Row } from '../../survey/survey-jobs'
+import type { Around, MovementCounts, Moves, Row } from '../../survey/survey-jobs'
 import { LiveCells } from './live-cells'
 
 export interface MovingHost {
@@ -214,16 +212,17 @@ export class MovingLens {
     return html`<p class="steps-of-moves">
         <button type="button" title="Undo (Ctrl+Z)" ?disabled=${!canUndo} @click=${() => this.#host.step('undo')}>Undo</button>
         <button type="button" title="Redo (Ctrl+Shift+Z)" ?disabled=${!canRedo} @click=${() => this.#host.step('redo')}>Redo</button>
-        <button type="button" title="The chosen vertex where it was read" ?disabled=${movedCount === 0} @click=${() => this.#restoreVertex()}>Vertex as it was</button>
-        <button type="button" title="All vertices where they were read: one step to undo" ?disabled=${movedCount === 0} @click=${() => this.#host.restore(null)}>All as it was</button>
+        <button type="button" title="The chosen vertex where it was read" ?disabled=${movedCount === 0} @click=${() => this.#restoreVertex()}>Vertex back</button>
+        <button type="button" title="All vertices where they were read: one step to undo" ?disabled=${movedCount === 0} @click=${() => this.#host.restore(null)}>All back</button>
         <label title="Grey handles are on the boundary of the hexahedra, and stay"
           ><input type="checkbox" .checked=${this.#isBoundaryFree} @change=${(event: Event) => this.#free((event.target as HTMLInputElement).checked)} /> Free the boundary</label
         >
       </p>
-      <p class="moved" role="status">${count} ${this.#said}</p>`
+      <p class="moved" role="status">${count === '' && this.#said === '' ? HINT : `${count} ${this.#said}`.trim()}</p>`
   }
 }
 
+const HINT = 'A vertex that is dragged moves in the mesh; grey ones stay.'
 const ONLY_SHOWN = 'A mesh of several time steps is only shown: open the file of one step alone to move its vertices.'
 
 function samePlace(a: Vec3, b: Vec3): boolean {

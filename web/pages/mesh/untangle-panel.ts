@@ -4,10 +4,9 @@ import type { UntangledCounts } from '../../core/repair/untangling'
 import { wordsOf } from '../../core/workers'
 import { formatNumber } from '../../model/decimal'
 import { readNumber } from '../../model/number-text'
-import type { Moves } from '../../survey/movement'
 import type { OpenSurvey } from '../../survey/open-survey'
 import { startUntangling } from '../../survey/start-untangling'
-import type { Overview } from '../../survey/survey-jobs'
+import type { Moves, Overview } from '../../survey/survey-jobs'
 import type { GhostLines, PartUntangled } from '../../survey/untangled-part'
 
 export interface UntangleHost {
@@ -128,7 +127,10 @@ export class UntanglePanel {
 
   #took(result: PartUntangled | { readonly refused: string }, margin: string): void {
     this.#running = null
-    if ('refused' in result) return this.#set({ ...this.#shown, soFar: null, message: result.refused })
+    if ('refused' in result) {
+      this.#set({ ...this.#shown, soFar: null, message: result.refused })
+      return
+    }
     const hasMoved = result.moves.points.length > 0
     this.#set({
       ...this.#shown,
