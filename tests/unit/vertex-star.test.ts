@@ -1,8 +1,7 @@
 /** Best places on the page Mesh: the cells around a vertex, what holds it, and jacdet over the volume there. */
 import { describe, expect, it } from 'vitest'
 import { bestPlaces, certificateOf, limitingCells, proved, starOf } from '../../web/pages/mesh/vertex-star'
-import type { Around, CellAround } from '../../web/survey/around'
-import type { Row } from '../../web/survey/survey-jobs'
+import type { Around, CellAround, Row } from '../../web/survey/survey-jobs'
 import { checked } from './certificate-checker'
 import { core } from './core-fixtures'
 import { cellsAt, MIDDLE, noisyStars, type PointStar, presentOf, repairCore } from './stars'

@@ -1,25 +1,6 @@
 /** The fold with the best place of a vertex of the chosen cell. What answers it comes when it is opened. */
 import { wordsOf } from '../../core/workers'
-import type { Vec3 } from '../../model/hexahedron'
-import type { Around } from '../../survey/around'
-import type { PlaceMarks } from '../../views/place-marks'
-import type { PlaceView } from './place-view'
-
-export interface PlaceHost {
-  /** Moves a point of the mesh: one step to undo. Resolves when its cells are answered. */
-  move(point: number, to: Vec3): Promise<void>
-  /** Why a vertex of the chosen cell stays where it is, as a sentence; null if it may move. */
-  whyFixed(vertex: number): string | null
-  /** What the lens shows of it. */
-  mark(place: PlaceMarks | null): void
-}
-
-/** The chosen cell with the cells around it; `around` is null until it is known which cells share a face. */
-export interface PlaceOf {
-  readonly id: string
-  readonly cell: number
-  readonly around: Around | null
-}
+import type { PlaceHost, PlaceOf, PlaceView } from './place-view'
 
 export class PlaceFold {
   readonly #details = document.createElement('details')

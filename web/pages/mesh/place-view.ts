@@ -2,11 +2,12 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { RepairCore } from '../../core/repair/best-place'
 import { formatNumber, formatPoint } from '../../model/decimal'
+import type { Vec3 } from '../../model/hexahedron'
 import { nearestDouble } from '../../model/rational'
+import type { Around } from '../../survey/survey-jobs'
 import { copyText } from '../../views/copy-text'
 import { LETTERS, type PlaceMarks, shortWeight } from '../../views/place-marks'
 import { saveFile } from '../../views/save-file'
-import type { PlaceHost, PlaceOf } from './place-fold'
 import {
   bestPlaces,
   certificateOf,
@@ -16,6 +17,22 @@ import {
   type StarHold,
   type StarPlace,
 } from './vertex-star'
+
+export interface PlaceHost {
+  /** Moves a point of the mesh: one step to undo. Resolves when its cells are answered. */
+  move(point: number, to: Vec3): Promise<void>
+  /** Why a vertex of the chosen cell stays where it is, as a sentence; null if it may move. */
+  whyFixed(vertex: number): string | null
+  /** What the lens shows of it. */
+  mark(place: PlaceMarks | null): void
+}
+
+/** The chosen cell with the cells around it; `around` is null until it is known which cells share a face. */
+export interface PlaceOf {
+  readonly id: string
+  readonly cell: number
+  readonly around: Around | null
+}
 
 export class PlaceView {
   readonly #root: HTMLElement

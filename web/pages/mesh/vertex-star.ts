@@ -6,7 +6,7 @@ import { type PlaceProof, provePlace } from '../../core/repair/place-proof'
 import { edgeBernstein } from '../../model/bernstein'
 import { VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference, withVertex } from '../../model/hexahedron'
 import { magnitude, nearestDouble, scaledDouble } from '../../model/rational'
-import type { Around, CellAround } from '../../survey/around'
+import type { Around, CellAround } from '../../survey/survey-jobs'
 
 type HexahedraStar = Extract<Star, { hexahedra: unknown }>
 
