@@ -358,8 +358,8 @@ export const german: Dictionary = {
   'no dimension': 'ohne Einheit',
   'No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is A + τ (B − A), with every coordinate in doubles.':
     'Kein Double liegt zwischen dem letzten gültigen und dem ersten ungültigen τ, und jedes Urteil ist exakt. Das Element bei τ ist A + τ (B − A), jede Koordinate in Doubles.',
-  'No place is better, proved exactly: with these weights J − r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.':
-    'Kein Ort ist besser, exakt bewiesen: Mit diesen Gewichten ist die Summe von J − r·Volumen an jedem Ort dieselbe Zahl, und sie ist nicht positiv. Also hat kein Ort mehr als r = {bound}.',
+  'No place is better, proved exactly: with these weights J\u00a0−\u00a0r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.':
+    'Kein Ort ist besser, exakt bewiesen: Mit diesen Gewichten ist die Summe von J\u00a0−\u00a0r·Volumen an jedem Ort dieselbe Zahl, und sie ist nicht positiv. Also hat kein Ort mehr als r = {bound}.',
   'No place is better, proved: the least jacdet is never above its mean, the volume.':
     'Kein Ort ist besser, bewiesen: Das kleinste jacdet ist nie größer als sein Mittel, das Volumen.',
   'No place of vertex {name} makes this element valid: these {count} points forbid it.':

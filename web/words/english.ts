@@ -302,7 +302,7 @@ export const english = [
   'No cell is invalid: nothing is drawn.',
   'no dimension',
   'No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is A + τ (B − A), with every coordinate in doubles.',
-  'No place is better, proved exactly: with these weights J − r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.',
+  'No place is better, proved exactly: with these weights J\u00a0−\u00a0r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.',
   'No place is better, proved: the least jacdet is never above its mean, the volume.',
   'No place of vertex {name} makes this element valid: these {count} points forbid it.',
   'No place of vertex {name} makes this element valid: this point forbids it.',

@@ -346,8 +346,8 @@ export const chinese: Dictionary = {
   'no dimension': '无量纲',
   'No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is A + τ (B − A), with every coordinate in doubles.':
     '最后有效的 τ 和最先无效的 τ 之间没有双精度数，每个判定都是精确的。τ 处的单元是 A + τ (B − A)，每个坐标以双精度计算。',
-  'No place is better, proved exactly: with these weights J − r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.':
-    '没有更好的位置，已精确证明：按这些权重，J − r·体积之和在任何位置都是同一个数，且不为正。因此没有位置大于 r = {bound}。',
+  'No place is better, proved exactly: with these weights J\u00a0−\u00a0r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.':
+    '没有更好的位置，已精确证明：按这些权重，J\u00a0−\u00a0r·体积之和在任何位置都是同一个数，且不为正。因此没有位置大于 r = {bound}。',
   'No place is better, proved: the least jacdet is never above its mean, the volume.':
     '没有更好的位置，已证明：最小的 jacdet 从不大于其平均值，即体积。',
   'No place of vertex {name} makes this element valid: these {count} points forbid it.':

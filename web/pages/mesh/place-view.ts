@@ -210,7 +210,7 @@ function whyWords({ place, proof, holds }: HeldStar): string {
     return 'Not proved: the weights do not cancel exactly. All that is certain is that no relative minimum is above 1.'
   if (holds.length === 0) return 'No place is better, proved: the least jacdet is never above its mean, the volume.'
   if (measure === 'volume')
-    return `No place is better, proved exactly: with these weights J − r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = ${formatNumber(nearestDouble(proof.bound))}.`
+    return `No place is better, proved exactly: with these weights J\u00a0−\u00a0r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = ${formatNumber(nearestDouble(proof.bound))}.`
   if (!proof.isImpossible) return 'The weights cancel exactly, but their sum is positive: it forbids nothing.'
   return holds.length === 1
     ? 'Proved exactly: J at this point is the same wherever the vertex is, and it is not positive.'

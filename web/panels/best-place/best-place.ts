@@ -163,7 +163,7 @@ function whyWords({ place, proof, vertex: name }: VertexPlace): unknown {
   if (measure === 'volume') {
     const bound = nearestDouble(proof.bound)
     return sayParts(
-      'No place is better, proved exactly: with these weights J − r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.',
+      'No place is better, proved exactly: with these weights J\u00a0−\u00a0r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.',
       { bound: copyable(formatNumber(bound), String(bound)) },
     )
   }
