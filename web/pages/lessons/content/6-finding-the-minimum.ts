@@ -165,12 +165,15 @@ export const lesson: Lesson = {
           'One vertex alone: where is it best?',
           `<p>Let one vertex move to ${math('p')}, while all others stay. At a given point ${math('q')} of the element the columns of
           ${math('D', 'F')} are</p>
-          ${display('u', '+', 'α', 'p', ',', 'v', '+', 'β', 'p', ',', 'w', '+', 'γ', 'p')}
+          ${display('U', '=', 'u', '+', 'α', 'p')}
+          ${display('V', '=', 'v', '+', 'β', 'p')}
+          ${display('W', '=', 'w', '+', 'γ', 'p')}
           <p>A term of the determinant with two of the three ${math('p')} has two parallel columns, and vanishes. What is left is affine in
           ${math('p')}:</p>
-          ${display(sub('J', 'q'), of('p'), '=', columns('u', 'v', 'w'), '+', 'α', thin, columns('p', 'v', 'w'), '+', 'β', thin, columns('u', 'p', 'w'), '+', 'γ', thin, columns('u', 'v', 'p'))}
-          <p>So is the volume ${math('V')}, its mean. Divide each cell ${math('c')} around the vertex by a size ${math(sub('s', 'c'))} that
-          stays, and take the least over all their points:</p>
+          ${display(sub('J', 'q'), of('p'), '=', columns('u', 'v', 'w'))}
+          ${display('+', 'α', thin, columns('p', 'v', 'w'), '+', 'β', thin, columns('u', 'p', 'w'), '+', 'γ', thin, columns('u', 'v', 'p'))}
+          <p>So is the volume ${math(sub('V', 'c'))} of each cell ${math('c')}, its mean. Divide ${J} in each cell around the vertex by a size
+          ${math(sub('s', 'c'))} that stays, and take the least:</p>
           ${display('T', of('p'), '=', thin, sub('min', row('c', ',', 'q')), thin, sub('J', 'q'), of('p'), '/', sub('s', 'c'))}
           <p>The least of affine functions is concave: it has one greatest value, and no lower top. The relative minimum divides by the volume,
           which changes, too. But it is at least ${math('r')} exactly where all</p>
