@@ -3,6 +3,7 @@ import { describe, expect, it, test } from 'vitest'
 import { MOVES } from '../../web/core/repair/untangling'
 import type { Mesh } from '../../web/mesh/mesh'
 import { fileOfBytes } from '../../web/mesh/source'
+import { LiveCells } from '../../web/pages/mesh/live-cells'
 import { part } from '../../web/pages/mesh/part'
 import { thrownBlock } from '../../web/pages/mesh/thrown-block'
 import { aroundOf } from '../../web/survey/around'
@@ -172,6 +173,38 @@ test('the block of the page is untangled: all valid, with the margin', async () 
   if ('refused' in result) throw new Error(result.refused)
   expect([result.counts.belowAfter, result.heldCells.length]).toEqual([0, 0])
   expect((await jobs.move(result.moves)).opened.counts.invalid).toBe(0)
+})
+
+describe('the page, ahead of the worker', () => {
+  it('says of the cells around a vertex that moves what the worker says afterwards', async () => {
+    const { open, jobs } = await opened(elbow)
+    const survey = await open.survey.whole()
+    survey.join(Infinity)
+    const next = randomSource(5)
+    for (const cell of [2951, 3000, 5000]) {
+      const around = await jobs.around(cell)
+      if (!around) throw new Error('There is nothing around it.')
+      const live = new LiveCells(core, around)
+      const vertex = Math.floor(8 * next())
+      const point = around.points[vertex] as number
+      const place = Array.from(elbow.points.subarray(3 * point, 3 * point + 3), x => x + 0.3 * (next() - 0.5)) as [
+        number,
+        number,
+        number,
+      ]
+      const rows = live.move(new Map([[vertex, place]]))
+      expect(rows.length).toBe(8)
+      await jobs.move({ points: Uint32Array.of(point), to: Float64Array.from(place) })
+      const after = await open.survey.whole()
+      for (const row of rows) expect(row).toEqual(after.detail(row.cell).row)
+      const invalid = rows.filter(({ standing }) => standing === 'invalid')
+      const drawn = live.drawnAround(cell)
+      expect(drawn.filter(({ isInvalid }) => isInvalid).length).toBeGreaterThanOrEqual(
+        invalid.filter(row => row.cell !== cell).length,
+      )
+      expect(drawn.length).toBeGreaterThanOrEqual(6)
+    }
+  })
 })
 
 describe('untangling', () => {
