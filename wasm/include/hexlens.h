@@ -85,8 +85,9 @@ typedef enum hl_status {
             neither indices nor bits */
   HL_NOTHING_MOVES = 7,  /* a cell of a star has no vertex that moves */
   HL_SEVERAL_PLACES = 8, /* the moving vertices of a star are not at one position */
-  HL_OUTSIDE_LIMITS = 9, /* the present place of a star is not within its limits, or two normals are as good as parallel */
-  HL_NO_ROOM = 9         /* the memory that was given is too small */
+  HL_OUTSIDE_LIMITS =
+      9,         /* the present place of a star is not within its limits, or two normals are as good as parallel */
+  HL_NO_ROOM = 9 /* the memory that was given is too small */
 } hl_status;
 
 /* Certain for every element of 24 finite doubles. Unanswered is, in a batch, a cell that is not one: its status says why. */
@@ -373,11 +374,12 @@ typedef struct hl_untangled {
 typedef struct hl_untangling {
   double margin;        /* wanted: relative minimum at least this; from 0, for all that are valid, to 1 */
   const uint8_t *moves; /* hl_moves, one a point; null for HL_UNLESS_BOUNDARY everywhere */
-  uint8_t *held;        /* null, or one a point: gets 1 for those that may move and have a cell below the margin, else 0 */
+  uint8_t *held; /* null, or one a point: gets 1 for those that may move and have a cell below the margin, else 0 */
   /* Points of planar parts of the boundary move in their plane, those on an edge between two planes along it: docs/repair.md (R16). */
   bool slides;
-  double boundary_distance; /* boundary points move so far at most, all or, if they slide, these too; 0: no others than those that slide */
-  size_t thread_count;      /* 0 is 1 */
+  double
+      boundary_distance; /* boundary points move so far at most, all or, if they slide, these too; 0: no others than those that slide */
+  size_t thread_count; /* 0 is 1 */
   /* Runs work(piece, 0) to work(piece, count - 1), each once, at once or one after another, and returns when all have ended. Null: one
      after another, here. */
   void (*run)(void *context, void (*work)(void *piece, size_t thread), void *piece, size_t count);

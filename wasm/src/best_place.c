@@ -378,7 +378,10 @@ hl_status hl_best_place(const hl_star *star, void *memory, size_t room, hl_place
   star_cell *cells = memory;
   const hl_status status = read_star(star, &frame, cells);
   if (status != HL_OK) return status;
-  search s = {.frame = &frame, .cells = cells, .cell_count = count, .cut_room = (HL_VERTICES + CUTS_A_CELL) * count + MORE_CUTS};
+  search s = {.frame = &frame,
+              .cells = cells,
+              .cell_count = count,
+              .cut_room = (HL_VERTICES + CUTS_A_CELL) * count + MORE_CUTS};
   s.cuts = (cut *)(cells + count);
   double *lists = (double *)(s.cuts + s.cut_room);
   const size_t each = s.cut_room + BOX_SIDES;

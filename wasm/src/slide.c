@@ -32,7 +32,8 @@ static corner corner_at(const double *given, const uint32_t *cell, int face, int
     int steps = 0;
     for (int r = 0; r < 3; ++r) steps += vertex_reference[other][r] != vertex_reference[v][r];
     double *way = found.ways[steps == 1 ? n++ : 2];
-    for (int r = 0; r < 3; ++r) way[r] = given[3 * (size_t)cell[other] + (size_t)r] - given[3 * (size_t)cell[v] + (size_t)r];
+    for (int r = 0; r < 3; ++r)
+      way[r] = given[3 * (size_t)cell[other] + (size_t)r] - given[3 * (size_t)cell[v] + (size_t)r];
   }
   return found;
 }
@@ -67,7 +68,9 @@ static bool sliding_normals(const mesh *m, const double *given, uint32_t p, doub
   double extent = 0;
   for (uint32_t i = m->first[p]; i < m->first[p + 1]; ++i)
     for (int v = 0; v < HL_VERTICES; ++v)
-      extent = larger(extent, greatest_magnitude(given + 3 * (size_t)m->indices[HL_VERTICES * (size_t)m->around[i] + (size_t)v], 3));
+      extent =
+          larger(extent,
+                 greatest_magnitude(given + 3 * (size_t)m->indices[HL_VERTICES * (size_t)m->around[i] + (size_t)v], 3));
   for (uint32_t i = m->first[p]; i < m->first[p + 1]; ++i) {
     const uint32_t *cell = m->indices + HL_VERTICES * (size_t)m->around[i];
     for (int v = 0; v < HL_VERTICES; ++v)

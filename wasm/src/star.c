@@ -134,7 +134,8 @@ static void find_frame(const hl_star *star, const double present[3], size_t coun
   double extent = 0;
   for (size_t c = 0; c < count; ++c)
     for (int v = 0; v < HL_VERTICES; ++v)
-      for (int r = 0; r < 3; ++r) extent = larger(extent, fabs(offset_of(point_of(star, c, v)[r], present[r], *is_huge)));
+      for (int r = 0; r < 3; ++r)
+        extent = larger(extent, fabs(offset_of(point_of(star, c, v)[r], present[r], *is_huge)));
   frame->exponent = extent > 0 ? binary_exponent(extent) + (*is_huge ? 2 : 0) : 0;
   choose_axes(star, count, *is_huge, frame);
 }

@@ -1,9 +1,9 @@
 /* Sweeps of best places over a mesh: docs/repair.md 7. */
 #include "untangle.h"
 #include "bernstein.h"
-#include "slide.h"
 #include "report.h"
 #include "scaling.h"
+#include "slide.h"
 
 #include <math.h>
 #include <string.h>
@@ -384,7 +384,8 @@ void end_untangling(untangling *u, uint8_t *held, hl_untangled *result) {
   *result = u->result;
   measure_moves(u, result);
   for (uint32_t p = 0; p < u->mesh.point_count && held; ++p)
-    held[p] = u->lists.may_move[p] != STAYS && cells_around(&u->mesh, p) > 0 && is_below(least_around(u, p), u->wanted.margin);
+    held[p] = u->lists.may_move[p] != STAYS && cells_around(&u->mesh, p) > 0 &&
+              is_below(least_around(u, p), u->wanted.margin);
 }
 
 hl_status hl_untangle(const hl_cells *cells, const hl_untangling *wanted, void *memory, size_t room, double *points,
