@@ -150,6 +150,11 @@ test('a vertex is dragged, the rest untangled, and both files that are saved are
     await panel.getByRole('button', { name: 'Untangle' }).click()
     await expect(panel).toContainText('The least relative minimum is a number from 0 to 1.')
     await margin.fill('0.1')
+    const boundary = panel.getByLabel(/^The boundary/)
+    await boundary.selectOption('moves within a distance')
+    await panel.getByRole('button', { name: 'Untangle' }).click()
+    await expect(panel).toContainText('The distance is a number above 0, in units of the mesh.')
+    await boundary.selectOption('stays')
     await panel.getByRole('button', { name: 'Untangle' }).click()
     await expect(panel.locator('.result')).toHaveText(
       /of \d+ invalid cells would be valid\. .* on average .* at most\. All reach 0\.1\./,
@@ -158,6 +163,9 @@ test('a vertex is dragged, the rest untangled, and both files that are saved are
     await expectAxeFindsNothing(page)
     await inSchemesAndWidths(lens, async () => {})
     await panel.getByRole('button', { name: 'Take it' }).click()
+    await expect(panel.locator('.result')).toHaveText(
+      /^\d+ vert(?:ex has|ices have) moved: one step to undo\. All reach 0\.1\.$/,
+    )
     await expect(headline(page)).toHaveText(/^All 64 hexahedra are valid/)
     await page.getByRole('button', { name: 'Undo', exact: true }).click()
     await expect.poll(() => invalidCount(page)).toBe(after)
@@ -183,12 +191,24 @@ test('a vertex is dragged, the rest untangled, and both files that are saved are
 test('an example to untangle; a cancel leaves it; all of it by keys', async ({ page }) => {
   await page.goto('mesh.html')
   await expect(headline(page)).toHaveText(/^12 of 7,168/)
+  const button = page.getByRole('button', { name: 'Untangle' })
+  const panel = page.getByRole('region', { name: 'Untangle' })
+  await test.step('what is left, and why: each vertex leads to its cell', async () => {
+    await button.press('Enter')
+    await panel.getByLabel(/^The boundary/).selectOption('slides where it is planar')
+    await panel.getByRole('button', { name: 'Untangle' }).press('Enter')
+    await expect(panel.locator('.result')).toContainText(/cells? stays? below 0\.1, \d+ of them invalid: \d+ vert/)
+    const held = panel.getByRole('listitem').first()
+    await expect(held).toHaveText(/^\s*Vertex [0-7] of cell \d+: no /)
+    await held.getByRole('button').press('Enter')
+    const [, cell] = /of cell (\d+)/.exec((await held.textContent()) ?? '') ?? []
+    await expect(page.locator('.one .which')).toHaveText(new RegExp(`^Cell ${cell}`))
+    await expectAxeFindsNothing(page)
+  })
   await page.getByLabel('Examples').selectOption('Block to untangle')
   await expect(headline(page)).toHaveText(/^\d+ of 1,800 hexahedra are invalid/)
-  const button = page.getByRole('button', { name: 'Untangle' })
   await button.press('Enter')
-  const panel = page.getByRole('region', { name: 'Untangle' })
-  await panel.getByLabel('Where').selectOption('The chosen cell and 1 ring around it')
+  await panel.getByLabel(/^Where/).selectOption('The chosen cell and 1 ring around it')
   await panel.getByLabel('Relative minima at least').press('Enter')
   await expect(panel.locator('.result')).toHaveText(/would be valid/)
   await panel.getByRole('button', { name: 'Leave it' }).press('Enter')
@@ -199,6 +219,6 @@ test('an example to untangle; a cancel leaves it; all of it by keys', async ({ p
   await expect(page.locator('.moving .moved')).toHaveText(/^\d+ vertices moved\./)
   await page.getByRole('button', { name: 'All back' }).press('Enter')
   await expect(page.locator('.moving .moved')).toHaveText(/^A vertex that is dragged moves in the mesh/)
-  await panel.getByLabel('Where').press('Escape')
+  await panel.getByLabel(/^Where/).press('Escape')
   await expect(button).toBeFocused()
 })

@@ -3,6 +3,7 @@ import { describe, expect, it, test } from 'vitest'
 import { MOVES } from '../../web/core/repair/untangling'
 import type { Mesh } from '../../web/mesh/mesh'
 import { fileOfBytes } from '../../web/mesh/source'
+import { LiveCells } from '../../web/pages/mesh/live-cells'
 import { part } from '../../web/pages/mesh/part'
 import { thrownBlock } from '../../web/pages/mesh/thrown-block'
 import { aroundOf } from '../../web/survey/around'
@@ -168,10 +169,46 @@ describe('the jobs', () => {
 test('the block of the page is untangled: all valid, with the margin', async () => {
   const { open, jobs } = await opened({ ...meshOf([]), ...thrownBlock() })
   expect((await open.survey.whole()).check.invalid).toBeGreaterThan(50)
-  const result = await untangledPart(repairCore, { part: await jobs.tangled(null), margin: 0.1 }, () => {})
+  const result = await untangledPart(
+    repairCore,
+    { part: await jobs.tangled(null), margin: 0.1, boundary: 'stays' },
+    () => {},
+  )
   if ('refused' in result) throw new Error(result.refused)
-  expect([result.counts.belowAfter, result.heldCells.length]).toEqual([0, 0])
+  expect([result.counts.belowAfter, result.heldCount]).toEqual([0, 0])
   expect((await jobs.move(result.moves)).opened.counts.invalid).toBe(0)
+})
+
+describe('the page, ahead of the worker', () => {
+  it('says of the cells around a vertex that moves what the worker says afterwards', async () => {
+    const { open, jobs } = await opened(elbow)
+    const survey = await open.survey.whole()
+    survey.join(Infinity)
+    const next = randomSource(5)
+    for (const cell of [2951, 3000, 5000]) {
+      const around = await jobs.around(cell)
+      if (!around) throw new Error('There is nothing around it.')
+      const live = new LiveCells(core, around)
+      const vertex = Math.floor(8 * next())
+      const point = around.points[vertex] as number
+      const place = Array.from(elbow.points.subarray(3 * point, 3 * point + 3), x => x + 0.3 * (next() - 0.5)) as [
+        number,
+        number,
+        number,
+      ]
+      const rows = live.move(new Map([[vertex, place]]))
+      expect(rows.length).toBe(8)
+      await jobs.move({ points: Uint32Array.of(point), to: Float64Array.from(place) })
+      const after = await open.survey.whole()
+      for (const row of rows) expect(row).toEqual(after.detail(row.cell).row)
+      const invalid = rows.filter(({ standing }) => standing === 'invalid')
+      const drawn = live.drawnAround(cell)
+      expect(drawn.filter(({ isInvalid }) => isInvalid).length).toBeGreaterThanOrEqual(
+        invalid.filter(row => row.cell !== cell).length,
+      )
+      expect(drawn.length).toBeGreaterThanOrEqual(6)
+    }
+  })
 })
 
 describe('untangling', () => {
@@ -181,17 +218,26 @@ describe('untangling', () => {
       const { open, jobs } = await opened(elbow)
       const before = (await open.survey.whole()).check
       const tangled = await jobs.tangled(wanted)
-      const result = await untangledPart(repairCore, { part: { ...tangled }, margin: 0.1 }, () => {})
+      const result = await untangledPart(repairCore, { part: { ...tangled }, margin: 0.1, boundary: 'stays' }, () => {})
       if ('refused' in result) throw new Error(result.refused)
-      const { counts, moves, ghost, heldCells } = result
+      const { counts, moves, ghost, heldCount, held } = result
       expect(moves.points.length).toBe(counts.movedCount)
       expect(ghost.ends.length).toBe(6 * Math.min(ghost.wanted, 6000))
       const ids = new Set(before.mesh.cells.subarray(8 * 2951, 8 * 2951 + 8))
       if (wanted) expect([...moves.points].some(point => ids.has(point))).toBe(true)
       const { opened: overview } = await jobs.move(moves)
       expect(overview.counts.invalid).toBeLessThan(12)
-      if (!wanted) expect([overview.counts.invalid, heldCells.length > 0]).toEqual([counts.invalidAfter, true])
-      else {
+      if (!wanted) {
+        expect(overview.counts.invalid).toBe(counts.invalidAfter)
+        expect(held.length).toBe(Math.min(heldCount, 10))
+        // Each is said with a cell that has it, and what forbids the margin is proved by at most four points.
+        for (const { cell, vertex, forbids, bound, pointCount } of held) {
+          expect(elbow.cells[8 * cell + vertex]).toBeGreaterThanOrEqual(0)
+          if (forbids === 'margin') expect(bound).toBeLessThan(0.1)
+          if (forbids) expect([1, 2, 3, 4]).toContain(pointCount)
+        }
+        expect(held.some(({ forbids }) => forbids !== null)).toBe(true)
+      } else {
         // Outside the part everything is as it was.
         const inPart = new Set(tangled.indices ?? [])
         expect([...moves.points].every(point => inPart.has(point))).toBe(true)

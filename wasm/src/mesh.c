@@ -60,7 +60,7 @@ static bool has_all(const uint32_t *cell, const uint32_t points[4]) {
 int cells_beyond(const mesh *m, size_t c, const uint32_t points[4]) {
   int others = 0;
   for (uint32_t i = m->first[points[0]]; i < m->first[points[0] + 1]; ++i)
-    others += m->around[i] != c && has_all(m->indices + HL_VERTICES * m->around[i], points);
+    others += m->around[i] != c && has_all(m->indices + HL_VERTICES * (size_t)m->around[i], points);
   return others;
 }
 

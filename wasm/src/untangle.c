@@ -1,9 +1,9 @@
 /* Sweeps of best places over a mesh: docs/repair.md 7. */
 #include "untangle.h"
 #include "bernstein.h"
-#include "mesh.h"
 #include "report.h"
 #include "scaling.h"
+#include "slide.h"
 
 #include <math.h>
 #include <string.h>
@@ -23,8 +23,10 @@ typedef struct lists {
   uint32_t *queue;       /* the same points by levels */
   uint32_t *ends;        /* of levels in the queue */
   uint32_t *cell_levels; /* the level of the last point that the sweep has in a cell */
-  uint8_t *may_move;
+  uint8_t *may_move;     /* a freedom */
 } lists;
+
+typedef enum freedom { STAYS, IS_FREE, IS_LIMITED } freedom;
 
 /* What became of a star. */
 typedef struct outcome {
@@ -99,7 +101,7 @@ static double value_of(const mesh *m, size_t c) {
   double vertices[HL_COORDINATES];
   hl_minimum minimum;
   for (int v = 0; v < HL_VERTICES; ++v)
-    memcpy(vertices + 3 * v, m->points + 3 * m->indices[HL_VERTICES * c + (size_t)v], 3 * sizeof *vertices);
+    memcpy(vertices + 3 * v, m->points + 3 * (size_t)m->indices[HL_VERTICES * c + (size_t)v], 3 * sizeof *vertices);
   hl_boundary_minimum(vertices, HL_ROOTS_B, &minimum);
   const scaled_double volume = find_volume(vertices);
   const double value = relative_minimum(minimum.minimizer.value, minimum.exponent, volume.mantissa, volume.exponent);
@@ -198,14 +200,14 @@ typedef struct neighbourhood {
 
 /* Moves the point unless more cells would be below the margin or the least of them lower. True if it has moved. */
 static bool is_taken_to(const mesh *m, uint32_t p, const double place[3], double margin, neighbourhood *n) {
-  double old[3];
-  memcpy(old, m->points + 3 * p, sizeof old);
-  memcpy(m->points + 3 * p, place, sizeof old);
+  double old[3], *point = m->points + 3 * (size_t)p;
+  memcpy(old, point, sizeof old);
+  memcpy(point, place, sizeof old);
   for (size_t c = 0; c < n->count; ++c) n->after[c] = value_of(m, n->cells[c]);
   if (least_of(n->after, (int)n->count) >= least_of(n->before, (int)n->count) &&
       count_below(n->after, n->count, margin) <= count_below(n->before, n->count, margin))
     return true;
-  memcpy(m->points + 3 * p, old, sizeof old);
+  memcpy(point, old, sizeof old);
   return false;
 }
 
@@ -234,11 +236,15 @@ static outcome improve(const untangling *u, uint32_t p, void *place_room) {
   neighbourhood n = {.cells = m->around + m->first[p], .count = cells_around(m, p)};
   uint32_t left[HL_VERTICES * HL_MOST_CELLS];
   for (size_t c = 0; c < n.count; ++c) {
-    memcpy(left + HL_VERTICES * c, m->indices + HL_VERTICES * n.cells[c], HL_VERTICES * sizeof *left);
+    memcpy(left + HL_VERTICES * c, m->indices + HL_VERTICES * (size_t)n.cells[c], HL_VERTICES * sizeof *left);
     n.before[c] = u->lists.values[n.cells[c]];
   }
+  hl_limits limits;
+  const bool is_limited = u->lists.may_move[p] == IS_LIMITED;
+  if (is_limited) boundary_limits(m, u->given, &u->wanted, p, &limits);
   for (size_t count = n.count; count > 0; --count) {
-    const hl_star star = {{m->points, 3 * m->point_count, left, HL_VERTICES * count}, NULL, p};
+    const hl_star star = {
+        {m->points, 3 * m->point_count, left, HL_VERTICES * count}, NULL, p, is_limited ? &limits : NULL};
     hl_place place;
     ++found.place_count;
     if (hl_best_place(&star, place_room, hl_best_place_room(HL_MOST_CELLS), &place) != HL_OK) return found;
@@ -329,14 +335,25 @@ static void measure_moves(const untangling *u, hl_untangled *result) {
   if (result->moved_count > 0) result->mean_distance = sum / (double)result->moved_count;
 }
 
-/* Who may move, of those on the boundary only the freed. */
+static freedom freedom_of(const untangling *u, uint32_t p, bool is_boundary) {
+  const hl_moves moves = u->wanted.moves ? (hl_moves)u->wanted.moves[p] : HL_UNLESS_BOUNDARY;
+  if (moves == HL_STAYS) return STAYS;
+  if (moves == HL_FREED || !is_boundary) return IS_FREE;
+  hl_limits limits;
+  return boundary_limits(&u->mesh, u->given, &u->wanted, p, &limits) ? IS_LIMITED : STAYS;
+}
+
 static void choose_points(untangling *u) {
-  const uint8_t *moves = u->wanted.moves;
-  mark_boundary(&u->mesh, u->lists.may_move);
-  for (size_t p = 0; p < u->mesh.point_count; ++p) {
-    const hl_moves move = moves ? (hl_moves)moves[p] : HL_UNLESS_BOUNDARY;
-    u->lists.may_move[p] = move == HL_FREED || (move == HL_UNLESS_BOUNDARY && !u->lists.may_move[p]);
-  }
+  uint8_t *may_move = u->lists.may_move;
+  mark_boundary(&u->mesh, may_move);
+  for (uint32_t p = 0; p < u->mesh.point_count; ++p) may_move[p] = (uint8_t)freedom_of(u, p, may_move[p]);
+}
+
+bool hl_untangled_limits(const void *memory, uint32_t point, hl_limits *limits) {
+  const untangling *u = memory;
+  if (u->lists.may_move[point] == IS_LIMITED) return boundary_limits(&u->mesh, u->given, &u->wanted, point, limits);
+  *limits = (hl_limits){.low = {-INFINITY, -INFINITY, -INFINITY}, .high = {INFINITY, INFINITY, INFINITY}};
+  return u->lists.may_move[point] == IS_FREE;
 }
 
 hl_status begin_untangling(const hl_cells *cells, const hl_untangling *wanted, void *memory, size_t room,
@@ -367,7 +384,8 @@ void end_untangling(untangling *u, uint8_t *held, hl_untangled *result) {
   *result = u->result;
   measure_moves(u, result);
   for (uint32_t p = 0; p < u->mesh.point_count && held; ++p)
-    held[p] = u->lists.may_move[p] && cells_around(&u->mesh, p) > 0 && is_below(least_around(u, p), u->wanted.margin);
+    held[p] = u->lists.may_move[p] != STAYS && cells_around(&u->mesh, p) > 0 &&
+              is_below(least_around(u, p), u->wanted.margin);
 }
 
 hl_status hl_untangle(const hl_cells *cells, const hl_untangling *wanted, void *memory, size_t room, double *points,

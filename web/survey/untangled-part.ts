@@ -1,7 +1,8 @@
 /** A part of a mesh, untangled: what has moved, in the mesh's own numbers, and the lines that show it. */
 import type { RepairCore } from '../core/repair/best-place'
+import { type Reason, reasonsOf } from '../core/repair/held'
 import { untangle } from '../core/repair/untangle'
-import type { Untangled, UntangledCounts } from '../core/repair/untangling'
+import type { UntangledCounts } from '../core/repair/untangling'
 import { edgeVertices } from '../model/hexahedron'
 import type { Moves, TangledPart } from './survey-jobs'
 
@@ -9,14 +10,32 @@ export interface UntangleWanted {
   readonly part: TangledPart
   /** The least relative minimum that is wanted. */
   readonly margin: number
+  readonly boundary: BoundaryMoves
 }
+
+/** What vertices on the boundary of the hexahedra may do: nothing, slide in the planes of its planar parts, or move so far. */
+export type BoundaryMoves = 'stays' | 'slides' | { readonly within: number }
 
 export interface PartUntangled {
   readonly counts: UntangledCounts
   readonly moves: Moves
-  /** A cell for each vertex that may move and still has a cell below the margin. */
-  readonly heldCells: Uint32Array
+  /** How many vertices may move and still have a cell below the margin, and why of the first of them. */
+  readonly heldCount: number
+  readonly held: readonly HeldVertex[]
   readonly ghost: GhostLines
+}
+
+export interface HeldVertex {
+  /** A cell that has it, and which of its vertices it is. */
+  readonly cell: number
+  readonly vertex: number
+  readonly cellCount: number
+  /** Proved: no place of it makes all of these cells valid, or none gives them the margin. Null if neither is. */
+  readonly forbids: Reason['forbids']
+  /** No place has a greater least relative minimum, where the margin is what is forbidden. */
+  readonly bound: number
+  /** Points of the cells that prove it. */
+  readonly pointCount: number
 }
 
 /** Edges with a vertex that has moved, as they are then. */
@@ -37,23 +56,32 @@ export type UntangleJobs = {
 
 /** More lines than that are no picture. */
 const MOST_LINES = 6000
+/** Vertices whose reasons are said: a proof takes milliseconds. */
+const MOST_REASONS = 10
 
 export async function untangledPart(
   core: RepairCore,
-  { part, margin }: UntangleWanted,
+  { part, margin, boundary }: UntangleWanted,
   tell: (soFar: UntangledCounts) => void,
 ): Promise<PartUntangled | { readonly refused: string }> {
   const { points, cells, moves } = part
-  const result = await untangle(core, { points, cells }, { margin, moves }, tell)
+  const options = {
+    margin,
+    moves,
+    slides: boundary === 'slides',
+    boundaryDistance: typeof boundary === 'string' ? undefined : boundary.within,
+  }
+  const result = await untangle(core, { points, cells }, options, tell)
   if (!result.ok) return { refused: result.error.message }
-  const { points: after, heldPoints, ...counts } = result.value
+  const { points: after, heldPoints, heldLimits, ...counts } = result.value
   const own = movedPoints(points, after)
   const to = new Float64Array(3 * own.length)
   for (const [i, point] of own.entries()) to.set(after.subarray(3 * point, 3 * point + 3), 3 * i)
   return {
     counts,
     moves: { points: own.map(point => part.indices?.[point] ?? point), to },
-    heldCells: firstCells(heldPoints, part),
+    heldCount: heldPoints.length,
+    held: heldOf(part, reasonsOf(core, part, result.value, margin), heldPoints.length),
     ghost: ghostOf(part, after, own),
   }
 }
@@ -65,12 +93,19 @@ function movedPoints(before: Float64Array, after: Float64Array): Uint32Array {
   return Uint32Array.from(found)
 }
 
-function firstCells(held: Untangled['heldPoints'], { cells, cellIndices }: TangledPart): Uint32Array {
-  const isWanted = new Set(held)
-  const found = new Set<number>()
-  for (let i = 0; i < cells.length && isWanted.size > 0; ++i)
-    if (isWanted.delete(cells[i] as number)) found.add(cellIndices?.[i >> 3] ?? i >> 3)
-  return Uint32Array.from(found)
+function heldOf({ cells, cellIndices }: TangledPart, reasonOf: (held: number) => Reason, count: number): HeldVertex[] {
+  return Array.from({ length: Math.min(count, MOST_REASONS) }, (_, held) => {
+    const { point, cells: own, best, proof, forbids } = reasonOf(held)
+    const first = own[0] as number
+    return {
+      cell: cellIndices?.[first] ?? first,
+      vertex: cells.subarray(8 * first, 8 * first + 8).indexOf(point),
+      cellCount: own.length,
+      forbids,
+      bound: best.bound,
+      pointCount: proof.isProved ? proof.holds.length : 0,
+    }
+  })
 }
 
 function ghostOf({ points, cells }: TangledPart, after: Float64Array, moved: Uint32Array): GhostLines {

@@ -1,7 +1,8 @@
 /** An untangling in a wasm instance of its own, whose memory goes with it. */
-import { VERTEX_COUNT } from '../../model/hexahedron'
+import { VERTEX_COUNT, type Vec3 } from '../../model/hexahedron'
 import type { Result } from '../../model/result'
 import { Unpacker } from '../unpack'
+import type { Limits } from './best-place'
 import type { PointMesh, Untangled, UntangledCounts, UntangleError, UntangleOptions, Untangling } from './untangling'
 
 interface UntangleExports {
@@ -17,12 +18,15 @@ interface UntangleExports {
     indexCount: number,
     moves: number,
     margin: number,
+    slides: number,
+    boundaryDistance: number,
     memory: number,
     room: number,
     points: number,
   ): number
   step_untangle(): number
   end_untangle(held: number): void
+  untangled_limits(point: number): number
 }
 
 /** Statuses of hexlens.h. */
@@ -64,6 +68,8 @@ export async function beginUntangling(
     cells.length,
     moves ? atMoves : 0,
     options.margin,
+    Number(options.slides ?? false),
+    options.boundaryDistance ?? 0,
     atRoom,
     room,
     atMoved,
@@ -76,23 +82,31 @@ export async function beginUntangling(
   const counts = () => unpackCounts(new Float64Array(buffer, wasm.output_address(), wasm.output_length()))
   const end = (): Untangled => {
     wasm.end_untangle(atHeld)
-    const held = new Uint8Array(buffer, atHeld, pointCount)
+    const heldPoints = Uint32Array.from(indicesOfOnes(new Uint8Array(buffer, atHeld, pointCount)))
     return {
       ...counts(),
       points: new Float64Array(buffer, atMoved, points.length).slice(),
-      heldPoints: Uint32Array.from(indicesOfOnes(held)),
+      heldPoints,
+      heldLimits: Array.from(heldPoints, point =>
+        unpackLimits(new Float64Array(buffer, wasm.untangled_limits(point), LIMITS_LENGTH)),
+      ),
     }
   }
   return { ok: true, value: { step: () => wasm.step_untangle() !== 0, progress: counts, end } }
 }
 
-function problemOf({ points, cells }: PointMesh, { margin, moves }: UntangleOptions): UntangleError | null {
+function problemOf(
+  { points, cells }: PointMesh,
+  { margin, moves, boundaryDistance = 0 }: UntangleOptions,
+): UntangleError | null {
   if (points.length % 3 !== 0) return wrongCount(`Points have three coordinates each; ${points.length} are not.`)
   if (cells.length % VERTEX_COUNT !== 0) return wrongCount(`Cells have eight indices each; ${cells.length} are not.`)
   if (moves && moves.length !== points.length / 3)
     return wrongCount(`There are ${points.length / 3} points, and ${moves.length} that say which of them may move.`)
-  if (margin >= 0 && margin <= 1) return null
-  return { code: 'no-such-margin', message: `A relative minimum is asked for from 0 to 1, not ${margin}.` }
+  if (!(margin >= 0 && margin <= 1))
+    return { code: 'no-such-margin', message: `A relative minimum is asked for from 0 to 1, not ${margin}.` }
+  if (boundaryDistance >= 0) return null
+  return { code: 'no-such-distance', message: `A distance is 0 or more, not ${boundaryDistance}.` }
 }
 
 function wrongCount(message: string): UntangleError {
@@ -132,6 +146,15 @@ function unpackCounts(packed: Float64Array): UntangledCounts {
     leastBefore: numberOrNull(from.number()),
     leastAfter: numberOrNull(from.number()),
   }
+}
+
+const LIMITS_LENGTH = 12
+
+/** The order of hl_limits; null where there are none. */
+function unpackLimits(packed: Float64Array): Limits | null {
+  const [low, high, ...normals] = [0, 3, 6, 9].map(at => [...packed.subarray(at, at + 3)]) as unknown as [Vec3, Vec3]
+  const limits = { low, high, normals: (normals as Vec3[]).filter(n => n.some(x => x !== 0)) }
+  return limits.normals.length === 0 && [...low, ...high].every(x => !Number.isFinite(x)) ? null : limits
 }
 
 function numberOrNull(value: number): number | null {

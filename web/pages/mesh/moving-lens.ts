@@ -185,7 +185,9 @@ export class MovingLens {
 
   #free(isFree: boolean): void {
     this.#isBoundaryFree = isFree
-    this.#said = isFree ? 'The boundary may be moved now: the shape of the mesh is what you make of it.' : ''
+    this.#said = isFree
+      ? 'The boundary may be moved now. The shape of the mesh and cells of other types are not looked after.'
+      : ''
     this.#surround()
     this.#render()
     this.#host.freed()

@@ -2,12 +2,12 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import type { UntangledCounts } from '../../core/repair/untangling'
 import { wordsOf } from '../../core/workers'
-import { formatNumber } from '../../model/decimal'
 import { readNumber } from '../../model/number-text'
 import type { OpenSurvey } from '../../survey/open-survey'
 import { startUntangling } from '../../survey/start-untangling'
 import type { Moves, Overview } from '../../survey/survey-jobs'
-import type { GhostLines, PartUntangled } from '../../survey/untangled-part'
+import type { BoundaryMoves, GhostLines, HeldVertex, PartUntangled } from '../../survey/untangled-part'
+import { heldWords, linesWords, type NamedVertex, resultSentences, ringWords, takenSentences } from './untangle-words'
 
 export interface UntangleHost {
   /** Null where no mesh is open. */
@@ -26,25 +26,36 @@ interface Shown {
   readonly margin: string
   /** Rings of cells around the chosen one; null for the whole mesh. */
   readonly rings: number | null
+  readonly boundary: 'stays' | 'slides' | 'within'
+  readonly distance: string
   readonly complaint: string
   readonly soFar: UntangledCounts | 'begun' | null
   readonly result: PartUntangled | null
   readonly message: string
-  /** Cells that are still held, after it was taken. */
-  readonly held: Uint32Array | null
+  /** Vertices that hold what is left, with what the list calls their cells. */
+  readonly held: readonly NamedVertex[]
 }
 
+const BOUNDARIES: readonly { readonly value: Shown['boundary']; readonly name: string }[] = [
+  { value: 'stays', name: 'stays' },
+  { value: 'slides', name: 'slides where it is planar' },
+  { value: 'within', name: 'moves within a distance' },
+]
+
 const MOST_RINGS = 5
+const CHANGED = 'The mesh has changed: untangle it again.'
 const FIRST: Shown = {
   overview: null,
   whyNot: '',
   margin: '0.1',
   rings: null,
+  boundary: 'stays',
+  distance: '',
   complaint: '',
   soFar: null,
   result: null,
   message: '',
-  held: null,
+  held: [],
 }
 
 export class UntanglePanel {
@@ -54,7 +65,8 @@ export class UntanglePanel {
   readonly #host: UntangleHost
   #shown = FIRST
   #running: AbortController | null = null
-  #nextHeld = 0
+  /** True while what was found is on its way into the mesh. */
+  #isTaking = false
 
   constructor(host: UntangleHost) {
     this.#host = host
@@ -87,8 +99,9 @@ export class UntanglePanel {
     const { result, soFar } = this.#shown
     const isOutdated = result !== null || soFar !== null
     this.#stop()
-    const message = isOutdated ? 'The mesh has changed: untangle it again.' : this.#shown.message
-    this.#set({ ...this.#shown, overview, result: null, soFar: null, message })
+    const { message, held } = this.#isTaking ? this.#shown : { message: isOutdated ? CHANGED : '', held: [] }
+    this.#isTaking = false
+    this.#set({ ...this.#shown, overview, result: null, soFar: null, message, held })
   }
 
   #open(isOpen: boolean): void {
@@ -106,26 +119,33 @@ export class UntanglePanel {
     const { margin: text, rings } = this.#shown
     const margin = readNumber(text)
     const chosen = this.#host.chosen()
+    const boundary = boundaryOf(this.#shown)
     if (!margin.ok || !(margin.value >= 0 && margin.value <= 1))
-      return this.#set({ ...this.#shown, complaint: 'The least relative minimum is a number from 0 to 1.' })
-    if (rings !== null && chosen === null) return this.#set({ ...this.#shown, complaint: 'No cell is chosen.' })
+      return this.#complain('The least relative minimum is a number from 0 to 1.')
+    if (boundary === null) return this.#complain('The distance is a number above 0, in units of the mesh.')
+    if (rings !== null && chosen === null) return this.#complain('No cell is chosen.')
     const survey = this.#host.survey()
     if (!survey) return
     this.#stop()
     const running = new AbortController()
     this.#running = running
-    this.#set({ ...this.#shown, complaint: '', message: '', result: null, held: null, soFar: 'begun' })
+    this.#set({ ...this.#shown, complaint: '', message: '', result: null, held: [], soFar: 'begun' })
     try {
       const part = await survey.tangled(rings === null ? null : { cell: chosen as number, rings })
       const onProgress = (soFar: UntangledCounts) => running === this.#running && this.#set({ ...this.#shown, soFar })
-      const result = await startUntangling({ part, margin: margin.value }, onProgress, running.signal)
-      if (running === this.#running) this.#took(result, text)
+      const result = await startUntangling({ part, margin: margin.value, boundary }, onProgress, running.signal)
+      const held = 'refused' in result ? [] : await Promise.all(result.held.map(one => named(survey, one)))
+      if (running === this.#running) this.#took(result, held, text)
     } catch (reason) {
       if (running === this.#running) this.#set({ ...this.#shown, soFar: null, message: wordsOf(reason) })
     }
   }
 
-  #took(result: PartUntangled | { readonly refused: string }, margin: string): void {
+  #complain(complaint: string): void {
+    this.#set({ ...this.#shown, complaint })
+  }
+
+  #took(result: PartUntangled | { readonly refused: string }, held: readonly NamedVertex[], margin: string): void {
     this.#running = null
     if ('refused' in result) {
       this.#set({ ...this.#shown, soFar: null, message: result.refused })
@@ -136,10 +156,9 @@ export class UntanglePanel {
       ...this.#shown,
       soFar: null,
       result: hasMoved ? result : null,
-      held: hasMoved ? null : result.heldCells,
+      held,
       message: resultSentences(result, margin).join(' '),
     })
-    this.#nextHeld = 0
     this.#host.ghost(hasMoved ? result.ghost : null)
   }
 
@@ -152,19 +171,16 @@ export class UntanglePanel {
     const { result } = this.#shown
     if (!result) return
     this.#host.ghost(null)
-    this.#set({ ...this.#shown, result: null, held: result.heldCells })
+    this.#isTaking = true
+    this.#set({ ...this.#shown, result: null, message: takenSentences(result, this.#shown.margin).join(' ') })
     this.#host.take(result.moves)
     this.root.querySelector<HTMLElement>('.begin')?.focus()
   }
 
   #leave(): void {
     this.#host.ghost(null)
-    this.#set({ ...this.#shown, result: null, message: 'Left as it was: nothing has moved.' })
+    this.#set({ ...this.#shown, result: null, held: [], message: 'Left as it was: nothing has moved.' })
     this.root.querySelector<HTMLElement>('.begin')?.focus()
-  }
-
-  #goToHeld(held: Uint32Array): void {
-    this.#host.goTo(held[this.#nextHeld++ % held.length] as number)
   }
 
   #set(shown: Shown): void {
@@ -176,8 +192,8 @@ export class UntanglePanel {
     if (!overview) return nothing
     if (whyNot !== '') return html`<p>${whyNot}</p>`
     return html`<p class="about">
-        Moves vertices, one after the other, to where their worst cell is best. The boundary of the hexahedra stays. It knows no geometry
-        but what stays, and a mesh whose topology forbids validity stays invalid.
+        Moves vertices, one after the other, to where their worst cell is best. It knows no geometry but what stays, and a mesh whose topology
+        forbids validity stays invalid.
       </p>
       ${this.#form(this.#shown)}
       <p class="result" role="status">${soFar ? 'Untangling.' : message}</p>
@@ -192,19 +208,41 @@ export class UntanglePanel {
           : nothing
       }
       ${
-        held && held.length > 0
-          ? html`<p class="then"><button type="button" @click=${() => this.#goToHeld(held)}>Next cell that is held</button></p>`
+        held.length > 0
+          ? html`<ul class="held" aria-label="What holds the cells that are left">
+              ${held.map(
+                one => html`<li>
+                  ${heldWords(one)} <button type="button" @click=${() => this.#host.goTo(one.cell)}>Go to cell ${one.id}</button>
+                </li>`,
+              )}
+            </ul>`
           : nothing
       }`
   }
 
-  #form({ margin, rings, complaint, soFar }: Shown): TemplateResult {
+  #form({ margin, rings, boundary, distance, complaint, soFar }: Shown): TemplateResult {
     const isChosen = (value: number | null) => value === rings
     return html`<form @submit=${(event: Event) => this.#onSubmit(event)}>
       <label>Where <select @change=${(event: Event) => this.#onWhere(event)}>
           <option value="" .selected=${isChosen(null)}>The whole mesh</option>
           ${Array.from({ length: MOST_RINGS + 1 }, (_, count) => html`<option value=${count} .selected=${isChosen(count)}>${ringWords(count)}</option>`)}
         </select></label>
+      <label>The boundary <select @change=${(event: Event) => this.#onBoundary(event)}>
+          ${BOUNDARIES.map(({ value, name }) => html`<option value=${value} .selected=${value === boundary}>${name}</option>`)}
+        </select></label>
+      ${
+        boundary === 'within'
+          ? html`<label>Distance <input
+              name="distance"
+              .value=${distance}
+              inputmode="decimal"
+              autocomplete="off"
+              spellcheck="false"
+              aria-describedby="untangle-complaint"
+              @input=${(event: Event) => this.#set({ ...this.#shown, distance: (event.target as HTMLInputElement).value, complaint: '' })}
+          /></label>`
+          : nothing
+      }
       <label>Relative minima at least <input
           name="margin"
           .value=${margin}
@@ -242,57 +280,23 @@ export class UntanglePanel {
     this.#set({ ...this.#shown, rings: value === '' ? null : Number(value), complaint: '' })
   }
 
+  #onBoundary(event: Event): void {
+    const boundary = (event.target as HTMLSelectElement).value as Shown['boundary']
+    this.#set({ ...this.#shown, boundary, complaint: '' })
+  }
+
   #onMargin(event: Event): void {
     this.#set({ ...this.#shown, margin: (event.target as HTMLInputElement).value, complaint: '' })
   }
 }
 
-function ringWords(count: number): string {
-  if (count === 0) return 'The chosen cell'
-  return `The chosen cell and ${count} ${count === 1 ? 'ring' : 'rings'} around it`
+/** Null where a distance is wanted and there is none. */
+function boundaryOf({ boundary, distance }: Shown): BoundaryMoves | null {
+  if (boundary !== 'within') return boundary
+  const within = readNumber(distance)
+  return within.ok && within.value > 0 ? { within: within.value } : null
 }
 
-function linesWords({ ends, wanted }: GhostLines): string {
-  const drawn = ends.length / 6
-  return drawn === wanted
-    ? ''
-    : `: the ${drawn.toLocaleString('en')} that move farthest, of ${wanted.toLocaleString('en')}`
-}
-
-/** What was repaired, what moves and how far, what is left and why. */
-export function resultSentences(
-  { counts, heldCells }: Pick<PartUntangled, 'counts' | 'heldCells'>,
-  margin: string,
-): string[] {
-  const {
-    invalidBefore,
-    invalidAfter,
-    belowBefore,
-    belowAfter,
-    movedCount,
-    greatestDistance,
-    meanDistance,
-    tooManyCount,
-  } = counts
-  const many = (count: number, one: string, more: string) => `${count.toLocaleString('en')} ${count === 1 ? one : more}`
-  if (belowBefore === 0) return [`All relative minima are ${margin} at least: there is nothing to do.`]
-  if (movedCount === 0) return ['No vertex has a better place.', ...whyLeft()]
-  const repaired = invalidBefore - invalidAfter
-  const first =
-    invalidBefore === 0
-      ? `${many(belowBefore - belowAfter, 'cell reaches', 'cells reach')} ${margin}.`
-      : `${repaired.toLocaleString('en')} of ${many(invalidBefore, 'invalid cell', 'invalid cells')} would be valid.`
-  const far = `${many(movedCount, 'vertex moves', 'vertices move')}, by ${formatNumber(meanDistance)} on average and ${formatNumber(greatestDistance)} at most.`
-  return [first, far, ...(belowAfter === 0 ? [`All reach ${margin}.`] : whyLeft())]
-
-  function whyLeft(): string[] {
-    const left = `${many(belowAfter, 'cell stays', 'cells stay')} below ${margin}, ${invalidAfter.toLocaleString('en')} of them invalid`
-    const why =
-      heldCells.length === 0
-        ? 'all of their vertices stay'
-        : 'each vertex that may move has no better place while the others stay'
-    const more =
-      tooManyCount === 0 ? '' : ` ${many(tooManyCount, 'vertex has', 'vertices have')} more cells than are looked at.`
-    return [`${left}: ${why}.${more}`]
-  }
+async function named(survey: OpenSurvey, held: HeldVertex): Promise<NamedVertex> {
+  return { ...held, id: (await survey.detail(held.cell)).row.id }
 }
