@@ -171,7 +171,8 @@ export const lesson: Lesson = {
           <p>A term of the determinant with two of the three ${math('p')} has two parallel columns, and vanishes. What is left is affine in
           ${math('p')}:</p>
           ${display(sub('J', 'q'), of('p'), '=', columns('u', 'v', 'w'))}
-          ${display('+', 'α', thin, columns('p', 'v', 'w'), '+', 'β', thin, columns('u', 'p', 'w'), '+', 'γ', thin, columns('u', 'v', 'p'))}
+          ${display('+', 'α', thin, columns('p', 'v', 'w'), '+', 'β', thin, columns('u', 'p', 'w'))}
+          ${display('+', 'γ', thin, columns('u', 'v', 'p'))}
           <p>So is the volume ${math(sub('V', 'c'))} of each cell ${math('c')}, its mean. Divide ${J} in each cell around the vertex by a size
           ${math(sub('s', 'c'))} that stays, and take the least:</p>
           ${display('T', of('p'), '=', thin, sub('min', row('c', ',', 'q')), thin, sub('J', 'q'), of('p'), '/', sub('s', 'c'))}
