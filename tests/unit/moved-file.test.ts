@@ -95,7 +95,7 @@ describe.each(inPlace.map(({ file, mesh }) => [file.name, file, mesh] as const))
 
   it('one coordinate is one place in the file', () => {
     const before = bytesOf(file)
-    for (const i of some) {
+    for (const i of some.slice(0, 3)) {
       const moved = points.slice()
       moved[i] = 0.25
       const after = writtenIfFits(file, mesh, moved)

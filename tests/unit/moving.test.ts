@@ -14,7 +14,7 @@ import { movingJobs } from '../../web/survey/moving-jobs'
 import { OpenedSurvey } from '../../web/survey/opened-survey'
 import { cellsWith, recheck } from '../../web/survey/recheck'
 import { Survey } from '../../web/survey/survey'
-import { untangledPart } from '../../web/survey/untangled-part'
+import { MOST_LINES, untangledPart } from '../../web/survey/untangled-part'
 import { core, randomSource } from './core-fixtures'
 import { checked, classifyCells as classify, meshOf } from './mesh-fixtures'
 import { repairCore } from './stars'
@@ -222,7 +222,7 @@ describe('untangling', () => {
       if ('refused' in result) throw new Error(result.refused)
       const { counts, moves, ghost, heldCount, held } = result
       expect(moves.points.length).toBe(counts.movedCount)
-      expect(ghost.ends.length).toBe(6 * Math.min(ghost.wanted, 6000))
+      expect(ghost.ends.length).toBe(6 * Math.min(ghost.wanted, MOST_LINES))
       const ids = new Set(before.mesh.cells.subarray(8 * 2951, 8 * 2951 + 8))
       if (wanted) expect([...moves.points].some(point => ids.has(point))).toBe(true)
       const { opened: overview } = await jobs.move(moves)

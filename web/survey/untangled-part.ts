@@ -55,7 +55,7 @@ export type UntangleJobs = {
 }
 
 /** More lines than that are no picture. */
-const MOST_LINES = 6000
+export const MOST_LINES = 4000
 /** Vertices whose reasons are said: a proof takes milliseconds. */
 const MOST_REASONS = 10
 
