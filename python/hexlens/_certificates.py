@@ -400,6 +400,7 @@ def verify(certificate: Mapping[str, Any] | Iterable[Mapping[str, Any]], vertice
             try:
                 _checker.check(_with_doubles(entry))
                 if vertices is not None:
+                    _checker.require("vertices" in entry, "it is about several elements")
                     _checker.require(vertices_of(vertices).tolist() == _with_doubles(entry)["vertices"], "it is about other vertices")
             except ValueError as why:
                 place = "" if len(entries) == 1 else f" {i}"
@@ -412,6 +413,9 @@ def _with_doubles(entry: Mapping[str, Any]) -> dict[str, Any]:
     points = own.get("vertices")
     if isinstance(points, list) and all(isinstance(point, list) for point in points):
         own["vertices"] = [[float(x) if type(x) is int else x for x in point] for point in points]
+    cells = own.get("cells")
+    if isinstance(cells, list) and all(isinstance(cell, Mapping) for cell in cells):
+        own["cells"] = [_with_doubles(cell) for cell in cells]
     return own
 
 

@@ -61,6 +61,21 @@ def test_a_proof_that_is_changed_is_refused(cube: np.ndarray) -> None:
         hexlens.verify({**turned, "valid": True})
 
 
+def test_a_proof_about_the_places_of_a_vertex_is_checked(cube: np.ndarray) -> None:
+    """jacdet at vertex 0 is -1 wherever vertex 6 goes; as lists of integers, which are doubles all the same."""
+    cube[1] = [-1, 0, 0]
+    cell = {"name": "hexahedron", "vertices": cube.astype(int).tolist(), "moving": [6]}
+    hold = {"cell": 0, "point": ["0", "0", "0"], "weight": "1"}
+    proof = {"name": "vertex 6", "level": "0", "cells": [cell], "holds": [hold]}
+    hexlens.verify(proof)
+    with pytest.raises(hexlens.HexlensError, match="depends on the place"):
+        hexlens.verify({**proof, "cells": [{**cell, "moving": [1]}]})
+    with pytest.raises(hexlens.HexlensError, match="is not positive"):
+        hexlens.verify({**proof, "holds": [{**hold, "weight": "-1"}]})
+    with pytest.raises(hexlens.HexlensError, match="several elements"):
+        hexlens.verify(proof, cube)
+
+
 def test_the_checker_is_the_repository_s_own() -> None:
     root = Path(__file__).resolve().parents[2]
     installed = Path(hexlens.__file__).with_name("_checker.py")

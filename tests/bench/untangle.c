@@ -17,9 +17,9 @@ static const noisy_grid grids[] = {{46, 0.145, 0, 0.1}, {46, 0.16, 0, 0.1}, {46,
                                    {20, 0.3, 0, 0},     {20, 0.05, 0.1, 0.1}, {20, 0.05, 0.5, 0.1}};
 enum { MOST_PLACES = 60000 };
 
-static bool goes_on(void *context, size_t place_count) {
+static bool goes_on(void *context, const hl_untangled *so_far) {
   (void)context;
-  return place_count < MOST_PLACES;
+  return so_far->place_count < MOST_PLACES;
 }
 
 static void fill(const noisy_grid *g, double *points, uint32_t *indices) {
@@ -45,7 +45,7 @@ int main(void) {
   for (size_t i = 0; i < sizeof grids / sizeof *grids; ++i) {
     const noisy_grid *g = &grids[i];
     const size_t n = (size_t)g->side, point_count = (n + 1) * (n + 1) * (n + 1), cell_count = n * n * n;
-    const size_t room = hl_untangle_room(point_count, cell_count);
+    const size_t room = hl_untangle_room(point_count, cell_count, 1);
     double *points = malloc(3 * point_count * sizeof *points), *moved = malloc(3 * point_count * sizeof *moved);
     uint32_t *indices = malloc(8 * cell_count * sizeof *indices);
     void *memory = malloc(room);

@@ -11,10 +11,14 @@ from that definition, in exact rationals; a double is the rational that it is. C
                 The signs are those of all Bernstein coefficients in t on the interval. So J > 0 on the six faces. That
                 J > 0 on the element then is a theorem, the one thing taken from elsewhere: P. Zhang, Validating
                 Hexahedra through their Boundaries (Knupp's conjecture).
+"level": L      Wherever the vertex goes that "moving" names in each of the cells, while all others stay: there J <= 0 somewhere
+                in a cell, or J <= L volume. J at a point is an affine function of its place, and so is the volume. Weights
+                w > 0 of the holds make the sum of w (J - L volume), of w J for a hold "bySign", the same number at four
+                places that are in no plane, and so everywhere; it is not positive. Without holds L is 1: volume is the mean of J.
 With ELEMENTS.json, names, order and doubles must be those of its list (0 and -0 are the same number). Exit status 0 if
 all hold; else 1, with a line for each certificate that does not, which says nothing about its element.
 """
-import json, math, re, sys
+import itertools, json, math, re, sys
 from fractions import Fraction
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]  # VTK_HEXAHEDRON
 
@@ -82,8 +86,41 @@ def check_face(vertices, axis, side, intervals, face):
         require(by in conditions and least(conditions[by][0], *ends) >= conditions[by][1], f"{where} not by {by!a}")
     require(reached == 1, f"{face} is not covered up to t = 1")
 
+def volume(vertices):  # Simpson's rule along each axis, exact as J is quadratic in each coordinate
+    weights = {Fraction(0): 1, Fraction(1, 2): 4, Fraction(1): 1}
+    return sum(math.prod(weights[x] for x in p) * jacdet(vertices, p) for p in itertools.product(weights, repeat=3)) / 216
+
+def index(value, count, otherwise):
+    require(type(value) in (int, float) and value in range(count), otherwise)
+    return int(value)
+
+def check_place(entry):
+    cells, holds, level = member(entry, "cells", list), member(entry, "holds", list), rational(member(entry, "level", str))
+    require(cells and level >= 0, "there are no cells, or the level is negative")
+    moving = [[index(v, 8, "what moves is no vertex") for v in member(cell, "moving", list)] for cell in cells]
+    points = [doubles(cell) for cell in cells]
+    require(all(moving), "in a cell nothing moves")
+    require(len({tuple(ps[v]) for ps, vs in zip(points, moving) for v in vs}) == 1, "what moves is not at one place")
+    terms = []
+    for hold in holds:
+        point, weight = [rational(x) for x in member(hold, "point", list)], rational(member(hold, "weight", str))
+        cell = index(hold.get("cell"), len(cells), "a hold is in none of the cells")
+        require(len(point) == 3 and all(0 <= x <= 1 for x in point), "a point is not in the closed cube")
+        require(weight > 0, "a weight is not positive")
+        terms.append((cell, point, weight, not ("bySign" in hold and member(hold, "bySign", bool))))
+    sums = set()
+    for place in [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]:
+        moved = [[place if v in vs else list(map(Fraction, p)) for v, p in enumerate(ps)] for ps, vs in zip(points, moving)]
+        bounds = [level and level * volume(vertices) for vertices in moved]
+        sums.add(sum(w * (jacdet(moved[c], p) - bounds[c] * by_volume) for c, p, w, by_volume in terms))
+    require(holds or level >= 1, "nothing holds")
+    require(len(sums) == 1, "the weighted sum depends on the place")
+    require(max(sums) <= 0, "the weighted sum is positive")
+
 def check(entry):
     require(isinstance(entry, dict) and "error" not in entry, "it is not a certificate")
+    if "level" in entry:
+        return check_place(entry)
     vertices = [[Fraction(x) for x in point] for point in doubles(entry)]
     if member(entry, "valid", bool):
         faces = member(entry, "faces", list)
@@ -109,7 +146,7 @@ def main(*files):
         try:
             check(entry)
             require(member(element, "name", str) == member(entry, "name", str), "the element has another name")
-            require(doubles(element) == entry["vertices"], "the element has other vertices")
+            require(element is entry or doubles(element) == doubles(entry), "the element has other vertices")
         except ValueError as why:
             refused, name = True, entry.get("name") if isinstance(entry, dict) else None
             print(f"refused: certificate {i} ({json.dumps(name)}): {why}")

@@ -67,7 +67,7 @@ static void best_places(void) {
     for (int v = 0; v < STAR * HL_VERTICES; ++v)
       if (memcmp(blocks + 3 * v, blocks + 3 * 6, 3 * sizeof *blocks) == 0)
         moving[v / HL_VERTICES] = (uint8_t)(moving[v / HL_VERTICES] | 1u << v % HL_VERTICES);
-    const hl_star star = {{blocks, STAR * HL_COORDINATES, NULL, 0}, moving, 0};
+    const hl_star star = {{blocks, STAR * HL_COORDINATES, NULL, 0}, moving, 0, NULL};
     hl_place place;
     if (hl_best_place(&star, memory, room, &place) != HL_OK) exit(1);
     write_doubles(packed, hl_pack_place(&place, packed));

@@ -35,7 +35,7 @@ static void random_grid(double sigma, double thrown, grid *g) {
 }
 
 static hl_star star_of(const grid *g) {
-  return (hl_star){{g->points, 3 * POINTS, g->cells, HL_VERTICES * CELLS}, NULL, MIDDLE};
+  return (hl_star){{g->points, 3 * POINTS, g->cells, HL_VERTICES * CELLS}, NULL, MIDDLE, NULL};
 }
 
 /* In memory of just the size that is asked for, so that sanitizers see what goes beyond. */
@@ -80,7 +80,7 @@ static void jacdet_and_volume_are_affine(void) {
     while (!(moving >> first & 1)) ++first;
     for (int v = 0; v < 8; ++v)
       if (moving >> v & 1) memmove(vertices + 3 * v, vertices + 3 * first, 3 * sizeof *vertices);
-    const hl_star star = {{vertices, 24, NULL, 0}, &moving, 0};
+    const hl_star star = {{vertices, 24, NULL, 0}, &moving, 0, NULL};
     star_frame frame;
     star_cell cell;
     CHECK(read_star(&star, &frame, &cell) == HL_OK, "%d: status", n);
@@ -196,6 +196,73 @@ static void no_place_around_is_better(void) {
   CHECK(valid > TIMES(100) && held > TIMES(40), "%d valid, %d held", valid, held);
 }
 
+/* Limits of coordinates, planes and lines: the best place is within, exactly where they are coordinates', and none around it is better. */
+static void stays_within_limits(void) {
+  int valid = 0, held = 0, at_sides = 0;
+  for (int n = 0; n < TIMES(STARS); ++n) {
+    grid g;
+    random_grid(0.05 + 0.05 * (n % 4), n % 3 == 0 ? 1 : 0.3, &g);
+    hl_limits limits = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}, {{0, 0, 0}, {0, 0, 0}}};
+    const double *from = g.points + 3 * MIDDLE;
+    const bool has_box = n % 2, is_turned = n / 2 % 2;
+    const int normal_count = n / 4 % 3;
+    for (int r = 0; r < 3 && has_box; ++r) {
+      limits.low[r] = from[r] - 0.2 * random_unit(&stream);
+      limits.high[r] = from[r] + (r == 1 ? 0 : 0.2 * random_unit(&stream));
+    }
+    for (int i = 0; i < normal_count; ++i)
+      for (int r = 0; r < 3; ++r) limits.normals[i][r] = is_turned ? random_normal(&stream) : 3 * (r == i);
+    hl_star star = star_of(&g);
+    star.limits = &limits;
+    const hl_place best = best_of(&star);
+    star_frame frame;
+    star_cell cells[CELLS];
+    CHECK(read_star(&star, &frame, cells) == HL_OK, "%d: status", n);
+    valid += best.measure == HL_BY_VOLUME;
+    held += best.measure == HL_BY_SCALE;
+    CHECK(best.is_closed, "%d: %.17g, bound %.17g", n, best.value, best.bound);
+    for (int h = 0; h < best.hold_count; ++h) at_sides += best.holds[h].cell == HL_BOX_SIDE;
+    double way[3];
+    for (int r = 0; r < 3; ++r) {
+      CHECK(limits.low[r] <= best.position[r] && best.position[r] <= limits.high[r], "%d: axis %d", n, r);
+      CHECK(is_turned || r >= normal_count || best.position[r] == from[r], "%d: axis %d", n, r);
+      way[r] = best.position[r] - from[r];
+    }
+    for (int i = 0; i < normal_count; ++i)
+      CHECK(fabs(dot(limits.normals[i], way)) < 1e-13, "%d: %g out of a plane", n, dot(limits.normals[i], way));
+    for (int s = 0; s < SAMPLES; ++s) {
+      double step[3], place[3];
+      const double size = pow(10, -3. * random_unit(&stream));
+      for (int a = 0; a < 3; ++a) step[a] = size * random_normal(&stream);
+      project(&frame, step);
+      bool is_within = true;
+      for (int a = 0; a < 3; ++a) {
+        const int r = frame.axis[a];
+        place[r] = best.position[r] + frame.sign[a] * step[a];
+        is_within = is_within && limits.low[r] <= place[r] && place[r] <= limits.high[r];
+      }
+      if (!is_within) continue;
+      const double there = value_at(&star, place, best.measure, cells, frame.exponent);
+      CHECK(there <= best.bound + 1e-12, "%d: %.17g is above the bound %.17g", n, there, best.bound);
+    }
+  }
+  CHECK(valid > TIMES(80) && held > TIMES(40) && at_sides > TIMES(60), "%d valid, %d held, %d", valid, held, at_sides);
+}
+
+static void refuses_other_limits(void) {
+  grid g;
+  random_grid(0.1, 0.1, &g);
+  hl_star star = star_of(&g);
+  hl_place place;
+  hl_limits limits = {{-9, -9, -9}, {9, 9, 0}, {{0, 0, 0}, {0, 0, 0}}};
+  star.limits = &limits;
+  CHECK(best_place(&star, &place) == HL_OUTSIDE_LIMITS, "a vertex above its limit");
+  limits = (hl_limits){{-9, -9, -9}, {9, 9, 9}, {{1, 2, 3}, {2, 4, 6}}};
+  CHECK(best_place(&star, &place) == HL_OUTSIDE_LIMITS, "a normal twice");
+  limits.low[0] = NAN;
+  CHECK(best_place(&star, &place) == HL_OUTSIDE_LIMITS, "not a number");
+}
+
 /* Where one point that no place lifts holds the value, all places of a region are best: none of them is nearer. */
 static void takes_the_nearest_of_several(void) {
   int count = 0;
@@ -270,7 +337,7 @@ static void blocks_are_as_indices(void) {
         moving[c] = (uint8_t)(moving[c] | (p == MIDDLE) << v);
       }
     }
-    const hl_star by_indices = star_of(&g), by_blocks = {{blocks, 24 * CELLS, NULL, 0}, moving, 0};
+    const hl_star by_indices = star_of(&g), by_blocks = {{blocks, 24 * CELLS, NULL, 0}, moving, 0, NULL};
     const hl_place one = best_of(&by_indices), other = best_of(&by_blocks);
     CHECK(is_same_place(one.position, other.position) && one.bound == other.bound, "%d", n);
   }
@@ -281,7 +348,7 @@ static void any_vertex_of_one_cell(void) {
     double vertices[24];
     random_hexahedron(&stream, 0.02 * (1 + n % 20), vertices);
     const uint8_t moving = (uint8_t)(1u << n % 8);
-    const hl_star star = {{vertices, 24, NULL, 0}, &moving, 0};
+    const hl_star star = {{vertices, 24, NULL, 0}, &moving, 0, NULL};
     const hl_place best = best_of(&star);
     CHECK(best.is_closed, "%d: value %.17g, bound %.17g", n, best.value, best.bound);
     CHECK(!(best.relative_minimum < best.present_relative_minimum) || best.measure == HL_BY_SCALE, "%d: worse", n);
@@ -298,7 +365,7 @@ static void every_finite_star_is_answered(void) {
       if (!isfinite(vertices[i])) vertices[i] = 0;
       if (n % 7 == 0) vertices[i] = (double)(bits % 3);
     }
-    const hl_star star = {{vertices, 24, NULL, 0}, &moving, 0};
+    const hl_star star = {{vertices, 24, NULL, 0}, &moving, 0, NULL};
     const hl_place best = best_of(&star);
     for (int r = 0; r < 3; ++r) CHECK(isfinite(best.position[r]), "%d: no place", n);
     CHECK(best.bound >= best.value, "%d: value %.17g, bound %.17g", n, best.value, best.bound);
@@ -329,7 +396,7 @@ static void refuses_what_is_no_star(void) {
   double blocks[48];
   random_hexahedron(&stream, 0.1, blocks);
   random_hexahedron(&stream, 0.1, blocks + 24);
-  star = (hl_star){{blocks, 48, NULL, 0}, moving, 0};
+  star = (hl_star){{blocks, 48, NULL, 0}, moving, 0, NULL};
   CHECK(best_place(&star, &place) == HL_SEVERAL_PLACES, "two places");
   star.moving = NULL;
   CHECK(best_place(&star, &place) == HL_MISSING_LIST, "blocks without bits");
@@ -340,6 +407,8 @@ int main(void) {
   RUN(jacdet_and_volume_are_affine);
   RUN(finds_the_nearest_point);
   RUN(no_place_around_is_better);
+  RUN(stays_within_limits);
+  RUN(refuses_other_limits);
   RUN(takes_the_nearest_of_several);
   RUN(has_the_same_bits_however_it_lies);
   RUN(blocks_are_as_indices);

@@ -7,6 +7,7 @@ const PANELS = [
   'Inside',
   'Morph',
   'Nearest invalid, nearest valid',
+  'Best place of a vertex',
   'Node order',
 ]
 const WARM_UP = { moves: 1000, aFrame: 50 }

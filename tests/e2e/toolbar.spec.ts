@@ -38,6 +38,7 @@ test('the panels are in the order in which they are wanted', async ({ lens, page
     'Algorithm 1, step by step',
     'Inside',
     'Nearest invalid, nearest valid',
+    'Best place of a vertex',
     'Morph',
     'Node order',
     'Paste or drop',

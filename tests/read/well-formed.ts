@@ -66,6 +66,22 @@ function isSame(a: number, b: number): boolean {
 /** Reading a coordinate at its place gives its very bits. */
 export function faultOfPlaces(places: CoordinatePlaces, points: Float64Array, bytes: Uint8Array): string | null {
   const decoder = new TextDecoder('latin1')
+  if (places.kind === 'blocks') {
+    const { blocks, type, isLittleEndian } = places
+    const size = type === 'float32' ? 4 : 8
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
+    let i = 0
+    for (const { count, from, stride } of blocks)
+      for (let point = 0; point < count; ++point)
+        for (const start of from) {
+          const at = start + point * stride
+          if (at < 0 || at + size > bytes.length) return `coordinate ${i} at byte ${at} beyond the file`
+          const value = size === 4 ? view.getFloat32(at, isLittleEndian) : view.getFloat64(at, isLittleEndian)
+          if (!isSame(value, points[i] as number)) return `coordinate ${i} is ${points[i]}, in the file ${value}`
+          i++
+        }
+    return i === points.length ? null : `blocks for ${i} of ${points.length} coordinates`
+  }
   if (places.kind === 'block') {
     const { from, type, isLittleEndian } = places
     const size = type === 'float32' ? 4 : 8

@@ -4,6 +4,8 @@ import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
 import type { BestPlace, Star } from '../../web/core/repair/best-place'
 import { provePlace } from '../../web/core/repair/place-proof'
+import { type Vec3, vertexReference } from '../../web/model/hexahedron'
+import { productOf, sumOf } from '../../web/model/rational'
 import { core, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 import {
   bestOf,
@@ -107,6 +109,49 @@ it('moves jacdet and volume as affine functions, exactly', () => {
 })
 
 type Value = ReturnType<typeof exactVolume>
+
+it('has a concave least jacdet, and a convex set of places with a relative minimum, exactly', () => {
+  const random = randomSource(14)
+  let valid = 0
+  for (let n = 0; n < 6; ++n) {
+    const star = noisyStars(20 + n, 0.1, 0.1)()
+    const points = Array.from({ length: 3 }, () => [0, 1, 2].map(() => Math.round(random() * 2 ** 26) / 2 ** 26))
+    const all = [...vertexReference, ...(points as unknown as Vec3[])]
+    const places = [0, 1].map(() => presentOf(star).map(x => x + Math.round(2 ** 20 * (random() - 0.5)) / 2 ** 21))
+    const middle = (places[0] as number[]).map((x, r) => (x + (places[1]?.[r] as number)) / 2)
+    const [a, b, m] = [...places, middle].map(place => {
+      const cells = cellsAt(star, place)
+      const jacdets = cells.map(vertices => all.map(point => exactJacdet(vertices, point)))
+      const volumes = cells.map(exactVolume)
+      const least = jacdets.flat().reduce((x, y) => (isLess(y, x) ? y : x))
+      const relative = jacdets.map((list, c) =>
+        quotient(
+          list.reduce((x, y) => (isLess(y, x) ? y : x)),
+          volumes[c],
+        ),
+      )
+      return { least, relative: relative.reduce((x, y) => (isLess(y, x) ? y : x)) }
+    }) as [Measured, Measured, Measured]
+    const half = { numerator: 1n, denominator: 2n }
+    expect(isLess(m.least, productOf(half, sumOf(a.least, b.least)))).toBe(false)
+    if (a.least.numerator <= 0n || b.least.numerator <= 0n) continue
+    ++valid
+    expect(isLess(m.relative, isLess(a.relative, b.relative) ? a.relative : b.relative)).toBe(false)
+  }
+  expect(valid).toBeGreaterThan(2)
+})
+
+type Measured = { readonly least: Value; readonly relative: Value }
+
+function isLess(a: Value, b: Value): boolean {
+  return a.numerator * b.denominator < b.numerator * a.denominator
+}
+
+/** Of a positive divisor. */
+function quotient(a: Value, b: Value | undefined): Value {
+  if (!b) throw new Error('There is no volume.')
+  return { numerator: a.numerator * b.denominator, denominator: a.denominator * b.numerator }
+}
 
 describe.each(families)('with $name', ({ next }) => {
   it('is within a millionth of a bound that is proved exactly', () => {

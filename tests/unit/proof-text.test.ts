@@ -1,10 +1,11 @@
 /** Proofs as text: long numbers cut, neighbouring intervals taken together. */
 import { describe, expect, it } from 'vitest'
 import { type CertifiedInterval, certificateOf, certify } from '../../web/core/exact/certificate'
+import { fractionText } from '../../web/model/rational'
 import { sliceChange, sliceOf } from '../../web/model/state'
 import { createStore } from '../../web/model/store'
 import { proofSlice } from '../../web/panels/proof/proof-question'
-import { fullText, rationalText, roundedText } from '../../web/panels/proof/rational-text'
+import { rationalText, roundedText } from '../../web/panels/proof/rational-text'
 import { runsOf } from '../../web/panels/proof/runs'
 import { cases, core, depthGuardCases, entry, unitCube } from './core-fixtures'
 
@@ -28,7 +29,7 @@ describe('a rational number', () => {
     expect(rationalText(rational(-39n, 1n << 60n))).toBe('−39/2⁶⁰')
     expect(roundedText(rational(-39n, 1n << 60n))).toBe('\u00a0≈\u00a0−3.3827×10⁻¹⁷')
     expect(rationalText(rational(1n, 3n ** 40n))).toBe('1/1215…8801')
-    expect(fullText(rational(-39n, 1n << 60n))).toBe('-39/1152921504606846976')
+    expect(fractionText(rational(-39n, 1n << 60n))).toBe('-39/1152921504606846976')
   })
 })
 

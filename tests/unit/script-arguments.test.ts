@@ -1,10 +1,16 @@
 /** What a page's script may say, and what it may not. */
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, test } from 'vitest'
 import { readAttribute } from '../../web/element/attributes'
 import { HexLensError } from '../../web/element/hex-lens-error'
 import { Looking } from '../../web/element/looking'
 import { cameraBetween } from '../../web/element/motion'
-import { readCameraView, readHighlights, readSeconds } from '../../web/element/script-arguments'
+import {
+  readCameraView,
+  readHighlights,
+  readPlace,
+  readSeconds,
+  readSurroundings,
+} from '../../web/element/script-arguments'
 import { hitFaces } from '../../web/scene/input/face-hit'
 import { drawnFaces } from '../../web/views/scene-slices'
 
@@ -17,6 +23,36 @@ const refusal = (read: () => unknown) => {
     return `${reason.code}: ${reason.message}`
   }
 }
+
+test('hexahedra around the element, and vertices that stay', () => {
+  const vertices = Array.from({ length: 24 }, (_, i) => i)
+  expect(readSurroundings({ hexahedra: [{ vertices }, { vertices, isInvalid: true }], fixed: 3 })).toEqual({
+    hexahedra: [
+      { vertices, isInvalid: false },
+      { vertices, isInvalid: true },
+    ],
+    fixed: [3],
+  })
+  for (const none of [undefined, null, {}]) expect(readSurroundings(none)).toEqual({ hexahedra: [], fixed: [] })
+  expect(refusal(() => readSurroundings({ hexahedra: [{ vertices: [1] }] }))).toBe(
+    'bad-argument: surround.hexahedra[0].vertices has to be a list of 24.',
+  )
+})
+
+test('a place of a vertex, and points with labels', () => {
+  const points = [{ position: [0, 1, 2], label: 'A' }]
+  expect(readPlace({ vertex: 7, position: [1, 2, 3], points })).toEqual({
+    vertex: 7,
+    position: [1, 2, 3],
+    points: [{ position: [0, 1, 2], point: null, label: 'A', weight: null }],
+  })
+  expect(readPlace({ vertex: 0 })).toEqual({ vertex: 0, position: null, points: [] })
+  expect(readPlace(null)).toBe(null)
+  expect(refusal(() => readPlace({ vertex: 8 }))).toBe('bad-argument: markPlace.vertex has to be a number from 0 to 7.')
+  expect(refusal(() => readPlace({ vertex: 1, position: [0, Number.NaN, 0] }))).toMatch(
+    /^bad-argument: markPlace\.position has to be a number from/,
+  )
+})
 
 describe('highlight', () => {
   it('takes numbers and lists of them', () => {

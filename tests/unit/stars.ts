@@ -119,6 +119,69 @@ export function proofHolds(
   )
 }
 
+/**
+ * True if the weighted functions, sides of the limits among them, sum to the same number, which is not positive, at the present place
+ * and one step away in each direction of the planes.
+ */
+export function limitedProofHolds(star: Star, best: BestPlace, proof: PlaceProof): boolean {
+  if (!proof.isProved || proof.holds.some(({ weight }) => weight.numerator <= 0n)) return false
+  const { normals = [], low, high } = star.limits ?? {}
+  const scales = scalesOf(best, proof)
+  const bound = best.measure === 'volume' ? proof.bound : { numerator: 0n, denominator: 1n }
+  const minusBound = { numerator: -bound.numerator, denominator: bound.denominator }
+  const present = presentOf(star as PointStar).map(x => scaledDouble(x, 0))
+  const sums = [ZERO, ...tangentsOf(normals)].map(step => {
+    const place = present.map((x, r) => sumOf(x, step[r] as Rational))
+    return proof.holds.reduce<Rational>((sum, { cell, point, weight, isBySign }) => {
+      if (cell === null) {
+        const axis = point.findIndex(x => x !== 0)
+        const side = (point[axis] as number) > 0 ? high : low
+        const way = sumOf(scaledDouble(side?.[axis] as number, 0), negative(place[axis] as Rational))
+        return sumOf(sum, productOf(weight, (point[axis] as number) > 0 ? way : negative(way)))
+      }
+      const at = (f: (vertices: readonly number[]) => Rational) => affineAt(star, cell, f, place)
+      const jacdet = at(vertices => exactJacdet(vertices, point))
+      const f = isBySign ? jacdet : sumOf(jacdet, productOf(minusBound, at(exactVolume)))
+      return sumOf(sum, productOf(weight, f))
+    }, RATIONAL_ZERO)
+  })
+  const [first] = sums as [Rational]
+  if (!sums.every(sum => sum.numerator * first.denominator === first.numerator * sum.denominator)) return false
+  if (best.measure === 'volume') return first.numerator <= 0n
+  const total = proof.holds.reduce<Rational>(
+    (sum, { cell, weight }, i) =>
+      cell === null ? sum : sumOf(sum, productOf(weight, scaledDouble(scales[i] as number, 3 * best.unitExponent))),
+    RATIONAL_ZERO,
+  )
+  const allowed = productOf(proof.bound, total)
+  return first.numerator * allowed.denominator <= allowed.numerator * first.denominator
+}
+
+const RATIONAL_ZERO: Rational = { numerator: 0n, denominator: 1n }
+const ZERO = [RATIONAL_ZERO, RATIONAL_ZERO, RATIONAL_ZERO]
+
+function negative({ numerator, denominator }: Rational): Rational {
+  return { numerator: -numerator, denominator }
+}
+
+/** An affine function of the place, from its values at four places of doubles. */
+function affineAt(
+  star: Star,
+  cell: number,
+  f: (vertices: readonly number[]) => Rational,
+  place: readonly Rational[],
+): Rational {
+  const [origin, ...ends] = PLACES.map(at => f(cellsAt(star, at)[cell] as number[])) as [Rational, ...Rational[]]
+  return ends.reduce((sum, end, r) => sumOf(sum, productOf(place[r] as Rational, sumOf(end, negative(origin)))), origin)
+}
+
+/** Steps at right angles to the normals, which are one axis or two of them, or none. */
+function tangentsOf(normals: readonly Vec3[]): Rational[][] {
+  return [0, 1, 2]
+    .filter(r => !normals.some(n => n[r] !== 0))
+    .map(r => [0, 1, 2].map(q => (q === r ? { numerator: 1n, denominator: 1n } : RATIONAL_ZERO)))
+}
+
 /** Those of the holds of the best place that the proof has. */
 export function scalesOf(best: BestPlace, proof: PlaceProof): number[] {
   if (!proof.isProved) return []

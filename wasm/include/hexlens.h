@@ -85,7 +85,9 @@ typedef enum hl_status {
             neither indices nor bits */
   HL_NOTHING_MOVES = 7,  /* a cell of a star has no vertex that moves */
   HL_SEVERAL_PLACES = 8, /* the moving vertices of a star are not at one position */
-  HL_NO_ROOM = 9         /* the memory that was given is too small */
+  HL_OUTSIDE_LIMITS =
+      9,         /* the present place of a star is not within its limits, or two normals are as good as parallel */
+  HL_NO_ROOM = 9 /* the memory that was given is too small */
 } hl_status;
 
 /* Certain for every element of 24 finite doubles. Unanswered is, in a batch, a cell that is not one: its status says why. */
@@ -294,13 +296,21 @@ hl_status hl_classify(const hl_cells *cells, hl_batch *batch);
 /* hl_classify's instructions here: "avx512", "avx2", "sse2", "wasm" (its vectors) or "scalar". */
 const char *hl_vectors(void);
 
+/* Where a vertex may go: coordinates from `low` to `high`, which may be infinite, and from the present place only at right angles to the
+   normals. Two of them leave a line; one that is zero is none. Places are within the coordinates exactly, in a plane but for the rounding
+   of coordinates. Normals that are an axis come first; then the coordinate on it stays as it is. */
+typedef struct hl_limits {
+  double low[3], high[3], normals[2][3];
+} hl_limits;
+
 /* A star: the cells around a vertex that moves, while all others stay. Cell c has the moving vertex at its vertices v with bit 1 << v of
    moving[c]; where `moving` is null, at those whose index is `vertex`. At least one a cell, and all at one position: the present place.
-   In a cell with repeated nodes several move together. */
+   In a cell with repeated nodes several move together. Without limits (null) it may go anywhere. */
 typedef struct hl_star {
   hl_cells cells;
   const uint8_t *moving;
   uint32_t vertex;
+  const hl_limits *limits;
 } hl_star;
 
 /* The measure of a place, the least over the cells of the boundary minimum over a length^3. By volume, that is the cell's volume with
@@ -310,7 +320,7 @@ typedef enum hl_measure { HL_BY_SCALE = 0, HL_BY_VOLUME = 1 } hl_measure;
 
 /* A point of a cell that holds the value of every place down; its coordinates are multiples of 2^-26. The weights are those of jacdet
    over the cell's scale, and sum to 1 over the points. For HL_BOX_SIDE as its cell it is a side of the box in which places are sought, and
-   `point` the outward normal of length 1. */
+   `point` the outward normal of length 1; it is a side of the limits where these are nearer. */
 enum { HL_MAX_HOLDS = 4 };
 #define HL_BOX_SIDE 0xffffffffu
 typedef struct hl_hold {
@@ -339,46 +349,64 @@ typedef struct hl_place {
 /* Bytes for so many cells around a vertex, 58 kB for eight. */
 size_t hl_best_place_room(size_t cell_count);
 
-/* The best place of the vertex in the box of half side 2^(20 + unit_exponent) around the present place; of several the one nearest to
+/* The best place of the vertex within its limits and the box of half side 2^(20 + unit_exponent) around the present place; of several the one nearest to
    that, up to the gap. `memory` is aligned for doubles and of hl_best_place_room bytes at least, and holds nothing
    afterwards. However the star is turned by right angles about the axes, scaled by a power of two or its cells ordered, the place has the
    same bits, if they tell the axes and the cells apart. Takes 0.05 ms for eight cells. docs/repair.md. */
 hl_status hl_best_place(const hl_star *star, void *memory, size_t room, hl_place *best);
 
-/* Untangling: sweeps of best places over the vertices of a mesh, of each sweep the worst first, until all cells that a free vertex
-   reaches have the margin or no vertex gains. No move lowers the least relative minimum of the cells around its vertex. */
-typedef struct hl_untangling {
-  double margin;        /* wanted: relative minimum at least this; from 0, for all that are valid, to 1 */
-  const uint8_t *fixed; /* one a point, 1 for those that stay; null for the boundary's, by hl_boundary_points */
-  /* Called before each star with how many best places were sought; false ends the sweeps there. May be null. */
-  bool (*proceed)(void *context, size_t place_count);
-  void *context;
-} hl_untangling;
+/* Which points of a mesh may move: HL_STAYS never; HL_UNLESS_BOUNDARY anywhere, but on the boundary, by hl_boundary_points, only as
+   `slides` and `boundary_distance` say; HL_FREED anywhere. */
+typedef enum hl_moves { HL_STAYS = 0, HL_UNLESS_BOUNDARY = 1, HL_FREED = 2 } hl_moves;
 
 typedef struct hl_untangled {
   size_t invalid_before, invalid_after;         /* cells */
   size_t below_before, below_after;             /* cells below the margin, or invalid */
   size_t moved_count, place_count, sweep_count; /* points elsewhere than before; best places that were sought */
-  size_t too_many_count; /* free vertices of cells below the margin that have more than HL_MOST_CELLS cells */
+  size_t too_many_count; /* points of cells below the margin that may move, but have more than HL_MOST_CELLS cells */
   double greatest_distance, mean_distance; /* of the points that were moved */
   double least_before, least_after;        /* relative minima; NaN where a cell has none */
   bool is_stopped;                         /* by `proceed` */
 } hl_untangled;
 
+/* Untangling: sweeps of best places over the points of a mesh, of each sweep the worst first, until all cells that a point which may move
+   reaches have the margin or no point gains. No move lowers the least relative minimum of the cells around its point. */
+typedef struct hl_untangling {
+  double margin;        /* wanted: relative minimum at least this; from 0, for all that are valid, to 1 */
+  const uint8_t *moves; /* hl_moves, one a point; null for HL_UNLESS_BOUNDARY everywhere */
+  uint8_t *held; /* null, or one a point: gets 1 for those that may move and have a cell below the margin, else 0 */
+  /* Points of planar parts of the boundary move in their plane, those on an edge between two planes along it: docs/repair.md (R16). */
+  bool slides;
+  double
+      boundary_distance; /* boundary points move so far at most, all or, if they slide, these too; 0: no others than those that slide */
+  size_t thread_count; /* 0 is 1 */
+  /* Runs work(piece, 0) to work(piece, count - 1), each once, at once or one after another, and returns when all have ended. Null: one
+     after another, here. */
+  void (*run)(void *context, void (*work)(void *piece, size_t thread), void *piece, size_t count);
+  /* Called before each piece of 128 stars at most with what was done so far, without distances and the least value; false ends the sweeps
+     there. May be null. */
+  bool (*proceed)(void *context, const hl_untangled *so_far);
+  void *context;
+} hl_untangling;
+
 /* A star of more cells is left as it is. */
 enum { HL_MOST_CELLS = 128 };
 
-/* Bytes for a mesh. */
-size_t hl_untangle_room(size_t point_count, size_t cell_count);
+/* Bytes for a mesh: 76 a point or cell, 0.9 MB a thread. */
+size_t hl_untangle_room(size_t point_count, size_t cell_count, size_t thread_count);
 
 /* 1 for each point of a face that no other cell has, or more than one other, else 0; `boundary` has one entry a point. The cells have
-   indices; `memory` is as for hl_untangle. */
+   indices; `memory` is as for hl_untangle with one thread. */
 hl_status hl_boundary_points(const hl_cells *cells, void *memory, size_t room, uint8_t *boundary);
 
 /* Moves the points of cells with indices; `points` gets all coordinates, those of moved points new. The same bits for the same input on
-   every machine. `memory` is aligned for doubles and of hl_untangle_room bytes. A coordinate that is not finite is HL_NOT_FINITE. */
+   every machine and with any number of threads. `memory` is aligned for doubles and of hl_untangle_room bytes. A coordinate that is not
+   finite is HL_NOT_FINITE. */
 hl_status hl_untangle(const hl_cells *cells, const hl_untangling *wanted, void *memory, size_t room, double *points,
                       hl_untangled *result);
+
+/* The limits that hl_untangle has for a point, while `memory` and its input are as it left them. False if the point stays. */
+bool hl_untangled_limits(const void *memory, uint32_t point, hl_limits *limits);
 
 /* Results as plain doubles in the order of the structs above, numbers and flags alike, lists cut to their counts: what
    crosses the WebAssembly boundary and what parity tests compare. Each returns how many were written. */
@@ -389,12 +417,14 @@ enum {
       HL_FACES * HL_PACKED_FACE + 1 + HL_MAX_CANDIDATES * HL_PACKED_CANDIDATE + 2 + HL_VERTICES + 3,
   HL_PACKED_MINIMUM = HL_PACKED_CANDIDATE + 2,
   HL_PACKED_JACOBIAN = 17,
-  HL_PACKED_PLACE = 13 + HL_MAX_HOLDS * 7
+  HL_PACKED_PLACE = 13 + HL_MAX_HOLDS * 7,
+  HL_PACKED_UNTANGLED = 13
 };
 size_t hl_pack_report(const hl_report *report, double packed[HL_PACKED_REPORT]);
 size_t hl_pack_minimum(const hl_minimum *minimum, double packed[HL_PACKED_MINIMUM]);
 size_t hl_pack_jacobian(const hl_jacobian *jacobian, double packed[HL_PACKED_JACOBIAN]);
 size_t hl_pack_place(const hl_place *place, double packed[HL_PACKED_PLACE]);
+size_t hl_pack_untangled(const hl_untangled *result, double packed[HL_PACKED_UNTANGLED]);
 
 #if defined __GNUC__
 #pragma GCC visibility pop

@@ -20,15 +20,13 @@
 /* (R7): how far a level is from what is reached to what seems possible, and the part of the gap that a last level keeps below. */
 #define REACH 0.98
 #define LAST_REACH 0.9
-/* (R14) */
-#define BOX 0x1p20
 /* (R12): a value below a level by less than this part of the greatest coefficient is at the level. */
 #define VALUE_ERROR 0x1p-44
 /* (R13): the part of its terms below which a gradient is rounding. */
 #define GRADIENT_ERROR 0x1p-44
 #define POINT_GRID 0x1p26
 
-enum { BOX_SIDES = 6, CUTS_A_CELL = 40, MORE_CUTS = 64, MOST_ROUNDS = 64 };
+enum { BOX_SIDES = 6, CUTS_A_CELL = 40, MORE_CUTS = 64, MOST_ROUNDS = 128 };
 
 /* jacdet at a point of a cell, as a function of the place. By its sign it is to be positive, whatever the level. */
 typedef struct cut {
@@ -39,6 +37,7 @@ typedef struct cut {
 } cut;
 
 typedef struct search {
+  const star_frame *frame;
   const star_cell *cells;
   size_t cell_count;
   cut *cuts;
@@ -113,10 +112,15 @@ static void fill_half_spaces(search *s, double level) {
     put_half_space(h, normal, offset / length);
   }
   for (int side = 0; side < BOX_SIDES; ++side) {
+    const int a = side % 3;
     double normal[3] = {0, 0, 0};
-    normal[side % 3] = side < 3 ? 1 : -1;
-    s->lengths[h->count] = 1;
-    put_half_space(h, normal, -BOX);
+    normal[a] = side < 3 ? 1 : -1;
+    project(s->frame, normal);
+    const double length = sqrt(dot(normal, normal)), offset = side < 3 ? s->frame->low[a] : -s->frame->high[a];
+    const bool is_fixed = length <= GRADIENT_ERROR; /* the coordinate is the same at every place */
+    s->lengths[h->count] = is_fixed ? 1 : length;
+    for (int r = 0; r < 3; ++r) normal[r] = is_fixed ? 0 : normal[r] / length;
+    put_half_space(h, normal, is_fixed ? 0 : offset / length);
   }
 }
 
@@ -278,10 +282,11 @@ static void narrow(search *s) {
 
 /* The greatest value by scale that one cut alone allows in the box. */
 static double upper_by_scale(const search *s) {
-  double upper = INFINITY;
+  double upper = INFINITY, reach = 0;
+  for (int a = 0; a < 3; ++a) reach = larger(reach, larger(-s->frame->low[a], s->frame->high[a]));
   for (size_t i = 0; i < s->cut_count; ++i) {
     const affine *jacdet = &s->cuts[i].jacdet;
-    upper = smaller(upper, (jacdet->constant + BOX * size_of(jacdet)) / s->cells[s->cuts[i].cell].scale);
+    upper = smaller(upper, (jacdet->constant + reach * size_of(jacdet)) / s->cells[s->cuts[i].cell].scale);
   }
   return upper;
 }
@@ -373,7 +378,10 @@ hl_status hl_best_place(const hl_star *star, void *memory, size_t room, hl_place
   star_cell *cells = memory;
   const hl_status status = read_star(star, &frame, cells);
   if (status != HL_OK) return status;
-  search s = {.cells = cells, .cell_count = count, .cut_room = (HL_VERTICES + CUTS_A_CELL) * count + MORE_CUTS};
+  search s = {.frame = &frame,
+              .cells = cells,
+              .cell_count = count,
+              .cut_room = (HL_VERTICES + CUTS_A_CELL) * count + MORE_CUTS};
   s.cuts = (cut *)(cells + count);
   double *lists = (double *)(s.cuts + s.cut_room);
   const size_t each = s.cut_room + BOX_SIDES;

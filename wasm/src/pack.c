@@ -109,3 +109,21 @@ size_t hl_pack_place(const hl_place *place, double packed[HL_PACKED_PLACE]) {
   }
   return (size_t)(c.next - packed);
 }
+
+size_t hl_pack_untangled(const hl_untangled *result, double packed[HL_PACKED_UNTANGLED]) {
+  cursor c = {packed};
+  put(&c, (double)result->invalid_before);
+  put(&c, (double)result->invalid_after);
+  put(&c, (double)result->below_before);
+  put(&c, (double)result->below_after);
+  put(&c, (double)result->moved_count);
+  put(&c, (double)result->place_count);
+  put(&c, (double)result->sweep_count);
+  put(&c, (double)result->too_many_count);
+  put(&c, result->greatest_distance);
+  put(&c, result->mean_distance);
+  put(&c, result->least_before == result->least_before ? result->least_before : NAN);
+  put(&c, result->least_after == result->least_after ? result->least_after : NAN);
+  put(&c, result->is_stopped);
+  return (size_t)(c.next - packed);
+}

@@ -66,12 +66,13 @@ void place_of(const star_frame *frame, const double z[3], double place[3]) {
     const int r = frame->axis[a];
     place[r] = frame->origin[r];
     if (z[a] != 0) place[r] += frame->sign[a] * times_power_of_two(z[a], frame->exponent);
+    if (frame->limits) place[r] = smaller(larger(place[r], frame->limits->low[r]), frame->limits->high[r]);
   }
 }
 
 /* Differences from the present place, halved twice where they could overflow: then times 2^-2. */
-static double offset_of(const double *p, const double origin[3], int r, bool is_huge) {
-  return is_huge ? 0.25 * p[r] - 0.25 * origin[r] : p[r] - origin[r];
+static double offset_of(double x, double origin, bool is_huge) {
+  return is_huge ? 0.25 * x - 0.25 * origin : x - origin;
 }
 
 static bool is_huge_star(const hl_star *star, size_t count) {
@@ -96,7 +97,7 @@ static uint64_t key_of(double x) {
 
 /* Offsets in units of the greatest, which is in [1/2, 1). */
 static double unit_offset(const hl_star *star, const star_frame *frame, bool is_huge, size_t cell, int v, int r) {
-  const double offset = offset_of(point_of(star, cell, v), frame->origin, r, is_huge);
+  const double offset = offset_of(point_of(star, cell, v)[r], frame->origin[r], is_huge);
   return offset == 0 ? 0 : times_power_of_two(offset, (is_huge ? 2 : 0) - frame->exponent);
 }
 
@@ -133,9 +134,67 @@ static void find_frame(const hl_star *star, const double present[3], size_t coun
   double extent = 0;
   for (size_t c = 0; c < count; ++c)
     for (int v = 0; v < HL_VERTICES; ++v)
-      for (int r = 0; r < 3; ++r) extent = larger(extent, fabs(offset_of(point_of(star, c, v), present, r, *is_huge)));
+      for (int r = 0; r < 3; ++r)
+        extent = larger(extent, fabs(offset_of(point_of(star, c, v)[r], present[r], *is_huge)));
   frame->exponent = extent > 0 ? binary_exponent(extent) + (*is_huge ? 2 : 0) : 0;
   choose_axes(star, count, *is_huge, frame);
+}
+
+/* (R14) in the units of the frame. */
+#define BOX 0x1p20
+
+/* A limit of a coordinate in the frame, at most so far as the box. */
+static double limit_of(const star_frame *frame, bool is_huge, double limit, int r) {
+  const double offset = offset_of(limit, frame->origin[r], is_huge);
+  if (offset == 0) return 0;
+  if (!(fabs(offset) <= 0x1.fffffffffffffp1023)) return offset > 0 ? BOX : -BOX;
+  const double z = times_power_of_two(offset, (is_huge ? 2 : 0) - frame->exponent);
+  return smaller(larger(z, -BOX), BOX);
+}
+
+/* (R13): the part of a normal of length 1 that is no longer told from a multiple of another. */
+#define PARALLEL 0x1p-32
+
+/* Takes the normals into the frame's axes and makes them orthonormal. */
+static bool read_normals(const hl_limits *limits, star_frame *frame) {
+  for (int i = 0; i < 2; ++i) {
+    const double *given = limits->normals[i], size = greatest_magnitude(given, 3);
+    if (size == 0) continue;
+    double n[3];
+    for (int a = 0; a < 3; ++a) n[a] = frame->sign[a] * (given[frame->axis[a]] / size);
+    double length = sqrt(dot(n, n));
+    for (int a = 0; a < 3; ++a) n[a] /= length;
+    for (int pass = 0; pass < 2; ++pass) project(frame, n);
+    length = sqrt(dot(n, n));
+    if (!(length > PARALLEL)) return false;
+    for (int a = 0; a < 3; ++a) frame->normals[frame->normal_count][a] = n[a] / length;
+    ++frame->normal_count;
+  }
+  return true;
+}
+
+static hl_status read_limits(const hl_star *star, bool is_huge, star_frame *frame) {
+  const hl_limits *limits = star->limits;
+  frame->limits = limits;
+  frame->normal_count = 0;
+  for (int a = 0; a < 3; ++a) {
+    const int r = frame->axis[a];
+    frame->low[a] = -BOX;
+    frame->high[a] = BOX;
+    if (!limits) continue;
+    if (!(limits->low[r] <= frame->origin[r] && frame->origin[r] <= limits->high[r])) return HL_OUTSIDE_LIMITS;
+    const double low = limit_of(frame, is_huge, limits->low[r], r), high = limit_of(frame, is_huge, limits->high[r], r);
+    frame->low[a] = frame->sign[a] > 0 ? low : -high;
+    frame->high[a] = frame->sign[a] > 0 ? high : -low;
+  }
+  return limits && !read_normals(limits, frame) ? HL_OUTSIDE_LIMITS : HL_OK;
+}
+
+void project(const star_frame *frame, double gradient[3]) {
+  for (int i = 0; i < frame->normal_count; ++i) {
+    const double along = dot(gradient, frame->normals[i]);
+    for (int a = 0; a < 3; ++a) gradient[a] -= along * frame->normals[i][a];
+  }
 }
 
 /* Columns of a determinant: u + alpha z, v + beta z, w + gamma z. The terms with two of the three z vanish, (R1). */
@@ -241,10 +300,24 @@ static double scale_of(const double p[8][3], unsigned moving) {
   return scale > 0 ? scale : 1;
 }
 
-static void fill_cell(const double p[8][3], unsigned moving, uint32_t number, star_cell *cell) {
+/* (R13): the part of a gradient that the normals leave of it, but for rounding. */
+#define GRADIENT_ERROR 0x1p-44
+
+static void project_all(const star_frame *frame, affine b[27]) {
+  for (int i = 0; i < HL_BERNSTEIN && frame->normal_count > 0; ++i) {
+    double *gradient = b[i].gradient;
+    const double before = greatest_magnitude(gradient, 3);
+    project(frame, gradient);
+    if (greatest_magnitude(gradient, 3) <= GRADIENT_ERROR * before) memset(gradient, 0, 3 * sizeof *gradient);
+  }
+}
+
+static void fill_cell(const star_frame *frame, const double p[8][3], unsigned moving, uint32_t number,
+                      star_cell *cell) {
   moving_edges edges;
   find_edges(p, moving, &edges);
   find_bernstein(&edges, cell->bernstein);
+  project_all(frame, cell->bernstein);
   memset(&cell->volume, 0, sizeof cell->volume);
   for (int edge = 0; edge < HL_EDGES; ++edge) add(1. / HL_EDGES, &cell->bernstein[edge_bernstein[edge]], &cell->volume);
   cell->scale = scale_of(p, moving);
@@ -267,11 +340,13 @@ hl_status read_star(const hl_star *star, star_frame *frame, star_cell *cells) {
   const size_t count = star_cell_count(star);
   bool is_huge;
   find_frame(star, present, count, frame, &is_huge);
+  const hl_status limited = read_limits(star, is_huge, frame);
+  if (limited != HL_OK) return limited;
   for (size_t c = 0; c < count; ++c) {
     double p[8][3];
     star_cell cell;
     frame_points(star, frame, is_huge, c, p);
-    fill_cell((const double (*)[3])p, moving_vertices(star, c), (uint32_t)c, &cell);
+    fill_cell(frame, (const double (*)[3])p, moving_vertices(star, c), (uint32_t)c, &cell);
     size_t at = c;
     for (; at > 0 && cells[at - 1].key > cell.key; --at) cells[at] = cells[at - 1];
     cells[at] = cell;

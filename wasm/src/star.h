@@ -12,6 +12,10 @@ typedef struct star_frame {
   int axis[3];
   double sign[3];
   int exponent;
+  double low[3], high[3]; /* of z: the box (R14), less what the limits leave of it */
+  int normal_count;
+  double normals[2][3]; /* z is at right angles to these, which are orthonormal */
+  const hl_limits *limits;
 } star_frame;
 
 /* The affine function gradient . z + constant, as four numbers. */
@@ -36,7 +40,10 @@ size_t star_cell_count(const hl_star *star);
 void placed_cell(const hl_star *star, size_t cell, const double place[3], double vertices[HL_COORDINATES]);
 void turned_cell(const star_frame *frame, double vertices[HL_COORDINATES]);
 
-/* The place of the input nearest to the place z of the frame. */
+/* Takes out of a gradient what is along the normals. */
+void project(const star_frame *frame, double gradient[3]);
+
+/* The place of the input nearest to the place z of the frame, within the limits. */
 void place_of(const star_frame *frame, const double z[3], double place[3]);
 
 static inline double affine_at(const affine *f, const double z[3]) {

@@ -1,8 +1,8 @@
 /** The arguments of `check`. */
-import { Refusal } from '../model/result'
 import { ID_KINDS, type IdKind } from '../outputs/ids'
 import type { MeshForm } from '../outputs/meshes/mesh-form'
 import { MESH_ENDINGS, meshFormOf } from '../outputs/meshes/mesh-output'
+import { command, decimalOf, flag, type Option, readOptions, stepOf } from './options'
 
 export interface CheckArguments {
   readonly files: readonly string[]
@@ -22,17 +22,13 @@ export interface CheckArguments {
   readonly ids: IdKind | null
 }
 
-interface Option {
-  /** The value's description; null for an option that has none. */
-  readonly value: string | null
-  read(text: string): Partial<CheckArguments>
-}
+const CHECK = command('check')
 
-const options = new Map<string, Option>([
+const options = new Map<string, Option<CheckArguments>>([
   ['--json', flag(() => ({ json: true }))],
   ['--allow-unchecked', flag(() => ({ allowsUnchecked: true }))],
   ['--format', { value: 'the name of a format', read: format => ({ format }) }],
-  ['--step', { value: 'a number from 1 on or last', read: text => ({ step: readStep(text) }) }],
+  ['--step', { value: 'a number from 1 on or last', read: text => ({ step: stepOf(CHECK, text) }) }],
   ['--csv', { value: 'a file', read: csv => ({ csv }) }],
   ['--junit', { value: 'a file', read: junit => ({ junit }) }],
   ['--annotate', { value: 'a file', read: path => ({ annotate: readAnnotate(path) }) }],
@@ -43,14 +39,10 @@ const options = new Map<string, Option>([
   ['--ids', { value: ID_KINDS.join(', '), read: text => ({ ids: readIdKind(text) }) }],
 ])
 
-function flag(read: Option['read']): Option {
-  return { value: null, read }
-}
-
-/** Throws a Refusal that says what is wrong. A value follows its option, as the next argument or after "=". */
+/** Throws a Refusal that says what is wrong. */
 export function readCheckArguments(args: readonly string[]): CheckArguments {
-  const files: string[] = []
-  const values: CheckArguments = {
+  const { files, values } = readOptions(CHECK, options, args)
+  const wanted: CheckArguments = {
     files,
     format: null,
     step: 0,
@@ -64,32 +56,11 @@ export function readCheckArguments(args: readonly string[]): CheckArguments {
     annotate: null,
     html: null,
     ids: null,
+    ...values,
   }
-  const seen = new Set<string>()
-  for (let i = 0; i < args.length; ++i) {
-    const argument = args[i] as string
-    if (argument === '--') {
-      files.push(...args.slice(i + 1))
-      break
-    }
-    if (argument === '-' || !argument.startsWith('-')) {
-      files.push(argument)
-      continue
-    }
-    const equals = argument.indexOf('=')
-    const name = equals < 0 ? argument : argument.slice(0, equals)
-    const option = options.get(name)
-    if (!option) throw wrong(`there is no option ${name}`)
-    if (seen.has(name)) throw wrong(`${name} is given twice`)
-    seen.add(name)
-    if (option.value === null && equals >= 0) throw wrong(`${name} has no value`)
-    const text = option.value === null ? '' : equals < 0 ? args[++i] : argument.slice(equals + 1)
-    if (text === undefined || (option.value !== null && text === '')) throw wrong(`${name} wants ${option.value}`)
-    Object.assign(values, option.read(text))
-  }
-  const problem = contradiction(values)
-  if (problem !== null) throw wrong(problem)
-  return values
+  const problem = contradiction(wanted)
+  if (problem !== null) throw CHECK.wrong(problem)
+  return wanted
 }
 
 function contradiction({ files, json, ids, annotate }: CheckArguments): string | null {
@@ -100,43 +71,31 @@ function contradiction({ files, json, ids, annotate }: CheckArguments): string |
   return null
 }
 
-function wrong(what: string): Refusal {
-  return new Refusal(`check: ${what}. hexlens check --help says what there is.`)
-}
-
 function readWorst(text: string): number {
   if (text === 'all') return Infinity
   if (/^\d{1,15}$/.test(text)) return Number(text)
-  throw wrong(`--worst wants a count or all, not ${text}`)
+  throw CHECK.wrong(`--worst wants a count or all, not ${text}`)
 }
-
-function readStep(text: string): number | 'last' {
-  if (text === 'last') return text
-  if (/^[1-9]\d{0,8}$/.test(text)) return Number(text) - 1
-  throw wrong(`--step wants a number from 1 on or last, not ${text}`)
-}
-
-const DECIMAL = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$/
 
 function readRelative(text: string): number {
-  const value = DECIMAL.test(text) ? Number(text) : Number.NaN
-  if (Number.isFinite(value)) return value
-  throw wrong(`--min-relative wants a number, not ${text}`)
+  const value = decimalOf(text)
+  if (!Number.isNaN(value)) return value
+  throw CHECK.wrong(`--min-relative wants a number, not ${text}`)
 }
 
 function readDegenerate(text: string): boolean {
   if (text === 'skip') return true
-  throw wrong(`--degenerate wants skip, not ${text}`)
+  throw CHECK.wrong(`--degenerate wants skip, not ${text}`)
 }
 
 function readAnnotate(path: string): CheckArguments['annotate'] {
   const form = meshFormOf(path)
   if (form) return { path, form }
-  throw wrong(`--annotate wants a file that ends in one of ${MESH_ENDINGS}, not ${path}`)
+  throw CHECK.wrong(`--annotate wants a file that ends in one of ${MESH_ENDINGS}, not ${path}`)
 }
 
 function readIdKind(text: string): IdKind {
   const kind = ID_KINDS.find(name => name === text)
   if (kind) return kind
-  throw wrong(`--ids wants ${ID_KINDS.join(', ')}, not ${text}`)
+  throw CHECK.wrong(`--ids wants ${ID_KINDS.join(', ')}, not ${text}`)
 }

@@ -1,13 +1,10 @@
 /** `hexlens check`: meshes in, verdicts out, file by file; the exit status is the gravest. */
-import { realpathSync } from 'node:fs'
 import type { ReadingCore } from '../core/reading-interface'
 import type { Core } from '../core/report'
 import { checkMesh, type ExitStatus, exitOf, gravestExit } from '../mesh/check'
-import { type Hdf5Loading, LOADING } from '../mesh/hdf5-reader'
-import { joined } from '../mesh/join-meshes'
-import { type Mesh, MeshRefusal } from '../mesh/mesh'
+import type { Hdf5Loading } from '../mesh/hdf5-reader'
+import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
-import { readMeshes } from '../mesh/read-mesh'
 import { Refusal } from '../model/result'
 import { csvOutput } from '../outputs/csv'
 import { htmlOutput } from '../outputs/html'
@@ -20,7 +17,8 @@ import { textOutput } from '../outputs/text'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
 import type { Engine } from './engine'
-import { openMeshFile } from './mesh-file'
+import { openMeshFile, realPath } from './mesh-file'
+import { isAboutMemory, meshIn } from './mesh-in'
 import { ProgressLine } from './progress'
 import { FileSink } from './sink'
 import { Buffered, type Streams } from './streams'
@@ -99,27 +97,12 @@ async function resultOf(file: string, work: Work): Promise<FileResult> {
   }
 }
 
-/** True for the messages of engines that cannot have an array. */
-function isAboutMemory({ message }: RangeError): boolean {
-  return /allocation failed|array length|memory/i.test(message)
-}
-
 async function meshOf(path: string, { wanted, readingCore, hdf5, streams, progress }: Work): Promise<Mesh> {
-  const { file, find, close } = await openMeshFile(path, streams.input)
+  const open = await openMeshFile(path, streams.input)
   try {
-    const name = withoutControls(path)
-    const onProgress = (fraction: number) => progress.show(`${name}: reading`, fraction)
-    const { step, format } = wanted
-    const options = { find, onProgress, step, core: readingCore, ...(format === null ? {} : { format }) }
-    const meshes = await hdf5.reading(
-      reader => readMeshes(file, { ...options, hdf5: reader }),
-      () => progress.show(LOADING, 0),
-    )
-    const [first, ...others] = meshes
-    if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
-    return joined([first, ...others])
+    return await meshIn(open, withoutControls(path), { ...wanted, readingCore, hdf5, progress })
   } finally {
-    close()
+    open.close()
   }
 }
 
@@ -186,13 +169,5 @@ function refuseOverwriting({ files, csv, junit, annotate, html }: CheckArguments
     const other = taken.get(realPath(path))
     if (other !== undefined) throw new Refusal(`check: ${option} would overwrite ${other}.`)
     taken.set(realPath(path), `${path}, which is written`)
-  }
-}
-
-function realPath(path: string): string {
-  try {
-    return realpathSync(path)
-  } catch {
-    return path
   }
 }

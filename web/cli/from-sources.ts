@@ -6,6 +6,7 @@ import { build } from 'esbuild'
 import { compiledOf } from '../core/batch/start'
 import { loadCore } from '../core/core'
 import { readingCoreOf } from '../core/reading-core'
+import { loadRepairCore } from '../core/repair/repair-core'
 import type { startHdf5 } from '../mesh/hdf5/start'
 import { Hdf5Loading } from '../mesh/hdf5-reader'
 import type { Engine } from './engine'
@@ -15,6 +16,7 @@ import type { Streams } from './streams'
 const engine: Engine = {
   core: async () => loadCore(await built('hexlens.wasm')),
   readingCore: () => readingCoreOf(() => built('hexlens-reading.wasm')),
+  repairCore: async () => loadRepairCore(await built('hexlens-repair.wasm')),
   hdf5: new Hdf5Loading(async () => {
     const script = await bundled('../mesh/hdf5/start.ts')
     return (runInThisContext(`${script};hexlens`) as { startHdf5: typeof startHdf5 }).startHdf5()

@@ -7,8 +7,9 @@ import { analysis } from './analysis'
 import { check } from './check'
 import { type AnswerTo, answerElements } from './elements'
 import type { Engine } from './engine'
+import { repair } from './repair'
 import { processStreams, type Streams } from './streams'
-import { CHECK_USAGE, USAGE } from './usage'
+import { CHECK_USAGE, REPAIR_USAGE, USAGE } from './usage'
 
 export type { Streams } from './streams'
 
@@ -18,10 +19,16 @@ const elementCommands = new Map<string, AnswerTo>([
   ['certify', certification],
 ])
 
+/** Commands for files of meshes, which have options. */
+const meshCommands = new Map([
+  ['check', { run: check, usage: CHECK_USAGE }],
+  ['repair', { run: repair, usage: REPAIR_USAGE }],
+])
+
 const OK = 0
 const REFUSED = 2
 
-/** Runs one command; resolves to the exit status, 2 for a wrong call or input; `check` has others. */
+/** Runs one command; resolves to the exit status, 2 for a wrong call or input; `check` and `repair` have others. */
 export async function main(
   args: readonly string[],
   engine: Engine,
@@ -33,9 +40,10 @@ export async function main(
       await streams.output.write(USAGE)
       return OK
     }
-    if (name === 'check') {
-      if (!rest.some(isHelp)) return await check(rest, engine, streams)
-      await streams.output.write(CHECK_USAGE)
+    const meshCommand = meshCommands.get(name)
+    if (meshCommand) {
+      if (!rest.some(isHelp)) return await meshCommand.run(rest, engine, streams)
+      await streams.output.write(meshCommand.usage)
       return OK
     }
     const answerTo = elementCommands.get(name)

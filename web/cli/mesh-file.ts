@@ -1,5 +1,5 @@
 /** Files of Node as the readers of web/mesh see them: read by slices, on demand. */
-import { closeSync, existsSync, fstatSync, openSync, readFileSync, readSync, statSync } from 'node:fs'
+import { closeSync, existsSync, fstatSync, openSync, readFileSync, readSync, realpathSync, statSync } from 'node:fs'
 import { basename, dirname, join, resolve } from 'node:path'
 import { type FindFile, fileOfBytes, type MeshFile } from '../mesh/source'
 import { shown } from '../mesh/text-cursor'
@@ -29,6 +29,15 @@ export async function openMeshFile(path: string, input: Streams['input']): Promi
     close() {
       for (const { close } of [opened, ...found]) close()
     },
+  }
+}
+
+/** Where links lead to; the path itself if nothing is there. */
+export function realPath(path: string): string {
+  try {
+    return realpathSync(path)
+  } catch {
+    return path
   }
 }
 

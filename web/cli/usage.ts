@@ -3,6 +3,7 @@
 const CALL = process.env.npm_lifecycle_event === 'hexlens' ? 'npm run -s hexlens --' : 'hexlens'
 
 export const USAGE = `Usage: ${CALL} check FILE...           a mesh: ${CALL} check --help
+       ${CALL} repair FILE -o OUT      a mesh, with vertices moved: ${CALL} repair --help
        ${CALL} analyze FILE.json
        ${CALL} certify FILE.json
 
@@ -53,4 +54,23 @@ Exit status: of each file
   3  none is invalid, but not all could be answered: cells of 20 or 27 nodes and Lagrange cells, coordinates that are not
      finite, an order of nodes that is not stated and decides, a file that is cut off, or no hexahedra at all
 and of several files 2 before 1 before 3 before 0. Cells of other types never change it.
+`
+
+export const REPAIR_USAGE = `Usage: ${CALL} repair [OPTION...] FILE -o OUT
+
+Reads a mesh, moves vertices so that hexahedra become valid, and writes it to OUT. FILE stays as it is; "-" is standard input.
+Each move takes a vertex to the best place for the worst of its cells, and never makes that worse. The boundary stays unless an
+option frees it. It knows no geometry but what stays, and a mesh whose topology forbids validity stays invalid: docs/repair.md.
+
+  -o, --output OUT     the file to write, in the format of FILE: all bytes but those of coordinates are as they were. Where the
+                       format does not let coordinates be replaced, or OUT is a .vtu, the hexahedra alone are written as VTU
+  --min-relative R     moves on until the least minimum of jacdet over |volume| is R, from 0 to 1; without, until all are valid
+  --slide              vertices on planar parts of the boundary move in their plane, those on a straight edge of it along it
+  --free-boundary D    vertices of the boundary move by D at most, in the unit of the coordinates; with --slide only in their
+                       planes where they have one
+  --format NAME        the file is in this format, whatever it looks like
+  --step N|last        which time step is read of a file that has several (1)
+  --allow-unchecked    exit status 0 in place of 3
+
+Exit status: that of ${CALL} check OUT, with the same R. OUT is read again for it.
 `

@@ -18,7 +18,8 @@ import { createStore } from '../model/store'
 import { elementAt } from '../model/way'
 import { knownPanels, type Panel } from '../panels/panel'
 import { DEFAULT_VIEW } from '../scene/space/orbit-camera'
-import { type SceneState, scriptSlice } from '../views/scene-slices'
+import { placeSlice } from '../views/place-marks'
+import { type SceneState, scriptSlice, surroundingsSlice } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Problem, ViewContext } from '../views/view'
 import { say } from '../words/say'
 import { Analyzer } from './analyzer'
@@ -45,7 +46,17 @@ import { cameraBetween, Motion, type MotionOptions } from './motion'
 import { OwnLanguage } from './own-language'
 import { Readiness } from './readiness'
 import { ReflectingElement, textOf } from './reflecting-element'
-import { type CameraGoal, type HighlightedParts, readCameraView, readHighlights, readSeconds } from './script-arguments'
+import {
+  type CameraGoal,
+  type HighlightedParts,
+  type PlaceParts,
+  readCameraView,
+  readHighlights,
+  readPlace,
+  readSeconds,
+  readSurroundings,
+  type SurroundingParts,
+} from './script-arguments'
 import { Sharing } from './sharing'
 import { shortcut } from './shortcuts'
 import { ViewHost } from './view-host'
@@ -532,6 +543,30 @@ export class HexLens extends ReflectingElement {
    */
   highlight(parts: HighlightedParts | null = null): void {
     taking(this, 'highlight', () => this.#dispatch(sliceChange(scriptSlice, { highlights: readHighlights(parts) })))
+  }
+
+  /**
+   * Draws other hexahedra around the element as thin lines, such as its neighbours in a mesh, those
+   * with `isInvalid` in the colour of negative jacdet; and marks vertices as `fixed`, by their
+   * numbers. Fixed are they by the page: it sets `vertices` back in the listener of `hex-input`. All
+   * stay until the next call; without an argument there is nothing. No part of the history. What is
+   * not understood is told by `hex-error`.
+   *
+   * @param {{ hexahedra?: { vertices: number[], isInvalid?: boolean }[], fixed?: number[] }} parts
+   */
+  surround(parts: SurroundingParts | null = null): void {
+    taking(this, 'surround', () => this.#dispatch(sliceChange(surroundingsSlice, readSurroundings(parts))))
+  }
+
+  /**
+   * Marks a place of a vertex, such as a better one: a dashed handle there, with a line to it, and
+   * points with their labels, the larger the more they weigh. `null` takes them away, and so does a
+   * change of the vertices. No part of the history. What is not understood is told by `hex-error`.
+   *
+   * @param {{ vertex: number, position?: [number, number, number] | null, points?: { position: [number, number, number], point?: [number, number, number] | null, label: string, weight?: number | null }[] } | null} parts
+   */
+  markPlace(parts: PlaceParts | null): void {
+    taking(this, 'place', () => this.#dispatch(sliceChange(placeSlice, { place: readPlace(parts) })))
   }
 
   /** The core’s report on any 24 numbers, or on the element’s own. Rejects with HexLensError. */

@@ -27,6 +27,8 @@ export interface PictureSpace {
   readonly camera: SceneCamera
   /** World units a unit of the mesh; the origin of faces is that of the world. */
   readonly scale: number
+  /** Of faces, in the mesh. */
+  readonly origin: Vec3
   /** Of the bounds, in world space. */
   readonly corners: readonly Vec3[]
   readonly theme: Theme
@@ -335,6 +337,7 @@ export class MeshPicture {
     return {
       camera: this.#camera.camera,
       scale: this.#scale,
+      origin: this.#origin,
       corners: this.#corners,
       share: this.#share,
       ...this.#paint(),

@@ -72,6 +72,18 @@ export class CellTable {
     this.#render()
   }
 
+  /** Other numbers of some cells, which keep their places. */
+  patch(rows: readonly Row[]): void {
+    const own = new Map(rows.map(row => [row.cell, row]))
+    for (const [block, before] of this.#blocks)
+      if (before?.some(({ cell }) => own.has(cell)))
+        this.#blocks.set(
+          block,
+          before.map(row => own.get(row.cell) ?? row),
+        )
+    this.#render()
+  }
+
   /** Marks the chosen cell; with its rank, scrolls there. */
   choose(cell: number | null, rank: number | null): void {
     this.#chosen = cell

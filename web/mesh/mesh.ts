@@ -43,7 +43,7 @@ export interface NotTrilinear {
 
 /**
  * Bytes of the file: from where and how many each coordinate's token has, or a run [from, to) of text with all coordinates one after the other
- * and blanks between, or one block of binary numbers.
+ * and blanks between, or binary numbers, in one block or in several.
  */
 export type CoordinatePlaces =
   | { readonly kind: 'tokens'; readonly from: Float64Array | Uint32Array; readonly lengths: Uint16Array }
@@ -54,6 +54,20 @@ export type CoordinatePlaces =
       readonly type: 'float32' | 'float64'
       readonly isLittleEndian: boolean
     }
+  | {
+      readonly kind: 'blocks'
+      /** In the order of the points, from the first on. */
+      readonly blocks: readonly PointBlock[]
+      readonly type: 'float32' | 'float64'
+      readonly isLittleEndian: boolean
+    }
+
+/** Points one after the other: the bytes of the first one's x, y and z, and how many bytes on those of the next are. */
+export interface PointBlock {
+  readonly count: number
+  readonly from: readonly [number, number, number]
+  readonly stride: number
+}
 
 /** A file that is none of ours, or damaged: one sentence with the place and what was expected. */
 export class MeshRefusal extends Refusal {}

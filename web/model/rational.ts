@@ -37,6 +37,17 @@ export function reciprocal({ numerator, denominator }: Rational): Rational {
     : { numerator: denominator, denominator: numerator }
 }
 
+export function lowestTerms({ numerator, denominator }: Rational): Rational {
+  let [a, b] = [magnitude(numerator), denominator]
+  while (b > 0n) [a, b] = [b, a % b]
+  return { numerator: numerator / a, denominator: denominator / a }
+}
+
+/** "-9/64" or "3", every digit. */
+export function fractionText({ numerator, denominator }: Rational): string {
+  return denominator === 1n ? `${numerator}` : `${numerator}/${denominator}`
+}
+
 export function magnitude(value: bigint): bigint {
   return value < 0n ? -value : value
 }

@@ -8,11 +8,13 @@ import { batchInside } from './batch-inside'
 import { coreInside } from './core-inside'
 import { loadHdf5 } from './hdf5-module'
 import { readingInside } from './reading-inside'
+import { repairInside } from './repair-inside'
 
 process.exitCode = await main(process.argv.slice(2), {
   core: () => fetchCore(coreInside),
   readingCore: readingInside,
   batchModule: batchInside,
+  repairCore: repairInside,
   hdf5: new Hdf5Loading(loadHdf5),
   workerScript: async () => workerSource,
 })

@@ -2,6 +2,7 @@
 
 import { historySchema } from '../model/history-document'
 import { stateSchema } from '../model/state-document'
+import { bestPlace } from '../panels/best-place'
 import { panels } from '../panels/list'
 import { nearest } from '../panels/nearest'
 import { knownPanels } from '../panels/panel'
@@ -16,7 +17,7 @@ export const stateJsonSchema = {
   ...DIALECT,
   title: 'State of a <hex-lens> element, version 1',
   description: `What \`element.state\` gives and takes. ${FOR_EVER} A missing key means what a new element shows. Panels that a reader does not know are ignored.`,
-  ...stateSchema(knownPanels([...panels, nearest])),
+  ...stateSchema(knownPanels([...panels, nearest, bestPlace])),
 }
 
 export const historyJsonSchema = {

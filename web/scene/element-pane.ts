@@ -3,6 +3,7 @@ import type { JacobianReport } from '../core/report'
 import { formatJacdet } from '../model/decimal'
 import type { Vec3 } from '../model/hexahedron'
 import { type CameraView, type State, sliceOf } from '../model/state'
+import { type PlaceMarks, placeMarksOf } from '../views/place-marks'
 import { previewSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 import { say } from '../words/say'
@@ -14,6 +15,7 @@ import { DEFAULT_DIRECTION } from './space/camera'
 import { type Change, Fitting } from './space/fitting'
 import type { Layout, PaneLayout } from './space/layout'
 import { directionBetween, directionTo } from './space/showing'
+import { samePoint } from './space/vec3'
 import { verticesInWorld, type World, worldOf } from './space/world'
 
 /** Long enough to follow, short enough not to wait for. */
@@ -25,6 +27,8 @@ export class ElementPane extends Pane {
   readonly #readout = new Readout()
   #isReadonly: boolean | null = null
   #drag: HandleDrag | null = null
+  /** The places that were last brought into sight. */
+  #places: readonly Vec3[] = []
   #drawnDrag: HandleDrag | null = null
   /** True if the gesture last drawn is of the pointer here, under which the picture must not move. */
   #wasDragging = false
@@ -71,7 +75,8 @@ export class ElementPane extends Pane {
   }
 
   /** Looks elsewhere if the frame asks for it. `changesMedium` says whether it is the first on paper or again on the screen. */
-  aim({ state, report, isForPaper }: Frame, changesMedium: boolean, change: Omit<Change, 'isDragged'>): void {
+  aim(frame: Frame, changesMedium: boolean, change: Omit<Change, 'isDragged'>): void {
+    const { state, report, isForPaper } = frame
     if (isForPaper) this.fitting.putOnPaper(state.vertices)
     else if (changesMedium) this.fitting.leavePaper()
     else if (this.fitting.choose(state, { ...change, isDragged: this.#wasDragging })) {
@@ -81,7 +86,16 @@ export class ElementPane extends Pane {
         if (direction) this.fitting.fit(state.vertices, direction)
       }
     } else this.#goOnTurning(state)
+    if (!isForPaper && state.gestureStart === null) this.#reachPlaces(state, placesOf(placeMarksOf(frame)))
     this.#wasDragging = this.inputs.isDragging
+  }
+
+  /** Places outside the element that were not there before are brought into sight. */
+  #reachPlaces({ vertices }: State, places: readonly Vec3[]): void {
+    const isKnown =
+      places.length === this.#places.length && places.every((p, i) => samePoint(p, this.#places[i] as Vec3))
+    if (!isKnown) this.fitting.reach(vertices, places)
+    this.#places = places
   }
 
   /** Turns to where a point of the boundary is seen; returns false if faces hide it from everywhere. */
@@ -121,11 +135,13 @@ export class ElementPane extends Pane {
     return this.viewport(verticesInWorld(this.world, state.vertices), state)
   }
 
-  update({ state, report }: Frame, { taken }: PaneLayout): void {
+  update(frame: Frame, { taken }: PaneLayout): void {
+    const { state, report } = frame
     this.#drawnDrag = this.#drag
     const { world, camera, sight, seen: handles } = this
     const { preview } = sliceOf(previewSlice, state)
-    this.overlay.update({ state, preview, report, world, camera, sight, handles, drag: this.#drag, taken })
+    const place = placeMarksOf(frame)
+    this.overlay.update({ state, preview, place, report, world, camera, sight, handles, drag: this.#drag, taken })
   }
 
   /** `colour` is that of jacdet at the probe. */
@@ -152,4 +168,10 @@ export class ElementPane extends Pane {
     this.fitting.fit(this.host.state().vertices, toDefault ? DEFAULT_DIRECTION : undefined)
     this.host.requestFrame()
   }
+}
+
+/** A better place of a vertex, and points of other cells. */
+function placesOf(marks: PlaceMarks | null): readonly Vec3[] {
+  const own = marks?.position ? [marks.position] : []
+  return [...own, ...(marks?.points ?? []).flatMap(({ point, position }) => (point ? [] : [position]))]
 }

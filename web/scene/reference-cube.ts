@@ -5,6 +5,7 @@
 import type { Candidate, JacobianReport, Report } from '../core/report'
 import { type Vec3, vertexReference } from '../model/hexahedron'
 import { type CameraView, type State, sliceChange, sliceOf } from '../model/state'
+import { type PlacePoint, placeMarksOf } from '../views/place-marks'
 import { sceneSlice } from '../views/scene-slices'
 import type { Frame } from '../views/view'
 import { say } from '../words/say'
@@ -15,6 +16,11 @@ import { verticesInWorld, worldOf } from './space/world'
 
 const CUBE = vertexReference.flat()
 const WORLD = worldOf(CUBE)
+/** Points of other cells are not in the cube. */
+function inOwnCube(mark: PlacePoint): PlacePoint[] {
+  return mark.point ? [{ ...mark, position: mark.point }] : []
+}
+
 const CORNERS = verticesInWorld(WORLD, CUBE)
 const INSETS = { top: 56, right: 44, bottom: 72, left: 44 }
 const IDENTITY = {
@@ -88,11 +94,14 @@ export class ReferenceCube extends Pane {
     return this.viewport(CORNERS, state, this.#left, this.#top)
   }
 
-  update({ state, report }: Frame): void {
+  update(frame: Frame): void {
+    const { state, report } = frame
+    const place = placeMarksOf(frame)
     this.#link.checked = sliceOf(sceneSlice, state).camerasLinked
     this.overlay.update({
       state: { ...state, vertices: CUBE, gestureStart: null },
       preview: null,
+      place: place && { ...place, position: null, points: place.points.flatMap(inOwnCube) },
       report: this.#inCube(report),
       world: WORLD,
       camera: this.camera,

@@ -9,6 +9,7 @@ import { lowerInside } from '../core/inside'
 import { pointOfValue } from '../core/point-of-value'
 import type { Vec3 } from '../model/hexahedron'
 import { type Cameras, type CameraView, type State, sliceChange, sliceOf } from '../model/state'
+import { placeMarksOf } from '../views/place-marks'
 import { controlsSlice, helpToggled, type SceneState, sceneSlice } from '../views/scene-slices'
 import type { Figure, FigureName, Frame, Update, View, ViewContext } from '../views/view'
 import { ElementPane } from './element-pane'
@@ -241,9 +242,10 @@ class Scene implements View, PaneScene {
   }
 
   /** True if a frame has anything new but the probe. */
-  #differs({ state, report }: Frame): boolean {
+  #differs(frame: Frame): boolean {
+    const { state, report } = frame
     const before = this.#shown
-    if (before === null || before.report !== report) return true
+    if (before === null || before.report !== report || placeMarksOf(before) !== placeMarksOf(frame)) return true
     const keys = Object.keys(state) as (keyof State)[]
     return keys.some(key => key !== 'probe' && !Object.is(state[key], before.state[key]))
   }

@@ -3,6 +3,7 @@ import { Pool, type WorkerPort, wordsOf } from '../core/workers'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import type {
+  Around,
   Arrangement,
   CellDetail,
   CutCells,
@@ -11,6 +12,8 @@ import type {
   FixId,
   FormId,
   Histogram,
+  MovedMesh,
+  Moves,
   Opening,
   Place,
   Row,
@@ -22,6 +25,7 @@ import type {
   StepOpening,
   StepWanted,
   SurveyJobs,
+  TangledPart,
 } from './survey-jobs'
 
 /** Rejects with an Error whose message is a sentence when the worker has ended, was closed, or ran out of memory. */
@@ -136,6 +140,30 @@ export class OpenSurvey {
 
   cancelWriting(): void {
     this.#writing++
+  }
+
+  around(cell: number): Promise<Around | null> {
+    return this.#pool.run('around', cell)
+  }
+
+  move(moves: Moves): Promise<MovedMesh> {
+    return this.#pool.run('move', moves)
+  }
+
+  undo(): Promise<MovedMesh> {
+    return this.#pool.run('undo', null)
+  }
+
+  redo(): Promise<MovedMesh> {
+    return this.#pool.run('redo', null)
+  }
+
+  restore(points: readonly number[] | null): Promise<MovedMesh> {
+    return this.#pool.run('restore', points)
+  }
+
+  tangled(part: { readonly cell: number; readonly rings: number } | null): Promise<TangledPart> {
+    return this.#pool.run('tangled', part)
   }
 
   steps(): Promise<StepList | null> {

@@ -13,7 +13,7 @@ import {
   toldSeldom,
 } from '../input/serve-reading'
 import { acceptedOfInvalid } from '../mesh/accepted-invalid'
-import { type ClassifyCells, checkMesh } from '../mesh/check'
+import { checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { TogetherOptions } from '../mesh/read-mesh'
 import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
@@ -21,6 +21,8 @@ import { cutFaces } from './cut'
 import { lookingJobs, nameOf, noHexahedra, STEP } from './looking-jobs'
 import { meeting } from './meeting'
 import { mended } from './mend'
+import { Movement } from './movement'
+import { inOwnFormat, type Moving, movingJobs, roundedNote } from './moving-jobs'
 import { OpenedSurvey } from './opened-survey'
 import { FIRST_LISTS, openingCheck } from './opening-check'
 import { boundsOf } from './overview'
@@ -58,12 +60,7 @@ interface Tools {
   readonly classifier: SharedClassifier
 }
 
-interface Open {
-  readonly name: string
-  readonly survey: OpenedSurvey
-  readonly classify: ClassifyCells
-  readonly core: Core
-}
+type Open = Omit<Moving, 'files'>
 
 /** The steps that the open mesh is one of. */
 interface OpenSteps {
@@ -102,6 +99,8 @@ export function serveSurvey(engine: SurveyEngine): void {
     return open
   }
 
+  const moving = (): Moving => ({ ...opened(), files: steps ? [] : filesOf(given) })
+
   /** The core and the workers that decide, started once. */
   let started: Promise<Tools> | null = null
   let onDecided: (fraction: number) => void = () => {}
@@ -126,11 +125,17 @@ export function serveSurvey(engine: SurveyEngine): void {
 
   /** What is open stays if the mesh is refused. */
   async function surveyed(name: string, mesh: Mesh, tell: Tell, before: Survey | null = null): Promise<Overview> {
-    const { core, classifier } = await tools()
-    const { classify } = classifier
+    const own = await tools()
+    const { classify } = own.classifier
     onDecided = fraction => tell({ step: 'deciding', fraction })
-    const { survey, finish, overview } = await decided(name, mesh, await tools(), before)
-    open = { name, survey: new OpenedSurvey(survey, finish, classify), classify, core }
+    const { survey, finish, overview } = await decided(name, mesh, own, before)
+    open = {
+      name,
+      survey: new OpenedSurvey(survey, finish, classify),
+      movement: new Movement(mesh),
+      classify,
+      core: own.core,
+    }
     writing = null
     return overview
   }
@@ -239,17 +244,24 @@ export function serveSurvey(engine: SurveyEngine): void {
     async mend(fix: FixId) {
       const { check } = await whole()
       const mesh = mended(check, fix)
+      const { movement } = opened()
       const overview = await surveyed(opened().name, mesh, () => {})
+      open = { ...opened(), movement: new Movement(mesh, movement) }
       steps?.series.correct(check.mesh, mesh)
       return { opened: overview }
     },
     async write(form) {
       const { name, core } = opened()
       const { check } = await (LISTING.has(form) ? opened().survey.accepting() : whole())
-      writing = new Writing(form, { name, check, core })
+      const own = form === 'own' ? { chunks: inOwnFormat(moving()), said: await roundedNote(moving()) } : null
+      writing = new Writing(form, { name, check, core, own })
       return written()
     },
     writeOn: written,
+    ...movingJobs(moving, survey => {
+      open = { ...opened(), survey }
+      writing = null
+    }),
     steps: () => steps?.series.list(steps.shown, shownAnswer()) ?? null,
     readStep: (step, tell) =>
       readStep(step, toldSeldom(tell)).catch(reason => openSteps().series.refusedStep(step, refusalOf(reason).refused)),

@@ -40,6 +40,16 @@ export type SurveyJobs = {
   write(form: FormId): Written
   /** Goes on with it, for some milliseconds. */
   writeOn(_: null): Written
+  /** Null as long as it is not known which cells share a face. */
+  around(cell: number): Around | null
+  /** Moves points: one step to undo. Order and selection begin anew, as after the next three. */
+  move(moves: Moves): Promise<MovedMesh>
+  undo(_: null): Promise<MovedMesh>
+  redo(_: null): Promise<MovedMesh>
+  /** These points where they were read, or all. */
+  restore(points: readonly number[] | null): Promise<MovedMesh>
+  /** What an untangling is given: all cells, or those with a point of a cell and of so many rings around it. */
+  tangled(part: { readonly cell: number; readonly rings: number } | null): TangledPart
   /** Null where the mesh has no steps. */
   steps(_: null): StepList | null
   /** Reads and decides a step; no more is kept of it than its answer. */
@@ -58,10 +68,60 @@ export type Served<Jobs> = {
 }
 
 /** What can be taken away of an open mesh, each the same as the command line writes it. */
-export type FormId = 'csv' | 'json' | 'html' | 'certificates' | IdKind | MeshFormId
+export type FormId = 'csv' | 'json' | 'html' | 'own' | 'certificates' | IdKind | MeshFormId
 
 /** The whole mesh, or its invalid cells alone, as a file with such an ending: those of outputs/meshes/list.ts. */
 export type MeshFormId = `mesh.${string}` | `invalid.${string}`
+
+/** Points that move at once: their indices, and three coordinates each. */
+export interface Moves {
+  readonly points: Uint32Array
+  readonly to: Float64Array
+}
+
+/** A cell with a vertex of the chosen one, which is among them. */
+export interface CellAround {
+  readonly row: Row
+  /** 24 coordinates. */
+  readonly vertices: readonly number[]
+  /** Of each of its vertices the chosen cell's, 0 to 7, that is the same point; -1 for others. */
+  readonly shared: readonly number[]
+}
+
+export interface Around {
+  /** The indices of the chosen cell's points. */
+  readonly points: readonly number[]
+  /** Vertices of the chosen cell on the boundary of the hexahedra, and those that have moved. */
+  readonly onBoundary: readonly number[]
+  readonly moved: readonly number[]
+  readonly cells: readonly CellAround[]
+}
+
+/** A mesh of which points have moved, or have come back. */
+export interface MovedMesh {
+  readonly opened: Overview
+  readonly movement: MovementCounts
+}
+
+export interface MovementCounts {
+  /** Points that are not where they were read. */
+  readonly movedCount: number
+  readonly canUndo: boolean
+  readonly canRedo: boolean
+  /** Why the file that was read cannot be written with the points as they are; null where it can. */
+  readonly whyNotInPlace: string | null
+}
+
+/** Cells with their points, and what an untangling may do. */
+export interface TangledPart {
+  readonly points: Float64Array
+  readonly cells: Uint32Array
+  /** One of MOVES a point. */
+  readonly moves: Uint8Array
+  /** Of each point and of each cell its index in the mesh; null where they are the same. */
+  readonly indices: Uint32Array | null
+  readonly cellIndices: Uint32Array | null
+}
 
 /** The next bytes of a file. */
 export type Written =

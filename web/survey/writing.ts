@@ -25,6 +25,8 @@ export interface Source {
   /** All its cells are among the worst. */
   readonly check: MeshCheck
   readonly core: Core
+  /** The file that was read, with points that have moved, and what is to be said of it. */
+  readonly own?: { readonly chunks: Iterable<Uint8Array>; readonly said: readonly string[] } | null
 }
 
 type Chunks = Iterable<string | Uint8Array>
@@ -52,6 +54,13 @@ const forms: Readonly<Record<Exclude<FormId, MeshFormId>, Form>> = {
     count: listedInJson,
   },
   html: { chunks: source => whole(htmlOutput(PLAIN), source), count: () => WORST },
+  own: {
+    *chunks({ own }, say) {
+      own?.said.forEach(say)
+      yield* own?.chunks ?? []
+    },
+    count: ({ mesh }) => mesh.points.length,
+  },
   certificates: { chunks: ({ check, core }) => invalidCertificates(check, core), count: invalidCount },
   abaqus: ids('abaqus'),
   nastran: ids('nastran'),

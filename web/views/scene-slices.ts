@@ -142,6 +142,19 @@ export const scriptSlice: PassingSlice<ScriptState> = {
   first: { highlights: [], hiddenFaces: [] },
 }
 
+export interface Surroundings {
+  /** Other hexahedra, which are drawn as thin lines. */
+  readonly hexahedra: readonly { readonly vertices: Vertices; readonly isInvalid: boolean }[]
+  /** Vertices that are marked as those that stay. */
+  readonly fixed: readonly number[]
+}
+
+/** What the page's script wants to be seen around the element. Who asks for it has checked it. */
+export const surroundingsSlice: PassingSlice<Surroundings> = {
+  name: 'surroundings',
+  first: { hexahedra: [], fixed: [] },
+}
+
 /** All that is spoken of, the panel's entity last. */
 export function spokenOf(state: State): ScriptState['highlights'] {
   const { highlight } = sliceOf(marksSlice, state)

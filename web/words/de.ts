@@ -26,6 +26,7 @@ export const german: Dictionary = {
     'Eine untere Schranke von jacdet, durch vier Tangenten in zwei Variablen. Ist sie positiv, so bestätigt sie das Element. Sonst sagt sie nichts.',
   'A number is missing.': 'Es fehlt eine Zahl.',
   'a pyramid stored as a hexahedron': 'eine als Hexaeder gespeicherte Pyramide',
+  'a side of the box': 'eine Seite des Kastens',
   'a tetrahedron stored as a hexahedron': 'ein als Hexaeder gespeichertes Tetraeder',
   'A valid hexahedron': 'Ein gültiges Hexaeder',
   'a wedge stored as a hexahedron': 'ein als Hexaeder gespeicherter Keil',
@@ -62,6 +63,7 @@ export const german: Dictionary = {
   'at {point}': 'bei {point}',
   'AVS UCD': 'AVS UCD',
   Back: 'Zurück',
+  'Best place of a vertex': 'Bester Ort einer Ecke',
   'between {lower} and {upper}': 'zwischen {lower} und {upper}',
   Block: 'Block',
   'Both start at one upright edge; the bottom goes round against the top.':
@@ -278,6 +280,8 @@ export const german: Dictionary = {
     'J ist jacdet: die Volumenänderung der Abbildung an einem Punkt.',
   'J is zero nowhere inside, so there is no surface J = 0.':
     'J ist im Inneren nirgends null, also gibt es keine Fläche J = 0.',
+  'J now': 'J jetzt',
+  'J there': 'J dort',
   'J ≤ 0 at all eight vertices.': 'J ≤ 0 an allen acht Ecken.',
   'J ≤ 0 at vertex {names}.': 'J ≤ 0 an Ecke {names}.',
   'J ≤ 0 at vertices {names}.': 'J ≤ 0 an den Ecken {names}.',
@@ -341,6 +345,7 @@ export const german: Dictionary = {
   'move it along the third axis': 'bewegen sie entlang der dritten Achse',
   'move the chosen vertex along the axis that is nearest to the arrow':
     'bewegen die gewählte Ecke entlang der Achse, die dem Pfeil am nächsten ist',
+  'Move there': 'Dorthin bewegen',
   'moves its vertex. Shift moves it in depth, Alt on a grid, X, Y or Z along that axis alone':
     'bewegt seine Ecke. Umschalt bewegt sie in die Tiefe, Alt auf einem Raster, X, Y oder Z nur entlang dieser Achse',
   'moves its vertex. X, Y, Z, Depth and Grid, there once a vertex is chosen, hold the next drags':
@@ -353,8 +358,18 @@ export const german: Dictionary = {
   'no dimension': 'ohne Einheit',
   'No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is A + τ (B − A), with every coordinate in doubles.':
     'Kein Double liegt zwischen dem letzten gültigen und dem ersten ungültigen τ, und jedes Urteil ist exakt. Das Element bei τ ist A + τ (B − A), jede Koordinate in Doubles.',
+  'No place is better, proved exactly: with these weights J\u00a0−\u00a0r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.':
+    'Kein Ort ist besser, exakt bewiesen: Mit diesen Gewichten ist die Summe von J\u00a0−\u00a0r·Volumen an jedem Ort dieselbe Zahl, und sie ist nicht positiv. Also hat kein Ort mehr als r = {bound}.',
+  'No place is better, proved: the least jacdet is never above its mean, the volume.':
+    'Kein Ort ist besser, bewiesen: Das kleinste jacdet ist nie größer als sein Mittel, das Volumen.',
+  'No place of vertex {name} makes this element valid: these {count} points forbid it.':
+    'Kein Ort von Ecke {name} macht dieses Element gültig: Diese {count} Punkte verbieten es.',
+  'No place of vertex {name} makes this element valid: this point forbids it.':
+    'Kein Ort von Ecke {name} macht dieses Element gültig: Dieser Punkt verbietet es.',
   'no point inside': 'kein Punkt innen',
   'no t chosen': 'kein t gewählt',
+  'No valid place of vertex {name} was found, and none is ruled out.':
+    'Es wurde kein gültiger Ort für Ecke {name} gefunden und keiner ausgeschlossen.',
   'NO VERDICT': 'KEIN URTEIL',
   'no vertex inside': 'kein Scheitel innen',
   'Node order': 'Knotenreihenfolge',
@@ -362,6 +377,8 @@ export const german: Dictionary = {
   'None of the {count} orders tried makes it valid.': 'Keine der {count} versuchten Reihenfolgen macht es gültig.',
   'none, as the volume is 0': 'keines, da das Volumen 0 ist',
   'not on the way': 'nicht auf dem Weg',
+  'Not proved: the weights do not cancel exactly. All that is certain is that no relative minimum is above 1.':
+    'Nicht bewiesen: Die Gewichte heben sich nicht genau auf. Sicher ist nur, dass kein relatives Minimum über 1 ist.',
   'Not tested in {host} itself.': 'Nicht in {host} selbst getestet.',
   'Nothing that is pasted, dropped or typed here leaves the browser.':
     'Nichts, was hier eingefügt, abgelegt oder getippt wird, verlässt den Browser.',
@@ -411,7 +428,10 @@ export const german: Dictionary = {
   Pause: 'Anhalten',
   'PETSc’s DMPlex': 'DMPlex von PETSc',
   'Place between A and B': 'Ort zwischen A und B',
+  'Places are sought up to {half} away on each axis. Derivation and limits: {document}.':
+    'Orte werden bis {half} entfernt auf jeder Achse gesucht. Herleitung und Grenzen: {document}.',
   Play: 'Abspielen',
+  Point: 'Punkt',
   'Point at a face': 'Auf eine Fläche zeigen',
   'Point at a map to read jacdet there, or use the arrow keys.':
     'Zeigen Sie auf eine Karte, um jacdet dort abzulesen, oder benutzen Sie die Pfeiltasten.',
@@ -419,6 +439,7 @@ export const german: Dictionary = {
     'Zeigen Sie auf ein Diagramm: Die Karten markieren den kleinsten Punkt dieser Zeile der Fläche. Die gestrichelte Linie im Bild verbindet diese Punkte.',
   'Point at the section to read jacdet there, or use the arrow keys.':
     'Zeigen Sie auf den Schnitt, um jacdet dort abzulesen, oder benutzen Sie die Pfeiltasten.',
+  'Points that forbid a better place of vertex {name}': 'Punkte, die einen besseren Ort von Ecke {name} verbieten',
   'points, and the corners of the faces': 'Punkte, und die Ecken der Flächen',
   Preset: 'Beispiel',
   'Presets, undo': 'Beispiele, Rückgängig',
@@ -435,6 +456,10 @@ export const german: Dictionary = {
     'Beweis: ein Punkt mit J < 0. Bei {point} ist jacdet genau {value}.',
   'Proof: one point with J = 0. At {point} jacdet is exactly {value}.':
     'Beweis: ein Punkt mit J = 0. Bei {point} ist jacdet genau {value}.',
+  'Proved exactly: J at this point is the same wherever vertex {name} is, and it is not positive.':
+    'Exakt bewiesen: J ist an diesem Punkt dasselbe, wo immer Ecke {name} ist, und es ist nicht positiv.',
+  'Proved exactly: with these weights J adds up to the same number at every place, and it is not positive. So J is never positive at all of them.':
+    'Exakt bewiesen: Mit diesen Gewichten ist die Summe von J an jedem Ort dieselbe Zahl, und sie ist nicht positiv. Also ist J nie an allen Punkten positiv.',
   'puts a vertex that is being moved back; at other times it removes the probe':
     'setzt eine Ecke zurück, die gerade bewegt wird; sonst entfernt es den Messpunkt',
   'puts the probe on the next candidate; C copies its numbers':
@@ -531,6 +556,8 @@ export const german: Dictionary = {
     'Die erste Koordinate läuft am schnellsten, dann die zweite, dann die dritte.',
   'The graphics context was lost, so the faces are not coloured until the browser gives it back. Everything else goes on.':
     'Der Grafikkontext ging verloren, also sind die Flächen nicht gefärbt, bis der Browser ihn zurückgibt. Alles andere geht weiter.',
+  'The greatest relative minimum that each vertex can bring, moved alone:':
+    'Das größte relative Minimum, das jede Ecke bringen kann, wenn sie allein bewegt wird:',
   'The hexahedron in space': 'Das Hexaeder im Raum',
   'The hexahedron in space, eight vertices to move': 'Das Hexaeder im Raum, acht Ecken zum Bewegen',
   'The id in the file': 'Die Nummer in der Datei',
@@ -571,6 +598,8 @@ export const german: Dictionary = {
   'The proof follows when this change is done.': 'Der Beweis folgt, wenn diese Änderung fertig ist.',
   'The query stops here: the element is invalid.': 'Die Suche endet hier: Das Element ist ungültig.',
   'The reference cube, in xi, eta and zeta': 'Der Referenzwürfel, in xi, eta und zeta',
+  'The relative minimum is the least jacdet over the volume: 1 of a box, 0 or less of an invalid element. The best place has the greatest one, to one part in a million. Of several it is the nearest.':
+    'Das relative Minimum ist das kleinste jacdet durch das Volumen: 1 bei einem Quader, 0 oder weniger bei einem ungültigen Element. Der beste Ort hat das größte, auf ein Millionstel genau. Von mehreren ist es der nächste.',
   'the same': 'dasselbe',
   'The same colours in (ξ, η, ζ), beside the element (R)': 'Dieselben Farben in (ξ, η, ζ), neben dem Element (R)',
   'The scaled Jacobian (corners and centre) is acceptable from 0.5 on in the manuals of {cubit} and {verdict}, and {inPractice} often from 0.2 or 0.3 on.':
@@ -612,12 +641,16 @@ export const german: Dictionary = {
   'The top starts above vertex 3.': 'Der Deckel beginnt über Ecke 3.',
   'The unit cube with every coordinate moved by chance (normally, deviation 0.3): about half of these are valid.':
     'Der Einheitswürfel, jede Koordinate zufällig verschoben (normalverteilt, Abweichung 0.3): Etwa die Hälfte davon ist gültig.',
+  'The vertex has been moved. Undo takes it back.': 'Die Ecke wurde bewegt. „Rückgängig“ nimmt das zurück.',
   'The WebAssembly core did not start, so there is no verdict ({why}). The vertices and the link still work; reload the page to try again.':
     'Der WebAssembly-Kern ist nicht gestartet, also gibt es kein Urteil ({why}). Ecken und Link funktionieren weiter; zum erneuten Versuch die Seite neu laden.',
+  'The weights cancel exactly, but their sum is positive: it forbids nothing.':
+    'Die Gewichte heben sich genau auf, aber ihre Summe ist positiv: Sie verbietet nichts.',
   'The worst {shown} of {wanted} cells are drawn.': 'Gezeichnet sind die schlechtesten {shown} von {wanted} Zellen.',
   'The {count} orders tried': 'Die {count} versuchten Reihenfolgen',
   'There is no cell {cell}.': 'Es gibt keine Zelle {cell}.',
   'There is no report to follow.': 'Es gibt keinen Bericht, dem man folgen könnte.',
+  'There is no verdict, so there is no best place.': 'Es gibt kein Urteil und also keinen besten Ort.',
   'There is no verdict, so there is nothing to compare.': 'Es gibt kein Urteil, also nichts zu vergleichen.',
   'These coefficients are rounded to be read; the core keeps P in Bernstein form.':
     'Diese Koeffizienten sind zum Lesen gerundet; der Kern behält P in Bernstein-Form.',
@@ -634,9 +667,13 @@ export const german: Dictionary = {
     'Um ihn ohne diese Seite zu prüfen: {check}. {certify} macht dasselbe für eine Liste von Elementen.',
   'To check it, evaluate the definition once in rational numbers.':
     'Um ihn zu prüfen, werten Sie die Definition einmal in rationalen Zahlen aus.',
+  'To check the proof without this page:': 'Um den Beweis ohne diese Seite zu prüfen:',
   'to read jacdet there: the probe. The box is the image of a little cube, enlarged':
     'liest jacdet dort ab: der Messpunkt. Der Kasten ist das Bild eines kleinen Würfels, vergrößert',
   'to remove the probe and let go of the vertex': 'entfernt den Messpunkt und lässt die Ecke los',
+  'to {point}, {distance} away': 'nach {point}, {distance} entfernt',
+  'to {point}, {distance} away, where min J is greatest, though not positive':
+    'nach {point}, {distance} entfernt, wo min J am größten ist, wenn auch nicht positiv',
   'Top first': 'Deckel zuerst',
   'Top first, bottom turned by one': 'Deckel zuerst, Boden um eins gedreht',
   'Top first, bottom turned by one, the other way round': 'Deckel zuerst, Boden um eins gedreht, andersherum',
@@ -702,7 +739,15 @@ export const german: Dictionary = {
   vertex: 'Ecke',
   'Vertex {name}': 'Ecke {name}',
   'vertex {name}': 'Ecke {name}',
+  'Vertex {name} alone can bring the relative minimum from {before} to {after}.':
+    'Ecke {name} allein kann das relative Minimum von {before} auf {after} bringen.',
+  'Vertex {name} alone can bring the relative minimum to {after}.':
+    'Ecke {name} allein kann das relative Minimum auf {after} bringen.',
+  'Vertex {name} is at its best place: relative minimum {after}.':
+    'Ecke {name} ist an ihrem besten Ort: relatives Minimum {after}.',
   'Vertex {name} {axis}': 'Ecke {name} {axis}',
+  'Vertex {name}, at best {value}': 'Ecke {name}, bestenfalls {value}',
+  'Vertex {name}, no valid place': 'Ecke {name}, kein gültiger Ort',
   'Vertex {name}: {coordinates}.': 'Ecke {name}: {coordinates}.',
   Vertices: 'Ecken',
   'Vertices 2 and 3 have changed places.': 'Die Ecken 2 und 3 haben die Plätze getauscht.',
@@ -712,11 +757,15 @@ export const german: Dictionary = {
   Volume: 'Volumen',
   'volume 0': 'Volumen 0',
   'volume × {factor}': 'Volumen × {factor}',
+  weight: 'Gewicht',
   'What each looks at': 'Was jede betrachtet',
+  'What is certain, and why': 'Was sicher ist und warum',
   'What keys and pointers do (?)': 'Was Tasten und Zeiger tun (?)',
   'What settles each face': 'Was jede Fläche entscheidet',
   'What was read': 'Was gelesen wurde',
   'Where the verdict changes': 'Wo das Urteil sich ändert',
+  'While the other seven vertices stay, J at a point of the element is an affine function of the place, and so is the volume. So the places with at least r > 0 form a convex set, and at most four points forbid a greater r.':
+    'Solange die anderen sieben Ecken bleiben, ist J an einem Punkt des Elements eine affine Funktion des Ortes, und das Volumen auch. Also bilden die Orte mit mindestens r > 0 eine konvexe Menge, und höchstens vier Punkte verbieten ein größeres r.',
   'Who would notice': 'Wer würde es merken',
   'Who would notice?': 'Wer würde es merken?',
   'with c and a + b + c these are the Bernstein coefficients in s. All are positive.':

@@ -26,6 +26,7 @@ export const chinese: Dictionary = {
     '用两个变量的四条切线得到的 jacdet 下界。若为正，则证明单元有效。否则什么也说明不了。',
   'A number is missing.': '缺少一个数。',
   'a pyramid stored as a hexahedron': '存为六面体的棱锥',
+  'a side of the box': '盒子的一面',
   'a tetrahedron stored as a hexahedron': '存为六面体的四面体',
   'A valid hexahedron': '一个有效的六面体',
   'a wedge stored as a hexahedron': '存为六面体的楔形',
@@ -61,6 +62,7 @@ export const chinese: Dictionary = {
   'at {point}': '在 {point}',
   'AVS UCD': 'AVS UCD',
   Back: '后退',
+  'Best place of a vertex': '一个顶点的最佳位置',
   'between {lower} and {upper}': '在 {lower} 和 {upper} 之间',
   Block: '块',
   'Both start at one upright edge; the bottom goes round against the top.':
@@ -267,6 +269,8 @@ export const chinese: Dictionary = {
     '边界上 J > 0，因此处处 J > 0。由定理，内部没有更小的值。',
   'J is jacdet: the map’s change of volume at a point.': 'J 即 jacdet：映射在一点处的体积变化。',
   'J is zero nowhere inside, so there is no surface J = 0.': 'J 在内部处处不为零，因此没有曲面 J = 0。',
+  'J now': '现在的 J',
+  'J there': '那里的 J',
   'J ≤ 0 at all eight vertices.': '八个顶点处 J ≤ 0。',
   'J ≤ 0 at vertex {names}.': '顶点 {names} 处 J ≤ 0。',
   'J ≤ 0 at vertices {names}.': '顶点 {names} 处 J ≤ 0。',
@@ -329,6 +333,7 @@ export const chinese: Dictionary = {
   Morph: '变形',
   'move it along the third axis': '沿第三个轴移动它',
   'move the chosen vertex along the axis that is nearest to the arrow': '沿最接近箭头的轴移动所选顶点',
+  'Move there': '移到那里',
   'moves its vertex. Shift moves it in depth, Alt on a grid, X, Y or Z along that axis alone':
     '移动它的顶点。Shift 在深度方向移动，Alt 按网格移动，X、Y 或 Z 只沿该轴移动',
   'moves its vertex. X, Y, Z, Depth and Grid, there once a vertex is chosen, hold the next drags':
@@ -341,8 +346,18 @@ export const chinese: Dictionary = {
   'no dimension': '无量纲',
   'No double lies between the last valid and the first invalid τ, and each verdict is exact. The element at τ is A + τ (B − A), with every coordinate in doubles.':
     '最后有效的 τ 和最先无效的 τ 之间没有双精度数，每个判定都是精确的。τ 处的单元是 A + τ (B − A)，每个坐标以双精度计算。',
+  'No place is better, proved exactly: with these weights J\u00a0−\u00a0r·volume adds up to the same number at every place, and it is not positive. So no place has more than r = {bound}.':
+    '没有更好的位置，已精确证明：按这些权重，J\u00a0−\u00a0r·体积之和在任何位置都是同一个数，且不为正。因此没有位置大于 r = {bound}。',
+  'No place is better, proved: the least jacdet is never above its mean, the volume.':
+    '没有更好的位置，已证明：最小的 jacdet 从不大于其平均值，即体积。',
+  'No place of vertex {name} makes this element valid: these {count} points forbid it.':
+    '顶点 {name} 无论在何处都不能使此单元有效：这 {count} 个点不允许。',
+  'No place of vertex {name} makes this element valid: this point forbids it.':
+    '顶点 {name} 无论在何处都不能使此单元有效：这个点不允许。',
   'no point inside': '内部没有点',
   'no t chosen': '未选择 t',
+  'No valid place of vertex {name} was found, and none is ruled out.':
+    '没有找到顶点 {name} 的有效位置，也没有排除其存在。',
   'NO VERDICT': '没有判定',
   'no vertex inside': '内部没有极值点',
   'Node order': '节点次序',
@@ -350,6 +365,8 @@ export const chinese: Dictionary = {
   'None of the {count} orders tried makes it valid.': '所试的 {count} 种次序都不能使它有效。',
   'none, as the volume is 0': '没有，因为体积为 0',
   'not on the way': '不在路径上',
+  'Not proved: the weights do not cancel exactly. All that is certain is that no relative minimum is above 1.':
+    '未证明：权重没有精确抵消。能确定的只是相对最小值不会大于 1。',
   'Not tested in {host} itself.': '未在 {host} 中测试。',
   'Nothing that is pasted, dropped or typed here leaves the browser.': '在此粘贴、拖入或键入的内容不会离开浏览器。',
   'nowhere lower': '没有更小的',
@@ -395,12 +412,16 @@ export const chinese: Dictionary = {
   Pause: '暂停',
   'PETSc’s DMPlex': 'PETSc 的 DMPlex',
   'Place between A and B': 'A 和 B 之间的位置',
+  'Places are sought up to {half} away on each axis. Derivation and limits: {document}.':
+    '在每个轴上最远到 {half} 处寻找位置。推导与限制：{document}。',
   Play: '播放',
+  Point: '点',
   'Point at a face': '指向一个面',
   'Point at a map to read jacdet there, or use the arrow keys.': '指向一张图以读取该处的 jacdet，或使用方向键。',
   'Point at a plot: the maps mark the least point of that row of the face. The dashed line in the picture joins these points.':
     '指向一个图：面图会标出该行的最小点。图中的虚线连接这些点。',
   'Point at the section to read jacdet there, or use the arrow keys.': '指向截面以读取该处的 jacdet，或使用方向键。',
+  'Points that forbid a better place of vertex {name}': '不允许顶点 {name} 有更好位置的点',
   'points, and the corners of the faces': '点，以及面的角点',
   Preset: '预设',
   'Presets, undo': '预设，撤销',
@@ -417,6 +438,10 @@ export const chinese: Dictionary = {
     '证明：一个 J < 0 的点。在 {point} 处 jacdet 恰为 {value}。',
   'Proof: one point with J = 0. At {point} jacdet is exactly {value}.':
     '证明：一个 J = 0 的点。在 {point} 处 jacdet 恰为 {value}。',
+  'Proved exactly: J at this point is the same wherever vertex {name} is, and it is not positive.':
+    '已精确证明：无论顶点 {name} 在何处，此点的 J 都相同，且不为正。',
+  'Proved exactly: with these weights J adds up to the same number at every place, and it is not positive. So J is never positive at all of them.':
+    '已精确证明：按这些权重，J 之和在任何位置都是同一个数，且不为正。因此 J 不会在所有这些点都为正。',
   'puts a vertex that is being moved back; at other times it removes the probe':
     '把正在移动的顶点放回原处；其他时候移除探针',
   'puts the probe on the next candidate; C copies its numbers': '把探针放到下一个候选点；C 复制它的数',
@@ -508,6 +533,8 @@ export const chinese: Dictionary = {
     '第一个坐标变化最快，然后是第二个，最后是第三个。',
   'The graphics context was lost, so the faces are not coloured until the browser gives it back. Everything else goes on.':
     '图形上下文丢失，在浏览器恢复它之前面没有颜色。其他一切照常。',
+  'The greatest relative minimum that each vertex can bring, moved alone:':
+    '每个顶点单独移动所能达到的最大相对最小值：',
   'The hexahedron in space': '空间中的六面体',
   'The hexahedron in space, eight vertices to move': '空间中的六面体，八个顶点可移动',
   'The id in the file': '文件中的编号',
@@ -547,6 +574,8 @@ export const chinese: Dictionary = {
   'The proof follows when this change is done.': '此更改完成后给出证明。',
   'The query stops here: the element is invalid.': '查询到此为止：单元无效。',
   'The reference cube, in xi, eta and zeta': '参考立方体，坐标 xi、eta、zeta',
+  'The relative minimum is the least jacdet over the volume: 1 of a box, 0 or less of an invalid element. The best place has the greatest one, to one part in a million. Of several it is the nearest.':
+    '相对最小值是最小的 jacdet 除以体积：长方体为 1，无效单元为 0 或更小。最佳位置的值最大，精确到百万分之一。若有多个，取最近的。',
   'the same': '相同',
   'The same colours in (ξ, η, ζ), beside the element (R)': '同样的颜色，坐标 (ξ, η, ζ)，在单元旁边（R）',
   'The scaled Jacobian (corners and centre) is acceptable from 0.5 on in the manuals of {cubit} and {verdict}, and {inPractice} often from 0.2 or 0.3 on.':
@@ -580,12 +609,16 @@ export const chinese: Dictionary = {
   'The top starts above vertex 3.': '顶面从顶点 3 上方开始。',
   'The unit cube with every coordinate moved by chance (normally, deviation 0.3): about half of these are valid.':
     '单位立方体，每个坐标随机移动（正态分布，标准差 0.3）：其中约一半有效。',
+  'The vertex has been moved. Undo takes it back.': '顶点已移动。“撤销”可恢复。',
   'The WebAssembly core did not start, so there is no verdict ({why}). The vertices and the link still work; reload the page to try again.':
     'WebAssembly 内核没有启动，因此没有判定（{why}）。顶点和链接仍然可用；请重新加载页面再试。',
+  'The weights cancel exactly, but their sum is positive: it forbids nothing.':
+    '权重精确抵消，但其和为正：它不排除任何位置。',
   'The worst {shown} of {wanted} cells are drawn.': '画出了 {wanted} 个单元中最差的 {shown} 个。',
   'The {count} orders tried': '所试的 {count} 种次序',
   'There is no cell {cell}.': '没有单元 {cell}。',
   'There is no report to follow.': '没有可以跟随的报告。',
+  'There is no verdict, so there is no best place.': '没有判定，因此没有最佳位置。',
   'There is no verdict, so there is nothing to compare.': '没有判定，因此没有可比较的。',
   'These coefficients are rounded to be read; the core keeps P in Bernstein form.':
     '这些系数为便于阅读已四舍五入；内核以 Bernstein 形式保存 P。',
@@ -600,9 +633,13 @@ export const chinese: Dictionary = {
   'To check it without this page: {check}. {certify} makes the same of a list of elements.':
     '不用本页检查：{check}。{certify} 对一列单元给出同样的结果。',
   'To check it, evaluate the definition once in rational numbers.': '要检查它，用有理数按定义计算一次即可。',
+  'To check the proof without this page:': '不用本页面检验该证明：',
   'to read jacdet there: the probe. The box is the image of a little cube, enlarged':
     '在该处读取 jacdet：探针。方盒是一个小立方体的像，已放大',
   'to remove the probe and let go of the vertex': '移除探针并放开顶点',
+  'to {point}, {distance} away': '到 {point}，距离 {distance}',
+  'to {point}, {distance} away, where min J is greatest, though not positive':
+    '到 {point}，距离 {distance}，那里 min J 最大，但不为正',
   'Top first': '顶面在前',
   'Top first, bottom turned by one': '顶面在前，底面转一位',
   'Top first, bottom turned by one, the other way round': '顶面在前，底面转一位，反向',
@@ -663,7 +700,13 @@ export const chinese: Dictionary = {
   vertex: '顶点',
   'Vertex {name}': '顶点 {name}',
   'vertex {name}': '顶点 {name}',
+  'Vertex {name} alone can bring the relative minimum from {before} to {after}.':
+    '仅移动顶点 {name} 就能使相对最小值从 {before} 变为 {after}。',
+  'Vertex {name} alone can bring the relative minimum to {after}.': '仅移动顶点 {name} 就能使相对最小值达到 {after}。',
+  'Vertex {name} is at its best place: relative minimum {after}.': '顶点 {name} 已在最佳位置：相对最小值 {after}。',
   'Vertex {name} {axis}': '顶点 {name} {axis}',
+  'Vertex {name}, at best {value}': '顶点 {name}，最好为 {value}',
+  'Vertex {name}, no valid place': '顶点 {name}，没有有效位置',
   'Vertex {name}: {coordinates}.': '顶点 {name}：{coordinates}。',
   Vertices: '顶点',
   'Vertices 2 and 3 have changed places.': '顶点 2 和 3 互换了位置。',
@@ -673,11 +716,15 @@ export const chinese: Dictionary = {
   Volume: '体积',
   'volume 0': '体积 0',
   'volume × {factor}': '体积 × {factor}',
+  weight: '权重',
   'What each looks at': '各自看什么',
+  'What is certain, and why': '什么是确定的，为什么',
   'What keys and pointers do (?)': '按键和指针的作用（?）',
   'What settles each face': '什么决定每个面',
   'What was read': '读取的内容',
   'Where the verdict changes': '判定变化之处',
+  'While the other seven vertices stay, J at a point of the element is an affine function of the place, and so is the volume. So the places with at least r > 0 form a convex set, and at most four points forbid a greater r.':
+    '其他七个顶点不动时，单元某点的 J 是位置的仿射函数，体积也是。因此至少为 r > 0 的位置构成凸集，且至多四个点就不允许更大的 r。',
   'Who would notice': '谁会发现',
   'Who would notice?': '谁会发现？',
   'with c and a + b + c these are the Bernstein coefficients in s. All are positive.':

@@ -3,7 +3,7 @@
  * element a rational point with jacdet <= 0; of a valid one intervals on which a condition with few signs holds.
  */
 import { edgeVertices, faces, VERTEX_COUNT, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
-import { isLess, productOf, type Rational, scaledInteger } from '../../model/rational'
+import { fractionText, isLess, lowestTerms, productOf, type Rational, scaledInteger } from '../../model/rational'
 import type { Core, Result } from '../report'
 import {
   type ExactJacdet,
@@ -78,19 +78,9 @@ export function certificateJson(name: string, vertices: Vertices, certificate: C
   const points = Array.from({ length: VERTEX_COUNT }, (_, v) => vertexOf(vertices, v))
   const element = { name, vertices: points, valid: certificate.valid }
   if (!certificate.valid)
-    return { ...element, point: certificate.point.map(rationalText), jacdet: rationalText(certificate.jacdet) }
-  const written = ({ from, to, by }: CertifiedInterval) => ({ t: [rationalText(from), rationalText(to)], by })
+    return { ...element, point: certificate.point.map(fractionText), jacdet: fractionText(certificate.jacdet) }
+  const written = ({ from, to, by }: CertifiedInterval) => ({ t: [fractionText(from), fractionText(to)], by })
   return { ...element, theorem: THEOREM, faces: certificate.faces.map(intervals => intervals.map(written)) }
-}
-
-function rationalText({ numerator, denominator }: Rational): string {
-  return denominator === 1n ? `${numerator}` : `${numerator}/${denominator}`
-}
-
-function lowestTerms({ numerator, denominator }: Rational): Rational {
-  let [a, b] = [numerator < 0n ? -numerator : numerator, denominator]
-  while (b > 0n) [a, b] = [b, a % b]
-  return { numerator: numerator / a, denominator: denominator / a }
 }
 
 /** A point where jacdet has the sign of the boundary minimum, -1 or 0: a vertex if one has it, else on an edge, else on a face. */

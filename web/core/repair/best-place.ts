@@ -1,21 +1,33 @@
 /** What the core says of the best place of a vertex. The contracts are those of hl_best_place in wasm/include/hexlens.h. */
 import type { Vec3 } from '../../model/hexahedron'
 import type { CodedError, Result } from '../../model/result'
+import type { PointMesh, UntangleError, UntangleOptions, Untangling } from './untangling'
 
 /**
  * The cells around a vertex that moves, while all others stay: cells of 24 coordinates each, and for each the local vertices that are the
- * moving one; or eight indices of points a cell, and the index of the one that moves.
+ * moving one; or eight indices of points a cell, and the index of the one that moves. Without limits it may go anywhere.
  */
-export type Star =
+export type Star = (
   | { readonly hexahedra: ArrayLike<number>; readonly moving: readonly (readonly number[])[] }
   | { readonly points: ArrayLike<number>; readonly cells: ArrayLike<number>; readonly vertex: number }
+) & { readonly limits?: Limits | undefined }
+
+/**
+ * Coordinates from `low` to `high`, which may be infinite, and from the present place only at right angles to the normals, none to two
+ * of them. Normals that are an axis come first; then the coordinate on it stays as it is.
+ */
+export interface Limits {
+  readonly low: Vec3
+  readonly high: Vec3
+  readonly normals: readonly Vec3[]
+}
 
 /** The least over the cells of the boundary minimum over the cell's volume, or over a scale that is the same for every place. */
 export type Measure = 'volume' | 'scale'
 
 /** A point that holds the value of every place down, or a side of the box in which places are sought. */
 export interface Hold {
-  /** Null for a side of the box. */
+  /** Null for a side of the box, or of the limits where these are nearer. */
   readonly cell: number | null
   /** (xi, eta, zeta), multiples of 2^-26; of a side the outward normal of length 1. */
   readonly point: Vec3
@@ -49,10 +61,12 @@ export interface BestPlace {
 }
 
 export type StarError = CodedError<
-  'wrong-count' | 'no-cells' | 'not-finite' | 'no-such-point' | 'nothing-moves' | 'several-places'
+  'wrong-count' | 'no-cells' | 'not-finite' | 'no-such-point' | 'nothing-moves' | 'several-places' | 'outside-limits'
 >
 
 export interface RepairCore {
   /** Never throws for any numbers given. */
   bestPlace(star: Star): Result<BestPlace, StarError>
+  /** Begins sweeps of best places over a mesh, which are done by steps: untangle.ts does them. */
+  untangling(mesh: PointMesh, options: UntangleOptions): Promise<Result<Untangling, UntangleError>>
 }

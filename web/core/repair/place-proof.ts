@@ -7,7 +7,7 @@ import { edgeVertices, VERTEX_COUNT, type Vec3, vertexReference } from '../../mo
 import { dyadicOf, productOf, type Rational, scaledDouble, scaledInteger, sumOf } from '../../model/rational'
 import type { BestPlace, Hold, Star } from './best-place'
 
-/** A hold with the weight of its function, as `value` says it; the weights sum to 1. */
+/** A hold with the weight of its function, of a side that of the distance from it; over the points the weights sum to 1. */
 export interface ProvedHold {
   readonly cell: number | null
   readonly point: Vec3
@@ -37,7 +37,12 @@ interface ExactAffine {
 interface ExactStar {
   readonly unit: number
   readonly cells: readonly { readonly vertices: readonly bigint[]; readonly moving: readonly boolean[] }[]
-  readonly present: readonly bigint[]
+  readonly present: Point
+  /** Directions in which the vertex may move, one to three. */
+  readonly tangents: readonly Point[]
+  /** Coordinates on the grid; null where there is none. */
+  readonly low: readonly (bigint | null)[]
+  readonly high: readonly (bigint | null)[]
 }
 
 /** Points are multiples of 2^-26, as the core rounds them. */
@@ -56,7 +61,7 @@ export function provePlace(star: Star, place: BestPlace): PlaceProof {
       : { isProved: false }
   const exact = exactStar(star)
   const level = place.measure === 'volume' ? place.bound : 0
-  const functions = place.holds.map(hold => functionOf(exact, hold, level, place))
+  const functions = place.holds.map(hold => fromPresent(exact, functionOf(exact, hold, level, place)))
   for (const chosen of subsets(functions.length)) {
     const weights = cancelling(chosen.map(i => (functions[i] as ExactAffine).gradient))
     if (!weights) continue
@@ -70,6 +75,12 @@ export function provePlace(star: Star, place: BestPlace): PlaceProof {
   return { isProved: false }
 }
 
+/** The function of steps along the tangents from the present place. */
+function fromPresent({ present, tangents }: ExactStar, { gradient, constant }: ExactAffine): ExactAffine {
+  const along = (i: number) => (tangents[i] ? dot(gradient, tangents[i]) : 0n)
+  return { gradient: [along(0), along(1), along(2)], constant: constant + dot(gradient, present) }
+}
+
 /** By scale the gradients cancel at every level, so that the bound is the constant over the scales. */
 function proofOf(
   place: BestPlace,
@@ -78,10 +89,13 @@ function proofOf(
   weights: readonly bigint[],
   constant: bigint,
 ): PlaceProof {
-  const total = weights.reduce((sum, weight) => sum + weight, 0n)
-  const holds = chosen.map((hold, i) => {
-    const { cell, point, isBySign } = place.holds[hold] as Hold
-    return { cell, point, isBySign, weight: { numerator: weights[i] as bigint, denominator: total } }
+  const chosenHolds = chosen.map(i => place.holds[i] as Hold)
+  const total = chosenHolds.reduce((sum, { cell }, i) => (cell === null ? sum : sum + (weights[i] as bigint)), 0n)
+  if (total === 0n) return { isProved: false }
+  const ofSides = sideUnit(place.measure === 'volume' ? place.bound : 0, exact.unit)
+  const holds = chosenHolds.map(({ cell, point, isBySign }, i) => {
+    const weight = { numerator: weights[i] as bigint, denominator: total }
+    return { cell, point, isBySign, weight: cell === null ? productOf(weight, ofSides) : weight }
   })
   if (place.measure === 'volume')
     return { isProved: true, bound: scaledDouble(place.bound, 0), isImpossible: false, holds }
@@ -104,6 +118,13 @@ function proofOf(
   return { isProved: true, bound, isImpossible: constant <= 0n, holds }
 }
 
+/** A distance as `functionOf` gives it, over what it gives of jacdet, each over its value. */
+function sideUnit(level: number, unit: number): Rational {
+  const ofPowers = scaledInteger(1n, 2 * unit - JACDET_BITS)
+  if (level === 0) return ofPowers
+  return productOf(ofPowers, { numerator: 1n, denominator: 24n << BigInt(-dyadicOf(level).exponent) })
+}
+
 /** jacdet - level * volume, times a power of two that is the same for all; of a side of the box the distance from it. */
 function functionOf(
   star: ExactStar,
@@ -120,14 +141,16 @@ function functionOf(
   return sumOfFunctions(isBySign ? [scaled] : [scaled, [-integer, twentyFourVolumes(star, cell)]])
 }
 
-function distanceFromSide({ unit, present }: ExactStar, normal: Vec3, unitExponent: number): ExactAffine {
+/** The side of the box or that of the limits, whichever is nearer. */
+function distanceFromSide(star: ExactStar, normal: Vec3, unitExponent: number): ExactAffine {
   const axis = normal.findIndex(x => x !== 0)
   const gradient = normal.map(x => BigInt(-x)) as unknown as ExactAffine['gradient']
-  const half = scaledInteger(1n, BOX_BITS + unitExponent - unit)
-  return {
-    gradient,
-    constant: half.numerator / half.denominator - (gradient[axis] as bigint) * (present[axis] as bigint),
-  }
+  const slope = gradient[axis] as bigint
+  const half = scaledInteger(1n, BOX_BITS + unitExponent - star.unit)
+  const ofBox = half.numerator / half.denominator - slope * (star.present[axis] as bigint)
+  const limit = (slope < 0n ? star.high : star.low)[axis]
+  const ofLimit = typeof limit === 'bigint' ? -slope * limit : ofBox
+  return { gradient, constant: ofLimit < ofBox ? ofLimit : ofBox }
 }
 
 type Point = readonly [bigint, bigint, bigint]
@@ -191,18 +214,43 @@ function twentyFourVolumes(star: ExactStar, cell: number): ExactAffine {
 
 function exactStar(star: Star): ExactStar {
   const cells = cellsOf(star)
-  const dyadics = cells.map(({ vertices }) => vertices.map(dyadicOf))
-  const used = dyadics.flat().filter(({ integer }) => integer !== 0n)
-  const unit = used.reduce((least, { exponent }) => Math.min(least, exponent), used[0]?.exponent ?? 0)
-  const integers = dyadics.map(list =>
-    list.map(({ integer, exponent }) => (integer === 0n ? 0n : integer << BigInt(exponent - unit))),
-  )
-  const exact = cells.map(({ moving }, c) => ({ vertices: integers[c] as bigint[], moving }))
+  const { low = [], high = [], normals = [] } = star.limits ?? {}
+  const unit = gridOf([...cells.flatMap(({ vertices }) => vertices), ...[...low, ...high].filter(Number.isFinite)])
+  const onGrid = (list: readonly number[]) => integersOn(unit, list)
+  const limits = (list: readonly number[]) => list.map(x => (Number.isFinite(x) ? (onGrid([x])[0] as bigint) : null))
+  const exact = cells.map(({ vertices, moving }) => ({ vertices: onGrid(vertices), moving }))
   const v = cells[0]?.moving.indexOf(true) as number
-  return { unit, cells: exact, present: (integers[0] as bigint[]).slice(3 * v, 3 * v + 3) }
+  const present = exact[0]?.vertices.slice(3 * v, 3 * v + 3) as unknown as Point
+  return { unit, cells: exact, present, tangents: tangentsOf(normals), low: limits(low), high: limits(high) }
 }
 
-function cellsOf(star: Star): { readonly vertices: readonly number[]; readonly moving: readonly boolean[] }[] {
+/** The exponent of a grid that has all the numbers. */
+function gridOf(list: readonly number[]): number {
+  const used = list.map(dyadicOf).filter(({ integer }) => integer !== 0n)
+  return used.reduce((least, { exponent }) => Math.min(least, exponent), used[0]?.exponent ?? 0)
+}
+
+function integersOn(unit: number, list: readonly number[]): bigint[] {
+  return list.map(dyadicOf).map(({ integer, exponent }) => (integer === 0n ? 0n : integer << BigInt(exponent - unit)))
+}
+
+const AXES: readonly Point[] = [
+  [1n, 0n, 0n],
+  [0n, 1n, 0n],
+  [0n, 0n, 1n],
+]
+
+/** What is at right angles to the normals, none to two of them. */
+function tangentsOf(normals: readonly Vec3[]): readonly Point[] {
+  const [a, b] = normals.map(n => integersOn(gridOf(n), n) as unknown as Point)
+  if (!a) return AXES
+  if (b) return [cross(a, b)]
+  const first = AXES.map(axis => cross(axis, a)).find(tangent => !isZero(tangent)) as Point
+  return [first, cross(a, first)]
+}
+
+/** The cells of a star, 24 coordinates each, and which of their vertices move. */
+export function cellsOf(star: Star): { readonly vertices: readonly number[]; readonly moving: readonly boolean[] }[] {
   const numbers = (list: ArrayLike<number>, from: number, count: number) =>
     Array.from({ length: count }, (_, i) => list[from + i] as number)
   if ('points' in star)

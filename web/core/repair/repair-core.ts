@@ -1,8 +1,9 @@
-/** Loads hexlens-repair.wasm, and is the only place that sees its memory. */
+/** Loads hexlens-repair.wasm; with untangling-core.ts the only place that sees its memory. */
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vec3 } from '../../model/hexahedron'
 import { type CodedError, type Result, refused } from '../../model/result'
 import { Unpacker } from '../unpack'
-import type { BestPlace, Hold, Measure, RepairCore, Star, StarError } from './best-place'
+import type { BestPlace, Hold, Limits, Measure, RepairCore, Star, StarError } from './best-place'
+import { beginUntangling } from './untangling-core'
 
 interface RepairExports {
   readonly memory: WebAssembly.Memory
@@ -17,6 +18,7 @@ interface RepairExports {
     indexCount: number,
     moving: number,
     vertex: number,
+    limits: number,
     memory: number,
     room: number,
   ): number
@@ -29,6 +31,7 @@ const HL_NO_SUCH_POINT = 4
 const HL_MISSING_LIST = 6
 const HL_NOTHING_MOVES = 7
 const HL_SEVERAL_PLACES = 8
+const HL_OUTSIDE_LIMITS = 9
 const HL_BOX_SIDE = 0xffffffff
 
 const REFUSALS: Readonly<Record<number, StarError>> = {
@@ -37,6 +40,7 @@ const REFUSALS: Readonly<Record<number, StarError>> = {
   [HL_MISSING_LIST]: { code: 'no-cells', message: 'There are no cells around the vertex.' },
   [HL_NOTHING_MOVES]: { code: 'nothing-moves', message: 'The vertex is not one of every cell.' },
   [HL_SEVERAL_PLACES]: { code: 'several-places', message: 'What moves is not at one place in all cells.' },
+  [HL_OUTSIDE_LIMITS]: { code: 'outside-limits', message: 'The limits do not contain the place of the vertex.' },
 }
 
 const MEASURES: readonly Measure[] = ['scale', 'volume']
@@ -53,7 +57,7 @@ interface Lists {
 
 /** Rejects with the engine's own error where WebAssembly is missing, forbidden, or the bytes are others. */
 export async function loadRepairCore(bytes: BufferSource): Promise<RepairCore> {
-  const { instance } = await WebAssembly.instantiate(bytes, {})
+  const { instance, module } = await WebAssembly.instantiate(bytes, {})
   const wasm = instance.exports as unknown as RepairExports
   wasm._initialize?.()
   const { memory } = wasm
@@ -82,8 +86,9 @@ export async function loadRepairCore(bytes: BufferSource): Promise<RepairCore> {
     if (!read.ok) return read
     const { coordinates, indices, moving, vertex, cellCount } = read.value
     const room = wasm.best_place_room(cellCount)
-    const addresses = put([coordinates, indices, moving], room) as [number, number, number, number]
-    const [atCoordinates, atIndices, atMoving, atRoom] = addresses
+    const limits = star.limits ? packedLimits(star.limits) : null
+    const addresses = put([coordinates, indices, moving, limits], room) as [number, number, number, number, number]
+    const [atCoordinates, atIndices, atMoving, atLimits, atRoom] = addresses
     const [coordinateCount, indexCount] = [coordinates.length, indices?.length ?? 0]
     const status = wasm.best_place(
       atCoordinates,
@@ -92,6 +97,7 @@ export async function loadRepairCore(bytes: BufferSource): Promise<RepairCore> {
       indexCount,
       atMoving,
       vertex,
+      atLimits,
       atRoom,
       room,
     )
@@ -105,7 +111,7 @@ export async function loadRepairCore(bytes: BufferSource): Promise<RepairCore> {
     return { ok: false, error }
   }
 
-  return { bestPlace }
+  return { bestPlace, untangling: (mesh, options) => beginUntangling(module, mesh, options) }
 }
 
 function listsOf(star: Star): Result<Lists, CodedError<'wrong-count' | 'no-such-point' | 'nothing-moves'>> {
@@ -164,6 +170,13 @@ function ofUsedPoints(points: ArrayLike<number>, cells: ArrayLike<number>, verte
     for (let r = 0; r < 3; ++r) coordinates[3 * number + r] = points[3 * point + r] as number
   return { coordinates, indices, moving: null, vertex: 0, cellCount: cells.length / VERTEX_COUNT }
 }
+
+/** The order of hl_limits. */
+function packedLimits({ low, high, normals }: Limits): Float64Array {
+  return Float64Array.from([...low, ...high, ...(normals[0] ?? NO_NORMAL), ...(normals[1] ?? NO_NORMAL)])
+}
+
+const NO_NORMAL: Vec3 = [0, 0, 0]
 
 function isIndex(value: number, count: number): boolean {
   return Number.isInteger(value) && value >= 0 && value < count

@@ -23,6 +23,7 @@ function variableOf(hdf5: Hdf5File, dataset: Hdf5Dataset): Variable {
   return {
     shape: dataset.shape,
     isFloat32: dataset.isFloat32,
+    floatsFrom: null,
     text: attribute => hdf5.textAttribute(dataset.path, attribute),
     numbers: (from, into) => dataset.read(from, into),
     strings: () => dataset.strings(),

@@ -12,6 +12,8 @@ export interface Variable {
   /** Lengths of its dimensions, the slowest first; none for a single number. */
   readonly shape: readonly number[]
   readonly isFloat32: boolean
+  /** The byte of its first number in the file, big-endian, if all lie there one after the other as floats; else null. */
+  readonly floatsFrom: number | null
   /** The text of an attribute; null if it has none of that name, or one of numbers. */
   text(attribute: string): string | null
   /** Fills `into` with its numbers, of any type, from number `from` of all on: `from + into.length` is at most their count. */
@@ -148,6 +150,14 @@ class ExodusReader {
     })
     const note = float32Note(largest)
     if (note !== null) builder.note(note)
+    const from = axes.map(axis => axis && placeOf(axis))
+    if (axes.every(axis => axis?.variable.isFloat32 === isFloat32) && from.every(place => place !== null))
+      builder.coordinatePlaces = {
+        kind: 'blocks',
+        blocks: [{ count: x.length, from: from as [number, number, number], stride: isFloat32 ? 4 : 8 }],
+        type: isFloat32 ? 'float32' : 'float64',
+        isLittleEndian: false,
+      }
   }
 
   #blocks(): ElementBlock[] {
@@ -239,6 +249,10 @@ class ExodusReader {
     this.#builder.steps = Array.from(times, String)
     if (times.length > 1) this.#builder.note(`The mesh is the same at all ${times.length} time steps of the file.`)
   }
+}
+
+function placeOf({ variable, first }: { readonly variable: Variable; readonly first: number }): number | null {
+  return variable.floatsFrom === null ? null : variable.floatsFrom + first * (variable.isFloat32 ? 4 : 8)
 }
 
 type Triple = [Float64Array, Float64Array, Float64Array]

@@ -21,6 +21,8 @@ const AT_ONCE = 32_768
 export function readNodes2({ cursor, mesh, onRecord }: BinarySection, count: number, isParametric: boolean): void {
   cursor.need(count, 28, 'nodes')
   mesh.builder.reserve(count, 0)
+  if (isParametric) mesh.hasPlaces = false
+  else mesh.block(cursor, count, cursor.position + 4, 28)
   for (let done = 0; done < count; ) {
     const some = isParametric ? 1 : Math.min(AT_ONCE, count - done)
     const bytes = cursor.bytes(28 * some, 'nodes')
@@ -96,6 +98,7 @@ export function readNodes4(section: BinarySection): void {
     if (version === 4.1) {
       cursor.need(nodes, sizeBytes + 8 * stride, 'nodes')
       const ids = cursor.ints(nodes, sizeBytes, 'the nodes')
+      mesh.block(cursor, nodes, cursor.position, 8 * stride)
       for (let done = 0; done < nodes; ) {
         const some = Math.min(AT_ONCE, nodes - done)
         const numbers = cursor.float64s(some * stride, 'coordinates')
@@ -110,6 +113,7 @@ export function readNodes4(section: BinarySection): void {
       }
     } else {
       cursor.need(nodes, 4 + 8 * stride, 'nodes')
+      mesh.block(cursor, nodes, cursor.position + 4, 4 + 8 * stride)
       for (let i = 0; i < nodes; ++i) {
         const id = cursor.count(4, 'the id of a node')
         const x = cursor.float64('a coordinate')

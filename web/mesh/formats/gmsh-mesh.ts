@@ -1,13 +1,15 @@
 /** The mesh of Gmsh's files: nodes by id, elements by type, groups and entities by name. */
 
 import type { FileRows } from '../file-rows'
-import type { Refusing } from '../mesh'
+import type { PointBlock, Refusing } from '../mesh'
 import { MeshBuilder } from '../mesh-builder'
 import type { RowCursor } from '../text-cursor'
 import type { GmshType } from './gmsh-types'
 
 export class GmshMesh {
   readonly builder: MeshBuilder
+  /** False where binary coordinates do not lie in blocks. */
+  hasPlaces = true
   /** True if the text leaves something out: elements may then name nodes that are not there. */
   mayLackNodes = false
   lackingNodes = 0
@@ -16,6 +18,7 @@ export class GmshMesh {
   /** Physical groups of entities, by "dimension tag". */
   readonly #groups = new Map<string, readonly number[]>()
   readonly #blocks = new Map<string, readonly string[]>()
+  readonly #nodeBlocks: PointBlock[] = []
   #lastGroup = Number.NaN
   #lastVolume = Number.NaN
   #lastBlocks: readonly string[] = []
@@ -27,6 +30,13 @@ export class GmshMesh {
 
   node(cursor: Refusing, id: number, x: number, y: number, z: number): void {
     if (!this.builder.newPointWithId(id, x, y, z)) cursor.refuse(`node ${id} is defined twice.`)
+  }
+
+  /** The next nodes are in the file from byte `from` on, `stride` bytes each. */
+  block({ isLittleEndian }: { readonly isLittleEndian: boolean }, count: number, from: number, stride: number): void {
+    this.#nodeBlocks.push({ count, from: [from, from + 8, from + 16], stride })
+    if (!this.hasPlaces) return
+    this.builder.coordinatePlaces = { kind: 'blocks', blocks: this.#nodeBlocks, type: 'float64', isLittleEndian }
   }
 
   /** Nodes of rows that end with three coordinates, whose ids stand first or are given. */

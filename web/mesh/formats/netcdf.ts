@@ -183,6 +183,7 @@ interface Declared {
 class ClassicVariable implements Variable {
   readonly shape: readonly number[]
   readonly isFloat32: boolean
+  readonly floatsFrom: number | null
   readonly #variables: ClassicVariables
   readonly #declared: Declared
   readonly #stride: number
@@ -193,6 +194,7 @@ class ClassicVariable implements Variable {
     this.#stride = stride
     this.shape = declared.isRecord ? [records, ...declared.own] : declared.own
     this.isFloat32 = declared.type === 'Float32'
+    this.floatsFrom = !declared.isRecord && declared.type.startsWith('Float') ? declared.begin : null
     const bytes = lengthOf(this) * sizeOf(declared.type)
     if (!Number.isSafeInteger(bytes)) variables.refuse(`${shown(declared.name)} has more numbers than a file can have.`)
   }

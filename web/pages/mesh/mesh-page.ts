@@ -5,8 +5,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import '../element'
 import { wordsOf } from '../../core/workers'
-import { ofFolder, unfolded } from '../../input/dropped-folders'
-import { droppedIn, type PastedInput, pastedIn, takesDrop } from '../../input/pasted-input'
+import type { PastedInput } from '../../input/pasted-input'
 import type { ReadingProgress } from '../../input/reading'
 import { WaitingFiles } from '../../input/waiting-files'
 import { LOADING } from '../../mesh/hdf5-reader'
@@ -14,27 +13,41 @@ import { CellTable } from '../../mesh-views/cell-table'
 import { parseCondition } from '../../model/condition'
 import { encodePermalink } from '../../model/permalink'
 import { OpenSurvey } from '../../survey/open-survey'
-import type { Arrangement, Column, Fix, Histogram, Overview, Selected, StepOpening } from '../../survey/survey-jobs'
+import type {
+  Arrangement,
+  Column,
+  Fix,
+  Histogram,
+  MovedMesh,
+  MovementCounts,
+  Overview,
+  Selected,
+  StepOpening,
+} from '../../survey/survey-jobs'
 import { startSurveyWorker } from '../../survey/survey-worker'
 import { takeHanded } from '../handed-input'
+import { EXAMPLES, type Example } from './examples'
 import { histogramTemplate, type Range } from './histogram-view'
+import { InputDoor } from './input-door'
+import { MovingLens, NOTHING_MOVED } from './moving-lens'
 import {
   ALL_FORMATS,
   cancelledWords,
-  EXAMPLE,
   FORMATS,
+  NOT_IN_STEPS,
   NOTHING_OPEN,
   namesakeSentence,
   nextSentence,
   refusalWords,
   STAYS,
 } from './page-words'
-import { partFile } from './part'
 import { PictureControls } from './picture-controls'
-import { isSettingsText, type Travelling } from './settings-text'
+import { PlaceFold } from './place-fold'
+import type { Travelling } from './settings-text'
 import { SettingsTravel } from './settings-travel'
 import { StepsView } from './steps-view'
 import { TakeAway } from './take-away'
+import { UntanglePanel } from './untangle-panel'
 
 const part = (selector: string) => document.querySelector(selector) as HTMLElement
 const overviewRoot = part('.overview')
@@ -74,7 +87,8 @@ interface Shown {
   /** What became of the last input, if it is not what is shown. */
   readonly news: string
   readonly overview: Overview | null
-  readonly isExample: boolean
+  readonly example: Example | null
+  readonly movement: MovementCounts
   /** About the files that were given. */
   readonly beside: string
   readonly histogram: Histogram | null
@@ -92,7 +106,8 @@ const NOTHING: Shown = {
   progress: null,
   news: '',
   overview: null,
-  isExample: false,
+  example: null,
+  movement: NOTHING_MOVED,
   beside: '',
   histogram: null,
   order: FIRST_ORDER,
@@ -139,13 +154,40 @@ const travel = new SettingsTravel({
   written: () => picture.travelled(),
 })
 const takeAway = new TakeAway({ survey: () => survey, picture: () => picture.toPNG() })
+const moving = new MovingLens(lens, oneRoot.querySelector('.moving') as HTMLElement, {
+  rows: rows => table.patch(rows),
+  move: moves => void takeMoved(own => own.move(moves)),
+  step: which => void takeMoved(own => own[which]()),
+  restore: points => void takeMoved(own => own.restore(points)),
+  freed: () => place.refresh(),
+})
+const place = new PlaceFold(oneRoot.querySelector('.place') as HTMLElement, {
+  move: (point, to) => takeMoved(own => own.move({ points: Uint32Array.of(point), to: Float64Array.from(to) })),
+  whyFixed: vertex => moving.whyFixed(vertex),
+  mark: marks => lens.markPlace(marks),
+})
+const untangling = new UntanglePanel({
+  survey: () => survey,
+  chosen: () => chosen?.cell ?? null,
+  ghost: lines => {
+    picture.ghostLines = lines?.ends ?? null
+  },
+  take: moves => void takeMoved(own => own.move(moves)),
+  goTo: cell => void flyTo(cell),
+})
+
+const door = new InputDoor({
+  open: input => void open(input),
+  use: settings => travel.use(settings),
+  say: news => set({ ...shown, news }),
+})
 
 const steps = new StepsView(part('.steps'), {
   chosen: () => chosen?.cell ?? null,
   show: showStep,
   take: async given => {
     set({ ...shown, news: 'refused' in given ? given.refused : '' })
-    if ('opened' in given) await take(given.opened, { isExample: false, beside: '' })
+    if ('opened' in given) await take(given.opened, { example: null, beside: '' })
   },
   goTo: flyTo,
 })
@@ -164,7 +206,7 @@ async function asked<T>(ask: (own: OpenSurvey) => Promise<T>): Promise<T | null>
 }
 
 /** The mesh that was open stays until the other one is decided. */
-async function open(given: PastedInput, isExample = false): Promise<void> {
+async function open(given: PastedInput, example: Example | null = null): Promise<void> {
   const input = waiting.completed(given)
   const name = nameOf(input)
   opening?.close()
@@ -187,25 +229,31 @@ async function open(given: PastedInput, isExample = false): Promise<void> {
   survey = own
   const hasSteps = (await asked(open => open.steps())) !== null
   const beside = 'files' in input && !hasSteps ? namesakeSentence(input.paths) : ''
-  if (own === survey) await take(result.opened, { isExample, beside })
+  if (own === survey) await take(result.opened, { example, beside })
 }
 
 function openName(): string | null {
   if (!survey) return null
-  return shown.isExample ? 'the example' : (shown.overview?.name ?? null)
+  return shown.example ? 'the example' : (shown.overview?.name ?? null)
 }
 
 /** What comes first is said first: the sentence and the list, then the picture. */
-async function take(overview: Overview, about: Pick<Shown, 'isExample' | 'beside'>): Promise<void> {
+async function take(
+  overview: Overview,
+  about: Pick<Shown, 'example' | 'beside'> & Partial<Pick<Shown, 'movement'>>,
+): Promise<void> {
   const own = survey as OpenSurvey
   // Another mesh may be on its way by now.
   const { news } = shown
   set({ ...NOTHING, ...about, news, progress: opening ? shown.progress : null, overview, selected: allOf(overview) })
   table.show(overview.hexahedra, { hasBlocks: overview.blocks.length > 0, order: FIRST_ORDER }, overview.worst)
-  const arriving = travel.arrivingIn(overview, about.isExample)
+  const arriving = travel.arrivingIn(overview, about.example !== null)
   picture.open(overview, arriving?.picture, arriving?.camera)
   picture.say(travel.takeNotice())
-  void steps.open(own)
+  moving.movement = shown.movement
+  await steps.open(own)
+  if (own !== survey) return
+  untangling.open(overview, steps.hasSteps ? NOT_IN_STEPS : '')
   const [worst] = overview.worst
   if (worst) await choose(worst.cell, 0)
   if (arriving && own === survey) await list(arriving)
@@ -214,7 +262,7 @@ async function take(overview: Overview, about: Pick<Shown, 'isExample' | 'beside
   set({ ...shown, histogram })
   if ((await asked(open => open.join(part => own === survey && picture.joining(part)))) === null) return
   await picture.show()
-  if (chosen && own === survey) await showNeighbours(chosen.cell)
+  if (chosen && own === survey) await choose(chosen.cell, null)
   if (own === survey) await steps.readAll()
   if (own === survey) spare ??= startedSpare()
 }
@@ -255,6 +303,11 @@ async function showStep(
   { opened: overview, chosen: cell }: Extract<StepOpening, { opened: unknown }>,
 ): Promise<void> {
   if (own !== survey) return
+  await showAnew(own, overview, cell)
+}
+
+/** The same cells with other points. */
+async function showAnew(own: OpenSurvey, overview: Overview, cell: number | null): Promise<void> {
   const { order, condition, range } = shown
   await asked(open => open.arrange(order))
   if (own !== survey) return
@@ -272,8 +325,25 @@ async function showStep(
   if (place && chosen?.cell === cell) await choose(cell, place.rank)
 }
 
+/** Moves that are on their way to the mesh; what comes of the last is shown. */
+let movesUnderWay = 0
+
+async function takeMoved(step: (own: OpenSurvey) => Promise<MovedMesh>): Promise<void> {
+  const own = survey
+  movesUnderWay++
+  const moved = await asked(step)
+  movesUnderWay--
+  if (!own || own !== survey || moved === null) return
+  set({ ...shown, movement: moved.movement })
+  moving.movement = moved.movement
+  untangling.moved(moved.opened)
+  if (movesUnderWay === 0) await showAnew(own, moved.opened, chosen?.cell ?? null)
+}
+
 function chooseNone(): void {
   chosen = null
+  moving.showNone()
+  place.show(null)
   table.choose(null, null)
   render(html`The chosen cell is not in this step.`, oneRoot.querySelector('.which') as HTMLElement)
   lens.hidden = true
@@ -329,9 +399,9 @@ function complaintAbout(condition: string): string | null {
 async function choose(cell: number, rank: number | null): Promise<void> {
   chosen = { cell, rank }
   table.choose(cell, rank)
-  const detail = await asked(open => open.detail(cell))
-  if (!detail || chosen?.cell !== cell) return
-  const { row, vertices } = detail
+  const answers = await asked(open => Promise.all([open.detail(cell), open.around(cell)]))
+  if (!answers || chosen?.cell !== cell || movesUnderWay > 0) return
+  const [{ row, vertices, neighbours }, around] = answers
   render(
     html`Cell ${row.id}${row.block === null ? '' : `, block ${row.block}`}${
       vertices === null
@@ -341,13 +411,10 @@ async function choose(cell: number, rank: number | null): Promise<void> {
     oneRoot.querySelector('.which') as HTMLElement,
   )
   lens.hidden = vertices === null
-  if (vertices) lens.vertices = [...vertices]
-  picture.choose(cell, vertices, detail.neighbours)
-}
-
-async function showNeighbours(cell: number): Promise<void> {
-  const detail = await asked(open => open.detail(cell))
-  if (detail && chosen?.cell === cell) picture.choose(cell, detail.vertices, detail.neighbours)
+  if (vertices) moving.show(cell, vertices, around, { hasSteps: steps.hasSteps })
+  else moving.showNone()
+  place.show(vertices && { id: row.id, cell, around })
+  picture.choose(cell, vertices, neighbours)
 }
 
 async function chooseInPicture(cell: number): Promise<void> {
@@ -384,8 +451,8 @@ async function mend(fix: Fix): Promise<void> {
   set({ ...shown, news: 'refused' in result ? result.refused : '' })
   if ('opened' in result) {
     travel.keep()
-    const { isExample, beside } = shown
-    const taking = take(result.opened, { isExample, beside })
+    const { example, beside, movement } = shown
+    const taking = take(result.opened, { example, beside, movement })
     part('.overview .headline').focus()
     await taking
   }
@@ -413,22 +480,32 @@ function overviewTemplate(now: Shown): TemplateResult {
       <p class="notes">${notesTemplate(now)}</p>
       <p class="buttons">
         ${overview?.fixes.map(fix => html`<button type="button" class="fix" @click=${() => mend(fix)}>${fix.words}</button>`)}
-        <button type="button" class="open" title=${ALL_FORMATS} @click=${() => part('input[type=file]').click()}>Open files</button>
-        ${FOLDERS === null ? nothing : html`<button type="button" class="folder" title="For example one of time steps" @click=${() => FOLDERS.click()}>Open a folder</button>`}
-        <button type="button" @click=${paste}>Paste</button>
-        ${takeAway.button}
-        <input type="file" multiple hidden @change=${onFiles} />
+        ${door.buttons}
+        ${takeAway.button} ${untangling.button}
+        ${examplesTemplate(now)}
       </p>
     </div>
-    ${takeAway.show(overview)}`
+    ${takeAway.show(overview, now.movement)} ${untangling.root}`
 }
 
-function notesTemplate({ overview, isExample, beside }: Shown): TemplateResult {
+function examplesTemplate({ example }: Shown): TemplateResult {
+  return html`<select class="examples" aria-label="Examples" @change=${onExample}>
+    <option value="" .selected=${example === null}>Examples</option>
+    ${EXAMPLES.map((each, i) => html`<option value=${i} .selected=${each === example}>${each.name}</option>`)}
+  </select>`
+}
+
+function onExample({ target }: Event): void {
+  const example = EXAMPLES[Number((target as HTMLSelectElement).value || -1)]
+  if (example) void open({ files: [example.file()] }, example)
+}
+
+function notesTemplate({ overview, example, beside }: Shown): TemplateResult {
   const formats = html`<span class="formats" title=${ALL_FORMATS}>${FORMATS}</span>`
   if (!overview) return html`${STAYS} ${formats}`
   const sentences = [...overview.sentences, beside].filter(sentence => sentence !== '')
   const own = sentences.map(sentence => html` ${sentence}`)
-  if (isExample) return html`${EXAMPLE} ${STAYS}${own} ${formats}`
+  if (example) return html`${example.sentence} Drop your own mesh anywhere here. ${STAYS}${own} ${formats}`
   return html`<b>${overview.name}</b>, ${overview.format}. ${STAYS}${own} ${nextSentence(overview)}`
 }
 
@@ -529,66 +606,12 @@ function onGo(event: SubmitEvent): void {
   if (typeof id === 'string' && id.trim() !== '') void goTo(id.trim())
 }
 
-function onFiles(event: Event): void {
-  const input = event.target as HTMLInputElement
-  const files = [...(input.files ?? [])]
-  input.value = ''
-  if (files.length > 0) void open({ files })
-}
-
-/** Null where the browser opens no folders. */
-const FOLDERS = folderInput()
-
-function folderInput(): HTMLInputElement | null {
-  const input = document.createElement('input')
-  if (!('webkitdirectory' in input)) return null
-  Object.assign(input, { type: 'file', webkitdirectory: true })
-  input.addEventListener('change', () => {
-    const given = ofFolder([...(input.files ?? [])])
-    input.value = ''
-    if ('files' in given && given.files.length > 0) void open(given)
-    else set({ ...shown, news: 'There are no files in this folder.' })
-  })
-  return input
-}
-
-async function paste(): Promise<void> {
-  try {
-    const text = await navigator.clipboard.readText()
-    if (text.trim() === '') set({ ...shown, news: 'The clipboard has no text.' })
-    else if (isSettingsText(text)) travel.use(text)
-    else void open({ text })
-  } catch {
-    set({ ...shown, news: 'This browser does not let the page read the clipboard: press Ctrl+V instead.' })
-  }
-}
-
 function nameOf(input: PastedInput): string {
   if ('text' in input) return 'the text'
   const [first] = input.files
   return input.files.length === 1 && first ? first.name : `${input.files.length} files`
 }
 
-document.addEventListener('paste', event => {
-  const input = pastedIn(event)
-  if (input && 'text' in input && isSettingsText(input.text)) travel.use(input.text)
-  else if (input) void open(input)
-})
-document.addEventListener('dragover', event => {
-  if (!takesDrop(event) || !event.dataTransfer) return
-  event.preventDefault()
-  event.dataTransfer.dropEffect = 'copy'
-  document.body.classList.add('is-drop-target')
-})
-for (const type of ['dragleave', 'drop', 'dragend'])
-  document.addEventListener(type, () => document.body.classList.remove('is-drop-target'))
-document.addEventListener('drop', async event => {
-  const input = droppedIn(event)
-  if (!input) return
-  const whole = await Promise.resolve(unfolded(event, input)).catch(() => null)
-  if (whole) void open(whole)
-  else set({ ...shown, news: 'The folder could not be read.' })
-})
 document.addEventListener('keydown', event => {
   const isTyping = event.target instanceof HTMLElement && event.target.matches('input, textarea, select, hex-lens')
   if (isTyping || event.altKey || event.ctrlKey || event.metaKey) return
@@ -604,7 +627,8 @@ void start()
 async function start(): Promise<void> {
   const handed = await takeHanded()
   if (handed && 'input' in handed) return open(handed.input)
-  const opening = open({ files: [partFile()] }, true)
+  const [first] = EXAMPLES
+  const opening = open({ files: [first.file()] }, first)
   if (handed) set({ ...shown, news: handed.lost })
   return opening
 }

@@ -6,7 +6,8 @@ import type { Overview } from '../../survey/survey-jobs'
 /** Names that stand for the others. */
 const NAMED = 8
 
-export const EXAMPLE = 'An example: an elbow of a pipe with some points misplaced. Drop your own mesh anywhere here.'
+export const NOT_IN_STEPS =
+  'A mesh of several time steps is only shown: open the file of one step alone to untangle it.'
 export const NOTHING_OPEN = 'Nothing is open. Drop a mesh anywhere here, open its files or paste its text.'
 export const STAYS = 'It is read in this browser and sent nowhere.'
 export const ALL_FORMATS = `Formats: ${formatNames.join(', ')}.`

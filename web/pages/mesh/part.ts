@@ -1,4 +1,5 @@
 /** The mesh that the page begins with: an elbow of a pipe, solid, in which some points are misplaced. */
+import { vtkFile } from './vtk-file'
 
 /** Cells along an edge of the square in the middle, from there to the wall, and along the pipe. */
 const CORE = 8
@@ -68,28 +69,9 @@ export function part(): Part {
   return { points, cells }
 }
 
-/** The part as a file that Gmsh and others read, so that it is opened as any other. */
+/** The part as a file, so that it is opened as any other. */
 export function partFile(): File {
-  const { points, cells } = part()
-  const lines = [
-    '# vtk DataFile Version 3.0',
-    'An elbow with misplaced points',
-    'ASCII',
-    'DATASET UNSTRUCTURED_GRID',
-    `POINTS ${points.length / 3} double`,
-    ...rows(points, 3),
-    `CELLS ${cells.length / 8} ${(9 * cells.length) / 8}`,
-    ...rows(cells, 8).map(row => `8 ${row}`),
-    `CELL_TYPES ${cells.length / 8}`,
-    ...Array.from({ length: cells.length / 8 }, () => '12'),
-  ]
-  return new File([`${lines.join('\n')}\n`], 'elbow.vtk')
-}
-
-function rows(numbers: Float64Array | Uint32Array, length: number): string[] {
-  return Array.from({ length: numbers.length / length }, (_, i) =>
-    numbers.subarray(length * i, length * (i + 1)).join(' '),
-  )
+  return vtkFile('elbow.vtk', 'An elbow with misplaced points', part())
 }
 
 interface Section {

@@ -1,6 +1,7 @@
 /** The picture and what chooses the cells in it: a set of cells, the slice, the threshold, and what is peeled and dug away. */
 import { nothing, render } from 'lit-html'
 import { wordsOf } from '../../core/workers'
+import { drawGhostLines } from '../../mesh-scene/ghost-lines'
 import { MeshPicture, type PictureSpace } from '../../mesh-scene/mesh-picture'
 import { drawMarks, MARKS_HEIGHT } from '../../mesh-scene/picture-marks'
 import { type Plane, PlaneHandle } from '../../mesh-scene/plane-handle'
@@ -51,6 +52,7 @@ export class PictureControls implements BarHost {
   readonly #marks = document.createElement('canvas')
   readonly #bar = document.createElement('div')
   readonly #tip = document.createElement('p')
+  #ghostLines: Float64Array | null = null
   #overview: Overview | null = null
   #settings = FIRST_SETTINGS
   #before: BarState['before'] = { slice: FIRST_SLICE, relative: [-Infinity, LEAST_THRESHOLD] }
@@ -111,6 +113,7 @@ export class PictureControls implements BarHost {
     this.#faces = null
     this.#invalid = null
     this.#ghost = null
+    this.#ghostLines = null
     this.#mesh++
     this.#wanted++
     this.#picture.open(overview?.bounds ?? null, camera)
@@ -165,6 +168,12 @@ export class PictureControls implements BarHost {
     this.#picture.choose(vertices, neighbours)
     this.#render()
     if (isOther && this.#settings.set === 'around' && this.#faces) void this.show()
+  }
+
+  /** Two points a line, six numbers: edges as they would be. Null for none. */
+  set ghostLines(ends: Float64Array | null) {
+    this.#ghostLines = ends
+    this.#picture.draw()
   }
 
   /** Null where there is no WebGL. */
@@ -301,6 +310,7 @@ export class PictureControls implements BarHost {
     const context = this.#marks.getContext('2d')
     context?.scale(ratio, ratio)
     if (context && this.#overview && this.#picture.isDrawn) drawMarks(context, space, this.#settings.colours)
+    if (context && this.#ghostLines) drawGhostLines(context, space, this.#ghostLines)
     this.#plane.draw(space)
     this.#host.changed()
   }

@@ -57,6 +57,11 @@ export class StepsView {
     this.#render()
   }
 
+  /** True if the open mesh has several time steps. */
+  get hasSteps(): boolean {
+    return this.#list !== null
+  }
+
   /** Reads the steps that have not been read, until it is cancelled. */
   async readAll(): Promise<void> {
     const [survey, list] = [this.#survey, this.#list]

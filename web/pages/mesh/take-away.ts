@@ -2,7 +2,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html'
 import { MESH_FORMS } from '../../outputs/meshes/list'
 import type { OpenSurvey } from '../../survey/open-survey'
-import type { FormId, Overview } from '../../survey/survey-jobs'
+import type { FormId, MovementCounts, Overview } from '../../survey/survey-jobs'
 import { saveFile } from '../../views/save-file'
 import { fileStem, sizeWords } from './file-names'
 
@@ -83,6 +83,7 @@ const NO_PICTURE = 'There is no picture without WebGL.'
 
 interface Shown {
   readonly overview: Overview | null
+  readonly movement: MovementCounts | null
   readonly writing: { readonly file: string; readonly fraction: number } | null
   readonly message: string
 }
@@ -92,7 +93,7 @@ export class TakeAway {
   readonly button = document.createElement('button')
   readonly #root = document.createElement('section')
   readonly #host: TakeAwayHost
-  #shown: Shown = { overview: null, writing: null, message: '' }
+  #shown: Shown = { overview: null, movement: null, writing: null, message: '' }
   #writer: OpenSurvey | null = null
 
   constructor(host: TakeAwayHost) {
@@ -112,17 +113,24 @@ export class TakeAway {
   }
 
   /** The menu for this mesh, closed for another one. */
-  show(overview: Overview | null): HTMLElement {
+  show(overview: Overview | null, movement: MovementCounts): HTMLElement {
     if (this.button.hidden === (overview === null) && overview === this.#shown.overview) return this.#root
     this.button.hidden = overview === null
     this.#open(false)
-    this.#set({ overview, writing: null, message: '' })
+    this.#set({ overview, movement, writing: null, message: '' })
     return this.#root
   }
 
   #open(isOpen: boolean): void {
     this.#root.hidden = !isOpen
     this.button.setAttribute('aria-expanded', String(isOpen))
+  }
+
+  /** The file that was read, of another name so that it stays. */
+  #own({ name, format }: Overview): FileWords {
+    const ending = /\.[a-z0-9]+$/i.exec(name)?.[0] ?? '.txt'
+    const what = `the file that was read, with the moved vertices; all else is as it was`
+    return { form: 'own', name: format, what, ending: `-moved${ending}`, mediaType: 'application/octet-stream' }
   }
 
   async #take({ form, ending, mediaType }: FileWords): Promise<void> {
@@ -163,7 +171,7 @@ export class TakeAway {
     render(this.#template(shown), this.#root)
   }
 
-  #template({ overview, writing, message }: Shown): TemplateResult | typeof nothing {
+  #template({ overview, movement, writing, message }: Shown): TemplateResult | typeof nothing {
     if (!overview) return nothing
     const hasInvalid = overview.counts.invalid > 0
     return html`<div class="now">
@@ -181,11 +189,20 @@ export class TakeAway {
         <h2>All cells</h2>
         ${this.#list(WHOLE, null)}
       </div>
+      ${movement && movement.movedCount > 0 ? this.#movedTemplate(overview, movement) : nothing}
       <div>
         <h2>Invalid cells alone</h2>
         ${hasInvalid ? nothing : html`<p id="take-away-why">${NONE_INVALID}</p>`}
         ${this.#list(INVALID, hasInvalid ? null : 'take-away-why')}
       </div>`
+  }
+
+  #movedTemplate(overview: Overview, { movedCount, whyNotInPlace }: MovementCounts): TemplateResult {
+    return html`<div>
+      <h2>With ${movedCount.toLocaleString('en')} moved ${movedCount === 1 ? 'vertex' : 'vertices'}, as are all of these</h2>
+      ${whyNotInPlace === null ? nothing : html`<p id="own-format-why">${whyNotInPlace} VTU has them.</p>`}
+      ${this.#list([this.#own(overview)], whyNotInPlace === null ? null : 'own-format-why')}
+    </div>`
   }
 
   /** Disabled for the reason with this id. */

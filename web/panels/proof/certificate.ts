@@ -2,6 +2,7 @@
 import { html, render, type TemplateResult } from 'lit-html'
 import { type Certificate, type CertifiedInterval, certificateJson } from '../../core/exact/certificate'
 import { faces } from '../../model/hexahedron'
+import { fractionText } from '../../model/rational'
 import { type ReferenceCube, sliceChange, sliceOf } from '../../model/state'
 import { copyText } from '../../views/copy-text'
 import { isNew } from '../../views/is-new'
@@ -11,7 +12,7 @@ import { type PlainWord, say, sayParts } from '../../words/say'
 import { answerTo } from '../panel'
 import css from './certificate.css?inline'
 import { type Proof, proofQuestion, proofSlice } from './proof-question'
-import { fullText, rationalText, roundedText } from './rational-text'
+import { rationalText, roundedText } from './rational-text'
 import { type Run, runsOf } from './runs'
 
 export const certificateStyles = css
@@ -146,7 +147,7 @@ function eighth({ numerator, denominator }: Invalid['jacdet']): Invalid['jacdet'
 
 /** "(1/2, 1, 1), -1/128": in full, for programs. */
 function numbersText({ point, jacdet }: Invalid): string {
-  return `(${point.map(fullText).join(', ')}), ${fullText(jacdet)}`
+  return `(${point.map(fractionText).join(', ')}), ${fractionText(jacdet)}`
 }
 
 function validProof({ faces: intervals }: Valid): TemplateResult {

@@ -1,7 +1,7 @@
 /** Rational numbers, however long, as text to be read. */
 import { rounded } from '../../core/exact/rounding'
 import { formatJacdet, superscript } from '../../model/decimal'
-import { bitLength, magnitude, type Rational } from '../../model/rational'
+import { bitLength, fractionText, magnitude, type Rational } from '../../model/rational'
 
 /** Longer numbers keep their first and last digits. */
 const WHOLE_DIGITS = 12
@@ -19,14 +19,9 @@ export function rationalText({ numerator, denominator }: Rational): string {
 /** " ≈ −0.12141" where rationalText is no longer easily read, else nothing. */
 export function roundedText(rational: Rational): string {
   const { numerator, denominator } = rational
-  if (rationalText(rational) === fullText(rational).replace('-', '−') || numerator === 0n) return ''
+  if (rationalText(rational) === fractionText(rational).replace('-', '−') || numerator === 0n) return ''
   const { mantissa, exponent } = rounded({ numerator, denominator }, 0)
   return `\u00a0≈\u00a0${formatJacdet(mantissa, exponent, 'unit')}`
-}
-
-/** "-9/64", every digit. */
-export function fullText({ numerator, denominator }: Rational): string {
-  return denominator === 1n ? `${numerator}` : `${numerator}/${denominator}`
 }
 
 function denominatorText(denominator: bigint): string {

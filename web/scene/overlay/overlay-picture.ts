@@ -2,6 +2,7 @@
 import type { Report } from '../../core/report'
 import type { Axis } from '../../model/hexahedron'
 import type { State } from '../../model/state'
+import type { PlaceMarks } from '../../views/place-marks'
 import type { Preview } from '../../views/scene-slices'
 import type { SceneCamera, ScreenPoint } from '../space/camera'
 import type { Box } from '../space/layout'
@@ -26,6 +27,7 @@ export interface Seen {
 export interface OverlayPicture extends Seen {
   readonly state: State
   readonly preview: Preview | null
+  readonly place: PlaceMarks | null
   readonly report: Report | null
   /** The vertices on the screen. */
   readonly handles: readonly ScreenPoint[]

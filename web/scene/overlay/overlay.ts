@@ -4,7 +4,7 @@ import type { JacobianReport } from '../../core/report'
 import { formatNumber } from '../../model/decimal'
 import { edgeVertices, VERTEX_COUNT, type Vec3, type Vertices, vertexOf, vertexReference } from '../../model/hexahedron'
 import { sliceOf } from '../../model/state'
-import { sceneSlice, spokenOf } from '../../views/scene-slices'
+import { sceneSlice, spokenOf, surroundingsSlice } from '../../views/scene-slices'
 import { moveTo, px, set, setText, show, svg } from '../paint/svg'
 import type { ScreenPoint } from '../space/camera'
 import { gridStep, lengthOf, roundTo } from '../space/decimal-step'
@@ -16,8 +16,10 @@ import { meanOf, numberDirection, overlap } from './label-place'
 import { LeastCurve } from './least-curve'
 import { Marks } from './marks'
 import { markScale, type OverlayPicture } from './overlay-picture'
+import { BestPlaceMarks } from './place-marks'
 import { type ProbeLook, ProbeMark } from './probe-mark'
 import { SampleMarks } from './sample-marks'
+import { SurroundingLines } from './surroundings'
 import { type AxisLetters, Triad } from './triad'
 
 export interface OverlayKind {
@@ -64,12 +66,15 @@ export class Overlay {
   readonly #ghostHandle = svg('circle', { class: 'ghost', r: 6 })
   readonly #grid = svg('path', { class: 'grid' })
   readonly #axisLine = svg('path', { class: 'axis-line' })
+  readonly #isFixed: boolean
   readonly #radius: number
   readonly #handles: readonly Handle[]
   readonly #coordinates = svg('text', { class: 'coordinates', 'text-anchor': 'middle' })
+  readonly #surroundings = new SurroundingLines()
   readonly #highlights = new Highlights()
   readonly #curve = new LeastCurve()
   readonly #samples = new SampleMarks()
+  readonly #bestPlace = new BestPlaceMarks()
   readonly #marks: Marks
   readonly #triad: Triad
   readonly #probe = new ProbeMark()
@@ -77,11 +82,13 @@ export class Overlay {
 
   /** `onMinimum` is called when the number of the minimum is pressed. */
   constructor({ letters, isFixed }: OverlayKind, onMinimum: () => void) {
+    this.#isFixed = isFixed
     this.#radius = isFixed ? FIXED_RADIUS : RADIUS
     this.#handles = Array.from({ length: VERTEX_COUNT }, (_, v) => createHandle(v, v === CUED && !isFixed))
     this.#marks = new Marks(!isFixed, onMinimum)
     this.#triad = new Triad(letters)
     this.root.append(
+      this.#surroundings.root,
       this.#edgeHalo,
       this.#edges,
       this.#haloBehind,
@@ -95,6 +102,7 @@ export class Overlay {
       this.#ghostHandle,
       this.#probe.box.root,
       this.#marks.candidates,
+      this.#bestPlace.root,
       ...this.#handles.map(handle => handle.group),
       this.#marks.minimizer,
       this.#samples.root,
@@ -117,14 +125,16 @@ export class Overlay {
     this.root.classList.toggle('opaque', sliceOf(sceneSlice, picture.state).faceDisplay === 'opaque')
     set(this.root, { viewBox: `0 0 ${camera.width} ${camera.height}` })
     const edges = this.#updateEdges(picture)
+    if (!this.#isFixed) this.#surroundings.update(picture)
     this.#highlights.update(picture)
     this.#curve.update(picture)
     this.#samples.update(picture, edges)
     const numbers = this.#updateHandles(picture)
     this.#updateGhost(picture)
+    const labels = this.#bestPlace.update(picture, numbers)
     this.#updateAxisLine(picture)
     const coordinates = this.#updateCoordinates(picture)
-    const taken = coordinates ? [...picture.taken, coordinates] : picture.taken
+    const taken = [...picture.taken, ...labels, ...(coordinates ? [coordinates] : [])]
     this.#marks.update({ ...picture, taken, numbers })
     this.#triad.update(camera)
   }
@@ -165,6 +175,7 @@ export class Overlay {
     const spoken = [report?.minimizer, ...spokenOf(state)]
     const ringed = spoken.map(part => (part?.kind === 'vertex' ? part.id : null))
     const texts = numberTexts(handles, preview?.order ?? null)
+    const { fixed } = sliceOf(surroundingsSlice, state)
     const shown: Point[] = []
     const scale = markScale(camera)
     const numbers = handles.map((at, v) => {
@@ -188,6 +199,7 @@ export class Overlay {
       const inside = half > 0 ? clamp(at.x + x, half + DIGIT_WIDTH, camera.width - half - DIGIT_WIDTH) - at.x : x
       set(number, { x: px(inside), y: px(uy * distance) })
       group.classList.toggle('selected', state.isVertexChosen && v === state.selectedVertex)
+      group.classList.toggle('fixed', fixed.includes(v))
       group.classList.toggle('behind', sight.hides(vertexReference[v] as Vec3))
       const place = { x: at.x + ux * distance, y: at.y + uy * distance }
       if (text !== '') shown.push(place)

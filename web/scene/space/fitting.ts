@@ -6,7 +6,7 @@ import type { Vec3, Vertices } from '../../model/hexahedron'
 import type { CameraView, State } from '../../model/state'
 import { DEFAULT_DIRECTION, type ScreenPoint } from './camera'
 import type { OrbitCamera, Pose } from './orbit-camera'
-import { verticesInWorld, type World, worldOf } from './world'
+import { toWorld, verticesInWorld, type World, worldOf } from './world'
 
 /** Reasons to look elsewhere since the last frame. */
 export interface Change {
@@ -71,6 +71,15 @@ export class Fitting {
     this.#orbit.fit(verticesInWorld(this.world, vertices), from)
   }
 
+  /** Brings places beside the element into sight, along the same line; if they are so far off that the element would be lost they stay out. */
+  reach(vertices: Vertices, places: readonly Vec3[]): void {
+    const points = places.map(place => toWorld(this.world, place))
+    if (points.every(point => this.#isOnScreen(point, 0))) return
+    const { pose } = this.#orbit
+    this.#orbit.fit([...verticesInWorld(this.world, vertices), ...points])
+    if (!this.#isInSight({ vertices }, LEAST_SHARE.jump)) this.#orbit.pose = pose
+  }
+
   look(vertices: Vertices, view: CameraView | null): void {
     this.world = worldOf(vertices)
     this.#look(vertices, view)
@@ -90,16 +99,23 @@ export class Fitting {
   }
 
   /** True if the element, or one vertex of it, is all there, but for little, and it spans more than a share of the pane. */
-  #isInSight({ vertices }: State, share: number, only: number | null = null): boolean {
+  #isInSight({ vertices }: Pick<State, 'vertices'>, share: number, only: number | null = null): boolean {
     const { camera } = this.#orbit
     camera.three.updateMatrixWorld()
-    const points = verticesInWorld(this.world, vertices).map(point => camera.project(point))
+    const inWorld = verticesInWorld(this.world, vertices)
+    const points = inWorld.map(point => camera.project(point))
     const { width, height } = camera
     const slack = only === null ? 0.05 : 0
-    const isThere = ({ x, y, depth }: ScreenPoint) =>
-      depth > 0 && Math.abs(x / width - 0.5) < 0.5 + slack && Math.abs(y / height - 0.5) < 0.5 + slack
-    const inside = points.every((point, v) => (only !== null && only !== v) || isThere(point))
+    const inside = inWorld.every((point, v) => (only !== null && only !== v) || this.#isOnScreen(point, slack))
     const spread = (of: (p: ScreenPoint) => number) => Math.max(...points.map(of)) - Math.min(...points.map(of))
     return inside && Math.max(spread(p => p.x) / width, spread(p => p.y) / height) > share
+  }
+
+  #isOnScreen(point: Vec3, slack: number): boolean {
+    const { camera } = this.#orbit
+    camera.three.updateMatrixWorld()
+    const { x, y, depth } = camera.project(point)
+    const isWithin = (value: number, size: number) => Math.abs(value / size - 0.5) < 0.5 + slack
+    return depth > 0 && isWithin(x, camera.width) && isWithin(y, camera.height)
   }
 }

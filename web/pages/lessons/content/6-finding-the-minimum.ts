@@ -1,9 +1,10 @@
 import { foldout } from './foldout'
 import type { Lesson } from './lessons'
-import { display, frac, math, of, prime, row, sub, sup } from './mathml'
+import { det, display, frac, math, of, prime, row, sub, sup, thin } from './mathml'
 
 const J = math('J')
 const q = (i: number) => sub('q', i)
+const columns = (...[a, b, c]: readonly [string, string, string]) => det('[', a, '|', b, '|', c, ']')
 const at = (name: string) => row(name, of('t'))
 
 const bent = [
@@ -159,7 +160,29 @@ export const lesson: Lesson = {
       title: 'And inside?',
       text: `<p>For a valid element this is all: by the theorem nothing inside is lower. Inside an invalid one ${J} may be lower. The lens finds that
         minimum as well. It cuts the element into smaller and smaller boxes, each with its own Bernstein bounds. The verdict does not depend on
-        it.</p>`,
+        it.</p>
+        ${foldout(
+          'One vertex alone: where is it best?',
+          `<p>Let one vertex move to ${math('p')}, while all others stay. At a given point ${math('q')} of the element the columns of
+          ${math('D', 'F')} are</p>
+          ${display('U', '=', 'u', '+', 'α', 'p')}
+          ${display('V', '=', 'v', '+', 'β', 'p')}
+          ${display('W', '=', 'w', '+', 'γ', 'p')}
+          <p>A term of the determinant with two of the three ${math('p')} has two parallel columns, and vanishes. What is left is affine in
+          ${math('p')}:</p>
+          ${display(sub('J', 'q'), of('p'), '=', columns('u', 'v', 'w'))}
+          ${display('+', 'α', thin, columns('p', 'v', 'w'), '+', 'β', thin, columns('u', 'p', 'w'))}
+          ${display('+', 'γ', thin, columns('u', 'v', 'p'))}
+          <p>So is the volume ${math(sub('V', 'c'))} of each cell ${math('c')}, its mean. Divide ${J} in each cell around the vertex by a size
+          ${math(sub('s', 'c'))} that stays, and take the least:</p>
+          ${display('T', of('p'), '=', thin, sub('min', row('c', ',', 'q')), thin, sub('J', 'q'), of('p'), '/', sub('s', 'c'))}
+          <p>The least of affine functions is concave: it has one greatest value, and no lower top. The relative minimum divides by the volume,
+          which changes, too. But it is at least ${math('r')} exactly where all</p>
+          ${display(sub('J', 'q'), of('p'), '−', 'r', sub('V', 'c'), of('p'), '≥', 0)}
+          <p>These are half-spaces, and what they have in common is convex, for each ${math('r')}: the least relative minimum is
+          quasi-concave where volumes are positive. At the best place at most four of the half-spaces leave no room for more. The lens
+          shows them under <em>Best place of a vertex</em>.</p>`,
+        )}`,
       task: 'This is all that the lens does. The challenges ask you to use it.',
       claims: [
         { says: 'On the boundary the least jacdet is −1/16', holds: 'boundary_min = -1/16' },

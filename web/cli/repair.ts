@@ -1,0 +1,132 @@
+/** `hexlens repair`: a mesh in, the same mesh with points moved out; the exit status is that of `check` for what was written. */
+import { reasonsOf } from '../core/repair/held'
+import { untangle } from '../core/repair/untangle'
+import type { Untangled } from '../core/repair/untangling'
+import { type CheckOptions, checkMesh, type ExitStatus, exitOf } from '../mesh/check'
+import type { Mesh } from '../mesh/mesh'
+import type { MeshCheck } from '../mesh/mesh-check'
+import { Refusal } from '../model/result'
+import { vtu } from '../outputs/meshes/vtu'
+import { meshOutput } from '../outputs/meshes/mesh-output'
+import { movedFile, whyNotInPlace } from '../outputs/moved-file'
+import { withoutControls } from '../outputs/output'
+import { repairLines } from '../outputs/repair-text'
+import { textOutput } from '../outputs/text'
+import { type CellClassifier, startCellClassifier } from './classify-cells'
+import type { Engine } from './engine'
+import { type OpenFile, openMeshFile, realPath } from './mesh-file'
+import { isAboutMemory, meshIn } from './mesh-in'
+import { ProgressLine } from './progress'
+import { type RepairArguments, readRepairArguments } from './repair-arguments'
+import { FileSink } from './sink'
+import type { Streams } from './streams'
+
+/** Worst cells that are listed. */
+const WORST = 10
+
+interface Work {
+  readonly wanted: RepairArguments
+  readonly engine: Engine
+  readonly streams: Streams
+  readonly progress: ProgressLine
+  readonly cells: CellClassifier
+}
+
+/** Throws a Refusal for a wrong call, a mesh that cannot be read, and where nothing can be written. */
+export async function repair(args: readonly string[], engine: Engine, streams: Streams): Promise<ExitStatus> {
+  const wanted = readRepairArguments(args)
+  const { input, output } = wanted
+  if (input !== '-' && realPath(output) === realPath(input))
+    throw new Refusal(`repair: ${output} is what is read, and stays as it is: name another file to write.`)
+  const sink = new FileSink(output)
+  const progress = new ProgressLine(streams.errors.isTTY ? streams.errors : null)
+  const cells = await startCellClassifier(engine, ({ done, total }) =>
+    progress.show(`${withoutControls(output)}: deciding`, done / total),
+  )
+  try {
+    return await repaired({ wanted, engine, streams, progress, cells }, sink)
+  } catch (error) {
+    if (error instanceof RangeError && isAboutMemory(error))
+      throw new Refusal(`${input} needs more memory than there is.`)
+    throw error
+  } finally {
+    progress.clear()
+    cells.close()
+    sink.discard()
+  }
+}
+
+async function repaired(work: Work, sink: FileSink): Promise<ExitStatus> {
+  const { wanted, engine, streams, progress } = work
+  const { input, output, minRelative } = wanted
+  const open = await openMeshFile(input, streams.input)
+  try {
+    const mesh = await meshOf(open, input, work)
+    const isInPlace = staysInItsFormat(mesh, wanted)
+    const result = await untangled(mesh, work)
+    const chunks = isInPlace ? movedFile(open.file, mesh, result.points) : await vtuOf(mesh, result.points, work)
+    for (const chunk of chunks) sink.write(chunk)
+    sink.close()
+    const check = await checkOfWritten(work)
+    const exit = exitOf(check, wanted)
+    const margin = minRelative ?? 0
+    const reason = reasonsOf(await engine.repairCore(), mesh, result, margin)
+    const { format } = mesh
+    progress.clear()
+    for (const line of repairLines({ result, reason, margin, input, output, format, isInPlace }))
+      await streams.output.write(`${line}\n`)
+    const text = textOutput({ listsAll: false, minRelative, skipsDegenerate: false })
+    for (const chunk of text.file({ file: output, exit, check })) await streams.output.write(chunk as string)
+    return exit
+  } finally {
+    open.close()
+  }
+}
+
+async function meshOf(open: OpenFile, path: string, { wanted, engine, progress }: Work): Promise<Mesh> {
+  const { format, step } = wanted
+  const readingCore = await engine.readingCore()
+  return meshIn(open, withoutControls(path), { format, step, readingCore, hdf5: engine.hdf5, progress })
+}
+
+/** True if the file is written as it was but for coordinates, false if as VTU. Throws a Refusal if neither is meant and possible. */
+function staysInItsFormat(mesh: Mesh, { output }: RepairArguments): boolean {
+  const isVtu = /\.vtu$/i.test(output)
+  const why = whyNotInPlace(mesh)
+  if (isVtu) return mesh.format === 'VTU' && why === null
+  if (why !== null) throw new Refusal(`repair: ${why} Name a .vtu file to write the hexahedra so.`)
+  return true
+}
+
+async function untangled(mesh: Mesh, { wanted, engine, progress }: Work): Promise<Untangled> {
+  const { minRelative, slides, freeBoundary } = wanted
+  const name = withoutControls(wanted.input)
+  const options = { margin: minRelative ?? 0, slides, boundaryDistance: freeBoundary ?? 0 }
+  const result = await untangle(await engine.repairCore(), mesh, options, ({ belowBefore, belowAfter }) =>
+    progress.show(`${name}: repairing`, 1 - belowAfter / Math.max(belowBefore, 1)),
+  )
+  if (!result.ok) throw new Refusal(`${name}: ${result.error.message}`)
+  return result.value
+}
+
+async function vtuOf(mesh: Mesh, points: Float64Array, work: Work): Promise<Iterable<string | Uint8Array>> {
+  const form = meshOutput(vtu, () => {})
+  const check = await checkOf({ ...mesh, points }, work, form.lists)
+  return form.file({ file: work.wanted.output, exit: exitOf(check, work.wanted), check })
+}
+
+/** What was written is read again: a file may have no room for all digits of the points. */
+async function checkOfWritten(work: Work): Promise<MeshCheck> {
+  const open = await openMeshFile(work.wanted.output, work.streams.input)
+  try {
+    return await checkOf(await meshOf(open, work.wanted.output, work), work)
+  } finally {
+    open.close()
+  }
+}
+
+async function checkOf(mesh: Mesh, { wanted, engine, cells }: Work, lists: CheckOptions['lists'] = {}) {
+  const { minRelative } = wanted
+  const means = { classify: cells.classify, core: await engine.core() }
+  return checkMesh(mesh, means, { worst: WORST, minRelative, skipsDegenerate: false, lists })
+}

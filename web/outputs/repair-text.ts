@@ -1,0 +1,64 @@
+/** What `repair` has done, for people. */
+import type { Reason } from '../core/repair/held'
+import type { Untangled } from '../core/repair/untangling'
+import { formatPoint, speakNumber } from '../model/decimal'
+import type { Vec3 } from '../model/hexahedron'
+import { counted, withoutControls } from './output'
+
+export interface Repaired {
+  readonly result: Untangled
+  /** Of the held points, by their place among them. */
+  reason(held: number): Reason
+  readonly margin: number
+  readonly input: string
+  readonly output: string
+  readonly format: string
+  /** Only coordinates are others; else it is a VTU. */
+  readonly isInPlace: boolean
+}
+
+/** Points whose reasons are said: a proof takes milliseconds. */
+const MOST_REASONS = 10
+
+export function* repairLines(repaired: Repaired): Generator<string> {
+  const { result, input, output, format, isInPlace } = repaired
+  const how = isInPlace ? 'where every byte but those of coordinates is as it was' : 'its hexahedra alone, as VTU'
+  yield `${withoutControls(input)} (${format}) is written to ${withoutControls(output)}, ${how}.`
+  yield* countLines(repaired)
+  if (result.tooManyCount > 0)
+    yield `  ${counted(result.tooManyCount, 'point has', 'points have')} more cells than can be dealt with, and stay.`
+  yield* reasonLines(repaired)
+}
+
+function* countLines({ result, margin }: Repaired): Generator<string> {
+  const { invalidBefore, invalidAfter, belowBefore, belowAfter } = result
+  const invalid = `${invalidBefore - invalidAfter} of ${counted(invalidBefore, 'invalid hexahedron', 'invalid hexahedra')}`
+  const below = margin > 0 ? `, ${belowBefore - belowAfter} of ${belowBefore} below ${margin}` : ''
+  yield belowBefore === 0 ? '  There was nothing to repair.' : `  Repaired: ${invalid}${below}.`
+  const { movedCount, greatestDistance, meanDistance } = result
+  if (movedCount === 0) yield '  No point has moved.'
+  else
+    yield `  ${counted(movedCount, 'point has', 'points have')} moved, by ${speakNumber(greatestDistance)} at most and ${speakNumber(meanDistance)} on average.`
+}
+
+function* reasonLines({ result, reason, margin }: Repaired): Generator<string> {
+  const count = result.heldPoints.length
+  if (count === 0) {
+    if (result.belowAfter > 0) yield '  What is left has no point that may move.'
+    return
+  }
+  yield `  What is left is held at ${counted(count, 'point', 'points')} that may move (counted from 0):`
+  for (let held = 0; held < Math.min(count, MOST_REASONS); ++held) {
+    const { point, cells, best, proof, forbids } = reason(held)
+    const at = [0, 1, 2].map(r => result.points[3 * point + r]) as unknown as Vec3
+    const own = counted(cells.length, 'cell', 'cells')
+    const by = proof.isProved
+      ? `: ${counted(proof.holds.length, 'point', 'points')} of the cells forbid it, proved`
+      : ''
+    const place = `    point ${point} at ${formatPoint(at).replaceAll('−', '-')}: no place makes its ${own}`
+    if (forbids === 'valid') yield `${place} valid${by}.`
+    else if (forbids === 'margin') yield `${place} better than ${speakNumber(best.bound)}, below ${margin}${by}.`
+    else yield `    point ${point}: no better place was found for its ${own}; that there is none is not proved.`
+  }
+  if (count > MOST_REASONS) yield `    and ${count - MOST_REASONS} more.`
+}
