@@ -159,7 +159,7 @@ export class MovingLens {
     const { around, whyNot } = this.#chosen ?? { around: null, whyNot: UNKNOWN }
     const isFixed = !this.#isBoundaryFree && around?.onBoundary.includes(vertex)
     if (whyNot === '' && !isFixed) return false
-    this.say(isFixed ? `Vertex ${vertex} stays: it is on the boundary of the hexahedra.` : whyNot)
+    this.say(whyNot === '' ? `Vertex ${vertex} stays: it is on the boundary of the hexahedra.` : whyNot)
     return true
   }
 
