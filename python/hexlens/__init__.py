@@ -11,6 +11,7 @@ from ._version import __version__
 if TYPE_CHECKING:
     from ._certificates import certify, verify
     from ._check import Cell, MeshCheck, check
+    from ._repair import Repair, repair
     from ._report import Candidate, Check, Face, FaceRoot, Report, VolumeMinimum, analyze
     from .widget import HexLens
 
@@ -27,6 +28,7 @@ __all__ = [
     "HexLens",
     "HexlensError",
     "MeshCheck",
+    "Repair",
     "Report",
     "VolumeMinimum",
     "__version__",
@@ -34,6 +36,7 @@ __all__ = [
     "certify",
     "check",
     "classify",
+    "repair",
     "vectors",
     "verify",
 ]
@@ -42,6 +45,7 @@ __all__ = [
 _LATER = {
     **dict.fromkeys(("certify", "verify"), "_certificates"),
     **dict.fromkeys(("Cell", "MeshCheck", "check"), "_check"),
+    **dict.fromkeys(("Repair", "repair"), "_repair"),
     **dict.fromkeys(("Candidate", "Check", "Face", "FaceRoot", "Report", "VolumeMinimum", "analyze"), "_report"),
     "HexLens": "widget",
 }

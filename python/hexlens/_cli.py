@@ -32,6 +32,7 @@ __all__ = ["check_command", "main"]
 
 USAGE: Final = """Usage: python -m hexlens check [OPTION...] FILE...
        hexlens-check [OPTION...] FILE...
+       python -m hexlens repair FILE -o OUT.vtu: its own --help
 
 Reads meshes, decides for every hexahedron of eight nodes whether jacdet > 0 in all of it, exactly, and says which are the
 worst: those with the least minimum of jacdet over |volume|. "-" is standard input. VTU, .pvtu and VTK legacy are read; for
@@ -205,7 +206,7 @@ def _refuse_overwriting(values: Arguments) -> None:
         taken[real] = f"{path}, which is written"
 
 
-class _FileSink:
+class FileSink:
     """Writes to a file beside the one that is meant, which takes its place in the end, so that whoever looks never sees a part; what
     is no plain file, such as a pipe, is written as it is."""
 
@@ -302,15 +303,15 @@ def _outputs(wanted: Arguments, said: list[str]) -> list[tuple[Output, Any]]:
     count = len(wanted.files)
     outputs: list[tuple[Output, Any]] = []
     if wanted.csv is not None:
-        outputs.append((CsvOutput(), _FileSink(wanted.csv)))
+        outputs.append((CsvOutput(), FileSink(wanted.csv)))
     if wanted.junit is not None:
-        outputs.append((JunitOutput(wanted.allows_unchecked), _FileSink(wanted.junit)))
+        outputs.append((JunitOutput(wanted.allows_unchecked), FileSink(wanted.junit)))
     if wanted.annotate is not None:
-        outputs.append((mesh_output(wanted.annotate, said), _FileSink(wanted.annotate)))
+        outputs.append((mesh_output(wanted.annotate, said), FileSink(wanted.annotate)))
     if wanted.html is not None:
         from ._html import HtmlOutput
 
-        outputs.append((HtmlOutput(count), _FileSink(wanted.html)))
+        outputs.append((HtmlOutput(count), FileSink(wanted.html)))
     main_output: Output
     if wanted.json:
         main_output = JsonOutput()
@@ -324,7 +325,7 @@ def _outputs(wanted: Arguments, said: list[str]) -> list[tuple[Output, Any]]:
 def _result(file: str, wanted: Arguments) -> FileResult:
     worst = _WORST if wanted.worst is None else None if wanted.worst < 0 else wanted.worst
     try:
-        with _path_of(file) as path:
+        with path_of(file) as path:
             mesh = read_file(path, wanted.format, wanted.step)
             check = check_mesh(mesh, file, worst=worst, min_relative=wanted.min_relative, skip_degenerate=wanted.skip_degenerate)
     except HexlensError as error:
@@ -336,7 +337,7 @@ def _result(file: str, wanted: Arguments) -> FileResult:
 
 
 @contextlib.contextmanager
-def _path_of(file: str) -> Any:
+def path_of(file: str) -> Any:
     """Standard input and pipes cannot be read from anywhere, so they become files."""
     if file != "-" and (not os.path.exists(file) or os.path.isfile(file) or os.path.isdir(file)):
         yield file
@@ -357,6 +358,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     own = list(sys.argv[1:] if arguments is None else arguments)
     if own[:1] == ["check"]:
         return _run(own[1:])
+    if own[:1] == ["repair"]:
+        from ._repair_cli import REPAIR_USAGE, repair_command
+
+        return _run(own[1:], repair_command, REPAIR_USAGE)
     if own[:1] in (["--help"], ["-h"]):
         sys.stdout.write(USAGE)
         return _OK
@@ -369,12 +374,12 @@ def check_command() -> None:
     sys.exit(_run(sys.argv[1:]))
 
 
-def _run(arguments: Sequence[str]) -> int:
+def _run(arguments: Sequence[str], command: Callable[[Sequence[str]], int] = _check, usage: str = USAGE) -> int:
     if any(argument in ("--help", "-h") for argument in arguments):
-        sys.stdout.write(USAGE)
+        sys.stdout.write(usage)
         return _OK
     try:
-        return _check(arguments)
+        return command(arguments)
     except HexlensError as error:
         sys.stderr.write(f"hexlens: {without_controls(str(error))}\n")
         return _REFUSED

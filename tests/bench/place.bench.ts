@@ -1,6 +1,6 @@
 /**
  * The best places of seeded vertices of a regular grid with noise, natively and in wasm, beside SciPy's Nelder-Mead and SLSQP on
- * the same stars, in turns; then sweeps over meshes. HEXLENS_PYTHON names a python3 with numpy and scipy; without one there are no
+ * the same stars, in turns. HEXLENS_PYTHON names a python3 with numpy and scipy; without one there are no
  * peers. --quick: a few stars.
  */
 import { execFileSync, spawnSync } from 'node:child_process'
@@ -35,7 +35,7 @@ interface Measured {
 
 export async function main(options: readonly string[]): Promise<void> {
   const count = options.includes('--quick') ? TURN : 4 * TURN
-  execFileSync('make', ['-s', '-C', `${root}/wasm`, '../build/native/place', '../build/native/untangle', 'library'])
+  execFileSync('make', ['-s', '-C', `${root}/wasm`, '../build/native/place', 'library'])
   console.log(
     `${cpus()[0]?.model}, Node ${process.version}; ${count} stars of 8 cells a row, medians; short of the bound by more than 1e-6`,
   )
@@ -44,7 +44,6 @@ export async function main(options: readonly string[]): Promise<void> {
     while (measured.length < count) measured.push(...measure(Array.from({ length: TURN }, next)))
     print(name, measured)
   }
-  console.log(execFileSync(`${root}/build/native/untangle`, { encoding: 'utf8' }))
 }
 
 function measure(stars: readonly PointStar[]): Measured[] {

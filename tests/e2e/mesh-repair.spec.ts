@@ -6,6 +6,8 @@ import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import type { Page } from '@playwright/test'
 import { vertexReference } from '../../web/model/hexahedron'
+import { unitCube } from '../unit/core-fixtures'
+import { vtuOf } from '../unit/vtu-text'
 import { expect, expectAxeFindsNothing, handleOf, inSchemesAndWidths, test } from './lens'
 
 const folder = mkdtempSync(join(tmpdir(), 'hexlens-mesh-repair-'))
@@ -188,7 +190,7 @@ test('a vertex is dragged, the rest untangled, and both files that are saved are
   })
 })
 
-test('an example to untangle; a cancel leaves it; all of it by keys', async ({ page }) => {
+test('examples to untangle; what is left and why; all of it by keys', async ({ lens, page }) => {
   await page.goto('mesh.html')
   await expect(headline(page)).toHaveText(/^12 of 7,168/)
   const button = page.getByRole('button', { name: 'Untangle' })
@@ -221,4 +223,20 @@ test('an example to untangle; a cancel leaves it; all of it by keys', async ({ p
   await expect(page.locator('.moving .moved')).toHaveText(/^A vertex that is dragged moves in the mesh/)
   await panel.getByLabel(/^Where/).press('Escape')
   await expect(button).toBeFocused()
+
+  await test.step('a mesh of several time steps is only shown', async () => {
+    const steps = [1, 2].map(step => {
+      const file = join(folder, `step_${step}.vtu`)
+      writeFileSync(file, vtuOf([unitCube.map(x => step * x)]))
+      return file
+    })
+    await page.locator('.overview input[type=file]').setInputFiles(steps)
+    await expect(headline(page)).toHaveText('The hexahedron is valid.')
+    const before = await lens.vertices()
+    await lens.scene.press('ArrowRight')
+    await expect(moved(page)).toContainText('A mesh of several time steps is only shown')
+    expect(await lens.vertices()).toEqual(before)
+    await button.press('Enter')
+    await expect(panel).toContainText('open the file of one step alone to untangle it')
+  })
 })

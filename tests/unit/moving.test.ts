@@ -10,7 +10,7 @@ import { aroundOf } from '../../web/survey/around'
 import { meeting } from '../../web/survey/meeting'
 import { mended } from '../../web/survey/mend'
 import { Movement } from '../../web/survey/movement'
-import { movingJobs } from '../../web/survey/moving-jobs'
+import { inOwnFormat, movingJobs, roundedNote } from '../../web/survey/moving-jobs'
 import { OpenedSurvey } from '../../web/survey/opened-survey'
 import { cellsWith, recheck } from '../../web/survey/recheck'
 import { Survey } from '../../web/survey/survey'
@@ -177,6 +177,32 @@ test('the block of the page is untangled: all valid, with the margin', async () 
   if ('refused' in result) throw new Error(result.refused)
   expect([result.counts.belowAfter, result.heldCount]).toEqual([0, 0])
   expect((await jobs.move(result.moves)).opened.counts.invalid).toBe(0)
+})
+
+describe('the file that was read', () => {
+  const single: Mesh = {
+    ...elbow,
+    points: elbow.points.map(Math.fround),
+    coordinatePlaces: { kind: 'block', from: 0, type: 'float32', isLittleEndian: true },
+  }
+
+  it('in single precision: it says that moved vertices are rounded, and what that does', async () => {
+    const { open, jobs } = await opened(single)
+    await jobs.move({ points: Uint32Array.of(4000), to: single.points.slice(12000, 12003) })
+    expect(await roundedNote(open)).toEqual([])
+    const to = single.points.slice(12000, 12003).map(x => x + 1e-9)
+    await jobs.move({ points: Uint32Array.of(4000), to })
+    expect(await roundedNote(open)).toEqual([
+      'The file has single precision, to which the moved vertices are rounded: none of their cells is invalid by that.',
+    ])
+  })
+
+  it('is refused once nodes have been renumbered', async () => {
+    const { open } = await opened(single)
+    const moving = { ...open, movement: new Movement(single, open.movement) }
+    expect(() => [...inOwnFormat(moving)]).toThrow('The file has the nodes of its cells in another order')
+    expect(() => [...inOwnFormat({ ...open, files: [] })]).toThrow('The mesh was read from several files.')
+  })
 })
 
 describe('the page, ahead of the worker', () => {

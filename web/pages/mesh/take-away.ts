@@ -112,11 +112,12 @@ export class TakeAway {
     })
   }
 
-  /** The menu for this mesh, closed for another one. */
+  /** The menu for this mesh, closed for another one; it stays as it is if only vertices have moved. */
   show(overview: Overview | null, movement: MovementCounts): HTMLElement {
     if (this.button.hidden === (overview === null) && overview === this.#shown.overview) return this.#root
     this.button.hidden = overview === null
-    this.#open(false)
+    const hasMoved = movement !== this.#shown.movement && (movement.canUndo || movement.canRedo)
+    if (!hasMoved) this.#open(false)
     this.#set({ overview, movement, writing: null, message: '' })
     return this.#root
   }

@@ -1,0 +1,123 @@
+/** `repair` as scripts meet it: what is written, what is said, the exit status, and that nothing else is touched. */
+import { mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { afterAll, describe, expect, it } from 'vitest'
+import { main } from '../../web/cli/from-sources'
+import { noisyGrid } from './grids'
+
+const folder = mkdtempSync(join(tmpdir(), 'hexlens-repair-'))
+afterAll(() => rmSync(folder, { recursive: true }))
+const pathOf = (name: string) => join(folder, name)
+
+/** A Gmsh file of a noisy grid, with other cells and a comment that nobody reads. */
+function gridFile(name: string, sigma: number, seed: number, boundarySigma = 0): string {
+  const { points, cells } = noisyGrid(6, sigma, seed, boundarySigma)
+  const nodes = Array.from(
+    { length: points.length / 3 },
+    (_, p) => `${p + 1} ${points.slice(3 * p, 3 * p + 3).join(' ')}`,
+  )
+  const hexahedra = Array.from(
+    { length: cells.length / 8 },
+    (_, c) => `${c + 1} 5 2 0 1 ${[...cells.slice(8 * c, 8 * c + 8)].map(i => i + 1).join(' ')}`,
+  )
+  const text = `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\n  as it  was\n$EndComments\n$Nodes\n${nodes.length}\n${nodes.join('\n')}
+$EndNodes\n$Elements\n${hexahedra.length + 1}\n${hexahedra.join('\n')}\n900 15 2 0 1 1\n$EndElements\n`
+  writeFileSync(pathOf(name), text)
+  return pathOf(name)
+}
+
+async function run(...args: string[]) {
+  let [output, errors] = ['', '']
+  const status = await main(args, {
+    input: (async function* () {})(),
+    output: { write: text => (output += text) },
+    errors: { write: text => (errors += text) },
+  })
+  return { status, output, errors }
+}
+
+const coordinates = (text: string) => text.slice(text.indexOf('$Nodes'), text.indexOf('$EndNodes'))
+
+describe('repair', () => {
+  it('writes the file with other coordinates only, which check accepts, and leaves its input', async () => {
+    const input = gridFile('noisy.msh', 0.25, 1)
+    const before = readFileSync(input, 'latin1')
+    const output = pathOf('repaired.msh')
+    expect((await run('check', input)).status).toBe(1)
+    const { status, output: text, errors } = await run('repair', input, '-o', output, '--min-relative', '0.1')
+    expect([status, errors]).toEqual([0, ''])
+    expect(text).toMatch(
+      /noisy\.msh \(Gmsh\) is written to .*, where every byte but those of coordinates is as it was\.\n/,
+    )
+    expect(text).toMatch(/Repaired: (\d+) of \1 invalid hexahedra, (\d+) of \2 below 0\.1\.\n/)
+    expect(text).toMatch(/\d+ points have moved, by [\d.]+ at most and [\d.]+ on average\.\n/)
+    expect(text).toContain('125 hexahedra, all VALID.')
+    expect(readFileSync(input, 'latin1')).toBe(before)
+    const after = readFileSync(output, 'latin1')
+    expect(after.replace(coordinates(after), '')).toBe(before.replace(coordinates(before), ''))
+    expect((await run('check', output, '--min-relative=0.1')).status).toBe(0)
+  })
+
+  it('writes the hexahedra as VTU where that is meant, says what holds the rest, and exits as check does', async () => {
+    const output = pathOf('left.vtu')
+    const { status, output: text } = await run(
+      'repair',
+      gridFile('hard.msh', 0.2, 2),
+      '-o',
+      output,
+      '--min-relative=0.7',
+    )
+    expect(status).toBe(1)
+    expect(text).toContain('its hexahedra alone, as VTU.')
+    expect(text).toMatch(/What is left is held at \d+ points that may move \(counted from 0\):\n/)
+    expect(text).toMatch(
+      /point \d+ at \(.*\): no place makes its 8 cells better than [\d.]+, below 0\.7: \d points? of the cells/,
+    )
+    expect((await run('check', output, '--min-relative=0.7')).status).toBe(1)
+  })
+
+  it('frees the boundary as it is told', async () => {
+    const input = gridFile('boundary.msh', 0.05, 3, 0.35)
+    const left = async (...options: string[]) => {
+      await run('repair', input, '-o', pathOf('b.msh'), ...options)
+      return Number(/(\d+) INVALID/.exec((await run('check', pathOf('b.msh'))).output)?.[1] ?? 0)
+    }
+    const fixed = await left()
+    expect(fixed).toBeGreaterThan(3)
+    expect(await left('--slide')).toBeLessThan(fixed)
+    expect(await left('--free-boundary', '0.3')).toBeLessThan(fixed)
+  })
+
+  it('refuses a wrong call in a sentence, and leaves nothing behind', async () => {
+    const input = gridFile('refused.msh', 0.1, 4)
+    const before = readdirSync(folder)
+    symlinkSync(input, pathOf('link.msh'))
+    const said = async (...args: string[]) => {
+      const { status, errors } = await run('repair', ...args)
+      expect(status).toBe(2)
+      return errors
+    }
+    expect(await said(input)).toContain('it wants -o and the file to write')
+    expect(await said('-o', pathOf('x.msh'))).toContain('it wants one file')
+    expect(await said(input, '-o', input)).toContain('stays as it is: name another file')
+    expect(await said(input, '-o', pathOf('link.msh'))).toContain('stays as it is: name another file')
+    expect(await said(input, '-o', '-')).toContain('not standard output')
+    expect(await said(input, '-o', pathOf('none/x.msh'))).toContain('there is no such folder')
+    expect(await said(input, '-o', pathOf('x.msh'), '--min-relative', '2')).toContain('a number from 0 to 1, not 2')
+    expect(await said(input, '-o', pathOf('x.msh'), '--free-boundary=-1')).toContain('a distance, not -1')
+    expect(await said(input, '-o', pathOf('x.msh'), '--slide=1')).toContain('--slide has no value')
+    expect(await said(pathOf('missing.msh'), '-o', pathOf('x.msh'))).toContain('missing.msh')
+    const text = readFileSync(input, 'latin1').replace(/^8 .*$/m, '8 nan 0 0')
+    writeFileSync(pathOf('nan.msh'), text)
+    expect(await said(pathOf('nan.msh'), '-o', pathOf('x.msh'))).toContain('not a finite number')
+    expect(readdirSync(folder).filter(name => !['link.msh', 'nan.msh'].includes(name))).toEqual(before)
+  })
+
+  it('says what it takes', async () => {
+    const { status, output } = await run('repair', '--help')
+    expect(status).toBe(0)
+    for (const option of ['-o', '--min-relative', '--slide', '--free-boundary', '--step'])
+      expect(output).toContain(option)
+  })
+})
