@@ -13,14 +13,12 @@ import type { Ray, SceneCamera } from '../scene/space/camera'
 import type { Point } from '../scene/space/layout'
 import { OrbitCamera } from '../scene/space/orbit-camera'
 import { mix } from '../scene/space/vec3'
-import type { Bounds, FaceList, Neighbour } from '../survey/survey-jobs'
+import type { Bounds, Neighbour } from '../survey/survey-jobs'
 import { placeIn } from '../views/place-in'
-import { type Colouring, faceColours, oneColour, plainColour, SOFT } from './cell-colour'
-import { FaceBatch } from './face-batch'
+import { type Colouring, coloursOf, oneColour, plainColour, SOFT } from './cell-colour'
+import { FaceLayer } from './face-layer'
+import { type Content, LoadedFaces, NO_CONTENT } from './loaded-faces'
 import { type FaceHit, firstHit } from './ray'
-
-/** The ghost is what the picture is cut from, as a shadow. */
-export type LayerName = 'surface' | 'invalid' | 'ghost'
 
 /** What was drawn, for those who draw over it. */
 export interface PictureSpace {
@@ -49,16 +47,13 @@ export class MeshPicture {
   readonly #listening = new AbortController()
   readonly #theme: ThemeReader
   readonly #scene = new Scene()
-  readonly #layers: Readonly<Record<LayerName, FaceBatch>> = {
-    surface: new FaceBatch(),
-    invalid: new FaceBatch(),
-    ghost: new FaceBatch(GHOST),
-  }
+  readonly #faces = new LoadedFaces()
+  /** The ghost is what the picture is cut from, as a shadow. */
+  readonly #layers = { surface: new FaceLayer(), invalid: new FaceLayer(), ghost: new FaceLayer(GHOST) }
   readonly #observer: ResizeObserver
   #corners: readonly Vec3[] = []
   #origin: Vec3 = [0, 0, 0]
   #scale = 1
-  #size = 1
   #chosen: Vertices | null = null
   #neighbours: readonly Neighbour[] = []
   #painted: { readonly theme: Theme; readonly ramp: Ramp } | null = null
@@ -67,7 +62,6 @@ export class MeshPicture {
   #first: CameraView | null = null
   readonly #takesWheel: (event: WheelEvent) => boolean
   #colouring: Colouring = 'all'
-  #opacity = 1
   /** CSS pixels that are kept free above the mesh. */
   top = MARGIN
   /** Called after each frame. */
@@ -104,11 +98,6 @@ export class MeshPicture {
     this.draw()
   }
 
-  /** Null where nothing is cut away. */
-  set ghost(faces: FaceList | null) {
-    if (this.#layers.ghost.faces !== faces) this.show('ghost', faces)
-  }
-
   set colouring(colouring: Colouring) {
     if (this.#colouring === colouring) return
     this.#colouring = colouring
@@ -127,8 +116,7 @@ export class MeshPicture {
     this.#chosen = null
     this.#neighbours = []
     this.#isNew = true
-    for (const layer of Object.values(this.#layers)) layer.show(null, new Uint8Array(0))
-    this.draw()
+    this.show(NO_CONTENT)
   }
 
   /** The same mesh at another time, at the same scale: what has moved is seen to have moved. */
@@ -150,24 +138,14 @@ export class MeshPicture {
     this.#corners = sides(0).flatMap(x => sides(1).flatMap(y => sides(2).map((z): Vec3 => [x, y, z])))
   }
 
-  show(layer: LayerName, faces: FaceList | null): void {
-    this.#layers[layer].show(faces, faces ? this.#coloursOf(faces, layer) : new Uint8Array(0))
+  /** What was shown stays until all of it is loaded. */
+  show(content: Content): void {
+    if (this.#renderer) this.#faces.put(content, this.#gl(this.#renderer))
     this.draw()
   }
 
-  /** 1 hides what is behind the surface. */
-  set opacity(opacity: number) {
-    const hasChanged = opacity < 1 !== this.#opacity < 1
-    this.#opacity = opacity
-    this.#layers.surface.opacity = opacity
-    if (hasChanged) this.#recolour()
-    this.draw()
-  }
-
-  /** Cells are drawn with this part of their size. */
-  set size(size: number) {
-    this.#size = size
-    this.draw()
+  #gl(renderer: WebGLRenderer): WebGL2RenderingContext {
+    return renderer.getContext() as WebGL2RenderingContext
   }
 
   /** The chosen cell stands out, its neighbours are thin lines, invalid ones red. */
@@ -220,13 +198,16 @@ export class MeshPicture {
   cellAt(event: PointerEvent, { isThrough = true } = {}): number | null {
     const { origin, direction } = this.rayOf(event)
     const from = origin.map(value => value / this.#scale) as unknown as Vec3
-    const [surface, invalid] = (['surface', 'invalid'] as const).map(name => {
-      const { faces } = this.#layers[name]
-      return faces && firstHit(faces, from, direction, this.#size)
-    }) as [FaceHit | null, FaceHit | null]
+    const { content, lists } = this.#faces
+    const hitOf = (name: keyof typeof lists) => {
+      const list = lists[name]
+      const hidden = name === 'boundary' ? content.hidden : null
+      return list && firstHit(list.faces, hidden, { origin: from, direction }, content.size)
+    }
+    const invalid = hitOf('invalid')
     if (isThrough && this.#layers.surface.isTranslucent && invalid) return invalid.cell
-    if (!surface || !invalid) return (surface ?? invalid)?.cell ?? null
-    return surface.distance < invalid.distance ? surface.cell : invalid.cell
+    const hits = [hitOf('boundary'), hitOf('surface'), invalid].filter((hit): hit is FaceHit => hit !== null)
+    return hits.reduce((first, hit) => (hit.distance < first.distance ? hit : first), hits[0] ?? NO_HIT).cell
   }
 
   /** Asks for a frame. */
@@ -260,6 +241,7 @@ export class MeshPicture {
     this.#theme.dispose()
     this.#listening.abort()
     for (const layer of Object.values(this.#layers)) layer.dispose()
+    if (this.#renderer) this.#faces.clear(this.#gl(this.#renderer))
     this.#renderer?.dispose()
     this.#renderer?.getContext().getExtension('WEBGL_lose_context')?.loseContext()
     this.#canvas.remove()
@@ -289,11 +271,17 @@ export class MeshPicture {
     const onWheel = (event: WheelEvent) => this.#takesWheel(event) && orbit.wheel(event, this.#placeOf(event))
     root.addEventListener('wheel', onWheel, { signal, passive: false })
     root.addEventListener('contextmenu', event => event.preventDefault(), { signal })
+    const onRestored = () => {
+      if (this.#renderer) this.#faces.renew(this.#gl(this.#renderer))
+      this.draw()
+    }
+    this.#canvas.addEventListener('webglcontextrestored', onRestored, { signal })
   }
 
   #draw(): void {
     const { clientWidth: width, clientHeight: height } = this.#root
     if (width === 0 || height === 0) return
+    if (this.#renderer) this.#load(this.#gl(this.#renderer))
     const { camera } = this.#camera
     // In another size the mesh is seen as it was: what fitted in fits in.
     const isResized = !this.#isNew && (camera.width !== width || camera.height !== height)
@@ -310,7 +298,7 @@ export class MeshPicture {
     const pixelRatio = Math.min(devicePixelRatio, MOST_PIXEL_RATIO)
     const view = {
       scale: this.#scale,
-      size: this.#size,
+      size: this.#faces.content.size,
       eye: [x, y, z] as Vec3,
       toLight: lightOf(camera),
       ink: theme.ink,
@@ -318,13 +306,39 @@ export class MeshPicture {
     }
     for (const layer of Object.values(this.#layers)) layer.write(view)
     if (this.#renderer) {
-      this.#renderer.setPixelRatio(pixelRatio)
-      this.#renderer.setSize(width, height, false)
+      this.#resize(this.#renderer, width, height, pixelRatio)
       this.#renderer.clear()
       for (const pass of PASSES) this.#drawPass(this.#renderer, pass)
     }
     this.#drawChosen(width, height)
     this.onDraw?.(this.#space)
+  }
+
+  /** A size that is set makes the canvas's memory anew, also if it is the same. */
+  #resize(renderer: WebGLRenderer, width: number, height: number, pixelRatio: number): void {
+    const [wide, high] = [Math.floor(width * pixelRatio), Math.floor(height * pixelRatio)]
+    if (this.#canvas.width === wide && this.#canvas.height === high && renderer.getPixelRatio() === pixelRatio) return
+    renderer.setPixelRatio(pixelRatio)
+    renderer.setSize(width, height, false)
+  }
+
+  #load(gl: WebGL2RenderingContext): void {
+    const wasTranslucent = this.#opacity < 1
+    if (this.#faces.load(gl)) {
+      const { lists, content } = this.#faces
+      const { surface, invalid, ghost } = this.#layers
+      const some = (...own: readonly (typeof lists.surface)[]) => own.filter(list => list !== null)
+      surface.lists = content.hidden ? some(lists.boundary, lists.surface) : some(lists.surface)
+      invalid.lists = some(lists.invalid)
+      ghost.lists = content.hasGhost ? some(lists.boundary) : []
+      surface.opacity = content.opacity
+      if (this.#opacity < 1 !== wasTranslucent) this.#recolour()
+    }
+    if (this.#faces.isLoading) this.draw()
+  }
+
+  get #opacity(): number {
+    return this.#faces.content.opacity
   }
 
   get #share(): number {
@@ -348,8 +362,10 @@ export class MeshPicture {
     if (pass === 'depth' && !isTranslucent) return
     if (pass === 'depth') renderer.clearDepth()
     surface.beIn(pass)
+    const { meshes } = this.#layers[pass === 'depth' ? 'surface' : pass]
+    if (meshes.length === 0) return
     this.#scene.clear()
-    this.#scene.add(this.#layers[pass === 'depth' ? 'surface' : pass].mesh)
+    this.#scene.add(...meshes)
     renderer.render(this.#scene, this.#camera.camera.three)
   }
 
@@ -364,21 +380,13 @@ export class MeshPicture {
   }
 
   #recolour(): void {
-    for (const [name, layer] of Object.entries(this.#layers))
-      if (layer.faces) layer.recolour(this.#coloursOf(layer.faces, name as LayerName))
-  }
-
-  #coloursOf(faces: FaceList, name: LayerName): Uint8Array {
     const { ramp, theme } = this.#paint()
     const grey = mix(theme.paper, theme.ink, 0.5)
-    if (name === 'ghost') return oneColour(faces, grey)
-    const paper = this.#opacity < 1 ? null : theme.paper
-    return faceColours(faces, {
-      ramp,
-      none: grey,
-      soft: paper && { paper, share: SOFT },
-      plain: plainColour(theme, this.#colouring),
-    })
+    const own = { ramp, none: grey, plain: plainColour(theme, this.#colouring) }
+    const soft = this.#opacity < 1 ? null : { paper: theme.paper, share: SOFT }
+    const { surface, invalid, ghost } = this.#layers
+    for (const layer of [surface, invalid]) layer.colours = coloursOf({ ...own, soft })
+    ghost.colours = oneColour(grey)
   }
 
   #drawChosen(width: number, height: number): void {
@@ -419,7 +427,8 @@ export class MeshPicture {
 }
 
 const PASSES = ['invalid', 'depth', 'surface', 'ghost'] as const
-const GHOST = { opacity: 0.1, lineOpacity: 0, writesDepth: false }
+const GHOST = { opacity: 0.1, lineOpacity: 0, writesDepth: false, showsHidden: true }
+const NO_HIT = { cell: null, distance: Infinity }
 /** CSS pixels about the mesh. */
 const MARGIN = 24
 /** A cell is shown with the space of so many of it along each axis. */

@@ -14,7 +14,7 @@ import { CellTable } from '../../mesh-views/cell-table'
 import { parseCondition } from '../../model/condition'
 import { encodePermalink } from '../../model/permalink'
 import { OpenSurvey } from '../../survey/open-survey'
-import type { Arrangement, Column, Fix, Histogram, Overview, Selected, StepOpening } from '../../survey/survey-jobs'
+import type { Arrangement, Column, Fix, Histogram, Overview, Selected, ShownCells, StepOpening } from '../../survey/survey-jobs'
 import { startSurveyWorker } from '../../survey/survey-worker'
 import { takeHanded } from '../handed-input'
 import { histogramTemplate, type Range } from './histogram-view'
@@ -87,6 +87,7 @@ interface Shown {
   readonly message: string
 }
 
+const BOUNDARY: ShownCells = { cells: { which: 'all' }, isWhole: false, most: Infinity }
 const FIRST_ORDER: Arrangement = { column: 'worst', isDescending: false }
 const NOTHING: Shown = {
   progress: null,
@@ -120,6 +121,7 @@ const table = new CellTable(listRoot, {
   choose: (cell, rank) => void choose(cell, rank),
 })
 const picture = new PictureControls(part('.picture'), {
+  boundary: () => survey?.faces(BOUNDARY) ?? Promise.reject(new Error('No mesh is open.')),
   cut: cells => survey?.cut(cells) ?? Promise.reject(new Error('No mesh is open.')),
   choose: cell => void chooseInPicture(cell),
   name: async cell => (await asked(own => own.detail(cell)))?.row ?? null,
