@@ -17,6 +17,8 @@ export type SurveyJobs = {
   open(input: PastedInput, tell: (progress: ReadingProgress) => void): Promise<Opening>
   /** Rows from one rank to another in the present order. */
   rows(ranks: { readonly from: number; readonly to: number }): readonly Row[]
+  /** Goes on to find the checks that accept cells. Which part is done; `arrange` and `write` do what is left at once. */
+  accept(cells: 'invalid' | 'all'): Promise<number>
   arrange(order: Arrangement): null
   /** Begins another selection. */
   select(selection: Selection): Selected
@@ -59,6 +61,9 @@ export type Served<Jobs> = {
 
 /** What can be taken away of an open mesh, each the same as the command line writes it. */
 export type FormId = 'csv' | 'json' | 'html' | 'vtu' | 'invalid-vtu' | 'certificates' | IdKind
+
+/** Files that say which checks accept cells, and of which cells. */
+export const ACCEPTED_IN: Readonly<Partial<Record<FormId, 'invalid' | 'all'>>> = { csv: 'all', html: 'invalid' }
 
 /** The next bytes of a file. */
 export type Written =

@@ -17,6 +17,7 @@ import { OpenSurvey } from '../../survey/open-survey'
 import type { Arrangement, Column, Fix, Histogram, Overview, Selected, ShownCells, StepOpening } from '../../survey/survey-jobs'
 import { startSurveyWorker } from '../../survey/survey-worker'
 import { takeHanded } from '../handed-input'
+import { type Arranging, arrangingTemplate } from './arranging'
 import { histogramTemplate, type Range } from './histogram-view'
 import {
   ALL_FORMATS,
@@ -79,6 +80,8 @@ interface Shown {
   readonly beside: string
   readonly histogram: Histogram | null
   readonly order: Arrangement
+  /** An order that takes longer, and which part is done. */
+  readonly arranging: Arranging | null
   readonly condition: string
   readonly complaint: string | null
   readonly range: Range
@@ -97,6 +100,7 @@ const NOTHING: Shown = {
   beside: '',
   histogram: null,
   order: FIRST_ORDER,
+  arranging: null,
   condition: '',
   complaint: null,
   range: null,
@@ -294,9 +298,18 @@ function cancel(): void {
 }
 
 async function arrange(order: Arrangement): Promise<void> {
-  if ((await asked(open => open.arrange(order).then(() => true))) === null) return
-  set({ ...shown, order })
+  const own = survey
+  const onStep = (fraction: number) => own === survey && set({ ...shown, arranging: { order, fraction } })
+  const isArranged = await asked(open => open.arrange(order, onStep))
+  if (!isArranged) return
+  set({ ...shown, order, arranging: null })
   showTable()
+}
+
+function cancelArranging(): void {
+  survey?.cancelArranging()
+  set({ ...shown, arranging: null })
+  table.focus()
 }
 
 function showTable(): void {
@@ -463,6 +476,7 @@ function cellsTemplate({
   overview,
   histogram,
   order,
+  arranging,
   condition,
   complaint,
   range,
@@ -489,7 +503,7 @@ function cellsTemplate({
       <select aria-label="Sorted by" @change=${(event: Event) => arrange({ column: (event.target as HTMLSelectElement).value as Column, isDescending: false })}>
         ${ORDERS.filter(({ column }) => column !== 'block' || overview.blocks.length > 0).map(
           given =>
-            html`<option value=${given.column} .selected=${given.column === order.column}>${given.name}</option>`,
+            html`<option value=${given.column} .selected=${given.column === (arranging?.order ?? order).column}>${given.name}</option>`,
         )}
       </select>
       <label class="said" for="condition">Cells that are listed meet this condition</label>
@@ -517,6 +531,7 @@ function cellsTemplate({
     </form>
     <p class="said" role="status">${isDone && !isWhole ? `${count} are listed.` : ''}</p>
     <p class="message" role="status">${message}</p>
+    ${arranging ? arrangingTemplate(arranging, cancelArranging) : nothing}
     ${listRoot}`
 }
 
