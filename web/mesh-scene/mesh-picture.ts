@@ -3,7 +3,7 @@
  * once a frame. Without WebGL nothing is drawn, and `isDrawn` says so.
  */
 import { LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three'
-import { edgeVertices, type Vec3, type Vertices } from '../model/hexahedron'
+import type { Vec3, Vertices } from '../model/hexahedron'
 import type { CameraView } from '../model/state'
 import { OrbitInput } from '../scene/input/orbit-input'
 import { type Ramp, rampOf, type Theme } from '../scene/paint/colour-map'
@@ -16,6 +16,7 @@ import { mix } from '../scene/space/vec3'
 import type { Bounds, Neighbour } from '../survey/survey-jobs'
 import { placeIn } from '../views/place-in'
 import { type Colouring, coloursOf, oneColour, plainColour, SOFT } from './cell-colour'
+import { type Outline, outlinesOf, strokeOutlines } from './chosen-cell'
 import { FaceLayer } from './face-layer'
 import { type Content, LoadedFaces, NO_CONTENT } from './loaded-faces'
 import { type FaceHit, firstHit } from './ray'
@@ -231,6 +232,7 @@ export class MeshPicture {
     context.fillRect(0, 0, width, height)
     context.drawImage(this.#canvas, 0, 0)
     context.scale(width / this.#root.clientWidth, height / this.#root.clientHeight)
+    strokeOutlines(context, this.#outlines, this.#paint().theme)
     over(context, this.#space)
     return copy.convertToBlob({ type: 'image/png' })
   }
@@ -391,32 +393,20 @@ export class MeshPicture {
 
   #drawChosen(width: number, height: number): void {
     this.#overlay.setAttribute('viewBox', `0 0 ${width} ${height}`)
-    if (!this.#chosen) {
-      this.#overlay.replaceChildren()
-      return
-    }
-    const path = (name: string, vertices: Vertices) => {
+    const paths = this.#outlines.map(({ kind, path }) => {
       const element = document.createElementNS('http://www.w3.org/2000/svg', 'path')
-      element.setAttribute('class', name)
-      element.setAttribute('d', this.#edgesOf(vertices))
+      element.setAttribute('class', kind)
+      element.setAttribute('d', path)
       return element
-    }
-    this.#overlay.replaceChildren(
-      ...this.#neighbours.map(({ isInvalid, vertices }) =>
-        path(isInvalid ? 'neighbour invalid' : 'neighbour', vertices),
-      ),
-      path('halo', this.#chosen),
-      path('chosen', this.#chosen),
-    )
+    })
+    this.#overlay.replaceChildren(...paths)
   }
 
-  #edgesOf(vertices: Vertices): string {
-    const points = this.#worldOf(vertices).map(point => this.#camera.camera.project(point))
-    return edgeVertices
-      .map(([from, to]) => [points[from], points[to]])
-      .filter(([a, b]) => a && b && a.depth > 0 && b.depth > 0)
-      .map(([a, b]) => `M${a?.x.toFixed(1)} ${a?.y.toFixed(1)}L${b?.x.toFixed(1)} ${b?.y.toFixed(1)}`)
-      .join('')
+  get #outlines(): readonly Outline[] {
+    const { camera } = this.#camera
+    return outlinesOf(this.#chosen, this.#neighbours, vertices =>
+      this.#worldOf(vertices).map(point => camera.project(point)),
+    )
   }
 
   #worldOf(vertices: Vertices): Vec3[] {

@@ -18,7 +18,8 @@ import type { Arrangement, Column, Fix, Histogram, Overview, Selected, ShownCell
 import { startSurveyWorker } from '../../survey/survey-worker'
 import { takeHanded } from '../handed-input'
 import { type Arranging, arrangingTemplate } from './arranging'
-import { histogramTemplate, type Range } from './histogram-view'
+import type { Range } from './histogram-range'
+import { HistogramView } from './histogram-view'
 import {
   ALL_FORMATS,
   cancelledWords,
@@ -124,6 +125,7 @@ const table = new CellTable(listRoot, {
   arrange: order => void arrange(order),
   choose: (cell, rank) => void choose(cell, rank),
 })
+const histogramView = new HistogramView(range => void select(shown.condition, range))
 const picture = new PictureControls(part('.picture'), {
   boundary: () => survey?.faces(BOUNDARY) ?? Promise.reject(new Error('No mesh is open.')),
   cut: cells => survey?.cut(cells) ?? Promise.reject(new Error('No mesh is open.')),
@@ -520,7 +522,7 @@ function cellsTemplate({
       />
       <p id="condition-complaint" class="complaint" role="status">${complaint}</p>
     </form>
-    ${histogram ? histogramTemplate(histogram, range, chosenRange => select(condition, chosenRange)) : nothing}
+    ${histogramView.show(histogram, range)}
     <form class="go" @submit=${onGo}>
       <p class="count">
         ${count}${isDone ? '' : `, ${Math.floor((100 * (selected?.done ?? 0)) / overview.hexahedra)} % looked at`}
