@@ -23,15 +23,12 @@ import { HistogramView } from './histogram-view'
 import {
   ALL_FORMATS,
   cancelledWords,
-  EXAMPLE,
-  FORMATS,
   NOTHING_OPEN,
   namesakeSentence,
-  nextSentence,
   refusalWords,
-  STAYS,
 } from './page-words'
 import { partFile } from './part'
+import { notesTemplate } from './notes'
 import { PictureControls } from './picture-controls'
 import { isSettingsText, type Travelling } from './settings-text'
 import { SettingsTravel } from './settings-travel'
@@ -92,6 +89,8 @@ interface Shown {
 }
 
 const BOUNDARY: ShownCells = { cells: { which: 'all' }, isWhole: false, most: Infinity }
+/** As in mesh.css. */
+const PHONE = '(max-width: 43.99rem)'
 const FIRST_ORDER: Arrangement = { column: 'worst', isDescending: false }
 const NOTHING: Shown = {
   progress: null,
@@ -123,7 +122,7 @@ listRoot.className = 'list'
 const table = new CellTable(listRoot, {
   rows: async (from, to) => (await asked(own => own.rows(from, to))) ?? [],
   arrange: order => void arrange(order),
-  choose: (cell, rank) => void choose(cell, rank),
+  choose: (cell, rank) => void chooseInList(cell, rank),
 })
 const histogramView = new HistogramView(range => void select(shown.condition, range))
 const picture = new PictureControls(part('.picture'), {
@@ -362,6 +361,12 @@ async function choose(cell: number, rank: number | null): Promise<void> {
   picture.choose(cell, vertices, detail.neighbours)
 }
 
+/** On a phone the lens lies below the list. */
+async function chooseInList(cell: number, rank: number): Promise<void> {
+  await choose(cell, rank)
+  if (matchMedia(PHONE).matches) oneRoot.scrollIntoView({ block: 'nearest' })
+}
+
 async function showNeighbours(cell: number): Promise<void> {
   const detail = await asked(open => open.detail(cell))
   if (detail && chosen?.cell === cell) picture.choose(cell, detail.vertices, detail.neighbours)
@@ -427,7 +432,7 @@ function overviewTemplate(now: Shown): TemplateResult {
       ${!overview && !progress ? html`<p class="headline">${NOTHING_OPEN}</p>` : nothing}
     </div>
     <div class=${overview ? 'below has-mesh' : 'below'}>
-      <p class="notes">${notesTemplate(now)}</p>
+      <div class="notes">${notesTemplate(now)}</div>
       <p class="buttons">
         ${overview?.fixes.map(fix => html`<button type="button" class="fix" @click=${() => mend(fix)}>${fix.words}</button>`)}
         <button type="button" class="open" title=${ALL_FORMATS} @click=${() => part('input[type=file]').click()}>Open files</button>
@@ -438,15 +443,6 @@ function overviewTemplate(now: Shown): TemplateResult {
       </p>
     </div>
     ${takeAway.show(overview)}`
-}
-
-function notesTemplate({ overview, isExample, beside }: Shown): TemplateResult {
-  const formats = html`<span class="formats" title=${ALL_FORMATS}>${FORMATS}</span>`
-  if (!overview) return html`${STAYS} ${formats}`
-  const sentences = [...overview.sentences, beside].filter(sentence => sentence !== '')
-  const own = sentences.map(sentence => html` ${sentence}`)
-  if (isExample) return html`${EXAMPLE} ${STAYS}${own} ${formats}`
-  return html`<b>${overview.name}</b>, ${overview.format}. ${STAYS}${own} ${nextSentence(overview)}`
 }
 
 /** INVALID counts stand out. */
