@@ -27,8 +27,8 @@ export const NO_CONTENT: Content = {
   hasGhost: false,
 }
 
-/** Faces for a frame: some eight megabytes, ten milliseconds for a slow machine. */
-const FACES_A_FRAME = 8 * CHUNK_FACES
+/** Faces at once: some eight megabytes, ten milliseconds for a slow machine. */
+const FACES_AT_ONCE = 8 * CHUNK_FACES
 
 const LISTS = ['boundary', 'surface', 'invalid'] as const
 type ListName = (typeof LISTS)[number]
@@ -69,11 +69,11 @@ export class LoadedFaces {
     this.#next = { content, lists }
   }
 
-  /** Goes on for one frame. True if there is something else to draw from now on. */
+  /** Goes on, once in a frame. True if there is something else to draw from now on. */
   load(gl: WebGL2RenderingContext): boolean {
     if (!this.#next) return false
     const { content, lists } = this.#next
-    let left = FACES_A_FRAME
+    let left = FACES_AT_ONCE
     for (const name of LISTS)
       for (const list = lists[name]; list && !list.isLoaded; left -= CHUNK_FACES) {
         if (left <= 0) return false

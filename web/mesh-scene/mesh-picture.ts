@@ -139,9 +139,13 @@ export class MeshPicture {
     this.#corners = sides(0).flatMap(x => sides(1).flatMap(y => sides(2).map((z): Vec3 => [x, y, z])))
   }
 
-  /** What was shown stays until all of it is loaded. */
+  /** What was shown stays until all of it is loaded: most is at once. */
   show(content: Content): void {
-    if (this.#renderer) this.#faces.put(content, this.#gl(this.#renderer))
+    if (this.#renderer) {
+      const gl = this.#gl(this.#renderer)
+      this.#faces.put(content, gl)
+      this.#load(gl)
+    }
     this.draw()
   }
 

@@ -103,7 +103,7 @@ export class HistogramView {
       aria-valuenow=${now}
       aria-valuetext=${formatNumber(now)}
       title="Drag, or arrow keys"
-      style=${`left: ${100 * placeOf(value, edges)}%`}
+      .style=${`left: ${100 * placeOf(value, edges)}%`}
       data-end=${end}
       @keydown=${(event: KeyboardEvent) => this.#onKey(event, end, edges)}
     ></span>`
