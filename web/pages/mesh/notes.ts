@@ -22,7 +22,8 @@ export function notesTemplate({ overview, isExample, beside }: Noted): TemplateR
     ? html`<p>${EXAMPLE} ${STAYS} ${formats}</p>`
     : html`<p><b>${overview.name}</b>, ${overview.format}. ${STAYS} ${nextSentence(overview)}</p>`
   const seen = sentences.length === SEEN + 1 ? SEEN + 1 : SEEN
-  const [some, more] = [sentences.slice(0, seen), sentences.slice(seen)]
+  const notes = advised(sentences)
+  const [some, more] = [notes.slice(0, seen), notes.slice(seen)]
   return html`${first}
   ${some.length === 0 ? nothing : html`<ul>${some.map(noteTemplate)}</ul>`}
   ${
@@ -37,7 +38,22 @@ export function notesTemplate({ overview, isExample, beside }: Noted): TemplateR
   }`
 }
 
-function noteTemplate(sentence: string): TemplateResult {
-  const advice = adviceFor(sentence) ?? ''
+interface Note {
+  readonly sentence: string
+  readonly advice: string
+}
+
+/** What helps against several is said once. */
+function advised(sentences: readonly string[]): Note[] {
+  const said = new Set([''])
+  return sentences.map(sentence => {
+    const advice = adviceFor(sentence) ?? ''
+    const own = said.has(advice) ? '' : advice
+    said.add(advice)
+    return { sentence, advice: own }
+  })
+}
+
+function noteTemplate({ sentence, advice }: Note): TemplateResult {
   return html`<li>${sentence}${advice === '' ? nothing : html` <span class="advice">${advice}</span>`}</li>`
 }
