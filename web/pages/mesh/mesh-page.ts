@@ -459,7 +459,7 @@ const doing: Readonly<Record<ReadingProgress['step'], (name: string) => string>>
 
 function progressTemplate({ name, step, fraction }: UnderWay): TemplateResult {
   return html`<p class="progress">
-    <label>${doing[step](name)} <progress max="1" .value=${fraction}></progress></label>
+    <label>${doing[step](name)} <progress max="1" value=${step === 'loading' ? nothing : fraction}></progress></label>
     <button type="button" @click=${cancel}>Cancel</button>
   </p>`
 }
