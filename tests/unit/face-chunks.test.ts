@@ -51,7 +51,9 @@ test('a list is loaded chunk by chunk, and all of it is given back', () => {
     steps.push(chunks.geometries.length)
   }
   expect(steps).toEqual([1, 2, 3])
-  expect(chunks.geometries.map(({ drawRange }) => drawRange.count)).toEqual([CHUNK_FACES, CHUNK_FACES, 7].map(n => 12 * n))
+  expect(chunks.geometries.map(({ drawRange }) => drawRange.count)).toEqual(
+    [CHUNK_FACES, CHUNK_FACES, 7].map(n => 12 * n),
+  )
   const loaded = [...buffers.values()].map(bytes => new Float32Array(bytes.buffer))
   expect(loaded.map(({ length }) => length)).toEqual([CHUNK_FACES, CHUNK_FACES, 7].map(n => 20 * n))
   expect(loaded[2]?.[0]).toBe(faces.vertices[20 * 2 * CHUNK_FACES])

@@ -1,13 +1,5 @@
 /** Bilinear faces of one layer of the picture. It knows three.js and the shader. */
-import {
-  DoubleSide,
-  EqualDepth,
-  GLSL3,
-  LessEqualDepth,
-  Mesh,
-  RawShaderMaterial,
-  Vector3,
-} from 'three'
+import { DoubleSide, EqualDepth, GLSL3, LessEqualDepth, Mesh, RawShaderMaterial, Vector3 } from 'three'
 import type { Vec3 } from '../model/hexahedron'
 import { FACE_VERTICES } from '../survey/face-list'
 import { COLOURS, NO_TONE_COLOUR, RAMP_COLOURS } from './cell-colour'

@@ -2,7 +2,8 @@
 import type { Neighbours } from '../mesh/neighbours'
 import { faces } from '../model/hexahedron'
 import { boundaryOf, drawable, faceList, hiddenOf } from './face-list'
-import { type Faced, facesOfMask, grow, innerFaces, leaveTheWorst, maskOf } from './faces'
+import type { Faced } from './faced'
+import { facesOfMask, grow, innerFaces, leaveTheWorst, maskOf } from './faces'
 import { slicedBy } from './slice'
 import type { CutCells, CutFaces } from './survey-jobs'
 

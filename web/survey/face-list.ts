@@ -4,7 +4,7 @@
  * An instance for each face would be less to hand over, but software draws instances one by one, and takes several times as long.
  */
 import { FACES, LOOPS } from '../mesh/face-loops'
-import type { Faced } from './faces'
+import type { Faced } from './faced'
 import type { FaceList } from './survey-jobs'
 
 /** Vertices of a face. */
@@ -71,10 +71,14 @@ export function faceList(
 /** Those whose corners are all finite. */
 export function drawable({ check, middles, origin }: Faced, faces: Uint32Array): Uint32Array {
   const { points, cells } = check.mesh
-  const isFinite = (face: number) => {
+  const canBeDrawn = (face: number) => {
     const cell = (face / FACES) | 0
     // Where a middle is finite, all vertices are.
-    if (Number.isFinite((middles[3 * cell] as number) + (middles[3 * cell + 1] as number) + (middles[3 * cell + 2] as number)))
+    if (
+      Number.isFinite(
+        (middles[3 * cell] as number) + (middles[3 * cell + 1] as number) + (middles[3 * cell + 2] as number),
+      )
+    )
       return true
     const loop = 4 * (face - FACES * cell)
     for (let corner = loop; corner < loop + 4; ++corner) {
@@ -84,7 +88,7 @@ export function drawable({ check, middles, origin }: Faced, faces: Uint32Array):
     }
     return true
   }
-  return faces.every(isFinite) ? faces : faces.filter(isFinite)
+  return faces.every(canBeDrawn) ? faces : faces.filter(canBeDrawn)
 }
 
 /** Each mesh and each step of it has middles of its own. */

@@ -2,18 +2,9 @@
 import { FACES } from '../mesh/face-loops'
 import type { MeshCheck } from '../mesh/mesh-check'
 import type { Neighbours } from '../mesh/neighbours'
-import type { Vec3 } from '../model/hexahedron'
 import { drawable, faceList } from './face-list'
+import type { Faced } from './faced'
 import type { FaceList, ShownCells } from './survey-jobs'
-
-export interface Faced {
-  readonly check: MeshCheck
-  readonly neighbours: Neighbours
-  readonly origin: Vec3
-  /** The middles of cells less the origin, three numbers each. */
-  readonly middles: Float32Array
-  readonly isListed: (cell: number) => boolean
-}
 
 /** Faces that bound what is shown; all faces of its cells if these are drawn whole. One with a coordinate that is not finite is left out. */
 export function facesOf(faced: Faced, shown: ShownCells): FaceList {

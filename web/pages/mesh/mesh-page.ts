@@ -14,21 +14,24 @@ import { CellTable } from '../../mesh-views/cell-table'
 import { parseCondition } from '../../model/condition'
 import { encodePermalink } from '../../model/permalink'
 import { OpenSurvey } from '../../survey/open-survey'
-import type { Arrangement, Column, Fix, Histogram, Overview, Selected, ShownCells, StepOpening } from '../../survey/survey-jobs'
+import type {
+  Arrangement,
+  Column,
+  Fix,
+  Histogram,
+  Overview,
+  Selected,
+  ShownCells,
+  StepOpening,
+} from '../../survey/survey-jobs'
 import { startSurveyWorker } from '../../survey/survey-worker'
 import { takeHanded } from '../handed-input'
 import { type Arranging, arrangingTemplate } from './arranging'
 import type { Range } from './histogram-range'
 import { HistogramView } from './histogram-view'
-import {
-  ALL_FORMATS,
-  cancelledWords,
-  NOTHING_OPEN,
-  namesakeSentence,
-  refusalWords,
-} from './page-words'
-import { partFile } from './part'
 import { notesTemplate } from './notes'
+import { ALL_FORMATS, cancelledWords, NOTHING_OPEN, namesakeSentence, refusalWords } from './page-words'
+import { partFile } from './part'
 import { PictureControls } from './picture-controls'
 import { isSettingsText, type Travelling } from './settings-text'
 import { SettingsTravel } from './settings-travel'
