@@ -49,6 +49,10 @@ const ROWS: readonly Row[] = [
   { name: '5M raw', file: 'five.vtu', hexahedra: 5 * MILLION, job: 'list', cores: null },
 ]
 
+/** Names of what is measured without PyVista. */
+const TEN_FILES = 'ten files'
+const NEIGHBOURS = 'neighbours'
+
 /** Milliseconds from the choice of the file, and bytes. */
 interface Visit {
   readonly list: number
@@ -61,7 +65,8 @@ export async function main(options: readonly string[]): Promise<void> {
   const optionOf = (name: string) => options.find(option => option.startsWith(`--${name}=`))?.slice(name.length + 3)
   const rounds = Number(optionOf('rounds') ?? ROUNDS)
   const wanted = optionOf('rows')?.split(',') ?? ['']
-  const rows = ROWS.filter(({ name }) => wanted.some(part => name.includes(part)))
+  const isWanted = (name: string) => wanted.some(part => name.includes(part))
+  const rows = ROWS.filter(({ name }) => isWanted(name))
   installPeers()
   const files = join(folder, 'mesh')
   process.stderr.write(`bench: writing what is missing in ${files}\n`)
@@ -74,11 +79,9 @@ export async function main(options: readonly string[]): Promise<void> {
   const machine = `${cpus()[0]?.model.trim()}, ${availableParallelism()} cores, load ${load}`
   console.log(`${machine}; Chromium ${browser.version()}; Node ${process.version}; ${versionsOf(['pyvista', 'vtk'])}\n`)
   try {
-    await compare(rows, { rounds, files, address, peer, browser })
-    if (!optionOf('rows')) {
-      await inARow(browser, address, join(files, 'raw.vtu'))
-      for (const name of ['raw.vtu', 'shuffled.vtu']) join1M(join(files, name), rounds)
-    }
+    if (rows.length > 0) await compare(rows, { rounds, files, address, peer, browser })
+    if (isWanted(TEN_FILES)) await inARow(browser, address, join(files, 'raw.vtu'))
+    if (isWanted(NEIGHBOURS)) for (const name of ['raw.vtu', 'shuffled.vtu']) join1M(join(files, name), rounds)
   } finally {
     await browser.close()
     peer.process.kill()

@@ -89,10 +89,43 @@ test('the first mesh: sentence, list, filter, picture, lens', async ({ lens, pag
     await expect(page.locator('.go .count')).toHaveText(/^\s*All 7,168 cells\s*$/)
   })
 
+  await test.step('keys alone brush the histogram, and a pointer does', async () => {
+    const count = page.locator('.go .count')
+    const [lower, upper] = ['Least', 'Greatest'].map(end =>
+      page.getByRole('slider', { name: `${end} relative minimum in the list` }),
+    )
+    if (!lower || !upper) throw new Error('There are no ends.')
+    await upper.press('Home')
+    await expect(upper).toHaveAttribute('aria-valuetext', '−1')
+    await expect(count).toHaveText(/^\s*4 of 7,168 cells/)
+    await upper.press('End')
+    await lower.press('ArrowRight')
+    await expect(lower).toHaveAttribute('aria-valuenow', '-1')
+    await expect(count).toHaveText(/^\s*7,164 of 7,168 cells/)
+    await lower.press('Escape')
+    await expect(count).toHaveText(/^\s*All 7,168 cells\s*$/)
+    const box = await page.locator('.histogram .plot').boundingBox()
+    if (!box) throw new Error('There is no histogram.')
+    // The handle of the greatest end is taken to the left; what is listed changes when it is let go.
+    await page.mouse.move(box.x + box.width + 6, box.y + box.height / 2)
+    await page.mouse.down()
+    await page.mouse.move(box.x + box.width / 3, box.y + box.height / 2)
+    await expect(page.locator('.histogram .range')).toBeVisible()
+    await expect(count).toHaveText(/^\s*All 7,168 cells/)
+    await page.mouse.up()
+    await expect(count).toHaveText(/^\s*\d of 7,168 cells/)
+    await page.getByRole('button', { name: 'Whole range' }).click()
+    await expect(count).toHaveText(/^\s*All 7,168 cells\s*$/)
+  })
+
   await test.step('it is sorted by a column, and a cell is found by its index', async () => {
     const heading = page.getByRole('columnheader', { name: 'Relative min.' })
     await heading.getByRole('button').click()
     await expect(heading).toHaveAttribute('aria-sort', 'descending')
+    await page.getByLabel('Sorted by').selectOption('By who accepts')
+    const accepted = page.getByRole('columnheader', { name: 'Accepted by' })
+    await expect(accepted).toHaveAttribute('aria-sort', 'ascending')
+    await expect(rows(page).first()).toContainText('none')
     await page.getByLabel('Sorted by').selectOption('By volume')
     await expect(heading).toHaveAttribute('aria-sort', 'none')
     await page.getByLabel('Go to index').fill('6994')
@@ -294,6 +327,9 @@ test('files: mirrored cells by one click, a second mesh, what cannot be read', a
   await page.getByRole('button', { name: 'Correct 97 mirrored cells' }).click()
   await expect(headline(page)).toHaveText('All 603 hexahedra are valid.')
   await expect(page.locator('.notes')).toContainText('97 mirrored hexahedra have been corrected here')
+  await expect(page.locator('.notes li').filter({ hasText: 'Coordinates are printed' })).toContainText(
+    'write more digits, or doubles.',
+  )
 
   await openFiles(page, 'made/vtk-raw-none.vtu')
   await expect(headline(page)).toHaveText(/^10 of 16 hexahedra are invalid/)
@@ -452,10 +488,12 @@ test.describe('without WebGL', () => {
     })
     await openMesh(page)
     await expect(page.locator('.is-not-drawn')).toBeVisible()
+    // Below the window the lens has no views yet.
+    await expectAxeFindsNothing(page)
     await rows(page).nth(1).click()
     await expect(which(page)).toHaveText(/^Cell 2547/)
-    // What is below the window is drawn when it is scrolled to.
-    await page.locator('hex-lens').scrollIntoViewIfNeeded()
+    // The lens is below the list, and comes into the window with the cell that was chosen for it.
+    await expect(page.locator('hex-lens')).toBeInViewport({ ratio: 0.9 })
     await expect(page.locator('hex-lens')).toHaveJSProperty('complete', true)
     await expect(page.locator('hex-lens .verdict .word')).toHaveText('INVALID')
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390)

@@ -3,9 +3,10 @@ import { describe, expect, test } from 'vitest'
 import type { Mesh } from '../../web/mesh/mesh'
 import { part } from '../../web/pages/mesh/part'
 import { cutFaces } from '../../web/survey/cut'
+import { FACE_VERTICES, NO_TONE, toneOf, VERTEX_NUMBERS } from '../../web/survey/face-list'
 import { Survey } from '../../web/survey/survey'
-import type { CutCells, CutFaces } from '../../web/survey/survey-jobs'
-import { core, unitCube } from './core-fixtures'
+import type { CutCells, CutFaces, FaceList } from '../../web/survey/survey-jobs'
+import { core, randomSource, unitCube } from './core-fixtures'
 import { checked, flat, invalidCorner, meshOf, mirroredCube, notFinite } from './mesh-fixtures'
 
 const LISTS = { minima: true, volumes: true, acceptedBy: true }
@@ -17,6 +18,7 @@ const NOTHING_CUT: CutCells = {
   away: [],
   onlyInvalid: false,
   isWhole: false,
+  hasBoundary: false,
   most: Infinity,
 }
 
@@ -115,14 +117,13 @@ describe('layers', () => {
     const { origin } = faces
     const key = (x: number, y: number, z: number) => [x, y, z].map(Math.round).join()
     const corners = new Set<string>()
-    for (let at = 0; at < faces.corners.length; at += 3)
-      corners.add(
-        key(
-          (faces.corners[at] as number) + origin[0],
-          (faces.corners[at + 1] as number) + origin[1],
-          (faces.corners[at + 2] as number) + origin[2],
-        ),
-      )
+    const { vertices } = faces
+    for (let vertex = 0; vertex < vertices.length / VERTEX_NUMBERS; ++vertex) {
+      if (vertex % FACE_VERTICES === FACE_VERTICES - 1) continue
+      const at = VERTEX_NUMBERS * vertex
+      const [x, y, z] = [0, 1, 2].map(axis => (vertices[at + axis] as number) + origin[axis as 0])
+      corners.add(key(x as number, y as number, z as number))
+    }
     for (const [at, point] of cells.entries())
       if (
         corners.has(key(points[3 * point] as number, points[3 * point + 1] as number, points[3 * point + 2] as number))
@@ -164,6 +165,82 @@ describe('one by one, and around a cell', () => {
     expect(invalid).toEqual(around.filter(cell => elbow.check.standingOf(cell) === 'invalid'))
     expect(invalid).toContain(2951)
     expect(invalid.length).toBeLessThan(12)
+  })
+})
+
+/** One text for each face: its cell and its vertices. */
+function facesIn({ cells, vertices }: FaceList): string[] {
+  const each = FACE_VERTICES * VERTEX_NUMBERS
+  return Array.from(cells, (cell, face) => `${cell}: ${vertices.subarray(each * face, each * (face + 1))}`)
+}
+
+describe('for whoever has the boundary', () => {
+  const next = randomSource(20)
+  const boundaryOf = (survey: Survey) =>
+    facesIn(survey.faces({ cells: { which: 'all' }, isWhole: false, most: Infinity }))
+
+  /** The faces of the boundary that are not hidden, and the others. */
+  function bothOf(survey: Survey, cut: Partial<CutCells>): string[] {
+    const faces = facesLeft(survey, { ...cut, hasBoundary: true })
+    const { hidden } = faces
+    if (hidden === null) throw new Error('Nothing is said of the boundary.')
+    const boundary = boundaryOf(survey)
+    expect(hidden.length).toBe(FACE_VERTICES * boundary.length)
+    expect(hidden.every((flag, i) => flag === hidden[i - (i % FACE_VERTICES)])).toBe(true)
+    return [...boundary.filter((_, face) => hidden[FACE_VERTICES * face] === 0), ...facesIn(faces)].sort()
+  }
+
+  test.each<[string, Partial<CutCells>]>([
+    ['nothing', {}],
+    ['all', { relative: [2, 3] }],
+    ['by relative minimum', { relative: [-Infinity, 0.9] }],
+    ['by layers', { layers: 2 }],
+    ['one by one', { away: [0, 1, 2951, 7167] }],
+    ['all but the invalid ones and a ring', { set: { which: 'invalid', rings: 1 } }],
+    ['all but the worst', { set: { which: 'invalid', rings: 3 }, most: 20 }],
+    ['by a plane and by relative minimum', { plane: { normal: [0, 1, 0], offset: 0 }, relative: [0.9, 1] }],
+  ])('the faces are the same where %s is cut away', (_, cut) => {
+    for (const survey of [elbow, few]) {
+      const plain = facesLeft(survey, cut)
+      expect(bothOf(survey, cut)).toEqual(facesIn(plain).sort())
+      const { shown, wanted } = facesLeft(survey, { ...cut, hasBoundary: true })
+      expect([shown, wanted]).toEqual([plain.shown, plain.wanted])
+    }
+  })
+
+  test('behind planes through any place, near them and far', () => {
+    for (const survey of [elbow, few])
+      for (let round = 0; round < 20; ++round) {
+        // Some planes go through middles themselves.
+        const { middles } = survey.faced
+        const at = 3 * Math.floor((middles.length / 3) * next())
+        const normal = [0, 1, 2].map(() => Math.round(4 * next() - 2)) as [number, number, number]
+        const offset = normal.reduce((sum, part, axis) => sum + part * (middles[at + axis] as number), 0)
+        const plane = { normal, offset }
+        expect(bothOf(survey, { plane })).toEqual(facesIn(facesLeft(survey, { plane })).sort())
+      }
+  })
+
+  test('cells that are drawn whole have all their faces in the list, and their middles', () => {
+    const { hidden, middles, cells } = facesLeft(elbow, { isWhole: true, hasBoundary: true })
+    expect(hidden).toBe(null)
+    expect(cells.length).toBe(6 * 7168)
+    const own = (vertex: number) => [...(middles as Float32Array).subarray(3 * vertex, 3 * vertex + 3)]
+    for (const face of [0, 1000, 6 * 7168 - 1])
+      for (let vertex = 0; vertex < FACE_VERTICES; ++vertex) {
+        const cell = cells[face] as number
+        expect(own(FACE_VERTICES * face + vertex)).toEqual([...elbow.faced.middles.subarray(3 * cell, 3 * cell + 3)])
+      }
+  })
+})
+
+describe('tones', () => {
+  test('keep the sign, and what is not valid is seen', () => {
+    expect([1, 0.5, 2].map(toneOf)).toEqual([1, 0.5, 1])
+    expect(Math.fround(toneOf(5e-324))).toBeGreaterThan(0)
+    for (const value of [0, -0, -5e-324, -1, -1e300, -Infinity]) expect(toneOf(value)).toBeLessThanOrEqual(-0.35)
+    expect(toneOf(-Infinity)).toBe(-1)
+    expect(toneOf(Number.NaN)).toBe(NO_TONE)
   })
 })
 

@@ -114,7 +114,7 @@ describe('steps', () => {
     expect(chosen).toBe(1)
     const after = await ask('faces', all)
     expect(after.origin).toEqual(before.origin)
-    expect(after.corners.length).toBe(before.corners.length)
+    expect(after.vertices.length).toBe(before.vertices.length)
     expect((await ask('detail', 1)).row.standing).toBe('invalid')
   })
 

@@ -6,6 +6,7 @@ import { cellClassifier } from '../../web/input/classify-cells'
 import type { Mesh } from '../../web/mesh/mesh'
 import { isMet, parseCondition } from '../../web/model/condition'
 import { part } from '../../web/pages/mesh/part'
+import { FACE_VERTICES, NO_TONE, VERTEX_NUMBERS } from '../../web/survey/face-list'
 import { meeting } from '../../web/survey/meeting'
 import { mended } from '../../web/survey/mend'
 import { OpenSurvey } from '../../web/survey/open-survey'
@@ -30,10 +31,12 @@ async function surveyOf(mesh: Mesh): Promise<Survey> {
   return new Survey(await checked(mesh, { worst: Infinity, lists: LISTS }), { core, meeting })
 }
 
-/** One text for each face, sorted. */
-function cornersOf(list: FaceList | undefined): string[] {
-  const { cells, corners } = list ?? { cells: [], corners: new Float32Array(0) }
-  return Array.from(cells, (cell, face) => `${cell}: ${corners.subarray(12 * face, 12 * face + 12)}`).sort()
+/** One for each face: all its vertices have the same. */
+function tonesOf({ vertices, cells }: FaceList): Float32Array {
+  const at = (i: number) => vertices[VERTEX_NUMBERS * i + 3] as number
+  for (let i = 0; i < FACE_VERTICES * cells.length; ++i)
+    expect(at(i)).toBe(at(FACE_VERTICES * Math.floor(i / FACE_VERTICES)))
+  return Float32Array.from(cells, (_, face) => at(FACE_VERTICES * face))
 }
 
 /** The cells of the list as it is. */
@@ -180,7 +183,7 @@ describe('faces', () => {
     expect([one.cells.length, one.shown, one.wanted]).toEqual([6, 1, 1])
     const invalid = survey.faces({ cells: { which: 'invalid', rings: 0 }, isWhole: true, most: Infinity })
     expect(invalid.cells.length).toBe(6 * 12)
-    expect([...invalid.relativeMinima].every(value => value < 0)).toBe(true)
+    expect([...tonesOf(invalid)].every(tone => tone < 0)).toBe(true)
     const ring = survey.faces({ cells: { which: 'invalid', rings: 1 }, isWhole: true, most: Infinity })
     expect(ring.shown).toBeGreaterThan(60)
     const worst = survey.faces({ cells: { which: 'invalid', rings: 0 }, isWhole: true, most: 5 })
@@ -198,29 +201,13 @@ describe('faces', () => {
     })
     expect(origin[1]).toBeCloseTo(0)
     expect(half.shown).toBe(7168 / 2)
-    for (let face = 0; face < half.cells.length; ++face) expect(half.middles[3 * face + 1]).toBeLessThanOrEqual(0)
-  })
-
-  test('behind planes through any place are those that bound these cells, near it and far', async () => {
-    for (const survey of [await surveyOf(elbow), await surveyOf(few)])
-      for (let round = 0; round < 40; ++round) {
-        // Some planes go through middles themselves.
-        const { middles } = survey.faces(ALL)
-        const at = 3 * Math.floor((middles.length / 3) * next())
-        const normal = [0, 1, 2].map(() => Math.round(4 * next() - 2)) as [number, number, number]
-        const offset = normal.reduce((sum, part, axis) => sum + part * (middles[at + axis] as number), 0)
-        const cells = { which: 'behind-plane', normal, offset } as const
-        // With a number of cells to be left, each cell is looked at.
-        const [fast, slow] = [Infinity, 1e9].map(most => survey.faces({ cells, isWhole: false, most }))
-        expect([fast?.shown, fast?.wanted]).toEqual([slow?.shown, slow?.wanted])
-        expect(cornersOf(fast)).toEqual(cornersOf(slow))
-      }
+    for (const cell of half.cells) expect(survey.faced.middles[3 * cell + 1]).toBeLessThanOrEqual(0)
   })
 
   test('of a cell that is not finite are those that are, without a number', async () => {
-    const { cells, relativeMinima } = (await surveyOf(few)).faces(ALL)
-    const own = [...relativeMinima].filter((_, face) => cells[face] === 1)
-    expect(own).toEqual([Number.NaN, Number.NaN, Number.NaN])
+    const faces = (await surveyOf(few)).faces(ALL)
+    const { cells } = faces
+    expect([...tonesOf(faces)].filter((_, face) => cells[face] === 1)).toEqual([NO_TONE, NO_TONE, NO_TONE])
     expect(cells.length).toBe(5 * 6 - 3)
   })
 })

@@ -34,7 +34,7 @@ interface Source {
 }
 
 /** A worker from beside the script knows these jobs. */
-type LookedAt = Pick<OpenSurvey, keyof LookingJobs | 'close'>
+type LookedAt = Pick<OpenSurvey, Exclude<keyof LookingJobs, 'accept'> | 'close'>
 
 type MeshProblemCode = MeshProblem['code'] | 'no-webgl' | `bad-${string}`
 
@@ -391,8 +391,8 @@ export class HexMesh extends Base {
   }
 
   async #arrange(order: Arrangement): Promise<void> {
-    await this.#asking(survey => survey.arrange(order), undefined)
-    if (this.#shown.overview) this.#view.list(this.#shown.overview, order)
+    const isArranged = await this.#asking(survey => survey.arrange(order), false)
+    if (isArranged && this.#shown.overview) this.#view.list(this.#shown.overview, order)
   }
 
   async #choose(cell: number, rank?: number): Promise<void> {

@@ -1,4 +1,5 @@
 /** The place of the picture: what is drawn in each mode, keys and pointers. The picture's context can be given up and made anew. */
+import { NO_CONTENT } from '../mesh-scene/loaded-faces'
 import { MeshPicture } from '../mesh-scene/mesh-picture'
 import type { Vertices } from '../model/hexahedron'
 import type { CameraView } from '../model/state'
@@ -124,9 +125,7 @@ export class MeshStage {
   #put(): void {
     if (!this.#picture || !this.#shown) return
     const { surface, invalid } = this.#shown
-    this.#picture.opacity = invalid ? TRANSLUCENT : 1
-    this.#picture.show('invalid', invalid)
-    this.#picture.show('surface', surface)
+    this.#picture.show({ ...NO_CONTENT, surface, invalid, opacity: invalid ? TRANSLUCENT : 1 })
     this.choose(this.#chosen)
   }
 

@@ -1,20 +1,6 @@
-/** The colour of a cell by its relative minimum: the one map of jacdet, with a step at zero. */
-import { type Ramp, type Rgb, rampColour, type Theme } from '../scene/paint/colour-map'
+/** The colours of cells by their tone: the one map of jacdet, with a step at zero. */
+import { RAMP_STEPS, type Ramp, type Rgb, type Theme } from '../scene/paint/colour-map'
 import { mix } from '../scene/space/vec3'
-import type { FaceList } from '../survey/survey-jobs'
-
-/**
- * A cell has one colour, and one that is invalid by a hair has to be seen among thousands: what is not valid begins here on the
- * negative side. At -1 and below it ends.
- */
-export const LEAST_NEGATIVE = 0.35
-
-/** The position on the ramps, from -1 to 1; null for a cell without a relative minimum. */
-export function cellPosition(relativeMinimum: number): number | null {
-  if (Number.isNaN(relativeMinimum)) return null
-  if (relativeMinimum > 0) return Math.min(relativeMinimum, 1)
-  return -(LEAST_NEGATIVE + (1 - LEAST_NEGATIVE) * Math.min(-relativeMinimum, 1))
-}
 
 /** Whether valid cells have their colour, too, or are plain. */
 export type Colouring = 'all' | 'invalid'
@@ -38,23 +24,21 @@ export interface FaceColours {
 /** The share of a positive colour on an opaque surface: most cells are valid, and lines and shading have to be seen on them. */
 export const SOFT = 0.6
 
-/** Three bytes a face, all the same. */
-export function oneColour({ cells }: FaceList, colour: Rgb): Uint8Array {
-  const bytes = colour.map(channel => Math.round(255 * channel))
-  const colours = new Uint8Array(3 * cells.length)
-  for (let at = 0; at < colours.length; at += 3) colours.set(bytes, at)
-  return colours
+/** Colours of a ramp of one sign. */
+export const RAMP_COLOURS = RAMP_STEPS + 1
+/** The place of the colour of cells without a relative minimum: behind those of both ramps. */
+export const NO_TONE_COLOUR = 2 * RAMP_COLOURS
+export const COLOURS = NO_TONE_COLOUR + 1
+
+/** The negative ramp, the positive one, and the colour of cells without a relative minimum: three numbers each. */
+export function coloursOf({ ramp, none, plain, soft }: FaceColours): Float32Array<ArrayBuffer> {
+  const positive = ramp.positive.map(own => {
+    const colour = plain ?? own
+    return soft ? mix(soft.paper, colour, soft.share) : colour
+  })
+  return Float32Array.from([...ramp.negative, ...positive, none].flat())
 }
 
-/** Three bytes a face. */
-export function faceColours({ relativeMinima }: FaceList, { ramp, none, plain, soft }: FaceColours): Uint8Array {
-  const colours = new Uint8Array(3 * relativeMinima.length)
-  for (let face = 0; face < relativeMinima.length; ++face) {
-    const position = cellPosition(relativeMinima[face] as number)
-    const own = position === null ? none : plain !== null && position > 0 ? plain : rampColour(ramp, position)
-    const colour = soft && position !== null && position > 0 ? mix(soft.paper, own, soft.share) : own
-    for (let channel = 0; channel < 3; ++channel)
-      colours[3 * face + channel] = Math.round(255 * (colour[channel] as number))
-  }
-  return colours
+export function oneColour(colour: Rgb): Float32Array<ArrayBuffer> {
+  return Float32Array.from(Array.from({ length: COLOURS }, () => colour).flat())
 }

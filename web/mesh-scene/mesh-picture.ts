@@ -3,7 +3,7 @@
  * once a frame. Without WebGL nothing is drawn, and `isDrawn` says so.
  */
 import { LinearSRGBColorSpace, Scene, WebGLRenderer } from 'three'
-import { edgeVertices, type Vec3, type Vertices } from '../model/hexahedron'
+import type { Vec3, Vertices } from '../model/hexahedron'
 import type { CameraView } from '../model/state'
 import { OrbitInput } from '../scene/input/orbit-input'
 import { type Ramp, rampOf, type Theme } from '../scene/paint/colour-map'
@@ -13,14 +13,13 @@ import type { Ray, SceneCamera } from '../scene/space/camera'
 import type { Point } from '../scene/space/layout'
 import { OrbitCamera } from '../scene/space/orbit-camera'
 import { mix } from '../scene/space/vec3'
-import type { Bounds, FaceList, Neighbour } from '../survey/survey-jobs'
+import type { Bounds, Neighbour } from '../survey/survey-jobs'
 import { placeIn } from '../views/place-in'
-import { type Colouring, faceColours, oneColour, plainColour, SOFT } from './cell-colour'
-import { FaceBatch } from './face-batch'
+import { type Colouring, coloursOf, oneColour, plainColour, SOFT } from './cell-colour'
+import { type Outline, outlinesOf, strokeOutlines } from './chosen-cell'
+import { FaceLayer } from './face-layer'
+import { type Content, LoadedFaces, NO_CONTENT } from './loaded-faces'
 import { type FaceHit, firstHit } from './ray'
-
-/** The ghost is what the picture is cut from, as a shadow. */
-export type LayerName = 'surface' | 'invalid' | 'ghost'
 
 /** What was drawn, for those who draw over it. */
 export interface PictureSpace {
@@ -51,16 +50,13 @@ export class MeshPicture {
   readonly #listening = new AbortController()
   readonly #theme: ThemeReader
   readonly #scene = new Scene()
-  readonly #layers: Readonly<Record<LayerName, FaceBatch>> = {
-    surface: new FaceBatch(),
-    invalid: new FaceBatch(),
-    ghost: new FaceBatch(GHOST),
-  }
+  readonly #faces = new LoadedFaces()
+  /** The ghost is what the picture is cut from, as a shadow. */
+  readonly #layers = { surface: new FaceLayer(), invalid: new FaceLayer(), ghost: new FaceLayer(GHOST) }
   readonly #observer: ResizeObserver
   #corners: readonly Vec3[] = []
   #origin: Vec3 = [0, 0, 0]
   #scale = 1
-  #size = 1
   #chosen: Vertices | null = null
   #neighbours: readonly Neighbour[] = []
   #painted: { readonly theme: Theme; readonly ramp: Ramp } | null = null
@@ -69,7 +65,6 @@ export class MeshPicture {
   #first: CameraView | null = null
   readonly #takesWheel: (event: WheelEvent) => boolean
   #colouring: Colouring = 'all'
-  #opacity = 1
   /** CSS pixels that are kept free above the mesh. */
   top = MARGIN
   /** Called after each frame. */
@@ -106,11 +101,6 @@ export class MeshPicture {
     this.draw()
   }
 
-  /** Null where nothing is cut away. */
-  set ghost(faces: FaceList | null) {
-    if (this.#layers.ghost.faces !== faces) this.show('ghost', faces)
-  }
-
   set colouring(colouring: Colouring) {
     if (this.#colouring === colouring) return
     this.#colouring = colouring
@@ -129,8 +119,7 @@ export class MeshPicture {
     this.#chosen = null
     this.#neighbours = []
     this.#isNew = true
-    for (const layer of Object.values(this.#layers)) layer.show(null, new Uint8Array(0))
-    this.draw()
+    this.show(NO_CONTENT)
   }
 
   /** The same mesh at another time, at the same scale: what has moved is seen to have moved. */
@@ -152,24 +141,18 @@ export class MeshPicture {
     this.#corners = sides(0).flatMap(x => sides(1).flatMap(y => sides(2).map((z): Vec3 => [x, y, z])))
   }
 
-  show(layer: LayerName, faces: FaceList | null): void {
-    this.#layers[layer].show(faces, faces ? this.#coloursOf(faces, layer) : new Uint8Array(0))
+  /** What was shown stays until all of it is loaded: most is at once. */
+  show(content: Content): void {
+    if (this.#renderer) {
+      const gl = this.#gl(this.#renderer)
+      this.#faces.put(content, gl)
+      this.#load(gl)
+    }
     this.draw()
   }
 
-  /** 1 hides what is behind the surface. */
-  set opacity(opacity: number) {
-    const hasChanged = opacity < 1 !== this.#opacity < 1
-    this.#opacity = opacity
-    this.#layers.surface.opacity = opacity
-    if (hasChanged) this.#recolour()
-    this.draw()
-  }
-
-  /** Cells are drawn with this part of their size. */
-  set size(size: number) {
-    this.#size = size
-    this.draw()
+  #gl(renderer: WebGLRenderer): WebGL2RenderingContext {
+    return renderer.getContext() as WebGL2RenderingContext
   }
 
   /** The chosen cell stands out, its neighbours are thin lines, invalid ones red. */
@@ -222,13 +205,16 @@ export class MeshPicture {
   cellAt(event: PointerEvent, { isThrough = true } = {}): number | null {
     const { origin, direction } = this.rayOf(event)
     const from = origin.map(value => value / this.#scale) as unknown as Vec3
-    const [surface, invalid] = (['surface', 'invalid'] as const).map(name => {
-      const { faces } = this.#layers[name]
-      return faces && firstHit(faces, from, direction, this.#size)
-    }) as [FaceHit | null, FaceHit | null]
+    const { content, lists } = this.#faces
+    const hitOf = (name: keyof typeof lists) => {
+      const list = lists[name]
+      const hidden = name === 'boundary' ? content.hidden : null
+      return list && firstHit(list.faces, hidden, { origin: from, direction }, content.size)
+    }
+    const invalid = hitOf('invalid')
     if (isThrough && this.#layers.surface.isTranslucent && invalid) return invalid.cell
-    if (!surface || !invalid) return (surface ?? invalid)?.cell ?? null
-    return surface.distance < invalid.distance ? surface.cell : invalid.cell
+    const hits = [hitOf('boundary'), hitOf('surface'), invalid].filter((hit): hit is FaceHit => hit !== null)
+    return hits.reduce((first, hit) => (hit.distance < first.distance ? hit : first), hits[0] ?? NO_HIT).cell
   }
 
   /** Asks for a frame. */
@@ -252,6 +238,7 @@ export class MeshPicture {
     context.fillRect(0, 0, width, height)
     context.drawImage(this.#canvas, 0, 0)
     context.scale(width / this.#root.clientWidth, height / this.#root.clientHeight)
+    strokeOutlines(context, this.#outlines, this.#paint().theme)
     over(context, this.#space)
     return copy.convertToBlob({ type: 'image/png' })
   }
@@ -262,6 +249,7 @@ export class MeshPicture {
     this.#theme.dispose()
     this.#listening.abort()
     for (const layer of Object.values(this.#layers)) layer.dispose()
+    if (this.#renderer) this.#faces.clear(this.#gl(this.#renderer))
     this.#renderer?.dispose()
     this.#renderer?.getContext().getExtension('WEBGL_lose_context')?.loseContext()
     this.#canvas.remove()
@@ -291,11 +279,17 @@ export class MeshPicture {
     const onWheel = (event: WheelEvent) => this.#takesWheel(event) && orbit.wheel(event, this.#placeOf(event))
     root.addEventListener('wheel', onWheel, { signal, passive: false })
     root.addEventListener('contextmenu', event => event.preventDefault(), { signal })
+    const onRestored = () => {
+      if (this.#renderer) this.#faces.renew(this.#gl(this.#renderer))
+      this.draw()
+    }
+    this.#canvas.addEventListener('webglcontextrestored', onRestored, { signal })
   }
 
   #draw(): void {
     const { clientWidth: width, clientHeight: height } = this.#root
     if (width === 0 || height === 0) return
+    if (this.#renderer) this.#load(this.#gl(this.#renderer))
     const { camera } = this.#camera
     // In another size the mesh is seen as it was: what fitted in fits in.
     const isResized = !this.#isNew && (camera.width !== width || camera.height !== height)
@@ -312,7 +306,7 @@ export class MeshPicture {
     const pixelRatio = Math.min(devicePixelRatio, MOST_PIXEL_RATIO)
     const view = {
       scale: this.#scale,
-      size: this.#size,
+      size: this.#faces.content.size,
       eye: [x, y, z] as Vec3,
       toLight: lightOf(camera),
       ink: theme.ink,
@@ -320,13 +314,39 @@ export class MeshPicture {
     }
     for (const layer of Object.values(this.#layers)) layer.write(view)
     if (this.#renderer) {
-      this.#renderer.setPixelRatio(pixelRatio)
-      this.#renderer.setSize(width, height, false)
+      this.#resize(this.#renderer, width, height, pixelRatio)
       this.#renderer.clear()
       for (const pass of PASSES) this.#drawPass(this.#renderer, pass)
     }
     this.#drawChosen(width, height)
     this.onDraw?.(this.#space)
+  }
+
+  /** A size that is set makes the canvas's memory anew, also if it is the same. */
+  #resize(renderer: WebGLRenderer, width: number, height: number, pixelRatio: number): void {
+    const [wide, high] = [Math.floor(width * pixelRatio), Math.floor(height * pixelRatio)]
+    if (this.#canvas.width === wide && this.#canvas.height === high && renderer.getPixelRatio() === pixelRatio) return
+    renderer.setPixelRatio(pixelRatio)
+    renderer.setSize(width, height, false)
+  }
+
+  #load(gl: WebGL2RenderingContext): void {
+    const wasTranslucent = this.#opacity < 1
+    if (this.#faces.load(gl)) {
+      const { lists, content } = this.#faces
+      const { surface, invalid, ghost } = this.#layers
+      const some = (...own: readonly (typeof lists.surface)[]) => own.filter(list => list !== null)
+      surface.lists = content.hidden ? some(lists.boundary, lists.surface) : some(lists.surface)
+      invalid.lists = some(lists.invalid)
+      ghost.lists = content.hasGhost ? some(lists.boundary) : []
+      surface.opacity = content.opacity
+      if (this.#opacity < 1 !== wasTranslucent) this.#recolour()
+    }
+    if (this.#faces.isLoading) this.draw()
+  }
+
+  get #opacity(): number {
+    return this.#faces.content.opacity
   }
 
   get #share(): number {
@@ -351,8 +371,10 @@ export class MeshPicture {
     if (pass === 'depth' && !isTranslucent) return
     if (pass === 'depth') renderer.clearDepth()
     surface.beIn(pass)
+    const { meshes } = this.#layers[pass === 'depth' ? 'surface' : pass]
+    if (meshes.length === 0) return
     this.#scene.clear()
-    this.#scene.add(this.#layers[pass === 'depth' ? 'surface' : pass].mesh)
+    this.#scene.add(...meshes)
     renderer.render(this.#scene, this.#camera.camera.three)
   }
 
@@ -367,51 +389,31 @@ export class MeshPicture {
   }
 
   #recolour(): void {
-    for (const [name, layer] of Object.entries(this.#layers))
-      if (layer.faces) layer.recolour(this.#coloursOf(layer.faces, name as LayerName))
-  }
-
-  #coloursOf(faces: FaceList, name: LayerName): Uint8Array {
     const { ramp, theme } = this.#paint()
     const grey = mix(theme.paper, theme.ink, 0.5)
-    if (name === 'ghost') return oneColour(faces, grey)
-    const paper = this.#opacity < 1 ? null : theme.paper
-    return faceColours(faces, {
-      ramp,
-      none: grey,
-      soft: paper && { paper, share: SOFT },
-      plain: plainColour(theme, this.#colouring),
-    })
+    const own = { ramp, none: grey, plain: plainColour(theme, this.#colouring) }
+    const soft = this.#opacity < 1 ? null : { paper: theme.paper, share: SOFT }
+    const { surface, invalid, ghost } = this.#layers
+    for (const layer of [surface, invalid]) layer.colours = coloursOf({ ...own, soft })
+    ghost.colours = oneColour(grey)
   }
 
   #drawChosen(width: number, height: number): void {
     this.#overlay.setAttribute('viewBox', `0 0 ${width} ${height}`)
-    if (!this.#chosen) {
-      this.#overlay.replaceChildren()
-      return
-    }
-    const path = (name: string, vertices: Vertices) => {
+    const paths = this.#outlines.map(({ kind, path }) => {
       const element = document.createElementNS('http://www.w3.org/2000/svg', 'path')
-      element.setAttribute('class', name)
-      element.setAttribute('d', this.#edgesOf(vertices))
+      element.setAttribute('class', kind)
+      element.setAttribute('d', path)
       return element
-    }
-    this.#overlay.replaceChildren(
-      ...this.#neighbours.map(({ isInvalid, vertices }) =>
-        path(isInvalid ? 'neighbour invalid' : 'neighbour', vertices),
-      ),
-      path('halo', this.#chosen),
-      path('chosen', this.#chosen),
-    )
+    })
+    this.#overlay.replaceChildren(...paths)
   }
 
-  #edgesOf(vertices: Vertices): string {
-    const points = this.#worldOf(vertices).map(point => this.#camera.camera.project(point))
-    return edgeVertices
-      .map(([from, to]) => [points[from], points[to]])
-      .filter(([a, b]) => a && b && a.depth > 0 && b.depth > 0)
-      .map(([a, b]) => `M${a?.x.toFixed(1)} ${a?.y.toFixed(1)}L${b?.x.toFixed(1)} ${b?.y.toFixed(1)}`)
-      .join('')
+  get #outlines(): readonly Outline[] {
+    const { camera } = this.#camera
+    return outlinesOf(this.#chosen, this.#neighbours, vertices =>
+      this.#worldOf(vertices).map(point => camera.project(point)),
+    )
   }
 
   #worldOf(vertices: Vertices): Vec3[] {
@@ -422,7 +424,8 @@ export class MeshPicture {
 }
 
 const PASSES = ['invalid', 'depth', 'surface', 'ghost'] as const
-const GHOST = { opacity: 0.1, lineOpacity: 0, writesDepth: false }
+const GHOST = { opacity: 0.1, lineOpacity: 0, writesDepth: false, showsHidden: true }
+const NO_HIT = { cell: null, distance: Infinity }
 /** CSS pixels about the mesh. */
 const MARGIN = 24
 /** A cell is shown with the space of so many of it along each axis. */

@@ -3,7 +3,8 @@
 import type { Vec3 } from '../model/hexahedron'
 import { cssColour, rampColour } from '../scene/paint/colour-map'
 import { mix } from '../scene/space/vec3'
-import { type Colouring, cellPosition, plainColour } from './cell-colour'
+import { toneOf } from '../survey/face-list'
+import { type Colouring, plainColour } from './cell-colour'
 import type { PictureSpace } from './mesh-picture'
 
 /** CSS pixels. */
@@ -57,7 +58,7 @@ function drawBar(context: Context, { camera, theme, ramp, share }: PictureSpace,
   const plain = plainColour(theme, colouring)
   for (let pixel = 0; pixel < width; ++pixel) {
     const value = (2 * (pixel + 0.5)) / width - 1
-    const colour = value > 0 && plain ? plain : rampColour(ramp, cellPosition(value) as number)
+    const colour = value > 0 && plain ? plain : rampColour(ramp, toneOf(value))
     context.fillStyle = cssColour(value > 0 ? mix(theme.paper, colour, share) : colour)
     context.fillRect(left + pixel, top, 1.5, height)
   }

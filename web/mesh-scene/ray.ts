@@ -1,5 +1,7 @@
 /** The face that a ray meets first. */
 import type { Vec3 } from '../model/hexahedron'
+import type { Ray } from '../scene/space/camera'
+import { FACE_VERTICES, VERTEX_NUMBERS } from '../survey/face-list'
 import type { FaceList } from '../survey/survey-jobs'
 
 export interface FaceHit {
@@ -10,22 +12,31 @@ export interface FaceHit {
   readonly distance: number
 }
 
-/** Faces are the four triangles about their middle with which they are drawn; cells have shrunk to `size` of theirs. */
-export function firstHit(faces: FaceList, origin: Vec3, direction: Vec3, size: number): FaceHit | null {
-  const { corners, middles, cells } = faces
+const NUMBERS = FACE_VERTICES * VERTEX_NUMBERS
+
+/**
+ * Faces are the four triangles about their middle with which they are drawn; cells that are drawn whole have shrunk to `size` of theirs.
+ * `hidden`: for each vertex 1 where its face is not there, or null.
+ */
+export function firstHit(
+  { vertices, middles, cells }: FaceList,
+  hidden: Uint8Array | null,
+  { origin, direction }: Ray,
+  size: number,
+): FaceHit | null {
   const own = new Float64Array(12)
   const middle = new Float64Array(3)
   let [nearest, face] = [Infinity, -1]
   for (let i = 0; i < cells.length; ++i) {
+    if (hidden?.[FACE_VERTICES * i] === 1) continue
     for (let axis = 0; axis < 3; ++axis) {
-      const about = middles[3 * i + axis] as number
-      let sum = 0
-      for (let corner = 0; corner < 4; ++corner) {
-        const value = about + size * ((corners[12 * i + 3 * corner + axis] as number) - about)
-        own[3 * corner + axis] = value - (origin[axis] as number)
-        sum += value
-      }
-      middle[axis] = sum / 4 - (origin[axis] as number)
+      const at = NUMBERS * i + axis
+      const about = middles === null ? 0 : (1 - size) * (middles[3 * FACE_VERTICES * i + axis] as number)
+      const part = middles === null ? 1 : size
+      const from = origin[axis as 0]
+      for (let corner = 0; corner < 4; ++corner)
+        own[3 * corner + axis] = about + part * (vertices[at + VERTEX_NUMBERS * corner] as number) - from
+      middle[axis] = about + part * (vertices[at + 4 * VERTEX_NUMBERS] as number) - from
     }
     if (!mayHit(own, middle, direction, nearest)) continue
     for (let corner = 0; corner < 4; ++corner) {

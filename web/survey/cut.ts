@@ -1,24 +1,48 @@
 /** What is left to be seen of cells when some are cut away: by a plane, by relative minimum, layer by layer, one by one. */
 import type { Neighbours } from '../mesh/neighbours'
 import { faces } from '../model/hexahedron'
-import { type Faced, facesOf, facesOfMask, grow, maskOf } from './faces'
-import type { CutCells, CutFaces, ShownCells } from './survey-jobs'
+import { boundaryOf, drawable, faceList, hiddenOf } from './face-list'
+import type { Faced } from './faced'
+import { facesOfMask, grow, innerFaces, leaveTheWorst, maskOf } from './faces'
+import { slicedBy } from './slice'
+import type { CutCells, CutFaces } from './survey-jobs'
 
 const FACES = 6
 
 export function cutFaces(faced: Faced, cut: CutCells): CutFaces {
   const layers = cut.layers > 0 ? layersOf(faced) : null
   const found = { layers: layers?.count ?? null }
-  const plain = plainCells(cut)
-  if (plain) {
-    const most = cut.isWhole ? cut.most : Infinity
-    return { ...facesOf(faced, { cells: plain, isWhole: cut.isWhole, most }), ...found }
-  }
+  if (cut.plane && isPlain(cut)) return { ...sliced(faced, cut.plane), ...found }
+  const mask = maskOfCut(faced, cut, layers)
+  const isMany = cut.isWhole || boundingFaces(mask, faced.neighbours) > FACES * cut.most
+  const most = isMany ? cut.most : Infinity
+  if (cut.isWhole || !cut.hasBoundary)
+    return { ...facesOfMask(faced, mask, { isWhole: cut.isWhole, most }), hidden: null, ...found }
+  const counts = leaveTheWorst(mask, faced.check.worst, most)
+  const faces = drawable(faced, innerFaces(mask, faced.neighbours))
+  const hidden = hiddenOf(boundaryOf(faced), cell => mask[cell] === 1)
+  return { ...faceList(faced, faces, false), ...counts, hidden, ...found }
+}
+
+/** Whether a slice is all that is wanted, for whoever has the boundary. */
+function isPlain({ set, relative, layers, away, onlyInvalid, isWhole, hasBoundary }: CutCells): boolean {
+  const isWholeSet = set.which === 'all' && relative === null && layers === 0 && away.length === 0
+  return isWholeSet && !onlyInvalid && !isWhole && hasBoundary
+}
+
+function sliced(faced: Faced, plane: NonNullable<CutCells['plane']>): Omit<CutFaces, 'layers'> {
+  const { faces, count, isBehind } = slicedBy(faced.middles, faced.neighbours, plane)
+  const hidden = hiddenOf(boundaryOf(faced), isBehind)
+  return { ...faceList(faced, drawable(faced, faces), false), shown: count, wanted: count, hidden }
+}
+
+function maskOfCut(faced: Faced, cut: CutCells, layers: Layers | null): Uint8Array {
   const { check } = faced
   const mask = setOf(faced, cut.set)
   const [lower, upper] = cut.relative ?? [-Infinity, Infinity]
   const behind = cut.plane ? maskOf(faced, { which: 'behind-plane', ...cut.plane }) : null
-  for (let cell = 0; cell < mask.length; ++cell) {
+  const isUncut = !behind && !layers && cut.relative === null && !cut.onlyInvalid
+  for (let cell = 0; cell < mask.length && !isUncut; ++cell) {
     if (mask[cell] !== 1) continue
     const relative = check.answers.relativeMinima[cell] as number
     const isLeft =
@@ -29,14 +53,7 @@ export function cutFaces(faced: Faced, cut: CutCells): CutFaces {
     if (!isLeft) mask[cell] = 0
   }
   for (const cell of cut.away) mask[cell] = 0
-  const isMany = cut.isWhole || boundingFaces(mask, faced.neighbours) > FACES * cut.most
-  return { ...facesOfMask(faced, mask, { isWhole: cut.isWhole, most: isMany ? cut.most : Infinity }), ...found }
-}
-
-/** The cells of `faces`, if nothing else is cut away of them than a plane does. */
-function plainCells({ set, plane, relative, layers, away, onlyInvalid }: CutCells): ShownCells['cells'] | null {
-  if (set.which !== 'all' || relative || layers > 0 || away.length > 0 || onlyInvalid) return null
-  return plane ? { which: 'behind-plane', ...plane } : set
+  return mask
 }
 
 function setOf(faced: Faced, set: CutCells['set']): Uint8Array {
@@ -46,7 +63,8 @@ function setOf(faced: Faced, set: CutCells['set']): Uint8Array {
   return mask
 }
 
-function boundingFaces(mask: Uint8Array, { across }: Neighbours): number {
+function boundingFaces(mask: Uint8Array, { across, boundary }: Neighbours): number {
+  if (!mask.includes(0)) return boundary.length
   let count = 0
   for (let cell = 0; cell < mask.length; ++cell) {
     if (mask[cell] !== 1) continue

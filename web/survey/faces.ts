@@ -1,26 +1,13 @@
 /** Faces of cells that are to be seen, as lists for a painter. */
-import { FACES, LOOPS } from '../mesh/face-loops'
+import { FACES } from '../mesh/face-loops'
 import type { MeshCheck } from '../mesh/mesh-check'
 import type { Neighbours } from '../mesh/neighbours'
-import type { Vec3 } from '../model/hexahedron'
-import { facesBehind } from './slice'
+import { drawable, faceList } from './face-list'
+import type { Faced } from './faced'
 import type { FaceList, ShownCells } from './survey-jobs'
-
-export interface Faced {
-  readonly check: MeshCheck
-  readonly neighbours: Neighbours
-  readonly origin: Vec3
-  /** The middles of cells less the origin, three numbers each. */
-  readonly middles: Float32Array
-  readonly isListed: (cell: number) => boolean
-}
 
 /** Faces that bound what is shown; all faces of its cells if these are drawn whole. One with a coordinate that is not finite is left out. */
 export function facesOf(faced: Faced, shown: ShownCells): FaceList {
-  if (shown.cells.which === 'behind-plane' && !shown.isWhole && shown.most === Infinity) {
-    const { faces, count } = facesBehind(faced.middles, faced.neighbours, shown.cells)
-    return { ...faceList(faced, faces), shown: count, wanted: count }
-  }
   return facesOfMask(faced, maskOf(faced, shown.cells), shown)
 }
 
@@ -31,11 +18,9 @@ export function facesOfMask(
   { isWhole, most }: Pick<ShownCells, 'isWhole' | 'most'>,
 ): FaceList {
   const { check, neighbours } = faced
-  let wanted = 0
-  for (const flag of mask) wanted += flag
-  const shown = leaveTheWorst(mask, check.worst, wanted, most)
-  const faces = isWhole ? inner(mask, neighbours, true) : outer(mask, neighbours)
-  return { ...faceList(faced, faces), shown, wanted }
+  const counts = leaveTheWorst(mask, check.worst, most)
+  const faces = isWhole ? facesWhere(mask, () => true) : outer(mask, neighbours)
+  return { ...faceList(faced, drawable(faced, faces), isWhole), ...counts }
 }
 
 /** 1 for each cell that is meant. */
@@ -82,23 +67,43 @@ export function grow(mask: Uint8Array, { mesh: { points, cells } }: MeshCheck): 
   for (let i = 0; i < cells.length; ++i) if (isTouched[cells[i] as number] === 1) mask[i >> 3] = 1
 }
 
-/** Takes all but the worst `most` out of the mask; returns how many are left. */
-function leaveTheWorst(mask: Uint8Array, worst: Uint32Array, wanted: number, most: number): number {
-  if (wanted <= most) return wanted
-  let left = 0
+/** Takes all but the worst `most` out of the mask. */
+export function leaveTheWorst(
+  mask: Uint8Array,
+  worst: Uint32Array,
+  most: number,
+): { readonly shown: number; readonly wanted: number } {
+  let wanted = 0
+  for (const flag of mask) wanted += flag
+  if (wanted <= most) return { shown: wanted, wanted }
+  let shown = 0
   for (const cell of worst) {
     if (mask[cell] !== 1) continue
-    if (left < most) left++
+    if (shown < most) shown++
     else mask[cell] = 0
   }
-  return left
+  return { shown, wanted }
 }
 
-function inner(mask: Uint8Array, { across }: Neighbours, isWhole: boolean): Uint32Array {
-  const isSeen = (face: number) => {
+/** The mesh's own boundary is known, unless cells were left out. */
+function outer(mask: Uint8Array, { across, boundary }: Neighbours): Uint32Array {
+  if (!mask.includes(0)) return boundary
+  return facesWhere(mask, face => {
     const other = across[face] as number
-    return isWhole || other < 0 || mask[(other / FACES) | 0] !== 1
-  }
+    return other < 0 || mask[(other / FACES) | 0] !== 1
+  })
+}
+
+/** Those between a cell of the mask and another one. */
+export function innerFaces(mask: Uint8Array, { across }: Neighbours): Uint32Array {
+  if (!mask.includes(0)) return new Uint32Array(0)
+  return facesWhere(mask, face => {
+    const other = across[face] as number
+    return other >= 0 && mask[(other / FACES) | 0] !== 1
+  })
+}
+
+function facesWhere(mask: Uint8Array, isSeen: (face: number) => boolean): Uint32Array {
   let count = 0
   for (let cell = 0; cell < mask.length; ++cell)
     if (mask[cell] === 1) for (let face = FACES * cell; face < FACES * cell + FACES; ++face) if (isSeen(face)) count++
@@ -108,43 +113,4 @@ function inner(mask: Uint8Array, { across }: Neighbours, isWhole: boolean): Uint
     if (mask[cell] === 1)
       for (let face = FACES * cell; face < FACES * cell + FACES; ++face) if (isSeen(face)) faces[found++] = face
   return faces
-}
-
-/** The mesh's own boundary is known, unless cells were left out. */
-function outer(mask: Uint8Array, neighbours: Neighbours): Uint32Array {
-  return mask.includes(0) ? inner(mask, neighbours, false) : neighbours.boundary
-}
-
-function faceList(faced: Faced, faces: Uint32Array): Omit<FaceList, 'shown' | 'wanted'> {
-  const { check, origin, middles: allMiddles } = faced
-  const { points, cells: indices } = check.mesh
-  const corners = new Float32Array(12 * faces.length)
-  const relativeMinima = new Float32Array(faces.length)
-  const cells = new Uint32Array(faces.length)
-  const middles = new Float32Array(3 * faces.length)
-  let count = 0
-  for (const face of faces) {
-    const cell = (face / FACES) | 0
-    const loop = 4 * (face - FACES * cell)
-    let isWhole = true
-    for (let corner = 0; corner < 4; ++corner) {
-      const point = 3 * (indices[8 * cell + (LOOPS[loop + corner] as number)] as number)
-      for (let axis = 0; axis < 3; ++axis) {
-        const value = (points[point + axis] as number) - (origin[axis] as number)
-        corners[12 * count + 3 * corner + axis] = value
-        isWhole &&= Number.isFinite(value)
-      }
-    }
-    if (!isWhole) continue
-    for (let axis = 0; axis < 3; ++axis) middles[3 * count + axis] = allMiddles[3 * cell + axis] as number
-    relativeMinima[count] = check.isAnswered(cell) ? (check.answers.relativeMinima[cell] as number) : Number.NaN
-    cells[count++] = cell
-  }
-  return {
-    corners: corners.slice(0, 12 * count),
-    relativeMinima: relativeMinima.slice(0, count),
-    cells: cells.slice(0, count),
-    middles: middles.slice(0, 3 * count),
-    origin,
-  }
 }

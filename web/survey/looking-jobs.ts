@@ -11,7 +11,10 @@ import { OpenedSurvey } from './opened-survey'
 import { Survey } from './survey'
 import type { Opening, Served, SurveyJobs } from './survey-jobs'
 
-type AskedOfOne = Pick<SurveyJobs, 'rows' | 'arrange' | 'nextInvalid' | 'placeOf' | 'detail' | 'join' | 'faces'>
+type AskedOfOne = Pick<
+  SurveyJobs,
+  'rows' | 'accept' | 'arrange' | 'nextInvalid' | 'placeOf' | 'detail' | 'join' | 'faces'
+>
 
 export type LookingJobs = Served<AskedOfOne & Pick<SurveyJobs, 'open'>>
 
@@ -57,6 +60,7 @@ export function lookingJobs(opened: () => OpenedSurvey): Served<AskedOfOne> {
   const whole = () => opened().whole()
   return {
     rows: async ({ from, to }) => (await opened().withRows(to)).rows(from, to),
+    accept: cells => opened().accept(cells),
     async arrange(order) {
       const survey = await (order.column === 'accepted-by' ? opened().accepting() : whole())
       survey.arrange(order)

@@ -2,36 +2,38 @@
 import { Pool, type WorkerPort, wordsOf } from '../core/workers'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
-import type {
-  Around,
-  Arrangement,
-  CellDetail,
-  CutCells,
-  CutFaces,
-  FaceList,
-  FixId,
-  FormId,
-  Histogram,
-  MovedMesh,
-  Moves,
-  Opening,
-  Place,
-  Row,
-  Selected,
-  Selection,
-  ShownCells,
-  StepAnswer,
-  StepList,
-  StepOpening,
-  StepWanted,
-  SurveyJobs,
-  TangledPart,
+import {
+  ACCEPTED_IN,
+  type Around,
+  type Arrangement,
+  type CellDetail,
+  type CutCells,
+  type CutFaces,
+  type FaceList,
+  type FixId,
+  type FormId,
+  type Histogram,
+  type MovedMesh,
+  type Moves,
+  type Opening,
+  type Place,
+  type Row,
+  type Selected,
+  type Selection,
+  type ShownCells,
+  type StepAnswer,
+  type StepList,
+  type StepOpening,
+  type StepWanted,
+  type SurveyJobs,
+  type TangledPart,
 } from './survey-jobs'
 
 /** Rejects with an Error whose message is a sentence when the worker has ended, was closed, or ran out of memory. */
 export class OpenSurvey {
   readonly #pool: Pool<null, SurveyJobs>
   #selection = 0
+  #arranging = 0
   #writing = 0
   #closings = 0
 
@@ -56,6 +58,7 @@ export class OpenSurvey {
   /** Ends the worker with all that it holds; what it was asked rejects. */
   close(): void {
     this.#selection++
+    this.#arranging++
     this.#writing++
     this.#closings++
     this.#pool.stop(new Error('The mesh was closed.'))
@@ -65,8 +68,26 @@ export class OpenSurvey {
     return this.#pool.run('rows', { from, to })
   }
 
-  async arrange(order: Arrangement): Promise<void> {
+  /** Tells of each step that an order by what is not known yet takes. Another order, or a cancel, ends it: false then. */
+  async arrange(order: Arrangement, onStep: (part: number) => void = () => {}): Promise<boolean> {
+    const own = ++this.#arranging
+    const isWanted = () => own === this.#arranging
+    if (order.column === 'accepted-by' && !(await this.#accept('all', onStep, isWanted))) return false
     await this.#pool.run('arrange', order)
+    return true
+  }
+
+  cancelArranging(): void {
+    this.#arranging++
+  }
+
+  async #accept(cells: 'invalid' | 'all', onStep: (part: number) => void, isWanted: () => boolean): Promise<boolean> {
+    for (let part = 0; part < 1; ) {
+      part = await this.#pool.run('accept', cells)
+      if (!isWanted()) return false
+      onStep(part)
+    }
+    return true
   }
 
   /** Tells of each step; the last has looked at all cells. Another selection ends it: null then. */
@@ -126,13 +147,17 @@ export class OpenSurvey {
   async write(form: FormId, onProgress: (fraction: number) => void): Promise<WrittenFile | Refused | null> {
     const own = ++this.#writing
     const parts: Blob[] = []
+    const accepted = ACCEPTED_IN[form]
+    const before = accepted ? ACCEPTING : 0
+    const isWanted = () => own === this.#writing
+    if (accepted && !(await this.#accept(accepted, part => onProgress(before * part), isWanted))) return null
     let written = await this.#pool.run('write', form)
     while (own === this.#writing) {
       if ('refused' in written) return written
       // The browser keeps a Blob's bytes where it likes, also on the disk.
       parts.push(new Blob([written.bytes]))
       if (written.isEnd) return { content: new Blob(parts), said: written.said }
-      onProgress(written.fraction)
+      onProgress(before + (1 - before) * written.fraction)
       written = await this.#pool.run('writeOn', null)
     }
     return null
@@ -182,6 +207,9 @@ export class OpenSurvey {
     return this.#pool.run('together', null, { onProgress })
   }
 }
+
+/** About which part of the writing goes to the checks that accept cells. */
+const ACCEPTING = 0.4
 
 export interface WrittenFile {
   readonly content: Blob

@@ -1,12 +1,14 @@
 /** A survey whose check may still have to be finished, which whoever needs it waits for. */
 import type { ClassifyCells } from '../mesh/check'
 import type { MeshCheck } from '../mesh/mesh-check'
+import { Accepting } from './accepting'
 import type { Survey } from './survey'
 
 export class OpenedSurvey {
   readonly survey: Survey
   readonly #classify: ClassifyCells
   #finish: (() => Promise<MeshCheck>) | null
+  #accepting: Accepting | null = null
 
   constructor(survey: Survey, finish: (() => Promise<MeshCheck>) | null, classify: ClassifyCells) {
     this.survey = survey
@@ -24,14 +26,33 @@ export class OpenedSurvey {
     return this.survey
   }
 
+  /** Goes on to find the checks that accept cells. Returns which part is done; 1 once all is. */
+  async accept(cells: 'invalid' | 'all'): Promise<number> {
+    const { check } = await this.whole()
+    if (check.answers.acceptedBy !== null) return 1
+    this.#accepting ??= new Accepting(check, this.#classify)
+    const part = await this.#accepting.run(cells)
+    if (cells === 'all' && part === 1) await this.#take(check, this.#accepting.list)
+    return part
+  }
+
+  /** Minimizers come along: who lists the checks of all cells lists these, too. */
+  async #take({ mesh: { points, cells } }: MeshCheck, acceptedBy: Uint16Array): Promise<void> {
+    const { minima } = await this.#classify(points, cells, { minima: true })
+    this.survey.accept({ acceptedBy, minima })
+  }
+
   /** The whole survey with the checks that accept each cell, and with minimizers. */
   async accepting(): Promise<Survey> {
-    const { check } = await this.whole()
-    if (check.answers.acceptedBy === null) {
-      const { points, cells } = check.mesh
-      this.survey.accept(await this.#classify(points, cells, { acceptedBy: true, minima: true }))
-    }
+    while ((await this.accept('all')) < 1);
     return this.survey
+  }
+
+  /** The whole check with the checks that accept the invalid cells, and perhaps others. */
+  async acceptingInvalid(): Promise<MeshCheck> {
+    while ((await this.accept('invalid')) < 1);
+    const { check } = this.survey
+    return this.#accepting ? { ...check, answers: { ...check.answers, acceptedBy: this.#accepting.list } } : check
   }
 
   /** The survey with the rows up to a rank. */

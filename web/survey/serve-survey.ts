@@ -15,6 +15,7 @@ import {
 import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import { checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
+import type { MeshCheck } from '../mesh/mesh-check'
 import type { TogetherOptions } from '../mesh/read-mesh'
 import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
 import { cutFaces } from './cut'
@@ -30,24 +31,22 @@ import { practiceFile } from './practice'
 import { type SharedClassifier, sharedClassifier } from './shared-classifier'
 import { type StepMesh, StepSeries } from './step-series'
 import { Survey } from './survey'
-import type {
-  FixId,
-  FormId,
-  Opening,
-  Overview,
-  Served,
-  StepAnswer,
-  StepOpening,
-  StepWanted,
-  SurveyJobs,
-  Written,
+import {
+  ACCEPTED_IN,
+  type FixId,
+  type FormId,
+  type Opening,
+  type Overview,
+  type Served,
+  type StepAnswer,
+  type StepOpening,
+  type StepWanted,
+  type SurveyJobs,
+  type Written,
 } from './survey-jobs'
 import { turn } from './turn'
 import { wholeOrderOf } from './whole-order'
 import { Writing } from './writing'
-
-/** Files that say which checks accept a cell. */
-const LISTING: ReadonlySet<FormId> = new Set<FormId>(['csv', 'html'])
 
 /** Until the engine has made its fastest code. */
 const TIMES = 3
@@ -113,6 +112,14 @@ export function serveSurvey(engine: SurveyEngine): void {
   }
 
   const whole = () => opened().survey.whole()
+
+  /** With the checks that accept the cells of which the file says so. */
+  async function checkFor(form: FormId): Promise<MeshCheck> {
+    const { survey } = opened()
+    const of = ACCEPTED_IN[form]
+    if (of === 'invalid') return survey.acceptingInvalid()
+    return (await (of === 'all' ? survey.accepting() : survey.whole())).check
+  }
 
   function written(): Written {
     return writing?.run(STEP) ?? { refused: 'The mesh is another one by now.' }
@@ -252,7 +259,7 @@ export function serveSurvey(engine: SurveyEngine): void {
     },
     async write(form) {
       const { name, core } = opened()
-      const { check } = await (LISTING.has(form) ? opened().survey.accepting() : whole())
+      const check = await checkFor(form)
       const own = form === 'own' ? { chunks: inOwnFormat(moving()), said: await roundedNote(moving()) } : null
       writing = new Writing(form, { name, check, core, own })
       return written()

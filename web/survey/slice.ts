@@ -1,6 +1,6 @@
 /**
- * Faces of the cells behind a plane: of the boundary those that cells behind it have, and where it cuts those between a cell behind
- * and one before it. A cell is behind by its middle, so only the cells near the plane are asked for their neighbours.
+ * Faces where a plane cuts: those between a cell behind it and one before it. A cell is behind by its middle, so only the cells near the
+ * plane are asked for their neighbours.
  */
 import { FACES } from '../mesh/face-loops'
 import type { Neighbours } from '../mesh/neighbours'
@@ -10,17 +10,19 @@ export interface Sliced {
   readonly faces: Uint32Array
   /** Cells behind the plane. */
   readonly count: number
+  readonly isBehind: (cell: number) => boolean
 }
 
 /** Three numbers each in `middles`; a cell is behind the plane if the product of its own with `normal` is `offset` at most. */
-export function facesBehind(
+export function slicedBy(
   middles: Float32Array,
-  { across, boundary }: Neighbours,
+  { across }: Neighbours,
   { normal: [x, y, z], offset }: { readonly normal: Vec3; readonly offset: number },
 ): Sliced {
   const { distances, greatest } = reachOf(middles)
-  const alongOf = (cell: number) =>
-    x * (middles[3 * cell] as number) + y * (middles[3 * cell + 1] as number) + z * (middles[3 * cell + 2] as number)
+  const isBehind = (cell: number) =>
+    x * (middles[3 * cell] as number) + y * (middles[3 * cell + 1] as number) + z * (middles[3 * cell + 2] as number) <=
+    offset
 
   // Two middles lie as far apart along the normal as their distance times its length, at most. Distances are rounded by 2^-24, and
   // what is computed here by less. Each of the two products is off by three roundings of at most 2^-53 of the sum of its terms.
@@ -28,8 +30,8 @@ export function facesBehind(
   const nearest = offset - 2 ** -50 * greatest * (Math.abs(x) + Math.abs(y) + Math.abs(z))
   const found: number[] = []
   let count = 0
-  for (let cell = 0; cell < distances.length; ++cell) {
-    const along = alongOf(cell)
+  for (let cell = 0, at = 0; cell < distances.length; ++cell, at += 3) {
+    const along = x * (middles[at] as number) + y * (middles[at + 1] as number) + z * (middles[at + 2] as number)
     if (!(along <= offset)) continue
     count++
     const distance = distances[cell] as number
@@ -37,11 +39,10 @@ export function facesBehind(
     if (distance === UNKNOWN) distances[cell] = distanceOf(cell, middles, across)
     for (let face = FACES * cell; face < FACES * cell + FACES; ++face) {
       const other = across[face] as number
-      if (other >= 0 && !(alongOf((other / FACES) | 0) <= offset)) found.push(face)
+      if (other >= 0 && !isBehind((other / FACES) | 0)) found.push(face)
     }
   }
-  for (const face of boundary) if (alongOf((face / FACES) | 0) <= offset) found.push(face)
-  return { faces: Uint32Array.from(found), count }
+  return { faces: Uint32Array.from(found), count, isBehind }
 }
 
 interface Reach {

@@ -17,6 +17,8 @@ export type SurveyJobs = {
   open(input: PastedInput, tell: (progress: ReadingProgress) => void): Promise<Opening>
   /** Rows from one rank to another in the present order. */
   rows(ranks: { readonly from: number; readonly to: number }): readonly Row[]
+  /** Goes on to find the checks that accept cells. Which part is done; `arrange` and `write` do what is left at once. */
+  accept(cells: 'invalid' | 'all'): Promise<number>
   arrange(order: Arrangement): null
   /** Begins another selection. */
   select(selection: Selection): Selected
@@ -122,6 +124,9 @@ export interface TangledPart {
   readonly indices: Uint32Array | null
   readonly cellIndices: Uint32Array | null
 }
+
+/** Files that say which checks accept cells, and of which cells. */
+export const ACCEPTED_IN: Readonly<Partial<Record<FormId, 'invalid' | 'all'>>> = { csv: 'all', html: 'invalid' }
 
 /** The next bytes of a file. */
 export type Written =
@@ -262,13 +267,15 @@ export interface ShownCells {
 
 /** Bilinear faces, seen from outside their cells. */
 export interface FaceList {
-  /** Four corners a face, in cyclic order, less `origin`, the middle of the bounds; of the bounds of the first step that was opened. */
-  readonly corners: Float32Array
-  /** The relative minimum of the face's cell; NaN where there is none. */
-  readonly relativeMinima: Float32Array
+  /**
+   * Five vertices a face, its corners in cyclic order and its middle, four numbers each: x, y and z less `origin`, and the tone of the face's
+   * cell, from which its colour follows.
+   */
+  readonly vertices: Float32Array
+  /** The middle of the face's cell less `origin` for each vertex, where cells are drawn whole; else null. */
+  readonly middles: Float32Array | null
   readonly cells: Uint32Array
-  /** The middle of the face's cell, less `origin`. */
-  readonly middles: Float32Array
+  /** The middle of the bounds; of the bounds of the first step that was opened. */
   readonly origin: Vec3
   /** Cells that are shown, and those that should be. */
   readonly shown: number
@@ -295,11 +302,15 @@ export interface CutCells {
   readonly onlyInvalid: boolean
   /** Every face of each cell: for cells that are drawn apart. */
   readonly isWhole: boolean
+  /** Whoever asks has the boundary of the mesh, from `faces`: of it no more is answered than which faces are hidden. */
+  readonly hasBoundary: boolean
   /** Of cells with more than six times so many faces to draw, so many are left: the worst. */
   readonly most: number
 }
 
 export interface CutFaces extends FaceList {
+  /** 1 for each vertex of the boundary whose face is hidden; null if the list has all faces, those of the boundary as well. */
+  readonly hidden: Uint8Array | null
   /** Layers that the mesh has; null where none was to go. */
   readonly layers: number | null
 }

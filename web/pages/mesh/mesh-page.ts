@@ -22,24 +22,24 @@ import type {
   MovementCounts,
   Overview,
   Selected,
+  ShownCells,
   StepOpening,
 } from '../../survey/survey-jobs'
 import { startSurveyWorker } from '../../survey/survey-worker'
 import { takeHanded } from '../handed-input'
+import { type Arranging, arrangingTemplate } from './arranging'
 import { EXAMPLES, type Example } from './examples'
-import { histogramTemplate, type Range } from './histogram-view'
+import type { Range } from './histogram-range'
+import { HistogramView } from './histogram-view'
 import { InputDoor } from './input-door'
 import { MovingLens, NOTHING_MOVED } from './moving-lens'
+import { notesTemplate } from './notes'
 import {
-  ALL_FORMATS,
   cancelledWords,
-  FORMATS,
   NOT_IN_STEPS,
   NOTHING_OPEN,
   namesakeSentence,
-  nextSentence,
   refusalWords,
-  STAYS,
 } from './page-words'
 import { PictureControls } from './picture-controls'
 import { PlaceFold } from './place-fold'
@@ -93,6 +93,8 @@ interface Shown {
   readonly beside: string
   readonly histogram: Histogram | null
   readonly order: Arrangement
+  /** An order that takes longer, and which part is done. */
+  readonly arranging: Arranging | null
   readonly condition: string
   readonly complaint: string | null
   readonly range: Range
@@ -101,6 +103,9 @@ interface Shown {
   readonly message: string
 }
 
+const BOUNDARY: ShownCells = { cells: { which: 'all' }, isWhole: false, most: Infinity }
+/** As in mesh.css. */
+const PHONE = '(max-width: 43.99rem)'
 const FIRST_ORDER: Arrangement = { column: 'worst', isDescending: false }
 const NOTHING: Shown = {
   progress: null,
@@ -111,6 +116,7 @@ const NOTHING: Shown = {
   beside: '',
   histogram: null,
   order: FIRST_ORDER,
+  arranging: null,
   condition: '',
   complaint: null,
   range: null,
@@ -132,9 +138,11 @@ listRoot.className = 'list'
 const table = new CellTable(listRoot, {
   rows: async (from, to) => (await asked(own => own.rows(from, to))) ?? [],
   arrange: order => void arrange(order),
-  choose: (cell, rank) => void choose(cell, rank),
+  choose: (cell, rank) => void chooseInList(cell, rank),
 })
+const histogramView = new HistogramView(range => void select(shown.condition, range))
 const picture = new PictureControls(part('.picture'), {
+  boundary: () => survey?.faces(BOUNDARY) ?? Promise.reject(new Error('No mesh is open.')),
   cut: cells => survey?.cut(cells) ?? Promise.reject(new Error('No mesh is open.')),
   choose: cell => void chooseInPicture(cell),
   name: async cell => (await asked(own => own.detail(cell)))?.row ?? null,
@@ -362,9 +370,18 @@ function cancel(): void {
 }
 
 async function arrange(order: Arrangement): Promise<void> {
-  if ((await asked(open => open.arrange(order).then(() => true))) === null) return
-  set({ ...shown, order })
+  const own = survey
+  const onStep = (fraction: number) => own === survey && set({ ...shown, arranging: { order, fraction } })
+  const isArranged = await asked(open => open.arrange(order, onStep))
+  if (!isArranged) return
+  set({ ...shown, order, arranging: null })
   showTable()
+}
+
+function cancelArranging(): void {
+  survey?.cancelArranging()
+  set({ ...shown, arranging: null })
+  table.focus()
 }
 
 function showTable(): void {
@@ -415,6 +432,12 @@ async function choose(cell: number, rank: number | null): Promise<void> {
   else moving.showNone()
   place.show(vertices && { id: row.id, cell, around })
   picture.choose(cell, vertices, neighbours)
+}
+
+/** On a phone the lens lies below the list. */
+async function chooseInList(cell: number, rank: number): Promise<void> {
+  await choose(cell, rank)
+  if (matchMedia(PHONE).matches) oneRoot.scrollIntoView({ block: 'nearest' })
 }
 
 async function chooseInPicture(cell: number): Promise<void> {
@@ -477,7 +500,7 @@ function overviewTemplate(now: Shown): TemplateResult {
       ${!overview && !progress ? html`<p class="headline">${NOTHING_OPEN}</p>` : nothing}
     </div>
     <div class=${overview ? 'below has-mesh' : 'below'}>
-      <p class="notes">${notesTemplate(now)}</p>
+      <div class="notes">${notesTemplate(now)}</div>
       <p class="buttons">
         ${overview?.fixes.map(fix => html`<button type="button" class="fix" @click=${() => mend(fix)}>${fix.words}</button>`)}
         ${door.buttons}
@@ -500,15 +523,6 @@ function onExample({ target }: Event): void {
   if (example) void open({ files: [example.file()] }, example)
 }
 
-function notesTemplate({ overview, example, beside }: Shown): TemplateResult {
-  const formats = html`<span class="formats" title=${ALL_FORMATS}>${FORMATS}</span>`
-  if (!overview) return html`${STAYS} ${formats}`
-  const sentences = [...overview.sentences, beside].filter(sentence => sentence !== '')
-  const own = sentences.map(sentence => html` ${sentence}`)
-  if (example) return html`${example.sentence} Drop your own mesh anywhere here. ${STAYS}${own} ${formats}`
-  return html`<b>${overview.name}</b>, ${overview.format}. ${STAYS}${own} ${nextSentence(overview)}`
-}
-
 /** INVALID counts stand out. */
 function headlineTemplate(headline: string): TemplateResult {
   const [first, ...others] = headline.split(/(?<=\.) /)
@@ -523,7 +537,7 @@ const doing: Readonly<Record<ReadingProgress['step'], (name: string) => string>>
 
 function progressTemplate({ name, step, fraction }: UnderWay): TemplateResult {
   return html`<p class="progress">
-    <label>${doing[step](name)} <progress max="1" .value=${fraction}></progress></label>
+    <label>${doing[step](name)} <progress max="1" value=${step === 'loading' ? nothing : fraction}></progress></label>
     <button type="button" @click=${cancel}>Cancel</button>
   </p>`
 }
@@ -538,6 +552,7 @@ function cellsTemplate({
   overview,
   histogram,
   order,
+  arranging,
   condition,
   complaint,
   range,
@@ -564,7 +579,7 @@ function cellsTemplate({
       <select aria-label="Sorted by" @change=${(event: Event) => arrange({ column: (event.target as HTMLSelectElement).value as Column, isDescending: false })}>
         ${ORDERS.filter(({ column }) => column !== 'block' || overview.blocks.length > 0).map(
           given =>
-            html`<option value=${given.column} .selected=${given.column === order.column}>${given.name}</option>`,
+            html`<option value=${given.column} .selected=${given.column === (arranging?.order ?? order).column}>${given.name}</option>`,
         )}
       </select>
       <label class="said" for="condition">Cells that are listed meet this condition</label>
@@ -581,7 +596,7 @@ function cellsTemplate({
       />
       <p id="condition-complaint" class="complaint" role="status">${complaint}</p>
     </form>
-    ${histogram ? histogramTemplate(histogram, range, chosenRange => select(condition, chosenRange)) : nothing}
+    ${histogramView.show(histogram, range)}
     <form class="go" @submit=${onGo}>
       <p class="count">
         ${count}${isDone ? '' : `, ${Math.floor((100 * (selected?.done ?? 0)) / overview.hexahedra)} % looked at`}
@@ -592,6 +607,7 @@ function cellsTemplate({
     </form>
     <p class="said" role="status">${isDone && !isWhole ? `${count} are listed.` : ''}</p>
     <p class="message" role="status">${message}</p>
+    ${arranging ? arrangingTemplate(arranging, cancelArranging) : nothing}
     ${listRoot}`
 }
 

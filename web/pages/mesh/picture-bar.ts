@@ -70,8 +70,10 @@ export function barTemplate(state: BarState, host: BarHost): TemplateResult {
     ${layers > 0 ? peelTemplate(state, host) : nothing}
     ${isDigging || away.length > 0 ? digTemplate(state, host) : nothing}
     ${isTravelOpen ? travelTemplate(state, host) : nothing}
-    <p class="count" role="status">${countOf(state)}</p>
-    <p class="notice" role="status">${state.notice}</p>`
+    <div class="said-of-it">
+      <p class="count" role="status">${countOf(state)}</p>
+      <p class="notice" role="status">${state.notice}</p>
+    </div>`
 }
 
 function toggle(name: string, isOn: boolean, title: string, onChange: (isOn: boolean) => void): TemplateResult {

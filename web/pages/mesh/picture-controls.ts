@@ -8,7 +8,7 @@ import { type Plane, PlaneHandle } from '../../mesh-scene/plane-handle'
 import type { Vec3, Vertices } from '../../model/hexahedron'
 import type { CameraView } from '../../model/state'
 import { azimuthOf, directionAt, elevationOf } from '../../scene/space/camera'
-import type { CutCells, CutFaces, Neighbour, Overview, Row } from '../../survey/survey-jobs'
+import type { CutCells, CutFaces, FaceList, Neighbour, Overview, Row } from '../../survey/survey-jobs'
 import { type BarHost, type BarState, barTemplate } from './picture-bar'
 import {
   cutOf,
@@ -23,6 +23,8 @@ import {
 } from './picture-settings'
 
 export interface PictureHost {
+  /** The boundary of the mesh. */
+  boundary(): Promise<FaceList>
   cut(cells: CutCells): Promise<CutFaces>
   choose(cell: number): void
   /** The cell as the list has it; null if no mesh is open. */
@@ -64,8 +66,8 @@ export class PictureControls implements BarHost {
   #chosen: { readonly cell: number; readonly vertices: Vertices | null } | null = null
   #faces: CutFaces | null = null
   #invalid: { readonly key: string; readonly faces: CutFaces } | null = null
-  #ghost: CutFaces | null = null
-  /** Counts meshes, and what is asked of them. */
+  #boundary: FaceList | null = null
+  /** Counts meshes and their steps, and what is asked of them. */
   #mesh = 0
   #wanted = 0
   #asking: Promise<void> | null = null
@@ -112,8 +114,8 @@ export class PictureControls implements BarHost {
     this.#chosen = null
     this.#faces = null
     this.#invalid = null
-    this.#ghost = null
     this.#ghostLines = null
+    this.#boundary = null
     this.#mesh++
     this.#wanted++
     this.#picture.open(overview?.bounds ?? null, camera)
@@ -125,7 +127,8 @@ export class PictureControls implements BarHost {
   step(overview: Overview): void {
     this.#overview = overview
     this.#invalid = null
-    this.#ghost = null
+    this.#boundary = null
+    this.#mesh++
     this.#picture.step(overview.bounds)
     this.#put()
   }
@@ -252,30 +255,29 @@ export class PictureControls implements BarHost {
     const settings = this.#settings
     const plane = this.#planeOf(settings.slice)
     const chosen = this.#chosen?.cell ?? null
+    this.#boundary ??= await this.#host.boundary()
+    if (mesh !== this.#mesh) return
     const faces = await this.#host.cut(cutOf(settings, plane, chosen))
     if (mesh !== this.#mesh) return
     const invalidCut = overview.counts.invalid > 0 ? invalidCutOf(settings, chosen) : null
     const key = JSON.stringify(invalidCut)
-    if (invalidCut && this.#invalid?.key !== key) {
+    if (!invalidCut) this.#invalid = null
+    else if (this.#invalid?.key !== key) {
       const invalid = await this.#host.cut(invalidCut)
       if (mesh !== this.#mesh) return
       this.#invalid = { key, faces: invalid }
-      this.#picture.show('invalid', invalid)
     }
-    const hasInvalid = invalidCut !== null && (this.#invalid?.faces.cells.length ?? 0) > 0
-    if (!invalidCut) {
-      this.#invalid = null
-      this.#picture.show('invalid', null)
-    }
-    if (isCut(settings) && !this.#ghost) {
-      this.#ghost = await this.#host.cut(WHOLE_MESH)
-      if (mesh !== this.#mesh) return
-    }
-    this.#picture.ghost = isCut(settings) ? this.#ghost : null
     this.#faces = faces
-    this.#picture.opacity = hasInvalid ? TRANSLUCENT : 1
-    this.#picture.size = settings.isApart ? SHRUNK : 1
-    this.#picture.show('surface', faces)
+    const invalid = this.#invalid?.faces ?? null
+    this.#picture.show({
+      boundary: this.#boundary,
+      hidden: faces.hidden,
+      surface: faces,
+      invalid,
+      opacity: invalid !== null && invalid.cells.length > 0 ? TRANSLUCENT : 1,
+      size: settings.isApart ? SHRUNK : 1,
+      hasGhost: isCut(settings),
+    })
     this.#render()
   }
 
@@ -305,10 +307,13 @@ export class PictureControls implements BarHost {
   #drawOver(space: PictureSpace): void {
     const { width, height } = space.camera
     const ratio = Math.min(devicePixelRatio, 2)
-    this.#marks.width = Math.round(width * ratio)
-    this.#marks.height = Math.round(height * ratio)
+    const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)]
+    // A size that is set makes the memory anew, also if it is the same.
+    if (this.#marks.width !== wide) this.#marks.width = wide
+    if (this.#marks.height !== high) this.#marks.height = high
     const context = this.#marks.getContext('2d')
-    context?.scale(ratio, ratio)
+    context?.setTransform(ratio, 0, 0, ratio, 0, 0)
+    context?.clearRect(0, 0, width, height)
     if (context && this.#overview && this.#picture.isDrawn) drawMarks(context, space, this.#settings.colours)
     if (context && this.#ghostLines) drawGhostLines(context, space, this.#ghostLines)
     this.#plane.draw(space)
@@ -423,8 +428,6 @@ export class PictureControls implements BarHost {
     }
   }
 }
-
-const WHOLE_MESH = cutOf(FIRST_SETTINGS, null, null)
 
 /** Whether so much is away that the shape of the mesh is not seen any more. A slice leaves it, and what is dug. */
 function isCut({ set, relative, layers }: PictureSettings): boolean {

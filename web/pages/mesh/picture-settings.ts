@@ -76,6 +76,7 @@ export function cutOf(settings: PictureSettings, plane: Plane | null, chosen: nu
     away,
     onlyInvalid: false,
     isWhole: isApart,
+    hasBoundary: true,
     most: MOST_WHOLE,
   }
 }
@@ -83,7 +84,7 @@ export function cutOf(settings: PictureSettings, plane: Plane | null, chosen: nu
 /** The invalid cells of the set, which are seen through what a slice and peeling leave; null where the picture has no others. */
 export function invalidCutOf(settings: PictureSettings, chosen: number | null): CutCells | null {
   if (settings.set === 'invalid' && settings.rings === 0) return null
-  return { ...cutOf(settings, null, chosen), layers: 0, onlyInvalid: true }
+  return { ...cutOf(settings, null, chosen), layers: 0, onlyInvalid: true, hasBoundary: false }
 }
 
 function setOf(set: CellSet, rings: number, chosen: number | null): CutCells['set'] {

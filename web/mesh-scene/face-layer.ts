@@ -1,18 +1,9 @@
-/** Bilinear faces of one layer of the picture, in one draw call. It knows three.js and the shader. */
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DoubleSide,
-  EqualDepth,
-  GLSL3,
-  LessEqualDepth,
-  Mesh,
-  RawShaderMaterial,
-  Vector3,
-} from 'three'
+/** Bilinear faces of one layer of the picture. It knows three.js and the shader. */
+import { DoubleSide, EqualDepth, GLSL3, LessEqualDepth, Mesh, RawShaderMaterial, Vector3 } from 'three'
 import type { Vec3 } from '../model/hexahedron'
-import type { FaceList } from '../survey/survey-jobs'
-import { eachVertex, FACE_VERTICES, faceIndices, facePoints, vertexColours } from './face-vertices'
+import { FACE_VERTICES } from '../survey/face-list'
+import { COLOURS, NO_TONE_COLOUR, RAMP_COLOURS } from './cell-colour'
+import type { FaceChunks } from './face-chunks'
 
 /** Lightness that a face in the dark loses: more than within an element, as a cell has one colour here, and a mesh has a shape. */
 const SHADE = 0.26
@@ -25,9 +16,11 @@ uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform float scale;
 uniform float size;
-in vec3 point;
+uniform vec3 colours[${COLOURS}];
+uniform float showsHidden;
+in vec4 vertex;
 in vec3 middle;
-in vec3 faceColour;
+in float hidden;
 out vec2 st;
 out vec3 position;
 flat out vec3 colour;
@@ -35,11 +28,20 @@ flat out vec3 colour;
 // (s, t) of a face's vertices.
 const vec2 PATCH[${FACE_VERTICES}] = vec2[](vec2(0), vec2(1, 0), vec2(1), vec2(0, 1), vec2(0.5));
 
+vec3 colourOf(float tone) {
+  if (tone > 1.0) return colours[${NO_TONE_COLOUR}];
+  float along = abs(tone) * ${RAMP_COLOURS - 1}.0;
+  int stop = min(int(along), ${RAMP_COLOURS - 2}) + (tone < 0.0 ? 0 : ${RAMP_COLOURS});
+  return mix(colours[stop], colours[stop + 1], along - floor(min(along, ${RAMP_COLOURS - 2}.0)));
+}
+
 void main() {
   st = PATCH[gl_VertexID % ${FACE_VERTICES}];
-  colour = faceColour;
-  position = mix(middle, point, size) * scale;
+  colour = colourOf(vertex.w);
+  position = mix(middle, vertex.xyz, size) * scale;
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  // All vertices of a face that is hidden lie in one place beside the picture.
+  if (hidden > showsHidden) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }
 `
 
@@ -79,7 +81,7 @@ void main() {
 export interface FaceView {
   /** World units a unit of the mesh. */
   readonly scale: number
-  /** Of a cell, from 0 to 1: less than 1 draws cells apart. */
+  /** Of a cell that is drawn whole, from 0 to 1: less than 1 draws cells apart. */
   readonly size: number
   readonly eye: Vec3
   readonly toLight: Vec3
@@ -87,14 +89,15 @@ export interface FaceView {
   readonly pixelRatio: number
 }
 
-export class FaceBatch {
-  readonly mesh: Mesh
+export class FaceLayer {
   readonly #uniforms = {
     scale: { value: 1 },
     size: { value: 1 },
     eye: { value: new Vector3() },
     toLight: { value: new Vector3() },
     ink: { value: new Vector3() },
+    colours: { value: new Float32Array(3 * COLOURS) },
+    showsHidden: { value: 0 },
     opacity: { value: 1 },
     lineOpacity: { value: LINE_OPACITY },
     pixelRatio: { value: 1 },
@@ -107,40 +110,39 @@ export class FaceBatch {
     side: DoubleSide,
     premultipliedAlpha: true,
   })
-  #faces: FaceList | null = null
+  #meshes: readonly Mesh[] = []
+  #isWhole = false
 
-  constructor({ opacity = 1, lineOpacity = LINE_OPACITY, writesDepth = true } = {}) {
+  /** `showsHidden`: also the faces that are hidden elsewhere. */
+  constructor({ opacity = 1, lineOpacity = LINE_OPACITY, writesDepth = true, showsHidden = false } = {}) {
     this.opacity = opacity
     this.#uniforms.lineOpacity.value = lineOpacity
+    this.#uniforms.showsHidden.value = showsHidden ? 1 : 0
     this.#material.depthWrite = writesDepth
-    this.mesh = new Mesh(new BufferGeometry(), this.#material)
-    this.mesh.frustumCulled = false
-    this.mesh.visible = false
   }
 
-  get faces(): FaceList | null {
-    return this.#faces
+  get meshes(): readonly Mesh[] {
+    return this.#meshes
   }
 
-  /** Three bytes a face in `colours`. */
-  show(faces: FaceList | null, colours: Uint8Array): void {
-    this.#faces = faces
-    this.mesh.geometry.dispose()
-    this.mesh.visible = faces !== null && faces.cells.length > 0
-    if (!faces) return
-    const geometry = new BufferGeometry()
-    geometry.setIndex(new BufferAttribute(faceIndices(faces.cells.length), 1))
-    geometry.setAttribute('point', new BufferAttribute(facePoints(faces.corners), 3))
-    this.mesh.geometry = geometry
-    this.recolour(colours)
+  /** All of them are loaded; whoever gives them up does so after they are no layer's any more. */
+  set lists(lists: readonly FaceChunks[]) {
+    this.#isWhole = lists.every(({ faces }) => faces.middles !== null)
+    this.#meshes = lists.flatMap(({ geometries }) =>
+      geometries.map(geometry => {
+        const mesh = new Mesh(geometry, this.#material)
+        mesh.frustumCulled = false
+        return mesh
+      }),
+    )
   }
 
-  recolour(colours: Uint8Array): void {
-    if (this.#faces) this.mesh.geometry.setAttribute('faceColour', new BufferAttribute(vertexColours(colours), 4, true))
+  set colours(colours: Float32Array<ArrayBuffer>) {
+    this.#uniforms.colours.value = colours
   }
 
   get isTranslucent(): boolean {
-    return this.mesh.visible && this.#uniforms.opacity.value < 1
+    return this.#meshes.length > 0 && this.#uniforms.opacity.value < 1
   }
 
   set opacity(opacity: number) {
@@ -157,10 +159,8 @@ export class FaceBatch {
   write({ scale, size, eye, toLight, ink, pixelRatio }: FaceView): void {
     const uniforms = this.#uniforms
     uniforms.scale.value = scale
-    uniforms.size.value = size
     // At full size a middle counts nothing.
-    if (size < 1 && this.#faces && !this.mesh.geometry.attributes.middle)
-      this.mesh.geometry.setAttribute('middle', new BufferAttribute(eachVertex(this.#faces.middles), 3))
+    uniforms.size.value = this.#isWhole ? size : 1
     uniforms.eye.value.set(...eye)
     uniforms.toLight.value.set(...toLight)
     uniforms.ink.value.set(...ink)
@@ -168,7 +168,6 @@ export class FaceBatch {
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose()
     this.#material.dispose()
   }
 }
