@@ -6,7 +6,7 @@ export interface CheckArguments {
   readonly files: readonly string[]
   readonly format: string | null
   /** The time step, counted from 0. */
-  readonly step: number | 'last'
+  readonly step: number | 'last' | 'all'
   readonly json: boolean
   /** Null where it is not said; Infinity for all. */
   readonly worst: number | null
@@ -30,7 +30,7 @@ const options = new Map<string, Option>([
   ['--json', flag(() => ({ json: true }))],
   ['--allow-unchecked', flag(() => ({ allowsUnchecked: true }))],
   ['--format', { value: 'the name of a format', read: format => ({ format }) }],
-  ['--step', { value: 'a number from 1 on or last', read: text => ({ step: readStep(text) }) }],
+  ['--step', { value: 'a number from 1 on, last or all', read: text => ({ step: readStep(text) }) }],
   ['--csv', { value: 'a file', read: csv => ({ csv }) }],
   ['--junit', { value: 'a file', read: junit => ({ junit }) }],
   ['--annotate', { value: 'a file', read: annotate => ({ annotate }) }],
@@ -108,10 +108,10 @@ function readWorst(text: string): number {
   throw wrong(`--worst wants a count or all, not ${text}`)
 }
 
-function readStep(text: string): number | 'last' {
-  if (text === 'last') return text
+function readStep(text: string): CheckArguments['step'] {
+  if (text === 'last' || text === 'all') return text
   if (/^[1-9]\d{0,8}$/.test(text)) return Number(text) - 1
-  throw wrong(`--step wants a number from 1 on or last, not ${text}`)
+  throw wrong(`--step wants a number from 1 on, last or all, not ${text}`)
 }
 
 const DECIMAL = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$/

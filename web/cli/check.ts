@@ -8,6 +8,7 @@ import { joined } from '../mesh/join-meshes'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { readMeshes } from '../mesh/read-mesh'
+import type { ReadOptions } from '../mesh/source'
 import { Refusal } from '../model/result'
 import { csvOutput } from '../outputs/csv'
 import { htmlOutput } from '../outputs/html'
@@ -17,6 +18,7 @@ import { junitOutput } from '../outputs/junit'
 import { type FileResult, type Output, withoutControls } from '../outputs/output'
 import { textOutput } from '../outputs/text'
 import { vtuOutput } from '../outputs/vtu'
+import { checkAllSteps } from './all-steps'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
 import type { Engine } from './engine'
@@ -88,9 +90,21 @@ interface Work {
 }
 
 async function resultOf(file: string, work: Work): Promise<FileResult> {
+  const { wanted } = work
   try {
-    const check = await checkOf(await meshOf(file, work), work)
-    return { file, exit: exitOf(check, work.wanted), check }
+    if (wanted.step === 'all') {
+      const read = (step: number) => meshOf(file, step, work)
+      const own = { ...work, wanted: { ...wanted, worst: wanted.worst || WORST } }
+      const { check, ...others } = await checkAllSteps({
+        read,
+        check: mesh => checkOf(mesh, own),
+        allowsUnchecked: wanted.allowsUnchecked,
+      })
+      const worst = check.worst.subarray(0, wanted.worst ?? WORST)
+      return { file, ...others, check: { ...check, worst } }
+    }
+    const check = await checkOf(await meshOf(file, wanted.step, work), work)
+    return { file, exit: exitOf(check, wanted), check }
   } catch (error) {
     if (error instanceof Refusal) return { file, exit: 2, error: withoutControls(error.message) }
     if (error instanceof RangeError && isAboutMemory(error))
@@ -104,12 +118,16 @@ function isAboutMemory({ message }: RangeError): boolean {
   return /allocation failed|array length|memory/i.test(message)
 }
 
-async function meshOf(path: string, { wanted, readingCore, hdf5, streams, progress }: Work): Promise<Mesh> {
+async function meshOf(
+  path: string,
+  step: ReadOptions['step'],
+  { wanted, readingCore, hdf5, streams, progress }: Work,
+): Promise<Mesh> {
   const { file, find, close } = await openMeshFile(path, streams.input)
   try {
     const name = withoutControls(path)
     const onProgress = (fraction: number) => progress.show(`${name}: reading`, fraction)
-    const { step, format } = wanted
+    const { format } = wanted
     const options = { find, onProgress, step, core: readingCore, ...(format === null ? {} : { format }) }
     const meshes = await hdf5.reading(
       reader => readMeshes(file, { ...options, hdf5: reader }),

@@ -26,6 +26,17 @@ export function copySwapped(from: Uint32Array, to: Uint32Array): void {
   }
 }
 
+/** Words with their bytes turned around, into another list; returns a number that is negative if one of them is, as a signed one. */
+export function copySwappedWords(from: Uint32Array, to: Uint32Array): number {
+  let signs = 0
+  for (let i = 0; i < from.length; ++i) {
+    const word = swappedWord(from[i] as number)
+    signs |= word
+    to[i] = word
+  }
+  return signs
+}
+
 /** The bytes of a word of 32 bits, turned around. */
 export function swappedWord(word: number): number {
   return (word << 24) | ((word & 0xff00) << 8) | ((word >>> 8) & 0xff00) | (word >>> 24)

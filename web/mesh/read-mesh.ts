@@ -23,7 +23,7 @@ export class MissingFiles extends MeshRefusal {
 }
 
 export type TogetherOptions = Omit<ReadOptions, 'find' | 'step' | 'core' | 'hdf5'> &
-  Partial<Pick<ReadOptions, 'core' | 'hdf5'>>
+  Partial<Pick<ReadOptions, 'step' | 'core' | 'hdf5'>>
 
 /** All meshes of the files. Throws a MeshRefusal for the first file that is refused and that no other names. */
 export function readTogether(files: readonly MeshFile[], options: TogetherOptions): readonly Mesh[] {
@@ -58,9 +58,13 @@ export function readTogether(files: readonly MeshFile[], options: TogetherOption
   })
 }
 
+/** True for files that always name others, by their names. */
+export function namesOthers({ name }: MeshFile): boolean {
+  return /\.(?:pvtu|pvd|xdmf|xmf)$/i.test(name)
+}
+
 /** Files that always name others first, so that these are not read twice. */
 function inOrderOfReading(files: readonly MeshFile[]): MeshFile[] {
-  const namesOthers = ({ name }: MeshFile) => /\.(pvtu|pvd)$/i.test(name)
   return [...files.filter(namesOthers), ...files.filter(file => !namesOthers(file))]
 }
 

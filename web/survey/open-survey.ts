@@ -2,6 +2,7 @@
 import { Pool, type WorkerPort, wordsOf } from '../core/workers'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
+import type { StepAnswer } from '../mesh/step-answers'
 import type {
   Arrangement,
   CellDetail,
@@ -17,7 +18,6 @@ import type {
   Selected,
   Selection,
   ShownCells,
-  StepAnswer,
   StepList,
   StepOpening,
   StepWanted,

@@ -16,7 +16,8 @@ import { acceptedOfInvalid } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { TogetherOptions } from '../mesh/read-mesh'
-import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
+import type { StepAnswer } from '../mesh/step-answers'
+import { isCollection, type StepFiles, stepFilesOf, stepsWithin } from '../mesh/step-files'
 import { cutFaces } from './cut'
 import { lookingJobs, nameOf, noHexahedra, STEP } from './looking-jobs'
 import { meeting } from './meeting'
@@ -32,7 +33,6 @@ import type {
   Opening,
   Overview,
   Served,
-  StepAnswer,
   StepOpening,
   StepWanted,
   SurveyJobs,
@@ -137,7 +137,9 @@ export function serveSurvey(engine: SurveyEngine): void {
       void tools().then(({ classifier }) => classifier.prepare())
     const found = 'files' in input ? await reading(tell, options => stepFilesOf(filesOf(input), options)) : null
     if (found) return { opened: await openedStep(found, tell) }
-    return { opened: await surveyed(nameOf(input), await meshOf(input, engine, tell), tell) }
+    const mesh = await meshOf(input, engine, tell)
+    const within = stepsWithin(mesh, filesOf(input))
+    return { opened: await (within ? openedStep(within, tell) : surveyed(nameOf(input), mesh, tell)) }
   }
 
   function readOf(series: StepSeries, step: number, tell: Tell): Promise<StepMesh> {

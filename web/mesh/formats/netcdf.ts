@@ -6,7 +6,7 @@ import { BinaryCursor } from '../binary-cursor'
 import { FileChunk } from '../file-chunk'
 import type { MeshFile } from '../source'
 import { shown } from '../text-cursor'
-import { lengthOf, type Variable, type Variables } from './exodus-model'
+import { lengthOf, type Variable, type Variables } from './netcdf-variables'
 import { type NumberType, putNumbers, sizeOf } from './vtk-numbers'
 
 /** Types by their number, from 1 on; characters are bytes. */
@@ -205,6 +205,15 @@ class ClassicVariable implements Variable {
     this.#read(from, into.length, (bytes, at) => {
       putNumbers(this.#declared.type, bytes, true, into, at)
     })
+  }
+
+  indices(from: number, into: Uint32Array): { readonly at: number; readonly value: string } | null {
+    let none: ReturnType<typeof putNumbers> = null
+    this.#read(from, into.length, (bytes, at) => {
+      const bad = none === null ? putNumbers(this.#declared.type, bytes, true, into, at) : null
+      if (bad !== null) none = { ...bad, at: at + bad.at }
+    })
+    return none
   }
 
   strings(): readonly string[] {

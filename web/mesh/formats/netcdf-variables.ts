@@ -1,0 +1,30 @@
+/** The variables of a netCDF file, in whatever form they are stored. */
+
+export interface Variable {
+  /** Lengths of its dimensions, the slowest first; none for a single number. */
+  readonly shape: readonly number[]
+  readonly isFloat32: boolean
+  /** The text of an attribute; null if it has none of that name, or one of numbers. */
+  text(attribute: string): string | null
+  /** Fills `into` with its numbers, of any type, from number `from` of all on: `from + into.length` is at most their count. */
+  numbers(from: number, into: Float64Array): void
+  /** The same for indices. What is none, from 0 on, is returned with its place in `into`, which is not all filled then; or is refused. */
+  indices(from: number, into: Uint32Array): { readonly at: number; readonly value: string } | null
+  /** Its strings: characters along the last dimension, up to the first zero. */
+  strings(): readonly string[]
+}
+
+/** The variables of a netCDF file, by name. */
+export interface Variables {
+  readonly names: readonly string[]
+  /** Null if there is none of that name. */
+  variable(name: string): Variable | null
+}
+
+/** Numbers along each axis. */
+export type Triple = [Float64Array, Float64Array, Float64Array]
+
+/** The count of all its numbers. */
+export function lengthOf({ shape }: Pick<Variable, 'shape'>): number {
+  return shape.reduce((product, length) => product * length, 1)
+}
