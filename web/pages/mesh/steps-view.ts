@@ -234,7 +234,7 @@ export class StepsView {
         <path class="dots" d=${dots(false)}></path>
         <path class="dots invalid" d=${dots(true)}></path>`}
       </svg>
-      <span class="zero-mark" style=${`top: ${100 * zero}%`} aria-hidden="true">0</span>
+      <span class="zero-mark" .style=${`top: ${100 * zero}%`} aria-hidden="true">0</span>
       <figcaption><span>${end(0)}</span><span>Least relative minimum, ${range}${least < -1 ? ', logarithmic below −1' : ''}</span><span>${end(1)}</span></figcaption>
     </figure>`
   }
