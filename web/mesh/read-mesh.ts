@@ -74,7 +74,10 @@ function inOrderOfReading(files: readonly MeshFile[]): MeshFile[] {
  */
 export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { format?: string } = {}): readonly Mesh[] {
   const all: ReadOptions = {
-    find: options.find ?? (() => null),
+    find(name) {
+      const found = options.find?.(name) ?? null
+      return found && named(found)
+    },
     step: options.step ?? 0,
     onProgress: options.onProgress ?? (() => {}),
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),
