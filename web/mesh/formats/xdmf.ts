@@ -227,12 +227,12 @@ class XdmfReader {
       this.#structured(type, topology, geometry)
       return
     }
-    const { points, precision } = this.#points(geometry)
+    const { points, declaredPoints, precision } = this.#points(geometry)
     const cells = type === 'MIXED' ? this.#mixed(topology) : this.#cells(type, topology)
     this.#mesh.add(
       {
         points,
-        declaredPoints: points.length / 3,
+        declaredPoints,
         ...cells,
         declaredCells: cells.types.length,
         hasFaceStreams: false,
@@ -316,19 +316,19 @@ class XdmfReader {
       const points = new Float64Array(3 * x.length)
       for (const [axis, { list }] of axes.entries())
         for (let i = 0; i < list.length; ++i) points[3 * i + axis] = list[i] as number
-      return { points, precision: (axes[0] as (typeof axes)[number]).precision }
+      return { points, declaredPoints: x.length, precision: (axes[0] as (typeof axes)[number]).precision }
     }
     if (type !== 'XYZ' && type !== 'XY') this.#refuse(`a geometry of type ${shown(type)} is not read.`)
     const item = this.#resolvedItem(this.#item(geometry))
-    const { list, precision } = this.#numbers(item, Float64Array)
+    const { list, count, precision } = this.#numbers(item, Float64Array)
     if (type === 'XYZ') {
-      if (list.length % 3 !== 0) this.#refuse(`${list.length} coordinates are no points of three.`)
-      if (formatOf(item) === 'XML') this.#places = { from: item.from, to: item.to }
-      return { points: list, precision }
+      if (count % 3 !== 0) this.#refuse(`${count} coordinates are no points of three.`)
+      if (formatOf(item) === 'XML' && list.length === count) this.#places = { from: item.from, to: item.to }
+      return { points: list.subarray(0, list.length - (list.length % 3)), declaredPoints: count / 3, precision }
     }
     const points = new Float64Array(3 * Math.floor(list.length / 2))
     for (let i = 0; i < list.length; ++i) points[3 * (i >> 1) + (i & 1)] = list[i] as number
-    return { points, precision }
+    return { points, declaredPoints: Math.floor(count / 2), precision }
   }
 
   #structured(type: string, topology: XmlNode, geometry: XmlNode): void {
@@ -423,10 +423,10 @@ class XdmfReader {
       } as const
       const array = { name: 'DataItem', type, format: 'ascii', offset: 0, from: item.from, to: item.to } as const
       const { list, digits } = readArray(storage, array, count, List)
-      return { list, precision: precisionOf(type, true, digits) }
+      return { list, count, precision: precisionOf(type, true, digits) }
     }
     const list = format === 'HDF' ? this.#hdf(item, count, List) : this.#binary(item, type, count, List)
-    return { list, precision: precisionOf(type, false, 0) }
+    return { list, count, precision: precisionOf(type, false, 0) }
   }
 
   #typeOf({ attributes }: XmlNode): NumberType {
