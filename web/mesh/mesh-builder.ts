@@ -148,18 +148,12 @@ export class MeshBuilder {
     return this.pointCount - 1
   }
 
-  /** The next points, by their coordinates along each axis. */
-  pointColumns(x: Float64Array, y: Float64Array, z: Float64Array): void {
+  /** So many more points, whose coordinates are 0 and are to be put into the list. */
+  morePoints(count: number): Float64Array {
     const from = this.#points.length
-    const to = from + 3 * x.length
-    this.#points.reserve(to)
-    const { values } = this.#points
-    for (let i = 0, at = from; at < to; ++i, at += 3) {
-      values[at] = x[i] as number
-      values[at + 1] = y[i] as number
-      values[at + 2] = z[i] as number
-    }
-    this.#points.length = to
+    this.#points.reserve(from + 3 * count)
+    this.#points.length = from + 3 * count
+    return this.#points.values.subarray(from, from + 3 * count)
   }
 
   /** A point that the file calls `id`. Refuses an id that is there already with other coordinates. */
@@ -217,14 +211,19 @@ export class MeshBuilder {
     return first
   }
 
-  /** Cells of eight nodes each, points counted from 1 on: `fill` puts them into the list, and `refuseAt` is given the place in it of one that is not there. */
+  /**
+   * Cells of eight nodes each. `fillIndices` puts the indices of their points into the list, or is false; then `fill` puts the numbers of these
+   * from 1 on, and `refuseAt` is given the place of one that is not there.
+   */
   hexahedraFilled(
     count: number,
     {
+      fillIndices,
       fill,
       ids,
       refuseAt,
     }: {
+      readonly fillIndices: (indices: Uint32Array) => boolean
       readonly fill: (nodes: Uint32Array) => void
       readonly ids: ArrayLike<number>
       readonly refuseAt: (at: number, node: number) => never
@@ -232,11 +231,13 @@ export class MeshBuilder {
   ): void {
     const own = this.#moreCells(8 * count)
     const isKnown = this.#known === this.#cells.length - own.length
-    fill(own)
     this.#addIds(ids, count)
-    if (!becameIndices(own, this.pointCount)) {
-      const bad = own.findIndex(point => point >= this.pointCount)
-      refuseAt(bad, ((own[bad] as number) + 1) % 2 ** 32)
+    if (!fillIndices(own)) {
+      fill(own)
+      if (!becameIndices(own, this.pointCount)) {
+        const bad = own.findIndex(point => point >= this.pointCount)
+        refuseAt(bad, ((own[bad] as number) + 1) % 2 ** 32)
+      }
     }
     if (isKnown) this.#known = this.#cells.length
   }

@@ -4,7 +4,7 @@
  */
 import { float32Note, largestOf } from '../precision'
 import { shown } from '../shown'
-import { lengthOf, type Triple, type Variable, type Variables } from './netcdf-variables'
+import { lengthOf, type Variable, type Variables } from './netcdf-variables'
 
 interface Component {
   readonly name: string
@@ -60,17 +60,17 @@ export class Displacements {
     }
   }
 
-  /** Adds those of the nodes from `from` on to their coordinates. */
-  add(from: number, coordinates: Triple): void {
-    const { length } = coordinates[0]
+  /** Adds those of the nodes from `from` on to their coordinates, three a node. */
+  add(from: number, coordinates: Float64Array): void {
+    const length = coordinates.length / 3
     if (this.#values.length < length) this.#values = new Float64Array(length)
     const own = this.#values.subarray(0, length)
     for (const [axis, { variable, index }] of this.#components.entries()) {
-      const along = coordinates[axis] as Float64Array
       const perStep = lengthOf(variable) / (variable.shape[0] as number)
       const nodes = variable.shape.at(-1) as number
       variable.numbers(this.#step * perStep + index * nodes + from, own)
-      for (let i = 0; i < length; ++i) along[i] = (along[i] as number) + (own[i] as number)
+      for (let i = 0, at = axis; i < length; ++i, at += 3)
+        coordinates[at] = (coordinates[at] as number) + (own[i] as number)
       if (variable.isFloat32) this.#largest = Math.max(this.#largest, largestOf(own))
     }
   }

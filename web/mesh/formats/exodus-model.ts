@@ -10,7 +10,7 @@ import type { MeshFile, ReadOptions } from '../source'
 import { sameMeshNote, stepNote } from '../step-note'
 import { shown } from '../text-cursor'
 import { Displacements } from './exodus-displacements'
-import { lengthOf, type Triple, type Variable, type Variables } from './netcdf-variables'
+import { lengthOf, type Variable, type Variables } from './netcdf-variables'
 
 /** Numbers that are read at once. */
 const AT_ONCE = 65_536
@@ -125,15 +125,17 @@ class ExodusReader {
     const { isFloat32 } = x.variable
     moved?.expect(x.length)
     let largest = 0
-    const all = [0, 1, 2].map(() => new Float64Array(Math.min(AT_ONCE, x.length)))
+    const column = new Float64Array(Math.min(AT_ONCE, x.length))
     this.#inChunks(x.length, 1, (from, some) => {
-      const [xs, ys, zs] = all.map(list => list.subarray(0, some)) as Triple
-      x.variable.numbers(x.first + from, xs)
-      y.variable.numbers(y.first + from, ys)
-      z?.variable.numbers(z.first + from, zs)
-      if (isFloat32) largest = Math.max(largest, largestOf(xs), largestOf(ys), largestOf(zs))
-      moved?.add(from, [xs, ys, zs])
-      builder.pointColumns(xs, ys, zs)
+      const points = builder.morePoints(some)
+      for (const [axis, own] of [x, y, z].entries()) {
+        if (own === null || own.variable.axis?.(own.first + from, points, axis)) continue
+        const values = column.subarray(0, some)
+        own.variable.numbers(own.first + from, values)
+        for (let i = 0; i < some; ++i) points[3 * i + axis] = values[i] as number
+      }
+      if (isFloat32) largest = Math.max(largest, largestOf(points))
+      moved?.add(from, points)
     })
     const note = float32Note(largest)
     if (note !== null) builder.note(note)
@@ -202,7 +204,8 @@ class ExodusReader {
       }
       if (width === 8) {
         const cells = builder.cellCount
-        builder.hexahedraFilled(elements, { fill, ids: own, refuseAt })
+        const fillIndices = (list: Uint32Array) => connect.variable.indicesFrom1?.(from, list, points) ?? false
+        builder.hexahedraFilled(elements, { fillIndices, fill, ids: own, refuseAt })
         builder.restInBlock(name, cells)
         return
       }

@@ -10,6 +10,10 @@ export interface Variable {
   numbers(from: number, into: Float64Array): void
   /** The same for indices. What is none, from 0 on, is returned with its place in `into`, which is not all filled then; or is refused. */
   indices(from: number, into: Uint32Array): { readonly at: number; readonly value: string } | null
+  /** Fills every third number of `into`, from place `axis` on, with its numbers from `from` on; false, and nothing is done, if it has other ways alone. */
+  axis?(from: number, into: Float64Array, axis: number): boolean
+  /** Fills `into` with its numbers from `from` on, less 1; false if not all are from 1 to `count`, or it has other ways alone. */
+  indicesFrom1?(from: number, into: Uint32Array, count: number): boolean
   /** Its strings: characters along the last dimension, up to the first zero. */
   strings(): readonly string[]
 }
@@ -20,9 +24,6 @@ export interface Variables {
   /** Null if there is none of that name. */
   variable(name: string): Variable | null
 }
-
-/** Numbers along each axis. */
-export type Triple = [Float64Array, Float64Array, Float64Array]
 
 /** The count of all its numbers. */
 export function lengthOf({ shape }: Pick<Variable, 'shape'>): number {

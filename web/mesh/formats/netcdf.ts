@@ -3,6 +3,7 @@
  * one run of numbers; those along the record dimension lie together, one record of each after another.
  */
 import { BinaryCursor } from '../binary-cursor'
+import { copySwappedIndices, copySwappedToThirds } from '../endian'
 import { FileChunk } from '../file-chunk'
 import type { MeshFile } from '../source'
 import { shown } from '../text-cursor'
@@ -216,6 +217,24 @@ class ClassicVariable implements Variable {
     return none
   }
 
+  axis(from: number, into: Float64Array, axis: number): boolean {
+    if (this.#declared.type !== 'Float64') return false
+    const words = new Uint32Array(into.buffer, into.byteOffset, 2 * into.length)
+    this.#read(from, into.length / 3, (bytes, at) => {
+      copySwappedToThirds(wordsOf(bytes), words.subarray(2 * (3 * at + axis)))
+    })
+    return true
+  }
+
+  indicesFrom1(from: number, into: Uint32Array, count: number): boolean {
+    if (this.#declared.type !== 'Int32') return false
+    let areAll = true
+    this.#read(from, into.length, (bytes, at) => {
+      areAll = copySwappedIndices(wordsOf(bytes), into.subarray(at), count - 1) && areAll
+    })
+    return areAll
+  }
+
   strings(): readonly string[] {
     const { name } = this.#declared
     const count = lengthOf(this)
@@ -242,6 +261,10 @@ class ClassicVariable implements Variable {
       done += some
     }
   }
+}
+
+function wordsOf({ buffer, byteOffset, length }: Uint8Array): Uint32Array {
+  return new Uint32Array(buffer, byteOffset, length / 4)
 }
 
 function bytesOf({ own, type }: Declared): number {
