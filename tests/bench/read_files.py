@@ -1,4 +1,5 @@
-"""The same mesh of n x n x n shaken hexahedra in every format, for read.bench.ts: python read_files.py FOLDER N.
+"""The same mesh of n x n x n shaken hexahedra in every format, for read.bench.ts: python read_files.py FOLDER N PART...; files whose names
+have one of the parts.
 
 Coordinates have five decimals in the small fields of Nastran; elsewhere they are a seventh of that, which takes 17 digits, so
 that the cells are as valid in every file. In formats with ids both nodes and elements are numbered in a random order.
@@ -503,10 +504,12 @@ FILES = {
 
 
 def main():
-    folder, n = Path(sys.argv[1]), int(sys.argv[2])
+    folder, n, wanted = Path(sys.argv[1]), int(sys.argv[2]), sys.argv[3:]
     folder.mkdir(parents=True, exist_ok=True)
     mesh = None
     for name, write in FILES.items():
+        if not any(part in name for part in wanted):
+            continue
         path = folder / name
         if not path.exists():
             mesh = mesh or Mesh(n)

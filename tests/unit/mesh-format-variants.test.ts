@@ -5,6 +5,7 @@ import { type Mesh, MeshRefusal } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
 import { fileOfBytes, type MeshFile } from '../../web/mesh/source'
 import { verticesOf } from './mesh-expectations'
+import { exodusOf } from './other-formats'
 
 type Content = string | Uint8Array
 const fileOf = (name: string, content: Content): MeshFile =>
@@ -137,4 +138,56 @@ test('what is said of a file beside has a name that is safe to show', () => {
   expect(() => readMeshes(fileOf('a.xdmf', `<Xdmf><Domain>${grid}</Domain></Xdmf>`), { find, hdf5 })).toThrow(
     'a.h5: no.',
   )
+})
+
+describe('Code_Aster', () => {
+  const mail = (names: readonly string[], element: string, rest = '') =>
+    `COOR_3D\n${CUBE.map((point, i) => `${names[i]} ${point}`).join('\n')}\nFINSF\nHEXA8\n${element} ${names.join(' ')}\nFINSF\n${rest}FIN\n`
+  const read = (text: string) => readAll({ 'a.mail': text })[0] as Mesh
+  const numbered = CUBE.map((_, i) => `N${i + 1}`)
+
+  test.each<readonly string[][]>([
+    [numbered],
+    [CUBE.map((_, i) => `NO${String(7 * i).padStart(6, '0')}`)],
+    [['A', 'B', 'C', 'D', '1', '22', 'N7X', `N${'9'.repeat(20)}`]],
+    [CUBE.map((_, i) => `${'long'.repeat(9)}${'ABCDEFGH'[i]}${i}`)],
+  ])('names %j', names => {
+    const mesh = read(mail(names, 'M007', `GROUP_MA NOM = core\nM007 % M8\nFINSF\n`))
+    expect(verticesOf(mesh, 0)).toEqual(CUBE.join(' ').split(' ').map(Number))
+    expect([mesh.ids, mesh.blocks.map(({ name, cells }) => [name, ...cells])]).toEqual([['M007'], [['core', 0]]])
+  })
+
+  test('names, comments and commas across the chunks in which they are read', () => {
+    const comments = `% ${'x'.repeat(700)}\n`.repeat(4000)
+    const names = numbered.join(`\n${comments}`)
+    const text = mail(numbered, 'M1').replace(numbered.join(' '), () => `${names},`)
+    expect(read(text).cells).toEqual(Uint32Array.of(0, 1, 2, 3, 4, 5, 6, 7))
+  })
+
+  test.each<readonly [string, RegExp]>([
+    [mail(numbered.with(7, 'N1'), 'M1'), /: node “N1” is defined twice\.$/],
+    [
+      mail(numbered, 'M1').replace('M1 N1', 'M1 N11'),
+      /^a\.mail, line 12: element “M1” names node “N11”, which is not defined\.$/,
+    ],
+    [mail(numbered, 'M1').replace('N7 N8\nFINSF\nF', 'N7\nFINSF\nF'), /: element “M1” has 7 nodes; HEXA8 has 8\.$/],
+    [mail(numbered, 'M1', `HEXA8\nM1 ${numbered.join(' ')}\nFINSF\n`), /: element “M1” is defined twice\.$/],
+    [mail(numbered, 'M1').replace(/FINSF\nFIN\n$/, ''), /: the file ends where FINSF was expected\.$/],
+  ])('is refused, %#', (text, sentence) => {
+    expect(refusal({ 'a.mail': text })).toMatch(sentence)
+  })
+})
+
+test('Exodus: a node that is not there is told of, in whatever numbers', () => {
+  const bytes = exodusOf(5)
+  const whole = Buffer.from(bytes)
+  // The nodes of the first cell are 1, 2, 7, 6, 26, 27, 32, 31: their bytes stand once.
+  const begin = whole.indexOf(Buffer.from([0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 7, 0, 0, 0, 6, 0, 0, 0, 26]))
+  for (const node of [0, -1, 126, 2 ** 31 - 1, -(2 ** 31)]) {
+    const changed = Buffer.from(bytes)
+    changed.writeInt32BE(node, begin + 8)
+    expect(refusal({ 'a.e': new Uint8Array(changed) })).toMatch(
+      new RegExp(`element \\d+ in connect1 names node ${node}; the nodes are 1 to 125\\.$`),
+    )
+  }
 })
