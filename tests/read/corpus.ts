@@ -269,10 +269,24 @@ function fluentOfBytes(): Uint8Array {
   return new Uint8Array(Buffer.concat(parts.map(part => Buffer.from(part))))
 }
 
+/** FLAC3D in bytes: a cube, a tetrahedron, a group and a face. */
+function flac3dOfBytes(): Uint8Array {
+  const words = (...list: readonly number[]) => new Uint8Array(Uint32Array.from(list).buffer)
+  const gridpoints = CUBE.flatMap((point, i) => [
+    words(i + 1),
+    new Uint8Array(Float64Array.from(point.split(' '), Number).buffer),
+  ])
+  const zones = words(2, 7, 8, 1, 2, 4, 5, 3, 8, 6, 7, 9, 4, 1, 2, 3, 5, 1)
+  const name = (text: string) => [new Uint8Array(Uint16Array.of(text.length).buffer), Buffer.from(text)]
+  const parts = [words(1_375_135_718, 3, 8), ...gridpoints, zones, ...name('rock'), ...name('Default')]
+  return new Uint8Array(Buffer.concat([...parts, words(1, 7, 1, 1, 4, 1, 2, 3, 4, 0)]))
+}
+
 const BYTES: Readonly<Record<string, Uint8Array>> = {
   'a.b8.ugrid': cubeOfBytes(),
   'a.lb8l.ugrid': ugridOfBytes(true, false, 8, 8),
   'a.r4.ugrid': ugridOfBytes(false, true, 4, 4),
+  'bytes.f3grid': flac3dOfBytes(),
   'bytes.msh': fluentOfBytes(),
   'numbers.bin': numbersOfXdmf(),
   ...Object.fromEntries(([1, 2, 5] as const).map(version => [`netcdf-${version}.e`, exodusOf(version)])),
