@@ -253,11 +253,20 @@ class XdmfReader {
     const connectivity = this.#based(topology, this.#numbers(this.#item(topology), Uint32Array).list)
     const count = connectivity.length / size
     if (!Number.isInteger(count)) this.#refuse(`${connectivity.length} nodes are no cells of ${size} nodes.`)
-    const declared = declaredCells(topology)
+    const declared = this.#declaredCells(topology)
     if (declared !== null && declared !== count) this.#refuse(`${declared} cells are declared, and ${count} are there.`)
     const ends = new Uint32Array(count)
     for (let i = 0; i < count; ++i) ends[i] = size * (i + 1)
     return { connectivity, ends, types: new Uint8Array(count).fill(vtkType) }
+  }
+
+  /** Null where the topology does not say it. */
+  #declaredCells({ attributes }: XmlNode): number | null {
+    const word = attributes.get('NumberOfElements') ?? attributes.get('Dimensions')
+    if (word === undefined) return null
+    const count = Number(word.trim().split(/\s+/)[0])
+    if (!Number.isSafeInteger(count)) this.#refuse(`${shown(word)} is not the number of cells.`)
+    return count
   }
 
   #based({ attributes }: XmlNode, nodes: Uint32Array): Uint32Array {
@@ -291,7 +300,7 @@ class XdmfReader {
       }
       ends[cell] = filled
     }
-    const declared = declaredCells(topology)
+    const declared = this.#declaredCells(topology)
     if (declared !== null && declared !== cell) this.#refuse(`${declared} cells are declared, and ${cell} are there.`)
     return {
       connectivity: this.#based(topology, connectivity.subarray(0, filled)),
@@ -477,10 +486,12 @@ class XdmfReader {
     if (!/^raw$/i.test(compression)) this.#refuse(`an item packed by ${shown(compression)} is not read.`)
     const name = this.#word(item)
     const file = this.#beside(name)
-    const from = Number(item.attributes.get('Seek') ?? 0)
+    const seek = item.attributes.get('Seek') ?? '0'
+    const from = Number(seek)
     const end = from + count * sizeOf(type)
-    if (!(from >= 0 && end <= file.size))
-      this.#refuse(`${shown(name)} has ${file.size} bytes; numbers up to byte ${end} were expected.`)
+    if (!(Number.isSafeInteger(from) && from >= 0))
+      this.#refuse(`an item begins at byte ${shown(seek)} of ${shown(name)}: a whole number from 0 on was expected.`)
+    if (end > file.size) this.#refuse(`${shown(name)} has ${file.size} bytes; numbers up to byte ${end} were expected.`)
     const isBig = /^big$/i.test(item.attributes.get('Endian') ?? '')
     const list = new List(count)
     for (let at = from; at < end; at += AT_ONCE) {
@@ -503,12 +514,6 @@ function geometryType({ attributes }: XmlNode): string {
 function formatOf({ attributes }: XmlNode): 'XML' | 'HDF' | 'BINARY' {
   const format = (attributes.get('Format') ?? 'XML').toUpperCase()
   return format === 'HDF' || format === 'BINARY' ? format : 'XML'
-}
-
-/** Null where the topology does not say it. */
-function declaredCells({ attributes }: XmlNode): number | null {
-  const word = attributes.get('NumberOfElements') ?? attributes.get('Dimensions')
-  return word === undefined ? null : Number(word.trim().split(/\s+/)[0])
 }
 
 /** All combinations of coordinates along the axes, x first. */
