@@ -5,7 +5,7 @@
  *     --quick   27,000 hexahedra, one round;  --check   no timings;  --rounds=N;  --formats=NAME,...   files whose names have one of these
  */
 import { spawnSync } from 'node:child_process'
-import { statSync } from 'node:fs'
+import { readdirSync, statSync } from 'node:fs'
 import { availableParallelism, cpus, loadavg } from 'node:os'
 import { join } from 'node:path'
 import { build } from 'esbuild'
@@ -38,7 +38,7 @@ export async function main(options: readonly string[]): Promise<void> {
     .find(option => option.startsWith('--formats='))
     ?.slice('--formats='.length)
     .split(',') ?? ['']
-  const names = writtenFiles(files, perSide).filter(name => wanted.some(part => name.includes(part)))
+  const names = writtenFiles(files, perSide, wanted)
   await checkAll(files, names, perSide ** 3)
   if (options.includes('--check')) return
   await bundleReader()
@@ -58,10 +58,10 @@ export async function main(options: readonly string[]): Promise<void> {
   printTable(names, files, readings)
 }
 
-/** Their names; those that are there are not written again. */
-function writtenFiles(into: string, perSide: number): string[] {
+/** Their names, which have one of the parts that are wanted; those that are there are not written again. */
+function writtenFiles(into: string, perSide: number, wanted: readonly string[]): string[] {
   process.stderr.write(`bench: writing what is missing in ${into}\n`)
-  return must(python, [script('read_files.py'), into, String(perSide)])
+  return must(python, [script('read_files.py'), into, String(perSide), ...wanted])
     .trim()
     .split('\n')
 }
@@ -81,7 +81,7 @@ function canRead(reader: Reader, name: string): boolean {
   if (reader === 'Hexlens') return true
   if (name.endsWith('.gz')) return false
   const type = name.slice(name.lastIndexOf('.') + 1)
-  if (reader === 'VTK') return ['vtu', 'pvtu', 'vtk', 'vtkhdf'].includes(type)
+  if (reader === 'VTK') return ['vtu', 'pvtu', 'vtk', 'vtkhdf', 'exo', 'cgns', 'foam'].includes(type)
   if (reader === 'Gmsh') return ['msh', 'mesh', 'bdf', 'vtk', 'cgns', 'med'].includes(type) && name !== 'mfem.mesh'
   return ['vtu', 'vtk', 'msh', 'mesh', 'meshb', 'inp', 'bdf', 'exo', 'med'].includes(type) && name !== 'mfem.mesh'
 }
@@ -139,9 +139,16 @@ function printTable(names: readonly string[], files: string, readings: ReadonlyM
       return [seconds.toFixed(2), Math.round(median(own.map(({ megabytes }) => megabytes)))]
     })
     const [first] = readings.get(`${name} Hexlens`) ?? []
-    const size = Math.round(statSync(join(files, name)).size / 1e6)
+    const size = Math.round(bytesOf(join(files, name)) / 1e6)
     console.log(`| ${name} | ${size} | ${cells.join(' | ')} | ${Math.round(first?.arrays ?? 0)} |`)
   }
+}
+
+/** Of a file, or of all in a folder. */
+function bytesOf(path: string): number {
+  const status = statSync(path)
+  if (!status.isDirectory()) return status.size
+  return readdirSync(path).reduce((sum, name) => sum + bytesOf(join(path, name)), 0)
 }
 
 function median(list: readonly number[]): number {

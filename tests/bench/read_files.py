@@ -1,4 +1,5 @@
-"""The same mesh of n x n x n shaken hexahedra in every format, for read.bench.ts: python read_files.py FOLDER N.
+"""The same mesh of n x n x n shaken hexahedra in every format, for read.bench.ts: python read_files.py FOLDER N PART...; files whose names
+have one of the parts.
 
 Coordinates have five decimals in the small fields of Nastran; elsewhere they are a seventh of that, which takes 17 digits, so
 that the cells are as valid in every file. In formats with ids both nodes and elements are numbered in a random order.
@@ -331,17 +332,29 @@ def ls_dyna(path, mesh):
 # HDF5
 
 
-def exodus(path, mesh):
-    with netCDF4.Dataset(path, "w", format="NETCDF4") as out:
-        sizes = {"num_dim": 3, "num_nodes": len(mesh.points), "num_elem": len(mesh.cells), "num_el_blk": 1}
-        for name, size in {**sizes, "num_el_in_blk1": len(mesh.cells), "num_nod_per_el1": 8}.items():
-            out.createDimension(name, size)
-        for axis, values in zip("xyz", mesh.points.T):
-            out.createVariable(f"coord{axis}", "f8", ("num_nodes",))[:] = values
-        out.createVariable("elem_num_map", "i4", ("num_elem",))[:] = mesh.cell_ids
-        connect = out.createVariable("connect1", "i4", ("num_el_in_blk1", "num_nod_per_el1"))
-        connect.elem_type = "HEX8"
-        connect[:] = mesh.cells + 1
+def exodus(form):
+    def write(path, mesh):
+        with netCDF4.Dataset(path, "w", format=form) as out:
+            version = np.float32(8.11)
+            out.setncatts({"api_version": version, "version": version, "floating_point_word_size": np.int32(8)})
+            out.setncatts({"file_size": np.int32(1), "title": "shaken"})
+            sizes = {"num_dim": 3, "num_nodes": len(mesh.points), "num_elem": len(mesh.cells), "num_el_blk": 1}
+            sizes |= {"len_string": 33, "num_el_in_blk1": len(mesh.cells), "num_nod_per_el1": 8, "time_step": None}
+            for name, size in sizes.items():
+                out.createDimension(name, size)
+            out.createVariable("time_whole", "f8", ("time_step",))
+            out.createVariable("eb_status", "i4", ("num_el_blk",))[:] = 1
+            blocks = out.createVariable("eb_prop1", "i4", ("num_el_blk",))
+            blocks.setncattr("name", "ID")
+            blocks[:] = 1
+            for axis, values in zip("xyz", mesh.points.T):
+                out.createVariable(f"coord{axis}", "f8", ("num_nodes",))[:] = values
+            out.createVariable("elem_num_map", "i4", ("num_elem",))[:] = mesh.cell_ids
+            connect = out.createVariable("connect1", "i4", ("num_el_in_blk1", "num_nod_per_el1"))
+            connect.elem_type = "HEX8"
+            connect[:] = mesh.cells + 1
+
+    return write
 
 
 def cgns_node(parent, name, label, values=None, kind="MT"):
@@ -391,6 +404,54 @@ def med(path, mesh):
     meshio.Mesh(mesh.points, [("hexahedron", mesh.cells)]).write(path, file_format="med")
 
 
+# Others
+
+
+def foam_header(kind, name):
+    return f"FoamFile\n{{\n    version 2.0;\n    format ascii;\n    class {kind};\n    object {name};\n}}\n\n".encode()
+
+
+def foam(path, mesh):
+    """Inner faces by their owner, then the boundary's; all look out of their owner."""
+    own = path / "constant" / "polyMesh"
+    own.mkdir(parents=True, exist_ok=True)
+    (path / "a.foam").touch()
+    (path / "system").mkdir(exist_ok=True)
+    (path / "system" / "controlDict").write_bytes(foam_header("dictionary", "controlDict"))
+    n = mesh.n
+    cells = np.arange(n**3)
+    place = [cells % n, cells // n % n, cells // n**2]
+    sides = [((1, 2, 6, 5), (0, 4, 7, 3)), ((3, 7, 6, 2), (0, 1, 5, 4)), ((4, 5, 6, 7), (0, 3, 2, 1))]
+    inner = [place[axis] < n - 1 for axis in range(3)]
+    owner = np.stack([cells] * 3, axis=1)[np.stack(inner, axis=1)]
+    step = np.stack([np.full(n**3, n**axis) for axis in range(3)], axis=1)[np.stack(inner, axis=1)]
+    corners = np.stack([mesh.cells[:, sides[axis][0]] for axis in range(3)], axis=1)[np.stack(inner, axis=1)]
+    outer = [(mesh.cells[at][:, side], cells[at]) for axis in range(3) for side, at in (
+        (sides[axis][0], place[axis] == n - 1), (sides[axis][1], place[axis] == 0))]
+    faces = np.concatenate([corners] + [f for f, _ in outer])
+    owners = np.concatenate([owner] + [o for _, o in outer])
+    lists = [("points", "vectorField", "(" + numbers(3, "%.17g")[:-1] + ")\n", [mesh.points]),
+             ("faces", "faceList", "4(" + numbers(4)[:-1] + ")\n", [faces]),
+             ("owner", "labelList", "%d\n", [owners]),
+             ("neighbour", "labelList", "%d\n", [owner + step])]
+    for name, kind, line, columns in lists:
+        with open(own / name, "wb") as out:
+            out.write(foam_header(kind, name) + f"{len(columns[0])}\n(\n".encode())
+            write_lines(out, line, columns)
+            out.write(b")\n")
+    patch = f"1\n(\nwall\n{{\n    type wall;\n    nFaces {6 * n * n};\n    startFace {len(owner)};\n}}\n)\n"
+    (own / "boundary").write_bytes(foam_header("polyBoundaryMesh", "boundary") + patch.encode())
+
+
+def aster(path, mesh):
+    with open(path, "wb") as out:
+        out.write(b"TITRE\nshaken\nFINSF\nCOOR_3D\n")
+        write_lines(out, "N%d " + numbers(3, "%.17g"), [mesh.node_ids, mesh.points])
+        out.write(b"FINSF\nHEXA8\n")
+        write_lines(out, "M%d " + " ".join(["N%d"] * 8) + "\n", [mesh.cell_ids, mesh.cells_by_id])
+        out.write(b"FINSF\nFIN\n")
+
+
 def gzipped(other):
     def write(path, _):
         with open(path.with_name(other), "rb") as plain, gzip.open(path, "wb", compresslevel=6) as out:
@@ -430,20 +491,25 @@ FILES = {
     "free.bdf": nastran(*FREE),
     "ansys.cdb": cdb,
     "ls-dyna.k": ls_dyna,
-    "netcdf4.exo": exodus,
+    "classic.exo": exodus("NETCDF3_64BIT_OFFSET"),
+    "netcdf4.exo": exodus("NETCDF4"),
     "hdf5.cgns": cgns,
     "hdf5.vtkhdf": vtkhdf,
     "meshio.med": med,
+    "foam": foam,
+    "aster.mail": aster,
     "abaqus.inp.gz": gzipped("abaqus.inp"),
     "binary-5.1.vtk.gz": gzipped("binary-5.1.vtk"),
 }
 
 
 def main():
-    folder, n = Path(sys.argv[1]), int(sys.argv[2])
+    folder, n, wanted = Path(sys.argv[1]), int(sys.argv[2]), sys.argv[3:]
     folder.mkdir(parents=True, exist_ok=True)
     mesh = None
     for name, write in FILES.items():
+        if not any(part in name for part in wanted):
+            continue
         path = folder / name
         if not path.exists():
             mesh = mesh or Mesh(n)

@@ -4,6 +4,7 @@ Prints as JSON the time without imports, the memory beyond what the imports take
 """
 
 import json
+import os
 import re
 import sys
 import time
@@ -22,12 +23,14 @@ def vtk_reader(path):
         "vtu": vtk.vtkXMLUnstructuredGridReader,
         "pvtu": vtk.vtkXMLPUnstructuredGridReader,
         "vtkhdf": vtk.vtkHDFReader,
+        "exo": vtk.vtkExodusIIReader,
+        "cgns": vtk.vtkCGNSReader,
     }
-    make = readers.get(path.rsplit(".", 1)[1], vtk.vtkDataSetReader)
+    make = vtk.vtkOpenFOAMReader if os.path.isdir(path) else readers.get(path.rsplit(".", 1)[1], vtk.vtkDataSetReader)
 
     def read():
         reader = make()
-        reader.SetFileName(path)
+        reader.SetFileName(f"{path}/a.foam" if os.path.isdir(path) else path)
         reader.Update()
         return reader.GetOutputDataObject(0).GetNumberOfCells()
 

@@ -1,6 +1,6 @@
 /** Facts of the formats of solvers in structural mechanics. */
 import { ELMER, TEXTS } from '../unit/other-formats'
-import { type FormatFacts, fact, MADE, made, ONE, rows, SHAKEN } from './fact'
+import { type FormatFacts, fact, MADE, made, ONE, ROWS, rows, SHAKEN } from './fact'
 
 const text = (name: string) => TEXTS[name] as string
 const shaken = (name: string, change: (text: string) => string = own => own) => ({ [name]: change(text(name)) })
@@ -11,6 +11,18 @@ const inp = (own: string) => ({ 'a.inp': own })
 const part = `*PART, NAME=P\n${inpNodes}${inpElement()}*END PART\n`
 const generated =
   '*NODE\n1,0,0,0\n3,2,0,0\n7,0,2,0\n9,2,2,0\n19,0,0,2\n21,2,0,2\n25,0,2,2\n27,2,2,2\n*NGEN, NSET=A\n1,3\n7,9,1\n*NGEN, NSET=B\n19,21\n25,27\n*NSET, NSET=A1\n1,2,3\n*NSET,NSET=A2\n7,8,9\n*NSET,NSET=B1,GENERATE\n19,21\n*NSET,NSET=B2,GENERATE\n25,27,1\n*NFILL,NSET=BOTTOM\nA1,A2,2,3\n*NFILL,NSET=TOP\nB1,B2,2,3\n*NFILL\nBOTTOM,TOP,2,9\n*ELEMENT,TYPE=C3D8,ELSET=E\n1,1,2,5,4,10,11,14,13\n*ELGEN,ELSET=E\n1,2,1,1,2,3,2,2,9,4\n'
+
+/** A corner, the three beside it, xy, yz, xz, and the one across. */
+const BRICK = [1, 2, 4, 5, 3, 8, 6, 7]
+const bytes = (list: Uint32Array | Float64Array) => Buffer.from(list.buffer)
+const flac3d = (version: number) =>
+  new Uint8Array(
+    Buffer.concat([
+      bytes(Uint32Array.of(0x51f6e7e6, version, 8)),
+      ...ROWS.flatMap((row, i) => [bytes(Uint32Array.of(i + 1)), bytes(Float64Array.from(row))]),
+      bytes(Uint32Array.of(1, 1, 8, ...BRICK, 0, 0, 0)),
+    ]),
+  )
 
 const grids = `${rows((row, id) => `GRID,${id},,${row.map(x => `${x}.`)}`)}\n`
 const chexa = 'CHEXA,1,5,1,2,3,4,5,6\n,7,8\n'
@@ -240,14 +252,9 @@ export const solverFacts: readonly FormatFacts[] = [
         ...SHAKEN,
         blocks: ['hard rock'],
       }),
+      fact('bytes of version 3', { 'a.f3grid': flac3d(3) }, ONE),
     ],
-    notRead: [
-      fact(
-        'bytes are refused',
-        { 'a.f3grid': Uint8Array.of(0xaf, 0x84, 0x4d, 0x13, 3, 0, 0, 0) },
-        /in no format that is known here/,
-      ),
-    ],
+    notRead: [fact('bytes of other versions are refused', { 'a.f3grid': flac3d(4) }, /the version is 4; 3 is read/)],
   },
   {
     format: 'PERMAS',

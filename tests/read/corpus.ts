@@ -2,17 +2,21 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { basename, join, relative } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { ELMER, exodusOf, FOAM_BINARY, TEXTS as OTHER_TEXTS, ugridOfBytes } from '../unit/other-formats'
 
 export interface CorpusFile {
   /** Below ../shared, or its name alone. */
   readonly path: string
   readonly name: string
   readonly bytes: Uint8Array
+  /** The path of the file that names this one and is read in its place; null where it is read itself. */
+  readonly readBy: string | null
 }
 
 const shared = fileURLToPath(new URL('../../../shared/', import.meta.url))
 
-const hdf5 = fileURLToPath(new URL('../unit/hdf5/', import.meta.url))
+/** Files of the unit tests. */
+const FOLDERS = ['hdf5', 'steps']
 
 function filesBelow(folder: string): string[] {
   return readdirSync(folder, { withFileTypes: true }).flatMap(entry => {
@@ -194,6 +198,25 @@ ${CUBE.join('\n')}
 <DataItem Dimensions="3">0 0 0</DataItem><DataItem Dimensions="3">1 1 2</DataItem></Geometry></Grid>
 </Domain></Xdmf>
 `,
+  'binary.xdmf': `<Xdmf Version="2.0"><Domain><Grid><Topology TopologyType="Hexahedron" NumberOfElements="1">
+<DataItem Dimensions="1 8" NumberType="UInt" Precision="4" Format="Binary" Seek="192" Endian="Little">numbers.bin</DataItem></Topology>
+<Geometry><DataItem Dimensions="8 3" Precision="8" Format="Binary" Endian="Little">numbers.bin</DataItem></Geometry>
+</Grid></Domain></Xdmf>
+`,
+  'blocks.dat': `TITLE = "cube"
+VARIABLES = "X", "Y", "Z", "T"
+ZONE T="a", N=8, E=1, DATAPACKING=BLOCK, ZONETYPE=FEBRICK, VARLOCATION=([4]=CELLCENTERED)
+0 1 1 0 0 1 1 0
+0 0 1 1 0 0 1 1
+0 0 0 0 1 1 1 1
+7
+1 2 3 4 5 6 7 8
+`,
+  'v4.feb': `<?xml version="1.0"?>
+<febio_spec version="4.0"><Mesh><Nodes name="all">
+${CUBE.map((point, i) => `<node id="${i + 1}">${point.replaceAll(' ', ',')}</node>`).join('\n')}
+</Nodes><Elements type="hex8" name="part"><elem id="3">1,2,3,4,5,6,7,8</elem></Elements></Mesh></febio_spec>
+`,
   cellZones: `FoamFile { version 2.0; format ascii; class regIOobject; object cellZones; }
 1
 (
@@ -215,18 +238,95 @@ function cubeOfBytes(): Uint8Array {
   return new Uint8Array(bytes.buffer)
 }
 
+/** Points, and then nodes, in the bytes that binary.xdmf names. */
+function numbersOfXdmf(): Uint8Array {
+  const coordinates = Float64Array.from(CUBE.join(' ').split(' '), Number)
+  return new Uint8Array([
+    ...new Uint8Array(coordinates.buffer),
+    ...new Uint8Array(Uint32Array.of(0, 1, 2, 3, 4, 5, 6, 7).buffer),
+  ])
+}
+
+/** Sections of bytes: points, and the faces of a cube. */
+function fluentOfBytes(): Uint8Array {
+  const coordinates = Float64Array.from(CUBE.join(' ').split(' '), Number)
+  const faces = [
+    [1, 2, 3, 4],
+    [5, 8, 7, 6],
+    [1, 5, 6, 2],
+    [2, 6, 7, 3],
+    [4, 3, 7, 8],
+    [1, 4, 8, 5],
+  ]
+  const numbers = Int32Array.from(faces.flatMap(face => [...face, 1, 0]))
+  const parts = [
+    '(2 3)\n(10 (0 1 8 0 3))\n(12 (0 1 1 0))\n(3010 (1 1 8 1 3)(',
+    new Uint8Array(coordinates.buffer),
+    ')\nEnd of Binary Section   3010)\n(12 (2 1 1 1 4))\n(2013 (3 1 6 3 4)(',
+    new Uint8Array(numbers.buffer),
+    ')\nEnd of Binary Section   2013)\n(45 (2 fluid air)())\n',
+  ]
+  return new Uint8Array(Buffer.concat(parts.map(part => Buffer.from(part))))
+}
+
+/** FLAC3D in bytes: a cube, a tetrahedron, a group and a face. */
+function flac3dOfBytes(): Uint8Array {
+  const words = (...list: readonly number[]) => new Uint8Array(Uint32Array.from(list).buffer)
+  const gridpoints = CUBE.flatMap((point, i) => [
+    words(i + 1),
+    new Uint8Array(Float64Array.from(point.split(' '), Number).buffer),
+  ])
+  const zones = words(2, 7, 8, 1, 2, 4, 5, 3, 8, 6, 7, 9, 4, 1, 2, 3, 5, 1)
+  const name = (text: string) => [new Uint8Array(Uint16Array.of(text.length).buffer), Buffer.from(text)]
+  const parts = [words(1_375_135_718, 3, 8), ...gridpoints, zones, ...name('rock'), ...name('Default')]
+  return new Uint8Array(Buffer.concat([...parts, words(1, 7, 1, 1, 4, 1, 2, 3, 4, 0)]))
+}
+
+const BYTES: Readonly<Record<string, Uint8Array>> = {
+  'a.b8.ugrid': cubeOfBytes(),
+  'a.lb8l.ugrid': ugridOfBytes(true, false, 8, 8),
+  'a.r4.ugrid': ugridOfBytes(false, true, 4, 4),
+  'bytes.f3grid': flac3dOfBytes(),
+  'bytes.msh': fluentOfBytes(),
+  'numbers.bin': numbersOfXdmf(),
+  ...Object.fromEntries(([1, 2, 5] as const).map(version => [`netcdf-${version}.e`, exodusOf(version)])),
+  ...within('binary', FOAM_BINARY),
+  ...within('elmer', ELMER),
+  ...within('others', OTHER_TEXTS),
+}
+
+function within(folder: string, files: Readonly<Record<string, string | Uint8Array>>): Record<string, Uint8Array> {
+  const bytes = (content: string | Uint8Array) =>
+    typeof content === 'string' ? new TextEncoder().encode(content) : content
+  return Object.fromEntries(Object.entries(files).map(([name, content]) => [`${folder}/${name}`, bytes(content)]))
+}
+
+const READ_BY: Readonly<Record<string, string>> = {
+  'meshes/made/meshio-HDF.h5': 'meshes/made/meshio-HDF.xdmf',
+  'numbers.bin': 'binary.xdmf',
+}
+
+/** Names without folders; files of OpenFOAM and Elmer find each other in their folder. */
+function corpusFile(path: string, bytes: Uint8Array): CorpusFile {
+  return { path, name: basename(path), bytes, readBy: READ_BY[path] ?? null }
+}
+
 export const corpus: readonly CorpusFile[] = [
   ...['meshes', 'pastes']
     .flatMap(folder => filesBelow(join(shared, folder)))
     .filter(path => !/(?:manifest|expected)\.json$|README/.test(path))
-    .map(path => ({
-      path: relative(shared, path),
-      name: basename(path),
-      bytes: new Uint8Array(readFileSync(path)),
-    })),
-  ...filesBelow(hdf5)
+    .map(path => corpusFile(relative(shared, path), new Uint8Array(readFileSync(path)))),
+  ...FOLDERS.flatMap(folder => filesBelow(fileURLToPath(new URL(`../unit/${folder}/`, import.meta.url))))
     .filter(path => !path.endsWith('.py'))
-    .map(path => ({ path: `hdf5/${basename(path)}`, name: basename(path), bytes: new Uint8Array(readFileSync(path)) })),
-  ...Object.entries(TEXTS).map(([name, text]) => ({ path: name, name, bytes: new TextEncoder().encode(text) })),
-  { path: 'a.b8.ugrid', name: 'a.b8.ugrid', bytes: cubeOfBytes() },
+    .map(path => corpusFile(path.split('/').slice(-2).join('/'), new Uint8Array(readFileSync(path)))),
+  ...Object.entries(TEXTS).map(([path, text]) => corpusFile(path, new TextEncoder().encode(text))),
+  ...Object.entries(BYTES).map(([path, bytes]) => corpusFile(path, bytes)),
 ].sort((a, b) => (a.path < b.path ? -1 : 1))
+
+/** The file that another, at `path`, names: the one beside it, or any where it is in no folder. */
+export function fileBeside(path: string, wanted: string): CorpusFile | null {
+  const name = wanted.replace(/^.*[\\/]/, '')
+  const folder = path.slice(0, path.lastIndexOf('/') + 1)
+  const named = corpus.filter(other => other.name === name)
+  return named.find(other => other.path === folder + name) ?? (folder === '' ? named[0] : null) ?? null
+}

@@ -6,6 +6,8 @@ import { type CorpusFile, corpus } from './corpus'
 export interface Mutation {
   readonly number: number
   readonly path: string
+  /** The time step that is read. */
+  readonly step: number | 'last'
   /** The changes made, one after the other. */
   readonly steps: readonly string[]
   readonly name: string
@@ -16,7 +18,7 @@ export interface Mutation {
 const LARGE = 48_000
 const MOST_STEPS = 4
 /** Formats that are refused by their names: one of so many files of theirs is taken. */
-const REFUSED = /\.(?:h5|diff)$|gmsh\.m$/
+const REFUSED = /bare\.h5$|\.diff$/
 const OF_REFUSED = 6
 /** One mutation of so many repeats a fragment to this many bytes. */
 const REPEATS = 100
@@ -42,7 +44,8 @@ export function mutationOf(seed: number, number: number): Mutation {
     bytes = repeated(bytes, random)
     steps.push('repeat')
   }
-  return { number, path: file.path, steps, name: nameFor(file, random), bytes }
+  const step = random.below(4) > 0 ? 0 : random.of([1, 2, 'last'] as const)
+  return { number, path: file.path, step, steps, name: nameFor(file, random), bytes }
 }
 
 class Random {

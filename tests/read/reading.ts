@@ -5,9 +5,9 @@ import { gunzipSync } from 'node:zlib'
 import { hdf5Files } from '../../web/mesh/hdf5-files'
 import { MeshRefusal } from '../../web/mesh/mesh'
 import { readMeshes } from '../../web/mesh/read-mesh'
-import type { Hdf5Reader, MeshFile } from '../../web/mesh/source'
+import { fileOfBytes, type Hdf5Reader, type MeshFile } from '../../web/mesh/source'
 import { allocations } from './allocations'
-import { corpus } from './corpus'
+import { corpus, fileBeside } from './corpus'
 import { type Mutation, mutationOf } from './mutations'
 import { faultOfMesh, faultOfSentence } from './well-formed'
 
@@ -49,13 +49,17 @@ export function reading(seed: number, number: number): Reading {
 }
 
 function once(mutation: Mutation): Reading {
-  return { number: mutation.number, mutation, ...ended(mutation.name, mutation.bytes) }
+  return { number: mutation.number, mutation, ...ended(mutation.name, mutation.bytes, mutation) }
 }
 
 export type Ended = Pick<Reading, 'outcome' | 'fault' | 'milliseconds' | 'timesRead'>
 
-/** How reading these bytes ends. */
-export function ended(name: string, bytes: Uint8Array): Ended {
+/** How reading these bytes ends, which are those of a file at `path`. */
+export function ended(
+  name: string,
+  bytes: Uint8Array,
+  { path, step }: Pick<Mutation, 'path' | 'step'> = { path: name, step: 0 },
+): Ended {
   let read = 0
   const file: MeshFile = {
     name,
@@ -66,10 +70,13 @@ export function ended(name: string, bytes: Uint8Array): Ended {
       return bytes.slice(from, to)
     },
   }
+  const head = corpus.find(other => other.path === path)?.readBy ?? null
+  const first = corpus.find(other => other.path === head)
   let beside = 0
   const find = (wanted: string): MeshFile | null => {
-    const found = corpus.find(other => other.name === wanted.replace(/^.*[\\/]/, ''))
-    if (found === undefined) return null
+    const found = fileBeside(path, wanted)
+    if (found === null) return null
+    if (found.path === path && head !== null) return file
     beside += found.bytes.length
     return { name: found.name, size: found.bytes.length, read: (from, to) => found.bytes.slice(from, to) }
   }
@@ -81,12 +88,12 @@ export function ended(name: string, bytes: Uint8Array): Ended {
   let made = 0
   let milliseconds = 0
   try {
-    const meshes = readMeshes(file, { find, hdf5 })
+    const meshes = readMeshes(first ? fileOfBytes(first.name, first.bytes) : file, { find, hdf5, step })
     milliseconds = millisecondsOfThread() - start
     if (meshes.length === 0) fault = 'no mesh and no sentence'
     for (const mesh of meshes) {
       made += mesh.points.byteLength + mesh.cells.byteLength + mesh.notTrilinear.corners.byteLength
-      fault ??= faultOfMesh(mesh, bytes)
+      fault ??= faultOfMesh(mesh, first?.bytes ?? bytes)
     }
   } catch (error) {
     milliseconds = millisecondsOfThread() - start

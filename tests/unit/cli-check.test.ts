@@ -151,7 +151,50 @@ describe('what people read', () => {
     expect([last.status, last.output.includes('Time step 2 of 2 was read')]).toEqual([1, true])
     expect((await check([steps, '--step=1'])).status).toBe(0)
     expect((await check([steps, '--step=3'])).status).toBe(2)
-    expect((await check([steps, '--step=0'])).errors).toMatch(/--step wants a number from 1 on or last, not 0/)
+    expect((await check([steps, '--step=0'])).errors).toMatch(/--step wants a number from 1 on, last or all, not 0/)
+  })
+
+  it('is for all time steps, and tells of the first with an invalid cell', async () => {
+    const places = [1, 0.8, 0.9, 0.6, 0.3]
+    const file = (at: number) => fileOf(`at-${at}.vtu`, vtuText(moved(6, [at, at, at])))
+    for (const at of places) file(at)
+    const pvd = (name: string, ats: readonly number[]) => {
+      const sets = ats.map((at, i) => `<DataSet timestep="${i / 4}" file="at-${at}.vtu"/>`).join('')
+      return fileOf(name, `<VTKFile type="Collection"><Collection>${sets}</Collection></VTKFile>`)
+    }
+    const { status, output } = await check([pvd('inverts.pvd', places), '--step', 'all'])
+    expect([status, output.split('\n').slice(0, 4)]).toEqual([
+      1,
+      [
+        `${join(folder, 'inverts.pvd')} (VTU): 1 hexahedron, 1 INVALID.`,
+        '  Step 4 (t = 0.75) is the first with an invalid cell: cell 0.',
+        '  All 5 time steps were checked, and 2 have invalid cells. What follows is of step 4 (t = 0.75).',
+        '  Time step 4 of 5 was read: “0.75”.',
+      ],
+    ])
+    const valid = pvd('holds.pvd', [1, 0.8, 0.9])
+    const json = await checkedJson(valid, '--step=all', '--worst=0')
+    const [{ step, steps, notes, worst }] = json.files
+    expect([json.exit, step, steps.map(({ time }: { time: string }) => time), worst]).toEqual([
+      0,
+      2,
+      ['0', '0.25', '0.5'],
+      [],
+    ])
+    expect(notes[0]).toMatch(
+      /^No step has an invalid cell\. The least relative minimum is 0\.47\d*: step 2 \(t = 0\.25\), cell 0\.$/,
+    )
+    // Below the bound from the second on, and the second is told of.
+    expect((await check([valid, '--step=all', '--min-relative=0.9'])).status).toBe(1)
+    const lacking = await check([pvd('lacking.pvd', [0.6, 1, 0.5]), '--step=all'])
+    expect([lacking.status, lacking.output]).toEqual([
+      2,
+      expect.stringMatching(
+        /Time step 3 of 3: lacking\.pvd: it needs “at-0\.5\.vtu” beside it.* Step 1 \(t = 0\) is the first with an invalid cell: cell 0\.\n$/,
+      ),
+    ])
+    const one = await checkedJson(allValid, '--step=all')
+    expect([one.files[0].steps, one.exit]).toEqual([undefined, 0])
   })
 
   it('says for each file what is wrong with it', async () => {

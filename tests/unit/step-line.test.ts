@@ -5,11 +5,11 @@ import {
   besideSentences,
   firstInvalid,
   lineSentence,
-  stepLineOf,
+  type StepAnswer,
   stepName,
-  stepWords,
-} from '../../web/pages/mesh/step-line'
-import type { StepAnswer, StepList } from '../../web/survey/survey-jobs'
+} from '../../web/mesh/step-answers'
+import { stepLineOf, stepWords } from '../../web/pages/mesh/step-line'
+import type { StepList } from '../../web/survey/survey-jobs'
 
 type Made = Partial<StepAnswer> & { readonly invalid?: number; readonly unanswered?: number }
 
@@ -33,7 +33,7 @@ function refused(step: number): StepAnswer {
 
 function listOf(answers: Answers): StepList {
   const steps = answers.map((_, step) => ({ name: `w_${step}.vtu`, time: null }))
-  return { sentences: [], steps, shown: 0, answer: answers[0] ?? refused(0) }
+  return { sentences: [], areFiles: true, steps, shown: 0, answer: answers[0] ?? refused(0) }
 }
 
 const sentence = (answers: Answers) => lineSentence(listOf(answers), answers)

@@ -54,9 +54,9 @@ async function worker(): Promise<Ask> {
 }
 
 /** Files as the page gives them. */
-function given(texts: Readonly<Record<string, string>>): PastedInput {
+function given(texts: Readonly<Record<string, string | Uint8Array>>): PastedInput {
   const files = Object.entries(texts).map(([name, text]) => {
-    const bytes = new TextEncoder().encode(text)
+    const bytes = typeof text === 'string' ? new TextEncoder().encode(text) : text
     return { name, size: bytes.length, slice: (from: number, to: number) => ({ bytes: bytes.slice(from, to) }) }
   })
   return { files: files as unknown as File[] }
@@ -202,6 +202,31 @@ describe('steps', () => {
     await ask('open', given({ 'a.pvd': pvdText(sets), 'w_0.vtu': vtuOf([unitCube]), 'w_1.vtu': vtuOf([flat]) }))
     expect(openedOf(await ask('together', null)).opened).toMatchObject({ hexahedra: 2, name: '2 files' })
   })
+})
+
+test.each(['classic.e', 'netcdf4.exo', 'moving.xmf', 'moving.vtkhdf'])('%s has four steps', async name => {
+  const ask = await worker()
+  const bytes = new Uint8Array(readFileSync(new URL(`steps/${name}`, import.meta.url)))
+  const { opened } = openedOf(await ask('open', given({ [name]: bytes })))
+  expect([opened.name, opened.hexahedra, opened.counts.invalid]).toEqual([name, 2, 0])
+  const list = await ask('steps', null)
+  expect([list?.sentences, list?.areFiles, list?.shown]).toEqual([[`${name} has 4 time steps of one mesh.`], false, 0])
+  const answers = await Promise.all([0, 1, 2, 3].map(step => ask('readStep', step)))
+  expect(answers.map(({ time, counts, isOther }) => [time, counts?.invalid, isOther])).toEqual([
+    ['0', 0, false],
+    ['0.25', 0, false],
+    ['0.5', 1, false],
+    ['1', 1, false],
+  ])
+  const { opened: last, answer } = openedOf(await ask('showStep', { step: 3, chosen: 1 }))
+  expect([last.counts.invalid, answer]).toEqual([1, answers[3]])
+})
+
+test('a file whose steps differ in results alone has none to choose from', async () => {
+  const ask = await worker()
+  const bytes = new Uint8Array(readFileSync(new URL('steps/results.e', import.meta.url)))
+  await ask('open', given({ 'results.e': bytes }))
+  expect(await ask('steps', null)).toBe(null)
 })
 
 test('files with other cells are joined, as they were, and have no steps', async () => {

@@ -8,7 +8,7 @@ export interface CheckArguments {
   readonly files: readonly string[]
   readonly format: string | null
   /** The time step, counted from 0. */
-  readonly step: number | 'last'
+  readonly step: number | 'last' | 'all'
   readonly json: boolean
   /** Null where it is not said; Infinity for all. */
   readonly worst: number | null
@@ -28,7 +28,7 @@ const options = new Map<string, Option<CheckArguments>>([
   ['--json', flag(() => ({ json: true }))],
   ['--allow-unchecked', flag(() => ({ allowsUnchecked: true }))],
   ['--format', { value: 'the name of a format', read: format => ({ format }) }],
-  ['--step', { value: 'a number from 1 on or last', read: text => ({ step: stepOf(CHECK, text) }) }],
+  ['--step', { value: 'a number from 1 on, last or all', read: text => ({ step: readStep(text) }) }],
   ['--csv', { value: 'a file', read: csv => ({ csv }) }],
   ['--junit', { value: 'a file', read: junit => ({ junit }) }],
   ['--annotate', { value: 'a file', read: path => ({ annotate: readAnnotate(path) }) }],
@@ -75,6 +75,10 @@ function readWorst(text: string): number {
   if (text === 'all') return Infinity
   if (/^\d{1,15}$/.test(text)) return Number(text)
   throw CHECK.wrong(`--worst wants a count or all, not ${text}`)
+}
+
+function readStep(text: string): CheckArguments['step'] {
+  return text === 'all' ? text : stepOf(CHECK, text, 'a number from 1 on, last or all')
 }
 
 function readRelative(text: string): number {

@@ -5,6 +5,7 @@ import { checkMesh, type ExitStatus, exitOf, gravestExit } from '../mesh/check'
 import type { Hdf5Loading } from '../mesh/hdf5-reader'
 import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
+import type { ReadOptions } from '../mesh/source'
 import { Refusal } from '../model/result'
 import { csvOutput } from '../outputs/csv'
 import { htmlOutput } from '../outputs/html'
@@ -14,6 +15,7 @@ import { junitOutput } from '../outputs/junit'
 import { meshOutput } from '../outputs/meshes/mesh-output'
 import { type FileResult, type Output, withoutControls } from '../outputs/output'
 import { textOutput } from '../outputs/text'
+import { checkAllSteps } from './all-steps'
 import { type CheckArguments, readCheckArguments } from './check-arguments'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
 import type { Engine } from './engine'
@@ -86,9 +88,21 @@ interface Work {
 }
 
 async function resultOf(file: string, work: Work): Promise<FileResult> {
+  const { wanted } = work
   try {
-    const check = await checkOf(await meshOf(file, work), work)
-    return { file, exit: exitOf(check, work.wanted), check }
+    if (wanted.step === 'all') {
+      const read = (step: number) => meshOf(file, step, work)
+      const own = { ...work, wanted: { ...wanted, worst: wanted.worst || WORST } }
+      const { check, ...others } = await checkAllSteps({
+        read,
+        check: mesh => checkOf(mesh, own),
+        allowsUnchecked: wanted.allowsUnchecked,
+      })
+      const worst = check.worst.subarray(0, wanted.worst ?? WORST)
+      return { file, ...others, check: { ...check, worst } }
+    }
+    const check = await checkOf(await meshOf(file, wanted.step, work), work)
+    return { file, exit: exitOf(check, wanted), check }
   } catch (error) {
     if (error instanceof Refusal) return { file, exit: 2, error: withoutControls(error.message) }
     if (error instanceof RangeError && isAboutMemory(error))
@@ -97,10 +111,15 @@ async function resultOf(file: string, work: Work): Promise<FileResult> {
   }
 }
 
-async function meshOf(path: string, { wanted, readingCore, hdf5, streams, progress }: Work): Promise<Mesh> {
+async function meshOf(
+  path: string,
+  step: ReadOptions['step'],
+  { wanted, readingCore, hdf5, streams, progress }: Work,
+): Promise<Mesh> {
   const open = await openMeshFile(path, streams.input)
   try {
-    return await meshIn(open, withoutControls(path), { ...wanted, readingCore, hdf5, progress })
+    const { format } = wanted
+    return await meshIn(open, withoutControls(path), { format, step, readingCore, hdf5, progress })
   } finally {
     open.close()
   }

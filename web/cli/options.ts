@@ -64,8 +64,8 @@ export function decimalOf(text: string): number {
 }
 
 /** A time step, counted from 0. */
-export function stepOf({ wrong }: Command, text: string): number | 'last' {
+export function stepOf({ wrong }: Command, text: string, expected = 'a number from 1 on or last'): number | 'last' {
   if (text === 'last') return text
   if (/^[1-9]\d{0,8}$/.test(text)) return Number(text) - 1
-  throw wrong(`--step wants a number from 1 on or last, not ${text}`)
+  throw wrong(`--step wants ${expected}, not ${text}`)
 }

@@ -36,7 +36,7 @@ worst: those with the least minimum of jacdet over |volume|. "-" is standard inp
   --degenerate=skip    counts cells with coincident vertices in "degenerate" alone
   --allow-unchecked    exit status 0 in place of 3
   --format NAME        the files are in this format, whatever they look like
-  --step N|last        which time step is read of a file that has several (1)
+  --step N|last|all    which time step is read of a file that has several (1); all: every one
   --ids abaqus|nastran|plain
                        prints the ids of the invalid hexahedra: an element set, a SET, or one on a line
   --csv FILE           writes a line for each hexahedron

@@ -28,8 +28,15 @@ export function joined(meshes: readonly [Mesh, ...Mesh[]]): Mesh {
     isOrderStated: meshes.every(({ isOrderStated }) => isOrderStated),
     isCutOff: meshes.some(({ isCutOff }) => isCutOff),
     coordinatePlaces: null,
-    steps: [],
+    ...joinedSteps(meshes),
   }
+}
+
+/** None where the meshes have other ones. */
+function joinedSteps(meshes: readonly [Mesh, ...Mesh[]]): Pick<Mesh, 'steps' | 'isSteady'> {
+  const [{ steps }, ...others] = meshes
+  const areSame = others.every(other => other.steps.join('\n') === steps.join('\n'))
+  return areSame ? { steps, isSteady: meshes.every(({ isSteady }) => isSteady === true) } : { steps: [] }
 }
 
 function concatenated<T extends Float64Array | Uint32Array>(lists: readonly T[], make: (length: number) => T): T {

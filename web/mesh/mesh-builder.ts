@@ -28,6 +28,8 @@ export class MeshBuilder {
   readonly #fileName: string
   readonly #points = new TypedList(Float64Array)
   readonly #cells = new TypedList(Uint32Array)
+  /** So many of their numbers, from the first on, are points that are there. */
+  #known = 0
   readonly #corners = new TypedList(Uint32Array)
   readonly #tokens = new TokenList()
   readonly #ids = new TypedList(Float64Array)
@@ -46,6 +48,7 @@ export class MeshBuilder {
   /** True if the coordinates stand in another file than the one that is read. */
   areCoordinatesElsewhere = false
   steps: readonly string[] = []
+  isSteady = false
 
   constructor(format: string, fileName: string) {
     this.#format = format
@@ -145,6 +148,14 @@ export class MeshBuilder {
     return this.pointCount - 1
   }
 
+  /** So many more points, whose coordinates are 0 and are to be put into the list. */
+  morePoints(count: number): Float64Array {
+    const from = this.#points.length
+    this.#points.reserve(from + 3 * count)
+    this.#points.length = from + 3 * count
+    return this.#points.values.subarray(from, from + 3 * count)
+  }
+
   /** A point that the file calls `id`. Refuses an id that is there already with other coordinates. */
   pointWithId(id: number, x: number, y: number, z: number): void {
     if (!this.newPointWithId(id, x, y, z)) this.refuse(`node ${id} is defined twice.`)
@@ -194,14 +205,58 @@ export class MeshBuilder {
   /** Cells of eight nodes each, points counted from `base` on, that are there; `ids` has an id for each. Returns the index of the first. */
   hexahedra(nodes: ArrayLike<number>, base: number, ids: ArrayLike<number>): number {
     const first = this.cellCount
-    const { length } = nodes
+    const own = this.#moreCells(nodes.length)
+    for (let i = 0; i < own.length; ++i) own[i] = (nodes[i] as number) - base
+    this.#addIds(ids, nodes.length / 8)
+    return first
+  }
+
+  /**
+   * Cells of eight nodes each. `fillIndices` puts the indices of their points into the list, or is false; then `fill` puts the numbers of these
+   * from 1 on, and `refuseAt` is given the place of one that is not there.
+   */
+  hexahedraFilled(
+    count: number,
+    {
+      fillIndices,
+      fill,
+      ids,
+      refuseAt,
+    }: {
+      readonly fillIndices: (indices: Uint32Array) => boolean
+      readonly fill: (nodes: Uint32Array) => void
+      readonly ids: ArrayLike<number>
+      readonly refuseAt: (at: number, node: number) => never
+    },
+  ): void {
+    const own = this.#moreCells(8 * count)
+    const isKnown = this.#known === this.#cells.length - own.length
+    this.#addIds(ids, count)
+    if (!fillIndices(own)) {
+      fill(own)
+      if (!becameIndices(own, this.pointCount)) {
+        const bad = own.findIndex(point => point >= this.pointCount)
+        refuseAt(bad, ((own[bad] as number) + 1) % 2 ** 32)
+      }
+    }
+    if (isKnown) this.#known = this.#cells.length
+  }
+
+  /** Numbers of cells, to be filled. */
+  #moreCells(length: number): Uint32Array {
     const from = this.#cells.length
     this.#cells.reserve(from + length)
-    const { values } = this.#cells
-    for (let i = 0; i < length; ++i) values[from + i] = (nodes[i] as number) - base
     this.#cells.length = from + length
-    for (let i = 0; i < length / 8; ++i) this.#addId(ids[i] as number)
-    return first
+    return this.#cells.values.subarray(from, from + length)
+  }
+
+  #addIds(ids: ArrayLike<number>, count: number): void {
+    if (this.#names === null) {
+      const before = this.#ids.length
+      this.#ids.reserve(before + count)
+      for (let i = 0; i < count; ++i) this.#ids.values[before + i] = ids[i] as number
+      this.#ids.length = before + count
+    } else for (let i = 0; i < count; ++i) this.#addId(ids[i] as number)
   }
 
   #addId(id: number | string): void {
@@ -238,7 +293,7 @@ export class MeshBuilder {
 
   /** Puts all cells from this one on into the block. */
   restInBlock(name: string, from: number): void {
-    for (let cell = from; cell < this.cellCount; ++cell) this.inBlock(name, cell)
+    if (from < this.cellCount) runsOf(this.#blocks, name).addRange(from, this.cellCount - 1)
   }
 
   /** Says that the text leaves points out, which so many cells name. */
@@ -266,9 +321,12 @@ export class MeshBuilder {
     const cells = this.#cells.whole()
     const corners = this.#corners.whole()
     const count = points.length / 3
-    for (const list of [cells, corners]) {
-      const bad = list.findIndex(index => index >= count)
-      if (bad >= 0)
+    for (const [list, known] of [
+      [cells, this.#known],
+      [corners, 0],
+    ] as const) {
+      const bad = firstNot(list, known, count)
+      if (bad < list.length)
         this.refuse(`cell ${Math.floor(bad / 8)} names point ${list[bad]}; the points are 0 to ${count - 1}.`)
     }
     const precision = this.digits.note()
@@ -289,6 +347,27 @@ export class MeshBuilder {
         ? null
         : (this.coordinatePlaces ?? this.#tokens.places(points.length)),
       steps: this.steps,
+      isSteady: this.isSteady,
     }
   }
+}
+
+/** Numbers counted from 1 on become indices; true if all are less than `count`, which is below 2^31. */
+function becameIndices(list: Uint32Array, count: number): boolean {
+  const last = count - 1
+  // Of an index from 0 to `last`, it and its difference to `last` are not negative.
+  let signs = 0
+  for (let i = 0; i < list.length; ++i) {
+    const index = ((list[i] as number) - 1) | 0
+    signs |= index | (last - index)
+    list[i] = index
+  }
+  return signs >= 0
+}
+
+/** The place of the first number from `from` on that is not less than `bound`; the length if there is none. */
+function firstNot(list: Uint32Array, from: number, bound: number): number {
+  let at = from
+  while (at < list.length && (list[at] as number) < bound) ++at
+  return at
 }

@@ -24,8 +24,10 @@ export interface Mesh {
   readonly isCutOff: boolean
   /** Positions of coordinates in the file, if each is a token or all are a block; else null. */
   readonly coordinatePlaces: CoordinatePlaces | null
-  /** The time steps that the file has, of which this mesh is one; empty where it has none. */
+  /** The times of the steps that the file has, of which this mesh is one, '' for one that is not said; empty where it has none. */
   readonly steps: readonly string[]
+  /** True if the steps differ in results alone: the mesh is the same at all of them. */
+  readonly isSteady?: boolean
 }
 
 export interface Block {

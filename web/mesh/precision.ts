@@ -73,11 +73,11 @@ function isExact(size: number, digits: number): boolean {
   return digits < MOST_DIGITS && Number.isInteger(size * 2 ** Math.max(0, digits - 1 - Math.floor(Math.log10(size))))
 }
 
-/** Half a unit in the last place of the largest coordinate, which has 24 bits; null where all are 0. */
-export function float32Note(largest: number): string | null {
+/** Half a unit in the last place of the largest number, which has 24 bits; null where all are 0. */
+export function float32Note(largest: number, what = 'Coordinates'): string | null {
   if (!(largest > 0)) return null
   const half = 2 ** (Math.floor(Math.log2(largest)) - 24)
-  return `Coordinates are stored as Float32: that can move one by up to ${half.toPrecision(2)}.`
+  return `${what} are stored as Float32: that can move one by up to ${half.toPrecision(2)}.`
 }
 
 /** The size of the largest coordinate that is finite. */

@@ -25,7 +25,7 @@ export class MissingFiles extends MeshRefusal {
 }
 
 export type TogetherOptions = Omit<ReadOptions, 'find' | 'step' | 'core' | 'hdf5'> &
-  Partial<Pick<ReadOptions, 'core' | 'hdf5'>>
+  Partial<Pick<ReadOptions, 'step' | 'core' | 'hdf5'>>
 
 /** All meshes of the files. Throws a MeshRefusal for the first file that is refused and that no other names. */
 export function readTogether(files: readonly MeshFile[], options: TogetherOptions): readonly Mesh[] {
@@ -68,9 +68,13 @@ function readEach(files: readonly MeshFile[], options: TogetherOptions): readonl
   })
 }
 
+/** True for files that always name others, by their names. */
+export function namesOthers({ name }: MeshFile): boolean {
+  return /\.(?:pvtu|pvd|xdmf|xmf)$/i.test(name)
+}
+
 /** Files that always name others first, so that these are not read twice. */
 function inOrderOfReading(files: readonly MeshFile[]): MeshFile[] {
-  const namesOthers = ({ name }: MeshFile) => /\.(pvtu|pvd)$/i.test(name)
   return [...files.filter(namesOthers), ...files.filter(file => !namesOthers(file))]
 }
 
@@ -80,7 +84,10 @@ function inOrderOfReading(files: readonly MeshFile[]): MeshFile[] {
  */
 export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { format?: string } = {}): readonly Mesh[] {
   const all: ReadOptions = {
-    find: options.find ?? (() => null),
+    find(name) {
+      const found = options.find?.(name) ?? null
+      return found && named(found)
+    },
     step: options.step ?? 0,
     onProgress: options.onProgress ?? (() => {}),
     throwIfCancelled: options.throwIfCancelled ?? (() => {}),

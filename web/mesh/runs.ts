@@ -9,9 +9,13 @@ export class Runs {
   }
 
   add(value: number): void {
+    this.addRange(value, value)
+  }
+
+  addRange(from: number, to: number): void {
     const last = this.#bounds.length - 1
-    if (last > 0 && (this.#bounds[last] as number) + 1 === value) this.#bounds[last] = value
-    else this.#bounds.push(value, value)
+    if (last > 0 && (this.#bounds[last] as number) + 1 === from) this.#bounds[last] = to
+    else this.#bounds.push(from, to)
   }
 
   addAll(other: Runs): void {

@@ -1,16 +1,19 @@
-/** Files that hold one mesh at several times, told from those that hold its parts. */
+/** Files that hold one mesh at several times, one of them all or each its own; told from those that hold its parts. */
 import { orderOfNumbers } from './file-numbers'
 import { foamCaseOf } from './foam-case'
 import { collectionSteps, pieceNames } from './formats/vtu-sources'
 import { joined } from './join-meshes'
 import { type Mesh, MeshRefusal } from './mesh'
-import { MissingFiles, readMeshes, type TogetherOptions } from './read-mesh'
+import { MissingFiles, namesOthers, readMeshes, readTogether, type TogetherOptions } from './read-mesh'
 import { shown, shownFileName } from './shown'
 import { fileNamed, type MeshFile, pathOf, type ReadOptions } from './source'
+import { shownTime } from './step-answers'
 
 export interface StepFiles {
   /** What was decided, for people: "7 files are taken as 7 steps of one mesh, in the order of their numbers." */
   readonly sentences: readonly string[]
+  /** True if each step has files of its own, which could be parts of one mesh as well. */
+  readonly areFiles: boolean
   readonly steps: readonly StepFile[]
   /** The first step, where it had to be read to decide. */
   readonly first: Mesh | null
@@ -37,6 +40,23 @@ export function stepFilesOf(files: readonly MeshFile[], options: TogetherOptions
   return ofNumbers(files, options)
 }
 
+/** The steps that the files have together of which `mesh` is the first, as read from them; null where it is the only one. */
+export function stepsWithin(mesh: Mesh, files: readonly MeshFile[]): StepFiles | null {
+  const { length } = mesh.steps
+  if (length < 2 || mesh.isSteady) return null
+  const name = shownFileName((files.find(namesOthers) ?? files[0])?.name ?? '')
+  return {
+    sentences: [`${name} has ${length} time steps of one mesh.`],
+    areFiles: false,
+    steps: mesh.steps.map((time, step) => ({
+      name,
+      time: shownTime(time),
+      read: options => joinedMesh(readTogether(files, { ...options, step }), name),
+    })),
+    first: mesh,
+  }
+}
+
 export function isCollection({ name }: { readonly name: string }): boolean {
   return /\.pvd$/i.test(name)
 }
@@ -60,9 +80,10 @@ function ofCollection(file: MeshFile, files: readonly MeshFile[], options: Toget
       ...missingSentence(missing),
       ...leftSentence(left, name),
     ],
+    areFiles: true,
     steps: steps.map(({ time }, step) => ({
       name,
-      time: shown(time).slice(1, -1),
+      time: shownTime(time),
       read: own => meshOf(file, files, { ...own, step }).mesh,
     })),
     first: null,
@@ -146,6 +167,7 @@ function ofNumbers(files: readonly MeshFile[], options: TogetherOptions): StepFi
     sentences: [
       `${ordered.length} files${others} are taken as ${ordered.length} steps of one mesh, in the order of their numbers.`,
     ],
+    areFiles: true,
     steps: ordered.map(file => ({
       name: shownFileName(areNamesakes ? pathOf(file) : file.name),
       time: null,
@@ -198,13 +220,16 @@ function meshOf(
     return other
   }
   try {
-    const [first, ...others] = readMeshes(file, { ...options, find })
-    if (!first) throw new MeshRefusal(`${shownFileName(file.name)}: there is no mesh in it.`)
-    return { mesh: joined([first, ...others]), found }
+    return { mesh: joinedMesh(readMeshes(file, { ...options, find }), shownFileName(file.name)), found }
   } catch (error) {
     if (missing.length > 0 && error instanceof MeshRefusal) throw new MissingFiles(error.message, missing)
     throw error
   }
+}
+
+function joinedMesh([first, ...others]: readonly Mesh[], name: string): Mesh {
+  if (!first) throw new MeshRefusal(`${name}: there is no mesh in it.`)
+  return joined([first, ...others])
 }
 
 function scanning(options: TogetherOptions): ReadOptions {

@@ -1,8 +1,9 @@
 /** `--json`: docs/check.schema.json. Written cell by cell, for there may be millions. */
 import type { MeshCheck } from '../mesh/mesh-check'
+import type { StepAnswer } from '../mesh/step-answers'
 import { jsonNumber } from './json-number'
 import { jsonText } from './json-text'
-import type { Output } from './output'
+import type { CheckedSteps, Output } from './output'
 
 export function jsonOutput(): Output {
   let count = 0
@@ -11,7 +12,7 @@ export function jsonOutput(): Output {
     *file(result) {
       yield count++ === 0 ? '{"files":[\n' : ',\n'
       if ('error' in result) yield jsonText({ file: result.file, error: result.error })
-      else yield* fileJson(result.file, result.check)
+      else yield* fileJson(result.file, result.check, result.steps ?? null)
     },
     *end(exit) {
       yield count === 0 ? '{"files":[' : '\n'
@@ -20,7 +21,7 @@ export function jsonOutput(): Output {
   }
 }
 
-function* fileJson(file: string, check: MeshCheck): Generator<string> {
+function* fileJson(file: string, check: MeshCheck, steps: CheckedSteps | null): Generator<string> {
   const head = jsonText({
     file,
     format: check.mesh.format,
@@ -33,10 +34,15 @@ function* fileJson(file: string, check: MeshCheck): Generator<string> {
     not_trilinear: { count: check.notTrilinear.count, valid_by_corners: check.notTrilinear.validByCorners },
     other: Object.fromEntries(check.mesh.other),
     notes: check.notes,
+    ...(steps === null ? {} : { step: steps.shown + 1, steps: steps.answers.map(stepJson) }),
   })
   yield `${head.slice(0, -1)},"worst":[`
   for (const [i, cell] of check.worst.entries()) yield `${i === 0 ? '\n' : ',\n'}${jsonText(cellJson(check, cell))}`
   yield ']}'
+}
+
+function stepJson({ step, time, counts, least }: StepAnswer): object {
+  return { step: step + 1, time, ...counts, relative_min: least !== null && Number.isFinite(least) ? least : null }
 }
 
 function cellJson(check: MeshCheck, cell: number): object {

@@ -2,6 +2,7 @@
 import { Pool, type WorkerPort, wordsOf } from '../core/workers'
 import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
+import type { StepAnswer } from '../mesh/step-answers'
 import {
   ACCEPTED_IN,
   type Around,
@@ -21,7 +22,6 @@ import {
   type Selected,
   type Selection,
   type ShownCells,
-  type StepAnswer,
   type StepList,
   type StepOpening,
   type StepWanted,

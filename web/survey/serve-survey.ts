@@ -17,7 +17,8 @@ import { checkMesh } from '../mesh/check'
 import { type Mesh, MeshRefusal } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import type { TogetherOptions } from '../mesh/read-mesh'
-import { isCollection, type StepFiles, stepFilesOf } from '../mesh/step-files'
+import type { StepAnswer } from '../mesh/step-answers'
+import { isCollection, type StepFiles, stepFilesOf, stepsWithin } from '../mesh/step-files'
 import { cutFaces } from './cut'
 import { lookingJobs, nameOf, noHexahedra, STEP } from './looking-jobs'
 import { meeting } from './meeting'
@@ -38,7 +39,6 @@ import {
   type Opening,
   type Overview,
   type Served,
-  type StepAnswer,
   type StepOpening,
   type StepWanted,
   type SurveyJobs,
@@ -163,7 +163,9 @@ export function serveSurvey(engine: SurveyEngine): void {
       void tools().then(({ classifier }) => classifier.prepare())
     const found = 'files' in input ? await reading(tell, options => stepFilesOf(filesOf(input), options)) : null
     if (found) return { opened: await openedStep(found, tell) }
-    return { opened: await surveyed(nameOf(input), await read(input, tell), tell) }
+    const mesh = await read(input, tell)
+    const within = stepsWithin(mesh, filesOf(input))
+    return { opened: await (within ? openedStep(within, tell) : surveyed(nameOf(input), mesh, tell)) }
   }
 
   /** Its cells are decided while it is read. */

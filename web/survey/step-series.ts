@@ -1,11 +1,10 @@
-/** One mesh at several times: files are kept, and of each step its least relative minimum; the mesh of one step is open. */
-import { CLASSES } from '../core/unpack'
+/** One mesh at several times: its files are kept, and of each step its least relative minimum; the mesh of one step is open. */
 import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import type { TogetherOptions } from '../mesh/read-mesh'
-import { shown } from '../mesh/shown'
+import { type StepAnswer, stepAnswerOf } from '../mesh/step-answers'
 import { areEqual, haveSameCells, type StepFile, type StepFiles, type Topology } from '../mesh/step-files'
-import type { StepAnswer, StepList } from './survey-jobs'
+import type { StepList } from './survey-jobs'
 
 /** Another order of nodes, which holds in all steps: it is the file's, and no movement. */
 interface Correction {
@@ -23,13 +22,15 @@ export interface StepMesh {
 
 export class StepSeries {
   readonly #sentences: readonly string[]
+  readonly #areFiles: boolean
   readonly #steps: readonly StepFile[]
   readonly #corrections: Correction[] = []
   /** Of the step that was read first, as its file has it: steps with the same cells share their memory. */
   #first: Topology | null = null
 
-  constructor({ sentences, steps }: StepFiles) {
+  constructor({ sentences, areFiles, steps }: StepFiles) {
     this.#sentences = sentences
+    this.#areFiles = areFiles
     this.#steps = steps
   }
 
@@ -43,7 +44,7 @@ export class StepSeries {
 
   list(shownStep: number, answer: StepAnswer): StepList {
     const steps = this.#steps.map(({ name, time }) => ({ name, time }))
-    return { sentences: this.#sentences, steps, shown: shownStep, answer }
+    return { sentences: this.#sentences, areFiles: this.#areFiles, steps, shown: shownStep, answer }
   }
 
   /** Throws a MeshRefusal. */
@@ -68,22 +69,15 @@ export class StepSeries {
 
   /** The answer of a step with `check`, whose worst cell is the first in its list. */
   answerOf(step: number, check: MeshCheck, isOther: boolean): StepAnswer {
-    const { hexahedra, invalid, unanswered, mesh } = check
-    const [worst] = check.worst
-    const { time } = this.#steps[step] as StepFile
-    return {
-      step,
-      time: time ?? (mesh.steps.length === 1 ? shown(mesh.steps[0] as string).slice(1, -1) : null),
-      counts: { hexahedra, invalid, unanswered },
-      least: worst === undefined || !check.isAnswered(worst) ? null : leastOf(check, worst),
-      worst: worst === undefined ? null : { cell: worst, id: shown(check.idOf(worst) ?? String(worst)).slice(1, -1) },
-      isOther,
-      refused: null,
-    }
+    return stepAnswerOf(check, { step, time: this.#timeOf(step), isOther })
+  }
+
+  #timeOf(step: number): string | null {
+    return this.#steps[step]?.time ?? null
   }
 
   refusedStep(step: number, sentence: string): StepAnswer {
-    const { time } = this.#steps[step] as StepFile
+    const time = this.#timeOf(step)
     return { step, time, counts: null, least: null, worst: null, isOther: false, refused: sentence }
   }
 }
@@ -92,11 +86,4 @@ function corrected(mesh: Mesh, { before, after, isOrderStated, note }: Correctio
   if (areEqual(mesh.cells, before)) return { ...mesh, cells: after, isOrderStated, notes: [...mesh.notes, note] }
   const sentence = 'What was corrected in another step is not corrected here: its cells are others.'
   return { ...mesh, notes: [...mesh.notes, sentence] }
-}
-
-/** As the list of the worst has it: a cell of volume 0 is below everything, or 0 if all of it is flat. */
-function leastOf({ answers: { relativeMinima, classes } }: MeshCheck, cell: number): number {
-  const relative = relativeMinima[cell] as number
-  if (!Number.isNaN(relative)) return relative
-  return CLASSES[classes[cell] as number] === 'collapsed' ? 0 : -Infinity
 }

@@ -4,6 +4,7 @@ import type { PastedInput } from '../input/pasted-input'
 import type { ReadingProgress } from '../input/reading'
 import type { Histogram } from '../mesh/histogram'
 import type { Standing } from '../mesh/mesh-check'
+import type { StepAnswer } from '../mesh/step-answers'
 import type { Vec3, Vertices } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
 import type { IdKind } from '../outputs/ids'
@@ -319,26 +320,13 @@ export interface CutFaces extends FaceList {
 export interface StepList {
   /** "7 files are taken as 7 steps of one mesh, in the order of their numbers." */
   readonly sentences: readonly string[]
+  /** True if each step has files of its own. */
+  readonly areFiles: boolean
   /** The name of each step's file, and its time, where this is known before it is read; safe to show. */
   readonly steps: readonly { readonly name: string; readonly time: string | null }[]
   readonly shown: number
   /** That of the shown step. */
   readonly answer: StepAnswer
-}
-
-export interface StepAnswer {
-  readonly step: number
-  /** As the file has it; null if it has none. */
-  readonly time: string | null
-  /** Null where the step could not be read. */
-  readonly counts: { readonly hexahedra: number; readonly invalid: number; readonly unanswered: number } | null
-  /** The relative minimum of the worst cell; -Infinity where its volume is 0 and its minimum negative, null where none is answered. */
-  readonly least: number | null
-  readonly worst: { readonly cell: number; readonly id: string } | null
-  /** True if its cells are others than those of the step that was read first. */
-  readonly isOther: boolean
-  /** Why it could not be read; null if it was. */
-  readonly refused: string | null
 }
 
 export interface StepWanted {

@@ -3,8 +3,10 @@
  * those of groups. Each ends with FINSF, the file with FIN; blanks and commas stand between words, "%" begins a comment.
  */
 import type { MeshBuilder, OtherCell } from '../mesh-builder'
+import { NameIndex, NameWords } from '../name-words'
+import { lineAt } from '../number-run'
 import { headText } from '../snippet-text'
-import { type MeshFile, type MeshFormat, progressOf, type ReadOptions } from '../source'
+import { fileOfBytes, type MeshFile, type MeshFormat, progressOf, type ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { wordTable } from '../word-table'
 import { blanked, RowText } from './row-text'
@@ -50,17 +52,24 @@ export const aster: MeshFormat = {
 }
 
 class AsterReader {
+  readonly #file: MeshFile
   readonly #text: RowText
   readonly #builder: MeshBuilder
   readonly #progress: (position: number) => void
-  readonly #nodes = new Map<string, number>()
+  readonly #onChunk: (position: number) => void
+  readonly #nodes = new NameIndex()
   /** The cell of an element that is a hexahedron of 8 nodes. */
-  readonly #cells = new Map<string, number>()
+  readonly #cells = new NameIndex()
 
   constructor(file: MeshFile, options: ReadOptions) {
+    this.#file = file
     this.#text = new RowText('Code_Aster', blanked(file, ','), options, /^\s*%/)
     this.#builder = this.#text.builder
     this.#progress = progressOf(file, options)
+    this.#onChunk = position => {
+      options.throwIfCancelled()
+      options.onProgress(position / file.size)
+    }
   }
 
   read() {
@@ -73,10 +82,10 @@ class AsterReader {
         this.#points()
       } else if (TYPES[name] !== undefined) {
         this.#passHeading()
-        text.later(() => this.#elements(name))
+        text.later(() => this.#elements(name, text.cursor.position))
         this.#passRest()
       } else if (name === 'GROUP_MA') {
-        text.later(() => this.#group())
+        text.later(() => this.#group(text.cursor.position))
         this.#passRest()
       } else if (/^(?:TITRE|GROUP_NO|DUMP|DEBUG)$/.test(name)) this.#passRest()
       else text.refuse(`${shown(word)} stands where a keyword was expected, as COOR_3D or HEXA8.`)
@@ -126,42 +135,86 @@ class AsterReader {
 
   #points(): void {
     const { cursor } = this.#text
-    for (let name = this.#next(); name !== null; name = this.#next()) {
-      if (this.#nodes.has(name)) this.#text.refuse(`node ${shown(name)} is defined twice.`)
-      this.#nodes.set(name, this.#builder.point(...this.#builder.readPoint(cursor)))
+    for (;;) {
+      if (this.#pointRows()) continue
+      const name = this.#next()
+      if (name === null) return
+      const word = new NameWords(fileOfBytes('', new TextEncoder().encode(name)), 0, () => {})
+      word.next()
+      if (this.#nodes.get(word) >= 0) this.#text.refuse(`node ${shown(name)} is defined twice.`)
+      this.#nodes.set(word, this.#builder.point(...this.#builder.readPoint(cursor)))
     }
   }
 
-  #elements(type: string): void {
+  /** Takes many lines with names of the same beginning; false if there are none. */
+  #pointRows(): boolean {
+    const { cursor, builder } = this.#text
+    cursor.skipBlanks()
+    const [, stem] = /^([^\s\d%]{0,16})\d{1,15}\s/.exec(cursor.peekLine(64)) ?? []
+    const rows = stem === undefined ? null : this.#text.rows('wrrr', { before: stem })
+    if (rows === null || stem === undefined) return false
+    const numbers = this.#nodes.numbers(stem)
+    const first = builder.pointCount
+    numbers.expect(first + rows.ahead)
+    for (let row = 0; row < rows.count; ++row) {
+      const number = rows.numbers[4 * row] as number
+      if (numbers.get(number) >= 0) this.#text.refuse(`node ${shown(`${stem}${number}`)} is defined twice.`)
+      numbers.set(number, first + row)
+    }
+    builder.pointRows(rows)
+    return true
+  }
+
+  #words(from: number): NameWords {
+    return new NameWords(this.#file, from, this.#onChunk)
+  }
+
+  /** Reads the next name of a part of the file; false at its end. Refuses a file that ends before. */
+  #hasName(words: NameWords): boolean {
+    if (!words.next()) this.#text.refuse('the file ends where FINSF was expected.')
+    return words.number >= 0 || words.text().toUpperCase() !== 'FINSF'
+  }
+
+  #elements(type: string, from: number): void {
     const [cell, size] = TYPES[type] as readonly [OtherCell | 'hexahedron', number]
-    const nodes: number[] = []
-    for (let name = this.#next(); name !== null; name = this.#next()) {
-      nodes.length = 0
-      for (let i = 0; i < size; ++i) {
-        const node = this.#next() ?? this.#text.refuse(`element ${shown(name)} has ${i} nodes; ${type} has ${size}.`)
-        const point = this.#nodes.get(node)
-        if (point === undefined)
-          this.#text.refuse(`element ${shown(name)} names node ${shown(node)}, which is not defined.`)
-        nodes.push(point)
+    const isTrilinear = cell === 'hexahedron' && size === 8
+    const builder = this.#builder
+    const words = this.#words(from)
+    const nodes = Array.from({ length: size }, () => 0)
+    let name = ''
+    const refuse = (what: string) =>
+      this.#text.cursor.refuse(`element ${shown(name)} ${what}`, lineAt(this.#file, words.position))
+    while (this.#hasName(words)) {
+      name = words.text()
+      if (isTrilinear) {
+        if (this.#cells.get(words) >= 0) refuse('is defined twice.')
+        this.#cells.set(words, builder.cellCount)
       }
-      if (cell !== 'hexahedron') this.#builder.otherCell(cell)
-      else if (size === 8) this.#cells.set(name, this.#builder.hexahedron(nodes, name))
-      else this.#builder.quadraticCell(nodes.slice(0, 8), nodes.slice(8))
+      for (let i = 0; i < size; ++i) {
+        if (!this.#hasName(words)) refuse(`has ${i} nodes; ${type} has ${size}.`)
+        const point = this.#nodes.get(words)
+        if (point < 0) refuse(`names node ${shown(words.text())}, which is not defined.`)
+        nodes[i] = point
+      }
+      if (cell !== 'hexahedron') builder.otherCell(cell)
+      else if (isTrilinear) builder.hexahedron(nodes, name)
+      else builder.quadraticCell(nodes.slice(0, 8), nodes.slice(8))
     }
   }
 
-  #group(): void {
-    const group = this.#next()
-    if (group === null) return
-    // Its name may stand behind a parameter: NOM = inside.
-    let name = group
-    if (/^NOM/i.test(group)) {
-      const rest = group.includes('=') ? group.slice(group.indexOf('=') + 1) : (this.#next() ?? '')
-      name = (rest === '' || rest === '=' ? this.#next() : rest) ?? ''
-    }
-    for (let element = this.#next(); element !== null; element = this.#next()) {
-      const cell = this.#cells.get(element)
-      if (cell !== undefined) this.#builder.inBlock(name, cell)
+  #group(from: number): void {
+    const words = this.#words(from)
+    let name: string | null = null
+    while (this.#hasName(words)) {
+      if (name === null || /^NOM(?:\s*=\s*)?$/i.test(name)) {
+        // Its name may stand behind a parameter: NOM = inside.
+        const text = words.text()
+        if (text === '=') continue
+        name = /^NOM=./i.test(text) ? text.slice(4) : text
+        continue
+      }
+      const cell = this.#cells.get(words)
+      if (cell >= 0) this.#builder.inBlock(name, cell)
     }
   }
 }

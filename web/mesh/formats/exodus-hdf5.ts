@@ -2,7 +2,8 @@
 import type { Hdf5Dataset, Hdf5File } from '../hdf5/hdf5-file'
 import type { Mesh } from '../mesh'
 import type { MeshFile, ReadOptions } from '../source'
-import { exodusMesh, isExodus, type Variable, type Variables } from './exodus-model'
+import { exodusMesh, isExodus } from './exodus-model'
+import type { Variable, Variables } from './netcdf-variables'
 
 export function isExodusHdf5(hdf5: Hdf5File): boolean {
   return isExodus(hdf5.names('/'))
@@ -26,6 +27,10 @@ function variableOf(hdf5: Hdf5File, dataset: Hdf5Dataset): Variable {
     floatsFrom: null,
     text: attribute => hdf5.textAttribute(dataset.path, attribute),
     numbers: (from, into) => dataset.read(from, into),
+    indices(from, into) {
+      dataset.read(from, into)
+      return null
+    },
     strings: () => dataset.strings(),
   }
 }

@@ -1,38 +1,23 @@
 /**
  * The content of an Exodus II file, whatever holds its variables: netCDF classic or HDF5. `connectN` has the nodes of block N's elements,
  * counted from 1; `elem_num_map` the ids of all elements, one block after the other; `eb_names` and `eb_prop1` what the blocks are called.
+ * The coordinates at a time are those of the file and the displacements of its nodes, if it has these.
  */
 import type { Mesh } from '../mesh'
 import { MeshBuilder, type OtherCell } from '../mesh-builder'
 import { float32Note, largestOf } from '../precision'
 import type { MeshFile, ReadOptions } from '../source'
+import { sameMeshNote, stepNote } from '../step-note'
 import { shown } from '../text-cursor'
-
-export interface Variable {
-  /** Lengths of its dimensions, the slowest first; none for a single number. */
-  readonly shape: readonly number[]
-  readonly isFloat32: boolean
-  /** The byte of its first number in the file, big-endian, if all lie there one after the other as floats; else null. */
-  readonly floatsFrom: number | null
-  /** The text of an attribute; null if it has none of that name, or one of numbers. */
-  text(attribute: string): string | null
-  /** Fills `into` with its numbers, of any type, from number `from` of all on: `from + into.length` is at most their count. */
-  numbers(from: number, into: Float64Array): void
-  /** Its strings: characters along the last dimension, up to the first zero. */
-  strings(): readonly string[]
-}
-
-/** The variables of a netCDF file, by name. */
-export interface Variables {
-  readonly names: readonly string[]
-  /** Null if there is none of that name. */
-  variable(name: string): Variable | null
-}
+import { Displacements } from './exodus-displacements'
+import { lengthOf, type Variable, type Variables } from './netcdf-variables'
 
 /** Numbers that are read at once. */
 const AT_ONCE = 65_536
 /** Nodes of one element. */
 const MOST_NODES = 1024
+/** Numbers of blocks, and times. */
+const MOST_SMALL = 1_000_000
 
 const OTHER: readonly (readonly [RegExp, OtherCell])[] = [
   [/^TET/, 'tetrahedron'],
@@ -99,7 +84,7 @@ class ExodusReader {
   }
 
   mesh(): Mesh {
-    this.#points()
+    this.#points(this.#displacements())
     const blocks = this.#blocks()
     const ids = this.#variables.variable('elem_num_map')
     const elements = blocks.reduce((sum, { count }) => sum + count, 0)
@@ -110,7 +95,6 @@ class ExodusReader {
       this.#read(block, first, ids)
       first += block.count
     }
-    this.#steps()
     return this.#builder.mesh()
   }
 
@@ -123,7 +107,7 @@ class ExodusReader {
     }
   }
 
-  #points(): void {
+  #points(moved: Displacements | null): void {
     const builder: MeshBuilder = this.#builder
     const whole = this.#variables.variable('coord')
     const [dimensions = 0, count = 0] = whole?.shape ?? []
@@ -139,25 +123,31 @@ class ExodusReader {
     // No more than the file can have, whatever it says.
     builder.reserve(Math.min(x.length, this.#size / 12), 0)
     const { isFloat32 } = x.variable
+    moved?.expect(x.length)
     let largest = 0
-    const [xs, ys, zs] = [0, 1, 2].map(() => new Float64Array(Math.min(AT_ONCE, x.length))) as Triple
+    const column = new Float64Array(Math.min(AT_ONCE, x.length))
     this.#inChunks(x.length, 1, (from, some) => {
-      x.variable.numbers(x.first + from, xs.subarray(0, some))
-      y.variable.numbers(y.first + from, ys.subarray(0, some))
-      z?.variable.numbers(z.first + from, zs.subarray(0, some))
-      for (let i = 0; i < some; ++i) builder.point(xs[i] as number, ys[i] as number, zs[i] as number)
-      if (isFloat32) largest = Math.max(largest, largestOf(xs), largestOf(ys), largestOf(zs))
+      const points = builder.morePoints(some)
+      for (const [axis, own] of [x, y, z].entries()) {
+        if (own === null || own.variable.axis?.(own.first + from, points, axis)) continue
+        const values = column.subarray(0, some)
+        own.variable.numbers(own.first + from, values)
+        for (let i = 0; i < some; ++i) points[3 * i + axis] = values[i] as number
+      }
+      if (isFloat32) largest = Math.max(largest, largestOf(points))
+      moved?.add(from, points)
     })
     const note = float32Note(largest)
     if (note !== null) builder.note(note)
     const from = axes.map(axis => axis && placeOf(axis))
-    if (axes.every(axis => axis?.variable.isFloat32 === isFloat32) && from.every(place => place !== null))
+    if (!moved && axes.every(axis => axis?.variable.isFloat32 === isFloat32) && from.every(place => place !== null))
       builder.coordinatePlaces = {
         kind: 'blocks',
         blocks: [{ count: x.length, from: from as [number, number, number], stride: isFloat32 ? 4 : 8 }],
         type: isFloat32 ? 'float32' : 'float64',
         isLittleEndian: false,
       }
+    for (const sentence of moved?.notes() ?? []) builder.note(sentence)
   }
 
   #blocks(): ElementBlock[] {
@@ -203,30 +193,36 @@ class ExodusReader {
     if (width < 8) builder.refuse(`the elements of ${connect.name} are of type ${shown(type)} and have ${width} nodes.`)
     if (width > MOST_NODES)
       builder.refuse(`the elements of ${connect.name} have ${width} nodes, more than elements have.`)
-    if (width === 8) builder.reserve(0, Math.min(count, this.#size / 8))
     const points = builder.pointCount
-    const nodes = new Float64Array(Math.min(count, Math.max(1, Math.floor(AT_ONCE / width))) * width)
-    const own = new Float64Array(nodes.length / width)
+    const most = Math.min(count, Math.max(1, Math.floor(AT_ONCE / width)))
+    const nodes = new Uint32Array(width === 8 ? 0 : most * width)
+    const own = new Float64Array(most)
+    if (width === 8) builder.reserve(0, Math.min(count, this.#size / 8))
     this.#inChunks(count * width, width, (from, some) => {
-      connect.variable.numbers(from, nodes.subarray(0, some))
-      const before = first + from / width
-      const elements = some / width
+      const [before, elements] = [first + from / width, some / width]
       if (ids === null) for (let i = 0; i < elements; ++i) own[i] = before + i + 1
       else ids.numbers(before, own.subarray(0, elements))
-      for (let i = 0; i < some; ++i) {
-        const node = nodes[i] as number
-        if (!(node >= 1 && node <= points && Number.isInteger(node)))
-          builder.refuse(
-            `element ${own[Math.floor(i / width)]} in ${connect.name} names node ${node}; the nodes are 1 to ${points}.`,
-          )
+      const refuseAt = (at: number, value: number | string | undefined) =>
+        builder.refuse(
+          `element ${own[Math.floor(at / width)]} in ${connect.name} names node ${value}; the nodes are 1 to ${points}.`,
+        )
+      const fill = (list: Uint32Array) => {
+        const bad = connect.variable.indices(from, list)
+        if (bad !== null) refuseAt(bad.at, bad.value)
       }
       if (width === 8) {
-        builder.restInBlock(name, builder.hexahedra(nodes.subarray(0, some), 1, own))
+        const cells = builder.cellCount
+        const fillIndices = (list: Uint32Array) => connect.variable.indicesFrom1?.(from, list, points) ?? false
+        builder.hexahedraFilled(elements, { fillIndices, fill, ids: own, refuseAt })
+        builder.restInBlock(name, cells)
         return
       }
+      fill(nodes.subarray(0, some))
       for (let at = 0; at < some; at += width) {
-        const all = Array.from(nodes.subarray(at, at + width), node => node - 1)
-        builder.quadraticCell(all.slice(0, 8), all.slice(8))
+        const cell = Array.from(nodes.subarray(at, at + width), node => node - 1)
+        const bad = cell.findIndex(node => !(node >= 0 && node < points))
+        if (bad >= 0) refuseAt(at + bad, nodes[at + bad])
+        builder.quadraticCell(cell.slice(0, 8), cell.slice(8))
       }
     })
   }
@@ -234,30 +230,31 @@ class ExodusReader {
   /** The numbers of a short variable; none if it is not there. */
   #small(name: string): Float64Array {
     const variable = this.#variables.variable(name)
-    const values = new Float64Array(variable === null ? 0 : Math.min(AT_ONCE, lengthOf(variable)))
+    const count = variable === null ? 0 : lengthOf(variable)
+    if (count > MOST_SMALL) this.#builder.refuse(`${name} has ${count} numbers; no more than ${MOST_SMALL} are read.`)
+    const values = new Float64Array(count)
     variable?.numbers(0, values)
     return values
   }
 
-  /** Displacements are results: the mesh of all steps is the same. */
-  #steps(): void {
+  /** Of the time step that is read; null without displacements or times. */
+  #displacements(): Displacements | null {
+    const builder: MeshBuilder = this.#builder
     const times = this.#small('time_whole')
-    if (times.length === 0) return
+    const count = times.length
+    if (count === 0) return null
     const { step } = this.#options
-    const at = step === 'last' ? times.length - 1 : step
-    if (at >= times.length) this.#builder.refuse(`it has ${times.length} time steps, and step ${at + 1} was asked for.`)
-    this.#builder.steps = Array.from(times, String)
-    if (times.length > 1) this.#builder.note(`The mesh is the same at all ${times.length} time steps of the file.`)
+    const at = step === 'last' ? count - 1 : step
+    if (at >= count) builder.refuse(`it has ${count} time steps, and step ${at + 1} was asked for.`)
+    const moved = Displacements.of(this.#variables, { step: at, count }, what => builder.refuse(what))
+    builder.steps = Array.from(times, String)
+    builder.isSteady = moved === null
+    if (count > 1)
+      builder.note(moved === null ? `${sameMeshNote(count)} It has no displacements.` : stepNote(builder.steps, at))
+    return moved
   }
 }
 
 function placeOf({ variable, first }: { readonly variable: Variable; readonly first: number }): number | null {
   return variable.floatsFrom === null ? null : variable.floatsFrom + first * (variable.isFloat32 ? 4 : 8)
-}
-
-type Triple = [Float64Array, Float64Array, Float64Array]
-
-/** The count of all its numbers. */
-export function lengthOf({ shape }: Pick<Variable, 'shape'>): number {
-  return shape.reduce((product, length) => product * length, 1)
 }

@@ -1,5 +1,5 @@
 /**
- * FLAC3D's grids in text: G lines with gridpoints, Z lines with zones, ZGROUP with names of zones. A brick has its own order: a corner, the three
+ * FLAC3D's grids. In text: G lines with gridpoints, Z lines with zones, ZGROUP with names of zones. A brick has its own order: a corner, the three
  * beside it along x, y and z, then xy, yz and xz, and the one across.
  */
 import { IdIndex } from '../id-index'
@@ -8,6 +8,7 @@ import { headText } from '../snippet-text'
 import type { MeshFormat } from '../source'
 import { shown } from '../text-cursor'
 import { wordTable } from '../word-table'
+import { binaryFlac3d, isBinaryFlac3d } from './flac3d-binary'
 import { blanked, RowText } from './row-text'
 
 const MOST_IN_LINE = 100_000
@@ -23,6 +24,7 @@ const TYPES: Readonly<Record<string, OtherCell | 'hexahedron'>> = wordTable({
 export const flac3d: MeshFormat = {
   name: 'FLAC3D',
   recognizes: head => {
+    if (isBinaryFlac3d(head)) return 'yes'
     const text = headText(head)
     if (/^\$/m.test(text)) return 'no'
     return /^[ \t]{0,20}\*\s{0,9}FLAC3D/im.test(text) || /^G[ \t]+\d+(?:[ \t,]+[-+.\deE]+){3}[ \t]*\r?$/m.test(text)
@@ -30,6 +32,7 @@ export const flac3d: MeshFormat = {
       : 'no'
   },
   read(given, options) {
+    if (isBinaryFlac3d(given.read(0, Math.min(given.size, 8)))) return [binaryFlac3d(given, options, ORDER)]
     const text = new RowText('FLAC3D', blanked(given, ','), options, /^\s*[*;]/)
     const { builder, cursor } = text
     const cellOfId = new IdIndex()

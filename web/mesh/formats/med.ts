@@ -8,6 +8,7 @@ import { MeshBuilder } from '../mesh-builder'
 import { float32Note, largestOf } from '../precision'
 import { shown } from '../shown'
 import type { MeshFile, ReadOptions } from '../source'
+import { stepNote } from '../step-note'
 import { wordTable } from '../word-table'
 import { addRows, type RowType } from './node-rows'
 
@@ -106,7 +107,7 @@ class MedReader {
     const times = steps.map(name => String(hdf5.numberAttribute(within(this.#path, name), 'PDT') ?? name))
     if (steps.length > 1) {
       this.#builder.steps = times
-      this.#builder.note(`Time step ${at + 1} of ${steps.length} was read: ${shown(times[at] ?? '')}.`)
+      this.#builder.note(stepNote(times, at))
     }
     return within(this.#path, own)
   }

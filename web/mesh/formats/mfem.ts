@@ -239,7 +239,10 @@ class MfemReader {
   }
 
   #geometry(number = this.#cursor.number('a geometry')): (typeof GEOMETRIES)[number] {
-    return GEOMETRIES[number] ?? this.#cursor.refuse(`an element has geometry ${number}; 0 to 7 were expected.`)
+    const known = GEOMETRIES[number]
+    if (known !== undefined) return known
+    const which = Number.isFinite(number) ? `geometry ${number}` : 'a geometry that is no number'
+    return this.#cursor.refuse(`an element has ${which}; 0 to 7 were expected.`)
   }
 
   #readIds(count: number): boolean {

@@ -3,10 +3,11 @@
  * one run of numbers; those along the record dimension lie together, one record of each after another.
  */
 import { BinaryCursor } from '../binary-cursor'
+import { copySwappedIndices, copySwappedToThirds } from '../endian'
 import { FileChunk } from '../file-chunk'
 import type { MeshFile } from '../source'
 import { shown } from '../text-cursor'
-import { lengthOf, type Variable, type Variables } from './exodus-model'
+import { lengthOf, type Variable, type Variables } from './netcdf-variables'
 import { type NumberType, putNumbers, sizeOf } from './vtk-numbers'
 
 /** Types by their number, from 1 on; characters are bytes. */
@@ -209,6 +210,33 @@ class ClassicVariable implements Variable {
     })
   }
 
+  indices(from: number, into: Uint32Array): { readonly at: number; readonly value: string } | null {
+    let none: ReturnType<typeof putNumbers> = null
+    this.#read(from, into.length, (bytes, at) => {
+      const bad = none === null ? putNumbers(this.#declared.type, bytes, true, into, at) : null
+      if (bad !== null) none = { ...bad, at: at + bad.at }
+    })
+    return none
+  }
+
+  axis(from: number, into: Float64Array, axis: number): boolean {
+    if (this.#declared.type !== 'Float64') return false
+    const words = new Uint32Array(into.buffer, into.byteOffset, 2 * into.length)
+    this.#read(from, into.length / 3, (bytes, at) => {
+      copySwappedToThirds(wordsOf(bytes), words.subarray(2 * (3 * at + axis)))
+    })
+    return true
+  }
+
+  indicesFrom1(from: number, into: Uint32Array, count: number): boolean {
+    if (this.#declared.type !== 'Int32') return false
+    let areAll = true
+    this.#read(from, into.length, (bytes, at) => {
+      areAll = copySwappedIndices(wordsOf(bytes), into.subarray(at), count - 1) && areAll
+    })
+    return areAll
+  }
+
   strings(): readonly string[] {
     const { name } = this.#declared
     const count = lengthOf(this)
@@ -235,6 +263,10 @@ class ClassicVariable implements Variable {
       done += some
     }
   }
+}
+
+function wordsOf({ buffer, byteOffset, length }: Uint8Array): Uint32Array {
+  return new Uint32Array(buffer, byteOffset, length / 4)
 }
 
 function bytesOf({ own, type }: Declared): number {

@@ -8,6 +8,9 @@ import { headText } from '../snippet-text'
 import type { MeshFormat } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 
+/** What a line of comment begins with. */
+const HASH = 35
+
 export const ovm: MeshFormat = {
   name: 'OVM',
   recognizes: head => (/^\s{0,100}OVM\s+(?:ASCII|BINARY)/i.test(headText(head, 200)) ? 'yes' : 'no'),
@@ -16,10 +19,15 @@ export const ovm: MeshFormat = {
     const cursor = new TextCursor(file)
     cursor.word()
     if (cursor.word().toUpperCase() === 'BINARY') builder.refuse('this OVM file is binary: save it as ASCII.')
+    const passComments = () => {
+      for (cursor.skipBlanks(); cursor.peek() === HASH; cursor.skipBlanks()) cursor.skipLine()
+    }
     const count = (name: string): number => {
+      passComments()
       const word = cursor.word()
       if (word.toLowerCase() !== name.toLowerCase())
         cursor.refuse(`${shown(word)} stands where “${name}” was expected.`)
+      passComments()
       const value = cursor.count(`the number of ${name}`)
       // An entry has at least one digit and a blank.
       if (2 * value > file.size) cursor.refuse(`the file is too short for ${value} ${name}.`)
@@ -28,17 +36,22 @@ export const ovm: MeshFormat = {
       return value
     }
     const index = (most: number, what: string): number => {
+      passComments()
       const value = cursor.count(`the number of ${what}`)
       if (value >= most) cursor.refuse(`${what} ${value} is not there: there are ${most}.`)
       return value
     }
     const list = (most: number, what: string): number[] => {
+      passComments()
       const size = cursor.count('a count')
       if (2 * size > file.size) cursor.refuse(`the file is too short for ${size} entries.`)
       return Array.from({ length: size }, () => index(most, what))
     }
     const points = count('Vertices')
-    for (let i = 0; i < points; i++) builder.point(...builder.readPoint(cursor))
+    for (let i = 0; i < points; i++) {
+      passComments()
+      builder.point(...builder.readPoint(cursor))
+    }
     const edges = count('Edges')
     const ends = Float64Array.from({ length: 2 * edges }, () => index(points, 'vertex'))
     const faceCount = count('Faces')

@@ -23,7 +23,7 @@ const OTHER: readonly (readonly [RegExp, OtherCell])[] = [
   [/^(?:SH3N|TRIA)$/, 'triangle'],
   [/^(?:BEAM|TRUSS|SPRING)$/, 'line'],
 ]
-/** Corners and middles of a brick of 20 nodes: two lines of ten. */
+/** Corners and middles of a brick of 20 nodes, on three lines: eight, then as many as there is room for. */
 const NODES_OF_BRIC20 = 20
 const isKeyword = (line: string) => /^(?:\/|#include\b)/.test(line)
 
@@ -126,15 +126,14 @@ class RadiossReader {
     text.lines(
       isKeyword,
       () => {
-        let line = cursor.nextLine() ?? ''
+        const line = cursor.nextLine() ?? ''
         const id = this.#whole(line, 0, 'the number of an element')
         const nodes = Array.from({ length: 8 }, (_, v) => this.#whole(line, v + 1, 'the number of a node'))
-        if (isQuadratic)
-          for (const first of [8, 18]) {
-            line = cursor.nextLine() ?? ''
-            for (let v = first; v < Math.min(first + 10, NODES_OF_BRIC20); ++v)
-              nodes.push(this.#whole(line, v - first, 'the number of a node'))
-          }
+        while (isQuadratic && nodes.length < NODES_OF_BRIC20) {
+          const more = (cursor.nextLine() ?? '').trimEnd()
+          const count = Math.min(Math.max(1, Math.ceil(more.length / ID_WIDTH)), NODES_OF_BRIC20 - nodes.length)
+          for (let field = 0; field < count; ++field) nodes.push(this.#whole(more, field, 'the number of a node'))
+        }
         if (isQuadratic || !this.#isOther(nodes)) text.hexahedron(id, nodes, put)
       },
       () => {

@@ -114,8 +114,8 @@ interface Numbers {
   end(): void
   /** The places of the coordinates, which have been read last. */
   places(): CoordinatePlaces | null
-  /** A note about their precision. */
-  note(): string | null
+  /** Notes about their precision, and about their records. */
+  notes(): readonly (string | null)[]
 }
 
 function read(numbers: Numbers, builder: MeshBuilder): void {
@@ -134,8 +134,7 @@ function read(numbers: Numbers, builder: MeshBuilder): void {
       builder.point(values[i] as number, values[i + 1] as number, values[i + 2] as number)
   })
   builder.coordinatePlaces = numbers.places()
-  const note = numbers.note()
-  if (note !== null) builder.note(note)
+  for (const note of numbers.notes()) if (note !== null) builder.note(note)
   pass(numbers, 3 * triangles + 4 * quadrilaterals, 'points of faces')
   pass(numbers, triangles + quadrilaterals, 'numbers of the boundary')
   pass(numbers, 4 * tetrahedra + 5 * pyramids + 6 * wedges, 'points of cells')
@@ -236,8 +235,8 @@ class TextNumbers implements Numbers {
     return this.#isPlain && this.#from >= 0 ? { kind: 'run', from: this.#from, to: this.#to } : null
   }
 
-  note(): string | null {
-    return null // the builder has seen the digits
+  notes(): readonly (string | null)[] {
+    return [] // the builder has seen the digits
   }
 }
 
@@ -264,7 +263,10 @@ class BinaryNumbers implements Numbers {
   readonly #cursor: BinaryCursor
   readonly #kind: Kind
   readonly #onSome: (position: number) => void
+  #recordLength = 0
   #recordEnd = 0
+  /** True if a record has the same length in front and behind, and another one in between. */
+  #hasWrongLengths = false
   #largest = 0
   /** The byte of the first coordinate. */
   #from = -1
@@ -294,13 +296,17 @@ class BinaryNumbers implements Numbers {
   begin(): void {
     if (!this.#kind.hasRecords) return
     const length = this.#cursor.int32('the length of a record')
+    this.#recordLength = length
     this.#recordEnd = this.#cursor.position + length
   }
 
   end(): void {
     if (!this.#kind.hasRecords) return
-    if (this.#cursor.position !== this.#recordEnd) this.refuse('the record ends elsewhere than its length says.')
-    this.#cursor.int32('the length of a record')
+    const isRight = this.#cursor.position === this.#recordEnd
+    const length = this.#cursor.int32('the length of a record')
+    if (isRight) return
+    if (length !== this.#recordLength) this.refuse('the record ends elsewhere than its length says.')
+    this.#hasWrongLengths = true
   }
 
   coordinates(into: Float64Array): void {
@@ -317,8 +323,13 @@ class BinaryNumbers implements Numbers {
     return { kind: 'block', from: this.#from, type: floatBytes === 8 ? 'float64' : 'float32', isLittleEndian }
   }
 
-  note(): string | null {
-    return this.#kind.floatBytes === 4 ? float32Note(this.#largest) : null
+  notes(): readonly (string | null)[] {
+    return [
+      this.#kind.floatBytes === 4 ? float32Note(this.#largest) : null,
+      this.#hasWrongLengths
+        ? 'The lengths of its records are wrong, as meshio writes them; they were passed over.'
+        : null,
+    ]
   }
 
   indices(into: Float64Array, what: string): void {

@@ -2,6 +2,7 @@
 import { inParts } from '../in-parts'
 import { type Block, type CoordinatePlaces, type Mesh, MOST_IMPLIED_CELLS } from '../mesh'
 import { float32Note, largestOf, printedDigits } from '../precision'
+import { sameMeshNote, stepNote } from '../step-note'
 import type { CellData } from './vtk-cell-data'
 import { VOXEL_ORDER, VTK_HEXAHEDRON, VTK_POLYHEDRON, vtkCellTypes } from './vtk-cells'
 import { areNodesAtMiddles, type Precision, toleranceOf } from './vtk-middles'
@@ -45,6 +46,7 @@ export class VtkMesh {
   #digits = 0
   coordinatePlaces: CoordinatePlaces | null = null
   steps: readonly string[] = []
+  isSteady = false
   /** True if the file ends before it should, or leaves cells out. */
   isCutOff = false
 
@@ -55,6 +57,12 @@ export class VtkMesh {
 
   note(sentence: string): void {
     this.#notes.push(sentence)
+  }
+
+  /** Says which of its steps was read, or that all are the same. */
+  noteSteps(step: number | 'last'): void {
+    const { length } = this.steps
+    if (length > 1) this.note(this.isSteady ? sameMeshNote(length) : stepNote(this.steps, step))
   }
 
   /** Adds a grid, with its cells as a block of this name if there is one. Refuses cells that name points that do not exist. */
@@ -247,6 +255,7 @@ export class VtkMesh {
       isCutOff: this.isCutOff,
       coordinatePlaces: this.#points.length === 1 && points.length > 0 ? this.coordinatePlaces : null,
       steps: this.steps,
+      isSteady: this.isSteady,
     }
   }
 }

@@ -1,5 +1,5 @@
 /** The numbers of VTK's files in their binary types, of either byte order, as lists of doubles or of indices. */
-import { copySwapped, swapBytes, swappedWord } from '../endian'
+import { copySwapped, copySwappedWords, swapBytes, swappedWord } from '../endian'
 import { wordTable } from '../word-table'
 
 const ARRAYS = wordTable({
@@ -56,6 +56,10 @@ export function putNumbers(
       new Uint32Array(list.buffer, list.byteOffset + 8 * from, 2 * count),
     )
     return null
+  }
+  if (isSwapped && (type === 'Int32' || type === 'UInt32') && list instanceof Uint32Array) {
+    const signs = copySwappedWords(new Uint32Array(buffer, byteOffset, count), list.subarray(from, from + count))
+    if (type === 'UInt32' || signs >= 0) return null
   }
   if (isSwapped) swapBytes(bytes, sizeOf(type))
   if (isLong) {

@@ -34,6 +34,7 @@ export function readVtkHdf(hdf5: Hdf5File, _: MeshFile, options: ReadOptions): r
       else mesh.note(`Block ${shown(name)} is of type ${shown(own)} and was left out: unstructured grids are read.`)
     }
   } else hdf5.refuse(`it holds data of type ${shown(type)}; unstructured grids and collections of them are read.`)
+  mesh.noteSteps(options.step)
   return [mesh.mesh()]
 }
 
@@ -171,20 +172,22 @@ class GridReader {
     const at = step === 'last' ? times.length - 1 : step
     if (at < 0 || at >= times.length)
       hdf5.refuse(`it has ${times.length} time steps, and step ${at + 1} was asked for.`)
-    if (this.#mesh.steps.length === 0) {
-      this.#mesh.steps = Array.from(times, String)
-      if (times.length > 1)
-        this.#mesh.note(`Time step ${at + 1} of ${times.length} was read: ${shown(String(times[at]))}.`)
+    const mesh: VtkMesh = this.#mesh
+    const values = Array.from(times, String)
+    if (mesh.steps.length === 0) {
+      mesh.steps = values
+      mesh.isSteady = true
     }
+    if (values.join() !== mesh.steps.join()) hdf5.refuse(`${shown(steps)} has other times than the block before.`)
     const numberOf = (name: string): number => {
       const dataset = hdf5.dataset(steps, name)
       // Several a step where there are several kinds of cells; unstructured grids have one.
       const width = dataset.count / times.length
       if (!Number.isInteger(width) || width === 0)
         hdf5.refuse(`${shown(dataset.path)} has ${dataset.count} numbers for ${times.length} time steps.`)
-      const own = new Uint32Array(1)
-      dataset.read(width * at, own)
-      return own[0] as number
+      const numbers = dataset.all(Uint32Array)
+      if (numbers.some((number, i) => number !== numbers[i % width])) mesh.isSteady = false
+      return numbers[width * at] as number
     }
     if (all > 1 && hdf5.kind(steps, 'NumberOfParts') === null)
       hdf5.refuse('it has several parts, and Steps has no NumberOfParts.')

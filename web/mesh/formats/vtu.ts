@@ -80,9 +80,11 @@ function readSources(document: VtkDocument, file: MeshFile, options: ReadOptions
     refuse(file, `it has ${steps.length} time steps, and step ${step + 1} was asked for.`)
   const names = isCollection ? (steps[step]?.files ?? []) : piecesOf(document)
   if (names.length === 0) refuse(file, `it names no ${isCollection ? 'file' : 'piece'}.`)
-  if (isCollection) mesh.steps = steps.map(({ time }) => time)
-  if (steps.length > 1)
-    mesh.note(`Time step ${step + 1} of ${steps.length} was read: ${shown(steps[step]?.time ?? '')}.`)
+  if (isCollection) {
+    mesh.steps = steps.map(({ time }) => time)
+    mesh.isSteady = steps.every(({ files }) => files.join('\n') === names.join('\n'))
+    mesh.noteSteps(options.step)
+  }
   const found = names.map(name => options.find(name))
   const missing = names.filter((_, i) => found[i] === null)
   if (missing.length > 0) {

@@ -94,6 +94,7 @@ class XdmfReader {
   readonly #hdf5: Hdf5Source | null
   readonly #root: XmlNode
   readonly #mesh: VtkMesh
+  readonly #paths = new Map<string, readonly XmlNode[] | null>()
   /** The text of the coordinates of the only grid. */
   #places: { readonly from: number; readonly to: number } | null = null
 
@@ -123,6 +124,7 @@ class XdmfReader {
       ({ topology, geometry }, i) =>
         parts.findIndex(other => other.topology === topology && other.geometry === geometry) === i,
     )
+    this.#mesh.noteSteps(this.#options.step)
     for (const { name, topology, geometry } of own) this.#grid(topology, geometry, own.length > 1 ? name : null)
     if (own.length === 1 && this.#places !== null) this.#mesh.coordinatePlaces = { kind: 'run', ...this.#places }
     return this.#mesh.mesh()
@@ -140,7 +142,7 @@ class XdmfReader {
 
   #step(collection: XmlNode, grids: readonly XmlNode[]): readonly XmlNode[] {
     const listed = this.#listedTimes(collection)
-    const times = grids.map((grid, i) => childrenOf(grid, 'Time')[0]?.attributes.get('Value') ?? listed[i] ?? String(i))
+    const times = grids.map((grid, i) => childrenOf(grid, 'Time')[0]?.attributes.get('Value') ?? listed[i] ?? '')
     const { step } = this.#options
     const at = step === 'last' ? grids.length - 1 : step
     const grid = grids[at]
@@ -150,17 +152,46 @@ class XdmfReader {
     if (!isFirst && this.#mesh.steps.length !== times.length)
       this.#refuse(`its collections have ${this.#mesh.steps.length} and ${times.length} time steps.`)
     this.#mesh.steps = times
-    if (isFirst && grids.length > 1)
-      this.#mesh.note(`Time step ${at + 1} of ${grids.length} was read: ${shown(times[at] as string)}.`)
+    const first = this.#meshIn(grid)
+    const isSteady = grids.every(one => this.#meshIn(one) === first)
+    this.#mesh.isSteady = isSteady && (isFirst || this.#mesh.isSteady)
     return this.#leaves(grid)
   }
 
-  /** Times that the collection has for all of its grids, as a list. */
+  /** A text that two grids have in common if their topologies and geometries are the same parts of the files; any other if they are refused. */
+  #meshIn(grid: XmlNode): string {
+    const type = (grid.attributes.get('GridType') ?? 'Uniform').toUpperCase()
+    if (type !== 'UNIFORM')
+      return childrenOf(grid, 'Grid')
+        .map(one => this.#meshIn(one))
+        .join('|')
+    try {
+      return [this.#partOf(grid, 'Topology'), this.#partOf(grid, 'Geometry')].map(part => this.#placeOf(part)).join('+')
+    } catch (error) {
+      if (!(error instanceof MeshRefusal)) throw error
+      return `refused at ${grid.from}`
+    }
+  }
+
+  /** Where the numbers of a part of a grid are: their own place in the file, or that in another file. */
+  #placeOf(part: XmlNode): string {
+    const items = childrenOf(part, 'DataItem').map(item => this.#resolvedItem(item))
+    if (items.length === 0) return `${part.from}`
+    const written = (node: XmlNode) => [...node.attributes].map(([name, value]) => `${name}=${value}`).join(' ')
+    const placed = (item: XmlNode) => (formatOf(item) === 'XML' ? item.from : `${written(item)}: ${this.#word(item)}`)
+    return [written(part), ...items.map(placed)].join(', ')
+  }
+
+  /** Times that the collection has for all of its grids: a list, or the first, the distance and the count. */
   #listedTimes(collection: XmlNode): readonly string[] {
     const [time] = childrenOf(collection, 'Time')
     const [item] = time === undefined ? [] : childrenOf(time, 'DataItem')
-    if (item === undefined || time?.attributes.get('TimeType') !== 'List') return []
-    return Array.from(this.#numbers(item, Float64Array).list, String)
+    const type = time?.attributes.get('TimeType')?.toUpperCase()
+    if (item === undefined || (type !== 'LIST' && type !== 'HYPERSLAB')) return []
+    const numbers = Array.from(this.#numbers(item, Float64Array).list)
+    if (type === 'LIST') return numbers.map(String)
+    const [first = 0, distance = 0] = numbers
+    return childrenOf(collection, 'Grid').map((_, i) => String(first + i * distance))
   }
 
   /** The children of this name, in the grid itself or where it refers to. */
@@ -171,7 +202,7 @@ class XdmfReader {
     const paths =
       reference === undefined ? this.#included(grid) : [reference === 'XML' ? this.#word(own as XmlNode) : reference]
     for (const path of paths) {
-      const nodes = resolved(this.#root, path)
+      const nodes = this.#resolved(path)
       if (nodes === null) this.#refuse(`the reference ${shown(path)} is of a kind that is not read.`)
       const found = nodes.find(node => node.name === name)
       if (found !== undefined && found.attributes.get('Reference') === undefined) return found
@@ -179,10 +210,10 @@ class XdmfReader {
     return this.#refuse(`a grid has no <${name}>.`)
   }
 
-  /** Paths of <xi:include xpointer="xpointer(...)">, by which FEniCS repeats a mesh at each step. */
+  /** Paths of <xi:include xpointer="xpointer(...)">, by which FEniCS repeats a mesh at each step; meshio calls it <ns0:include>. */
   #included(grid: XmlNode): string[] {
     return grid.children
-      .filter(child => child.name === 'xi:include')
+      .filter(({ name }) => name.endsWith(':include'))
       .map(({ attributes }) => {
         const href = attributes.get('href') ?? ''
         if (href !== '') this.#refuse(`it includes ${shown(href)}, which is not read.`)
@@ -196,12 +227,12 @@ class XdmfReader {
       this.#structured(type, topology, geometry)
       return
     }
-    const { points, precision } = this.#points(geometry)
+    const { points, declaredPoints, precision } = this.#points(geometry)
     const cells = type === 'MIXED' ? this.#mixed(topology) : this.#cells(type, topology)
     this.#mesh.add(
       {
         points,
-        declaredPoints: points.length / 3,
+        declaredPoints,
         ...cells,
         declaredCells: cells.types.length,
         hasFaceStreams: false,
@@ -222,11 +253,20 @@ class XdmfReader {
     const connectivity = this.#based(topology, this.#numbers(this.#item(topology), Uint32Array).list)
     const count = connectivity.length / size
     if (!Number.isInteger(count)) this.#refuse(`${connectivity.length} nodes are no cells of ${size} nodes.`)
-    const declared = declaredCells(topology)
+    const declared = this.#declaredCells(topology)
     if (declared !== null && declared !== count) this.#refuse(`${declared} cells are declared, and ${count} are there.`)
     const ends = new Uint32Array(count)
     for (let i = 0; i < count; ++i) ends[i] = size * (i + 1)
     return { connectivity, ends, types: new Uint8Array(count).fill(vtkType) }
+  }
+
+  /** Null where the topology does not say it. */
+  #declaredCells({ attributes }: XmlNode): number | null {
+    const word = attributes.get('NumberOfElements') ?? attributes.get('Dimensions')
+    if (word === undefined) return null
+    const count = Number(word.trim().split(/\s+/)[0])
+    if (!Number.isSafeInteger(count)) this.#refuse(`${shown(word)} is not the number of cells.`)
+    return count
   }
 
   #based({ attributes }: XmlNode, nodes: Uint32Array): Uint32Array {
@@ -260,7 +300,7 @@ class XdmfReader {
       }
       ends[cell] = filled
     }
-    const declared = declaredCells(topology)
+    const declared = this.#declaredCells(topology)
     if (declared !== null && declared !== cell) this.#refuse(`${declared} cells are declared, and ${cell} are there.`)
     return {
       connectivity: this.#based(topology, connectivity.subarray(0, filled)),
@@ -285,19 +325,19 @@ class XdmfReader {
       const points = new Float64Array(3 * x.length)
       for (const [axis, { list }] of axes.entries())
         for (let i = 0; i < list.length; ++i) points[3 * i + axis] = list[i] as number
-      return { points, precision: (axes[0] as (typeof axes)[number]).precision }
+      return { points, declaredPoints: x.length, precision: (axes[0] as (typeof axes)[number]).precision }
     }
     if (type !== 'XYZ' && type !== 'XY') this.#refuse(`a geometry of type ${shown(type)} is not read.`)
     const item = this.#resolvedItem(this.#item(geometry))
-    const { list, precision } = this.#numbers(item, Float64Array)
+    const { list, count, precision } = this.#numbers(item, Float64Array)
     if (type === 'XYZ') {
-      if (list.length % 3 !== 0) this.#refuse(`${list.length} coordinates are no points of three.`)
-      if (formatOf(item) === 'XML') this.#places = { from: item.from, to: item.to }
-      return { points: list, precision }
+      if (count % 3 !== 0) this.#refuse(`${count} coordinates are no points of three.`)
+      if (formatOf(item) === 'XML' && list.length === count) this.#places = { from: item.from, to: item.to }
+      return { points: list.subarray(0, list.length - (list.length % 3)), declaredPoints: count / 3, precision }
     }
     const points = new Float64Array(3 * Math.floor(list.length / 2))
     for (let i = 0; i < list.length; ++i) points[3 * (i >> 1) + (i & 1)] = list[i] as number
-    return { points, precision }
+    return { points, declaredPoints: Math.floor(count / 2), precision }
   }
 
   #structured(type: string, topology: XmlNode, geometry: XmlNode): void {
@@ -348,10 +388,19 @@ class XdmfReader {
     const reference = item.attributes.get('Reference')
     if (reference === undefined) return item
     const path = reference === 'XML' ? this.#word(item) : reference
-    const [found] = resolved(this.#root, path) ?? []
+    const [found] = this.#resolved(path) ?? []
     if (found === undefined || found.attributes.get('Reference') !== undefined)
       this.#refuse(`the reference ${shown(path)} names no item that is there.`)
     return found
+  }
+
+  /** Steps refer to the same parts again and again. */
+  #resolved(path: string): readonly XmlNode[] | null {
+    const known = this.#paths.get(path)
+    if (known !== undefined) return known
+    const nodes = resolved(this.#root, path)
+    this.#paths.set(path, nodes)
+    return nodes
   }
 
   /** The text of an item that is a name or a path. */
@@ -383,10 +432,10 @@ class XdmfReader {
       } as const
       const array = { name: 'DataItem', type, format: 'ascii', offset: 0, from: item.from, to: item.to } as const
       const { list, digits } = readArray(storage, array, count, List)
-      return { list, precision: precisionOf(type, true, digits) }
+      return { list, count, precision: precisionOf(type, true, digits) }
     }
     const list = format === 'HDF' ? this.#hdf(item, count, List) : this.#binary(item, type, count, List)
-    return { list, precision: precisionOf(type, false, 0) }
+    return { list, count, precision: precisionOf(type, false, 0) }
   }
 
   #typeOf({ attributes }: XmlNode): NumberType {
@@ -437,10 +486,12 @@ class XdmfReader {
     if (!/^raw$/i.test(compression)) this.#refuse(`an item packed by ${shown(compression)} is not read.`)
     const name = this.#word(item)
     const file = this.#beside(name)
-    const from = Number(item.attributes.get('Seek') ?? 0)
+    const seek = item.attributes.get('Seek') ?? '0'
+    const from = Number(seek)
     const end = from + count * sizeOf(type)
-    if (!(from >= 0 && end <= file.size))
-      this.#refuse(`${shown(name)} has ${file.size} bytes; numbers up to byte ${end} were expected.`)
+    if (!(Number.isSafeInteger(from) && from >= 0))
+      this.#refuse(`an item begins at byte ${shown(seek)} of ${shown(name)}: a whole number from 0 on was expected.`)
+    if (end > file.size) this.#refuse(`${shown(name)} has ${file.size} bytes; numbers up to byte ${end} were expected.`)
     const isBig = /^big$/i.test(item.attributes.get('Endian') ?? '')
     const list = new List(count)
     for (let at = from; at < end; at += AT_ONCE) {
@@ -463,12 +514,6 @@ function geometryType({ attributes }: XmlNode): string {
 function formatOf({ attributes }: XmlNode): 'XML' | 'HDF' | 'BINARY' {
   const format = (attributes.get('Format') ?? 'XML').toUpperCase()
   return format === 'HDF' || format === 'BINARY' ? format : 'XML'
-}
-
-/** Null where the topology does not say it. */
-function declaredCells({ attributes }: XmlNode): number | null {
-  const word = attributes.get('NumberOfElements') ?? attributes.get('Dimensions')
-  return word === undefined ? null : Number(word.trim().split(/\s+/)[0])
 }
 
 /** All combinations of coordinates along the axes, x first. */

@@ -11,7 +11,7 @@ import {
   widthOf,
 } from './number-table'
 import { EIGHT, knownIds, type PointSet } from './point-set'
-import { CELL_NAME, HEXAHEDRON_NAME, isNamed, NO_CELL_NAME } from './table-names'
+import { CELL_NAME, HEXAHEDRON_NAME, isNamed, NO_CELL_NAME, OTHER_CELL_NAME } from './table-names'
 
 /** Cells of one table: of eight nodes, or of others. */
 export interface CellRows {
@@ -66,6 +66,7 @@ export function cellRowsOf(table: NumberTable, set: PointSet, builder: MeshBuild
   })
   const width = widthOf(table)
   const { rows } = table
+  if (isNamed(table, OTHER_CELL_NAME)) return { table, hexahedra: [], others: rows, ids: null }
   const isList = rows.length === 1 && width > EIGHT
   const flat = rows.flat()
   const isFlat = isList && width % EIGHT === 0 && inRowsOf(flat, EIGHT).every(areDistinct)

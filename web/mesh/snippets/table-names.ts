@@ -7,6 +7,8 @@ export const CELL_NAME =
   /cell|elem|conn|face|quad|tri|tet|hex|brick|topol|simpli|ien|lnods|index|indic|edge|prism|wedge|pyra|^t$|\.t$/i
 export const NO_CELL_NAME = /type|tag|material|region|flag|rank|colou?r|cell_?data|size|shape|count|offset/i
 export const HEXAHEDRON_NAME = /hex|brick|c3d8|q1|cube/i
+/** Cells that are no hexahedra, however many nodes they have. */
+export const OTHER_CELL_NAME = /(?:^|\.)(?:line|edge|triangle|tri|quad|tetra|tet|prism|wedge|pyramid)s?\d*$/i
 export const TRIANGLE_NAME = /tri|face|index|indic|simpli|^t$|\.t$/i
 
 export function isNamed({ names }: NumberTable, pattern: RegExp): boolean {

@@ -159,9 +159,9 @@ export class MovingLens {
   /** A sentence about a vertex that may not move; null for one that may. */
   whyFixed(vertex: number): string | null {
     const { around, whyNot } = this.#chosen ?? { around: null, whyNot: UNKNOWN }
+    if (whyNot !== '') return whyNot
     const isFixed = !this.#isBoundaryFree && around?.onBoundary.includes(vertex)
-    if (isFixed) return `Vertex ${vertex} stays: it is on the boundary of the hexahedra.`
-    return whyNot === '' ? null : whyNot
+    return isFixed ? `Vertex ${vertex} stays: it is on the boundary of the hexahedra.` : null
   }
 
   /** True, and says why, for a vertex that may not move. */

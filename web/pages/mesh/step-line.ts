@@ -1,9 +1,7 @@
-/** The line of the least relative minimum over the steps: where its points are, and what it says. */
+/** The line of the least relative minimum over the steps: where its points are; and a step in words. */
+import type { Answers } from '../../mesh/step-answers'
 import { formatNumber } from '../../model/decimal'
-import type { StepAnswer, StepList } from '../../survey/survey-jobs'
-
-/** Answers by step; null for one that has not been read. */
-export type Answers = readonly (StepAnswer | null)[]
+import type { StepList } from '../../survey/survey-jobs'
 
 export interface LinePoint {
   readonly step: number
@@ -65,66 +63,6 @@ function timesOf({ steps }: StepList, answers: Answers): readonly number[] | nul
   return isRising && (times.at(-1) as number) > (times[0] as number) ? times : null
 }
 
-/** "Step 5 (t = 0.4)", or with the name of its file where it has no time. */
-export function stepName({ steps }: StepList, answers: Answers, step: number): string {
-  const { name = '', time = null } = steps[step] ?? {}
-  const known = time ?? answers[step]?.time ?? null
-  return `Step ${step + 1} (${known === null ? name : `t = ${known}`})`
-}
-
-/** The first step with an invalid cell among those that have been read; null if none has. */
-export function firstInvalid(answers: Answers): StepAnswer | null {
-  return answers.find(answer => (answer?.counts?.invalid ?? 0) > 0) ?? null
-}
-
-/** When it inverts, and where. */
-export function lineSentence(list: StepList, answers: Answers): string {
-  const read = answers.filter(answer => answer !== null)
-  const first = firstInvalid(answers)
-  if (first) {
-    const before = answers.slice(0, first.step)
-    const isOpen = before.includes(null)
-    const areRefused = before.some(answer => answer !== null && answer.refused !== null)
-    const which = isOpen ? ' so far' : areRefused ? ' of those that could be read' : ''
-    const name = stepName(list, answers, first.step)
-    const invalid = first.counts?.invalid ?? 0
-    if (invalid === 1) return `${name} is the first${which} with an invalid cell: cell ${first.worst?.id}.`
-    return `${name} is the first${which} with invalid cells, ${invalid.toLocaleString('en')} of them: the worst is cell ${first.worst?.id}.`
-  }
-  const answered = read.filter(({ least }) => least !== null)
-  if (answered.length === 0) return ''
-  if (read.length < answers.length) return `${read.length} of ${answers.length} steps are read: no cell is invalid.`
-  const worst = answered.reduce((a, b) => ((b.least as number) < (a.least as number) ? b : a))
-  const isSure = read.every(({ counts }) => counts?.unanswered === 0)
-  const where = `${lowerFirst(stepName(list, answers, worst.step))}, cell ${worst.worst?.id}`
-  return `No step ${isSure ? 'has' : 'is known to have'} an invalid cell. The least relative minimum is ${formatNumber(worst.least as number)}: ${where}.`
-}
-
-/** Steps that could not be read, are not wholly answered, or have other cells. */
-export function besideSentences(list: StepList, answers: Answers): string[] {
-  const read = answers.filter(answer => answer !== null)
-  const about = (found: readonly StepAnswer[], one: string, many: string) => {
-    const [first] = found
-    if (!first) return []
-    const name = stepName(list, answers, first.step)
-    return [found.length === 1 ? `${name} ${one}` : `${found.length} steps ${many}, first ${lowerFirst(name)}`]
-  }
-  const refused = read.filter(answer => answer.refused !== null)
-  return [
-    ...about(refused, 'could not be read', 'could not be read').map(start => `${start}: ${refused[0]?.refused}`),
-    ...about(
-      read.filter(({ counts }) => (counts?.unanswered ?? 0) > 0),
-      'has unanswered cells',
-      'have unanswered cells',
-    ).map(start => `${start}.`),
-    ...about(
-      read.filter(({ isOther }) => isOther),
-      'has other cells than the step that was opened first',
-      'have other cells than the step that was opened first',
-    ).map(start => `${start}.`),
-  ]
-}
-
 /** A step in words, for the slider: "Step 5 of 7, t = 0.4: 1 of 8 cells is invalid, least relative minimum −0.2". */
 export function stepWords(list: StepList, answers: Answers, step: number): string {
   const answer = answers[step]
@@ -139,8 +77,4 @@ export function stepWords(list: StepList, answers: Answers, step: number): strin
 
 export function leastWords(least: number): string {
   return least === -Infinity ? 'none, volume 0' : formatNumber(least)
-}
-
-function lowerFirst(sentence: string): string {
-  return sentence.slice(0, 1).toLowerCase() + sentence.slice(1)
 }

@@ -2,10 +2,11 @@
 import { html, nothing, render, svg, type TemplateResult } from 'lit-html'
 import { wordsOf } from '../../core/workers'
 import type { ReadingProgress } from '../../input/reading'
+import { besideSentences, firstInvalid, lineSentence, type StepAnswer } from '../../mesh/step-answers'
 import { formatNumber } from '../../model/decimal'
 import type { OpenSurvey } from '../../survey/open-survey'
-import type { Opening, StepAnswer, StepList, StepOpening } from '../../survey/survey-jobs'
-import { besideSentences, firstInvalid, lineSentence, type StepLine, stepLineOf, stepWords } from './step-line'
+import type { Opening, StepList, StepOpening } from '../../survey/survey-jobs'
+import { type StepLine, stepLineOf, stepWords } from './step-line'
 
 export interface StepsHost {
   /** The cell that is chosen. */
@@ -184,7 +185,7 @@ export class StepsView {
         ${this.#progress(list)}
         <p class="beside">
           ${[...list.sentences, ...besideSentences(list, this.#answers)].join(' ')}
-          <button type="button" @click=${() => this.#together()}>Take them together</button>
+          ${list.areFiles ? html`<button type="button" @click=${() => this.#together()}>Take them together</button>` : nothing}
         </p>
       </div>`
   }
