@@ -1,6 +1,7 @@
 /** What the core says of the best place of a vertex. The contracts are those of hl_best_place in wasm/include/hexlens.h. */
 import type { Vec3 } from '../../model/hexahedron'
 import type { CodedError, Result } from '../../model/result'
+import type { Limits } from './limits'
 import type { PointMesh, UntangleError, UntangleOptions, Untangling } from './untangling'
 
 /**
@@ -11,16 +12,6 @@ export type Star = (
   | { readonly hexahedra: ArrayLike<number>; readonly moving: readonly (readonly number[])[] }
   | { readonly points: ArrayLike<number>; readonly cells: ArrayLike<number>; readonly vertex: number }
 ) & { readonly limits?: Limits | undefined }
-
-/**
- * Coordinates from `low` to `high`, which may be infinite, and from the present place only at right angles to the normals, none to two
- * of them. Normals that are an axis come first; then the coordinate on it stays as it is.
- */
-export interface Limits {
-  readonly low: Vec3
-  readonly high: Vec3
-  readonly normals: readonly Vec3[]
-}
 
 /** The least over the cells of the boundary minimum over the cell's volume, or over a scale that is the same for every place. */
 export type Measure = 'volume' | 'scale'

@@ -2,7 +2,8 @@
 import { COORDINATE_COUNT, VERTEX_COUNT, type Vec3 } from '../../model/hexahedron'
 import { type CodedError, type Result, refused } from '../../model/result'
 import { Unpacker } from '../unpack'
-import type { BestPlace, Hold, Limits, Measure, RepairCore, Star, StarError } from './best-place'
+import type { BestPlace, Hold, Measure, RepairCore, Star, StarError } from './best-place'
+import type { Limits } from './limits'
 import { beginUntangling } from './untangling-core'
 
 interface RepairExports {

@@ -2,7 +2,7 @@
 import { VERTEX_COUNT, type Vec3 } from '../../model/hexahedron'
 import type { Result } from '../../model/result'
 import { Unpacker } from '../unpack'
-import type { Limits } from './best-place'
+import type { Limits } from './limits'
 import type { PointMesh, Untangled, UntangledCounts, UntangleError, UntangleOptions, Untangling } from './untangling'
 
 interface UntangleExports {

@@ -1,6 +1,6 @@
 /** What untangling takes and gives. The contracts are those of hl_untangle in wasm/include/hexlens.h. */
 import type { CodedError } from '../../model/result'
-import type { Limits } from './best-place'
+import type { Limits } from './limits'
 
 /** Points of three coordinates, cells of eight indices of points in VTK's order. */
 export interface PointMesh {
