@@ -32,11 +32,11 @@ export class OpenedSurvey {
     if (check.answers.acceptedBy !== null) return 1
     this.#accepting ??= new Accepting(check, this.#classify)
     const part = await this.#accepting.run(cells)
-    if (cells === 'all' && part === 1) this.survey.accept(this.#accepting.list)
+    if (cells === 'all' && part === 1) this.survey.accept(this.#accepting.lists)
     return part
   }
 
-  /** The whole survey with the checks that accept each cell. */
+  /** The whole survey with the checks that accept each cell, and with minimizers. */
   async accepting(): Promise<Survey> {
     while ((await this.accept('all')) < 1);
     return this.survey
@@ -46,7 +46,9 @@ export class OpenedSurvey {
   async acceptingInvalid(): Promise<MeshCheck> {
     while ((await this.accept('invalid')) < 1);
     const { check } = this.survey
-    return this.#accepting ? { ...check, answers: { ...check.answers, acceptedBy: this.#accepting.list } } : check
+    return this.#accepting
+      ? { ...check, answers: { ...check.answers, acceptedBy: this.#accepting.lists.acceptedBy } }
+      : check
   }
 
   /** The survey with the rows up to a rank. */
