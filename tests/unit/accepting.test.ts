@@ -9,19 +9,21 @@ import { checked, classifyCells as classify, meshOf } from './mesh-fixtures'
 const next = randomSource(3)
 const mesh = meshOf(Array.from({ length: 300 }, () => randomHexahedron(next, 0.35)))
 const check = await checked(mesh, { worst: Infinity, lists: { minima: true, volumes: true } })
-const { acceptedBy: all } = await classify(mesh.points, mesh.cells, { acceptedBy: true })
+const { acceptedBy: all, minima } = await classify(mesh.points, mesh.cells, { acceptedBy: true, minima: true })
 
 test('invalid cells come first, each with the same checks as among all', async () => {
   const accepting = new Accepting(check, classify, 16)
   while ((await accepting.run('invalid')) < 1);
   const invalid = [...all.keys()].filter(cell => check.standingOf(cell) === 'invalid')
   expect(invalid.length).toBeGreaterThan(16)
-  expect(invalid.map(cell => accepting.list[cell])).toEqual(invalid.map(cell => all[cell]))
+  expect(invalid.map(cell => accepting.lists.acceptedBy[cell])).toEqual(invalid.map(cell => all[cell]))
   const parts: number[] = []
   for (let part = 0; part < 1; parts.push(part)) part = await accepting.run('all')
   expect(parts).toEqual([...parts].sort((a, b) => a - b))
   expect(parts.length).toBeGreaterThan(2)
-  expect([...accepting.list]).toEqual([...all])
+  expect([...accepting.lists.acceptedBy]).toEqual([...all])
+  expect(accepting.lists.minima.minimizers).toEqual(minima.minimizers)
+  expect(accepting.lists.minima.values).toBe(check.answers.minima?.values)
 })
 
 test('two who ask at once wait for the same step', async () => {

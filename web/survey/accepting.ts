@@ -1,4 +1,8 @@
-/** The checks that accept each cell, found in steps, as they take longer than all the rest: first of invalid cells, then of the others. */
+/**
+ * The checks that accept each cell, and its minimizer, found in steps, as they take longer than all the rest: first of invalid cells, then of
+ * the others.
+ */
+import type { Minima } from '../core/batch/lists'
 import { cellsAt } from '../mesh/accepted-invalid'
 import type { ClassifyCells } from '../mesh/check'
 import type { MeshCheck } from '../mesh/mesh-check'
@@ -8,7 +12,7 @@ const CELLS_AT_ONCE = 65_536
 
 export class Accepting {
   /** By cell; 0 for those that were not asked yet. */
-  readonly list: Uint16Array
+  readonly lists: { readonly acceptedBy: Uint16Array; readonly minima: Minima }
   readonly #check: MeshCheck
   readonly #classify: ClassifyCells
   readonly #atOnce: number
@@ -21,7 +25,9 @@ export class Accepting {
     this.#check = check
     this.#classify = classify
     this.#atOnce = atOnce
-    this.list = new Uint16Array(check.hexahedra)
+    const minima = check.answers.minima as Minima
+    const minimizers = new Float64Array(3 * check.hexahedra).fill(Number.NaN)
+    this.lists = { acceptedBy: new Uint16Array(check.hexahedra), minima: { ...minima, minimizers } }
     this.#order = new Uint32Array(check.hexahedra)
     const isInvalid = (cell: number) => check.standingOf(cell) === 'invalid'
     let [invalid, others] = [0, check.invalid]
@@ -43,8 +49,12 @@ export class Accepting {
   async #next(): Promise<void> {
     const { mesh } = this.#check
     const own = this.#order.subarray(this.#done, this.#done + this.#atOnce)
-    const { acceptedBy } = await this.#classify(mesh.points, cellsAt(mesh.cells, own), { acceptedBy: true })
-    for (const [i, cell] of own.entries()) this.list[cell] = acceptedBy[i] as number
+    const wanted = { acceptedBy: true, minima: true } as const
+    const { acceptedBy, minima } = await this.#classify(mesh.points, cellsAt(mesh.cells, own), wanted)
+    for (const [i, cell] of own.entries()) {
+      this.lists.acceptedBy[cell] = acceptedBy[i] as number
+      this.lists.minima.minimizers.set(minima.minimizers.subarray(3 * i, 3 * i + 3), 3 * cell)
+    }
     this.#done += own.length
     // Messages come in.
     await new Promise(resolve => setTimeout(resolve))

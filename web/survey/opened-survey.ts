@@ -32,14 +32,8 @@ export class OpenedSurvey {
     if (check.answers.acceptedBy !== null) return 1
     this.#accepting ??= new Accepting(check, this.#classify)
     const part = await this.#accepting.run(cells)
-    if (cells === 'all' && part === 1) await this.#take(check, this.#accepting.list)
+    if (cells === 'all' && part === 1) this.survey.accept(this.#accepting.lists)
     return part
-  }
-
-  /** Minimizers come along: who lists the checks of all cells lists these, too. */
-  async #take({ mesh: { points, cells } }: MeshCheck, acceptedBy: Uint16Array): Promise<void> {
-    const { minima } = await this.#classify(points, cells, { minima: true })
-    this.survey.accept({ acceptedBy, minima })
   }
 
   /** The whole survey with the checks that accept each cell, and with minimizers. */
@@ -52,7 +46,9 @@ export class OpenedSurvey {
   async acceptingInvalid(): Promise<MeshCheck> {
     while ((await this.accept('invalid')) < 1);
     const { check } = this.survey
-    return this.#accepting ? { ...check, answers: { ...check.answers, acceptedBy: this.#accepting.list } } : check
+    return this.#accepting
+      ? { ...check, answers: { ...check.answers, acceptedBy: this.#accepting.lists.acceptedBy } }
+      : check
   }
 
   /** The survey with the rows up to a rank. */
