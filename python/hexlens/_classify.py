@@ -15,7 +15,7 @@ from ._native import CHECKS, CLASSES, Batch, Cells, library
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Classification", "classify", "worst_first"]
+__all__ = ["Classification", "classify", "sort_keys", "worst_first"]
 
 #: The most cells that are handed over at once: 3 ms, beside which handing over is nothing.
 PIECE = 131_072
@@ -170,9 +170,15 @@ class Classification:
         return table
 
     def vertices(self, cell: int) -> NDArray[np.float64]:
-        """The 8 x 3 coordinates of a cell."""
-        index = cell if self._cells is None else np.asarray(self._cells[cell], dtype=np.int64)
-        chosen: NDArray[np.float64] = self._points[index]
+        """The 8 x 3 coordinates of a cell; NaN for a point that does not exist."""
+        chosen: NDArray[np.float64]
+        if self._cells is None:
+            chosen = self._points[cell]
+            return chosen
+        index = self._cells[cell].astype(np.int64)
+        is_point = (index >= 0) & (index < len(self._points))
+        chosen = np.full((8, 3), np.nan)
+        chosen[is_point] = self._points[index[is_point]]
         return chosen
 
     def _list(self, name: str) -> NDArray[Any]:
@@ -250,9 +256,7 @@ def worst_first(
     """`Classification.worst`, of any lists."""
     if n is not None and n < 0:
         raise HexlensError(f"There are no {n} worst cells.")
-    # Rising from the worst on: relative minima are above the least double, and nothing is above an infinity.
-    keys = np.where(np.isnan(relative), np.where(classes == CLASSES.index("collapsed"), 0.0, -np.inf), relative)
-    keys[is_unanswered] = np.inf
+    keys = sort_keys(relative, classes, is_unanswered)
     if n is None or n >= len(keys):
         return np.argsort(keys, kind="stable")
     if n == 0:
@@ -262,6 +266,13 @@ def worst_first(
     few = np.flatnonzero(keys <= bound)
     worst: NDArray[np.int64] = few[np.argsort(keys[few], kind="stable")][:n]
     return worst
+
+
+def sort_keys(relative: NDArray[np.float64], classes: NDArray[np.uint8], is_unanswered: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Rising from the worst on: relative minima are above the least double, and nothing is above an infinity."""
+    keys = np.where(np.isnan(relative), np.where(classes == CLASSES.index("collapsed"), 0.0, -np.inf), relative)
+    keys[is_unanswered] = np.inf
+    return keys
 
 
 def _scaled(numbers: NDArray[np.float64], exponents: NDArray[np.int16]) -> NDArray[np.float64]:

@@ -2,18 +2,20 @@
 worst ten in numbers."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._check import INVALID, Cell, MeshCheck
+from ._histogram import BINS, EDGES
 from ._native import CHECKS
 from ._numbers import speak_jacdet, speak_number, spoken_point
 from ._outputs import FileResult, markup, without_controls
+from ._pieces import PieceCell, PiecesCheck
 
-__all__ = ["HtmlOutput", "mesh_markup"]
+__all__ = ["HtmlOutput", "mesh_markup", "pieces_markup"]
 
 #: Colours are the text's own where they can be: notebooks are light or dark. Signs have a colour and a pattern.
 _STYLES: Final = """
@@ -144,8 +146,6 @@ def _grouped(count: int) -> str:
     return f"{count:,}"
 
 
-#: Bins between 0 and 1, the greatest relative minimum that there is; below 0 as wide, down to -1, and one for all below.
-_BINS: Final = 40
 _WIDTH, _HEIGHT = 720, 190
 _LEFT, _BELOW, _ABOVE, _RIGHT = 56, 24, 14, 12
 
@@ -155,25 +155,28 @@ def _histogram(check: MeshCheck, level: int) -> str:
     known = np.sort(relative[~np.isnan(relative)])
     if not len(known):
         return ""
-    places = np.clip(1 + _BINS + np.floor(np.clip(known, -2, 2) * _BINS), 0, 2 * _BINS).astype(int)
-    counts = np.bincount(places, minlength=2 * _BINS + 1)
-    first = int(places[0])
-    counts = counts[first:]
-    edges = (first + np.arange(len(counts) + 1) - 1 - _BINS) / _BINS
-    words = f"Relative minima of {_grouped(len(known))} {'hexahedron' if len(known) == 1 else 'hexahedra'}"
-    beside = check.hexahedra - len(known)
-    others = f" {_grouped(beside)} {'has' if beside == 1 else 'have'} none: the volume is 0, or there is no answer." if beside else ""
-    if first == 0:
-        others = f" The first bar is all below -1, down to {speak_number(float(known[0]))}.{others}"
     shares: list[str] = []
     for percent in (1, 10, 50, 90, 99):
         value = float(known[max(0, -(-percent * len(known) // 100) - 1)])
         shares.append(f"{speak_number(value)} in {percent} %{'' if shares else ' of them'}")
+    return f'{_bars(check.histogram(), check.hexahedra, float(known[0]), level)}<p class="beside">At most {", ".join(shares)}.</p>\n'
+
+
+def _bars(counts: NDArray[np.int64], hexahedra: int, least: float | None, level: int) -> str:
+    """The bars, with what they are; the first if all that is below -1 is down to `least`."""
+    known = int(counts.sum())
+    words = f"Relative minima of {_grouped(known)} {'hexahedron' if known == 1 else 'hexahedra'}"
+    beside = hexahedra - known
+    others = f" {_grouped(beside)} {'has' if beside == 1 else 'have'} none: the volume is 0, or there is no answer." if beside else ""
+    first = int(np.flatnonzero(counts)[0])
+    if first == 0 and least is not None:
+        others = f" The first bar is all below -1, down to {speak_number(least)}.{others}"
+    # The bin of all below -1 is drawn as wide as the others.
+    edges = np.array([EDGES[1] - 1 / BINS, *EDGES[1:]])
     return (
         f'<h{level} class="part">{words}</h{level}>\n'
         f'<p class="beside">Counts are logarithmic, negative values red and hatched.{others}</p>\n'
-        f"{_histogram_svg(edges, counts, words)}\n"
-        f'<p class="beside">At most {", ".join(shares)}.</p>\n'
+        f"{_histogram_svg(edges[first:], counts[first:], words)}\n"
     )
 
 
@@ -217,23 +220,29 @@ def _histogram_svg(edges: NDArray[np.float64], counts: NDArray[np.int64], words:
 
 
 def _worst(check: MeshCheck, level: int) -> str:
-    cells = [check[int(index)] for index in check.worst_indices[:_LISTED]]
+    return _worst_rows([check[int(index)] for index in check.worst_indices[:_LISTED]], level)
+
+
+def _worst_rows(cells: Sequence[Cell], level: int) -> str:
     if not cells:
         return ""
     title = "The worst cell" if len(cells) == 1 else f"The worst {len(cells)} cells, worst first"
-    name = "index" if check.mesh.ids is None else "id"
-    columns = [name, *(["block"] if check.mesh.blocks else []), "relative minimum", "minimum", "at", "accepted by"]
+    pieces = any(isinstance(cell, PieceCell) for cell in cells)
+    blocks = any(cell.block is not None for cell in cells)
+    name = "index" if all(cell.id is None for cell in cells) else "id"
+    columns = [*(["piece"] if pieces else []), name, *(["block"] if blocks else []), "relative minimum", "minimum", "at", "accepted by"]
     head = "".join(f'<th scope="col">{column}</th>' for column in columns)
-    rows = "".join(f"<tr>{_row(check, cell)}</tr>\n" for cell in cells)
+    rows = "".join(f"<tr>{_row(cell, blocks)}</tr>\n" for cell in cells)
     return (
         f'<h{level} class="part">{title}</h{level}>\n<div class="rows" tabindex="0" role="region" aria-label="{title}">'
         f"<table><thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
     )
 
 
-def _row(check: MeshCheck, cell: Cell) -> str:
-    name = f'<th scope="row">{markup(cell.id if cell.id is not None else str(cell.index))}</th>'
-    block = f"<td>{markup(cell.block or '')}</td>" if check.mesh.blocks else ""
+def _row(cell: Cell, has_block: bool) -> str:
+    piece = f"<td>{markup(without_controls(cell.piece))}</td>" if isinstance(cell, PieceCell) else ""
+    name = f'{piece}<th scope="row">{markup(cell.id if cell.id is not None else str(cell.index))}</th>'
+    block = f"<td>{markup(cell.block or '')}</td>" if has_block else ""
     report = cell.report
     if report is None:
         return f'{name}{block}<td colspan="4">{markup(cell.error or "")}</td>'
@@ -245,3 +254,20 @@ def _row(check: MeshCheck, cell: Cell) -> str:
     accepted = "none" if not accepting else "all" if len(accepting) == len(CHECKS) else ", ".join(accepting)
     minimum = speak_jacdet(at.value, report.exponent)
     return f"{name}{block}<td{sign}>{relative}</td><td{sign}>{minimum}</td><td>{place}</td><td>{accepted}</td>"
+
+
+def pieces_markup(check: PiecesCheck, level: int) -> str:
+    """Of a mesh in pieces, for notebooks: the sentence, the pieces that failed, the histogram, the worst ten."""
+    sentences = [f"{piece.name}: {piece.error}" for piece in check.failed[:_LISTED]]
+    if len(check.failed) > _LISTED:
+        sentences.append(f"{len(check.failed) - _LISTED} more failed.")
+    if check.min_relative is not None:
+        sentences.insert(0, f"{_grouped(check.below)} with a relative minimum below {speak_number(check.min_relative)}.")
+    notes = "".join(f"<li>{markup(without_controls(sentence))}</li>\n" for sentence in sentences)
+    bars = _bars(check.histogram, check.hexahedra, check.least, level + 1) if check.histogram.any() else ""
+    return (
+        f'<style>{_STYLES}</style>{_HATCH}<section class="hexlens">\n'
+        f'<h{level} class="headline">{markup(check.headline())}</h{level}>\n'
+        f"{f'<ul>{notes}</ul>' if notes else ''}{bars}"
+        f"{_worst_rows(list(check.worst[:_LISTED]), level + 1)}</section>\n"
+    )

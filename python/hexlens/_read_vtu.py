@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from ._arrays import HexlensError
 from ._mesh import VOXEL, CellArrays, Grid, Mesh, MeshMaker, cell_data_rank
 
-__all__ = ["read_vtu"]
+__all__ = ["read_vtu", "sources_of"]
 
 _GRID, _PARALLEL = "UnstructuredGrid", "PUnstructuredGrid"
 _TYPES: Final = {
@@ -46,10 +46,7 @@ def read_vtu(path: str, name: str) -> Mesh:
     document = _Document(Path(path).read_bytes() if _is_packed(path) else _mapped(path, name), name, is_packed=_is_packed(path))
     maker = MeshMaker("VTU", document.refusal)
     if document.type == _PARALLEL:
-        sources = [piece.get("Source", "") for piece in document.pieces]
-        if not sources:
-            document.refuse("it names no piece.")
-        for source in sources:
+        for source in _sources(document):
             _add_source(maker, document, Path(path).parent, source)
     elif document.type == _GRID:
         _add_pieces(maker, document, None)
@@ -60,18 +57,41 @@ def read_vtu(path: str, name: str) -> Mesh:
     return maker.mesh()
 
 
+def sources_of(path: str) -> list[str]:
+    """The files that a .pvtu names, whether they are there or not."""
+    name = Path(path).name
+    try:
+        document = _Document(_mapped(path, name), name, is_packed=False)
+    except OSError as error:
+        raise HexlensError(f"{name} cannot be read: {(error.strerror or str(error)).lower()}.") from None
+    if document.type != _PARALLEL:
+        document.refuse(f"its type is {document.type!r}; {_PARALLEL} was expected.")
+    folder = Path(path).parent
+    return [_beside(folder, source) or str(folder / source) for source in _sources(document)]
+
+
+def _sources(document: "_Document") -> list[str]:
+    sources = [piece.get("Source", "") for piece in document.pieces]
+    if not sources:
+        document.refuse("it names no piece.")
+    return sources
+
+
+def _beside(folder: Path, source: str) -> str | None:
+    spellings = (folder / source, folder / source.replace("\\", "/"))
+    return next((str(beside) for beside in spellings if beside.is_file()), None)
+
+
 def _add_source(maker: MeshMaker, document: "_Document", folder: Path, source: str) -> None:
-    for spelling in dict.fromkeys((source, source.replace("\\", "/"))):
-        beside = folder / spelling
-        if beside.is_file():
-            inner = _Document(_mapped(str(beside), source), source, is_packed=False)
-            if inner.type != _GRID:
-                inner.refuse(f"a piece of type {inner.type!r} stands where one of type {_GRID} was expected.")
-            if not inner.is_complete:
-                inner.refuse("the file is cut off: there is no </VTKFile>.")
-            _add_pieces(maker, inner, source)
-            return
-    document.refuse(f"it needs “{source}” beside it.")
+    beside = _beside(folder, source)
+    if beside is None:
+        document.refuse(f"it needs “{source}” beside it.")
+    inner = _Document(_mapped(beside, source), source, is_packed=False)
+    if inner.type != _GRID:
+        inner.refuse(f"a piece of type {inner.type!r} stands where one of type {_GRID} was expected.")
+    if not inner.is_complete:
+        inner.refuse("the file is cut off: there is no </VTKFile>.")
+    _add_pieces(maker, inner, source)
 
 
 def _is_packed(path: str) -> bool:
@@ -286,8 +306,24 @@ class _Document:
 def _add_pieces(maker: MeshMaker, document: _Document, block: str | None) -> None:
     if not document.pieces:
         document.refuse("it has no <Piece>.")
+    ghosts = 0
     for element in document.pieces:
         maker.add(_grid(document, element), block)
+        ghosts += _ghost_count(document, element)
+    if ghosts:
+        maker.notes.append(f"{ghosts} cells are ghosts, copies of cells of another piece; they are counted in both.")
+
+
+#: vtkDataSetAttributes::DUPLICATECELL
+_IS_COPY: Final = 1
+
+
+def _ghost_count(document: _Document, element: ElementTree.Element) -> int:
+    """How many cells are copies of cells of other pieces."""
+    array = next((array for array in element.findall("CellData/DataArray") if array.get("Name") == "vtkGhostType"), None)
+    if array is None:
+        return 0
+    return int(np.count_nonzero(document.array(array, "vtkGhostType", int(element.get("NumberOfCells", "0"))) & _IS_COPY))
 
 
 def _grid(document: _Document, element: ElementTree.Element) -> Grid:
