@@ -49,7 +49,7 @@ other formats use npx hexlens check FILE, which has the same options.
   --csv FILE           writes a line for each hexahedron
   --junit FILE         writes a JUnit report, a suite for each file
   --html FILE          writes one document to keep, which needs nothing else: the sentence, the notes, the histogram, and the
-                       first ten of the worst in numbers
+                       first ten of the worst, drawn and in numbers
   --annotate FILE.vtu  writes the hexahedra with the cell arrays valid, boundary_min, relative_min, volume; valid is
                        255 where a cell is unanswered. For one input
 

@@ -74,7 +74,7 @@ def write_vtu(path: Path, points: np.ndarray, cells: np.ndarray, ghosts: np.ndar
         sections[section] = sections.get(section, "") + line
         offset += 8 + values.nbytes
     inner = "".join(f"<{section}>{lines}</{section}>" for section, lines in sections.items())
-    head = f'<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64"><UnstructuredGrid>'
+    head = '<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64"><UnstructuredGrid>'
     piece = f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{count}">{inner}</Piece></UnstructuredGrid>'
     with open(path, "wb") as file:
         file.write(f'{head}{piece}<AppendedData encoding="raw">_'.encode())

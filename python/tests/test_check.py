@@ -291,6 +291,8 @@ def test_html_is_xml_and_says_the_counts(tmp_path: Path) -> None:
     root = ElementTree.fromstring(path.read_text().replace("<!DOCTYPE html>", ""))
     text = "".join(root.itertext())
     assert "10 of 16 hexahedra are invalid. The eight corners would accept 3 of them" in text
+    names = [drawing.get("aria-label", "") for drawing in root.iter("{http://www.w3.org/2000/svg}svg")]
+    assert len([name for name in names if name.startswith("Invalid hexahedron, least jacdet")]) == 10
     assert len(list(csv.reader((tmp_path / "cells.csv").open(newline="")))) == 17
     ElementTree.fromstring(f"<div>{hexlens.check(MESHES / VTU)._repr_html_()}</div>".replace("\xa0", " "))
 
