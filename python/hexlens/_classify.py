@@ -65,13 +65,11 @@ class Classification:
         groups: Sequence[Sequence[str]],
     ) -> None:
         self._points, self._cells, self._threads = points, cells, threads
-        self._lists = self._run(("verdicts", "statuses", *(name for group in groups for name in group)))
-        verdicts = self._lists["verdicts"]
-        valid, invalid = (int(np.count_nonzero(verdicts == verdict)) for verdict in (1, 2))
+        self._lists, counts = self._run(("verdicts", "statuses", *(name for group in groups for name in group)))
         #: Counts of cells.
-        self.valid_count, self.invalid_count = valid, invalid
+        self.valid_count, self.invalid_count = (sum(own) for own in zip((0, 0), *counts, strict=True))
         #: Cells that are none: `status` says why.
-        self.unanswered_count = len(verdicts) - valid - invalid
+        self.unanswered_count = len(self) - self.valid_count - self.invalid_count
 
     def __len__(self) -> int:
         return len(self._lists["verdicts"])
@@ -184,13 +182,14 @@ class Classification:
     def _list(self, name: str) -> NDArray[Any]:
         if name not in self._lists:
             group = next(names for names in _TOGETHER if name in names)
-            lists = self._run(("verdicts", *group))
+            lists, _ = self._run(("verdicts", *group))
             if not np.array_equal(lists["verdicts"], self._lists["verdicts"]):
                 raise RuntimeError("The points or the cells have changed since they were classified.")
             self._lists = {**lists, **self._lists}
         return self._lists[name]
 
-    def _run(self, names: Sequence[str]) -> _Lists:
+    def _run(self, names: Sequence[str]) -> tuple[_Lists, list[tuple[int, int]]]:
+        """The lists, and how many are valid and invalid in each piece."""
         points, cells = self._points, self._cells
         count = len(points) if cells is None else len(cells)
         point_count = len(points)
@@ -200,6 +199,7 @@ class Classification:
         coordinates = points.ctypes.data
 
         is_narrow = cells is None or is_32_bit(cells)
+        counts: list[tuple[int, int]] = []
 
         def new_worker() -> Callable[[int, int], None]:
             room = np.empty((0 if is_narrow else min(WIDE_PIECE, count), 8), np.uint32)
@@ -214,11 +214,12 @@ class Classification:
                 status = library.hl_classify(byref(piece), byref(batch))
                 if status != 0:
                     raise AssertionError(f"hl_classify refuses lists that are whole: {status}")
+                counts.append((batch.valid, batch.invalid))
 
             return decide
 
         _in_pieces(count, _thread_count(self._threads), PIECE if is_narrow else WIDE_PIECE, new_worker)
-        return lists
+        return lists, counts
 
 
 def classify(
