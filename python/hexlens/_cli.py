@@ -6,7 +6,6 @@ import os
 import re
 import signal
 import sys
-import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -334,6 +333,9 @@ def _path_of(file: str) -> Any:
     if file != "-" and (not os.path.exists(file) or os.path.isfile(file) or os.path.isdir(file)):
         yield file
         return
+    # It takes a while to be imported, and most calls do without it.
+    import tempfile
+
     name = "standard input" if file == "-" else os.path.basename(file)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, name)

@@ -6,13 +6,10 @@ as it is declared is refused here; numbers that lie raw in the file are mapped, 
 
 import base64
 import binascii
-import gzip
-import lzma
 import os
 import re
 import xml.etree.ElementTree as ElementTree
 import zlib
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final, NoReturn
@@ -32,11 +29,7 @@ _TYPES: Final = {
     "Float32": "f4",
     "Float64": "f8",
 }
-_COMPRESSORS: Final[dict[str, Callable[[bytes], bytes] | None]] = {
-    "": None,
-    "vtkZLibDataCompressor": zlib.decompress,
-    "vtkLZMADataCompressor": lzma.decompress,
-}
+_COMPRESSORS: Final = {"": None, "vtkZLibDataCompressor": "zlib", "vtkLZMADataCompressor": "LZMA"}
 #: A header with its XML is in the first part of a file; what is appended is not searched.
 _HEAD_CHUNK: Final = 1 << 20
 
@@ -118,6 +111,9 @@ class _Document:
     def __init__(self, data: Any, name: str, *, is_packed: bool) -> None:
         self.name = name
         if is_packed:
+            # Modules that few files need are imported with these.
+            import gzip
+
             try:
                 data = gzip.decompress(data)
             except (EOFError, OSError, zlib.error) as error:
@@ -139,7 +135,7 @@ class _Document:
             self.refuse("it is packed with LZ4, which is not read here: `npx hexlens check FILE` reads it.")
         if compressor not in _COMPRESSORS:
             self.refuse(f"the compressor is “{compressor}”, which VTK does not have.")
-        self._decompress = _COMPRESSORS[compressor]
+        self._packing = _COMPRESSORS[compressor]
         grid = root.find(self.type) if re.fullmatch(r"\w+", self.type) else None
         self.pieces = [] if grid is None else grid.findall("Piece")
 
@@ -213,7 +209,7 @@ class _Document:
             self.refuse(f"“{name}” has format “{format_}”: ascii, binary or appended was expected.")
         if count == 0:
             return np.empty(0, own)
-        raw = self._plain(source, name, own, count) if self._decompress is None else self._blocks(source, name, own, count)
+        raw = self._plain(source, name, own, count) if self._packing is None else self._blocks(source, name, own, count)
         return raw if raw.dtype.isnative else raw.astype(own.newbyteorder("="))
 
     def _text(self, element: ElementTree.Element, name: str, own: np.dtype[Any], count: int) -> NDArray[Any]:
@@ -289,15 +285,19 @@ class _Document:
         return values
 
     def _unpacked(self, packed: bytes, name: str, expected: int) -> bytes:
-        try:
-            if self._decompress is zlib.decompress:
-                # No more than is declared is ever unpacked.
-                stream = zlib.decompressobj()
-                block = stream.decompress(packed, expected + 1)
-            else:
+        # No more than is declared is ever unpacked.
+        if self._packing == "zlib":
+            try:
+                block = zlib.decompressobj().decompress(packed, expected + 1)
+            except zlib.error as error:
+                self.refuse(f"“{name}” is damaged: {error}.")
+        else:
+            import lzma
+
+            try:
                 block = lzma.LZMADecompressor().decompress(packed, expected + 1)
-        except (zlib.error, lzma.LZMAError, EOFError) as error:
-            self.refuse(f"“{name}” is damaged: {error}.")
+            except (lzma.LZMAError, EOFError) as error:
+                self.refuse(f"“{name}” is damaged: {error}.")
         if len(block) != expected:
             self.refuse(f"“{name}” has a block that is not of the {expected} bytes that are declared.")
         return block
