@@ -11,6 +11,7 @@ import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -365,22 +366,23 @@ def test_without_dask_a_sentence_says_what_to_do(tmp_path: Path) -> None:
     assert done.stderr.endswith("ImportError: hexlens.dask needs Dask: pip install 'hexlens[dask]'.\n")
 
 
-def test_a_piece_that_ends_its_workers_is_named_and_no_other(files: list[str]) -> None:
-    """Pieces that a worker happens to have beside it are not blamed."""
+def test_a_piece_that_ends_its_workers_is_named_and_no_other(client: object, files: list[str]) -> None:
+    """Dask says it so of all that its workers had when they ended: whatever is asked again alone shows which piece it is."""
+    asked: list[str] = []
 
-    def deadly() -> None:
-        os._exit(1)
+    @dask.delayed(pure=True)
+    def ends_workers(name: str, times: int) -> str:
+        asked.append(name)
+        if asked.count(name) <= times:
+            raise distributed.KilledWorker(name, SimpleNamespace(address="gone"), 3)
+        return name
 
-    with (
-        dask.config.set({"distributed.scheduler.allowed-failures": 1}),
-        distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=":0") as cluster,
-        cluster.get_client() as client,
-    ):
-        pieces = [*files[:2], dask.delayed(deadly, pure=True)(), *files[2:]]
-        result = hexlens.dask.check(pieces, client=client)
+    pieces = [*files[:2], ends_workers(files[2], 9), ends_workers(files[3], 1), files[4]]
+    result = hexlens.dask.check(pieces)
     assert [piece.name for piece in result.failed] == [pieces[2].key]
     assert "it may need more memory than a worker has" in str(result.failed[0].error)
-    assert result.hexahedra == 5 * 120
+    assert (asked.count(files[2]), asked.count(files[3])) == (2, 2)
+    assert result.hexahedra == 4 * 120
 
 
 def test_ghosts_are_said(tmp_path: Path, meshes: list) -> None:
