@@ -286,6 +286,8 @@ class _Run:
                     arriving.add(following)
                 else:
                     found[source.key] = self._kept_answer(source, result)
+                # The scheduler forgets what failed, too, so that it can be asked again.
+                future.release()
         finally:
             self._client.cancel(list(open_))
         return found, ended

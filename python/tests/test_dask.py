@@ -366,14 +366,15 @@ def test_without_dask_a_sentence_says_what_to_do(tmp_path: Path) -> None:
     assert done.stderr.endswith("ImportError: hexlens.dask needs Dask: pip install 'hexlens[dask]'.\n")
 
 
-def test_a_piece_that_ends_its_workers_is_named_and_no_other(client: object, files: list[str]) -> None:
+def test_a_piece_that_ends_its_workers_is_named_and_no_other(client: object, files: list[str], tmp_path: Path) -> None:
     """Dask says it so of all that its workers had when they ended: whatever is asked again alone shows which piece it is."""
-    asked: list[str] = []
 
     @dask.delayed(pure=True)
     def ends_workers(name: str, times: int) -> str:
-        asked.append(name)
-        if asked.count(name) <= times:
+        asked = tmp_path / Path(name).stem
+        with open(asked, "a") as file:
+            file.write("x")
+        if asked.stat().st_size <= times:
             raise distributed.KilledWorker(name, SimpleNamespace(address="gone"), 3)
         return name
 
@@ -381,7 +382,7 @@ def test_a_piece_that_ends_its_workers_is_named_and_no_other(client: object, fil
     result = hexlens.dask.check(pieces)
     assert [piece.name for piece in result.failed] == [pieces[2].key]
     assert "it may need more memory than a worker has" in str(result.failed[0].error)
-    assert (asked.count(files[2]), asked.count(files[3])) == (2, 2)
+    assert [(tmp_path / Path(name).stem).stat().st_size for name in files[2:4]] == [2, 2]
     assert result.hexahedra == 4 * 120
 
 
