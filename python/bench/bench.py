@@ -64,6 +64,21 @@ def of_c(points: np.ndarray, cells: np.ndarray, minima: bool) -> Callable[[], No
     return run
 
 
+def shares(points: np.ndarray, cells: np.ndarray) -> dict[str, float]:
+    """Seconds of the processor on one thread; on two, in the calling thread and in those that share the work. Other programs do not
+    make them more, so they say what two free cores would do: the first part, and half of the second."""
+    one, calling, helping = [], [], []
+    for _ in range(5):
+        start = time.process_time()
+        hexlens.classify(points, cells, threads=1)
+        one.append(time.process_time() - start)
+        start, own = time.process_time(), time.thread_time()
+        hexlens.classify(points, cells, threads=2)
+        calling.append(time.thread_time() - own)
+        helping.append(time.process_time() - start - calling[-1])
+    return {"one": statistics.median(one), "calling": statistics.median(calling), "helping": statistics.median(helping)}
+
+
 def in_process(*words: str) -> Callable[[], None]:
     return lambda: subprocess.run([sys.executable, *words], check=False, stdout=subprocess.DEVNULL) and None
 
@@ -128,6 +143,7 @@ def main() -> None:
                 "cores": len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count(),
                 "one": one,
                 "threads": threads,
+                "shares": shares(many, many_cells),
                 "command": command,
                 "imports": imports,
                 "calls": calls,

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._arrays import HexlensError
 from ._classify import Classification, classify
+from ._histogram import EDGES as HISTOGRAM_EDGES
 from ._native import CHECKS, CLASSES, STATUSES, vectors
 from ._version import __version__
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 __all__ = [
     "CHECKS",
     "CLASSES",
+    "HISTOGRAM_EDGES",
     "STATUSES",
     "Candidate",
     "Cell",

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ._arrays import HexlensError
 from ._classify import Classification, worst_first
+from ._histogram import histogram_of
 from ._mesh import Mesh
 from ._native import CLASSES
 from ._numbers import json_number, whole_or_double
@@ -24,6 +25,8 @@ __all__ = ["Cell", "MeshCheck", "check", "check_mesh"]
 #: Places in `MeshCheck.standing`.
 STANDINGS: Final = ("valid", "invalid", "unanswered", "degenerate")
 VALID, INVALID, UNANSWERED, DEGENERATE = range(4)
+#: A place in `hexlens.STATUSES`.
+_NO_SUCH_POINT: Final = 4
 
 #: Other orders of eight points, as programs write them or as they get mixed up: web/model/node-orders.ts.
 _ORDERS: Final = (
@@ -236,7 +239,9 @@ class MeshCheck:
         vertices = self.answers.vertices(index)
         order = self.open_orders.get(index)
         report, error = None, None
-        if order is not None:
+        if self.answers.status[index] == _NO_SUCH_POINT:
+            error = self._missing_point(index)
+        elif order is not None:
             error = f"The order of its nodes is not stated; in the order “{_ORDERS[order][0]}” it is valid."
         else:
             try:
@@ -245,6 +250,15 @@ class MeshCheck:
                 error = str(why)
         name = None if self.mesh.ids is None else self.name_of(index)
         return Cell(name, index, self.block_of(index), vertices, report, error)
+
+    def _missing_point(self, index: int) -> str:
+        points = [int(point) for point in self.mesh.cells[index]]
+        first = next(point for point in points if not 0 <= point < len(self.mesh.points))
+        return f"It names point {first}, which does not exist."
+
+    def histogram(self) -> NDArray[np.int64]:
+        """How many relative minima are in each bin: between places of `hexlens.HISTOGRAM_EDGES`."""
+        return histogram_of(self.answers.relative_min)
 
     def to_dict(self) -> dict[str, Any]:
         """The entry of this mesh in what `hexlens check --json` prints: docs/check.schema.json."""
@@ -292,18 +306,8 @@ class MeshCheck:
 
     def headline(self) -> str:
         """The first sentence, as the command says it: "15 hexahedra, 10 INVALID, 5 valid." """
-        hexahedra = counted(self.hexahedra, "hexahedron", "hexahedra")
-        if self.hexahedra == 0:
-            return "no hexahedra of eight nodes."
-        if self.valid == self.hexahedra:
-            return "1 hexahedron, VALID." if self.hexahedra == 1 else f"{hexahedra}, all VALID."
-        parts = [
-            f"{self.invalid} INVALID" if self.invalid else None,
-            f"{self.valid} valid" if self.valid else None,
-            f"{self.unanswered} unanswered" if self.unanswered else None,
-            f"{self.degenerate} degenerate" if self.skip_degenerate and self.degenerate else None,
-        ]
-        return f"{hexahedra}, {', '.join(part for part in parts if part)}."
+        skipped = self.degenerate if self.skip_degenerate else 0
+        return sentence_of_counts(self.hexahedra, self.valid, self.invalid, self.unanswered, skipped)
 
     def count_sentences(self) -> list[str]:
         """Coincident vertices, and cells that are not hexahedra."""
@@ -375,6 +379,17 @@ class MeshCheck:
 
 
 _PLURALS: Final = {"tetrahedron": "tetrahedra", "polyhedron": "polyhedra", "vertex": "vertices", "other": "others"}
+
+
+def sentence_of_counts(hexahedra: int, valid: int, invalid: int, unanswered: int, skipped: int) -> str:
+    """The first sentence of the command; `skipped` are degenerate ones that count for nothing else."""
+    cells = counted(hexahedra, "hexahedron", "hexahedra")
+    if hexahedra == 0:
+        return "no hexahedra of eight nodes."
+    if valid == hexahedra:
+        return "1 hexahedron, VALID." if hexahedra == 1 else f"{cells}, all VALID."
+    counts = ((invalid, "INVALID"), (valid, "valid"), (unanswered, "unanswered"), (skipped, "degenerate"))
+    return f"{cells}, {', '.join(f'{count} {word}' for count, word in counts if count)}."
 
 
 def counted(count: int, one: str, many: str) -> str:

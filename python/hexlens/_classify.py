@@ -15,7 +15,7 @@ from ._native import CHECKS, CLASSES, Batch, Cells, library
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Classification", "classify", "worst_first"]
+__all__ = ["Classification", "classify", "sort_keys", "worst_first"]
 
 #: The most cells that are handed over at once: 3 ms, beside which handing over is nothing.
 PIECE = 131_072
@@ -65,13 +65,11 @@ class Classification:
         groups: Sequence[Sequence[str]],
     ) -> None:
         self._points, self._cells, self._threads = points, cells, threads
-        self._lists = self._run(("verdicts", "statuses", *(name for group in groups for name in group)))
-        verdicts = self._lists["verdicts"]
-        valid, invalid = (int(np.count_nonzero(verdicts == verdict)) for verdict in (1, 2))
+        self._lists, counts = self._run(("verdicts", "statuses", *(name for group in groups for name in group)))
         #: Counts of cells.
-        self.valid_count, self.invalid_count = valid, invalid
+        self.valid_count, self.invalid_count = (sum(own) for own in zip((0, 0), *counts, strict=True))
         #: Cells that are none: `status` says why.
-        self.unanswered_count = len(verdicts) - valid - invalid
+        self.unanswered_count = len(self) - self.valid_count - self.invalid_count
 
     def __len__(self) -> int:
         return len(self._lists["verdicts"])
@@ -170,21 +168,28 @@ class Classification:
         return table
 
     def vertices(self, cell: int) -> NDArray[np.float64]:
-        """The 8 x 3 coordinates of a cell."""
-        index = cell if self._cells is None else np.asarray(self._cells[cell], dtype=np.int64)
-        chosen: NDArray[np.float64] = self._points[index]
+        """The 8 x 3 coordinates of a cell; NaN for a point that does not exist."""
+        chosen: NDArray[np.float64]
+        if self._cells is None:
+            chosen = self._points[cell]
+            return chosen
+        index = self._cells[cell].astype(np.int64)
+        is_point = (index >= 0) & (index < len(self._points))
+        chosen = np.full((8, 3), np.nan)
+        chosen[is_point] = self._points[index[is_point]]
         return chosen
 
     def _list(self, name: str) -> NDArray[Any]:
         if name not in self._lists:
             group = next(names for names in _TOGETHER if name in names)
-            lists = self._run(("verdicts", *group))
+            lists, _ = self._run(("verdicts", *group))
             if not np.array_equal(lists["verdicts"], self._lists["verdicts"]):
                 raise RuntimeError("The points or the cells have changed since they were classified.")
             self._lists = {**lists, **self._lists}
         return self._lists[name]
 
-    def _run(self, names: Sequence[str]) -> _Lists:
+    def _run(self, names: Sequence[str]) -> tuple[_Lists, list[tuple[int, int]]]:
+        """The lists, and how many are valid and invalid in each piece."""
         points, cells = self._points, self._cells
         count = len(points) if cells is None else len(cells)
         point_count = len(points)
@@ -194,6 +199,7 @@ class Classification:
         coordinates = points.ctypes.data
 
         is_narrow = cells is None or is_32_bit(cells)
+        counts: list[tuple[int, int]] = []
 
         def new_worker() -> Callable[[int, int], None]:
             room = np.empty((0 if is_narrow else min(WIDE_PIECE, count), 8), np.uint32)
@@ -208,11 +214,12 @@ class Classification:
                 status = library.hl_classify(byref(piece), byref(batch))
                 if status != 0:
                     raise AssertionError(f"hl_classify refuses lists that are whole: {status}")
+                counts.append((batch.valid, batch.invalid))
 
             return decide
 
         _in_pieces(count, _thread_count(self._threads), PIECE if is_narrow else WIDE_PIECE, new_worker)
-        return lists
+        return lists, counts
 
 
 def classify(
@@ -250,9 +257,7 @@ def worst_first(
     """`Classification.worst`, of any lists."""
     if n is not None and n < 0:
         raise HexlensError(f"There are no {n} worst cells.")
-    # Rising from the worst on: relative minima are above the least double, and nothing is above an infinity.
-    keys = np.where(np.isnan(relative), np.where(classes == CLASSES.index("collapsed"), 0.0, -np.inf), relative)
-    keys[is_unanswered] = np.inf
+    keys = sort_keys(relative, classes, is_unanswered)
     if n is None or n >= len(keys):
         return np.argsort(keys, kind="stable")
     if n == 0:
@@ -262,6 +267,13 @@ def worst_first(
     few = np.flatnonzero(keys <= bound)
     worst: NDArray[np.int64] = few[np.argsort(keys[few], kind="stable")][:n]
     return worst
+
+
+def sort_keys(relative: NDArray[np.float64], classes: NDArray[np.uint8], is_unanswered: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Rising from the worst on: relative minima are above the least double, and nothing is above an infinity."""
+    keys = np.where(np.isnan(relative), np.where(classes == CLASSES.index("collapsed"), 0.0, -np.inf), relative)
+    keys[is_unanswered] = np.inf
+    return keys
 
 
 def _scaled(numbers: NDArray[np.float64], exponents: NDArray[np.int16]) -> NDArray[np.float64]:

@@ -6,7 +6,6 @@ import os
 import re
 import signal
 import sys
-import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -50,7 +49,7 @@ other formats use npx hexlens check FILE, which has the same options.
   --csv FILE           writes a line for each hexahedron
   --junit FILE         writes a JUnit report, a suite for each file
   --html FILE          writes one document to keep, which needs nothing else: the sentence, the notes, the histogram, and the
-                       first ten of the worst in numbers
+                       first ten of the worst, drawn and in numbers
   --annotate FILE.vtu|.vtk|.msh|.inp
                        writes the hexahedra with the cell arrays valid, boundary_min, relative_min, volume; valid is
                        255 where a cell is unanswered. VTK 5.1, Gmsh 4.1; Abaqus has sets in place of arrays. For one input
@@ -342,6 +341,9 @@ def path_of(file: str) -> Any:
     if file != "-" and (not os.path.exists(file) or os.path.isfile(file) or os.path.isdir(file)):
         yield file
         return
+    # It takes a while to be imported, and most calls do without it.
+    import tempfile
+
     name = "standard input" if file == "-" else os.path.basename(file)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, name)

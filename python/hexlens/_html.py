@@ -1,19 +1,22 @@
 """A check as HTML: for notebooks, and as one document to keep. The sentence, the notes, the histogram of relative minima, and the
-worst ten in numbers."""
+worst ten in numbers; in the document they are drawn, too."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._check import INVALID, Cell, MeshCheck
+from ._histogram import BINS, EDGES
 from ._native import CHECKS
-from ._numbers import speak_jacdet, speak_number, spoken_point
+from ._numbers import js_number, speak_jacdet, speak_number, spoken_point
 from ._outputs import FileResult, markup, without_controls
+from ._pieces import PieceCell, PiecesCheck
+from ._report import Report
 
-__all__ = ["HtmlOutput", "mesh_markup"]
+__all__ = ["HtmlOutput", "mesh_markup", "pieces_markup"]
 
 #: Colours are the text's own where they can be: notebooks are light or dark. Signs have a colour and a pattern.
 _STYLES: Final = """
@@ -36,6 +39,16 @@ _STYLES: Final = """
 .hexlens td:last-child{white-space:normal;min-width:14em}
 .hexlens thead th{font-weight:400;opacity:.75}
 .hexlens tbody tr{border-top:1px solid #8884}
+.hexlens .cells{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,26rem),1fr));gap:0 2rem}
+.hexlens .cell{display:grid;grid-template-columns:11rem minmax(0,1fr);gap:0 1rem;border-top:1px solid #8884;padding:.75rem 0}
+.hexlens .cell{break-inside:avoid}
+.hexlens .cell>:is(h3,h4,.why,details){grid-column:1/-1;margin:0;font-size:1em;font-weight:650;overflow-wrap:anywhere}
+.hexlens .cell>:is(.why,details){font-weight:400}
+.hexlens dl{margin:0}
+.hexlens dt{opacity:.75;font-size:.8125em}
+.hexlens dd{margin:0 0 .25rem;overflow-wrap:anywhere}
+.hexlens summary{cursor:pointer;opacity:.75;font-size:.8125em}
+.hexlens details td,.hexlens details th{text-align:right;font-weight:400;min-width:0}
 .hexlens .sign{color:var(--negative);font-weight:650}
 @media (prefers-color-scheme:dark){.hexlens{--negative:#f4787a;--positive:#6cb2ff}}
 """
@@ -44,7 +57,8 @@ _PAGE: Final = """
 body{max-width:60rem;margin:0 auto;padding:2.5rem 1.5rem;font:15px/1.45 system-ui,-apple-system,"Segoe UI",Roboto,Arial,sans-serif}
 .hexlens+.hexlens,footer{margin-top:3rem;border-top:1px solid #8886;padding-top:1.5rem}
 footer{max-width:60rem;opacity:.75}
-@media (max-width:30rem){body{padding:1rem}.hexlens svg text{font-size:18px}}
+@media (max-width:30rem){body{padding:1rem}.hexlens>svg text{font-size:18px}.hexlens .cell{grid-template-columns:8rem auto}}
+@media print{body{max-width:none;padding:0}.hexlens .cells{grid-template-columns:1fr 1fr}.hexlens .cell{grid-template-columns:8rem auto}}
 """
 _HATCH: Final = (
     '<svg width="0" height="0" aria-hidden="true" style="position:absolute"><defs>'
@@ -105,7 +119,7 @@ def mesh_markup(check: MeshCheck, level: int, *, stands_alone: bool) -> str:
         f'{styles}<section class="hexlens">\n<p class="name">{markup(name)}</p>\n'
         f'<h{level} class="headline">{markup(headline_of(check))}</h{level}>\n'
         f"{f'<ul>{notes}</ul>' if notes else ''}"
-        f"{_histogram(check, level + 1)}{_worst(check, level + 1)}</section>\n"
+        f"{_histogram(check, level + 1)}{(_drawn if stands_alone else _worst)(check, level + 1)}</section>\n"
     )
 
 
@@ -144,8 +158,6 @@ def _grouped(count: int) -> str:
     return f"{count:,}"
 
 
-#: Bins between 0 and 1, the greatest relative minimum that there is; below 0 as wide, down to -1, and one for all below.
-_BINS: Final = 40
 _WIDTH, _HEIGHT = 720, 190
 _LEFT, _BELOW, _ABOVE, _RIGHT = 56, 24, 14, 12
 
@@ -155,25 +167,28 @@ def _histogram(check: MeshCheck, level: int) -> str:
     known = np.sort(relative[~np.isnan(relative)])
     if not len(known):
         return ""
-    places = np.clip(1 + _BINS + np.floor(np.clip(known, -2, 2) * _BINS), 0, 2 * _BINS).astype(int)
-    counts = np.bincount(places, minlength=2 * _BINS + 1)
-    first = int(places[0])
-    counts = counts[first:]
-    edges = (first + np.arange(len(counts) + 1) - 1 - _BINS) / _BINS
-    words = f"Relative minima of {_grouped(len(known))} {'hexahedron' if len(known) == 1 else 'hexahedra'}"
-    beside = check.hexahedra - len(known)
-    others = f" {_grouped(beside)} {'has' if beside == 1 else 'have'} none: the volume is 0, or there is no answer." if beside else ""
-    if first == 0:
-        others = f" The first bar is all below -1, down to {speak_number(float(known[0]))}.{others}"
     shares: list[str] = []
     for percent in (1, 10, 50, 90, 99):
         value = float(known[max(0, -(-percent * len(known) // 100) - 1)])
         shares.append(f"{speak_number(value)} in {percent} %{'' if shares else ' of them'}")
+    return f'{_bars(check.histogram(), check.hexahedra, float(known[0]), level)}<p class="beside">At most {", ".join(shares)}.</p>\n'
+
+
+def _bars(counts: NDArray[np.int64], hexahedra: int, least: float | None, level: int) -> str:
+    """The bars, with what they are; the first if all that is below -1 is down to `least`."""
+    known = int(counts.sum())
+    words = f"Relative minima of {_grouped(known)} {'hexahedron' if known == 1 else 'hexahedra'}"
+    beside = hexahedra - known
+    others = f" {_grouped(beside)} {'has' if beside == 1 else 'have'} none: the volume is 0, or there is no answer." if beside else ""
+    first = int(np.flatnonzero(counts)[0])
+    if first == 0 and least is not None:
+        others = f" The first bar is all below -1, down to {speak_number(least)}.{others}"
+    # The bin of all below -1 is drawn as wide as the others.
+    edges = np.array([EDGES[1] - 1 / BINS, *EDGES[1:]])
     return (
         f'<h{level} class="part">{words}</h{level}>\n'
         f'<p class="beside">Counts are logarithmic, negative values red and hatched.{others}</p>\n'
-        f"{_histogram_svg(edges, counts, words)}\n"
-        f'<p class="beside">At most {", ".join(shares)}.</p>\n'
+        f"{_histogram_svg(edges[first:], counts[first:], words)}\n"
     )
 
 
@@ -216,32 +231,101 @@ def _histogram_svg(edges: NDArray[np.float64], counts: NDArray[np.int64], words:
     return f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" role="img" aria-label="{label}">{"".join(parts)}</svg>'
 
 
-def _worst(check: MeshCheck, level: int) -> str:
+def _drawn(check: MeshCheck, level: int) -> str:
+    """The worst as drawings with their numbers beside them."""
     cells = [check[int(index)] for index in check.worst_indices[:_LISTED]]
     if not cells:
         return ""
-    title = "The worst cell" if len(cells) == 1 else f"The worst {len(cells)} cells, worst first"
-    name = "index" if check.mesh.ids is None else "id"
-    columns = [name, *(["block"] if check.mesh.blocks else []), "relative minimum", "minimum", "at", "accepted by"]
+    drawings = "".join(_drawn_cell(cell, level + 1) for cell in cells)
+    return f'<h{level} class="part">{_worst_title(cells)}</h{level}>\n<div class="cells">\n{drawings}</div>\n'
+
+
+def _drawn_cell(cell: Cell, level: int) -> str:
+    from ._picture import picture
+
+    name = f"Index {cell.index}" if cell.id is None else f"Cell {cell.id}"
+    head = f'<section class="cell">\n<h{level}>{markup(name if cell.block is None else f"{name}, block {cell.block}")}</h{level}>\n'
+    report = cell.report
+    if report is None:
+        return f'{head}<p class="why">Unanswered. {markup(cell.error or "")}</p>\n</section>\n'
+    kind = report.class_ if report.shape is None else f"{report.class_}, {report.shape}"
+    relative, minimum, place, accepted = _numbers(report)
+    sign = "" if report.valid else ' class="sign"'
+    entries = (
+        ("Relative minimum", f"<span{sign}>{relative}</span>"),
+        ("Minimum", f"<span{sign}>{minimum}</span> at {place}"),
+        ("Volume", speak_jacdet(report.volume_mantissa, report.volume_exponent)),
+        ("Class", f"<span{sign}>{kind}</span>"),
+        ("Accepted by", accepted),
+    )
+    terms = "".join(f"<dt>{term}</dt><dd>{text}</dd>" for term, text in entries)
+    rows = "".join(
+        f'<tr><th scope="row">{v}</th>{"".join(f"<td>{js_number(x)}</td>" for x in vertex)}</tr>'
+        for v, vertex in enumerate(report.vertices)
+    )
+    vertices = f"<details><summary>Its vertices</summary><table>{rows}</table></details>"
+    return f"{head}{picture(report)}\n<dl>{terms}</dl>\n{vertices}\n</section>\n"
+
+
+def _numbers(report: Report) -> tuple[str, str, str, str]:
+    """The relative minimum, the minimum, where it is, and the checks that accept the cell."""
+    at = report.minimizer
+    return (
+        "none, the volume is 0" if report.relative_min is None else speak_number(report.relative_min),
+        speak_jacdet(at.value, report.exponent),
+        f"{at.kind} {at.id}{'' if at.kind == 'vertex' else f' {spoken_point(at.point)}'}",
+        "none" if not report.accepted_by else "all" if len(report.accepted_by) == len(CHECKS) else ", ".join(report.accepted_by),
+    )
+
+
+def _worst_title(cells: Sequence[Cell]) -> str:
+    return "The worst cell" if len(cells) == 1 else f"The worst {len(cells)} cells, worst first"
+
+
+def _worst(check: MeshCheck, level: int) -> str:
+    return _worst_rows([check[int(index)] for index in check.worst_indices[:_LISTED]], level)
+
+
+def _worst_rows(cells: Sequence[Cell], level: int) -> str:
+    if not cells:
+        return ""
+    title = _worst_title(cells)
+    pieces = any(isinstance(cell, PieceCell) for cell in cells)
+    blocks = any(cell.block is not None for cell in cells)
+    name = "index" if all(cell.id is None for cell in cells) else "id"
+    columns = [*(["piece"] if pieces else []), name, *(["block"] if blocks else []), "relative minimum", "minimum", "at", "accepted by"]
     head = "".join(f'<th scope="col">{column}</th>' for column in columns)
-    rows = "".join(f"<tr>{_row(check, cell)}</tr>\n" for cell in cells)
+    rows = "".join(f"<tr>{_row(cell, blocks)}</tr>\n" for cell in cells)
     return (
         f'<h{level} class="part">{title}</h{level}>\n<div class="rows" tabindex="0" role="region" aria-label="{title}">'
         f"<table><thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
     )
 
 
-def _row(check: MeshCheck, cell: Cell) -> str:
-    name = f'<th scope="row">{markup(cell.id if cell.id is not None else str(cell.index))}</th>'
-    block = f"<td>{markup(cell.block or '')}</td>" if check.mesh.blocks else ""
+def _row(cell: Cell, has_block: bool) -> str:
+    piece = f"<td>{markup(without_controls(cell.piece))}</td>" if isinstance(cell, PieceCell) else ""
+    name = f'{piece}<th scope="row">{markup(cell.id if cell.id is not None else str(cell.index))}</th>'
+    block = f"<td>{markup(cell.block or '')}</td>" if has_block else ""
     report = cell.report
     if report is None:
         return f'{name}{block}<td colspan="4">{markup(cell.error or "")}</td>'
     sign = "" if report.valid else ' class="sign"'
-    relative = "none, the volume is 0" if report.relative_min is None else speak_number(report.relative_min)
-    at = report.minimizer
-    place = f"{at.kind} {at.id}{'' if at.kind == 'vertex' else f' {spoken_point(at.point)}'}"
-    accepting = report.accepted_by
-    accepted = "none" if not accepting else "all" if len(accepting) == len(CHECKS) else ", ".join(accepting)
-    minimum = speak_jacdet(at.value, report.exponent)
+    relative, minimum, place, accepted = _numbers(report)
     return f"{name}{block}<td{sign}>{relative}</td><td{sign}>{minimum}</td><td>{place}</td><td>{accepted}</td>"
+
+
+def pieces_markup(check: PiecesCheck, level: int) -> str:
+    """Of a mesh in pieces, for notebooks: the sentence, the pieces that failed, the histogram, the worst ten."""
+    sentences = [f"{piece.name}: {piece.error}" for piece in check.failed[:_LISTED]]
+    if len(check.failed) > _LISTED:
+        sentences.append(f"{len(check.failed) - _LISTED} more failed.")
+    if check.min_relative is not None:
+        sentences.insert(0, f"{_grouped(check.below)} with a relative minimum below {speak_number(check.min_relative)}.")
+    notes = "".join(f"<li>{markup(without_controls(sentence))}</li>\n" for sentence in sentences)
+    bars = _bars(check.histogram, check.hexahedra, check.least, level + 1) if check.histogram.any() else ""
+    return (
+        f'<style>{_STYLES}</style>{_HATCH}<section class="hexlens">\n'
+        f'<h{level} class="headline">{markup(check.headline())}</h{level}>\n'
+        f"{f'<ul>{notes}</ul>' if notes else ''}{bars}"
+        f"{_worst_rows(list(check.worst[:_LISTED]), level + 1)}</section>\n"
+    )

@@ -6,13 +6,10 @@ as it is declared is refused here; numbers that lie raw in the file are mapped, 
 
 import base64
 import binascii
-import gzip
-import lzma
 import os
 import re
 import xml.etree.ElementTree as ElementTree
 import zlib
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final, NoReturn
@@ -23,7 +20,7 @@ from numpy.typing import NDArray
 from ._arrays import HexlensError
 from ._mesh import VOXEL, CellArrays, Grid, Mesh, MeshMaker, cell_data_rank
 
-__all__ = ["read_vtu"]
+__all__ = ["read_vtu", "sources_of"]
 
 _GRID, _PARALLEL = "UnstructuredGrid", "PUnstructuredGrid"
 _TYPES: Final = {
@@ -32,11 +29,7 @@ _TYPES: Final = {
     "Float32": "f4",
     "Float64": "f8",
 }
-_COMPRESSORS: Final[dict[str, Callable[[bytes], bytes] | None]] = {
-    "": None,
-    "vtkZLibDataCompressor": zlib.decompress,
-    "vtkLZMADataCompressor": lzma.decompress,
-}
+_COMPRESSORS: Final = {"": None, "vtkZLibDataCompressor": "zlib", "vtkLZMADataCompressor": "LZMA"}
 #: A header with its XML is in the first part of a file; what is appended is not searched.
 _HEAD_CHUNK: Final = 1 << 20
 
@@ -46,10 +39,7 @@ def read_vtu(path: str, name: str) -> Mesh:
     document = _Document(Path(path).read_bytes() if _is_packed(path) else _mapped(path, name), name, is_packed=_is_packed(path))
     maker = MeshMaker("VTU", document.refusal)
     if document.type == _PARALLEL:
-        sources = [piece.get("Source", "") for piece in document.pieces]
-        if not sources:
-            document.refuse("it names no piece.")
-        for source in sources:
+        for source in _sources(document):
             _add_source(maker, document, Path(path).parent, source)
     elif document.type == _GRID:
         _add_pieces(maker, document, None)
@@ -60,18 +50,41 @@ def read_vtu(path: str, name: str) -> Mesh:
     return maker.mesh()
 
 
+def sources_of(path: str) -> list[str]:
+    """The files that a .pvtu names, whether they are there or not."""
+    name = Path(path).name
+    try:
+        document = _Document(_mapped(path, name), name, is_packed=False)
+    except OSError as error:
+        raise HexlensError(f"{name} cannot be read: {(error.strerror or str(error)).lower()}.") from None
+    if document.type != _PARALLEL:
+        document.refuse(f"its type is {document.type!r}; {_PARALLEL} was expected.")
+    folder = Path(path).parent
+    return [_beside(folder, source) or str(folder / source) for source in _sources(document)]
+
+
+def _sources(document: "_Document") -> list[str]:
+    sources = [piece.get("Source", "") for piece in document.pieces]
+    if not sources:
+        document.refuse("it names no piece.")
+    return sources
+
+
+def _beside(folder: Path, source: str) -> str | None:
+    spellings = (folder / source, folder / source.replace("\\", "/"))
+    return next((str(beside) for beside in spellings if beside.is_file()), None)
+
+
 def _add_source(maker: MeshMaker, document: "_Document", folder: Path, source: str) -> None:
-    for spelling in dict.fromkeys((source, source.replace("\\", "/"))):
-        beside = folder / spelling
-        if beside.is_file():
-            inner = _Document(_mapped(str(beside), source), source, is_packed=False)
-            if inner.type != _GRID:
-                inner.refuse(f"a piece of type {inner.type!r} stands where one of type {_GRID} was expected.")
-            if not inner.is_complete:
-                inner.refuse("the file is cut off: there is no </VTKFile>.")
-            _add_pieces(maker, inner, source)
-            return
-    document.refuse(f"it needs “{source}” beside it.")
+    beside = _beside(folder, source)
+    if beside is None:
+        document.refuse(f"it needs “{source}” beside it.")
+    inner = _Document(_mapped(beside, source), source, is_packed=False)
+    if inner.type != _GRID:
+        inner.refuse(f"a piece of type {inner.type!r} stands where one of type {_GRID} was expected.")
+    if not inner.is_complete:
+        inner.refuse("the file is cut off: there is no </VTKFile>.")
+    _add_pieces(maker, inner, source)
 
 
 def _is_packed(path: str) -> bool:
@@ -98,6 +111,9 @@ class _Document:
     def __init__(self, data: Any, name: str, *, is_packed: bool) -> None:
         self.name = name
         if is_packed:
+            # Modules that few files need are imported with these.
+            import gzip
+
             try:
                 data = gzip.decompress(data)
             except (EOFError, OSError, zlib.error) as error:
@@ -119,7 +135,7 @@ class _Document:
             self.refuse("it is packed with LZ4, which is not read here: `npx hexlens check FILE` reads it.")
         if compressor not in _COMPRESSORS:
             self.refuse(f"the compressor is “{compressor}”, which VTK does not have.")
-        self._decompress = _COMPRESSORS[compressor]
+        self._packing = _COMPRESSORS[compressor]
         grid = root.find(self.type) if re.fullmatch(r"\w+", self.type) else None
         self.pieces = [] if grid is None else grid.findall("Piece")
 
@@ -193,7 +209,7 @@ class _Document:
             self.refuse(f"“{name}” has format “{format_}”: ascii, binary or appended was expected.")
         if count == 0:
             return np.empty(0, own)
-        raw = self._plain(source, name, own, count) if self._decompress is None else self._blocks(source, name, own, count)
+        raw = self._plain(source, name, own, count) if self._packing is None else self._blocks(source, name, own, count)
         return raw if raw.dtype.isnative else raw.astype(own.newbyteorder("="))
 
     def _text(self, element: ElementTree.Element, name: str, own: np.dtype[Any], count: int) -> NDArray[Any]:
@@ -269,15 +285,19 @@ class _Document:
         return values
 
     def _unpacked(self, packed: bytes, name: str, expected: int) -> bytes:
-        try:
-            if self._decompress is zlib.decompress:
-                # No more than is declared is ever unpacked.
-                stream = zlib.decompressobj()
-                block = stream.decompress(packed, expected + 1)
-            else:
+        # No more than is declared is ever unpacked.
+        if self._packing == "zlib":
+            try:
+                block = zlib.decompressobj().decompress(packed, expected + 1)
+            except zlib.error as error:
+                self.refuse(f"“{name}” is damaged: {error}.")
+        else:
+            import lzma
+
+            try:
                 block = lzma.LZMADecompressor().decompress(packed, expected + 1)
-        except (zlib.error, lzma.LZMAError, EOFError) as error:
-            self.refuse(f"“{name}” is damaged: {error}.")
+            except (lzma.LZMAError, EOFError) as error:
+                self.refuse(f"“{name}” is damaged: {error}.")
         if len(block) != expected:
             self.refuse(f"“{name}” has a block that is not of the {expected} bytes that are declared.")
         return block
@@ -286,8 +306,24 @@ class _Document:
 def _add_pieces(maker: MeshMaker, document: _Document, block: str | None) -> None:
     if not document.pieces:
         document.refuse("it has no <Piece>.")
+    ghosts = 0
     for element in document.pieces:
         maker.add(_grid(document, element), block)
+        ghosts += _ghost_count(document, element)
+    if ghosts:
+        maker.notes.append(f"{ghosts} cells are ghosts, copies of cells of another piece; they are counted in both.")
+
+
+#: vtkDataSetAttributes::DUPLICATECELL
+_IS_COPY: Final = 1
+
+
+def _ghost_count(document: _Document, element: ElementTree.Element) -> int:
+    """How many cells are copies of cells of other pieces."""
+    array = next((array for array in element.findall("CellData/DataArray") if array.get("Name") == "vtkGhostType"), None)
+    if array is None:
+        return 0
+    return int(np.count_nonzero(document.array(array, "vtkGhostType", int(element.get("NumberOfCells", "0"))) & _IS_COPY))
 
 
 def _grid(document: _Document, element: ElementTree.Element) -> Grid:

@@ -34,10 +34,11 @@ def mesh_of(source: Any, format_: str | None = None) -> Mesh:
         return _from_vtk(source, "PyVista")
     if _is_meshio(source):
         return _from_meshio(source)
-    if hasattr(source, "GetCellTypes") and hasattr(source, "GetPoints"):
-        return _from_vtk(_import("pyvista").wrap(source), "VTK")
     if hasattr(source, "cast_to_unstructured_grid"):
         return _from_vtk(source.cast_to_unstructured_grid(), "PyVista")
+    if hasattr(source, "GetCellTypes") and hasattr(source, "GetPoints"):
+        wrapped = _import("pyvista").wrap(source)
+        return _from_vtk(wrapped if hasattr(wrapped, "celltypes") else wrapped.cast_to_unstructured_grid(), "VTK")
     model = getattr(source, "model", source)
     if hasattr(model, "mesh") and hasattr(model.mesh, "getNodes"):
         return _from_gmsh(model)

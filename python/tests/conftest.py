@@ -55,3 +55,29 @@ def lattice(n: int, move: float = 0.0, seed: int = 1) -> tuple[np.ndarray, np.nd
 @pytest.fixture
 def cube() -> np.ndarray:
     return np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
+
+
+def write_vtu(path: Path, points: np.ndarray, cells: np.ndarray, ghosts: np.ndarray | None = None) -> None:
+    """Hexahedra as a raw VTU."""
+    count = len(cells)
+    arrays = [
+        ("Points", "Points", "Float64", ' NumberOfComponents="3"', points),
+        ("Cells", "connectivity", "Int32", "", cells.astype(np.int32)),
+        ("Cells", "offsets", "Int64", "", np.arange(8, 8 * count + 8, 8)),
+        ("Cells", "types", "UInt8", "", np.full(count, 12, np.uint8)),
+    ]
+    if ghosts is not None:
+        arrays.append(("CellData", "vtkGhostType", "UInt8", "", ghosts.astype(np.uint8)))
+    offset, sections = 0, {}
+    for section, name, kind, more, values in arrays:
+        line = f'<DataArray type="{kind}" Name="{name}"{more} format="appended" offset="{offset}"/>'
+        sections[section] = sections.get(section, "") + line
+        offset += 8 + values.nbytes
+    inner = "".join(f"<{section}>{lines}</{section}>" for section, lines in sections.items())
+    head = '<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64"><UnstructuredGrid>'
+    piece = f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{count}">{inner}</Piece></UnstructuredGrid>'
+    with open(path, "wb") as file:
+        file.write(f'{head}{piece}<AppendedData encoding="raw">_'.encode())
+        for *_, values in arrays:
+            file.write(np.uint64(values.nbytes).tobytes() + np.ascontiguousarray(values).tobytes())
+        file.write(b"</AppendedData></VTKFile>")

@@ -271,6 +271,37 @@ def test_arrays_are_checked() -> None:
         hexlens.check("nothing.vtu")
 
 
+def test_flat_meshes_have_no_hexahedra() -> None:
+    pyvista = pytest.importorskip("pyvista")
+    vtk_filters = pytest.importorskip("vtkmodules.vtkFiltersSources")
+    plane = vtk_filters.vtkPlaneSource()
+    plane.Update()
+    for mesh in (pyvista.Plane(), pyvista.Plane().cast_to_unstructured_grid(), plane.GetOutput()):
+        result = hexlens.check(mesh)
+        assert result.headline() == "no hexahedra of eight nodes."
+        assert re.fullmatch(r"Not checked: \d+ quadrilaterals?\.", result.count_sentences()[0])
+        assert result.exit == 3
+
+
+def test_points_that_do_not_exist_leave_their_cells_unanswered(cube: np.ndarray) -> None:
+    good = [0, 1, 2, 3, 4, 5, 6, 7]
+    result = hexlens.check((cube, [good, [0, 1, 2, 3, 4, 5, 6, 99], [-1, 1, 2, 3, 4, 5, 6, 7]]))
+    assert result.headline() == "3 hexahedra, 1 valid, 2 unanswered."
+    assert result.notes == ["2 hexahedra are unanswered, first with index 1: it names point 99, which does not exist."]
+    assert [cell.error for cell in result.worst] == [
+        None,
+        "It names point 99, which does not exist.",
+        "It names point -1, which does not exist.",
+    ]
+    assert np.isnan(result[2].vertices[0]).all()
+
+
+def test_two_to_the_31_points_are_refused() -> None:
+    points = np.broadcast_to(np.zeros(3), (2**31, 3))
+    with pytest.raises(hexlens.HexlensError, match="take the mesh in pieces"):
+        hexlens.check((points, [[0] * 8]))
+
+
 def test_names_in_files_cannot_act(tmp_path: Path) -> None:
     points, cells = lattice(1)
     grid = tmp_path / "a<b>\x1b[31m&\u202e.vtu"
@@ -303,6 +334,8 @@ def test_html_is_xml_and_says_the_counts(tmp_path: Path) -> None:
     root = ElementTree.fromstring(path.read_text().replace("<!DOCTYPE html>", ""))
     text = "".join(root.itertext())
     assert "10 of 16 hexahedra are invalid. The eight corners would accept 3 of them" in text
+    names = [drawing.get("aria-label", "") for drawing in root.iter("{http://www.w3.org/2000/svg}svg")]
+    assert len([name for name in names if name.startswith("Invalid hexahedron, least jacdet")]) == 10
     assert len(list(csv.reader((tmp_path / "cells.csv").open(newline="")))) == 17
     ElementTree.fromstring(f"<div>{hexlens.check(MESHES / VTU)._repr_html_()}</div>".replace("\xa0", " "))
 

@@ -1,5 +1,5 @@
-"""The package as it is published: what the wheel and the sdist hold, what a build without its parts says, and every example of the
-README and of docs/python.md."""
+"""The package as it is published: what the wheel and the sdist hold, what a build without its parts says, and every example of its
+pages, as scripts and as notebooks."""
 
 import os
 import re
@@ -13,13 +13,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import run_examples
 from conftest import MESHES, ROOT
 
 import hexlens
 
 BUILDS = Path(os.environ.get("HEXLENS_BUILDS", "/nowhere"))
 built = pytest.mark.skipif(not BUILDS.exists(), reason="npm run test:python builds it")
-PAGES = [ROOT / "python/README.md", ROOT / "docs/python.md"]
 
 
 @built
@@ -100,29 +100,48 @@ def test_without_its_library_an_import_says_so(tmp_path: Path) -> None:
     assert "Hexlens lacks its C library" in done.stderr
 
 
-def examples() -> list[tuple[str, str]]:
-    found = []
-    for page in PAGES:
-        for i, code in enumerate(re.findall(r"```python\n(.*?)```", page.read_text(), re.DOTALL)):
-            found.append((f"{page.name} {i}", code))
-    return found
+needs_meshes = pytest.mark.skipif(not MESHES.exists(), reason="the meshes are not beside the repository")
+#: A mesh that the examples are about.
+MESH = MESHES / "made/vtk-raw-none.vtu"
+#: What the examples need beside the package: notebooks, MPI, and the class that submits jobs.
+BESIDE = ("ipykernel", "nbclient", "nbconvert", "mpi4py", "mpich", "dask-jobqueue")
 
 
-@pytest.mark.skipif(not MESHES.exists(), reason="the meshes are not beside the repository")
-def test_every_example_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    """In order, a page's examples in one namespace; a comment behind print is what it prints."""
-    for name in ("anywidget", "pyvista", "meshio", "pandas"):
+@needs_meshes
+@pytest.mark.parametrize("page", run_examples.PAGES)
+def test_every_example_runs(page: str) -> None:
+    for name in ("anywidget", "pyvista", "meshio", "distributed", "dask_jobqueue", "mpi4py"):
         pytest.importorskip(name)
-    shutil.copy(MESHES / "made/vtk-raw-none.vtu", tmp_path / "mesh.vtu")
-    monkeypatch.chdir(tmp_path)
-    assert len(examples()) >= 6
-    spaces: dict[str, dict[str, object]] = {}
-    for name, code in examples():
-        capsys.readouterr()
-        exec(compile(code, name, "exec"), spaces.setdefault(name.split()[0], {}))
-        expected = re.findall(r"^ *print\(.*\)  # (.*)$", code, re.MULTILINE)
-        printed = capsys.readouterr().out.splitlines()
-        assert printed[: len(expected)] == expected or not expected, name
+    with run_examples.readers_folder(MESH):
+        assert run_examples.run_page(page) >= 2
+
+
+@needs_meshes
+@pytest.mark.parametrize("page", run_examples.NOTEBOOKS)
+def test_every_notebook_runs(page: str) -> None:
+    for name in ("anywidget", "nbclient", "nbconvert"):
+        pytest.importorskip(name)
+    with run_examples.readers_folder(MESH):
+        assert run_examples.run_notebook(page) >= 2
+
+
+if os.environ.get("HEXLENS_ALL"):
+
+    @built
+    @needs_meshes
+    @pytest.mark.parametrize("way", ["the folder", "the wheel", "the sdist"])
+    def test_each_way_of_installing_runs_every_example(way: str, tmp_path: Path) -> None:
+        """In a virtual environment that has nothing else."""
+        source = {"the folder": ROOT / "python", "the wheel": next(BUILDS.glob("*.whl")), "the sdist": next(BUILDS.glob("*.tar.gz"))}[way]
+        uv = Path(sys.executable).with_name("uv")
+        subprocess.run([sys.executable, "-m", "venv", "--without-pip", tmp_path / "venv"], check=True)
+        interpreter = tmp_path / "venv/bin/python"
+        own = f"hexlens[widget,dask,files] @ {source.as_uri()}"
+        subprocess.run([uv, "pip", "install", "--quiet", "--python", interpreter, own, *BESIDE], check=True)
+        program = [interpreter, ROOT / "python/tests/run_examples.py", MESH]
+        done = subprocess.run(program, cwd=tmp_path, capture_output=True, encoding="utf-8", check=False)
+        assert done.returncode == 0, done.stderr
+        assert re.fullmatch(r"\d+ examples and \d+ cells of notebooks ran\n", done.stdout)
 
 
 def test_vertices_of_the_widget_go_both_ways() -> None:

@@ -18,6 +18,7 @@ interface Figures {
   readonly cores: number
   readonly one: Readonly<Record<string, number>>
   readonly threads: Readonly<Record<string, number>>
+  readonly shares: { readonly one: number; readonly calling: number; readonly helping: number }
   readonly command: Readonly<Record<string, number>>
   readonly imports: Readonly<Record<string, number>>
   readonly calls: Readonly<Record<string, number>>
@@ -33,7 +34,7 @@ export async function main(options: readonly string[]): Promise<void> {
   process.stdout.write(table(JSON.parse(stdout)))
 }
 
-function table({ cells, many, vectors, cores, one, threads, command, imports, calls }: Figures): string {
+function table({ cells, many, vectors, cores, one, threads, shares, command, imports, calls }: Figures): string {
   const beside = (name: string, own: Readonly<Record<string, number>>, other: string) =>
     ((own[name] as number) / (own[other] as number)).toFixed(2)
   const nanoseconds = (name: string) => `${(((one[name] as number) / cells) * 1e9).toFixed(1)} ns`
@@ -47,6 +48,11 @@ function table({ cells, many, vectors, cores, one, threads, command, imports, ca
       `${seconds.toFixed(3)} s`,
       `${beside('1 threads', threads, name)} times as fast as one`,
     ]),
+    [
+      'the same by processor time, on two free cores',
+      `${(shares.calling + shares.helping / 2).toFixed(3)} s`,
+      `${(shares.one / (shares.calling + shares.helping / 2)).toFixed(2)} times as fast as one`,
+    ],
     ...Object.entries(command).map(([name, seconds]) => [
       name,
       `${seconds.toFixed(2)} s`,
