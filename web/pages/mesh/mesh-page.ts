@@ -34,13 +34,7 @@ import { HistogramView } from './histogram-view'
 import { InputDoor } from './input-door'
 import { MovingLens, NOTHING_MOVED } from './moving-lens'
 import { notesTemplate } from './notes'
-import {
-  cancelledWords,
-  NOT_IN_STEPS,
-  NOTHING_OPEN,
-  namesakeSentence,
-  refusalWords,
-} from './page-words'
+import { cancelledWords, NOT_IN_STEPS, NOTHING_OPEN, namesakeSentence, refusalWords } from './page-words'
 import { PictureControls } from './picture-controls'
 import { PlaceFold } from './place-fold'
 import type { Travelling } from './settings-text'
