@@ -14,7 +14,11 @@ const python = here('../../build/python/bin/python')
 const CELLS = 7168
 const INVALID = [2547, 2951]
 
-const folder = mkdtempSync(join(tmpdir(), 'hexlens-mesh-files-'))
+// A process may run tests of this file in two turns: each makes its own.
+let folder: string
+test.beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), 'hexlens-mesh-files-'))
+})
 test.afterAll(() => rmSync(folder, { recursive: true }))
 
 test.use({ viewport: { width: 1280, height: 800 } })

@@ -129,6 +129,8 @@ test('it starts between two different elements, and plays when it is asked to', 
     await lens.button('Play').click()
     await expect(sliderOf(page)).toHaveValue(between)
     await lens.button('Pause').click()
+    await expect(lens.button('Play')).toBeVisible()
+    await lens.nextFrame()
     const paused = await sliderOf(page).inputValue()
     for (let frame = 0; frame < 10; frame++) await lens.nextFrame()
     await expect(sliderOf(page)).toHaveValue(paused)

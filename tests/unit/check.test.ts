@@ -1,7 +1,7 @@
 /** The words about a mesh, from its answers alone. */
 import { describe, expect, it } from 'vitest'
+import { putCoincident } from '../../web/core/batch/coincident'
 import { exitOf, gravestExit } from '../../web/mesh/check'
-import { coincidentCells } from '../../web/mesh/coincident'
 import { joined } from '../../web/mesh/join-meshes'
 import { core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 import {
@@ -78,7 +78,11 @@ describe('counts', () => {
     const reports = elements.map(element => core.analyze(element)).map(result => (result.ok ? result.value : null))
     const valid = Uint8Array.from(reports, report => (report?.valid ? 1 : 0))
     const expected = Uint8Array.from(reports, report => (report && report.coincident.length > 0 ? 1 : 0))
-    expect(coincidentCells(mesh.points, mesh.cells, valid)).toEqual(expected)
+    const found = new Uint8Array(elements.length)
+    putCoincident({ ...mesh, valid }, found)
+    expect(found).toEqual(expected)
+    putCoincident({ points: Float64Array.from(elements.flat()), cells: null, valid }, found)
+    expect(found).toEqual(expected)
   })
 
   it('with degenerate cells skipped these count there alone and are not among the worst', async () => {

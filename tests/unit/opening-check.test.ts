@@ -16,7 +16,7 @@ import {
   notFinite,
 } from './mesh-fixtures'
 
-const LISTS = { minima: true, volumes: true, exact: true, acceptedBy: true }
+const LISTS = { minima: true, minimizers: false, volumes: true, exact: true, acceptedBy: true }
 const next = randomSource(20)
 const random = (count: number, sigma: number) => Array.from({ length: count }, () => randomHexahedron(next, sigma))
 const scaled = (elements: readonly (readonly number[])[], by: number) => elements.map(own => own.map(x => x * by))

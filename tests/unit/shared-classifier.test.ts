@@ -1,5 +1,6 @@
 /** Cells shared out among workers are answered as by one. */
 import { afterAll, expect, test } from 'vitest'
+import { PART } from '../../web/core/batch/low-halves'
 import type { WorkerPort } from '../../web/core/workers'
 import { sharedClassifier } from '../../web/survey/shared-classifier'
 import { core, randomSource, unitCube } from './core-fixtures'
@@ -87,4 +88,45 @@ test.each([
   }
   expect(most).toBe(SIDE ** 3)
   await close()
+})
+
+/** Parts of 8192 indices, as they are known of a file. */
+function inParts(list: Uint32Array) {
+  const ranges = new Int32Array(2 * Math.ceil(list.length / PART))
+  for (let part = 0; 2 * part < ranges.length; ++part) {
+    const own = list.subarray(PART * part, PART * (part + 1))
+    ranges[2 * part] = own.reduce((a, b) => Math.min(a, b))
+    ranges[2 * part + 1] = own.reduce((a, b) => Math.max(a, b))
+  }
+  return { list, ranges }
+}
+
+test.each([
+  { name: 'in order', isShuffled: false, helper: spawn },
+  { name: 'shuffled', isShuffled: true, helper: spawn },
+  { name: 'without a helper', isShuffled: false, helper: none },
+])('cells that become known bit by bit, $name', async ({ isShuffled, helper }) => {
+  const { points, cells } = lattice(isShuffled)
+  const expected = batchCores.vectors.classify({ points, cells, firstPoint: 0 }, LISTS)
+  const shared = sharedClassifier({ core, batchModule: async () => batchModules.vectors, helper, onProgress() {} })
+  // Nobody is there yet, so that nothing is begun.
+  shared.know(points, inParts(cells), 100, LISTS)
+  await shared.classify(points.slice(), cells.slice(), {})
+  const known = inParts(new Uint32Array(cells.length))
+  for (let count = 0; count < SIDE ** 3; ) {
+    const more = Math.min(count + 10_240, SIDE ** 3)
+    known.list.set(cells.subarray(8 * count, 8 * more), 8 * count)
+    known.ranges.set(inParts(known.list.subarray(8 * count, 8 * more)).ranges, (16 * count) / PART)
+    count = more
+    shared.know(points, known, count, LISTS)
+    await new Promise(resolve => setTimeout(resolve))
+  }
+  expectSame(await shared.classify(points, known.list, LISTS), expected)
+  // Other lists, and other cells in the place of those that were known, are asked for anew.
+  shared.know(points, known, 10_240, LISTS)
+  expectSame(
+    await shared.classify(points, known.list, {}),
+    batchCores.vectors.classify({ points, cells, firstPoint: 0 }, {}),
+  )
+  await shared.close()
 })

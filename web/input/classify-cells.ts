@@ -1,5 +1,6 @@
 /** Verdicts of a mesh's cells where it is read: few by the core, many by the core for batches, where that starts. */
 import { type BatchCore, type BatchOptions, loadBatchCore } from '../core/batch/batch-core'
+import { putCoincident } from '../core/batch/coincident'
 import { type Answers, answersOf, emptyLists, STATUSES, type Wanted } from '../core/batch/lists'
 import type { Core, Report } from '../core/report'
 import { CHECKS, CLASSES } from '../core/unpack'
@@ -51,6 +52,7 @@ function oneByOne(
     }
     if (cell % 256 === 255) onProgress(cell)
   }
+  if (answers.coincident) putCoincident({ ...mesh, valid: answers.valid }, answers.coincident)
   const invalidCount = count - validCount - unansweredCount
   return { ...answers, validCount, invalidCount, unansweredCount, firstUnanswered, exactCount }
 }
@@ -66,7 +68,7 @@ function put(
   if (exact) exact[cell] = Number(report.decidedBy === 'exact')
   if (minima) {
     minima.values[cell] = report.boundaryMinimum
-    minima.minimizers.set(report.minimizer.point, 3 * cell)
+    if (minima.minimizers.length > 0) minima.minimizers.set(report.minimizer.point, 3 * cell)
     minima.cornerMinima[cell] = report.cornerMinimum
     minima.exponents[cell] = report.exponent
   }

@@ -14,7 +14,7 @@ import type { MeshCheck } from '../mesh/mesh-check'
 import { MissingFiles, readTogether } from '../mesh/read-mesh'
 import { fileOfBytes, type MeshFile } from '../mesh/source'
 import { cellClassifier } from './classify-cells'
-import { type FileAtHand, fileAtHand } from './file-at-hand'
+import { type Beforehand, type FileAtHand, fileAtHand } from './file-at-hand'
 import { meshFileOf } from './file-reading'
 import type { PastedInput } from './pasted-input'
 import type { ReadingProgress, ReadSummary } from './reading'
@@ -72,16 +72,25 @@ export function filesOf(input: PastedInput): MeshFile[] {
 }
 
 /** One file is read beforehand; several may be more than there is memory for. */
-async function filesAtHand(input: PastedInput, onProgress: (fraction: number) => void): Promise<MeshFile[]> {
+async function filesAtHand(
+  input: PastedInput,
+  onProgress: (fraction: number) => void,
+  beforehand?: Beforehand,
+): Promise<MeshFile[]> {
   const [first, ...others] = 'files' in input ? input.files : []
-  return first && others.length === 0 ? [await fileAtHand(first, onProgress)] : filesOf(input)
+  return first && others.length === 0 ? [await fileAtHand(first, onProgress, beforehand)] : filesOf(input)
 }
 
 /** One mesh of all that was given. Throws a MeshRefusal, or what the engine throws. */
-export async function meshOf(input: PastedInput, { readingCore, hdf5 }: ReadingEngine, tell: Tell): Promise<Mesh> {
+export async function meshOf(
+  input: PastedInput,
+  { readingCore, hdf5 }: ReadingEngine,
+  tell: Tell,
+  beforehand?: Beforehand,
+): Promise<Mesh> {
   const core = await readingCore()
   const onProgress = (fraction: number) => tell({ step: 'reading', fraction })
-  const files = await filesAtHand(input, onProgress)
+  const files = await filesAtHand(input, onProgress, beforehand)
   const [first, ...others] = await hdf5.reading(
     reader => readTogether(files, { onProgress, throwIfCancelled: () => {}, core, hdf5: reader }),
     () => tell(LOADING_BEGINS),

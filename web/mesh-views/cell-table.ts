@@ -57,12 +57,16 @@ export class CellTable {
     this.#size.observe(root)
   }
 
-  /** Another list, or the same in another order. */
-  show(count: number, { hasBlocks, order }: { readonly hasBlocks: boolean; readonly order: Arrangement }): void {
+  /** Another list, or the same in another order; its first rows, if they are there already. */
+  show(
+    count: number,
+    { hasBlocks, order }: { readonly hasBlocks: boolean; readonly order: Arrangement },
+    first: readonly Row[] = [],
+  ): void {
     this.#count = count
     this.#hasBlocks = hasBlocks
     this.#order = order
-    this.#blocks = new Map()
+    this.#blocks = new Map(first.length >= Math.min(BLOCK, count) ? [[0, first]] : [])
     this.#version++
     this.#active = Math.min(this.#active, Math.max(0, count - 1))
     this.#render()

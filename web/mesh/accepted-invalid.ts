@@ -1,6 +1,7 @@
 /** How many of the invalid cells the checks accept of which the sentence on top tells. */
 import { CHECKS } from '../core/unpack'
 import type { ClassifyCells } from './check'
+import { inParts } from './in-parts'
 import type { MeshCheck } from './mesh-check'
 
 export interface AcceptedInvalid {
@@ -30,10 +31,12 @@ export async function acceptedOfInvalid(check: MeshCheck, classify: ClassifyCell
   const { mesh, answers } = check
   const cornerMinima = (answers.minima as NonNullable<typeof answers.minima>).cornerMinima
   const some: number[] = []
-  for (let cell = 0; cell < check.hexahedra; ++cell) {
-    if (answers.valid[cell] === 1 || check.standingOf(cell) !== 'invalid') continue
-    if ((cornerMinima[cell] as number) > 0 || hasShortVector(mesh.points, mesh.cells, cell)) some.push(cell)
-  }
+  inParts(check.hexahedra, (from, to) => {
+    for (let cell = from; cell < to; ++cell) {
+      if (answers.valid[cell] === 1 || check.standingOf(cell) !== 'invalid') continue
+      if ((cornerMinima[cell] as number) > 0 || hasShortVector(mesh.points, mesh.cells, cell)) some.push(cell)
+    }
+  })
   if (some.length === 0) return { corners: 0, vtk: 0 }
   const { acceptedBy } = await classify(mesh.points, cellsAt(mesh.cells, some), { acceptedBy: true })
   let [corners, vtk] = [0, 0]
@@ -47,8 +50,10 @@ export async function acceptedOfInvalid(check: MeshCheck, classify: ClassifyCell
 /** Eight indices for each of some cells. */
 export function cellsAt(cells: Uint32Array, some: ArrayLike<number>): Uint32Array {
   const own = new Uint32Array(8 * some.length)
-  for (let i = 0; i < some.length; ++i)
-    own.set(cells.subarray(8 * (some[i] as number), 8 * (some[i] as number) + 8), 8 * i)
+  for (let i = 0; i < some.length; ++i) {
+    const from = 8 * (some[i] as number)
+    for (let v = 0; v < 8; ++v) own[8 * i + v] = cells[from + v] as number
+  }
   return own
 }
 
@@ -93,13 +98,15 @@ function hasShortVector(points: Float64Array, cells: Uint32Array, cell: number):
   for (let e = 0; e < 24; e += 2) {
     const [a, b] = [3 * (EDGES[e] as number), 3 * (EDGES[e + 1] as number)]
     const x = (own[a] as number) - (own[b] as number)
+    if (x * x > short) continue
     const y = (own[a + 1] as number) - (own[b + 1] as number)
     const z = (own[a + 2] as number) - (own[b + 2] as number)
     if (x * x + y * y + z * z <= short) return true
   }
-  for (const side of SIDES) {
+  for (let s = 0; s < SIDES.length; ++s) {
+    const side = SIDES[s] as Uint8Array
     let size = 0
-    for (let axis = 0; axis < 3; ++axis) {
+    for (let axis = 0; axis < 3 && size <= short; ++axis) {
       let sum = 0
       for (let i = 0; i < 4; ++i)
         sum += (own[3 * (side[i] as number) + axis] as number) - (own[3 * (side[i + 4] as number) + axis] as number)

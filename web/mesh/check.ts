@@ -10,7 +10,7 @@ import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
 import type { NodeOrder } from '../model/node-orders'
 import { checkNotes } from './check-notes'
-import { coincidentCells } from './coincident'
+import { inParts } from './in-parts'
 import { firstBlocks, type Mesh } from './mesh'
 import { type CheckAnswers, type MeshCheck, NEEDED, STANDINGS, type Standing } from './mesh-check'
 import { openOrdersOf } from './open-orders'
@@ -44,7 +44,7 @@ export async function checkMesh(
   const hexahedra = cells.length / 8
   const answers: CheckAnswers = await classify(points, cells, { ...lists, ...NEEDED })
   const byCorners = await classify(points, notTrilinear.corners, {})
-  const coincident = coincidentCells(points, cells, answers.valid)
+  const { coincident } = answers
 
   const openOrders = mesh.isOrderStated ? new Map<number, NodeOrder>() : openOrdersOf(mesh, answers.valid, core)
 
@@ -56,14 +56,19 @@ export async function checkMesh(
   const counts = { valid: 0, invalid: 0, unanswered: 0, degenerate: 0 }
   let [degenerate, below, mirrored] = [0, 0, 0]
   const counted = new Uint32Array(STANDINGS.length)
-  for (let cell = 0; cell < hexahedra; ++cell) {
-    const standing = standings[cell] as number
-    counted[standing] = (counted[standing] as number) + 1
-    degenerate += coincident[cell] as number
-    if (standing > INVALID) continue
-    if (minRelative !== null && isBelow(cell)) below++
-    if (answers.classes[cell] === INVERTED) mirrored++
-  }
+  inParts(hexahedra, (from, to) => {
+    let [coincidents, inverted] = [0, 0]
+    for (let cell = from; cell < to; ++cell) {
+      const standing = standings[cell] as number
+      counted[standing] = (counted[standing] as number) + 1
+      coincidents += coincident[cell] as number
+      if (standing <= INVALID && answers.classes[cell] === INVERTED) inverted++
+    }
+    degenerate += coincidents
+    mirrored += inverted
+  })
+  if (minRelative !== null)
+    for (let cell = 0; cell < hexahedra; ++cell) if ((standings[cell] as number) <= INVALID && isBelow(cell)) below++
   for (const [i, standing] of STANDINGS.entries()) counts[standing] = counted[i] as number
   const severity = {
     relativeMinima: answers.relativeMinima,
@@ -110,10 +115,12 @@ function standingsOf({
   coincident,
 }: Pick<MeshCheck, 'answers' | 'openOrders'> & { readonly coincident: Uint8Array | null }): Uint8Array {
   const standings = new Uint8Array(valid.length)
-  for (let cell = 0; cell < standings.length; ++cell) {
-    if (IS_ANSWERED[statuses[cell] as number] === 1) standings[cell] = valid[cell] === 1 ? VALID : INVALID
-    else standings[cell] = UNANSWERED
-  }
+  inParts(standings.length, (from, to) => {
+    for (let cell = from; cell < to; ++cell) {
+      if (IS_ANSWERED[statuses[cell] as number] === 1) standings[cell] = valid[cell] === 1 ? VALID : INVALID
+      else standings[cell] = UNANSWERED
+    }
+  })
   for (const cell of openOrders.keys()) standings[cell] = UNANSWERED
   if (coincident)
     for (let cell = 0; cell < standings.length; ++cell) if (coincident[cell] === 1) standings[cell] = DEGENERATE

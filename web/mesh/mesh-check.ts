@@ -6,7 +6,7 @@ import type { NodeOrder } from '../model/node-orders'
 import type { Mesh } from './mesh'
 
 /** Lists without which there are no counts. */
-export const NEEDED = { relativeMinima: true, classes: true, statuses: true } as const
+export const NEEDED = { relativeMinima: true, classes: true, statuses: true, coincident: true } as const
 export type CheckAnswers = Classification<typeof NEEDED & Wanted>
 
 /** The kinds of cells that are counted. */

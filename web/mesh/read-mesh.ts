@@ -6,7 +6,7 @@ import { type Mesh, MeshRefusal } from './mesh'
 import { fencedBlocks, withoutQuotation } from './quotation'
 import { shownFileName } from './shown'
 import { utf16Of } from './snippet-text'
-import { fileNamed, type MeshFile, type MeshFormat, type ReadOptions } from './source'
+import { type FileList, fileNamed, type MeshFile, type MeshFormat, type ReadOptions } from './source'
 import { shown } from './text-cursor'
 
 const HEAD = 65_536
@@ -109,6 +109,18 @@ export function readMeshes(file: MeshFile, options: Partial<ReadOptions> & { for
   }
 }
 
+/** Long lists of numbers that lie in the file; none where that is not known, or where the file will be refused. */
+export function listsIn(file: MeshFile): readonly FileList[] {
+  const head = headOf(file)
+  const format = formats.find(({ recognizes }) => recognizes(head, '') === 'yes')
+  try {
+    return format?.listsIn?.(file) ?? []
+  } catch (error) {
+    if (error instanceof MeshRefusal) return []
+    throw error
+  }
+}
+
 /** Meshes of fences with files of different formats; else none: the text is read as one. */
 function meshesInFences(file: MeshFile, options: ReadOptions): Mesh[] {
   const known = fencedBlocks(file).flatMap(({ file: block, text }) => {
@@ -128,7 +140,12 @@ function withTruePlaces(mesh: Mesh): Mesh {
 
 /** The file with the name under which people are told of it. */
 function named(file: MeshFile): MeshFile {
-  return { name: shownFileName(file.name), size: file.size, read: (from, to, into) => file.read(from, to, into) }
+  return {
+    name: shownFileName(file.name),
+    size: file.size,
+    read: (from, to, into) => file.read(from, to, into),
+    lowHalves: (from, count) => file.lowHalves?.(from, count) ?? null,
+  }
 }
 
 function headOf(file: MeshFile): Uint8Array {
@@ -142,8 +159,12 @@ function formatNamed(wanted: string): MeshFormat {
 }
 
 function formatOf(head: Uint8Array, fileName: string): MeshFormat {
-  const answers = formats.map(format => format.recognizes(head, fileName.toLowerCase()))
-  const at = answers.includes('yes') ? answers.indexOf('yes') : answers.indexOf('maybe')
-  if (at < 0) throw new MeshRefusal(`${shown(fileName).slice(1, -1)}: this is in no format that is known here.`)
-  return formats[at] as MeshFormat
+  let possible: MeshFormat | null = null
+  for (const format of formats) {
+    const answer = format.recognizes(head, fileName.toLowerCase())
+    if (answer === 'yes') return format
+    if (answer === 'maybe') possible ??= format
+  }
+  if (possible) return possible
+  throw new MeshRefusal(`${shown(fileName).slice(1, -1)}: this is in no format that is known here.`)
 }

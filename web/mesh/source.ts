@@ -10,6 +10,17 @@ export interface MeshFile {
   readonly size: number
   /** A copy of the bytes [from, to), which must lie in the file; it may be in `into`, if that is given, which is as long at least. */
   read(from: number, to: number, into?: Uint8Array): Uint8Array
+  /** The low halves of integers of 64 bits from a byte on, where they were taken beforehand and none has more; the list is the caller's. */
+  lowHalves?(from: number, count: number): Uint32Array | null
+}
+
+/** Bytes of a file that are a list of numbers by themselves; of integers of 64 bits, little-endian ones, only the low halves are wanted. */
+export interface FileList {
+  readonly from: number
+  readonly to: number
+  readonly isLong: boolean
+  /** What the list most likely is: the points of the mesh, or the vertices of its cells, all of them hexahedra. */
+  readonly holds: 'points' | 'hexahedra' | null
 }
 
 /** Finds a file that was dropped or lies beside, by its name in the file; null if none does. */
@@ -52,6 +63,8 @@ export interface MeshFormat {
   recognizes(head: Uint8Array, name: string): 'yes' | 'maybe' | 'no'
   /** Throws a MeshRefusal. Several meshes where the text holds several files. */
   read(file: MeshFile, options: ReadOptions): readonly Mesh[]
+  /** Long lists, in any order, for whoever reads the file beforehand; reads no more than what says where they lie. */
+  listsIn?(file: MeshFile): readonly FileList[]
 }
 
 const CALLS = 65_536

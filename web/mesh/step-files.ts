@@ -144,6 +144,7 @@ function leftSentence(left: readonly MeshFile[], name: string): string[] {
 }
 
 function ofNumbers(files: readonly MeshFile[], options: TogetherOptions): StepFiles | null {
+  if (files.length < 2) return null
   const pieces = new Set(
     files.flatMap(file => pieceNames(file, scanning(options)).map(piece => fileNamed(files, piece, [file]))),
   )

@@ -24,12 +24,12 @@ export class OpenedSurvey {
     return this.survey
   }
 
-  /** The whole survey with the checks that accept each cell. */
+  /** The whole survey with the checks that accept each cell, and with minimizers. */
   async accepting(): Promise<Survey> {
     const { check } = await this.whole()
     if (check.answers.acceptedBy === null) {
-      const { acceptedBy } = await this.#classify(check.mesh.points, check.mesh.cells, { acceptedBy: true })
-      this.survey.accept(acceptedBy)
+      const { points, cells } = check.mesh
+      this.survey.accept(await this.#classify(points, cells, { acceptedBy: true, minima: true }))
     }
     return this.survey
   }

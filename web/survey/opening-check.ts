@@ -7,14 +7,18 @@ import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
 import { cellsAt } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
+import { inParts } from '../mesh/in-parts'
 import type { Mesh } from '../mesh/mesh'
-import type { MeshCheck } from '../mesh/mesh-check'
+import { type MeshCheck, NEEDED } from '../mesh/mesh-check'
 import { verticesOf } from '../mesh/vertices-of'
 import { FEW, worstFirst } from '../mesh/worst'
 import { volumeBoundsOf } from './volume-bounds'
 
-/** Lists that the page shows or writes; which checks accept a cell is asked when it is shown. */
-const LISTS = { minima: true, volumes: true, exact: true } as const
+/** Lists that the page shows; which checks accept a cell, and minimizers, are asked for when they are. */
+const LISTS = { minima: true, minimizers: false, volumes: true, exact: true } as const
+
+/** What is asked of all cells of a mesh that is opened in two steps, at first. */
+export const FIRST_LISTS = { ...LISTS, ...NEEDED, volumes: false, relativeMinima: false } as const
 
 /** Meshes with fewer cells are checked at once. */
 const MANY = 50_000
@@ -54,7 +58,7 @@ export async function openingCheck(mesh: Mesh, tools: Tools, many = MANY): Promi
 function without(later: Answers, classify: ClassifyCells): ClassifyCells {
   const own = async (points: Float64Array, cells: Uint32Array, wanted: Wanted) => {
     if (!wanted.relativeMinima) return classify(points, cells, wanted)
-    const answers = await classify(points, cells, { ...wanted, volumes: false, relativeMinima: false })
+    const answers = await classify(points, cells, FIRST_LISTS)
     later.relativeMinima?.fill(Number.NaN)
     return { ...answers, volumes: later.volumes, relativeMinima: later.relativeMinima }
   }
@@ -63,7 +67,8 @@ function without(later: Answers, classify: ClassifyCells): ClassifyCells {
 
 /** The `FEW` worst cells, with their volumes and relative minima; null where the bounds of volumes leave too many open. */
 async function worstOf(check: MeshCheck, { classify }: Tools): Promise<Uint32Array | null> {
-  const candidates = candidatesOf(check)
+  const isOfInvalid = check.invalid >= FEW && check.invalid <= MOST_CANDIDATES
+  const candidates = isOfInvalid ? invalidOf(check) : candidatesOf(check)
   if (candidates === null) return null
   const { points, cells } = check.mesh
   const found = await classify(points, cellsAt(cells, candidates), { volumes: true, relativeMinima: true })
@@ -78,19 +83,33 @@ async function worstOf(check: MeshCheck, { classify }: Tools): Promise<Uint32Arr
   return order.map(i => candidates[i] as number)
 }
 
+/** All invalid cells: no valid one is worse. */
+function invalidOf({ answers: { valid }, hexahedra, standingOf }: MeshCheck): Uint32Array {
+  const some: number[] = []
+  inParts(hexahedra, (from, to) => {
+    for (let cell = from; cell < to; ++cell) if (valid[cell] !== 1 && standingOf(cell) === 'invalid') some.push(cell)
+  })
+  return Uint32Array.from(some)
+}
+
 /** Cells among which the `FEW` worst are, ascending. */
-function candidatesOf({ mesh, answers, hexahedra, isAnswered }: MeshCheck): Uint32Array | null {
+function candidatesOf(check: MeshCheck): Uint32Array | null {
+  const { mesh, answers, hexahedra, isAnswered } = check
   const minima = answers.minima as NonNullable<typeof answers.minima>
   const collapsed = CLASSES.indexOf('collapsed')
+  // Where so many are invalid, no valid one is among the worst.
+  const isOfInvalid = check.invalid >= FEW
   const least = new LeastUppers()
   const some: number[] = []
   const lowers: number[] = []
   const bounds = volumeBoundsOf(mesh)
-  for (let cell = 0; cell < hexahedra; ++cell) {
+  let isTooMany = false
+  const look = (cell: number) => {
+    if (isOfInvalid && answers.valid[cell] === 1) return
     const minimum = minima.values[cell] as number
     // Not below the worst so far, whatever its volume.
-    if (minimum >= 0 && least.bound < 0) continue
-    if (answers.statuses[cell] !== 0 || !isAnswered(cell)) continue
+    if (minimum >= 0 && least.bound < 0) return
+    if (answers.statuses[cell] !== 0 || !isAnswered(cell)) return
     let [lower, upper] = [-Infinity, Infinity]
     if (minimum === 0 || answers.classes[cell] === collapsed) lower = upper = 0
     else if (minima.exponents[cell] === 0 && bounds.find(cell)) {
@@ -98,7 +117,7 @@ function candidatesOf({ mesh, answers, hexahedra, isAnswered }: MeshCheck): Uint
       lower = below(minimum / (minimum < 0 ? small : large))
       upper = above(minimum / (minimum < 0 ? large : small))
     }
-    if (!(lower <= least.bound)) continue
+    if (!(lower <= least.bound)) return
     least.take(upper)
     some.push(cell)
     lowers.push(lower)
@@ -111,9 +130,13 @@ function candidatesOf({ mesh, answers, hexahedra, isAnswered }: MeshCheck): Uint
         }
       some.length = kept
       lowers.length = kept
-      if (2 * kept > MOST_CANDIDATES) return null
+      isTooMany ||= 2 * kept > MOST_CANDIDATES
     }
   }
+  inParts(hexahedra, (from, to) => {
+    for (let cell = from; cell < to && !isTooMany; ++cell) look(cell)
+  })
+  if (isTooMany) return null
   if (least.bound === Infinity) return null
   return Uint32Array.from(some.filter((_, i) => (lowers[i] as number) <= least.bound))
 }

@@ -1,6 +1,7 @@
 /** What is said of a mesh on top. */
 import type { AcceptedInvalid } from '../mesh/accepted-invalid'
 import { countSentences } from '../mesh/check-summary'
+import { inParts } from '../mesh/in-parts'
 import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { grouped, headlineOf } from '../mesh/mesh-headline'
@@ -52,19 +53,37 @@ function fixesOf({ mirrored }: MeshCheck, wholeOrder: NodeOrder | null): Fix[] {
 /** Of the points that cells have. */
 export function boundsOf({ points, cells }: Mesh): Bounds | null {
   const isUsed = new Uint8Array(points.length / 3)
-  for (let i = 0; i < cells.length; ++i) isUsed[cells[i] as number] = 1
-  const least: [number, number, number] = [Infinity, Infinity, Infinity]
-  const greatest: [number, number, number] = [-Infinity, -Infinity, -Infinity]
-  for (const axis of [0, 1, 2] as const) {
-    let [low, high] = [Infinity, -Infinity]
-    for (let point = 0, at: number = axis; point < isUsed.length; ++point, at += 3) {
-      const value = points[at] as number
-      if (isUsed[point] !== 1 || !(Math.abs(value) < Infinity)) continue
-      if (value < low) low = value
-      if (value > high) high = value
-    }
-    least[axis] = low
-    greatest[axis] = high
+  inParts(cells.length, (from, to) => {
+    for (let i = from; i < to; ++i) isUsed[cells[i] as number] = 1
+  })
+  const box = Float64Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity)
+  inParts(isUsed.length, (from, to) => widen(box, { points, isUsed, from, to }))
+  const [x0, y0, z0, x1, y1, z1] = box as unknown as [number, number, number, number, number, number]
+  const bounds: Bounds = { least: [x0, y0, z0], greatest: [x1, y1, z1] }
+  return bounds.least.includes(Infinity) || bounds.greatest.includes(-Infinity) ? null : bounds
+}
+
+interface Used {
+  readonly points: Float64Array
+  readonly isUsed: Uint8Array
+  readonly from: number
+  readonly to: number
+}
+
+/** Infinities and NaNs are nowhere. */
+function widen(box: Float64Array, { points, isUsed, from, to }: Used): void {
+  let [x0, y0, z0, x1, y1, z1] = box as unknown as [number, number, number, number, number, number]
+  for (let point = from; point < to; ++point) {
+    if (isUsed[point] !== 1) continue
+    const x = points[3 * point] as number
+    const y = points[3 * point + 1] as number
+    const z = points[3 * point + 2] as number
+    if (x < x0 && x > -Infinity) x0 = x
+    if (x > x1 && x < Infinity) x1 = x
+    if (y < y0 && y > -Infinity) y0 = y
+    if (y > y1 && y < Infinity) y1 = y
+    if (z < z0 && z > -Infinity) z0 = z
+    if (z > z1 && z < Infinity) z1 = z
   }
-  return least.includes(Infinity) ? null : { least, greatest }
+  box.set([x0, y0, z0, x1, y1, z1])
 }

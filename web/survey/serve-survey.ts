@@ -23,7 +23,9 @@ import { lookingJobs, nameOf, noHexahedra, STEP } from './looking-jobs'
 import { meeting } from './meeting'
 import { mended } from './mend'
 import { OpenedSurvey } from './opened-survey'
-import { openingCheck } from './opening-check'
+import { FIRST_LISTS, openingCheck } from './opening-check'
+import { boundsOf } from './overview'
+import { practiceFile } from './practice'
 import { type SharedClassifier, sharedClassifier } from './shared-classifier'
 import { type StepMesh, StepSeries } from './step-series'
 import { Survey } from './survey'
@@ -38,11 +40,15 @@ import type {
   SurveyJobs,
   Written,
 } from './survey-jobs'
+import { turn } from './turn'
 import { wholeOrderOf } from './whole-order'
 import { Writing } from './writing'
 
 /** Files that say which checks accept a cell. */
 const LISTING: ReadonlySet<FormId> = new Set<FormId>(['csv', 'html'])
+
+/** Until the engine has made its fastest code. */
+const TIMES = 3
 
 /** Bytes of a file that has many cells. */
 const LARGE = 4 * 1024 * 1024
@@ -71,6 +77,18 @@ type Tell = (progress: ReadingProgress) => void
 /** With what starts a worker for batches. */
 export interface SurveyEngine extends ReadingEngine {
   readonly helper: () => WorkerPort
+}
+
+async function decided(name: string, mesh: Mesh, { core, classifier }: Tools, before: Survey | null) {
+  const { classify } = classifier
+  // Helpers decide in the meantime.
+  const boundsMeanwhile = turn().then(() => boundsOf(mesh))
+  const { check, finish } = await openingCheck(mesh, { classify, core })
+  const survey = new Survey(check, { core, meeting }, before, await boundsMeanwhile)
+  const wholeOrder = await wholeOrderOf(check, { classify, core })
+  const overview = survey.overview(name, wholeOrder, await acceptedOfInvalid(check, classify))
+  if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
+  return { survey, finish, overview }
 }
 
 export function serveSurvey(engine: SurveyEngine): void {
@@ -111,12 +129,8 @@ export function serveSurvey(engine: SurveyEngine): void {
     const { core, classifier } = await tools()
     const { classify } = classifier
     onDecided = fraction => tell({ step: 'deciding', fraction })
-    const { check, finish } = await openingCheck(mesh, { classify, core })
-    const own = new Survey(check, { core, meeting }, before)
-    const wholeOrder = await wholeOrderOf(check, { classify, core })
-    const overview = own.overview(name, wholeOrder, await acceptedOfInvalid(check, classify))
-    if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
-    open = { name, survey: new OpenedSurvey(own, finish, classify), classify, core }
+    const { survey, finish, overview } = await decided(name, mesh, await tools(), before)
+    open = { name, survey: new OpenedSurvey(survey, finish, classify), classify, core }
     writing = null
     return overview
   }
@@ -137,9 +151,18 @@ export function serveSurvey(engine: SurveyEngine): void {
       void tools().then(({ classifier }) => classifier.prepare())
     const found = 'files' in input ? await reading(tell, options => stepFilesOf(filesOf(input), options)) : null
     if (found) return { opened: await openedStep(found, tell) }
-    const mesh = await meshOf(input, engine, tell)
+    const mesh = await read(input, tell)
     const within = stepsWithin(mesh, filesOf(input))
     return { opened: await (within ? openedStep(within, tell) : surveyed(nameOf(input), mesh, tell)) }
+  }
+
+  /** Its cells are decided while it is read. */
+  async function read(input: PastedInput, tell: Tell): Promise<Mesh> {
+    const { classifier } = await tools()
+    return meshOf(input, engine, tell, {
+      onCells: (points, cells, count) => classifier.know(points, cells, count, FIRST_LISTS),
+      halvers: classifier.halvers(),
+    })
   }
 
   function readOf(series: StepSeries, step: number, tell: Tell): Promise<StepMesh> {
@@ -201,8 +224,11 @@ export function serveSurvey(engine: SurveyEngine): void {
 
   serve<null, Served<SurveyJobs>>('hexlens-survey', () => ({
     async prepare() {
-      const { classifier } = await tools()
-      classifier.prepare()
+      const [own] = await Promise.all([tools(), engine.readingCore()])
+      own.classifier.prepare()
+      const name = 'practice.vtu'
+      for (let time = 0; time < TIMES; ++time)
+        await decided(name, await read({ files: [practiceFile()] }, () => {}), own, null)
       return null
     },
     open: (input, tell) => opening(input, toldSeldom(tell)).catch(refusalOf),

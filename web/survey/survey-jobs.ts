@@ -93,7 +93,7 @@ export interface Overview {
   readonly hasIds: boolean
   /** Of the points of cells; null if none is finite. */
   readonly bounds: Bounds | null
-  /** The worst, ten at most. */
+  /** The worst: the first rows of the list, as many as it asks for at once. */
   readonly worst: readonly Row[]
 }
 

@@ -7,6 +7,7 @@ import { histogramOf } from '../mesh/histogram'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { Joining, type Neighbours } from '../mesh/neighbours'
 import { verticesOf } from '../mesh/vertices-of'
+import { FEW } from '../mesh/worst'
 import type { Vec3 } from '../model/hexahedron'
 import type { NodeOrder } from '../model/node-orders'
 import { arranged } from './arrange'
@@ -30,7 +31,6 @@ import type {
 } from './survey-jobs'
 
 const FACES = 6
-const TEN = 10
 const NOT_LISTED = 0xffffffff
 
 export class Survey {
@@ -52,11 +52,16 @@ export class Survey {
    * Of a check with minima and volumes, whole or with no more than its worst cells in order: `complete` then brings the rest. Of a mesh that
    * takes the place of its earlier step, which is `before`, the picture stays where it is.
    */
-  constructor(check: MeshCheck, conditioned: Conditioned, before: Survey | null = null) {
+  constructor(
+    check: MeshCheck,
+    conditioned: Conditioned,
+    before: Survey | null = null,
+    bounds: Bounds | null = boundsOf(check.mesh),
+  ) {
     this.#check = check
     this.#conditioned = conditioned
     this.#cells = new CheckedCells(columnsOf(check))
-    this.#bounds = boundsOf(check.mesh)
+    this.#bounds = bounds
     this.#origin = before ? before.#origin : middleOf(this.#bounds)
     if (before?.check.mesh.cells === check.mesh.cells) this.#neighbours = before.#neighbours
     this.#order = check.worst
@@ -76,9 +81,9 @@ export class Survey {
     this.#listed = null
   }
 
-  /** The same check with the checks that accept each cell. */
-  accept(acceptedBy: Uint16Array): void {
-    this.#check = { ...this.#check, answers: { ...this.#check.answers, acceptedBy } }
+  /** The same check with more lists. */
+  accept({ acceptedBy, minima }: Pick<MeshCheck['answers'], 'acceptedBy' | 'minima'>): void {
+    this.#check = { ...this.#check, answers: { ...this.#check.answers, acceptedBy, minima } }
   }
 
   /** True if all rows up to this rank are known. */
@@ -91,7 +96,7 @@ export class Survey {
    * check does not have the list.
    */
   overview(name: string, wholeOrder: NodeOrder | null = null, accepted?: AcceptedInvalid): Overview {
-    const worst = [...this.check.worst.subarray(0, TEN)].map(cell => this.#rowOf(cell))
+    const worst = [...this.check.worst.subarray(0, FEW)].map(cell => this.#rowOf(cell))
     return overviewOf(name, this.check, { worst, bounds: this.#bounds, wholeOrder, accepted })
   }
 

@@ -13,10 +13,15 @@ function helper(): WorkerPort {
   return pagePort(worker, 'its script was not loaded, or a policy of the page forbids it.')
 }
 
+let readingCore: ReturnType<typeof readingFiles> | null = null
+
 serveSurvey({
   core: coreFiles,
   batchModule: batchFiles,
-  readingCore: readingFiles,
+  readingCore() {
+    readingCore ??= readingFiles()
+    return readingCore
+  },
   hdf5: new Hdf5Loading(hdf5Files),
   helper,
 })

@@ -31,11 +31,12 @@ export function placeIn(box: HTMLElement, { clientX, clientY }: Pointed): Vector
   return Number.isFinite(x) && Number.isFinite(y) ? { x, y } : null
 }
 
-/** CSS pixels of the screen to one of the box, along the side that is stretched most. */
+/** CSS pixels of the screen to one of the box, along the side that is stretched most; 1 for a box that has just been hidden. */
 export function stretchOf(box: HTMLElement): number {
   const [p00, p10, p01, p11] = cornersOf(box)
   const length = (from: Vector, to: Vector) => Math.hypot(to.x - from.x, to.y - from.y)
   const { clientWidth, clientHeight } = box
+  if (clientWidth === 0 || clientHeight === 0) return 1
   const most = Math.max(length(p00, p10), length(p01, p11)) / clientWidth
   return Math.max(most, Math.max(length(p00, p01), length(p10, p11)) / clientHeight)
 }

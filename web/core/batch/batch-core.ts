@@ -3,6 +3,7 @@
  * hexlens-batch.wasm; the contracts are those of wasm/include/hexlens.h.
  */
 import { COORDINATE_COUNT } from '../../model/hexahedron'
+import { putCoincident } from './coincident'
 import {
   type Answers,
   addressesOf,
@@ -147,11 +148,19 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
       counts = sumOfCounts(counts, cells ? indexed(first, end) : plain(first, end), first)
       onProgress?.(end)
     }
-    const valid = lists[0] as Uint8Array
-    for (let c = 0; c < count; ++c) valid[c] = (valid[c] as number) & 1 // of HL_VALID, HL_INVALID and HL_UNANSWERED
+    const { valid, coincident } = answersOf(lists)
+    keepValid(valid)
+    if (coincident) putCoincident({ ...own(), valid }, coincident)
     const answers = into ? into(count) : emptyLists(count, wanted)
     putLists(lists, answers, 0)
     return { ...answersOf(answers), ...counts }
+
+    /** In the core's memory, where they are at hand. */
+    function own() {
+      if (!cells) return { points: points as Float64Array, cells }
+      const own = new Float64Array(memory.buffer, atPoints, coordinateCount)
+      return { points: own, cells: new Uint32Array(memory.buffer, atCells, cells.length) }
+    }
 
     function plain(first: number, end: number): Counts {
       const part = (points as Float64Array).subarray(COORDINATE_COUNT * first, COORDINATE_COUNT * end)
@@ -176,6 +185,11 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
 }
 
 type Five = [number, number, number, number, number]
+
+/** Of HL_VALID, HL_INVALID and HL_UNANSWERED. A function of its own, so that no engine makes fast code of all around the loop. */
+function keepValid(verdicts: Uint8Array): void {
+  for (let cell = 0; cell < verdicts.length; ++cell) verdicts[cell] = (verdicts[cell] as number) & 1
+}
 
 /** An index before `firstPoint` becomes one that is far too large. */
 function copyIndices(from: Uint32Array, firstPoint: number, to: Uint32Array): void {

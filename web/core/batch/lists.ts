@@ -4,18 +4,21 @@ import type { CoreErrorCode } from '../report'
 /** Lists beside the verdicts. A list that is not asked for costs nothing. */
 export interface Wanted {
   readonly minima?: boolean
+  /** False leaves the minimizers out of the minima: half of the memory. */
+  readonly minimizers?: boolean
   readonly relativeMinima?: boolean
   readonly volumes?: boolean
   readonly classes?: boolean
   readonly acceptedBy?: boolean
   readonly exact?: boolean
   readonly statuses?: boolean
+  readonly coincident?: boolean
 }
 
 /** Jacdets on [0,1]^3, times 2^exponent, which is 0 wherever the doubles have room for the values. */
 export interface Minima {
   readonly values: Float64Array
-  /** The points that attain them: xi, eta, zeta. */
+  /** The points that attain them: xi, eta, zeta. Empty if they were left out. */
   readonly minimizers: Float64Array
   /** The least jacdet at the eight vertices. */
   readonly cornerMinima: Float64Array
@@ -41,6 +44,8 @@ interface AllLists {
   readonly exact: Uint8Array
   /** Indices into STATUSES. */
   readonly statuses: Uint8Array
+  /** 1 for a cell that has two vertices or more at one position. */
+  readonly coincident: Uint8Array
 }
 
 /** Why a cell is unanswered, by its status; undefined if it is answered. */
@@ -68,7 +73,7 @@ interface Description {
   readonly each: number
 }
 
-/** hl_batch's lists, in its order. */
+/** hl_batch's lists, in its order, and behind them one of ours. */
 const LISTS: readonly Description[] = [
   { askedBy: 'always', type: Uint8Array, each: 1 }, // verdicts
   { askedBy: 'statuses', type: Uint8Array, each: 1 },
@@ -76,13 +81,15 @@ const LISTS: readonly Description[] = [
   { askedBy: 'classes', type: Uint8Array, each: 1 },
   { askedBy: 'acceptedBy', type: Uint16Array, each: 1 },
   { askedBy: 'minima', type: Float64Array, each: 1 },
-  { askedBy: 'minima', type: Float64Array, each: 3 }, // minimizers
+  { askedBy: 'minimizers', type: Float64Array, each: 3 },
   { askedBy: 'minima', type: Float64Array, each: 1 }, // corner minima
   { askedBy: 'minima', type: Int16Array, each: 1 }, // exponents
   { askedBy: 'relativeMinima', type: Float64Array, each: 1 },
   { askedBy: 'volumes', type: Float64Array, each: 1 },
   { askedBy: 'volumes', type: Int16Array, each: 1 }, // exponents
+  { askedBy: 'coincident', type: Uint8Array, each: 1 },
 ]
+const OF_THE_CORE = LISTS.length - 1
 
 type List = Float64Array<ArrayBuffer> | Int16Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint8Array<ArrayBuffer>
 
@@ -91,11 +98,13 @@ export type Lists = readonly (List | null)[]
 
 /** The flags of the lists alone, as a message takes them. */
 export function wantedOf(options: Wanted): Wanted {
-  return Object.fromEntries(LISTS.filter(isAskedBy(options)).map(({ askedBy }) => [askedBy, true]))
+  const isAsked = isAskedBy(options)
+  return Object.fromEntries(LISTS.map(list => [list.askedBy, isAsked(list)]))
 }
 
 function isAskedBy(wanted: Wanted): (list: Description) => boolean {
-  return ({ askedBy }) => askedBy === 'always' || wanted[askedBy] === true
+  const asked = { ...wanted, minimizers: wanted.minima === true && wanted.minimizers !== false, always: true }
+  return ({ askedBy }) => asked[askedBy] === true
 }
 
 export function bytesPerCell(wanted: Wanted): number {
@@ -140,9 +149,9 @@ export function partOf(lists: Lists, first: number, count: number): Lists {
   return LISTS.map(({ each }, i) => lists[i]?.subarray(each * first, each * (first + count)) ?? null)
 }
 
-/** Byte addresses of the entries from the cell `first` on; 0 for a list that is not there. */
+/** Byte addresses of the core's entries from the cell `first` on; 0 for a list that is not there. */
 export function addressesOf(lists: Lists, first: number): number[] {
-  return LISTS.map(({ type, each }, i) => {
+  return LISTS.slice(0, OF_THE_CORE).map(({ type, each }, i) => {
     const list = lists[i]
     return list ? list.byteOffset + first * each * type.BYTES_PER_ELEMENT : 0
   })
@@ -151,15 +160,16 @@ export function addressesOf(lists: Lists, first: number): number[] {
 /** The lists by name. The first holds verdicts, whose HL_VALID is 1, or already 1 and 0. */
 export function answersOf(lists: Lists): Answers {
   const [valid, statuses, exact, classes, acceptedBy, values, minimizers, cornerMinima, exponents, ...more] = lists
-  const [relativeMinima, volumes, volumeExponents] = more
+  const [relativeMinima, volumes, volumeExponents, coincident] = more
   return {
     valid,
-    minima: values && { values, minimizers, cornerMinima, exponents },
+    minima: values && { values, minimizers: minimizers ?? new Float64Array(0), cornerMinima, exponents },
     relativeMinima,
     volumes: volumes && { values: volumes, exponents: volumeExponents },
     classes,
     acceptedBy,
     exact,
     statuses,
+    coincident,
   } as Answers
 }

@@ -2,6 +2,7 @@
 import { seldom, serve } from '../workers'
 import { type Counts, loadBatchCore, type Piece } from './batch-core'
 import { listsIn, type Wanted } from './lists'
+import { type LowHalves, lowHalves } from './low-halves'
 
 export interface BatchJob {
   readonly piece: Piece
@@ -20,6 +21,8 @@ export type BatchJobs = {
   classify(job: BatchJob, tell: (done: number) => void): BatchAnswer
   /** Holds points for pieces that come without any. */
   hold(points: Float64Array): null
+  /** Reads integers of 64 bits. */
+  halve(bytes: Blob): Promise<LowHalves>
 }
 
 serve<WebAssembly.Module, BatchJobs>('hexlens-batch', async module => {
@@ -29,6 +32,7 @@ serve<WebAssembly.Module, BatchJobs>('hexlens-batch', async module => {
       core.hold(points)
       return null
     },
+    halve: async bytes => lowHalves(await bytes.arrayBuffer()),
     classify({ piece, block, wanted }, tell) {
       const { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount } = core.classify(piece, wanted, {
         into: count => listsIn(block, count, wanted),

@@ -1,4 +1,5 @@
 /** Makes a Mesh of what VTK's files hold: points, nodes of cells in a row, where each cell ends and its type; one grid or several. */
+import { inParts } from '../in-parts'
 import { type Block, type CoordinatePlaces, type Mesh, MOST_IMPLIED_CELLS } from '../mesh'
 import { float32Note, largestOf, printedDigits } from '../precision'
 import { sameMeshNote, stepNote } from '../step-note'
@@ -126,6 +127,8 @@ export class VtkMesh {
     let from = 0
     let missing = grid.declaredCells - types.length
     this.#missingPoints += declaredPoints - pointCount
+    if (places === null && missing === 0 && areHexahedra(grid) && largestIn(connectivity) < pointCount)
+      return connectivity
     for (let cell = 0; cell < types.length; ++cell) {
       const end = ends[cell] as number
       const type = types[cell] as number
@@ -257,6 +260,26 @@ export class VtkMesh {
   }
 }
 
+/** True if there are hexahedra and nothing else. */
+function areHexahedra({ connectivity, ends, types }: VtkGrid): boolean {
+  let others = 0
+  inParts(types.length, (from, to) => {
+    for (let cell = from; cell < to; ++cell)
+      others |= ((types[cell] as number) ^ VTK_HEXAHEDRON) | ((ends[cell] as number) ^ (8 * (cell + 1)))
+  })
+  return others === 0 && types.length > 0 && connectivity.length === 8 * types.length
+}
+
+function largestIn(list: Uint32Array): number {
+  let largest = 0
+  inParts(list.length, (from, to) => {
+    let own = largest
+    for (let i = from; i < to; ++i) if ((list[i] as number) > own) own = list[i] as number
+    largest = own
+  })
+  return largest
+}
+
 function largestOfEight(list: Uint32Array, from: number): number {
   let largest = list[from] as number
   for (let at = from + 1; at < from + 8; ++at) if ((list[at] as number) > largest) largest = list[at] as number
@@ -265,8 +288,11 @@ function largestOfEight(list: Uint32Array, from: number): number {
 
 /** The place of the first number that is less than the one before; -1 if there is none. */
 export function firstFall(list: Uint32Array): number {
-  for (let i = 1; i < list.length; ++i) if ((list[i] as number) < (list[i - 1] as number)) return i
-  return -1
+  let fall = -1
+  inParts(list.length, (from, to) => {
+    for (let i = Math.max(1, from); i < to && fall < 0; ++i) if ((list[i] as number) < (list[i - 1] as number)) fall = i
+  })
+  return fall
 }
 
 function joined<T extends Float64Array | Uint32Array>(lists: T[], List: new (length: number) => T): T {

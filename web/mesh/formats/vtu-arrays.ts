@@ -12,7 +12,7 @@ import { MACHINE_IS_LITTLE_ENDIAN } from '../endian'
 import { MeshRefusal } from '../mesh'
 import { lineAt, NumberRun } from '../number-run'
 import { isEllipsis } from '../snippet-text'
-import type { MeshFile, ReadOptions } from '../source'
+import type { FileList, MeshFile, ReadOptions } from '../source'
 import { shown } from '../text-cursor'
 import { alignedTo, type NumberList, type NumberType, putNumbers, sizeOf } from './vtk-numbers'
 
@@ -71,6 +71,25 @@ export function readArray<T extends NumberList>(
   return { list: new BinaryArray(storage, array, count, List).read(), digits: 0 }
 }
 
+/** Where a list of a piece of so many cells lies whose bytes are as they are in memory, or integers of 64 bits; nothing of another one. */
+export function listOf(storage: Storage, array: DataArray, cells: number): FileList[] {
+  const { file, appended, decompress, headerType, isLittleEndian } = storage
+  const isLong = array.type === 'Int64' || array.type === 'UInt64'
+  const isFitting = isLong || array.type === 'Float64'
+  if (!isFitting || !isLittleEndian || !MACHINE_IS_LITTLE_ENDIAN || decompress !== null) return []
+  if (array.format !== 'appended' || appended === null || appended.isBase64) return []
+  const at = appended.from + array.offset
+  const from = at + (headerType === 'UInt32' ? 4 : 8)
+  if (from > file.size) return []
+  const header = file.read(at, from)
+  const view = new DataView(header.buffer, header.byteOffset)
+  const bytes = headerType === 'UInt32' ? view.getUint32(0, true) : Number(view.getBigUint64(0, true))
+  if (from + bytes > file.size || bytes % 8 !== 0) return []
+  const isOfHexahedra = array.name === 'connectivity' && isLong && bytes === 64 * cells
+  const holds = array.name === 'Points' && !isLong ? 'points' : isOfHexahedra ? 'hexahedra' : null
+  return [{ from, to: from + bytes, isLong, holds }]
+}
+
 /** Refuses with the line of a byte. */
 function refuseAt(file: MeshFile, position: number, what: string): never {
   throw new MeshRefusal(`${file.name}, line ${lineAt(file, position)}: ${what}`)
@@ -123,9 +142,7 @@ class BinaryArray<T extends NumberList> {
     this.#List = List
     this.#size = sizeOf(array.type)
     this.#source = this.#open()
-    // The bytes that are there allow so much; the list grows if more comes out of them.
-    const allowed = Math.floor((ALWAYS_ALLOWED + 8 * this.#source.left) / 8)
-    this.#list = new List(this.#canBeViewed() ? 0 : Math.min(count, allowed))
+    this.#list = new List(0)
   }
 
   #refuse(what: string): never {
@@ -196,6 +213,12 @@ class BinaryArray<T extends NumberList> {
     )
   }
 
+  /** The bytes that are there allow so much; the list grows if more comes out of them. */
+  #makeRoom(): void {
+    const allowed = Math.floor((ALWAYS_ALLOWED + 8 * this.#source.left) / 8)
+    this.#list = new this.#List(Math.min(this.#count, allowed))
+  }
+
   #readPlain(): void {
     const bytes = this.#header(1)[0] as number
     this.#checkLength(bytes)
@@ -206,12 +229,25 @@ class BinaryArray<T extends NumberList> {
       this.#list = new Float64Array(buffer, byteOffset, byteLength / this.#size) as T
       return
     }
+    const halves = this.#lowHalves()
+    if (halves) {
+      this.#list = halves
+      return
+    }
+    this.#makeRoom()
     for (let left = bytes; left > 0; ) {
       const chunk = this.#take(Math.min(left, CHUNK))
       left -= chunk.length
       this.#append(chunk)
       this.#progress()
     }
+  }
+
+  #lowHalves(): T | null {
+    const { file, isLittleEndian } = this.#storage
+    const isLong = this.#array.type === 'Int64' || this.#array.type === 'UInt64'
+    if (!isLong || !isLittleEndian || !(this.#list instanceof Uint32Array)) return null
+    return (file.lowHalves?.(this.#source.position, this.#count) ?? null) as T | null
   }
 
   #readBlocks(decompress: (input: Uint8Array, output: Uint8Array) => void): void {
@@ -222,6 +258,7 @@ class BinaryArray<T extends NumberList> {
     if (blocks * headerSize > this.#source.left)
       this.#refuse(`says that it has ${blocks} blocks, more than the file has room for: it is cut off or damaged.`)
     const packedSizes = this.#header(blocks)
+    this.#makeRoom()
     let scratch = new Uint8Array(0)
     let held = 0
     for (let i = 0; i < blocks; ++i) {

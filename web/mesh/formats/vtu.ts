@@ -11,7 +11,7 @@ import { type CellData, cellDataOf } from './vtk-cell-data'
 import { firstFall, VtkMesh } from './vtk-mesh'
 import { precisionOf } from './vtk-middles'
 import type { NumberList } from './vtk-numbers'
-import { type DataArray, type ReadArray, readArray, type Storage } from './vtu-arrays'
+import { type DataArray, listOf, type ReadArray, readArray, type Storage } from './vtu-arrays'
 import {
   COLLECTION,
   GRID,
@@ -48,7 +48,17 @@ export const vtu: MeshFormat = {
     if (meshes.length === 0) refuse(file, 'this is no VTU: there is no <VTKFile> in it.')
     return meshes
   },
+
+  listsIn(file) {
+    const document = scanDocument(new XmlScanner(file), file, { ...NOTHING_BESIDE, core: null })
+    if (document === null) return []
+    return document.pieces.flatMap(({ arrays, cells }) =>
+      [...arrays.values()].flatMap(array => listOf(document.storage, array, cells)),
+    )
+  },
 }
+
+const NOTHING_BESIDE = { find: () => null, onProgress() {}, throwIfCancelled() {}, step: 0, hdf5: null } as const
 
 function readDocument(document: VtkDocument, file: MeshFile, options: ReadOptions, mesh: VtkMesh): void {
   if (document.type === PARALLEL_GRID || document.type === COLLECTION) readSources(document, file, options, mesh)

@@ -201,7 +201,7 @@ async function take(overview: Overview, about: Pick<Shown, 'isExample' | 'beside
   // Another mesh may be on its way by now.
   const { news } = shown
   set({ ...NOTHING, ...about, news, progress: opening ? shown.progress : null, overview, selected: allOf(overview) })
-  table.show(overview.hexahedra, { hasBlocks: overview.blocks.length > 0, order: FIRST_ORDER })
+  table.show(overview.hexahedra, { hasBlocks: overview.blocks.length > 0, order: FIRST_ORDER }, overview.worst)
   const arriving = travel.arrivingIn(overview, about.isExample)
   picture.open(overview, arriving?.picture, arriving?.camera)
   picture.say(travel.takeNotice())

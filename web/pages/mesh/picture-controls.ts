@@ -429,7 +429,7 @@ const KEYS = [
 
 /** At which the ten worst cells are seen, at least. */
 function firstThreshold(overview: Overview | null): readonly [number, number] {
-  const tenth = overview?.worst.at(-1)?.relativeMinimum ?? Number.NaN
+  const tenth = overview?.worst.slice(0, 10).at(-1)?.relativeMinimum ?? Number.NaN
   return [-Infinity, tenth > LEAST_THRESHOLD ? Math.min(1, Math.ceil(10 * tenth) / 10) : LEAST_THRESHOLD]
 }
 

@@ -1,0 +1,75 @@
+/** Lists of a file that is read beforehand: where they lie, and integers of 64 bits as their low halves. */
+import { describe, expect, test } from 'vitest'
+import { lowHalves, PART } from '../../web/core/batch/low-halves'
+import { listsIn, readMeshes } from '../../web/mesh/read-mesh'
+import { fileOfBytes, type MeshFile } from '../../web/mesh/source'
+import { practiceFile } from '../../web/survey/practice'
+import { randomSource } from './core-fixtures'
+
+const bytes = new Uint8Array(await practiceFile().arrayBuffer())
+const file = fileOfBytes('practice.vtu', bytes)
+
+/** By their bytes: millions of numbers. */
+function areEqual(a: ArrayBufferView | undefined, b: ArrayBufferView | undefined): boolean {
+  const of = (list: ArrayBufferView) => Buffer.from(list.buffer as ArrayBuffer, list.byteOffset, list.byteLength)
+  return a !== undefined && b !== undefined && of(a).equals(of(b))
+}
+
+test('low halves, high halves and ranges, seed 4', () => {
+  const random = randomSource(4)
+  const list = Float64Array.from({ length: 2 * PART + 100 }, () => Math.floor(2 ** 31 * random()))
+  const long = BigInt64Array.from(list, BigInt)
+  const found = lowHalves(long.buffer)
+  expect([...found.list]).toEqual([...list])
+  expect(found.high).toBe(0)
+  expect([...found.ranges]).toEqual(
+    [0, 1, 2].flatMap(part => {
+      const own = [...list.subarray(PART * part, PART * (part + 1))]
+      return [Math.min(...own), Math.max(...own)]
+    }),
+  )
+  long[PART] = 2n ** 32n
+  expect(lowHalves(long.buffer).high).not.toBe(0)
+  long[PART] = -1n
+  expect(lowHalves(long.buffer).high).not.toBe(0)
+})
+
+describe('a raw VTU', () => {
+  const lists = listsIn(file)
+  const [mesh] = readMeshes(file)
+
+  test('says where its lists are, and what they most likely hold', () => {
+    expect(lists.map(({ holds, isLong }) => ({ holds, isLong }))).toEqual([
+      { holds: 'points', isLong: false },
+      { holds: 'hexahedra', isLong: true },
+      { holds: null, isLong: true },
+    ])
+    const [points, cells] = lists.map(({ from, to }) => bytes.slice(from, to).buffer)
+    expect(areEqual(new Float64Array(points as ArrayBuffer), mesh?.points)).toBe(true)
+    expect(areEqual(lowHalves(cells as ArrayBuffer).list, mesh?.cells)).toBe(true)
+  })
+
+  test('is read the same with the halves that were taken beforehand, and without those that have more', () => {
+    const taken = (isWhole: boolean): MeshFile => ({
+      ...file,
+      lowHalves(from, count) {
+        const own = lists.find(list => list.from === from && list.isLong)
+        if (!isWhole || !own || own.to - own.from !== 8 * count) return null
+        return lowHalves(bytes.slice(own.from, own.to).buffer).list
+      },
+    })
+    for (const isWhole of [true, false]) {
+      const [other] = readMeshes(taken(isWhole))
+      expect(areEqual(other?.points, mesh?.points) && areEqual(other?.cells, mesh?.cells)).toBe(true)
+    }
+  })
+
+  test('is damaged: nothing is known beforehand', () => {
+    for (const length of [40, 400, 700, 2_000_000]) {
+      const known = listsIn(fileOfBytes('cut.vtu', bytes.subarray(0, length)))
+      for (const { to } of known) expect(to).toBeLessThanOrEqual(length)
+    }
+    expect(listsIn(fileOfBytes('text.vtu', new TextEncoder().encode('<VTKFile type="ImageData">')))).toEqual([])
+    expect(listsIn(fileOfBytes('text.inp', new TextEncoder().encode('*NODE\n1, 0, 0, 0\n')))).toEqual([])
+  })
+})
