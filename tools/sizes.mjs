@@ -16,7 +16,7 @@ const BUDGETS = {
   light: 130_000,
   hexMesh: 60_000,
   batch: 100_000,
-  mesh: 120_000,
+  mesh: 124_000,
   meshWorker: 260_000,
   hdf5: 1_100_000,
 }

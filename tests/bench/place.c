@@ -24,7 +24,7 @@ int main(void) {
     for (int v = 0; v < CELLS * HL_VERTICES; ++v)
       if (memcmp(blocks + 3 * v, blocks + 3 * 6, 3 * sizeof *blocks) == 0)
         moving[v / HL_VERTICES] = (uint8_t)(moving[v / HL_VERTICES] | 1u << v % HL_VERTICES);
-    const hl_star star = {{blocks, CELLS * HL_COORDINATES, NULL, 0}, moving, 0};
+    const hl_star star = {{blocks, CELLS * HL_COORDINATES, NULL, 0}, moving, 0, NULL};
     hl_place place = {.bound = 0};
     double least = 1;
     for (int run = 0; run < RUNS; ++run) {
