@@ -15,7 +15,7 @@ const IN_COLUMNS: ReadonlySet<string> = new Set(['Nastran', 'Ansys', 'LS-DYNA', 
 /** Why there is no such file; null if there is one. */
 export function whyNotInPlace({ format, coordinatePlaces, points }: Mesh): string | null {
   if (coordinatePlaces === null || countOf(coordinatePlaces, points.length) !== points.length)
-    return `In this file (${format}) the coordinates are packed, in several files, or not written one by one, so they cannot be replaced there.`
+    return `In this file (${format}) the coordinates are packed, in several files, sums of several numbers, or not written one by one, so they cannot be replaced there.`
   return null
 }
 
