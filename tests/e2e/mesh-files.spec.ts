@@ -189,7 +189,7 @@ test('another file ends the workers of the one before', async ({ page }) => {
           count = page.workers().length
           return before === count
         },
-        { intervals: [500] },
+        { intervals: [1500] },
       )
       .toBe(true)
     return count

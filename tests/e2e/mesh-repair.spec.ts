@@ -178,7 +178,7 @@ test('a vertex is dragged, the rest untangled, and both files that are saved are
   await test.step('saved: as VTU, and in its own format with all else as it was', async () => {
     await page.getByRole('button', { name: 'Take away' }).click()
     const vtu = await saved(page, /^VTU the mesh/)
-    const own = await saved(page, /^Abaqus /)
+    const own = await saved(page, /^Abaqus the file that was read/)
     expect([checkStatus(vtu), checkStatus(own)]).toEqual([0, 0])
     const [lines, now] = [gridFile(), readFileSync(own, 'utf8')].map(text => text.split('\n')) as [string[], string[]]
     expect(now.length).toBe(lines.length)

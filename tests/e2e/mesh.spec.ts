@@ -437,7 +437,7 @@ test('cancelled in the middle, what was open stays; keys alone lead from there t
     await menu.press('Enter')
     const download = page.waitForEvent('download')
     await page.getByRole('button', { name: /^List / }).press('Enter')
-    expect((await download).suggestedFilename()).toMatch(/-invalid\.txt$/)
+    expect((await download).suggestedFilename()).toMatch(/-invalid-ids\.txt$/)
     await expectAxeFindsNothing(page)
     await page.keyboard.press('Escape')
     await expect(menu).toBeFocused()
