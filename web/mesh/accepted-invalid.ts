@@ -2,13 +2,15 @@
 import { CHECKS } from '../core/unpack'
 import type { ClassifyCells } from './check'
 import { inParts } from './in-parts'
-import type { MeshCheck } from './mesh-check'
+import type { Mesh } from './mesh'
+import { type MeshCheck, STANDINGS } from './mesh-check'
 
 export interface AcceptedInvalid {
   readonly corners: number
   readonly vtk: number
 }
 
+const INVALID = STANDINGS.indexOf('invalid')
 const CORNERS = 1 << CHECKS.indexOf('corners')
 const VTK = 1 << CHECKS.indexOf('corners-and-centre')
 
@@ -27,24 +29,61 @@ export function acceptedInvalid(check: MeshCheck): AcceptedInvalid {
 }
 
 /** The same without that list: asked are only the cells that one of the two checks may accept. The check has minima. */
-export async function acceptedOfInvalid(check: MeshCheck, classify: ClassifyCells): Promise<AcceptedInvalid> {
-  const { mesh, answers } = check
-  const cornerMinima = (answers.minima as NonNullable<typeof answers.minima>).cornerMinima
+export async function acceptedOfInvalid(
+  check: MeshCheck,
+  classify: ClassifyCells,
+  invalid = someOf(check.mesh, invalidOf(check)),
+): Promise<AcceptedInvalid> {
+  const cornerMinima = (check.answers.minima as NonNullable<typeof check.answers.minima>).cornerMinima
   const some: number[] = []
-  inParts(check.hexahedra, (from, to) => {
-    for (let cell = from; cell < to; ++cell) {
-      if (answers.valid[cell] === 1 || check.standingOf(cell) !== 'invalid') continue
-      if ((cornerMinima[cell] as number) > 0 || hasShortVector(mesh.points, mesh.cells, cell)) some.push(cell)
-    }
+  inParts(invalid.indices.length, (from, to) => {
+    for (let i = from; i < to; ++i)
+      if ((cornerMinima[invalid.indices[i] as number] as number) > 0 || hasShortVector(invalid.points, invalid.cells, i))
+        some.push(i)
   })
   if (some.length === 0) return { corners: 0, vtk: 0 }
-  const { acceptedBy } = await classify(mesh.points, cellsAt(mesh.cells, some), { acceptedBy: true })
+  const { acceptedBy } = await classify(invalid.points, cellsAt(invalid.cells, some), { acceptedBy: true })
   let [corners, vtk] = [0, 0]
   for (const mask of acceptedBy) {
     if (mask & CORNERS) corners++
     if (mask & VTK) vtk++
   }
   return { corners, vtk }
+}
+
+/** Cells of a mesh, each with its own eight points, so that they are at hand. */
+export interface SomeCells {
+  /** In the mesh. */
+  readonly indices: Uint32Array
+  readonly points: Float64Array
+  readonly cells: Uint32Array
+}
+
+export function someOf({ points, cells }: Pick<Mesh, 'points' | 'cells'>, indices: Uint32Array): SomeCells {
+  const own = new Float64Array(24 * indices.length)
+  inParts(indices.length, (first, end) => {
+    for (let i = first; i < end; ++i)
+      for (let v = 0; v < 8; ++v) {
+        const from = 3 * (cells[8 * (indices[i] as number) + v] as number)
+        const to = 24 * i + 3 * v
+        own[to] = points[from] as number
+        own[to + 1] = points[from + 1] as number
+        own[to + 2] = points[from + 2] as number
+      }
+  })
+  const numbers = new Uint32Array(8 * indices.length)
+  for (let i = 0; i < numbers.length; ++i) numbers[i] = i
+  return { indices, points: own, cells: numbers }
+}
+
+/** Those that are answered have points that are there. */
+export function invalidOf({ answers: { valid }, hexahedra, standings }: MeshCheck): Uint32Array {
+  const some: number[] = []
+  inParts(hexahedra, (from, to) => {
+    for (let cell = from; cell < to; ++cell)
+      if (valid[cell] !== 1 && standings[cell] === INVALID) some.push(cell)
+  })
+  return Uint32Array.from(some)
 }
 
 /** Eight indices for each of some cells. */

@@ -55,21 +55,27 @@ export async function checkMesh(
 
   const counts = { valid: 0, invalid: 0, unanswered: 0, degenerate: 0 }
   let [degenerate, below, mirrored] = [0, 0, 0]
-  const counted = new Uint32Array(STANDINGS.length)
+  const others = new Uint32Array(STANDINGS.length)
   inParts(hexahedra, (from, to) => {
-    let [coincidents, inverted] = [0, 0]
+    let [coincidents, inverted, invalid] = [0, 0, 0]
     for (let cell = from; cell < to; ++cell) {
       const standing = standings[cell] as number
-      counted[standing] = (counted[standing] as number) + 1
       coincidents += coincident[cell] as number
-      if (standing <= INVALID && answers.classes[cell] === INVERTED) inverted++
+      if (standing === VALID) continue
+      if (standing === INVALID) {
+        invalid++
+        if (answers.classes[cell] === INVERTED) inverted++
+      } else others[standing] = (others[standing] as number) + 1
     }
     degenerate += coincidents
     mirrored += inverted
+    counts.invalid += invalid
   })
   if (minRelative !== null)
     for (let cell = 0; cell < hexahedra; ++cell) if ((standings[cell] as number) <= INVALID && isBelow(cell)) below++
-  for (const [i, standing] of STANDINGS.entries()) counts[standing] = counted[i] as number
+  counts.unanswered = others[UNANSWERED] as number
+  counts.degenerate = others[DEGENERATE] as number
+  counts.valid = hexahedra - counts.invalid - counts.unanswered - counts.degenerate
   const severity = {
     relativeMinima: answers.relativeMinima,
     isCollapsed: (cell: number) => CLASSES[answers.classes[cell] as number] === 'collapsed',
@@ -110,16 +116,16 @@ const IS_ANSWERED = Uint8Array.from(STATUSES, status => Number(status === undefi
 
 /** Cells that are `coincident` are degenerate and nothing else. */
 function standingsOf({
-  answers: { valid, statuses },
+  answers: { valid, statuses, unansweredCount },
   openOrders,
   coincident,
 }: Pick<MeshCheck, 'answers' | 'openOrders'> & { readonly coincident: Uint8Array | null }): Uint8Array {
   const standings = new Uint8Array(valid.length)
   inParts(standings.length, (from, to) => {
-    for (let cell = from; cell < to; ++cell) {
-      if (IS_ANSWERED[statuses[cell] as number] === 1) standings[cell] = valid[cell] === 1 ? VALID : INVALID
+    for (let cell = from; cell < to; ++cell)
+      if (unansweredCount === 0 || IS_ANSWERED[statuses[cell] as number] === 1)
+        standings[cell] = valid[cell] === 1 ? VALID : INVALID
       else standings[cell] = UNANSWERED
-    }
   })
   for (const cell of openOrders.keys()) standings[cell] = UNANSWERED
   if (coincident)

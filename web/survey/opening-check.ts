@@ -5,7 +5,7 @@
 import { type Answers, emptyAnswers, type Wanted } from '../core/batch/lists'
 import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
-import { cellsAt } from '../mesh/accepted-invalid'
+import { invalidOf, type SomeCells, someOf } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { inParts } from '../mesh/in-parts'
 import type { Mesh } from '../mesh/mesh'
@@ -28,6 +28,8 @@ const MOST_CANDIDATES = 20_000
 export interface OpeningCheck {
   /** All of it, or all but volumes, relative minima and the order: of these what the `FEW` worst cells have. */
   readonly check: MeshCheck
+  /** All invalid cells, if they were looked at. */
+  readonly invalid?: SomeCells
   /** The whole check, in the same lists; null if it is whole. */
   readonly finish: (() => Promise<MeshCheck>) | null
 }
@@ -47,8 +49,15 @@ export async function openingCheck(mesh: Mesh, tools: Tools, many = MANY): Promi
       { ...tools, classify: without(later, tools.classify) },
       { ...plain, worst: 0, lists: LISTS },
     )
-    const worst = await worstOf(first, tools)
-    if (worst) return { check: { ...first, worst }, finish: () => finished(first, tools) }
+    // No valid cell is worse than an invalid one.
+    const isOfInvalid = first.invalid >= FEW && first.invalid <= MOST_CANDIDATES
+    const invalid = isOfInvalid ? someOf(mesh, invalidOf(first)) : undefined
+    const candidates = invalid ? invalid.indices : candidatesOf(first)
+    const finish = () => finished(first, tools)
+    if (candidates) {
+      const worst = await worstOf(first, invalid ?? someOf(mesh, candidates), tools)
+      return { check: { ...first, worst }, finish, ...(invalid && { invalid }) }
+    }
     return { check: await finished(first, tools), finish: null }
   }
   return { check: await checkMesh(mesh, tools, { ...plain, worst: Infinity, lists: LISTS }), finish: null }
@@ -65,13 +74,10 @@ function without(later: Answers, classify: ClassifyCells): ClassifyCells {
   return own as ClassifyCells
 }
 
-/** The `FEW` worst cells, with their volumes and relative minima; null where the bounds of volumes leave too many open. */
-async function worstOf(check: MeshCheck, { classify }: Tools): Promise<Uint32Array | null> {
-  const isOfInvalid = check.invalid >= FEW && check.invalid <= MOST_CANDIDATES
-  const candidates = isOfInvalid ? invalidOf(check) : candidatesOf(check)
-  if (candidates === null) return null
-  const { points, cells } = check.mesh
-  const found = await classify(points, cellsAt(cells, candidates), { volumes: true, relativeMinima: true })
+/** The `FEW` worst of some cells; these get volumes and relative minima. */
+async function worstOf(check: MeshCheck, some: SomeCells, { classify }: Tools): Promise<Uint32Array> {
+  const candidates = some.indices
+  const found = await classify(some.points, some.cells, { volumes: true, relativeMinima: true })
   const { volumes, relativeMinima } = check.answers
   for (const [i, cell] of candidates.entries()) {
     relativeMinima[cell] = found.relativeMinima[i] as number
@@ -83,16 +89,7 @@ async function worstOf(check: MeshCheck, { classify }: Tools): Promise<Uint32Arr
   return order.map(i => candidates[i] as number)
 }
 
-/** All invalid cells: no valid one is worse. */
-function invalidOf({ answers: { valid }, hexahedra, standingOf }: MeshCheck): Uint32Array {
-  const some: number[] = []
-  inParts(hexahedra, (from, to) => {
-    for (let cell = from; cell < to; ++cell) if (valid[cell] !== 1 && standingOf(cell) === 'invalid') some.push(cell)
-  })
-  return Uint32Array.from(some)
-}
-
-/** Cells among which the `FEW` worst are, ascending. */
+/** Cells among which the `FEW` worst are, ascending; null where the bounds of volumes leave too many open. */
 function candidatesOf(check: MeshCheck): Uint32Array | null {
   const { mesh, answers, hexahedra, isAnswered } = check
   const minima = answers.minima as NonNullable<typeof answers.minima>
