@@ -28,21 +28,30 @@ export function acceptedInvalid(check: MeshCheck): AcceptedInvalid {
   return { corners, vtk }
 }
 
+/** Cells that are gathered at once, where many are invalid. */
+const AT_ONCE = 8192
+
 /** The same without that list: asked are only the cells that one of the two checks may accept. The check has minima. */
 export async function acceptedOfInvalid(
   check: MeshCheck,
   classify: ClassifyCells,
-  invalid = someOf(check.mesh, invalidOf(check)),
+  invalid: SomeCells | null = null,
 ): Promise<AcceptedInvalid> {
-  const cornerMinima = (check.answers.minima as NonNullable<typeof check.answers.minima>).cornerMinima
+  const { mesh, answers } = check
+  const { cornerMinima } = answers.minima as NonNullable<typeof answers.minima>
   const some: number[] = []
-  inParts(invalid.indices.length, (from, to) => {
-    for (let i = from; i < to; ++i)
-      if ((cornerMinima[invalid.indices[i] as number] as number) > 0 || hasShortVector(invalid.points, invalid.cells, i))
-        some.push(i)
-  })
+  const look = ({ indices, points, cells }: SomeCells) => {
+    for (const [i, cell] of indices.entries())
+      if ((cornerMinima[cell] as number) > 0 || hasShortVector(points, cells, i)) some.push(cell)
+  }
+  if (invalid) look(invalid)
+  else {
+    const indices = invalidOf(check)
+    for (let from = 0; from < indices.length; from += AT_ONCE)
+      look(someOf(mesh, indices.subarray(from, from + AT_ONCE)))
+  }
   if (some.length === 0) return { corners: 0, vtk: 0 }
-  const { acceptedBy } = await classify(invalid.points, cellsAt(invalid.cells, some), { acceptedBy: true })
+  const { acceptedBy } = await classify(mesh.points, cellsAt(mesh.cells, some), { acceptedBy: true })
   let [corners, vtk] = [0, 0]
   for (const mask of acceptedBy) {
     if (mask & CORNERS) corners++
@@ -80,8 +89,7 @@ export function someOf({ points, cells }: Pick<Mesh, 'points' | 'cells'>, indice
 export function invalidOf({ answers: { valid }, hexahedra, standings }: MeshCheck): Uint32Array {
   const some: number[] = []
   inParts(hexahedra, (from, to) => {
-    for (let cell = from; cell < to; ++cell)
-      if (valid[cell] !== 1 && standings[cell] === INVALID) some.push(cell)
+    for (let cell = from; cell < to; ++cell) if (valid[cell] !== 1 && standings[cell] === INVALID) some.push(cell)
   })
   return Uint32Array.from(some)
 }
