@@ -28,9 +28,6 @@ export function acceptedInvalid(check: MeshCheck): AcceptedInvalid {
   return { corners, vtk }
 }
 
-/** Cells that are gathered at once, where many are invalid. */
-const AT_ONCE = 8192
-
 /** The same without that list: asked are only the cells that one of the two checks may accept. The check has minima. */
 export async function acceptedOfInvalid(
   check: MeshCheck,
@@ -40,16 +37,13 @@ export async function acceptedOfInvalid(
   const { mesh, answers } = check
   const { cornerMinima } = answers.minima as NonNullable<typeof answers.minima>
   const some: number[] = []
-  const look = ({ indices, points, cells }: SomeCells) => {
-    for (const [i, cell] of indices.entries())
-      if ((cornerMinima[cell] as number) > 0 || hasShortVector(points, cells, i)) some.push(cell)
-  }
-  if (invalid) look(invalid)
-  else {
-    const indices = invalidOf(check)
-    for (let from = 0; from < indices.length; from += AT_ONCE)
-      look(someOf(mesh, indices.subarray(from, from + AT_ONCE)))
-  }
+  const { indices, points, cells } = invalid ?? { ...mesh, indices: invalidOf(check) }
+  inParts(indices.length, (from, to) => {
+    for (let i = from; i < to; ++i) {
+      const cell = indices[i] as number
+      if ((cornerMinima[cell] as number) > 0 || hasShortVector(points, cells, invalid ? i : cell)) some.push(cell)
+    }
+  })
   if (some.length === 0) return { corners: 0, vtk: 0 }
   const { acceptedBy } = await classify(mesh.points, cellsAt(mesh.cells, some), { acceptedBy: true })
   let [corners, vtk] = [0, 0]
