@@ -50,6 +50,8 @@ const ROWS: readonly Row[] = [
 ]
 
 /** Names of what is measured without PyVista. */
+const SLICE = 'slice'
+const SLIDES = 16
 const TEN_FILES = 'ten files'
 const NEIGHBOURS = 'neighbours'
 
@@ -81,6 +83,7 @@ export async function main(options: readonly string[]): Promise<void> {
   try {
     if (rows.length > 0) await compare(rows, { rounds, files, address, peer, browser })
     if (isWanted(TEN_FILES)) await inARow(browser, address, join(files, 'raw.vtu'))
+    if (isWanted(SLICE)) await sliding(browser, address, join(files, 'raw.vtu'))
     if (isWanted(NEIGHBOURS)) for (const name of ['raw.vtu', 'shuffled.vtu']) join1M(join(files, name), rounds)
   } finally {
     await browser.close()
@@ -132,6 +135,9 @@ async function compare(rows: readonly Row[], { rounds, files, address, peer, bro
 
 /** The times that the page's script has noted. */
 interface Seen {
+  /** The last large upload, and the last large drawing. */
+  uploaded: number
+  drawn: number
   begun: number
   list: number
   picture: number
@@ -184,7 +190,7 @@ async function choose(page: Page, path: string, { hexahedra, job }: Row, own: ()
 /** Runs in the page before its own scripts. A picture is there when the first large drawing behind the list has been rendered. */
 function watch(): void {
   const LARGE = 10_000
-  const seen: Seen = { begun: 0, list: 0, picture: 0, longTasks: [] }
+  const seen: Seen = { uploaded: 0, drawn: 0, begun: 0, list: 0, picture: 0, longTasks: [] }
   Object.assign(globalThis, { seen })
   document.addEventListener(
     'change',
@@ -198,6 +204,7 @@ function watch(): void {
   }).observe({ entryTypes: ['longtask'] })
   let isUnderWay = false
   function drawn(gl: WebGL2RenderingContext, count: number): void {
+    if (count >= LARGE) seen.drawn = performance.now()
     if (count < LARGE || isUnderWay || seen.picture > 0 || (seen.begun > 0 && seen.list === 0)) return
     isUnderWay = true
     queueMicrotask(() => {
@@ -206,6 +213,20 @@ function watch(): void {
       isUnderWay = false
     })
   }
+  const { bufferData, bufferSubData } = WebGL2RenderingContext.prototype
+  const uploaded = (given: readonly unknown[]) => {
+    if (given.some(each => ArrayBuffer.isView(each) && each.byteLength > LARGE)) seen.uploaded = performance.now()
+  }
+  Object.assign(WebGL2RenderingContext.prototype, {
+    bufferData(this: WebGL2RenderingContext, ...given: Parameters<typeof bufferData>) {
+      uploaded(given)
+      bufferData.apply(this, given)
+    },
+    bufferSubData(this: WebGL2RenderingContext, ...given: Parameters<typeof bufferSubData>) {
+      uploaded(given)
+      bufferSubData.apply(this, given)
+    },
+  })
   const { drawArrays, drawElements, drawArraysInstanced, drawElementsInstanced } = WebGL2RenderingContext.prototype
   Object.assign(WebGL2RenderingContext.prototype, {
     drawArrays(this: WebGL2RenderingContext, ...given: Parameters<typeof drawArrays>) {
@@ -258,6 +279,48 @@ async function inARow(browser: Browser, address: string, path: string): Promise<
   console.log(
     `\nThe tab at rest after each of ${FILES_IN_A_ROW} files of a million, one in the place of the other: ${megabytes} MB.`,
   )
+}
+
+/** The slice through a million cells, slid by its slider: until the drawing begins, and the script of the page's thread. */
+async function sliding(browser: Browser, address: string, path: string): Promise<void> {
+  const page = await prepared(browser, address, null)
+  const row: Row = { name: '', file: '', hexahedra: MILLION, job: 'picture', cores: null }
+  await choose(page, path, row, await memoryOfTabs(browser))
+  await page.getByRole('button', { name: 'Slice', exact: true }).click()
+  await page.waitForTimeout(REST)
+  const session = await page.context().newCDPSession(page)
+  await session.send('Performance.enable')
+  const script = async () => {
+    const { metrics } = await session.send('Performance.getMetrics')
+    return 1000 * (metrics.find(({ name }) => name === 'ScriptDuration')?.value ?? Number.NaN)
+  }
+  const slides: { drawing: number; script: number }[] = []
+  for (let i = 0; i < SLIDES; ++i) {
+    const before = await script()
+    const drawing = await page.evaluate(slide, 0.3 + (0.4 * i) / SLIDES)
+    slides.push({ drawing, script: (await script()) - before })
+    // The renderer in software is not measured.
+    await page.waitForTimeout(REST)
+  }
+  await page.context().close()
+  // The first makes what the others find.
+  const ofEach = (wanted: 'drawing' | 'script') => median(slides.slice(1).map(each => each[wanted])).toFixed(1)
+  console.log(
+    `\nThe slice through a million cells, slid: ${ofEach('drawing')} ms until it is drawn, ${ofEach('script')} ms of script.`,
+  )
+}
+
+/** Runs in the page: milliseconds from the slider's event until what came from the worker is drawn. */
+async function slide(to: number): Promise<number> {
+  const { seen } = globalThis as unknown as { seen: Seen }
+  const slider = document.querySelector('.bar input[type=range]') as HTMLInputElement
+  const { min, max } = slider
+  const begun = performance.now()
+  slider.value = String(Number(min) + to * (Number(max) - Number(min)))
+  slider.dispatchEvent(new Event('input', { bubbles: true }))
+  while (seen.uploaded < begun || seen.drawn < seen.uploaded)
+    await new Promise(resolve => requestAnimationFrame(resolve))
+  return seen.drawn - begun
 }
 
 function join1M(path: string, rounds: number): void {
