@@ -296,10 +296,11 @@ describe('options', () => {
         status: 0,
         output: expect.stringMatching(/^- \(Gmsh\): 1 hexahedron, VALID/),
       })
-    expect(await check(['-', '--format', 'none'], text)).toMatchObject({
-      status: 2,
-      output: expect.stringMatching(/no format “none”/),
-    })
+    for (const name of ['none', 'not read yet'])
+      expect(await check(['-', '--format', name], text)).toMatchObject({
+        status: 2,
+        output: expect.stringContaining(`no format “${name}”: VTU, `),
+      })
   })
 
   it('--ids', async () => {

@@ -230,6 +230,7 @@ describe('bad input gets one line that says which entry and why, and status 2', 
       const { status, output, errors } = await analyze('', args)
       expect([status, output]).toEqual([2, ''])
       expect(errors).toMatch(/^Usage: /)
+      expect(errors.endsWith('hexlens: There is no command “analyse”.\n')).toBe(args[0] === 'analyse')
     }
     for (const args of [['--help'], ['-h'], ['analyze', '--help'], ['certify', '-h']])
       expect(await analyze('', args)).toMatchObject({

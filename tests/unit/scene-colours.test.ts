@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { spreadLabels } from '../../web/scene/overlay/colour-bar'
+import { extremesApart, spreadLabels } from '../../web/scene/overlay/colour-bar'
 import {
   colourScaleOf,
   luminance,
@@ -155,5 +155,12 @@ describe('labels of the colour bar', () => {
   it('move away from the zero where they would touch', () => {
     expect(spreadLabels([98, 99, 100], [15, 15, 15], 1)).toEqual([84, 99, 114])
     expect(spreadLabels([195, 199, 200], [15, 15, 15], 2)).toEqual([170, 185, 200])
+  })
+
+  it('does not let the end of a lying bar push one extreme over the other, and leaves zero where it is', () => {
+    expect(extremesApart([40, 60, 200], [80, 80, 10], 2)).toEqual([40, 120, 200])
+    expect(extremesApart([0, 140, 160], [10, 80, 80], 0)).toEqual([0, 80, 160])
+    expect(extremesApart([40, 150, 200], [80, 80, 10], 2)).toEqual([40, 150, 200])
+    expect(extremesApart([40, 100, 160], [80, 10, 80], 1)).toEqual([40, 100, 160])
   })
 })

@@ -1,6 +1,6 @@
 /** The command line: which command is meant, and its exit status. web/cli/from-sources.ts and web/package/cli.ts run it. */
 
-import { withoutControls } from '../mesh/text-cursor'
+import { shown, withoutControls } from '../mesh/text-cursor'
 import { Refusal } from '../model/result'
 import { certification } from '../outputs/certificates'
 import { analysis } from './analysis'
@@ -53,6 +53,7 @@ export async function main(
       return OK
     }
     streams.errors.write(USAGE)
+    if (name !== '' && answerTo === undefined) throw new Refusal(`There is no command ${shown(name)}.`)
     return REFUSED
   } catch (error) {
     if (!(error instanceof Refusal)) throw error

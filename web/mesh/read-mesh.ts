@@ -164,9 +164,10 @@ function headOf(file: MeshFile): Uint8Array {
 }
 
 function formatNamed(wanted: string): MeshFormat {
-  const found = formats.find(({ name }) => name.toLowerCase() === wanted.toLowerCase())
+  const read = formats.filter(format => format !== refused)
+  const found = read.find(({ name }) => name.toLowerCase() === wanted.toLowerCase())
   if (found) return found
-  throw new MeshRefusal(`There is no format ${shown(wanted)}: ${formats.map(({ name }) => name).join(', ')}.`)
+  throw new MeshRefusal(`There is no format ${shown(wanted)}: ${read.map(({ name }) => name).join(', ')}.`)
 }
 
 function formatOf(head: Uint8Array, fileName: string): MeshFormat {

@@ -15,9 +15,9 @@ const PLACES = 'If that is not what you meant, write the mesh with its nodes whe
 const ADVICE: readonly (readonly [about: RegExp, advice: string])[] = [
   [
     /mirrored, jacdet < 0 everywhere/,
-    'The button corrects it here; the VTU under “Take away” then has the corrected cells.',
+    'The button corrects it here; the meshes under “Take away” then have the corrected cells.',
   ],
-  [/have been taken here in the order|been corrected here/, 'The VTU under “Take away” has them so.'],
+  [/have been taken here in the order|been corrected here/, 'The meshes under “Take away” have them so.'],
   [/not corrected here: its cells are others/, 'Show that step and correct it there.'],
   [/coincident vertices/, REPEATED],
   [/^Not checked:/, 'They are left as they are: this page answers for hexahedra of eight nodes.'],

@@ -186,11 +186,11 @@ export class TakeAway {
               </p>`
         }
       </div>
+      ${movement && movement.movedCount > 0 ? this.#movedTemplate(overview, movement) : nothing}
       <div>
         <h2>All cells</h2>
         ${this.#list(WHOLE, null)}
       </div>
-      ${movement && movement.movedCount > 0 ? this.#movedTemplate(overview, movement) : nothing}
       <div>
         <h2>Invalid cells alone</h2>
         ${hasInvalid ? nothing : html`<p id="take-away-why">${NONE_INVALID}</p>`}
@@ -199,8 +199,9 @@ export class TakeAway {
   }
 
   #movedTemplate(overview: Overview, { movedCount, whyNotInPlace }: MovementCounts): TemplateResult {
-    return html`<div>
-      <h2>With ${movedCount.toLocaleString('en')} moved ${movedCount === 1 ? 'vertex' : 'vertices'}, as are all of these</h2>
+    return html`<div class="moved">
+      <h2>In the format of the file</h2>
+      <p>As all files here, with ${movedCount.toLocaleString('en')} moved ${movedCount === 1 ? 'vertex' : 'vertices'}.</p>
       ${whyNotInPlace === null ? nothing : html`<p id="own-format-why">${whyNotInPlace} VTU has them.</p>`}
       ${this.#list([this.#own(overview)], whyNotInPlace === null ? null : 'own-format-why')}
     </div>`

@@ -1,9 +1,11 @@
-/** The best places of the eight vertices, each alone, and the proof of the selected one's, while the panel is open. */
+/**
+ * The best places of the eight vertices, each alone, and the proof of the chosen one's, while the panel is open: of the one that gains most
+ * before a vertex is chosen.
+ */
 import type { BestPlace, RepairCore, Star } from '../../core/repair/best-place'
 import type { PlaceProof, provePlace } from '../../core/repair/place-proof'
 import type { Core, JacobianReport } from '../../core/report'
 import { VERTEX_COUNT, type Vertices, withVertex } from '../../model/hexahedron'
-import type { State } from '../../model/state'
 import { BEST_PLACE, LETTERS, type PlaceMarks } from '../../views/place-marks'
 import type { Question } from '../panel'
 
@@ -53,7 +55,7 @@ export const bestPlaceQuestion: Question<VertexPlace> = {
           return null
         }
         const { bestPlace } = repair
-        const { vertices, selectedVertex: vertex, gestureStart } = state
+        const { vertices, gestureStart } = state
         if (places?.vertices !== vertices) {
           const list = Array.from({ length: VERTEX_COUNT }, (_, v) => {
             const result = bestPlace(starOf(vertices, v))
@@ -61,10 +63,13 @@ export const bestPlaceQuestion: Question<VertexPlace> = {
           })
           places = { vertices, list }
         }
+        // The first vertex is everybody's who chose none.
+        const isChosen = state.isVertexChosen || state.selectedVertex !== 0
+        const vertex = isChosen ? state.selectedVertex : mostGaining(places.list)
         const isKnown = answered?.vertices === vertices && answered.vertex === vertex
         const isProofWanted = gestureStart === null
         if (!isKnown || (isProofWanted && answered?.proof === null))
-          answered = answerOf(core, repair, state, places.list, isProofWanted)
+          answered = answerOf(core, repair, { vertices, vertex }, places.list, isProofWanted)
         return answered
       },
     }
@@ -75,10 +80,16 @@ function starOf(vertices: Vertices, vertex: number): Star {
   return { hexahedra: vertices, moving: [[vertex]] }
 }
 
+/** The vertex whose best place makes the element best; the first where no vertex has a valid place. */
+function mostGaining(places: readonly (BestPlace | null)[]): number {
+  const after = places.map(place => (place?.measure === 'volume' ? (place.relativeMinimum ?? 0) : 0))
+  return after.indexOf(Math.max(...after))
+}
+
 function answerOf(
   core: Core,
   own: Repair,
-  { vertices, selectedVertex: vertex }: State,
+  { vertices, vertex }: Pick<VertexPlace, 'vertices' | 'vertex'>,
   places: readonly (BestPlace | null)[],
   isProofWanted: boolean,
 ): VertexPlace | null {

@@ -119,6 +119,7 @@ class BestPlaceView implements View {
 
   /** One step to undo. What is said is new, so the focus moves there. */
   #moveThere(vertex: number, to: Vec3): void {
+    this.#context.dispatch({ type: 'select-vertex', vertex })
     this.#context.dispatch({ type: 'move-vertex', vertex, to })
     this.#moved = this.#context.state().vertices
     this.root.querySelector<HTMLElement>('.answer')?.focus({ preventScroll: true })

@@ -218,7 +218,8 @@ export class ColourBar {
     const sizes = labels.map(({ text }) => (upright ? LABEL_HEIGHT : CHARACTER_WIDTH * text.length + LABEL_GAP))
     const zero = labels.findIndex(({ tick }) => tick === 'zero')
     const spread = spreadLabels(heights, sizes, zero)
-    const middles = upright ? spread : spread.map((middle, i) => onBar(middle, (labels[i] as Label).text, length))
+    const lying = () => spread.map((middle, i) => onBar(middle, (labels[i] as Label).text, length))
+    const middles = upright ? spread : extremesApart(lying(), sizes, zero)
     const hasZeroLabel = upright || fits(middles, sizes, zero)
     for (const [tick, { line, label }] of Object.entries(this.#ticks)) {
       const i = labels.findIndex(shown => shown.tick === tick)
@@ -278,6 +279,15 @@ function labelsOf(minimum: number, maximum: number, format: (value: number) => s
 function onBar(middle: number, text: string, length: number): number {
   const half = (CHARACTER_WIDTH * text.length) / 2 - END_OVERHANG
   return Math.max(half, Math.min(length - half, middle))
+}
+
+/** Of two extremes on one side of zero the inner label gives way: the end of the bar holds the outer one. */
+export function extremesApart(middles: readonly number[], sizes: readonly number[], zero: number): readonly number[] {
+  if (middles.length < 3 || zero === 1) return middles
+  const outer = 2 - zero
+  const [at, end] = [middles[1] as number, middles[outer] as number]
+  const pitch = ((sizes[1] as number) + (sizes[outer] as number)) / 2
+  return middles.with(1, outer === 0 ? Math.max(at, end + pitch) : Math.min(at, end - pitch))
 }
 
 /** True if a label touches none of its neighbours; a short bar keeps only its mark of zero. */
