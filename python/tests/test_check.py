@@ -341,6 +341,16 @@ def test_html_is_xml_and_says_the_counts(tmp_path: Path) -> None:
 
 
 @needs_meshes
+def test_a_table_has_all_of_it() -> None:
+    pandas = pytest.importorskip("pandas")
+    points, cells = lattice(3, 0.5)
+    table = hexlens.classify(points, cells).to_pandas()
+    assert isinstance(table, pandas.DataFrame)
+    assert len(table) == 27
+    assert set(table["class"].unique()) <= set(hexlens.CLASSES)
+    assert {"valid", "boundary_min", "relative_min", "volume", "xi", "accepted by corners"} <= set(table.columns)
+
+
 def test_what_reads_nothing_imports_nothing() -> None:
     program = (
         "import sys, hexlens\n"
