@@ -65,6 +65,8 @@ def test_json_is_that_of_the_node_command() -> None:
         ["--allow-unchecked"],
         ["--format", "vtu"],
         ["--step", "last"],
+        ["--step", "all", "--worst=0"],
+        ["--step=3"],
     ],
 )
 def test_options_give_the_same_json(options: list[str]) -> None:
