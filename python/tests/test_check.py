@@ -342,7 +342,6 @@ def test_html_is_xml_and_says_the_counts(tmp_path: Path) -> None:
     ElementTree.fromstring(f"<div>{hexlens.check(MESHES / VTU)._repr_html_()}</div>".replace("\xa0", " "))
 
 
-@needs_meshes
 def test_a_table_has_all_of_it() -> None:
     pandas = pytest.importorskip("pandas")
     points, cells = lattice(3, 0.5)
@@ -353,6 +352,7 @@ def test_a_table_has_all_of_it() -> None:
     assert {"valid", "boundary_min", "relative_min", "volume", "xi", "accepted by corners"} <= set(table.columns)
 
 
+@needs_meshes
 def test_what_reads_nothing_imports_nothing() -> None:
     program = (
         "import sys, hexlens\n"
