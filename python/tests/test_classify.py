@@ -210,7 +210,7 @@ def test_worst_first_is_the_order_of_the_header() -> None:
         assert result.worst(n).tolist() == order[:n]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(hnp.arrays(np.float64, st.tuples(st.integers(0, 20), st.just(8), st.just(3)), elements=st.floats(width=64)))
 def test_any_doubles_are_answered_as_one_by_one(vertices: np.ndarray) -> None:
     result = hexlens.classify(vertices, minima=True)
@@ -223,7 +223,7 @@ def test_any_doubles_are_answered_as_one_by_one(vertices: np.ndarray) -> None:
             assert not result.valid[i]
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(hnp.arrays(np.int64, st.tuples(st.integers(0, 30), st.just(8)), elements=st.integers(-(2**63), 2**63 - 1) | st.integers(0, 30)))
 def test_any_indices_are_answered(cells: np.ndarray) -> None:
     points, _ = lattice(2)
