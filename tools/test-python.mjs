@@ -5,6 +5,7 @@
 import { readdirSync, rmSync } from 'node:fs'
 import { join } from 'node:path'
 import { buildScripts } from './package.mjs'
+import { runPytest } from './pytest.mjs'
 import { must, root, run, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
@@ -28,13 +29,11 @@ await runMain(async () => {
     counts[status === 0 ? 'passed' : 'failed'] += 1
   }
   const isAll = words.includes('--all')
-  const tests = ['-q', '--durations=5', join(source, 'tests'), ...words.filter(word => word !== '--all')]
+  const tests = ['--durations=5', join(source, 'tests'), ...words.filter(word => word !== '--all')]
   const env = { ...process.env, HEXLENS_ALL: isAll ? '1' : '', HEXLENS_BUILDS: builds }
-  const { status, stdout } = await run(join(environment, 'pytest'), tests, { env, output: 'tee' })
-  const counted = word => Number(new RegExp(`(\\d+) ${word}`).exec(stdout)?.[1] ?? 0)
-  const failed = counted('failed') + counted('error') + counted('skipped')
-  counts.passed += counted('passed')
-  counts.failed += Math.max(failed, status === 0 ? 0 : 1)
+  const tested = await runPytest(join(environment, 'python'), tests, { env, output: 'tee' })
+  counts.passed += tested.passed
+  counts.failed += Math.max(tested.failed, tested.status === 0 ? 0 : 1)
   process.stdout.write(`${counts.passed} passed, ${counts.failed} failed\n`)
   return counts.failed > 0 ? 1 : 0
 })

@@ -1,10 +1,11 @@
-// npm test: sets up, runs the native, unit and browser tests and ends with the counts. --fast: without the browser and
-// the long native tests.
+// npm test: sets up, runs the native, unit, Python and browser tests and ends with the counts. --fast: without the
+// browser, Python and the long native tests.
 
 import { mkdirSync, readdirSync, rmSync } from 'node:fs'
 import { join, relative } from 'node:path'
 import { parseArgs } from 'node:util'
 import { readJson, runPlaywright } from './playwright.mjs'
+import { runPytest, stagePackage } from './pytest.mjs'
 import { Failure, isAlive, root, run, runMain } from './run.mjs'
 import { setup } from './setup.mjs'
 
@@ -16,6 +17,7 @@ const stages = [
   [
     { name: 'native', run: native },
     { name: 'unit', run: unit },
+    { name: 'python', run: python, long: true },
   ],
   [{ name: 'browser', run: browser, long: true }],
 ]
@@ -83,7 +85,7 @@ function judged(result, status) {
   return result.failed === 0 && (status !== 0 || ranNone) ? { ...result, failed: 1 } : result
 }
 
-/** The native and the unit tests need it: two makes side by side would write the same files. */
+/** The native, the unit and the Python tests need it: two makes side by side would write the same files. */
 async function buildNativeLibrary() {
   const { status, text } = await run('make', ['-s', '-C', 'wasm', 'native', 'parity', 'library'])
   if (status !== 0) throw new Failure(`The native library was not built.\n${text}`)
@@ -115,6 +117,17 @@ async function unit({ fast }) {
   const brokenFiles = report.testResults.filter(f => f.status === 'failed' && f.assertionResults.length === 0)
   const { numPassedTests, numFailedTests, numPendingTests, numTodoTests } = report
   return judged(counts(numPassedTests, numFailedTests + brokenFiles.length, numPendingTests + numTodoTests), status)
+}
+
+/** The tests of verdicts and proofs, without the Node command; npm run test:python has all, of the package as it is published. */
+async function python() {
+  const tests = ['test_classify.py', 'test_proofs.py'].map(name => join(root, 'python', 'tests', name))
+  const env = { ...process.env, PYTHONPATH: stagePackage(), PYTHONDONTWRITEBYTECODE: '1' }
+  const interpreter = join(root, 'build', 'python', 'bin', 'python')
+  const words = ['-m', 'not node', '-p', 'no:cacheprovider', ...tests]
+  const { status, passed, failed, text } = await runPytest(interpreter, words, { env, output: 'capture' })
+  process.stdout.write(text)
+  return judged(counts(passed, failed), status)
 }
 
 async function browser() {

@@ -43,7 +43,7 @@ other formats use npx hexlens check FILE, which has the same options.
   --degenerate=skip    counts cells with coincident vertices in "degenerate" alone
   --allow-unchecked    exit status 0 in place of 3
   --format NAME        the files are in this format, whatever they look like
-  --step N|last        which time step is read of a file that has several (1)
+  --step N|last|all    which time step is read of a file that has several; those that are read here have one
   --ids abaqus|nastran|plain
                        prints the ids of the invalid hexahedra: an element set, a SET, or one on a line
   --csv FILE           writes a line for each hexahedron
@@ -127,11 +127,11 @@ def _ids(text: str) -> str:
 
 
 def _step(text: str) -> int | str:
-    if text == "last":
+    if text in ("last", "all"):
         return text
     if re.fullmatch(r"[1-9][0-9]{0,8}", text):
         return int(text)
-    raise _WrongCallError(f"--step wants a number from 1 on or last, not {text}")
+    raise _WrongCallError(f"--step wants a number from 1 on, last or all, not {text}")
 
 
 #: Name in Arguments, a description of the value (None for an option that has none), and what reads it.
@@ -139,7 +139,7 @@ _OPTIONS: Final[dict[str, tuple[str, str | None, Callable[[str], Any]]]] = {
     "--json": ("json", None, lambda _: True),
     "--allow-unchecked": ("allows_unchecked", None, lambda _: True),
     "--format": ("format", "the name of a format", str),
-    "--step": ("step", "a number from 1 on or last", _step),
+    "--step": ("step", "a number from 1 on, last or all", _step),
     "--csv": ("csv", "a file", str),
     "--junit": ("junit", "a file", str),
     "--annotate": ("annotate", "a file", _annotate),

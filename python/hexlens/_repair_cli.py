@@ -3,6 +3,7 @@
 import argparse
 import dataclasses
 import os
+import re
 import sys
 from collections.abc import Sequence
 from typing import Final, NoReturn
@@ -42,14 +43,19 @@ class _Parser(argparse.ArgumentParser):
 
 
 def _number_of(text: str) -> float:
-    value = float(text)
-    if not 0 <= value < float("inf"):
-        raise ValueError
-    return value
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1
+    if 0 <= value < float("inf"):
+        return value
+    raise argparse.ArgumentTypeError(f"a number from 0 on is expected, not {text}")
 
 
 def _step_of(text: str) -> int | str:
-    return text if text == "last" else int(text)
+    if text == "last" or re.fullmatch(r"[1-9][0-9]{0,8}", text):
+        return text if text == "last" else int(text)
+    raise argparse.ArgumentTypeError(f"a number from 1 on or last is expected, not {text}")
 
 
 def _parser() -> _Parser:

@@ -65,6 +65,8 @@ def test_json_is_that_of_the_node_command() -> None:
         ["--allow-unchecked"],
         ["--format", "vtu"],
         ["--step", "last"],
+        ["--step", "all", "--worst=0"],
+        ["--step=3"],
     ],
 )
 def test_options_give_the_same_json(options: list[str]) -> None:
@@ -338,6 +340,16 @@ def test_html_is_xml_and_says_the_counts(tmp_path: Path) -> None:
     assert len([name for name in names if name.startswith("Invalid hexahedron, least jacdet")]) == 10
     assert len(list(csv.reader((tmp_path / "cells.csv").open(newline="")))) == 17
     ElementTree.fromstring(f"<div>{hexlens.check(MESHES / VTU)._repr_html_()}</div>".replace("\xa0", " "))
+
+
+def test_a_table_has_all_of_it() -> None:
+    pandas = pytest.importorskip("pandas")
+    points, cells = lattice(3, 0.5)
+    table = hexlens.classify(points, cells).to_pandas()
+    assert isinstance(table, pandas.DataFrame)
+    assert len(table) == 27
+    assert set(table["class"].unique()) <= set(hexlens.CLASSES)
+    assert {"valid", "boundary_min", "relative_min", "volume", "xi", "accepted by corners"} <= set(table.columns)
 
 
 @needs_meshes
