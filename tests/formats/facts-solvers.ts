@@ -319,6 +319,11 @@ export const solverFacts: readonly FormatFacts[] = [
         { 'a.unv': (unv(2411, `4 115 1 1 7 8\n${IDS.join(' ')}`)['a.unv'] as string).slice(0, -24) },
         /ends/,
       ),
+      fact(
+        'a file without nodes in 2411 is refused',
+        unv(15, `4 115 1 1 7 8\n${IDS.join(' ')}`),
+        /nodes were expected/,
+      ),
     ],
   },
   {

@@ -43,8 +43,8 @@ const withFunction = grid.replace(
   '<DataItem ItemType="Function" Function="$0" Dimensions="8 3">',
 )
 
-const tecplot = (zone: string) => ({
-  'a.dat': `VARIABLES = "X" "Y" "Z"\nZONE ${zone}\n${rows(row => row.join(' '))}\n1 2 3 4 5 6 7 8\n`,
+const tecplot = (zone: string, nodes = '1 2 3 4 5 6 7 8') => ({
+  'a.dat': `VARIABLES = "X" "Y" "Z"\nZONE ${zone}\n${rows(row => row.join(' '))}\n${nodes}\n`,
 })
 const tecplotBlocks = {
   'a.dat': `VARIABLES = "X" "Y" "Z"\nZONE NODES=8 ELEMENTS=1 ZONETYPE=FEBRICK DATAPACKING=BLOCK\n${[0, 1, 2].map(axis => ROWS.map(row => row[axis]).join(' ')).join('\n')}\n1 2 3 4 5 6 7 8\n`,
@@ -150,6 +150,7 @@ export const vtkFacts: readonly FormatFacts[] = [
         changedHdf5('parts.vtkhdf', 'UnstructuredGrid', 'OverlappingAMR\0\0'),
         /it holds data of type “OverlappingAMR”/,
       ),
+      fact('blocks in other files are refused', 'hdf5/linked.vtkhdf', /block “right” is a link to another file/),
     ],
   },
   {
@@ -189,6 +190,11 @@ export const vtkFacts: readonly FormatFacts[] = [
         ONE,
       ),
       fact('what meshio writes', made('meshio-tec.dat'), MADE),
+      fact(
+        'bricks with repeated nodes, as such, with a note',
+        tecplot('N=8, E=1, F=FEPOINT, ET=BRICK', '1 2 3 3 5 5 5 5'),
+        { hexahedra: 1, note: /1 bricks repeat nodes/ },
+      ),
     ],
     notRead: [
       fact('ordered zones are refused', tecplot('I=2 J=2 K=2'), /ORDERED/),

@@ -76,6 +76,12 @@ with file("collection.vtkhdf") as h:
     assembly = root.create_group("Assembly", track_order=True)
     for name in ("left", "right"):
         assembly[name] = h5py.SoftLink(f"/VTKHDF/{name}")
+with file("linked.vtkhdf") as h:
+    root = h.create_group("VTKHDF")
+    root.attrs["Version"] = [2, 1]
+    root.attrs["Type"] = "PartitionedDataSetCollection"
+    vtk_grid(root.create_group("left"), [[boxes([1])]])
+    root["right"] = h5py.ExternalLink("right.vtkhdf", "/VTKHDF")
 
 
 def cgns(parent, name, label, data=None):

@@ -8,6 +8,7 @@ import { titledColumns } from '../snippets/point-set'
 import { type MeshFile, type MeshFormat, progressOf, type ReadOptions } from '../source'
 import { shown, TextCursor } from '../text-cursor'
 import { wordTable } from '../word-table'
+import { isRepeating } from './node-model'
 
 /** Nodes of a zone's cells. */
 const CELLS: Readonly<Record<string, readonly [OtherCell | 'hexahedron', number]>> = wordTable({
@@ -54,6 +55,7 @@ class Reader {
   readonly #size: number
   #axes: readonly number[] = [0, 1, 2]
   #variables = 3
+  #degenerate = 0
 
   constructor(file: MeshFile, options: ReadOptions) {
     this.#builder = new MeshBuilder('Tecplot', file.name)
@@ -75,6 +77,8 @@ class Reader {
       else if (!/^\s*(?:TITLE|FILETYPE|DATASETAUXDATA|VARAUXDATA)/i.test(header))
         cursor.refuse(`${shown(header.trim().slice(0, 40))} stands where a zone was expected.`)
     }
+    if (this.#degenerate > 0)
+      this.#builder.note(`${this.#degenerate} bricks repeat nodes: as hexahedra they have J <= 0 somewhere.`)
     return this.#builder.mesh()
   }
 
@@ -196,8 +200,10 @@ class Reader {
         if (node < 1 || node > nodes) cursor.refuse(`cell ${cell + 1} names node ${node}; the nodes are 1 to ${nodes}.`)
         return first + node - 1
       })
-      if (kind === 'hexahedron') builder.hexahedron(indices, builder.cellCount + 1)
-      else builder.otherCell(kind)
+      if (kind === 'hexahedron') {
+        if (isRepeating(indices)) this.#degenerate++
+        builder.hexahedron(indices, builder.cellCount + 1)
+      } else builder.otherCell(kind)
       this.#onRecord(cursor.position)
     }
   }

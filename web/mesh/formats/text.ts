@@ -33,6 +33,7 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
   if (json !== null) return json
   throwIfCancelled()
   const hasOwnOrder = /\bskfem\b|\bmesh\.t\b|\bMeshHex\b|\bdolfinx\b|\bcreate_mesh\(|\bCellData<|\bdealii\b/.test(whole)
+  const isScikitFem = /\bskfem\b|\bmesh\.t\b|\bMeshHex/.test(whole)
   const decimal = withDecimalPoints(whole)
   const text = decimal ?? whole
   let refusal: MeshRefusal | null = null
@@ -50,6 +51,7 @@ function meshOfText(whole: string, file: MeshFile, { throwIfCancelled }: ReadOpt
       format: languageOf(text),
       fileName,
       hasOwnOrder,
+      isScikitFem,
     }),
   )
   if (lists?.isOrderStated || (lists !== null && hasOwnOrder)) return lists

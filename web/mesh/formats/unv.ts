@@ -45,6 +45,7 @@ export const unv: MeshFormat = {
       else if (ELEMENTS.has(set)) readElements(cursor, builder, elements, set === 780)
       else skipSet(cursor)
     }
+    if (builder.pointCount === 0) cursor.refuse('nodes were expected, in dataset 2411; there are none.')
     for (const { id, nodes, isLinear } of elements) {
       const indices = nodes.map(node => builder.indexOfId(node, `element ${id}`))
       if (isLinear) builder.hexahedron(indices, id)

@@ -25,10 +25,12 @@ export function readVtkHdf(hdf5: Hdf5File, _: MeshFile, options: ReadOptions): r
   const type = hdf5.textAttribute(ROOT, 'Type') ?? ''
   if (type === GRID) new GridReader(hdf5, ROOT, mesh, options).read(null)
   else if (COLLECTIONS.includes(type)) {
-    const blocks = hdf5.groups(ROOT).filter(name => name !== 'Assembly')
+    const blocks = hdf5.names(ROOT).filter(name => name !== 'Assembly')
     if (blocks.length === 0) hdf5.refuse('its collection has no blocks.')
     for (const name of blocks) {
       const path = within(ROOT, name)
+      if (!hdf5.hasGroup(ROOT, name))
+        hdf5.refuse(`block ${shown(name)} is a link to another file; links are not followed.`)
       const own = hdf5.textAttribute(path, 'Type') ?? ''
       if (own === GRID) new GridReader(hdf5, path, mesh, options).read(name)
       else mesh.note(`Block ${shown(name)} is of type ${shown(own)} and was left out: unstructured grids are read.`)

@@ -38,7 +38,10 @@ export function isCells(table: NumberTable, set: PointSet | null, mayBePoints: b
   if (rows.length === EIGHT && width !== EIGHT && transposed(rows).every(isNode)) return true
   const isCell = (row: readonly number[]) => isNode(row.slice(-Math.min(4, row.length)))
   // If points are left out, some cells name missing ones.
-  return set.table.isCut ? width >= EIGHT && rows.some(isCell) : rows.every(isCell)
+  if (set.table.isCut) return width >= EIGHT && rows.some(isCell)
+  // A collapsed cell repeats nodes.
+  if (width === EIGHT && 2 * rows.filter(isCell).length > rows.length) return rows.every(row => row.every(isKnown))
+  return rows.every(isCell)
 }
 
 const VTK_SIZES = new Set([3, 4, 5, 6, 8, 10, 20, 27])

@@ -10,9 +10,9 @@ import { printedDigits } from '../precision'
 import { orderOfText } from '../snippet-text'
 import { shown } from '../text-cursor'
 import { type CellRows, cellRowsOf } from './cell-rows'
-import { likelierLayout } from './layouts'
+import { hasPositiveCorners, likelierLayout } from './layouts'
 import { pairs } from './named-points'
-import { areAllIntegers, areDistinct, inRowsOf, type NumberTable, widthOf } from './number-table'
+import { areAllIntegers, areDistinct, inRowsOf, type NumberTable, transposed, widthOf } from './number-table'
 import { EIGHT, type PointSet, pointSetOf, withAxesJoined, withIdsJoined } from './point-set'
 import { CELL_NAME, isNamed, NO_POINT_NAME } from './table-names'
 
@@ -21,6 +21,8 @@ export interface Origin {
   readonly fileName: string
   /** True for a text of a program with its own order of a cell's points. */
   readonly hasOwnOrder?: boolean
+  /** True for a mesh of scikit-fem. */
+  readonly isScikitFem?: boolean
 }
 
 const OTHER_TYPES: readonly (readonly [RegExp, OtherCell])[] = [
@@ -39,8 +41,14 @@ export function meshOfTables(all: readonly NumberTable[], origin: Origin): Mesh 
   const sets = tables.flatMap(table => pointSetOf(table, builder) ?? [])
   const parts = pairs(tables, sets, builder)
   if (parts.length > 0) {
-    for (const { set, cells } of parts) addCells(set, cells, builder)
-    if (origin.hasOwnOrder) {
+    let isKnownOrder = false
+    for (const { set, cells } of parts) {
+      const own = origin.isScikitFem ? inOrderOfScikitFem(set, cells) : null
+      addCells(set, own ?? cells, builder)
+      isKnownOrder ||= own !== null
+    }
+    if (isKnownOrder) builder.note('The nodes of each cell are in scikit-fem’s order.')
+    else if (origin.hasOwnOrder) {
       builder.isOrderStated = false
       builder.note('The nodes of each cell are taken in the order of the text.')
     }
@@ -57,6 +65,22 @@ export function meshOfTables(all: readonly NumberTable[], origin: Origin): Mesh 
   const mesh = builder.mesh()
   const note = printedDigits(digits, mesh.points).note()
   return note === null ? mesh : { ...mesh, notes: [...mesh.notes, note] }
+}
+
+/** Scikit-fem's node of each vertex. */
+const SCIKIT_FEM = [0, 3, 6, 2, 1, 5, 7, 4]
+
+/** Cells of scikit-fem, a column or a row for each, in VTK's order; null if in its order not one has J > 0 at its corners. */
+function inOrderOfScikitFem({ points }: PointSet, tables: readonly NumberTable[]): NumberTable[] | null {
+  for (const rowsOf of [transposed, (rows: readonly number[][]) => rows]) {
+    const ordered = tables.map(table => ({
+      ...table,
+      rows: rowsOf(table.rows as number[][]).map(row => SCIKIT_FEM.map(at => row[at] as number)),
+    }))
+    const isPositive = (row: readonly number[]) => hasPositiveCorners(row.map(id => points[id] ?? []))
+    if (ordered.every(({ rows }) => rows.some(isPositive))) return ordered
+  }
+  return null
 }
 
 /** Tables of integers beside one with decimals are no points, whatever they are. */
@@ -77,7 +101,9 @@ function refuseLeftCells(tables: readonly NumberTable[], sets: readonly PointSet
   for (const table of tables) {
     const width = widthOf(table)
     if (ofPoints.has(table) || !areAllIntegers(table) || width < EIGHT || width > 28) continue
-    if (!table.rows.every(row => areDistinct(row.slice(-EIGHT)) && row.every(id => id >= 0))) continue
+    if (!table.rows.every(row => row.every(id => id >= 0))) continue
+    // Collapsed cells repeat nodes.
+    if (2 * table.rows.filter(row => areDistinct(row.slice(-EIGHT))).length <= table.rows.length) continue
     builder.refuse(
       `beside the points stands a table of ${width} integers a row that seems to name points, but not those that are there.`,
     )

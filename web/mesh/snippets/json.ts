@@ -17,7 +17,10 @@ export function meshOfJson(text: string, fileName: string): Mesh | null {
     return null
   }
   const found = search(value)
-  return ownElements(found, fileName) ?? meshOfTables(found.tables, { format: FORMAT, fileName })
+  // Mesh.to_dict of scikit-fem has these names.
+  const isScikitFem = typeof value === 'object' && value !== null && 'p' in value && 't' in value
+  const origin = { format: FORMAT, fileName, isScikitFem, hasOwnOrder: isScikitFem }
+  return ownElements(found, fileName) ?? meshOfTables(found.tables, origin)
 }
 
 interface Found {

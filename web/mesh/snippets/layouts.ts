@@ -16,9 +16,12 @@ type Points = readonly (readonly number[])[]
 export function likelierLayout(points: Points, table: NumberTable): Points | null {
   const other = otherLayout(table)
   if (other === null || other.length !== points.length || table.header !== null) return null
-  const isPositive = (element: Points) => NEIGHBOURS.every((_, v) => cornerDeterminant(element, v) > 0)
-  if (inRowsOf(points, EIGHT).some(isPositive)) return null
-  return inRowsOf(other, EIGHT).every(isPositive) ? other : null
+  if (inRowsOf(points, EIGHT).some(hasPositiveCorners)) return null
+  return inRowsOf(other, EIGHT).every(hasPositiveCorners) ? other : null
+}
+
+export function hasPositiveCorners(element: Points): boolean {
+  return NEIGHBOURS.every((_, v) => cornerDeterminant(element, v) > 0)
 }
 
 function otherLayout(table: NumberTable): Points | null {

@@ -97,8 +97,11 @@ function anyPointSetOf(table: NumberTable, builder: MeshBuilder): PointSet | nul
     }
   }
   if (width === 3) return set(table.rows, table.ids !== null && areDistinct(table.ids) ? table.ids : null)
-  if (count === 3 && width >= EIGHT && (width % COORDINATES !== 0 || isNamed(table, POINT_NAME)))
-    return set(transposed(table.rows))
+  if (count === 3 && width >= EIGHT && (width % COORDINATES !== 0 || isNamed(table, POINT_NAME))) {
+    // Coordinates of eight points repeat, numbers of nodes do not.
+    const areCells = width === EIGHT && areAllIntegers(table) && table.rows.some(areDistinct)
+    return areCells && !isNamed(table, POINT_NAME) ? null : set(transposed(table.rows))
+  }
   if (width > 0 && width % COORDINATES === 0) return set(inRowsOf(table.rows.flat(), 3))
   if (count === 1 && width % 3 === 0 && width > 3 && isNamed(table, POINT_NAME))
     return set(inRowsOf(table.rows.flat(), 3))
