@@ -21,7 +21,7 @@ export interface Reason {
 export function reasonsOf(
   core: RepairCore,
   { cells }: Pick<PointMesh, 'cells'>,
-  { points, heldPoints, heldLimits }: Untangled,
+  { points, heldPoints, heldLimits }: Pick<Untangled, 'points' | 'heldPoints' | 'heldLimits'>,
   margin: number,
 ): (held: number) => Reason {
   const around = cellsAround(cells, heldPoints)
