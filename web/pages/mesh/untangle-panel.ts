@@ -269,7 +269,7 @@ export class UntanglePanel {
         <button type="button" class="certify" title="For a checker, as JSON" ?disabled=${certified !== null} @click=${() => this.#certify()}>
           ${allProofsWords(heldCount)}
         </button>
-        <span role="status">${certified === null ? certificates : 'Proving.'}</span>
+        <span class="proofs" role="status">${certified === null ? certificates : 'Proving.'}</span>
         ${
           certified === null
             ? nothing
