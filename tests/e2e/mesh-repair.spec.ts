@@ -162,7 +162,7 @@ test('a vertex is dragged, one put to its best place, the rest untangled; both f
     await expect(place).toContainText(
       /Best place of vertex 6: the least relative minimum of its 8 cells goes from −[\d.]+ to [01]/,
     )
-    await expect(place).toContainText('Proved exactly')
+    await expect(place).toContainText('No place is better, proved')
     await place.getByRole('button', { name: 'Move there' }).click()
     await expect(place).toContainText('Vertex 6 is at its best place')
     await expect(moved(page)).toHaveText(/^2 vertices moved\./)
