@@ -96,7 +96,10 @@ function checkStatus(file: string): number | null {
   return spawnSync(process.execPath, [script, 'check', file], { encoding: 'utf8' }).status
 }
 
-test('a vertex is dragged, one put to its best place, the rest untangled; both files that are saved are valid', async ({ lens, page }) => {
+test('a vertex is dragged, one put to its best place, the rest untangled; both files that are saved are valid', async ({
+  lens,
+  page,
+}) => {
   await openGrid(page)
   const before = await invalidCount(page)
   expect(before).toBeGreaterThan(8)

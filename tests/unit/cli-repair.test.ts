@@ -112,7 +112,9 @@ describe('repair', () => {
     expect(await said(input, '-o', input)).toContain('stays as it is: name another file')
     expect(await said(input, '-o', pathOf('link.msh'))).toContain('stays as it is: name another file')
     expect(await said(input, '-o', '-')).toContain('not standard output')
-    expect(await said(input, '-o', pathOf('x.msh'), '--certificates', '-')).toContain('it writes certificates to a file')
+    expect(await said(input, '-o', pathOf('x.msh'), '--certificates', '-')).toContain(
+      'it writes certificates to a file',
+    )
     for (const taken of [input, pathOf('x.msh')])
       expect(await said(input, '-o', pathOf('x.msh'), '--certificates', taken)).toContain('a file of their own')
     expect(await said(input, '-o', pathOf('none/x.msh'))).toContain('there is no such folder')

@@ -96,7 +96,14 @@ function tangledPart(check: MeshCheck, part: { readonly cell: number; readonly r
   const pointCount = points.length / 3
   if (part === null) {
     const moves = new Uint8Array(pointCount).fill(MOVES.unlessBoundary)
-    return { points: points.slice(), cells: cells.slice(), moves, indices: null, cellIndices: null, ids: ids && ids.slice() }
+    return {
+      points: points.slice(),
+      cells: cells.slice(),
+      moves,
+      indices: null,
+      cellIndices: null,
+      ids: ids && ids.slice(),
+    }
   }
   const mask = new Uint8Array(cells.length / 8)
   mask[part.cell] = 1

@@ -34,7 +34,14 @@ import { HistogramView } from './histogram-view'
 import { InputDoor } from './input-door'
 import { MovingLens, NOTHING_MOVED } from './moving-lens'
 import { notesTemplate } from './notes'
-import { cancelledWords, NOT_IN_STEPS, NOTHING_OPEN, namesakeSentence, refusalWords, unsavedSentence } from './page-words'
+import {
+  cancelledWords,
+  NOT_IN_STEPS,
+  NOTHING_OPEN,
+  namesakeSentence,
+  refusalWords,
+  unsavedSentence,
+} from './page-words'
 import { PictureControls } from './picture-controls'
 import { PlaceFold } from './place-fold'
 import type { Travelling } from './settings-text'
@@ -293,7 +300,15 @@ async function take(
   const own = survey as OpenSurvey
   // Another mesh may be on its way by now.
   const { news, aside } = shown
-  set({ ...NOTHING, ...about, news, aside, progress: opening ? shown.progress : null, overview, selected: allOf(overview) })
+  set({
+    ...NOTHING,
+    ...about,
+    news,
+    aside,
+    progress: opening ? shown.progress : null,
+    overview,
+    selected: allOf(overview),
+  })
   table.show(overview.hexahedra, { hasBlocks: overview.blocks.length > 0, order: FIRST_ORDER }, overview.worst)
   const arriving = travel.arrivingIn(overview, about.example !== null)
   picture.open(overview, arriving?.picture, arriving?.camera)

@@ -9,7 +9,15 @@ import type { Moves, Overview } from '../../survey/survey-jobs'
 import { type BoundaryMoves, type GhostLines, type PartUntangled, withMoves } from '../../survey/untangled-part'
 import { saveFile } from '../../views/save-file'
 import { fileStem } from './file-names'
-import { allProofsWords, certificatesSentence, heldWords, linesWords, resultSentences, ringWords, takenSentences } from './untangle-words'
+import {
+  allProofsWords,
+  certificatesSentence,
+  heldWords,
+  linesWords,
+  resultSentences,
+  ringWords,
+  takenSentences,
+} from './untangle-words'
 
 export interface UntangleHost {
   /** Null where no mesh is open. */
@@ -144,7 +152,15 @@ export class UntanglePanel {
     this.#stop()
     const running = new AbortController()
     this.#running = running
-    this.#set({ ...this.#shown, ...NOTHING_WRITTEN, complaint: '', message: '', result: null, left: null, soFar: 'begun' })
+    this.#set({
+      ...this.#shown,
+      ...NOTHING_WRITTEN,
+      complaint: '',
+      message: '',
+      result: null,
+      left: null,
+      soFar: 'begun',
+    })
     try {
       const of = rings === null ? null : { cell: chosen as number, rings }
       const part = await survey.tangled(of)
@@ -194,7 +210,13 @@ export class UntanglePanel {
 
   #leave(): void {
     this.#stop()
-    this.#set({ ...this.#shown, ...NOTHING_WRITTEN, result: null, left: null, message: 'Left as it was: nothing has moved.' })
+    this.#set({
+      ...this.#shown,
+      ...NOTHING_WRITTEN,
+      result: null,
+      left: null,
+      message: 'Left as it was: nothing has moved.',
+    })
     this.root.querySelector<HTMLElement>('.begin')?.focus()
   }
 
