@@ -267,6 +267,7 @@ test('examples to untangle; what is left and why; all of it by keys', async ({ l
   await panel.getByLabel(/^Where/).selectOption('The chosen cell and 1 ring around it')
   await panel.getByLabel('Relative minima at least').press('Enter')
   await expect(panel.locator('.result')).toHaveText(/would be valid/)
+  await expect(panel.getByRole('button', { name: 'Take it' })).toBeFocused()
   await panel.getByRole('button', { name: 'Leave it' }).press('Enter')
   await expect(panel.locator('.result')).toHaveText('Left as it was: nothing has moved.')
   await expect(panel.getByRole('button', { name: 'Untangle' })).toBeFocused()

@@ -102,7 +102,7 @@ function tangledPart(check: MeshCheck, part: { readonly cell: number; readonly r
       moves,
       indices: null,
       cellIndices: null,
-      ids: ids && ids.slice(),
+      ids: ids?.slice() ?? null,
     }
   }
   const mask = new Uint8Array(cells.length / 8)

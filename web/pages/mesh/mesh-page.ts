@@ -266,7 +266,10 @@ function hasUnsavedMoves(): boolean {
 function putAside(): void {
   const { overview, example, beside, movement } = shown
   if (!survey) return
-  if (!overview || !hasUnsavedMoves()) return survey.close()
+  if (!overview || !hasUnsavedMoves()) {
+    survey.close()
+    return
+  }
   shown.aside?.survey.close()
   shown = { ...shown, aside: { survey, overview, example, beside, movement } }
 }

@@ -191,6 +191,12 @@ export class UntanglePanel {
       message: resultSentences(result, asked.text).join(' '),
     })
     this.#host.ghost(hasMoved ? result.ghost : null)
+    this.#refocus(hasMoved ? '.take' : '.begin')
+  }
+
+  /** A button that was disabled while something ran has lost the focus. */
+  #refocus(selector: string): void {
+    if (document.activeElement === document.body) this.root.querySelector<HTMLElement>(selector)?.focus()
   }
 
   #cancel(): void {
@@ -239,6 +245,7 @@ export class UntanglePanel {
       const file = `${fileStem(overview.name)}-held.json`
       saveFile(file, text, 'application/json')
       set(null, certificatesSentence(file, count, found.heldCount))
+      this.#refocus('.certify')
     } catch (reason) {
       set(null, wordsOf(reason))
     }
