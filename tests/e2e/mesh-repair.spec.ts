@@ -1,4 +1,4 @@
-/** Repair on the page Mesh: a vertex is dragged, the rest untangled, and what is saved is valid for `check`. */
+/** Repair on the page Mesh: a vertex is dragged, another put to its best place, the rest untangled; what is saved is valid for `check`. */
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -23,16 +23,22 @@ const nodeAt = (i: number, j: number, k: number) => 1 + i + NODES * (j + NODES *
 /** To the right on the screen, as the lens first looks. */
 const RIGHT = [Math.sin((58 * Math.PI) / 180), Math.cos((58 * Math.PI) / 180), 0]
 const DRAGGED = nodeAt(1, 1, 1)
-const THROWN = nodeAt(3, 3, 3)
+const PLACED = nodeAt(3, 3, 3)
+const TANGLED = nodeAt(3, 1, 3)
+const AWAY: Readonly<Record<number, readonly number[]>> = {
+  [DRAGGED]: RIGHT.map(x => 1.25 * x),
+  [PLACED]: [-1.5, -1.2, 1.4],
+  [TANGLED]: [-1.3, 1.2, -1.4],
+}
 
-/** A grid in which one inner node is too far to the right, and another somewhere else. */
+/** A grid in which one inner node is too far to the right, and two are somewhere else; no cell has two of them. */
 function gridFile(): string {
   const lines = ['*HEADING', 'a grid', '*NODE, NSET=ALL']
   for (let k = 0; k < NODES; ++k)
     for (let j = 0; j < NODES; ++j)
       for (let i = 0; i < NODES; ++i) {
         const node = nodeAt(i, j, k)
-        const by = node === DRAGGED ? RIGHT.map(x => 1.25 * x) : node === THROWN ? [-1.5, -1.2, 1.4] : [0, 0, 0]
+        const by = AWAY[node] ?? [0, 0, 0]
         const place = [i, j, k].map((x, axis) => (x + (by[axis] as number)).toFixed(6))
         lines.push(`${String(node).padStart(6)}, ${place.join(',   ')}`)
       }
@@ -81,12 +87,19 @@ async function saved(page: Page, name: RegExp): Promise<string> {
   return file
 }
 
+function asksBeforeLeaving(page: Page): Promise<boolean> {
+  return page.evaluate(() => !window.dispatchEvent(new Event('beforeunload', { cancelable: true })))
+}
+
 function checkStatus(file: string): number | null {
   const script = fileURLToPath(new URL('../../tools/hexlens.mjs', import.meta.url))
   return spawnSync(process.execPath, [script, 'check', file], { encoding: 'utf8' }).status
 }
 
-test('a vertex is dragged, the rest untangled, and both files that are saved are valid', async ({ lens, page }) => {
+test('a vertex is dragged, one put to its best place, the rest untangled; both files that are saved are valid', async ({
+  lens,
+  page,
+}) => {
   await openGrid(page)
   const before = await invalidCount(page)
   expect(before).toBeGreaterThan(8)
@@ -144,6 +157,24 @@ test('a vertex is dragged, the rest untangled, and both files that are saved are
     await page.getByLabel('Free the boundary').uncheck()
   })
 
+  await test.step('another goes to its best place', async () => {
+    await choose(page, 43)
+    const place = page.locator('.one > .place')
+    await place.getByText('Best place of a vertex').click()
+    await place.getByRole('button', { name: 'Vertex 6, ' }).click()
+    await expect(place).toContainText(
+      /Best place of vertex 6: the least relative minimum of its 8 cells goes from −[\d.]+ to [01]/,
+    )
+    await expect(place).toContainText('No place is better, proved')
+    await place.getByRole('button', { name: 'Move there' }).click()
+    await expect(place).toContainText('Vertex 6 is at its best place')
+    await expect(moved(page)).toHaveText(/^2 vertices moved\./)
+    await expect(lens.verdict).toHaveText(/^VALID/)
+    await expect.poll(() => invalidCount(page)).toBeLessThan(after)
+  })
+
+  const rest = await invalidCount(page)
+  expect(rest).toBeGreaterThan(0)
   await test.step('the rest is untangled: said, shown, taken as one step', async () => {
     await page.getByRole('button', { name: 'Untangle' }).click()
     const panel = page.getByRole('region', { name: 'Untangle' })
@@ -161,7 +192,7 @@ test('a vertex is dragged, the rest untangled, and both files that are saved are
     await expect(panel.locator('.result')).toHaveText(
       /of \d+ invalid cells would be valid\. .* on average .* at most\. All reach 0\.1\./,
     )
-    expect(await invalidCount(page)).toBe(after)
+    expect(await invalidCount(page)).toBe(rest)
     await expectAxeFindsNothing(page)
     await inSchemesAndWidths(lens, async () => {})
     await panel.getByRole('button', { name: 'Take it' }).click()
@@ -170,9 +201,26 @@ test('a vertex is dragged, the rest untangled, and both files that are saved are
     )
     await expect(headline(page)).toHaveText(/^All 64 hexahedra are valid/)
     await page.getByRole('button', { name: 'Undo', exact: true }).click()
-    await expect.poll(() => invalidCount(page)).toBe(after)
+    await expect.poll(() => invalidCount(page)).toBe(rest)
     await page.getByRole('button', { name: 'Redo', exact: true }).click()
     await expect(headline(page)).toHaveText(/^All 64 hexahedra are valid/)
+  })
+
+  await test.step('another mesh does not lose what is in no file', async () => {
+    const said = (await moved(page).textContent()) as string
+    await page.getByLabel('Examples').selectOption('Block to untangle')
+    await expect(headline(page)).toHaveText(/^\d+ of 1,800 hexahedra are invalid/)
+    await expect(page.locator('.overview .news')).toContainText(/^\s*\d+ moved vertices of grid\.inp are in no file\./)
+    await page.getByRole('button', { name: 'Back to grid.inp' }).press('Enter')
+    await expect(headline(page)).toHaveText(/^All 64 hexahedra are valid/)
+    await expect(headline(page)).toBeFocused()
+    await expect(page.locator('.overview .news')).toHaveCount(0)
+    await expect(moved(page)).toHaveText(said)
+    await page.getByRole('button', { name: 'Undo', exact: true }).click()
+    await expect.poll(() => invalidCount(page)).toBe(rest)
+    await page.getByRole('button', { name: 'Redo', exact: true }).click()
+    await expect(headline(page)).toHaveText(/^All 64 hexahedra are valid/)
+    expect(await asksBeforeLeaving(page)).toBe(true)
   })
 
   await test.step('saved: as VTU, and in its own format with all else as it was', async () => {
@@ -183,10 +231,10 @@ test('a vertex is dragged, the rest untangled, and both files that are saved are
     const [lines, now] = [gridFile(), readFileSync(own, 'utf8')].map(text => text.split('\n')) as [string[], string[]]
     expect(now.length).toBe(lines.length)
     const other = lines.filter((line, i) => line !== now[i]).map(line => Number.parseInt(line, 10))
-    expect(other).toContain(DRAGGED)
-    expect(other).toContain(THROWN)
+    expect(other).toEqual(expect.arrayContaining([DRAGGED, PLACED, TANGLED]))
     const count = Number(/^\d+/.exec((await moved(page).textContent()) ?? '')?.[0])
     expect(other.length).toBe(count)
+    expect(await asksBeforeLeaving(page)).toBe(false)
   })
 })
 
@@ -206,6 +254,12 @@ test('examples to untangle; what is left and why; all of it by keys', async ({ l
     const [, cell] = /of cell (\d+)/.exec((await held.textContent()) ?? '') ?? []
     await expect(page.locator('.one .which')).toHaveText(new RegExp(`^Cell ${cell}`))
     await expectAxeFindsNothing(page)
+    const all = panel.getByRole('button', { name: /^The proofs of all \d+ vertices as a file$/ })
+    const [download] = await Promise.all([page.waitForEvent('download'), all.press('Enter')])
+    const [, count] = /^The proofs of all (\d+)/.exec((await all.textContent())?.trim() ?? '') ?? []
+    await expect(panel.locator('.proofs')).toHaveText(
+      new RegExp(`${download.suggestedFilename()} has certificates of \\d+ of ${count} vertices\\.`),
+    )
   })
   await page.getByLabel('Examples').selectOption('Block to untangle')
   await expect(headline(page)).toHaveText(/^\d+ of 1,800 hexahedra are invalid/)
@@ -213,6 +267,7 @@ test('examples to untangle; what is left and why; all of it by keys', async ({ l
   await panel.getByLabel(/^Where/).selectOption('The chosen cell and 1 ring around it')
   await panel.getByLabel('Relative minima at least').press('Enter')
   await expect(panel.locator('.result')).toHaveText(/would be valid/)
+  await expect(panel.getByRole('button', { name: 'Take it' })).toBeFocused()
   await panel.getByRole('button', { name: 'Leave it' }).press('Enter')
   await expect(panel.locator('.result')).toHaveText('Left as it was: nothing has moved.')
   await expect(panel.getByRole('button', { name: 'Untangle' })).toBeFocused()

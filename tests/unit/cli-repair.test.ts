@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterAll, describe, expect, it } from 'vitest'
 import { main } from '../../web/cli/from-sources'
+import { checked } from './certificate-checker'
 import { noisyGrid } from './grids'
 
 const folder = mkdtempSync(join(tmpdir(), 'hexlens-repair-'))
@@ -67,8 +68,16 @@ describe('repair', () => {
       '-o',
       output,
       '--min-relative=0.7',
+      '--certificates',
+      pathOf('left.json'),
     )
     expect(status).toBe(1)
+    const proofs = JSON.parse(readFileSync(pathOf('left.json'), 'utf8'))
+    expect(proofs.length).toBeGreaterThan(10)
+    const held = /held at (\d+)/.exec(text)?.[1]
+    expect(text).toContain(`left.json has certificates of ${proofs.length} of these ${held} points.`)
+    expect(checked(JSON.stringify(proofs.slice(0, 6))).output).toBe('6 certificates hold\n')
+    expect(proofs[0].name).toMatch(/^point \d+: vertex [0-7] of cell \d+$/)
     expect(text).toContain('its hexahedra alone, as VTU.')
     expect(text).toMatch(/What is left is held at \d+ points that may move \(counted from 0\):\n/)
     expect(text).toMatch(
@@ -103,6 +112,11 @@ describe('repair', () => {
     expect(await said(input, '-o', input)).toContain('stays as it is: name another file')
     expect(await said(input, '-o', pathOf('link.msh'))).toContain('stays as it is: name another file')
     expect(await said(input, '-o', '-')).toContain('not standard output')
+    expect(await said(input, '-o', pathOf('x.msh'), '--certificates', '-')).toContain(
+      'it writes certificates to a file',
+    )
+    for (const taken of [input, pathOf('x.msh')])
+      expect(await said(input, '-o', pathOf('x.msh'), '--certificates', taken)).toContain('a file of their own')
     expect(await said(input, '-o', pathOf('none/x.msh'))).toContain('there is no such folder')
     expect(await said(input, '-o', pathOf('x.msh'), '--min-relative', '2')).toContain('a number from 0 to 1, not 2')
     expect(await said(input, '-o', pathOf('x.msh'), '--free-boundary=-1')).toContain('a distance, not -1')

@@ -14,7 +14,8 @@ import { inOwnFormat, movingJobs, roundedNote } from '../../web/survey/moving-jo
 import { OpenedSurvey } from '../../web/survey/opened-survey'
 import { cellsWith, recheck } from '../../web/survey/recheck'
 import { Survey } from '../../web/survey/survey'
-import { MOST_LINES, untangledPart } from '../../web/survey/untangled-part'
+import { heldCertificates, MOST_LINES, untangledPart, withMoves } from '../../web/survey/untangled-part'
+import { checked as checkedByPython } from './certificate-checker'
 import { core, randomSource } from './core-fixtures'
 import { checked, classifyCells as classify, meshOf } from './mesh-fixtures'
 import { repairCore } from './stars'
@@ -263,6 +264,16 @@ describe('untangling', () => {
           if (forbids) expect([1, 2, 3, 4]).toContain(pointCount)
         }
         expect(held.some(({ forbids }) => forbids !== null)).toBe(true)
+        // The same of the mesh as it is now: those of all are a file that the checker takes.
+        const part = withMoves(await jobs.tangled(wanted), moves)
+        const { text, count } = heldCertificates(repairCore, { part, margin: 0.1, holding: result.holding }, () => {})
+        const names = JSON.parse(text).map((certificate: { name: string }) => certificate.name)
+        expect(names.length).toBe(count)
+        expect(count).toBeLessThanOrEqual(heldCount)
+        for (const { id, vertex, forbids } of held)
+          if (forbids)
+            expect(names).toContain(`point ${elbow.cells[8 * Number(id) + vertex]}: vertex ${vertex} of cell ${id}`)
+        expect(checkedByPython(text)).toMatchObject({ status: 0 })
       } else {
         // Outside the part everything is as it was.
         const inPart = new Set(tangled.indices ?? [])

@@ -9,6 +9,8 @@ export interface RepairArguments {
   /** Boundary points move so far at most; null: they stay. */
   readonly freeBoundary: number | null
   readonly slides: boolean
+  /** The file for the certificates of what holds the rest. */
+  readonly certificates: string | null
   readonly format: string | null
   /** The time step, counted from 0. */
   readonly step: number | 'last'
@@ -27,10 +29,21 @@ const options = new Map<string, Option<Values>>([
   ['--min-relative', { value: 'a number from 0 to 1', read: text => ({ minRelative: readRelative(text) }) }],
   ['--free-boundary', { value: 'a distance', read: text => ({ freeBoundary: readDistance(text) }) }],
   ['--slide', flag(() => ({ slides: true }))],
+  ['--certificates', { value: 'a file', read: certificates => ({ certificates }) }],
   ['--format', { value: 'the name of a format', read: format => ({ format }) }],
   ['--step', { value: 'a number from 1 on or last', read: text => ({ step: stepOf(REPAIR, text) }) }],
   ['--allow-unchecked', flag(() => ({ allowsUnchecked: true }))],
 ])
+
+const NOTHING: Omit<Values, 'output'> = {
+  minRelative: null,
+  freeBoundary: null,
+  slides: false,
+  certificates: null,
+  format: null,
+  step: 0,
+  allowsUnchecked: false,
+}
 
 /** Throws a Refusal that says what is wrong. */
 export function readRepairArguments(args: readonly string[]): RepairArguments {
@@ -39,8 +52,8 @@ export function readRepairArguments(args: readonly string[]): RepairArguments {
   if (input === undefined || files.length > 1) throw REPAIR.wrong('it wants one file')
   if (!values.output) throw REPAIR.wrong('it wants -o and the file to write')
   if (values.output === '-') throw REPAIR.wrong('it writes a file, not standard output')
-  const nothing = { minRelative: null, freeBoundary: null, slides: false, format: null, allowsUnchecked: false }
-  return { ...nothing, step: 0, ...values, input, output: values.output }
+  if (values.certificates === '-') throw REPAIR.wrong('it writes certificates to a file, not to standard output')
+  return { ...NOTHING, ...values, input, output: values.output }
 }
 
 function readRelative(text: string): number {

@@ -1,16 +1,17 @@
 /** `hexlens repair`: a mesh in, the same mesh with points moved out; the exit status is that of `check` for what was written. */
-import { reasonsOf } from '../core/repair/held'
+import { type Reason, reasonsOf } from '../core/repair/held'
 import { untangle } from '../core/repair/untangle'
 import type { Untangled } from '../core/repair/untangling'
 import { type CheckOptions, checkMesh, type ExitStatus, exitOf } from '../mesh/check'
 import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { Refusal } from '../model/result'
+import { writeHeldCertificates } from '../outputs/held-certificates'
 import { meshOutput } from '../outputs/meshes/mesh-output'
 import { vtu } from '../outputs/meshes/vtu'
 import { movedFile, whyNotInPlace } from '../outputs/moved-file'
 import { withoutControls } from '../outputs/output'
-import { repairLines } from '../outputs/repair-text'
+import { type Repaired, repairLines } from '../outputs/repair-text'
 import { textOutput } from '../outputs/text'
 import { type CellClassifier, startCellClassifier } from './classify-cells'
 import type { Engine } from './engine'
@@ -38,13 +39,17 @@ export async function repair(args: readonly string[], engine: Engine, streams: S
   const { input, output } = wanted
   if (input !== '-' && realPath(output) === realPath(input))
     throw new Refusal(`repair: ${output} is what is read, and stays as it is: name another file to write.`)
+  const { certificates } = wanted
+  if (certificates !== null && [input, output].some(path => path !== '-' && realPath(certificates) === realPath(path)))
+    throw new Refusal(`repair: the certificates need a file of their own, not ${certificates}.`)
   const sink = new FileSink(output)
+  const proofs = certificates === null ? null : new FileSink(certificates)
   const progress = new ProgressLine(streams.errors.isTTY ? streams.errors : null)
   const cells = await startCellClassifier(engine, ({ done, total }) =>
     progress.show(`${withoutControls(output)}: deciding`, done / total),
   )
   try {
-    return await repaired({ wanted, engine, streams, progress, cells }, sink)
+    return await repaired({ wanted, engine, streams, progress, cells }, sink, proofs)
   } catch (error) {
     if (error instanceof RangeError && isAboutMemory(error))
       throw new Refusal(`${input} needs more memory than there is.`)
@@ -53,10 +58,11 @@ export async function repair(args: readonly string[], engine: Engine, streams: S
     progress.clear()
     cells.close()
     sink.discard()
+    proofs?.discard()
   }
 }
 
-async function repaired(work: Work, sink: FileSink): Promise<ExitStatus> {
+async function repaired(work: Work, sink: FileSink, proofs: FileSink | null): Promise<ExitStatus> {
   const { wanted, engine, streams, progress } = work
   const { input, output, minRelative } = wanted
   const open = await openMeshFile(input, streams.input)
@@ -71,9 +77,10 @@ async function repaired(work: Work, sink: FileSink): Promise<ExitStatus> {
     const exit = exitOf(check, wanted)
     const margin = minRelative ?? 0
     const reason = reasonsOf(await engine.repairCore(), mesh, result, margin)
+    const certificates = proofs && writtenCertificates(proofs, mesh, result, reason, work)
     const { format } = mesh
     progress.clear()
-    for (const line of repairLines({ result, reason, margin, input, output, format, isInPlace }))
+    for (const line of repairLines({ result, reason, margin, input, output, format, isInPlace, certificates }))
       await streams.output.write(`${line}\n`)
     const text = textOutput({ listsAll: false, minRelative, skipsDegenerate: false })
     for (const chunk of text.file({ file: output, exit, check })) await streams.output.write(chunk as string)
@@ -113,6 +120,27 @@ async function vtuOf(mesh: Mesh, points: Float64Array, work: Work): Promise<Iter
   const form = meshOutput(vtu, () => {})
   const check = await checkOf({ ...mesh, points }, work, form.lists)
   return form.file({ file: work.wanted.output, exit: exitOf(check, work.wanted), check })
+}
+
+/** Their file, and how many are in it. */
+function writtenCertificates(
+  sink: FileSink,
+  { ids }: Mesh,
+  { heldPoints }: Untangled,
+  reason: (held: number) => Reason,
+  { wanted, progress }: Work,
+): NonNullable<Repaired['certificates']> {
+  const file = wanted.certificates as string
+  function* reasons() {
+    for (const held of heldPoints.keys()) {
+      progress.show(`${withoutControls(file)}: proving`, held / heldPoints.length)
+      yield reason(held)
+    }
+  }
+  const named = { indexOf: (point: number) => point, nameOf: (cell: number) => String(ids?.[cell] ?? cell) }
+  const count = writeHeldCertificates(reasons(), named, text => sink.write(text))
+  sink.close()
+  return { file, count }
 }
 
 /** What was written is read again: a file may have no room for all digits of the points. */

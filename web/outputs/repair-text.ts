@@ -15,6 +15,8 @@ export interface Repaired {
   readonly format: string
   /** Only coordinates are others; else it is a VTU. */
   readonly isInPlace: boolean
+  /** The file of certificates, and how many are in it; null where none was wanted. */
+  readonly certificates: { readonly file: string; readonly count: number } | null
 }
 
 /** Points whose reasons are said: a proof takes milliseconds. */
@@ -28,6 +30,9 @@ export function* repairLines(repaired: Repaired): Generator<string> {
   if (result.tooManyCount > 0)
     yield `  ${counted(result.tooManyCount, 'point has', 'points have')} more cells than can be dealt with, and stay.`
   yield* reasonLines(repaired)
+  const { certificates } = repaired
+  if (certificates && result.heldPoints.length > 0)
+    yield `  ${withoutControls(certificates.file)} has certificates of ${certificates.count} of these ${counted(result.heldPoints.length, 'point', 'points')}.`
 }
 
 function* countLines({ result, margin }: Repaired): Generator<string> {

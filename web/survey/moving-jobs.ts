@@ -92,11 +92,18 @@ export async function roundedNote({ movement, classify }: Moving): Promise<strin
 
 /** Cells whose points may move have all of their neighbours among the cells of the part. */
 function tangledPart(check: MeshCheck, part: { readonly cell: number; readonly rings: number } | null): TangledPart {
-  const { points, cells } = check.mesh
+  const { points, cells, ids } = check.mesh
   const pointCount = points.length / 3
   if (part === null) {
     const moves = new Uint8Array(pointCount).fill(MOVES.unlessBoundary)
-    return { points: points.slice(), cells: cells.slice(), moves, indices: null, cellIndices: null }
+    return {
+      points: points.slice(),
+      cells: cells.slice(),
+      moves,
+      indices: null,
+      cellIndices: null,
+      ids: ids?.slice() ?? null,
+    }
   }
   const mask = new Uint8Array(cells.length / 8)
   mask[part.cell] = 1
@@ -125,5 +132,6 @@ function tangledPart(check: MeshCheck, part: { readonly cell: number; readonly r
     moves,
     indices,
     cellIndices: Uint32Array.from(cellIndices),
+    ids: ids && cellIndices.map(cell => String(ids[cell])),
   }
 }

@@ -124,6 +124,8 @@ export interface TangledPart {
   /** Of each point and of each cell its index in the mesh; null where they are the same. */
   readonly indices: Uint32Array | null
   readonly cellIndices: Uint32Array | null
+  /** The cells' ids in the file; null where it has none. */
+  readonly ids: Float64Array | readonly string[] | null
 }
 
 /** Files that say which checks accept cells, and of which cells. */

@@ -2,8 +2,9 @@
 import type { RepairCore } from '../core/repair/best-place'
 import { type Reason, reasonsOf } from '../core/repair/held'
 import { untangle } from '../core/repair/untangle'
-import type { UntangledCounts } from '../core/repair/untangling'
+import type { Untangled, UntangledCounts } from '../core/repair/untangling'
 import { edgeVertices } from '../model/hexahedron'
+import { writeHeldCertificates } from '../outputs/held-certificates'
 import type { Moves, TangledPart } from './survey-jobs'
 
 export interface UntangleWanted {
@@ -22,12 +23,18 @@ export interface PartUntangled {
   /** How many vertices may move and still have a cell below the margin, and why of the first of them. */
   readonly heldCount: number
   readonly held: readonly HeldVertex[]
+  readonly holding: Holding
   readonly ghost: GhostLines
 }
+
+/** What `certify` wants of an untangled part: its points that hold what is left, by their places in it. */
+export type Holding = Pick<Untangled, 'heldPoints' | 'heldLimits'>
 
 export interface HeldVertex {
   /** A cell that has it, and which of its vertices it is. */
   readonly cell: number
+  /** The cell's id in the file, or its index where it has none. */
+  readonly id: string
   readonly vertex: number
   readonly cellCount: number
   /** Proved: no place of it makes all of these cells valid, or none gives them the margin. Null if neither is. */
@@ -52,6 +59,21 @@ export type UntangleJobs = {
     wanted: UntangleWanted,
     tell: (soFar: UntangledCounts) => void,
   ): Promise<PartUntangled | { readonly refused: string }>
+  /** The certificates of all vertices that hold what is left. Tells which part is done, from 0 to 1. */
+  certify(wanted: CertificatesWanted, tell: (fraction: number) => void): HeldCertificates
+}
+
+export interface CertificatesWanted {
+  /** With the points where untangling has brought them. */
+  readonly part: TangledPart
+  readonly margin: number
+  readonly holding: Holding
+}
+
+export interface HeldCertificates {
+  readonly text: string
+  /** How many of the vertices have one. */
+  readonly count: number
 }
 
 /** More lines than that are no picture. */
@@ -82,8 +104,43 @@ export async function untangledPart(
     moves: { points: own.map(point => part.indices?.[point] ?? point), to },
     heldCount: heldPoints.length,
     held: heldOf(part, reasonsOf(core, part, result.value, margin), heldPoints.length),
+    holding: { heldPoints, heldLimits },
     ghost: ghostOf(part, after, own),
   }
+}
+
+export function heldCertificates(
+  core: RepairCore,
+  { part, margin, holding }: CertificatesWanted,
+  tell: (fraction: number) => void,
+): HeldCertificates {
+  const { points, cells, indices } = part
+  const reasonOf = reasonsOf(core, { cells }, { points, ...holding }, margin)
+  const count = holding.heldPoints.length
+  function* reasons() {
+    for (let held = 0; held < count; ++held) {
+      tell(held / count)
+      yield reasonOf(held)
+    }
+  }
+  const named = { indexOf: (point: number) => indices?.[point] ?? point, nameOf: (cell: number) => idOf(part, cell) }
+  const texts: string[] = []
+  return { count: writeHeldCertificates(reasons(), named, text => texts.push(text)), text: texts.join('') }
+}
+
+/** The part with its points where the moves bring them, which are the mesh's. */
+export function withMoves(part: TangledPart, { points, to }: Moves): TangledPart {
+  const places = part.indices && new Map(Array.from(part.indices, (point, place) => [point, place]))
+  const after = part.points.slice()
+  for (const [i, point] of points.entries()) {
+    const place = places ? places.get(point) : point
+    if (place !== undefined) after.set(to.subarray(3 * i, 3 * i + 3), 3 * place)
+  }
+  return { ...part, points: after }
+}
+
+function idOf({ ids, cellIndices }: TangledPart, cell: number): string {
+  return String(ids?.[cell] ?? cellIndices?.[cell] ?? cell)
 }
 
 function movedPoints(before: Float64Array, after: Float64Array): Uint32Array {
@@ -93,13 +150,14 @@ function movedPoints(before: Float64Array, after: Float64Array): Uint32Array {
   return Uint32Array.from(found)
 }
 
-function heldOf({ cells, cellIndices }: TangledPart, reasonOf: (held: number) => Reason, count: number): HeldVertex[] {
+function heldOf(part: TangledPart, reasonOf: (held: number) => Reason, count: number): HeldVertex[] {
   return Array.from({ length: Math.min(count, MOST_REASONS) }, (_, held) => {
-    const { point, cells: own, best, proof, forbids } = reasonOf(held)
+    const { cells: own, vertex, best, proof, forbids } = reasonOf(held)
     const first = own[0] as number
     return {
-      cell: cellIndices?.[first] ?? first,
-      vertex: cells.subarray(8 * first, 8 * first + 8).indexOf(point),
+      cell: part.cellIndices?.[first] ?? first,
+      id: idOf(part, first),
+      vertex,
       cellCount: own.length,
       forbids,
       bound: best.bound,

@@ -8,6 +8,8 @@ export interface Reason {
   readonly point: number
   /** The cells around the point; the star and the holds name them by their place in this list. */
   readonly cells: readonly number[]
+  /** Which vertex of the first of them the point is. */
+  readonly vertex: number
   readonly star: Star
   readonly best: BestPlace
   readonly proof: PlaceProof
@@ -19,7 +21,7 @@ export interface Reason {
 export function reasonsOf(
   core: RepairCore,
   { cells }: Pick<PointMesh, 'cells'>,
-  { points, heldPoints, heldLimits }: Untangled,
+  { points, heldPoints, heldLimits }: Pick<Untangled, 'points' | 'heldPoints' | 'heldLimits'>,
   margin: number,
 ): (held: number) => Reason {
   const around = cellsAround(cells, heldPoints)
@@ -31,7 +33,8 @@ export function reasonsOf(
     const found = core.bestPlace(star)
     if (!found.ok) throw new Error(found.error.message)
     const proof = provePlace(star, found.value)
-    return { point, cells: own, star, best: found.value, proof, forbids: whatIsForbidden(found.value, proof, margin) }
+    const forbids = whatIsForbidden(found.value, proof, margin)
+    return { point, cells: own, vertex: indices.indexOf(point), star, best: found.value, proof, forbids }
   }
 }
 

@@ -6,7 +6,7 @@ import { cellsOf, type PlaceProof, type ProvedHold } from './place-proof'
 
 /**
  * `cellNames` are those of the star's cells; only cells that hold the vertex are in it. Null where nothing is proved, or where a side of the
- * box is one of the holds: the claim is about all places. By scale it is the claim that no place makes all cells valid, and null without it.
+ * box is one of the holds, or the vertex stays in a plane: the claim is about all places. By scale it is the claim that no place makes all cells valid, and null without it.
  */
 export function placeCertificateJson(
   name: string,
@@ -15,6 +15,7 @@ export function placeCertificateJson(
   place: BestPlace,
   proof: PlaceProof,
 ): object | null {
+  if (star.limits?.normals.length) return null
   if (!proof.isProved || (place.measure === 'scale' && !proof.isImpossible)) return null
   const holds = proof.holds.filter((hold): hold is ProvedHold & { cell: number } => hold.cell !== null)
   if (holds.length < proof.holds.length) return null

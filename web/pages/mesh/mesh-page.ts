@@ -34,7 +34,14 @@ import { HistogramView } from './histogram-view'
 import { InputDoor } from './input-door'
 import { MovingLens, NOTHING_MOVED } from './moving-lens'
 import { notesTemplate } from './notes'
-import { cancelledWords, NOT_IN_STEPS, NOTHING_OPEN, namesakeSentence, refusalWords } from './page-words'
+import {
+  cancelledWords,
+  NOT_IN_STEPS,
+  NOTHING_OPEN,
+  namesakeSentence,
+  refusalWords,
+  unsavedSentence,
+} from './page-words'
 import { PictureControls } from './picture-controls'
 import { PlaceFold } from './place-fold'
 import type { Travelling } from './settings-text'
@@ -75,11 +82,18 @@ interface UnderWay extends ReadingProgress {
   readonly name: string
 }
 
+/** A mesh whose moved vertices are in no file, while another one is shown. */
+interface PutAside extends Pick<Shown, 'example' | 'beside' | 'movement'> {
+  readonly survey: OpenSurvey
+  readonly overview: Overview
+}
+
 /** Everything that the page shows; replaced, never changed. */
 interface Shown {
   readonly progress: UnderWay | null
   /** What became of the last input, if it is not what is shown. */
   readonly news: string
+  readonly aside: PutAside | null
   readonly overview: Overview | null
   readonly example: Example | null
   readonly movement: MovementCounts
@@ -104,6 +118,7 @@ const FIRST_ORDER: Arrangement = { column: 'worst', isDescending: false }
 const NOTHING: Shown = {
   progress: null,
   news: '',
+  aside: null,
   overview: null,
   example: null,
   movement: NOTHING_MOVED,
@@ -155,7 +170,13 @@ const travel = new SettingsTravel({
   say: notice => picture.say(notice),
   written: () => picture.travelled(),
 })
-const takeAway = new TakeAway({ survey: () => survey, picture: () => picture.toPNG() })
+const takeAway = new TakeAway({
+  survey: () => survey,
+  picture: () => picture.toPNG(),
+  saved: () => {
+    isSaved = true
+  },
+})
 const moving = new MovingLens(lens, oneRoot.querySelector('.moving') as HTMLElement, {
   rows: rows => table.patch(rows),
   move: moves => void takeMoved(own => own.move(moves)),
@@ -220,18 +241,53 @@ async function open(given: PastedInput, example: Example | null = null): Promise
     if (own === opening) set({ ...shown, progress: { name, ...progress } })
   })
   if (own !== opening) return own.close()
-  opening = null
   waiting.refused(input, 'refused' in result ? result.missing : [])
   if ('refused' in result) {
+    opening = null
     own.close()
     set({ ...shown, progress: null, news: refusalWords(name, result.refused, openName()) })
     return
   }
-  survey?.close()
+  await lastMove
+  if (own !== opening) return own.close()
+  opening = null
+  putAside()
   survey = own
   const hasSteps = (await asked(open => open.steps())) !== null
   const beside = 'files' in input && !hasSteps ? namesakeSentence(input.paths) : ''
   if (own === survey) await take(result.opened, { example, beside })
+}
+
+function hasUnsavedMoves(): boolean {
+  return shown.movement.movedCount > 0 && !isSaved
+}
+
+/** Makes room for another mesh. */
+function putAside(): void {
+  const { overview, example, beside, movement } = shown
+  if (!survey) return
+  if (!overview || !hasUnsavedMoves()) {
+    survey.close()
+    return
+  }
+  shown.aside?.survey.close()
+  shown = { ...shown, aside: { survey, overview, example, beside, movement } }
+}
+
+async function bringBack({ survey: own, overview, ...about }: PutAside): Promise<void> {
+  opening?.close()
+  opening = null
+  await lastMove
+  shown = { ...shown, aside: null, news: '' }
+  putAside()
+  survey = own
+  isSaved = false
+  await asked(open => open.arrange(FIRST_ORDER))
+  await asked(open => open.select({ condition: null, range: null }, overview.hexahedra, () => {}))
+  if (own !== survey) return
+  const taking = take(overview, about)
+  part('.overview .headline').focus()
+  await taking
 }
 
 function openName(): string | null {
@@ -246,8 +302,16 @@ async function take(
 ): Promise<void> {
   const own = survey as OpenSurvey
   // Another mesh may be on its way by now.
-  const { news } = shown
-  set({ ...NOTHING, ...about, news, progress: opening ? shown.progress : null, overview, selected: allOf(overview) })
+  const { news, aside } = shown
+  set({
+    ...NOTHING,
+    ...about,
+    news,
+    aside,
+    progress: opening ? shown.progress : null,
+    overview,
+    selected: allOf(overview),
+  })
   table.show(overview.hexahedra, { hasBlocks: overview.blocks.length > 0, order: FIRST_ORDER }, overview.worst)
   const arriving = travel.arrivingIn(overview, about.example !== null)
   picture.open(overview, arriving?.picture, arriving?.camera)
@@ -329,13 +393,19 @@ async function showAnew(own: OpenSurvey, overview: Overview, cell: number | null
 
 /** Moves that are on their way to the mesh; what comes of the last is shown. */
 let movesUnderWay = 0
+let lastMove: Promise<unknown> = Promise.resolve()
+/** True if the mesh as it is is in a file. */
+let isSaved = false
 
 async function takeMoved(step: (own: OpenSurvey) => Promise<MovedMesh>): Promise<void> {
   const own = survey
   movesUnderWay++
-  const moved = await asked(step)
+  const answer = asked(step)
+  lastMove = answer
+  const moved = await answer
   movesUnderWay--
   if (!own || own !== survey || moved === null) return
+  isSaved = false
   set({ ...shown, movement: moved.movement })
   moving.movement = moved.movement
   untangling.moved(moved.opened)
@@ -485,11 +555,12 @@ function set(next: Shown): void {
 }
 
 function overviewTemplate(now: Shown): TemplateResult {
-  const { overview, progress, news } = now
+  const { overview, progress, news, aside } = now
   return html`${progress ? progressTemplate(progress) : nothing}
     <div role="status" aria-atomic="false">
       <p class="said">${progress && !news ? `Reading ${progress.name}.` : ''}</p>
       ${news === '' ? nothing : html`<p class="news">${news}</p>`}
+      ${aside ? asideTemplate(aside) : nothing}
       ${overview ? html`<p class="headline" tabindex="-1">${headlineTemplate(overview.headline)}</p>` : nothing}
       ${!overview && !progress ? html`<p class="headline">${NOTHING_OPEN}</p>` : nothing}
     </div>
@@ -503,6 +574,14 @@ function overviewTemplate(now: Shown): TemplateResult {
       </p>
     </div>
     ${takeAway.show(overview, now.movement)} ${untangling.root}`
+}
+
+function asideTemplate(aside: PutAside): TemplateResult {
+  const name = aside.example ? 'the example before' : aside.overview.name
+  return html`<p class="news">
+    ${unsavedSentence(name, aside.movement.movedCount)}
+    <button type="button" @click=${() => bringBack(aside)}>Back to ${name}</button>
+  </p>`
 }
 
 function examplesTemplate({ example }: Shown): TemplateResult {
@@ -629,6 +708,10 @@ document.addEventListener('keydown', event => {
   else if (event.key === 'p') void goToNext(-1)
   else return
   event.preventDefault()
+})
+
+addEventListener('beforeunload', event => {
+  if (hasUnsavedMoves() || shown.aside) event.preventDefault()
 })
 
 void start()

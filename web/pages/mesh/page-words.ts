@@ -23,6 +23,12 @@ export function cancelledWords(open: string | null): string {
   return open === null ? 'Cancelled.' : `Cancelled. ${stillOpen(open)}`
 }
 
+/** Of a mesh that another one has taken the place of. */
+export function unsavedSentence(name: string, movedCount: number): string {
+  const moved = movedCount === 1 ? 'One moved vertex' : `${movedCount.toLocaleString('en')} moved vertices`
+  return `${moved} of ${name} ${movedCount === 1 ? 'is' : 'are'} in no file.`
+}
+
 function stillOpen(name: string): string {
   return `What is below is still ${name}.`
 }

@@ -11,6 +11,8 @@ export interface TakeAwayHost {
   survey(): OpenSurvey | null
   /** Null where there is no picture. */
   picture(): Promise<Blob> | null
+  /** The mesh as it is has been saved whole. */
+  saved(): void
 }
 
 interface FileWords {
@@ -149,6 +151,7 @@ export class TakeAway {
       if (written === null) return
       if ('refused' in written) return void tell(written.refused)
       saveFile(file, written.content, mediaType)
+      if (isStill() && (form === 'own' || form.startsWith('mesh.'))) this.#host.saved()
       tell([`${file}, ${sizeWords(written.content.size)}.`, ...written.said].join(' '))
     } catch (reason) {
       tell(`${file} was not written: ${reason instanceof Error ? reason.message : reason}`)

@@ -4,10 +4,20 @@ import type { UntangledCounts } from '../../core/repair/untangling'
 import { wordsOf } from '../../core/workers'
 import { readNumber } from '../../model/number-text'
 import type { OpenSurvey } from '../../survey/open-survey'
-import { startUntangling } from '../../survey/start-untangling'
+import { startCertifying, startUntangling } from '../../survey/start-untangling'
 import type { Moves, Overview } from '../../survey/survey-jobs'
-import type { BoundaryMoves, GhostLines, HeldVertex, PartUntangled } from '../../survey/untangled-part'
-import { heldWords, linesWords, type NamedVertex, resultSentences, ringWords, takenSentences } from './untangle-words'
+import { type BoundaryMoves, type GhostLines, type PartUntangled, withMoves } from '../../survey/untangled-part'
+import { saveFile } from '../../views/save-file'
+import { fileStem } from './file-names'
+import {
+  allProofsWords,
+  certificatesSentence,
+  heldWords,
+  linesWords,
+  resultSentences,
+  ringWords,
+  takenSentences,
+} from './untangle-words'
 
 export interface UntangleHost {
   /** Null where no mesh is open. */
@@ -17,6 +27,14 @@ export interface UntangleHost {
   ghost(lines: GhostLines | null): void
   take(moves: Moves): void
   goTo(cell: number): void
+}
+
+/** What was untangled, and by which margin. */
+interface Asked {
+  readonly of: { readonly cell: number; readonly rings: number } | null
+  readonly margin: number
+  /** The margin as it was typed. */
+  readonly text: string
 }
 
 interface Shown {
@@ -32,8 +50,11 @@ interface Shown {
   readonly soFar: UntangledCounts | 'begun' | null
   readonly result: PartUntangled | null
   readonly message: string
-  /** Vertices that hold what is left, with what the list calls their cells. */
-  readonly held: readonly NamedVertex[]
+  /** Vertices hold what is left of this, whether it has been taken or not; null if there are none. */
+  readonly left: { readonly asked: Asked; readonly found: PartUntangled } | null
+  /** Which part of their certificates is there, from 0 to 1; null where none are being written. */
+  readonly certified: number | null
+  readonly certificates: string
 }
 
 const BOUNDARIES: readonly { readonly value: Shown['boundary']; readonly name: string }[] = [
@@ -44,6 +65,7 @@ const BOUNDARIES: readonly { readonly value: Shown['boundary']; readonly name: s
 
 const MOST_RINGS = 5
 const CHANGED = 'The mesh has changed: untangle it again.'
+const NOTHING_WRITTEN = { certified: null, certificates: '' } as const
 const FIRST: Shown = {
   overview: null,
   whyNot: '',
@@ -55,7 +77,8 @@ const FIRST: Shown = {
   soFar: null,
   result: null,
   message: '',
-  held: [],
+  left: null,
+  ...NOTHING_WRITTEN,
 }
 
 export class UntanglePanel {
@@ -99,9 +122,9 @@ export class UntanglePanel {
     const { result, soFar } = this.#shown
     const isOutdated = result !== null || soFar !== null
     this.#stop()
-    const { message, held } = this.#isTaking ? this.#shown : { message: isOutdated ? CHANGED : '', held: [] }
+    const { message, left } = this.#isTaking ? this.#shown : { message: isOutdated ? CHANGED : '', left: null }
     this.#isTaking = false
-    this.#set({ ...this.#shown, overview, result: null, soFar: null, message, held })
+    this.#set({ ...this.#shown, ...NOTHING_WRITTEN, overview, result: null, soFar: null, message, left })
   }
 
   #open(isOpen: boolean): void {
@@ -129,13 +152,21 @@ export class UntanglePanel {
     this.#stop()
     const running = new AbortController()
     this.#running = running
-    this.#set({ ...this.#shown, complaint: '', message: '', result: null, held: [], soFar: 'begun' })
+    this.#set({
+      ...this.#shown,
+      ...NOTHING_WRITTEN,
+      complaint: '',
+      message: '',
+      result: null,
+      left: null,
+      soFar: 'begun',
+    })
     try {
-      const part = await survey.tangled(rings === null ? null : { cell: chosen as number, rings })
+      const of = rings === null ? null : { cell: chosen as number, rings }
+      const part = await survey.tangled(of)
       const onProgress = (soFar: UntangledCounts) => running === this.#running && this.#set({ ...this.#shown, soFar })
       const result = await startUntangling({ part, margin: margin.value, boundary }, onProgress, running.signal)
-      const held = 'refused' in result ? [] : await Promise.all(result.held.map(one => named(survey, one)))
-      if (running === this.#running) this.#took(result, held, text)
+      if (running === this.#running) this.#took(result, { of, margin: margin.value, text })
     } catch (reason) {
       if (running === this.#running) this.#set({ ...this.#shown, soFar: null, message: wordsOf(reason) })
     }
@@ -145,7 +176,7 @@ export class UntanglePanel {
     this.#set({ ...this.#shown, complaint })
   }
 
-  #took(result: PartUntangled | { readonly refused: string }, held: readonly NamedVertex[], margin: string): void {
+  #took(result: PartUntangled | { readonly refused: string }, asked: Asked): void {
     this.#running = null
     if ('refused' in result) {
       this.#set({ ...this.#shown, soFar: null, message: result.refused })
@@ -156,10 +187,16 @@ export class UntanglePanel {
       ...this.#shown,
       soFar: null,
       result: hasMoved ? result : null,
-      held,
-      message: resultSentences(result, margin).join(' '),
+      left: result.heldCount > 0 ? { asked, found: result } : null,
+      message: resultSentences(result, asked.text).join(' '),
     })
     this.#host.ghost(hasMoved ? result.ghost : null)
+    this.#refocus(hasMoved ? '.take' : '.begin')
+  }
+
+  /** A button that was disabled while something ran has lost the focus. */
+  #refocus(selector: string): void {
+    if (document.activeElement === document.body) this.root.querySelector<HTMLElement>(selector)?.focus()
   }
 
   #cancel(): void {
@@ -178,9 +215,47 @@ export class UntanglePanel {
   }
 
   #leave(): void {
-    this.#host.ghost(null)
-    this.#set({ ...this.#shown, result: null, held: [], message: 'Left as it was: nothing has moved.' })
+    this.#stop()
+    this.#set({
+      ...this.#shown,
+      ...NOTHING_WRITTEN,
+      result: null,
+      left: null,
+      message: 'Left as it was: nothing has moved.',
+    })
     this.root.querySelector<HTMLElement>('.begin')?.focus()
+  }
+
+  /** The proof of each vertex that holds what is left, as a file. */
+  async #certify(): Promise<void> {
+    const { left, overview } = this.#shown
+    const survey = this.#host.survey()
+    if (!left || !overview || !survey) return
+    const running = new AbortController()
+    this.#running = running
+    this.#set({ ...this.#shown, certified: 0, certificates: '' })
+    const { asked, found } = left
+    const set = (certified: number | null, certificates: string) =>
+      running === this.#running && this.#set({ ...this.#shown, certified, certificates })
+    try {
+      const part = withMoves(await survey.tangled(asked.of), found.moves)
+      const wanted = { part, margin: asked.margin, holding: found.holding }
+      const { text, count } = await startCertifying(wanted, done => set(done, ''), running.signal)
+      if (running !== this.#running) return
+      const file = `${fileStem(overview.name)}-held.json`
+      saveFile(file, text, 'application/json')
+      set(null, certificatesSentence(file, count, found.heldCount))
+      this.#refocus('.certify')
+    } catch (reason) {
+      set(null, wordsOf(reason))
+    }
+  }
+
+  #cancelCertificates(): void {
+    this.#running?.abort(new Error('Cancelled.'))
+    this.#running = null
+    this.#set({ ...this.#shown, certified: null, certificates: 'Cancelled: nothing was saved.' })
+    this.root.querySelector<HTMLElement>('.certify')?.focus()
   }
 
   #set(shown: Shown): void {
@@ -188,7 +263,7 @@ export class UntanglePanel {
     render(this.#template(shown), this.root)
   }
 
-  #template({ overview, whyNot, soFar, result, message, held }: Shown): TemplateResult | typeof nothing {
+  #template({ overview, whyNot, soFar, result, message, left }: Shown): TemplateResult | typeof nothing {
     if (!overview) return nothing
     if (whyNot !== '') return html`<p>${whyNot}</p>`
     return html`<p class="about">
@@ -207,17 +282,30 @@ export class UntanglePanel {
             </p>`
           : nothing
       }
-      ${
-        held.length > 0
-          ? html`<ul class="held" aria-label="What holds the cells that are left">
-              ${held.map(
-                one => html`<li>
-                  ${heldWords(one)} <button type="button" @click=${() => this.#host.goTo(one.cell)}>Go to cell ${one.id}</button>
-                </li>`,
-              )}
-            </ul>`
-          : nothing
-      }`
+      ${left ? this.#leftTemplate(left.found) : nothing}`
+  }
+
+  #leftTemplate({ held, heldCount }: PartUntangled): TemplateResult {
+    const { certified, certificates } = this.#shown
+    return html`<ul class="held" aria-label="What holds the cells that are left">
+        ${held.map(
+          one => html`<li>
+            ${heldWords(one)} <button type="button" @click=${() => this.#host.goTo(one.cell)}>Go to cell ${one.id}</button>
+          </li>`,
+        )}
+      </ul>
+      <p class="then">
+        <button type="button" class="certify" title="For a checker, as JSON" ?disabled=${certified !== null} @click=${() => this.#certify()}>
+          ${allProofsWords(heldCount)}
+        </button>
+        <span class="proofs" role="status">${certified === null ? certificates : 'Proving.'}</span>
+        ${
+          certified === null
+            ? nothing
+            : html`<progress aria-label="Proving" max="1" .value=${certified}></progress>
+                <button type="button" @click=${() => this.#cancelCertificates()}>Cancel</button>`
+        }
+      </p>`
   }
 
   #form({ margin, rings, boundary, distance, complaint, soFar }: Shown): TemplateResult {
@@ -295,8 +383,4 @@ function boundaryOf({ boundary, distance }: Shown): BoundaryMoves | null {
   if (boundary !== 'within') return boundary
   const within = readNumber(distance)
   return within.ok && within.value > 0 ? { within: within.value } : null
-}
-
-async function named(survey: OpenSurvey, held: HeldVertex): Promise<NamedVertex> {
-  return { ...held, id: (await survey.detail(held.cell)).row.id }
 }

@@ -3,11 +3,6 @@ import { grouped } from '../../mesh/mesh-headline'
 import { formatNumber } from '../../model/decimal'
 import type { GhostLines, HeldVertex, PartUntangled } from '../../survey/untangled-part'
 
-/** A vertex with what the list calls its cell. */
-export interface NamedVertex extends HeldVertex {
-  readonly id: string
-}
-
 export function ringWords(count: number): string {
   if (count === 0) return 'The chosen cell'
   return `The chosen cell and ${count} ${count === 1 ? 'ring' : 'rings'} around it`
@@ -21,13 +16,21 @@ export function linesWords({ ends, wanted }: GhostLines): string {
 }
 
 /** Why no place of the vertex helps. */
-export function heldWords({ vertex, id, cellCount, forbids, bound, pointCount }: NamedVertex): string {
+export function heldWords({ vertex, id, cellCount, forbids, bound, pointCount }: HeldVertex): string {
   const own = cellCount === 1 ? 'its cell' : `its ${cellCount} cells`
   const proved = `: ${pointCount} ${pointCount === 1 ? 'point forbids' : 'points forbid'} it, proved.`
   const which = `Vertex ${vertex} of cell ${id}`
   if (forbids === 'valid') return `${which}: no place makes ${own} valid${proved}`
   if (forbids === 'margin') return `${which}: no place makes ${own} better than ${formatNumber(bound)}${proved}`
   return `${which}: no better place was found for ${own}; that there is none is not proved.`
+}
+
+export function allProofsWords(heldCount: number): string {
+  return heldCount === 1 ? 'The proof as a file' : `The proofs of all ${grouped(heldCount)} vertices as a file`
+}
+
+export function certificatesSentence(file: string, count: number, heldCount: number): string {
+  return `${file} has certificates of ${grouped(count)} of ${many(heldCount, 'vertex', 'vertices')}.`
 }
 
 type Result = Pick<PartUntangled, 'counts' | 'heldCount'>
