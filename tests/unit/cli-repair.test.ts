@@ -60,6 +60,14 @@ describe('repair', () => {
     expect((await run('check', output, '--min-relative=0.1')).status).toBe(0)
   })
 
+  it('writes another format where the name of the file is one of its', async () => {
+    const output = pathOf('grid.inp')
+    const { output: text } = await run('repair', gridFile('grid.msh', 0.05, 2), '-o', output)
+    expect(text).toContain('its hexahedra alone, as Abaqus.')
+    expect(readFileSync(output, 'latin1')).toMatch(/^\*/)
+    expect((await run('check', output)).status).toBe(0)
+  })
+
   it('writes the hexahedra as VTU where that is meant, says what holds the rest, and exits as check does', async () => {
     const output = pathOf('left.vtu')
     const { status, output: text } = await run(

@@ -7,8 +7,9 @@ import type { Mesh } from '../mesh/mesh'
 import type { MeshCheck } from '../mesh/mesh-check'
 import { Refusal } from '../model/result'
 import { writeHeldCertificates } from '../outputs/held-certificates'
-import { meshOutput } from '../outputs/meshes/mesh-output'
-import { vtu } from '../outputs/meshes/vtu'
+import { MESH_FORMS } from '../outputs/meshes/list'
+import type { MeshForm } from '../outputs/meshes/mesh-form'
+import { MESH_ENDINGS, meshOutput } from '../outputs/meshes/mesh-output'
 import { movedFile, whyNotInPlace } from '../outputs/moved-file'
 import { withoutControls } from '../outputs/output'
 import { type Repaired, repairLines } from '../outputs/repair-text'
@@ -68,9 +69,11 @@ async function repaired(work: Work, sink: FileSink, proofs: FileSink | null): Pr
   const open = await openMeshFile(input, streams.input)
   try {
     const mesh = await meshOf(open, input, work)
-    const isInPlace = staysInItsFormat(mesh, wanted)
+    const form = formFor(mesh, wanted)
     const result = await untangled(mesh, work)
-    const chunks = isInPlace ? movedFile(open.file, mesh, result.points) : await vtuOf(mesh, result.points, work)
+    const chunks = form
+      ? await writtenAs(form, { ...mesh, points: result.points }, work)
+      : movedFile(open.file, mesh, result.points)
     for (const chunk of chunks) sink.write(chunk)
     sink.close()
     const check = await checkOfWritten(work)
@@ -80,7 +83,16 @@ async function repaired(work: Work, sink: FileSink, proofs: FileSink | null): Pr
     const certificates = proofs && writtenCertificates(proofs, mesh, result, reason, work)
     const { format } = mesh
     progress.clear()
-    for (const line of repairLines({ result, reason, margin, input, output, format, isInPlace, certificates }))
+    for (const line of repairLines({
+      result,
+      reason,
+      margin,
+      input,
+      output,
+      format,
+      form: form?.name ?? null,
+      certificates,
+    }))
       await streams.output.write(`${line}\n`)
     const text = textOutput({ listsAll: false, minRelative, skipsDegenerate: false })
     for (const chunk of text.file({ file: output, exit, check })) await streams.output.write(chunk as string)
@@ -96,13 +108,20 @@ async function meshOf(open: OpenFile, path: string, { wanted, engine, progress }
   return meshIn(open, withoutControls(path), { format, step, readingCore, hdf5: engine.hdf5, progress })
 }
 
-/** True if the file is written as it was but for coordinates, false if as VTU. Throws a Refusal if neither is meant and possible. */
-function staysInItsFormat(mesh: Mesh, { output }: RepairArguments): boolean {
-  const isVtu = /\.vtu$/i.test(output)
+/** Null if the file is written as it was but for coordinates, else how its hexahedra are. Throws a Refusal if neither is meant and possible. */
+function formFor(mesh: Mesh, { input, output }: RepairArguments): MeshForm | null {
+  const ending = endingOf(output)
+  const form = MESH_FORMS.find(({ id }) => id === ending) ?? null
   const why = whyNotInPlace(mesh)
-  if (isVtu) return mesh.format === 'VTU' && why === null
-  if (why !== null) throw new Refusal(`repair: ${why} Name a .vtu file to write the hexahedra so.`)
-  return true
+  const isSameFormat = ending === endingOf(input) || form?.name.split(' ')[0] === mesh.format
+  if (why === null && (form === null || isSameFormat)) return null
+  if (form === null)
+    throw new Refusal(`repair: ${why} Name a file that ends in one of ${MESH_ENDINGS} to write the hexahedra so.`)
+  return form
+}
+
+function endingOf(path: string): string | undefined {
+  return /\.([^./\\]+)$/.exec(path)?.[1]?.toLowerCase()
 }
 
 async function untangled(mesh: Mesh, { wanted, engine, progress }: Work): Promise<Untangled> {
@@ -116,10 +135,14 @@ async function untangled(mesh: Mesh, { wanted, engine, progress }: Work): Promis
   return result.value
 }
 
-async function vtuOf(mesh: Mesh, points: Float64Array, work: Work): Promise<Iterable<string | Uint8Array>> {
-  const form = meshOutput(vtu, () => {})
-  const check = await checkOf({ ...mesh, points }, work, form.lists)
-  return form.file({ file: work.wanted.output, exit: exitOf(check, work.wanted), check })
+async function writtenAs(form: MeshForm, mesh: Mesh, work: Work): Promise<Iterable<string | Uint8Array>> {
+  const { errors } = work.streams
+  const output = meshOutput(form, sentence =>
+    errors.write(`${sentence}
+`),
+  )
+  const check = await checkOf(mesh, work, output.lists)
+  return output.file({ file: work.wanted.output, exit: exitOf(check, work.wanted), check })
 }
 
 /** Their file, and how many are in it. */

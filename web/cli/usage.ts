@@ -63,7 +63,7 @@ Each move takes a vertex to the best place for the worst of its cells, and never
 option frees it. It knows no geometry but what stays, and a mesh whose topology forbids validity stays invalid: docs/repair.md.
 
   -o, --output OUT     the file to write, in the format of FILE: all bytes but those of coordinates are as they were. Where the
-                       format does not let coordinates be replaced, or OUT is a .vtu, the hexahedra alone are written as VTU
+                       format does not let coordinates be replaced, or OUT ends as another of VTU, VTK, Gmsh and Abaqus does, the hexahedra alone are written so
   --min-relative R     moves on until the least minimum of jacdet over |volume| is R, from 0 to 1; without, until all are valid
   --slide              vertices on planar parts of the boundary move in their plane, those on a straight edge of it along it
   --free-boundary D    vertices of the boundary move by D at most, in the unit of the coordinates; with --slide only in their

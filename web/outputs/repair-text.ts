@@ -13,8 +13,8 @@ export interface Repaired {
   readonly input: string
   readonly output: string
   readonly format: string
-  /** Only coordinates are others; else it is a VTU. */
-  readonly isInPlace: boolean
+  /** The format in which the hexahedra alone are written; null where the file stays as it was but for coordinates. */
+  readonly form: string | null
   /** The file of certificates, and how many are in it; null where none was wanted. */
   readonly certificates: { readonly file: string; readonly count: number } | null
 }
@@ -23,8 +23,9 @@ export interface Repaired {
 const MOST_REASONS = 10
 
 export function* repairLines(repaired: Repaired): Generator<string> {
-  const { result, input, output, format, isInPlace } = repaired
-  const how = isInPlace ? 'where every byte but those of coordinates is as it was' : 'its hexahedra alone, as VTU'
+  const { result, input, output, format, form } = repaired
+  const how =
+    form === null ? 'where every byte but those of coordinates is as it was' : `its hexahedra alone, as ${form}`
   yield `${withoutControls(input)} (${format}) is written to ${withoutControls(output)}, ${how}.`
   yield* countLines(repaired)
   if (result.tooManyCount > 0)
