@@ -62,8 +62,9 @@ Reads a mesh, moves vertices so that hexahedra become valid, and writes it to OU
 Each move takes a vertex to the best place for the worst of its cells, and never makes that worse. The boundary stays unless an
 option frees it. It knows no geometry but what stays, and a mesh whose topology forbids validity stays invalid: docs/repair.md.
 
-  -o, --output OUT     the file to write, in the format of FILE: all bytes but those of coordinates are as they were. Where the
-                       format does not let coordinates be replaced, or OUT ends as another of VTU, VTK, Gmsh and Abaqus does, the hexahedra alone are written so
+  -o, --output OUT     the file to write, in the format of FILE: all bytes but those of coordinates are as they were. Where that
+                       does not let coordinates be replaced, or OUT ends as files of another format do (.vtu, .vtk, .msh, .inp),
+                       the hexahedra alone are written as VTU, VTK, Gmsh or Abaqus
   --min-relative R     moves on until the least minimum of jacdet over |volume| is R, from 0 to 1; without, until all are valid
   --slide              vertices on planar parts of the boundary move in their plane, those on a straight edge of it along it
   --free-boundary D    vertices of the boundary move by D at most, in the unit of the coordinates; with --slide only in their
