@@ -35,7 +35,7 @@ const ADVICE: readonly (readonly [about: RegExp, advice: string])[] = [
   ],
   [/not stated in which order|order of their nodes is not certain|order of its nodes is not stated/, WHICH_ORDER],
   [/(taken|read) in the order of the text|in the order of the text/, WHICH_ORDER],
-  [/in two orders, mirror images/, WHICH_ORDER],
+  [/in two orders, mirror images|in scikit-fem’s order/, WHICH_ORDER],
   [/answered as hexahedra with these corners/, 'Write them as hexahedra (type 12) if they are meant so.'],
   [/counting the points from/, 'If that is not so, the cells are others: say the base in the text, or write a VTU.'],
   [
