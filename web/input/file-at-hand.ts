@@ -3,7 +3,7 @@
  * list of numbers is a slice of its own, so that it is not copied; integers of 64 bits become their low halves slice by slice, while the
  * next ones are read.
  */
-import { type LowHalves, PART, readLowHalves } from '../core/batch/low-halves'
+import { type LowHalves, lowHalves, PART } from '../core/batch/low-halves'
 import { listsIn } from '../mesh/read-mesh'
 import type { FileList, MeshFile } from '../mesh/source'
 import { meshFileOf } from './file-reading'
@@ -91,14 +91,11 @@ export async function fileAtHand(
   }
 
   async function read(slice: Slice): Promise<void> {
-    const blob = file.slice(slice.from, slice.to)
+    const bytes = await file.slice(slice.from, slice.to).arrayBuffer()
     const { halves } = slice
-    if (halves) put(await readLowHalves(blob, partOf(slice, halves)), slice, halves)
-    else {
-      const bytes = await blob.arrayBuffer()
-      slice.bytes = new Uint8Array(bytes)
-      if (told && slice.from === told.points) points = new Float64Array(bytes)
-    }
+    if (halves) put(lowHalves(bytes, partOf(slice, halves)), slice, halves)
+    else slice.bytes = new Uint8Array(bytes)
+    if (told && slice.from === told.points) points = new Float64Array(bytes)
     took(slice)
   }
 

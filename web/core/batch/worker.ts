@@ -2,7 +2,7 @@
 import { seldom, serve } from '../workers'
 import { type Counts, loadBatchCore, type Piece } from './batch-core'
 import { listsIn, type Wanted } from './lists'
-import { type LowHalves, readLowHalves } from './low-halves'
+import { type LowHalves, lowHalves } from './low-halves'
 
 export interface BatchJob {
   readonly piece: Piece
@@ -32,7 +32,7 @@ serve<WebAssembly.Module, BatchJobs>('hexlens-batch', async module => {
       core.hold(points)
       return null
     },
-    halve: bytes => readLowHalves(bytes),
+    halve: async bytes => lowHalves(await bytes.arrayBuffer()),
     classify({ piece, block, wanted }, tell) {
       const { validCount, invalidCount, unansweredCount, firstUnanswered, exactCount } = core.classify(piece, wanted, {
         into: count => listsIn(block, count, wanted),
