@@ -284,7 +284,7 @@ def test_cell_arrays_are_written_piece_by_piece(client: object, files: list[str]
         grid = pyvista.read(piece.annotated)
         for name, values in own.arrays().items():
             assert np.array_equal(grid.cell_data[name], values), name
-    # What is missing is written again; what a worker left in the middle is taken away.
+    # The second run writes what is missing, and takes away what a worker left in the middle.
     removed = result.pieces[2].annotated
     os.unlink(removed)
     Path(f"{removed}.0123.part").touch()

@@ -144,7 +144,7 @@ function printTable(names: readonly string[], files: string, readings: ReadonlyM
   }
 }
 
-/** Of a file, or of all in a folder. */
+/** The bytes of a file, or of all files in a folder. */
 function bytesOf(path: string): number {
   const status = statSync(path)
   if (!status.isDirectory()) return status.size

@@ -6,7 +6,7 @@ export type Content = string | Uint8Array
 /** A file of ../shared or of tests/unit/hdf5 by its path, or files that are made here and belong together: the first is given. */
 export type Given = string | Readonly<Record<string, Content>>
 
-/** What is read, as far as it is said. */
+/** The mesh in a file, as far as a fact is about it. */
 export interface Gives {
   readonly hexahedra?: number
   /** 24 coordinates of the first. */
@@ -29,7 +29,7 @@ export interface Fact {
   /** Each is read alone. */
   readonly given: readonly Given[]
   readonly step: number | 'last'
-  /** What is read of each, or the sentence with which each is refused. */
+  /** The mesh in each file, or the sentence with which each is refused. */
   readonly gives: Gives | RegExp
 }
 
