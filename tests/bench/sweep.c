@@ -50,7 +50,7 @@ static void run_hexlens(int query) {
     batch.corner_minima = corner_minima;
     batch.exponents = exponents;
   }
-  classify_with(best_lanes(), &cells, &batch, &stages);
+  classify_with(best_lanes(), &cells, &batch, NULL, &stages);
 }
 
 /* The fast stage alone, and the reading of the elements alone. */

@@ -286,7 +286,7 @@ static void check_batch(const lane_kernels *kernels, unsigned lists, const hl_ce
   const char *name = name_of(kernels);
   hl_batch batch;
   memory m = new_memory(lists, count, &batch);
-  CHECK(classify_with(kernels, cells, &batch, NULL) == HL_OK, "%s, lists %x", name, lists);
+  CHECK(classify_with(kernels, cells, &batch, NULL, NULL) == HL_OK, "%s, lists %x", name, lists);
   for (size_t c = 0; c < count; ++c) check_cell(name, lists, &m, c, &answers[c]);
   check_counts(name, lists, &batch, answers, count);
   check_ends_and_free(&m, name);
@@ -334,7 +334,7 @@ static void the_lanes_decide_some_and_leave_some(void) {
     hl_batch batch;
     batch_stages stages;
     memory m = new_memory(ALL_LISTS, MANY, &batch);
-    classify_with(kernels[k], &cells, &batch, &stages);
+    classify_with(kernels[k], &cells, &batch, NULL, &stages);
     CHECK(stages.after_lanes > 0 && stages.after_lanes < MANY * 9 / 10, "%s: %zu", name_of(kernels[k]),
           stages.after_lanes);
     check_ends_and_free(&m, name_of(kernels[k]));
@@ -364,7 +364,7 @@ static void every_subset_of_lists_is_as_alone(void) {
     hl_batch batch;
     memory m = new_memory(lists, CELLS, &batch);
     batch.valid = batch.invalid = batch.unanswered = batch.exact = 7;
-    CHECK(classify_with(kernel, &cells, &batch, NULL) == HL_MISSING_LIST, "lists %x", lists);
+    CHECK(classify_with(kernel, &cells, &batch, NULL, NULL) == HL_MISSING_LIST, "lists %x", lists);
     CHECK(batch.valid + batch.invalid + batch.unanswered + batch.exact == 0, "lists %x: counts", lists);
     for (int i = 0; i < LISTS; ++i)
       CHECK(!m.lists[i] || is_untouched(&m, i, 0), "lists %x: %s were written", lists, list_table[i].name);

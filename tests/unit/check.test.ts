@@ -1,12 +1,12 @@
 /** The words about a mesh, from its answers alone. */
 import { describe, expect, it } from 'vitest'
-import { putCoincident } from '../../web/core/batch/coincident'
 import { exitOf, gravestExit } from '../../web/mesh/check'
 import { joined } from '../../web/mesh/join-meshes'
 import { core, entry, randomHexahedron, randomSource, unitCube } from './core-fixtures'
 import {
   builderOf,
   checked,
+  classifyCells,
   collapsedEdge,
   flat,
   invalidCorner,
@@ -69,20 +69,16 @@ describe('counts', () => {
     expect(exitOf(check, strict)).toBe(1)
   })
 
-  it('coincident vertices are found as the core finds them, seed 3', () => {
+  it('coincident vertices are found as the core finds them, seed 3', async () => {
     const random = randomSource(3)
     const elements = Array.from({ length: 2000 }, (_, i) =>
       i % 2 ? unitCube.map(() => Math.floor(3 * random())) : randomHexahedron(random, 0.2),
     )
     const mesh = meshOf(elements)
     const reports = elements.map(element => core.analyze(element)).map(result => (result.ok ? result.value : null))
-    const valid = Uint8Array.from(reports, report => (report?.valid ? 1 : 0))
     const expected = Uint8Array.from(reports, report => (report && report.coincident.length > 0 ? 1 : 0))
-    const found = new Uint8Array(elements.length)
-    putCoincident({ ...mesh, valid }, found)
-    expect(found).toEqual(expected)
-    putCoincident({ points: Float64Array.from(elements.flat()), cells: null, valid }, found)
-    expect(found).toEqual(expected)
+    const { coincident } = await classifyCells(mesh.points, mesh.cells, { coincident: true })
+    expect(coincident).toEqual(expected)
   })
 
   it('with degenerate cells skipped these count there alone and are not among the worst', async () => {

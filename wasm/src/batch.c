@@ -6,6 +6,7 @@
 #include "exact.h"
 #include "face.h"
 #include "filter.h"
+#include "hints.h"
 #include "report.h"
 #include "topology.h"
 
@@ -27,6 +28,8 @@ typedef struct block {
   uint8_t verdicts[HL_BLOCK], statuses[HL_BLOCK], is_exact[HL_BLOCK];
   double open[HL_BLOCK * HL_COORDINATES];
   lane_minima lanes;
+  bool has_lanes; /* the lanes' entries are those of the cells */
+  lane_volumes volumes;
   minima_lists out;
   double minima[HL_BLOCK], minimizers[3 * HL_BLOCK], corner_minima[HL_BLOCK];
   int16_t exponents[HL_BLOCK];
@@ -114,6 +117,7 @@ static bool has_unanswered(const uint8_t *verdicts) {
    have decided. */
 static void decide_block(const lane_kernels *kernels, bool asks_exact, block *b, batch_stages *stages) {
   int open[HL_BLOCK], open_count = 0;
+  b->has_lanes = false;
   memset(b->verdicts, HL_UNANSWERED, HL_BLOCK);
   memset(b->is_exact, 0, HL_BLOCK);
   if (kernels) kernels->decide(b->hexahedra, b->count, b->verdicts);
@@ -277,6 +281,7 @@ static int first_without(const unsigned char *state, int bit, int c, int end) {
 static void minima_of_block(const lane_kernels *kernels, block *b, batch_stages *stages) {
   const lane_minima *lanes = &b->lanes;
   memset(b->is_exact, 0, HL_BLOCK);
+  b->has_lanes = kernels != NULL;
   if (kernels) kernels->corners(b->hexahedra, b->count, &b->lanes);
   for (int from = 0, to; from < b->count; from = to + 1) {
     to = kernels ? first_without(lanes->state, LANE_USABLE, from, b->count) : from;
@@ -303,11 +308,19 @@ static void choose_lists(const hl_batch *batch, size_t first, block *b) {
                           .exponents = OR_ROOM(exponents, first)};
 }
 
+/* class_of, which looks for a corner that is certainly positive first. */
+static hl_class class_in_block(const block *b, int c) {
+  enum { MIXED = LANE_USABLE | LANE_POSITIVE };
+  if (b->verdicts[c] == HL_VALID) return HL_CLASS_VALID;
+  if (b->has_lanes && (b->lanes.state[c] & MIXED) == MIXED) return HL_CLASS_INVALID;
+  return class_of(b->hexahedra + 24 * c, b->verdicts[c]);
+}
+
 /* The lists of one cell beyond its verdict and minimum. */
 static void put_details(const hl_batch *batch, const block *b, int c, size_t cell) {
   const double *vertices = b->hexahedra + 24 * c;
   const bool is_answered = b->statuses[c] == HL_OK;
-  if (batch->classes) batch->classes[cell] = is_answered ? (uint8_t)class_of(vertices, b->verdicts[c]) : 0;
+  if (batch->classes) batch->classes[cell] = is_answered ? (uint8_t)class_in_block(b, c) : 0;
   if (batch->accepted_by) batch->accepted_by[cell] = is_answered ? (uint16_t)checks_that_accept(vertices) : 0;
   if (!batch->volumes && !batch->volume_exponents && !batch->relative_minima) return;
   double volume = NAN;
@@ -322,6 +335,24 @@ static void put_details(const hl_batch *batch, const block *b, int c, size_t cel
   if (batch->relative_minima)
     batch->relative_minima[cell] =
         is_answered ? relative_minimum(b->out.minima[c], b->out.exponents[c], volume, exponent) : NAN;
+}
+
+static void put_hints(const lane_kernels *kernels, const batch_hints *hints, size_t first, block *b) {
+  if (hints->relative_minima && kernels) kernels->volumes(b->hexahedra, b->count, &b->volumes);
+  for (int c = 0; c < b->count; ++c) {
+    const double *vertices = b->hexahedra + 24 * c;
+    const size_t cell = first + (size_t)c;
+    const hl_verdict verdict = b->verdicts[c];
+    if (hints->coincident)
+      hints->coincident[cell] = verdict != HL_UNANSWERED && has_coincident_vertices(vertices, verdict == HL_VALID);
+    if (hints->may_be_accepted)
+      hints->may_be_accepted[cell] = verdict == HL_INVALID && may_be_accepted(vertices, b->out.corner_minima[c]);
+    if (hints->relative_minima)
+      hints->relative_minima[cell] =
+          kernels && verdict != HL_UNANSWERED && b->out.exponents[c] == 0
+              ? relative_minimum_about(b->out.minima[c], b->volumes.twelvefold[c], b->volumes.size[c])
+              : NAN;
+  }
 }
 
 /* Hands on and counts the answers to a block. */
@@ -347,7 +378,12 @@ static void hand_on(const block *b, size_t first, hl_batch *batch, batch_stages 
     for (int c = 0; c < b->count; ++c) put_details(batch, b, c, first + (size_t)c);
 }
 
-hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_batch *batch, batch_stages *stages) {
+static bool asks_for_hints(const batch_hints *hints) {
+  return hints->coincident || hints->may_be_accepted || hints->relative_minima;
+}
+
+hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_batch *batch, const batch_hints *hints,
+                        batch_stages *stages) {
   batch_stages own = {0};
   if (!stages) stages = &own;
   *stages = own;
@@ -359,6 +395,7 @@ hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_b
   if (!batch->verdicts || ((batch->minima || batch->corner_minima) && !batch->exponents) ||
       (batch->volumes && !batch->volume_exponents))
     return HL_MISSING_LIST;
+  const bool has_hints = hints && asks_for_hints(hints);
   block b;
   memset(b.copied, 0, sizeof b.copied);
   memset(b.open, 0, sizeof b.open);
@@ -368,12 +405,13 @@ hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_b
     if (asks_for_minima(batch)) minima_of_block(kernels, &b, stages);
     else decide_block(kernels, batch->is_exact != NULL, &b, stages);
     hand_on(&b, first, batch, stages);
+    if (has_hints) put_hints(kernels, hints, first, &b);
   }
   return HL_OK;
 }
 
 hl_status hl_classify(const hl_cells *cells, hl_batch *batch) {
-  return classify_with(best_lanes(), cells, batch, NULL);
+  return classify_with(best_lanes(), cells, batch, NULL, NULL);
 }
 
 const char *hl_vectors(void) { return best_lanes() ? best_lanes()->name : "scalar"; }

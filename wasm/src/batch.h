@@ -10,8 +10,17 @@ typedef struct batch_stages {
   size_t after_lanes, after_doubles; /* not decided, or not minimal, in the lanes; left to integers */
 } batch_stages;
 
-/* hl_classify with these kernels, or one by one where they are null. `stages` may be null. */
-hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_batch *batch, batch_stages *stages);
+/* Lists with one entry a cell, each of which may be null; the last two only together with minima. Of a cell that is unanswered the bytes
+   are 0, the number NaN. */
+typedef struct batch_hints {
+  uint8_t *coincident;      /* 1 where two vertices or more are at one position */
+  uint8_t *may_be_accepted; /* 0 for a valid cell, and for an invalid one that neither corners nor VTK accept, (S2) */
+  float *relative_minima;   /* within 2^-20, (L5); NaN where that is not certain */
+} batch_hints;
+
+/* hl_classify with these kernels, or one by one where they are null. `hints` and `stages` may be null. */
+hl_status classify_with(const lane_kernels *kernels, const hl_cells *cells, hl_batch *batch, const batch_hints *hints,
+                        batch_stages *stages);
 
 /* All kernels that this machine runs, widest first, at most four; returns how many. */
 int usable_lanes(const lane_kernels *list[4]);

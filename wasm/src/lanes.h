@@ -12,7 +12,8 @@ enum {
   LANE_VALID = 2,
   LANE_INVALID = 4,
   LANE_ACCURATE = 8, /* the largest coefficient is not small beside the permanents, (M2) */
-  LANE_SETTLED = 16  /* all of it: the least corner is the minimum, and the verdict is certain */
+  LANE_SETTLED = 16, /* all of it: the least corner is the minimum, and the verdict is certain */
+  LANE_POSITIVE = 32 /* a corner is certainly positive */
 };
 
 typedef struct lane_minima {
@@ -26,6 +27,12 @@ typedef struct lane_minima {
   _Alignas(64) double bernstein[27 * HL_BLOCK];
 } lane_minima;
 
+/* Twelve times the volumes as doubles find them, and what bounds their errors, (V7). */
+typedef struct lane_volumes {
+  _Alignas(64) double twelvefold[HL_BLOCK];
+  _Alignas(64) double size[HL_BLOCK];
+} lane_volumes;
+
 typedef struct lane_kernels {
   const char *name;
   int width; /* elements in one vector of doubles */
@@ -35,6 +42,7 @@ typedef struct lane_kernels {
   /* Least corners and all coefficients in doubles, the very bits of jacdet_bernstein but for
      bernstein_factor and the sign of zero. */
   void (*corners)(const double *hexahedra, int count, lane_minima *out);
+  void (*volumes)(const double *hexahedra, int count, lane_volumes *out);
 } lane_kernels;
 
 /* The widest that this machine runs, or null where there is none: then everything is done one by one. */

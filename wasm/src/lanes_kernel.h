@@ -216,9 +216,11 @@ static inline void corners_of_group(const double *hexahedra, int first, lane_min
   double_bits valid = (smaller_of(least, others) > FACE_BERNSTEIN_ERROR);
   double_bits accurate = (larger_of(greatest, -least) > permanent * LEAST_PART_IN_LANES);
   /* Then the least corner is at least 49u times a unit of at least 2^-750: a normal double. */
+  double_bits positive = (greatest > CORNER_ERROR);
   double_bits settled = usable & accurate & (valid | invalid) & ~lower;
   double_bits state = (usable & LANE_USABLE) | (valid & LANE_VALID) | (invalid & LANE_INVALID) |
-                      (accurate & LANE_ACCURATE) | (settled & LANE_SETTLED);
+                      (accurate & LANE_ACCURATE) | (settled & LANE_SETTLED) |
+                      (positive & LANE_POSITIVE);
   for (int h = 0; h < DOUBLES; ++h) {
     out->state[first + h] = (unsigned char)state[h];
     out->vertex[first + h] = (unsigned char)vertex[h];
@@ -236,8 +238,45 @@ static void corners_of_block(const double *hexahedra, int count, lane_minima *ou
   }
 }
 
+/* Adds the determinant of three columns; returns the product of their sums of magnitudes. */
+static inline doubles add_determinant(const doubles a[3], const doubles b[3], const doubles c[3], doubles *sum) {
+  doubles n[3];
+  CROSS(a, b, n);
+  *sum += DOT(n, c);
+  return (magnitude_of(a[0]) + magnitude_of(a[1]) + magnitude_of(a[2])) *
+         (magnitude_of(b[0]) + magnitude_of(b[1]) + magnitude_of(b[2])) *
+         (magnitude_of(c[0]) + magnitude_of(c[1]) + magnitude_of(c[2]));
+}
+
+/* The columns of volume_columns. */
+static inline void volumes_of_group(const double *hexahedra, int first, lane_volumes *out) {
+  doubles p[24], volume = all_doubles(0), size;
+  for (int g = 0; g < 12; ++g) load_pair(hexahedra, g, p + 2 * g);
+  doubles from_1[3], from_0[3], from_3[3], to_2[3], to_5[3], from_4[3], sums[3][3];
+  for (int r = 0; r < 3; ++r) {
+    from_1[r] = p[18 + r] - p[3 + r];
+    from_0[r] = p[21 + r] - p[r];
+    from_3[r] = p[18 + r] - p[9 + r];
+    to_2[r] = p[6 + r] - p[r];
+    to_5[r] = p[15 + r] - p[r];
+    from_4[r] = p[18 + r] - p[12 + r];
+    sums[0][r] = from_1[r] + from_0[r];
+    sums[1][r] = from_3[r] + to_5[r];
+    sums[2][r] = from_4[r] + to_2[r];
+  }
+  size = add_determinant(sums[0], from_3, to_2, &volume);
+  size += add_determinant(from_0, sums[1], from_4, &volume);
+  size += add_determinant(from_1, to_5, sums[2], &volume);
+  *(doubles *)(out->twelvefold + first) = volume;
+  *(doubles *)(out->size + first) = size;
+}
+
+static void volumes_of_block(const double *hexahedra, int count, lane_volumes *out) {
+  for (int h = 0; h < count; h += DOUBLES) volumes_of_group(hexahedra + 24 * h, h, out);
+}
+
 #define KERNELS_(name) lanes_##name
 #define KERNELS(name) KERNELS_(name)
 #define STRING_(name) #name
 #define STRING(name) STRING_(name)
-const lane_kernels KERNELS(LANES) = {STRING(LANES), DOUBLES, decide_block, corners_of_block};
+const lane_kernels KERNELS(LANES) = {STRING(LANES), DOUBLES, decide_block, corners_of_block, volumes_of_block};

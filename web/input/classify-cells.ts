@@ -1,6 +1,5 @@
 /** Verdicts of a mesh's cells where it is read: few by the core, many by the core for batches, where that starts. */
 import { type BatchCore, type BatchOptions, loadBatchCore } from '../core/batch/batch-core'
-import { putCoincident } from '../core/batch/coincident'
 import { type Answers, answersOf, emptyLists, STATUSES, type Wanted } from '../core/batch/lists'
 import type { Core, Report } from '../core/report'
 import { CHECKS, CLASSES } from '../core/unpack'
@@ -52,13 +51,12 @@ function oneByOne(
     }
     if (cell % 256 === 255) onProgress(cell)
   }
-  if (answers.coincident) putCoincident({ ...mesh, valid: answers.valid }, answers.coincident)
   const invalidCount = count - validCount - unansweredCount
   return { ...answers, validCount, invalidCount, unansweredCount, firstUnanswered, exactCount }
 }
 
 function put(
-  { valid, minima, relativeMinima, volumes, classes, acceptedBy, exact }: Answers,
+  { valid, minima, relativeMinima, volumes, classes, acceptedBy, exact, ...hints }: Answers,
   cell: number,
   report: Report,
 ) {
@@ -78,9 +76,14 @@ function put(
   }
   if (acceptedBy)
     acceptedBy[cell] = report.checks.reduce((mask, { id, passes }) => mask | (Number(passes) << CHECKS.indexOf(id)), 0)
+  const { coincident, mayBeAccepted, relativeAbout } = hints
+  if (coincident) coincident[cell] = Number(report.coincident.length > 0)
+  if (mayBeAccepted) mayBeAccepted[cell] = Number(!report.valid)
+  if (relativeAbout) relativeAbout[cell] = Number.NaN
 }
 
-function putUnanswered({ minima, relativeMinima, volumes, statuses }: Answers, cell: number): void {
+function putUnanswered({ minima, relativeMinima, relativeAbout, volumes, statuses }: Answers, cell: number): void {
+  relativeAbout?.fill(Number.NaN, cell, cell + 1)
   if (relativeMinima) relativeMinima[cell] = Number.NaN
   if (statuses) statuses[cell] = STATUSES.indexOf('not-finite')
   minima?.values.fill(Number.NaN, cell, cell + 1)

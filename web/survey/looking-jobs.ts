@@ -26,7 +26,7 @@ const OPTIONS = {
   worst: Infinity,
   minRelative: null,
   skipsDegenerate: false,
-  lists: { minima: true, volumes: true },
+  lists: { minima: true, volumes: true, mayBeAccepted: true },
 } as const
 
 /** All jobs of a worker in whose mesh nothing is selected, changed or written. */

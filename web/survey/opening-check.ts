@@ -2,23 +2,22 @@
  * The check of a mesh that is being opened: first what the sentence on top and the worst cells need, then the rest. Volumes take longer than
  * verdicts and minima together, so that those of the worst cells alone come first.
  */
-import { type Answers, emptyAnswers, type Wanted } from '../core/batch/lists'
+import { ABOUT, type Answers, emptyAnswers, type Wanted } from '../core/batch/lists'
 import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
-import { invalidOf, type SomeCells, someOf } from '../mesh/accepted-invalid'
+import { cellsAt } from '../mesh/accepted-invalid'
 import { type ClassifyCells, checkMesh } from '../mesh/check'
 import { inParts } from '../mesh/in-parts'
 import type { Mesh } from '../mesh/mesh'
-import { type MeshCheck, NEEDED } from '../mesh/mesh-check'
+import { type MeshCheck, NEEDED, STANDINGS } from '../mesh/mesh-check'
 import { verticesOf } from '../mesh/vertices-of'
 import { FEW, worstFirst } from '../mesh/worst'
-import { volumeBoundsOf } from './volume-bounds'
 
 /** Lists that the page shows; which checks accept a cell, and minimizers, are asked for when they are. */
-const LISTS = { minima: true, minimizers: false, volumes: true, exact: true } as const
+const LISTS = { minima: true, minimizers: false, volumes: true, exact: true, mayBeAccepted: true } as const
 
 /** What is asked of all cells of a mesh that is opened in two steps, at first. */
-export const FIRST_LISTS = { ...LISTS, ...NEEDED, volumes: false, relativeMinima: false } as const
+export const FIRST_LISTS = { ...LISTS, ...NEEDED, volumes: false, relativeMinima: false, relativeAbout: true } as const
 
 /** Meshes with fewer cells are checked at once. */
 const MANY = 50_000
@@ -28,8 +27,6 @@ const MOST_CANDIDATES = 20_000
 export interface OpeningCheck {
   /** All of it, or all but volumes, relative minima and the order: of these what the `FEW` worst cells have. */
   readonly check: MeshCheck
-  /** All invalid cells, if they were looked at. */
-  readonly invalid?: SomeCells
   /** The whole check, in the same lists; null if it is whole. */
   readonly finish: (() => Promise<MeshCheck>) | null
 }
@@ -49,35 +46,28 @@ export async function openingCheck(mesh: Mesh, tools: Tools, many = MANY): Promi
       { ...tools, classify: without(later, tools.classify) },
       { ...plain, worst: 0, lists: LISTS },
     )
-    // No valid cell is worse than an invalid one.
-    const isOfInvalid = first.invalid >= FEW && first.invalid <= MOST_CANDIDATES
-    const invalid = isOfInvalid ? someOf(mesh, invalidOf(first)) : undefined
-    const candidates = invalid ? invalid.indices : candidatesOf(first)
-    const finish = () => finished(first, tools)
-    if (candidates) {
-      const worst = await worstOf(first, invalid ?? someOf(mesh, candidates), tools)
-      return { check: { ...first, worst }, finish, ...(invalid && { invalid }) }
-    }
-    return { check: await finished(first, tools), finish: null }
+    const candidates = candidatesOf(first)
+    if (!candidates) return { check: await finished(first, tools), finish: null }
+    const worst = await worstOf(first, candidates, tools)
+    return { check: { ...first, worst }, finish: () => finished(first, tools) }
   }
   return { check: await checkMesh(mesh, tools, { ...plain, worst: Infinity, lists: LISTS }), finish: null }
 }
 
-/** Classifies without the lists that come later, and puts these among the answers, all NaN and 0. */
+/** Classifies without the lists that come later, and puts these among the answers, all 0. */
 function without(later: Answers, classify: ClassifyCells): ClassifyCells {
   const own = async (points: Float64Array, cells: Uint32Array, wanted: Wanted) => {
     if (!wanted.relativeMinima) return classify(points, cells, wanted)
     const answers = await classify(points, cells, FIRST_LISTS)
-    later.relativeMinima?.fill(Number.NaN)
     return { ...answers, volumes: later.volumes, relativeMinima: later.relativeMinima }
   }
   return own as ClassifyCells
 }
 
 /** The `FEW` worst of some cells; these get volumes and relative minima. */
-async function worstOf(check: MeshCheck, some: SomeCells, { classify }: Tools): Promise<Uint32Array> {
-  const candidates = some.indices
-  const found = await classify(some.points, some.cells, { volumes: true, relativeMinima: true })
+async function worstOf(check: MeshCheck, candidates: Uint32Array, { classify }: Tools): Promise<Uint32Array> {
+  const { points, cells } = check.mesh
+  const found = await classify(points, cellsAt(cells, candidates), { volumes: true, relativeMinima: true })
   const { volumes, relativeMinima } = check.answers
   for (const [i, cell] of candidates.entries()) {
     relativeMinima[cell] = found.relativeMinima[i] as number
@@ -89,74 +79,47 @@ async function worstOf(check: MeshCheck, some: SomeCells, { classify }: Tools): 
   return order.map(i => candidates[i] as number)
 }
 
-/** Cells among which the `FEW` worst are, ascending; null where the bounds of volumes leave too many open. */
-function candidatesOf(check: MeshCheck): Uint32Array | null {
-  const { mesh, answers, hexahedra, isAnswered } = check
-  const minima = answers.minima as NonNullable<typeof answers.minima>
-  const collapsed = CLASSES.indexOf('collapsed')
-  // Where so many are invalid, no valid one is among the worst.
-  const isOfInvalid = check.invalid >= FEW
-  const least = new LeastUppers()
-  const some: number[] = []
-  const lowers: number[] = []
-  const bounds = volumeBoundsOf(mesh)
+const INVALID = STANDINGS.indexOf('invalid')
+const COLLAPSED = CLASSES.indexOf('collapsed')
+
+/** Cells among which the `FEW` worst are, ascending; null where too many are. */
+function candidatesOf({ answers, hexahedra, standings, invalid }: MeshCheck): Uint32Array | null {
+  const about = answers.relativeAbout as Float32Array
+  // No valid cell is worse than an invalid one.
+  const isOfInvalid = invalid >= FEW
+  let some: { readonly cell: number; readonly about: number }[] = []
+  const least = new LeastNumbers()
   let isTooMany = false
-  const look = (cell: number) => {
-    if (isOfInvalid && answers.valid[cell] === 1) return
-    const minimum = minima.values[cell] as number
-    // Not below the worst so far, whatever its volume.
-    if (minimum >= 0 && least.bound < 0) return
-    if (answers.statuses[cell] !== 0 || !isAnswered(cell)) return
-    let [lower, upper] = [-Infinity, Infinity]
-    if (minimum === 0 || answers.classes[cell] === collapsed) lower = upper = 0
-    else if (minima.exponents[cell] === 0 && bounds.find(cell)) {
-      const { least: small, greatest: large } = bounds
-      lower = below(minimum / (minimum < 0 ? small : large))
-      upper = above(minimum / (minimum < 0 ? large : small))
-    }
-    if (!(lower <= least.bound)) return
-    least.take(upper)
-    some.push(cell)
-    lowers.push(lower)
-    if (some.length > MOST_CANDIDATES) {
-      let kept = 0
-      for (let i = 0; i < some.length; ++i)
-        if ((lowers[i] as number) <= least.bound) {
-          some[kept] = some[i] as number
-          lowers[kept++] = lowers[i] as number
-        }
-      some.length = kept
-      lowers.length = kept
-      isTooMany ||= 2 * kept > MOST_CANDIDATES
-    }
-  }
   inParts(hexahedra, (from, to) => {
-    for (let cell = from; cell < to && !isTooMany; ++cell) look(cell)
+    for (let cell = from; cell < to && !isTooMany; ++cell) {
+      let own = about[cell] as number
+      if (own > least.limit) continue
+      const standing = standings[cell] as number
+      if (isOfInvalid ? standing !== INVALID : standing > INVALID) continue
+      if (answers.classes[cell] === COLLAPSED) own = 0
+      // What is not known may be anything.
+      if (Number.isNaN(own)) own = -Infinity
+      else least.take(own)
+      some.push({ cell, about: own })
+      if (some.length <= MOST_CANDIDATES) continue
+      some = some.filter(each => each.about <= least.limit)
+      isTooMany = 2 * some.length > MOST_CANDIDATES
+    }
   })
-  if (isTooMany) return null
-  if (least.bound === Infinity) return null
-  return Uint32Array.from(some.filter((_, i) => (lowers[i] as number) <= least.bound))
+  if (isTooMany || least.limit === Infinity) return null
+  return Uint32Array.from(
+    some.filter(each => each.about <= least.limit),
+    ({ cell }) => cell,
+  )
 }
 
 const LEAST_NORMAL = 2 ** -1022
 
-/** Beyond the roundings of the volume and of two quotients; a relative minimum is no smaller than the least normal double. */
-function below(quotient: number): number {
-  return quotient - 2 ** -51 * Math.abs(quotient) - 2 * LEAST_NORMAL
-}
-
-function above(quotient: number): number {
-  return -below(-quotient)
-}
-
-/** The `FEW` least of some numbers. */
-class LeastUppers {
+/** The `FEW` least of some numbers that are known about. */
+class LeastNumbers {
   readonly #list = new Float64Array(FEW).fill(Infinity)
-
-  /** The greatest of them. */
-  get bound(): number {
-    return this.#list[FEW - 1] as number
-  }
+  /** None of them is above it, nor anything that comes out above it. */
+  limit = Infinity
 
   take(value: number): void {
     const list = this.#list
@@ -164,6 +127,9 @@ class LeastUppers {
     if (!(value < (list[at] as number))) return
     for (; at > 0 && (list[at - 1] as number) > value; --at) list[at] = list[at - 1] as number
     list[at] = value
+    const last = list[FEW - 1] as number
+    // Both numbers may be off, and a little for what is of second order.
+    this.limit = last + 3 * ABOUT * Math.abs(last)
   }
 }
 
@@ -192,7 +158,10 @@ function putRelativeMinima({ mesh, answers, hexahedra }: MeshCheck, core: Core):
   const minima = answers.minima as NonNullable<typeof answers.minima>
   const volumes = answers.volumes as NonNullable<typeof answers.volumes>
   for (let cell = 0; cell < hexahedra; ++cell) {
-    if (statuses[cell] !== 0) continue
+    if (statuses[cell] !== 0) {
+      relativeMinima[cell] = Number.NaN
+      continue
+    }
     const minimum = minima.values[cell] as number
     const volume = volumes.values[cell] as number
     const relative = minimum / Math.abs(volume)

@@ -79,10 +79,10 @@ async function decided(name: string, mesh: Mesh, { core, classifier }: Tools, be
   const { classify } = classifier
   // Helpers decide in the meantime.
   const boundsMeanwhile = turn().then(() => boundsOf(mesh))
-  const { check, invalid, finish } = await openingCheck(mesh, { classify, core })
+  const { check, finish } = await openingCheck(mesh, { classify, core })
   const survey = new Survey(check, { core, meeting }, before, await boundsMeanwhile)
   const wholeOrder = await wholeOrderOf(check, { classify, core })
-  const overview = survey.overview(name, wholeOrder, await acceptedOfInvalid(check, classify, invalid))
+  const overview = survey.overview(name, wholeOrder, await acceptedOfInvalid(check, classify))
   if (check.hexahedra === 0) throw noHexahedra(check, overview.sentences)
   return { survey, finish, overview }
 }

@@ -3,7 +3,6 @@
  * hexlens-batch.wasm; the contracts are those of wasm/include/hexlens.h.
  */
 import { COORDINATE_COUNT } from '../../model/hexahedron'
-import { putCoincident } from './coincident'
 import {
   type Answers,
   addressesOf,
@@ -148,19 +147,10 @@ export async function loadBatchCore(module: WebAssembly.Module): Promise<BatchCo
       counts = sumOfCounts(counts, cells ? indexed(first, end) : plain(first, end), first)
       onProgress?.(end)
     }
-    const { valid, coincident } = answersOf(lists)
-    keepValid(valid)
-    if (coincident) putCoincident({ ...own(), valid }, coincident)
+    keepValid(answersOf(lists).valid)
     const answers = into ? into(count) : emptyLists(count, wanted)
     putLists(lists, answers, 0)
     return { ...answersOf(answers), ...counts }
-
-    /** In the core's memory, where they are at hand. */
-    function own() {
-      if (!cells) return { points: points as Float64Array, cells }
-      const own = new Float64Array(memory.buffer, atPoints, coordinateCount)
-      return { points: own, cells: new Uint32Array(memory.buffer, atCells, cells.length) }
-    }
 
     function plain(first: number, end: number): Counts {
       const part = (points as Float64Array).subarray(COORDINATE_COUNT * first, COORDINATE_COUNT * end)

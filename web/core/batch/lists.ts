@@ -13,6 +13,10 @@ export interface Wanted {
   readonly exact?: boolean
   readonly statuses?: boolean
   readonly coincident?: boolean
+  /** Only together with minima. */
+  readonly mayBeAccepted?: boolean
+  /** Only together with minima. */
+  readonly relativeAbout?: boolean
 }
 
 /** Jacdets on [0,1]^3, times 2^exponent, which is 0 wherever the doubles have room for the values. */
@@ -46,7 +50,14 @@ interface AllLists {
   readonly statuses: Uint8Array
   /** 1 for a cell that has two vertices or more at one position. */
   readonly coincident: Uint8Array
+  /** 0 for a valid cell, and for an invalid one that neither the corners nor VTK's scaled Jacobian accept: 1 is a hint only. */
+  readonly mayBeAccepted: Uint8Array
+  /** The relative minimum within `ABOUT` of itself; NaN where that is not certain. */
+  readonly relativeAbout: Float32Array
 }
+
+/** Of relative minima, (L5). */
+export const ABOUT = 2 ** -20
 
 /** Why a cell is unanswered, by its status; undefined if it is answered. */
 export type CellStatus = Extract<CoreErrorCode, 'not-finite'> | 'no-such-point'
@@ -68,12 +79,12 @@ export type Answers<W extends Wanted = Wanted> = {
 
 interface Description {
   readonly askedBy: keyof Wanted | 'always'
-  readonly type: typeof Float64Array | typeof Int16Array | typeof Uint16Array | typeof Uint8Array
+  readonly type: typeof Float64Array | typeof Float32Array | typeof Int16Array | typeof Uint16Array | typeof Uint8Array
   /** Entries a cell. */
   readonly each: number
 }
 
-/** hl_batch's lists, in its order, and behind them one of ours. */
+/** The lists of hl_batch and of batch_hints, in their order. */
 const LISTS: readonly Description[] = [
   { askedBy: 'always', type: Uint8Array, each: 1 }, // verdicts
   { askedBy: 'statuses', type: Uint8Array, each: 1 },
@@ -88,10 +99,16 @@ const LISTS: readonly Description[] = [
   { askedBy: 'volumes', type: Float64Array, each: 1 },
   { askedBy: 'volumes', type: Int16Array, each: 1 }, // exponents
   { askedBy: 'coincident', type: Uint8Array, each: 1 },
+  { askedBy: 'mayBeAccepted', type: Uint8Array, each: 1 },
+  { askedBy: 'relativeAbout', type: Float32Array, each: 1 },
 ]
-const OF_THE_CORE = LISTS.length - 1
 
-type List = Float64Array<ArrayBuffer> | Int16Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint8Array<ArrayBuffer>
+type List =
+  | Float64Array<ArrayBuffer>
+  | Float32Array<ArrayBuffer>
+  | Int16Array<ArrayBuffer>
+  | Uint16Array<ArrayBuffer>
+  | Uint8Array<ArrayBuffer>
 
 /** One entry for each of LISTS, null if it was not asked for. */
 export type Lists = readonly (List | null)[]
@@ -112,7 +129,7 @@ export function bytesPerCell(wanted: Wanted): number {
 }
 
 /** Bytes of an entry: those that are longer come first, so that all are aligned. */
-const SIZES = [8, 2, 1]
+const SIZES = [8, 4, 2, 1]
 
 /** The lists for so many cells as they lie in a block, from a byte on. */
 export function listsIn(block: ArrayBuffer, count: number, wanted: Wanted, from = 0): Lists {
@@ -151,7 +168,7 @@ export function partOf(lists: Lists, first: number, count: number): Lists {
 
 /** Byte addresses of the core's entries from the cell `first` on; 0 for a list that is not there. */
 export function addressesOf(lists: Lists, first: number): number[] {
-  return LISTS.slice(0, OF_THE_CORE).map(({ type, each }, i) => {
+  return LISTS.map(({ type, each }, i) => {
     const list = lists[i]
     return list ? list.byteOffset + first * each * type.BYTES_PER_ELEMENT : 0
   })
@@ -160,7 +177,7 @@ export function addressesOf(lists: Lists, first: number): number[] {
 /** The lists by name. The first holds verdicts, whose HL_VALID is 1, or already 1 and 0. */
 export function answersOf(lists: Lists): Answers {
   const [valid, statuses, exact, classes, acceptedBy, values, minimizers, cornerMinima, exponents, ...more] = lists
-  const [relativeMinima, volumes, volumeExponents, coincident] = more
+  const [relativeMinima, volumes, volumeExponents, coincident, mayBeAccepted, relativeAbout] = more
   return {
     valid,
     minima: values && { values, minimizers: minimizers ?? new Float64Array(0), cornerMinima, exponents },
@@ -171,5 +188,7 @@ export function answersOf(lists: Lists): Answers {
     exact,
     statuses,
     coincident,
+    mayBeAccepted,
+    relativeAbout,
   } as Answers
 }
