@@ -1,7 +1,6 @@
 /** How many of the invalid cells the checks accept of which the sentence on top tells. */
 import { CHECKS } from '../core/unpack'
 import type { ClassifyCells } from './check'
-import { inParts } from './in-parts'
 import { type MeshCheck, STANDINGS } from './mesh-check'
 
 export interface AcceptedInvalid {
@@ -29,13 +28,11 @@ export function acceptedInvalid(check: MeshCheck): AcceptedInvalid {
 
 /** The same without that list, which is asked only of the cells that may be accepted. The check has the list of these. */
 export async function acceptedOfInvalid(check: MeshCheck, classify: ClassifyCells): Promise<AcceptedInvalid> {
-  const { mesh, answers, hexahedra, standings } = check
+  const { mesh, answers, standings } = check
   const mayBeAccepted = answers.mayBeAccepted as Uint8Array
   const some: number[] = []
-  inParts(hexahedra, (from, to) => {
-    for (let cell = from; cell < to; ++cell)
-      if (mayBeAccepted[cell] === 1 && standings[cell] === INVALID) some.push(cell)
-  })
+  for (let cell = mayBeAccepted.indexOf(1); cell >= 0; cell = mayBeAccepted.indexOf(1, cell + 1))
+    if (standings[cell] === INVALID) some.push(cell)
   if (some.length === 0) return { corners: 0, vtk: 0 }
   const { acceptedBy } = await classify(mesh.points, cellsAt(mesh.cells, some), { acceptedBy: true })
   let [corners, vtk] = [0, 0]
