@@ -9,6 +9,7 @@ import { STATUSES, type Wanted } from '../core/batch/lists'
 import type { Core } from '../core/report'
 import { CLASSES } from '../core/unpack'
 import type { NodeOrder } from '../model/node-orders'
+import { countOf } from './bytes'
 import { checkNotes } from './check-notes'
 import { inParts } from './in-parts'
 import { firstBlocks, type Mesh } from './mesh'
@@ -53,29 +54,12 @@ export async function checkMesh(
   const standingOf = (cell: number) => STANDINGS[standings[cell] as number] as Standing
   const isBelow = (cell: number) => minRelative !== null && isLess(answers, cell, minRelative)
 
-  const counts = { valid: 0, invalid: 0, unanswered: 0, degenerate: 0 }
-  let [degenerate, below, mirrored] = [0, 0, 0]
-  const others = new Uint32Array(STANDINGS.length)
-  inParts(hexahedra, (from, to) => {
-    let [coincidents, inverted, invalid] = [0, 0, 0]
-    for (let cell = from; cell < to; ++cell) {
-      const standing = standings[cell] as number
-      coincidents += coincident[cell] as number
-      if (standing === VALID) continue
-      if (standing === INVALID) {
-        invalid++
-        if (answers.classes[cell] === INVERTED) inverted++
-      } else others[standing] = (others[standing] as number) + 1
-    }
-    degenerate += coincidents
-    mirrored += inverted
-    counts.invalid += invalid
-  })
+  const [valid, invalid, unanswered] = [VALID, INVALID, UNANSWERED].map(each => countOf(standings, each)) as Three
+  let [below, mirrored] = [0, 0]
+  for (let cell = answers.classes.indexOf(INVERTED); cell >= 0; cell = answers.classes.indexOf(INVERTED, cell + 1))
+    if (standings[cell] === INVALID) mirrored++
   if (minRelative !== null)
     for (let cell = 0; cell < hexahedra; ++cell) if ((standings[cell] as number) <= INVALID && isBelow(cell)) below++
-  counts.unanswered = others[UNANSWERED] as number
-  counts.degenerate = others[DEGENERATE] as number
-  counts.valid = hexahedra - counts.invalid - counts.unanswered - counts.degenerate
   const severity = {
     relativeMinima: answers.relativeMinima,
     isCollapsed: (cell: number) => CLASSES[answers.classes[cell] as number] === 'collapsed',
@@ -86,10 +70,10 @@ export async function checkMesh(
     answers,
     hexahedra,
     standings,
-    valid: counts.valid,
-    invalid: counts.invalid,
-    unanswered: counts.unanswered,
-    degenerate,
+    valid,
+    invalid,
+    unanswered,
+    degenerate: countOf(coincident, 1),
     below,
     mirrored,
     notTrilinear: { count: notTrilinear.corners.length / 8, validByCorners: byCorners.validCount },
@@ -111,6 +95,7 @@ export async function checkMesh(
 }
 
 const [VALID, INVALID, UNANSWERED, DEGENERATE] = [0, 1, 2, 3] as const
+type Three = [number, number, number]
 const INVERTED = CLASSES.indexOf('inverted')
 const IS_ANSWERED = Uint8Array.from(STATUSES, status => Number(status === undefined))
 
@@ -121,16 +106,18 @@ function standingsOf({
   coincident,
 }: Pick<MeshCheck, 'answers' | 'openOrders'> & { readonly coincident: Uint8Array | null }): Uint8Array {
   const standings = new Uint8Array(valid.length)
-  inParts(standings.length, (from, to) => {
-    for (let cell = from; cell < to; ++cell)
-      if (unansweredCount === 0 || IS_ANSWERED[statuses[cell] as number] === 1)
-        standings[cell] = valid[cell] === 1 ? VALID : INVALID
-      else standings[cell] = UNANSWERED
-  })
+  inParts(standings.length, (from, to) => putStandings(valid.subarray(from, to), standings.subarray(from, to)))
+  if (unansweredCount > 0)
+    for (let cell = 0; cell < standings.length; ++cell)
+      if (IS_ANSWERED[statuses[cell] as number] === 0) standings[cell] = UNANSWERED
   for (const cell of openOrders.keys()) standings[cell] = UNANSWERED
   if (coincident)
     for (let cell = 0; cell < standings.length; ++cell) if (coincident[cell] === 1) standings[cell] = DEGENERATE
   return standings
+}
+
+function putStandings(valid: Uint8Array, standings: Uint8Array): void {
+  for (let i = 0; i < valid.length; ++i) standings[i] = valid[i] === 1 ? VALID : INVALID
 }
 
 /** A cell of volume 0 is below everything if its minimum is negative, else it stands among the zeros. */

@@ -130,7 +130,8 @@ export class Deciding {
       this.#ranges && Number.isInteger(from) && (Number.isInteger(to) || 8 * (first + count) === this.cells.length)
     const parts = isInParts ? this.#ranges?.subarray(2 * from, 2 * Math.ceil(to)) : null
     const [least, greatest] = parts ? [Math.min(...parts), Math.max(...parts)] : rangeOf(cells)
-    if (least < 0 || greatest - least >= 8 * Math.max(count, CELLS_PER_CUT)) return { points: null, cells, firstPoint: 0 }
+    if (least < 0 || greatest - least >= 8 * Math.max(count, CELLS_PER_CUT))
+      return { points: null, cells, firstPoint: 0 }
     return { points: this.points.subarray(3 * least, 3 * (greatest + 1)), cells, firstPoint: least }
   }
 

@@ -89,26 +89,27 @@ function candidatesOf({ answers, hexahedra, standings, invalid }: MeshCheck): Ui
   const isOfInvalid = invalid >= FEW
   let some: { readonly cell: number; readonly about: number }[] = []
   const least = new LeastNumbers()
+  let limit = Infinity
   let isTooMany = false
   inParts(hexahedra, (from, to) => {
     for (let cell = from; cell < to && !isTooMany; ++cell) {
       let own = about[cell] as number
-      if (own > least.limit) continue
+      if (own > limit) continue
       const standing = standings[cell] as number
       if (isOfInvalid ? standing !== INVALID : standing > INVALID) continue
       if (answers.classes[cell] === COLLAPSED) own = 0
       // What is not known may be anything.
       if (Number.isNaN(own)) own = -Infinity
-      else least.take(own)
+      else limit = least.take(own)
       some.push({ cell, about: own })
       if (some.length <= MOST_CANDIDATES) continue
-      some = some.filter(each => each.about <= least.limit)
+      some = some.filter(each => each.about <= limit)
       isTooMany = 2 * some.length > MOST_CANDIDATES
     }
   })
-  if (isTooMany || least.limit === Infinity) return null
+  if (isTooMany || limit === Infinity) return null
   return Uint32Array.from(
-    some.filter(each => each.about <= least.limit),
+    some.filter(each => each.about <= limit),
     ({ cell }) => cell,
   )
 }
@@ -118,18 +119,18 @@ const LEAST_NORMAL = 2 ** -1022
 /** The `FEW` least of some numbers that are known about. */
 class LeastNumbers {
   readonly #list = new Float64Array(FEW).fill(Infinity)
-  /** None of them is above it, nor anything that comes out above it. */
-  limit = Infinity
 
-  take(value: number): void {
+  /** Returns a limit: none of them is above it, nor anything that comes out above it. */
+  take(value: number): number {
     const list = this.#list
     let at = FEW - 1
-    if (!(value < (list[at] as number))) return
-    for (; at > 0 && (list[at - 1] as number) > value; --at) list[at] = list[at - 1] as number
-    list[at] = value
+    if (value < (list[at] as number)) {
+      for (; at > 0 && (list[at - 1] as number) > value; --at) list[at] = list[at - 1] as number
+      list[at] = value
+    }
     const last = list[FEW - 1] as number
     // Both numbers may be off, and a little for what is of second order.
-    this.limit = last + 3 * ABOUT * Math.abs(last)
+    return last === Infinity ? last : last + 3 * ABOUT * Math.abs(last)
   }
 }
 
